@@ -1,0 +1,99 @@
+// What a run gives: the mesh, a report of every face, and the figures of the whole.
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "paver/vec.h"
+
+namespace paver {
+
+/// Conforming surface mesh of order p. Node order inside elements is Gmsh's for Lagrange elements:
+/// corners, then the inner nodes of each side in turn, then the inside (order 2: quad9, tri6, line3).
+/// Elements run counter-clockwise seen against the outward normal of their B-rep face.
+struct SurfaceMesh {
+  int order = 1;
+  std::vector<Vec3> nodes;          ///< mm
+  std::vector<int> quads;           ///< (p+1)^2 node indices per quad
+  std::vector<int> quad_face;       ///< 0-based B-rep face per quad
+  std::vector<int> triangles;       ///< (p+1)(p+2)/2 node indices per triangle
+  std::vector<int> triangle_face;   ///< 0-based B-rep face per triangle
+  std::vector<int> lines;           ///< p+1 node indices per piece of a B-rep edge
+  std::vector<int> line_edge;       ///< 0-based B-rep edge per line
+  std::vector<int> node_edge;       ///< per node: the B-rep edge it lies on (ends: any of its edges), or -1
+  std::vector<double> node_target;  ///< per node: target length h there, mm (corner nodes; 0 elsewhere)
+
+  int nodes_per_quad() const { return (order + 1) * (order + 1); }
+  int nodes_per_triangle() const { return (order + 1) * (order + 2) / 2; }
+  std::size_t quad_count() const { return quad_face.size(); }
+  std::size_t triangle_count() const { return triangle_face.size(); }
+};
+
+enum class FaceStatus { meshed, no_area, failed };
+
+struct FaceReport {
+  std::string name;  ///< "Face12"
+  FaceStatus status = FaceStatus::meshed;
+  std::string stage, reason;  ///< when not meshed: where it stopped and why
+  Vec3 where;                 ///< when failed: a point near the trouble
+  long quads = 0, triangles = 0;
+  double worst_sj = 1;    ///< worst straight-sided scaled Jacobian
+  double cad_area = 0;    ///< mm^2
+  double mesh_area = 0;   ///< mm^2, of the curved elements
+  long closed_by_triangulation = 0;  ///< pieces of front that paving left to triangulate-and-merge
+};
+
+/// Smallest, mean, and share below 0.3, of a scaled Jacobian.
+struct ScaledJacobianStats {
+  double min = 0, mean = 0, below_03 = 0;
+};
+
+/// Figures of the whole mesh; definitions as in core/docs/quality.md.
+struct QualityReport {
+  long quads = 0, triangles = 0, nodes = 0;
+  ScaledJacobianStats sj_quads, sj_triangles, sj_all;  ///< straight-sided
+  double irregular_share = 0;     ///< nodes inside faces (off B-rep edges, periodic edges do not count) with other than 4 edges
+  long irregular_nodes = 0, face_interior_nodes = 0;
+  double length_mean = 0;         ///< mean of edge length / target length of the run
+  double length_cv = 0;           ///< coefficient of variation
+  double length_in_band = 0;      ///< share of edges within 0.7 to 1.4 of the target length
+  double mesh_area = 0, cad_area = 0;
+  double chord_error = 0;         ///< largest distance from element centres to the surface, mm
+  long inverted = 0, undecided = 0;  ///< curved elements whose Jacobian is not proven positive
+  double min_jacobian_ratio = 0;  ///< lower bound of the curved Jacobian over its mean
+  long border_edges = 0, nonmanifold_edges = 0;  ///< mesh edges with one element, with more than two
+  bool watertight = false;
+};
+
+/// What reading and topology found.
+struct ModelReport {
+  std::string file, format, unit;  ///< unit the file states, e.g. "INCH"; lengths are millimetres all the same
+  long solids = 0, shells = 0, faces = 0, edges = 0, vertices = 0;
+  long free_edges = 0, nonmanifold_edges = 0;
+  long sewn_edges = 0;        ///< edges made common by sewing
+  double sew_tolerance = 0;   ///< mm; 0: not sewn
+  double diagonal = 0;        ///< of the bounding box, mm
+  double area = 0;            ///< mm^2
+  std::vector<std::string> free_edge_names, nonmanifold_edge_names;  ///< "Edge7"
+};
+
+struct RunReport {
+  ModelReport model;
+  double target_length = 0;  ///< mm
+  int order = 2, threads = 1;
+  QualityReport quality;
+  std::vector<FaceReport> faces;
+  std::vector<std::string> notes;                               ///< one sentence each
+  std::vector<std::pair<std::string, double>> stage_seconds;    ///< wall time per stage, in order
+  double peak_memory_mib = 0;
+};
+
+struct MeshResult {
+  SurfaceMesh mesh;
+  RunReport report;
+  std::vector<std::string> face_names;  ///< per B-rep face: its name in the file, else "Face12"
+};
+
+}  // namespace paver

@@ -1,0 +1,43 @@
+// Evaluators of the geometry under faces and edges. Only brep/*.cpp includes OpenCASCADE.
+#pragma once
+
+#include <memory>
+
+#include "paver/vec.h"
+
+namespace paver {
+
+enum class SurfaceKind { plane, cylinder, cone, sphere, torus, revolution, extrusion, bezier, bspline, offset, other };
+
+/// One face's surface in its own parameters. An evaluator caches the last span, so each task clones its own.
+class Surface {
+ public:
+  virtual ~Surface() = default;
+  virtual Vec3 point(Vec2 uv) const = 0;
+  /// Point and first derivatives.
+  virtual void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const = 0;
+  /// Point, first and second derivatives.
+  virtual void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const = 0;
+  virtual SurfaceKind kind() const = 0;
+  /// Period in u and v where the surface is closed there (periodic or ends that coincide), else 0.
+  virtual Vec2 period() const = 0;
+  virtual std::unique_ptr<Surface> clone() const = 0;
+};
+
+/// A 3-D curve; immutable and safe to share between threads is not promised: clone per task.
+class Curve {
+ public:
+  virtual ~Curve() = default;
+  virtual Vec3 point(double t) const = 0;
+  virtual void d1(double t, Vec3& x, Vec3& xt) const = 0;
+  virtual void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const = 0;
+};
+
+/// An edge's image in a face's (u, v), over the edge's own parameter.
+class ParameterCurve {
+ public:
+  virtual ~ParameterCurve() = default;
+  virtual Vec2 uv(double t) const = 0;
+};
+
+}  // namespace paver

@@ -1,0 +1,39 @@
+// Target length on faces and along edges: the global h, limited by curvature.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "paver/options.h"
+#include "paver/progress.h"
+#include "topology/model.h"
+
+namespace paver {
+
+/// Target length h over one face's (u, v): the global h where the face is flat enough, less where it turns.
+class FaceSize {
+ public:
+  /// Flat face: `h` everywhere.
+  explicit FaceSize(double h) : h_(h) {}
+  /// Grid of `nu` x `nv` samples (row after row in u) over the box lo..hi of (u, v); bilinear between.
+  FaceSize(double h, Vec2 lo, Vec2 hi, int nu, int nv, std::vector<double> samples);
+  double at(Vec2 uv) const;
+
+ private:
+  double h_;
+  Vec2 lo_, hi_;
+  int nu_ = 0, nv_ = 0;
+  std::vector<double> samples_;
+};
+
+struct SizeField {
+  double h = 0;                 ///< target length of the run, mm
+  double gradation = 0.3;
+  double turn_limit = 0.785;    ///< radians per element edge
+  std::vector<FaceSize> faces;  ///< per face of the model
+};
+
+/// Samples curvature; predicts the element count and throws too_many_elements above options.max_elements.
+SizeField build_size_field(const Model& model, const Options& options, Progress& progress);
+
+}  // namespace paver
