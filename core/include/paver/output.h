@@ -1,0 +1,43 @@
+// Files and text made from a result: mesh files, the report as JSON, the table for a terminal.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "paver/progress.h"
+#include "paver/result.h"
+
+namespace paver {
+
+enum class MshVersion { v2_2, v4_1 };
+
+/// What to write and how. The format of the mesh follows from its file name: .msh (Gmsh) or .vtu (VTK).
+struct OutputFiles {
+  std::string mesh;                           ///< path; empty: no mesh
+  std::string report;                         ///< path of the report (JSON); empty: none
+  MshVersion msh_version = MshVersion::v4_1;  ///< for .msh
+  bool is_ascii = false;                      ///< text instead of binary
+};
+
+/// Throws Error{bad_option} for a mesh file name with another ending or two equal paths, and Error{unwritable_output}
+/// when a file could not be created in its folder. Leaves nothing behind. Call it before the work.
+void check_outputs(const OutputFiles& files);
+
+/// Writes all files under temporary names in their folders, then renames them: a reader sees whole files or none, and
+/// an old file stays until it is replaced. Adds "write" to the report's stage_seconds. On Error{unwritable_output} or
+/// Error{cancelled} nothing is left.
+void write_outputs(MeshResult& result, const OutputFiles& files, Progress& progress);
+
+/// The temporary name that write_outputs uses for `path` in this process; to remove it when the process must end.
+std::string temporary_name(const std::string& path);
+
+/// The report as JSON text. Keys: core/docs/quality.md.
+std::string report_json(const MeshResult& result);
+
+/// The report as lines of at most about 100 columns for a terminal; of the faces only failed ones and the worst.
+std::string report_table(const RunReport& report);
+
+/// 64-bit FNV-1a over coordinates, bit for bit, elements and lines in their order: equal for equal meshes.
+std::uint64_t checksum(const SurfaceMesh& mesh);
+
+}  // namespace paver

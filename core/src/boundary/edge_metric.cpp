@@ -1,0 +1,311 @@
+// Table of arc length, turn and size along one edge.
+// In: the curve, the sizes of adjacent faces. Out: rows t -> s, turn, h, integral of ds/h.
+// Steps: panels halved until Gauss quadrature of the speed agrees with its halves and the tangent turns little in each;
+// h at every row; gradation forwards and backwards; the integral with 1/h linear in s, which inverts in closed form.
+#include "boundary/edge_metric.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace paver {
+namespace {
+
+constexpr int first_panels = 16;            // catches size changes of faces along straight edges
+constexpr int deepest_split = 10;           // of a first panel: a kink ends the halving here
+constexpr double panel_turn = 0.25;         // radians; the table keeps half panels
+constexpr double kink_turn = 0.2;           // radians: a sharper jump of the tangent takes a node
+constexpr int kink_halvings = 30;           // of a deepest panel
+constexpr double kink_end_share = 1e-6;     // of the length: a kink so near an end is the vertex's
+constexpr double standstill = 1e-9;         // of the top speed: the tangent there is only rounding
+constexpr double standstill_step = 1e-6;    // of the parameter range
+constexpr double length_tolerance = 1e-9;   // of the edge's length, per panel
+constexpr double most_by_curvature = 4096;  // intervals on one edge that its own curvature may ask for
+
+Vec3 finite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z) ? a : Vec3{}; }
+
+Vec3 velocity(const Curve& curve, double t) {
+  Vec3 x, xt;
+  curve.d1(t, x, xt);
+  return finite(xt);
+}
+
+// Between unit vectors; 0 where the curve has no tangent.
+double angle_between(Vec3 a, Vec3 b) {
+  if (a == Vec3{} || b == Vec3{}) return 0;
+  return std::atan2(norm(cross(a, b)), dot(a, b));
+}
+
+// Curvature of the curve at t, 0 where it has none.
+double curvature(const Curve& curve, double t) {
+  Vec3 x, xt, xtt;
+  curve.d2(t, x, xt, xtt);
+  double speed = norm(xt);
+  double value = norm(cross(xt, xtt)) / (speed * speed * speed);
+  return std::isfinite(value) ? value : 0;
+}
+
+}  // namespace
+
+std::vector<std::vector<EdgeSide>> edge_sides(const Model& model, const SizeField& size) {
+  std::vector<std::vector<EdgeSide>> sides(model.edges.size());
+  for (std::size_t f = 0; f < model.faces.size(); ++f) {
+    for (const Loop& loop : model.faces[f].loops) {
+      for (const Coedge& coedge : loop.coedges) {
+        if (coedge.pcurve)
+          sides[static_cast<std::size_t>(coedge.edge)].push_back({&size.faces[f], coedge.pcurve.get()});
+      }
+    }
+  }
+  return sides;
+}
+
+EdgeMetric::EdgeMetric(const Edge& edge, const std::vector<EdgeSide>& sides, const SizeField& size)
+    : curve_(edge.curve.get()), t0_(edge.t0), t1_(edge.t1) {
+  tabulate();
+  set_sizes(sides, size, edge.start == edge.end);
+}
+
+// Four Gauss points: degree 7, so panels of smooth curves rarely need halving.
+double EdgeMetric::quadrature(double a, double b) const {
+  static constexpr std::array<double, 2> points = {0.3399810435848563, 0.8611363115940526};
+  static constexpr std::array<double, 2> weights = {0.6521451548625461, 0.3478548451374538};
+  double middle = 0.5 * (a + b), half = 0.5 * (b - a), sum = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    sum += weights[i] *
+           (norm(velocity(*curve_, middle - half * points[i])) + norm(velocity(*curve_, middle + half * points[i])));
+  }
+  return half * sum;
+}
+
+// Where the curve stands still its direction is that just before: a curve that folds back there has a kink.
+Vec3 EdgeMetric::direction_at(double t) const {
+  Vec3 ahead = velocity(*curve_, t);
+  if (norm(ahead) > standstill * top_speed_) return unit(ahead);
+  double step = standstill_step * (t1_ - t0_);
+  return unit(velocity(*curve_, t > t0_ ? t - step : t + step));
+}
+
+void EdgeMetric::tabulate() {
+  for (int i = 0; i <= first_panels; ++i) {
+    double share = static_cast<double>(i) / first_panels;
+    top_speed_ = std::max(top_speed_, norm(velocity(*curve_, (1 - share) * t0_ + share * t1_)));
+  }
+  std::vector<Panel> panels;
+  double total = 0;
+  for (int i = 0; i < first_panels; ++i) {
+    double lo = static_cast<double>(i) / first_panels, hi = static_cast<double>(i + 1) / first_panels;
+    Panel panel{(1 - lo) * t0_ + lo * t1_, (1 - hi) * t0_ + hi * t1_, {}, {}, 0};
+    panel.direction_a = i == 0 ? direction_at(panel.a) : panels.back().direction_b;
+    panel.direction_b = direction_at(panel.b);
+    panel.length = quadrature(panel.a, panel.b);
+    total += panel.length;
+    panels.push_back(panel);
+  }
+  rows_.assign(1, Row{t0_, 0, 0, 0, 0});
+  for (const Panel& panel : panels) add_panel(panel, length_tolerance * total, 0);
+  drop_kinks_at_ends();
+}
+
+void EdgeMetric::add_panel(const Panel& panel, double tolerance, int depth) {
+  double middle = 0.5 * (panel.a + panel.b);
+  Vec3 direction = direction_at(middle);
+  Panel first{panel.a, middle, panel.direction_a, direction, quadrature(panel.a, middle)};
+  Panel second{middle, panel.b, direction, panel.direction_b, quadrature(middle, panel.b)};
+  double turn_first = angle_between(panel.direction_a, direction);
+  double turn_second = angle_between(direction, panel.direction_b);
+  bool is_accurate = std::abs(first.length + second.length - panel.length) <= tolerance;
+  if (depth < deepest_split && !(is_accurate && turn_first + turn_second <= panel_turn)) {
+    add_panel(first, tolerance, depth + 1);
+    add_panel(second, tolerance, depth + 1);
+    return;
+  }
+  add_rows(first, depth == deepest_split);
+  add_rows(second, depth == deepest_split);
+}
+
+// The tangent's jump is narrowed down by halving; a bend that is only tight fades on the way.
+void EdgeMetric::add_rows(const Panel& half, bool may_hold_kink) {
+  const Row before = rows_.back();
+  double turn = angle_between(half.direction_a, half.direction_b);
+  if (may_hold_kink && turn > kink_turn) {
+    double lo = half.a, hi = half.b;
+    Vec3 direction_lo = half.direction_a, direction_hi = half.direction_b;
+    for (int i = 0; i < kink_halvings; ++i) {
+      double middle = 0.5 * (lo + hi);
+      Vec3 direction = direction_at(middle);
+      bool is_in_first = angle_between(direction_lo, direction) > angle_between(direction, direction_hi);
+      (is_in_first ? hi : lo) = middle;
+      (is_in_first ? direction_hi : direction_lo) = direction;
+    }
+    double jump = angle_between(direction_lo, direction_hi);
+    if (jump > kink_turn) {
+      double s = std::min(before.s + quadrature(half.a, lo), before.s + half.length);
+      double turn_before = before.turn + angle_between(half.direction_a, direction_lo);
+      rows_.push_back({lo, s, turn_before, 0, 0});
+      rows_.push_back({lo, s, turn_before + jump, 0, 0});
+      kinks_.push_back({rows_.size() - 1, jump});
+      turn = angle_between(half.direction_a, direction_lo) + jump + angle_between(direction_hi, half.direction_b);
+    }
+  }
+  rows_.push_back({half.b, before.s + half.length, before.turn + turn, 0, 0});
+}
+
+// An edge that ends on a kink of its curve may be evaluated beyond it there: no turn of the edge.
+void EdgeMetric::drop_kinks_at_ends() {
+  const double margin = kink_end_share * length();
+  auto is_at_end = [this, margin](const Kink& kink) {
+    double s = rows_[kink.row].s;
+    return s <= margin || s >= length() - margin;
+  };
+  for (const Kink& kink : kinks_) {
+    if (!is_at_end(kink)) continue;
+    for (std::size_t i = kink.row; i < rows_.size(); ++i) rows_[i].turn -= kink.turn;
+  }
+  std::erase_if(kinks_, is_at_end);
+}
+
+void EdgeMetric::set_sizes(const std::vector<EdgeSide>& sides, const SizeField& size, bool is_closed) {
+  const double least_by_curvature = length() / most_by_curvature;
+  for (Row& row : rows_) {
+    double bend = curvature(*curve_, row.t);
+    row.h = size.h;
+    if (bend > 0) row.h = std::min(row.h, std::max(size.turn_limit / bend, least_by_curvature));
+    for (const EdgeSide& side : sides) row.h = std::min(row.h, side.size->at(side.pcurve->uv(row.t)));
+  }
+  // A second round carries the size through the point where a closed edge meets itself.
+  for (int round = 0; round < (is_closed ? 2 : 1); ++round) {
+    if (is_closed) rows_.front().h = rows_.back().h = std::min(rows_.front().h, rows_.back().h);
+    for (std::size_t i = 1; i < rows_.size(); ++i) {
+      rows_[i].h = std::min(rows_[i].h, rows_[i - 1].h + size.gradation * (rows_[i].s - rows_[i - 1].s));
+    }
+    for (std::size_t i = rows_.size() - 1; i-- > 0;) {
+      rows_[i].h = std::min(rows_[i].h, rows_[i + 1].h + size.gradation * (rows_[i + 1].s - rows_[i].s));
+    }
+  }
+  for (std::size_t i = 1; i < rows_.size(); ++i) {
+    double mean_density = 0.5 * (1 / rows_[i - 1].h + 1 / rows_[i].h);
+    rows_[i].weight = rows_[i - 1].weight + (rows_[i].s - rows_[i - 1].s) * mean_density;
+  }
+}
+
+std::size_t EdgeMetric::row_before_length(double s) const {
+  auto after =
+      std::upper_bound(rows_.begin(), rows_.end(), s, [](double value, const Row& row) { return value < row.s; });
+  auto index = static_cast<std::size_t>(after - rows_.begin());
+  return std::clamp<std::size_t>(index, 1, rows_.size() - 1) - 1;
+}
+
+double EdgeMetric::length_at_weight(double target) const {
+  auto after = std::upper_bound(rows_.begin(), rows_.end(), target,
+                                [](double value, const Row& row) { return value < row.weight; });
+  auto index = std::clamp<std::size_t>(static_cast<std::size_t>(after - rows_.begin()), 1, rows_.size() - 1);
+  const Row &a = rows_[index - 1], &b = rows_[index];
+  double step = b.s - a.s;
+  if (!(step > 0)) return a.s;
+  // With 1/h linear over the panel the weight is quadratic in its share; this form of the root never cancels.
+  double density_a = 1 / a.h, growth = 1 / b.h - density_a, wanted = (target - a.weight) / step;
+  double root = std::sqrt(std::max(0.0, density_a * density_a + 2 * growth * wanted));
+  double share = 2 * wanted / (density_a + root);
+  return a.s + step * std::clamp(share, 0.0, 1.0);
+}
+
+double EdgeMetric::parameter_at_length(double s) const {
+  std::size_t i = row_before_length(s);
+  const Row &a = rows_[i], &b = rows_[i + 1];
+  if (!(b.s > a.s)) return a.t;
+  double share = std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0);
+  double lo = a.t, hi = b.t, t = (1 - share) * a.t + share * b.t;
+  const double tolerance = 1e-13 * length();
+  for (int iteration = 0; iteration < 40; ++iteration) {
+    double error = a.s + quadrature(a.t, t) - s;
+    if (std::abs(error) <= tolerance) break;
+    (error > 0 ? hi : lo) = t;
+    double speed = norm(velocity(*curve_, t));
+    double newton = t - error / speed;
+    double next = newton > lo && newton < hi ? newton : 0.5 * (lo + hi);
+    if (next == t) break;
+    t = next;
+  }
+  return t;
+}
+
+double EdgeMetric::size_at_length(double s) const {
+  std::size_t i = row_before_length(s);
+  const Row &a = rows_[i], &b = rows_[i + 1];
+  double share = b.s > a.s ? std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0) : 0;
+  return 1 / ((1 - share) / a.h + share / b.h);
+}
+
+double EdgeMetric::smooth_turn() const {
+  double sum = turn();
+  for (const Kink& kink : kinks_) sum -= kink.turn;
+  return sum;
+}
+
+std::vector<double> EdgeMetric::node_lengths(int n) const {
+  std::vector<Kink> used = kinks_;
+  if (static_cast<int>(used.size()) >= n) {
+    std::stable_sort(used.begin(), used.end(), [](const Kink& a, const Kink& b) { return a.turn > b.turn; });
+    used.resize(static_cast<std::size_t>(n - 1));
+    std::sort(used.begin(), used.end(), [](const Kink& a, const Kink& b) { return a.row < b.row; });
+  }
+  std::vector<Row> ends = {rows_.front()};  // of the pieces between kinks
+  for (const Kink& kink : used) ends.push_back(rows_[kink.row]);
+  ends.push_back(rows_.back());
+
+  const std::vector<int> counts = share_intervals(ends, n);
+  std::vector<double> lengths = {0};
+  for (std::size_t piece = 0; piece < counts.size(); ++piece) {
+    const Row &a = ends[piece], &b = ends[piece + 1];
+    for (int i = 1; i < counts[piece]; ++i) {
+      lengths.push_back(length_at_weight(a.weight + (b.weight - a.weight) * i / counts[piece]));
+    }
+    lengths.push_back(b.s);
+  }
+  return lengths;
+}
+
+// One interval for each piece, the others to wherever they are longest.
+std::vector<int> EdgeMetric::share_intervals(const std::vector<Row>& ends, int n) const {
+  const std::size_t pieces = ends.size() - 1;
+  std::vector<int> counts;
+  int given = 0;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    double share = weight() > 0 ? (ends[i + 1].weight - ends[i].weight) / weight() : 0;
+    counts.push_back(1 + static_cast<int>((n - static_cast<int>(pieces)) * share));
+    given += counts.back();
+  }
+  for (; given < n; ++given) {
+    std::size_t longest = 0;
+    for (std::size_t i = 1; i < pieces; ++i) {
+      double here = (ends[i + 1].weight - ends[i].weight) / counts[i];
+      double best = (ends[longest + 1].weight - ends[longest].weight) / counts[longest];
+      if (here > best) longest = i;
+    }
+    ++counts[longest];
+  }
+  return counts;
+}
+
+double EdgeMetric::turn_at_length(double s, KinkSide side) const {
+  std::size_t i = row_before_length(s);
+  // Rows before and behind a kink share one s.
+  while (side == KinkSide::before && i > 0 && rows_[i].s >= s) --i;
+  const Row &a = rows_[i], &b = rows_[i + 1];
+  double share = b.s > a.s ? std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0) : 0;
+  return (1 - share) * a.turn + share * b.turn;
+}
+
+bool EdgeMetric::turns_within(int n, double limit) const {
+  constexpr double slack = 1.001;  // the turn is linear between rows only
+  if (turn() <= limit * slack) return true;
+  const std::vector<double> lengths = node_lengths(n);
+  for (std::size_t i = 1; i < lengths.size(); ++i) {
+    double end = i + 1 == lengths.size() ? turn() : turn_at_length(lengths[i], KinkSide::before);
+    if (end - turn_at_length(lengths[i - 1], KinkSide::behind) > limit * slack) return false;
+  }
+  return true;
+}
+
+}  // namespace paver

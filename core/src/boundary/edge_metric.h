@@ -1,0 +1,78 @@
+// Length of one edge measured in target lengths: the table behind interval counts and node positions.
+#pragma once
+
+#include <vector>
+
+#include "sizing/size_field.h"
+#include "topology/model.h"
+
+namespace paver {
+
+/// What one adjacent face says about the size along an edge. Both pointers outlive the metric.
+struct EdgeSide {
+  const FaceSize* size = nullptr;
+  const ParameterCurve* pcurve = nullptr;
+};
+
+/// Per edge of the model: its uses by faces that have a parameter curve there, in face order.
+std::vector<std::vector<EdgeSide>> edge_sides(const Model& model, const SizeField& size);
+
+/// Table along one non-degenerate edge: parameter t, arc length s (mm), turn of the tangent (radians), target length h
+/// and the integral of ds/h, called weight. h is the least of the global h, the edge's own turn limit and the adjacent
+/// faces, smoothed along the edge by the gradation. Where the tangent jumps (a kink inside the edge) a node is placed.
+/// Keeps a reference to the edge's curve.
+class EdgeMetric {
+ public:
+  EdgeMetric(const Edge& edge, const std::vector<EdgeSide>& sides, const SizeField& size);
+
+  double length() const { return rows_.back().s; }
+  double weight() const { return rows_.back().weight; }
+  double turn() const { return rows_.back().turn; }
+  /// turn() less the turns of the kinks.
+  double smooth_turn() const;
+  int kink_count() const { return static_cast<int>(kinks_.size()); }
+  /// Arc lengths of the n + 1 nodes of `n` intervals: equal in weight between kinks, a node on each kink (on the
+  /// sharpest n - 1 of them where there are more).
+  std::vector<double> node_lengths(int n) const;
+  /// Arc length where the weight reaches `weight`, 0 to weight().
+  double length_at_weight(double weight) const;
+  /// Curve parameter at arc length `s`; exact to about 1e-9 of the length.
+  double parameter_at_length(double s) const;
+  double size_at_length(double s) const;
+  /// Whether none of `n` intervals turns more than `limit`; the turn of a kink on a node counts for none.
+  bool turns_within(int n, double limit) const;
+
+ private:
+  struct Row {
+    double t = 0, s = 0, turn = 0, h = 0, weight = 0;
+  };
+  struct Panel {
+    double a = 0, b = 0;
+    Vec3 direction_a, direction_b;
+    double length = 0;
+  };
+  struct Kink {
+    std::size_t row = 0;  // first row behind it; the row before has the same t and s
+    double turn = 0;
+  };
+
+  void tabulate();
+  Vec3 direction_at(double t) const;
+  void add_panel(const Panel& panel, double tolerance, int depth);
+  void add_rows(const Panel& half, bool may_hold_kink);
+  void drop_kinks_at_ends();
+  void set_sizes(const std::vector<EdgeSide>& sides, const SizeField& size, bool is_closed);
+  double quadrature(double a, double b) const;
+  std::vector<int> share_intervals(const std::vector<Row>& ends, int n) const;
+  enum class KinkSide { before, behind };
+  double turn_at_length(double s, KinkSide side) const;
+  std::size_t row_before_length(double s) const;
+
+  const Curve* curve_;
+  double t0_, t1_;
+  double top_speed_ = 0;
+  std::vector<Row> rows_;  // at least two
+  std::vector<Kink> kinks_;
+};
+
+}  // namespace paver

@@ -1,0 +1,140 @@
+// A face's loops without periodic edges and poles.
+// In: model and face. Out: loops, chained by vertices.
+// A coedge whose successor stays keeps it; else its successor is a coedge that lost its predecessor and starts at the
+// same vertex, the next one in the face's own order where several do.
+#include "boundary/region_loops.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace paver {
+namespace {
+
+constexpr double apart = 0.25;  // of the period: two uses this far apart in (u, v) are the sides of a periodic edge
+
+const Edge& edge_of(const Model& model, const Coedge& coedge) {
+  return model.edges[static_cast<std::size_t>(coedge.edge)];
+}
+
+bool lie_apart(const Edge& edge, const Coedge& a, const Coedge& b, Vec2 period) {
+  if (!a.pcurve || !b.pcurve) return edge.is_periodic;
+  double middle = 0.5 * (edge.t0 + edge.t1);
+  Vec2 gap = a.pcurve->uv(middle) - b.pcurve->uv(middle);
+  return (period.x > 0 && std::abs(gap.x) > apart * period.x) || (period.y > 0 && std::abs(gap.y) > apart * period.y);
+}
+
+// One coedge that stays, with its links; `place` counts all coedges of the face in order.
+struct Link {
+  const Coedge* coedge = nullptr;
+  int place = 0;
+  int next = -1;
+  bool has_previous = false;
+  int from = -1, to = -1;  // vertices
+};
+
+// Links each coedge to the one behind it in its loop where both stay.
+std::vector<Link> kept_links(const Model& model, int face, const std::vector<std::vector<bool>>& dropped) {
+  const Face& whole = model.faces[static_cast<std::size_t>(face)];
+  std::vector<Link> links;
+  int place = 0;
+  for (std::size_t l = 0; l < whole.loops.size(); ++l) {
+    const std::vector<Coedge>& coedges = whole.loops[l].coedges;
+    int first_link = -1, last_link = -1;  // link of the first coedge and of the one before, -1 where dropped
+    for (std::size_t c = 0; c < coedges.size(); ++c, ++place) {
+      const Edge& edge = edge_of(model, coedges[c]);
+      int here = -1;
+      if (!edge.is_degenerate && !dropped[l][c]) {
+        here = static_cast<int>(links.size());
+        bool is_reversed = coedges[c].is_reversed;
+        links.push_back({&coedges[c], place, -1, last_link >= 0, is_reversed ? edge.end : edge.start,
+                         is_reversed ? edge.start : edge.end});
+        if (last_link >= 0) links[static_cast<std::size_t>(last_link)].next = here;
+      }
+      if (c == 0) first_link = here;
+      last_link = here;
+    }
+    if (first_link >= 0 && last_link >= 0) {
+      links[static_cast<std::size_t>(last_link)].next = first_link;
+      links[static_cast<std::size_t>(first_link)].has_previous = true;
+    }
+  }
+  return links;
+}
+
+// Joins the ends left open by what was dropped.
+void join_open_ends(std::vector<Link>& links) {
+  const int n = static_cast<int>(links.size());
+  for (int i = 0; i < n; ++i) {
+    Link& link = links[static_cast<std::size_t>(i)];
+    if (link.next >= 0) continue;
+    int any = -1;
+    for (int step = 1; step <= n && link.next < 0; ++step) {
+      int j = (i + step) % n;
+      const Link& candidate = links[static_cast<std::size_t>(j)];
+      if (candidate.has_previous) continue;
+      if (any < 0) any = j;
+      if (candidate.from == link.to) link.next = j;
+    }
+    // There are as many open starts as open ends, so `any` exists; a face whose chain is broken stays a closed list.
+    if (link.next < 0) link.next = any;
+    links[static_cast<std::size_t>(link.next)].has_previous = true;
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<bool>> periodic_coedges(const Model& model, int face) {
+  const Face& whole = model.faces[static_cast<std::size_t>(face)];
+  struct Use {
+    int edge;
+    std::size_t loop, coedge;
+  };
+  std::vector<Use> uses;
+  std::vector<std::vector<bool>> result;
+  for (std::size_t l = 0; l < whole.loops.size(); ++l) {
+    result.emplace_back(whole.loops[l].coedges.size(), false);
+    for (std::size_t c = 0; c < whole.loops[l].coedges.size(); ++c)
+      uses.push_back({whole.loops[l].coedges[c].edge, l, c});
+  }
+  std::stable_sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) { return a.edge < b.edge; });
+  Vec2 period = whole.surface ? whole.surface->period() : Vec2{};
+  for (std::size_t i = 1; i < uses.size(); ++i) {
+    const Use &a = uses[i - 1], &b = uses[i];
+    if (a.edge != b.edge) continue;
+    const Edge& edge = model.edges[static_cast<std::size_t>(a.edge)];
+    if (!lie_apart(edge, whole.loops[a.loop].coedges[a.coedge], whole.loops[b.loop].coedges[b.coedge], period))
+      continue;
+    result[a.loop][a.coedge] = result[b.loop][b.coedge] = true;
+  }
+  return result;
+}
+
+std::vector<Loop> linked_loops(const Model& model, int face, bool keep_periodic) {
+  std::vector<Loop> loops;
+  if (keep_periodic) {
+    for (const Loop& loop : model.faces[static_cast<std::size_t>(face)].loops) {
+      if (!loop.coedges.empty()) loops.push_back(loop);
+    }
+    return loops;
+  }
+  return linked_loops(model, face, periodic_coedges(model, face));
+}
+
+std::vector<Loop> linked_loops(const Model& model, int face, const std::vector<std::vector<bool>>& dropped) {
+  std::vector<Loop> loops;
+  std::vector<Link> links = kept_links(model, face, dropped);
+  join_open_ends(links);
+  std::vector<bool> is_done(links.size(), false);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (is_done[i]) continue;
+    Loop loop;
+    for (std::size_t j = i; !is_done[j]; j = static_cast<std::size_t>(links[j].next)) {
+      is_done[j] = true;
+      loop.coedges.push_back(*links[j].coedge);
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+}  // namespace paver

@@ -1,0 +1,18 @@
+// What a Shape holds; for the files that may see OpenCASCADE.
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <string>
+#include <vector>
+
+#include "brep/read_shape.h"
+
+namespace paver {
+
+struct Shape {
+  TopoDS_Shape shape;
+  /// Name the file gives to each face, in the order of TopExp::MapShapes(shape, TopAbs_FACE); empty text where none.
+  std::vector<std::string> labels;
+};
+
+}  // namespace paver

@@ -1,0 +1,81 @@
+// A shape on its way to a Model: its faces in the order of the file, as repaired and sewn so far.
+#pragma once
+
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <string>
+#include <vector>
+
+#include "brep/shape_impl.h"
+#include "paver/progress.h"
+
+namespace paver {
+
+struct WorkFace {
+  TopoDS_Face face;  ///< current image, with the orientation it has in the shape
+  int solid = -1;    ///< index of the solid it belongs to, -1: none
+  double area = 0;   ///< mm^2
+  bool has_area = true;
+  std::string fault;  ///< not empty: cannot be meshed, and why
+};
+
+struct Workpiece {
+  TopoDS_Shape shape;
+  std::vector<WorkFace> faces;  ///< in the order of TopExp::MapShapes of the shape as read
+  double diagonal = 0;          ///< of the bounding box, mm
+  bool is_copied = false;       ///< shape and faces are our own, to be changed in place
+  bool is_rebuilt = false;      ///< faces are no longer those of `shape`: edges are numbered over the faces instead
+};
+
+/// Progress units that the functions below credit per face.
+inline constexpr long measure_units = 1, repair_units = 1, sew_units = 2;
+
+/// Faces, their solids and areas, and the diagonal. A face with less than 1e-10 diagonal^2 has no area.
+/// Credits measure_units per face.
+Workpiece make_workpiece(const Shape& shape, Progress& progress);
+
+/// Makes shape and faces our own, so that they may be changed in place. Order of faces and edges stays.
+void copy_shape(Workpiece& work);
+
+/// Gives faces without loops their natural bounds, edges without an image on a face that image, and edges wrongly
+/// flagged as poles their curve. What fails becomes the face's fault. The input's own data stay as they are.
+/// Credits repair_units per face.
+void repair(Workpiece& work, Progress& progress);
+
+/// Uses of every edge of faces with area, and whether it is a free one.
+struct EdgeUses {
+  TopTools_IndexedMapOfShape edges;
+  std::vector<int> uses;  ///< at index of `edges` (from 1)
+  /// One face only, not a pole.
+  bool is_free(int index) const;
+};
+EdgeUses count_uses(const std::vector<WorkFace>& faces);
+
+struct SewResult {
+  double tolerance = 0;  ///< 0: nothing was sewn
+  long free_before = 0, free_after = 0;
+  std::vector<int> lost_faces;  ///< indices of faces that sewing dropped as smaller than the tolerance
+};
+
+/// Makes coinciding free edges common, solid by solid and among the faces without a solid. `tolerance` < 0: default
+/// from the target length. Credits sew_units per face.
+SewResult sew(Workpiece& work, double tolerance, double target_length, Progress& progress);
+
+/// Area in mm^2 whatever the orientation; NaN when the kernel cannot compute it.
+double face_area(const TopoDS_Face& face);
+
+/// Length of an edge in mm; 0 for a pole.
+double edge_length(const TopoDS_Edge& edge);
+
+/// Volume inside faces that close, mm^3; negative when their normals look inwards; 0 when it cannot be computed.
+double enclosed_volume(const std::vector<TopoDS_Face>& faces);
+
+/// "Face12" for index 11.
+inline std::string face_name(int index) { return "Face" + std::to_string(index + 1); }
+
+/// "Face3, Face8, Face9 and 29 more".
+std::string list_names(const std::vector<std::string>& names);
+
+}  // namespace paver

@@ -1,0 +1,128 @@
+// paver mesh FILE -o OUT: reads the command line, meshes, writes, and turns every outcome into an exit code and, where
+// it failed, one sentence on stderr. The contract: core/docs/quality.md lists the report, --help the rest.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <new>
+
+#include "arguments.h"
+#include "paver/mesher.h"
+#include "terminal.h"
+
+namespace paver {
+namespace {
+
+constexpr int internal_exit_code = 1, face_failed_exit_code = 4;
+constexpr std::size_t most_named_faces = 10;
+
+int exit_code(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::bad_option:
+      return 2;
+    case ErrorCode::file_missing:
+    case ErrorCode::not_a_cad_file:
+    case ErrorCode::damaged_file:
+    case ErrorCode::no_faces:
+      return 3;
+    case ErrorCode::face_failed:
+      return face_failed_exit_code;
+    case ErrorCode::too_many_elements:
+      return 5;
+    case ErrorCode::unwritable_output:
+      return 6;
+    case ErrorCode::cancelled:
+      return 130;
+    case ErrorCode::out_of_memory:
+    case ErrorCode::internal:
+      break;
+  }
+  return internal_exit_code;
+}
+
+/// Prints one line, whatever the text holds.
+void complain(std::string text) {
+  std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  fmt::print(stderr, "paver: {}\n", text);
+}
+
+/// "Face3 (paving: no room), Face9 (...)"; empty when no face failed.
+std::string failed_faces(const std::vector<FaceReport>& faces, std::size_t& count) {
+  std::string text;
+  for (const FaceReport& face : faces) {
+    if (face.status != FaceStatus::failed || ++count > most_named_faces) continue;
+    std::string reason = face.reason;
+    while (reason.ends_with('.')) reason.pop_back();
+    text += fmt::format("{}{} ({}: {})", text.empty() ? "" : ", ", face.name, face.stage, reason);
+  }
+  if (count > most_named_faces) text += fmt::format(" and {} more", count - most_named_faces);
+  return text;
+}
+
+void check_input_is_no_output(const Arguments& arguments) {
+  for (const std::string& output : {arguments.files.mesh, arguments.files.report}) {
+    std::error_code ignored;
+    if (!output.empty() && std::filesystem::equivalent(arguments.input, output, ignored)) {
+      throw Error(ErrorCode::bad_option, fmt::format("'{}' is the input; it is not written over.", output));
+    }
+  }
+}
+
+MeshResult mesh_and_write(const Arguments& arguments, Progress& progress) {
+  Terminal terminal(progress, arguments.is_quiet,
+                    {temporary_name(arguments.files.mesh), temporary_name(arguments.files.report)});
+  MeshResult result = mesh_file(arguments.input, arguments.options, progress);
+  OutputFiles files = arguments.files;
+  if (result.mesh.quad_count() + result.mesh.triangle_count() == 0) files.mesh.clear();
+  write_outputs(result, files, progress);
+  progress.begin(Stage::done);
+  return result;
+}
+
+int mesh(const Arguments& arguments, Progress& progress) {
+  check(arguments.options);
+  check_input_is_no_output(arguments);
+  check_outputs(arguments.files);
+  MeshResult result = mesh_and_write(arguments, progress);
+  bool is_empty = result.mesh.quad_count() + result.mesh.triangle_count() == 0;
+  if (!arguments.is_quiet) {
+    std::string table = report_table(result.report);
+    std::fwrite(table.data(), 1, table.size(), stdout);
+  }
+  std::size_t failed = 0;
+  std::string names = failed_faces(result.report.faces, failed);
+  if (failed > 0) {
+    complain(fmt::format("{} of {} faces could not be meshed{}: {}.", failed, result.report.faces.size(),
+                         is_empty ? ", no mesh is written" : ", the mesh of the others is written", names));
+    return face_failed_exit_code;
+  }
+  if (is_empty) throw Error(ErrorCode::no_faces, "None of the faces has an area, so there is no mesh.");
+  return 0;
+}
+
+int run(int argc, const char* const* argv) {
+  static Progress progress;
+  try {
+    Arguments arguments;
+    if (auto finished = read_arguments(argc, argv, arguments)) return *finished;
+    cancel_on_signals(progress);
+    return mesh(arguments, progress);
+  } catch (const Error& error) {
+    complain(with_command_line_names(error.what()));
+    return exit_code(error.code());
+  } catch (const std::bad_alloc&) {
+    complain("Out of memory; choose a larger target length or fewer threads.");
+  } catch (const std::exception& error) {
+    complain(fmt::format("Internal error, please report it with the model: {}.", error.what()));
+  } catch (...) {
+    complain("Internal error of an unknown kind, please report it with the model.");
+  }
+  return internal_exit_code;
+}
+
+}  // namespace
+}  // namespace paver
+
+int main(int argc, char** argv) { return paver::run(argc, argv); }

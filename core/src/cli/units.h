@@ -1,0 +1,60 @@
+// Numbers with units as users write them: "30 mm", "1.5in", "3GHz".
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace paver {
+
+/// A unit in lower case and its size in the base unit.
+using Unit = std::pair<std::string_view, double>;
+
+inline constexpr std::array<Unit, 13> length_units{{{"", 1},
+                                                    {"mm", 1},
+                                                    {"um", 1e-3},
+                                                    {"\u00b5m", 1e-3},
+                                                    {"\u03bcm", 1e-3},
+                                                    {"cm", 10},
+                                                    {"m", 1000},
+                                                    {"km", 1e6},
+                                                    {"in", 25.4},
+                                                    {"inch", 25.4},
+                                                    {"\"", 25.4},
+                                                    {"mil", 0.0254},
+                                                    {"ft", 304.8}}};
+inline constexpr std::array<Unit, 6> frequency_units{
+    {{"", 1}, {"hz", 1}, {"khz", 1e3}, {"mhz", 1e6}, {"ghz", 1e9}, {"thz", 1e12}}};
+
+/// `text` as a number times its unit, case and blanks around both ignored; none when it is not a number with a unit of the list.
+template <std::size_t n>
+std::optional<double> parse_quantity(std::string text, const std::array<Unit, n>& units) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  const char *begin = text.data(), *end = begin + text.size();
+  auto skip_blanks = [&](const char* at) { return std::find_if(at, end, [](char c) { return c != ' ' && c != '\t'; }); };
+  while (end != begin && (end[-1] == ' ' || end[-1] == '\t')) --end;
+  begin = skip_blanks(begin);
+  if (begin != end && *begin == '+') ++begin;
+  double value = 0;
+  auto [rest, error] = std::from_chars(begin, end, value);
+  if (error != std::errc()) return std::nullopt;
+  rest = skip_blanks(rest);
+  std::string_view unit(rest, static_cast<std::size_t>(end - rest));
+  for (auto [name, size] : units) {
+    if (name == unit) return value * size;
+  }
+  return std::nullopt;
+}
+
+/// Millimetres; a plain number is millimetres.
+inline std::optional<double> parse_length(const std::string& text) { return parse_quantity(text, length_units); }
+
+/// Hertz; a plain number is hertz.
+inline std::optional<double> parse_frequency(const std::string& text) { return parse_quantity(text, frequency_units); }
+
+}  // namespace paver

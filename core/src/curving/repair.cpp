@@ -1,0 +1,168 @@
+// Repair of folded order-2 elements.
+// In: mesh, validity test. Out: mesh with some inner nodes moved, list of what remains.
+// Steps: invalid elements in order; for each the blended centre, then its interior side middles towards their chords;
+// a second pass for elements whose neighbours have been mended meanwhile.
+#include "curving/repair.h"
+
+#include <algorithm>
+#include <array>
+
+#include "curving/order2.h"
+
+namespace paver {
+namespace {
+
+constexpr std::array<double, 3> straightening = {0.5, 0.75, 1.0};
+constexpr int passes = 2;
+
+struct Element {
+  bool is_quad = true;
+  int index = -1;
+};
+
+class Repairer {
+ public:
+  Repairer(SurfaceMesh& mesh, const IsValidFn& is_valid) : mesh_(mesh), is_valid_(is_valid) {}
+
+  RepairResult run(std::vector<Element> invalid) {
+    if (!invalid.empty()) list_neighbours();
+    for (int pass = 0; pass < passes && !invalid.empty(); ++pass) {
+      std::vector<Element> remaining;
+      for (const Element& element : invalid) {
+        if (!is_valid(element) && !mend(element)) remaining.push_back(element);
+      }
+      bool has_mended = remaining.size() < invalid.size();
+      invalid = std::move(remaining);
+      if (!has_mended) break;
+    }
+    for (const Element& element : invalid) {
+      (element.is_quad ? result_.invalid_quads : result_.invalid_triangles).push_back(element.index);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  struct Saved {
+    int node;
+    Vec3 x;
+  };
+
+  bool is_valid(const Element& element) const { return is_valid_(mesh_, element.is_quad, element.index); }
+  Vec3& position(int node) { return mesh_.nodes[static_cast<std::size_t>(node)]; }
+
+  const int* nodes_of(const Element& element) const {
+    return element.is_quad ? &mesh_.quads[9 * static_cast<std::size_t>(element.index)]
+                           : &mesh_.triangles[6 * static_cast<std::size_t>(element.index)];
+  }
+  static int corner_count(const Element& element) { return element.is_quad ? 4 : 3; }
+
+  // Elements at each side middle.
+  void list_neighbours() {
+    elements_at_.resize(mesh_.nodes.size());
+    for (bool is_quad : {true, false}) {
+      const auto count = static_cast<int>(is_quad ? mesh_.quad_count() : mesh_.triangle_count());
+      for (int i = 0; i < count; ++i) {
+        Element element{is_quad, i};
+        const int corners = corner_count(element);
+        for (int c = 0; c < corners; ++c) {
+          elements_at_[static_cast<std::size_t>(nodes_of(element)[corners + c])].push_back(element);
+        }
+      }
+    }
+  }
+
+  bool mend(const Element& element) {
+    if (element.is_quad) {
+      const std::vector<Saved> saved = {save(centre_node(element))};
+      recentre(element);
+      if (is_valid(element)) {
+        ++result_.recentred;
+        return true;
+      }
+      restore(saved);
+    }
+    for (double share : straightening) {
+      if (!straighten(element, share)) continue;
+      ++result_.straightened;
+      return true;
+    }
+    return false;
+  }
+
+  // Moves the middles of interior sides; true when the element is valid and no neighbour has become invalid.
+  bool straighten(const Element& element, double share) {
+    const int* nodes = nodes_of(element);
+    const int corners = corner_count(element);
+    std::vector<Element> neighbours;  // valid before
+    std::vector<Saved> saved;
+    for (int c = 0; c < corners; ++c) {
+      int middle = nodes[corners + c];
+      if (mesh_.node_edge[static_cast<std::size_t>(middle)] >= 0) continue;
+      saved.push_back(save(middle));
+      for (const Element& other : elements_at_[static_cast<std::size_t>(middle)]) {
+        bool is_itself = other.is_quad == element.is_quad && other.index == element.index;
+        if (!is_itself && is_valid(other)) neighbours.push_back(other);
+      }
+    }
+    for (int c = 0; c < corners; ++c) {
+      int middle = nodes[corners + c];
+      if (mesh_.node_edge[static_cast<std::size_t>(middle)] >= 0) continue;
+      Vec3 chord = 0.5 * (position(nodes[c]) + position(nodes[(c + 1) % corners]));
+      position(middle) = (1 - share) * position(middle) + share * chord;
+    }
+    if (element.is_quad) {
+      saved.push_back(save(centre_node(element)));
+      recentre(element);
+    }
+    if (is_valid(element) && keep_valid(neighbours, saved)) return true;
+    restore(saved);
+    return false;
+  }
+
+  // Gives a neighbour that has become invalid a blended centre; false when that is not enough.
+  bool keep_valid(const std::vector<Element>& neighbours, std::vector<Saved>& saved) {
+    for (const Element& other : neighbours) {
+      if (is_valid(other)) continue;
+      if (!other.is_quad) return false;
+      saved.push_back(save(centre_node(other)));
+      recentre(other);
+      if (!is_valid(other)) return false;
+    }
+    return true;
+  }
+
+  int centre_node(const Element& quad) const { return nodes_of(quad)[8]; }
+  void recentre(const Element& quad) { position(centre_node(quad)) = blended_centre(mesh_, quad.index); }
+  Saved save(int node) { return {node, position(node)}; }
+  void restore(const std::vector<Saved>& saved) {
+    for (auto entry = saved.rbegin(); entry != saved.rend(); ++entry) position(entry->node) = entry->x;
+  }
+
+  SurfaceMesh& mesh_;
+  const IsValidFn& is_valid_;
+  std::vector<std::vector<Element>> elements_at_;
+  RepairResult result_;
+};
+
+}  // namespace
+
+RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid) {
+  std::vector<int> quads, triangles;
+  for (int q = 0; q < static_cast<int>(mesh.quad_count()); ++q) {
+    if (!is_valid(mesh, true, q)) quads.push_back(q);
+  }
+  for (int t = 0; t < static_cast<int>(mesh.triangle_count()); ++t) {
+    if (!is_valid(mesh, false, t)) triangles.push_back(t);
+  }
+  return repair_elements(mesh, is_valid, quads, triangles);
+}
+
+RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& invalid_quads,
+                             const std::vector<int>& invalid_triangles) {
+  std::vector<Element> invalid;
+  for (int quad : invalid_quads) invalid.push_back({true, quad});
+  for (int triangle : invalid_triangles) invalid.push_back({false, triangle});
+  return Repairer(mesh, is_valid).run(std::move(invalid));
+}
+
+}  // namespace paver

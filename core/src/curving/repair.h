@@ -1,0 +1,30 @@
+// Curved elements that fold are straightened step by step.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "paver/result.h"
+
+namespace paver {
+
+/// Whether one element's Jacobian is proven positive. The stage that measures quality gives this function, so that
+/// repair need not know how it is proven.
+using IsValidFn = std::function<bool(const SurfaceMesh& mesh, bool is_quad, int element)>;
+
+struct RepairResult {
+  long recentred = 0;                                 ///< elements mended by a blended centre, off the surface
+  long straightened = 0;                              ///< elements mended by moving side middles towards their chords
+  std::vector<int> invalid_quads, invalid_triangles;  ///< what no step could mend, in order
+};
+
+/// Mends the invalid elements of an order-2 mesh. In this order, until valid: the centre as the blend of the sides;
+/// the middles of its interior sides 1/2, 3/4 and all the way to the middle of the chord. Middles on B-rep edges and
+/// corners never move, and a valid neighbour stays valid, else the element is left as it was and listed.
+RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid);
+
+/// The same for elements already known as invalid.
+RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& invalid_quads,
+                             const std::vector<int>& invalid_triangles);
+
+}  // namespace paver

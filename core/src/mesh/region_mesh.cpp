@@ -1,0 +1,79 @@
+// Connectivity edits of a region's mesh and the scaled Jacobian of one element.
+#include "mesh/region_mesh.h"
+
+#include <algorithm>
+
+namespace paver {
+
+int RegionMesh::add_node(Vec2 chart, Vec3 position, Vec3 tangent_p, Vec3 tangent_q, double target) {
+  p.push_back(chart);
+  x.push_back(position);
+  xp.push_back(tangent_p);
+  xq.push_back(tangent_q);
+  h.push_back(target);
+  is_fixed.push_back(0);
+  global.push_back(-1);
+  star.emplace_back();
+  return node_count() - 1;
+}
+
+int RegionMesh::add_element(const std::array<int, 4>& corners) {
+  for (int v : corners)
+    if (v >= 0 && star[v].is_full()) return -1;
+  int e = static_cast<int>(elements.size());
+  elements.push_back({corners});
+  for (int v : corners)
+    if (v >= 0) star[v].add(e);
+  return e;
+}
+
+void RegionMesh::remove_element(int e) {
+  for (int v : elements[e].v)
+    if (v >= 0) star[v].remove(e);
+  elements[e].v = {-1, -1, -1, -1};
+}
+
+bool RegionMesh::replace_node(int e, int from, int to) {
+  if (star[to].is_full()) return false;
+  elements[e].v[elements[e].corner_of(from)] = to;
+  star[from].remove(e);
+  star[to].add(e);
+  return true;
+}
+
+int RegionMesh::valence(int node) const {
+  int count = 0, seen[2 * Star::capacity];
+  for (int e : star[node])
+    for (int other : {elements[e].after(node), elements[e].before(node)})
+      if (std::find(seen, seen + count, other) == seen + count) seen[count++] = other;
+  return count;
+}
+
+Vec2 RegionMesh::pull_back(int node, Vec3 v) const {
+  Vec3 s = xp[node], t = xq[node];
+  double ss = dot(s, s), st = dot(s, t), tt = dot(t, t), vs = dot(v, s), vt = dot(v, t);
+  double det = ss * tt - st * st;
+  if (!(det > 0)) return {0, 0};
+  return {(tt * vs - st * vt) / det, (ss * vt - st * vs) / det};
+}
+
+double scaled_jacobian(const RegionMesh& mesh, const Element& e) {
+  int n = e.corners();
+  Vec3 side[4];
+  double length2[4];
+  for (int i = 0; i < n; ++i) {
+    side[i] = mesh.x[e.v[(i + 1) % n]] - mesh.x[e.v[i]];
+    length2[i] = dot(side[i], side[i]);
+  }
+  Vec3 area = n == 3 ? cross(side[0], side[1]) : cross(side[0] + side[1], side[1] + side[2]);
+  double area_norm = norm(area), worst = 2;
+  for (int i = 0; i < n; ++i) {
+    int j = (i + n - 1) % n;
+    double scale = std::sqrt(length2[i] * length2[j]) * area_norm;
+    double sj = scale > 0 ? dot(cross(side[j], side[i]), area) / scale : -1;
+    worst = std::min(worst, sj);
+  }
+  return n == 3 ? worst * 1.1547005383792515 : worst;
+}
+
+}  // namespace paver

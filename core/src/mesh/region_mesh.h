@@ -1,0 +1,75 @@
+// Nodes and elements of one region while it is paved, smoothed and cleaned up.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "paver/vec.h"
+
+namespace paver {
+
+/// Up to four corner nodes, counter-clockwise in the chart. A triangle has v[3] == -1.
+struct Element {
+  std::array<int, 4> v{-1, -1, -1, -1};
+  bool is_alive() const { return v[0] >= 0; }
+  int corners() const { return v[3] < 0 ? 3 : 4; }
+  int corner_of(int node) const {
+    for (int i = 0; i < 4; ++i)
+      if (v[i] == node) return i;
+    return -1;
+  }
+  int after(int node) const { return v[(corner_of(node) + 1) % corners()]; }
+  int before(int node) const { return v[(corner_of(node) + corners() - 1) % corners()]; }
+};
+
+/// Elements about one node, unordered, in place.
+class Star {
+ public:
+  static constexpr int capacity = 11;
+  int size() const { return size_; }
+  bool is_full() const { return size_ >= capacity; }
+  const int* begin() const { return element_.data(); }
+  const int* end() const { return element_.data() + size_; }
+  void add(int e) { element_[size_++] = e; }
+  void remove(int e) {
+    for (int i = 0; i < size_; ++i)
+      if (element_[i] == e) {
+        element_[i] = element_[--size_];
+        return;
+      }
+  }
+
+ private:
+  int size_ = 0;
+  std::array<int, capacity> element_{};
+};
+
+/// Struct of arrays, one entry per node; elements are edited only through the members below.
+struct RegionMesh {
+  std::vector<Vec2> p;          ///< chart coordinates
+  std::vector<Vec3> x;          ///< position, mm
+  std::vector<Vec3> xp, xq;     ///< derivatives of the position by the chart coordinates
+  std::vector<double> h;        ///< target length, mm
+  std::vector<char> is_fixed;   ///< boundary nodes and hard points never move
+  std::vector<int> global;      ///< boundary stage's node, or -1
+  std::vector<Star> star;
+  std::vector<Element> elements;
+
+  int node_count() const { return static_cast<int>(p.size()); }
+  int add_node(Vec2 chart, Vec3 position, Vec3 tangent_p, Vec3 tangent_q, double target);
+  /// The new element's number; -1 when a node would get more elements than a star holds.
+  int add_element(const std::array<int, 4>& corners);
+  void remove_element(int e);
+  /// False, and nothing changed, when `to` cannot take one more element.
+  bool replace_node(int e, int from, int to);
+  /// Number of distinct mesh edges at a node.
+  int valence(int node) const;
+  Vec3 normal(int node) const { return unit(cross(xp[node], xq[node])); }
+  /// Chart displacement whose image is the tangent vector v at `node`.
+  Vec2 pull_back(int node, Vec3 v) const;
+};
+
+/// Smallest corner value (e1 x e2).n / (|e1||e2|), n the element's own area vector; triangles times 2/sqrt 3.
+double scaled_jacobian(const RegionMesh& mesh, const Element& e);
+
+}  // namespace paver

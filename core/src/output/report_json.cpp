@@ -1,0 +1,114 @@
+// The report of a run as JSON. The keys are a contract: core/docs/quality.md lists them.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "paver/output.h"
+
+namespace paver {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int report_version = 1;  // grows when a key changes its meaning or goes
+
+const char* status_name(FaceStatus status) {
+  switch (status) {
+    case FaceStatus::meshed:
+      return "meshed";
+    case FaceStatus::no_area:
+      return "no_area";
+    case FaceStatus::failed:
+      return "failed";
+  }
+  return "failed";
+}
+
+Json model_json(const ModelReport& m) {
+  return {{"file", m.file},
+          {"format", m.format},
+          {"unit", m.unit},
+          {"solids", m.solids},
+          {"shells", m.shells},
+          {"faces", m.faces},
+          {"edges", m.edges},
+          {"vertices", m.vertices},
+          {"diagonal", m.diagonal},
+          {"area", m.area},
+          {"sewn_edges", m.sewn_edges},
+          {"sew_tolerance", m.sew_tolerance},
+          {"free_edges", m.free_edges},
+          {"free_edge_names", m.free_edge_names},
+          {"nonmanifold_edges", m.nonmanifold_edges},
+          {"nonmanifold_edge_names", m.nonmanifold_edge_names}};
+}
+
+Json sj_json(const ScaledJacobianStats& sj) {
+  return {{"min", sj.min}, {"mean", sj.mean}, {"below_03", sj.below_03}};
+}
+
+Json quality_json(const QualityReport& q) {
+  return {{"quads", q.quads},
+          {"triangles", q.triangles},
+          {"nodes", q.nodes},
+          {"sj", {{"quads", sj_json(q.sj_quads)}, {"triangles", sj_json(q.sj_triangles)}, {"all", sj_json(q.sj_all)}}},
+          {"irregular_share", q.irregular_share},
+          {"irregular_nodes", q.irregular_nodes},
+          {"face_interior_nodes", q.face_interior_nodes},
+          {"length_mean", q.length_mean},
+          {"length_cv", q.length_cv},
+          {"length_in_band", q.length_in_band},
+          {"mesh_area", q.mesh_area},
+          {"cad_area", q.cad_area},
+          {"chord_error", q.chord_error},
+          {"inverted", q.inverted},
+          {"undecided", q.undecided},
+          {"min_jacobian_ratio", q.min_jacobian_ratio},
+          {"border_edges", q.border_edges},
+          {"nonmanifold_edges", q.nonmanifold_edges},
+          {"watertight", q.watertight}};
+}
+
+Json face_json(const FaceReport& face, const std::string& label) {
+  bool has_elements = face.quads + face.triangles > 0;
+  Json json = {{"name", face.name},
+               {"label", label},
+               {"status", status_name(face.status)},
+               {"stage", face.stage},
+               {"reason", face.reason},
+               {"quads", face.quads},
+               {"triangles", face.triangles},
+               {"worst_sj", has_elements ? Json(face.worst_sj) : Json(nullptr)},
+               {"cad_area", face.cad_area},
+               {"mesh_area", face.mesh_area},
+               {"closed_by_triangulation", face.closed_by_triangulation}};
+  if (face.status == FaceStatus::failed) json["where"] = {face.where.x, face.where.y, face.where.z};
+  return json;
+}
+
+}  // namespace
+
+std::string report_json(const MeshResult& result) {
+  const RunReport& run = result.report;
+  Json json = {{"report_version", report_version},
+               {"length_unit", "mm"},
+               {"target_length", run.target_length},
+               {"order", run.order},
+               {"threads", run.threads},
+               {"model", model_json(run.model)},
+               {"quality", quality_json(run.quality)},
+               {"faces", Json::array()},
+               {"notes", run.notes},
+               {"stage_seconds", Json::object()},
+               {"peak_memory_mib", run.peak_memory_mib},
+               {"checksum", fmt::format("{:016x}", checksum(result.mesh))}};
+  for (std::size_t i = 0; i < run.faces.size(); ++i) {
+    const std::string& label = i < result.face_names.size() ? result.face_names[i] : run.faces[i].name;
+    json["faces"].push_back(face_json(run.faces[i], label));
+  }
+  for (const auto& [stage, seconds] : run.stage_seconds) json["stage_seconds"][stage] = seconds;
+  // Names from CAD files may not be UTF-8: replace what is not, rather than fail.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace paver

@@ -1,0 +1,103 @@
+// Gmsh .msh 2.2, ASCII and binary. Elements in the order lines, triangles, quads, each with two tags: physical group
+// and entity.
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "output/mesh_writers_impl.h"
+#include "output/numbering_impl.h"
+
+namespace paver {
+namespace {
+
+constexpr int tags_per_element = 2;
+
+/// One kind of element with its tags.
+struct Table {
+  int type, stride;
+  const std::vector<int>& nodes;
+  const std::vector<int>& entity_of;  ///< 0-based face or edge
+  const std::vector<int>* group_of;   ///< per entity, or null: in no group
+
+  int group(std::size_t row) const { return group_of ? (*group_of)[entity_of[row]] : 0; }
+};
+
+void write_nodes(const SurfaceMesh& mesh, const Numbering& numbering, bool is_ascii, AtomicFile& file) {
+  file.write(fmt::format("$Nodes\n{}\n", numbering.node_count));
+  fmt::memory_buffer text;
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+    int tag = numbering.node_tag[i];
+    if (tag == 0) continue;
+    Vec3 x = mesh.nodes[i];
+    if (is_ascii) {
+      text.clear();
+      fmt::format_to(std::back_inserter(text), "{} {} {} {}\n", tag, x.x, x.y, x.z);
+      file.write(text.data(), text.size());
+    } else {
+      file.write_packed(tag);
+      file.write_packed(x);
+    }
+  }
+  file.write(is_ascii ? "$EndNodes\n" : "\n$EndNodes\n");
+}
+
+void write_table(const Table& table, const Numbering& numbering, bool is_ascii, int& number, AtomicFile& file) {
+  std::size_t rows = table.entity_of.size();
+  if (rows == 0) return;
+  if (!is_ascii) {
+    for (int head : {table.type, static_cast<int>(rows), tags_per_element}) file.write_packed(head);
+  }
+  fmt::memory_buffer text;
+  for (std::size_t row = 0; row < rows; ++row) {
+    int group = table.group(row), entity = table.entity_of[row] + 1;
+    const int* nodes = table.nodes.data() + row * table.stride;
+    ++number;
+    if (!is_ascii) {
+      for (int value : {number, group, entity}) file.write_packed(value);
+      for (int k = 0; k < table.stride; ++k) file.write_packed(numbering.node_tag[nodes[k]]);
+      continue;
+    }
+    text.clear();
+    fmt::format_to(std::back_inserter(text), "{} {} {} {} {}", number, table.type, tags_per_element, group, entity);
+    for (int k = 0; k < table.stride; ++k) {
+      fmt::format_to(std::back_inserter(text), " {}", numbering.node_tag[nodes[k]]);
+    }
+    text.push_back('\n');
+    file.write(text.data(), text.size());
+  }
+}
+
+}  // namespace
+
+void write_physical_names(const Numbering& numbering, AtomicFile& file) {
+  if (numbering.group_names.empty()) return;
+  file.write(fmt::format("$PhysicalNames\n{}\n", numbering.group_names.size()));
+  int number = 0;
+  for (const std::string& name : numbering.group_names) file.write(fmt::format("2 {} \"{}\"\n", ++number, name));
+  file.write("$EndPhysicalNames\n");
+}
+
+void write_msh2(const MeshResult& result, bool is_ascii, AtomicFile& file) {
+  const SurfaceMesh& mesh = result.mesh;
+  Numbering numbering(result);
+  file.write(fmt::format("$MeshFormat\n2.2 {} 8\n", is_ascii ? 0 : 1));
+  if (!is_ascii) {
+    file.write_packed(1);  // readers learn the byte order from it
+    file.write("\n");
+  }
+  file.write("$EndMeshFormat\n");
+  write_physical_names(numbering, file);
+  write_nodes(mesh, numbering, is_ascii, file);
+  file.write(fmt::format("$Elements\n{}\n", mesh.line_edge.size() + mesh.triangle_count() + mesh.quad_count()));
+  int number = 0;
+  const std::vector<int>* groups = &numbering.face_group;
+  write_table({gmsh_line_type(mesh.order), mesh.order + 1, mesh.lines, mesh.line_edge, nullptr}, numbering, is_ascii,
+              number, file);
+  write_table({gmsh_triangle_type(mesh.order), mesh.nodes_per_triangle(), mesh.triangles, mesh.triangle_face, groups},
+              numbering, is_ascii, number, file);
+  write_table({gmsh_quad_type(mesh.order), mesh.nodes_per_quad(), mesh.quads, mesh.quad_face, groups}, numbering,
+              is_ascii, number, file);
+  file.write(is_ascii ? "$EndElements\n" : "\n$EndElements\n");
+}
+
+}  // namespace paver

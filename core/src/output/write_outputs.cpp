@@ -1,0 +1,87 @@
+// All files of one run, or none: each is written whole under a temporary name, and only when all are safe on disk do
+// they get their names.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include "output/mesh_writers_impl.h"
+#include "paver/output.h"
+
+namespace paver {
+namespace {
+
+/// Ending of a file name in lower case, with its dot.
+std::string ending(const std::string& path) {
+  std::string text = std::filesystem::path(path).extension().string();
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  auto full = [&](const std::string& path) { return std::filesystem::weakly_canonical(path, ignored); };
+  return full(a) == full(b);
+}
+
+void check_names(const OutputFiles& files) {
+  if (!files.mesh.empty() && ending(files.mesh) != ".msh" && ending(files.mesh) != ".vtu") {
+    throw Error(ErrorCode::bad_option,
+                fmt::format("The name of the mesh file '{}' must end in .msh or .vtu.", files.mesh));
+  }
+  if (!files.mesh.empty() && !files.report.empty() && is_same_file(files.mesh, files.report)) {
+    throw Error(ErrorCode::bad_option, fmt::format("Mesh and report have the same file name '{}'.", files.mesh));
+  }
+}
+
+void write_mesh(const MeshResult& result, const OutputFiles& files, AtomicFile& file) {
+  if (ending(files.mesh) == ".vtu") {
+    write_vtu(result, files.is_ascii, file);
+  } else if (files.msh_version == MshVersion::v2_2) {
+    write_msh2(result, files.is_ascii, file);
+  } else {
+    write_msh4(result, files.is_ascii, file);
+  }
+}
+
+}  // namespace
+
+void check_outputs(const OutputFiles& files) {
+  check_names(files);
+  for (const std::string& path : {files.mesh, files.report}) {
+    if (!path.empty()) AtomicFile trial(path);  // created and removed again: the only sure test
+  }
+}
+
+void write_outputs(MeshResult& result, const OutputFiles& files, Progress& progress) {
+  check_names(files);
+  progress.begin(Stage::write, 2);
+  auto start = std::chrono::steady_clock::now();
+  std::optional<AtomicFile> mesh, report;
+  if (!files.mesh.empty()) {
+    mesh.emplace(files.mesh, &progress);
+    write_mesh(result, files, *mesh);
+    mesh->finish();
+  }
+  progress.advance();
+  std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  result.report.stage_seconds.emplace_back(stage_name(Stage::write), seconds.count());
+  if (!files.report.empty()) {
+    report.emplace(files.report, &progress);
+    report->write(report_json(result));
+    report->finish();
+  }
+  progress.advance();
+  if (report) report->commit();
+  try {
+    if (mesh) mesh->commit();
+  } catch (const Error&) {
+    if (report) std::filesystem::remove(files.report);
+    throw;
+  }
+}
+
+}  // namespace paver

@@ -1,0 +1,46 @@
+// One quad on one facet.
+#include "paving/factory_facet.h"
+
+#include <algorithm>
+
+#include "base/predicates.h"
+
+namespace paver {
+namespace {
+
+bool is_convex(const RegionMesh& mesh, const int (&v)[4]) {
+  for (int i = 0; i < 4; ++i)
+    if (orientation(mesh.p[v[i]], mesh.p[v[(i + 1) % 4]], mesh.p[v[(i + 2) % 4]]) <= 0) return false;
+  return true;
+}
+
+}  // namespace
+
+bool lay_quad(Front& front, int f, const Wish* left, const Wish* right, int level, std::vector<int>& new_nodes) {
+  const Facet facet = front.facets[f];
+  int a = facet.a, b = facet.b;
+  int before = front.facets[facet.prev].a, after = front.facets[facet.next].b;
+  auto start = [&] { return front.empty.facet_side(f).triangle; };
+  Granted d{before, false}, c{after, false};
+  if (left) d = grant(front, *left, start(), b, right ? after : -1);
+  if (d.node < 0) return false;
+  if (right) c = grant(front, *right, start(), a, left ? d.node : -1);
+  bool is_laid = false;
+  if (c.node >= 0 && c.node != d.node) {
+    const int corners[4] = {a, b, c.node, d.node};
+    if (is_convex(front.mesh, corners)) {
+      double sj = scaled_jacobian(front.mesh, {{a, b, c.node, d.node}});
+      is_laid = sj > 0.05 && front.form_element(f, c.node, d.node, level);
+    }
+  }
+  if (is_laid) {
+    if (d.is_new) new_nodes.push_back(d.node);
+    if (c.is_new) new_nodes.push_back(c.node);
+    return true;
+  }
+  if (c.node >= 0) withdraw(front, c, start(), b);
+  withdraw(front, d, start(), a);
+  return false;
+}
+
+}  // namespace paver

@@ -1,0 +1,416 @@
+// Edits of the front. Every edit is checked first and then carried out whole, so the void triangulation, the facets
+// and the mesh agree at all times, and every element is positive in the chart when it is made.
+#include "paving/front.h"
+
+#include <algorithm>
+
+#include "base/predicates.h"
+
+namespace paver {
+
+/// A new element about to be made: corners, and per side the facet it uses up or the triangle behind it.
+struct Front::Outline {
+  int count = 0;
+  int corner[4] = {-1, -1, -1, -1};
+  int triangle[2] = {-1, -1};
+  Side behind[4];     // void side behind each element side that is not a facet
+  int facet[4] = {-1, -1, -1, -1};
+  int entering[4] = {-1, -1, -1, -1};  // where both sides at a corner are new: facets of the sector it divides
+  int leaving[4] = {-1, -1, -1, -1};
+};
+
+Front::Front(const Region& r, RegionMesh& m) : region(r), mesh(m), empty(m.p) {}
+
+int Front::add_loop_node(const LoopNode& node, Vec2 towards, bool is_fixed) {
+  Vec3 x, xp, xq;
+  region.evaluate(node.p, x, xp, xq);
+  double size = norm(xp) * norm(xq);
+  if (!(norm(cross(xp, xq)) > 1e-6 * size) || !std::isfinite(size)) {
+    // At a pole the surface has no tangent plane: take the one a little further inside.
+    Vec3 at;
+    region.evaluate(node.p + 1e-3 * (towards - node.p), at, xp, xq);
+  }
+  int i = mesh.add_node(node.p, node.global >= 0 ? node.x : x, xp, xq, node.h);
+  mesh.is_fixed[i] = is_fixed;
+  mesh.global[i] = node.global;
+  return i;
+}
+
+void Front::add_start_loop(int first, int count, bool is_backward) {
+  int base = static_cast<int>(facets.size());
+  for (int i = 0; i < count; ++i) {
+    int a = first + (is_backward ? (count - i) % count : i), b = first + (is_backward ? count - 1 - i : (i + 1) % count);
+    facets.push_back({a, b, base + (i + 1) % count, base + (i + count - 1) % count, 0, true});
+  }
+  start_loops.push_back(base);
+}
+
+std::optional<Crossing> Front::start() {
+  for (const auto& loop : region.loops) {
+    int first = mesh.node_count(), n = static_cast<int>(loop.size());
+    for (int i = 0; i < n; ++i)
+      add_loop_node(loop[i], 0.5 * (loop[(i + 1) % n].p + loop[(i + n - 1) % n].p), true);
+    add_start_loop(first, n, false);
+  }
+  for (const Fan& fan : region.fans) {
+    int centre = add_loop_node(fan.centre, fan.ring[0].p, true);
+    int first = mesh.node_count(), n = static_cast<int>(fan.ring.size());
+    for (const LoopNode& node : fan.ring) add_loop_node(node, fan.centre.p, false);
+    add_start_loop(first, n, true);
+    for (int i = 0; i < n; i += 2) mesh.add_element({centre, first + i, first + i + 1, first + (i + 2) % n});
+  }
+  out_facet_.assign(mesh.node_count(), -1);
+  sectors_.assign(mesh.node_count(), 0);
+  colour_.assign(mesh.node_count(), {});
+  std::vector<std::pair<int, int>> ends;
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    ends.push_back({facets[f].a, facets[f].b});
+    out_facet_[facets[f].a] = static_cast<int>(f);
+    sectors_[facets[f].a] = 1;
+  }
+  return empty.build(ends);
+}
+
+int Front::add_node(Vec2 p) {
+  Vec3 x, xp, xq;
+  region.evaluate(p, x, xp, xq);
+  int node = mesh.add_node(p, x, xp, xq, region.target(p));
+  out_facet_.push_back(-1);
+  sectors_.push_back(0);
+  colour_.emplace_back();
+  return node;
+}
+
+double Front::angle_after(int f) const {
+  int a = facets[f].a, b = facets[f].b, c = facets[facets[f].next].b;
+  Vec3 out = mesh.x[c] - mesh.x[b], in = mesh.x[a] - mesh.x[b], n = mesh.normal(b);
+  double angle = std::atan2(dot(n, cross(out, in)), dot(out, in) - dot(n, out) * dot(n, in));
+  if (angle < 0) angle += 2 * M_PI;
+  // The chart settles on which side of a full turn a nearly closed angle is.
+  Vec2 o = mesh.p[c] - mesh.p[b], i = mesh.p[a] - mesh.p[b];
+  double flat = std::atan2(cross(o, i), dot(o, i));
+  if (flat < 0 || (flat == 0 && a != c)) flat += 2 * M_PI;
+  if (angle - flat > M_PI) angle -= 2 * M_PI;
+  if (flat - angle > M_PI) angle += 2 * M_PI;
+  return angle;
+}
+
+void Front::collect_loop(int f, std::vector<int>& loop, int limit) const {
+  loop.clear();
+  int g = f;
+  do {
+    loop.push_back(g);
+    g = facets[g].next;
+  } while (g != f && static_cast<int>(loop.size()) < limit);
+}
+
+Front::Colour Front::root(Colour c) const {
+  while (parent_[c.set].set != c.set) {
+    c.bit ^= parent_[c.set].bit;
+    c.set = parent_[c.set].set;
+  }
+  return c;
+}
+
+bool Front::may_connect(int a, int b) const {
+  if (colour_[a].set < 0 || colour_[b].set < 0) return true;
+  Colour ca = root(colour_[a]), cb = root(colour_[b]);
+  return ca.set != cb.set || ca.bit != cb.bit;
+}
+
+// Records that a and b are joined by a mesh edge: they get opposite colours.
+void Front::unite(int a, int b) {
+  Colour& ca = colour_[a];
+  Colour& cb = colour_[b];
+  if (ca.set < 0 && cb.set < 0) return;
+  if (ca.set < 0) {
+    ca = {cb.set, !cb.bit};
+  } else if (cb.set < 0) {
+    cb = {ca.set, !ca.bit};
+  } else {
+    Colour ra = root(ca), rb = root(cb);
+    if (ra.set != rb.set) parent_[rb.set] = {ra.set, ra.bit == rb.bit};
+  }
+}
+
+void Front::colour_loop(int f) {
+  int set = static_cast<int>(parent_.size());
+  parent_.push_back({set, false});
+  bool bit = false;
+  int g = f;
+  do {
+    colour_[facets[g].a] = {set, bit};
+    bit = !bit;
+    g = facets[g].next;
+  } while (g != f);
+}
+
+int Front::add_facet(int a, int b, int level) {
+  int f = static_cast<int>(facets.size());
+  facets.push_back({a, b, -1, -1, level, true});
+  out_facet_[a] = f;
+  ++sectors_[a];
+  return f;
+}
+
+void Front::kill(int f) {
+  facets[f].is_alive = false;
+  int a = facets[f].a;
+  --sectors_[a];
+  if (out_facet_[a] != f) return;
+  out_facet_[a] = -1;
+  if (sectors_[a] > 0)  // rare: several sectors meet here, find one of the others
+    for (int g = static_cast<int>(facets.size()) - 1; g >= 0; --g)
+      if (facets[g].is_alive && facets[g].a == a) {
+        out_facet_[a] = g;
+        break;
+      }
+}
+
+void Front::join(int prev, int next) {
+  facets[prev].next = next;
+  facets[next].prev = prev;
+}
+
+bool Front::colours_allow(const Outline& o) {
+  if (o.count == 3) return true;
+  for (int i = 0; i < 4; ++i)
+    if (o.facet[i] < 0 && !may_connect(o.corner[i], o.corner[(i + 1) % 4])) return false;
+  // Two of the new sides may join the same two loops: then the path between must fit, too.
+  for (int i = 0; i < 4; ++i) {
+    int a = o.corner[i], b = o.corner[(i + 2) % 4];
+    if (colour_[a].set < 0 || colour_[b].set < 0) continue;
+    Colour ca = root(colour_[a]), cb = root(colour_[b]);
+    if (ca.set == cb.set && ca.bit != cb.bit) return false;
+  }
+  return true;
+}
+
+// Makes the sides of the element and finds the one or two triangles it consists of.
+bool Front::find_outline(int f, int c, int d, Outline& o) {
+  int a = facets[f].a, b = facets[f].b;
+  o.count = d < 0 ? 3 : 4;
+  o.corner[0] = a, o.corner[1] = b, o.corner[2] = c, o.corner[3] = d;
+  if (!empty.recover(empty.facet_side(f).triangle, b, c)) return false;
+  if (!empty.recover(empty.facet_side(f).triangle, a, d < 0 ? c : d)) return false;
+  int t = empty.facet_side(f).triangle;
+  o.triangle[0] = t;
+  if (o.count == 4) {
+    int s = t;  // the triangle left of b -> c
+    for (int guard = 0; s >= 0; s = empty.rotate_cw(s, b)) {
+      if (empty.triangle(s).v[(empty.corner_of(s, b) + 1) % 3] == c) break;
+      if (++guard > 1000) return false;
+    }
+    if (s < 0 || !empty.recover(s, c, d)) return false;
+    t = o.triangle[0] = empty.facet_side(f).triangle;
+    int apex = empty.triangle(t).v[empty.facet_side(f).corner];
+    if (apex != c && apex != d) return false;
+    int across = empty.triangle(t).n[empty.corner_of(t, apex == c ? b : a)];
+    if (across < 0) return false;
+    o.triangle[1] = across;
+    int far = empty.triangle(across).v[empty.side_between(across, apex, apex == c ? a : b)];
+    if (far != (apex == c ? d : c)) return false;
+  } else if (empty.triangle(t).v[empty.facet_side(f).corner] != c) {
+    return false;
+  }
+  for (int i = 0; i < o.count; ++i) {
+    int u = o.corner[i], w = o.corner[(i + 1) % o.count];
+    int in = empty.side_between(o.triangle[0], u, w) >= 0 ? o.triangle[0] : o.triangle[1];
+    int n = empty.triangle(in).n[empty.side_between(in, u, w)];
+    if (is_facet(n)) {
+      o.facet[i] = facet_of(n);
+    } else {
+      o.behind[i] = {n, empty.side_between(n, u, w)};
+    }
+  }
+  for (int i = 0; i < o.count; ++i) {
+    int before = (i + o.count - 1) % o.count, w = o.corner[i];
+    if (o.facet[i] >= 0 || o.facet[before] >= 0 || sectors_[w] == 0) continue;
+    int s = o.behind[before].triangle;
+    while (s >= 0) s = empty.rotate_ccw(s, w);
+    o.entering[i] = facet_of(s);
+    s = o.behind[i].triangle;
+    while (s >= 0) s = empty.rotate_cw(s, w);
+    o.leaving[i] = facet_of(s);
+  }
+  return true;
+}
+
+void Front::relink(const Outline& o, int level) {
+  int fresh[4] = {-1, -1, -1, -1};
+  int n = o.count;
+  empty.remove(o.triangle[0]);
+  if (n == 4) empty.remove(o.triangle[1]);
+  for (int i = 0; i < n; ++i) {
+    if (o.facet[i] >= 0) continue;
+    int u = o.corner[i], w = o.corner[(i + 1) % n];
+    if (n == 4) unite(u, w);
+    fresh[i] = add_facet(w, u, level);
+    empty.set_facet(o.behind[i], fresh[i]);
+  }
+  for (int i = 0; i < n; ++i) {
+    int in = (i + n - 1) % n;
+    if (o.facet[in] >= 0 && o.facet[i] >= 0) continue;  // the sector is used up
+    if (o.facet[in] >= 0) {
+      join(fresh[i], facets[o.facet[in]].next);
+    } else if (o.facet[i] >= 0) {
+      join(facets[o.facet[i]].prev, fresh[in]);
+    } else if (o.entering[i] >= 0) {
+      join(o.entering[i], fresh[in]);
+      join(fresh[i], o.leaving[i]);
+    } else {
+      join(fresh[i], fresh[in]);
+    }
+  }
+  for (int i = 0; i < n; ++i)
+    if (o.facet[i] >= 0) kill(o.facet[i]);
+  stack_.clear();
+  for (int i = 0; i < n; ++i)
+    if (o.behind[i].triangle >= 0) stack_.push_back(o.behind[i].triangle);
+  empty.legalise(stack_);
+}
+
+bool Front::form_element(int f, int c, int d, int level) {
+  Outline o;
+  int a = facets[f].a, b = facets[f].b;
+  bool is_simple = c != a && c != b && d != a && d != b && c != d;
+  if (!is_simple) return false;
+  for (int v : {a, b, c, d})
+    if (v >= 0 && mesh.star[v].is_full()) return false;
+  if (!find_outline(f, c, d, o) || !colours_allow(o)) {
+    stack_.assign(1, empty.facet_side(f).triangle);
+    empty.legalise(stack_);
+    return false;
+  }
+  mesh.add_element({a, b, c, d});
+  relink(o, level);
+  return true;
+}
+
+namespace {
+
+bool element_stays_positive(const RegionMesh& mesh, const Element& e, int node, Vec2 p) {
+  int n = e.corners(), k = e.corner_of(node);
+  auto at = [&](int i) { return e.v[i % n] == node ? p : mesh.p[e.v[i % n]]; };
+  for (int i = 0; i < n; ++i) {
+    if (n == 4 && i == 2) continue;  // the far corner does not see the node
+    int j = k + i + n;
+    if (orientation(at(j - 1), at(j), at(j + 1)) <= 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool Front::can_move(int node, Vec2 p) const {
+  for (int e : mesh.star[node])
+    if (!element_stays_positive(mesh, mesh.elements[e], node, p)) return false;
+  if (sectors_[node] > 1) return false;
+  if (sectors_[node] == 0) return true;
+  for (int t = empty.facet_side(out_facet_[node]).triangle; t >= 0; t = empty.rotate_ccw(t, node)) {
+    int k = empty.corner_of(t, node);
+    const auto& v = empty.triangle(t).v;
+    if (orientation(p, mesh.p[v[(k + 1) % 3]], mesh.p[v[(k + 2) % 3]]) <= 0) return false;
+  }
+  return true;
+}
+
+void Front::set_position(int node, Vec2 p, Vec3 x, Vec3 xp, Vec3 xq) {
+  mesh.p[node] = p;
+  mesh.x[node] = x;
+  mesh.xp[node] = xp;
+  mesh.xq[node] = xq;
+  if (sectors_[node] == 0) return;
+  stack_.clear();
+  collect_fan(out_facet_[node], stack_);
+  empty.legalise(stack_);
+}
+
+int Front::newest_facet() const {
+  for (int f = static_cast<int>(facets.size()) - 1; f >= 0; --f)
+    if (facets[f].is_alive) return f;
+  return -1;
+}
+
+std::vector<std::array<int, 4>> Front::take_void(int f) {
+  std::vector<int> stack{empty.facet_side(f).triangle};
+  std::vector<std::array<int, 4>> taken;
+  while (!stack.empty()) {
+    int t = stack.back();
+    stack.pop_back();
+    const VoidTriangle tri = empty.triangle(t);
+    if (!tri.is_alive) continue;
+    empty.remove(t);
+    taken.push_back({tri.v[0], tri.v[1], tri.v[2], -1});
+    for (int n : tri.n) {
+      if (n >= 0) stack.push_back(n);
+      if (is_facet(n)) kill(facet_of(n));
+    }
+  }
+  return taken;
+}
+
+// The void triangles in the sector between facet f and its predecessor, about f's start node.
+void Front::collect_fan(int f, std::vector<int>& fan) const {
+  for (int t = empty.facet_side(f).triangle; t >= 0; t = empty.rotate_ccw(t, facets[f].a)) fan.push_back(t);
+}
+
+bool Front::close_seam(int f, Vec2 p) {
+  int g = facets[f].next, a = facets[f].a, b = facets[f].b, c = facets[g].b;
+  if (sectors_[a] != 1 || sectors_[c] != 1) return false;
+  int keep = mesh.is_fixed[c] ? c : a, gone = keep == a ? c : a;
+  if (mesh.star[a].size() + mesh.star[c].size() > Star::capacity) return false;
+  int before = facets[f].prev, after = facets[g].next;
+  auto refuse = [&] {
+    stack_.assign(1, empty.facet_side(f).triangle);
+    empty.legalise(stack_);
+    return false;
+  };
+  if (!empty.recover(empty.facet_side(f).triangle, a, c)) return refuse();
+  int inner = empty.facet_side(f).triangle;
+  if (empty.triangle(inner).v[empty.facet_side(f).corner] != c) return refuse();
+  int outer = empty.triangle(inner).n[empty.corner_of(inner, b)];
+  if (outer < 0) return refuse();
+  int to_c = empty.triangle(outer).n[empty.corner_of(outer, a)], to_a = empty.triangle(outer).n[empty.corner_of(outer, c)];
+  if (to_c < 0 && to_a < 0) return refuse();
+  std::vector<int> fan;
+  collect_fan(f, fan);
+  collect_fan(after, fan);
+  for (int t : fan) {
+    if (t == inner || t == outer) continue;
+    const auto& v = empty.triangle(t).v;
+    auto at = [&](int i) { return v[i] == a || v[i] == c ? p : mesh.p[v[i]]; };
+    if (orientation(at(0), at(1), at(2)) <= 0) return refuse();
+  }
+  for (int node : {a, c})
+    for (int e : mesh.star[node])
+      if (!element_stays_positive(mesh, mesh.elements[e], node, p)) return refuse();
+  // Carry out.
+  int z = empty.triangle(outer).v[empty.side_between(outer, a, c)];
+  Side side_c{to_c, to_c >= 0 ? empty.side_between(to_c, c, z) : 0}, side_a{to_a, to_a >= 0 ? empty.side_between(to_a, a, z) : 0};
+  for (int t : fan)
+    if (t != inner && t != outer && empty.has_node(t, gone)) empty.replace_node(t, gone, keep);
+  if (to_c >= 0) empty.link(side_c.triangle, side_c.corner, to_a);
+  if (to_a >= 0) empty.link(side_a.triangle, side_a.corner, to_c);
+  empty.remove(inner);
+  empty.remove(outer);
+  kill(f);
+  kill(g);
+  facets[before].b = facets[after].a = keep;
+  join(before, after);
+  sectors_[gone] = 0, out_facet_[gone] = -1;
+  sectors_[keep] = 1, out_facet_[keep] = after;
+  while (mesh.star[gone].size() > 0) mesh.replace_node(*mesh.star[gone].begin(), gone, keep);
+  mesh.h[keep] = 0.5 * (mesh.h[keep] + mesh.h[gone]);
+  if (!mesh.is_fixed[keep]) {
+    mesh.p[keep] = p;
+    region.evaluate(p, mesh.x[keep], mesh.xp[keep], mesh.xq[keep]);
+  }
+  stack_.clear();
+  for (int t : fan)
+    if (t != inner && t != outer) stack_.push_back(t);
+  empty.legalise(stack_);
+  return true;
+}
+
+}  // namespace paver

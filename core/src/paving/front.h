@@ -1,0 +1,96 @@
+// The front of one region: its facets, the void they enclose, and the edits that keep both in step with the mesh.
+#pragma once
+
+#include <vector>
+
+#include "mesh/region_mesh.h"
+#include "paving/void_triangulation.h"
+#include "regions/region.h"
+
+namespace paver {
+
+/// One front edge a -> b with the void on its left. `next` starts at b, in the same sector of the void.
+struct Facet {
+  int a = -1, b = -1;
+  int next = -1, prev = -1;
+  int level = 0;  ///< number of rows between it and the boundary
+  bool is_alive = true;
+};
+
+/// How often paving fell back on something else; goes to the face's report.
+struct PavingCounts {
+  long seams = 0, transition_seams = 0, wedges = 0, tucks = 0, joins = 0, triangles = 0, closed_by_triangulation = 0;
+};
+
+class Front {
+ public:
+  Front(const Region& region, RegionMesh& mesh);
+
+  /// Triangulates the void inside the region's loops. Returns facet numbers when loops cross or touch.
+  std::optional<Crossing> start();
+
+  const Region& region;
+  RegionMesh& mesh;
+  VoidTriangulation empty;  ///< the void
+  std::vector<Facet> facets;
+  std::vector<int> start_loops;  ///< one facet of each loop the region came with
+  PavingCounts counts;
+
+  /// A facet that starts at `node`, or -1 when it is not on the front.
+  int facet_from(int node) const { return out_facet_[node]; }
+  /// Number of sectors of the void that meet at `node`.
+  int sectors(int node) const { return sectors_[node]; }
+  int add_node(Vec2 p);
+  /// Angle of the void at facet f's end node, radians in (0, 2 pi).
+  double angle_after(int f) const;
+  double length(int f) const { return norm(mesh.x[facets[f].b] - mesh.x[facets[f].a]); }
+  /// Facets of f's loop, starting with f; at most `limit`.
+  void collect_loop(int f, std::vector<int>& loop, int limit) const;
+
+  /// Whether a mesh edge between two front nodes leaves all loops even.
+  bool may_connect(int a, int b) const;
+
+  /// Element on facet f with the further corners c (and d): corners a, b, c[, d]. Nodes must be in the void or on
+  /// the front. False, and the front unchanged, when a side would cross the front or something lies inside.
+  bool form_element(int f, int c, int d, int level);
+  /// Joins the two facets at f's end: node `gone` (start of f or end of its next) merges into the other at `p`.
+  /// False, and nothing changed, when an element or the void would be turned over.
+  bool close_seam(int f, Vec2 p);
+  /// Removes the void that facet f borders with all its facets and returns its triangles (fourth entry -1).
+  std::vector<std::array<int, 4>> take_void(int f);
+  /// The facet made last that is still on the front, or -1.
+  int newest_facet() const;
+  /// Moves a node that can_move() allowed, with its position already evaluated.
+  void set_position(int node, Vec2 p, Vec3 x, Vec3 xp, Vec3 xq);
+  /// Whether all elements and void triangles about the node stay positive in the chart with it at p.
+  bool can_move(int node, Vec2 p) const;
+
+  /// Colours a loop's nodes alternately as a set of its own. The loop must be even.
+  void colour_loop(int f);
+
+ private:
+  struct Colour {
+    int set = -1;
+    bool bit = false;
+  };
+  struct Outline;
+  int add_loop_node(const LoopNode& node, Vec2 towards, bool is_fixed);
+  void add_start_loop(int first, int count, bool is_backward);
+  bool find_outline(int f, int c, int d, Outline& o);
+  void collect_fan(int f, std::vector<int>& fan) const;
+  void relink(const Outline& o, int level);
+  int add_facet(int a, int b, int level);
+  void kill(int f);
+  void join(int prev, int next);
+  Colour root(Colour c) const;
+  void unite(int a, int b);
+  bool colours_allow(const Outline& o);
+
+  std::vector<int> out_facet_;
+  std::vector<int> sectors_;
+  std::vector<Colour> colour_;
+  std::vector<Colour> parent_;  // per set: its parent set and whether colours are swapped
+  std::vector<int> stack_;
+};
+
+}  // namespace paver

@@ -1,0 +1,136 @@
+// Places new nodes by walking in the tangent plane of the parent, with the opposing front in view: where it is less
+// than about one and a half steps away the row connects to it, where it is less than two and a half the step is halved.
+#include "paving/node_placement.h"
+
+#include <algorithm>
+
+#include "base/predicates.h"
+
+namespace paver {
+namespace {
+
+constexpr double connect_reach = 1.42;  // of the step: connect to the opposing front instead of a new node
+constexpr double halve_reach = 2.45;    // of the step: meet it half way
+constexpr double merge_reach = 0.55;    // of the step: take a front node this near to the wished place
+
+/// Chart point at `length` along the wish; one correction for the curvature of the surface.
+Vec2 chart_point(const Front& front, const Wish& wish, double length) {
+  const RegionMesh& mesh = front.mesh;
+  Vec2 p = mesh.p[wish.base], step = mesh.pull_back(wish.base, length * wish.direction);
+  if (front.region.surface->kind() == SurfaceKind::plane) return p + step;
+  Vec3 x, xp, xq;
+  front.region.evaluate(p + step, x, xp, xq);
+  double got = norm(x - mesh.x[wish.base]);
+  if (got > 0.2 * length && got < 5 * length) step = (length / got) * step;
+  return p + step;
+}
+
+/// Distance from the base to the facet in the way, in space; the ray is straight in the chart.
+double distance_to_facet(const RegionMesh& mesh, int base, Vec2 far, int a, int b) {
+  double sa = orientation(mesh.p[base], far, mesh.p[a]), sb = orientation(mesh.p[base], far, mesh.p[b]);
+  double t = sa == sb ? 0.5 : sa / (sa - sb);
+  Vec3 hit = (1 - t) * mesh.x[a] + t * mesh.x[b];
+  return norm(hit - mesh.x[base]);
+}
+
+bool is_allowed(const Front& front, const Wish& wish, int node, int avoid_a, int avoid_b) {
+  return node != wish.base && node != avoid_a && node != avoid_b && front.sectors(node) > 0 &&
+         front.may_connect(wish.base, node);
+}
+
+/// The better end of a facet to connect to: small turn from the wished direction, length near the wish.
+int choose_end(const Front& front, const Wish& wish, int f, int avoid_a, int avoid_b) {
+  int best = -1;
+  double best_cost = 2.2;
+  const Facet& facet = front.facets[f];
+  for (int node : {facet.a, facet.b, front.facets[facet.prev].a, front.facets[facet.next].b}) {
+    if (!is_allowed(front, wish, node, avoid_a, avoid_b)) continue;
+    Vec3 v = front.mesh.x[node] - front.mesh.x[wish.base];
+    double length = norm(v);
+    if (!(length > 0)) continue;
+    double cosine = dot(v, wish.direction) / length;
+    double cost = 2.5 * (1 - cosine) + std::fabs(std::log(length / wish.length));
+    if (cost < best_cost) best_cost = cost, best = node;
+  }
+  return best;
+}
+
+/// A front node near p among the corners of the triangle and of its neighbours.
+int near_node(const Front& front, const Wish& wish, int t, Vec3 x, int avoid_a, int avoid_b, double& nearest) {
+  int best = -1;
+  nearest = 1e300;
+  auto look = [&](int node) {
+    if (front.sectors(node) == 0 || node == wish.base) return;
+    double d = norm(front.mesh.x[node] - x);
+    if (node != avoid_a && node != avoid_b) nearest = std::min(nearest, d);
+    if (d < merge_reach * wish.length && is_allowed(front, wish, node, avoid_a, avoid_b) &&
+        (best < 0 || d < norm(front.mesh.x[best] - x)))
+      best = node;
+  };
+  const VoidTriangle& tri = front.empty.triangle(t);
+  for (int i = 0; i < 3; ++i) {
+    look(tri.v[i]);
+    if (tri.n[i] < 0) continue;
+    const VoidTriangle& beyond = front.empty.triangle(tri.n[i]);
+    for (int v : beyond.v) look(v);
+  }
+  return best;
+}
+
+}  // namespace
+
+Wish make_wish(const Front& front, int f, double angle, double length) {
+  const RegionMesh& mesh = front.mesh;
+  int b = front.facets[f].b, c = front.facets[front.facets[f].next].b;
+  Vec3 n = mesh.normal(b), out = mesh.x[c] - mesh.x[b];
+  Vec3 e1 = unit(out - dot(out, n) * n), e2 = cross(n, e1);
+  return {b, std::cos(angle) * e1 + std::sin(angle) * e2, length};
+}
+
+double graded_target(const Front& front, int parent, double distance, Vec2 p) {
+  return std::min(front.region.target(p), front.mesh.h[parent] + front.region.gradation * distance);
+}
+
+Granted grant(Front& front, const Wish& wish, int start, int avoid_a, int avoid_b) {
+  RegionMesh& mesh = front.mesh;
+  double length = wish.length;
+  Vec2 far = chart_point(front, wish, halve_reach * length);
+  Location seen = front.empty.walk(start, wish.base, far);
+  if (seen.triangle < 0) return {};
+  if (seen.kind == Location::Kind::blocked) {
+    int f = facet_of(front.empty.triangle(seen.triangle).n[seen.corner]);
+    double gap = distance_to_facet(mesh, wish.base, far, front.facets[f].a, front.facets[f].b);
+    if (gap < connect_reach * length) {
+      int node = choose_end(front, wish, f, avoid_a, avoid_b);
+      if (node >= 0) return {node, false};
+      length = 0.5 * gap;
+    } else {
+      length = std::min(length, 0.5 * gap);
+    }
+  }
+  Vec2 p = chart_point(front, wish, length);
+  Location where = front.empty.walk(start, wish.base, p);
+  if (where.triangle < 0 || where.kind == Location::Kind::blocked) return {};
+  if (where.kind == Location::Kind::on_vertex) {
+    int node = front.empty.triangle(where.triangle).v[where.corner];
+    return is_allowed(front, wish, node, avoid_a, avoid_b) ? Granted{node, false} : Granted{};
+  }
+  Vec3 x, xp, xq;
+  front.region.evaluate(p, x, xp, xq);
+  double nearest;
+  int node = near_node(front, wish, where.triangle, x, avoid_a, avoid_b, nearest);
+  if (node >= 0) return {node, false};
+  if (nearest < 0.2 * wish.length) return {};
+  int fresh = front.add_node(p);
+  mesh.h[fresh] = graded_target(front, wish.base, length, p);
+  if (!front.empty.insert(fresh, where)) return {};
+  return {fresh, true};
+}
+
+void withdraw(Front& front, const Granted& granted, int start, int base) {
+  if (!granted.is_new || front.sectors(granted.node) > 0) return;
+  Location at = front.empty.walk(start, base, front.mesh.p[granted.node]);
+  if (at.kind == Location::Kind::on_vertex) front.empty.erase(granted.node, at.triangle);
+}
+
+}  // namespace paver

@@ -1,0 +1,26 @@
+// Paves one region: loops in, quads out.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "mesh/region_mesh.h"
+#include "paver/progress.h"
+#include "paving/front.h"
+#include "regions/region.h"
+
+namespace paver {
+
+struct PavedRegion {
+  RegionMesh mesh;
+  PavingCounts counts;
+};
+
+/// The B-rep edges (one may be -1) whose divisions cross or touch in the region's chart, or nothing.
+std::optional<std::array<int, 2>> find_crossing(const Region& region);
+
+/// Self-contained and deterministic. Throws Error{face_failed} with a point when the region's loops cross in the
+/// chart, Error{cancelled} on cancel.
+PavedRegion pave_region(const Region& region, const Progress& progress);
+
+}  // namespace paver

@@ -1,0 +1,26 @@
+// A row: the quads laid between two row ends, or around a whole loop.
+#pragma once
+
+#include <vector>
+
+#include "paving/node_class.h"
+#include "paving/node_placement.h"
+
+namespace paver {
+
+/// Candidate row along `facets`; without ends it runs around the whole loop.
+struct Row {
+  std::vector<int> facets;
+  bool has_ends = true;
+  int level = 0;
+  double cost = 0;  ///< ambiguity of its end nodes
+};
+
+/// All rows of the loop between consecutive end nodes, best first: lowest level, clearest ends, shortest.
+std::vector<Row> find_rows(const Front& front, const std::vector<int>& loop);
+
+/// Lays the quads of the row until it is done or blocked. Returns the new front nodes; none: nothing was laid.
+/// `laid` counts quads.
+int lay_row(Front& front, const Row& row, std::vector<int>& new_nodes);
+
+}  // namespace paver

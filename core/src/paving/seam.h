@@ -1,0 +1,17 @@
+// Seams: two facets joined where the front turns back sharply on itself.
+#pragma once
+
+#include "paving/front.h"
+
+namespace paver {
+
+/// Closes the front at the end of facet f when the angle there is small: the two facets become one mesh edge.
+/// Where their lengths differ by more than 2.5 a transition seam divides the longer one first.
+/// The loop gets two nodes shorter (transition: stays as long); parity is kept. Returns whether anything changed.
+/// Source: [Blacker91, seams], [Owen99] for the transition.
+bool close_seam(Front& front, int f);
+
+/// Closes all seams at the given nodes, smallest angle first, again and again until none is left.
+void close_seams(Front& front, std::vector<int>& nodes);
+
+}  // namespace paver

@@ -1,0 +1,234 @@
+// The whole job: one call per stage, every arrow one value.
+// read -> topology -> sizing -> boundary nodes -> regions -> paving -> join -> curving -> quality
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <mutex>
+
+#include "boundary/edge_nodes.h"
+#include "curving/place_nodes.h"
+#include "curving/repair.h"
+#include "join/join.h"
+#include "parallel/tasks.h"
+#include "paver/mesher.h"
+#include "paving/pave_region.h"
+#include "quality/jacobian.h"
+#include "quality/report.h"
+#include "regions/build_regions.h"
+#include "topology/build_model.h"
+
+namespace paver {
+namespace {
+
+constexpr int most_refinements = 12;  // rounds of dividing edges whose divisions cross
+
+class Run {
+ public:
+  Run(const Options& options, Progress& progress) : options_(options), progress_(progress) {}
+
+  MeshResult mesh(const std::string& path) {
+    check(options_);
+    RunReport& report = result_.report;
+    report.target_length = target_length(options_);
+    report.order = options_.order;
+    report.threads = thread_count(options_.threads);
+    read(path);
+    divide();
+    pave();
+    join();
+    curve();
+    measure();
+    return std::move(result_);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void begin(Stage stage, long total = 1) {
+    end_stage();
+    progress_.begin(stage, total);
+    stage_ = stage;
+    started_ = Clock::now();
+  }
+
+  void end_stage() {
+    if (stage_ == Stage::done) return;
+    double seconds = std::chrono::duration<double>(Clock::now() - started_).count();
+    result_.report.stage_seconds.push_back({stage_name(stage_), seconds});
+    stage_ = Stage::done;
+  }
+
+  void read(const std::string& path) {
+    begin(Stage::read);
+    ModelReport found;
+    std::shared_ptr<Shape> shape = read_shape(path, found, progress_);
+    begin(Stage::topology);
+    model_ = build_model(*shape, options_, result_.report.target_length, found, progress_);
+    result_.report.model = model_.report;
+    result_.report.notes = model_.notes;
+    for (const Face& face : model_.faces) {
+      FaceReport report;
+      report.name = face.name;
+      report.cad_area = face.area;
+      if (!face.has_area) report.status = FaceStatus::no_area;
+      if (face.has_area && !face.fault.empty()) {
+        report.status = FaceStatus::failed;
+        report.stage = "topology";
+        report.reason = face.fault;
+      }
+      result_.report.faces.push_back(report);
+      result_.face_names.push_back(face.label.empty() ? face.name : face.label);
+    }
+  }
+
+  // Sizing, boundary nodes and regions; edges whose divisions cross in a chart are divided further until they do not.
+  void divide() {
+    begin(Stage::sizing);
+    size_ = build_size_field(model_, options_, progress_);
+    begin(Stage::boundary);
+    std::vector<FaceLayout> layouts = plan_layouts(model_);
+    std::vector<int> counts = choose_counts(model_, size_, progress_);
+    settle_counts(model_, layouts, counts);
+    for (int round = 0;; ++round) {
+      nodes_ = divide_edges(model_, size_, counts, progress_);
+      regions_ = build_regions(model_, size_, layouts, nodes_);
+      if (round == most_refinements || !refine_crossings(counts)) break;
+    }
+    begin(Stage::regions);
+  }
+
+  // Doubles the counts of crossing edges, keeping their parity. Whether anything crossed.
+  bool refine_crossings(std::vector<int>& counts) {
+    std::vector<std::array<int, 2>> crossing(regions_.size(), {-1, -1});
+    run_tasks(options_.threads, costs(), [&](int i) {
+      progress_.check();
+      if (auto edges = find_crossing(regions_[i])) crossing[i] = *edges;
+    });
+    std::vector<bool> is_refined(counts.size(), false);
+    for (const auto& pair : crossing)
+      for (int e : pair)
+        if (e >= 0 && counts[e] < 100000) is_refined[e] = true;
+    for (std::size_t e = 0; e < counts.size(); ++e)
+      if (is_refined[e]) counts[e] = 2 * counts[e] + counts[e] % 2;
+    return std::find(is_refined.begin(), is_refined.end(), true) != is_refined.end();
+  }
+
+  std::vector<double> costs() const {
+    std::vector<double> cost;
+    for (const Region& region : regions_) {
+      double area = model_.faces[region.face].area;
+      cost.push_back(area / (region.h * region.h));
+    }
+    return cost;
+  }
+
+  void fail(int face, const Error& error) {
+    std::lock_guard lock(mutex_);
+    FaceReport& report = result_.report.faces[face];
+    report.status = FaceStatus::failed;
+    report.stage = error.where().stage;
+    report.reason = error.what();
+    if (error.where().point) report.where = *error.where().point;
+  }
+
+  void pave() {
+    begin(Stage::paving, static_cast<long>(regions_.size()));
+    paved_.resize(regions_.size());
+    run_tasks(options_.threads, costs(), [&](int i) {
+      int face = regions_[i].face;
+      try {
+        paved_[i] = pave_region(regions_[i], progress_);
+      } catch (const Error& error) {
+        if (error.code() == ErrorCode::cancelled) throw;
+        fail(face, error);
+      }
+      progress_.advance();
+    });
+    for (std::size_t i = 0; i < regions_.size(); ++i)
+      result_.report.faces[regions_[i].face].closed_by_triangulation += paved_[i].counts.closed_by_triangulation;
+  }
+
+  void join() {
+    begin(Stage::join);
+    while (true) {
+      std::vector<JoinPart> parts;
+      for (std::size_t i = 0; i < regions_.size(); ++i) {
+        int face = regions_[i].face;
+        bool is_meshed = result_.report.faces[face].status == FaceStatus::meshed;
+        parts.push_back({face, is_meshed ? &paved_[i].mesh : nullptr});
+      }
+      try {
+        joined_ = join_regions(model_, nodes_, parts);
+        break;
+      } catch (const Error& error) {
+        if (error.code() != ErrorCode::face_failed) throw;
+        fail(error.where().face, error);
+      }
+    }
+    for (std::size_t i = 0; i < regions_.size(); ++i) {
+      bool is_meshed = !joined_.node_of[i].empty();
+      parts_.push_back({&regions_[i], is_meshed ? &paved_[i].mesh : nullptr, &joined_.node_of[i]});
+    }
+  }
+
+  void curve() {
+    begin(Stage::curving);
+    SurfaceMesh& mesh = result_.mesh;
+    if (options_.order == 1) {
+      mesh = std::move(joined_.mesh);
+      return;
+    }
+    mesh = curve_elements(joined_.mesh, nodes_, model_, parts_, options_.threads, progress_);
+    RepairResult repaired = repair_elements(mesh, is_valid);
+    long mended = repaired.recentred + repaired.straightened;
+    if (mended > 0)
+      result_.report.notes.push_back(fmt::format("{} curved elements were straightened to keep them valid.", mended));
+    std::vector<int> faces;
+    for (int q : repaired.invalid_quads) faces.push_back(mesh.quad_face[q]);
+    for (int t : repaired.invalid_triangles) faces.push_back(mesh.triangle_face[t]);
+    std::map<int, int> count;
+    for (int face : faces) ++count[face];
+    for (auto [face, n] : count)
+      result_.report.notes.push_back(
+          fmt::format("{} has {} curved elements that could not be made valid; use a smaller size or max-turn.",
+                      model_.faces[face].name, n));
+  }
+
+  void measure() {
+    begin(Stage::quality);
+    std::vector<bool> is_periodic;
+    for (const Edge& edge : model_.edges) is_periodic.push_back(edge.is_periodic);
+    RunReport& report = result_.report;
+    report.quality = measure_quality(result_.mesh, report.target_length, is_periodic, report.faces, progress_);
+    report.quality.chord_error = chord_error(result_.mesh, parts_, options_.threads);
+    end_stage();
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    report.peak_memory_mib = static_cast<double>(usage.ru_maxrss) / 1024;
+  }
+
+  const Options& options_;
+  Progress& progress_;
+  Stage stage_ = Stage::done;
+  Clock::time_point started_;
+  std::mutex mutex_;
+  Model model_;
+  SizeField size_;
+  EdgeNodes nodes_;
+  std::vector<Region> regions_;
+  std::vector<PavedRegion> paved_;
+  JoinedMesh joined_;
+  std::vector<CurvingPart> parts_;
+  MeshResult result_;
+};
+
+}  // namespace
+
+MeshResult mesh_file(const std::string& path, const Options& options, Progress& progress) {
+  return Run(options, progress).mesh(path);
+}
+
+}  // namespace paver

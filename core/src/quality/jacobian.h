@@ -1,0 +1,86 @@
+// Proof that curved elements do not fold, and their area.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "paver/result.h"
+
+namespace paver {
+
+enum class ElementShape { quad, triangle };
+enum class Validity { valid, invalid, undecided };
+
+/// What is known of det(u, v) = (x_u x x_v) . n over one element, n its unit vector area.
+struct JacobianBound {
+  Validity validity = Validity::invalid;
+  double ratio = 0;  ///< lower bound of det over its mean; 0 or less where not valid. 1: a parallelogram
+};
+
+/// The Jacobian determinant of Lagrange elements of one shape and order in Bernstein form, whose coefficients bound it:
+/// degree 2p - 1 in each direction for quads, 2p - 2 for triangles. Doubtful elements are split until the sign is
+/// certain, eight times at most. Source: [Johnen13], with the determinant taken against the element's own normal.
+/// Const after construction and safe to use from many threads; no function allocates.
+class JacobianForm {
+ public:
+  static constexpr int max_order = 4;
+  static constexpr int max_nodes = (max_order + 1) * (max_order + 1);
+  static constexpr int max_coefficients = 4 * max_order * max_order;
+
+  /// Order 1 to 4. Gives the tables; use jacobian_form() to share them.
+  JacobianForm(ElementShape shape, int order);
+
+  int node_count() const { return nodes_; }
+
+  /// `x`: node_count() nodes in Gmsh's order, mm. Proven positive or not; stops at the first certain sign.
+  bool is_valid(const Vec3* x) const { return bound(x, false).validity == Validity::valid; }
+
+  /// The same with a lower bound that is worked out more closely for elements below 0.5.
+  JacobianBound bound(const Vec3* x) const { return bound(x, true); }
+
+  /// Area of the curved element by Gauss quadrature with p + 2 points per direction, in units of x squared.
+  double area(const Vec3* x) const;
+
+ private:
+  using Coefficients = std::array<double, max_coefficients>;
+  struct Difference {  ///< a control point of x_u or x_v: order * (to - from)
+    int from, to;
+  };
+  struct Product {  ///< coefficient `out` of det receives weight * (x_u[u] x x_v[v]) . n
+    int out, u, v;
+    double weight;
+  };
+  struct Pair {  ///< the mean of x_u x x_v receives weight * (control point a x control point b)
+    int a, b;
+    double weight;
+  };
+  struct Split;
+
+  void build_products();
+  void build_mean();
+  void build_children();
+  void build_quadrature();
+  JacobianBound bound(const Vec3* x, bool is_close) const;
+  bool coefficients(const Vec3* x, Coefficients& c) const;
+  double least_sample(const Coefficients& c) const;
+  void split(const Coefficients& c, int level, Split& state) const;
+
+  ElementShape shape_;
+  int order_, nodes_, degree_, count_;  ///< degree and number of the coefficients of det
+  std::vector<double> to_control_;      ///< nodes_ x nodes_: control points from nodes
+  std::vector<Difference> du_, dv_;
+  std::vector<Product> products_;
+  std::vector<Pair> mean_;
+  std::vector<int> corners_;             ///< coefficients that are values of det at corners
+  std::vector<double> samples_;          ///< count_ x count_: det on the lattice from its coefficients
+  std::array<std::vector<double>, 4> children_;  ///< count_ x count_ each: coefficients on a quarter
+  std::vector<double> quadrature_;       ///< per point: weight, then d/du and d/dv per node
+};
+
+/// The shared tables for a shape and order 1 to 4, built at first use.
+const JacobianForm& jacobian_form(ElementShape shape, int order);
+
+/// Whether the Jacobian of one element of a mesh is proven positive.
+bool is_valid(const SurfaceMesh& mesh, bool is_quad, int element);
+
+}  // namespace paver

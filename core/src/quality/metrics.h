@@ -1,0 +1,24 @@
+// Shape of one straight-sided element. Definitions: core/docs/quality.md, "Shape".
+#pragma once
+
+#include <array>
+
+#include "paver/vec.h"
+
+namespace paver {
+
+/// Scaled Jacobian of the straight-sided quad a b c d: least over its corners of (next side x previous side) . n over
+/// the lengths of both sides, n the quad's own unit vector area. 1: square; 0: a flat corner or a side without length;
+/// negative: concave or crossed. Does not depend on units.
+double scaled_jacobian(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
+
+/// The same for the triangle a b c, times 2 / sqrt(3): 1 for an equilateral one, never negative.
+double scaled_jacobian(Vec3 a, Vec3 b, Vec3 c);
+
+/// Interior angles in radians at a, b, c, d, against the quad's own normal: above pi where it is concave.
+std::array<double, 4> interior_angles(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
+
+/// Interior angles in radians at a, b, c.
+std::array<double, 3> interior_angles(Vec3 a, Vec3 b, Vec3 c);
+
+}  // namespace paver

@@ -1,0 +1,217 @@
+// Builds the regions of each face from its layout.
+#include "regions/build_regions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "boundary/region_loops.h"
+
+namespace paver {
+namespace {
+
+constexpr double sharp_pole = 0.26;  // radians (15 degrees): normals about a pole that differ more make it an apex
+
+class RegionBuilder {
+ public:
+  RegionBuilder(const Model& model, const SizeField& size, const FaceLayout& layout, int face, EdgeNodes& nodes)
+      : model_(model), face_(model.faces[face]), size_(size), layout_(layout), nodes_(nodes), index_(face) {}
+
+  void run(std::vector<Region>& regions) {
+    std::vector<Loop> loops = linked_loops(model_, index_, layout_.dropped);
+    if (layout_.kind == LayoutKind::two_polar) {
+      build_halves(loops, regions);
+      return;
+    }
+    Region region = make_region();
+    bool is_polar = layout_.kind == LayoutKind::polar;
+    region.chart = is_polar ? make_polar_chart(*region.surface, layout_.box, layout_.period)
+                            : make_row_chart(*region.surface, layout_.box);
+    for (const Loop& loop : loops) add_loop(loop, region);
+    if (is_polar && (layout_.box.low_pole || layout_.box.high_pole)) add_fan(layout_.box, region);
+    regions.push_back(std::move(region));
+  }
+
+ private:
+  Region make_region() const {
+    Region region;
+    region.face = index_;
+    region.surface = face_.surface->clone();
+    region.size = size_.faces[index_];
+    region.h = size_.h;
+    region.gradation = size_.gradation;
+    return region;
+  }
+
+  void add_loop(const Loop& loop, Region& region) const {
+    std::vector<LoopNode> out;
+    for (const Coedge& c : loop.coedges) {
+      const EdgeDivision& d = nodes_.edges[c.edge];
+      int n = d.intervals();
+      for (int i = 0; i < n; ++i) {
+        int k = c.is_reversed ? n - i : i;
+        LoopNode node;
+        node.global = d.node[k];
+        node.edge = c.edge;
+        node.p = region.chart->to_chart(c.pcurve->uv(d.t[2 * k]));
+        node.x = nodes_.nodes[node.global];
+        node.h = std::min(size_.h, nodes_.node_target[node.global]);
+        out.push_back(node);
+      }
+    }
+    if (!out.empty()) region.loops.push_back(std::move(out));
+  }
+
+  Vec2 parameters(double along, double meridian) const {
+    return layout_.box.is_swapped ? Vec2{meridian, along} : Vec2{along, meridian};
+  }
+
+  double meridian_of(const Loop& loop) const {
+    const Coedge& c = loop.coedges.front();
+    const Edge& e = model_.edges[c.edge];
+    Vec2 uv = c.pcurve->uv(0.5 * (e.t0 + e.t1));
+    return layout_.box.is_swapped ? uv.x : uv.y;
+  }
+
+  // Two regions with a common artificial loop of fixed nodes.
+  void build_halves(const std::vector<Loop>& loops, std::vector<Region>& regions) {
+    ParameterBox low = layout_.box, high = layout_.box;
+    low.hi.y = high.lo.y = layout_.cut;
+    low.high_pole = high.low_pole = false;
+    Region a = make_region(), b = make_region();
+    a.chart = make_polar_chart(*a.surface, low, layout_.period);
+    b.chart = make_polar_chart(*b.surface, high, layout_.period);
+    for (const Loop& loop : loops) {
+      bool is_low = meridian_of(loop) < layout_.cut;
+      add_loop(loop, is_low ? a : b);
+    }
+    std::vector<LoopNode> ring = cut_nodes();
+    for (LoopNode& node : ring) node.p = b.chart->to_chart(uv_[&node - ring.data()]);
+    // The ring runs along the period: it has the high side on its left unless the box is swapped.
+    std::vector<LoopNode> forward = ring;
+    for (LoopNode& node : ring) node.p = a.chart->to_chart(uv_[&node - ring.data()]);
+    std::vector<LoopNode> backward(ring.rbegin(), ring.rend());
+    if (layout_.box.is_swapped) {
+      std::reverse(forward.begin(), forward.end());
+      std::reverse(backward.begin(), backward.end());
+    }
+    a.loops.push_back(std::move(backward));
+    b.loops.push_back(std::move(forward));
+    add_fan(low, a);
+    add_fan(high, b);
+    regions.push_back(std::move(a));
+    regions.push_back(std::move(b));
+  }
+
+  std::vector<LoopNode> cut_nodes() {
+    constexpr int samples = 256;
+    double length = 0, integral = 0, turn = 0;
+    Vec3 last, last_tangent;
+    for (int i = 0; i <= samples; ++i) {
+      Vec2 uv = parameters(layout_.box.lo.x + layout_.period * i / samples, layout_.cut);
+      Vec3 x, xu, xv;
+      face_.surface->d1(uv, x, xu, xv);
+      Vec3 tangent = unit(layout_.box.is_swapped ? xv : xu);
+      if (i > 0) {
+        double step = norm(x - last);
+        length += step;
+        integral += step / std::min(size_.h, size_.faces[index_].at(uv));
+        turn += std::acos(std::clamp(dot(tangent, last_tangent), -1.0, 1.0));
+      }
+      last = x, last_tangent = tangent;
+    }
+    int n = std::max({4, static_cast<int>(std::lround(integral)), static_cast<int>(std::ceil(turn / size_.turn_limit - 1e-9))});
+    n = 4 * ((n + 3) / 4);
+    std::vector<LoopNode> ring;
+    for (int i = 0; i < n; ++i) {
+      uv_.push_back(parameters(layout_.box.lo.x + layout_.period * i / n, layout_.cut));
+      LoopNode node;
+      node.x = face_.surface->point(uv_.back());
+      node.h = std::min({size_.h, size_.faces[index_].at(uv_.back()), length / n});
+      node.global = append(node.x, node.h);
+      ring.push_back(node);
+    }
+    return ring;
+  }
+
+  int append(Vec3 x, double h) {
+    nodes_.nodes.push_back(x);
+    nodes_.node_edge.push_back(-1);
+    nodes_.node_target.push_back(h);
+    return static_cast<int>(nodes_.nodes.size()) - 1;
+  }
+
+  // An apex must be a node: quads about it in advance, as many as the surface's angle there asks for.
+  void add_fan(const ParameterBox& box, Region& region) {
+    double pole = box.low_pole ? box.lo.y : box.hi.y, inward = box.low_pole ? 1 : -1;
+    double extent = box.hi.y - box.lo.y;
+    double small = 1e-3 * extent;
+    Vec3 normal[8], mean{0, 0, 0}, apex, centre{0, 0, 0}, point[8];
+    apex = region.surface->point(parameters(box.lo.x, pole));
+    for (int i = 0; i < 8; ++i) {
+      Vec3 xu, xv;
+      region.surface->d1(parameters(box.lo.x + layout_.period * i / 8, pole + inward * small), point[i], xu, xv);
+      normal[i] = unit(cross(xu, xv));
+      mean += normal[i];
+      centre += 0.125 * point[i];
+    }
+    double widest = 0, slant = 0, around = 0;
+    for (int i = 0; i < 8; ++i) {
+      widest = std::max(widest, std::acos(std::clamp(dot(normal[i], unit(mean)), -1.0, 1.0)));
+      slant += 0.125 * norm(point[i] - apex);
+      around += norm(point[(i + 1) % 8] - point[i]);
+    }
+    if (widest < sharp_pole || !(slant > 0)) return;
+    double per_length = small / slant;  // meridian parameter per mm at the pole
+    double room = nearest_loop(region, apex);
+    double radius = std::min(0.8 * size_.h, 0.45 * room);
+    double cone_angle = 1.0263 * around / slant;  // eight chords of a circle to its length
+    int quads = cone_angle > 5.2 ? 4 : 3;
+    Fan fan;
+    fan.centre.x = apex;
+    fan.centre.h = std::min(size_.h, radius);
+    fan.centre.p = {0, 0};
+    fan.centre.global = append(apex, fan.centre.h);
+    double half = cone_angle / (2 * quads);
+    for (int i = 0; i < 2 * quads; ++i) {
+      double reach = radius * (i % 2 ? std::min(1.4, 1 / std::max(0.7, std::cos(half))) : 1.0);
+      LoopNode node;
+      Vec2 uv = parameters(box.lo.x + layout_.period * i / (2 * quads), pole + inward * per_length * reach);
+      node.p = region.chart->to_chart(uv);
+      node.x = region.surface->point(uv);
+      node.h = std::min(size_.h, std::max(radius * 2 * half, 0.3 * radius));
+      fan.ring.push_back(node);
+    }
+    double area = 0;
+    for (std::size_t i = 0; i < fan.ring.size(); ++i) area += cross(fan.ring[i].p, fan.ring[(i + 1) % fan.ring.size()].p);
+    if (area < 0) std::reverse(fan.ring.begin() + 1, fan.ring.end());
+    region.fans.push_back(std::move(fan));
+  }
+
+  static double nearest_loop(const Region& region, Vec3 apex) {
+    double nearest = 1e300;
+    for (const auto& loop : region.loops)
+      for (const LoopNode& node : loop) nearest = std::min(nearest, norm(node.x - apex));
+    return nearest;
+  }
+
+  const Model& model_;
+  const Face& face_;
+  const SizeField& size_;
+  const FaceLayout& layout_;
+  EdgeNodes& nodes_;
+  int index_;
+  std::vector<Vec2> uv_;
+};
+
+}  // namespace
+
+std::vector<Region> build_regions(const Model& model, const SizeField& size, const std::vector<FaceLayout>& layouts,
+                                  EdgeNodes& nodes) {
+  std::vector<Region> regions;
+  for (std::size_t f = 0; f < model.faces.size(); ++f)
+    if (model.faces[f].has_area && model.faces[f].fault.empty())
+      RegionBuilder(model, size, layouts[f], static_cast<int>(f), nodes).run(regions);
+  return regions;
+}
+
+}  // namespace paver

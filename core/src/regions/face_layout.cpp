@@ -1,0 +1,172 @@
+// Chooses a chart per face. In: model. Out: layouts.
+// A face goes round when it uses an edge twice with a period between the two images. Polar charts need one direction
+// of going round; a second one (torus) stays as a cut. Two poles need a cut between them that meets no other loop.
+#include "regions/face_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "boundary/region_loops.h"
+
+namespace paver {
+namespace {
+
+struct Range {
+  double lo = 1e300, hi = -1e300;
+  void add(double v) { lo = std::min(lo, v), hi = std::max(hi, v); }
+  double size() const { return hi - lo; }
+};
+
+Vec2 image(const Model& model, const Coedge& c, double share) {
+  const Edge& e = model.edges[c.edge];
+  return c.pcurve->uv(e.t0 + share * (e.t1 - e.t0));
+}
+
+class LayoutPlanner {
+ public:
+  LayoutPlanner(const Model& model, int face) : model_(model), face_(model.faces[face]) {
+    layout_.dropped = periodic_coedges(model, face);
+  }
+
+  FaceLayout run() {
+    measure();
+    find_poles();
+    bool goes_round_u = wraps_u_, goes_round_v = wraps_v_;
+    bool is_swapped = goes_round_v && !goes_round_u;
+    if (!goes_round_u && !goes_round_v) is_swapped = (u_low_ || u_high_) && !(v_low_ || v_high_);
+    layout_.box = {{u_.lo, v_.lo}, {u_.hi, v_.hi}, is_swapped, v_low_, v_high_};
+    if (is_swapped) layout_.box = {{v_.lo, u_.lo}, {v_.hi, u_.hi}, true, u_low_, u_high_};
+    Vec2 period = face_.surface->period();
+    layout_.period = is_swapped ? period.y : period.x;
+    if ((goes_round_u || goes_round_v) && layout_.period > 0) choose_polar();
+    if (layout_.kind == LayoutKind::row) {
+      for (auto& loop : layout_.dropped) loop.assign(loop.size(), false);
+    } else if (goes_round_u && goes_round_v) {
+      keep_second_direction();
+    }
+    return layout_;
+  }
+
+ private:
+  void measure() {
+    Vec2 period = face_.surface->period();
+    for (std::size_t l = 0; l < face_.loops.size(); ++l)
+      for (std::size_t c = 0; c < face_.loops[l].coedges.size(); ++c) {
+        const Coedge& coedge = face_.loops[l].coedges[c];
+        for (int i = 0; i <= 16; ++i) {
+          Vec2 uv = image(model_, coedge, i / 16.0);
+          u_.add(uv.x), v_.add(uv.y);
+        }
+        if (!layout_.dropped[l][c]) continue;
+        Vec2 gap = gap_to_twin(coedge);
+        if (period.x > 0 && std::fabs(gap.x) > 0.25 * period.x) wraps_u_ = true;
+        if (period.y > 0 && std::fabs(gap.y) > 0.25 * period.y) wraps_v_ = true;
+      }
+  }
+
+  Vec2 gap_to_twin(const Coedge& coedge) const {
+    for (const Loop& loop : face_.loops)
+      for (const Coedge& other : loop.coedges)
+        if (other.edge == coedge.edge && &other != &coedge) return image(model_, other, 0.5) - image(model_, coedge, 0.5);
+    return {};
+  }
+
+  void find_poles() {
+    for (const Loop& loop : face_.loops)
+      for (const Coedge& c : loop.coedges) {
+        if (!model_.edges[c.edge].is_degenerate) continue;
+        Vec2 a = image(model_, c, 0), b = image(model_, c, 1);
+        double du = std::fabs(b.x - a.x) / std::max(u_.size(), 1e-300);
+        double dv = std::fabs(b.y - a.y) / std::max(v_.size(), 1e-300);
+        if (std::max(du, dv) < 0.5) continue;  // not a whole side: just a point
+        bool along_u = du > dv;
+        double at = along_u ? 0.5 * (a.y + b.y) : 0.5 * (a.x + b.x);
+        const Range& range = along_u ? v_ : u_;
+        bool is_low = at - range.lo < range.hi - at;
+        (along_u ? (is_low ? v_low_ : v_high_) : (is_low ? u_low_ : u_high_)) = true;
+      }
+  }
+
+  void choose_polar() {
+    if (layout_.box.low_pole && layout_.box.high_pole) {
+      if (!find_cut()) return;
+      ParameterBox low = layout_.box, high = layout_.box;
+      low.hi.y = high.lo.y = layout_.cut;
+      low.high_pole = high.low_pole = false;
+      if (make_polar_chart(*face_.surface, low, layout_.period) && make_polar_chart(*face_.surface, high, layout_.period))
+        layout_.kind = LayoutKind::two_polar;
+    } else if (make_polar_chart(*face_.surface, layout_.box, layout_.period)) {
+      layout_.kind = LayoutKind::polar;
+    }
+  }
+
+  // The widest stretch of the meridian that no other loop reaches into, cut in its middle.
+  bool find_cut() {
+    const ParameterBox& box = layout_.box;
+    std::vector<std::pair<double, double>> taken{{box.lo.y, box.lo.y}, {box.hi.y, box.hi.y}};
+    for (std::size_t l = 0; l < face_.loops.size(); ++l)
+      for (std::size_t c = 0; c < face_.loops[l].coedges.size(); ++c) {
+        const Coedge& coedge = face_.loops[l].coedges[c];
+        if (layout_.dropped[l][c] || model_.edges[coedge.edge].is_degenerate) continue;
+        Range r;
+        for (int i = 0; i <= 16; ++i) {
+          Vec2 uv = image(model_, coedge, i / 16.0);
+          r.add(box.is_swapped ? uv.x : uv.y);
+        }
+        taken.push_back({r.lo, r.hi});
+      }
+    std::sort(taken.begin(), taken.end());
+    double reach = box.lo.y, best = 0;
+    for (auto [lo, hi] : taken) {
+      if (lo - reach > best) best = lo - reach, layout_.cut = 0.5 * (lo + reach);
+      reach = std::max(reach, hi);
+    }
+    return best > 0.1 * (box.hi.y - box.lo.y);
+  }
+
+  // A torus goes round twice: what wraps the second direction stays as a cut.
+  void keep_second_direction() {
+    Vec2 period = face_.surface->period();
+    for (std::size_t l = 0; l < face_.loops.size(); ++l)
+      for (std::size_t c = 0; c < face_.loops[l].coedges.size(); ++c) {
+        if (!layout_.dropped[l][c]) continue;
+        Vec2 gap = gap_to_twin(face_.loops[l].coedges[c]);
+        bool along_round = layout_.box.is_swapped ? std::fabs(gap.y) > 0.25 * period.y : std::fabs(gap.x) > 0.25 * period.x;
+        if (!along_round) layout_.dropped[l][c] = false;
+      }
+  }
+
+  const Model& model_;
+  const Face& face_;
+  FaceLayout layout_;
+  Range u_, v_;
+  bool wraps_u_ = false, wraps_v_ = false;
+  bool u_low_ = false, u_high_ = false, v_low_ = false, v_high_ = false;
+};
+
+}  // namespace
+
+std::vector<FaceLayout> plan_layouts(const Model& model) {
+  std::vector<FaceLayout> layouts(model.faces.size());
+  for (std::size_t f = 0; f < model.faces.size(); ++f)
+    if (model.faces[f].has_area && model.faces[f].fault.empty())
+      layouts[f] = LayoutPlanner(model, static_cast<int>(f)).run();
+  return layouts;
+}
+
+void settle_counts(const Model& model, const std::vector<FaceLayout>& layouts, std::vector<int>& counts) {
+  std::vector<bool> is_needed(model.edges.size(), false), is_cut(model.edges.size(), false);
+  for (std::size_t f = 0; f < model.faces.size(); ++f)
+    for (std::size_t l = 0; l < layouts[f].dropped.size(); ++l)
+      for (std::size_t c = 0; c < layouts[f].dropped[l].size(); ++c) {
+        int e = model.faces[f].loops[l].coedges[c].edge;
+        if (!layouts[f].dropped[l][c]) is_needed[e] = true;
+        if (!layouts[f].dropped[l][c] && model.edges[e].is_periodic) is_cut[e] = true;
+      }
+  for (std::size_t e = 0; e < counts.size(); ++e) {
+    if (!is_needed[e]) counts[e] = 0;
+    if (is_cut[e] && model.edges[e].start == model.edges[e].end) counts[e] += counts[e] % 2;
+  }
+}
+
+}  // namespace paver

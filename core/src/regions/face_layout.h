@@ -1,0 +1,31 @@
+// How each face is laid out in the plane: which chart, and which of its periodic edges disappear.
+#pragma once
+
+#include <vector>
+
+#include "regions/chart.h"
+#include "topology/model.h"
+
+namespace paver {
+
+enum class LayoutKind {
+  row,        ///< one region, row chart; periodic edges, if any, are cuts
+  polar,      ///< one region that goes round: polar chart, periodic edge gone, a pole inside or none
+  two_polar,  ///< goes round with a pole at either end: cut into two polar regions along a row
+};
+
+struct FaceLayout {
+  LayoutKind kind = LayoutKind::row;
+  ParameterBox box;
+  double period = 0;                       ///< of the direction that goes round
+  double cut = 0;                          ///< two_polar: where (along the meridian)
+  std::vector<std::vector<bool>> dropped;  ///< per loop and coedge: periodic edge that disappears
+};
+
+/// One layout per face, from topology alone.
+std::vector<FaceLayout> plan_layouts(const Model& model);
+
+/// Edges that no region needs get no intervals; closed edges that stay as cuts get an even number.
+void settle_counts(const Model& model, const std::vector<FaceLayout>& layouts, std::vector<int>& counts);
+
+}  // namespace paver

@@ -1,0 +1,63 @@
+// One paving task, complete in itself: a piece of one surface with its loops of fixed nodes.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "brep/surface.h"
+#include "sizing/size_field.h"
+
+namespace paver {
+
+/// Injective map between a region's (u, v) and a plane in which orientation tests are exact.
+class Chart {
+ public:
+  virtual ~Chart() = default;
+  virtual Vec2 to_chart(Vec2 uv) const = 0;
+  /// (u, v) at chart point p and its derivatives by p.x and p.y.
+  virtual void to_uv(Vec2 p, Vec2& uv, Vec2& uv_x, Vec2& uv_y) const = 0;
+};
+
+/// Node of a loop: on the boundary stage's node `global`, at chart point p.
+struct LoopNode {
+  int global = -1;
+  int edge = -1;  ///< B-rep edge of the facet that starts here; -1 on artificial cuts
+  Vec2 p;
+  Vec3 x;
+  double h = 0;
+};
+
+/// Quads laid in advance about a point that must be a node, the apex of a cone: (centre, r0, r1, r2), (centre, r2, ...).
+struct Fan {
+  LoopNode centre;
+  std::vector<LoopNode> ring;  ///< counter-clockwise in the chart, even number; these nodes are new and may move
+};
+
+struct Region {
+  int face = -1;
+  std::shared_ptr<const Surface> surface;  ///< this region's own evaluator
+  std::shared_ptr<const Chart> chart;
+  FaceSize size{1};
+  double h = 1;            ///< target length of the run
+  double gradation = 0.3;
+  std::vector<std::vector<LoopNode>> loops;  ///< region on the left of each loop
+  std::vector<Fan> fans;
+
+  /// Surface point and its derivatives by the chart coordinates.
+  void evaluate(Vec2 p, Vec3& x, Vec3& xp, Vec3& xq) const {
+    Vec2 uv, uv_x, uv_y;
+    Vec3 xu, xv;
+    chart->to_uv(p, uv, uv_x, uv_y);
+    surface->d1(uv, x, xu, xv);
+    xp = uv_x.x * xu + uv_x.y * xv;
+    xq = uv_y.x * xu + uv_y.y * xv;
+  }
+  /// Target length by global size and curvature at a chart point.
+  double target(Vec2 p) const {
+    Vec2 uv, uv_x, uv_y;
+    chart->to_uv(p, uv, uv_x, uv_y);
+    return size.at(uv);
+  }
+};
+
+}  // namespace paver

@@ -1,0 +1,193 @@
+// Target length on faces: where a surface turns, h is cut so that one element edge turns no more than the limit.
+// In: model, options. Out: one FaceSize per face.
+// Steps: box of each face in (u, v); largest principal curvature on a grid over it; h = limit / curvature, between
+// H / 10 and H; element count predicted from area / h^2 and checked against the limit.
+// Known limit: the grid covers the box of the loops, so a trimmed-away bend may cut h near it.
+#include "sizing/size_field.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace paver {
+namespace {
+
+constexpr int grid_size = 17;             // samples per direction: enough for a B-spline of about 8 spans
+constexpr double smallest_share = 0.1;    // of H inside faces: a tiny fillet must not explode the count
+constexpr int samples_per_pcurve = 17;    // for the box of a face
+constexpr double degenerate_area = 1e-9;  // of the largest |xu x xv| on the face: such a point counts as a pole
+
+struct Box {
+  Vec2 lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Vec2 hi{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+  void add(Vec2 p) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
+    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
+    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
+  }
+  bool has_area() const { return hi.x > lo.x && hi.y > lo.y; }
+};
+
+Box parameter_box(const Model& model, const Face& face) {
+  Box box;
+  for (const Loop& loop : face.loops) {
+    for (const Coedge& coedge : loop.coedges) {
+      if (!coedge.pcurve) continue;
+      const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
+      for (int i = 0; i < samples_per_pcurve; ++i) {
+        double share = static_cast<double>(i) / (samples_per_pcurve - 1);
+        box.add(coedge.pcurve->uv((1 - share) * edge.t0 + share * edge.t1));
+      }
+    }
+  }
+  return box;
+}
+
+struct CurvatureSample {
+  double area = 0;       // |xu x xv|
+  double curvature = 0;  // largest absolute principal curvature; NaN where it has none
+};
+
+// The second fundamental form in an orthonormal tangent basis, the first vector along xu: its eigenvalues are the
+// principal curvatures, and equal ones (sphere) come out without cancellation.
+CurvatureSample sample_curvature(const Surface& surface, Vec2 uv) {
+  Vec3 x, xu, xv, xuu, xuv, xvv;
+  surface.d2(uv, x, xu, xv, xuu, xuv, xvv);
+  CurvatureSample sample;
+  sample.area = norm(cross(xu, xv));
+  Vec3 n = unit(cross(xu, xv));
+  double square = dot(xu, xu), shear = dot(xu, xv) / square;
+  double uu = dot(n, xuu), uv_part = dot(n, xuv), vv = dot(n, xvv);
+  double along = uu / square;
+  double mixed = (uv_part - shear * uu) / sample.area;
+  double across = (vv - 2 * shear * uv_part + shear * shear * uu) * square / (sample.area * sample.area);
+  double half = 0.5 * (along - across);
+  sample.curvature = 0.5 * std::abs(along + across) + std::sqrt(half * half + mixed * mixed);
+  if (!std::isfinite(sample.area)) sample = {0, std::numeric_limits<double>::quiet_NaN()};
+  return sample;
+}
+
+struct SampledFace {
+  FaceSize size;
+  double mean_density = 0;  // area-weighted mean of 1 / h^2
+};
+
+double limited_size(double curvature, double h, double turn_limit) {
+  double limited = curvature > 0 ? turn_limit / curvature : h;
+  return std::clamp(limited, smallest_share * h, h);
+}
+
+// Poles carry no curvature of their own: they take the smallest h of their neighbours on the grid.
+void fill_degenerate(std::vector<double>& sizes, double h) {
+  const std::vector<double> known = sizes;
+  for (int row = 0; row < grid_size; ++row) {
+    for (int column = 0; column < grid_size; ++column) {
+      double& size = sizes[static_cast<std::size_t>(row * grid_size + column)];
+      if (!std::isnan(size)) continue;
+      size = h;
+      for (int r = std::max(0, row - 1); r <= std::min(grid_size - 1, row + 1); ++r) {
+        for (int c = std::max(0, column - 1); c <= std::min(grid_size - 1, column + 1); ++c) {
+          double neighbour = known[static_cast<std::size_t>(r * grid_size + c)];
+          if (!std::isnan(neighbour)) size = std::min(size, neighbour);
+        }
+      }
+    }
+  }
+}
+
+SampledFace sample_face(const Model& model, const Face& face, double h, double turn_limit) {
+  SampledFace flat{FaceSize(h), 1 / (h * h)};
+  if (!face.surface || face.surface->kind() == SurfaceKind::plane) return flat;
+  Box box = parameter_box(model, face);
+  if (!box.has_area()) return flat;
+
+  std::vector<CurvatureSample> samples;
+  double largest_area = 0;
+  for (int row = 0; row < grid_size; ++row) {
+    for (int column = 0; column < grid_size; ++column) {
+      double a = static_cast<double>(column) / (grid_size - 1), b = static_cast<double>(row) / (grid_size - 1);
+      samples.push_back(sample_curvature(*face.surface, {(1 - a) * box.lo.x + a * box.hi.x,  //
+                                                         (1 - b) * box.lo.y + b * box.hi.y}));
+      largest_area = std::max(largest_area, samples.back().area);
+    }
+  }
+  std::vector<double> sizes;
+  for (const CurvatureSample& sample : samples) {
+    bool is_degenerate = !std::isfinite(sample.curvature) || sample.area <= degenerate_area * largest_area;
+    sizes.push_back(is_degenerate ? std::numeric_limits<double>::quiet_NaN()
+                                  : limited_size(sample.curvature, h, turn_limit));
+  }
+  fill_degenerate(sizes, h);
+
+  double weight = 0, density = 0;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    weight += samples[i].area;
+    density += samples[i].area / (sizes[i] * sizes[i]);
+  }
+  return {FaceSize(h, box.lo, box.hi, grid_size, grid_size, std::move(sizes)),
+          weight > 0 ? density / weight : flat.mean_density};
+}
+
+// A strip narrower than h still gets an element per h of its length: half the perimeter counts as well as the area.
+double predicted_elements(const Model& model, const Face& face, double mean_density) {
+  double perimeter = 0;
+  for (const Loop& loop : face.loops) {
+    for (const Coedge& coedge : loop.coedges) perimeter += model.edges[static_cast<std::size_t>(coedge.edge)].length;
+  }
+  return std::max({1.0, face.area * mean_density, 0.5 * perimeter * std::sqrt(mean_density) - 1});
+}
+
+void check_predicted(double predicted, double h, long limit) {
+  if (predicted <= static_cast<double>(limit)) return;
+  double enough = h * std::sqrt(predicted / static_cast<double>(limit));
+  throw Error(ErrorCode::too_many_elements,
+              fmt::format("About {:.3g} elements are predicted at target length {:.6g} mm, above the limit of {}; "
+                          "choose a target length of {:.3g} mm or more, a larger max_turn, or raise max_elements.",
+                          predicted, h, limit, enough),
+              {"sizing", -1, -1, std::nullopt});
+}
+
+}  // namespace
+
+FaceSize::FaceSize(double h, Vec2 lo, Vec2 hi, int nu, int nv, std::vector<double> samples)
+    : h_(h), lo_(lo), hi_(hi), nu_(nu), nv_(nv), samples_(std::move(samples)) {}
+
+double FaceSize::at(Vec2 uv) const {
+  if (samples_.empty()) return h_;
+  // Written so that NaN lands on 0: a size is always given back.
+  auto position = [](double value, double lo, double hi, int n) {
+    double share = (value - lo) / (hi - lo) * (n - 1);
+    return share > 0 ? std::min(share, static_cast<double>(n - 1)) : 0.0;
+  };
+  double a = position(uv.x, lo_.x, hi_.x, nu_), b = position(uv.y, lo_.y, hi_.y, nv_);
+  int i = std::min(static_cast<int>(a), nu_ - 2), j = std::min(static_cast<int>(b), nv_ - 2);
+  a -= i;
+  b -= j;
+  const double* low = &samples_[static_cast<std::size_t>(j * nu_ + i)];
+  const double* high = low + nu_;
+  return (1 - b) * ((1 - a) * low[0] + a * low[1]) + b * ((1 - a) * high[0] + a * high[1]);
+}
+
+SizeField build_size_field(const Model& model, const Options& options, Progress& progress) {
+  progress.begin(Stage::sizing, static_cast<long>(model.faces.size()));
+  SizeField field;
+  field.h = target_length(options);
+  field.gradation = options.gradation;
+  field.turn_limit = options.turn_limit();
+  double predicted = 0;
+  for (const Face& face : model.faces) {
+    bool is_meshed = face.has_area && face.fault.empty();
+    SampledFace sampled =
+        is_meshed ? sample_face(model, face, field.h, field.turn_limit) : SampledFace{FaceSize(field.h), 0};
+    field.faces.push_back(std::move(sampled.size));
+    if (is_meshed) predicted += predicted_elements(model, face, sampled.mean_density);
+    progress.advance();
+  }
+  check_predicted(predicted, field.h, options.max_elements);
+  return field;
+}
+
+}  // namespace paver

@@ -1,0 +1,151 @@
+// Edges and vertices of a model, numbered as in the shape.
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <cmath>
+#include <numeric>
+
+#include "brep/evaluators_impl.h"
+#include "brep/occt_impl.h"
+#include "topology/build_parts_impl.h"
+
+namespace paver {
+namespace {
+
+/// An edge below this share of the diagonal is a point.
+constexpr double point_share = 1e-7;
+
+/// Which vertices are one; small, so paths are not compressed beyond halving.
+class VertexMerger {
+ public:
+  int add() {
+    parent_.push_back(static_cast<int>(parent_.size()));
+    return parent_.back();
+  }
+  int find(int v) {
+    while (at(v) != v) v = at(v) = at(at(v));
+    return v;
+  }
+  void merge(int a, int b) {
+    a = find(a);
+    b = find(b);
+    at(std::max(a, b)) = std::min(a, b);
+  }
+
+ private:
+  int& at(int v) { return parent_[static_cast<std::size_t>(v)]; }
+  std::vector<int> parent_;
+};
+
+/// Edges and vertices in the making.
+class EdgeBuilder {
+ public:
+  EdgeBuilder(const Workpiece& work, Model& model) : work_(work), model_(model) {}
+
+  EdgeIndex build() {
+    fill_map();
+    TopTools_IndexedMapOfShape used = used_edges();
+    index_.edge.assign(static_cast<std::size_t>(index_.map.Extent()) + 1, -1);
+    for (int position = 1; position <= index_.map.Extent(); ++position) {
+      if (!used.Contains(index_.map(position))) continue;
+      index_.edge[static_cast<std::size_t>(position)] = static_cast<int>(model_.edges.size());
+      add_edge(TopoDS::Edge(index_.map(position).Oriented(TopAbs_FORWARD)), position);
+    }
+    number_vertices();
+    return std::move(index_);
+  }
+
+ private:
+  void fill_map() {
+    if (!work_.is_rebuilt) {
+      TopExp::MapShapes(work_.shape, TopAbs_EDGE, index_.map);
+      return;
+    }
+    for (const WorkFace& face : work_.faces) TopExp::MapShapes(face.face, TopAbs_EDGE, index_.map);
+  }
+
+  TopTools_IndexedMapOfShape used_edges() const {
+    TopTools_IndexedMapOfShape used;
+    for (const WorkFace& face : work_.faces) {
+      if (!face.has_area) continue;
+      for (TopExp_Explorer edges(face.face, TopAbs_EDGE); edges.More(); edges.Next()) {
+        auto orientation = edges.Current().Orientation();
+        if (orientation == TopAbs_FORWARD || orientation == TopAbs_REVERSED) used.Add(edges.Current());
+      }
+    }
+    return used;
+  }
+
+  void add_edge(const TopoDS_Edge& shape, int position) {
+    Edge edge;
+    edge.name = "Edge" + std::to_string(position);
+    BRep_Tool::Range(shape, edge.t0, edge.t1);
+    bool is_endless = Precision::IsInfinite(edge.t0) || Precision::IsInfinite(edge.t1);
+    edge.length = is_endless ? 0 : edge_length(shape);
+    edge.is_degenerate = !is_endless && (BRep_Tool::Degenerated(shape) || edge.length < point_share * work_.diagonal);
+    // An endless edge keeps a null curve without being degenerate: its faces get a fault for it.
+    if (!edge.is_degenerate && !is_endless) edge.curve = make_curve(shape);
+    if (edge.is_degenerate) edge.length = 0;
+    TopoDS_Vertex first, last;
+    TopExp::Vertices(shape, first, last);
+    edge.start = vertex(first, edge, edge.t0);
+    edge.end = last.IsNull() && is_closed(edge) ? edge.start : vertex(last, edge, edge.t1);
+    if (edge.is_degenerate) merger_.merge(edge.start, edge.end);
+    model_.edges.push_back(std::move(edge));
+  }
+
+  /// Ends of a curve without vertices coincide.
+  bool is_closed(const Edge& edge) const {
+    return edge.curve && norm(edge.curve->point(edge.t0) - edge.curve->point(edge.t1)) < point_share * work_.diagonal;
+  }
+
+  /// Number of a vertex, or of a new one at the curve's end where the edge has none.
+  int vertex(const TopoDS_Vertex& shape, const Edge& edge, double t) {
+    if (shape.IsNull()) {
+      points_.push_back(edge.curve ? edge.curve->point(t) : Vec3{});
+      return merger_.add();
+    }
+    int position = vertices_.FindIndex(shape);
+    if (position > 0) return vertex_ids_[static_cast<std::size_t>(position - 1)];
+    vertices_.Add(shape);
+    points_.push_back(to_vec(BRep_Tool::Pnt(shape)));
+    vertex_ids_.push_back(merger_.add());
+    return vertex_ids_.back();
+  }
+
+  void number_vertices() {
+    std::vector<int> number(points_.size(), -1);
+    auto numbered = [&](int v) {
+      int root = merger_.find(v);
+      int& n = number[static_cast<std::size_t>(root)];
+      if (n < 0) {
+        n = static_cast<int>(model_.vertices.size());
+        model_.vertices.push_back(points_[static_cast<std::size_t>(root)]);
+      }
+      return n;
+    };
+    for (Edge& edge : model_.edges) {
+      edge.start = numbered(edge.start);
+      edge.end = numbered(edge.end);
+    }
+  }
+
+  const Workpiece& work_;
+  Model& model_;
+  EdgeIndex index_;
+  TopTools_IndexedMapOfShape vertices_;
+  std::vector<int> vertex_ids_;
+  std::vector<Vec3> points_;
+  VertexMerger merger_;
+};
+
+}  // namespace
+
+EdgeIndex build_edges(const Workpiece& work, Model& model) { return EdgeBuilder(work, model).build(); }
+
+}  // namespace paver

@@ -1,0 +1,246 @@
+// Shape to Model, in order: measure, repair, sew, number edges and vertices, chain loops, orient faces, report.
+// A face that cannot be used is data: it keeps its place and name, with has_area = false or a fault.
+#include "topology/build_model.h"
+
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+
+#include "brep/evaluators_impl.h"
+#include "brep/occt_impl.h"
+#include "brep/workpiece_impl.h"
+#include "topology/build_parts_impl.h"
+
+namespace paver {
+namespace {
+
+constexpr long loop_units = 2;
+constexpr std::size_t most_names = 1000;
+/// Images are improved where they are farther from their curves than this share of the diagonal
+constexpr double exact_share = 1e-8;
+/// and than this multiple of the edge's tolerance (others measured it at other points),
+constexpr double claimed_share = 1.5;
+/// of which no more than this share of the diagonal is believed.
+constexpr double coarse_share = 1e-5;
+/// They are noted where they still are farther than this.
+constexpr double noted_share = 1e-6;
+/// A multiple of 4: images fitted by polynomials are worst at kinks, which sit at quarters and halves more than
+/// elsewhere.
+constexpr int deviation_samples = 64;
+/// Gap between images, over the face's extent in (u, v), that is worth a note.
+constexpr double gap_share = 1e-3;
+
+class ModelBuilder {
+ public:
+  ModelBuilder(const Shape& shape, ModelReport report, Progress& progress) : shape_(shape), progress_(progress) {
+    model_.report = std::move(report);
+  }
+
+  Model build(const Options& options, double target_length) {
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(shape_.shape, TopAbs_FACE, faces);
+    progress_.begin(Stage::topology, (measure_units + repair_units + sew_units + loop_units) * faces.Extent());
+    work_ = make_workpiece(shape_, progress_);
+    repair(work_, progress_);
+    sewn_ = sew(work_, options.sew_tolerance.value_or(-1), target_length, progress_);
+    EdgeIndex index = build_edges(work_, model_);
+    note_tolerances(index);
+    for (std::size_t i = 0; i < work_.faces.size(); ++i) {
+      add_face(static_cast<int>(i), index);
+      progress_.advance(loop_units);
+    }
+    mark_periodic_edges();
+    orient_faces(work_, model_);
+    fill_report();
+    add_notes();
+    return std::move(model_);
+  }
+
+ private:
+  void note_tolerances(const EdgeIndex& index) {
+    tolerances_.resize(model_.edges.size());
+    for (int i = 1; i <= index.map.Extent(); ++i) {
+      int edge = index.edge[static_cast<std::size_t>(i)];
+      if (edge >= 0) tolerances_[static_cast<std::size_t>(edge)] = BRep_Tool::Tolerance(TopoDS::Edge(index.map(i)));
+    }
+  }
+
+  void add_face(int i, const EdgeIndex& index) {
+    const WorkFace& work = work_.faces[static_cast<std::size_t>(i)];
+    Face face;
+    face.name = face_name(i);
+    if (static_cast<std::size_t>(i) < shape_.labels.size()) face.label = shape_.labels[static_cast<std::size_t>(i)];
+    face.area = work.area;
+    face.has_area = work.has_area;
+    face.fault = work.fault;
+    face.is_reversed = work.face.Orientation() == TopAbs_REVERSED;
+    if (face.has_area) {
+      note_uses(i, index);
+      if (face.fault.empty()) fill_face(face, index, work.face);
+    }
+    model_.faces.push_back(std::move(face));
+  }
+
+  void note_uses(int i, const EdgeIndex& index) {
+    for (TopExp_Explorer edges(work_.faces[static_cast<std::size_t>(i)].face, TopAbs_EDGE); edges.More();
+         edges.Next()) {
+      auto orientation = edges.Current().Orientation();
+      if (orientation != TopAbs_FORWARD && orientation != TopAbs_REVERSED) continue;
+      int edge = index.find(edges.Current());
+      if (edge >= 0) model_.edges[static_cast<std::size_t>(edge)].faces.push_back(i);
+    }
+  }
+
+  void fill_face(Face& face, const EdgeIndex& index, const TopoDS_Face& shape) {
+    TopoDS_Face forward = TopoDS::Face(shape.Oriented(TopAbs_FORWARD));
+    try {
+      face.surface = make_surface(forward, closure_tolerance(forward));
+      if (!face.surface) {
+        face.fault = "it has no surface; export the model again";
+        return;
+      }
+      LoopResult result = build_loops(forward, *face.surface, index, model_.edges);
+      face.fault = result.fault;
+      face.loops = std::move(result.loops);
+      if (result.skipped_edges > 0) inner_edges_.push_back(face.name);
+      if (result.turned_loops > 0) turned_loops_.push_back(face.name);
+      if (result.largest_gap > gap_share) gaps_.push_back(face.name);
+      if (face.fault.empty()) check_images(face, forward);
+    } catch (const Error& error) {
+      face.fault = error.what();
+    } catch (const Standard_Failure& failure) {
+      face.fault = "the CAD kernel cannot evaluate it (" + failure_text(failure) + "); repair it in the CAD program";
+    }
+    if (!face.fault.empty()) face.loops.clear();
+  }
+
+  /// Twice the tolerance of the face's own periodic edges: so far apart its ends may be and still be joined.
+  static double closure_tolerance(const TopoDS_Face& face) {
+    TopTools_IndexedMapOfShape seen;
+    double tolerance = 0;
+    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
+      int before = seen.Extent();
+      if (seen.Add(edges.Current()) <= before)
+        tolerance = std::max(tolerance, 2 * BRep_Tool::Tolerance(TopoDS::Edge(edges.Current())));
+    }
+    return tolerance;
+  }
+
+  /// Distance of curve and image on the surface, over the edge.
+  static double deviation(const Edge& edge, const ParameterCurve& image, const Surface& surface) {
+    double worst = 0;
+    for (int i = 0; i <= deviation_samples; ++i) {
+      double t = edge.t0 + (edge.t1 - edge.t0) * i / deviation_samples;
+      worst = std::max(worst, norm(edge.curve->point(t) - surface.point(image.uv(t))));
+    }
+    return worst;
+  }
+
+  /// What the file itself claims, as far as that is sensible.
+  double allowed_deviation(int edge) const {
+    double claimed = claimed_share * tolerances_[static_cast<std::size_t>(edge)];
+    return std::max(exact_share * work_.diagonal, std::min(claimed, coarse_share * work_.diagonal));
+  }
+
+  /// Images must be where their curves are: those that are not are replaced by projected ones where that helps.
+  void check_images(Face& face, const TopoDS_Face& shape) {
+    for (Loop& loop : face.loops) {
+      for (Coedge& c : loop.coedges) {
+        const Edge& edge = model_.edges[static_cast<std::size_t>(c.edge)];
+        if (edge.is_degenerate) continue;
+        double worst = deviation(edge, *c.pcurve, *face.surface);
+        if (worst > allowed_deviation(c.edge)) {
+          auto projected = make_projected_image(shape, edge.curve, *c.pcurve, edge.t0, edge.t1);
+          double better = projected ? deviation(edge, *projected, *face.surface) : worst;
+          if (better < 0.5 * worst) {
+            c.pcurve = projected;
+            worst = better;
+          }
+        }
+        if (worst <= std::max(noted_share * work_.diagonal, sewn_.tolerance)) continue;
+        largest_deviation_ = std::max(largest_deviation_, worst);
+        deviating_.push_back(edge.name);
+      }
+    }
+  }
+
+  void mark_periodic_edges() {
+    for (Edge& edge : model_.edges) {
+      auto faces = edge.faces;
+      std::sort(faces.begin(), faces.end());
+      edge.is_periodic = std::adjacent_find(faces.begin(), faces.end()) != faces.end();
+    }
+  }
+
+  void fill_report() {
+    ModelReport& report = model_.report;
+    auto count = [&](TopAbs_ShapeEnum kind) {
+      TopTools_IndexedMapOfShape map;
+      TopExp::MapShapes(shape_.shape, kind, map);
+      return static_cast<long>(map.Extent());
+    };
+    report.solids = count(TopAbs_SOLID);
+    report.shells = count(TopAbs_SHELL);
+    report.faces = static_cast<long>(model_.faces.size());
+    report.edges = static_cast<long>(model_.edges.size());
+    report.vertices = static_cast<long>(model_.vertices.size());
+    report.diagonal = work_.diagonal;
+    report.area = 0;
+    for (const Face& face : model_.faces) report.area += face.area;
+    report.sew_tolerance = sewn_.tolerance;
+    report.sewn_edges = sewn_.free_before - sewn_.free_after;
+    for (const Edge& edge : model_.edges) {
+      if (edge.faces.size() == 1 && !edge.is_degenerate) {
+        ++report.free_edges;
+        if (report.free_edge_names.size() < most_names) report.free_edge_names.push_back(edge.name);
+      } else if (edge.faces.size() > 2) {
+        ++report.nonmanifold_edges;
+        if (report.nonmanifold_edge_names.size() < most_names) report.nonmanifold_edge_names.push_back(edge.name);
+      }
+    }
+  }
+
+  void add_notes() {
+    std::vector<std::string> flat, faulty, lost;
+    for (const Face& face : model_.faces) {
+      if (!face.has_area) flat.push_back(face.name);
+      if (!face.fault.empty()) faulty.push_back(face.name);
+    }
+    for (int i : sewn_.lost_faces) lost.push_back(face_name(i));
+    note("Left out because they have no area", flat);
+    note("Left out because they are smaller than the sewing tolerance", lost);
+    note("Cannot be meshed (reasons in the report of faces)", faulty);
+    note("Edges inside a face that bound nothing were ignored", inner_edges_);
+    note("Loops that ran the wrong way around were turned", turned_loops_);
+    note("Images of consecutive edges in the surface's parameters do not meet", gaps_);
+    std::sort(deviating_.begin(), deviating_.end());
+    deviating_.erase(std::unique(deviating_.begin(), deviating_.end()), deviating_.end());
+    note("Curves lie up to " + std::to_string(largest_deviation_) + " mm off their faces", deviating_);
+  }
+
+  void note(const std::string& text, const std::vector<std::string>& names) {
+    if (!names.empty()) model_.notes.push_back(text + ": " + list_names(names) + ".");
+  }
+
+  const Shape& shape_;
+  Progress& progress_;
+  Workpiece work_;
+  SewResult sewn_;
+  Model model_;
+  std::vector<std::string> inner_edges_, turned_loops_, gaps_, deviating_;
+  std::vector<double> tolerances_;  ///< per edge of the model
+  double largest_deviation_ = 0;
+};
+
+}  // namespace
+
+Model build_model(const Shape& shape, const Options& options, double target_length, ModelReport report,
+                  Progress& progress) {
+  QuietMessages quiet;
+  return guard_occt(ErrorCode::internal, "The topology of the model cannot be built",
+                    [&] { return ModelBuilder(shape, std::move(report), progress).build(options, target_length); });
+}
+
+}  // namespace paver

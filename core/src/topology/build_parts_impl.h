@@ -1,0 +1,45 @@
+// Steps of build_model: edges and vertices, loops, orientation of faces.
+#pragma once
+
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Face.hxx>
+#include <string>
+#include <vector>
+
+#include "brep/workpiece_impl.h"
+#include "topology/model.h"
+
+namespace paver {
+
+/// Which model edge an OpenCASCADE edge is.
+struct EdgeIndex {
+  TopTools_IndexedMapOfShape map;  ///< all edges of the shape; position is the number in the name
+  std::vector<int> edge;           ///< per position: index in Model::edges, -1 where no face uses it
+
+  /// -1: not in the model.
+  int find(const TopoDS_Shape& shape) const {
+    int position = map.FindIndex(shape);
+    return position > 0 ? edge[static_cast<std::size_t>(position)] : -1;
+  }
+};
+
+/// Fills model.edges and model.vertices with what the faces use. Edges shorter than 1e-7 diagonal become degenerate and
+/// their two vertices one.
+EdgeIndex build_edges(const Workpiece& work, Model& model);
+
+struct LoopResult {
+  std::vector<Loop> loops;
+  std::string fault;       ///< not empty: no loops, and why
+  int skipped_edges = 0;   ///< edges inside the face that bound nothing
+  int turned_loops = 0;    ///< loops that ran the wrong way around
+  double largest_gap = 0;  ///< between images of consecutive edges, over the extent of the face in (u, v)
+};
+
+/// Loops of a face. `face` must be FORWARD.
+LoopResult build_loops(const TopoDS_Face& face, const Surface& surface, const EdgeIndex& index,
+                       const std::vector<Edge>& edges);
+
+/// Turns faces over until neighbours agree, and closed bodies until their normals look outwards. Adds notes.
+void orient_faces(const Workpiece& work, Model& model);
+
+}  // namespace paver

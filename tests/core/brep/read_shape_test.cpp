@@ -1,0 +1,186 @@
+// Reading: formats by content, units, names, and one clear error for every way a file can be wrong.
+#include "brep/read_shape.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BinTools.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Writer.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "core/brep/shape_files.h"
+
+namespace paver {
+namespace {
+
+using test::read_text;
+using test::TemporaryFolder;
+using test::write_text;
+
+class ReadShape : public testing::Test {
+ protected:
+  std::string write_step(const char* unit = "MM") {
+    STEPControl_Writer writer;
+    Interface_Static::SetCVal("write.step.unit", unit);
+    writer.Transfer(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), STEPControl_AsIs);
+    std::string path = folder_.file("box.step");
+    writer.Write(path.c_str());
+    Interface_Static::SetCVal("write.step.unit", "MM");
+    return path;
+  }
+  std::string write_iges() {
+    IGESControl_Controller::Init();
+    IGESControl_Writer writer("MM", 1);
+    writer.AddShape(BRepPrimAPI_MakeBox(10, 20, 30).Shape());
+    writer.ComputeModel();
+    std::string path = folder_.file("box.igs");
+    writer.Write(path.c_str());
+    return path;
+  }
+  std::string write_brep() {
+    std::string path = folder_.file("box.brep");
+    BRepTools::Write(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), path.c_str());
+    return path;
+  }
+  std::shared_ptr<Shape> read(const std::string& path) {
+    Progress progress;
+    report_ = {};
+    return read_shape(path, report_, progress);
+  }
+  static int face_count(const Shape& shape) {
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(shape.shape, TopAbs_FACE, faces);
+    return faces.Extent();
+  }
+  void expect_error(const std::string& path, ErrorCode code, const std::string& part) {
+    try {
+      read(path);
+      FAIL() << "read without an error";
+    } catch (const Error& error) {
+      EXPECT_EQ(static_cast<int>(error.code()), static_cast<int>(code)) << error.what();
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  }
+
+  TemporaryFolder folder_;
+  ModelReport report_;
+};
+
+TEST_F(ReadShape, ReadsEveryFormatByContentWhateverTheEnding) {
+  std::string binary = folder_.file("binary");
+  BinTools::Write(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), binary.c_str());
+  std::pair<std::string, std::string> cases[] = {
+      {write_step(), "STEP"}, {write_iges(), "IGES"}, {write_brep(), "BREP"}, {binary, "BREP"}};
+  for (const auto& [path, format] : cases) {
+    std::string disguised = folder_.file("model.txt");
+    std::filesystem::copy_file(path, disguised, std::filesystem::copy_options::overwrite_existing);
+    EXPECT_EQ(face_count(*read(disguised)), 6) << format;
+    EXPECT_EQ(report_.format, format);
+    EXPECT_EQ(report_.file, disguised);
+    EXPECT_FALSE(report_.unit.empty());
+  }
+}
+
+TEST_F(ReadShape, ConvertsToMillimetresAndSaysTheUnitOfTheFile) {
+  write_step("INCH");
+  auto shape = read(folder_.file("box.step"));
+  EXPECT_EQ(report_.unit, "INCH");
+  Model model = test::model_of(shape->shape);
+  EXPECT_NEAR(model.report.area, 2200, 1e-6);
+  read(write_brep());
+  EXPECT_EQ(report_.unit, "mm (as written)");
+}
+
+TEST_F(ReadShape, GivesFacesTheNamesOfAStepFile) {
+  std::string path = write_step(), text = read_text(path);
+  std::size_t at = text.find("ADVANCED_FACE('");
+  ASSERT_NE(at, std::string::npos);
+  text.insert(at + 15, "radome");
+  write_text(path, text);
+  auto shape = read(path);
+  ASSERT_EQ(shape->labels.size(), 6u);
+  EXPECT_EQ(std::count(shape->labels.begin(), shape->labels.end(), "radome"), 1);
+  EXPECT_EQ(std::count(shape->labels.begin(), shape->labels.end(), ""), 5);
+}
+
+TEST_F(ReadShape, ReadsAgainAndAgain) {
+  std::string step = write_step(), iges = write_iges();
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(face_count(*read(step)), 6);
+    EXPECT_EQ(face_count(*read(iges)), 6);
+  }
+}
+
+TEST_F(ReadShape, SaysWhatIsWrongWithAPath) {
+  expect_error(folder_.file("nothing.step"), ErrorCode::file_missing, "does not exist");
+  expect_error(folder_.file(""), ErrorCode::file_missing, "is a folder");
+  expect_error("/dev/null", ErrorCode::file_missing, "not a file");
+  std::string path = write_brep();
+  std::filesystem::permissions(path, std::filesystem::perms::none);
+  if (geteuid() != 0) expect_error(path, ErrorCode::file_missing, "permissions");
+}
+
+TEST_F(ReadShape, SaysWhatAFileIsNot) {
+  std::string path = folder_.file("file");
+  write_text(path, "");
+  expect_error(path, ErrorCode::not_a_cad_file, "is empty");
+  write_text(path, " \n \n");
+  expect_error(path, ErrorCode::not_a_cad_file, "is empty");
+  write_text(path, "solid cube\nfacet normal 0 0 1\n");
+  expect_error(path, ErrorCode::not_a_cad_file, "not a STEP, IGES or BREP file");
+  write_text(path, std::string("PK\x03\x04", 4) + "Document.xml");
+  expect_error(path, ErrorCode::not_a_cad_file, "FreeCAD document");
+  write_text(path, "\x1f\x8b rest");
+  expect_error(path, ErrorCode::not_a_cad_file, "gzip");
+}
+
+TEST_F(ReadShape, RefusesFilesThatAreCutOffAnywhere) {
+  for (const std::string& path : {write_step(), write_iges(), write_brep()}) {
+    std::string text = read_text(path), cut = folder_.file("cut");
+    for (int i = 2; i < 20; ++i) {
+      write_text(cut, text.substr(0, text.size() * static_cast<std::size_t>(i) / 20));
+      EXPECT_THROW(read(cut), Error) << path << " at " << i << "/20";
+    }
+  }
+}
+
+TEST_F(ReadShape, NamesTheDamagedEntityOfAStepFile) {
+  std::string path = write_step(), text = read_text(path);
+  std::size_t at = text.find("CARTESIAN_POINT(''");
+  std::size_t open = text.find('(', at + 16);
+  text.replace(open, text.find(')', open) - open + 1, "#99999");
+  write_text(path, text);
+  expect_error(path, ErrorCode::damaged_file, "entity #");
+}
+
+TEST_F(ReadShape, RefusesFilesWithoutFaces) {
+  std::string path = folder_.file("wire.brep");
+  BRepTools::Write(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Edge(), path.c_str());
+  expect_error(path, ErrorCode::no_faces, "has no faces");
+}
+
+TEST_F(ReadShape, StopsWhenCancelled) {
+  std::string path = write_step();
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(read_shape(path, report_, progress), Error);
+}
+
+TEST_F(ReadShape, CreditsItsStageAndPrintsNothing) {
+  std::string path = write_step();
+  Progress progress;
+  testing::internal::CaptureStdout();
+  read_shape(path, report_, progress);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(progress.stage(), Stage::read);
+  EXPECT_DOUBLE_EQ(progress.fraction(), 1);
+}
+
+}  // namespace
+}  // namespace paver

@@ -1,0 +1,64 @@
+// Helpers of the tests of brep/ and topology/: a folder that goes away, files in it, shapes as Shape.
+#pragma once
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Shape.hxx>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <sstream>
+#include <string>
+
+#include "brep/shape_impl.h"
+#include "paver/options.h"
+#include "topology/build_model.h"
+
+namespace paver::test {
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "paver_test_XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::string file(const std::string& name) const { return (std::filesystem::path(path_) / name).string(); }
+
+ private:
+  std::string path_;
+};
+
+inline void write_text(const std::string& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+inline std::string read_text(const std::string& path) {
+  std::stringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+inline TopoDS_Compound compound(std::initializer_list<TopoDS_Shape> parts) {
+  BRep_Builder builder;
+  TopoDS_Compound result;
+  builder.MakeCompound(result);
+  for (const TopoDS_Shape& part : parts) builder.Add(result, part);
+  return result;
+}
+
+inline Shape as_shape(const TopoDS_Shape& shape) { return {shape, {}}; }
+
+inline Model model_of(const TopoDS_Shape& shape, const Options& options = {}, double target_length = 1) {
+  Progress progress;
+  return build_model(as_shape(shape), options, target_length, {}, progress);
+}
+
+}  // namespace paver::test

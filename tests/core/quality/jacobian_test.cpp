@@ -1,0 +1,105 @@
+#include "quality/jacobian.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+
+#include "quality/lattice.h"
+
+namespace paver {
+namespace {
+
+using Map = Vec3 (*)(double u, double v);
+
+/// Nodes of one element at the images of its lattice.
+std::vector<Vec3> element(ElementShape shape, int p, Map map) {
+  std::vector<Vec3> nodes;
+  for (auto [i, j] : lagrange_nodes(shape, p)) nodes.push_back(map(static_cast<double>(i) / p, static_cast<double>(j) / p));
+  return nodes;
+}
+
+class AnyElement : public testing::TestWithParam<std::tuple<ElementShape, int>> {
+ protected:
+  ElementShape shape() const { return std::get<0>(GetParam()); }
+  int order() const { return std::get<1>(GetParam()); }
+  const JacobianForm& form() const { return jacobian_form(shape(), order()); }
+  bool is_quad() const { return shape() == ElementShape::quad; }
+};
+
+INSTANTIATE_TEST_SUITE_P(Orders, AnyElement,
+                         testing::Combine(testing::Values(ElementShape::quad, ElementShape::triangle),
+                                          testing::Range(1, JacobianForm::max_order + 1)));
+
+TEST_P(AnyElement, OfAffineShapeHasRatioOneAndItsArea) {
+  auto x = element(shape(), order(), [](double u, double v) { return Vec3{7 + 2 * u + v, 3 * v, 2 * u + v}; });
+  JacobianBound bound = form().bound(x.data());
+  EXPECT_EQ(bound.validity, Validity::valid);
+  EXPECT_NEAR(bound.ratio, 1, 1e-12);
+  EXPECT_NEAR(form().area(x.data()), norm(cross({2, 0, 2}, {1, 3, 1})) * (is_quad() ? 1 : 0.5), 1e-12);
+}
+
+TEST_P(AnyElement, TurnedInsideOutByOneCornerIsInvalid) {
+  auto x = element(shape(), order(), [](double u, double v) { return Vec3{u, v, 0}; });
+  if (!is_quad() && order() == 1) return;  // a straight triangle cannot fold
+  x[0] = {0.9, 0.9, 0};
+  EXPECT_EQ(form().bound(x.data()).validity, Validity::invalid);
+  EXPECT_FALSE(form().is_valid(x.data()));
+  EXPECT_LE(form().bound(x.data()).ratio, 0);
+}
+
+TEST_P(AnyElement, WithoutAreaOrWithNanIsInvalid) {
+  auto x = element(shape(), order(), [](double u, double v) { return Vec3{u + v, u + v, 0}; });
+  EXPECT_EQ(form().bound(x.data()).validity, Validity::invalid);
+  x[1].z = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(form().bound(x.data()).validity, Validity::invalid);
+}
+
+TEST_P(AnyElement, BoundIsBelowSampledValuesAndDoesNotDependOnPlaceAndSize) {
+  auto x = element(shape(), order(), [](double u, double v) {
+    return Vec3{u + 0.2 * v * v, v - 0.25 * u * u + 0.1 * u * v, 0.3 * u * v};
+  });
+  auto moved = x;
+  for (Vec3& point : moved) point = Vec3{1e4, -2e4, 3e4} + 500.0 * Vec3{point.y, point.z, point.x};
+  JacobianBound bound = form().bound(x.data());
+  EXPECT_EQ(bound.validity, Validity::valid);
+  EXPECT_GT(bound.ratio, 0.3);
+  EXPECT_LE(bound.ratio, 1 + 1e-12);
+  EXPECT_NEAR(form().bound(moved.data()).ratio, bound.ratio, 1e-9);
+}
+
+/// Middle node of one side of a square moved along that side: valid while it stays within its middle half.
+std::vector<Vec3> square_with_middle_at(double t) {
+  auto x = element(ElementShape::quad, 2, [](double u, double v) { return Vec3{u, v, 0}; });
+  x[4].x = t;
+  return x;
+}
+
+TEST(JacobianForm, DecidesWhereAMiddleNodeFoldsASide) {
+  const JacobianForm& form = jacobian_form(ElementShape::quad, 2);
+  EXPECT_TRUE(form.is_valid(square_with_middle_at(0.26).data()));
+  EXPECT_TRUE(form.is_valid(square_with_middle_at(0.74).data()));
+  EXPECT_FALSE(form.is_valid(square_with_middle_at(0.24).data()));
+  EXPECT_FALSE(form.is_valid(square_with_middle_at(0.76).data()));
+}
+
+TEST(JacobianForm, SplitsUntilTheSignIsCertainThoughACoefficientIsNegative) {
+  // On the side, x_u is quadratic and everywhere positive, but its middle coefficient is not.
+  auto x = element(ElementShape::quad, 2, [](double u, double v) { return Vec3{u, v, 0}; });
+  for (int k : {4, 6, 8}) x[k].y += 0.4;  // an arch: the determinant varies strongly, but keeps its sign
+  EXPECT_TRUE(jacobian_form(ElementShape::quad, 2).is_valid(x.data()));
+  JacobianBound bound = jacobian_form(ElementShape::quad, 2).bound(x.data());
+  EXPECT_EQ(bound.validity, Validity::valid);
+  EXPECT_GT(bound.ratio, 0);
+}
+
+TEST(JacobianForm, AreaOfAQuarterDiscOfOrderFourIsCloseToTheTrueOne) {
+  auto x = element(ElementShape::quad, 4, [](double u, double v) {
+    double r = 1 + u, a = v * std::numbers::pi / 2;
+    return Vec3{r * std::cos(a), r * std::sin(a), 0};
+  });
+  EXPECT_NEAR(jacobian_form(ElementShape::quad, 4).area(x.data()), 0.75 * std::numbers::pi, 2e-4);
+}
+
+}  // namespace
+}  // namespace paver

@@ -1,0 +1,93 @@
+#include "sizing/size_field.h"
+
+#include <gtest/gtest.h>
+
+#include "support/fake_model.h"
+
+namespace paver {
+namespace {
+
+Options with_size(double h) {
+  Options options;
+  options.size = h;
+  return options;
+}
+
+SizeField size_of(const Model& model, const Options& options) {
+  Progress progress;
+  return build_size_field(model, options, progress);
+}
+
+TEST(FaceSize, IsBilinearInsideItsBoxAndClampedOutside) {
+  FaceSize size(9, {0, 0}, {2, 1}, 3, 2, {1, 2, 3, 5, 6, 7});
+  EXPECT_DOUBLE_EQ(size.at({0, 0}), 1);
+  EXPECT_DOUBLE_EQ(size.at({2, 1}), 7);
+  EXPECT_DOUBLE_EQ(size.at({0.5, 0}), 1.5);
+  EXPECT_DOUBLE_EQ(size.at({1, 0.5}), 4);
+  EXPECT_DOUBLE_EQ(size.at({-5, -5}), 1);
+  EXPECT_DOUBLE_EQ(size.at({50, 0}), 3);
+  EXPECT_DOUBLE_EQ(size.at({std::nan(""), 0}), 1);
+}
+
+TEST(BuildSizeField, FlatFacesHaveTheTargetLengthEverywhere) {
+  SizeField field = size_of(fake::box(1, 2, 3), with_size(0.25));
+  ASSERT_EQ(field.faces.size(), 6u);
+  for (const FaceSize& face : field.faces) EXPECT_DOUBLE_EQ(face.at({0.3, 0.4}), 0.25);
+}
+
+TEST(BuildSizeField, ACylinderTurnsNoMoreThanTheLimitPerEdge) {
+  Options options = with_size(10);
+  options.max_turn = 0.5;
+  SizeField field = size_of(fake::tube(4, 20), options);
+  for (Vec2 uv : {Vec2{0, 0}, Vec2{1, 7}, Vec2{6, 20}}) EXPECT_NEAR(field.faces[0].at(uv), 2, 1e-12);
+}
+
+TEST(BuildSizeField, ASphereIsLimitedAtItsPolesAsElsewhere) {
+  Options options = with_size(10);
+  options.max_turn = 0.5;
+  SizeField field = size_of(fake::ball(4), options);
+  for (Vec2 uv : {Vec2{0, -fake::pi / 2}, Vec2{3, fake::pi / 2}, Vec2{1, 0.2}}) {
+    EXPECT_NEAR(field.faces[0].at(uv), 2, 1e-9);
+  }
+}
+
+TEST(BuildSizeField, ATinyFilletKeepsATenthOfTheTargetLengthInside) {
+  SizeField field = size_of(fake::tube(0.001, 1), with_size(1));
+  EXPECT_NEAR(field.faces[0].at({1, 0.5}), 0.1, 1e-12);
+}
+
+TEST(BuildSizeField, ATargetLengthFarAboveTheModelIsFine) {
+  SizeField field = size_of(fake::box(1, 1, 1), with_size(1e6));
+  EXPECT_DOUBLE_EQ(field.faces[0].at({0, 0}), 1e6);
+}
+
+TEST(BuildSizeField, TooManyElementsAreRefusedWithNumberLengthAndLimit) {
+  Options options = with_size(1e-9);
+  try {
+    size_of(fake::box(1, 1, 1), options);
+    FAIL() << "must throw";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::too_many_elements);
+    std::string text = error.what();
+    EXPECT_NE(text.find("6e+18"), std::string::npos) << text;
+    EXPECT_NE(text.find("1e-09"), std::string::npos) << text;
+    EXPECT_NE(text.find("2000000"), std::string::npos) << text;
+    EXPECT_NE(text.find("max_elements"), std::string::npos) << text;
+  }
+}
+
+TEST(BuildSizeField, ALongThinStripCountsByItsLength) {
+  Options options = with_size(1);
+  options.max_elements = 1000;
+  Model strip = fake::polygon({{0, 0, 0}, {1e5, 0, 0}, {1e5, 1e-3, 0}, {0, 1e-3, 0}});
+  EXPECT_THROW(size_of(strip, options), Error);
+}
+
+TEST(BuildSizeField, CancelStopsIt) {
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(build_size_field(fake::box(1, 1, 1), with_size(1), progress), Error);
+}
+
+}  // namespace
+}  // namespace paver

@@ -1,0 +1,80 @@
+"""The invariants of a mesh over real CAD models.
+
+    models_test.py MODEL... [--divide 50]   files of cad/ in the shared folder, target length = diagonal / divide
+
+Every model: exit code 0, every face with an area meshed, nothing inverted, conforming, watertight where the CAD is
+closed, and the same file bit for bit with one thread and with two.
+"""
+import argparse
+import filecmp
+import os
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+import runs  # noqa: E402
+
+
+def is_closed(row):
+    """Whether every edge has two faces once what fits is sewn."""
+    return float(row["free_edges_sewn"]) == 0 and float(row["nonmanifold_edges"]) == 0
+
+
+def faults_of(run, closed):
+    """What is wrong with one run, as sentences."""
+    if run.code != 0:
+        return [f"exit code {run.code}: {run.output.strip()[-400:]}"]
+    if run.mesh is None or not run.report:
+        return ["no mesh or no report"]
+    quality, faces = run.report["quality"], run.report["faces"]
+    faults = [f"{f['name']} is {f['status']}: {f['reason']}" for f in faces if f["status"] == "failed"]
+    if quality["inverted"]:
+        faults.append(f"{quality['inverted']} inverted elements")
+    if closed and not quality["watertight"]:
+        faults.append("not watertight by the report")
+    meshed = {f["name"] for f in faces if f["status"] == "meshed"}
+    tagged = len(set(run.mesh.quad_tag) | set(run.mesh.triangle_tag))
+    if tagged != len(meshed):
+        faults.append(f"{len(meshed)} faces are meshed by the report, {tagged} have elements in the file")
+    counted = (len(run.mesh.quads), len(run.mesh.triangles))
+    if counted != (quality["quads"], quality["triangles"]):
+        faults.append(f"the file has {counted[0]} quads and {counted[1]} triangles, the report says otherwise")
+    faults += runs.conformity(run.mesh, closed)
+    hanging = runs.hanging_nodes(run.mesh)
+    if closed and hanging:
+        faults.append(f"{hanging} hanging nodes")
+    if closed and runs.euler(run.mesh) % 2:
+        faults.append(f"Euler characteristic {runs.euler(run.mesh)} of a closed mesh is odd")
+    return faults
+
+
+def check(name, row, divide, folder):
+    model = runs.need_shared("cad", name)
+    size = float(row["diag"]) / divide
+    one, two = (os.path.join(folder, f"{t}.msh") for t in (1, 2))
+    run = runs.paver(model, one, "--size", size, "--order", 2, "--threads", 1)
+    faults = faults_of(run, is_closed(row))
+    if run.code == 0:
+        runs.paver(model, two, "--size", size, "--order", 2, "--threads", 2)
+        if not os.path.exists(two) or not filecmp.cmp(one, two, shallow=False):
+            faults.append("one thread and two give different files")
+    elements = f"{len(run.mesh.quads)} quads, {len(run.mesh.triangles)} triangles" if run.mesh else "no mesh"
+    print(f"{name} at diagonal/{divide}: {elements}, {run.seconds:.1f} s: {'; '.join(faults) or 'good'}")
+    return faults
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("models", nargs="*")
+    parser.add_argument("--divide", type=float, default=50)
+    a = parser.parse_args()
+    rows = runs.survey()
+    faults = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name in a.models or rows:
+            faults += check(name, rows[name], a.divide, folder)
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == "__main__":
+    main()

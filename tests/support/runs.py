@@ -1,0 +1,173 @@
+"""Runs Paver's command line and checks the meshes it writes, for tests and scripts/measure."""
+import csv
+from dataclasses import dataclass
+import glob
+import json
+import os
+import subprocess
+import sys
+import time
+
+import numpy as np
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, os.path.join(ROOT, "scripts"))
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import meshfile  # noqa: E402
+import repo  # noqa: E402
+
+EXAMPLES = os.path.join(ROOT, "Resources", "examples")
+PROGRAM = os.environ.get("PAVER_PROGRAM") or os.path.join(ROOT, "build", "core", "paver")
+SHARED = os.environ.get("PAVER_SHARED") or os.path.join(ROOT, "..", "shared")
+
+
+@dataclass
+class Run:
+    """What one call of the command line left."""
+    code: int
+    output: str
+    seconds: float
+    report: dict
+    mesh: meshfile.Mesh
+
+
+def need_shared(*parts):
+    """Path of something in the shared folder; ends the test as skipped when it is not there."""
+    path = os.path.join(SHARED, *parts)
+    if not os.path.exists(path):
+        repo.skip(f"{os.path.join(*parts)} is missing: set PAVER_SHARED to the folder that has it")
+    return path
+
+
+def paver(model, out, *options, limit=300):
+    """Meshes `model` into `out` (.msh); the report goes beside it."""
+    report = os.path.splitext(out)[0] + ".json"
+    for old in (out, report):
+        if os.path.exists(old):
+            os.remove(old)
+    start = time.time()
+    try:
+        done = subprocess.run([PROGRAM, "mesh", model, "-o", out, "--report", report, *map(str, options)],
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=limit)
+        code, output = done.returncode, done.stdout + done.stderr
+    except subprocess.TimeoutExpired:
+        code, output = "timeout", f"no end after {limit} s"
+    seconds = time.time() - start
+    loaded, mesh = {}, None
+    if os.path.exists(report):
+        with open(report) as f:
+            loaded = json.load(f)
+    if os.path.exists(out):
+        mesh = meshfile.read(out)
+    return Run(code, output, seconds, loaded, mesh)
+
+
+def survey():
+    """Rows of cad/survey.csv for the models that Paver reads, numbers as floats."""
+    rows = {}
+    with open(need_shared("cad", "survey.csv")) as f:
+        for row in csv.DictReader(f):
+            if row["format"] in ("step", "iges", "brep"):
+                rows[row["file"]] = row
+    return rows
+
+
+def planar_regions(count):
+    """(path, h) of the first regions of the planar corpus."""
+    with open(need_shared("planar", "manifest.csv")) as f:
+        return [(need_shared("planar", row["file"]), float(row["h"])) for row in list(csv.DictReader(f))[:count]]
+
+
+def examples():
+    return sorted(p for p in glob.glob(os.path.join(EXAMPLES, "*")) if p.endswith((".step", ".brep")))
+
+
+def judge(model, mesh, size):
+    """What tools/quality.py of the shared folder says of a mesh file."""
+    tool = need_shared("tools", "quality.py")
+    done = subprocess.run(["/usr/bin/python3", tool, mesh, "--cad", model, "--size", str(size), "--samples", "20000",
+                           "--cad-samples", "10000"], stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    if done.returncode:
+        return {"verdict": {"good": False, "error": done.stderr.strip()[-200:]}}
+    return json.loads(done.stdout)
+
+
+# Checks of a mesh alone. Each gives sentences, none when all is well.
+
+def directed_sides(mesh):
+    """Sides of all elements as rows (start, end), element by element, and their face tags."""
+    sides, tags = [], []
+    for rows, tag, corners in ((mesh.quads, mesh.quad_tag, 4), (mesh.triangles, mesh.triangle_tag, 3)):
+        for k in range(corners):
+            sides.append(rows[:, [k, (k + 1) % corners]])
+            tags.append(tag)
+    return np.concatenate(sides), np.concatenate(tags)
+
+
+def middle_nodes(mesh):
+    """Middle node of every side, in the order of directed_sides (order 2)."""
+    return np.concatenate([rows[:, corners + k] for rows, corners in ((mesh.quads, 4), (mesh.triangles, 3))
+                           for k in range(corners)])
+
+
+def side_uses(mesh):
+    """How many elements each undirected edge of the mesh has."""
+    sides, _ = directed_sides(mesh)
+    _, uses = np.unique(np.sort(sides, 1), axis=0, return_counts=True)
+    return uses
+
+
+def conformity(mesh, closed):
+    """Interior edges in two elements with opposite direction, middle nodes shared, no loose or double nodes."""
+    faults = []
+    sides, tags = directed_sides(mesh)
+    edges, number, uses = np.unique(np.sort(sides, 1), axis=0, return_inverse=True, return_counts=True)
+    if (edges[:, 0] == edges[:, 1]).any():
+        faults.append("an edge ends where it starts")
+    if closed and (uses != 2).any():
+        faults.append(f"{(uses == 1).sum()} open edges and {(uses > 2).sum()} edges of more than two elements")
+    same = np.concatenate([sides, tags[:, None]], 1)
+    if len(np.unique(same if not closed else sides, axis=0)) != len(sides):
+        faults.append("two elements run through one edge in the same direction")
+    if mesh.order == 2:
+        middles = middle_nodes(mesh)
+        pairs = np.unique(np.stack([number, middles], 1), axis=0)
+        if len(pairs) != len(edges) or len(np.unique(middles)) != len(edges):
+            faults.append("two elements disagree on the middle node of their edge")
+    used = np.unique(np.concatenate([mesh.quads.ravel(), mesh.triangles.ravel()]))
+    if len(used) != len(mesh.nodes):
+        faults.append(f"{len(mesh.nodes) - len(used)} nodes belong to no element")
+    if not np.isfinite(mesh.nodes).all():
+        faults.append("a coordinate is not a number")
+    elif len(np.unique(mesh.nodes, axis=0)) != len(mesh.nodes):
+        faults.append("two nodes in one place")
+    return faults
+
+
+def euler(mesh):
+    """V - E + F."""
+    sides, _ = directed_sides(mesh)
+    edges = np.unique(np.sort(sides, 1), axis=0)
+    return len(np.unique(edges)) - len(edges) + len(mesh.quads) + len(mesh.triangles)
+
+
+def hanging_nodes(mesh):
+    """Border nodes that lie inside another border edge (straight sides), closer than 1e-6 of its length."""
+    from scipy.spatial import cKDTree
+    sides, _ = directed_sides(mesh)
+    edges, uses = np.unique(np.sort(sides, 1), axis=0, return_counts=True)
+    border = edges[uses == 1]
+    if not len(border):
+        return 0
+    nodes = np.unique(border)
+    a, b = mesh.nodes[border[:, 0]], mesh.nodes[border[:, 1]]
+    length = np.linalg.norm(b - a, axis=1)
+    near = cKDTree(mesh.nodes[nodes]).query_ball_point((a + b) / 2, length / 2 * (1 - 1e-6))
+    found = 0
+    for i, candidates in enumerate(near):
+        for node in nodes[candidates]:
+            if node not in border[i]:
+                offset = mesh.nodes[node] - a[i]
+                along = (b[i] - a[i]) / length[i]
+                found += np.linalg.norm(offset - offset.dot(along) * along) < 1e-6 * length[i]
+    return int(found)
