@@ -107,9 +107,19 @@ std::string sentence(std::string text) {
   return text + (text.ends_with('.') ? "" : ".");
 }
 
+/// CLI11 would only say that a subcommand is missing.
+void check_command(int argc, const char* const* argv) {
+  std::string command = argc > 1 ? argv[1] : "";
+  if (command == "mesh" || command.starts_with('-')) return;
+  throw Error(ErrorCode::bad_option,
+              fmt::format("{}; write 'paver mesh FILE -o OUT --size H', or 'paver --help' for all options.",
+                          command.empty() ? "No command is given" : "There is no command '" + command + "'"));
+}
+
 }  // namespace
 
 std::optional<int> read_arguments(int argc, const char* const* argv, Arguments& arguments) {
+  check_command(argc, argv);
   CLI::App app("Paver cuts the surfaces of a CAD model into curved quadrilaterals and few triangles.", "paver");
   app.set_version_flag("--version", "paver " PAVER_VERSION);
   app.require_subcommand(1);

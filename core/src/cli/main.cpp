@@ -44,7 +44,8 @@ int exit_code(ErrorCode code) {
 
 /// Prints one line, whatever the text holds.
 void complain(std::string text) {
-  std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   fmt::print(stderr, "paver: {}\n", text);
 }
 

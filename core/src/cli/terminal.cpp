@@ -14,7 +14,7 @@
 namespace paver {
 namespace {
 
-constexpr std::chrono::milliseconds interval(50), patience(800);
+constexpr std::chrono::milliseconds interval(50), patience(700);
 constexpr int cancelled_exit_code = 130;
 
 std::atomic<Progress*> signalled{nullptr};  // signal handlers have no other way to reach it

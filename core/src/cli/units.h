@@ -31,12 +31,15 @@ inline constexpr std::array<Unit, 13> length_units{{{"", 1},
 inline constexpr std::array<Unit, 6> frequency_units{
     {{"", 1}, {"hz", 1}, {"khz", 1e3}, {"mhz", 1e6}, {"ghz", 1e9}, {"thz", 1e12}}};
 
-/// `text` as a number times its unit, case and blanks around both ignored; none when it is not a number with a unit of the list.
+/// `text` as a number times its unit, case and blanks around both ignored; none when it is not a number with a unit of
+/// the list.
 template <std::size_t n>
 std::optional<double> parse_quantity(std::string text, const std::array<Unit, n>& units) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
   const char *begin = text.data(), *end = begin + text.size();
-  auto skip_blanks = [&](const char* at) { return std::find_if(at, end, [](char c) { return c != ' ' && c != '\t'; }); };
+  auto skip_blanks = [&](const char* at) {
+    return std::find_if(at, end, [](char c) { return c != ' ' && c != '\t'; });
+  };
   while (end != begin && (end[-1] == ' ' || end[-1] == '\t')) --end;
   begin = skip_blanks(begin);
   if (begin != end && *begin == '+') ++begin;

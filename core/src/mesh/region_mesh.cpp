@@ -1,8 +1,6 @@
 // Connectivity edits of a region's mesh and the scaled Jacobian of one element.
 #include "mesh/region_mesh.h"
 
-#include <algorithm>
-
 namespace paver {
 
 int RegionMesh::add_node(Vec2 chart, Vec3 position, Vec3 tangent_p, Vec3 tangent_q, double target) {
@@ -17,9 +15,12 @@ int RegionMesh::add_node(Vec2 chart, Vec3 position, Vec3 tangent_p, Vec3 tangent
   return node_count() - 1;
 }
 
+void RegionMesh::drop_last_node() {
+  p.pop_back(), x.pop_back(), xp.pop_back(), xq.pop_back();
+  h.pop_back(), is_fixed.pop_back(), global.pop_back(), star.pop_back();
+}
+
 int RegionMesh::add_element(const std::array<int, 4>& corners) {
-  for (int v : corners)
-    if (v >= 0 && star[v].is_full()) return -1;
   int e = static_cast<int>(elements.size());
   elements.push_back({corners});
   for (int v : corners)
@@ -33,19 +34,21 @@ void RegionMesh::remove_element(int e) {
   elements[e].v = {-1, -1, -1, -1};
 }
 
-bool RegionMesh::replace_node(int e, int from, int to) {
-  if (star[to].is_full()) return false;
+void RegionMesh::replace_node(int e, int from, int to) {
   elements[e].v[elements[e].corner_of(from)] = to;
   star[from].remove(e);
   star[to].add(e);
-  return true;
 }
 
 int RegionMesh::valence(int node) const {
-  int count = 0, seen[2 * Star::capacity];
-  for (int e : star[node])
-    for (int other : {elements[e].after(node), elements[e].before(node)})
-      if (std::find(seen, seen + count, other) == seen + count) seen[count++] = other;
+  // Each edge is entered by one element and left by another, but on the border.
+  int count = star[node].size();
+  for (int e : star[node]) {
+    int last = elements[e].before(node);
+    bool is_shared = false;
+    for (int g : star[node]) is_shared |= elements[g].after(node) == last;
+    if (!is_shared) ++count;
+  }
   return count;
 }
 

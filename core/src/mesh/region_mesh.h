@@ -1,6 +1,7 @@
 // Nodes and elements of one region while it is paved, smoothed and cleaned up.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -22,26 +23,33 @@ struct Element {
   int before(int node) const { return v[(corner_of(node) + corners() - 1) % corners()]; }
 };
 
-/// Elements about one node, unordered, in place.
+/// Elements about one node, unordered; in place as long as they are few, which is nearly always.
 class Star {
  public:
-  static constexpr int capacity = 11;
   int size() const { return size_; }
-  bool is_full() const { return size_ >= capacity; }
-  const int* begin() const { return element_.data(); }
-  const int* end() const { return element_.data() + size_; }
-  void add(int e) { element_[size_++] = e; }
+  const int* begin() const { return size_ <= few ? near_.data() : far_.data(); }
+  const int* end() const { return begin() + size_; }
+  void add(int e) {
+    if (size_ == few) far_.assign(near_.begin(), near_.end());
+    if (size_ >= few) far_.push_back(e);
+    else near_[size_] = e;
+    ++size_;
+  }
   void remove(int e) {
-    for (int i = 0; i < size_; ++i)
-      if (element_[i] == e) {
-        element_[i] = element_[--size_];
-        return;
-      }
+    int* first = size_ <= few ? near_.data() : far_.data();
+    int* at = std::find(first, first + size_, e);
+    if (at == first + size_) return;
+    *at = first[--size_];
+    if (size_ < few) return;
+    far_.pop_back();
+    if (size_ == few) std::copy(far_.begin(), far_.end(), near_.begin());
   }
 
  private:
+  static constexpr int few = 8;
   int size_ = 0;
-  std::array<int, capacity> element_{};
+  std::array<int, few> near_{};
+  std::vector<int> far_;
 };
 
 /// Struct of arrays, one entry per node; elements are edited only through the members below.
@@ -56,12 +64,13 @@ struct RegionMesh {
   std::vector<Element> elements;
 
   int node_count() const { return static_cast<int>(p.size()); }
+  /// Takes back the node added last; no element may use it.
+  void drop_last_node();
   int add_node(Vec2 chart, Vec3 position, Vec3 tangent_p, Vec3 tangent_q, double target);
-  /// The new element's number; -1 when a node would get more elements than a star holds.
+  /// The new element's number.
   int add_element(const std::array<int, 4>& corners);
   void remove_element(int e);
-  /// False, and nothing changed, when `to` cannot take one more element.
-  bool replace_node(int e, int from, int to);
+  void replace_node(int e, int from, int to);
   /// Number of distinct mesh edges at a node.
   int valence(int node) const;
   Vec3 normal(int node) const { return unit(cross(xp[node], xq[node])); }

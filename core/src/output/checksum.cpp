@@ -27,8 +27,8 @@ std::uint64_t checksum(const SurfaceMesh& mesh) {
   Fnv hash;
   hash.add(static_cast<std::uint64_t>(mesh.order));
   for (Vec3 x : mesh.nodes) hash.add(x.x), hash.add(x.y), hash.add(x.z);
-  for (const std::vector<int>* table : {&mesh.quads, &mesh.quad_face, &mesh.triangles, &mesh.triangle_face, &mesh.lines,
-                                        &mesh.line_edge}) {
+  for (const std::vector<int>* table :
+       {&mesh.quads, &mesh.quad_face, &mesh.triangles, &mesh.triangle_face, &mesh.lines, &mesh.line_edge}) {
     hash.add(*table);
   }
   return hash.value();

@@ -114,8 +114,9 @@ Grouping group_rows(const std::vector<int>& group_of, int groups) {
 
 Numbering::Numbering(const MeshResult& result) {
   const SurfaceMesh& mesh = result.mesh;
-  int faces = std::max({largest(mesh.quad_face), largest(mesh.triangle_face),
-                        static_cast<int>(result.face_names.size()) - 1}) + 1;
+  int faces =
+      std::max({largest(mesh.quad_face), largest(mesh.triangle_face), static_cast<int>(result.face_names.size()) - 1}) +
+      1;
   int edges = largest(mesh.line_edge) + 1;
   quads = group_rows(mesh.quad_face, faces);
   triangles = group_rows(mesh.triangle_face, faces);

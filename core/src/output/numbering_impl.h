@@ -24,15 +24,15 @@ Grouping group_rows(const std::vector<int>& group_of, int groups);
 struct Numbering {
   explicit Numbering(const MeshResult& result);
 
-  std::vector<int> node_tag;    ///< per node; 0: no element or line uses it, so it is not written
-  int node_count = 0;           ///< written nodes; tags run from 1 to this
-  Grouping quads, triangles;    ///< by face
-  Grouping lines;               ///< by edge
-  Grouping curve_nodes;         ///< by edge: nodes on lines
-  Grouping surface_nodes;       ///< by face: the others
-  std::vector<int> face_group;  ///< per face: number of its physical group, or 0 when it has no elements
-  std::vector<std::string> group_names;       ///< of group 1, 2, ...; faces of one name share a group
-  std::vector<std::vector<int>> face_edges;   ///< per face: edges whose lines are sides of its elements, rising
+  std::vector<int> node_tag;                 ///< per node; 0: no element or line uses it, so it is not written
+  int node_count = 0;                        ///< written nodes; tags run from 1 to this
+  Grouping quads, triangles;                 ///< by face
+  Grouping lines;                            ///< by edge
+  Grouping curve_nodes;                      ///< by edge: nodes on lines
+  Grouping surface_nodes;                    ///< by face: the others
+  std::vector<int> face_group;               ///< per face: number of its physical group, or 0 when it has no elements
+  std::vector<std::string> group_names;      ///< of group 1, 2, ...; faces of one name share a group
+  std::vector<std::vector<int>> face_edges;  ///< per face: edges whose lines are sides of its elements, rising
 
   bool has_elements(std::size_t face) const { return quads.size(face) + triangles.size(face) > 0; }
 };

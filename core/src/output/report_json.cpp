@@ -43,9 +43,7 @@ Json model_json(const ModelReport& m) {
           {"nonmanifold_edge_names", m.nonmanifold_edge_names}};
 }
 
-Json sj_json(const ScaledJacobianStats& sj) {
-  return {{"min", sj.min}, {"mean", sj.mean}, {"below_03", sj.below_03}};
-}
+Json sj_json(const ScaledJacobianStats& sj) { return {{"min", sj.min}, {"mean", sj.mean}, {"below_03", sj.below_03}}; }
 
 Json quality_json(const QualityReport& q) {
   return {{"quads", q.quads},

@@ -54,8 +54,8 @@ void add_elements(const SurfaceMesh& mesh, bool is_quad, std::vector<int>& numbe
   const std::vector<int>& face_of = is_quad ? mesh.quad_face : mesh.triangle_face;
   std::vector<int> order = positions(is_quad, mesh.order);
   bool is_straight = mesh.order == 1;
-  std::uint8_t type = is_quad ? (is_straight ? vtk_quad : vtk_lagrange_quad)
-                              : (is_straight ? vtk_triangle : vtk_lagrange_triangle);
+  std::uint8_t type =
+      is_quad ? (is_straight ? vtk_quad : vtk_lagrange_quad) : (is_straight ? vtk_triangle : vtk_lagrange_triangle);
   for (std::size_t e = 0; e < face_of.size(); ++e) {
     const int* nodes = elements.data() + e * order.size();
     for (int position : order) {
@@ -144,10 +144,11 @@ void write_vtu(const MeshResult& result, bool is_ascii, AtomicFile& file) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double), "points are written as they lie in memory");
   Grid grid = build_grid(result.mesh);
   Arrays arrays(file, is_ascii);
-  file.write("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-             "header_type=\"UInt64\">\n<UnstructuredGrid>\n");
-  file.write(fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", grid.points.size(),
-                         grid.types.size()));
+  file.write(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n<UnstructuredGrid>\n");
+  file.write(
+      fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", grid.points.size(), grid.types.size()));
   file.write("<CellData Scalars=\"sj\">\n");
   arrays.declare("Int32", "face", 1, grid.face.data(), grid.face.size());
   arrays.declare("Float64", "sj", 1, grid.sj.data(), grid.sj.size());

@@ -220,7 +220,8 @@ void close_by_triangulation(Front& front, int f) {
   std::vector<bool> is_used(triangles.size(), false);
   for (const Pair& p : pairs) {
     if (is_used[p.i] || is_used[p.j]) continue;
-    if (front.mesh.add_element(p.quad) >= 0) is_used[p.i] = is_used[p.j] = true;
+    front.mesh.add_element(p.quad);
+    is_used[p.i] = is_used[p.j] = true;
   }
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (!is_used[t]) {

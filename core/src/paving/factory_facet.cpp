@@ -25,12 +25,23 @@ bool lay_quad(Front& front, int f, const Wish* left, const Wish* right, int leve
   if (left) d = grant(front, *left, start(), b, right ? after : -1);
   if (d.node < 0) return false;
   if (right) c = grant(front, *right, start(), a, left ? d.node : -1);
+  auto put = [&](const Granted& g, int base) {
+    return !g.is_new || front.empty.insert(g.node, front.empty.walk(start(), base, front.mesh.p[g.node]));
+  };
+  auto take_out = [&](const Granted& g, int base) {
+    Location at = front.empty.walk(start(), base, front.mesh.p[g.node]);
+    if (at.kind == Location::Kind::on_vertex) front.empty.erase(g.node, at.triangle);
+  };
   bool is_laid = false;
   if (c.node >= 0 && c.node != d.node) {
     const int corners[4] = {a, b, c.node, d.node};
-    if (is_convex(front.mesh, corners)) {
-      double sj = scaled_jacobian(front.mesh, {{a, b, c.node, d.node}});
-      is_laid = sj > 0.05 && front.form_element(f, c.node, d.node, level);
+    bool is_fit = is_convex(front.mesh, corners) && scaled_jacobian(front.mesh, {{a, b, c.node, d.node}}) > 0.05;
+    if (is_fit && put(d, a)) {
+      if (put(c, b)) {
+        is_laid = front.form_element(f, c.node, d.node, level);
+        if (!is_laid && c.is_new) take_out(c, b);
+      }
+      if (!is_laid && d.is_new) take_out(d, a);
     }
   }
   if (is_laid) {
@@ -38,8 +49,8 @@ bool lay_quad(Front& front, int f, const Wish* left, const Wish* right, int leve
     if (c.is_new) new_nodes.push_back(c.node);
     return true;
   }
-  if (c.node >= 0) withdraw(front, c, start(), b);
-  withdraw(front, d, start(), a);
+  if (c.node >= 0 && c.is_new) front.drop_last_node();
+  if (d.is_new) front.drop_last_node();
   return false;
 }
 

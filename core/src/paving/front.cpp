@@ -81,6 +81,13 @@ int Front::add_node(Vec2 p) {
   return node;
 }
 
+void Front::drop_last_node() {
+  mesh.drop_last_node();
+  out_facet_.pop_back();
+  sectors_.pop_back();
+  colour_.pop_back();
+}
+
 double Front::angle_after(int f) const {
   int a = facets[f].a, b = facets[f].b, c = facets[facets[f].next].b;
   Vec3 out = mesh.x[c] - mesh.x[b], in = mesh.x[a] - mesh.x[b], n = mesh.normal(b);
@@ -275,8 +282,6 @@ bool Front::form_element(int f, int c, int d, int level) {
   int a = facets[f].a, b = facets[f].b;
   bool is_simple = c != a && c != b && d != a && d != b && c != d;
   if (!is_simple) return false;
-  for (int v : {a, b, c, d})
-    if (v >= 0 && mesh.star[v].is_full()) return false;
   if (!find_outline(f, c, d, o) || !colours_allow(o)) {
     stack_.assign(1, empty.facet_side(f).triangle);
     empty.legalise(stack_);
@@ -359,7 +364,6 @@ bool Front::close_seam(int f, Vec2 p) {
   int g = facets[f].next, a = facets[f].a, b = facets[f].b, c = facets[g].b;
   if (sectors_[a] != 1 || sectors_[c] != 1) return false;
   int keep = mesh.is_fixed[c] ? c : a, gone = keep == a ? c : a;
-  if (mesh.star[a].size() + mesh.star[c].size() > Star::capacity) return false;
   int before = facets[f].prev, after = facets[g].next;
   auto refuse = [&] {
     stack_.assign(1, empty.facet_side(f).triangle);

@@ -40,7 +40,10 @@ class Front {
   int facet_from(int node) const { return out_facet_[node]; }
   /// Number of sectors of the void that meet at `node`.
   int sectors(int node) const { return sectors_[node]; }
+  /// New node at p, not yet in the void.
   int add_node(Vec2 p);
+  /// Takes back the node added last.
+  void drop_last_node();
   /// Angle of the void at facet f's end node, radians in (0, 2 pi).
   double angle_after(int f) const;
   double length(int f) const { return norm(mesh.x[facets[f].b] - mesh.x[facets[f].a]); }

@@ -123,14 +123,7 @@ Granted grant(Front& front, const Wish& wish, int start, int avoid_a, int avoid_
   if (nearest < 0.2 * wish.length) return {};
   int fresh = front.add_node(p);
   mesh.h[fresh] = graded_target(front, wish.base, length, p);
-  if (!front.empty.insert(fresh, where)) return {};
   return {fresh, true};
-}
-
-void withdraw(Front& front, const Granted& granted, int start, int base) {
-  if (!granted.is_new || front.sectors(granted.node) > 0) return;
-  Location at = front.empty.walk(start, base, front.mesh.p[granted.node]);
-  if (at.kind == Location::Kind::on_vertex) front.empty.erase(granted.node, at.triangle);
 }
 
 }  // namespace paver

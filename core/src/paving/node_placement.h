@@ -18,16 +18,12 @@ Wish make_wish(const Front& front, int f, double angle, double length);
 /// Target length for a node that is `distance` from `parent`: grows no faster than the gradation allows.
 double graded_target(const Front& front, int parent, double distance, Vec2 p);
 
-/// Node for a wish: a new one, or one of the front where that is close; -1 when nothing fits.
-/// `start` is a triangle of the sector at the wish's base. `avoid` are nodes not to be taken.
-/// With `is_new` the node is in the void and not yet on the front: use it or erase it.
+/// Node for a wish: one of the front where that is close, else a new one, which is not yet in the void.
+/// -1 when nothing fits. `start` is a triangle of the sector at the wish's base; `avoid_*` are nodes not to be taken.
 struct Granted {
   int node = -1;
   bool is_new = false;
 };
 Granted grant(Front& front, const Wish& wish, int start, int avoid_a, int avoid_b);
-
-/// Takes a node that was granted as new and not used out of the void; base and start as for grant().
-void withdraw(Front& front, const Granted& granted, int start, int base);
 
 }  // namespace paver

@@ -25,7 +25,7 @@ class RegionPaver {
                   {"paving", region_.face, -1, x});
     }
     make_even();
-    budget_ = 200 + 40 * static_cast<long>(front_.facets.size()) + 8 * predicted_elements();
+    budget_ = most_elements();
     while (collect_open_loops()) {
       bool is_changed = false;
       for (int f : open_)
@@ -39,17 +39,11 @@ class RegionPaver {
   Front& front() { return front_; }
 
  private:
-  long predicted_elements() const {
-    // Area of the loops in space by the shoelace of the void triangles.
-    double area = 0;
-    for (int t = 0; t < front_.empty.triangle_count(); ++t) {
-      if (!front_.empty.triangle(t).is_alive) continue;
-      const auto& v = front_.empty.triangle(t).v;
-      const auto& x = front_.mesh.x;
-      double h = (front_.mesh.h[v[0]] + front_.mesh.h[v[1]] + front_.mesh.h[v[2]]) / 3;
-      area += 0.5 * norm(cross(x[v[1]] - x[v[0]], x[v[2]] - x[v[0]])) / (h * h);
-    }
-    return static_cast<long>(std::min(area, 1e9));
+  // More than any sound run needs: paving ends even where it would go on for ever.
+  long most_elements() const {
+    double least = std::min(region_.h, region_.size.least());
+    for (double h : front_.mesh.h) least = std::min(least, std::max(h, 0.02 * region_.h));
+    return 1000 + 40 * static_cast<long>(front_.facets.size()) + static_cast<long>(std::min(8 * region_.area / (least * least), 1e12));
   }
 
   // Odd loops get their one triangle, then all loops are coloured.

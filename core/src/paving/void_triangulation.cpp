@@ -123,24 +123,49 @@ bool VoidTriangulation::insert(int node, const Location& where) {
 }
 
 void VoidTriangulation::erase(int node, int start) {
-  crossed_.clear();
-  outer_.clear();
-  left_.clear();
+  stack_.clear();
+  // Flips take the node's edges away one by one; a star of more than three always has one that can go.
   int t = start;
-  do {
-    int k = corner_of(t, node);
-    const VoidTriangle& tri = triangles_[t];
-    outer_.push_back({tri.v[(k + 1) % 3], tri.v[(k + 2) % 3], tri.n[k]});
-    left_.push_back(tri.v[(k + 1) % 3]);
-    crossed_.push_back(t);
-    t = rotate_ccw(t, node);
-  } while (t != start);
-  made_.clear();
-  if (!clip_ears(left_)) return;  // cannot happen for a star of positive triangles
-  for (int c : crossed_) remove(c);
+  for (int tries = 0; degree(node, t) > 3;) {
+    int next = rotate_ccw(t, node), k = corner_of(t, node);
+    int a = triangles_[t].v[(k + 1) % 3], b = triangles_[t].v[(k + 2) % 3];
+    int c = triangles_[next].v[(corner_of(next, node) + 2) % 3];
+    Vec2 o = at(node);
+    bool is_convex = orientation(at(a), at(b), at(c)) > 0 && orientation(o, at(a), at(c)) > 0;
+    if (!is_convex) {
+      t = next;
+      if (++tries > 100000) return;
+      continue;
+    }
+    flip(t, (k + 1) % 3);  // the edge node - b becomes a - c; one of the two triangles keeps the node
+    int other = has_node(t, node) ? next : t;
+    stack_.push_back(other);
+    if (!has_node(t, node)) t = next;
+    tries = 0;
+  }
+  int second = rotate_ccw(t, node), third = rotate_ccw(second, node);
+  outer_.clear();
+  std::array<int, 3> corner{};
+  int n = 0;
+  for (int s : {t, second, third}) {
+    int k = corner_of(s, node);
+    corner[n++] = triangles_[s].v[(k + 1) % 3];
+    outer_.push_back({triangles_[s].v[(k + 1) % 3], triangles_[s].v[(k + 2) % 3], triangles_[s].n[k]});
+  }
+  for (int s : {t, second, third}) remove(s);
+  made_.assign(1, make(corner[0], corner[1], corner[2]));
   link_cavity();
-  stack_ = made_;
+  stack_.push_back(made_[0]);
   legalise(stack_);
+}
+
+int VoidTriangulation::degree(int node, int start) const {
+  int count = 0, t = start;
+  do {
+    ++count;
+    t = rotate_ccw(t, node);
+  } while (t != start && count < 4);
+  return count;
 }
 
 // Links the triangles of made_ with one another and with the sides in outer_.
@@ -222,6 +247,7 @@ bool VoidTriangulation::recover(int start, int a, int b) {
     }
     int j = side_between(next, u, w);
     int z = triangles_[next].v[j];
+    if (static_cast<int>(crossed_.size()) > most_crossed_) return false;
     crossed_.push_back(next);
     t = next;
     if (z == b) break;
@@ -375,6 +401,7 @@ void VoidTriangulation::carve_outside(const std::vector<std::pair<int, int>>& fa
 std::optional<Crossing> VoidTriangulation::build(const std::vector<std::pair<int, int>>& facets) {
   triangles_.clear();
   free_.clear();
+  most_crossed_ = 1 << 30;
   int count = static_cast<int>(facets.size());
   facet_side_.assign(2 * count + 3, Side{});
   if (auto touching = insert_all(facets)) return touching;
@@ -432,6 +459,7 @@ std::optional<Crossing> VoidTriangulation::build(const std::vector<std::pair<int
   for (int t = 0; t < triangle_count(); ++t)
     if (triangles_[t].is_alive) all.push_back(t);
   legalise(all);
+  most_crossed_ = 64;
   for (int f = 0; f < count; ++f)
     if (facet_side_[f].triangle < 0 || !triangles_[facet_side_[f].triangle].is_alive) return Crossing{f, -1};
   return std::nullopt;

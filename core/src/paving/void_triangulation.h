@@ -97,6 +97,7 @@ class VoidTriangulation {
     int a, b, neighbour;
   };
   Vec2 at(int v) const { return v >= 0 ? points_[v] : frame_[-1 - v]; }
+  int degree(int node, int start) const;  // up to 4
   int make(int a, int b, int c);
   bool first_in_fan(int start, int node, Vec2 target, int& t) const;
   void flip(int t, int corner);
@@ -114,6 +115,7 @@ class VoidTriangulation {
   // Scratch of recover() and insert(), kept to avoid allocation.
   std::vector<int> crossed_, made_, left_, right_, stack_;
   std::vector<OuterSide> outer_;
+  int most_crossed_ = 64;  // a side across more triangles is no side of an element that fits
   int blocker_ = -1;  // facet code that stopped recover()
 };
 

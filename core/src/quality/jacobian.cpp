@@ -13,9 +13,9 @@
 namespace paver {
 namespace {
 
-constexpr int most_levels = 8;       // of splitting for the sign
-constexpr int close_levels = 2;      // of splitting for a closer bound
-constexpr double poor_ratio = 0.5;   // below it the bound is worked out more closely
+constexpr int most_levels = 8;      // of splitting for the sign
+constexpr int close_levels = 2;     // of splitting for a closer bound
+constexpr double poor_ratio = 0.5;  // below it the bound is worked out more closely
 
 /// Unit vectors s, t with s x t = n.
 void plane_of(Vec3 n, Vec3& s, Vec3& t) {

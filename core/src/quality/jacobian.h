@@ -71,10 +71,10 @@ class JacobianForm {
   std::vector<Difference> du_, dv_;
   std::vector<Product> products_;
   std::vector<Pair> mean_;
-  std::vector<int> corners_;             ///< coefficients that are values of det at corners
-  std::vector<double> samples_;          ///< count_ x count_: det on the lattice from its coefficients
+  std::vector<int> corners_;                     ///< coefficients that are values of det at corners
+  std::vector<double> samples_;                  ///< count_ x count_: det on the lattice from its coefficients
   std::array<std::vector<double>, 4> children_;  ///< count_ x count_ each: coefficients on a quarter
-  std::vector<double> quadrature_;       ///< per point: weight, then d/du and d/dv per node
+  std::vector<double> quadrature_;               ///< per point: weight, then d/du and d/dv per node
 };
 
 /// The shared tables for a shape and order 1 to 4, built at first use.

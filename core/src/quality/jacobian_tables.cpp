@@ -5,11 +5,10 @@
 // the weights being quotients of binomials (product of two Bernstein polynomials). The mean of x_u x x_v over the
 // element, which gives n, is the mean of these coefficients; expanded in pairs of control points only those on the
 // element's border remain. Matrices for values and for quarters come from sampling and one inverse.
-#include "quality/jacobian.h"
-
 #include <cmath>
 
 #include "quality/dense_impl.h"
+#include "quality/jacobian.h"
 #include "quality/lattice.h"
 
 namespace paver {
@@ -70,9 +69,9 @@ void JacobianForm::build_products() {
     for (std::size_t b = 0; b < at_v.size(); ++b) {
       auto [i, j] = at_u[a];
       auto [k, l] = at_v[b];
-      long double weight = is_quad ? weight1(p - 1, i, p, k) * weight1(p, j, p - 1, l)
-                                   : multinomial(p - 1, at_u[a]) * multinomial(p - 1, at_v[b]) /
-                                         multinomial(degree_, {i + k, j + l});
+      long double weight =
+          is_quad ? weight1(p - 1, i, p, k) * weight1(p, j, p - 1, l)
+                  : multinomial(p - 1, at_u[a]) * multinomial(p - 1, at_v[b]) / multinomial(degree_, {i + k, j + l});
       products_.push_back({bernstein_index(shape_, degree_, i + k, j + l), static_cast<int>(a), static_cast<int>(b),
                            static_cast<double>(weight * p * p)});
     }
@@ -107,7 +106,7 @@ void JacobianForm::build_children() {
   for (int k = 0; k < 4; ++k) {
     auto quarter = [&](long double u, long double v) -> Uv {
       if (!is_quad && k == 3) return {0.5L - u / 2, 0.5L - v / 2};
-      return {u / 2 + (k % 2) / 2.0L, v / 2 + (k / 2) / 2.0L};
+      return {(u + (k & 1)) / 2, (v + (k >> 1)) / 2};
     };
     children_[k] = product(back, bernstein_matrix(shape_, degree_, lattice, quarter)).rounded();
   }

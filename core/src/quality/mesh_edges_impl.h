@@ -9,10 +9,10 @@ namespace paver {
 
 /// Corner nodes of quads and triangles; middle nodes are no part of it.
 struct EdgeFigures {
-  std::vector<double> chords;               ///< mm, corner to corner, every edge once
-  long border = 0, nonmanifold = 0;         ///< edges of one element, of more than two
-  std::vector<int> valence;                 ///< per node: edges that meet there
-  std::vector<bool> is_corner, is_border;   ///< per node: used as a corner; on a border edge
+  std::vector<double> chords;              ///< mm, corner to corner, every edge once
+  long border = 0, nonmanifold = 0;        ///< edges of one element, of more than two
+  std::vector<int> valence;                ///< per node: edges that meet there
+  std::vector<bool> is_corner, is_border;  ///< per node: used as a corner; on a border edge
 };
 
 EdgeFigures measure_edges(const SurfaceMesh& mesh);

@@ -38,6 +38,7 @@ class RegionBuilder {
     region.surface = face_.surface->clone();
     region.size = size_.faces[index_];
     region.h = size_.h;
+    region.area = face_.area;
     region.gradation = size_.gradation;
     return region;
   }

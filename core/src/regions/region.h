@@ -40,6 +40,7 @@ struct Region {
   FaceSize size{1};
   double h = 1;            ///< target length of the run
   double gradation = 0.3;
+  double area = 0;         ///< mm^2, of the whole face: bounds the work
   std::vector<std::vector<LoopNode>> loops;  ///< region on the left of each loop
   std::vector<Fan> fans;
 

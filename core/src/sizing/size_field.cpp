@@ -15,7 +15,7 @@ namespace paver {
 namespace {
 
 constexpr int grid_size = 17;             // samples per direction: enough for a B-spline of about 8 spans
-constexpr double smallest_share = 0.1;    // of H inside faces: a tiny fillet must not explode the count
+constexpr double smallest_share = 0.25;   // of H inside faces: a tiny fillet must not explode the count
 constexpr int samples_per_pcurve = 17;    // for the box of a face
 constexpr double degenerate_area = 1e-9;  // of the largest |xu x xv| on the face: such a point counts as a pole
 
@@ -154,6 +154,10 @@ void check_predicted(double predicted, double h, long limit) {
 
 FaceSize::FaceSize(double h, Vec2 lo, Vec2 hi, int nu, int nv, std::vector<double> samples)
     : h_(h), lo_(lo), hi_(hi), nu_(nu), nv_(nv), samples_(std::move(samples)) {}
+
+double FaceSize::least() const {
+  return samples_.empty() ? h_ : std::min(h_, *std::min_element(samples_.begin(), samples_.end()));
+}
 
 double FaceSize::at(Vec2 uv) const {
   if (samples_.empty()) return h_;

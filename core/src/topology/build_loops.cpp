@@ -57,6 +57,7 @@ class LoopBuilder {
     if (shape.Orientation() != TopAbs_FORWARD && shape.Orientation() != TopAbs_REVERSED) return std::nullopt;
     Coedge c;
     c.edge = index_.find(shape);
+    if (c.edge < 0) return std::nullopt;
     c.is_reversed = shape.Orientation() == TopAbs_REVERSED;
     c.pcurve = make_parameter_curve(shape, face_, edge(c).t0, edge(c).t1);
     if (!edge(c).is_degenerate && (!c.pcurve || !edge(c).curve))

@@ -24,14 +24,14 @@ struct Loop {
 };
 
 struct Edge {
-  std::string name;               ///< "Edge7": position in the shape's edge map, from 1
-  int start = -1, end = -1;       ///< vertices at t0 and t1
-  double t0 = 0, t1 = 0;          ///< t0 < t1
-  double length = 0;              ///< mm
-  bool is_degenerate = false;     ///< a pole: no length, curve is null
-  bool is_periodic = false;       ///< used twice by one face (that face's own parametric seam)
+  std::string name;            ///< "Edge7": position in the shape's edge map, from 1
+  int start = -1, end = -1;    ///< vertices at t0 and t1
+  double t0 = 0, t1 = 0;       ///< t0 < t1
+  double length = 0;           ///< mm
+  bool is_degenerate = false;  ///< a pole: no length, curve is null
+  bool is_periodic = false;    ///< used twice by one face (that face's own parametric seam)
   std::shared_ptr<const Curve> curve;
-  std::vector<int> faces;         ///< every face that uses it, a face twice where periodic
+  std::vector<int> faces;  ///< every face that uses it, a face twice where periodic
 };
 
 struct Face {

@@ -10,10 +10,12 @@
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
+#include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
+#include "brep/occt_impl.h"
 #include "core/brep/shape_files.h"
 
 namespace paver {
@@ -26,8 +28,10 @@ using test::write_text;
 class ReadShape : public testing::Test {
  protected:
   std::string write_step(const char* unit = "MM") {
+    QuietMessages quiet;  // the writers talk a lot
+    STEPControl_Controller::Init();
+    Interface_Static::SetCVal("write.step.unit", unit);  // a writer takes it when it is made
     STEPControl_Writer writer;
-    Interface_Static::SetCVal("write.step.unit", unit);
     writer.Transfer(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), STEPControl_AsIs);
     std::string path = folder_.file("box.step");
     writer.Write(path.c_str());
@@ -35,6 +39,7 @@ class ReadShape : public testing::Test {
     return path;
   }
   std::string write_iges() {
+    QuietMessages quiet;
     IGESControl_Controller::Init();
     IGESControl_Writer writer("MM", 1);
     writer.AddShape(BRepPrimAPI_MakeBox(10, 20, 30).Shape());

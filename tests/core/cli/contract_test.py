@@ -44,7 +44,7 @@ class Contract(unittest.TestCase):
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_bad_usage_is_2(self):
-        self.refused(self.call(), USAGE, "subcommand")
+        self.refused(self.call(), USAGE, "paver mesh FILE")
         self.refused(self.call("mash"), USAGE, "mash")
         self.refused(self.call("mesh", BOX), USAGE, "--output")
         self.refused(self.mesh("--size", "5", "--nonsense"), USAGE, "--nonsense")

@@ -15,7 +15,8 @@ using Map = Vec3 (*)(double u, double v);
 /// Nodes of one element at the images of its lattice.
 std::vector<Vec3> element(ElementShape shape, int p, Map map) {
   std::vector<Vec3> nodes;
-  for (auto [i, j] : lagrange_nodes(shape, p)) nodes.push_back(map(static_cast<double>(i) / p, static_cast<double>(j) / p));
+  for (auto [i, j] : lagrange_nodes(shape, p))
+    nodes.push_back(map(static_cast<double>(i) / p, static_cast<double>(j) / p));
   return nodes;
 }
 

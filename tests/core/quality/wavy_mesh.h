@@ -9,8 +9,8 @@
 
 namespace paver::fake {
 
-/// n x n cells of 10 mm on a wavy sheet; two faces, left and right of edge 4; edges 0 to 3 around them. Every fifth cell
-/// is two triangles. Nodes are moved at random by up to `noise` mm.
+/// n x n cells of 10 mm on a wavy sheet; two faces, left and right of edge 4; edges 0 to 3 around them. Every fifth
+/// cell is two triangles. Nodes are moved at random by up to `noise` mm.
 class WavyMesh {
  public:
   WavyMesh(int order, int n, double noise) : p_(order), n_(n), width_(n * order + 1) {

@@ -15,10 +15,10 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
-#include <ShapeFix_Edge.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -129,7 +129,7 @@ TEST(BuildModel, KeepsTheFaceToTheLeftOfItsLoops) {
     if (face.surface->kind() != SurfaceKind::plane) continue;
     double sum = 0;
     for (const Loop& loop : face.loops) sum += loop_area(model, loop);
-    EXPECT_NEAR(sum, face.area, 0.05);
+    EXPECT_NEAR(sum, face.area, 0.1);
     if (face.loops.size() == 2) {
       ++holed;
       EXPECT_LT(std::min(loop_area(model, face.loops[0]), loop_area(model, face.loops[1])), 0);
@@ -295,7 +295,7 @@ TEST(BuildModel, MakesAMissingImageOnAFace) {
   TopoDS_Face side = TopoDS::Face(TopExp_Explorer(cylinder, TopAbs_FACE).Current());
   for (TopExp_Explorer edges(side, TopAbs_EDGE); edges.More(); edges.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
-    if (!BRep_Tool::IsClosed(edge, side)) ShapeFix_Edge().FixRemovePCurve(edge, side);
+    if (!BRep_Tool::IsClosed(edge, side)) BRep_Builder().UpdateEdge(edge, Handle(Geom2d_Curve)(), side, 1e-7);
   }
   Model model = model_of(cylinder);
   expect_sound(model);
