@@ -26,8 +26,8 @@ int least_for_shape(const Edge& edge, double turn) {
   return turn >= full_turn - turn_slack ? 4 : 3;
 }
 
-EdgeCount count_for_edge(const Edge& edge, const std::vector<EdgeSide>& sides, const SizeField& size) {
-  EdgeMetric metric(edge, sides, size);
+EdgeCount count_for_edge(const Edge& edge, const SizeField& size) {
+  EdgeMetric metric(edge, size);
   EdgeCount result;
   result.wish = std::isfinite(metric.weight()) ? metric.weight() : 1;
   // The turn of kinks counts for no interval where they take nodes.
@@ -75,12 +75,11 @@ void divide_lenses(const Model& model, std::vector<EdgeCount>& counts) {
 
 std::vector<int> choose_counts(const Model& model, const SizeField& size, Progress& progress) {
   progress.begin(Stage::boundary, static_cast<long>(model.edges.size()));
-  const std::vector<std::vector<EdgeSide>> sides = edge_sides(model, size);
   std::vector<EdgeCount> counts(model.edges.size());
   for (std::size_t e = 0; e < counts.size(); ++e) {
     const Edge& edge = model.edges[e];
     bool is_divided = !edge.is_degenerate && edge.curve && !edge.faces.empty();
-    if (is_divided) counts[e] = count_for_edge(edge, sides[e], size);
+    if (is_divided) counts[e] = count_for_edge(edge, size);
     progress.advance();
   }
   divide_lenses(model, counts);

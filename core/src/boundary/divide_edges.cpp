@@ -33,11 +33,11 @@ std::vector<int> number_vertices(const Model& model, const std::vector<int>& cou
 class EdgeDivider {
  public:
   EdgeDivider(const Model& model, const SizeField& size, EdgeNodes& result)
-      : model_(model), size_(size), sides_(edge_sides(model, size)), result_(result) {}
+      : model_(model), size_(size), result_(result) {}
 
   void divide(int edge_index, int count, const std::vector<int>& node_of_vertex) {
     const Edge& edge = model_.edges[static_cast<std::size_t>(edge_index)];
-    const EdgeMetric metric(edge, sides_[static_cast<std::size_t>(edge_index)], size_);
+    const EdgeMetric metric(edge, size_);
     const int start = node_of_vertex[static_cast<std::size_t>(edge.start)];
     const int end = node_of_vertex[static_cast<std::size_t>(edge.end)];
     EdgeDivision& division = result_.edges[static_cast<std::size_t>(edge_index)];
@@ -79,7 +79,6 @@ class EdgeDivider {
 
   const Model& model_;
   const SizeField& size_;
-  const std::vector<std::vector<EdgeSide>> sides_;
   EdgeNodes& result_;
 };
 

@@ -47,23 +47,10 @@ double curvature(const Curve& curve, double t) {
 
 }  // namespace
 
-std::vector<std::vector<EdgeSide>> edge_sides(const Model& model, const SizeField& size) {
-  std::vector<std::vector<EdgeSide>> sides(model.edges.size());
-  for (std::size_t f = 0; f < model.faces.size(); ++f) {
-    for (const Loop& loop : model.faces[f].loops) {
-      for (const Coedge& coedge : loop.coedges) {
-        if (coedge.pcurve)
-          sides[static_cast<std::size_t>(coedge.edge)].push_back({&size.faces[f], coedge.pcurve.get()});
-      }
-    }
-  }
-  return sides;
-}
-
-EdgeMetric::EdgeMetric(const Edge& edge, const std::vector<EdgeSide>& sides, const SizeField& size)
+EdgeMetric::EdgeMetric(const Edge& edge, const SizeField& size)
     : curve_(edge.curve.get()), t0_(edge.t0), t1_(edge.t1) {
   tabulate();
-  set_sizes(sides, size, edge.start == edge.end);
+  set_sizes(size, edge.start == edge.end);
 }
 
 // Four Gauss points: degree 7, so panels of smooth curves rarely need halving.
@@ -165,13 +152,12 @@ void EdgeMetric::drop_kinks_at_ends() {
   std::erase_if(kinks_, is_at_end);
 }
 
-void EdgeMetric::set_sizes(const std::vector<EdgeSide>& sides, const SizeField& size, bool is_closed) {
+void EdgeMetric::set_sizes(const SizeField& size, bool is_closed) {
   const double least_by_curvature = length() / most_by_curvature;
   for (Row& row : rows_) {
     double bend = curvature(*curve_, row.t);
     row.h = size.h;
     if (bend > 0) row.h = std::min(row.h, std::max(size.turn_limit / bend, least_by_curvature));
-    for (const EdgeSide& side : sides) row.h = std::min(row.h, side.size->at(side.pcurve->uv(row.t)));
   }
   // A second round carries the size through the point where a closed edge meets itself.
   for (int round = 0; round < (is_closed ? 2 : 1); ++round) {

@@ -8,22 +8,13 @@
 
 namespace paver {
 
-/// What one adjacent face says about the size along an edge. Both pointers outlive the metric.
-struct EdgeSide {
-  const FaceSize* size = nullptr;
-  const ParameterCurve* pcurve = nullptr;
-};
-
-/// Per edge of the model: its uses by faces that have a parameter curve there, in face order.
-std::vector<std::vector<EdgeSide>> edge_sides(const Model& model, const SizeField& size);
-
 /// Table along one non-degenerate edge: parameter t, arc length s (mm), turn of the tangent (radians), target length h
-/// and the integral of ds/h, called weight. h is the least of the global h, the edge's own turn limit and the adjacent
-/// faces, smoothed along the edge by the gradation. Where the tangent jumps (a kink inside the edge) a node is placed.
+/// and the integral of ds/h, called weight. h is the lesser of the global h and the edge's own turn limit, smoothed
+/// along the edge by the gradation: an edge that runs straight along a fillet keeps the global h. Where the tangent jumps (a kink inside the edge) a node is placed.
 /// Keeps a reference to the edge's curve.
 class EdgeMetric {
  public:
-  EdgeMetric(const Edge& edge, const std::vector<EdgeSide>& sides, const SizeField& size);
+  EdgeMetric(const Edge& edge, const SizeField& size);
 
   double length() const { return rows_.back().s; }
   double weight() const { return rows_.back().weight; }
@@ -61,7 +52,7 @@ class EdgeMetric {
   void add_panel(const Panel& panel, double tolerance, int depth);
   void add_rows(const Panel& half, bool may_hold_kink);
   void drop_kinks_at_ends();
-  void set_sizes(const std::vector<EdgeSide>& sides, const SizeField& size, bool is_closed);
+  void set_sizes(const SizeField& size, bool is_closed);
   double quadrature(double a, double b) const;
   std::vector<int> share_intervals(const std::vector<Row>& ends, int n) const;
   enum class KinkSide { before, behind };

@@ -3,6 +3,7 @@
 #include "paving/front.h"
 
 #include <algorithm>
+#include <map>
 
 #include "base/predicates.h"
 
@@ -36,27 +37,37 @@ int Front::add_loop_node(const LoopNode& node, Vec2 towards, bool is_fixed) {
   return i;
 }
 
-void Front::add_start_loop(int first, int count, bool is_backward) {
-  int base = static_cast<int>(facets.size());
-  for (int i = 0; i < count; ++i) {
-    int a = first + (is_backward ? (count - i) % count : i), b = first + (is_backward ? count - 1 - i : (i + 1) % count);
-    facets.push_back({a, b, base + (i + 1) % count, base + (i + count - 1) % count, 0, true});
-  }
+void Front::add_start_loop(const std::vector<int>& nodes) {
+  int base = static_cast<int>(facets.size()), count = static_cast<int>(nodes.size());
+  for (int i = 0; i < count; ++i)
+    facets.push_back({nodes[i], nodes[(i + 1) % count], base + (i + 1) % count, base + (i + count - 1) % count, 0, true});
   start_loops.push_back(base);
 }
 
 std::optional<Crossing> Front::start() {
+  // Loops that touch in a vertex share one node; the two sides of a cut do not.
+  std::map<int, std::vector<int>> made;
   for (const auto& loop : region.loops) {
-    int first = mesh.node_count(), n = static_cast<int>(loop.size());
-    for (int i = 0; i < n; ++i)
-      add_loop_node(loop[i], 0.5 * (loop[(i + 1) % n].p + loop[(i + n - 1) % n].p), true);
-    add_start_loop(first, n, false);
+    std::vector<int> nodes;
+    for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
+      int node = -1;
+      for (int other : made[loop[i].global])
+        if (norm(mesh.p[other] - loop[i].p) <= 1e-9 * norm(loop[(i + 1) % n].p - loop[i].p)) node = other;
+      if (node < 0) {
+        node = add_loop_node(loop[i], 0.5 * (loop[(i + 1) % n].p + loop[(i + n - 1) % n].p), true);
+        made[loop[i].global].push_back(node);
+      }
+      nodes.push_back(node);
+    }
+    add_start_loop(nodes);
   }
   for (const Fan& fan : region.fans) {
     int centre = add_loop_node(fan.centre, fan.ring[0].p, true);
     int first = mesh.node_count(), n = static_cast<int>(fan.ring.size());
     for (const LoopNode& node : fan.ring) add_loop_node(node, fan.centre.p, false);
-    add_start_loop(first, n, true);
+    std::vector<int> nodes;
+    for (int i = n - 1; i >= 0; --i) nodes.push_back(first + i);
+    add_start_loop(nodes);
     for (int i = 0; i < n; i += 2) mesh.add_element({centre, first + i, first + i + 1, first + (i + 2) % n});
   }
   out_facet_.assign(mesh.node_count(), -1);
@@ -66,7 +77,7 @@ std::optional<Crossing> Front::start() {
   for (std::size_t f = 0; f < facets.size(); ++f) {
     ends.push_back({facets[f].a, facets[f].b});
     out_facet_[facets[f].a] = static_cast<int>(f);
-    sectors_[facets[f].a] = 1;
+    ++sectors_[facets[f].a];
   }
   return empty.build(ends);
 }
@@ -146,7 +157,13 @@ void Front::colour_loop(int f) {
   bool bit = false;
   int g = f;
   do {
-    colour_[facets[g].a] = {set, bit};
+    Colour& colour = colour_[facets[g].a];
+    if (colour.set >= 0) {  // shared with a loop coloured before
+      Colour other = root(colour), own = root({set, bit});
+      if (other.set != own.set) parent_[own.set] = {other.set, other.bit != own.bit};
+    } else {
+      colour = {set, bit};
+    }
     bit = !bit;
     g = facets[g].next;
   } while (g != f);
@@ -415,6 +432,50 @@ bool Front::close_seam(int f, Vec2 p) {
     if (t != inner && t != outer) stack_.push_back(t);
   empty.legalise(stack_);
   return true;
+}
+
+//   r-----------s        r-----------s
+//   |           |        |\\         /|
+//   |           |   ->   | n1-----n2 |
+//   |           |        | |       | |
+//   b <---f---- a        b-m1-----m2-a      (the void is below)
+int Front::divide_facet(int f) {
+  const Facet old = facets[f];
+  int a = old.a, b = old.b, behind = -1;
+  for (int e : mesh.star[a])
+    if (mesh.elements[e].corners() == 4 && mesh.elements[e].corner_of(b) >= 0 && mesh.elements[e].after(b) == a) behind = e;
+  if (behind < 0) return -1;
+  int s = mesh.elements[behind].after(a), r = mesh.elements[behind].before(b);
+  Vec2 pa = mesh.p[a], pb = mesh.p[b], ps = mesh.p[s], pr = mesh.p[r];
+  auto inside = [&](double along, double up) {
+    return (1 - up) * ((1 - along) * pb + along * pa) + up * ((1 - along) * pr + along * ps);
+  };
+  int m1 = add_node(inside(1.0 / 3, 0)), m2 = add_node(inside(2.0 / 3, 0));
+  int n1 = add_node(inside(1.0 / 3, 0.45)), n2 = add_node(inside(2.0 / 3, 0.45));
+  const std::array<int, 4> quads[4] = {{b, m1, n1, r}, {m1, m2, n2, n1}, {m2, a, s, n2}, {n1, n2, s, r}};
+  Side side = empty.facet_side(f);
+  int z = empty.triangle(side.triangle).v[side.corner];
+  bool is_fit = orientation(pa, mesh.p[m2], mesh.p[z]) > 0 && orientation(mesh.p[m2], mesh.p[m1], mesh.p[z]) > 0 &&
+                orientation(mesh.p[m1], pb, mesh.p[z]) > 0;
+  for (const auto& q : quads)
+    for (int i = 0; i < 4; ++i)
+      is_fit = is_fit && orientation(mesh.p[q[i]], mesh.p[q[(i + 1) % 4]], mesh.p[q[(i + 2) % 4]]) > 0;
+  if (!is_fit) {
+    for (int i = 0; i < 4; ++i) drop_last_node();
+    return -1;
+  }
+  mesh.remove_element(behind);
+  for (const auto& q : quads) mesh.add_element(q);
+  double h = norm(mesh.x[a] - mesh.x[b]) / 3;
+  for (int node : {m1, m2, n1, n2}) mesh.h[node] = std::min(mesh.h[node], std::max(h, 0.5 * std::min(mesh.h[a], mesh.h[b])));
+  unite(a, m2), unite(m2, m1), unite(m1, n1), unite(n1, n2);
+  int before = old.prev, after = old.next;
+  kill(f);
+  int f1 = add_facet(a, m2, old.level), f2 = add_facet(m2, m1, old.level), f3 = add_facet(m1, b, old.level);
+  join(before == f ? f3 : before, f1), join(f1, f2), join(f2, f3), join(f3, after == f ? f1 : after);
+  const int between[2] = {m2, m1}, fresh[3] = {f1, f2, f3};
+  empty.divide_side(side, between, fresh);
+  return f1;
 }
 
 }  // namespace paver

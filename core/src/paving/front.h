@@ -59,6 +59,9 @@ class Front {
   /// Joins the two facets at f's end: node `gone` (start of f or end of its next) merges into the other at `p`.
   /// False, and nothing changed, when an element or the void would be turned over.
   bool close_seam(int f, Vec2 p);
+  /// Divides facet f in three; the quad behind it becomes four (a 1-to-3 transition), so parity is kept. Returns the
+  /// first of the three facets, or -1, and nothing changed, when f is boundary or the quad has no room.
+  int divide_facet(int f);
   /// Removes the void that facet f borders with all its facets and returns its triangles (fourth entry -1).
   std::vector<std::array<int, 4>> take_void(int f);
   /// The facet made last that is still on the front, or -1.
@@ -78,7 +81,7 @@ class Front {
   };
   struct Outline;
   int add_loop_node(const LoopNode& node, Vec2 towards, bool is_fixed);
-  void add_start_loop(int first, int count, bool is_backward);
+  void add_start_loop(const std::vector<int>& nodes);
   bool find_outline(int f, int c, int d, Outline& o);
   void collect_fan(int f, std::vector<int>& fan) const;
   void relink(const Outline& o, int level);

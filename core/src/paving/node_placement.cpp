@@ -11,6 +11,7 @@ namespace {
 
 constexpr double connect_reach = 1.42;  // of the step: connect to the opposing front instead of a new node
 constexpr double halve_reach = 2.45;    // of the step: meet it half way
+constexpr double least_step = 0.35;     // of the step: shorter new edges are not worth a quad
 constexpr double merge_reach = 0.55;    // of the step: take a front node this near to the wished place
 
 /// Chart point at `length` along the wish; one correction for the curvature of the surface.
@@ -25,12 +26,18 @@ Vec2 chart_point(const Front& front, const Wish& wish, double length) {
   return p + step;
 }
 
-/// Distance from the base to the facet in the way, in space; the ray is straight in the chart.
+/// Distance from a node to a point of the surface. Two sides of a cut, or two sheets that pass near one another, are
+/// close in space and far in the chart: the longer of the two counts, the chart's with room for its distortion.
+double distance(const RegionMesh& mesh, int from, Vec2 p, Vec3 x) {
+  Vec2 step = p - mesh.p[from];
+  return std::max(norm(x - mesh.x[from]), 0.6 * norm(step.x * mesh.xp[from] + step.y * mesh.xq[from]));
+}
+
+/// Distance from the base to the facet in the way; the ray is straight in the chart.
 double distance_to_facet(const RegionMesh& mesh, int base, Vec2 far, int a, int b) {
   double sa = orientation(mesh.p[base], far, mesh.p[a]), sb = orientation(mesh.p[base], far, mesh.p[b]);
   double t = sa == sb ? 0.5 : sa / (sa - sb);
-  Vec3 hit = (1 - t) * mesh.x[a] + t * mesh.x[b];
-  return norm(hit - mesh.x[base]);
+  return distance(mesh, base, (1 - t) * mesh.p[a] + t * mesh.p[b], (1 - t) * mesh.x[a] + t * mesh.x[b]);
 }
 
 bool is_allowed(const Front& front, const Wish& wish, int node, int avoid_a, int avoid_b) {
@@ -46,7 +53,7 @@ int choose_end(const Front& front, const Wish& wish, int f, int avoid_a, int avo
   for (int node : {facet.a, facet.b, front.facets[facet.prev].a, front.facets[facet.next].b}) {
     if (!is_allowed(front, wish, node, avoid_a, avoid_b)) continue;
     Vec3 v = front.mesh.x[node] - front.mesh.x[wish.base];
-    double length = norm(v);
+    double length = distance(front.mesh, wish.base, front.mesh.p[node], front.mesh.x[node]);
     if (!(length > 0)) continue;
     double cosine = dot(v, wish.direction) / length;
     double cost = 2.5 * (1 - cosine) + std::fabs(std::log(length / wish.length));
@@ -56,16 +63,15 @@ int choose_end(const Front& front, const Wish& wish, int f, int avoid_a, int avo
 }
 
 /// A front node near p among the corners of the triangle and of its neighbours.
-int near_node(const Front& front, const Wish& wish, int t, Vec3 x, int avoid_a, int avoid_b, double& nearest) {
+int near_node(const Front& front, const Wish& wish, int t, Vec2 p, Vec3 x, int avoid_a, int avoid_b, double& nearest) {
   int best = -1;
+  double best_distance = merge_reach * wish.length;
   nearest = 1e300;
   auto look = [&](int node) {
     if (front.sectors(node) == 0 || node == wish.base) return;
-    double d = norm(front.mesh.x[node] - x);
+    double d = distance(front.mesh, node, p, x);
     if (node != avoid_a && node != avoid_b) nearest = std::min(nearest, d);
-    if (d < merge_reach * wish.length && is_allowed(front, wish, node, avoid_a, avoid_b) &&
-        (best < 0 || d < norm(front.mesh.x[best] - x)))
-      best = node;
+    if (d < best_distance && is_allowed(front, wish, node, avoid_a, avoid_b)) best = node, best_distance = d;
   };
   const VoidTriangle& tri = front.empty.triangle(t);
   for (int i = 0; i < 3; ++i) {
@@ -103,6 +109,7 @@ Granted grant(Front& front, const Wish& wish, int start, int avoid_a, int avoid_
     if (gap < connect_reach * length) {
       int node = choose_end(front, wish, f, avoid_a, avoid_b);
       if (node >= 0) return {node, false};
+      if (gap < 2 * least_step * length) return {};
       length = 0.5 * gap;
     } else {
       length = std::min(length, 0.5 * gap);
@@ -118,7 +125,7 @@ Granted grant(Front& front, const Wish& wish, int start, int avoid_a, int avoid_
   Vec3 x, xp, xq;
   front.region.evaluate(p, x, xp, xq);
   double nearest;
-  int node = near_node(front, wish, where.triangle, x, avoid_a, avoid_b, nearest);
+  int node = near_node(front, wish, where.triangle, p, x, avoid_a, avoid_b, nearest);
   if (node >= 0) return {node, false};
   if (nearest < 0.2 * wish.length) return {};
   int fresh = front.add_node(p);

@@ -91,6 +91,9 @@ class RegionPaver {
   bool advance(int f) {
     front_.collect_loop(f, loop_, 1 << 30);
     if (loop_.size() <= 8 && close_loop(front_, loop_)) return true;
+    near_.clear();
+    for (int g : loop_) near_.push_back(front_.facets[g].b);
+    if (close_seams(front_, near_)) return true;
     bool is_changed = false;
     std::vector<Row> rows = find_rows(front_, loop_);
     for (const Row& row : rows) {
@@ -144,6 +147,11 @@ class RegionPaver {
   void close_smallest(bool all) {
     for (int f : open_) {
       if (!front_.facets[f].is_alive) continue;
+      if (getenv("PVDBG")) {
+        front_.collect_loop(f, loop_, 1 << 30);
+        fprintf(stderr, "stuck face %d loop %zu level %d open %zu over %d els %zu budget %ld\n", region_.face + 1, loop_.size(), front_.facets[f].level, open_.size(), all, front_.mesh.elements.size(), budget_);
+        if (loop_.size() < 60) for (int g : loop_) fprintf(stderr, "  node %d p %g %g x %g %g %g ang %.0f len/h %.2f lvl %d fixed %d\n", front_.facets[g].b, front_.mesh.p[front_.facets[g].b].x, front_.mesh.p[front_.facets[g].b].y, front_.mesh.x[front_.facets[g].b].x, front_.mesh.x[front_.facets[g].b].y, front_.mesh.x[front_.facets[g].b].z, front_.angle_after(g) * 57.3, front_.length(g) / front_.mesh.h[front_.facets[g].b], front_.facets[g].level, front_.mesh.is_fixed[front_.facets[g].b]);
+      }
       close_by_triangulation(front_, f);
       if (!all) return;
     }

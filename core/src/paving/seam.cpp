@@ -45,15 +45,26 @@ bool close_seam(Front& front, int f) {
   if (front.facets[front.facets[second.next].next].b == a) return false;
   if (mesh.is_fixed[a] && mesh.is_fixed[c]) return false;
   double la = norm(mesh.x[a] - mesh.x[b]), lc = norm(mesh.x[c] - mesh.x[b]);
-  if (std::max(la, lc) > transition_ratio * std::min(la, lc)) return false;
+  if (std::max(la, lc) > transition_ratio * std::min(la, lc)) {
+    if (front.divide_facet(la > lc ? f : first.next) < 0) return false;
+    ++front.counts.transition_seams;
+    close_seam(front, front.facets[front.facet_from(b)].prev);
+    return true;
+  }
   if (shares_neighbour(mesh, a, c, b) || share_element(mesh, a, c)) return false;
-  Vec2 p = mesh.is_fixed[a] ? mesh.p[a] : (mesh.is_fixed[c] ? mesh.p[c] : 0.5 * (mesh.p[a] + mesh.p[c]));
-  if (!front.close_seam(f, p)) return false;
-  ++front.counts.seams;
-  return true;
+  Vec2 pa = mesh.p[a], pc = mesh.p[c];
+  bool is_closed;
+  if (mesh.is_fixed[a] || mesh.is_fixed[c]) {
+    is_closed = front.close_seam(f, mesh.is_fixed[a] ? pa : pc);
+  } else {
+    is_closed = front.close_seam(f, 0.5 * (pa + pc)) || front.close_seam(f, pa) || front.close_seam(f, pc);
+  }
+  front.counts.seams += is_closed;
+  return is_closed;
 }
 
-void close_seams(Front& front, std::vector<int>& nodes) {
+bool close_seams(Front& front, std::vector<int>& nodes) {
+  bool is_changed = false;
   // Work list: closing one seam changes the angles of its neighbours.
   for (int round = 0; round < 8 && !nodes.empty(); ++round) {
     std::vector<std::pair<double, int>> sharp;
@@ -71,10 +82,12 @@ void close_seams(Front& front, std::vector<int>& nodes) {
       if (out < 0 || front.sectors(node) != 1) continue;
       int f = front.facets[out].prev, a = front.facets[f].a, c = front.facets[out].b;
       if (!close_seam(front, f)) continue;
+      is_changed = true;
       nodes.push_back(front.sectors(a) > 0 ? a : c);
     }
   }
   nodes.clear();
+  return is_changed;
 }
 
 }  // namespace paver

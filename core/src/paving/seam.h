@@ -11,7 +11,8 @@ namespace paver {
 /// Source: [Blacker91, seams], [Owen99] for the transition.
 bool close_seam(Front& front, int f);
 
-/// Closes all seams at the given nodes, smallest angle first, again and again until none is left.
-void close_seams(Front& front, std::vector<int>& nodes);
+/// Closes all seams at the given nodes, smallest angle first, again and again until none is left; empties the list.
+/// Returns whether anything changed.
+bool close_seams(Front& front, std::vector<int>& nodes);
 
 }  // namespace paver

@@ -18,7 +18,15 @@ int VoidTriangulation::make(int a, int b, int c) {
     free_.pop_back();
   }
   triangles_[t] = {{a, b, c}, {-1, -1, -1}, true};
+  note(t);
   return t;
+}
+
+// While building, every node knows a triangle at it.
+void VoidTriangulation::note(int t) {
+  if (hint_.empty()) return;
+  for (int v : triangles_[t].v)
+    if (v >= 0) hint_[v] = t;
 }
 
 void VoidTriangulation::remove(int t) {
@@ -120,6 +128,18 @@ bool VoidTriangulation::insert(int node, const Location& where) {
   stack_ = made_;
   legalise(stack_);
   return true;
+}
+
+void VoidTriangulation::divide_side(Side side, const int (&node)[2], const int (&facet)[3]) {
+  const VoidTriangle old = triangles_[side.triangle];
+  int k = side.corner, z = old.v[k], a = old.v[(k + 1) % 3], b = old.v[(k + 2) % 3];
+  outer_ = {{b, z, old.n[(k + 1) % 3]}, {z, a, old.n[(k + 2) % 3]}};
+  remove(side.triangle);
+  made_ = {make(a, node[0], z), make(node[0], node[1], z), make(node[1], b, z)};
+  for (int i = 0; i < 3; ++i) link(made_[i], 2, facet_code(facet[i]));
+  link_cavity();
+  stack_ = made_;
+  legalise(stack_);
 }
 
 void VoidTriangulation::erase(int node, int start) {
@@ -280,6 +300,13 @@ bool VoidTriangulation::recover(int start, int a, int b) {
   return true;
 }
 
+// Where facets set before divide the fan at a, the sector that sees b must be searched for.
+bool VoidTriangulation::recover_from_any(int a, int b) {
+  for (int t = 0; t < triangle_count(); ++t)
+    if (triangles_[t].is_alive && has_node(t, a) && recover(t, a, b)) return true;
+  return false;
+}
+
 bool VoidTriangulation::should_flip(int t, int corner) const {
   int other = triangles_[t].n[corner];
   if (other < 0) return false;
@@ -300,6 +327,8 @@ void VoidTriangulation::flip(int t, int corner) {
   int n_bz = triangles_[other].n[corner_of(other, c)], n_zc = triangles_[other].n[corner_of(other, b)];
   triangles_[t].v = {a, b, z};
   triangles_[other].v = {a, z, c};
+  note(t);
+  note(other);
   auto attach = [&](int s, int side, int n) {
     link(s, side, n);
     if (n >= 0) link(n, side_between(n, triangles_[s].v[(side + 1) % 3], triangles_[s].v[(side + 2) % 3]), s);
@@ -398,62 +427,46 @@ void VoidTriangulation::carve_outside(const std::vector<std::pair<int, int>>& fa
       for (int i = 0; i < 3; ++i) link(t, i, triangles_[t].n[i]);
 }
 
+// Puts facet f on the left of its side and a stop on the right.
+bool VoidTriangulation::bound_facet(int f, int count, std::pair<int, int> ends) {
+  auto [a, b] = ends;
+  auto try_set = [&, from = a, to = b](int t) {
+    int side = side_between(t, from, to);
+    if (side < 0 || triangles_[t].v[(side + 1) % 3] != from) return false;
+    int other = triangles_[t].n[side];
+    link(t, side, facet_code(f));
+    if (other >= 0) link(other, side_between(other, from, to), facet_code(count + 3 + f));
+    return true;
+  };
+  int start = hint_[a], t = start;
+  do {
+    if (try_set(t)) return true;
+    t = rotate_ccw(t, a);
+  } while (t >= 0 && t != start);
+  for (t = rotate_cw(start, a); t >= 0 && t != start; t = rotate_cw(t, a))
+    if (try_set(t)) return true;
+  for (int s = 0; s < triangle_count(); ++s)  // another sector of a
+    if (triangles_[s].is_alive && has_node(s, a) && try_set(s)) return true;
+  return false;
+}
+
 std::optional<Crossing> VoidTriangulation::build(const std::vector<std::pair<int, int>>& facets) {
   triangles_.clear();
   free_.clear();
   most_crossed_ = 1 << 30;
   int count = static_cast<int>(facets.size());
   facet_side_.assign(2 * count + 3, Side{});
+  hint_.assign(points_.size(), -1);
   if (auto touching = insert_all(facets)) return touching;
-  std::vector<int> of_node(points_.size(), -1);
-  auto refresh = [&] {
-    for (int t = 0; t < triangle_count(); ++t)
-      if (triangles_[t].is_alive)
-        for (int v : triangles_[t].v)
-          if (v >= 0) of_node[v] = t;
-  };
-  refresh();
-  auto valid_start = [&](int node) {
-    int t = of_node[node];
-    return t >= 0 && triangles_[t].is_alive && has_node(t, node);
-  };
   for (int f = 0; f < count; ++f) {
     const int a = facets[f].first, b = facets[f].second;
-    if (!valid_start(a)) refresh();
-    if (!recover(of_node[a], a, b)) {
+    if (!recover(hint_[a], a, b) && !recover_from_any(a, b)) {
       int other = is_facet(blocker_) ? facet_of(blocker_) : -1;
       return Crossing{f, other >= count + 3 ? other - count - 3 : (other < count ? other : -1)};
     }
-    for (int t : made_)
-      if (triangles_[t].is_alive)
-        for (int v : triangles_[t].v)
-          if (v >= 0) of_node[v] = t;
-    // Put the facet on its left side and a stop on its right side; the fan at a may be cut by earlier facets.
-    if (!valid_start(a)) refresh();
-    int start = of_node[a], t = start;
-    bool is_set = false;
-    auto try_set = [&](int s) {
-      int side = side_between(s, a, b);
-      if (side < 0) return false;
-      int other = triangles_[s].n[side];
-      bool is_left = triangles_[s].v[(side + 1) % 3] == a;
-      link(s, side, facet_code(is_left ? f : count + 3 + f));
-      if (other >= 0) link(other, side_between(other, a, b), facet_code(is_left ? count + 3 + f : f));
-      return true;
-    };
-    do {
-      if (try_set(t)) {
-        is_set = true;
-        break;
-      }
-      t = rotate_ccw(t, a);
-    } while (t >= 0 && t != start);
-    for (t = start; !is_set && t >= 0;) {
-      is_set = try_set(t);
-      if (!is_set) t = rotate_cw(t, a);
-    }
-    if (!is_set) return Crossing{f, -1};
+    if (!bound_facet(f, count, facets[f])) return Crossing{f, -1};
   }
+  hint_.clear();
   carve_outside(facets);
   std::vector<int> all;
   for (int t = 0; t < triangle_count(); ++t)

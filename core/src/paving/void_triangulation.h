@@ -84,6 +84,8 @@ class VoidTriangulation {
 
   /// Puts a facet on a side; the void stays on its left.
   void set_facet(Side side, int facet) { link(side.triangle, side.corner, facet_code(facet)); }
+  /// Divides an outer side a-b by two nodes on it; its triangle becomes three, with facets a-node[0]-node[1]-b.
+  void divide_side(Side side, const int (&node)[2], const int (&facet)[3]);
   void remove(int t);
   void replace_node(int t, int from, int to) { triangles_[t].v[corner_of(t, from)] = to; }
   /// Makes `neighbour` (triangle or facet code) the neighbour of that side; one direction only.
@@ -104,6 +106,9 @@ class VoidTriangulation {
   bool should_flip(int t, int corner) const;
   bool clip_ears(std::vector<int>& polygon);
   void link_cavity();
+  bool recover_from_any(int a, int b);
+  bool bound_facet(int f, int count, std::pair<int, int> ends);
+  void note(int t);
   void carve_outside(const std::vector<std::pair<int, int>>& facets);
   std::optional<Crossing> insert_all(const std::vector<std::pair<int, int>>& facets);
 
@@ -112,6 +117,7 @@ class VoidTriangulation {
   std::vector<VoidTriangle> triangles_;
   std::vector<int> free_;
   std::vector<Side> facet_side_;
+  std::vector<int> hint_;  // per node a triangle at it; only while building
   // Scratch of recover() and insert(), kept to avoid allocation.
   std::vector<int> crossed_, made_, left_, right_, stack_;
   std::vector<OuterSide> outer_;

@@ -17,6 +17,7 @@ namespace {
 constexpr int grid_size = 17;             // samples per direction: enough for a B-spline of about 8 spans
 constexpr double smallest_share = 0.25;   // of H inside faces: a tiny fillet must not explode the count
 constexpr int samples_per_pcurve = 17;    // for the box of a face
+constexpr double one_way_turn = 2.5;
 constexpr double degenerate_area = 1e-9;  // of the largest |xu x xv| on the face: such a point counts as a pole
 
 struct Box {
@@ -48,8 +49,13 @@ Box parameter_box(const Model& model, const Face& face) {
 
 struct CurvatureSample {
   double area = 0;       // |xu x xv|
-  double curvature = 0;  // largest absolute principal curvature; NaN where it has none
+  double curvature = 0;  // the one that limits h, see limiting_curvature(); NaN where it has none
 };
+
+// Elements follow the boundary, whose own divisions resolve a strong turn across a fillet, a leading edge or a tube:
+// there rows of long elements do. Only where the surface turns strongly both ways must h itself come down; the larger
+// curvature alone is allowed `one_way_turn` times the limit.
+double limiting_curvature(double larger, double smaller) { return std::max(smaller, larger / one_way_turn); }
 
 // The second fundamental form in an orthonormal tangent basis, the first vector along xu: its eigenvalues are the
 // principal curvatures, and equal ones (sphere) come out without cancellation.
@@ -65,7 +71,8 @@ CurvatureSample sample_curvature(const Surface& surface, Vec2 uv) {
   double mixed = (uv_part - shear * uu) / sample.area;
   double across = (vv - 2 * shear * uv_part + shear * shear * uu) * square / (sample.area * sample.area);
   double half = 0.5 * (along - across);
-  sample.curvature = 0.5 * std::abs(along + across) + std::sqrt(half * half + mixed * mixed);
+  double mean = 0.5 * std::abs(along + across), spread = std::sqrt(half * half + mixed * mixed);
+  sample.curvature = limiting_curvature(mean + spread, std::abs(mean - spread));
   if (!std::isfinite(sample.area)) sample = {0, std::numeric_limits<double>::quiet_NaN()};
   return sample;
 }

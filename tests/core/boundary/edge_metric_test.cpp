@@ -26,7 +26,7 @@ Edge edge_on(std::shared_ptr<const Curve> curve, double t0, double t1, bool is_c
 
 TEST(EdgeMetric, AStraightEdgeIsItsLengthOverH) {
   Edge edge = edge_on(std::make_shared<fake::Line>(Vec3{0, 0, 0}, Vec3{3, 4, 0}), 0, 1, false);
-  EdgeMetric metric(edge, {}, size_of(0.5));
+  EdgeMetric metric(edge, size_of(0.5));
   EXPECT_NEAR(metric.length(), 5, 1e-14);
   EXPECT_NEAR(metric.weight(), 10, 1e-13);
   EXPECT_DOUBLE_EQ(metric.turn(), 0);
@@ -35,7 +35,7 @@ TEST(EdgeMetric, AStraightEdgeIsItsLengthOverH) {
 
 TEST(EdgeMetric, ACircleTurnsOnceAndIsCutByItsCurvature) {
   Edge edge = edge_on(std::make_shared<fake::Ellipse>(Vec3{}, 2, 2), 0, 2 * fake::pi, true);
-  EdgeMetric metric(edge, {}, size_of(100, 0.5));
+  EdgeMetric metric(edge, size_of(100, 0.5));
   EXPECT_NEAR(metric.length(), 4 * fake::pi, 1e-10);
   EXPECT_NEAR(metric.turn(), 2 * fake::pi, 1e-10);
   EXPECT_NEAR(metric.weight(), 4 * fake::pi, 1e-10);  // h = 0.5 * 2
@@ -43,29 +43,14 @@ TEST(EdgeMetric, ACircleTurnsOnceAndIsCutByItsCurvature) {
 
 TEST(EdgeMetric, ArcLengthOfAnEllipseIsThatOfTheCompleteEllipticIntegral) {
   Edge edge = edge_on(std::make_shared<fake::Ellipse>(Vec3{}, 2, 1), 0, 2 * fake::pi, true);
-  EdgeMetric metric(edge, {}, size_of(0.1));
+  EdgeMetric metric(edge, size_of(0.1));
   EXPECT_NEAR(metric.length(), 9.688448220547675, 1e-7);
   EXPECT_NEAR(metric.parameter_at_length(0.25 * metric.length()), 0.5 * fake::pi, 1e-8);
 }
 
-TEST(EdgeMetric, SizesOfAdjacentFacesAreGradedAlongTheEdge) {
-  Edge edge = edge_on(std::make_shared<fake::Line>(Vec3{0, 0, 0}, Vec3{10, 0, 0}), 0, 1, false);
-  FaceSize coarse_then_fine(1, {0, 0}, {1, 1}, 2, 2, {0.1, 1, 0.1, 1});
-  fake::StraightPcurve pcurve(0, 1, {0, 0}, {50, 0});  // fine only near the start
-  SizeField size = size_of(1);
-  EdgeMetric metric(edge, {{&coarse_then_fine, &pcurve}}, size);
-  EXPECT_NEAR(metric.size_at_length(0), 0.1, 1e-12);
-  EXPECT_NEAR(metric.size_at_length(1.25), 0.1 + 0.3 * 1.25, 1e-12);
-  EXPECT_NEAR(metric.size_at_length(10), 1, 1e-12);
-  for (double weight : {0.0, 1.0, 5.0, 11.5}) {
-    double s = metric.length_at_weight(weight), ahead = metric.length_at_weight(weight + 1e-4);
-    EXPECT_NEAR((ahead - s) / 1e-4, metric.size_at_length(s), 1e-3);
-  }
-}
-
 TEST(EdgeMetric, TellsHowManyIntervalsTheTurnNeeds) {
   Edge edge = edge_on(std::make_shared<fake::Ellipse>(Vec3{}, 1, 1), 0, fake::pi, false);
-  EdgeMetric metric(edge, {}, size_of(100));
+  EdgeMetric metric(edge, size_of(100));
   EXPECT_FALSE(metric.turns_within(3, fake::pi / 4));
   EXPECT_TRUE(metric.turns_within(4, fake::pi / 4));
 }
@@ -86,7 +71,7 @@ class BentLine : public Curve {
 
 TEST(EdgeMetric, AKinkTakesANode) {
   Edge edge = edge_on(std::make_shared<BentLine>(), 0, 1, false);
-  EdgeMetric metric(edge, {}, size_of(0.25));
+  EdgeMetric metric(edge, size_of(0.25));
   EXPECT_EQ(metric.kink_count(), 1);
   EXPECT_NEAR(metric.length(), 1, 1e-9);
   EXPECT_NEAR(metric.turn(), fake::pi / 2, 1e-12);
@@ -117,7 +102,7 @@ class FoldedLine : public Curve {
 
 TEST(EdgeMetric, AFoldTakesANodeToo) {
   Edge edge = edge_on(std::make_shared<FoldedLine>(), 0, 2, true);
-  EdgeMetric metric(edge, {}, size_of(1));
+  EdgeMetric metric(edge, size_of(1));
   ASSERT_EQ(metric.kink_count(), 1);
   EXPECT_NEAR(metric.length(), 2, 1e-6);
   EXPECT_NEAR(edge.curve->point(metric.parameter_at_length(metric.node_lengths(4)[2])).x, 1, 1e-9);
@@ -125,14 +110,14 @@ TEST(EdgeMetric, AFoldTakesANodeToo) {
 
 TEST(EdgeMetric, AKinkAtTheEndOfAnEdgeIsNoTurnOfIt) {
   Edge edge = edge_on(std::make_shared<BentLine>(), 0, 0.3, false);
-  EdgeMetric metric(edge, {}, size_of(0.25));
+  EdgeMetric metric(edge, size_of(0.25));
   EXPECT_EQ(metric.kink_count(), 0);
   EXPECT_NEAR(metric.turn(), 0, 1e-12);
 }
 
 TEST(EdgeMetric, AnEdgeWithoutLengthHasOneRowOfNothing) {
   Edge edge = edge_on(std::make_shared<fake::Line>(Vec3{1, 1, 1}, Vec3{1, 1, 1}), 0, 1, false);
-  EdgeMetric metric(edge, {}, size_of(1));
+  EdgeMetric metric(edge, size_of(1));
   EXPECT_DOUBLE_EQ(metric.length(), 0);
   EXPECT_DOUBLE_EQ(metric.weight(), 0);
   EXPECT_TRUE(std::isfinite(metric.parameter_at_length(0)));
