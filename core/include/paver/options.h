@@ -15,7 +15,7 @@ struct Options {
   int order = 2;                    ///< order of the elements: 1 or 2
   int threads = 0;                  ///< worker threads; 0: all cores
   std::optional<double> max_turn;   ///< largest turn per element edge, radians; default pi/4, pi/6 at order 1
-  double gradation = 0.3;           ///< largest growth of h per unit of length, 0.05 to 2
+  double gradation = 0.6;           ///< largest growth of h per unit of length, 0.05 to 2
   long max_elements = 2'000'000;    ///< stop before meshing when more are predicted
   std::optional<double> sew_tolerance;  ///< mm, >= 0 (0: never sew); default from the target length
 

@@ -133,6 +133,7 @@ bool close_star(Front& front, const std::vector<int>& loop, const std::vector<in
 
 bool close_loop(Front& front, const std::vector<int>& loop) {
   int n = static_cast<int>(loop.size());
+  if (!front.is_alone(loop[0], n)) return false;  // the void lies round this loop, not in it
   std::vector<int> v, at;
   for (int i = 0; i < n; ++i) {
     v.push_back(front.facets[loop[i]].a);

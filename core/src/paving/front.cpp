@@ -354,6 +354,17 @@ int Front::newest_facet() const {
   return -1;
 }
 
+bool Front::is_alone(int f, int size) const {
+  // Without other loops in it the void of n facets has n - 2 triangles; any other loop adds at least its own number.
+  std::vector<int> found{empty.facet_side(f).triangle};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (static_cast<int>(found.size()) > size - 2) return false;
+    for (int n : empty.triangle(found[i]).n)
+      if (n >= 0 && std::find(found.begin(), found.end(), n) == found.end()) found.push_back(n);
+  }
+  return static_cast<int>(found.size()) == size - 2;
+}
+
 std::vector<std::array<int, 4>> Front::take_void(int f) {
   std::vector<int> stack{empty.facet_side(f).triangle};
   std::vector<std::array<int, 4>> taken;

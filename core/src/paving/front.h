@@ -59,6 +59,8 @@ class Front {
   /// Joins the two facets at f's end: node `gone` (start of f or end of its next) merges into the other at `p`.
   /// False, and nothing changed, when an element or the void would be turned over.
   bool close_seam(int f, Vec2 p);
+  /// Whether the void that facet f borders has no other loop than f's, which has `size` facets.
+  bool is_alone(int f, int size) const;
   /// Divides facet f in three; the quad behind it becomes four (a 1-to-3 transition), so parity is kept. Returns the
   /// first of the three facets, or -1, and nothing changed, when f is boundary or the quad has no room.
   int divide_facet(int f);

@@ -17,27 +17,29 @@ constexpr double merge_reach = 0.55;    // of the step: take a front node this n
 /// Chart point at `length` along the wish; one correction for the curvature of the surface.
 Vec2 chart_point(const Front& front, const Wish& wish, double length) {
   const RegionMesh& mesh = front.mesh;
+  const Chart& chart = *front.region.chart;
   Vec2 p = mesh.p[wish.base], step = mesh.pull_back(wish.base, length * wish.direction);
   if (front.region.surface->kind() == SurfaceKind::plane) return p + step;
   Vec3 x, xp, xq;
-  front.region.evaluate(p + step, x, xp, xq);
+  front.region.evaluate(chart.walk(p, step), x, xp, xq);
   double got = norm(x - mesh.x[wish.base]);
-  if (got > 0.2 * length && got < 5 * length) step = (length / got) * step;
-  return p + step;
+  if (got > 0.5 * length && got < 2 * length) step = (length / got) * step;
+  return chart.walk(p, step);
 }
 
 /// Distance from a node to a point of the surface. Two sides of a cut, or two sheets that pass near one another, are
 /// close in space and far in the chart: the longer of the two counts, the chart's with room for its distortion.
-double distance(const RegionMesh& mesh, int from, Vec2 p, Vec3 x) {
-  Vec2 step = p - mesh.p[from];
+double distance(const RegionMesh& mesh, const Chart& chart, int from, Vec2 p, Vec3 x) {
+  Vec2 step = chart.step_to(mesh.p[from], p);
   return std::max(norm(x - mesh.x[from]), 0.6 * norm(step.x * mesh.xp[from] + step.y * mesh.xq[from]));
 }
 
 /// Distance from the base to the facet in the way; the ray is straight in the chart.
-double distance_to_facet(const RegionMesh& mesh, int base, Vec2 far, int a, int b) {
+double distance_to_facet(const Front& front, int base, Vec2 far, int a, int b) {
+  const RegionMesh& mesh = front.mesh;
   double sa = orientation(mesh.p[base], far, mesh.p[a]), sb = orientation(mesh.p[base], far, mesh.p[b]);
   double t = sa == sb ? 0.5 : sa / (sa - sb);
-  return distance(mesh, base, (1 - t) * mesh.p[a] + t * mesh.p[b], (1 - t) * mesh.x[a] + t * mesh.x[b]);
+  return distance(mesh, *front.region.chart, base, (1 - t) * mesh.p[a] + t * mesh.p[b], (1 - t) * mesh.x[a] + t * mesh.x[b]);
 }
 
 bool is_allowed(const Front& front, const Wish& wish, int node, int avoid_a, int avoid_b) {
@@ -45,18 +47,18 @@ bool is_allowed(const Front& front, const Wish& wish, int node, int avoid_a, int
          front.may_connect(wish.base, node);
 }
 
-/// The better end of a facet to connect to: small turn from the wished direction, length near the wish.
-int choose_end(const Front& front, const Wish& wish, int f, int avoid_a, int avoid_b) {
+/// The better end of a facet to connect to: small turn from the wished direction, length near the gap.
+int choose_end(const Front& front, const Wish& wish, int f, double gap, int avoid_a, int avoid_b) {
   int best = -1;
   double best_cost = 2.2;
   const Facet& facet = front.facets[f];
   for (int node : {facet.a, facet.b, front.facets[facet.prev].a, front.facets[facet.next].b}) {
     if (!is_allowed(front, wish, node, avoid_a, avoid_b)) continue;
     Vec3 v = front.mesh.x[node] - front.mesh.x[wish.base];
-    double length = distance(front.mesh, wish.base, front.mesh.p[node], front.mesh.x[node]);
+    double length = distance(front.mesh, *front.region.chart, wish.base, front.mesh.p[node], front.mesh.x[node]);
     if (!(length > 0)) continue;
     double cosine = dot(v, wish.direction) / length;
-    double cost = 2.5 * (1 - cosine) + std::fabs(std::log(length / wish.length));
+    double cost = 2.5 * (1 - cosine) + std::fabs(std::log(length / gap));
     if (cost < best_cost) best_cost = cost, best = node;
   }
   return best;
@@ -69,7 +71,7 @@ int near_node(const Front& front, const Wish& wish, int t, Vec2 p, Vec3 x, int a
   nearest = 1e300;
   auto look = [&](int node) {
     if (front.sectors(node) == 0 || node == wish.base) return;
-    double d = distance(front.mesh, node, p, x);
+    double d = distance(front.mesh, *front.region.chart, node, p, x);
     if (node != avoid_a && node != avoid_b) nearest = std::min(nearest, d);
     if (d < best_distance && is_allowed(front, wish, node, avoid_a, avoid_b)) best = node, best_distance = d;
   };
@@ -105,9 +107,9 @@ Granted grant(Front& front, const Wish& wish, int start, int avoid_a, int avoid_
   if (seen.triangle < 0) return {};
   if (seen.kind == Location::Kind::blocked) {
     int f = facet_of(front.empty.triangle(seen.triangle).n[seen.corner]);
-    double gap = distance_to_facet(mesh, wish.base, far, front.facets[f].a, front.facets[f].b);
+    double gap = distance_to_facet(front, wish.base, far, front.facets[f].a, front.facets[f].b);
     if (gap < connect_reach * length) {
-      int node = choose_end(front, wish, f, avoid_a, avoid_b);
+      int node = choose_end(front, wish, f, gap, avoid_a, avoid_b);
       if (node >= 0) return {node, false};
       if (gap < 2 * least_step * length) return {};
       length = 0.5 * gap;

@@ -25,6 +25,12 @@ class RegionPaver {
                   {"paving", region_.face, -1, x});
     }
     make_even();
+    if (getenv("PVDBG")) {
+      fprintf(stderr, "region face %d loops", region_.face + 1);
+      for (auto& l : region_.loops) fprintf(stderr, " %zu", l.size());
+      for (int f : front_.start_loops) { front_.collect_loop(f, loop_, 1 << 30); fprintf(stderr, " start %d alive %d size %zu", f, front_.facets[f].is_alive, loop_.size()); }
+      fprintf(stderr, " h0 %g h %g\n", region_.loops[0][0].h, region_.h);
+    }
     budget_ = most_elements();
     while (collect_open_loops()) {
       bool is_changed = false;

@@ -42,7 +42,7 @@ bool smooth_node(Front& front, int node) {
   Vec3 old_x = mesh.x[node], step = ideal_position(mesh, node) - old_x;
   double before = worst_about(mesh, node);
   for (double share : {1.0, 0.4, 0.15}) {
-    Vec2 p = mesh.p[node] + mesh.pull_back(node, share * step);
+    Vec2 p = front.region.chart->walk(mesh.p[node], mesh.pull_back(node, share * step));
     if (!front.can_move(node, p)) continue;
     Vec3 x, xp, xq;
     front.region.evaluate(p, x, xp, xq);

@@ -92,6 +92,19 @@ class PolarChart : public Chart {
   /// Beyond this the products of four coordinates leave the range of double.
   bool is_usable() const { return span_ < 150 && std::isfinite(span_) && span_ > 0; }
 
+  // Without a pole the chart is the exponential of (phi, meridian): in complex numbers p exp(step / p).
+  Vec2 walk(Vec2 p, Vec2 step) const override {
+    if (box_.low_pole || box_.high_pole) return p + step;
+    double square = dot(p, p), grow = dot(step, p) / square, turn = cross(p, step) / square;
+    double scale = std::exp(std::clamp(grow, -50.0, 50.0)), c = std::cos(turn), s = std::sin(turn);
+    return scale * Vec2{c * p.x - s * p.y, s * p.x + c * p.y};
+  }
+  Vec2 step_to(Vec2 p, Vec2 q) const override {
+    if (box_.low_pole || box_.high_pole) return q - p;
+    double grow = 0.5 * std::log(dot(q, q) / dot(p, p)), turn = std::atan2(cross(p, q), dot(p, q));
+    return {grow * p.x - turn * p.y, grow * p.y + turn * p.x};
+  }
+
   Vec2 to_chart(Vec2 uv) const override {
     Vec2 q = swapped(uv, box_.is_swapped);
     Cell c = cell_of(q.y, lo_, step_, cells_);

@@ -16,6 +16,11 @@ class Chart {
   virtual Vec2 to_chart(Vec2 uv) const = 0;
   /// (u, v) at chart point p and its derivatives by p.x and p.y.
   virtual void to_uv(Vec2 p, Vec2& uv, Vec2& uv_x, Vec2& uv_y) const = 0;
+  /// End of the walk that starts at p with the chart displacement `step`; to first order p + step. Charts that bend
+  /// long straight walks on the surface follow them here.
+  virtual Vec2 walk(Vec2 p, Vec2 step) const { return p + step; }
+  /// The step of the walk from p to q: walk(p, step_to(p, q)) == q.
+  virtual Vec2 step_to(Vec2 p, Vec2 q) const { return q - p; }
 };
 
 /// Node of a loop: on the boundary stage's node `global`, at chart point p.

@@ -1,0 +1,236 @@
+// Journal of mesh edits. Edits are tried on connectivity alone first, which is cheap; only what lowers the energy is
+// smoothed and measured.
+#include "paving/cleanup_edit.h"
+
+#include <algorithm>
+
+#include "base/predicates.h"
+#include "paving/smooth.h"
+
+namespace paver {
+namespace {
+
+constexpr double shortest = 0.55, longest = 1.6;  // edge lengths by the target length that an edit may leave
+constexpr int local_sweeps = 3;
+
+double corner_angle(const RegionMesh& mesh, const Element& e, int node) {
+  Vec3 out = mesh.x[e.after(node)] - mesh.x[node], in = mesh.x[e.before(node)] - mesh.x[node];
+  return std::atan2(norm(cross(out, in)), dot(out, in));
+}
+
+// The number of elements whose corners at a node of this angle have the best sines; half way where two do equally.
+double ideal_elements(double angle) {
+  constexpr double tie = 0.05;
+  double quarter = angle / (0.5 * M_PI);
+  for (int n = 1;; ++n) {
+    double border = 2.0 * n * (n + 1) / (2 * n + 1);  // corners of n and of n + 1 elements equally far from square
+    if (quarter < border - tie) return n;
+    if (quarter < border + tie) return n + 0.5;
+  }
+}
+
+bool is_positive(const RegionMesh& mesh, const Element& e) {
+  int n = e.corners();
+  for (int i = 0; i < (n == 3 ? 1 : 4); ++i)
+    if (orientation(mesh.p[e.v[i]], mesh.p[e.v[(i + 1) % n]], mesh.p[e.v[(i + 2) % n]]) <= 0) return false;
+  return true;
+}
+
+}  // namespace
+
+MeshEdit::MeshEdit(Front& front) : front_(front), mesh_(front.mesh), ideal_(front.mesh.node_count(), 4) {
+  delta_.assign(mesh_.node_count(), 0);
+  commit();
+  for (int i = 0; i < mesh_.node_count(); ++i) {
+    if (!mesh_.is_fixed[i]) continue;
+    double angle = 0;
+    for (int e : mesh_.star[i]) angle += corner_angle(mesh_, mesh_.elements[e], i);
+    ideal_[i] = ideal_elements(angle);
+  }
+}
+
+double MeshEdit::energy(int node, int more) const {
+  int size = more + (node < mesh_.node_count() ? mesh_.star[node].size() : 0);
+  if (size == 0) return 0;
+  return (size - ideal(node)) * (size - ideal(node));
+}
+
+double MeshEdit::energy_gain(const Change& change) {
+  list_.clear();
+  double gain = 0;
+  if (delta_.size() < mesh_.p.size() + change.fresh.size()) delta_.resize(mesh_.p.size() + change.fresh.size() + 64, 0);
+  auto count = [&](const std::array<int, 4>& v, int by) {
+    if (v[3] < 0) gain += by * triangle_energy;
+    for (int node : v) {
+      if (node < 0) continue;
+      list_.push_back(node);
+      delta_[node] += by;
+    }
+  };
+  for (int e : change.gone) count(mesh_.elements[e].v, -1);
+  for (const auto& v : change.made) count(v, 1);
+  for (int node : list_) {
+    if (delta_[node] != 0) gain += energy(node, delta_[node]) - energy(node);
+    delta_[node] = 0;
+  }
+  return gain;
+}
+
+int MeshEdit::across(int e, int a, int b) const {
+  for (int g : mesh_.star[a])
+    if (g != e && mesh_.elements[g].before(a) == b) return g;
+  return -1;
+}
+
+bool MeshEdit::is_sound(const std::array<int, 4>& v) const {
+  int n = v[3] < 0 ? 3 : 4;
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n; ++j)
+      if (v[i] == v[j] || (mesh_.global[v[i]] >= 0 && mesh_.global[v[i]] == mesh_.global[v[j]])) return false;
+  return true;
+}
+
+// Whether an edge at the node is in two elements in the same direction.
+bool MeshEdit::has_shared_edges(int node) const {
+  const Star& star = mesh_.star[node];
+  for (const int* i = star.begin(); i != star.end(); ++i)
+    for (const int* j = i + 1; j != star.end(); ++j) {
+      const Element &e = mesh_.elements[*i], &f = mesh_.elements[*j];
+      if (e.after(node) == f.after(node) || e.before(node) == f.before(node)) return true;
+    }
+  return false;
+}
+
+void MeshEdit::touch(int node) {
+  if (std::find(touched_.begin(), touched_.end(), node) == touched_.end()) touched_.push_back(node);
+}
+
+void MeshEdit::move(int node, Vec2 p) {
+  journal_.push_back({Kind::move, node, {}, mesh_.p[node], mesh_.x[node], mesh_.xp[node], mesh_.xq[node]});
+  mesh_.p[node] = p;
+  front_.region.evaluate(p, mesh_.x[node], mesh_.xp[node], mesh_.xq[node]);
+}
+
+bool MeshEdit::apply(const Change& change) {
+  std::size_t start = mark();
+  for (int e : change.gone) {
+    journal_.push_back({Kind::gone, e, mesh_.elements[e], {}, {}, {}, {}});
+    for (int v : mesh_.elements[e].v)
+      if (v >= 0) touch(v);
+    mesh_.remove_element(e);
+  }
+  for (Vec2 p : change.fresh) {
+    int node = front_.add_node(p);
+    journal_.push_back({Kind::node, node, {}, {}, {}, {}, {}});
+    touch(node);
+  }
+  bool is_ok = true;
+  for (const auto& v : change.made) {
+    if (!(is_ok = is_sound(v))) break;
+    journal_.push_back({Kind::made, mesh_.add_element(v), {}, {}, {}, {}, {}});
+  }
+  for (int node : touched_) {
+    if (!is_ok) break;
+    int size = mesh_.star[node].size();
+    bool is_border = mesh_.is_fixed[node];
+    if ((is_border ? size < 1 : size == 1 || size == 2) || has_shared_edges(node)) is_ok = false;
+  }
+  if (is_ok && change.moved >= 0) journal_.push_back({Kind::place, change.moved, {}, change.place, {}, {}, {}});
+  if (!is_ok) roll_back(start);
+  return is_ok;
+}
+
+void MeshEdit::roll_back(std::size_t mark) {
+  while (journal_.size() > mark) {
+    const Entry& entry = journal_.back();
+    switch (entry.kind) {
+      case Kind::made:
+        mesh_.remove_element(entry.id);
+        mesh_.elements.pop_back();
+        break;
+      case Kind::gone:
+        mesh_.elements[entry.id] = entry.element;
+        for (int v : entry.element.v)
+          if (v >= 0) mesh_.star[v].add(entry.id);
+        break;
+      case Kind::node:
+        touched_.erase(std::remove(touched_.begin(), touched_.end(), entry.id), touched_.end());
+        front_.drop_last_node();
+        break;
+      case Kind::place:
+        break;
+      case Kind::move:
+        mesh_.p[entry.id] = entry.p, mesh_.x[entry.id] = entry.x;
+        mesh_.xp[entry.id] = entry.xp, mesh_.xq[entry.id] = entry.xq;
+        break;
+    }
+    journal_.pop_back();
+  }
+  if (mark == 0) touched_.clear();
+}
+
+void MeshEdit::commit() {
+  journal_.clear();
+  touched_.clear();
+  old_elements_ = static_cast<int>(mesh_.elements.size());
+}
+
+void MeshEdit::smooth_touched() {
+  for (int sweep = 0; sweep < local_sweeps; ++sweep)
+    for (int node : touched_) {
+      if (mesh_.is_fixed[node] || mesh_.star[node].size() == 0) continue;
+      Vec3 step = ideal_position(mesh_, node) - mesh_.x[node];
+      double most = 0.8 * mesh_.h[node], length = norm(step);
+      if (length > most) step = (most / length) * step;
+      move(node, mesh_.p[node] + mesh_.pull_back(node, step));
+    }
+}
+
+// Elements about the free touched nodes, and all those made.
+void MeshEdit::collect_near() {
+  near_.clear();
+  for (int node : touched_) {
+    if (mesh_.is_fixed[node]) continue;
+    near_.insert(near_.end(), mesh_.star[node].begin(), mesh_.star[node].end());
+  }
+  for (const Entry& entry : journal_)
+    if (entry.kind == Kind::made && mesh_.elements[entry.id].is_alive()) near_.push_back(entry.id);
+  std::sort(near_.begin(), near_.end());
+  near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
+}
+
+bool MeshEdit::is_length_good(int a, int b) const {
+  double length = norm(mesh_.x[a] - mesh_.x[b]), target = 0.5 * (mesh_.h[a] + mesh_.h[b]);
+  return length >= shortest * target && length <= longest * target;
+}
+
+bool MeshEdit::is_good(double floor) const {
+  for (int e : near_) {
+    const Element& element = mesh_.elements[e];
+    if (!is_positive(mesh_, element) || scaled_jacobian(mesh_, element) < floor) return false;
+    for (int i = 0, n = element.corners(); i < n; ++i) {
+      int a = element.v[i], b = element.v[(i + 1) % n];
+      if (!(mesh_.is_fixed[a] && mesh_.is_fixed[b]) && !is_length_good(a, b)) return false;
+    }
+  }
+  return true;
+}
+
+// Worst scaled Jacobian of the elements the journal removed.
+double MeshEdit::worst_before() const {
+  double worst = 2;
+  for (const Entry& entry : journal_)
+    if (entry.kind == Kind::gone && entry.id < old_elements_) worst = std::min(worst, scaled_jacobian(mesh_, entry.element));
+  return worst;
+}
+
+bool MeshEdit::settle(double floor) {
+  floor = std::min(floor, worst_before());
+  for (std::size_t i = 0, n = journal_.size(); i < n; ++i)
+    if (journal_[i].kind == Kind::place && mesh_.star[journal_[i].id].size() > 0) move(journal_[i].id, journal_[i].p);
+  smooth_touched();
+  collect_near();
+  return is_good(floor);
+}
+
+}  // namespace paver

@@ -1,0 +1,81 @@
+// Edits of a finished mesh that can be taken back, and the energy that says whether they were worth it.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "paving/front.h"
+
+namespace paver {
+
+/// One change of connectivity: elements to remove, elements to make. Corners equal to `RegionMesh::node_count()` and
+/// above stand for the nodes to add, in the order of `fresh`.
+struct Change {
+  std::vector<int> gone;
+  std::vector<std::array<int, 4>> made;
+  std::vector<Vec2> fresh;       ///< chart places of new nodes
+  int moved = -1;                ///< a free node that takes a new place, or -1
+  Vec2 place;
+  void clear() { gone.clear(), made.clear(), fresh.clear(), moved = -1; }
+};
+
+/// Journal over the mesh of a front that has no void left. The energy of a node is the square of its number of
+/// elements less the ideal number: 4 inside, by the angle on the border; every triangle costs `triangle_energy`.
+class MeshEdit {
+ public:
+  static constexpr double triangle_energy = 3;
+
+  explicit MeshEdit(Front& front);
+
+  RegionMesh& mesh() { return front_.mesh; }
+  /// Node energy with `more` further elements.
+  double energy(int node, int more = 0) const;
+  bool is_irregular(int node) const { return mesh_.star[node].size() > 0 && energy(node) >= 1; }
+  /// What the change would add to the energy.
+  double energy_gain(const Change& change);
+  /// Carries the change out. False, and nothing done, when an element would have a node twice, an edge more than two
+  /// elements, a free node fewer than three, or two nodes on the same boundary node would meet.
+  bool apply(const Change& change);
+  /// Moves free nodes about the edits, then tells whether all elements there are positive in the chart, lengths are in
+  /// bounds and the worst scaled Jacobian is at least `floor` or, where that is less, what it was before.
+  bool settle(double floor);
+
+  std::size_t mark() const { return journal_.size(); }
+  void roll_back(std::size_t mark);
+  /// Keeps all edits; the journal starts anew.
+  void commit();
+  /// Nodes of all elements made or removed since the last commit.
+  const std::vector<int>& touched() const { return touched_; }
+  /// The element on the other side of e's edge a -> b, or -1.
+  int across(int e, int a, int b) const;
+
+ private:
+  enum class Kind : char { made, gone, node, move, place };
+  struct Entry {
+    Kind kind;
+    int id;
+    Element element;
+    Vec2 p;
+    Vec3 x, xp, xq;
+  };
+  double ideal(int node) const { return node < static_cast<int>(ideal_.size()) ? ideal_[node] : 4; }
+  bool is_sound(const std::array<int, 4>& corners) const;
+  bool has_shared_edges(int node) const;
+  void move(int node, Vec2 p);
+  void touch(int node);
+  void smooth_touched();
+  void collect_near();
+  bool is_good(double floor) const;
+  bool is_length_good(int a, int b) const;
+  double worst_before() const;
+
+  Front& front_;
+  RegionMesh& mesh_;
+  std::vector<double> ideal_;
+  std::vector<Entry> journal_;
+  std::vector<int> touched_, near_, list_;
+  std::vector<int> delta_;
+  int old_elements_ = 0;  // number of elements at the last commit
+};
+
+}  // namespace paver
