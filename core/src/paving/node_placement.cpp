@@ -11,6 +11,7 @@ namespace {
 
 constexpr double connect_reach = 1.42;  // of the step: connect to the opposing front instead of a new node
 constexpr double halve_reach = 2.45;    // of the step: meet it half way
+constexpr double thin_gap = 0.35;       // of the step: in a strip this thin the nearest node does, however oblique
 constexpr double least_step = 0.35;     // of the step: shorter new edges are not worth a quad
 constexpr double merge_reach = 0.55;    // of the step: take a front node this near to the wished place
 
@@ -50,7 +51,8 @@ bool is_allowed(const Front& front, const Wish& wish, int node, int avoid_a, int
 /// The better end of a facet to connect to: small turn from the wished direction, length near the gap.
 int choose_end(const Front& front, const Wish& wish, int f, double gap, int avoid_a, int avoid_b) {
   int best = -1;
-  double best_cost = 2.2;
+  bool is_thin = gap < thin_gap * wish.length;
+  double best_cost = is_thin ? 1 : 2.2;
   const Facet& facet = front.facets[f];
   for (int node : {facet.a, facet.b, front.facets[facet.prev].a, front.facets[facet.next].b}) {
     if (!is_allowed(front, wish, node, avoid_a, avoid_b)) continue;
@@ -58,7 +60,7 @@ int choose_end(const Front& front, const Wish& wish, int f, double gap, int avoi
     double length = distance(front.mesh, *front.region.chart, wish.base, front.mesh.p[node], front.mesh.x[node]);
     if (!(length > 0)) continue;
     double cosine = dot(v, wish.direction) / length;
-    double cost = 2.5 * (1 - cosine) + std::fabs(std::log(length / gap));
+    double cost = is_thin ? length / wish.length : 2.5 * (1 - cosine) + std::fabs(std::log(length / gap));
     if (cost < best_cost) best_cost = cost, best = node;
   }
   return best;
