@@ -67,6 +67,11 @@ void join_open_ends(std::vector<Link>& links) {
   for (int i = 0; i < n; ++i) {
     Link& link = links[static_cast<std::size_t>(i)];
     if (link.next >= 0) continue;
+    if (link.from == link.to && !link.has_previous) {  // a circle: closed by itself, whoever else starts at its vertex
+      link.next = i;
+      link.has_previous = true;
+      continue;
+    }
     int any = -1;
     for (int step = 1; step <= n && link.next < 0; ++step) {
       int j = (i + step) % n;

@@ -129,6 +129,21 @@ bool close_star(Front& front, const std::vector<int>& loop, const std::vector<in
   return true;
 }
 
+/// Whether the surface inside the loop stays near the loop: not so for the rim of a dome.
+bool is_flat(const Front& front, const std::vector<int>& nodes) {
+  const RegionMesh& mesh = front.mesh;
+  double share = 1.0 / static_cast<double>(nodes.size()), longest = 0;
+  Vec2 p{0, 0};
+  Vec3 mean{0, 0, 0}, x, xp, xq;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    p = p + share * mesh.p[nodes[i]];
+    mean += share * mesh.x[nodes[i]];
+    longest = std::max(longest, norm(mesh.x[nodes[(i + 1) % nodes.size()]] - mesh.x[nodes[i]]));
+  }
+  front.region.evaluate(p, x, xp, xq);
+  return norm(x - mean) < 0.4 * longest;
+}
+
 }  // namespace
 
 bool close_loop(Front& front, const std::vector<int>& loop) {
@@ -143,6 +158,7 @@ bool close_loop(Front& front, const std::vector<int>& loop) {
     ++front.counts.triangles;
     return front.form_element(loop[0], v[2], -1, front.facets[loop[0]].level + 1);
   }
+  if (front.region.surface->kind() != SurfaceKind::plane && !is_flat(front, v)) return false;
   if (n == 4) return close_quad(front, loop, v);
   if (n % 2 == 1 || n > 8) return false;
   Dissection best = dissect(front.mesh, v, at);

@@ -55,11 +55,25 @@ class RegionBuilder {
         node.edge = c.edge;
         node.p = region.chart->to_chart(c.pcurve->uv(d.t[2 * k]));
         node.x = nodes_.nodes[node.global];
-        node.h = std::min(size_.h, nodes_.node_target[node.global]);
+        node.h = target_at(c, d.t[2 * k], nodes_.node_target[node.global]);
         out.push_back(node);
       }
     }
     if (!out.empty()) region.loops.push_back(std::move(out));
+  }
+
+  // An edge is divided finely where it turns. Where it turns within the face (a small hole in a plate) the face follows
+  // with small elements; where it only turns with the face (the rim of a tube, a leading edge) long ones do.
+  double target_at(const Coedge& coedge, double t, double edge_target) const {
+    Vec2 uv = coedge.pcurve->uv(t);
+    Vec3 x, xu, xv, y, yt, ytt;
+    face_.surface->d1(uv, x, xu, xv);
+    model_.edges[coedge.edge].curve->d2(t, y, yt, ytt);
+    Vec3 tangent = unit(yt), bend = ytt - dot(ytt, tangent) * tangent;
+    double within = std::fabs(dot(bend, unit(cross(unit(cross(xu, xv)), tangent)))) / dot(yt, yt);
+    double target = std::min(size_.h, size_.faces[index_].at(uv));
+    if (!(within * target > size_.turn_limit)) return std::isfinite(within) ? target : std::min(target, edge_target);
+    return std::min(target, std::max(edge_target, size_.turn_limit / within));
   }
 
   Vec2 parameters(double along, double meridian) const {
