@@ -4,10 +4,12 @@
 
 #include <algorithm>
 
+#include "paving/cleanup_cavity.h"
 #include "paving/cleanup_edit.h"
 #include "paving/cleanup_moves.h"
 #include "paving/cleanup_optimise.h"
 #include "paving/cleanup_smooth.h"
+#include "paving/cleanup_triangles.h"
 #include "paving/smooth.h"
 
 namespace paver {
@@ -17,16 +19,24 @@ const double floor_jacobian = 0.45;
 const int depth = 1;
 const double max1 = 2;
 
+const int rings = 6;
+const int most_elements = 80;
+const int order = 3431;
+
+const double tri_floor = 0.3;
+
 class CleanUp {
  public:
   CleanUp(Front& front, const Progress& progress)
-      : front_(front), progress_(progress), edit_(front), moves_(edit_), second_(edit_) {}
+      : front_(front), progress_(progress), edit_(front), moves_(edit_), second_(edit_), cavity_(edit_), pairs_(edit_) {}
 
   void run() {
     RegionMesh& mesh = front_.mesh;
-    for (int d = 1; d <= depth; ++d) {
+    for (int o = order; o > 0; o /= 10) {
+      int d = o % 10;
+      if (d == 4) { join_triangles(); continue; }
       for (int i = 0; i < mesh.node_count(); ++i) push(i);
-      work([&](int node) { return d == 1 ? improve(node) : improve_twice(node); });
+      work([&](int node) { return d == 1 ? improve(node) : d == 2 ? improve_twice(node) : improve(node) || refill(node); });
     }
   }
 
@@ -58,8 +68,8 @@ class CleanUp {
   }
 
   // Commits when the edits are good.
-  bool take(double floor) {
-    if (!edit_.settle(floor)) return false;
+  bool take(double floor, double gain) {
+    if (!edit_.settle(floor, gain)) return false;
     std::vector<int> nodes = edit_.touched();
     edit_.commit();
     for (int v : nodes) push(v);
@@ -79,7 +89,7 @@ class CleanUp {
     });
     std::stable_sort(found_.begin(), found_.end(), [](auto p, auto q) { return p.first < q.first; });
     for (auto [gain, i] : found_) {
-      if (edit_.apply(pool_[i]) && take(floor_jacobian)) return true;
+      if (edit_.apply(pool_[i]) && take(floor_jacobian, gain)) return true;
       edit_.roll_back(0);
     }
     return false;
@@ -97,9 +107,10 @@ class CleanUp {
       for (int v : nodes) {
         if (!edit_.is_irregular(v)) continue;
         second_.each(v, [&](const Change& next) {
-          if (gain + edit_.energy_gain(next) > -0.1) return false;
+          double both = gain + edit_.energy_gain(next);
+          if (both > -0.1) return false;
           ++tries;
-          if (edit_.apply(next) && take(floor_jacobian)) return is_done = true;
+          if (edit_.apply(next) && take(floor_jacobian, both)) return is_done = true;
           edit_.roll_back(mark);
           return false;
         });
@@ -111,10 +122,33 @@ class CleanUp {
     return is_done;
   }
 
+  void join_triangles() {
+    for (int e = 0; e < static_cast<int>(front_.mesh.elements.size()); ++e) {
+      const Element& element = front_.mesh.elements[e];
+      if (!element.is_alive() || element.corners() != 3 || !pairs_.find(e, fill_)) continue;
+      if (edit_.apply(fill_) && take(tri_floor, -100)) continue;
+      edit_.roll_back(0);
+    }
+  }
+
+  bool refill(int node) {
+    cavity_.start(node);
+    for (int ring = 0; ring < rings && cavity_.grow(most_elements); ++ring) {
+      if (!cavity_.find_fill(1, fill_)) continue;
+      double gain = edit_.energy_gain(fill_);
+      if (edit_.apply(fill_) && take(floor_jacobian, gain)) return true;
+      edit_.roll_back(0);
+    }
+    return false;
+  }
+
   Front& front_;
   const Progress& progress_;
   MeshEdit edit_;
   Moves moves_, second_;
+  Cavity cavity_;
+  TrianglePairs pairs_;
+  Change fill_;
   std::vector<Change> pool_;
   std::vector<std::pair<double, int>> found_;
   std::vector<int> list_;

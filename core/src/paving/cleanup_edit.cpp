@@ -10,8 +10,8 @@
 namespace paver {
 namespace {
 
-constexpr double shortest = 0.55, longest = 1.6;  // edge lengths by the target length that an edit may leave
-constexpr int local_sweeps = 3;
+const double shortest = 0.55, longest = 1.6;  // edge lengths by the target length that an edit may leave
+const int local_sweeps = 3;
 
 double corner_angle(const RegionMesh& mesh, const Element& e, int node) {
   Vec3 out = mesh.x[e.after(node)] - mesh.x[node], in = mesh.x[e.before(node)] - mesh.x[node];
@@ -102,7 +102,10 @@ bool MeshEdit::has_shared_edges(int node) const {
 }
 
 void MeshEdit::touch(int node) {
-  if (std::find(touched_.begin(), touched_.end(), node) == touched_.end()) touched_.push_back(node);
+  if (is_touched_.size() <= static_cast<std::size_t>(node)) is_touched_.resize(node + 64, 0);
+  if (is_touched_[node]) return;
+  is_touched_[node] = 1;
+  touched_.push_back(node);
 }
 
 void MeshEdit::move(int node, Vec2 p) {
@@ -155,6 +158,7 @@ void MeshEdit::roll_back(std::size_t mark) {
         break;
       case Kind::node:
         touched_.erase(std::remove(touched_.begin(), touched_.end(), entry.id), touched_.end());
+        is_touched_[entry.id] = 0;
         front_.drop_last_node();
         break;
       case Kind::place:
@@ -166,12 +170,17 @@ void MeshEdit::roll_back(std::size_t mark) {
     }
     journal_.pop_back();
   }
-  if (mark == 0) touched_.clear();
+  if (mark == 0) forget_touched();
+}
+
+void MeshEdit::forget_touched() {
+  for (int node : touched_) is_touched_[node] = 0;
+  touched_.clear();
 }
 
 void MeshEdit::commit() {
   journal_.clear();
-  touched_.clear();
+  forget_touched();
   old_elements_ = static_cast<int>(mesh_.elements.size());
 }
 
@@ -199,38 +208,43 @@ void MeshEdit::collect_near() {
   near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
 }
 
-bool MeshEdit::is_length_good(int a, int b) const {
-  double length = norm(mesh_.x[a] - mesh_.x[b]), target = 0.5 * (mesh_.h[a] + mesh_.h[b]);
-  return length >= shortest * target && length <= longest * target;
-}
-
-bool MeshEdit::is_good(double floor) const {
-  for (int e : near_) {
-    const Element& element = mesh_.elements[e];
-    if (!is_positive(mesh_, element) || scaled_jacobian(mesh_, element) < floor) return false;
-    for (int i = 0, n = element.corners(); i < n; ++i) {
-      int a = element.v[i], b = element.v[(i + 1) % n];
-      if (!(mesh_.is_fixed[a] && mesh_.is_fixed[b]) && !is_length_good(a, b)) return false;
-    }
+void MeshEdit::measure(const Element& e, Measure& worst) const {
+  worst.jacobian = std::min(worst.jacobian, scaled_jacobian(mesh_, e));
+  for (int i = 0, n = e.corners(); i < n; ++i) {
+    int a = e.v[i], b = e.v[(i + 1) % n];
+    if (mesh_.is_fixed[a] && mesh_.is_fixed[b]) continue;
+    double ratio = 2 * norm(mesh_.x[a] - mesh_.x[b]) / (mesh_.h[a] + mesh_.h[b]);
+    worst.shortest = std::min(worst.shortest, ratio);
+    worst.longest = std::max(worst.longest, ratio);
+    worst.spread += (ratio - 1) * (ratio - 1);
   }
-  return true;
 }
 
-// Worst scaled Jacobian of the elements the journal removed.
-double MeshEdit::worst_before() const {
-  double worst = 2;
+// Over the elements the journal removed and the old ones about the touched nodes; nothing has moved yet.
+MeshEdit::Measure MeshEdit::measure_before() {
+  Measure worst;
   for (const Entry& entry : journal_)
-    if (entry.kind == Kind::gone && entry.id < old_elements_) worst = std::min(worst, scaled_jacobian(mesh_, entry.element));
+    if (entry.kind == Kind::gone && entry.id < old_elements_) measure(entry.element, worst);
+  collect_near();
+  for (int e : near_)
+    if (e < old_elements_) measure(mesh_.elements[e], worst);
   return worst;
 }
 
-bool MeshEdit::settle(double floor) {
-  floor = std::min(floor, worst_before());
+bool MeshEdit::settle(double floor, double gain) {
+  const Measure before = measure_before();
   for (std::size_t i = 0, n = journal_.size(); i < n; ++i)
     if (journal_[i].kind == Kind::place && mesh_.star[journal_[i].id].size() > 0) move(journal_[i].id, journal_[i].p);
   smooth_touched();
-  collect_near();
-  return is_good(floor);
+  Measure after;
+  for (int e : near_) {
+    if (!is_positive(mesh_, mesh_.elements[e])) return false;
+    measure(mesh_.elements[e], after);
+  }
+  static const double cl = 1.5;
+  if (gain + cl * (after.spread - before.spread) > 0) return false;
+  return after.jacobian >= std::min(floor, before.jacobian) && after.shortest >= std::min(shortest, before.shortest) &&
+         after.longest <= std::max(longest, before.longest);
 }
 
 }  // namespace paver

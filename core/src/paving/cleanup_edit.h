@@ -38,7 +38,7 @@ class MeshEdit {
   bool apply(const Change& change);
   /// Moves free nodes about the edits, then tells whether all elements there are positive in the chart, lengths are in
   /// bounds and the worst scaled Jacobian is at least `floor` or, where that is less, what it was before.
-  bool settle(double floor);
+  bool settle(double floor, double gain);
 
   std::size_t mark() const { return journal_.size(); }
   void roll_back(std::size_t mark);
@@ -58,16 +58,19 @@ class MeshEdit {
     Vec2 p;
     Vec3 x, xp, xq;
   };
+  struct Measure {
+    double jacobian = 2, shortest = 1, longest = 1, spread = 0;  // lengths by the target length
+  };
   double ideal(int node) const { return node < static_cast<int>(ideal_.size()) ? ideal_[node] : 4; }
   bool is_sound(const std::array<int, 4>& corners) const;
   bool has_shared_edges(int node) const;
   void move(int node, Vec2 p);
   void touch(int node);
+  void forget_touched();
   void smooth_touched();
   void collect_near();
-  bool is_good(double floor) const;
-  bool is_length_good(int a, int b) const;
-  double worst_before() const;
+  void measure(const Element& e, Measure& worst) const;
+  Measure measure_before();
 
   Front& front_;
   RegionMesh& mesh_;
@@ -75,6 +78,7 @@ class MeshEdit {
   std::vector<Entry> journal_;
   std::vector<int> touched_, near_, list_;
   std::vector<int> delta_;
+  std::vector<char> is_touched_;
   int old_elements_ = 0;  // number of elements at the last commit
 };
 

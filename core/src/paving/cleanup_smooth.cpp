@@ -10,7 +10,7 @@
 namespace paver {
 namespace {
 
-const double own_share = 0.5;  // of its own side in the wished side of an element; the rest is the target length
+const double own_share = 0.3;  // of its own side in the wished side of an element; the rest is the target length
 
 bool is_positive(const RegionMesh& mesh, const Element& e) {
   int n = e.corners();

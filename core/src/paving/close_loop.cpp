@@ -162,8 +162,8 @@ bool close_loop(Front& front, const std::vector<int>& loop) {
   if (n == 4) return close_quad(front, loop, v);
   if (n % 2 == 1 || n > 8) return false;
   Dissection best = dissect(front.mesh, v, at);
-  if (close_star(front, loop, v, std::max(best.worst, n == 6 ? 0.1 : good_enough))) return true;
-  if (best.worst < (n == 6 ? 0.1 : good_enough)) return false;
+  if (close_star(front, loop, v, std::max(best.worst, n == 6 ? 0.03 : good_enough))) return true;
+  if (best.worst < (n == 6 ? 0.03 : good_enough)) return false;
   return form_dissection(front, loop, v, best);
 }
 

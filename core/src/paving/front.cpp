@@ -56,6 +56,8 @@ std::optional<Crossing> Front::start() {
       if (node < 0) {
         node = add_loop_node(loop[i], 0.5 * (loop[(i + 1) % n].p + loop[(i + n - 1) % n].p), true);
         made[loop[i].global].push_back(node);
+        true_angle_.resize(node, -1);
+        true_angle_.push_back(loop[i].angle);
       }
       nodes.push_back(node);
     }
@@ -70,6 +72,7 @@ std::optional<Crossing> Front::start() {
     add_start_loop(nodes);
     for (int i = 0; i < n; i += 2) mesh.add_element({centre, first + i, first + i + 1, first + (i + 2) % n});
   }
+  true_angle_.resize(mesh.node_count(), -1);
   out_facet_.assign(mesh.node_count(), -1);
   sectors_.assign(mesh.node_count(), 0);
   colour_.assign(mesh.node_count(), {});
@@ -100,6 +103,17 @@ void Front::drop_last_node() {
 }
 
 double Front::angle_after(int f) const {
+  int b = facets[f].b;
+  double chords = chord_angle_after(f);
+  bool is_boundary = b < static_cast<int>(true_angle_.size()) && true_angle_[b] >= 0 && mesh.star[b].size() == 0;
+  if (!is_boundary || sectors_[b] != 1) return chords;
+  double angle = true_angle_[b];
+  if (angle - chords > M_PI) angle -= 2 * M_PI;
+  if (chords - angle > M_PI) angle += 2 * M_PI;
+  return angle;
+}
+
+double Front::chord_angle_after(int f) const {
   int a = facets[f].a, b = facets[f].b, c = facets[facets[f].next].b;
   Vec3 out = mesh.x[c] - mesh.x[b], in = mesh.x[a] - mesh.x[b], n = mesh.normal(b);
   double angle = std::atan2(dot(n, cross(out, in)), dot(out, in) - dot(n, out) * dot(n, in));

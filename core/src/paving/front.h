@@ -44,8 +44,11 @@ class Front {
   int add_node(Vec2 p);
   /// Takes back the node added last.
   void drop_last_node();
-  /// Angle of the void at facet f's end node, radians in (0, 2 pi).
+  /// Angle of the void at facet f's end node, radians in (0, 2 pi). Between two boundary facets it is that of the true
+  /// edges: two chords of a smooth arc are a side, however coarse they are.
   double angle_after(int f) const;
+  /// The same between the chords themselves.
+  double chord_angle_after(int f) const;
   double length(int f) const { return norm(mesh.x[facets[f].b] - mesh.x[facets[f].a]); }
   /// Facets of f's loop, starting with f; at most `limit`.
   void collect_loop(int f, std::vector<int>& loop, int limit) const;
@@ -94,6 +97,7 @@ class Front {
   void unite(int a, int b);
   bool colours_allow(const Outline& o);
 
+  std::vector<double> true_angle_;  // per start node; -1 where not known
   std::vector<int> out_facet_;
   std::vector<int> sectors_;
   std::vector<Colour> colour_;

@@ -13,7 +13,7 @@ constexpr double connect_reach = 1.42;  // of the step: connect to the opposing 
 constexpr double halve_reach = 2.45;    // of the step: meet it half way
 constexpr double thin_gap = 0.35;       // of the step: in a strip this thin the nearest node does, however oblique
 constexpr double least_step = 0.35;     // of the step: shorter new edges are not worth a quad
-constexpr double merge_reach = 0.55;    // of the step: take a front node this near to the wished place
+constexpr double merge_reach = 0.55;    // of the step, or of the facets where they are shorter: take a front node this near to the wished place
 
 /// Chart point at `length` along the wish; one correction for the curvature of the surface.
 Vec2 chart_point(const Front& front, const Wish& wish, double length) {
@@ -69,7 +69,7 @@ int choose_end(const Front& front, const Wish& wish, int f, double gap, int avoi
 /// A front node near p among the corners of the triangle and of its neighbours.
 int near_node(const Front& front, const Wish& wish, int t, Vec2 p, Vec3 x, int avoid_a, int avoid_b, double& nearest) {
   int best = -1;
-  double best_distance = merge_reach * wish.length;
+  double best_distance = merge_reach * std::min(wish.length, wish.width);
   nearest = 1e300;
   auto look = [&](int node) {
     if (front.sectors(node) == 0 || node == wish.base) return;
@@ -94,7 +94,8 @@ Wish make_wish(const Front& front, int f, double angle, double length) {
   int b = front.facets[f].b, c = front.facets[front.facets[f].next].b;
   Vec3 n = mesh.normal(b), out = mesh.x[c] - mesh.x[b];
   Vec3 e1 = unit(out - dot(out, n) * n), e2 = cross(n, e1);
-  return {b, std::cos(angle) * e1 + std::sin(angle) * e2, length};
+  double width = std::max(front.length(f), front.length(front.facets[f].next));
+  return {b, std::cos(angle) * e1 + std::sin(angle) * e2, length, width};
 }
 
 double graded_target(const Front& front, int parent, double distance, Vec2 p) {
@@ -131,7 +132,7 @@ Granted grant(Front& front, const Wish& wish, int start, int avoid_a, int avoid_
   double nearest;
   int node = near_node(front, wish, where.triangle, p, x, avoid_a, avoid_b, nearest);
   if (node >= 0) return {node, false};
-  if (nearest < 0.2 * wish.length) return {};
+  if (nearest < 0.2 * std::min(wish.length, wish.width)) return {};
   int fresh = front.add_node(p);
   mesh.h[fresh] = graded_target(front, wish.base, length, p);
   return {fresh, true};

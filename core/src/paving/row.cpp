@@ -63,7 +63,7 @@ int lay_around(Front& front, int node, const NodePlan& plan, int level, std::vec
     Vec3 aim = front.mesh.x[node] + diagonal.length * diagonal.direction - front.mesh.x[from];
     double length = norm(aim);
     if (!(length > 0)) return laid;
-    Wish left{from, (1 / length) * aim, length};
+    Wish left{from, (1 / length) * aim, length, diagonal.width};
     if (!lay_quad(front, f, &left, &plan.wish[i + 1], level, new_nodes)) return laid;
     ++laid;
   }
@@ -79,7 +79,7 @@ int lay_row(Front& front, const Row& row, std::vector<int>& new_nodes) {
     int f = row.facets[i];
     if (!front.facets[f].is_alive) continue;  // used up by an end, a tuck or a closed gap
     const NodePlan& here = plans[i];
-    double before = front.angle_after(front.facets[f].prev), after = front.angle_after(f);
+    double before = front.chord_angle_after(front.facets[f].prev), after = front.chord_angle_after(f);
     const Wish* left = nullptr;
     Wish started;
     bool is_first = i == 0 && !row.has_ends;

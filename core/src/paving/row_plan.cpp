@@ -100,8 +100,8 @@ std::vector<NodePlan> plan_row(Front& front, const Row& row) {
   std::vector<NodePlan> plans(row.facets.size());
   for (std::size_t i = 0; i < plans.size(); ++i) {
     int f = row.facets[i];
-    plans[i].angle = front.angle_after(f);
-    plans[i].state = classify(front, front.facets[f].b, plans[i].angle);
+    plans[i].angle = front.chord_angle_after(f);
+    plans[i].state = classify(front, front.facets[f].b, front.angle_after(f));
     place(front, f, plans[i]);
   }
   RowAdjuster(front, row, plans).run();

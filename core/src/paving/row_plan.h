@@ -11,7 +11,7 @@ namespace paver {
 /// (side node, then diagonal and side in turn).
 struct NodePlan {
   NodeState state = NodeState::side;
-  double angle = 0;
+  double angle = 0;  ///< between the chords, radians: places nodes; the state is by the true angle
   int count = 0;
   Wish wish[5];
 };

@@ -45,6 +45,7 @@ class RegionBuilder {
 
   void add_loop(const Loop& loop, Region& region) const {
     std::vector<LoopNode> out;
+    const Coedge* before = &loop.coedges.back();
     for (const Coedge& c : loop.coedges) {
       const EdgeDivision& d = nodes_.edges[c.edge];
       int n = d.intervals();
@@ -56,8 +57,10 @@ class RegionBuilder {
         node.p = region.chart->to_chart(c.pcurve->uv(d.t[2 * k]));
         node.x = nodes_.nodes[node.global];
         node.h = target_at(c, d.t[2 * k], nodes_.node_target[node.global]);
+        node.angle = i == 0 ? angle_at(*before, c) : angle_inside(c, k);
         out.push_back(node);
       }
+      if (n > 0) before = &c;
     }
     if (!out.empty()) region.loops.push_back(std::move(out));
   }
@@ -74,6 +77,38 @@ class RegionBuilder {
     double target = std::min(size_.h, size_.faces[index_].at(uv));
     if (!(within * target > size_.turn_limit)) return std::isfinite(within) ? target : std::min(target, edge_target);
     return std::min(target, std::max(edge_target, size_.turn_limit / within));
+  }
+
+  // Direction of travel on a coedge at share 0 (start) to 1 (end) of interval i of its division, just inside it.
+  Vec3 travel(const Coedge& c, int i, double share) const {
+    const EdgeDivision& d = nodes_.edges[c.edge];
+    double a = d.t[2 * i], b = d.t[2 * i + 2];
+    Vec3 x, xt;
+    model_.edges[c.edge].curve->d1(a + (1e-3 + 0.998 * share) * (b - a), x, xt);
+    return c.is_reversed ? -1 * unit(xt) : unit(xt);
+  }
+
+  double interior_angle(Vec3 in, Vec3 out, Vec2 uv) const {
+    Vec3 x, xu, xv;
+    face_.surface->d1(uv, x, xu, xv);
+    Vec3 n = cross(xu, xv), back = -1 * in;
+    if (!(norm(n) > 1e-6 * norm(xu) * norm(xv)) || !(norm(in) > 0) || !(norm(out) > 0)) return -1;
+    double angle = std::atan2(dot(unit(n), cross(out, back)), dot(out, back));
+    return angle < 0 ? angle + 2 * M_PI : angle;
+  }
+
+  double angle_at(const Coedge& before, const Coedge& c) const {
+    int last = nodes_.edges[before.edge].intervals() - 1, n = nodes_.edges[c.edge].intervals();
+    if (last < 0) return -1;
+    Vec3 in = travel(before, before.is_reversed ? 0 : last, before.is_reversed ? 0 : 1);
+    Vec3 out = travel(c, c.is_reversed ? n - 1 : 0, c.is_reversed ? 1 : 0);
+    return interior_angle(in, out, c.pcurve->uv(nodes_.edges[c.edge].t[c.is_reversed ? 2 * n : 0]));
+  }
+
+  double angle_inside(const Coedge& c, int k) const {
+    Vec3 low = travel(c, k - 1, 1), high = travel(c, k, 0);
+    return interior_angle(c.is_reversed ? high : low, c.is_reversed ? low : high,
+                          c.pcurve->uv(nodes_.edges[c.edge].t[2 * k]));
   }
 
   Vec2 parameters(double along, double meridian) const {
@@ -141,7 +176,8 @@ class RegionBuilder {
       uv_.push_back(parameters(layout_.box.lo.x + layout_.period * i / n, layout_.cut));
       LoopNode node;
       node.x = face_.surface->point(uv_.back());
-      node.h = std::min({size_.h, size_.faces[index_].at(uv_.back()), length / n});
+      node.h = std::min(size_.h, size_.faces[index_].at(uv_.back()));
+      node.angle = M_PI;
       node.global = append(node.x, node.h);
       ring.push_back(node);
     }

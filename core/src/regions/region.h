@@ -30,6 +30,7 @@ struct LoopNode {
   Vec2 p;
   Vec3 x;
   double h = 0;
+  double angle = -1;  ///< interior angle between the true tangents, radians; -1: not known, take the chords'
 };
 
 /// Quads laid in advance about a point that must be a node, the apex of a cone: (centre, r0, r1, r2), (centre, r2, ...).

@@ -1,0 +1,27 @@
+// Pairs of triangles that meet across a strip of quads.
+#pragma once
+
+#include "paving/cleanup_edit.h"
+
+namespace paver {
+
+class TrianglePairs {
+ public:
+  explicit TrianglePairs(MeshEdit& edit) : edit_(edit), mesh_(edit.mesh()) {}
+
+  /// The change that turns a triangle, the nearest other one and the quads between into quads: every quad is cut along
+  /// a diagonal and its halves join with those before and behind. False when no triangle is near.
+  bool find(int triangle, Change& change);
+
+ private:
+  bool search(int triangle);
+  bool make(Change& change) const;
+
+  static constexpr int most_visited = 400;
+  MeshEdit& edit_;
+  RegionMesh& mesh_;
+  std::vector<int> queue_, parent_, stamp_, path_;
+  int run_ = 0;
+};
+
+}  // namespace paver
