@@ -98,6 +98,25 @@ Wish make_wish(const Front& front, int f, double angle, double length) {
   return {b, std::cos(angle) * e1 + std::sin(angle) * e2, length, width};
 }
 
+Wish make_wide_wish(const Front& front, int f, double length) {
+  constexpr int most_facets = 64;
+  constexpr double straight = 0.6;  // radians: the stretch ends at corners sharper than this
+  const RegionMesh& mesh = front.mesh;
+  auto is_straight = [&](int g) { return std::fabs(front.chord_angle_after(g) - M_PI) < straight; };
+  int first = f, last = front.facets[f].next;
+  double back = front.length(first), ahead = front.length(last);
+  for (int i = 0; i < most_facets && back < 0.5 * length && is_straight(front.facets[first].prev); ++i)
+    back += front.length(first = front.facets[first].prev);
+  for (int i = 0; i < most_facets && ahead < 0.5 * length && is_straight(last); ++i)
+    ahead += front.length(last = front.facets[last].next);
+  int b = front.facets[f].b;
+  // Each half counts the same, however far it reaches.
+  Vec3 along = unit(mesh.x[b] - mesh.x[front.facets[first].a]) + unit(mesh.x[front.facets[last].b] - mesh.x[b]);
+  Wish wish = make_wish(front, f, M_PI / 2, length);
+  wish.direction = unit(cross(mesh.normal(b), along));
+  return wish;
+}
+
 double graded_target(const Front& front, int parent, double distance, Vec2 p) {
   return std::min(front.region.target(p), front.mesh.h[parent] + front.region.gradation * distance);
 }

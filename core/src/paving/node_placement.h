@@ -16,6 +16,10 @@ struct Wish {
 /// Direction at the end node of facet f, `angle` radians counter-clockwise from its next facet.
 Wish make_wish(const Front& front, int f, double angle, double length);
 
+/// Direction square to the front at the end node of facet f, taken over a stretch of about `length`: where facets are
+/// much shorter than the row is high, bisectors of single corners would cross.
+Wish make_wide_wish(const Front& front, int f, double length);
+
 /// Target length for a node that is `distance` from `parent`: grows no faster than the gradation allows.
 double graded_target(const Front& front, int parent, double distance, Vec2 p);
 

@@ -10,6 +10,8 @@ constexpr double deg = M_PI / 180;
 constexpr double wedge_turn = 70 * deg, wedge_ratio = 1.25, wedge_ratio_first = 1.35;
 constexpr double tuck_turn = 70 * deg, tuck_ratio = 0.8, tuck_turn_small = 52 * deg, tuck_ratio_small = 0.3;
 
+constexpr double narrow = 0.4;  // facets shorter than this part of the row's height: directions over a wider stretch
+
 /// Height of the row at a node: the length of its two facets, pulled towards the target length.
 double row_height(const Front& front, int f) {
   double target = front.mesh.h[front.facets[f].b];
@@ -25,7 +27,11 @@ void place(const Front& front, int f, NodePlan& plan) {
     case NodeState::end:
       break;
     case NodeState::side:
-      wish(0.5, d / std::max(0.7, std::sin(0.5 * a)));
+      if (std::max(front.length(f), front.length(front.facets[f].next)) < narrow * d) {
+        plan.wish[plan.count++] = make_wide_wish(front, f, d);
+      } else {
+        wish(0.5, d / std::max(0.7, std::sin(0.5 * a)));
+      }
       break;
     case NodeState::corner: {
       double s = std::max(0.7, std::sin(a / 3));
