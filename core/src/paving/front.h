@@ -35,6 +35,7 @@ class Front {
   std::vector<Facet> facets;
   std::vector<int> start_loops;  ///< one facet of each loop the region came with
   PavingCounts counts;
+  double misfit_weight = 1;  ///< weight of the fit to the sides at its ends in the choice of a row
 
   /// A facet that starts at `node`, or -1 when it is not on the front.
   int facet_from(int node) const { return out_facet_[node]; }

@@ -186,12 +186,53 @@ std::optional<std::array<int, 2>> find_crossing(const Region& region) {
   return std::array<int, 2>{edge(crossing->facet), edge(crossing->other)};
 }
 
-PavedRegion pave_region(const Region& region, const Progress& progress) {
+namespace {
+
+/// One way of paving: smaller elements resolve what turned out too coarse, the other rule for rows takes other ways.
+struct Attempt {
+  double size;
+  double misfit_weight;
+};
+constexpr Attempt attempts[] = {{1, 1}, {1, 0}, {0.5, 1}, {0.5, 0}, {0.25, 1}};
+constexpr double sound_jacobian = 0.05;  // an element below it is a reason to try again
+
+Region scaled(const Region& region, double size) {
+  Region finer = region;
+  finer.size = region.size.scaled(size);
+  finer.h *= size;
+  for (auto& loop : finer.loops)
+    for (LoopNode& node : loop) node.h *= size;
+  return finer;
+}
+
+PavedRegion pave_once(const Region& region, const Attempt& attempt, const Progress& progress) {
   PavedRegion paved;
   RegionPaver paver(region, paved.mesh, progress);
+  paver.front().misfit_weight = attempt.misfit_weight;
   paved.counts = paver.run();
   clean_up(paver.front(), progress);
   return paved;
+}
+
+long count_unsound(const RegionMesh& mesh) {
+  return std::count_if(mesh.elements.begin(), mesh.elements.end(), [&](const Element& e) {
+    return e.is_alive() && scaled_jacobian(mesh, e) < sound_jacobian;
+  });
+}
+
+}  // namespace
+
+PavedRegion pave_region(const Region& region, const Progress& progress) {
+  PavedRegion best;
+  long fewest = -1;
+  for (const Attempt& attempt : attempts) {
+    PavedRegion paved = attempt.size == 1 ? pave_once(region, attempt, progress)
+                                          : pave_once(scaled(region, attempt.size), attempt, progress);
+    long unsound = count_unsound(paved.mesh);
+    if (fewest < 0 || unsound < fewest) best = std::move(paved), fewest = unsound;
+    if (fewest == 0) break;
+  }
+  return best;
 }
 
 }  // namespace paver

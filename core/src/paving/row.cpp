@@ -8,6 +8,20 @@
 
 namespace paver {
 
+namespace {
+
+/// How badly the row would fit the sides at its ends: they are as long as its end quads are high.
+double misfit(const Front& front, int first, int last) {
+  int before = front.facets[first].prev, after = front.facets[last].next;
+  auto off = [&](int side, int node) {
+    double ratio = front.length(side) / front.mesh.h[node];
+    return ratio > 0 ? std::max(0.0, std::fabs(std::log(ratio)) - 0.35) : 1;
+  };
+  return 0.5 * (off(before, front.facets[first].b) + off(after, front.facets[last].a));
+}
+
+}  // namespace
+
 std::vector<Row> find_rows(const Front& front, const std::vector<int>& loop) {
   int n = static_cast<int>(loop.size());
   std::vector<int> ends;
@@ -38,7 +52,8 @@ std::vector<Row> find_rows(const Front& front, const std::vector<int>& loop) {
   for (std::size_t k = 0; k < ends.size(); ++k) {
     int i = ends[k], j = ends[(k + 1) % ends.size()];
     int count = (j - i + n) % n;
-    add(i + 1, count == 0 ? n : count, true, cost[i] + cost[j]);
+    int size = count == 0 ? n : count;
+    add(i + 1, size, true, cost[i] + cost[j] + front.misfit_weight * misfit(front, loop[(i + 1) % n], loop[(i + size) % n]));
   }
   std::stable_sort(rows.begin(), rows.end(), [](const Row& p, const Row& q) {
     if (p.level != q.level) return p.level < q.level;

@@ -162,6 +162,13 @@ void check_predicted(double predicted, double h, long limit) {
 FaceSize::FaceSize(double h, Vec2 lo, Vec2 hi, int nu, int nv, std::vector<double> samples)
     : h_(h), lo_(lo), hi_(hi), nu_(nu), nv_(nv), samples_(std::move(samples)) {}
 
+FaceSize FaceSize::scaled(double factor) const {
+  FaceSize result = *this;
+  result.h_ *= factor;
+  for (double& sample : result.samples_) sample *= factor;
+  return result;
+}
+
 double FaceSize::least() const {
   return samples_.empty() ? h_ : std::min(h_, *std::min_element(samples_.begin(), samples_.end()));
 }

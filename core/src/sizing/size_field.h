@@ -18,6 +18,8 @@ class FaceSize {
   /// Grid of `nu` x `nv` samples (row after row in u) over the box lo..hi of (u, v); bilinear between.
   FaceSize(double h, Vec2 lo, Vec2 hi, int nu, int nv, std::vector<double> samples);
   double at(Vec2 uv) const;
+  /// The same field, all values times `factor`.
+  FaceSize scaled(double factor) const;
   /// Least value anywhere.
   double least() const;
 
