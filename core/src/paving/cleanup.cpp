@@ -3,6 +3,7 @@
 #include "paving/cleanup.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "paving/cleanup_cavity.h"
 #include "paving/cleanup_edit.h"
@@ -15,15 +16,14 @@
 namespace paver {
 namespace {
 
-const double floor_jacobian = 0.45;
 const int depth = 1;
 const double max1 = 2;
 
-const int rings = 6;
-const int most_elements = 80;
-const int order = 3431;
+const int rings = 4;
+const int most_elements = 60;
+const int order = 5431;
 
-const double tri_floor = 0.3;
+const Demand triangle_demand{-100, 0.3, 0.4};
 
 class CleanUp {
  public:
@@ -35,7 +35,7 @@ class CleanUp {
     for (int o = order; o > 0; o /= 10) {
       int d = o % 10;
       if (d == 4) { join_triangles(); continue; }
-      for (int i = 0; i < mesh.node_count(); ++i) push(i);
+      if (d != 5) for (int i = 0; i < mesh.node_count(); ++i) push(i);
       work([&](int node) { return d == 1 ? improve(node) : d == 2 ? improve_twice(node) : improve(node) || refill(node); });
     }
   }
@@ -68,8 +68,8 @@ class CleanUp {
   }
 
   // Commits when the edits are good.
-  bool take(double floor, double gain) {
-    if (!edit_.settle(floor, gain)) return false;
+  bool take(const Demand& demand) {
+    if (!edit_.settle(demand)) return false;
     std::vector<int> nodes = edit_.touched();
     edit_.commit();
     for (int v : nodes) push(v);
@@ -89,7 +89,7 @@ class CleanUp {
     });
     std::stable_sort(found_.begin(), found_.end(), [](auto p, auto q) { return p.first < q.first; });
     for (auto [gain, i] : found_) {
-      if (edit_.apply(pool_[i]) && take(floor_jacobian, gain)) return true;
+      if (edit_.apply(pool_[i]) && take({gain})) return true;
       edit_.roll_back(0);
     }
     return false;
@@ -110,7 +110,7 @@ class CleanUp {
           double both = gain + edit_.energy_gain(next);
           if (both > -0.1) return false;
           ++tries;
-          if (edit_.apply(next) && take(floor_jacobian, both)) return is_done = true;
+          if (edit_.apply(next) && take({both})) return is_done = true;
           edit_.roll_back(mark);
           return false;
         });
@@ -125,18 +125,37 @@ class CleanUp {
   void join_triangles() {
     for (int e = 0; e < static_cast<int>(front_.mesh.elements.size()); ++e) {
       const Element& element = front_.mesh.elements[e];
-      if (!element.is_alive() || element.corners() != 3 || !pairs_.find(e, fill_)) continue;
-      if (edit_.apply(fill_) && take(tri_floor, -100)) continue;
-      edit_.roll_back(0);
+      if (!element.is_alive() || element.corners() != 3 || !pairs_.find(e, fill_) || !edit_.apply(fill_)) continue;
+      std::size_t mark = edit_.mark();
+      if (take(triangle_demand)) continue;
+      edit_.roll_back(mark);
+      if (!divide_hexagon(mark)) edit_.roll_back(0);
     }
+  }
+
+  // Where all nodes about joined triangles are fixed, the quads need a node or two between.
+  bool divide_hexagon(std::size_t mark) {
+    bool is_done = false;
+    int tries = 0;
+    const std::vector<int> nodes = edit_.touched();
+    for (int v : nodes) {
+      if (is_done || tries > 24) break;
+      second_.each(v, [&](const Change& next) {
+        if (next.fresh.empty() || next.gone.size() != 2) return false;
+        if (++tries > 24 || (edit_.apply(next) && take(triangle_demand))) return is_done = tries <= 24;
+        edit_.roll_back(mark);
+        return false;
+      });
+    }
+    return is_done;
   }
 
   bool refill(int node) {
     cavity_.start(node);
     for (int ring = 0; ring < rings && cavity_.grow(most_elements); ++ring) {
-      if (!cavity_.find_fill(1, fill_)) continue;
+      if (!cavity_.find_fill(1, fill_) || !tried_.insert(cavity_.outline_key()).second) continue;
       double gain = edit_.energy_gain(fill_);
-      if (edit_.apply(fill_) && take(floor_jacobian, gain)) return true;
+      if (edit_.apply(fill_) && take({gain})) return true;
       edit_.roll_back(0);
     }
     return false;
@@ -152,6 +171,7 @@ class CleanUp {
   std::vector<Change> pool_;
   std::vector<std::pair<double, int>> found_;
   std::vector<int> list_;
+  std::unordered_set<std::size_t> tried_;  // outlines whose fill was not good
   std::vector<char> waits_;
 };
 

@@ -12,7 +12,6 @@
 #include <algorithm>
 
 namespace paver {
-static const int grow_mode = 1;
 
 void Cavity::start(int node) {
   elements_.clear();
@@ -87,12 +86,20 @@ bool Cavity::make_convex(int most_elements) {
 
 bool Cavity::grow(int most_elements) {
   std::size_t before = elements_.size();
-  if (grow_mode)
-    for (int v : loop_)
-      if (edit_.is_irregular(v)) absorb_star(v);
+  for (int v : loop_)
+    if (edit_.is_irregular(v)) absorb_star(v);
   if (elements_.size() == before)
     for (int v : loop_) absorb_star(v);
   return make_convex(most_elements);
+}
+
+std::size_t Cavity::outline_key() const {
+  std::size_t key = 0;
+  for (int v : loop_) {
+    std::size_t z = static_cast<std::size_t>(v) * 0x9E3779B97F4A7C15u;
+    key += (z ^ (z >> 29)) * 0xBF58476D1CE4E5B9u;
+  }
+  return key;
 }
 
 double Cavity::energy_now() const {

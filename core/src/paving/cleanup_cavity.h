@@ -12,6 +12,8 @@ class Cavity {
   explicit Cavity(MeshEdit& edit) : edit_(edit), mesh_(edit.mesh()) {}
 
   void start(int node);
+  /// A number that tells outlines apart, for those tried before.
+  std::size_t outline_key() const;
   /// One more ring of elements, and more where the outline is re-entrant. False when it is no disk or too large.
   bool grow(int most_elements);
   /// Finds the fill of least energy. False when none lowers the energy by `least` or more.

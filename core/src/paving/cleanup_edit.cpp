@@ -5,13 +5,15 @@
 #include <algorithm>
 
 #include "base/predicates.h"
-#include "paving/smooth.h"
+#include "paving/cleanup_smooth.h"
 
 namespace paver {
 namespace {
 
-const double shortest = 0.55, longest = 1.6;  // edge lengths by the target length that an edit may leave
-const int local_sweeps = 3;
+const double longest = 1.6;  // edge length by the target length that an edit may leave
+constexpr double widest = 155 * M_PI / 180;  // corner angle above which an element is as good as degenerate
+constexpr double degenerate_energy = 8;
+const int local_sweeps = 4;
 
 double corner_angle(const RegionMesh& mesh, const Element& e, int node) {
   Vec3 out = mesh.x[e.after(node)] - mesh.x[node], in = mesh.x[e.before(node)] - mesh.x[node];
@@ -38,7 +40,7 @@ bool is_positive(const RegionMesh& mesh, const Element& e) {
 
 }  // namespace
 
-MeshEdit::MeshEdit(Front& front) : front_(front), mesh_(front.mesh), ideal_(front.mesh.node_count(), 4) {
+MeshEdit::MeshEdit(Front& front) : front_(front), mesh_(front.mesh), ideal_(front.mesh.node_count(), 4), least_(front.mesh.node_count(), 3) {
   delta_.assign(mesh_.node_count(), 0);
   commit();
   for (int i = 0; i < mesh_.node_count(); ++i) {
@@ -46,13 +48,15 @@ MeshEdit::MeshEdit(Front& front) : front_(front), mesh_(front.mesh), ideal_(fron
     double angle = 0;
     for (int e : mesh_.star[i]) angle += corner_angle(mesh_, mesh_.elements[e], i);
     ideal_[i] = ideal_elements(angle);
+    least_[i] = std::max(1, static_cast<int>(std::ceil(angle / widest - 1e-9)));
   }
 }
 
 double MeshEdit::energy(int node, int more) const {
   int size = more + (node < mesh_.node_count() ? mesh_.star[node].size() : 0);
   if (size == 0) return 0;
-  return (size - ideal(node)) * (size - ideal(node));
+  int least = node < static_cast<int>(least_.size()) ? least_[node] : 3;
+  return (size - ideal(node)) * (size - ideal(node)) + (size < least ? degenerate_energy * (least - size) : 0);
 }
 
 double MeshEdit::energy_gain(const Change& change) {
@@ -77,8 +81,13 @@ double MeshEdit::energy_gain(const Change& change) {
 }
 
 int MeshEdit::across(int e, int a, int b) const {
-  for (int g : mesh_.star[a])
-    if (g != e && mesh_.elements[g].before(a) == b) return g;
+  for (int g : mesh_.star[a]) {
+    const auto& v = mesh_.elements[g].v;
+    bool is_triangle = v[3] < 0;
+    bool has_edge = (v[0] == b && v[1] == a) || (v[1] == b && v[2] == a) || (v[2] == b && v[is_triangle ? 0 : 3] == a) ||
+                    (!is_triangle && v[3] == b && v[0] == a);
+    if (has_edge && g != e) return g;
+  }
   return -1;
 }
 
@@ -108,8 +117,8 @@ void MeshEdit::touch(int node) {
   touched_.push_back(node);
 }
 
-void MeshEdit::move(int node, Vec2 p) {
-  journal_.push_back({Kind::move, node, {}, mesh_.p[node], mesh_.x[node], mesh_.xp[node], mesh_.xq[node]});
+void MeshEdit::move(int node, Vec2 p, bool is_first) {
+  if (is_first) journal_.push_back({Kind::move, node, {}, mesh_.p[node], mesh_.x[node], mesh_.xp[node], mesh_.xq[node]});
   mesh_.p[node] = p;
   front_.region.evaluate(p, mesh_.x[node], mesh_.xp[node], mesh_.xq[node]);
 }
@@ -185,14 +194,24 @@ void MeshEdit::commit() {
 }
 
 void MeshEdit::smooth_touched() {
-  for (int sweep = 0; sweep < local_sweeps; ++sweep)
+  if (sum_.size() < mesh_.p.size()) sum_.resize(mesh_.p.size() + 1024);
+  for (int sweep = 0; sweep < local_sweeps; ++sweep) {
+    for (int node : touched_) sum_[node] = {0, 0, 0};
+    for (int e : near_) {
+      const Element& element = mesh_.elements[e];
+      Vec3 at[4];
+      int n = wished_corners(mesh_, element, at);
+      for (int i = 0; i < element.corners(); ++i) sum_[element.v[i]] += n ? at[i] : mesh_.x[element.v[i]];
+    }
     for (int node : touched_) {
-      if (mesh_.is_fixed[node] || mesh_.star[node].size() == 0) continue;
-      Vec3 step = ideal_position(mesh_, node) - mesh_.x[node];
+      int size = mesh_.star[node].size();
+      if (mesh_.is_fixed[node] || size == 0) continue;
+      Vec3 step = (1.0 / size) * sum_[node] - mesh_.x[node];
       double most = 0.8 * mesh_.h[node], length = norm(step);
       if (length > most) step = (most / length) * step;
-      move(node, mesh_.p[node] + mesh_.pull_back(node, step));
+      move(node, mesh_.p[node] + mesh_.pull_back(node, step), sweep == 0);
     }
+  }
 }
 
 // Elements about the free touched nodes, and all those made.
@@ -231,10 +250,10 @@ MeshEdit::Measure MeshEdit::measure_before() {
   return worst;
 }
 
-bool MeshEdit::settle(double floor, double gain) {
+bool MeshEdit::settle(const Demand& demand) {
   const Measure before = measure_before();
   for (std::size_t i = 0, n = journal_.size(); i < n; ++i)
-    if (journal_[i].kind == Kind::place && mesh_.star[journal_[i].id].size() > 0) move(journal_[i].id, journal_[i].p);
+    if (journal_[i].kind == Kind::place && mesh_.star[journal_[i].id].size() > 0) move(journal_[i].id, journal_[i].p, true);
   smooth_touched();
   Measure after;
   for (int e : near_) {
@@ -242,8 +261,8 @@ bool MeshEdit::settle(double floor, double gain) {
     measure(mesh_.elements[e], after);
   }
   static const double cl = 1.5;
-  if (gain + cl * (after.spread - before.spread) > 0) return false;
-  return after.jacobian >= std::min(floor, before.jacobian) && after.shortest >= std::min(shortest, before.shortest) &&
+  if (demand.gain + cl * (after.spread - before.spread) > 0) return false;
+  return after.jacobian >= std::min(demand.jacobian, before.jacobian) && after.shortest >= std::min(demand.shortest, before.shortest) &&
          after.longest <= std::max(longest, before.longest);
 }
 

@@ -19,6 +19,13 @@ struct Change {
   void clear() { gone.clear(), made.clear(), fresh.clear(), moved = -1; }
 };
 
+/// What the elements about an edit must reach.
+struct Demand {
+  double gain = 0;         ///< change of energy: lengths may become worse by as much as it is worth
+  double jacobian = 0.45;  ///< least scaled Jacobian
+  double shortest = 0.55;  ///< least edge length by the target length
+};
+
 /// Journal over the mesh of a front that has no void left. The energy of a node is the square of its number of
 /// elements less the ideal number: 4 inside, by the angle on the border; every triangle costs `triangle_energy`.
 class MeshEdit {
@@ -36,9 +43,9 @@ class MeshEdit {
   /// Carries the change out. False, and nothing done, when an element would have a node twice, an edge more than two
   /// elements, a free node fewer than three, or two nodes on the same boundary node would meet.
   bool apply(const Change& change);
-  /// Moves free nodes about the edits, then tells whether all elements there are positive in the chart, lengths are in
-  /// bounds and the worst scaled Jacobian is at least `floor` or, where that is less, what it was before.
-  bool settle(double floor, double gain);
+  /// Moves free nodes about the edits, then tells whether all elements there are positive in the chart and shape and
+  /// lengths are as demanded or, where that is less, no worse than before.
+  bool settle(const Demand& demand);
 
   std::size_t mark() const { return journal_.size(); }
   void roll_back(std::size_t mark);
@@ -64,7 +71,7 @@ class MeshEdit {
   double ideal(int node) const { return node < static_cast<int>(ideal_.size()) ? ideal_[node] : 4; }
   bool is_sound(const std::array<int, 4>& corners) const;
   bool has_shared_edges(int node) const;
-  void move(int node, Vec2 p);
+  void move(int node, Vec2 p, bool is_first);
   void touch(int node);
   void forget_touched();
   void smooth_touched();
@@ -75,8 +82,10 @@ class MeshEdit {
   Front& front_;
   RegionMesh& mesh_;
   std::vector<double> ideal_;
+  std::vector<int> least_;  // elements a node needs that no corner is nearly straight
   std::vector<Entry> journal_;
   std::vector<int> touched_, near_, list_;
+  std::vector<Vec3> sum_;
   std::vector<int> delta_;
   std::vector<char> is_touched_;
   int old_elements_ = 0;  // number of elements at the last commit

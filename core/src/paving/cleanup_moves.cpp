@@ -72,9 +72,27 @@ bool Moves::make_pair(int e, int node, int k, int turn) {
     change_.made.push_back({v(turn), v(turn + 1), v(turn + 2), -1});
     change_.made.push_back({v(turn + 2), v(turn + 3), v(turn + 4), v(turn)});
   } else {
-    if (turn > 1) return false;
-    change_.made.push_back({v(turn + 1), v(turn + 2), v(turn + 3), v(turn + 4)});
-    change_.made.push_back({v(turn + 4), v(turn + 5), v(turn), v(turn + 1)});
+    return make_hexagon(outline, turn);
+  }
+  return true;
+}
+
+// The ways to divide a hexagon: two quads (three ways less the present one), three about a node, four about an edge.
+bool Moves::make_hexagon(const int* outline, int turn) {
+  auto v = [&](int i) { return outline[i % 6]; };
+  int m = mesh_.node_count(), n = m + 1, t = turn;
+  auto middle = [&](int i, int j) { return 0.5 * (mesh_.p[v(i)] + mesh_.p[v(j)]); };
+  if (turn < 2) {
+    change_.made = {{v(t + 1), v(t + 2), v(t + 3), v(t + 4)}, {v(t + 4), v(t + 5), v(t), v(t + 1)}};
+  } else if (turn < 4) {
+    change_.made = {{m, v(t), v(t + 1), v(t + 2)}, {m, v(t + 2), v(t + 3), v(t + 4)}, {m, v(t + 4), v(t + 5), v(t)}};
+    change_.fresh = {(1.0 / 3) * (middle(0, 3) + middle(1, 4) + middle(2, 5))};
+  } else if (turn < 7) {
+    change_.made = {{v(t), v(t + 1), n, m}, {v(t + 1), v(t + 2), v(t + 3), n}, {m, n, v(t + 3), v(t + 4)}, {v(t), m, v(t + 4), v(t + 5)}};
+    Vec2 left = middle(t, t + 4), right = middle(t + 1, t + 3);
+    change_.fresh = {(2.0 / 3) * left + (1.0 / 3) * right, (1.0 / 3) * left + (2.0 / 3) * right};
+  } else {
+    return false;
   }
   return true;
 }

@@ -33,6 +33,7 @@ class Moves {
   bool make_doublet(int node);
   bool make_collapse(int e, int k);
   bool make_pair(int e, int node, int k, int turn);
+  bool make_hexagon(const int* outline, int turn);
   bool collect_ring(int node);
   bool make_opening(int node, int from, int count);
 

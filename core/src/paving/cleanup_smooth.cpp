@@ -19,7 +19,8 @@ bool is_positive(const RegionMesh& mesh, const Element& e) {
   return true;
 }
 
-// Square (or equilateral triangle) nearest to the element by its first Fourier mode.
+}  // namespace
+
 int wished_corners(const RegionMesh& mesh, const Element& e, Vec3 at[4]) {
   if (e.corners() == 4) {
     Vec3 x0 = mesh.x[e.v[0]], x1 = mesh.x[e.v[1]], x2 = mesh.x[e.v[2]], x3 = mesh.x[e.v[3]];
@@ -45,8 +46,6 @@ int wished_corners(const RegionMesh& mesh, const Element& e, Vec3 at[4]) {
   at[0] = centre + r, at[1] = centre + turn(r, s), at[2] = centre + turn(r, -s);
   return 3;
 }
-
-}  // namespace
 
 Sweeper::Sweeper(Front& front) : front_(front), mesh_(front.mesh) {
   sj_.resize(mesh_.elements.size());

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double sharp_pole = 0.26;  // radians (15 degrees): normals about a pole that differ more make it an apex
 
+constexpr double fold = 0.26;        // radians (15 degrees): an edge that turns back by all but this is folded
+
 class RegionBuilder {
  public:
   RegionBuilder(const Model& model, const SizeField& size, const FaceLayout& layout, int face, EdgeNodes& nodes)
@@ -58,6 +60,7 @@ class RegionBuilder {
         node.x = nodes_.nodes[node.global];
         node.h = target_at(c, d.t[2 * k], nodes_.node_target[node.global]);
         node.angle = i == 0 ? angle_at(*before, c) : angle_inside(c, k);
+        if (i > 0 && (node.angle < fold || node.angle > 2 * M_PI - fold)) node.angle = chart_angle(c, k, region);
         out.push_back(node);
       }
       if (n > 0) before = &c;
@@ -109,6 +112,17 @@ class RegionBuilder {
     Vec3 low = travel(c, k - 1, 1), high = travel(c, k, 0);
     return interior_angle(c.is_reversed ? high : low, c.is_reversed ? low : high,
                           c.pcurve->uv(nodes_.edges[c.edge].t[2 * k]));
+  }
+
+  // Where an edge folds back on itself in space (the flattened end of a body) only the chart tells the angle.
+  double chart_angle(const Coedge& c, int k, const Region& region) const {
+    const EdgeDivision& d = nodes_.edges[c.edge];
+    auto chart = [&](double t) { return region.chart->to_chart(c.pcurve->uv(t)); };
+    double t = d.t[2 * k];
+    Vec2 p = chart(t), low = chart(t + 0.01 * (d.t[2 * k - 2] - t)), high = chart(t + 0.01 * (d.t[2 * k + 2] - t));
+    Vec2 out = (c.is_reversed ? low : high) - p, back = (c.is_reversed ? high : low) - p;
+    double angle = std::atan2(cross(out, back), dot(out, back));
+    return angle < 0 ? angle + 2 * M_PI : angle;
   }
 
   Vec2 parameters(double along, double meridian) const {
@@ -191,7 +205,8 @@ class RegionBuilder {
     return static_cast<int>(nodes_.nodes.size()) - 1;
   }
 
-  // An apex must be a node: quads about it in advance, as many as the surface's angle there asks for.
+  // An apex must be a node: quads about it in advance, as many as the surface's angle there asks for. The same for a
+  // smooth pole where the rows have nowhere else to start.
   void add_fan(const ParameterBox& box, Region& region) {
     double pole = box.low_pole ? box.lo.y : box.hi.y, inward = box.low_pole ? 1 : -1;
     double extent = box.hi.y - box.lo.y;
@@ -211,7 +226,7 @@ class RegionBuilder {
       slant += 0.125 * norm(point[i] - apex);
       around += norm(point[(i + 1) % 8] - point[i]);
     }
-    if (widest < sharp_pole || !(slant > 0)) return;
+    if (!(slant > 0) || (widest < sharp_pole && !is_bag(region))) return;
     double per_length = small / slant;  // meridian parameter per mm at the pole
     double room = nearest_loop(region, apex);
     double radius = std::min(0.8 * size_.h, 0.45 * room);
@@ -236,6 +251,13 @@ class RegionBuilder {
     for (std::size_t i = 0; i < fan.ring.size(); ++i) area += cross(fan.ring[i].p, fan.ring[(i + 1) % fan.ring.size()].p);
     if (area < 0) std::reverse(fan.ring.begin() + 1, fan.ring.end());
     region.fans.push_back(std::move(fan));
+  }
+
+  // A long body closed by a pole, with a rim of few nodes: rows need something to start from.
+  static bool is_bag(const Region& region) {
+    std::size_t nodes = 0;
+    for (const auto& loop : region.loops) nodes += loop.size();
+    return nodes <= 8 && region.area > 20 * region.h * region.h;
   }
 
   static double nearest_loop(const Region& region, Vec3 apex) {
