@@ -187,23 +187,59 @@ class Run {
     if (mended > 0)
       result_.report.notes.push_back(fmt::format("{} curved elements were straightened to keep them valid.", mended));
     std::vector<int> faces;
-    for (int q : repaired.invalid_quads) faces.push_back(mesh.quad_face[q]);
-    for (int t : repaired.invalid_triangles) faces.push_back(mesh.triangle_face[t]);
+    for (int q : repaired.invalid_quads) faces.push_back(model_.faces[mesh.quad_face[q]].origin);
+    for (int t : repaired.invalid_triangles) faces.push_back(model_.faces[mesh.triangle_face[t]].origin);
     std::map<int, int> count;
     for (int face : faces) ++count[face];
     for (auto [face, n] : count)
       result_.report.notes.push_back(
           fmt::format("{} has {} curved elements that could not be made valid; use a smaller size or max-turn.",
-                      model_.faces[face].name, n));
+                      origin_name(face), n));
+  }
+
+  std::string origin_name(int origin) const { return "Face" + std::to_string(origin + 1); }
+
+  // Faces divided along creases become one again: in the mesh, in the reports and in the names.
+  void merge_pieces() {
+    for (int& face : result_.mesh.quad_face) face = model_.faces[face].origin;
+    for (int& face : result_.mesh.triangle_face) face = model_.faces[face].origin;
+    std::vector<FaceReport> pieces = std::move(result_.report.faces);
+    std::vector<std::string> names = std::move(result_.face_names);
+    result_.report.faces.clear();
+    result_.face_names.clear();
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (i > 0 && model_.faces[i].origin == model_.faces[i - 1].origin) {
+        add_piece(result_.report.faces.back(), pieces[i]);
+      } else {
+        result_.report.faces.push_back(pieces[i]);
+        result_.face_names.push_back(names[i]);
+      }
+    }
+  }
+
+  // A face has failed when one of its pieces has, and has no area when none of them has.
+  static void add_piece(FaceReport& face, const FaceReport& piece) {
+    bool is_worse = piece.status == FaceStatus::failed && face.status != FaceStatus::failed;
+    bool is_first_area = piece.status == FaceStatus::meshed && face.status == FaceStatus::no_area;
+    if (is_worse || is_first_area) {
+      face.status = piece.status;
+      face.stage = piece.stage;
+      face.reason = piece.reason;
+      face.where = piece.where;
+    }
+    face.cad_area += piece.cad_area;
+    face.closed_by_triangulation += piece.closed_by_triangulation;
   }
 
   void measure() {
     begin(Stage::quality);
+    double chord = chord_error(result_.mesh, parts_, options_.threads);  // by piece, as the regions are
+    merge_pieces();
     std::vector<bool> is_periodic;
     for (const Edge& edge : model_.edges) is_periodic.push_back(edge.is_periodic);
     RunReport& report = result_.report;
     report.quality = measure_quality(result_.mesh, report.target_length, is_periodic, report.faces, progress_);
-    report.quality.chord_error = chord_error(result_.mesh, parts_, options_.threads);
+    report.quality.chord_error = chord;
     end_stage();
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);

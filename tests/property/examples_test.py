@@ -24,9 +24,9 @@ def compare(report, verdict):
     pairs = {
         "quads": (ours["quads"], theirs["counts"]["quads"]),
         "triangles": (ours["triangles"], theirs["counts"]["triangles"]),
-        "SJ min": (ours["sj_all"]["min"], theirs["shape"]["all"]["scaled_jacobian"]["min"]),
-        "SJ mean": (ours["sj_all"]["mean"], theirs["shape"]["all"]["scaled_jacobian"]["mean"]),
-        "SJ share < 0.3": (ours["sj_all"]["below_03"], theirs["shape"]["all"]["fraction_sj_below_0.3"]),
+        "SJ min": (ours["sj"]["all"]["min"], theirs["shape"]["all"]["scaled_jacobian"]["min"]),
+        "SJ mean": (ours["sj"]["all"]["mean"], theirs["shape"]["all"]["scaled_jacobian"]["mean"]),
+        "SJ share < 0.3": (ours["sj"]["all"]["below_03"], theirs["shape"]["all"]["fraction_sj_below_0.3"]),
         "irregular share": (ours["irregular_share"], theirs["valence"]["irregular_fraction_face_interior"] or 0),
         "length mean": (ours["length_mean"], theirs["edges"]["chord"]["mean_rel"]),
         "length CV": (ours["length_cv"], theirs["edges"]["chord"]["cov"]),

@@ -40,7 +40,7 @@ def main():
     if all_quality:
         def mean(get):
             return float(np.mean([get(q) for q in all_quality]))
-        figures = {"mean SJ": (mean(lambda q: q["sj_all"]["mean"]), MEAN_SJ, 1),
+        figures = {"mean SJ": (mean(lambda q: q["sj"]["all"]["mean"]), MEAN_SJ, 1),
                    "share of edges in 0.7 to 1.4 h": (mean(lambda q: q["length_in_band"]), IN_BAND, 1),
                    "irregular share": (mean(lambda q: q["irregular_share"]), IRREGULAR, -1),
                    "triangles": (mean(lambda q: q["triangles"] / (q["quads"] + q["triangles"])), TRIANGLES, -1)}

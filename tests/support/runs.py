@@ -110,45 +110,82 @@ def middle_nodes(mesh):
                            for k in range(corners)])
 
 
-def side_uses(mesh):
-    """How many elements each undirected edge of the mesh has."""
-    sides, _ = directed_sides(mesh)
-    _, uses = np.unique(np.sort(sides, 1), axis=0, return_counts=True)
-    return uses
+def edge_keys(mesh, ends, middles):
+    """Edges as rows (smaller end, larger end, middle node or -1): two curved edges may have the same ends."""
+    middles = middles if mesh.order == 2 else np.full(len(ends), -1)
+    return np.concatenate([np.sort(ends, 1), middles[:, None]], 1)
+
+
+def coinciding(mesh, closed):
+    """Places with several nodes. Bodies may touch, and the faces of open CAD may meet without a common edge."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+    _, place, count = np.unique(mesh.nodes, axis=0, return_inverse=True, return_counts=True)
+    doubles = np.flatnonzero(count[place] > 1)
+    if not len(doubles):
+        return 0
+    first = np.concatenate([np.repeat(r[:, 0], r.shape[1]) for r in (mesh.quads, mesh.triangles)])
+    others = np.concatenate([mesh.quads.ravel(), mesh.triangles.ravel()])
+    links = coo_matrix((np.ones(len(first)), (first, others)), (len(mesh.nodes), len(mesh.nodes)))
+    _, body = connected_components(links, directed=False)
+    on_line = set(mesh.lines.ravel().tolist())
+    faces, groups = {}, {}
+    for rows, tags in ((mesh.quads, mesh.quad_tag), (mesh.triangles, mesh.triangle_tag)):
+        for row, tag in zip(*(a[np.isin(rows, doubles).any(1)].tolist() for a in (rows, tags))):
+            for node in row:
+                faces.setdefault(node, set()).add(tag)
+    for node in doubles.tolist():
+        groups.setdefault(place[node], []).append(node)
+
+    def is_fault(group):
+        shares_face = len(set().union(*(faces[n] for n in group))) < sum(len(faces[n]) for n in group)
+        return shares_face and not on_line.issuperset(group) or closed and len(set(body[group].tolist())) < len(group)
+
+    return sum(is_fault(g) for g in groups.values())
 
 
 def conformity(mesh, closed):
-    """Interior edges in two elements with opposite direction, middle nodes shared, no loose or double nodes."""
+    """Every edge in two elements with opposite direction, or on a B-rep edge where the CAD is open; no loose nodes."""
+    if not np.isfinite(mesh.nodes).all():
+        return ["a coordinate is not a number"]
     faults = []
     sides, tags = directed_sides(mesh)
-    edges, number, uses = np.unique(np.sort(sides, 1), axis=0, return_inverse=True, return_counts=True)
-    if (edges[:, 0] == edges[:, 1]).any():
+    if (sides[:, 0] == sides[:, 1]).any():
         faults.append("an edge ends where it starts")
+    keys = edge_keys(mesh, sides, middle_nodes(mesh) if mesh.order == 2 else None)
+    edges, number, uses = np.unique(keys, axis=0, return_inverse=True, return_counts=True)
+    lines = edge_keys(mesh, mesh.lines[:, :2], mesh.lines[:, 2] if mesh.order == 2 else None)
+    on_line = in_rows(edges, lines)
     if closed and (uses != 2).any():
         faults.append(f"{(uses == 1).sum()} open edges and {(uses > 2).sum()} edges of more than two elements")
-    same = np.concatenate([sides, tags[:, None]], 1)
-    if len(np.unique(same if not closed else sides, axis=0)) != len(sides):
+    if ((uses != 2) & ~on_line).any():
+        faults.append(f"{((uses != 2) & ~on_line).sum()} edges inside faces have not two elements")
+    if not in_rows(lines, edges).all():
+        faults.append("a piece of a B-rep edge is no edge of an element")
+    same = np.concatenate([number[:, None], sides[:, :1], tags[:, None]], 1)[:, :2 if closed else 3]
+    if len(np.unique(same, axis=0)) != len(sides):
         faults.append("two elements run through one edge in the same direction")
-    if mesh.order == 2:
-        middles = middle_nodes(mesh)
-        pairs = np.unique(np.stack([number, middles], 1), axis=0)
-        if len(pairs) != len(edges) or len(np.unique(middles)) != len(edges):
-            faults.append("two elements disagree on the middle node of their edge")
     used = np.unique(np.concatenate([mesh.quads.ravel(), mesh.triangles.ravel()]))
     if len(used) != len(mesh.nodes):
         faults.append(f"{len(mesh.nodes) - len(used)} nodes belong to no element")
-    if not np.isfinite(mesh.nodes).all():
-        faults.append("a coordinate is not a number")
-    elif len(np.unique(mesh.nodes, axis=0)) != len(mesh.nodes):
-        faults.append("two nodes in one place")
+    doubles = coinciding(mesh, closed)
+    if doubles:
+        faults.append(f"two nodes in one place, {doubles} times")
     return faults
+
+
+def in_rows(rows, table):
+    """For each of `rows` whether it is one of `table`'s."""
+    both = np.concatenate([table, rows])
+    _, number = np.unique(both, axis=0, return_inverse=True)
+    return np.isin(number[len(table):], number[:len(table)])
 
 
 def euler(mesh):
     """V - E + F."""
     sides, _ = directed_sides(mesh)
-    edges = np.unique(np.sort(sides, 1), axis=0)
-    return len(np.unique(edges)) - len(edges) + len(mesh.quads) + len(mesh.triangles)
+    edges = np.unique(edge_keys(mesh, sides, middle_nodes(mesh) if mesh.order == 2 else None), axis=0)
+    return len(np.unique(sides)) - len(edges) + len(mesh.quads) + len(mesh.triangles)
 
 
 def hanging_nodes(mesh):

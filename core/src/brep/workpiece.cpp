@@ -90,6 +90,7 @@ Workpiece make_workpiece(const Shape& shape, Progress& progress) {
   for (int i = 1; i <= faces.Extent(); ++i) {
     WorkFace& face = work.faces[static_cast<std::size_t>(i - 1)];
     face.face = TopoDS::Face(faces(i));
+    face.origin = i - 1;
     face.area = face_area(face.face);
     if (!std::isfinite(face.area)) {
       face.area = 0;
@@ -113,6 +114,16 @@ void copy_shape(Workpiece& work) {
   work.shape = copy.Shape();
   for (int i = 1; i <= faces.Extent(); ++i) work.faces[static_cast<std::size_t>(i - 1)].face = TopoDS::Face(faces(i));
   work.is_copied = true;
+}
+
+TopTools_IndexedMapOfShape edge_map(const Workpiece& work) {
+  TopTools_IndexedMapOfShape edges;
+  if (!work.is_rebuilt) {
+    TopExp::MapShapes(work.shape, TopAbs_EDGE, edges);
+    return edges;
+  }
+  for (const WorkFace& face : work.faces) TopExp::MapShapes(face.face, TopAbs_EDGE, edges);
+  return edges;
 }
 
 bool EdgeUses::is_free(int index) const {
@@ -175,7 +186,8 @@ double enclosed_volume(const std::vector<TopoDS_Face>& faces) {
   }
 }
 
-std::string list_names(const std::vector<std::string>& names) {
+std::string list_names(std::vector<std::string> names) {
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   std::string text;
   for (std::size_t i = 0; i < std::min(names.size(), listed_names); ++i) text += (i ? ", " : "") + names[i];
   if (names.size() > listed_names) text += " and " + std::to_string(names.size() - listed_names) + " more";

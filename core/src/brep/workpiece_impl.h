@@ -1,6 +1,7 @@
 // A shape on its way to a Model: its faces in the order of the file, as repaired and sewn so far.
 #pragma once
 
+#include <TopTools_DataMapOfShapeInteger.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -15,6 +16,7 @@ namespace paver {
 
 struct WorkFace {
   TopoDS_Face face;  ///< current image, with the orientation it has in the shape
+  int origin = -1;   ///< index of the face of the shape as read that it is, or is a piece of
   int solid = -1;    ///< index of the solid it belongs to, -1: none
   double area = 0;   ///< mm^2
   bool has_area = true;
@@ -23,10 +25,14 @@ struct WorkFace {
 
 struct Workpiece {
   TopoDS_Shape shape;
-  std::vector<WorkFace> faces;  ///< in the order of TopExp::MapShapes of the shape as read
+  std::vector<WorkFace> faces;  ///< in the order of TopExp::MapShapes of the shape as read, pieces of one in a row
   double diagonal = 0;          ///< of the bounding box, mm
   bool is_copied = false;       ///< shape and faces are our own, to be changed in place
   bool is_rebuilt = false;      ///< faces are no longer those of `shape`: edges are numbered over the faces instead
+  /// Once faces are divided: the number of the edge each edge is or is a piece of; new edges have none.
+  TopTools_DataMapOfShapeInteger edge_numbers;
+  /// Edges of one class are one edge: same curve, same parameters, and the faces between them have no area.
+  TopTools_DataMapOfShapeInteger edge_classes;
 };
 
 /// Progress units that the functions below credit per face.
@@ -43,6 +49,9 @@ void copy_shape(Workpiece& work);
 /// flagged as poles their curve. What fails becomes the face's fault. The input's own data stay as they are.
 /// Credits repair_units per face.
 void repair(Workpiece& work, Progress& progress);
+
+/// All edges; the position of an edge is its number.
+TopTools_IndexedMapOfShape edge_map(const Workpiece& work);
 
 /// Uses of every edge of faces with area, and whether it is a free one.
 struct EdgeUses {
@@ -63,6 +72,15 @@ struct SewResult {
 /// from the target length. Credits sew_units per face.
 SewResult sew(Workpiece& work, double tolerance, double target_length, Progress& progress);
 
+struct DividedFace {
+  int face = -1;    ///< index before dividing
+  int creases = 0;  ///< along which it was divided
+};
+
+/// Cuts faces along the iso-lines where their normal jumps, so that these become edges; faces afterwards are the pieces.
+/// Nothing changes where there is no such line.
+std::vector<DividedFace> divide_creases(Workpiece& work);
+
 /// Area in mm^2 whatever the orientation; NaN when the kernel cannot compute it.
 double face_area(const TopoDS_Face& face);
 
@@ -75,7 +93,7 @@ double enclosed_volume(const std::vector<TopoDS_Face>& faces);
 /// "Face12" for index 11.
 inline std::string face_name(int index) { return "Face" + std::to_string(index + 1); }
 
-/// "Face3, Face8, Face9 and 29 more".
-std::string list_names(const std::vector<std::string>& names);
+/// "Face3, Face8, Face9 and 29 more"; a name that follows itself (pieces of a face) is listed once.
+std::string list_names(std::vector<std::string> names);
 
 }  // namespace paver

@@ -1,5 +1,8 @@
-// Clean-up by energy: work lists of irregular nodes, elementary changes one or two at a time, each tried and taken back
-// unless it lowers the energy and leaves sound, well-shaped elements; then smoothing of all nodes.
+// Clean-up by energy: work lists of irregular nodes; elementary changes first,
+// then cavities filled anew, then pairs of triangles walked together. Each is
+// tried and taken back unless it lowers the energy and leaves sound,
+// well-shaped elements. Then smoothing of all nodes, and a search for the best
+// places about the worst elements.
 #include "paving/cleanup.h"
 
 #include <algorithm>
@@ -11,36 +14,60 @@
 #include "paving/cleanup_optimise.h"
 #include "paving/cleanup_smooth.h"
 #include "paving/cleanup_triangles.h"
-#include "paving/smooth.h"
 
 namespace paver {
 namespace {
 
-const int depth = 1;
-const double max1 = 2;
-
-const int rings = 4;
-const int most_elements = 60;
-const int order = 5431;
-
-const Demand triangle_demand{-100, 0.3, 0.4};
+// Larger cavities lower the irregular share further, at twice the time and with
+// more uneven lengths.
+constexpr int most_rings = 4, most_elements = 60;
+constexpr int most_hexagons = 24;  // divisions tried for one pair of triangles
+constexpr int sweeps = 10;
+constexpr double worst_goal = 0.74;
+// A triangle goes whatever it costs in energy, and for elements half as long.
+constexpr Demand triangle_demand{-100, 0.3, 0.4, 0};
+// An element this poor may go at the cost of some energy when the worst about it rises.
+constexpr double poor_jacobian = 0.25, most_energy = 4;
+constexpr Demand mending_demand{-100, 0.45, 0.4, 0.1};
 
 class CleanUp {
  public:
   CleanUp(Front& front, const Progress& progress)
-      : front_(front), progress_(progress), edit_(front), moves_(edit_), second_(edit_), cavity_(edit_), pairs_(edit_) {}
+      : mesh_(front.mesh), progress_(progress), edit_(front), moves_(edit_), cavity_(edit_), pairs_(edit_) {}
 
   void run() {
-    RegionMesh& mesh = front_.mesh;
-    for (int o = order; o > 0; o /= 10) {
-      int d = o % 10;
-      if (d == 4) { join_triangles(); continue; }
-      if (d != 5) for (int i = 0; i < mesh.node_count(); ++i) push(i);
-      work([&](int node) { return d == 1 ? improve(node) : d == 2 ? improve_twice(node) : improve(node) || refill(node); });
+    push_all();
+    work([&](int node) { return improve(node); });
+    push_all();
+    work([&](int node) { return improve(node) || refill(node); });
+    join_triangles();
+    work([&](int node) { return improve(node) || refill(node); });
+  }
+
+  /// After smoothing: elements that stayed poor.
+  void mend() {
+    int left = 50 + static_cast<int>(mesh_.elements.size()) / 100;
+    for (int e = 0, n = static_cast<int>(mesh_.elements.size()); e < n && left > 0; ++e) {
+      const Element element = mesh_.elements[e];
+      if (!element.is_alive() || scaled_jacobian(mesh_, element) >= poor_jacobian) continue;
+      progress_.check();
+      --left;
+      for (int i = 0; i < element.corners() && mesh_.elements[e].is_alive(); ++i) mend_about(element.v[i]);
     }
   }
 
  private:
+  bool mend_about(int node) {
+    bool is_done = false;
+    moves_.each(node, [&](const Change& change) {
+      if (edit_.energy_gain(change) > most_energy || !edit_.apply(change)) return false;
+      if (take(mending_demand)) return is_done = true;
+      edit_.roll_back(0);
+      return false;
+    });
+    return is_done;
+  }
+
   void push(int node) {
     if (waits_.size() <= static_cast<std::size_t>(node)) waits_.resize(node + 64, 0);
     if (waits_[node] || !(edit_.is_irregular(node) || is_at_triangle(node))) return;
@@ -48,34 +75,38 @@ class CleanUp {
     list_.push_back(node);
   }
 
+  void push_all() {
+    for (int i = 0; i < mesh_.node_count(); ++i) push(i);
+  }
+
   bool is_at_triangle(int node) const {
-    for (int e : front_.mesh.star[node])
-      if (front_.mesh.elements[e].corners() == 3) return true;
+    for (int e : mesh_.star[node])
+      if (mesh_.elements[e].corners() == 3) return true;
     return false;
   }
 
   template <class Improve>
-  void work(Improve improve) {
-    std::size_t most = 20 * front_.mesh.p.size() + 100;
-    for (std::size_t i = 0; i < list_.size() && i < most; ++i) {
+  void work(Improve improve_node) {
+    std::size_t most = 20 * mesh_.p.size() + 100;
+    for (std::size_t i = 0; i < list_.size(); ++i) {
       if (i % 256 == 0) progress_.check();
       int node = list_[i];
       waits_[node] = 0;
-      if (front_.mesh.star[node].size() == 0) continue;
-      if (improve(node)) push(node);
+      if (i < most && mesh_.star[node].size() > 0 && improve_node(node)) push(node);
     }
     list_.clear();
   }
 
-  // Commits when the edits are good.
+  // Keeps the edits and takes up their nodes, if the elements are as demanded.
   bool take(const Demand& demand) {
     if (!edit_.settle(demand)) return false;
-    std::vector<int> nodes = edit_.touched();
+    const std::vector<int> nodes = edit_.touched();
     edit_.commit();
     for (int v : nodes) push(v);
     return true;
   }
 
+  // The elementary change about the node that lowers the energy most.
   bool improve(int node) {
     found_.clear();
     std::size_t used = 0;
@@ -89,43 +120,28 @@ class CleanUp {
     });
     std::stable_sort(found_.begin(), found_.end(), [](auto p, auto q) { return p.first < q.first; });
     for (auto [gain, i] : found_) {
-      if (edit_.apply(pool_[i]) && take({gain})) return true;
+      if (edit_.apply(pool_[i]) && take({.gain = gain})) return true;
       edit_.roll_back(0);
     }
     return false;
   }
 
-  bool improve_twice(int node) {
-    if (improve(node)) return true;
-    bool is_done = false;
-    int tries = 0;
-    moves_.each(node, [&](const Change& change) {
-      double gain = edit_.energy_gain(change);
-      if (gain > max1 || !edit_.apply(change)) return false;
-      std::vector<int> nodes = edit_.touched();
-      std::size_t mark = edit_.mark();
-      for (int v : nodes) {
-        if (!edit_.is_irregular(v)) continue;
-        second_.each(v, [&](const Change& next) {
-          double both = gain + edit_.energy_gain(next);
-          if (both > -0.1) return false;
-          ++tries;
-          if (edit_.apply(next) && take({both})) return is_done = true;
-          edit_.roll_back(mark);
-          return false;
-        });
-        if (is_done) return true;
-      }
+  bool refill(int node) {
+    cavity_.start(node);
+    for (int ring = 0; ring < most_rings && cavity_.grow(most_elements); ++ring) {
+      if (!cavity_.find_fill(1, fill_) || !tried_.insert(cavity_.outline_key()).second) continue;
+      double gain = edit_.energy_gain(fill_);
+      if (edit_.apply(fill_) && take({.gain = gain})) return true;
       edit_.roll_back(0);
-      return tries > 12;
-    });
-    return is_done;
+    }
+    return false;
   }
 
   void join_triangles() {
-    for (int e = 0; e < static_cast<int>(front_.mesh.elements.size()); ++e) {
-      const Element& element = front_.mesh.elements[e];
+    for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {
+      const Element& element = mesh_.elements[e];
       if (!element.is_alive() || element.corners() != 3 || !pairs_.find(e, fill_) || !edit_.apply(fill_)) continue;
+      progress_.check();
       std::size_t mark = edit_.mark();
       if (take(triangle_demand)) continue;
       edit_.roll_back(mark);
@@ -133,16 +149,18 @@ class CleanUp {
     }
   }
 
-  // Where all nodes about joined triangles are fixed, the quads need a node or two between.
+  // Where all nodes about joined triangles are fixed, the quads need a node or
+  // two between.
   bool divide_hexagon(std::size_t mark) {
     bool is_done = false;
     int tries = 0;
     const std::vector<int> nodes = edit_.touched();
     for (int v : nodes) {
-      if (is_done || tries > 24) break;
-      second_.each(v, [&](const Change& next) {
+      if (is_done || tries >= most_hexagons) break;
+      moves_.each(v, [&](const Change& next) {
         if (next.fresh.empty() || next.gone.size() != 2) return false;
-        if (++tries > 24 || (edit_.apply(next) && take(triangle_demand))) return is_done = tries <= 24;
+        if (++tries > most_hexagons) return true;
+        if (edit_.apply(next) && take(triangle_demand)) return is_done = true;
         edit_.roll_back(mark);
         return false;
       });
@@ -150,44 +168,33 @@ class CleanUp {
     return is_done;
   }
 
-  bool refill(int node) {
-    cavity_.start(node);
-    for (int ring = 0; ring < rings && cavity_.grow(most_elements); ++ring) {
-      if (!cavity_.find_fill(1, fill_) || !tried_.insert(cavity_.outline_key()).second) continue;
-      double gain = edit_.energy_gain(fill_);
-      if (edit_.apply(fill_) && take({gain})) return true;
-      edit_.roll_back(0);
-    }
-    return false;
-  }
-
-  Front& front_;
+  RegionMesh& mesh_;
   const Progress& progress_;
   MeshEdit edit_;
-  Moves moves_, second_;
+  Moves moves_;
   Cavity cavity_;
   TrianglePairs pairs_;
   Change fill_;
   std::vector<Change> pool_;
   std::vector<std::pair<double, int>> found_;
   std::vector<int> list_;
-  std::unordered_set<std::size_t> tried_;  // outlines whose fill was not good
   std::vector<char> waits_;
+  std::unordered_set<std::size_t> tried_;  // outlines whose fill was taken or was not good
 };
 
 }  // namespace
 
 void clean_up(Front& front, const Progress& progress) {
-  CleanUp(front, progress).run();
+  CleanUp clean(front, progress);
+  clean.run();
   Sweeper sweeper(front);
-  for (int k = 0; k < 6; ++k) sweeper.sweep(1);
-  raise_worst(front, 0.7, 4);
-  std::vector<int> nodes;
-  for (int i = 0; i < front.mesh.node_count(); ++i) nodes.push_back(i);
-  for (int k = 0; k < 0; ++k) {
+  for (int i = 0; i < sweeps; ++i) {
     progress.check();
-    smooth_nodes(front, nodes, 1);
+    sweeper.sweep();
   }
+  raise_worst(front, worst_goal, 3);
+  clean.mend();
+  raise_worst(front, worst_goal, 2);
 }
 
 }  // namespace paver

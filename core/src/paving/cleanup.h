@@ -1,4 +1,5 @@
-// Clean-up of a paved region: fewer irregular nodes, no doublets, then smoothing.
+// Clean-up of a paved region: fewer irregular nodes, no doublets, then
+// smoothing.
 #pragma once
 
 #include "paver/progress.h"

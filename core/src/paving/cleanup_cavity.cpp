@@ -1,12 +1,15 @@
-// Cavities: grow a disk of elements, see which of its outline nodes want one element inside (corners) and which two,
-// and fill it with grids.
+// Cavities: grow a disk of elements, see which of its outline nodes want one
+// element inside (corners) and which two, and fill it with grids.
 //
-//   four corners: one grid              three or five: a node inside joined to one node of each side
+//   four corners: one grid              three or five: a node inside joined to
+//   one node of each side
 //     c3------c2                              c2
-//     |  |  |  |                             /  \       side i from corner i to i + 1 has L(i-1) + L(i+1) edges,
-//     +--+--+--+                           m1    m2     L(i) the edges from the side's middle node to the centre
-//     |  |  |  |                           /  `+'  \                            [Bunin08, templates of Verma and Suresh]
-//     c0------c1                         c0---m0---c1
+//     |  |  |  |                             /  \       side i from corner i to
+//     i + 1 has L(i-1) + L(i+1) edges,
+//     +--+--+--+                           m1    m2     L(i) the edges from the
+//     side's middle node to the centre |  |  |  |                           /
+//     `+'  \                            [Bunin08, templates of Verma and
+//     Suresh] c0------c1                         c0---m0---c1
 #include "paving/cleanup_cavity.h"
 
 #include <algorithm>
@@ -56,7 +59,8 @@ bool Cavity::trace_outline() {
   return static_cast<int>(loop_.size()) == count;
 }
 
-// What each outline node costs as a corner and as a flat node, and how many elements it would like inside.
+// What each outline node costs as a corner and as a flat node, and how many
+// elements it would like inside.
 bool Cavity::weigh_corners() {
   bool is_convex = true;
   std::size_t n = loop_.size();
@@ -117,7 +121,8 @@ double Cavity::energy_now() const {
   return sum + corners;
 }
 
-// Spoke lengths for three or five corners; for four only whether opposite sides agree.
+// Spoke lengths for three or five corners; for four only whether opposite sides
+// agree.
 bool Cavity::is_fillable(const std::vector<int>& corners) {
   int k = static_cast<int>(corners.size()), n = static_cast<int>(loop_.size());
   auto side = [&](int i) { return (corners[(i + 1) % k] - corners[i % k] + n) % n; };
@@ -136,7 +141,8 @@ bool Cavity::is_fillable(const std::vector<int>& corners) {
   return true;
 }
 
-// The corners of least energy below the limit, with up to two nodes that do not get what they want.
+// The corners of least energy below the limit, with up to two nodes that do not
+// get what they want.
 double Cavity::best_corners(double limit) {
   int n = static_cast<int>(loop_.size()), base_count = 0;
   double base = 0;
@@ -172,7 +178,8 @@ Vec2 Cavity::place(int node, const Change& fill) const {
   return node < old ? mesh_.p[node] : fill.fresh[node - old];
 }
 
-// Fills the grid, whose border is given, with new nodes (bilinear between opposite sides) and quads.
+// Fills the grid, whose border is given, with new nodes (bilinear between
+// opposite sides) and quads.
 void Cavity::make_grid(int a, int b, Change& fill) {
   auto at = [&](int s, int t) { return place(grid(s, t), fill); };
   for (int s = 1; s < a; ++s)

@@ -1,12 +1,14 @@
-// Remeshing of a piece of the mesh with as few irregular nodes as its outline allows.
+// Remeshing of a piece of the mesh with as few irregular nodes as its outline
+// allows.
 #pragma once
 
 #include "paving/cleanup_edit.h"
 
 namespace paver {
 
-/// A disk of elements that grows about a node and can be filled anew: as a grid when its outline has four corners, or
-/// as three or five grids about one node. Outline nodes where that costs no more may serve as corner or not.
+/// A disk of elements that grows about a node and can be filled anew: as a grid
+/// when its outline has four corners, or as three or five grids about one node.
+/// Outline nodes where that costs no more may serve as corner or not.
 class Cavity {
  public:
   explicit Cavity(MeshEdit& edit) : edit_(edit), mesh_(edit.mesh()) {}
@@ -14,9 +16,11 @@ class Cavity {
   void start(int node);
   /// A number that tells outlines apart, for those tried before.
   std::size_t outline_key() const;
-  /// One more ring of elements, and more where the outline is re-entrant. False when it is no disk or too large.
+  /// One more ring of elements, and more where the outline is re-entrant. False
+  /// when it is no disk or too large.
   bool grow(int most_elements);
-  /// Finds the fill of least energy. False when none lowers the energy by `least` or more.
+  /// Finds the fill of least energy. False when none lowers the energy by
+  /// `least` or more.
   bool find_fill(double least, Change& fill);
 
  private:

@@ -1,5 +1,5 @@
-// Journal of mesh edits. Edits are tried on connectivity alone first, which is cheap; only what lowers the energy is
-// smoothed and measured.
+// Journal of mesh edits. Edits are tried on connectivity alone first, which is
+// cheap; only what lowers the energy is smoothed and measured.
 #include "paving/cleanup_edit.h"
 
 #include <algorithm>
@@ -10,17 +10,19 @@
 namespace paver {
 namespace {
 
-const double longest = 1.6;  // edge length by the target length that an edit may leave
+constexpr double longest = 1.6;              // edge length by the target length that an edit may leave
+constexpr double spread_price = 1.5;         // energy that one unit of the sum of (length/target - 1)^2 is worth
 constexpr double widest = 155 * M_PI / 180;  // corner angle above which an element is as good as degenerate
 constexpr double degenerate_energy = 8;
-const int local_sweeps = 4;
+constexpr int local_sweeps = 4;
 
 double corner_angle(const RegionMesh& mesh, const Element& e, int node) {
   Vec3 out = mesh.x[e.after(node)] - mesh.x[node], in = mesh.x[e.before(node)] - mesh.x[node];
   return std::atan2(norm(cross(out, in)), dot(out, in));
 }
 
-// The number of elements whose corners at a node of this angle have the best sines; half way where two do equally.
+// The number of elements whose corners at a node of this angle have the best
+// sines; half way where two do equally.
 double ideal_elements(double angle) {
   constexpr double tie = 0.05;
   double quarter = angle / (0.5 * M_PI);
@@ -40,7 +42,8 @@ bool is_positive(const RegionMesh& mesh, const Element& e) {
 
 }  // namespace
 
-MeshEdit::MeshEdit(Front& front) : front_(front), mesh_(front.mesh), ideal_(front.mesh.node_count(), 4), least_(front.mesh.node_count(), 3) {
+MeshEdit::MeshEdit(Front& front)
+    : front_(front), mesh_(front.mesh), ideal_(front.mesh.node_count(), 4), least_(front.mesh.node_count(), 3) {
   delta_.assign(mesh_.node_count(), 0);
   commit();
   for (int i = 0; i < mesh_.node_count(); ++i) {
@@ -84,8 +87,8 @@ int MeshEdit::across(int e, int a, int b) const {
   for (int g : mesh_.star[a]) {
     const auto& v = mesh_.elements[g].v;
     bool is_triangle = v[3] < 0;
-    bool has_edge = (v[0] == b && v[1] == a) || (v[1] == b && v[2] == a) || (v[2] == b && v[is_triangle ? 0 : 3] == a) ||
-                    (!is_triangle && v[3] == b && v[0] == a);
+    bool has_edge = (v[0] == b && v[1] == a) || (v[1] == b && v[2] == a) ||
+                    (v[2] == b && v[is_triangle ? 0 : 3] == a) || (!is_triangle && v[3] == b && v[0] == a);
     if (has_edge && g != e) return g;
   }
   return -1;
@@ -118,9 +121,23 @@ void MeshEdit::touch(int node) {
 }
 
 void MeshEdit::move(int node, Vec2 p, bool is_first) {
-  if (is_first) journal_.push_back({Kind::move, node, {}, mesh_.p[node], mesh_.x[node], mesh_.xp[node], mesh_.xq[node]});
+  if (is_first)
+    journal_.push_back({Kind::move, node, {}, mesh_.p[node], mesh_.x[node], mesh_.xp[node], mesh_.xq[node]});
   mesh_.p[node] = p;
   front_.region.evaluate(p, mesh_.x[node], mesh_.xp[node], mesh_.xq[node]);
+}
+
+// Target length at a new node by those of the first `count` touched nodes, the
+// nearer the more.
+double MeshEdit::target_between(int node, std::size_t count) const {
+  double sum = 0, weights = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    Vec3 d = mesh_.x[touched_[i]] - mesh_.x[node];
+    double weight = 1 / (dot(d, d) + 1e-300);
+    sum += weight * mesh_.h[touched_[i]];
+    weights += weight;
+  }
+  return sum / weights;
 }
 
 bool MeshEdit::apply(const Change& change) {
@@ -131,9 +148,11 @@ bool MeshEdit::apply(const Change& change) {
       if (v >= 0) touch(v);
     mesh_.remove_element(e);
   }
+  std::size_t old_count = touched_.size();
   for (Vec2 p : change.fresh) {
     int node = front_.add_node(p);
     journal_.push_back({Kind::node, node, {}, {}, {}, {}, {}});
+    mesh_.h[node] = std::min(mesh_.h[node], target_between(node, old_count));
     touch(node);
   }
   bool is_ok = true;
@@ -239,7 +258,8 @@ void MeshEdit::measure(const Element& e, Measure& worst) const {
   }
 }
 
-// Over the elements the journal removed and the old ones about the touched nodes; nothing has moved yet.
+// Over the elements the journal removed and the old ones about the touched
+// nodes; nothing has moved yet.
 MeshEdit::Measure MeshEdit::measure_before() {
   Measure worst;
   for (const Entry& entry : journal_)
@@ -253,16 +273,18 @@ MeshEdit::Measure MeshEdit::measure_before() {
 bool MeshEdit::settle(const Demand& demand) {
   const Measure before = measure_before();
   for (std::size_t i = 0, n = journal_.size(); i < n; ++i)
-    if (journal_[i].kind == Kind::place && mesh_.star[journal_[i].id].size() > 0) move(journal_[i].id, journal_[i].p, true);
+    if (journal_[i].kind == Kind::place && mesh_.star[journal_[i].id].size() > 0)
+      move(journal_[i].id, journal_[i].p, true);
   smooth_touched();
   Measure after;
   for (int e : near_) {
     if (!is_positive(mesh_, mesh_.elements[e])) return false;
     measure(mesh_.elements[e], after);
   }
-  static const double cl = 1.5;
-  if (demand.gain + cl * (after.spread - before.spread) > 0) return false;
-  return after.jacobian >= std::min(demand.jacobian, before.jacobian) && after.shortest >= std::min(demand.shortest, before.shortest) &&
+  if (demand.gain + spread_price * (after.spread - before.spread) > 0) return false;
+  if (demand.rise > 0 && after.jacobian < before.jacobian + demand.rise) return false;
+  return after.jacobian >= std::min(demand.jacobian, before.jacobian) &&
+         after.shortest >= std::min(demand.shortest, before.shortest) &&
          after.longest <= std::max(longest, before.longest);
 }
 

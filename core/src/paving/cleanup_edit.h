@@ -1,4 +1,5 @@
-// Edits of a finished mesh that can be taken back, and the energy that says whether they were worth it.
+// Edits of a finished mesh that can be taken back, and the energy that says
+// whether they were worth it.
 #pragma once
 
 #include <array>
@@ -8,26 +9,30 @@
 
 namespace paver {
 
-/// One change of connectivity: elements to remove, elements to make. Corners equal to `RegionMesh::node_count()` and
-/// above stand for the nodes to add, in the order of `fresh`.
+/// One change of connectivity: elements to remove, elements to make. Corners
+/// equal to `RegionMesh::node_count()` and above stand for the nodes to add, in
+/// the order of `fresh`.
 struct Change {
   std::vector<int> gone;
   std::vector<std::array<int, 4>> made;
-  std::vector<Vec2> fresh;       ///< chart places of new nodes
-  int moved = -1;                ///< a free node that takes a new place, or -1
+  std::vector<Vec2> fresh;  ///< chart places of new nodes
+  int moved = -1;           ///< a free node that takes a new place, or -1
   Vec2 place;
   void clear() { gone.clear(), made.clear(), fresh.clear(), moved = -1; }
 };
 
 /// What the elements about an edit must reach.
 struct Demand {
-  double gain = 0;         ///< change of energy: lengths may become worse by as much as it is worth
+  double gain = 0;         ///< change of energy: lengths may become worse by as much as
+                           ///< it is worth
   double jacobian = 0.45;  ///< least scaled Jacobian
   double shortest = 0.55;  ///< least edge length by the target length
+  double rise = 0;         ///< by how much the worst scaled Jacobian must rise, or 0
 };
 
-/// Journal over the mesh of a front that has no void left. The energy of a node is the square of its number of
-/// elements less the ideal number: 4 inside, by the angle on the border; every triangle costs `triangle_energy`.
+/// Journal over the mesh of a front that has no void left. The energy of a node
+/// is the square of its number of elements less the ideal number: 4 inside, by
+/// the angle on the border; every triangle costs `triangle_energy`.
 class MeshEdit {
  public:
   static constexpr double triangle_energy = 3;
@@ -40,11 +45,13 @@ class MeshEdit {
   bool is_irregular(int node) const { return mesh_.star[node].size() > 0 && energy(node) >= 1; }
   /// What the change would add to the energy.
   double energy_gain(const Change& change);
-  /// Carries the change out. False, and nothing done, when an element would have a node twice, an edge more than two
-  /// elements, a free node fewer than three, or two nodes on the same boundary node would meet.
+  /// Carries the change out. False, and nothing done, when an element would
+  /// have a node twice, an edge more than two elements, a free node fewer than
+  /// three, or two nodes on the same boundary node would meet.
   bool apply(const Change& change);
-  /// Moves free nodes about the edits, then tells whether all elements there are positive in the chart and shape and
-  /// lengths are as demanded or, where that is less, no worse than before.
+  /// Moves free nodes about the edits, then tells whether all elements there
+  /// are positive in the chart and shape and lengths are as demanded or, where
+  /// that is less, no worse than before.
   bool settle(const Demand& demand);
 
   std::size_t mark() const { return journal_.size(); }
@@ -66,9 +73,11 @@ class MeshEdit {
     Vec3 x, xp, xq;
   };
   struct Measure {
-    double jacobian = 2, shortest = 1, longest = 1, spread = 0;  // lengths by the target length
+    double jacobian = 2, shortest = 1, longest = 1,
+           spread = 0;  // lengths by the target length
   };
   double ideal(int node) const { return node < static_cast<int>(ideal_.size()) ? ideal_[node] : 4; }
+  double target_between(int node, std::size_t count) const;
   bool is_sound(const std::array<int, 4>& corners) const;
   bool has_shared_edges(int node) const;
   void move(int node, Vec2 p, bool is_first);

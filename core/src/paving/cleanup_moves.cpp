@@ -6,8 +6,9 @@
 //                                                    a   c  ->    ac
 //                                                     \ /         |
 //                                                      d          d
-//   pair       the outline of two elements with a common edge, of four, five or six nodes, is divided otherwise
-//   opening    a node with many elements becomes two with a quad between, the inverse of a collapse
+//   pair       the outline of two elements with a common edge, of four, five or
+//   six nodes, is divided otherwise opening    a node with many elements
+//   becomes two with a quad between, the inverse of a collapse
 #include "paving/cleanup_moves.h"
 
 #include <algorithm>
@@ -23,9 +24,12 @@ bool Moves::make_doublet(int node) {
   int a = one.after(node), b = one.before(node);
   int x = one.corners() == 4 ? one.after(a) : -1, y = other.corners() == 4 ? other.after(b) : -1;
   if (x < 0 && y < 0) return false;
-  if (x < 0) change_.made.push_back({a, b, y, -1});
-  else if (y < 0) change_.made.push_back({a, x, b, -1});
-  else change_.made.push_back({a, x, b, y});
+  if (x < 0)
+    change_.made.push_back({a, b, y, -1});
+  else if (y < 0)
+    change_.made.push_back({a, x, b, -1});
+  else
+    change_.made.push_back({a, x, b, y});
   return true;
 }
 
@@ -47,7 +51,8 @@ bool Moves::make_collapse(int e, int k) {
   return true;
 }
 
-// The turn-th other division of e and its neighbour across the k-th edge from `node`.
+// The turn-th other division of e and its neighbour across the k-th edge from
+// `node`.
 bool Moves::make_pair(int e, int node, int k, int turn) {
   const Element& one = mesh_.elements[e];
   int n = one.corners(), at = one.corner_of(node);
@@ -77,7 +82,8 @@ bool Moves::make_pair(int e, int node, int k, int turn) {
   return true;
 }
 
-// The ways to divide a hexagon: two quads (three ways less the present one), three about a node, four about an edge.
+// The ways to divide a hexagon: two quads (three ways less the present one),
+// three about a node, four about an edge.
 bool Moves::make_hexagon(const int* outline, int turn) {
   auto v = [&](int i) { return outline[i % 6]; };
   int m = mesh_.node_count(), n = m + 1, t = turn;
@@ -88,7 +94,10 @@ bool Moves::make_hexagon(const int* outline, int turn) {
     change_.made = {{m, v(t), v(t + 1), v(t + 2)}, {m, v(t + 2), v(t + 3), v(t + 4)}, {m, v(t + 4), v(t + 5), v(t)}};
     change_.fresh = {(1.0 / 3) * (middle(0, 3) + middle(1, 4) + middle(2, 5))};
   } else if (turn < 7) {
-    change_.made = {{v(t), v(t + 1), n, m}, {v(t + 1), v(t + 2), v(t + 3), n}, {m, n, v(t + 3), v(t + 4)}, {v(t), m, v(t + 4), v(t + 5)}};
+    change_.made = {{v(t), v(t + 1), n, m},
+                    {v(t + 1), v(t + 2), v(t + 3), n},
+                    {m, n, v(t + 3), v(t + 4)},
+                    {v(t), m, v(t + 4), v(t + 5)}};
     Vec2 left = middle(t, t + 4), right = middle(t + 1, t + 3);
     change_.fresh = {(2.0 / 3) * left + (1.0 / 3) * right, (1.0 / 3) * left + (2.0 / 3) * right};
   } else {
@@ -134,7 +143,8 @@ bool Moves::make_opening(int node, int from, int count) {
     for (int corner : mesh_.elements[e].v)
       if (corner >= 0) mean = mean + mesh_.p[corner] - mesh_.p[node];
   }
-  int first = mesh_.elements[ring_[from]].after(node), last = mesh_.elements[ring_[(from + count - 1) % n]].before(node);
+  int first = mesh_.elements[ring_[from]].after(node),
+      last = mesh_.elements[ring_[(from + count - 1) % n]].before(node);
   change_.made.push_back({node, first, fresh, last});
   mean = (1.0 / (4 * count)) * mean;
   change_.fresh.push_back(mesh_.p[node] + mean);

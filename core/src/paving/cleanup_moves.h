@@ -5,13 +5,14 @@
 
 namespace paver {
 
-/// Lists every elementary change about a node: doublets, collapsed quads, turned edges, pairs with a triangle split
-/// otherwise, opened nodes.
+/// Lists every elementary change about a node: doublets, collapsed quads,
+/// turned edges, pairs with a triangle split otherwise, opened nodes.
 class Moves {
  public:
   explicit Moves(MeshEdit& edit) : edit_(edit), mesh_(edit.mesh()) {}
 
-  /// Calls visit(change) for each until one returns true; the change is only valid during the call.
+  /// Calls visit(change) for each until one returns true; the change is only
+  /// valid during the call.
   template <class Visit>
   void each(int node, Visit visit) {
     if (make_doublet(node) && visit(change_)) return;

@@ -6,28 +6,36 @@
 namespace paver {
 namespace {
 
-// Worst scaled Jacobian about a node, less what the worst edge lies outside 0.75 to 1.35 of its target length.
-double merit(const RegionMesh& mesh, int node) {
-  double worst = 2, excess = 0;
+struct Merit {
+  double worst = 2;   // scaled Jacobian about the node
+  double excess = 0;  // what its worst edge lies outside 0.75 to 1.35 of the target length
+  double value() const { return worst - 0.5 * std::min(excess, 0.4); }
+};
+
+Merit merit(const RegionMesh& mesh, int node) {
+  Merit m;
   for (int i : mesh.star[node]) {
     const Element& e = mesh.elements[i];
-    worst = std::min(worst, scaled_jacobian(mesh, e));
+    m.worst = std::min(m.worst, scaled_jacobian(mesh, e));
     int other = e.after(node);
     double ratio = 2 * norm(mesh.x[other] - mesh.x[node]) / (mesh.h[other] + mesh.h[node]);
-    excess = std::max(excess, std::max(0.75 - ratio, ratio - 1.35));
+    m.excess = std::max(m.excess, std::max(0.75 - ratio, ratio - 1.35));
   }
-  return worst - 0.5 * excess;
+  return m;
 }
 
-bool move_if_better(Front& front, int node, Vec2 p, double& best) {
+// Shape is never given up for length below this.
+constexpr double good_jacobian = 0.7;
+
+bool move_if_better(Front& front, int node, Vec2 p, Merit& best) {
   if (!front.can_move(node, p)) return false;
   RegionMesh& mesh = front.mesh;
   Vec3 old = mesh.x[node], x, xp, xq;
   front.region.evaluate(p, x, xp, xq);
   mesh.x[node] = x;
-  double now = merit(mesh, node);
+  Merit now = merit(mesh, node);
   mesh.x[node] = old;
-  if (now < best + 1e-4) return false;
+  if (now.value() < best.value() + 1e-4 || now.worst < std::min(best.worst, good_jacobian)) return false;
   best = now;
   front.set_position(node, p, x, xp, xq);
   return true;
@@ -37,7 +45,9 @@ bool search(Front& front, int node) {
   static constexpr double d = 0.70710678118654752;
   static constexpr double directions[8][2] = {{1, 0}, {d, d}, {0, 1}, {-d, d}, {-1, 0}, {-d, -d}, {0, -1}, {d, -d}};
   RegionMesh& mesh = front.mesh;
-  double best = merit(mesh, node), start = best, step = 0.16 * mesh.h[node];
+  Merit best = merit(mesh, node);
+  const double start = best.value();
+  double step = 0.16 * mesh.h[node];
   Vec3 u = unit(mesh.xp[node]), w = cross(mesh.normal(node), u);
   for (int level = 0; level < 4; ++level, step *= 0.5) {
     bool is_better = true;
@@ -52,7 +62,7 @@ bool search(Front& front, int node) {
       }
     }
   }
-  return best > start;
+  return best.value() > start;
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
-// Smoothing sweeps: one pass over the elements gathers the wishes, one over the nodes moves them, one over the elements
-// finds those that became bad, whose nodes go back until nothing is bad. With all nodes back the mesh is as before, so
-// a sweep always ends and never leaves an element inverted or a poor one poorer.
+// Smoothing sweeps: one pass over the elements gathers the wishes, one over the
+// nodes moves them, one over the elements finds those that became bad, whose
+// nodes go back until nothing is bad. With all nodes back the mesh is as
+// before, so a sweep always ends and never leaves an element inverted or a poor
+// one poorer.
 #include "paving/cleanup_smooth.h"
 
 #include <algorithm>
@@ -10,7 +12,8 @@
 namespace paver {
 namespace {
 
-const double own_share = 0.3;  // of its own side in the wished side of an element; the rest is the target length
+constexpr double own_share = 0.2;  // of its own side in the wished side of an
+                                   // element; the rest is the target length
 
 bool is_positive(const RegionMesh& mesh, const Element& e) {
   int n = e.corners();
@@ -49,7 +52,8 @@ int wished_corners(const RegionMesh& mesh, const Element& e, Vec3 at[4]) {
 
 Sweeper::Sweeper(Front& front) : front_(front), mesh_(front.mesh) {
   sj_.resize(mesh_.elements.size());
-  for (std::size_t e = 0; e < sj_.size(); ++e) sj_[e] = mesh_.elements[e].is_alive() ? capped_jacobian(mesh_.elements[e]) : 0;
+  for (std::size_t e = 0; e < sj_.size(); ++e)
+    sj_[e] = mesh_.elements[e].is_alive() ? capped_jacobian(mesh_.elements[e]) : 0;
   old_sj_ = sj_;
 }
 
@@ -71,12 +75,12 @@ double Sweeper::capped_jacobian(const Element& e) const {
   return good_jacobian;
 }
 
-void Sweeper::move_nodes(double share) {
+void Sweeper::move_nodes() {
   has_moved_.assign(mesh_.p.size(), 0);
   for (int i = 0; i < mesh_.node_count(); ++i) {
     int size = mesh_.star[i].size();
     if (mesh_.is_fixed[i] || size == 0) continue;
-    Vec3 step = share * ((1.0 / size) * sum_[i] - mesh_.x[i]);
+    Vec3 step = (1.0 / size) * sum_[i] - mesh_.x[i];
     mesh_.p[i] = mesh_.p[i] + mesh_.pull_back(i, step);
     front_.region.evaluate(mesh_.p[i], mesh_.x[i], mesh_.xp[i], mesh_.xq[i]);
     has_moved_[i] = 1;
@@ -109,7 +113,7 @@ void Sweeper::take_back_bad() {
   }
 }
 
-void Sweeper::sweep(double share) {
+void Sweeper::sweep() {
   sum_.assign(mesh_.p.size(), Vec3{0, 0, 0});
   for (const Element& e : mesh_.elements) {
     if (!e.is_alive()) continue;
@@ -118,7 +122,7 @@ void Sweeper::sweep(double share) {
     for (int i = 0; i < e.corners(); ++i) sum_[e.v[i]] += n ? at[i] : mesh_.x[e.v[i]];
   }
   old_p_ = mesh_.p, old_x_ = mesh_.x, old_xp_ = mesh_.xp, old_xq_ = mesh_.xq, old_sj_ = sj_;
-  move_nodes(share);
+  move_nodes();
   take_back_bad();
 }
 

@@ -7,22 +7,25 @@
 
 namespace paver {
 
-/// Corners of the square (equilateral triangle) nearest to the element, its side between the element's own and the
-/// target length. Returns their number, 0 for a degenerate element.
+/// Corners of the square (equilateral triangle) nearest to the element, its
+/// side between the element's own and the target length. Returns their number,
+/// 0 for a degenerate element.
 int wished_corners(const RegionMesh& mesh, const Element& e, Vec3 at[4]);
 
-/// Sweeps over all elements: each fits its best square (equilateral triangle) of a side between its own and the target
-/// length, and each free node goes to the mean of the places its elements want it at. A node stays where moving would
-/// turn an element over in the chart or make the worst one about it worse than `good_jacobian` and than it was.
+/// Sweeps over all elements: each fits its best square (equilateral triangle)
+/// of a side between its own and the target length, and each free node goes to
+/// the mean of the places its elements want it at. A node stays where moving
+/// would turn an element over in the chart or make the worst one about it worse
+/// than `good_jacobian` and than it was.
 class Sweeper {
  public:
   static constexpr double good_jacobian = 0.7;
 
   explicit Sweeper(Front& front);
-  void sweep(double share);
+  void sweep();
 
  private:
-  void move_nodes(double share);
+  void move_nodes();
   void take_back_bad();
   bool check(int e);
   double capped_jacobian(const Element& e) const;

@@ -1,7 +1,8 @@
 // Breadth-first search for the nearest other triangle, then
 //
 //    +----+----+           +----+----+
-//   /|    |    |\         /  \   \    \        the strip's outline stays as it is
+//   /|    |    |\         /  \   \    \        the strip's outline stays as it
+//   is
 //  + |    |    | +  ->   +    \   \    +
 //   \|    |    |/         \    \   \  /
 //    +----+----+           +----+----+
@@ -39,7 +40,8 @@ bool TrianglePairs::search(int triangle) {
 bool TrianglePairs::make(Change& change) const {
   change.clear();
   change.gone = path_;
-  // The corner of element e, counted in its own order, where the side it shares with g starts.
+  // The corner of element e, counted in its own order, where the side it shares
+  // with g starts.
   auto shared = [&](int e, int g) {
     const Element &one = mesh_.elements[e], &other = mesh_.elements[g];
     for (int k = 0, n = one.corners(); k < n; ++k) {

@@ -9,8 +9,9 @@ class TrianglePairs {
  public:
   explicit TrianglePairs(MeshEdit& edit) : edit_(edit), mesh_(edit.mesh()) {}
 
-  /// The change that turns a triangle, the nearest other one and the quads between into quads: every quad is cut along
-  /// a diagonal and its halves join with those before and behind. False when no triangle is near.
+  /// The change that turns a triangle, the nearest other one and the quads
+  /// between into quads: every quad is cut along a diagonal and its halves join
+  /// with those before and behind. False when no triangle is near.
   bool find(int triangle, Change& change);
 
  private:

@@ -82,7 +82,20 @@ std::optional<Crossing> Front::start() {
     out_facet_[facets[f].a] = static_cast<int>(f);
     ++sectors_[facets[f].a];
   }
-  return empty.build(ends);
+  auto crossing = empty.build(ends);
+  if (!crossing) link_sectors();
+  return crossing;
+}
+
+// Where loops touch in a node the void about it decides which facet follows which.
+void Front::link_sectors() {
+  for (int f = 0, n = static_cast<int>(facets.size()); f < n; ++f) {
+    int w = facets[f].b;
+    if (sectors_[w] < 2) continue;
+    int t = empty.facet_side(f).triangle;
+    while (t >= 0) t = empty.rotate_cw(t, w);
+    join(f, facet_of(t));
+  }
 }
 
 int Front::add_node(Vec2 p) {
@@ -138,8 +151,10 @@ void Front::collect_loop(int f, std::vector<int>& loop, int limit) const {
 
 Front::Colour Front::root(Colour c) const {
   while (parent_[c.set].set != c.set) {
-    c.bit ^= parent_[c.set].bit;
-    c.set = parent_[c.set].set;
+    Colour& up = parent_[c.set];
+    const Colour above = parent_[up.set];
+    up = {above.set, up.bit != above.bit};  // halves the path for the next one who asks
+    c = {up.set, c.bit != up.bit};
   }
   return c;
 }

@@ -86,6 +86,7 @@ class Front {
     bool bit = false;
   };
   struct Outline;
+  void link_sectors();
   int add_loop_node(const LoopNode& node, Vec2 towards, bool is_fixed);
   void add_start_loop(const std::vector<int>& nodes);
   bool find_outline(int f, int c, int d, Outline& o);
@@ -102,7 +103,7 @@ class Front {
   std::vector<int> out_facet_;
   std::vector<int> sectors_;
   std::vector<Colour> colour_;
-  std::vector<Colour> parent_;  // per set: its parent set and whether colours are swapped
+  mutable std::vector<Colour> parent_;  // per set: its parent set and whether colours are swapped
   std::vector<int> stack_;
 };
 

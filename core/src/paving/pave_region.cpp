@@ -193,7 +193,7 @@ struct Attempt {
   double size;
   double misfit_weight;
 };
-constexpr Attempt attempts[] = {{1, 1}, {1, 0}, {0.5, 1}, {0.5, 0}, {0.25, 1}};
+constexpr Attempt attempts[] = {{1, 1}, {1, 0}, {0.5, 1}, {0.25, 1}};
 constexpr double sound_jacobian = 0.05;  // an element below it is a reason to try again
 
 Region scaled(const Region& region, double size) {

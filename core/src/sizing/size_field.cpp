@@ -1,7 +1,7 @@
 // Target length on faces: where a surface turns, h is cut so that one element edge turns no more than the limit.
 // In: model, options. Out: one FaceSize per face.
 // Steps: box of each face in (u, v); largest principal curvature on a grid over it; h = limit / curvature, between
-// H / 10 and H; element count predicted from area / h^2 and checked against the limit.
+// H / 4 and H; element count predicted from area / h^2 and checked against the limit.
 // Known limit: the grid covers the box of the loops, so a trimmed-away bend may cut h near it.
 #include "sizing/size_field.h"
 

@@ -8,6 +8,7 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "brep/evaluators_impl.h"
@@ -48,25 +49,31 @@ class EdgeBuilder {
   EdgeBuilder(const Workpiece& work, Model& model) : work_(work), model_(model) {}
 
   EdgeIndex build() {
-    fill_map();
+    index_.map = edge_map(work_);
     TopTools_IndexedMapOfShape used = used_edges();
     index_.edge.assign(static_cast<std::size_t>(index_.map.Extent()) + 1, -1);
     for (int position = 1; position <= index_.map.Extent(); ++position) {
       if (!used.Contains(index_.map(position))) continue;
-      index_.edge[static_cast<std::size_t>(position)] = static_cast<int>(model_.edges.size());
-      add_edge(TopoDS::Edge(index_.map(position).Oriented(TopAbs_FORWARD)), position);
+      TopoDS_Edge shape = TopoDS::Edge(index_.map(position).Oriented(TopAbs_FORWARD));
+      int& edge = index_.edge[static_cast<std::size_t>(position)];
+      edge = static_cast<int>(model_.edges.size());
+      const int* edge_class = work_.edge_classes.Seek(shape);
+      if (edge_class) edge = edge_of_class_.try_emplace(*edge_class, edge).first->second;
+      if (edge < static_cast<int>(model_.edges.size())) {
+        join_ends(shape, model_.edges[static_cast<std::size_t>(edge)]);
+      } else {
+        add_edge(shape, position);
+      }
     }
     number_vertices();
     return std::move(index_);
   }
 
  private:
-  void fill_map() {
-    if (!work_.is_rebuilt) {
-      TopExp::MapShapes(work_.shape, TopAbs_EDGE, index_.map);
-      return;
-    }
-    for (const WorkFace& face : work_.faces) TopExp::MapShapes(face.face, TopAbs_EDGE, index_.map);
+  std::string name(const TopoDS_Edge& shape, int position) {
+    if (work_.edge_numbers.IsEmpty()) return "Edge" + std::to_string(position);
+    if (const int* number = work_.edge_numbers.Seek(shape)) return "Edge" + std::to_string(*number);
+    return "Crease" + std::to_string(++creases_);
   }
 
   TopTools_IndexedMapOfShape used_edges() const {
@@ -83,7 +90,7 @@ class EdgeBuilder {
 
   void add_edge(const TopoDS_Edge& shape, int position) {
     Edge edge;
-    edge.name = "Edge" + std::to_string(position);
+    edge.name = name(shape, position);
     BRep_Tool::Range(shape, edge.t0, edge.t1);
     bool is_endless = Precision::IsInfinite(edge.t0) || Precision::IsInfinite(edge.t1);
     edge.length = is_endless ? 0 : edge_length(shape);
@@ -97,6 +104,14 @@ class EdgeBuilder {
     edge.end = last.IsNull() && is_closed(edge) ? edge.start : vertex(last, edge, edge.t1);
     if (edge.is_degenerate) merger_.merge(edge.start, edge.end);
     model_.edges.push_back(std::move(edge));
+  }
+
+  /// Another shape of the same edge.
+  void join_ends(const TopoDS_Edge& shape, const Edge& edge) {
+    TopoDS_Vertex first, last;
+    TopExp::Vertices(shape, first, last);
+    if (!first.IsNull()) merger_.merge(vertex(first, edge, edge.t0), edge.start);
+    if (!last.IsNull()) merger_.merge(vertex(last, edge, edge.t1), edge.end);
   }
 
   /// Ends of a curve without vertices coincide.
@@ -142,6 +157,8 @@ class EdgeBuilder {
   std::vector<int> vertex_ids_;
   std::vector<Vec3> points_;
   VertexMerger merger_;
+  int creases_ = 0;
+  std::map<int, int> edge_of_class_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Shape to Model, in order: measure, repair, sew, number edges and vertices, chain loops, orient faces, report.
+// Shape to Model, in order: measure, repair, sew, divide along creases, number edges and vertices, chain loops, orient faces, report.
 // A face that cannot be used is data: it keeps its place and name, with has_area = false or a fault.
 #include "topology/build_model.h"
 
@@ -45,11 +45,13 @@ class ModelBuilder {
     work_ = make_workpiece(shape_, progress_);
     repair(work_, progress_);
     sewn_ = sew(work_, options.sew_tolerance.value_or(-1), target_length, progress_);
+    for (const DividedFace& face : divide_creases(work_)) note_divided(face);
     EdgeIndex index = build_edges(work_, model_);
     note_tolerances(index);
     for (std::size_t i = 0; i < work_.faces.size(); ++i) {
       add_face(static_cast<int>(i), index);
-      progress_.advance(loop_units);
+      bool is_last_piece = i + 1 == work_.faces.size() || work_.faces[i + 1].origin != work_.faces[i].origin;
+      if (is_last_piece) progress_.advance(loop_units);
     }
     mark_periodic_edges();
     orient_faces(work_, model_);
@@ -59,6 +61,11 @@ class ModelBuilder {
   }
 
  private:
+  void note_divided(const DividedFace& face) {
+    model_.notes.push_back(face_name(face.face) + " was divided along " + std::to_string(face.creases) +
+                           (face.creases == 1 ? " crease." : " creases."));
+  }
+
   void note_tolerances(const EdgeIndex& index) {
     tolerances_.resize(model_.edges.size());
     for (int i = 1; i <= index.map.Extent(); ++i) {
@@ -70,8 +77,10 @@ class ModelBuilder {
   void add_face(int i, const EdgeIndex& index) {
     const WorkFace& work = work_.faces[static_cast<std::size_t>(i)];
     Face face;
-    face.name = face_name(i);
-    if (static_cast<std::size_t>(i) < shape_.labels.size()) face.label = shape_.labels[static_cast<std::size_t>(i)];
+    face.name = face_name(work.origin);
+    face.origin = work.origin;
+    auto origin = static_cast<std::size_t>(work.origin);
+    if (origin < shape_.labels.size()) face.label = shape_.labels[origin];
     face.area = work.area;
     face.has_area = work.has_area;
     face.fault = work.fault;
@@ -183,7 +192,7 @@ class ModelBuilder {
     };
     report.solids = count(TopAbs_SOLID);
     report.shells = count(TopAbs_SHELL);
-    report.faces = static_cast<long>(model_.faces.size());
+    report.faces = model_.faces.empty() ? 0 : model_.faces.back().origin + 1;  // pieces do not count
     report.edges = static_cast<long>(model_.edges.size());
     report.vertices = static_cast<long>(model_.vertices.size());
     report.diagonal = work_.diagonal;

@@ -24,7 +24,7 @@ struct Loop {
 };
 
 struct Edge {
-  std::string name;            ///< "Edge7": position in the shape's edge map, from 1
+  std::string name;            ///< "Edge7": position in the shape's edge map, from 1; pieces keep it, new edges are "Crease1"
   int start = -1, end = -1;    ///< vertices at t0 and t1
   double t0 = 0, t1 = 0;       ///< t0 < t1
   double length = 0;           ///< mm
@@ -35,7 +35,8 @@ struct Edge {
 };
 
 struct Face {
-  std::string name;   ///< "Face12"
+  std::string name;   ///< "Face12"; pieces of a face keep its name
+  int origin = -1;    ///< 0-based face of the shape as read that it is, or is a piece of; pieces stand in a row
   std::string label;  ///< name given in the file, or empty
   std::shared_ptr<const Surface> surface;
   bool is_reversed = false;  ///< outward normal is -(xu x xv)

@@ -72,6 +72,10 @@ struct Format {
   const char* name;
   MshVersion version;
   bool is_ascii;
+  /// Names the test.
+  friend void PrintTo(const Format& f, std::ostream* out) {
+    *out << f.name << (f.version == MshVersion::v2_2 ? " 2.2" : "") << (f.is_ascii ? " text" : "");
+  }
 };
 
 class EveryFormat : public Writing, public testing::WithParamInterface<std::tuple<Format, int>> {

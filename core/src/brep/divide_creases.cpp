@@ -1,0 +1,374 @@
+// Divides faces along the creases of their surfaces: iso-lines where the surface is only C0 and its normal jumps.
+// Elements across a crease would fold, so each crease becomes an ordinary edge between two pieces.
+// 1. Find the creases: C0 parameters where the normal turns by more than crease_angle somewhere inside the face.
+// 2. A periodic edge that is a crease ends as an ordinary edge once the face has two pieces around it; where no crease
+//    lies inside, the face is cut half-way around.
+// 3. Divide by the kernel, with one memory of replaced edges: an edge shared with a neighbour is divided once.
+// 4. Strips of a surface that are pressed flat onto a line (a trailing edge without thickness) are cut off as well, lose
+//    their place as pieces without area, and the edges along them become one.
+// 5. Faces take over the divided edges of their neighbours; every edge keeps the number of the one it came from.
+// A face that the kernel cannot divide stays whole.
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepGProp.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <Precision.hxx>
+#include <ShapeBuild_ReShape.hxx>
+#include <ShapeFix_ComposeShell.hxx>
+#include <ShapeUpgrade_SplitSurface.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColStd_HSequenceOfReal.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "brep/occt_impl.h"
+#include "brep/workpiece_impl.h"
+
+namespace paver {
+namespace {
+
+/// A turn of the normal by more than this is a crease; smaller ones do not hurt elements.
+constexpr double crease_angle = 15 * std::numbers::pi / 180;
+constexpr int crease_samples = 64;
+/// Normals at a crease are taken so far aside, as a share of the face's range.
+constexpr double aside_share = 1e-6;
+/// Creases nearer than this share of the range to the face's ends are its ends.
+constexpr double end_share = 1e-6;
+/// Local area, over the diagonal squared and per range in u and v, below which there is no normal.
+constexpr double no_normal_share = 1e-9;
+constexpr int strip_samples = 8;
+/// Pieces must have the area of their face up to this share.
+constexpr double area_share = 1e-3;
+constexpr double area_accuracy = 1e-5;
+/// Edges beside a strip without area coincide within this share of the diagonal.
+constexpr double coincidence_share = 1e-7;
+constexpr int coincidence_samples = 16;
+/// Pieces below this share of the diagonal squared have no area.
+constexpr double no_area_share = 1e-10;
+
+/// Where to cut a face. `creases` counts those inside and the periodic edges that are creases.
+struct Cuts {
+  std::vector<double> u, v;
+  int creases = 0;
+};
+
+class CreaseFinder {
+ public:
+  CreaseFinder(const TopoDS_Face& face, double diagonal)
+      : face_(face), surface_(face), inside_(face, Precision::PConfusion()) {
+    least_normal_ = no_normal_share * diagonal * diagonal / (range(true) * range(false));
+  }
+
+  Cuts find() {
+    Cuts cuts;
+    if (!is_finite()) return cuts;
+    cuts.u = inner_creases(true);
+    cuts.v = inner_creases(false);
+    cuts.creases = static_cast<int>(cuts.u.size() + cuts.v.size());
+    for (bool is_u : {true, false}) {
+      if (!has_sharp_closure(is_u)) continue;
+      ++cuts.creases;
+      std::vector<double>& values = is_u ? cuts.u : cuts.v;
+      if (values.empty()) values.push_back(first(is_u) + 0.5 * range(is_u));
+    }
+    return cuts;
+  }
+
+ private:
+  double first(bool is_u) const { return is_u ? surface_.FirstUParameter() : surface_.FirstVParameter(); }
+  double last(bool is_u) const { return is_u ? surface_.LastUParameter() : surface_.LastVParameter(); }
+  double range(bool is_u) const { return last(is_u) - first(is_u); }
+  double aside(bool is_u) const { return aside_share * range(is_u); }
+
+  bool is_finite() const {
+    for (bool is_u : {true, false})
+      if (Precision::IsInfinite(first(is_u)) || Precision::IsInfinite(last(is_u))) return false;
+    return true;
+  }
+
+  /// Nothing at poles.
+  std::optional<gp_Vec> normal(double u, double v) const {
+    gp_Pnt point;
+    gp_Vec xu, xv;
+    surface_.D1(u, v, point, xu, xv);
+    gp_Vec across = xu.Crossed(xv);
+    if (across.Magnitude() <= least_normal_) return std::nullopt;
+    return across;
+  }
+
+  std::optional<gp_Vec> normal_at(bool is_u, double along, double other) const {
+    return is_u ? normal(along, other) : normal(other, along);
+  }
+
+  static bool is_jump(const std::optional<gp_Vec>& a, const std::optional<gp_Vec>& b) {
+    return a && b && a->Angle(*b) > crease_angle;
+  }
+
+  std::vector<double> inner_creases(bool is_u) {
+    int count = is_u ? surface_.NbUIntervals(GeomAbs_C1) : surface_.NbVIntervals(GeomAbs_C1);
+    if (count < 2) return {};
+    TColStd_Array1OfReal ends(1, count + 1);
+    if (is_u) {
+      surface_.UIntervals(ends, GeomAbs_C1);
+    } else {
+      surface_.VIntervals(ends, GeomAbs_C1);
+    }
+    std::vector<bool> is_strip(static_cast<std::size_t>(count) + 1, false);
+    for (int i = 1; i <= count; ++i) is_strip[static_cast<std::size_t>(i)] = is_flat_strip(is_u, ends(i), ends(i + 1));
+    std::vector<double> creases;
+    for (int i = 2; i <= count; ++i) {
+      double margin = end_share * range(is_u);
+      bool is_inside = ends(i) > first(is_u) + margin && ends(i) < last(is_u) - margin;
+      bool is_strip_end = is_strip[static_cast<std::size_t>(i - 1)] != is_strip[static_cast<std::size_t>(i)];
+      if (is_inside && (is_strip_end || is_crease(is_u, ends(i)))) creases.push_back(ends(i));
+    }
+    if (!is_whole_strip(is_strip)) divide_between_strips(ends, is_strip, creases);
+    return creases;
+  }
+
+  static bool is_whole_strip(const std::vector<bool>& is_strip) {
+    return std::find(is_strip.begin() + 1, is_strip.end(), false) == is_strip.end();
+  }
+
+  /// A face closed by flat strips at both ends needs two pieces between them, for their common edge to be ordinary.
+  void divide_between_strips(const TColStd_Array1OfReal& ends, const std::vector<bool>& is_strip,
+                             std::vector<double>& creases) const {
+    if (creases.empty() || (!is_strip[1] && !is_strip.back())) return;
+    double low = is_strip[1] ? creases.front() : ends(1);
+    double high = is_strip.back() ? creases.back() : ends(ends.Upper());
+    bool is_divided = std::any_of(creases.begin(), creases.end(), [&](double c) { return c > low && c < high; });
+    if (!is_divided) creases.insert(std::lower_bound(creases.begin(), creases.end(), 0.5 * (low + high)), 0.5 * (low + high));
+  }
+
+  bool is_flat_strip(bool is_u, double low, double high) const {
+    for (int i = 0; i < strip_samples; ++i) {
+      for (int j = 0; j < strip_samples; ++j) {
+        double along = low + (high - low) * (i + 0.5) / strip_samples;
+        if (normal_at(is_u, along, first(!is_u) + range(!is_u) * (j + 0.5) / strip_samples)) return false;
+      }
+    }
+    return true;
+  }
+
+  bool is_crease(bool is_u, double value) {
+    for (int i = 0; i < crease_samples; ++i) {
+      double other = first(!is_u) + range(!is_u) * (i + 0.5) / crease_samples;
+      auto below = normal_at(is_u, value - aside(is_u), other), above = normal_at(is_u, value + aside(is_u), other);
+      if (!is_jump(below, above)) continue;
+      gp_Pnt2d uv = is_u ? gp_Pnt2d(value, other) : gp_Pnt2d(other, value);
+      if (inside_.Perform(uv) != TopAbs_OUT) return true;
+    }
+    return false;
+  }
+
+  /// Whether the face closes on itself in this direction, along a periodic edge that is a crease.
+  bool has_sharp_closure(bool is_u) const {
+    for (TopExp_Explorer edges(face_, TopAbs_EDGE); edges.More(); edges.Next()) {
+      const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+      if (!BRep_Tool::Degenerated(edge) && BRep_Tool::IsClosed(edge, face_) && is_sharp_closure(edge, is_u)) return true;
+    }
+    return false;
+  }
+
+  bool is_sharp_closure(const TopoDS_Edge& edge, bool is_u) const {
+    double t0 = 0, t1 = 0;
+    Handle(Geom2d_Curve) one = BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)), face_, t0, t1);
+    Handle(Geom2d_Curve) two = BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)), face_, t0, t1);
+    if (one.IsNull() || two.IsNull()) return false;
+    for (int i = 0; i < crease_samples; ++i) {
+      double t = t0 + (t1 - t0) * (i + 0.5) / crease_samples;
+      gp_Pnt2d a = one->Value(t), b = two->Value(t);
+      bool is_around_u = std::abs(a.X() - b.X()) > 0.5 * range(true);
+      bool is_around_v = std::abs(a.Y() - b.Y()) > 0.5 * range(false);
+      if (is_u ? !is_around_u : !is_around_v) continue;
+      double other = is_u ? a.Y() : a.X();
+      auto low = normal_at(is_u, first(is_u) + aside(is_u), other), high = normal_at(is_u, last(is_u) - aside(is_u), other);
+      if (is_jump(low, high)) return true;
+    }
+    return false;
+  }
+
+  const TopoDS_Face& face_;
+  BRepAdaptor_Surface surface_;
+  BRepTopAdaptor_FClass2d inside_;
+  double least_normal_ = 0;
+};
+
+std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Face> faces;
+  if (shape.IsNull()) return faces;
+  for (TopExp_Explorer parts(shape, TopAbs_FACE); parts.More(); parts.Next())
+    faces.push_back(TopoDS::Face(parts.Current()));
+  return faces;
+}
+
+/// The kernel's usual rule is percents off on creased surfaces of high degree.
+double exact_area(const TopoDS_Face& face) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(face, properties, area_accuracy);
+  return std::abs(properties.Mass());
+}
+
+class CreaseDivider {
+ public:
+  explicit CreaseDivider(Workpiece& work) : work_(work), context_(new ShapeBuild_ReShape) {}
+
+  std::vector<DividedFace> run() {
+    std::vector<Cuts> cuts = find_cuts();
+    if (std::all_of(cuts.begin(), cuts.end(), [](const Cuts& c) { return c.creases == 0; })) return {};
+    copy_shape(work_);
+    TopTools_IndexedMapOfShape edges = edge_map(work_);
+    std::vector<DividedFace> divided;
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+      if (cuts[i].creases > 0 && divide(work_.faces[i], cuts[i])) divided.push_back({static_cast<int>(i), cuts[i].creases});
+    if (divided.empty()) return {};
+    replace_faces();
+    number_edges(edges);
+    join_strip_sides();
+    work_.is_rebuilt = true;
+    return divided;
+  }
+
+ private:
+  std::vector<Cuts> find_cuts() const {
+    std::vector<Cuts> cuts;
+    for (const WorkFace& face : work_.faces) {
+      cuts.emplace_back();
+      if (!face.has_area || !face.fault.empty()) continue;
+      try {
+        cuts.back() = CreaseFinder(TopoDS::Face(face.face.Oriented(TopAbs_FORWARD)), work_.diagonal).find();
+      } catch (const Standard_Failure&) {
+        // Surfaces that cannot be evaluated are reported later, as a fault.
+      }
+    }
+    return cuts;
+  }
+
+  /// False where the kernel fails; the face then stays whole.
+  bool divide(const WorkFace& work, const Cuts& cuts) {
+    TopoDS_Shape plain = work.face.Oriented(TopAbs_FORWARD);
+    try {
+      // Neighbours divided before may have divided edges of this face.
+      std::vector<TopoDS_Face> current = faces_of(context_->Apply(plain));
+      if (current.size() != 1) return false;
+      TopoDS_Shape pieces = compose(current[0], cuts);
+      if (!is_sound(faces_of(pieces), exact_area(current[0]))) return false;
+      context_->Replace(current[0], pieces);
+      return true;
+    } catch (const Standard_Failure&) {
+      return false;
+    }
+  }
+
+  TopoDS_Shape compose(const TopoDS_Face& face, const Cuts& cuts) const {
+    TopLoc_Location location;
+    Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location);
+    double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+    BRepAdaptor_Surface bounds(face);
+    surface->Bounds(u0, u1, v0, v1);
+    if (Precision::IsInfinite(u0) || Precision::IsInfinite(u1)) u0 = bounds.FirstUParameter(), u1 = bounds.LastUParameter();
+    if (Precision::IsInfinite(v0) || Precision::IsInfinite(v1)) v0 = bounds.FirstVParameter(), v1 = bounds.LastVParameter();
+    ShapeUpgrade_SplitSurface splitter;
+    splitter.Init(surface, u0, u1, v0, v1);
+    splitter.SetUSplitValues(within(cuts.u, u0, u1));
+    splitter.SetVSplitValues(within(cuts.v, v0, v1));
+    splitter.Perform(Standard_True);
+    ShapeFix_ComposeShell composer;
+    composer.Init(splitter.ResSurfaces(), location, face, Precision::Confusion());
+    composer.SetContext(context_);
+    return composer.Perform() ? composer.Result() : TopoDS_Shape();
+  }
+
+  /// Values of a periodic surface brought into its own period.
+  static Handle(TColStd_HSequenceOfReal) within(const std::vector<double>& values, double low, double high) {
+    std::vector<double> moved;
+    for (double value : values) moved.push_back(value - (high - low) * std::floor((value - low) / (high - low)));
+    std::sort(moved.begin(), moved.end());
+    Handle(TColStd_HSequenceOfReal) result = new TColStd_HSequenceOfReal;
+    for (double value : moved) result->Append(value);
+    return result;
+  }
+
+  static bool is_sound(const std::vector<TopoDS_Face>& pieces, double area) {
+    double sum = 0;
+    for (const TopoDS_Face& piece : pieces) sum += exact_area(piece);
+    return pieces.size() > 1 && std::abs(sum - area) <= area_share * area;
+  }
+
+  void replace_faces() {
+    std::vector<WorkFace> replaced;
+    for (WorkFace& face : work_.faces) {
+      bool is_reversed = face.face.Orientation() == TopAbs_REVERSED;
+      std::vector<TopoDS_Face> pieces = faces_of(context_->Apply(face.face.Oriented(TopAbs_FORWARD)));
+      for (TopoDS_Face& piece : pieces) {
+        WorkFace part = face;
+        if (is_reversed) piece.Reverse();
+        part.face = piece;
+        if (pieces.size() > 1) {
+          part.area = exact_area(piece);
+          part.has_area = part.area > no_area_share * work_.diagonal * work_.diagonal;
+        }
+        replaced.push_back(std::move(part));
+      }
+      if (pieces.empty()) replaced.push_back(face);
+    }
+    work_.faces = std::move(replaced);
+  }
+
+  void number_edges(const TopTools_IndexedMapOfShape& edges) {
+    for (int i = 1; i <= edges.Extent(); ++i)
+      for (TopExp_Explorer parts(context_->Apply(edges(i).Oriented(TopAbs_FORWARD)), TopAbs_EDGE); parts.More(); parts.Next())
+        work_.edge_numbers.Bind(parts.Current(), i);
+  }
+
+  /// Sides of strips that lie on each other, at the same pace, get a common class.
+  void join_strip_sides() {
+    std::vector<std::pair<int, TopoDS_Edge>> sides;  // with the face they come from
+    for (const WorkFace& face : work_.faces) {
+      if (face.has_area || face.origin < 0) continue;
+      for (TopExp_Explorer edges(face.face, TopAbs_EDGE); edges.More(); edges.Next()) {
+        TopoDS_Edge edge = TopoDS::Edge(edges.Current().Oriented(TopAbs_FORWARD));
+        if (edge_length(edge) > coincidence_share * work_.diagonal) sides.push_back({face.origin, edge});
+      }
+    }
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      if (work_.edge_classes.IsBound(sides[i].second)) continue;
+      work_.edge_classes.Bind(sides[i].second, static_cast<int>(i));
+      for (std::size_t j = i + 1; j < sides.size(); ++j)
+        if (sides[j].first == sides[i].first && coincide(sides[i].second, sides[j].second))
+          work_.edge_classes.Bind(sides[j].second, static_cast<int>(i));
+    }
+  }
+
+  bool coincide(const TopoDS_Edge& a, const TopoDS_Edge& b) const {
+    if (a.IsSame(b)) return true;
+    BRepAdaptor_Curve one(a), two(b);
+    double t0 = one.FirstParameter(), t1 = one.LastParameter();
+    double slack = end_share * (t1 - t0);
+    if (std::abs(t0 - two.FirstParameter()) > slack || std::abs(t1 - two.LastParameter()) > slack) return false;
+    for (int i = 0; i <= coincidence_samples; ++i) {
+      double t = t0 + (t1 - t0) * i / coincidence_samples;
+      if (one.Value(t).Distance(two.Value(t)) > coincidence_share * work_.diagonal) return false;
+    }
+    return true;
+  }
+
+  Workpiece& work_;
+  Handle(ShapeBuild_ReShape) context_;
+};
+
+}  // namespace
+
+std::vector<DividedFace> divide_creases(Workpiece& work) { return CreaseDivider(work).run(); }
+
+}  // namespace paver
