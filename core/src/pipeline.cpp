@@ -38,8 +38,7 @@ class Run {
     read(path);
     divide();
     pave();
-    join();
-    curve();
+    assemble();
     measure();
     return std::move(result_);
   }
@@ -57,7 +56,13 @@ class Run {
   void end_stage() {
     if (stage_ == Stage::done) return;
     double seconds = std::chrono::duration<double>(Clock::now() - started_).count();
-    result_.report.stage_seconds.push_back({stage_name(stage_), seconds});
+    auto& list = result_.report.stage_seconds;
+    auto known = std::find_if(list.begin(), list.end(), [&](const auto& s) { return s.first == stage_name(stage_); });
+    if (known != list.end()) {
+      known->second += seconds;
+    } else {
+      list.push_back({stage_name(stage_), seconds});
+    }
     stage_ = Stage::done;
   }
 
@@ -151,8 +156,44 @@ class Run {
       result_.report.faces[regions_[i].face].closed_by_triangulation += paved_[i].counts.closed_by_triangulation;
   }
 
-  void join() {
+  // Joining and curving; faces with invalid elements are paved in other ways as long as that helps.
+  void assemble() {
+    std::vector<long> invalid = join_and_curve();
+    for (int attempt = 1; attempt <= further_attempts; ++attempt) {
+      if (std::count(invalid.begin(), invalid.end(), 0) == static_cast<long>(invalid.size())) break;
+      std::vector<PavedRegion> before = pave_again(invalid, attempt);
+      std::vector<long> now = join_and_curve();
+      bool is_reverted = false;
+      for (std::size_t i = 0; i < regions_.size(); ++i) {
+        int face = regions_[i].face;
+        if (invalid[face] == 0 || now[face] < invalid[face]) continue;
+        paved_[i] = std::move(before[i]);
+        is_reverted = true;
+      }
+      invalid = is_reverted ? join_and_curve() : std::move(now);
+    }
+    note_invalid(invalid);
+  }
+
+  // Regions of faces with invalid elements, paved another way; returns what they were.
+  std::vector<PavedRegion> pave_again(const std::vector<long>& invalid, int attempt) {
+    std::vector<PavedRegion> before(regions_.size());
+    run_tasks(options_.threads, costs(), [&](int i) {
+      if (invalid[regions_[i].face] == 0) return;
+      before[i] = std::move(paved_[i]);
+      paved_[i] = pave_region_again(regions_[i], attempt, progress_);
+    });
+    return before;
+  }
+
+  std::vector<long> join_and_curve() {
     begin(Stage::join);
+    join();
+    begin(Stage::curving);
+    return curve();
+  }
+
+  void join() {
     while (true) {
       std::vector<JoinPart> parts;
       for (std::size_t i = 0; i < regions_.size(); ++i) {
@@ -168,33 +209,41 @@ class Run {
         fail(error.where().face, error);
       }
     }
+    parts_.clear();
     for (std::size_t i = 0; i < regions_.size(); ++i) {
       bool is_meshed = !joined_.node_of[i].empty();
       parts_.push_back({&regions_[i], is_meshed ? &paved_[i].mesh : nullptr, &joined_.node_of[i]});
     }
   }
 
-  void curve() {
-    begin(Stage::curving);
+  // Raises the order; returns the number of elements per face whose Jacobian is not proven positive.
+  std::vector<long> curve() {
     SurfaceMesh& mesh = result_.mesh;
+    std::vector<long> invalid(model_.faces.size(), 0);
     if (options_.order == 1) {
       mesh = std::move(joined_.mesh);
-      return;
+      for (std::size_t q = 0; q < mesh.quad_count(); ++q)
+        invalid[mesh.quad_face[q]] += !is_valid(mesh, true, static_cast<int>(q));
+      return invalid;
     }
     mesh = curve_elements(joined_.mesh, nodes_, model_, parts_, options_.threads, progress_);
     RepairResult repaired = repair_elements(mesh, is_valid);
-    long mended = repaired.recentred + repaired.straightened;
-    if (mended > 0)
-      result_.report.notes.push_back(fmt::format("{} curved elements were straightened to keep them valid.", mended));
-    std::vector<int> faces;
-    for (int q : repaired.invalid_quads) faces.push_back(model_.faces[mesh.quad_face[q]].origin);
-    for (int t : repaired.invalid_triangles) faces.push_back(model_.faces[mesh.triangle_face[t]].origin);
-    std::map<int, int> count;
-    for (int face : faces) ++count[face];
+    straightened_ = repaired.recentred + repaired.straightened;
+    for (int q : repaired.invalid_quads) ++invalid[mesh.quad_face[q]];
+    for (int t : repaired.invalid_triangles) ++invalid[mesh.triangle_face[t]];
+    return invalid;
+  }
+
+  void note_invalid(const std::vector<long>& invalid) {
+    auto& notes = result_.report.notes;
+    if (straightened_ > 0)
+      notes.push_back(fmt::format("{} curved elements were straightened to keep them valid.", straightened_));
+    std::map<int, long> count;
+    for (std::size_t face = 0; face < invalid.size(); ++face)
+      if (invalid[face] > 0) count[model_.faces[face].origin] += invalid[face];
     for (auto [face, n] : count)
-      result_.report.notes.push_back(
-          fmt::format("{} has {} curved elements that could not be made valid; use a smaller size or max-turn.",
-                      origin_name(face), n));
+      notes.push_back(fmt::format("{} has {} elements that could not be made valid; use a smaller size or max-turn.",
+                                  origin_name(face), n));
   }
 
   std::string origin_name(int origin) const { return "Face" + std::to_string(origin + 1); }
@@ -258,6 +307,7 @@ class Run {
   std::vector<PavedRegion> paved_;
   JoinedMesh joined_;
   std::vector<CurvingPart> parts_;
+  long straightened_ = 0;
   MeshResult result_;
 };
 

@@ -222,15 +222,20 @@ long count_unsound(const RegionMesh& mesh) {
 
 }  // namespace
 
+const int further_attempts = static_cast<int>(std::size(attempts)) - 1;
+
+PavedRegion pave_region_again(const Region& region, int attempt, const Progress& progress) {
+  const Attempt& way = attempts[attempt];
+  return way.size == 1 ? pave_once(region, way, progress) : pave_once(scaled(region, way.size), way, progress);
+}
+
 PavedRegion pave_region(const Region& region, const Progress& progress) {
   PavedRegion best;
   long fewest = -1;
-  for (const Attempt& attempt : attempts) {
-    PavedRegion paved = attempt.size == 1 ? pave_once(region, attempt, progress)
-                                          : pave_once(scaled(region, attempt.size), attempt, progress);
+  for (int attempt = 0; attempt <= further_attempts && fewest != 0; ++attempt) {
+    PavedRegion paved = pave_region_again(region, attempt, progress);
     long unsound = count_unsound(paved.mesh);
     if (fewest < 0 || unsound < fewest) best = std::move(paved), fewest = unsound;
-    if (fewest == 0) break;
   }
   return best;
 }

@@ -19,8 +19,12 @@ struct PavedRegion {
 /// The B-rep edges (one may be -1) whose divisions cross or touch in the region's chart, or nothing.
 std::optional<std::array<int, 2>> find_crossing(const Region& region);
 
-/// Self-contained and deterministic. Throws Error{face_failed} with a point when the region's loops cross in the
-/// chart, Error{cancelled} on cancel.
+/// Self-contained and deterministic. Tries again in other ways, and finer, while an element is unsound, and gives the
+/// best. Throws Error{face_failed} with a point when the region's loops cross in the chart, Error{cancelled} on cancel.
 PavedRegion pave_region(const Region& region, const Progress& progress);
+
+/// Paves in the one way `attempt`, 1 to further_attempts: for a face that later turned out badly.
+PavedRegion pave_region_again(const Region& region, int attempt, const Progress& progress);
+extern const int further_attempts;
 
 }  // namespace paver
