@@ -7,16 +7,16 @@ namespace paver {
 
 /// Either `size` or `frequency` must be set. check() names the first bad field.
 struct Options {
-  std::optional<double> size;       ///< target length h, mm, > 0
-  std::optional<double> frequency;  ///< Hz, > 0; h = c / (f sqrt(eps_r mu_r) divisions)
-  double divisions = 10;            ///< elements per wavelength, > 0
-  double eps_r = 1;                 ///< relative permittivity, > 0
-  double mu_r = 1;                  ///< relative permeability, > 0
-  int order = 2;                    ///< order of the elements: 1 or 2
-  int threads = 0;                  ///< worker threads; 0: all cores
-  std::optional<double> max_turn;   ///< largest turn per element edge, radians; default pi/4, pi/6 at order 1
-  double gradation = 0.6;           ///< largest growth of h per unit of length, 0.05 to 2
-  long max_elements = 2'000'000;    ///< stop before meshing when more are predicted
+  std::optional<double> size;           ///< target length h, mm, > 0
+  std::optional<double> frequency;      ///< Hz, > 0; h = c / (f sqrt(eps_r mu_r) divisions)
+  double divisions = 10;                ///< elements per wavelength, > 0
+  double eps_r = 1;                     ///< relative permittivity, > 0
+  double mu_r = 1;                      ///< relative permeability, > 0
+  int order = 2;                        ///< order of the elements: 1 or 2
+  int threads = 0;                      ///< worker threads; 0: all cores
+  std::optional<double> max_turn;       ///< largest turn per element edge, radians; default pi/4, pi/6 at order 1
+  double gradation = 0.6;               ///< largest growth of h per unit of length, 0.05 to 2
+  long max_elements = 2'000'000;        ///< stop before meshing when more are predicted
   std::optional<double> sew_tolerance;  ///< mm, >= 0 (0: never sew); default from the target length
 
   double turn_limit() const { return max_turn ? *max_turn : (order == 1 ? 0.5235987755982988 : 0.7853981633974483); }

@@ -39,9 +39,9 @@ struct FaceReport {
   std::string stage, reason;  ///< when not meshed: where it stopped and why
   Vec3 where;                 ///< when failed: a point near the trouble
   long quads = 0, triangles = 0;
-  double worst_sj = 1;    ///< worst straight-sided scaled Jacobian
-  double cad_area = 0;    ///< mm^2
-  double mesh_area = 0;   ///< mm^2, of the curved elements
+  double worst_sj = 1;               ///< worst straight-sided scaled Jacobian
+  double cad_area = 0;               ///< mm^2
+  double mesh_area = 0;              ///< mm^2, of the curved elements
   long closed_by_triangulation = 0;  ///< pieces of front that paving left to triangulate-and-merge
 };
 
@@ -54,15 +54,16 @@ struct ScaledJacobianStats {
 struct QualityReport {
   long quads = 0, triangles = 0, nodes = 0;
   ScaledJacobianStats sj_quads, sj_triangles, sj_all;  ///< straight-sided
-  double irregular_share = 0;     ///< nodes inside faces (off B-rep edges, periodic edges do not count) with other than 4 edges
+  double irregular_share =
+      0;  ///< nodes inside faces (off B-rep edges, periodic edges do not count) with other than 4 edges
   long irregular_nodes = 0, face_interior_nodes = 0;
-  double length_mean = 0;         ///< mean of edge length / target length of the run
-  double length_cv = 0;           ///< coefficient of variation
-  double length_in_band = 0;      ///< share of edges within 0.7 to 1.4 of the target length
+  double length_mean = 0;     ///< mean of edge length / target length of the run
+  double length_cv = 0;       ///< coefficient of variation
+  double length_in_band = 0;  ///< share of edges within 0.7 to 1.4 of the target length
   double mesh_area = 0, cad_area = 0;
-  double chord_error = 0;         ///< largest distance from element centres to the surface, mm
-  long inverted = 0, undecided = 0;  ///< curved elements whose Jacobian is not proven positive
-  double min_jacobian_ratio = 0;  ///< lower bound of the curved Jacobian over its mean
+  double chord_error = 0;                        ///< largest distance from element centres to the surface, mm
+  long inverted = 0, undecided = 0;              ///< curved elements whose Jacobian is not proven positive
+  double min_jacobian_ratio = 0;                 ///< lower bound of the curved Jacobian over its mean
   long border_edges = 0, nonmanifold_edges = 0;  ///< mesh edges with one element, with more than two
   bool watertight = false;
 };
@@ -72,10 +73,10 @@ struct ModelReport {
   std::string file, format, unit;  ///< unit the file states, e.g. "INCH"; lengths are millimetres all the same
   long solids = 0, shells = 0, faces = 0, edges = 0, vertices = 0;
   long free_edges = 0, nonmanifold_edges = 0;
-  long sewn_edges = 0;        ///< edges made common by sewing
-  double sew_tolerance = 0;   ///< mm; 0: not sewn
-  double diagonal = 0;        ///< of the bounding box, mm
-  double area = 0;            ///< mm^2
+  long sewn_edges = 0;                                               ///< edges made common by sewing
+  double sew_tolerance = 0;                                          ///< mm; 0: not sewn
+  double diagonal = 0;                                               ///< of the bounding box, mm
+  double area = 0;                                                   ///< mm^2
   std::vector<std::string> free_edge_names, nonmanifold_edge_names;  ///< "Edge7"
 };
 
@@ -85,8 +86,8 @@ struct RunReport {
   int order = 2, threads = 1;
   QualityReport quality;
   std::vector<FaceReport> faces;
-  std::vector<std::string> notes;                               ///< one sentence each
-  std::vector<std::pair<std::string, double>> stage_seconds;    ///< wall time per stage, in order
+  std::vector<std::string> notes;                             ///< one sentence each
+  std::vector<std::pair<std::string, double>> stage_seconds;  ///< wall time per stage, in order
   double peak_memory_mib = 0;
 };
 

@@ -47,8 +47,8 @@ class Expansion {
 
 double exact_orientation(Vec2 a, Vec2 b, Vec2 c) {
   Expansion sum;
-  const Pair products[6] = {exact_product(a.x, b.y), exact_product(-a.y, b.x), exact_product(b.x, c.y),
-                            exact_product(-b.y, c.x), exact_product(c.x, a.y), exact_product(-c.y, a.x)};
+  const Pair products[6] = {exact_product(a.x, b.y),  exact_product(-a.y, b.x), exact_product(b.x, c.y),
+                            exact_product(-b.y, c.x), exact_product(c.x, a.y),  exact_product(-c.y, a.x)};
   for (const Pair& p : products) {
     sum.add(p.low);
     sum.add(p.high);

@@ -47,8 +47,7 @@ double curvature(const Curve& curve, double t) {
 
 }  // namespace
 
-EdgeMetric::EdgeMetric(const Edge& edge, const SizeField& size)
-    : curve_(edge.curve.get()), t0_(edge.t0), t1_(edge.t1) {
+EdgeMetric::EdgeMetric(const Edge& edge, const SizeField& size) : curve_(edge.curve.get()), t0_(edge.t0), t1_(edge.t1) {
   tabulate();
   set_sizes(size, edge.start == edge.end);
 }

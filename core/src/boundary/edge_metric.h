@@ -10,8 +10,8 @@ namespace paver {
 
 /// Table along one non-degenerate edge: parameter t, arc length s (mm), turn of the tangent (radians), target length h
 /// and the integral of ds/h, called weight. h is the lesser of the global h and the edge's own turn limit, smoothed
-/// along the edge by the gradation: an edge that runs straight along a fillet keeps the global h. Where the tangent jumps (a kink inside the edge) a node is placed.
-/// Keeps a reference to the edge's curve.
+/// along the edge by the gradation: an edge that runs straight along a fillet keeps the global h. Where the tangent
+/// jumps (a kink inside the edge) a node is placed. Keeps a reference to the edge's curve.
 class EdgeMetric {
  public:
   EdgeMetric(const Edge& edge, const SizeField& size);

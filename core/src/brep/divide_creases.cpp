@@ -4,11 +4,10 @@
 // 2. A periodic edge that is a crease ends as an ordinary edge once the face has two pieces around it; where no crease
 //    lies inside, the face is cut half-way around.
 // 3. Divide by the kernel, with one memory of replaced edges: an edge shared with a neighbour is divided once.
-// 4. Strips of a surface that are pressed flat onto a line (a trailing edge without thickness) are cut off as well, lose
-//    their place as pieces without area, and the edges along them become one.
-// 5. Faces take over the divided edges of their neighbours; every edge keeps the number of the one it came from.
+//    Rectangular faces go by our own grid, which also leaves out strips of the surface that are pressed flat onto a
+//    line (a trailing edge without thickness): the kernel's division fails at these.
+// 4. Faces take over the divided edges of their neighbours; every edge keeps the number of the one it came from.
 // A face that the kernel cannot divide stays whole.
-#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepGProp.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
@@ -31,6 +30,7 @@
 #include <numbers>
 #include <optional>
 
+#include "brep/divide_grid_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/workpiece_impl.h"
 
@@ -50,15 +50,13 @@ constexpr int strip_samples = 8;
 /// Pieces must have the area of their face up to this share.
 constexpr double area_share = 1e-3;
 constexpr double area_accuracy = 1e-5;
-/// Edges beside a strip without area coincide within this share of the diagonal.
-constexpr double coincidence_share = 1e-7;
-constexpr int coincidence_samples = 16;
 /// Pieces below this share of the diagonal squared have no area.
 constexpr double no_area_share = 1e-10;
 
 /// Where to cut a face. `creases` counts those inside and the periodic edges that are creases.
 struct Cuts {
   std::vector<double> u, v;
+  std::array<std::vector<GridSpan>, 2> spans;  ///< between the cuts, in u and in v
   int creases = 0;
 };
 
@@ -81,6 +79,7 @@ class CreaseFinder {
       std::vector<double>& values = is_u ? cuts.u : cuts.v;
       if (values.empty()) values.push_back(first(is_u) + 0.5 * range(is_u));
     }
+    cuts.spans = {spans(true, cuts.u), spans(false, cuts.v)};
     return cuts;
   }
 
@@ -94,6 +93,17 @@ class CreaseFinder {
     for (bool is_u : {true, false})
       if (Precision::IsInfinite(first(is_u)) || Precision::IsInfinite(last(is_u))) return false;
     return true;
+  }
+
+  std::vector<GridSpan> spans(bool is_u, const std::vector<double>& values) const {
+    std::vector<GridSpan> result;
+    double low = first(is_u);
+    for (double value : values) {
+      result.push_back({low, value, is_flat_strip(is_u, low, value)});
+      low = value;
+    }
+    result.push_back({low, last(is_u), is_flat_strip(is_u, low, last(is_u))});
+    return result;
   }
 
   /// Nothing at poles.
@@ -234,7 +244,6 @@ class CreaseDivider {
     if (divided.empty()) return {};
     replace_faces();
     number_edges(edges);
-    join_strip_sides();
     work_.is_rebuilt = true;
     return divided;
   }
@@ -261,16 +270,24 @@ class CreaseDivider {
       // Neighbours divided before may have divided edges of this face.
       std::vector<TopoDS_Face> current = faces_of(context_->Apply(plain));
       if (current.size() != 1) return false;
-      TopoDS_Shape pieces = compose(current[0], cuts);
-      if (!is_sound(faces_of(pieces), exact_area(current[0]))) return false;
-      context_->Replace(current[0], pieces);
+      double area = exact_area(current[0]);
+      GridCells grid = divide_grid(current[0], cuts.spans, work_.diagonal);
+      if (is_sound(faces_of(grid.cells), area)) {
+        for (const auto& [edge, wire] : grid.divided_edges) context_->Replace(edge, wire);
+        context_->Replace(current[0], grid.cells);
+        return true;
+      }
+      // A trial first: the kernel records divided edges even where it fails.
+      Handle(ShapeBuild_ReShape) trial = new ShapeBuild_ReShape;
+      if (!is_sound(faces_of(compose(current[0], cuts, trial)), area)) return false;
+      context_->Replace(current[0], compose(current[0], cuts, context_));
       return true;
     } catch (const Standard_Failure&) {
       return false;
     }
   }
 
-  TopoDS_Shape compose(const TopoDS_Face& face, const Cuts& cuts) const {
+  static TopoDS_Shape compose(const TopoDS_Face& face, const Cuts& cuts, const Handle(ShapeBuild_ReShape) & context) {
     TopLoc_Location location;
     Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location);
     double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
@@ -285,7 +302,7 @@ class CreaseDivider {
     splitter.Perform(Standard_True);
     ShapeFix_ComposeShell composer;
     composer.Init(splitter.ResSurfaces(), location, face, Precision::Confusion());
-    composer.SetContext(context_);
+    composer.SetContext(context);
     return composer.Perform() ? composer.Result() : TopoDS_Shape();
   }
 
@@ -329,38 +346,6 @@ class CreaseDivider {
     for (int i = 1; i <= edges.Extent(); ++i)
       for (TopExp_Explorer parts(context_->Apply(edges(i).Oriented(TopAbs_FORWARD)), TopAbs_EDGE); parts.More(); parts.Next())
         work_.edge_numbers.Bind(parts.Current(), i);
-  }
-
-  /// Sides of strips that lie on each other, at the same pace, get a common class.
-  void join_strip_sides() {
-    std::vector<std::pair<int, TopoDS_Edge>> sides;  // with the face they come from
-    for (const WorkFace& face : work_.faces) {
-      if (face.has_area || face.origin < 0) continue;
-      for (TopExp_Explorer edges(face.face, TopAbs_EDGE); edges.More(); edges.Next()) {
-        TopoDS_Edge edge = TopoDS::Edge(edges.Current().Oriented(TopAbs_FORWARD));
-        if (edge_length(edge) > coincidence_share * work_.diagonal) sides.push_back({face.origin, edge});
-      }
-    }
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      if (work_.edge_classes.IsBound(sides[i].second)) continue;
-      work_.edge_classes.Bind(sides[i].second, static_cast<int>(i));
-      for (std::size_t j = i + 1; j < sides.size(); ++j)
-        if (sides[j].first == sides[i].first && coincide(sides[i].second, sides[j].second))
-          work_.edge_classes.Bind(sides[j].second, static_cast<int>(i));
-    }
-  }
-
-  bool coincide(const TopoDS_Edge& a, const TopoDS_Edge& b) const {
-    if (a.IsSame(b)) return true;
-    BRepAdaptor_Curve one(a), two(b);
-    double t0 = one.FirstParameter(), t1 = one.LastParameter();
-    double slack = end_share * (t1 - t0);
-    if (std::abs(t0 - two.FirstParameter()) > slack || std::abs(t1 - two.LastParameter()) > slack) return false;
-    for (int i = 0; i <= coincidence_samples; ++i) {
-      double t = t0 + (t1 - t0) * i / coincidence_samples;
-      if (one.Value(t).Distance(two.Value(t)) > coincidence_share * work_.diagonal) return false;
-    }
-    return true;
   }
 
   Workpiece& work_;

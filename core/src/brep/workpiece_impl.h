@@ -31,8 +31,6 @@ struct Workpiece {
   bool is_rebuilt = false;      ///< faces are no longer those of `shape`: edges are numbered over the faces instead
   /// Once faces are divided: the number of the edge each edge is or is a piece of; new edges have none.
   TopTools_DataMapOfShapeInteger edge_numbers;
-  /// Edges of one class are one edge: same curve, same parameters, and the faces between them have no area.
-  TopTools_DataMapOfShapeInteger edge_classes;
 };
 
 /// Progress units that the functions below credit per face.

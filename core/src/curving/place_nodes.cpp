@@ -161,8 +161,7 @@ SurfaceMesh curve_elements(const SurfaceMesh& linear, const EdgeNodes& edges, co
       Vec2 p[4];
       Vec3 blend = blended_centre(mesh, q);
       bool is_found = finder.find(i, v, 4, p);
-      mesh.nodes[v[8]] =
-          is_found ? nearest_point(*parts[i].region, 0.25 * (p[0] + p[1] + p[2] + p[3]), blend) : blend;
+      mesh.nodes[v[8]] = is_found ? nearest_point(*parts[i].region, 0.25 * (p[0] + p[1] + p[2] + p[3]), blend) : blend;
     }
   });
   return std::move(raised.mesh);
@@ -181,7 +180,7 @@ double chord_error(const SurfaceMesh& mesh, const std::vector<CurvingPart>& part
   std::vector<double> worst(parts.size(), 0);
   // Lagrange weights of a quad9 at a quarter of either side, corners, sides, centre in Gmsh order.
   constexpr double near = 0.375, mid = 0.75, far = -0.125;
-  constexpr double weight[9] = {near * near, far * near, far * far, near * far, mid * near,
+  constexpr double weight[9] = {near * near, far * near, far * far,  near * far, mid * near,
                                 far * mid,   mid * far,  near * mid, mid * mid};
   run_tasks(threads, sizes(parts), [&](int i) {
     for (int q : shares[i]) {
@@ -191,8 +190,8 @@ double chord_error(const SurfaceMesh& mesh, const std::vector<CurvingPart>& part
       Vec3 x{0, 0, 0};
       for (std::size_t k = 0; k < (mesh.order == 1 ? 4 : stride); ++k)
         x += (mesh.order == 1 ? 0.25 : weight[k]) * mesh.nodes[v[k]];
-      Vec2 start = mesh.order == 1 ? 0.25 * (p[0] + p[1] + p[2] + p[3])
-                                   : 0.0625 * (9 * p[0] + 3 * p[1] + p[2] + 3 * p[3]);
+      Vec2 start =
+          mesh.order == 1 ? 0.25 * (p[0] + p[1] + p[2] + p[3]) : 0.0625 * (9 * p[0] + 3 * p[1] + p[2] + 3 * p[3]);
       worst[i] = std::max(worst[i], norm(nearest_point(*parts[i].region, start, x) - x));
     }
   });

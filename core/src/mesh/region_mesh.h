@@ -31,8 +31,10 @@ class Star {
   const int* end() const { return begin() + size_; }
   void add(int e) {
     if (size_ == few) far_.assign(near_.begin(), near_.end());
-    if (size_ >= few) far_.push_back(e);
-    else near_[size_] = e;
+    if (size_ >= few)
+      far_.push_back(e);
+    else
+      near_[size_] = e;
     ++size_;
   }
   void remove(int e) {
@@ -54,12 +56,12 @@ class Star {
 
 /// Struct of arrays, one entry per node; elements are edited only through the members below.
 struct RegionMesh {
-  std::vector<Vec2> p;          ///< chart coordinates
-  std::vector<Vec3> x;          ///< position, mm
-  std::vector<Vec3> xp, xq;     ///< derivatives of the position by the chart coordinates
-  std::vector<double> h;        ///< target length, mm
-  std::vector<char> is_fixed;   ///< boundary nodes and hard points never move
-  std::vector<int> global;      ///< boundary stage's node, or -1
+  std::vector<Vec2> p;         ///< chart coordinates
+  std::vector<Vec3> x;         ///< position, mm
+  std::vector<Vec3> xp, xq;    ///< derivatives of the position by the chart coordinates
+  std::vector<double> h;       ///< target length, mm
+  std::vector<char> is_fixed;  ///< boundary nodes and hard points never move
+  std::vector<int> global;     ///< boundary stage's node, or -1
   std::vector<Star> star;
   std::vector<Element> elements;
 

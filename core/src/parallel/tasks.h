@@ -7,7 +7,8 @@
 namespace paver {
 
 /// Runs task(i) for i = 0 .. cost.size() - 1 on `threads` threads (0: all cores), dearest first. The first exception
-/// stops the rest and is thrown on. Results must go to slots of their own, so that the outcome does not depend on order.
+/// stops the rest and is thrown on. Results must go to slots of their own, so that the outcome does not depend on
+/// order.
 void run_tasks(int threads, const std::vector<double>& cost, const std::function<void(int)>& task);
 
 /// Number of threads that `threads` stands for.

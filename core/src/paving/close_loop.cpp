@@ -33,7 +33,8 @@ struct Dissection {
 Dissection dissect(const RegionMesh& mesh, const std::vector<int>& polygon, const std::vector<int>& at) {
   int n = static_cast<int>(at.size());
   if (n == 4) {
-    return {value(mesh, polygon[at[0]], polygon[at[1]], polygon[at[2]], polygon[at[3]]), {{at[0], at[1], at[2], at[3]}}};
+    return {value(mesh, polygon[at[0]], polygon[at[1]], polygon[at[2]], polygon[at[3]]),
+            {{at[0], at[1], at[2], at[3]}}};
   }
   // The quad on side at[0] - at[1] with its further corners at odd distance.
   Dissection best;
@@ -82,7 +83,8 @@ bool form_dissection(Front& front, const std::vector<int>& loop, const std::vect
         int a = d.quads[q][i];
         int f = loop[a];
         if (!front.facets[f].is_alive || (a + 1) % static_cast<int>(loop.size()) != d.quads[q][(i + 1) % 4]) continue;
-        if (!front.form_element(f, polygon[d.quads[q][(i + 2) % 4]], polygon[d.quads[q][(i + 3) % 4]], level)) return false;
+        if (!front.form_element(f, polygon[d.quads[q][(i + 2) % 4]], polygon[d.quads[q][(i + 3) % 4]], level))
+          return false;
         d.quads.erase(d.quads.begin() + static_cast<long>(q));
         is_made = true;
       }

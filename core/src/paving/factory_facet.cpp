@@ -35,7 +35,8 @@ bool lay_quad(Front& front, int f, const Wish* left, const Wish* right, int leve
   bool is_laid = false;
   if (c.node >= 0 && c.node != d.node) {
     const int corners[4] = {a, b, c.node, d.node};
-    bool is_fit = is_convex(front.mesh, corners) && scaled_jacobian(front.mesh, {{a, b, c.node, d.node}}) > (d.is_new || c.is_new ? 0.05 : 1e-3);
+    bool is_fit = is_convex(front.mesh, corners) &&
+                  scaled_jacobian(front.mesh, {{a, b, c.node, d.node}}) > (d.is_new || c.is_new ? 0.05 : 1e-3);
     if (is_fit && put(d, a)) {
       if (put(c, b)) {
         is_laid = front.form_element(f, c.node, d.node, level);

@@ -14,7 +14,7 @@ struct Front::Outline {
   int count = 0;
   int corner[4] = {-1, -1, -1, -1};
   int triangle[2] = {-1, -1};
-  Side behind[4];     // void side behind each element side that is not a facet
+  Side behind[4];  // void side behind each element side that is not a facet
   int facet[4] = {-1, -1, -1, -1};
   int entering[4] = {-1, -1, -1, -1};  // where both sides at a corner are new: facets of the sector it divides
   int leaving[4] = {-1, -1, -1, -1};
@@ -40,7 +40,8 @@ int Front::add_loop_node(const LoopNode& node, Vec2 towards, bool is_fixed) {
 void Front::add_start_loop(const std::vector<int>& nodes) {
   int base = static_cast<int>(facets.size()), count = static_cast<int>(nodes.size());
   for (int i = 0; i < count; ++i)
-    facets.push_back({nodes[i], nodes[(i + 1) % count], base + (i + 1) % count, base + (i + count - 1) % count, 0, true});
+    facets.push_back(
+        {nodes[i], nodes[(i + 1) % count], base + (i + 1) % count, base + (i + count - 1) % count, 0, true});
   start_loops.push_back(base);
 }
 
@@ -432,7 +433,8 @@ bool Front::close_seam(int f, Vec2 p) {
   if (empty.triangle(inner).v[empty.facet_side(f).corner] != c) return refuse();
   int outer = empty.triangle(inner).n[empty.corner_of(inner, b)];
   if (outer < 0) return refuse();
-  int to_c = empty.triangle(outer).n[empty.corner_of(outer, a)], to_a = empty.triangle(outer).n[empty.corner_of(outer, c)];
+  int to_c = empty.triangle(outer).n[empty.corner_of(outer, a)],
+      to_a = empty.triangle(outer).n[empty.corner_of(outer, c)];
   if (to_c < 0 && to_a < 0) return refuse();
   std::vector<int> fan;
   collect_fan(f, fan);
@@ -448,7 +450,8 @@ bool Front::close_seam(int f, Vec2 p) {
       if (!element_stays_positive(mesh, mesh.elements[e], node, p)) return refuse();
   // Carry out.
   int z = empty.triangle(outer).v[empty.side_between(outer, a, c)];
-  Side side_c{to_c, to_c >= 0 ? empty.side_between(to_c, c, z) : 0}, side_a{to_a, to_a >= 0 ? empty.side_between(to_a, a, z) : 0};
+  Side side_c{to_c, to_c >= 0 ? empty.side_between(to_c, c, z) : 0},
+      side_a{to_a, to_a >= 0 ? empty.side_between(to_a, a, z) : 0};
   for (int t : fan)
     if (t != inner && t != outer && empty.has_node(t, gone)) empty.replace_node(t, gone, keep);
   if (to_c >= 0) empty.link(side_c.triangle, side_c.corner, to_a);
@@ -483,7 +486,8 @@ int Front::divide_facet(int f) {
   const Facet old = facets[f];
   int a = old.a, b = old.b, behind = -1;
   for (int e : mesh.star[a])
-    if (mesh.elements[e].corners() == 4 && mesh.elements[e].corner_of(b) >= 0 && mesh.elements[e].after(b) == a) behind = e;
+    if (mesh.elements[e].corners() == 4 && mesh.elements[e].corner_of(b) >= 0 && mesh.elements[e].after(b) == a)
+      behind = e;
   if (behind < 0) return -1;
   int s = mesh.elements[behind].after(a), r = mesh.elements[behind].before(b);
   Vec2 pa = mesh.p[a], pb = mesh.p[b], ps = mesh.p[s], pr = mesh.p[r];
@@ -507,7 +511,8 @@ int Front::divide_facet(int f) {
   mesh.remove_element(behind);
   for (const auto& q : quads) mesh.add_element(q);
   double h = norm(mesh.x[a] - mesh.x[b]) / 3;
-  for (int node : {m1, m2, n1, n2}) mesh.h[node] = std::min(mesh.h[node], std::max(h, 0.5 * std::min(mesh.h[a], mesh.h[b])));
+  for (int node : {m1, m2, n1, n2})
+    mesh.h[node] = std::min(mesh.h[node], std::max(h, 0.5 * std::min(mesh.h[a], mesh.h[b])));
   unite(a, m2), unite(m2, m1), unite(m1, n1), unite(n1, n2);
   int before = old.prev, after = old.next;
   kill(f);

@@ -13,7 +13,8 @@ constexpr double connect_reach = 1.42;  // of the step: connect to the opposing 
 constexpr double halve_reach = 2.45;    // of the step: meet it half way
 constexpr double thin_gap = 0.35;       // of the step: in a strip this thin the nearest node does, however oblique
 constexpr double least_step = 0.35;     // of the step: shorter new edges are not worth a quad
-constexpr double merge_reach = 0.55;    // of the step, or of the facets where they are shorter: take a front node this near to the wished place
+constexpr double merge_reach =
+    0.55;  // of the step, or of the facets where they are shorter: take a front node this near to the wished place
 
 /// Chart point at `length` along the wish; one correction for the curvature of the surface.
 Vec2 chart_point(const Front& front, const Wish& wish, double length) {
@@ -40,7 +41,8 @@ double distance_to_facet(const Front& front, int base, Vec2 far, int a, int b) {
   const RegionMesh& mesh = front.mesh;
   double sa = orientation(mesh.p[base], far, mesh.p[a]), sb = orientation(mesh.p[base], far, mesh.p[b]);
   double t = sa == sb ? 0.5 : sa / (sa - sb);
-  return distance(mesh, *front.region.chart, base, (1 - t) * mesh.p[a] + t * mesh.p[b], (1 - t) * mesh.x[a] + t * mesh.x[b]);
+  return distance(mesh, *front.region.chart, base, (1 - t) * mesh.p[a] + t * mesh.p[b],
+                  (1 - t) * mesh.x[a] + t * mesh.x[b]);
 }
 
 bool is_allowed(const Front& front, const Wish& wish, int node, int avoid_a, int avoid_b) {

@@ -25,12 +25,6 @@ class RegionPaver {
                   {"paving", region_.face, -1, x});
     }
     make_even();
-    if (getenv("PVDBG")) {
-      fprintf(stderr, "region face %d loops", region_.face + 1);
-      for (auto& l : region_.loops) fprintf(stderr, " %zu", l.size());
-      for (int f : front_.start_loops) { front_.collect_loop(f, loop_, 1 << 30); fprintf(stderr, " start %d alive %d size %zu", f, front_.facets[f].is_alive, loop_.size()); }
-      fprintf(stderr, " h0 %g h %g\n", region_.loops[0][0].h, region_.h);
-    }
     budget_ = most_elements();
     while (collect_open_loops()) {
       bool is_changed = false;
@@ -49,7 +43,8 @@ class RegionPaver {
   long most_elements() const {
     double least = std::min(region_.h, region_.size.least());
     for (double h : front_.mesh.h) least = std::min(least, std::max(h, 0.02 * region_.h));
-    return 1000 + 40 * static_cast<long>(front_.facets.size()) + static_cast<long>(std::min(8 * region_.area / (least * least), 1e12));
+    return 1000 + 40 * static_cast<long>(front_.facets.size()) +
+           static_cast<long>(std::min(8 * region_.area / (least * least), 1e12));
   }
 
   // Odd loops get their one triangle, then all loops are coloured.
@@ -118,9 +113,7 @@ class RegionPaver {
       if (!front_.facets[g].is_alive) return false;
     if (!row.has_ends) return true;
     int first = row.facets.front(), last = row.facets.back();
-    auto is_end = [&](int g) {
-      return classify(front_, front_.facets[g].b, front_.angle_after(g)) == NodeState::end;
-    };
+    auto is_end = [&](int g) { return classify(front_, front_.facets[g].b, front_.angle_after(g)) == NodeState::end; };
     return is_end(front_.facets[first].prev) && is_end(last);
   }
 
@@ -153,11 +146,6 @@ class RegionPaver {
   void close_smallest(bool all) {
     for (int f : open_) {
       if (!front_.facets[f].is_alive) continue;
-      if (getenv("PVDBG")) {
-        front_.collect_loop(f, loop_, 1 << 30);
-        fprintf(stderr, "stuck face %d loop %zu level %d open %zu over %d els %zu budget %ld\n", region_.face + 1, loop_.size(), front_.facets[f].level, open_.size(), all, front_.mesh.elements.size(), budget_);
-        if (loop_.size() < 60) for (int g : loop_) fprintf(stderr, "  node %d p %g %g x %g %g %g ang %.0f len/h %.2f lvl %d fixed %d\n", front_.facets[g].b, front_.mesh.p[front_.facets[g].b].x, front_.mesh.p[front_.facets[g].b].y, front_.mesh.x[front_.facets[g].b].x, front_.mesh.x[front_.facets[g].b].y, front_.mesh.x[front_.facets[g].b].z, front_.angle_after(g) * 57.3, front_.length(g) / front_.mesh.h[front_.facets[g].b], front_.facets[g].level, front_.mesh.is_fixed[front_.facets[g].b]);
-      }
       close_by_triangulation(front_, f);
       if (!all) return;
     }
@@ -215,9 +203,8 @@ PavedRegion pave_once(const Region& region, const Attempt& attempt, const Progre
 }
 
 long count_unsound(const RegionMesh& mesh) {
-  return std::count_if(mesh.elements.begin(), mesh.elements.end(), [&](const Element& e) {
-    return e.is_alive() && scaled_jacobian(mesh, e) < sound_jacobian;
-  });
+  return std::count_if(mesh.elements.begin(), mesh.elements.end(),
+                       [&](const Element& e) { return e.is_alive() && scaled_jacobian(mesh, e) < sound_jacobian; });
 }
 
 }  // namespace

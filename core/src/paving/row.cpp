@@ -53,7 +53,8 @@ std::vector<Row> find_rows(const Front& front, const std::vector<int>& loop) {
     int i = ends[k], j = ends[(k + 1) % ends.size()];
     int count = (j - i + n) % n;
     int size = count == 0 ? n : count;
-    add(i + 1, size, true, cost[i] + cost[j] + front.misfit_weight * misfit(front, loop[(i + 1) % n], loop[(i + size) % n]));
+    add(i + 1, size, true,
+        cost[i] + cost[j] + front.misfit_weight * misfit(front, loop[(i + 1) % n], loop[(i + size) % n]));
   }
   std::stable_sort(rows.begin(), rows.end(), [](const Row& p, const Row& q) {
     if (p.level != q.level) return p.level < q.level;

@@ -34,7 +34,6 @@ bool wants_seam(const Front& front, int f, double angle) {
   return angle < (edges >= 5 ? seam_angle_crowded : seam_angle);
 }
 
-
 }  // namespace
 
 bool close_seam(Front& front, int f) {

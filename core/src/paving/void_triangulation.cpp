@@ -281,7 +281,7 @@ bool VoidTriangulation::recover(int start, int a, int b) {
       right_.push_back(u = z);
     }
   }
-  right_.push_back(b);                       // a, right chain, b: counter-clockwise with the closing side b-a
+  right_.push_back(b);  // a, right chain, b: counter-clockwise with the closing side b-a
   left_.push_back(b);
   std::reverse(left_.begin(), left_.end());  // b, left chain, a
   made_.clear();
@@ -404,7 +404,8 @@ void VoidTriangulation::carve_outside(const std::vector<std::pair<int, int>>& fa
   // Facets were set on both sides; what the frame reaches without crossing one is outside.
   std::vector<int> stack;
   for (int t = 0; t < triangle_count(); ++t)
-    if (triangles_[t].is_alive && std::any_of(triangles_[t].v.begin(), triangles_[t].v.end(), [](int v) { return v < 0; }))
+    if (triangles_[t].is_alive &&
+        std::any_of(triangles_[t].v.begin(), triangles_[t].v.end(), [](int v) { return v < 0; }))
       stack.push_back(t);
   int count = static_cast<int>(facets.size());
   for (int pass = 0; pass < 2; ++pass) {

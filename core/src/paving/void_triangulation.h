@@ -122,7 +122,7 @@ class VoidTriangulation {
   std::vector<int> crossed_, made_, left_, right_, stack_;
   std::vector<OuterSide> outer_;
   int most_crossed_ = 64;  // a side across more triangles is no side of an element that fits
-  int blocker_ = -1;  // facet code that stopped recover()
+  int blocker_ = -1;       // facet code that stopped recover()
 };
 
 }  // namespace paver

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double sharp_pole = 0.26;  // radians (15 degrees): normals about a pole that differ more make it an apex
 
-constexpr double fold = 0.26;        // radians (15 degrees): an edge that turns back by all but this is folded
+constexpr double fold = 0.26;  // radians (15 degrees): an edge that turns back by all but this is folded
 
 class RegionBuilder {
  public:
@@ -183,7 +183,8 @@ class RegionBuilder {
       }
       last = x, last_tangent = tangent;
     }
-    int n = std::max({4, static_cast<int>(std::lround(integral)), static_cast<int>(std::ceil(turn / size_.turn_limit - 1e-9))});
+    int n = std::max(
+        {4, static_cast<int>(std::lround(integral)), static_cast<int>(std::ceil(turn / size_.turn_limit - 1e-9))});
     n = 4 * ((n + 3) / 4);
     std::vector<LoopNode> ring;
     for (int i = 0; i < n; ++i) {
@@ -248,7 +249,8 @@ class RegionBuilder {
       fan.ring.push_back(node);
     }
     double area = 0;
-    for (std::size_t i = 0; i < fan.ring.size(); ++i) area += cross(fan.ring[i].p, fan.ring[(i + 1) % fan.ring.size()].p);
+    for (std::size_t i = 0; i < fan.ring.size(); ++i)
+      area += cross(fan.ring[i].p, fan.ring[(i + 1) % fan.ring.size()].p);
     if (area < 0) std::reverse(fan.ring.begin() + 1, fan.ring.end());
     region.fans.push_back(std::move(fan));
   }

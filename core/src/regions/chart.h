@@ -11,7 +11,7 @@ namespace paver {
 /// Box of a face's (u, v) and how its sides close.
 struct ParameterBox {
   Vec2 lo, hi;
-  bool is_swapped = false;  ///< rows run along v: u and v have changed places in what follows
+  bool is_swapped = false;                   ///< rows run along v: u and v have changed places in what follows
   bool low_pole = false, high_pole = false;  ///< all of the side at lo.y (hi.y) is one point
 };
 

@@ -67,7 +67,8 @@ class LayoutPlanner {
   Vec2 gap_to_twin(const Coedge& coedge) const {
     for (const Loop& loop : face_.loops)
       for (const Coedge& other : loop.coedges)
-        if (other.edge == coedge.edge && &other != &coedge) return image(model_, other, 0.5) - image(model_, coedge, 0.5);
+        if (other.edge == coedge.edge && &other != &coedge)
+          return image(model_, other, 0.5) - image(model_, coedge, 0.5);
     return {};
   }
 
@@ -93,7 +94,8 @@ class LayoutPlanner {
       ParameterBox low = layout_.box, high = layout_.box;
       low.hi.y = high.lo.y = layout_.cut;
       low.high_pole = high.low_pole = false;
-      if (make_polar_chart(*face_.surface, low, layout_.period) && make_polar_chart(*face_.surface, high, layout_.period))
+      if (make_polar_chart(*face_.surface, low, layout_.period) &&
+          make_polar_chart(*face_.surface, high, layout_.period))
         layout_.kind = LayoutKind::two_polar;
     } else if (make_polar_chart(*face_.surface, layout_.box, layout_.period)) {
       layout_.kind = LayoutKind::polar;
@@ -131,7 +133,8 @@ class LayoutPlanner {
       for (std::size_t c = 0; c < face_.loops[l].coedges.size(); ++c) {
         if (!layout_.dropped[l][c]) continue;
         Vec2 gap = gap_to_twin(face_.loops[l].coedges[c]);
-        bool along_round = layout_.box.is_swapped ? std::fabs(gap.y) > 0.25 * period.y : std::fabs(gap.x) > 0.25 * period.x;
+        bool along_round =
+            layout_.box.is_swapped ? std::fabs(gap.y) > 0.25 * period.y : std::fabs(gap.x) > 0.25 * period.x;
         if (!along_round) layout_.dropped[l][c] = false;
       }
   }

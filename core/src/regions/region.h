@@ -33,7 +33,8 @@ struct LoopNode {
   double angle = -1;  ///< interior angle between the true tangents, radians; -1: not known, take the chords'
 };
 
-/// Quads laid in advance about a point that must be a node, the apex of a cone: (centre, r0, r1, r2), (centre, r2, ...).
+/// Quads laid in advance about a point that must be a node, the apex of a cone: (centre, r0, r1, r2), (centre, r2,
+/// ...).
 struct Fan {
   LoopNode centre;
   std::vector<LoopNode> ring;  ///< counter-clockwise in the chart, even number; these nodes are new and may move
@@ -44,9 +45,9 @@ struct Region {
   std::shared_ptr<const Surface> surface;  ///< this region's own evaluator
   std::shared_ptr<const Chart> chart;
   FaceSize size{1};
-  double h = 1;            ///< target length of the run
+  double h = 1;  ///< target length of the run
   double gradation = 0.3;
-  double area = 0;         ///< mm^2, of the whole face: bounds the work
+  double area = 0;                           ///< mm^2, of the whole face: bounds the work
   std::vector<std::vector<LoopNode>> loops;  ///< region on the left of each loop
   std::vector<Fan> fans;
 

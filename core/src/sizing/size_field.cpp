@@ -14,9 +14,9 @@
 namespace paver {
 namespace {
 
-constexpr int grid_size = 17;             // samples per direction: enough for a B-spline of about 8 spans
-constexpr double smallest_share = 0.25;   // of H inside faces: a tiny fillet must not explode the count
-constexpr int samples_per_pcurve = 17;    // for the box of a face
+constexpr int grid_size = 17;            // samples per direction: enough for a B-spline of about 8 spans
+constexpr double smallest_share = 0.25;  // of H inside faces: a tiny fillet must not explode the count
+constexpr int samples_per_pcurve = 17;   // for the box of a face
 constexpr double one_way_turn = 2.5;
 constexpr double degenerate_area = 1e-9;  // of the largest |xu x xv| on the face: such a point counts as a pole
 

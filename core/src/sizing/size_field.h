@@ -31,7 +31,7 @@ class FaceSize {
 };
 
 struct SizeField {
-  double h = 0;                 ///< target length of the run, mm
+  double h = 0;  ///< target length of the run, mm
   double gradation = 0.3;
   double turn_limit = 0.785;    ///< radians per element edge
   std::vector<FaceSize> faces;  ///< per face of the model

@@ -8,7 +8,6 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 #include "brep/evaluators_impl.h"
@@ -54,16 +53,8 @@ class EdgeBuilder {
     index_.edge.assign(static_cast<std::size_t>(index_.map.Extent()) + 1, -1);
     for (int position = 1; position <= index_.map.Extent(); ++position) {
       if (!used.Contains(index_.map(position))) continue;
-      TopoDS_Edge shape = TopoDS::Edge(index_.map(position).Oriented(TopAbs_FORWARD));
-      int& edge = index_.edge[static_cast<std::size_t>(position)];
-      edge = static_cast<int>(model_.edges.size());
-      const int* edge_class = work_.edge_classes.Seek(shape);
-      if (edge_class) edge = edge_of_class_.try_emplace(*edge_class, edge).first->second;
-      if (edge < static_cast<int>(model_.edges.size())) {
-        join_ends(shape, model_.edges[static_cast<std::size_t>(edge)]);
-      } else {
-        add_edge(shape, position);
-      }
+      index_.edge[static_cast<std::size_t>(position)] = static_cast<int>(model_.edges.size());
+      add_edge(TopoDS::Edge(index_.map(position).Oriented(TopAbs_FORWARD)), position);
     }
     number_vertices();
     return std::move(index_);
@@ -104,14 +95,6 @@ class EdgeBuilder {
     edge.end = last.IsNull() && is_closed(edge) ? edge.start : vertex(last, edge, edge.t1);
     if (edge.is_degenerate) merger_.merge(edge.start, edge.end);
     model_.edges.push_back(std::move(edge));
-  }
-
-  /// Another shape of the same edge.
-  void join_ends(const TopoDS_Edge& shape, const Edge& edge) {
-    TopoDS_Vertex first, last;
-    TopExp::Vertices(shape, first, last);
-    if (!first.IsNull()) merger_.merge(vertex(first, edge, edge.t0), edge.start);
-    if (!last.IsNull()) merger_.merge(vertex(last, edge, edge.t1), edge.end);
   }
 
   /// Ends of a curve without vertices coincide.
@@ -158,7 +141,6 @@ class EdgeBuilder {
   std::vector<Vec3> points_;
   VertexMerger merger_;
   int creases_ = 0;
-  std::map<int, int> edge_of_class_;
 };
 
 }  // namespace

@@ -39,7 +39,7 @@ Region plane_region() {
 
 /// A grid of unit squares with fixed border, node (i, j) numbered j (n + 1) + i; nothing of it is void.
 struct Grid {
-  explicit Grid(int n) : n(n), region(plane_region()), front(region, mesh) {
+  explicit Grid(int side) : n(side), region(plane_region()), front(region, mesh) {
     for (int j = 0; j <= n; ++j)
       for (int i = 0; i <= n; ++i) {
         front.add_node({1.0 * i, 1.0 * j});
@@ -175,7 +175,9 @@ TEST(MeshEdit, reports_the_energy_it_changes) {
   EXPECT_EQ(before, 0);
   moves.each(grid.at(2, 2), [&](const Change& change) {
     double gain = edit.energy_gain(change);
-    if (edit.apply(change)) EXPECT_DOUBLE_EQ(sum(), before + gain);
+    if (edit.apply(change)) {
+      EXPECT_DOUBLE_EQ(sum(), before + gain);
+    }
     edit.roll_back(0);
     return false;
   });
