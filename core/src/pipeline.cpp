@@ -172,7 +172,19 @@ class Run {
       }
       invalid = is_reverted ? join_and_curve() : std::move(now);
     }
+    if (options_.order > 1) straighten_last(invalid);
     note_invalid(invalid);
+  }
+
+  void straighten_last(std::vector<long>& invalid) {
+    RepairResult last = straighten_at_edges(result_.mesh, is_valid, invalid_quads_, invalid_triangles_);
+    if (last.recentred + last.straightened == 0) return;
+    straightened_ += last.recentred + last.straightened;
+    result_.report.notes.push_back(fmt::format(
+        "To keep elements valid sides were straightened along B-rep edges, up to {:.3g} mm off.", last.off_edge));
+    std::fill(invalid.begin(), invalid.end(), 0);
+    for (int q : last.invalid_quads) ++invalid[result_.mesh.quad_face[q]];
+    for (int t : last.invalid_triangles) ++invalid[result_.mesh.triangle_face[t]];
   }
 
   // Regions of faces with invalid elements, paved another way; returns what they were.
@@ -229,6 +241,8 @@ class Run {
     mesh = curve_elements(joined_.mesh, nodes_, model_, parts_, options_.threads, progress_);
     RepairResult repaired = repair_elements(mesh, is_valid);
     straightened_ = repaired.recentred + repaired.straightened;
+    invalid_quads_ = repaired.invalid_quads;
+    invalid_triangles_ = repaired.invalid_triangles;
     for (int q : repaired.invalid_quads) ++invalid[mesh.quad_face[q]];
     for (int t : repaired.invalid_triangles) ++invalid[mesh.triangle_face[t]];
     return invalid;
@@ -308,6 +322,7 @@ class Run {
   JoinedMesh joined_;
   std::vector<CurvingPart> parts_;
   long straightened_ = 0;
+  std::vector<int> invalid_quads_, invalid_triangles_;
   MeshResult result_;
 };
 

@@ -69,15 +69,29 @@ class CommandLine(unittest.TestCase):
         self.assertRegex(text, r"\d+\.\d+\.\d+")
 
     def test_bad_files(self):
-        with open(os.path.join(runs.EXAMPLES, "wing.step")) as f:
-            wing = f.read()
         files = {os.path.join(self.folder, "missing.step"): "missing.step", self.folder: "",
                  self.path("empty.step", ""): "empty", self.path("text.step", "hello, world\n" * 50): "",
-                 self.path("half.step", wing[:len(wing) // 2]): "", self.path("nothing.step", EMPTY_STEP): "face",
+                 self.path("nothing.step", EMPTY_STEP): "face",
                  self.path("half.brep", "\nCASCADE Topology V3, (c) Open Cascade\nLocations 3\n1\n"): ""}
         for file, says in files.items():
             with self.subTest(file=os.path.basename(file)):
                 self.refused("mesh", file, "-o", self.out, "--size", 5, says=says)
+
+    def test_files_cut_off_anywhere(self):
+        for name in ("wing.step", "conesphere_one_face.brep"):
+            with open(os.path.join(runs.EXAMPLES, name)) as f:
+                whole = f.read()
+            for share in (0.02, 0.3, 0.9, 0.999):
+                with self.subTest(name=name, share=share):
+                    cut = self.path("cut" + name[name.index("."):], whole[:int(share * len(whole))])
+                    self.refused("mesh", cut, "-o", self.out, "--size", 5, says="cut off")
+
+    def test_bytes_that_are_no_text(self):
+        for name in ("noise.step", "noise.igs", "noise.brep"):
+            path = os.path.join(self.folder, name)
+            with open(path, "wb") as f:
+                f.write(bytes(range(256)) * 100)
+            self.refused("mesh", path, "-o", self.out, "--size", 5, says="STEP, IGES or BREP")
 
     def test_bad_options(self):
         for options in (["--size", "0"], ["--size", "-1"], ["--size", "nan"], ["--size", "inf"], ["--size", "five"], [],
@@ -90,7 +104,8 @@ class CommandLine(unittest.TestCase):
                 self.refused("mesh", BOX, "-o", self.out, *options)
 
     def test_an_absurd_size_is_refused_with_the_predicted_count(self):
-        self.refused("mesh", BOX, "-o", self.out, "--size", "1e-6", says=r"\d{3,}|\de\+?\d")
+        for size in ("1e-6", "1e-9", "1e-300"):
+            self.refused("mesh", BOX, "-o", self.out, "--size", size, says=r"\d{3,}|\de\+?\d")
         self.refused("mesh", BOX, "-o", self.out, "--size", 1, "--max-elements", 100, says=r"--max-elements|100")
 
     def test_unwritable_output(self):

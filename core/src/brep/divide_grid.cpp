@@ -39,8 +39,8 @@ constexpr int bisections = 60;
 struct SideEdge {
   TopoDS_Edge edge;  ///< FORWARD
   double low = 0, high = 0;
-  bool is_rising = true;         ///< runs towards growing parameters
-  Handle(Geom2d_Curve) image;    ///< of a new edge none
+  bool is_rising = true;       ///< runs towards growing parameters
+  Handle(Geom2d_Curve) image;  ///< of a new edge none
 };
 
 /// One direction of the grid: 0 is u, 1 is v.
@@ -295,8 +295,7 @@ class GridDivider {
   void make_inner_lines() {
     for (int axis : {0, 1})
       for (std::size_t k = 1; k < spans(1 - axis).size(); ++k)
-        for (std::size_t s = 0; s < spans(axis).size(); ++s)
-          lines_[axis][k][s] = {inner_edge(axis, k, s)};
+        for (std::size_t s = 0; s < spans(axis).size(); ++s) lines_[axis][k][s] = {inner_edge(axis, k, s)};
   }
 
   SideEdge inner_edge(int axis, std::size_t k, std::size_t s) {
@@ -308,7 +307,8 @@ class GridDivider {
     double extent = 0;
     gp_Pnt start = point(axis, part.low, across);
     for (int i = 1; i <= line_samples; ++i)
-      extent = std::max(extent, start.Distance(point(axis, part.low + (part.high - part.low) * i / line_samples, across)));
+      extent =
+          std::max(extent, start.Distance(point(axis, part.low + (part.high - part.low) * i / line_samples, across)));
     if (extent > line_share * diagonal_) {
       Handle(Geom_Curve) curve = axis == 0 ? surface_->VIso(across) : surface_->UIso(across);
       builder.MakeEdge(part.edge, curve, location_, edge_tolerance);
@@ -349,8 +349,8 @@ class GridDivider {
   }
 
   /// `rising` is run towards growing parameters, `falling`, its opposite, the other way.
-  void add_pair(TopoDS_Wire& wire, const Handle(Geom_Surface) & surface, int axis, const Line& rising,
-                double rising_at, const Line& falling, double falling_at) const {
+  void add_pair(TopoDS_Wire& wire, const Handle(Geom_Surface) & surface, int axis, const Line& rising, double rising_at,
+                const Line& falling, double falling_at) const {
     BRep_Builder builder;
     for (const SideEdge& part : rising) {
       auto partner = std::find_if(falling.begin(), falling.end(),
@@ -368,7 +368,8 @@ class GridDivider {
     for (const SideEdge& part : falling) {
       bool is_periodic = std::any_of(rising.begin(), rising.end(),
                                      [&](const SideEdge& other) { return other.edge.IsSame(part.edge); });
-      if (!is_periodic) builder.UpdateEdge(part.edge, image_at(part, axis, falling_at), surface, location_, edge_tolerance);
+      if (!is_periodic)
+        builder.UpdateEdge(part.edge, image_at(part, axis, falling_at), surface, location_, edge_tolerance);
       builder.Add(wire, part.edge.Oriented(part.is_rising ? TopAbs_REVERSED : TopAbs_FORWARD));
     }
   }
@@ -395,7 +396,7 @@ class GridDivider {
   TopLoc_Location location_;
   Handle(Geom_BSplineSurface) surface_;
   std::array<Axis, 2> axes_;
-  std::array<std::array<Line, 2>, 2> sides_;            ///< per axis they run along: at the low and at the high end
+  std::array<std::array<Line, 2>, 2> sides_;             ///< per axis they run along: at the low and at the high end
   std::array<std::vector<std::vector<Line>>, 2> lines_;  ///< per axis, line and span: its edges
   std::vector<std::pair<TopoDS_Edge, std::vector<SideEdge>>> divided_;
   std::vector<std::pair<TopoDS_Edge, TopoDS_Wire>> replaced_;

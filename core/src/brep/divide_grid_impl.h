@@ -18,7 +18,7 @@ struct GridSpan {
 };
 
 struct GridCells {
-  TopoDS_Shape cells;                                             ///< null: the face is none that fits a grid
+  TopoDS_Shape cells;                                              ///< null: the face is none that fits a grid
   std::vector<std::pair<TopoDS_Edge, TopoDS_Wire>> divided_edges;  ///< of the face, with what replaces them elsewhere
 };
 

@@ -75,8 +75,8 @@ struct DividedFace {
   int creases = 0;  ///< along which it was divided
 };
 
-/// Cuts faces along the iso-lines where their normal jumps, so that these become edges; faces afterwards are the pieces.
-/// Nothing changes where there is no such line.
+/// Cuts faces along the iso-lines where their normal jumps, so that these become edges; faces afterwards are the
+/// pieces. Nothing changes where there is no such line.
 std::vector<DividedFace> divide_creases(Workpiece& work);
 
 /// Area in mm^2 whatever the orientation; NaN when the kernel cannot compute it.

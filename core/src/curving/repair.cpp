@@ -22,7 +22,8 @@ struct Element {
 
 class Repairer {
  public:
-  Repairer(SurfaceMesh& mesh, const IsValidFn& is_valid) : mesh_(mesh), is_valid_(is_valid) {}
+  Repairer(SurfaceMesh& mesh, const IsValidFn& is_valid, bool moves_edges)
+      : mesh_(mesh), is_valid_(is_valid), moves_edges_(moves_edges) {}
 
   RepairResult run(std::vector<Element> invalid) {
     if (!invalid.empty()) list_neighbours();
@@ -89,6 +90,8 @@ class Repairer {
     return false;
   }
 
+  bool is_kept(int middle) const { return !moves_edges_ && mesh_.node_edge[static_cast<std::size_t>(middle)] >= 0; }
+
   // Moves the middles of interior sides; true when the element is valid and no neighbour has become invalid.
   bool straighten(const Element& element, double share) {
     const int* nodes = nodes_of(element);
@@ -97,7 +100,7 @@ class Repairer {
     std::vector<Saved> saved;
     for (int c = 0; c < corners; ++c) {
       int middle = nodes[corners + c];
-      if (mesh_.node_edge[static_cast<std::size_t>(middle)] >= 0) continue;
+      if (is_kept(middle)) continue;
       saved.push_back(save(middle));
       for (const Element& other : elements_at_[static_cast<std::size_t>(middle)]) {
         bool is_itself = other.is_quad == element.is_quad && other.index == element.index;
@@ -106,7 +109,7 @@ class Repairer {
     }
     for (int c = 0; c < corners; ++c) {
       int middle = nodes[corners + c];
-      if (mesh_.node_edge[static_cast<std::size_t>(middle)] >= 0) continue;
+      if (is_kept(middle)) continue;
       Vec3 chord = 0.5 * (position(nodes[c]) + position(nodes[(c + 1) % corners]));
       position(middle) = (1 - share) * position(middle) + share * chord;
     }
@@ -114,7 +117,12 @@ class Repairer {
       saved.push_back(save(centre_node(element)));
       recentre(element);
     }
-    if (is_valid(element) && keep_valid(neighbours, saved)) return true;
+    if (is_valid(element) && keep_valid(neighbours, saved)) {
+      for (const Saved& entry : saved)
+        if (mesh_.node_edge[static_cast<std::size_t>(entry.node)] >= 0)
+          result_.off_edge = std::max(result_.off_edge, norm(position(entry.node) - entry.x));
+      return true;
+    }
     restore(saved);
     return false;
   }
@@ -140,6 +148,7 @@ class Repairer {
 
   SurfaceMesh& mesh_;
   const IsValidFn& is_valid_;
+  bool moves_edges_;
   std::vector<std::vector<Element>> elements_at_;
   RepairResult result_;
 };
@@ -157,12 +166,26 @@ RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid) {
   return repair_elements(mesh, is_valid, quads, triangles);
 }
 
+namespace {
+
+RepairResult run(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& quads,
+                 const std::vector<int>& triangles, bool moves_edges) {
+  std::vector<Element> invalid;
+  for (int quad : quads) invalid.push_back({true, quad});
+  for (int triangle : triangles) invalid.push_back({false, triangle});
+  return Repairer(mesh, is_valid, moves_edges).run(std::move(invalid));
+}
+
+}  // namespace
+
+RepairResult straighten_at_edges(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& invalid_quads,
+                                 const std::vector<int>& invalid_triangles) {
+  return run(mesh, is_valid, invalid_quads, invalid_triangles, true);
+}
+
 RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& invalid_quads,
                              const std::vector<int>& invalid_triangles) {
-  std::vector<Element> invalid;
-  for (int quad : invalid_quads) invalid.push_back({true, quad});
-  for (int triangle : invalid_triangles) invalid.push_back({false, triangle});
-  return Repairer(mesh, is_valid).run(std::move(invalid));
+  return run(mesh, is_valid, invalid_quads, invalid_triangles, false);
 }
 
 }  // namespace paver

@@ -15,6 +15,7 @@ using IsValidFn = std::function<bool(const SurfaceMesh& mesh, bool is_quad, int 
 struct RepairResult {
   long recentred = 0;                                 ///< elements mended by a blended centre, off the surface
   long straightened = 0;                              ///< elements mended by moving side middles towards their chords
+  double off_edge = 0;                                ///< mm, how far a middle was moved off its B-rep edge
   std::vector<int> invalid_quads, invalid_triangles;  ///< what no step could mend, in order
 };
 
@@ -22,6 +23,11 @@ struct RepairResult {
 /// the middles of its interior sides 1/2, 3/4 and all the way to the middle of the chord. Middles on B-rep edges and
 /// corners never move, and a valid neighbour stays valid, else the element is left as it was and listed.
 RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid);
+
+/// The last resort for elements that the above left invalid: the same steps with the middles on B-rep edges moving,
+/// too. All faces of an edge share its middle, so the mesh stays conforming; `off_edge` tells the price.
+RepairResult straighten_at_edges(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& invalid_quads,
+                                 const std::vector<int>& invalid_triangles);
 
 /// The same for elements already known as invalid.
 RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& invalid_quads,

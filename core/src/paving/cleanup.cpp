@@ -69,7 +69,7 @@ class CleanUp {
   }
 
   void push(int node) {
-    if (waits_.size() <= static_cast<std::size_t>(node)) waits_.resize(node + 64, 0);
+    if (waits_.size() <= static_cast<std::size_t>(node)) waits_.resize(node + 64, 0), is_stuck_.resize(node + 64, 0);
     if (waits_[node] || !(edit_.is_irregular(node) || is_at_triangle(node))) return;
     waits_[node] = 1;
     list_.push_back(node);
@@ -102,12 +102,16 @@ class CleanUp {
     if (!edit_.settle(demand)) return false;
     const std::vector<int> nodes = edit_.touched();
     edit_.commit();
-    for (int v : nodes) push(v);
+    for (int v : nodes) {
+      push(v);
+      is_stuck_[v] = 0;
+    }
     return true;
   }
 
   // The elementary change about the node that lowers the energy most.
   bool improve(int node) {
+    if (is_stuck_[node]) return false;
     found_.clear();
     std::size_t used = 0;
     moves_.each(node, [&](const Change& change) {
@@ -123,6 +127,7 @@ class CleanUp {
       if (edit_.apply(pool_[i]) && take({.gain = gain})) return true;
       edit_.roll_back(0);
     }
+    is_stuck_[node] = 1;
     return false;
   }
 
@@ -178,7 +183,8 @@ class CleanUp {
   std::vector<Change> pool_;
   std::vector<std::pair<double, int>> found_;
   std::vector<int> list_;
-  std::vector<char> waits_;
+  std::vector<char> waits_;                // per node: on the list
+  std::vector<char> is_stuck_;             // per node: no elementary change helped since the last edit there
   std::unordered_set<std::size_t> tried_;  // outlines whose fill was taken or was not good
 };
 

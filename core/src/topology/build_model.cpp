@@ -1,5 +1,5 @@
-// Shape to Model, in order: measure, repair, sew, divide along creases, number edges and vertices, chain loops, orient faces, report.
-// A face that cannot be used is data: it keeps its place and name, with has_area = false or a fault.
+// Shape to Model, in order: measure, repair, sew, divide along creases, number edges and vertices, chain loops, orient
+// faces, report. A face that cannot be used is data: it keeps its place and name, with has_area = false or a fault.
 #include "topology/build_model.h"
 
 #include <BRep_Tool.hxx>

@@ -24,7 +24,7 @@ struct Loop {
 };
 
 struct Edge {
-  std::string name;            ///< "Edge7": position in the shape's edge map, from 1; pieces keep it, new edges are "Crease1"
+  std::string name;  ///< "Edge7": position in the shape's edge map, from 1; pieces keep it, new edges are "Crease1"
   int start = -1, end = -1;    ///< vertices at t0 and t1
   double t0 = 0, t1 = 0;       ///< t0 < t1
   double length = 0;           ///< mm

@@ -1,0 +1,182 @@
+// Faces with creases inside: pieces, sharing with neighbours, names; smooth knots stay.
+#include <gtest/gtest.h>
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "core/brep/shape_files.h"
+
+namespace paver {
+namespace {
+
+using test::compound;
+using test::model_of;
+
+/// A polygon in x and z, pulled along y from `y` by 2: degree 1 in u with knots 0, 1, 2 and so on at its corners.
+Handle(Geom_BSplineSurface) pulled(const std::vector<gp_Pnt>& polygon, double y = 0) {
+  int n = static_cast<int>(polygon.size());
+  TColgp_Array2OfPnt poles(1, n, 1, 2);
+  TColStd_Array1OfReal u_knots(1, n), v_knots(1, 2);
+  TColStd_Array1OfInteger u_counts(1, n), v_counts(1, 2);
+  for (int i = 1; i <= n; ++i) {
+    const gp_Pnt& p = polygon[static_cast<std::size_t>(i - 1)];
+    poles(i, 1) = gp_Pnt(p.X(), y, p.Z());
+    poles(i, 2) = gp_Pnt(p.X(), y + 2, p.Z());
+    u_knots(i) = i - 1;
+    u_counts(i) = i == 1 || i == n ? 2 : 1;
+  }
+  v_knots(1) = 0, v_knots(2) = 1;
+  v_counts(1) = v_counts(2) = 2;
+  return new Geom_BSplineSurface(poles, u_knots, v_knots, u_counts, v_counts, 1, 1);
+}
+
+TopoDS_Face face_of(const Handle(Geom_BSplineSurface) & surface) {
+  return BRepBuilderAPI_MakeFace(surface, 1e-7).Face();
+}
+
+long crease_count(const Model& model) {
+  return std::count_if(model.edges.begin(), model.edges.end(),
+                       [](const Edge& edge) { return edge.name.rfind("Crease", 0) == 0; });
+}
+
+long shared_count(const Model& model) {
+  return std::count_if(model.edges.begin(), model.edges.end(), [](const Edge& edge) { return edge.faces.size() == 2; });
+}
+
+/// Loops close in space and (u, v), images lie on their curves, no edge is periodic.
+void expect_pieces(const Model& model) {
+  for (const Face& face : model.faces) {
+    ASSERT_EQ(face.fault, "");
+    for (const Loop& loop : face.loops) {
+      for (std::size_t i = 0; i < loop.coedges.size(); ++i) {
+        const Coedge &a = loop.coedges[i], &b = loop.coedges[(i + 1) % loop.coedges.size()];
+        const Edge &ea = model.edges[static_cast<std::size_t>(a.edge)],
+                   &eb = model.edges[static_cast<std::size_t>(b.edge)];
+        EXPECT_EQ(a.is_reversed ? ea.start : ea.end, b.is_reversed ? eb.end : eb.start);
+        EXPECT_LE(norm(a.pcurve->uv(a.is_reversed ? ea.t0 : ea.t1) - b.pcurve->uv(b.is_reversed ? eb.t1 : eb.t0)),
+                  1e-9);
+        double middle = 0.5 * (ea.t0 + ea.t1);
+        if (ea.is_degenerate) continue;
+        EXPECT_LE(norm(ea.curve->point(middle) - face.surface->point(a.pcurve->uv(middle))), 1e-9) << ea.name;
+      }
+    }
+  }
+  for (const Edge& edge : model.edges) EXPECT_FALSE(edge.is_periodic) << edge.name;
+}
+
+const std::vector<gp_Pnt> roof{{0, 0, 0}, {1, 0, 1}, {2, 0, 0}};
+const std::vector<gp_Pnt> wedge{{0, 0, 0}, {3, 0, 1}, {4, 0, 0}, {3, 0, -1}, {0, 0, 0}};
+
+TEST(DivideCreases, MakesACreaseAnEdge) {
+  Model model = model_of(face_of(pulled(roof)));
+  ASSERT_EQ(model.faces.size(), 2u);
+  expect_pieces(model);
+  EXPECT_EQ(model.report.faces, 1);
+  for (const Face& face : model.faces) {
+    EXPECT_EQ(face.name, "Face1");
+    EXPECT_EQ(face.origin, 0);
+    EXPECT_NEAR(face.area, 2 * std::sqrt(2.0), 1e-9);
+  }
+  EXPECT_EQ(crease_count(model), 1);
+  EXPECT_EQ(shared_count(model), 1);
+  EXPECT_EQ(model.edges.size(), 7u);
+  std::set<std::string> names;
+  for (const Edge& edge : model.edges) names.insert(edge.name);
+  EXPECT_EQ(names, (std::set<std::string>{"Crease1", "Edge1", "Edge2", "Edge3", "Edge4"}));
+  ASSERT_EQ(model.notes.size(), 1u);
+  EXPECT_EQ(model.notes[0], "Face1 was divided along 1 crease.");
+}
+
+TEST(DivideCreases, LeavesSmoothKnotsAlone) {
+  Model model = model_of(face_of(pulled({{0, 0, 0}, {1, 0, 0.1}, {2, 0, 0}})));
+  EXPECT_EQ(model.faces.size(), 1u);
+  EXPECT_EQ(crease_count(model), 0);
+  EXPECT_TRUE(model.notes.empty());
+}
+
+TEST(DivideCreases, KeepsOriginsOfOtherFaces) {
+  Model model = model_of(compound({face_of(pulled(roof)), BRepPrimAPI_MakeBox(gp_Pnt(9, 0, 0), 1, 1, 1).Shape()}));
+  ASSERT_EQ(model.faces.size(), 8u);
+  EXPECT_EQ(model.report.faces, 7);
+  EXPECT_EQ(model.faces[2].name, "Face2");
+  EXPECT_EQ(model.faces[7].origin, 6);
+}
+
+TEST(DivideCreases, DividesAClosedFaceWithCreasesInsideAndAtItsEnds) {
+  Model model = model_of(face_of(pulled(wedge)));
+  ASSERT_EQ(model.faces.size(), 4u);
+  expect_pieces(model);
+  EXPECT_EQ(shared_count(model), 4);
+}
+
+TEST(DivideCreases, DividesAFaceWhoseOnlyCreaseIsItsPeriodicEdge) {
+  // A drop: smooth all around but for its tip, where it begins and ends.
+  TColgp_Array2OfPnt poles(1, 5, 1, 2);
+  const double x[] = {0, 3, 4, 3, 0}, z[] = {0, 1, 0, -1, 0};
+  for (int i = 1; i <= 5; ++i)
+    for (int j = 1; j <= 2; ++j) poles(i, j) = gp_Pnt(x[i - 1], 2 * (j - 1), z[i - 1]);
+  TColStd_Array1OfReal knots(1, 2);
+  TColStd_Array1OfInteger u_counts(1, 2), v_counts(1, 2);
+  knots(1) = 0, knots(2) = 1;
+  u_counts.Init(5), v_counts.Init(2);
+  Model model = model_of(face_of(new Geom_BSplineSurface(poles, knots, knots, u_counts, v_counts, 4, 1)));
+  ASSERT_EQ(model.faces.size(), 2u);
+  expect_pieces(model);
+  EXPECT_EQ(shared_count(model), 2);
+  EXPECT_EQ(crease_count(model), 1);
+}
+
+TEST(DivideCreases, LeavesOutStripsPressedFlat) {
+  std::vector<gp_Pnt> pressed = wedge;
+  pressed.insert(pressed.begin(), wedge.front());
+  pressed.push_back(wedge.back());
+  Model model = model_of(face_of(pulled(pressed)));
+  ASSERT_EQ(model.faces.size(), 4u);
+  expect_pieces(model);
+  EXPECT_EQ(shared_count(model), 4);
+}
+
+TEST(DivideCreases, DividesCommonEdgesOnce) {
+  // Two roofs in a row and a third one against them, sewn first; the last runs the other way.
+  std::vector<gp_Pnt> back(roof.rbegin(), roof.rend());
+  Model model = model_of(compound({face_of(pulled(roof)), face_of(pulled(roof, 2)), face_of(pulled(back, 4))}));
+  ASSERT_EQ(model.faces.size(), 6u);
+  expect_pieces(model);
+  EXPECT_EQ(model.report.faces, 3);
+  EXPECT_EQ(crease_count(model), 3);
+  EXPECT_EQ(shared_count(model), 3 + 2 * 2);
+}
+
+TEST(DivideCreases, NeighboursWithoutCreasesTakeOverDividedEdges) {
+  // A flat gable end under the roof, in one triangle.
+  Handle(Geom_BSplineSurface) gable = pulled({{0, 0, 0}, {1, 0, 1}, {2, 0, 0}});
+  TColgp_Array2OfPnt poles(1, 3, 1, 2);
+  for (int i = 1; i <= 3; ++i) {
+    poles(i, 1) = gp_Pnt(i - 1, 0, i == 2 ? 1 : 0);
+    poles(i, 2) = gp_Pnt(i - 1, 0, -1);
+  }
+  TColStd_Array1OfReal u_knots(1, 3), v_knots(1, 2);
+  TColStd_Array1OfInteger u_counts(1, 3), v_counts(1, 2);
+  u_knots(1) = 0, u_knots(2) = 1, u_knots(3) = 2;
+  v_knots(1) = 0, v_knots(2) = 1;
+  u_counts.Init(2), v_counts.Init(2);
+  u_counts(2) = 1;
+  TopoDS_Face flat = face_of(new Geom_BSplineSurface(poles, u_knots, v_knots, u_counts, v_counts, 1, 1));
+  Model model = model_of(compound({face_of(gable), flat}));
+  ASSERT_EQ(model.faces.size(), 3u);
+  EXPECT_EQ(crease_count(model), 1);
+  EXPECT_EQ(shared_count(model), 1 + 2);
+  EXPECT_EQ(model.faces[2].loops[0].coedges.size(), 5u);
+  expect_pieces(model);
+}
+
+}  // namespace
+}  // namespace paver
