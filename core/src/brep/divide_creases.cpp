@@ -26,6 +26,7 @@
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
