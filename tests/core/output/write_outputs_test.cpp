@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr const char* python = "/usr/bin/python3";
-const fs::path gmsh_summary = fs::path(__FILE__).parent_path() / "gmsh_summary.py";
+const fs::path gmsh_summary = fs::path(PAVER_TESTS_FOLDER) / "core/output/gmsh_summary.py";
 
 fs::path judge() {
   const char* shared = std::getenv("PAVER_SHARED");
