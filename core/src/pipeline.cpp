@@ -7,11 +7,13 @@
 #include <chrono>
 #include <map>
 #include <mutex>
+#include <numeric>
 
 #include "boundary/edge_nodes.h"
 #include "curving/place_nodes.h"
 #include "curving/repair.h"
 #include "join/join.h"
+#include "mesh/flat_elements.h"
 #include "parallel/tasks.h"
 #include "paver/mesher.h"
 #include "paving/pave_region.h"
@@ -24,6 +26,7 @@ namespace paver {
 namespace {
 
 constexpr int most_refinements = 12;  // rounds of dividing edges whose divisions cross
+constexpr int most_splits = 3;        // rounds of splitting quads that stay invalid
 
 class Run {
  public:
@@ -172,8 +175,29 @@ class Run {
       }
       invalid = is_reverted ? join_and_curve() : std::move(now);
     }
+    invalid = split_invalid(std::move(invalid));
     if (options_.order > 1) straighten_last(invalid);
     note_invalid(invalid);
+  }
+
+  // Invalid quads become two triangles each, as long as that leaves fewer invalid elements.
+  std::vector<long> split_invalid(std::vector<long> invalid) {
+    for (int round = 0; round < most_splits && !invalid_quads_.empty(); ++round) {
+      std::vector<PavedRegion> before = paved_;
+      for (int q : invalid_quads_) {
+        auto [part, element] = joined_.quad_source[q];
+        split_quad(paved_[part].mesh, element);
+      }
+      std::vector<long> now = join_and_curve();
+      bool is_better =
+          std::accumulate(now.begin(), now.end(), 0L) < std::accumulate(invalid.begin(), invalid.end(), 0L);
+      if (!is_better) {
+        paved_ = std::move(before);
+        return join_and_curve();
+      }
+      invalid = std::move(now);
+    }
+    return invalid;
   }
 
   void straighten_last(std::vector<long>& invalid) {
@@ -232,10 +256,13 @@ class Run {
   std::vector<long> curve() {
     SurfaceMesh& mesh = result_.mesh;
     std::vector<long> invalid(model_.faces.size(), 0);
+    invalid_quads_.clear();
+    invalid_triangles_.clear();
     if (options_.order == 1) {
       mesh = std::move(joined_.mesh);
-      for (std::size_t q = 0; q < mesh.quad_count(); ++q)
-        invalid[mesh.quad_face[q]] += !is_valid(mesh, true, static_cast<int>(q));
+      for (int q = 0; q < static_cast<int>(mesh.quad_count()); ++q)
+        if (!is_valid(mesh, true, q)) invalid_quads_.push_back(q);
+      for (int q : invalid_quads_) ++invalid[mesh.quad_face[q]];
       return invalid;
     }
     mesh = curve_elements(joined_.mesh, nodes_, model_, parts_, options_.threads, progress_);

@@ -89,7 +89,7 @@ def judge(model, mesh, size):
                            "--cad-samples", "10000"], stdin=subprocess.DEVNULL, capture_output=True, text=True)
     if done.returncode:
         return {"verdict": {"good": False, "error": done.stderr.strip()[-200:]}}
-    return json.loads(done.stdout)
+    return json.loads(done.stdout[done.stdout.index("{"):])  # some CAD readers print before it
 
 
 # Checks of a mesh alone. Each gives sentences, none when all is well.

@@ -1,7 +1,8 @@
 // Repair of folded order-2 elements.
 // In: mesh, validity test. Out: mesh with some inner nodes moved, list of what remains.
-// Steps: invalid elements in order; for each the blended centre, then its interior side middles towards their chords;
-// a second pass for elements whose neighbours have been mended meanwhile.
+// Steps: invalid elements in order; for each the blended centre, then its interior side middles towards their chords,
+// with neighbours that suffer from it following; a second pass for elements whose neighbours have been mended
+// meanwhile.
 #include "curving/repair.h"
 
 #include <algorithm>
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::array<double, 3> straightening = {0.5, 0.75, 1.0};
 constexpr int passes = 2;
+constexpr int most_depth = 2;  // a straightened element may ask its neighbours, and these theirs, to follow
 
 struct Element {
   bool is_quad = true;
@@ -43,9 +45,9 @@ class Repairer {
   }
 
  private:
-  struct Saved {
+  struct Moved {
     int node;
-    Vec3 x;
+    Vec3 from;
   };
 
   bool is_valid(const Element& element) const { return is_valid_(mesh_, element.is_quad, element.index); }
@@ -73,83 +75,90 @@ class Repairer {
   }
 
   bool mend(const Element& element) {
+    moved_.clear();
     if (element.is_quad) {
-      const std::vector<Saved> saved = {save(centre_node(element))};
       recentre(element);
       if (is_valid(element)) {
         ++result_.recentred;
         return true;
       }
-      restore(saved);
+      roll_back(0);
     }
-    for (double share : straightening) {
-      if (!straighten(element, share)) continue;
-      ++result_.straightened;
-      return true;
-    }
-    return false;
+    if (!straighten(element, 0)) return false;
+    ++result_.straightened;
+    for (const Moved& entry : moved_)
+      if (mesh_.node_edge[static_cast<std::size_t>(entry.node)] >= 0)
+        result_.off_edge = std::max(result_.off_edge, norm(position(entry.node) - entry.from));
+    return true;
   }
 
   bool is_kept(int middle) const { return !moves_edges_ && mesh_.node_edge[static_cast<std::size_t>(middle)] >= 0; }
 
-  // Moves the middles of interior sides; true when the element is valid and no neighbour has become invalid.
-  bool straighten(const Element& element, double share) {
+  bool straighten(const Element& element, int depth) {
+    return std::any_of(straightening.begin(), straightening.end(),
+                       [&](double share) { return straighten_by(share, element, depth); });
+  }
+
+  // Moves the middles of the sides; true when the element is valid and no neighbour has become invalid.
+  bool straighten_by(double share, const Element& element, int depth) {
+    const std::size_t mark = moved_.size();
+    const std::vector<Element> neighbours = valid_neighbours(element);
     const int* nodes = nodes_of(element);
     const int corners = corner_count(element);
-    std::vector<Element> neighbours;  // valid before
-    std::vector<Saved> saved;
     for (int c = 0; c < corners; ++c) {
       int middle = nodes[corners + c];
       if (is_kept(middle)) continue;
-      saved.push_back(save(middle));
+      Vec3 chord = 0.5 * (position(nodes[c]) + position(nodes[(c + 1) % corners]));
+      move(middle, (1 - share) * position(middle) + share * chord);
+    }
+    if (element.is_quad) recentre(element);
+    if (is_valid(element) && keep_valid(neighbours, depth)) return true;
+    roll_back(mark);
+    return false;
+  }
+
+  // Elements beside the sides that straightening moves, as far as they are valid now.
+  std::vector<Element> valid_neighbours(const Element& element) const {
+    std::vector<Element> neighbours;
+    const int* nodes = nodes_of(element);
+    const int corners = corner_count(element);
+    for (int c = 0; c < corners; ++c) {
+      int middle = nodes[corners + c];
+      if (is_kept(middle)) continue;
       for (const Element& other : elements_at_[static_cast<std::size_t>(middle)]) {
         bool is_itself = other.is_quad == element.is_quad && other.index == element.index;
         if (!is_itself && is_valid(other)) neighbours.push_back(other);
       }
     }
-    for (int c = 0; c < corners; ++c) {
-      int middle = nodes[corners + c];
-      if (is_kept(middle)) continue;
-      Vec3 chord = 0.5 * (position(nodes[c]) + position(nodes[(c + 1) % corners]));
-      position(middle) = (1 - share) * position(middle) + share * chord;
-    }
-    if (element.is_quad) {
-      saved.push_back(save(centre_node(element)));
-      recentre(element);
-    }
-    if (is_valid(element) && keep_valid(neighbours, saved)) {
-      for (const Saved& entry : saved)
-        if (mesh_.node_edge[static_cast<std::size_t>(entry.node)] >= 0)
-          result_.off_edge = std::max(result_.off_edge, norm(position(entry.node) - entry.x));
-      return true;
-    }
-    restore(saved);
-    return false;
+    return neighbours;
   }
 
-  // Gives a neighbour that has become invalid a blended centre; false when that is not enough.
-  bool keep_valid(const std::vector<Element>& neighbours, std::vector<Saved>& saved) {
+  // Gives a neighbour that has become invalid a blended centre, or straightens it in its turn; its own neighbours stay
+  // valid then. False when that is not enough.
+  bool keep_valid(const std::vector<Element>& neighbours, int depth) {
     for (const Element& other : neighbours) {
       if (is_valid(other)) continue;
-      if (!other.is_quad) return false;
-      saved.push_back(save(centre_node(other)));
-      recentre(other);
-      if (!is_valid(other)) return false;
+      if (other.is_quad) recentre(other);
+      if (!is_valid(other) && (depth == most_depth || !straighten(other, depth + 1))) return false;
     }
     return true;
   }
 
   int centre_node(const Element& quad) const { return nodes_of(quad)[8]; }
-  void recentre(const Element& quad) { position(centre_node(quad)) = blended_centre(mesh_, quad.index); }
-  Saved save(int node) { return {node, position(node)}; }
-  void restore(const std::vector<Saved>& saved) {
-    for (auto entry = saved.rbegin(); entry != saved.rend(); ++entry) position(entry->node) = entry->x;
+  void recentre(const Element& quad) { move(centre_node(quad), blended_centre(mesh_, quad.index)); }
+  void move(int node, Vec3 to) {
+    moved_.push_back({node, position(node)});
+    position(node) = to;
+  }
+  void roll_back(std::size_t mark) {
+    for (; moved_.size() > mark; moved_.pop_back()) position(moved_.back().node) = moved_.back().from;
   }
 
   SurfaceMesh& mesh_;
   const IsValidFn& is_valid_;
   bool moves_edges_;
   std::vector<std::vector<Element>> elements_at_;
+  std::vector<Moved> moved_;  // for the element being mended, in order
   RepairResult result_;
 };
 

@@ -21,7 +21,8 @@ struct RepairResult {
 
 /// Mends the invalid elements of an order-2 mesh. In this order, until valid: the centre as the blend of the sides;
 /// the middles of its interior sides 1/2, 3/4 and all the way to the middle of the chord. Middles on B-rep edges and
-/// corners never move, and a valid neighbour stays valid, else the element is left as it was and listed.
+/// corners never move. A valid neighbour stays valid (it may be straightened for that, too), else the element is left
+/// as it was and listed.
 RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid);
 
 /// The last resort for elements that the above left invalid: the same steps with the middles on B-rep edges moving,

@@ -57,8 +57,13 @@ JoinedMesh join_regions(const Model& model, const EdgeNodes& edges, const std::v
       mesh.node_edge.push_back(-1);
       mesh.node_target.push_back(region.h[i]);
     }
-    for (const Element& e : region.elements)
-      if (e.is_alive()) add_element(mesh, e, node_of, model.faces[part.face], part.face);
+    for (std::size_t e = 0; e < region.elements.size(); ++e) {
+      const Element& element = region.elements[e];
+      if (!element.is_alive()) continue;
+      add_element(mesh, element, node_of, model.faces[part.face], part.face);
+      if (element.corners() == 4)
+        joined.quad_source.push_back({static_cast<int>(&part - parts.data()), static_cast<int>(e)});
+    }
   }
   return joined;
 }

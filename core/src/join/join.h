@@ -1,6 +1,7 @@
 // The regions' meshes become one conforming mesh of order 1.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "boundary/edge_nodes.h"
@@ -19,6 +20,8 @@ struct JoinedMesh {
   SurfaceMesh mesh;
   /// Per part and region node: its node in `mesh`, -1 where the region does not use it.
   std::vector<std::vector<int>> node_of;
+  /// Per quad: its part, and its element there.
+  std::vector<std::array<int, 2>> quad_source;
 };
 
 /// Nodes: those of the boundary stage first, then each part's own in order. Elements of reversed faces are turned, so

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "mesh/flat_elements.h"
 #include "paving/cleanup.h"
 #include "paving/close_loop.h"
 #include "paving/row.h"
@@ -211,19 +212,29 @@ long count_unsound(const RegionMesh& mesh) {
 
 const int further_attempts = static_cast<int>(std::size(attempts)) - 1;
 
-PavedRegion pave_region_again(const Region& region, int attempt, const Progress& progress) {
-  const Attempt& way = attempts[attempt];
+namespace {
+
+PavedRegion pave_in_way(const Region& region, const Attempt& way, const Progress& progress) {
   return way.size == 1 ? pave_once(region, way, progress) : pave_once(scaled(region, way.size), way, progress);
+}
+
+}  // namespace
+
+PavedRegion pave_region_again(const Region& region, int attempt, const Progress& progress) {
+  PavedRegion paved = pave_in_way(region, attempts[attempt], progress);
+  mend_flat_elements(paved.mesh);
+  return paved;
 }
 
 PavedRegion pave_region(const Region& region, const Progress& progress) {
   PavedRegion best;
   long fewest = -1;
   for (int attempt = 0; attempt <= further_attempts && fewest != 0; ++attempt) {
-    PavedRegion paved = pave_region_again(region, attempt, progress);
+    PavedRegion paved = pave_in_way(region, attempts[attempt], progress);
     long unsound = count_unsound(paved.mesh);
     if (fewest < 0 || unsound < fewest) best = std::move(paved), fewest = unsound;
   }
+  mend_flat_elements(best.mesh);
   return best;
 }
 

@@ -75,6 +75,28 @@ TEST(RepairElements, AnInnerSideIsStraightenedNoMoreThanNeeded) {
   EXPECT_NEAR(mesh.nodes[5].x, 0.4, 1e-12);
 }
 
+TEST(RepairElements, ANeighbourFollowsAndItsOwnNeighbourStaysValid) {
+  SurfaceMesh mesh = two_squares();
+  int first = static_cast<int>(mesh.nodes.size());
+  for (Vec3 x : {Vec3{3, 0, 0}, Vec3{3, 1, 0}, Vec3{2.5, 0, 0}, Vec3{3, 0.5, 0}, Vec3{2.5, 1, 0}, Vec3{2.5, 0.5, 0}})
+    mesh.nodes.push_back(x);
+  for (int node : {8, first, first + 1, 9, first + 2, first + 3, first + 4, 11, first + 5}) mesh.quads.push_back(node);
+  mesh.quad_face.push_back(0);
+  mesh.node_edge.resize(mesh.nodes.size(), 0);
+  mesh.node_target.resize(mesh.nodes.size(), 0);
+  mesh.node_edge[11] = mesh.node_edge.back() = -1;
+  mesh.nodes[5] = {-0.2, 0.5, 0};
+  mesh.nodes[11] = {0.35, 0.5, 0};  // straightening side 5 alone would cross this one
+  for (int quad = 0; quad < 3; ++quad)
+    mesh.nodes[static_cast<std::size_t>(mesh.quads[9 * static_cast<std::size_t>(quad) + 8])] =
+        blended_centre(mesh, quad);
+  ASSERT_FALSE(is_unfolded(mesh, true, 0));
+  ASSERT_TRUE(is_unfolded(mesh, true, 1));
+  RepairResult result = repair_elements(mesh, is_unfolded);
+  EXPECT_TRUE(result.invalid_quads.empty());
+  for (int quad = 0; quad < 3; ++quad) EXPECT_TRUE(is_unfolded(mesh, true, quad)) << quad;
+}
+
 TEST(RepairElements, SidesOnBRepEdgesStayAndWhatCannotBeMendedIsListed) {
   SurfaceMesh mesh = two_squares();
   mesh.nodes[7] = {1.2, 0.5, 0};

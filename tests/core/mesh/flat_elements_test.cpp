@@ -1,0 +1,105 @@
+#include "mesh/flat_elements.h"
+
+#include <gtest/gtest.h>
+
+namespace paver {
+namespace {
+
+RegionMesh flat_mesh(const std::vector<Vec2>& points) {
+  RegionMesh mesh;
+  for (Vec2 p : points) mesh.add_node(p, {p.x, p.y, 0}, {1, 0, 0}, {0, 1, 0}, 1);
+  return mesh;
+}
+
+std::vector<Element> alive(const RegionMesh& mesh) {
+  std::vector<Element> result;
+  for (const Element& e : mesh.elements)
+    if (e.is_alive()) result.push_back(e);
+  return result;
+}
+
+double area(const RegionMesh& mesh) {
+  double sum = 0;
+  for (const Element& e : alive(mesh))
+    for (int i = 0; i < e.corners(); ++i) sum += 0.5 * cross(mesh.p[e.v[i]], mesh.p[e.v[(i + 1) % e.corners()]]);
+  return sum;
+}
+
+double worst(const RegionMesh& mesh) {
+  double least = 1;
+  for (const Element& e : alive(mesh)) least = std::min(least, scaled_jacobian(mesh, e));
+  return least;
+}
+
+bool has_side(const RegionMesh& mesh, int a, int b) {
+  for (const Element& e : alive(mesh))
+    for (int i = 0; i < e.corners(); ++i) {
+      int from = e.v[i], to = e.v[(i + 1) % e.corners()];
+      if ((from == a && to == b) || (from == b && to == a)) return true;
+    }
+  return false;
+}
+
+TEST(FlatElements, AQuadWithAFlatCornerBecomesTwoTriangles) {
+  RegionMesh mesh = flat_mesh({{0, 0}, {1, 0}, {2, 0}, {1, 0.5}});
+  mesh.add_element({0, 1, 2, 3});
+  EXPECT_EQ(mend_flat_elements(mesh), 1);
+  ASSERT_EQ(alive(mesh).size(), 2U);
+  EXPECT_TRUE(has_side(mesh, 1, 3));
+  EXPECT_DOUBLE_EQ(area(mesh), 0.5);
+  EXPECT_GT(worst(mesh), 0.4);
+}
+
+TEST(FlatElements, AQuadWithAReflexCornerIsCutThere) {
+  RegionMesh mesh = flat_mesh({{0, 0}, {1, 0.2}, {2, 0}, {1, 1}});
+  mesh.add_element({0, 1, 2, 3});
+  ASSERT_LT(worst(mesh), 0);
+  EXPECT_EQ(mend_flat_elements(mesh), 1);
+  EXPECT_TRUE(has_side(mesh, 1, 3));
+}
+
+TEST(FlatElements, ATriangleWithoutHeightIsDissolvedInItsQuad) {
+  RegionMesh mesh = flat_mesh({{0, 0}, {1, 0}, {2, 1e-4}, {2, 1}, {0, 1}});
+  mesh.add_element({0, 1, 2, -1});
+  mesh.add_element({0, 2, 3, 4});
+  double before = area(mesh);
+  EXPECT_EQ(mend_flat_elements(mesh), 1);
+  EXPECT_EQ(alive(mesh).size(), 2U);
+  EXPECT_FALSE(has_side(mesh, 0, 2)) << "would lie on the edge";
+  EXPECT_DOUBLE_EQ(area(mesh), before);
+  EXPECT_GT(worst(mesh), 0.3);
+}
+
+TEST(FlatElements, ATriangleWithoutHeightIsDissolvedInItsTriangle) {
+  RegionMesh mesh = flat_mesh({{0, 0}, {1, 0}, {2, 0}, {1, 1}});
+  mesh.add_element({1, 2, 0, -1});
+  mesh.add_element({3, 0, 2, -1});
+  // A flat triangle has no area, so it cannot have been laid in the chart; it can in space.
+  mesh.p[1].y = -0.1;
+  EXPECT_EQ(mend_flat_elements(mesh), 1);
+  EXPECT_TRUE(has_side(mesh, 1, 3));
+  EXPECT_FALSE(has_side(mesh, 0, 2));
+}
+
+TEST(FlatElements, SoundElementsAndThoseWithoutANeighbourStay) {
+  RegionMesh mesh = flat_mesh({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, -1e-3}});
+  mesh.add_element({0, 1, 2, 3});
+  EXPECT_EQ(mend_flat_elements(mesh), 0);
+  RegionMesh alone = flat_mesh({{0, 0}, {1, -1e-3}, {2, 0}});
+  alone.add_element({0, 1, 2, -1});
+  EXPECT_EQ(mend_flat_elements(alone), 0);
+}
+
+TEST(FlatElements, AQuadThatIsNotPositiveOnEitherDiagonalIsNotSplit) {
+  RegionMesh mesh = flat_mesh({{0, 0}, {1, 1}, {1, 0}, {0, 1}});  // crossed
+  mesh.add_element({0, 1, 2, 3});
+  EXPECT_FALSE(split_quad(mesh, 0));
+  EXPECT_EQ(alive(mesh).size(), 1U);
+  RegionMesh square = flat_mesh({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  square.add_element({0, 1, 2, 3});
+  EXPECT_TRUE(split_quad(square, 0));
+  EXPECT_EQ(alive(square).size(), 2U);
+}
+
+}  // namespace
+}  // namespace paver
