@@ -97,7 +97,7 @@ class Run {
     begin(Stage::sizing);
     size_ = build_size_field(model_, options_, progress_);
     begin(Stage::boundary);
-    std::vector<FaceLayout> layouts = plan_layouts(model_);
+    std::vector<FaceLayout> layouts = plan_layouts(model_, size_, progress_);
     std::vector<int> counts = choose_counts(model_, size_, progress_);
     settle_counts(model_, layouts, counts);
     for (int round = 0;; ++round) {

@@ -1,6 +1,6 @@
 // Curving by closest points in the charts.
 // Nodes are found again in their region by number; where a region shows a node twice (both sides of a cut) the copy
-// nearest to the other end of the side is meant.
+// nearest to the other corners is meant.
 #include "curving/place_nodes.h"
 
 #include <algorithm>
@@ -31,22 +31,19 @@ class NodeFinder {
 
   /// Chart points of `count` corners in part i, copies chosen next to one another; false when one is not there.
   bool find(std::size_t i, const int* corners, int count, Vec2* p) const {
-    // The corner with a single copy, if any, anchors the others.
+    // The corner with the fewest copies anchors the others; where it has several, the one whose neighbours are nearest.
     Range ranges[4];
     int anchor = 0;
     for (int k = 0; k < count; ++k) {
       ranges[k] = copies(i, corners[k]);
       if (ranges[k].first == ranges[k].last) return false;
-      if (ranges[k].last - ranges[k].first == 1) anchor = k;
+      if (ranges[k].last - ranges[k].first < ranges[anchor].last - ranges[anchor].first) anchor = k;
     }
-    Vec2 at = chart(i, ranges[anchor].first->second);
-    for (int k = 0; k < count; ++k) {
-      double nearest = 1e300;
-      for (auto c = ranges[k].first; c != ranges[k].last; ++c) {
-        Vec2 q = chart(i, c->second);
-        double d = norm(q - at);
-        if (d < nearest) nearest = d, p[k] = q;
-      }
+    double best = 1e300;
+    for (auto at = ranges[anchor].first; at != ranges[anchor].last; ++at) {
+      Vec2 q[4];
+      double spread = nearest_copies(i, ranges, count, chart(i, at->second), q);
+      if (spread < best) best = spread, std::copy_n(q, count, p);
     }
     return true;
   }
@@ -63,6 +60,21 @@ class NodeFinder {
     return {first, last};
   }
   Vec2 chart(std::size_t i, int k) const { return parts_[i].mesh->p[k]; }
+
+  /// The copy of each corner nearest to `at`; the sum of their distances.
+  double nearest_copies(std::size_t i, const Range* ranges, int count, Vec2 at, Vec2* p) const {
+    double sum = 0;
+    for (int k = 0; k < count; ++k) {
+      double nearest = 1e300;
+      for (auto c = ranges[k].first; c != ranges[k].last; ++c) {
+        Vec2 q = chart(i, c->second);
+        double d = norm(q - at);
+        if (d < nearest) nearest = d, p[k] = q;
+      }
+      sum += nearest;
+    }
+    return sum;
+  }
 
   const std::vector<CurvingPart>& parts_;
   std::vector<std::vector<Copy>> copies_;

@@ -164,6 +164,7 @@ class RegionPaver {
 }  // namespace
 
 std::optional<std::array<int, 2>> find_crossing(const Region& region) {
+  if (region.laid) return std::nullopt;
   RegionMesh mesh;
   Front front(region, mesh);
   auto crossing = front.start();
@@ -227,6 +228,7 @@ PavedRegion pave_region_again(const Region& region, int attempt, const Progress&
 }
 
 PavedRegion pave_region(const Region& region, const Progress& progress) {
+  if (region.laid) return {*region.laid, {}};
   PavedRegion best;
   long fewest = -1;
   for (int attempt = 0; attempt <= further_attempts && fewest != 0; ++attempt) {

@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "boundary/region_loops.h"
+#include "regions/pole.h"
 
 namespace paver {
 namespace {
-
-constexpr double sharp_pole = 0.26;  // radians (15 degrees): normals about a pole that differ more make it an apex
 
 constexpr double fold = 0.26;  // radians (15 degrees): an edge that turns back by all but this is folded
 
@@ -19,6 +18,10 @@ class RegionBuilder {
       : model_(model), face_(model.faces[face]), size_(size), layout_(layout), nodes_(nodes), index_(face) {}
 
   void run(std::vector<Region>& regions) {
+    if (layout_.kind == LayoutKind::closed) {
+      lay_patches(regions);
+      return;
+    }
     std::vector<Loop> loops = linked_loops(model_, index_, layout_.dropped);
     if (layout_.kind == LayoutKind::two_polar) {
       build_halves(loops, regions);
@@ -136,6 +139,38 @@ class RegionBuilder {
     return layout_.box.is_swapped ? uv.x : uv.y;
   }
 
+  // One region per patch of the grid, its mesh laid. Nodes on cuts are shared.
+  void lay_patches(std::vector<Region>& regions) {
+    const ClosedGrid& grid = *layout_.grid;
+    std::vector<int> global(grid.h.size(), -1);
+    for (const GridPatch& patch : grid.patches)
+      for (int v : patch.outline) {
+        int node = patch.node[v];
+        if (global[node] < 0) global[node] = append(face_.surface->point(patch.uv[v]), grid.h[node]);
+      }
+    for (const GridPatch& patch : grid.patches) {
+      Region region = make_region();
+      region.chart = patch.chart;
+      RegionMesh& mesh = region.laid.emplace();
+      for (std::size_t v = 0; v < patch.node.size(); ++v) {
+        Vec2 p = patch.chart->to_chart(patch.uv[v]);
+        Vec3 x, xp, xq;
+        region.evaluate(p, x, xp, xq);
+        int node = mesh.add_node(p, x, xp, xq, grid.h[patch.node[v]]);
+        mesh.global[node] = global[patch.node[v]];
+        mesh.is_fixed[node] = mesh.global[node] >= 0;
+      }
+      for (const auto& quad : patch.quads) mesh.add_element(quad);
+      std::vector<LoopNode>& loop = region.loops.emplace_back();
+      for (int v : patch.outline) {
+        int node = mesh.global[v];
+        mesh.x[v] = nodes_.nodes[node];
+        loop.push_back({node, -1, mesh.p[v], mesh.x[v], mesh.h[v], -1});
+      }
+      regions.push_back(std::move(region));
+    }
+  }
+
   // Two regions with a common artificial loop of fixed nodes.
   void build_halves(const std::vector<Loop>& loops, std::vector<Region>& regions) {
     ParameterBox low = layout_.box, high = layout_.box;
@@ -209,36 +244,19 @@ class RegionBuilder {
   // An apex must be a node: quads about it in advance, as many as the surface's angle there asks for. The same for a
   // smooth pole where the rows have nowhere else to start.
   void add_fan(const ParameterBox& box, Region& region) {
+    PoleShape shape = measure_pole(*region.surface, box, layout_.period, box.low_pole);
+    if (!(shape.slant > 0) || (!shape.is_sharp() && !is_bag(region))) return;
     double pole = box.low_pole ? box.lo.y : box.hi.y, inward = box.low_pole ? 1 : -1;
-    double extent = box.hi.y - box.lo.y;
-    double small = 1e-3 * extent;
-    Vec3 normal[8], mean{0, 0, 0}, apex, centre{0, 0, 0}, point[8];
-    apex = region.surface->point(parameters(box.lo.x, pole));
-    for (int i = 0; i < 8; ++i) {
-      Vec3 xu, xv;
-      region.surface->d1(parameters(box.lo.x + layout_.period * i / 8, pole + inward * small), point[i], xu, xv);
-      normal[i] = unit(cross(xu, xv));
-      mean += normal[i];
-      centre += 0.125 * point[i];
-    }
-    double widest = 0, slant = 0, around = 0;
-    for (int i = 0; i < 8; ++i) {
-      widest = std::max(widest, std::acos(std::clamp(dot(normal[i], unit(mean)), -1.0, 1.0)));
-      slant += 0.125 * norm(point[i] - apex);
-      around += norm(point[(i + 1) % 8] - point[i]);
-    }
-    if (!(slant > 0) || (widest < sharp_pole && !is_bag(region))) return;
-    double per_length = small / slant;  // meridian parameter per mm at the pole
-    double room = nearest_loop(region, apex);
+    double per_length = shape.small / shape.slant;  // meridian parameter per mm at the pole
+    double room = nearest_loop(region, shape.apex);
     double radius = std::min(0.8 * size_.h, 0.45 * room);
-    double cone_angle = 1.0263 * around / slant;  // eight chords of a circle to its length
-    int quads = cone_angle > 5.2 ? 4 : 3;
+    int quads = shape.cone_angle > 5.2 ? 4 : 3;
     Fan fan;
-    fan.centre.x = apex;
+    fan.centre.x = shape.apex;
     fan.centre.h = std::min(size_.h, radius);
     fan.centre.p = {0, 0};
-    fan.centre.global = append(apex, fan.centre.h);
-    double half = cone_angle / (2 * quads);
+    fan.centre.global = append(shape.apex, fan.centre.h);
+    double half = shape.cone_angle / (2 * quads);
     for (int i = 0; i < 2 * quads; ++i) {
       double reach = radius * (i % 2 ? std::min(1.4, 1 / std::max(0.7, std::cos(half))) : 1.0);
       LoopNode node;

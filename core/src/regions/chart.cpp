@@ -86,6 +86,9 @@ class PolarChart : public Chart {
     for (int i = 0; i <= cells_; ++i) radius_.push_back(std::exp(rises_ ? log_r[i] - middle : middle - log_r[i]));
     if (box.low_pole) radius_.front() = 0;
     if (box.high_pole) radius_.back() = 0;
+    least_ = 1e300;
+    for (double r : radius_)
+      if (r > 0) least_ = std::min(least_, 1e-9 * r);
     sign_ = rises_ == box.is_swapped ? 1 : -1;  // keeps the chart's orientation that of (u, v)
   }
 
@@ -114,7 +117,7 @@ class PolarChart : public Chart {
 
   void to_uv(Vec2 p, Vec2& uv, Vec2& uv_x, Vec2& uv_y) const override {
     double r = norm(p);
-    if (!(r > 1e-300)) p = {r = 1e-300, 0};
+    if (!(r > least_)) p = {r = least_, 0};
     int i = find_cell(r);
     double r0 = radius_[i], r1 = radius_[i + 1], t, dt;  // t in the cell and its derivative by r
     if (r0 > 0 && r1 > 0) {
@@ -148,7 +151,7 @@ class PolarChart : public Chart {
   }
 
   ParameterBox box_;
-  double turn_, lo_, step_, span_ = 0;
+  double turn_, lo_, step_, span_ = 0, least_ = 0;  // nearer to the pole than least_ is at it
   int cells_;
   bool rises_ = false;
   double sign_ = 1;

@@ -1,12 +1,14 @@
 // Chooses a chart per face. In: model. Out: layouts.
 // A face goes round when it uses an edge twice with a period between the two images. Polar charts need one direction
 // of going round; a second one (torus) stays as a cut. Two poles need a cut between them that meets no other loop.
+// A face without any border gets a regular grid where one fits.
 #include "regions/face_layout.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "boundary/region_loops.h"
+#include "regions/pole.h"
 
 namespace paver {
 namespace {
@@ -24,7 +26,8 @@ Vec2 image(const Model& model, const Coedge& c, double share) {
 
 class LayoutPlanner {
  public:
-  LayoutPlanner(const Model& model, int face) : model_(model), face_(model.faces[face]) {
+  LayoutPlanner(const Model& model, const SizeField& size, int face, const Progress& progress)
+      : model_(model), face_(model.faces[face]), index_(face), size_(size), progress_(progress) {
     layout_.dropped = periodic_coedges(model, face);
   }
 
@@ -38,10 +41,10 @@ class LayoutPlanner {
     if (is_swapped) layout_.box = {{v_.lo, u_.lo}, {v_.hi, u_.hi}, true, u_low_, u_high_};
     Vec2 period = face_.surface->period();
     layout_.period = is_swapped ? period.y : period.x;
-    if ((goes_round_u || goes_round_v) && layout_.period > 0) choose_polar();
+    if ((goes_round_u || goes_round_v) && layout_.period > 0 && !lay_grid()) choose_polar();
     if (layout_.kind == LayoutKind::row) {
       for (auto& loop : layout_.dropped) loop.assign(loop.size(), false);
-    } else if (goes_round_u && goes_round_v) {
+    } else if (layout_.kind == LayoutKind::polar && goes_round_u && goes_round_v) {
       keep_second_direction();
     }
     return layout_;
@@ -86,6 +89,28 @@ class LayoutPlanner {
         bool is_low = at - range.lo < range.hi - at;
         (along_u ? (is_low ? v_low_ : v_high_) : (is_low ? u_low_ : u_high_)) = true;
       }
+  }
+
+  // A face without border: all its edges are its own periodic ones or poles.
+  bool lay_grid() {
+    if (!linked_loops(model_, index_, layout_.dropped).empty()) return false;
+    for (const Loop& loop : face_.loops)
+      for (const Coedge& c : loop.coedges)
+        for (int user : model_.edges[c.edge].faces)
+          if (user != index_) return false;
+    const ParameterBox& box = layout_.box;
+    Vec2 period = face_.surface->period();
+    ClosedFace face{*face_.surface, size_.faces[index_], box, layout_.period, 0, size_.turn_limit};
+    if (box.low_pole && box.high_pole) {
+      for (bool is_low : {true, false})
+        if (measure_pole(*face_.surface, box, layout_.period, is_low).is_sharp()) return false;
+      layout_.grid = make_cube_grid(face, progress_);
+    } else if (wraps_u_ && wraps_v_ && !box.low_pole && !box.high_pole) {
+      face.other_period = box.is_swapped ? period.x : period.y;
+      layout_.grid = make_torus_grid(face, progress_);
+    }
+    if (layout_.grid) layout_.kind = LayoutKind::closed;
+    return layout_.grid != nullptr;
   }
 
   void choose_polar() {
@@ -141,6 +166,9 @@ class LayoutPlanner {
 
   const Model& model_;
   const Face& face_;
+  int index_;
+  const SizeField& size_;
+  const Progress& progress_;
   FaceLayout layout_;
   Range u_, v_;
   bool wraps_u_ = false, wraps_v_ = false;
@@ -149,11 +177,11 @@ class LayoutPlanner {
 
 }  // namespace
 
-std::vector<FaceLayout> plan_layouts(const Model& model) {
+std::vector<FaceLayout> plan_layouts(const Model& model, const SizeField& size, const Progress& progress) {
   std::vector<FaceLayout> layouts(model.faces.size());
   for (std::size_t f = 0; f < model.faces.size(); ++f)
     if (model.faces[f].has_area && model.faces[f].fault.empty())
-      layouts[f] = LayoutPlanner(model, static_cast<int>(f)).run();
+      layouts[f] = LayoutPlanner(model, size, static_cast<int>(f), progress).run();
   return layouts;
 }
 

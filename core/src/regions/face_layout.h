@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "regions/chart.h"
+#include "regions/closed_grid.h"
 #include "topology/model.h"
 
 namespace paver {
@@ -12,6 +13,7 @@ enum class LayoutKind {
   row,        ///< one region, row chart; periodic edges, if any, are cuts
   polar,      ///< one region that goes round: polar chart, periodic edge gone, a pole inside or none
   two_polar,  ///< goes round with a pole at either end: cut into two polar regions along a row
+  closed,     ///< no border at all: regions are the patches of a regular grid
 };
 
 struct FaceLayout {
@@ -19,11 +21,12 @@ struct FaceLayout {
   ParameterBox box;
   double period = 0;                       ///< of the direction that goes round
   double cut = 0;                          ///< two_polar: where (along the meridian)
+  std::shared_ptr<const ClosedGrid> grid;  ///< closed: the mesh of the whole face
   std::vector<std::vector<bool>> dropped;  ///< per loop and coedge: periodic edge that disappears
 };
 
-/// One layout per face, from topology alone.
-std::vector<FaceLayout> plan_layouts(const Model& model);
+/// One layout per face, from topology; grids of closed faces from their target length.
+std::vector<FaceLayout> plan_layouts(const Model& model, const SizeField& size, const Progress& progress);
 
 /// Edges that no region needs get no intervals; closed edges that stay as cuts get an even number.
 void settle_counts(const Model& model, const std::vector<FaceLayout>& layouts, std::vector<int>& counts);

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "brep/surface.h"
+#include "mesh/region_mesh.h"
 #include "sizing/size_field.h"
 
 namespace paver {
@@ -50,6 +52,7 @@ struct Region {
   double area = 0;                           ///< mm^2, of the whole face: bounds the work
   std::vector<std::vector<LoopNode>> loops;  ///< region on the left of each loop
   std::vector<Fan> fans;
+  std::optional<RegionMesh> laid;  ///< its whole mesh, where that is known in advance: a patch of a closed grid
 
   /// Surface point and its derivatives by the chart coordinates.
   void evaluate(Vec2 p, Vec3& x, Vec3& xp, Vec3& xq) const {

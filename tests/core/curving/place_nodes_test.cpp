@@ -24,7 +24,7 @@ struct Meshed {
     options.max_turn = max_turn;
     Progress progress;
     SizeField size = build_size_field(model, options, progress);
-    std::vector<FaceLayout> layouts = plan_layouts(model);
+    std::vector<FaceLayout> layouts = plan_layouts(model, size, progress);
     std::vector<int> counts = choose_counts(model, size, progress);
     settle_counts(model, layouts, counts);
     edges = divide_edges(model, size, counts, progress);
@@ -73,7 +73,7 @@ TEST(CurveElements, AllNodesOfATubeLieOnIt) {
 
 TEST(CurveElements, AllNodesOfABallLieOnItAcrossTheCutBetweenItsRegions) {
   Meshed ball(fake::ball(3), 0.8, 0.6);
-  EXPECT_EQ(ball.regions.size(), 2u);
+  EXPECT_EQ(ball.regions.size(), 6u);
   SurfaceMesh mesh = ball.curved();
   expect_sound(mesh, [](Vec3 x) { return norm(x) - 3; });
   long corners = std::count_if(mesh.node_target.begin(), mesh.node_target.end(), [](double h) { return h > 0; });

@@ -1,0 +1,207 @@
+// Gauss-Newton steps of one node at a time, in its tangent plane and its own chart.
+// In and out: the grid. Each step is taken back when the energy about the node does not fall, so a sweep never makes a
+// grid worse. Sweeps move waves of a few edges only: long ones are settled on coarser grids before (closed_grid.cpp).
+#include "regions/grid_smoothing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace paver {
+namespace {
+
+// Against equal lengths. On the full sphere 0.1 costs 0.004 in the coefficient of variation of the lengths and takes
+// the mean scaled Jacobian from 0.986 to 0.991.
+constexpr double angle_weight = 0.07;
+constexpr double longest_step = 0.3;  // of the target length
+constexpr double flat_sine = 0.2;     // corners may not become flatter than this: behind it lie folded elements
+constexpr double least_area = 0.05;   // of the product of two sides: flatter corners count as if they were no flatter
+constexpr double damping = 1e-3;
+
+/// Energy about one node as a function of its position, with gradient and Gauss-Newton matrix in the tangent basis.
+class NodeEnergy {
+ public:
+  NodeEnergy(const RegionMesh& mesh, int node, double ratio) : mesh_(mesh), node_(node), ratio_(ratio) {
+    n_ = mesh.normal(node);
+    t_ = unit(mesh.xp[node]);
+    s_ = cross(n_, t_);
+  }
+
+  double value(Vec3 at) {
+    sum_ = 0;
+    least_sine_ = 1;
+    has_slopes_ = false;
+    add_terms(at);
+    return sum_;
+  }
+
+  /// Of all corners at the last value().
+  double least_sine() const { return least_sine_; }
+
+  /// The step that would be best if the residuals were linear.
+  Vec3 step(Vec3 at) {
+    sum_ = g1_ = g2_ = h11_ = h12_ = h22_ = 0;
+    has_slopes_ = true;
+    add_terms(at);
+    double extra = damping * (h11_ + h22_), a = h11_ + extra, c = h22_ + extra, det = a * c - h12_ * h12_;
+    if (!(det > 0)) return {0, 0, 0};
+    return ((h12_ * g2_ - c * g1_) / det) * t_ + ((h12_ * g1_ - a * g2_) / det) * s_;
+  }
+
+ private:
+  void add_terms(Vec3 at) {
+    for (int q : mesh_.star[node_]) {
+      const Element& e = mesh_.elements[q];
+      int k = e.corner_of(node_);
+      int next = e.v[(k + 1) % 4], across = e.v[(k + 2) % 4], last = e.v[(k + 3) % 4];
+      add_edge(at, next);
+      add_edge(at, last);
+      add_own_corner(mesh_.x[next] - at, mesh_.x[last] - at);
+      add_second_side(mesh_.x[across] - mesh_.x[next], at - mesh_.x[next]);
+      add_first_side(at - mesh_.x[last], mesh_.x[across] - mesh_.x[last]);
+    }
+  }
+
+  // Each edge is seen from both its quads.
+  void add_edge(Vec3 at, int other) {
+    Vec3 d = at - mesh_.x[other];
+    double length = norm(d), wish = 0.5 * ratio_ * (mesh_.h[node_] + mesh_.h[other]);
+    add(0.5, length / wish - 1, (1 / (length * wish)) * d);
+  }
+
+  void add_own_corner(Vec3 a, Vec3 b) {
+    Corner corner = corner_of(a, b);
+    add(angle_weight, corner.cotangent, -1 * (corner.slope(b, cross(b, n_)) + corner.slope(a, cross(n_, a))));
+  }
+
+  // The corner at a neighbour: its first side `a` or its second `b` leads to the node.
+  void add_first_side(Vec3 a, Vec3 b) {
+    Corner corner = corner_of(a, b);
+    add(angle_weight, corner.cotangent, corner.slope(b, cross(b, n_)));
+  }
+  void add_second_side(Vec3 a, Vec3 b) {
+    Corner corner = corner_of(a, b);
+    add(angle_weight, corner.cotangent, corner.slope(a, cross(n_, a)));
+  }
+
+  struct Corner {
+    double cotangent, area;  // area of the parallelogram
+    // By a side: how a.b and (a x b).n change with it.
+    Vec3 slope(Vec3 product, Vec3 turn) const { return (1 / area) * (product - cotangent * turn); }
+  };
+
+  Corner corner_of(Vec3 a, Vec3 b) {
+    double scale = norm(a) * norm(b), area = dot(cross(a, b), n_);
+    least_sine_ = std::min(least_sine_, area / scale);
+    area = std::max(area, least_area * scale);
+    return {dot(a, b) / area, area};
+  }
+
+  void add(double weight, double residual, Vec3 slope) {
+    sum_ += weight * residual * residual;
+    if (!has_slopes_) return;
+    double j1 = dot(slope, t_), j2 = dot(slope, s_);
+    g1_ += weight * residual * j1, g2_ += weight * residual * j2;
+    h11_ += weight * j1 * j1, h12_ += weight * j1 * j2, h22_ += weight * j2 * j2;
+  }
+
+  const RegionMesh& mesh_;
+  int node_;
+  double ratio_;
+  Vec3 n_, t_, s_;
+  bool has_slopes_ = false;
+  double least_sine_ = 1;
+  double sum_ = 0, g1_ = 0, g2_ = 0, h11_ = 0, h12_ = 0, h22_ = 0;
+};
+
+void improve(GluedGrid& grid, int node, double ratio, const Surface& surface, const FaceSize& size) {
+  RegionMesh& mesh = grid.mesh;
+  NodeEnergy energy(mesh, node, ratio);
+  const Vec2 p = mesh.p[node];
+  const Vec3 x = mesh.x[node];
+  const double before = energy.value(x), sine = std::min(energy.least_sine(), flat_sine);
+  Vec3 step = energy.step(x);
+  double length = norm(step), most = longest_step * ratio * mesh.h[node];
+  if (!(length > 0)) return;
+  if (length > most) step = (most / length) * step;
+  Vec2 move = mesh.pull_back(node, step);
+  for (double share : {1.0, 0.4}) {
+    grid.place(node, p + share * move, surface, size);
+    if (energy.value(mesh.x[node]) < before && energy.least_sine() >= sine) return;
+  }
+  grid.place(node, p, surface, size);
+}
+
+double mean_ratio(const RegionMesh& mesh) {
+  double sum = 0;
+  for (const Element& e : mesh.elements)
+    for (int k = 0; k < 4; ++k) {
+      int a = e.v[k], b = e.v[(k + 1) % 4];
+      sum += norm(mesh.x[a] - mesh.x[b]) / (mesh.h[a] + mesh.h[b]);
+    }
+  return sum / (2.0 * static_cast<double>(mesh.elements.size()));
+}
+
+}  // namespace
+
+int GluedGrid::add_node(int in_chart, Vec2 p, const Surface& surface, const FaceSize& size) {
+  int node = mesh.add_node(p, {}, {}, {}, 0);
+  chart.push_back(in_chart);
+  place(node, p, surface, size);
+  return node;
+}
+
+void GluedGrid::place(int node, Vec2 p, const Surface& surface, const FaceSize& size) {
+  Vec2 uv, uv_x, uv_y;
+  Vec3 xu, xv;
+  charts[chart[node]]->to_uv(p, uv, uv_x, uv_y);
+  mesh.p[node] = p;
+  surface.d1(uv, mesh.x[node], xu, xv);
+  mesh.xp[node] = uv_x.x * xu + uv_x.y * xv;
+  mesh.xq[node] = uv_y.x * xu + uv_y.y * xv;
+  mesh.h[node] = size.at(uv);
+}
+
+Vec2 GluedGrid::uv(int node) const {
+  Vec2 uv, uv_x, uv_y;
+  charts[chart[node]]->to_uv(mesh.p[node], uv, uv_x, uv_y);
+  return uv;
+}
+
+GridFigures measure_grid(const GluedGrid& grid) {
+  const RegionMesh& mesh = grid.mesh;
+  GridFigures figures;
+  figures.mean_ratio = mean_ratio(mesh);
+  figures.worst = 2;
+  double outside = 0, squares = 0, cotangents = 0;
+  for (const Element& e : mesh.elements) {
+    figures.worst = std::min(figures.worst, scaled_jacobian(mesh, e));
+    for (int k = 0; k < 2; ++k) {
+      double cosine = dot(mesh.normal(e.v[k]), mesh.normal(e.v[k + 2]));
+      figures.turn = std::max(figures.turn, std::acos(std::clamp(cosine, -1.0, 1.0)));
+    }
+    for (int k = 0; k < 4; ++k) {
+      int a = e.v[k], b = e.v[(k + 1) % 4], c = e.v[(k + 3) % 4];
+      Vec3 out = mesh.x[b] - mesh.x[a], back = mesh.x[c] - mesh.x[a];
+      double off = 2 * norm(out) / (figures.mean_ratio * (mesh.h[a] + mesh.h[b])) - 1;
+      double cotangent = dot(out, back) / std::max(norm(cross(out, back)), least_area * norm(out) * norm(back));
+      squares += off * off;
+      cotangents += cotangent * cotangent;
+      if (std::fabs(off) > 0.3) ++outside;
+    }
+  }
+  double sides = 4.0 * static_cast<double>(mesh.elements.size());
+  figures.variation = std::sqrt(squares / sides);
+  figures.outside = outside / sides;
+  figures.energy = (0.5 * squares + angle_weight * cotangents) / static_cast<double>(mesh.node_count());
+  return figures;
+}
+
+void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress) {
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    progress.check();
+    double ratio = mean_ratio(grid.mesh);
+    for (int node = 0; node < grid.mesh.node_count(); ++node) improve(grid, node, ratio, surface, size);
+  }
+}
+
+}  // namespace paver

@@ -1,0 +1,42 @@
+// Smoothing of a grid of quads laid over a whole closed face: no node is fixed, no cut shows.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "mesh/region_mesh.h"
+#include "paver/progress.h"
+#include "regions/region.h"
+
+namespace paver {
+
+/// Quads without a border, counter-clockwise in (u, v). `mesh.p` of a node are coordinates of its own chart,
+/// `charts[chart[node]]`.
+struct GluedGrid {
+  std::vector<std::shared_ptr<const Chart>> charts;
+  std::vector<int> chart;
+  RegionMesh mesh;
+
+  /// The new node's number.
+  int add_node(int in_chart, Vec2 p, const Surface& surface, const FaceSize& size);
+  /// Moves a node to chart point p.
+  void place(int node, Vec2 p, const Surface& surface, const FaceSize& size);
+  Vec2 uv(int node) const;
+};
+
+/// Sums over a grid, each per item: edges about one length in h, right angles, and what a solver feels of both.
+struct GridFigures {
+  double mean_ratio = 0;  ///< of edge length to target length
+  double variation = 0;   ///< of the same
+  double outside = 0;     ///< share of edges shorter than 0.7 or longer than 1.3 of the mean ratio
+  double worst = 0;       ///< scaled Jacobian
+  double turn = 0;        ///< radians: largest angle between the normals at opposite corners of a quad
+  double energy = 0;      ///< per node, see smooth_grid
+};
+GridFigures measure_grid(const GluedGrid& grid);
+
+/// `sweeps` over all nodes. A node goes where the energy about it is least: sum over edges of (length / (r h) - 1)^2,
+/// r the mean of length / h, plus `angle_weight` times the sum over corners of the squared cotangent.
+void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress);
+
+}  // namespace paver

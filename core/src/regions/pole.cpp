@@ -1,0 +1,41 @@
+// Eight points about a pole, a thousandth of the meridian from it, and their normals.
+#include "regions/pole.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace paver {
+namespace {
+
+constexpr double sharp_spread = 0.26;  // radians (15 degrees): normals about a pole that differ more make it an apex
+
+}  // namespace
+
+bool PoleShape::is_sharp() const { return spread >= sharp_spread; }
+
+PoleShape measure_pole(const Surface& surface, const ParameterBox& box, double period, bool is_low) {
+  auto parameters = [&](double along, double meridian) {
+    return box.is_swapped ? Vec2{meridian, along} : Vec2{along, meridian};
+  };
+  double pole = is_low ? box.lo.y : box.hi.y, inward = is_low ? 1 : -1;
+  PoleShape shape;
+  shape.small = 1e-3 * (box.hi.y - box.lo.y);
+  shape.apex = surface.point(parameters(box.lo.x, pole));
+  Vec3 normal[8], mean{0, 0, 0}, point[8];
+  for (int i = 0; i < 8; ++i) {
+    Vec3 xu, xv;
+    surface.d1(parameters(box.lo.x + period * i / 8, pole + inward * shape.small), point[i], xu, xv);
+    normal[i] = unit(cross(xu, xv));
+    mean += normal[i];
+  }
+  double around = 0;
+  for (int i = 0; i < 8; ++i) {
+    shape.spread = std::max(shape.spread, std::acos(std::clamp(dot(normal[i], unit(mean)), -1.0, 1.0)));
+    shape.slant += 0.125 * norm(point[i] - shape.apex);
+    around += norm(point[(i + 1) % 8] - point[i]);
+  }
+  shape.cone_angle = 1.0263 * around / shape.slant;  // eight chords of a circle to its length
+  return shape;
+}
+
+}  // namespace paver
