@@ -92,6 +92,27 @@ def judge(model, mesh, size):
     return json.loads(done.stdout[done.stdout.index("{"):])  # some CAD readers print before it
 
 
+SEW = """
+import sys, gmsh
+gmsh.initialize()
+gmsh.option.setNumber("General.Terminal", 0)
+gmsh.option.setNumber("Geometry.OCCSewFaces", 1)
+gmsh.option.setNumber("Geometry.Tolerance", float(sys.argv[3]))
+gmsh.option.setString("Geometry.OCCTargetUnit", "")
+gmsh.model.occ.importShapes(sys.argv[1])
+gmsh.model.occ.synchronize()
+gmsh.write(sys.argv[2])
+"""
+
+
+def sewn(model, out, tolerance):
+    """`model` as a .brep file with the faces sewn, by another program than ours: for models without topology, whose
+    faces share no edges as they come."""
+    subprocess.run(["/usr/bin/python3", "-c", SEW, model, out, str(tolerance)], stdin=subprocess.DEVNULL, check=True,
+                   capture_output=True)
+    return out
+
+
 # Checks of a mesh alone. Each gives sentences, none when all is well.
 
 def directed_sides(mesh):

@@ -5,6 +5,7 @@
 
 #include "mesh/flat_elements.h"
 #include "paving/cleanup.h"
+#include "paving/cleanup_chords.h"
 #include "paving/close_loop.h"
 #include "paving/row.h"
 #include "paving/seam.h"
@@ -201,6 +202,7 @@ PavedRegion pave_once(const Region& region, const Attempt& attempt, const Progre
   paver.front().misfit_weight = attempt.misfit_weight;
   paved.counts = paver.run();
   clean_up(paver.front(), progress);
+  remove_chords(paver.front());
   return paved;
 }
 
