@@ -19,6 +19,7 @@ constexpr double most_intervals = 1e8;           // keeps counts within int
 constexpr double most_by_turn = 4096;            // intervals on one edge that its turn may ask for
 constexpr double full_turn = 6.283185307179586;  // a closed edge that turns so far is round
 constexpr double rounding_slack = 1e-6;          // equal edges that come out at a half must not part by rounding errors
+constexpr double largest_change = 0.12;          // of the wish, for the sake of ties and parity
 constexpr double turn_slack = 1e-3;              // radians
 
 int least_for_shape(const Edge& edge, double turn) {
@@ -38,14 +39,17 @@ EdgeCount count_for_edge(const Edge& edge, const SizeField& size) {
   // Equal weights bound the turn once n reaches the weight of every piece between kinks.
   const int enough = static_cast<int>(std::min(std::ceil(result.wish), most_intervals)) + metric.kink_count();
   while (result.count < enough && !metric.turns_within(result.count, size.turn_limit)) ++result.count;
-  // Ties and parity may take one away each.
-  int least = result.count;
-  for (int step = 1; step <= 2; ++step) {
-    int fewer = result.count - step;
-    if (fewer < result.minimum || !metric.turns_within(fewer, size.turn_limit)) break;
-    least = fewer;
+  // Ties and parity may take some away.
+  int lowest = std::max(result.minimum, static_cast<int>((1 - largest_change) * result.wish) - 1);
+  if (lowest >= result.count) {
+    result.minimum = result.count;
+  } else if (metric.turns_within(lowest, size.turn_limit)) {
+    result.minimum = lowest;
+  } else {
+    int least = result.count;
+    while (least - 1 > lowest && least > result.count - 2 && metric.turns_within(least - 1, size.turn_limit)) --least;
+    result.minimum = least;
   }
-  result.minimum = least;
   return result;
 }
 
@@ -94,12 +98,14 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
       for (const Coedge& coedge : loop.coedges) edges.push_back(coedge.edge);
     }
   }
-  tie_opposite_sides(model, loops, counts);
+  TiedCounts tied = tie_opposite_sides(model, loops, counts);
   progress.check();
-  even_out_loops(loop_edges, counts);
+  for (std::vector<int>& edges : loop_edges)
+    for (int& e : edges) e = tied.group[static_cast<std::size_t>(e)];
+  even_out_loops(loop_edges, tied.groups);
 
   std::vector<int> result;
-  for (const EdgeCount& edge : counts) result.push_back(edge.count);
+  for (int group : tied.group) result.push_back(tied.groups[static_cast<std::size_t>(group)].count);
   return result;
 }
 

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double free_change = 0.12;    // relative change that costs no extra
 constexpr double extra_cost = 4;        // per relative change above it
+constexpr double tied_cost = 0.05;      // for a tie that may be lost
 constexpr double locked_cost = 100;     // one interval to two: when nothing else helps
 constexpr double shortest_split = 0.7;  // of h: a shorter edge of one interval is never split
 constexpr double unreachable = std::numeric_limits<double>::infinity();
@@ -29,7 +30,7 @@ int changed_count(const EdgeCount& edge) {
 double change_cost(const EdgeCount& edge) {
   if (edge.count == 1) return edge.wish > shortest_split ? locked_cost : unreachable;
   double change = std::abs(changed_count(edge) - edge.wish) / edge.count;
-  return change + extra_cost * std::max(0.0, change - free_change);
+  return change + extra_cost * std::max(0.0, change - free_change) + (edge.is_tied ? tied_cost : 0);
 }
 
 // Nodes are loops; the last one is the outside.
@@ -45,6 +46,7 @@ class LoopGraph {
       }
       is_odd_[l] = total % 2 != 0;
     }
+    for (std::vector<int>& loops : uses_) drop_pairs(loops);
     build_arcs();
   }
 
@@ -84,6 +86,18 @@ class LoopGraph {
     int source = -1;
     int arc = -1;  // towards the source; -1 at the source
   };
+
+  // A loop that uses an edge twice keeps its parity when the edge changes. Uses come loop by loop.
+  static void drop_pairs(std::vector<int>& loops) {
+    std::vector<int> odd;
+    for (int loop : loops)
+      if (!odd.empty() && odd.back() == loop) {
+        odd.pop_back();
+      } else {
+        odd.push_back(loop);
+      }
+    loops = odd;
+  }
 
   int outside() const { return static_cast<int>(is_odd_.size()) - 1; }
 

@@ -1,127 +1,215 @@
 // Equal counts on opposite sides, so that such faces can be meshed as grids.
-// In: loops, counts. Out: counts.
-// Steps: pairs of opposite edges; union of the pairs, most alike first, while a group's counts span one at most;
-// each group takes the rounded mean.
+// In: loops, counts. Out: groups of edges with one count each.
+// Steps: edges that lie opposite each other are joined, faces of most elements first, while there is a count that all
+// members of a group can take (where a face has one pair of sides only that can be equal: while they differ by
+// rounding, for such a face stays irregular anyway); each group takes the one nearest to their wishes; sides of unequal
+// numbers of edges then get equal sums by changing groups that no earlier pair of sides holds.
 #include "boundary/tie_sides.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
-#include <tuple>
+
+#include "boundary/opposite_sides.h"
 
 namespace paver {
 namespace {
 
-constexpr double rounding_slack = 1e-6;               // equal wishes at a half round alike
-constexpr double least_corner = 0.7853981633974483;   // 45 degrees
-constexpr double largest_corner = 2.356194490192345;  // 135 degrees
+constexpr double largest_change = 0.12;  // of an edge's wish
+constexpr double rounding = 0.9;         // intervals: short edges may change by more than that share
+constexpr double rounding_slack = 1e-6;  // equal wishes at a half round alike
 
-const Edge& edge_of(const Model& model, const Coedge& coedge) {
-  return model.edges[static_cast<std::size_t>(coedge.edge)];
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Counts an edge may take.
+struct Range {
+  int least = 0, most = std::numeric_limits<int>::max();
+  bool is_possible(bool is_even) const { return is_even ? (least + 1) / 2 <= most / 2 : least <= most; }
+};
+
+Range range_of(const EdgeCount& edge) {
+  double slack = std::max(largest_change * edge.wish, rounding);
+  // The count it has is always allowed: its minimum may lie far above its wish.
+  int least = std::max(edge.minimum, static_cast<int>(std::ceil(std::max(edge.wish - slack, 1.0))));
+  int most = static_cast<int>(std::floor(std::min(edge.wish + slack, 1e8)));
+  return {std::min(least, edge.count), std::max(most, edge.count)};
 }
 
-// Direction of travel along the coedge at its start or its end.
-Vec3 travel_direction(const Model& model, const Coedge& coedge, bool at_end) {
-  const Edge& edge = edge_of(model, coedge);
-  Vec3 x, xt;
-  edge.curve->d1(at_end != coedge.is_reversed ? edge.t1 : edge.t0, x, xt);
-  return unit(coedge.is_reversed ? -1 * xt : xt);
-}
+Range common(Range a, Range b) { return {std::max(a.least, b.least), std::min(a.most, b.most)}; }
 
-bool is_four_sided(const Model& model, const Loop& loop) {
-  if (loop.coedges.size() != 4) return false;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Coedge &before = loop.coedges[i], &after = loop.coedges[(i + 1) % 4];
-    if (before.edge == after.edge || !edge_of(model, before).curve || !edge_of(model, after).curve) return false;
-    Vec3 back = -1 * travel_direction(model, before, true), ahead = travel_direction(model, after, false);
-    double angle = std::atan2(norm(cross(back, ahead)), dot(back, ahead));
-    if (!(angle >= least_corner && angle <= largest_corner)) return false;
-  }
-  return true;
-}
-
-std::vector<std::pair<int, int>> opposite_edges(const Model& model, const std::vector<std::vector<Loop>>& loops) {
-  std::vector<std::pair<int, int>> pairs;
-  for (std::size_t f = 0; f < loops.size(); ++f) {
-    const std::vector<Loop>& of_face = loops[f];
-    if (of_face.size() == 1 && is_four_sided(model, of_face[0])) {
-      const std::vector<Coedge>& sides = of_face[0].coedges;
-      pairs.emplace_back(sides[0].edge, sides[2].edge);
-      pairs.emplace_back(sides[1].edge, sides[3].edge);
-    }
-    bool is_ring = of_face.size() == 2 && of_face[0].coedges.size() == 1 && of_face[1].coedges.size() == 1;
-    if (is_ring && model.faces[f].loops.size() == 1) {  // one loop in the face, two without its periodic edge
-      pairs.emplace_back(of_face[0].coedges[0].edge, of_face[1].coedges[0].edge);
-    }
-  }
-  return pairs;
-}
-
-// Disjoint groups of edges with the span of their counts.
-class Groups {
+class Tying {
  public:
-  explicit Groups(const std::vector<EdgeCount>& counts) : parent_(counts.size()) {
+  explicit Tying(const std::vector<EdgeCount>& counts) : counts_(counts), parent_(counts.size()) {
     std::iota(parent_.begin(), parent_.end(), 0);
-    for (const EdgeCount& edge : counts) members_.push_back({edge.count, edge.count, edge.minimum, 1, edge.wish});
+    for (const EdgeCount& edge : counts)
+      members_.push_back({range_of(edge), {edge.count, edge.count}, edge.minimum, 1, edge.wish, false, false});
+    is_held_.assign(counts.size(), false);
   }
+
+  void mark_even(int edge) { members_[at(find(edge))].is_even = true; }
+
+  bool is_divided(const std::vector<int>& side) const {
+    return std::all_of(side.begin(), side.end(), [&](int e) { return counts_[at(e)].count > 0; });
+  }
+
+  /// Whether equal sums of the sides are in reach.
+  bool can_equal(const OppositeSides& pair) const {
+    auto reach = [&](const std::vector<int>& side) {
+      double least = 0, most = 0;
+      for (int e : side) least += range_of(counts_[at(e)]).least, most += range_of(counts_[at(e)]).most;
+      return std::pair{least, most};
+    };
+    auto first = reach(pair.first), second = reach(pair.second);
+    return std::max(first.first, second.first) <= std::min(first.second, second.second);
+  }
+
+  /// `makes_grid`: worth a larger change.
+  void join_if_alike(int a, int b, bool makes_grid) {
+    a = find(a);
+    b = find(b);
+    if (a == b) return;
+    if (a > b) std::swap(a, b);
+    Members &into = members_[at(a)], &from = members_[at(b)];
+    Members both{common(into.range, from.range),
+                 {std::min(into.rounded.least, from.rounded.least), std::max(into.rounded.most, from.rounded.most)},
+                 std::max(into.minimum, from.minimum),
+                 into.size + from.size,
+                 into.wish + from.wish,
+                 into.is_even || from.is_even,
+                 into.makes_grid || from.makes_grid || makes_grid};
+    if (!both.range.is_possible(both.is_even)) return;
+    if (!makes_grid && both.rounded.most - both.rounded.least > 1) return;
+    into = both;
+    parent_[at(b)] = a;
+  }
+
+  void choose_counts() {
+    chosen_.assign(counts_.size(), 0);
+    for (std::size_t e = 0; e < counts_.size(); ++e) {
+      if (find(static_cast<int>(e)) != static_cast<int>(e) || counts_[e].count == 0) continue;
+      chosen_[e] = members_[e].size > 1 || members_[e].is_even ? nearest_count(members_[e]) : counts_[e].count;
+    }
+  }
+
+  /// Changes groups by one, least relative change first, until the sides have equal sums; leaves all as it was where
+  /// that is not to be had.
+  void equal_sums(const OppositeSides& pair) {
+    const std::vector<int> before = chosen_;
+    long excess = sum(pair.first) - sum(pair.second);
+    while (excess != 0) {
+      int best = -1, best_step = 0;
+      double least = std::numeric_limits<double>::infinity();
+      for (const std::vector<int>* side : {&pair.first, &pair.second})
+        for (int e : *side) {
+          int group = find(e);
+          int step = (excess > 0) == (side == &pair.first) ? -1 : 1;
+          double cost = std::fabs(chosen_[at(group)] + step - mean_wish(group)) / chosen_[at(group)];
+          if (!can_change(group, step, pair) || !(cost < least)) continue;
+          least = cost, best = group, best_step = step;
+        }
+      if (best < 0) {
+        chosen_ = before;
+        return;
+      }
+      chosen_[at(best)] += best_step;
+      excess += excess > 0 ? -1 : 1;
+    }
+    for (const std::vector<int>* side : {&pair.first, &pair.second})
+      for (int e : *side) is_held_[at(find(e))] = true;
+  }
+
+  TiedCounts result() {
+    TiedCounts tied;
+    tied.groups.resize(counts_.size());
+    for (std::size_t e = 0; e < counts_.size(); ++e) {
+      int group = find(static_cast<int>(e));
+      tied.group.push_back(group);
+      if (group != static_cast<int>(e)) continue;
+      tied.groups[e] = {mean_wish(group), members_[e].minimum, chosen_[e], is_held_[e] || members_[e].makes_grid};
+    }
+    return tied;
+  }
+
+ private:
+  struct Members {
+    Range range, rounded;  // counts they may take; counts they had
+    int minimum, size;
+    double wish;  // sum
+    bool is_even, makes_grid;
+  };
 
   int find(int edge) {
-    while (parent_[static_cast<std::size_t>(edge)] != edge) {
-      int& up = parent_[static_cast<std::size_t>(edge)];
-      up = parent_[static_cast<std::size_t>(up)];
+    while (parent_[at(edge)] != edge) {
+      int& up = parent_[at(edge)];
+      up = parent_[at(up)];
       edge = up;
     }
     return edge;
   }
 
-  void join_if_alike(int a, int b) {
-    a = find(a);
-    b = find(b);
-    if (a == b) return;
-    if (a > b) std::swap(a, b);
-    Members &into = members_[static_cast<std::size_t>(a)], &from = members_[static_cast<std::size_t>(b)];
-    Members both{std::min(into.least, from.least), std::max(into.most, from.most), std::max(into.minimum, from.minimum),
-                 into.size + from.size, into.wish + from.wish};
-    if (both.most - both.least > 1 || both.minimum > both.most) return;
-    into = both;
-    parent_[static_cast<std::size_t>(b)] = a;
-  }
+  double mean_wish(int group) const { return members_[at(group)].wish / members_[at(group)].size; }
 
-  // Rounded mean wish, kept within the counts its members had.
-  int count(int edge) {
-    const Members& group = members_[static_cast<std::size_t>(find(edge))];
+  static int nearest_count(const Members& group) {
     double mean = group.wish / group.size;
-    int rounded = static_cast<int>(std::min(mean + 0.5 + rounding_slack, 1e8));
-    return std::max(std::clamp(rounded, group.least, group.most), group.minimum);
+    int step = group.is_even ? 2 : 1;
+    int rounded = step * static_cast<int>(std::min(mean / step + 0.5 + rounding_slack, 5e7));
+    int least = step * ((group.range.least + step - 1) / step), most = group.range.most / step * step;
+    return std::max(least, std::min(rounded, most));
   }
 
-  bool is_tied(int edge) { return members_[static_cast<std::size_t>(find(edge))].size > 1; }
+  long sum(const std::vector<int>& side) {
+    long total = 0;
+    for (int e : side) total += chosen_[at(find(e))];
+    return total;
+  }
 
- private:
-  struct Members {
-    int least, most, minimum, size;
-    double wish;
-  };
+  bool can_change(int group, int step, const OppositeSides& pair) {
+    const Members& members = members_[at(group)];
+    int count = chosen_[at(group)] + step;
+    if (is_held_[at(group)] || members.is_even || count < members.range.least || count > members.range.most)
+      return false;
+    auto uses = [&](const std::vector<int>& side) {
+      return std::count_if(side.begin(), side.end(), [&](int e) { return find(e) == group; });
+    };
+    return uses(pair.first) + uses(pair.second) == 1;
+  }
+
+  const std::vector<EdgeCount>& counts_;
   std::vector<int> parent_;
   std::vector<Members> members_;
+  std::vector<int> chosen_;    // per group
+  std::vector<bool> is_held_;  // per group: an equal sum depends on it
 };
 
 }  // namespace
 
-void tie_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops,
-                        std::vector<EdgeCount>& counts) {
-  std::vector<std::tuple<double, int, int>> pairs;  // difference of the wishes, edges
-  for (auto [a, b] : opposite_edges(model, loops)) {
-    const EdgeCount &first = counts[static_cast<std::size_t>(a)], &second = counts[static_cast<std::size_t>(b)];
-    if (a == b || first.count == 0 || second.count == 0) continue;
-    pairs.emplace_back(std::abs(first.wish - second.wish), a, b);
+TiedCounts tie_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops,
+                              const std::vector<EdgeCount>& counts) {
+  Tying tying(counts);
+  for (const std::vector<Loop>& of_face : loops)
+    for (const Loop& loop : of_face)
+      if (loop.coedges.size() == 1 && counts[at(loop.coedges[0].edge)].count > 0) tying.mark_even(loop.coedges[0].edge);
+  const std::vector<OppositeSides> pairs = find_opposite_sides(model, loops);
+  std::vector<bool> can_equal;
+  for (const OppositeSides& p : pairs)
+    can_equal.push_back(tying.is_divided(p.first) && tying.is_divided(p.second) && tying.can_equal(p));
+  std::vector<int> order(pairs.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return model.faces[at(pairs[at(a)].face)].area > model.faces[at(pairs[at(b)].face)].area;
+  });
+  std::erase_if(order, [&](int i) { return !can_equal[at(i)]; });
+  for (int i : order) {
+    const OppositeSides& pair = pairs[at(i)];
+    bool makes_grid = pair.partner < 0 || can_equal[at(pair.partner)];
+    for (std::size_t k = 0; pair.first.size() == pair.second.size() && k < pair.first.size(); ++k)
+      tying.join_if_alike(pair.first[k], pair.second[k], makes_grid);
   }
-  std::sort(pairs.begin(), pairs.end());
-  Groups groups(counts);
-  for (auto [difference, a, b] : pairs) groups.join_if_alike(a, b);
-  for (std::size_t e = 0; e < counts.size(); ++e) {
-    if (groups.is_tied(static_cast<int>(e))) counts[e].count = groups.count(static_cast<int>(e));
-  }
+  tying.choose_counts();
+  for (int i : order)
+    if (pairs[at(i)].partner < 0 || can_equal[at(pairs[at(i)].partner)]) tying.equal_sums(pairs[at(i)]);
+  return tying.result();
 }
 
 }  // namespace paver

@@ -8,11 +8,18 @@
 
 namespace paver {
 
-/// Ties edges that lie opposite each other on a face of four sides with corners between 45 and 135 degrees, or that
-/// are the two ends of a tube (two loops of one edge each on a face with a periodic edge), as long as all counts of
-/// a tied group lie within one of each other. Each group takes its rounded mean wish, at least its largest minimum.
-/// `loops[f]`: linked_loops of face f without periodic edges.
-void tie_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops,
-                        std::vector<EdgeCount>& counts);
+/// Edges that take one count together, and the counts of these groups.
+struct TiedCounts {
+  std::vector<int> group;         ///< per edge: its group
+  std::vector<EdgeCount> groups;  ///< wish: the members' mean; minimum: the largest of theirs
+};
+
+/// Ties sides that lie opposite each other on a face with four corners between 45 and 135 degrees and smooth sides, and
+/// the two loops of a ring (a tube, an annulus), as long as no member's count comes to differ from its wish by more
+/// than rounding or 12 %; where the other two sides of a face cannot be equal, by rounding only. Sides of several edges
+/// are tied edge by edge where they have equally many, else by their sums. Large faces come first. A group with an edge
+/// that makes a whole loop gets an even count. `loops[f]`: linked_loops of face f without periodic edges.
+TiedCounts tie_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops,
+                              const std::vector<EdgeCount>& counts);
 
 }  // namespace paver

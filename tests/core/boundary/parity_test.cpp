@@ -52,6 +52,23 @@ TEST(EvenOutLoops, AnEdgeUsedTwiceByOneLoopHasNoEffectOnIt) {
   EXPECT_EQ(counts[1].count, 4);
 }
 
+TEST(EvenOutLoops, AnEntryThatStandsForOppositeSidesCarriesParityAcross) {
+  // 0 stands for both ends of a strip of quads: one of them in loop 0, the other in loop 2, each also in loop 1.
+  Loops loops = {{0, 1, 1}, {0, 0, 2, 2}, {0, 3, 3}};
+  std::vector<EdgeCount> counts = {edge(5), edge(4), edge(4), edge(4)};
+  EXPECT_EQ(even_out_loops(loops, counts), 0);
+  EXPECT_EQ(counts[0].count, 6);
+}
+
+TEST(EvenOutLoops, TiedEdgesChangeOnlyWhenOthersWouldChangeMuchMore) {
+  Loops loops = {{0, 1, 2}};
+  std::vector<EdgeCount> counts = {{20.4, 1, 20}, {18.4, 1, 18}, {3, 1, 3}};
+  counts[0].is_tied = true;
+  EXPECT_EQ(even_out_loops(loops, counts), 0);
+  EXPECT_EQ(counts[0].count, 20);
+  EXPECT_EQ(counts[1].count, 19);
+}
+
 TEST(EvenOutLoops, OneOddLoopWithoutPartnerStaysOdd) {
   Loops alone = {{0, 0, 0}, {1, 1}};
   std::vector<EdgeCount> locked = {{0.2, 1, 1}, edge(4)};

@@ -1,0 +1,118 @@
+// Sides of faces by the corners of their loops.
+// In: loops. Out: pairs of sides.
+// Corners are junctions with an interior angle between 45 and 135 degrees; everywhere else a side runs straight on. One
+// loop with four corners: two pairs. Two loops without any: one pair, its edges matched by nearest middles.
+#include "boundary/opposite_sides.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace paver {
+namespace {
+
+constexpr double least_corner = 0.7853981633974483;    // 45 degrees
+constexpr double largest_corner = 2.356194490192345;   // 135 degrees
+constexpr double least_straight = 2.6179938779914944;  // 150 degrees; from there to 210 a side runs on
+
+const Edge& edge_of(const Model& model, const Coedge& coedge) {
+  return model.edges[static_cast<std::size_t>(coedge.edge)];
+}
+
+// Direction of travel along the coedge at its start or its end.
+Vec3 travel_direction(const Model& model, const Coedge& coedge, bool at_end) {
+  const Edge& edge = edge_of(model, coedge);
+  Vec3 x, xt;
+  edge.curve->d1(at_end != coedge.is_reversed ? edge.t1 : edge.t0, x, xt);
+  return unit(coedge.is_reversed ? -1 * xt : xt);
+}
+
+// Interior angle between the end of `before` and the start of `after`; unsigned where the surface has no normal.
+double interior_angle(const Model& model, const Face& face, const Coedge& before, const Coedge& after) {
+  Vec3 back = -1 * travel_direction(model, before, true), ahead = travel_direction(model, after, false);
+  double angle = std::atan2(norm(cross(back, ahead)), dot(back, ahead));
+  if (!after.pcurve || !face.surface) return angle;
+  const Edge& edge = edge_of(model, after);
+  Vec3 x, xu, xv;
+  face.surface->d1(after.pcurve->uv(after.is_reversed ? edge.t1 : edge.t0), x, xu, xv);
+  return dot(cross(ahead, back), cross(xu, xv)) < 0 ? 2 * M_PI - angle : angle;
+}
+
+enum class Junction { corner, straight, other };
+
+Junction junction_of(double angle) {
+  if (angle >= least_corner && angle <= largest_corner) return Junction::corner;
+  return angle >= least_straight && angle <= 2 * M_PI - least_straight ? Junction::straight : Junction::other;
+}
+
+/// Chains of edges between corners, from the first corner on; one chain where there is no corner.
+using Sides = std::vector<std::vector<int>>;
+
+std::optional<Sides> sides_of(const Model& model, const Face& face, const Loop& loop) {
+  const std::size_t n = loop.coedges.size();
+  std::vector<Junction> junctions;  // at the start of each coedge
+  for (const Coedge& coedge : loop.coedges)
+    if (!edge_of(model, coedge).curve) return std::nullopt;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Coedge &before = loop.coedges[(i + n - 1) % n], &after = loop.coedges[i];
+    if (n > 1 && before.edge == after.edge) return std::nullopt;
+    junctions.push_back(junction_of(interior_angle(model, face, before, after)));
+    if (junctions.back() == Junction::other) return std::nullopt;
+  }
+  auto first = std::find(junctions.begin(), junctions.end(), Junction::corner);
+  std::size_t start = first == junctions.end() ? 0 : static_cast<std::size_t>(first - junctions.begin());
+  Sides sides;
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t i = (start + k) % n;
+    if (k == 0 || junctions[i] == Junction::corner) sides.emplace_back();
+    sides.back().push_back(loop.coedges[i].edge);
+  }
+  if (first == junctions.end() || sides.size() > 1) return sides;
+  return std::nullopt;  // a drop: one corner
+}
+
+Vec3 middle_of(const Edge& edge) { return edge.curve->point(0.5 * (edge.t0 + edge.t1)); }
+
+// The second loop's edges in the order in which they lie nearest to the first's; as they are where that is no pairing.
+void match_by_middles(const Model& model, OppositeSides& pair) {
+  if (pair.first.size() != pair.second.size()) return;
+  std::vector<int> matched;
+  for (int e : pair.first) {
+    Vec3 middle = middle_of(model.edges[static_cast<std::size_t>(e)]);
+    auto distance = [&](int other) { return norm(middle_of(model.edges[static_cast<std::size_t>(other)]) - middle); };
+    matched.push_back(*std::min_element(pair.second.begin(), pair.second.end(),
+                                        [&](int a, int b) { return distance(a) < distance(b); }));
+  }
+  std::vector<int> sorted = matched, all = pair.second;
+  std::sort(sorted.begin(), sorted.end());
+  std::sort(all.begin(), all.end());
+  if (sorted == all) pair.second = matched;
+}
+
+}  // namespace
+
+std::vector<OppositeSides> find_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops) {
+  std::vector<OppositeSides> pairs;
+  for (std::size_t f = 0; f < loops.size(); ++f) {
+    if (loops[f].empty() || loops[f].size() > 2) continue;
+    std::vector<Sides> sides;
+    for (const Loop& loop : loops[f])
+      if (auto found = sides_of(model, model.faces[f], loop)) sides.push_back(*found);
+    if (sides.size() != loops[f].size()) continue;
+    int face = static_cast<int>(f);
+    if (sides.size() == 1 && sides[0].size() == 4) {
+      const int place = static_cast<int>(pairs.size());
+      for (std::size_t k : {0u, 1u}) {
+        OppositeSides pair{face, sides[0][k], sides[0][k + 2], place + (k == 0 ? 1 : 0)};
+        std::reverse(pair.second.begin(), pair.second.end());
+        pairs.push_back(std::move(pair));
+      }
+    } else if (sides.size() == 2 && sides[0].size() == 1 && sides[1].size() == 1) {
+      pairs.push_back({face, sides[0][0], sides[1][0], -1});
+      match_by_middles(model, pairs.back());
+    }
+  }
+  return pairs;
+}
+
+}  // namespace paver

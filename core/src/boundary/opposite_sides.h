@@ -1,0 +1,22 @@
+// Pairs of sides that a grid over a face would join.
+#pragma once
+
+#include <vector>
+
+#include "topology/model.h"
+
+namespace paver {
+
+/// Two sides of one face, chains of edges; where both have equally many, edge i of one lies opposite edge i of the
+/// other.
+struct OppositeSides {
+  int face = -1;
+  std::vector<int> first, second;
+  int partner = -1;  ///< the other pair of the same face, by its place in the list; -1 for rings
+};
+
+/// Of all faces: sides between four corners, and the two loops of rings. `loops[f]`: linked_loops of face f without
+/// periodic edges.
+std::vector<OppositeSides> find_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops);
+
+}  // namespace paver

@@ -1,0 +1,84 @@
+// Which sides of a face lie opposite each other.
+#include "boundary/opposite_sides.h"
+
+#include <gtest/gtest.h>
+
+#include "boundary/region_loops.h"
+#include "support/fake_model.h"
+
+namespace paver {
+namespace {
+
+using Side = std::vector<int>;
+
+std::vector<OppositeSides> pairs_of(const Model& model) {
+  std::vector<std::vector<Loop>> loops;
+  for (std::size_t f = 0; f < model.faces.size(); ++f) loops.push_back(linked_loops(model, static_cast<int>(f), false));
+  return find_opposite_sides(model, loops);
+}
+
+/// Ring in z = 0 between circles of two arcs each: edges 0, 1 outside, 2, 3 inside, these from a quarter turn on.
+Model ring_of_arcs(double outer, double inner) {
+  fake::Builder builder;
+  const double pi = fake::pi;
+  int a = builder.vertex({outer, 0, 0}), b = builder.vertex({-outer, 0, 0});
+  int c = builder.vertex({inner, 0, 0}), d = builder.vertex({-inner, 0, 0});
+  builder.arc({}, outer, 0, pi, a, b);
+  builder.arc({}, outer, pi, 2 * pi, b, a);
+  builder.arc({}, inner, 0, pi, c, d);
+  builder.arc({}, inner, pi, 2 * pi, d, c);
+  builder.face(std::make_shared<fake::Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}),
+               pi * (outer * outer - inner * inner),
+               {{builder.use(0), builder.use(1)}, {builder.use(3, true), builder.use(2, true)}});
+  return builder.take();
+}
+
+TEST(OppositeSides, OfAQuadrilateralAreItsOppositeEdges) {
+  auto pairs = pairs_of(fake::polygon({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}}));
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_EQ(pairs[0].first, Side{0});
+  EXPECT_EQ(pairs[0].second, Side{2});
+  EXPECT_EQ(pairs[0].partner, 1);
+  EXPECT_EQ(pairs[1].partner, 0);
+}
+
+TEST(OppositeSides, RunOverVerticesThatAreNoCorners) {
+  auto pairs = pairs_of(fake::polygon({{1, 0, 0}, {4, 0, 0}, {4, 3, 0}, {3, 3, 0}, {1, 3, 0}, {0, 3, 0}, {0, 0, 0}}));
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_EQ(pairs[0].first, Side{1});
+  EXPECT_EQ(pairs[0].second, Side{5});
+  EXPECT_EQ(pairs[1].first, (Side{2, 3, 4}));
+  EXPECT_EQ(pairs[1].second, (Side{0, 6})) << "in the direction of the first";
+}
+
+TEST(OppositeSides, AreNotSeenWhereACornerTurnsInwards) {
+  EXPECT_TRUE(pairs_of(fake::polygon({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 4, 0}, {2, 2, 0}, {0, 2, 0}})).empty());
+  EXPECT_TRUE(pairs_of(fake::polygon({{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}})).empty()) << "a dart";
+}
+
+TEST(OppositeSides, OfATubeAreItsEnds) {
+  auto pairs = pairs_of(fake::tube(1, 2));
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].first, Side{0});
+  EXPECT_EQ(pairs[0].second, Side{2});
+  EXPECT_EQ(pairs[0].partner, -1);
+}
+
+TEST(OppositeSides, OfARingAreMatchedByWhereTheyLie) {
+  auto pairs = pairs_of(ring_of_arcs(3, 2));
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].first, (Side{0, 1}));
+  EXPECT_EQ(pairs[0].second, (Side{2, 3}));
+}
+
+TEST(OppositeSides, ATriangleAndADiskHaveNone) {
+  EXPECT_TRUE(pairs_of(fake::polygon({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}})).empty());
+  fake::Builder builder;
+  int v = builder.vertex({1, 0, 0});
+  builder.arc({}, 1, 0, 2 * fake::pi, v, v);
+  builder.face(std::make_shared<fake::Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}), fake::pi, {{builder.use(0)}});
+  EXPECT_TRUE(pairs_of(builder.take()).empty());
+}
+
+}  // namespace
+}  // namespace paver

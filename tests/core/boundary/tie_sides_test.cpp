@@ -1,0 +1,97 @@
+// Counts of opposite sides after tying.
+#include "boundary/tie_sides.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "boundary/region_loops.h"
+#include "support/fake_model.h"
+
+namespace paver {
+namespace {
+
+/// Counts per edge after tying, from wishes.
+std::vector<int> tied(const Model& model, const std::vector<double>& wishes, int minimum = 1) {
+  std::vector<std::vector<Loop>> loops;
+  for (std::size_t f = 0; f < model.faces.size(); ++f) loops.push_back(linked_loops(model, static_cast<int>(f), false));
+  std::vector<EdgeCount> counts;
+  for (double wish : wishes) counts.push_back({wish, minimum, std::max(minimum, static_cast<int>(wish + 0.5))});
+  TiedCounts result = tie_opposite_sides(model, loops, counts);
+  std::vector<int> chosen;
+  for (int group : result.group) chosen.push_back(result.groups[static_cast<std::size_t>(group)].count);
+  return chosen;
+}
+
+Model square() { return fake::polygon({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}); }
+
+/// Flat ring between two circles: edges 0 outside, 1 inside.
+int add_ring(fake::Builder& builder, int outer, int inner, double area) {
+  return builder.face(std::make_shared<fake::Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}), area,
+                      {{builder.use(outer)}, {builder.use(inner, true)}});
+}
+
+int add_circle(fake::Builder& builder, double radius) {
+  int v = builder.vertex({radius, 0, 0});
+  return builder.arc({}, radius, 0, 2 * fake::pi, v, v);
+}
+
+TEST(TieSides, BothPairsOfAFaceMayChangeByTwelvePercent) {
+  EXPECT_EQ(tied(square(), {40, 50, 46, 50}), (std::vector<int>{43, 50, 43, 50}));
+}
+
+TEST(TieSides, NothingIsTiedBeyondThat) {
+  EXPECT_EQ(tied(square(), {40, 50, 55, 50}), (std::vector<int>{40, 50, 55, 50}));
+}
+
+TEST(TieSides, AFaceThatStaysIrregularIsTiedByRoundingOnly) {
+  EXPECT_EQ(tied(square(), {40, 30, 44, 50}), (std::vector<int>{40, 30, 44, 50}));
+  EXPECT_EQ(tied(square(), {40.4, 30, 40.6, 50}), (std::vector<int>{41, 30, 41, 50}));
+}
+
+TEST(TieSides, TheMinimumHolds) {
+  std::vector<int> counts = tied(square(), {7.2, 9, 7.9, 9}, 8);
+  EXPECT_EQ(counts, (std::vector<int>{8, 9, 8, 9}));
+}
+
+TEST(TieSides, TheCirclesOfAThinRingGetOneEvenCount) {
+  for (double width : {0.02, 0.06, 0.15})
+    for (double n : {20.4, 31.2, 41.0, 43.9}) {
+      fake::Builder builder;
+      int outer = add_circle(builder, 1), inner = add_circle(builder, 1 - width);
+      add_ring(builder, outer, inner, 1);
+      std::vector<int> counts = tied(builder.take(), {n, n * (1 - width)});
+      EXPECT_EQ(counts[0], counts[1]) << n << " " << width;
+      EXPECT_EQ(counts[0] % 2, 0);
+      EXPECT_LE(std::fabs(counts[0] / n - 1), 0.121);
+    }
+}
+
+TEST(TieSides, ChainsOfRingsTakeOneCountWhileItFitsAll) {
+  fake::Builder builder;
+  std::vector<int> circles;
+  for (double radius : {1.0, 0.92, 0.98, 0.9, 1.0}) circles.push_back(add_circle(builder, radius));
+  for (std::size_t i = 1; i < circles.size(); ++i) add_ring(builder, circles[i - 1], circles[i], 1);
+  EXPECT_EQ(tied(builder.take(), {41, 37.7, 40.2, 36.9, 41}), (std::vector<int>(5, 40)));
+}
+
+TEST(TieSides, ALongChainIsBrokenWhereItsFacesAreSmallest) {
+  fake::Builder builder;
+  std::vector<int> circles;
+  for (double radius : {1.0, 0.85, 0.7}) circles.push_back(add_circle(builder, radius));
+  add_ring(builder, circles[0], circles[1], 1);
+  add_ring(builder, circles[1], circles[2], 2);
+  std::vector<int> counts = tied(builder.take(), {40, 34, 28});
+  EXPECT_EQ(counts[1], counts[2]);
+  EXPECT_EQ(counts[0], 40);
+}
+
+TEST(TieSides, SidesOfUnequalNumbersOfEdgesGetEqualSums) {
+  Model model = fake::polygon({{0, 0, 0}, {3, 0, 0}, {6, 0, 0}, {6, 4, 0}, {0, 4, 0}});
+  std::vector<int> counts = tied(model, {15, 15.4, 20, 32, 20});
+  EXPECT_EQ(counts[0] + counts[1], counts[3]);
+  EXPECT_NEAR(counts[3], 31, 1);
+}
+
+}  // namespace
+}  // namespace paver
