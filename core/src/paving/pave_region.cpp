@@ -10,6 +10,7 @@
 #include "paving/row.h"
 #include "paving/seam.h"
 #include "paving/smooth.h"
+#include "regions/disc_grid.h"
 
 namespace paver {
 namespace {
@@ -231,6 +232,7 @@ PavedRegion pave_region_again(const Region& region, int attempt, const Progress&
 
 PavedRegion pave_region(const Region& region, const Progress& progress) {
   if (region.laid) return {*region.laid, {}};
+  if (auto disc = lay_disc(region, progress)) return {std::move(*disc), {}};
   PavedRegion best;
   long fewest = -1;
   for (int attempt = 0; attempt <= further_attempts && fewest != 0; ++attempt) {

@@ -200,7 +200,8 @@ void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, 
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     progress.check();
     double ratio = mean_ratio(grid.mesh);
-    for (int node = 0; node < grid.mesh.node_count(); ++node) improve(grid, node, ratio, surface, size);
+    for (int node = 0; node < grid.mesh.node_count(); ++node)
+      if (!grid.mesh.is_fixed[node]) improve(grid, node, ratio, surface, size);
   }
 }
 

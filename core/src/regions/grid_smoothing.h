@@ -1,4 +1,4 @@
-// Smoothing of a grid of quads laid over a whole closed face: no node is fixed, no cut shows.
+// Smoothing of a regular grid of quads, laid over a whole closed face or a disc.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace paver {
 
-/// Quads without a border, counter-clockwise in (u, v). `mesh.p` of a node are coordinates of its own chart,
+/// Quads, counter-clockwise in (u, v). `mesh.p` of a node are coordinates of its own chart,
 /// `charts[chart[node]]`.
 struct GluedGrid {
   std::vector<std::shared_ptr<const Chart>> charts;
@@ -35,8 +35,9 @@ struct GridFigures {
 };
 GridFigures measure_grid(const GluedGrid& grid);
 
-/// `sweeps` over all nodes. A node goes where the energy about it is least: sum over edges of (length / (r h) - 1)^2,
-/// r the mean of length / h, plus `angle_weight` times the sum over corners of the squared cotangent.
+/// `sweeps` over all nodes that are not fixed. A node goes where the energy about it is least: sum over edges of
+/// (length / (r h) - 1)^2, r the mean of length / h, plus `angle_weight` times the sum over corners of the squared
+/// cotangent.
 void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress);
 
 }  // namespace paver
