@@ -187,6 +187,7 @@ struct Attempt {
 };
 constexpr Attempt attempts[] = {{1, 1}, {1, 0}, {0.5, 1}, {0.25, 1}};
 constexpr double sound_jacobian = 0.05;  // an element below it is a reason to try again
+constexpr double least_facing = 0.2;     // cosine between an element's normal and the surface's
 
 Region scaled(const Region& region, double size) {
   Region finer = region;
@@ -207,9 +208,18 @@ PavedRegion pave_once(const Region& region, const Attempt& attempt, const Progre
   return paved;
 }
 
+// Thin long elements may lie beneath a bent surface and face the other way, sound as they are by themselves.
+bool faces_away(const RegionMesh& mesh, const Element& e) {
+  Vec3 normal{0, 0, 0};
+  for (int k = 0; k < e.corners(); ++k) normal += mesh.normal(e.v[k]);
+  Vec3 last = e.corners() == 4 ? mesh.x[e.v[3]] - mesh.x[e.v[1]] : mesh.x[e.v[2]] - mesh.x[e.v[1]];
+  return dot(unit(cross(mesh.x[e.v[2]] - mesh.x[e.v[0]], last)), unit(normal)) < least_facing;
+}
+
 long count_unsound(const RegionMesh& mesh) {
-  return std::count_if(mesh.elements.begin(), mesh.elements.end(),
-                       [&](const Element& e) { return e.is_alive() && scaled_jacobian(mesh, e) < sound_jacobian; });
+  return std::count_if(mesh.elements.begin(), mesh.elements.end(), [&](const Element& e) {
+    return e.is_alive() && (scaled_jacobian(mesh, e) < sound_jacobian || faces_away(mesh, e));
+  });
 }
 
 }  // namespace
