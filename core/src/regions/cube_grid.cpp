@@ -15,7 +15,6 @@ namespace {
 constexpr int coarsest = 10;         // quads along a patch where smoothing starts
 constexpr int fewest = 7;            // across it: fewer do not show the shape
 constexpr int first_sweeps = 150;    // on the coarsest grid: long waves settle
-constexpr int further_sweeps = 12;   // on each finer one: what interpolation left
 constexpr int most_coarse = 4;       // quads along a cap: up to here finer grids are tried as well
 constexpr double most_turn = 2.1;    // radians across an element: beyond, it misses what the surface does there
 constexpr double most_uneven = 0.4;  // two polar charts are no better where lengths vary so much
@@ -227,7 +226,7 @@ std::shared_ptr<const ClosedGrid> lay_cube(const ClosedFace& face, int n, int m,
     } else {
       grid->start();
     }
-    smooth_grid(grid->grid(), face.surface, face.size, coarse ? further_sweeps : first_sweeps, progress);
+    smooth_grid(grid->grid(), face.surface, face.size, coarse ? finer_sweeps(grid->grid()) : first_sweeps, progress);
     coarse = std::move(grid);
   }
   return is_good(measure_grid(coarse->grid()), most_uneven, turn_limit) ? coarse->patches() : nullptr;

@@ -15,11 +15,10 @@
 namespace paver {
 namespace {
 
-constexpr double corner = 0.52;     // radians (30 degrees): a loop that turns more at a node has a corner there
-constexpr int fewest_nodes = 8;     // on the loop
-constexpr int coarsest = 12;        // quads along the core where smoothing starts
-constexpr int first_sweeps = 60;    // there
-constexpr int further_sweeps = 12;  // on each finer disc
+constexpr double corner = 0.52;   // radians (30 degrees): a loop that turns more at a node has a corner there
+constexpr int fewest_nodes = 8;   // on the loop
+constexpr int coarsest = 12;      // quads along the core where smoothing starts
+constexpr int first_sweeps = 60;  // there
 // Coefficient of variation of the lengths. Paving reaches 0.16 on round discs, 0.1 on ellipses of 2 : 1.
 constexpr double most_uneven = 0.14;
 constexpr double least_jacobian = 0.5;
@@ -243,7 +242,8 @@ std::optional<RegionMesh> lay_disc(const Region& region, const Progress& progres
   for (const Layout& level : levels_of(*layout)) {
     auto finer = std::make_unique<DiscGrid>(region, rim, level);
     finer->start(disc.get());
-    smooth_grid(finer->grid(), *region.surface, region.size, disc ? further_sweeps : first_sweeps, progress);
+    smooth_grid(finer->grid(), *region.surface, region.size, disc ? finer_sweeps(finer->grid()) : first_sweeps,
+                progress);
     disc = std::move(finer);
   }
   if (!disc->finish()) return std::nullopt;

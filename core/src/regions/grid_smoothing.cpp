@@ -205,4 +205,6 @@ void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, 
   }
 }
 
+int finer_sweeps(const GluedGrid& grid) { return grid.mesh.node_count() > 40000 ? 3 : 12; }
+
 }  // namespace paver
