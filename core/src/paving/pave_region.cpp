@@ -187,6 +187,8 @@ struct Attempt {
 };
 constexpr Attempt attempts[] = {{1, 1}, {1, 0}, {0.5, 1}, {0.25, 1}};
 constexpr double sound_jacobian = 0.05;  // an element below it is a reason to try again
+constexpr double long_side = 0.9;        // of the target length
+constexpr double steep = 0.8;            // cosine between a side and a normal
 constexpr double least_facing = 0.2;     // cosine between an element's normal and the surface's
 
 Region scaled(const Region& region, double size) {
@@ -216,10 +218,25 @@ bool faces_away(const RegionMesh& mesh, const Element& e) {
   return dot(unit(cross(mesh.x[e.v[2]] - mesh.x[e.v[0]], last)), unit(normal)) < least_facing;
 }
 
+// A long side that leaves the surface nearly along its normal and comes back to it so runs through the body.
+bool cuts_through(const RegionMesh& mesh, const Element& e) {
+  for (int k = 0; k < e.corners(); ++k) {
+    int a = e.v[k], b = e.v[(k + 1) % e.corners()];
+    Vec3 side = mesh.x[b] - mesh.x[a];
+    double length = norm(side), out = dot(side, mesh.normal(a)), back = dot(side, mesh.normal(b));
+    bool is_steep = out * back < 0 && std::min(std::fabs(out), std::fabs(back)) > steep * length;
+    if (is_steep && length > long_side * std::min(mesh.h[a], mesh.h[b])) return true;
+  }
+  return false;
+}
+
+bool is_unsound(const RegionMesh& mesh, const Element& e) {
+  return scaled_jacobian(mesh, e) < sound_jacobian || faces_away(mesh, e) || cuts_through(mesh, e);
+}
+
 long count_unsound(const RegionMesh& mesh) {
-  return std::count_if(mesh.elements.begin(), mesh.elements.end(), [&](const Element& e) {
-    return e.is_alive() && (scaled_jacobian(mesh, e) < sound_jacobian || faces_away(mesh, e));
-  });
+  return std::count_if(mesh.elements.begin(), mesh.elements.end(),
+                       [&](const Element& e) { return e.is_alive() && is_unsound(mesh, e); });
 }
 
 }  // namespace
