@@ -159,25 +159,36 @@ class Run {
       result_.report.faces[regions_[i].face].closed_by_triangulation += paved_[i].counts.closed_by_triangulation;
   }
 
-  // Joining and curving; faces with invalid elements are paved in other ways as long as that helps.
+  // Joining and curving. Faces with invalid elements are paved with other rows, then mended element by element; where
+  // that is not enough they are paved finer and mended again.
   void assemble() {
     std::vector<long> invalid = join_and_curve();
-    for (int attempt = 1; attempt <= further_attempts; ++attempt) {
-      if (std::count(invalid.begin(), invalid.end(), 0) == static_cast<long>(invalid.size())) break;
-      std::vector<PavedRegion> before = pave_again(invalid, attempt);
-      std::vector<long> now = join_and_curve();
-      bool is_reverted = false;
-      for (std::size_t i = 0; i < regions_.size(); ++i) {
-        int face = regions_[i].face;
-        if (invalid[face] == 0 || now[face] < invalid[face]) continue;
-        paved_[i] = std::move(before[i]);
-        is_reverted = true;
-      }
-      invalid = is_reverted ? join_and_curve() : std::move(now);
+    int next = 1;
+    for (int last : {1, further_attempts}) {
+      for (; next <= last && has_any(invalid); ++next) invalid = pave_invalid(std::move(invalid), next);
+      invalid = split_invalid(std::move(invalid));
+      if (options_.order > 1) straighten_last(invalid);
+      if (!has_any(invalid)) break;
     }
-    invalid = split_invalid(std::move(invalid));
-    if (options_.order > 1) straighten_last(invalid);
     note_invalid(invalid);
+  }
+
+  static bool has_any(const std::vector<long>& invalid) {
+    return std::any_of(invalid.begin(), invalid.end(), [](long n) { return n > 0; });
+  }
+
+  // Paves the faces with invalid elements in another way and keeps it where it leaves fewer.
+  std::vector<long> pave_invalid(std::vector<long> invalid, int attempt) {
+    std::vector<PavedRegion> before = pave_again(invalid, attempt);
+    std::vector<long> now = join_and_curve();
+    bool is_reverted = false;
+    for (std::size_t i = 0; i < regions_.size(); ++i) {
+      int face = regions_[i].face;
+      if (invalid[face] == 0 || now[face] < invalid[face]) continue;
+      paved_[i] = std::move(before[i]);
+      is_reverted = true;
+    }
+    return is_reverted ? join_and_curve() : std::move(now);
   }
 
   // Invalid quads become two triangles each, as long as that leaves fewer invalid elements.

@@ -22,7 +22,12 @@ namespace {
 // more uneven lengths.
 constexpr int most_rings = 4, most_elements = 60;
 constexpr int most_hexagons = 24;  // divisions tried for one pair of triangles
-constexpr int sweeps = 10;
+constexpr int sweeps = 60;
+// Even lengths may cost energy: a change as dear as this is tried where a likely share of the spread about it would pay
+// for it, and where it brings the number of elements nearer to what the area wants.
+constexpr double dearest = 4.5, likely_share = 0.3, least_fall = 0.1, least_fit = 0.05;
+constexpr double even_jacobian = 0.6;  // least scaled Jacobian such a change may leave
+constexpr double uneven = 1;           // spread about a regular node from which on it is looked at
 constexpr double worst_goal = 0.74;
 // A triangle goes whatever it costs in energy, and for elements half as long.
 constexpr Demand triangle_demand{-100, 0.3, 0.4, 0};
@@ -40,12 +45,15 @@ class CleanUp {
     work([&](int node) { return improve(node); });
     push_all();
     work([&](int node) { return improve(node) || refill(node); });
-    join_triangles();
-    work([&](int node) { return improve(node) || refill(node); });
+    for (int round = 0; round < 2; ++round) {
+      join_triangles();
+      work([&](int node) { return improve(node) || refill(node); });
+    }
   }
 
   /// After smoothing: elements that stayed poor.
   void mend() {
+    edit_.forget_measures();
     int left = 50 + static_cast<int>(mesh_.elements.size()) / 100;
     for (int e = 0, n = static_cast<int>(mesh_.elements.size()); e < n && left > 0; ++e) {
       const Element element = mesh_.elements[e];
@@ -70,10 +78,12 @@ class CleanUp {
 
   void push(int node) {
     if (waits_.size() <= static_cast<std::size_t>(node)) waits_.resize(node + 64, 0), is_stuck_.resize(node + 64, 0);
-    if (waits_[node] || !(edit_.is_irregular(node) || is_at_triangle(node))) return;
+    if (waits_[node] || !(edit_.is_irregular(node) || is_at_triangle(node) || is_uneven(node))) return;
     waits_[node] = 1;
     list_.push_back(node);
   }
+
+  bool is_uneven(int node) { return edit_.spread_about(node) > uneven; }
 
   void push_all() {
     for (int i = 0; i < mesh_.node_count(); ++i) push(i);
@@ -116,7 +126,7 @@ class CleanUp {
     std::size_t used = 0;
     moves_.each(node, [&](const Change& change) {
       double gain = edit_.energy_gain(change);
-      if (gain > -0.1) return false;
+      if (gain > -0.1 && !may_even_lengths(change, gain)) return false;
       if (pool_.size() <= used) pool_.emplace_back();
       pool_[used] = change;
       found_.push_back({gain, static_cast<int>(used++)});
@@ -124,11 +134,34 @@ class CleanUp {
     });
     std::stable_sort(found_.begin(), found_.end(), [](auto p, auto q) { return p.first < q.first; });
     for (auto [gain, i] : found_) {
-      if (edit_.apply(pool_[i]) && take({.gain = gain})) return true;
+      if (edit_.apply(pool_[i]) &&
+          take({.gain = gain, .jacobian = gain > 0 ? even_jacobian : 0.45, .fall = least_fall}))
+        return true;
       edit_.roll_back(0);
     }
     is_stuck_[node] = 1;
     return false;
+  }
+
+  bool may_even_lengths(const Change& change, double gain) {
+    if (gain > dearest || count_gain(change) > -least_fit) return false;
+    return gain + least_fall <= likely_share * MeshEdit::spread_price * edit_.spread_about(change);
+  }
+
+  // How much nearer the change brings the number of elements to the area in target lengths; below 0: nearer.
+  double count_gain(const Change& change) const {
+    double old_count = change.gone.size(), new_count = change.made.size();
+    if (old_count == new_count) return -1;
+    double area = 0;
+    for (int e : change.gone) {
+      const Element& element = mesh_.elements[e];
+      const auto& v = element.v;
+      double h = mesh_.h[v[0]];
+      Vec3 twice = element.corners() == 4 ? cross(mesh_.x[v[2]] - mesh_.x[v[0]], mesh_.x[v[3]] - mesh_.x[v[1]])
+                                          : cross(mesh_.x[v[1]] - mesh_.x[v[0]], mesh_.x[v[2]] - mesh_.x[v[0]]);
+      area += 0.5 * norm(twice) / (h * h);
+    }
+    return std::fabs(std::log(new_count / area)) - std::fabs(std::log(old_count / area));
   }
 
   bool refill(int node) {

@@ -11,7 +11,7 @@ namespace paver {
 namespace {
 
 constexpr double longest = 1.6;              // edge length by the target length that an edit may leave
-constexpr double spread_price = 1.5;         // energy that one unit of the sum of (length/target - 1)^2 is worth
+constexpr double hopeless = 0.3;             // spread of a side that counts no more however far off it is
 constexpr double widest = 155 * M_PI / 180;  // corner angle above which an element is as good as degenerate
 constexpr double degenerate_energy = 8;
 constexpr int local_sweeps = 4;
@@ -104,12 +104,15 @@ bool MeshEdit::is_sound(const std::array<int, 4>& v) const {
 
 // Whether an edge at the node is in two elements in the same direction.
 bool MeshEdit::has_shared_edges(int node) const {
-  const Star& star = mesh_.star[node];
-  for (const int* i = star.begin(); i != star.end(); ++i)
-    for (const int* j = i + 1; j != star.end(); ++j) {
-      const Element &e = mesh_.elements[*i], &f = mesh_.elements[*j];
-      if (e.after(node) == f.after(node) || e.before(node) == f.before(node)) return true;
-    }
+  after_.clear(), before_.clear();
+  for (int e : mesh_.star[node]) {
+    const Element& element = mesh_.elements[e];
+    int n = element.corners(), k = element.corner_of(node);
+    int after = element.v[k + 1 < n ? k + 1 : 0], before = element.v[k > 0 ? k - 1 : n - 1];
+    for (std::size_t i = 0; i < after_.size(); ++i)
+      if (after_[i] == after || before_[i] == before) return true;
+    after_.push_back(after), before_.push_back(before);
+  }
   return false;
 }
 
@@ -207,6 +210,9 @@ void MeshEdit::forget_touched() {
 }
 
 void MeshEdit::commit() {
+  for (int node : touched_)
+    for (int e : mesh_.star[node])
+      if (static_cast<std::size_t>(e) < measures_.size()) measures_[e] = {};  // to be measured anew
   journal_.clear();
   forget_touched();
   old_elements_ = static_cast<int>(mesh_.elements.size());
@@ -246,6 +252,31 @@ void MeshEdit::collect_near() {
   near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
 }
 
+// Of an element as it was at the last commit.
+const MeshEdit::Measure& MeshEdit::measured(int id, const Element& e) {
+  if (measures_.size() <= static_cast<std::size_t>(id)) measures_.resize(mesh_.elements.size() + 1024);
+  Measure& m = measures_[id];
+  if (m.jacobian > 1.5) measure(e, m);
+  return m;
+}
+
+template <class Elements>
+double MeshEdit::spread_about(const Elements& elements) {
+  double sum = 0;
+  if (stamp_.size() < mesh_.elements.size()) stamp_.resize(mesh_.elements.size() + 1024, 0);
+  ++run_;
+  for (int e : elements)
+    for (int v : mesh_.elements[e].v) {
+      if (v < 0 || mesh_.is_fixed[v]) continue;
+      for (int g : mesh_.star[v]) {
+        if (stamp_[g] == run_) continue;
+        stamp_[g] = run_;
+        sum += measured(g, mesh_.elements[g]).spread;
+      }
+    }
+  return sum;
+}
+
 void MeshEdit::measure(const Element& e, Measure& worst) const {
   worst.jacobian = std::min(worst.jacobian, scaled_jacobian(mesh_, e));
   for (int i = 0, n = e.corners(); i < n; ++i) {
@@ -254,19 +285,23 @@ void MeshEdit::measure(const Element& e, Measure& worst) const {
     double ratio = 2 * norm(mesh_.x[a] - mesh_.x[b]) / (mesh_.h[a] + mesh_.h[b]);
     worst.shortest = std::min(worst.shortest, ratio);
     worst.longest = std::max(worst.longest, ratio);
-    worst.spread += (ratio - 1) * (ratio - 1);
+    double off = 0.5 * (ratio - 1 / ratio);  // twice as long is as bad as half as long
+    worst.spread += std::min(off * off, hopeless);
   }
 }
+
+double MeshEdit::spread_about(const Change& change) { return spread_about(change.gone); }
+double MeshEdit::spread_about(int node) { return spread_about(mesh_.star[node]); }
 
 // Over the elements the journal removed and the old ones about the touched
 // nodes; nothing has moved yet.
 MeshEdit::Measure MeshEdit::measure_before() {
   Measure worst;
   for (const Entry& entry : journal_)
-    if (entry.kind == Kind::gone && entry.id < old_elements_) measure(entry.element, worst);
+    if (entry.kind == Kind::gone && entry.id < old_elements_) worst.add(measured(entry.id, entry.element));
   collect_near();
   for (int e : near_)
-    if (e < old_elements_) measure(mesh_.elements[e], worst);
+    if (e < old_elements_) worst.add(measured(e, mesh_.elements[e]));
   return worst;
 }
 
@@ -281,7 +316,7 @@ bool MeshEdit::settle(const Demand& demand) {
     if (!is_positive(mesh_, mesh_.elements[e])) return false;
     measure(mesh_.elements[e], after);
   }
-  if (demand.gain + spread_price * (after.spread - before.spread) > 0) return false;
+  if (demand.gain + spread_price * (after.spread - before.spread) > -demand.fall) return false;
   if (demand.rise > 0 && after.jacobian < before.jacobian + demand.rise) return false;
   return after.jacobian >= std::min(demand.jacobian, before.jacobian) &&
          after.shortest >= std::min(demand.shortest, before.shortest) &&

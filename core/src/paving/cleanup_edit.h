@@ -28,6 +28,7 @@ struct Demand {
   double jacobian = 0.45;  ///< least scaled Jacobian
   double shortest = 0.55;  ///< least edge length by the target length
   double rise = 0;         ///< by how much the worst scaled Jacobian must rise, or 0
+  double fall = 0;         ///< by how much energy and spread together must fall
 };
 
 /// Journal over the mesh of a front that has no void left. The energy of a node
@@ -36,6 +37,9 @@ struct Demand {
 class MeshEdit {
  public:
   static constexpr double triangle_energy = 3;
+  /// Energy that one unit of spread is worth: the sum of ((r - 1/r) / 2)^2 over the sides of elements, r their length
+  /// by the target length; a side far off counts no more than one at the border of hope: narrow strips stay regular.
+  static constexpr double spread_price = 3.9;
 
   explicit MeshEdit(Front& front);
 
@@ -45,6 +49,11 @@ class MeshEdit {
   bool is_irregular(int node) const { return mesh_.star[node].size() > 0 && energy(node) >= 1; }
   /// What the change would add to the energy.
   double energy_gain(const Change& change);
+  /// Spread of the elements about the change as they are: more it cannot win.
+  double spread_about(const Change& change);
+  double spread_about(int node);
+  /// To be called where nodes were moved by others.
+  void forget_measures() { measures_.clear(); }
   /// Carries the change out. False, and nothing done, when an element would
   /// have a node twice, an edge more than two elements, a free node fewer than
   /// three, or two nodes on the same boundary node would meet.
@@ -73,8 +82,12 @@ class MeshEdit {
     Vec3 x, xp, xq;
   };
   struct Measure {
-    double jacobian = 2, shortest = 1, longest = 1,
-           spread = 0;  // lengths by the target length
+    double jacobian = 2, shortest = 1, longest = 1, spread = 0;  // lengths by the target length
+    void add(const Measure& m) {
+      jacobian = std::min(jacobian, m.jacobian);
+      shortest = std::min(shortest, m.shortest), longest = std::max(longest, m.longest);
+      spread += m.spread;
+    }
   };
   double ideal(int node) const { return node < static_cast<int>(ideal_.size()) ? ideal_[node] : 4; }
   double target_between(int node, std::size_t count) const;
@@ -86,6 +99,9 @@ class MeshEdit {
   void smooth_touched();
   void collect_near();
   void measure(const Element& e, Measure& worst) const;
+  template <class Elements>
+  double spread_about(const Elements& elements);
+  const Measure& measured(int id, const Element& e);
   Measure measure_before();
 
   Front& front_;
@@ -97,6 +113,10 @@ class MeshEdit {
   std::vector<Vec3> sum_;
   std::vector<int> delta_;
   std::vector<char> is_touched_;
+  std::vector<Measure> measures_;  // per element, as at the last commit; Jacobian 2: to be measured
+  std::vector<int> stamp_;
+  int run_ = 0;
+  mutable std::vector<int> after_, before_;
   int old_elements_ = 0;  // number of elements at the last commit
 };
 

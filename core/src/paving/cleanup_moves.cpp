@@ -109,7 +109,7 @@ bool Moves::make_hexagon(const int* outline, int turn) {
 bool Moves::collect_ring(int node) {
   ring_.clear();
   const Star& star = mesh_.star[node];
-  if (edit_.energy(node, -1) >= edit_.energy(node)) return false;  // has too few already
+  if (star.size() < 4 || edit_.energy(node, -1) > edit_.energy(node) + 1) return false;  // has too few already
   int first = *star.begin(), size = star.size();
   for (int guard = 0; guard < size; ++guard) {  // back to the border, where there is one
     int before = edit_.across(first, node, mesh_.elements[first].after(node));

@@ -12,9 +12,6 @@
 namespace paver {
 namespace {
 
-constexpr double own_share = 0.2;  // of its own side in the wished side of an
-                                   // element; the rest is the target length
-
 bool is_positive(const RegionMesh& mesh, const Element& e) {
   int n = e.corners();
   for (int i = 0; i < (n == 3 ? 1 : 4); ++i)
@@ -33,7 +30,7 @@ int wished_corners(const RegionMesh& mesh, const Element& e, Vec3 at[4]) {
     double own = 0.5 * norm(r);          // half a diagonal
     if (!(own > 0)) return 0;
     double target = 0.25 * M_SQRT1_2 * (mesh.h[e.v[0]] + mesh.h[e.v[1]] + mesh.h[e.v[2]] + mesh.h[e.v[3]]);
-    r = ((own_share * own + (1 - own_share) * target) / (2 * own)) * r;
+    r = (target / (2 * own)) * r;
     Vec3 q = cross(n, r);
     at[0] = centre - r, at[1] = centre - q, at[2] = centre + r, at[3] = centre + q;
     return 4;
@@ -45,7 +42,7 @@ int wished_corners(const RegionMesh& mesh, const Element& e, Vec3 at[4]) {
   Vec3 r = (1.0 / 3) * ((x0 - centre) + turn(x1 - centre, -s) + turn(x2 - centre, s));
   double own = norm(r), target = (mesh.h[e.v[0]] + mesh.h[e.v[1]] + mesh.h[e.v[2]]) / (6 * s);
   if (!(own > 0)) return 0;
-  r = ((own_share * own + (1 - own_share) * target) / own) * r;
+  r = (target / own) * r;
   at[0] = centre + r, at[1] = centre + turn(r, s), at[2] = centre + turn(r, -s);
   return 3;
 }

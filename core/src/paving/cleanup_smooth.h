@@ -7,13 +7,12 @@
 
 namespace paver {
 
-/// Corners of the square (equilateral triangle) nearest to the element, its
-/// side between the element's own and the target length. Returns their number,
-/// 0 for a degenerate element.
+/// Corners of the square (equilateral triangle) of the target length nearest to
+/// the element. Returns their number, 0 for a degenerate element.
 int wished_corners(const RegionMesh& mesh, const Element& e, Vec3 at[4]);
 
 /// Sweeps over all elements: each fits its best square (equilateral triangle)
-/// of a side between its own and the target length, and each free node goes to
+/// of the target length, and each free node goes to
 /// the mean of the places its elements want it at. A node stays where moving
 /// would turn an element over in the chart or make the worst one about it worse
 /// than `good_jacobian` and than it was.

@@ -18,7 +18,7 @@ class TrianglePairs {
   bool search(int triangle);
   bool make(Change& change) const;
 
-  static constexpr int most_visited = 400;
+  static constexpr int most_visited = 4000;
   MeshEdit& edit_;
   RegionMesh& mesh_;
   std::vector<int> queue_, parent_, stamp_, path_;

@@ -7,6 +7,7 @@
 #include "paving/cleanup.h"
 #include "paving/cleanup_chords.h"
 #include "paving/close_loop.h"
+#include "paving/faults.h"
 #include "paving/row.h"
 #include "paving/seam.h"
 #include "paving/smooth.h"
@@ -186,10 +187,7 @@ struct Attempt {
   double misfit_weight;
 };
 constexpr Attempt attempts[] = {{1, 1}, {1, 0}, {0.5, 1}, {0.25, 1}};
-constexpr double sound_jacobian = 0.05;  // an element below it is a reason to try again
-constexpr double long_side = 0.9;        // of the target length
-constexpr double steep = 0.8;            // cosine between a side and a normal
-constexpr double least_facing = 0.2;     // cosine between an element's normal and the surface's
+constexpr double few_flat = 0.01;  // of the elements: not worth four times as many
 
 Region scaled(const Region& region, double size) {
   Region finer = region;
@@ -208,35 +206,6 @@ PavedRegion pave_once(const Region& region, const Attempt& attempt, const Progre
   clean_up(paver.front(), progress);
   remove_chords(paver.front());
   return paved;
-}
-
-// Thin long elements may lie beneath a bent surface and face the other way, sound as they are by themselves.
-bool faces_away(const RegionMesh& mesh, const Element& e) {
-  Vec3 normal{0, 0, 0};
-  for (int k = 0; k < e.corners(); ++k) normal += mesh.normal(e.v[k]);
-  Vec3 last = e.corners() == 4 ? mesh.x[e.v[3]] - mesh.x[e.v[1]] : mesh.x[e.v[2]] - mesh.x[e.v[1]];
-  return dot(unit(cross(mesh.x[e.v[2]] - mesh.x[e.v[0]], last)), unit(normal)) < least_facing;
-}
-
-// A long side that leaves the surface nearly along its normal and comes back to it so runs through the body.
-bool cuts_through(const RegionMesh& mesh, const Element& e) {
-  for (int k = 0; k < e.corners(); ++k) {
-    int a = e.v[k], b = e.v[(k + 1) % e.corners()];
-    Vec3 side = mesh.x[b] - mesh.x[a];
-    double length = norm(side), out = dot(side, mesh.normal(a)), back = dot(side, mesh.normal(b));
-    bool is_steep = out * back < 0 && std::min(std::fabs(out), std::fabs(back)) > steep * length;
-    if (is_steep && length > long_side * std::min(mesh.h[a], mesh.h[b])) return true;
-  }
-  return false;
-}
-
-bool is_unsound(const RegionMesh& mesh, const Element& e) {
-  return scaled_jacobian(mesh, e) < sound_jacobian || faces_away(mesh, e) || cuts_through(mesh, e);
-}
-
-long count_unsound(const RegionMesh& mesh) {
-  return std::count_if(mesh.elements.begin(), mesh.elements.end(),
-                       [&](const Element& e) { return e.is_alive() && is_unsound(mesh, e); });
 }
 
 }  // namespace
@@ -261,11 +230,13 @@ PavedRegion pave_region(const Region& region, const Progress& progress) {
   if (region.laid) return {*region.laid, {}};
   if (auto disc = lay_disc(region, progress)) return {std::move(*disc), {}};
   PavedRegion best;
-  long fewest = -1;
-  for (int attempt = 0; attempt <= further_attempts && fewest != 0; ++attempt) {
+  Faults fewest{1, 0};
+  for (int attempt = 0; attempt <= further_attempts && fewest.sum() > 0; ++attempt) {
+    bool is_good_enough = fewest.off_surface == 0 && fewest.flat <= few_flat * best.mesh.elements.size();
+    if (attempts[attempt].size < 1 && is_good_enough) break;
     PavedRegion paved = pave_in_way(region, attempts[attempt], progress);
-    long unsound = count_unsound(paved.mesh);
-    if (fewest < 0 || unsound < fewest) best = std::move(paved), fewest = unsound;
+    Faults faults = count_faults(paved.mesh);
+    if (attempt == 0 || faults.sum() < fewest.sum()) best = std::move(paved), fewest = faults;
   }
   mend_flat_elements(best.mesh);
   return best;

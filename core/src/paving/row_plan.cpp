@@ -8,6 +8,7 @@ namespace {
 
 constexpr double deg = M_PI / 180;
 constexpr double wedge_turn = 70 * deg, wedge_ratio = 1.25, wedge_ratio_first = 1.35;
+constexpr double wedge_ratio_long = 1.12, wedge_excess = 1.5;  // of facets; a wedge takes two
 constexpr double tuck_turn = 70 * deg, tuck_ratio = 0.8, tuck_turn_small = 52 * deg, tuck_ratio_small = 0.3;
 
 constexpr double narrow = 0.4;  // facets shorter than this part of the row's height: directions over a wider stretch
@@ -46,7 +47,7 @@ void place(const Front& front, int f, NodePlan& plan) {
 }
 
 /// Walks along the row adding up turn and length ratio since the last change; changes the state of the node that
-/// turns most where both pass their limits.
+/// turns most where both pass their limits, or where the row became longer by one and a half facets.
 class RowAdjuster {
  public:
   RowAdjuster(Front& front, const Row& row, std::vector<NodePlan>& plans) : front_(front), row_(row), plans_(plans) {}
@@ -59,9 +60,11 @@ class RowAdjuster {
         continue;
       }
       add(i);
-      double ratio = ratio_sum_ / count_;
+      double ratio = ratio_sum_ / count_, excess = ratio_sum_ - count_;
       bool is_first = row_.level == 0;
-      if (turn_ > wedge_turn && ratio > (is_first ? wedge_ratio_first : wedge_ratio)) {
+      bool turns = turn_ > wedge_turn && ratio > (is_first ? wedge_ratio_first : wedge_ratio);
+      bool is_long = !is_first && ratio > wedge_ratio_long && excess > wedge_excess && turn_ > 0;
+      if (turns || is_long) {
         change(most_, NodeState::corner, front_.counts.wedges);
       } else if (!is_first && ((turn_ < -tuck_turn && ratio < tuck_ratio) ||
                                (turn_ < -tuck_turn_small && ratio < tuck_ratio_small))) {
