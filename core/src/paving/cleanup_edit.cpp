@@ -15,6 +15,7 @@ constexpr double hopeless = 0.3;             // spread of a side that counts no 
 constexpr double widest = 155 * M_PI / 180;  // corner angle above which an element is as good as degenerate
 constexpr double degenerate_energy = 8;
 constexpr int local_sweeps = 4;
+constexpr double early_share = 0.2;  // of the fall in spread that a dear change must show after one sweep
 
 double corner_angle(const RegionMesh& mesh, const Element& e, int node) {
   Vec3 out = mesh.x[e.after(node)] - mesh.x[node], in = mesh.x[e.before(node)] - mesh.x[node];
@@ -218,24 +219,22 @@ void MeshEdit::commit() {
   old_elements_ = static_cast<int>(mesh_.elements.size());
 }
 
-void MeshEdit::smooth_touched() {
+void MeshEdit::smooth_touched(bool is_first) {
   if (sum_.size() < mesh_.p.size()) sum_.resize(mesh_.p.size() + 1024);
-  for (int sweep = 0; sweep < local_sweeps; ++sweep) {
-    for (int node : touched_) sum_[node] = {0, 0, 0};
-    for (int e : near_) {
-      const Element& element = mesh_.elements[e];
-      Vec3 at[4];
-      int n = wished_corners(mesh_, element, at);
-      for (int i = 0; i < element.corners(); ++i) sum_[element.v[i]] += n ? at[i] : mesh_.x[element.v[i]];
-    }
-    for (int node : touched_) {
-      int size = mesh_.star[node].size();
-      if (mesh_.is_fixed[node] || size == 0) continue;
-      Vec3 step = (1.0 / size) * sum_[node] - mesh_.x[node];
-      double most = 0.8 * mesh_.h[node], length = norm(step);
-      if (length > most) step = (most / length) * step;
-      move(node, mesh_.p[node] + mesh_.pull_back(node, step), sweep == 0);
-    }
+  for (int node : touched_) sum_[node] = {0, 0, 0};
+  for (int e : near_) {
+    const Element& element = mesh_.elements[e];
+    Vec3 at[4];
+    int n = wished_corners(mesh_, element, at);
+    for (int i = 0; i < element.corners(); ++i) sum_[element.v[i]] += n ? at[i] : mesh_.x[element.v[i]];
+  }
+  for (int node : touched_) {
+    int size = mesh_.star[node].size();
+    if (mesh_.is_fixed[node] || size == 0) continue;
+    Vec3 step = (1.0 / size) * sum_[node] - mesh_.x[node];
+    double most = 0.8 * mesh_.h[node], length = norm(step);
+    if (length > most) step = (most / length) * step;
+    move(node, mesh_.p[node] + mesh_.pull_back(node, step), is_first);
   }
 }
 
@@ -279,6 +278,10 @@ double MeshEdit::spread_about(const Elements& elements) {
 
 void MeshEdit::measure(const Element& e, Measure& worst) const {
   worst.jacobian = std::min(worst.jacobian, scaled_jacobian(mesh_, e));
+  measure_lengths(e, worst);
+}
+
+void MeshEdit::measure_lengths(const Element& e, Measure& worst) const {
   for (int i = 0, n = e.corners(); i < n; ++i) {
     int a = e.v[i], b = e.v[(i + 1) % n];
     if (mesh_.is_fixed[a] && mesh_.is_fixed[b]) continue;
@@ -305,12 +308,23 @@ MeshEdit::Measure MeshEdit::measure_before() {
   return worst;
 }
 
+// Of the dear changes hardly one in fifty pays. After one sweep four in five of the others are known: measured on a wavy
+// patch, a fifth of the fall in spread has come by then for all but 2 % of those that pay.
+bool MeshEdit::is_promising(const Demand& demand, double spread_before) const {
+  Measure now;
+  for (int e : near_) measure_lengths(mesh_.elements[e], now);
+  return spread_price * (spread_before - now.spread) >= early_share * (demand.gain + demand.fall);
+}
+
 bool MeshEdit::settle(const Demand& demand) {
   const Measure before = measure_before();
   for (std::size_t i = 0, n = journal_.size(); i < n; ++i)
     if (journal_[i].kind == Kind::place && mesh_.star[journal_[i].id].size() > 0)
       move(journal_[i].id, journal_[i].p, true);
-  smooth_touched();
+  for (int sweep = 0; sweep < local_sweeps; ++sweep) {
+    smooth_touched(sweep == 0);
+    if (sweep == 0 && demand.gain > 0 && !is_promising(demand, before.spread)) return false;
+  }
   Measure after;
   for (int e : near_) {
     if (!is_positive(mesh_, mesh_.elements[e])) return false;

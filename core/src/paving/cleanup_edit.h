@@ -96,9 +96,11 @@ class MeshEdit {
   void move(int node, Vec2 p, bool is_first);
   void touch(int node);
   void forget_touched();
-  void smooth_touched();
+  void smooth_touched(bool is_first);
   void collect_near();
   void measure(const Element& e, Measure& worst) const;
+  void measure_lengths(const Element& e, Measure& worst) const;
+  bool is_promising(const Demand& demand, double spread_before) const;
   template <class Elements>
   double spread_about(const Elements& elements);
   const Measure& measured(int id, const Element& e);
