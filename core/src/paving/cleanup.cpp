@@ -22,7 +22,7 @@ namespace {
 // more uneven lengths.
 constexpr int most_rings = 4, most_elements = 60;
 constexpr int most_hexagons = 24;  // divisions tried for one pair of triangles
-constexpr int sweeps = 60;
+constexpr int sweeps = 30;
 // Even lengths may cost energy: a change as dear as this is tried where a likely share of the spread about it would pay
 // for it, and where it brings the number of elements nearer to what the area wants.
 constexpr double dearest = 4.5, likely_share = 0.3, least_fall = 0.1, least_fit = 0.05;
