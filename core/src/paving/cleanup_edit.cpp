@@ -308,8 +308,8 @@ MeshEdit::Measure MeshEdit::measure_before() {
   return worst;
 }
 
-// Of the dear changes hardly one in fifty pays. After one sweep four in five of the others are known: measured on a wavy
-// patch, a fifth of the fall in spread has come by then for all but 2 % of those that pay.
+// Of the dear changes hardly one in fifty pays. After one sweep four in five of the others are known: measured on a
+// wavy patch, a fifth of the fall in spread has come by then for all but 2 % of those that pay.
 bool MeshEdit::is_promising(const Demand& demand, double spread_before) const {
   Measure now;
   for (int e : near_) measure_lengths(mesh_.elements[e], now);
