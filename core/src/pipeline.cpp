@@ -37,6 +37,7 @@ class Run {
     RunReport& report = result_.report;
     report.target_length = target_length(options_);
     report.order = options_.order;
+    report.elements = options_.elements;
     report.threads = thread_count(options_.threads);
     read(path);
     divide();
@@ -98,7 +99,7 @@ class Run {
     size_ = build_size_field(model_, options_, progress_);
     begin(Stage::boundary);
     std::vector<FaceLayout> layouts = plan_layouts(model_, size_, progress_);
-    std::vector<int> counts = choose_counts(model_, size_, progress_);
+    std::vector<int> counts = choose_counts(model_, size_, progress_, options_.elements == Elements::all_quad);
     settle_counts(model_, layouts, counts);
     for (int round = 0;; ++round) {
       nodes_ = divide_edges(model_, size_, counts, progress_);
@@ -148,7 +149,7 @@ class Run {
     run_tasks(options_.threads, costs(), [&](int i) {
       int face = regions_[i].face;
       try {
-        paved_[i] = pave_region(regions_[i], progress_);
+        paved_[i] = pave_region(regions_[i], progress_, options_.elements);
       } catch (const Error& error) {
         if (error.code() == ErrorCode::cancelled) throw;
         fail(face, error);
@@ -228,7 +229,7 @@ class Run {
     run_tasks(options_.threads, costs(), [&](int i) {
       if (invalid[regions_[i].face] == 0) return;
       before[i] = std::move(paved_[i]);
-      paved_[i] = pave_region_again(regions_[i], attempt, progress_);
+      paved_[i] = pave_region_again(regions_[i], attempt, progress_, options_.elements);
     });
     return before;
   }
@@ -341,10 +342,18 @@ class Run {
     RunReport& report = result_.report;
     report.quality = measure_quality(result_.mesh, report.target_length, is_periodic, report.faces, progress_);
     report.quality.chord_error = chord;
+    if (options_.elements == Elements::all_quad) note_triangles();
     end_stage();
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     report.peak_memory_mib = static_cast<double>(usage.ru_maxrss) / 1024;
+  }
+
+  void note_triangles() {
+    std::string faces;
+    for (const FaceReport& face : result_.report.faces)
+      if (face.triangles > 0) faces += fmt::format("{}{} ({})", faces.empty() ? "" : ", ", face.name, face.triangles);
+    if (!faces.empty()) result_.report.notes.push_back(fmt::format("Triangles remain in {}.", faces));
   }
 
   const Options& options_;

@@ -62,7 +62,7 @@ class CommandLine(unittest.TestCase):
         code, text, _ = call("mesh", "--help")
         self.assertEqual(code, 0)
         for option in ("--size", "--frequency", "--divisions", "--order", "--threads", "--report", "--max-turn",
-                       "--max-elements", "--sew-tolerance", "--eps-r", "--mu-r"):
+                       "--max-elements", "--elements", "--sew-tolerance", "--eps-r", "--mu-r"):
             self.assertIn(option, text)
         code, text, _ = call("--version")
         self.assertEqual(code, 0)
@@ -96,7 +96,7 @@ class CommandLine(unittest.TestCase):
     def test_bad_options(self):
         for options in (["--size", "0"], ["--size", "-1"], ["--size", "nan"], ["--size", "inf"], ["--size", "five"], [],
                         ["--size", "5", "--frequency", "3GHz"], ["--frequency", "0"], ["--frequency", "3parsec"],
-                        ["--size", "5", "--order", "7"], ["--size", "5", "--threads", "-2"],
+                        ["--size", "5", "--elements", "all-pentagon"], ["--size", "5", "--order", "7"], ["--size", "5", "--threads", "-2"],
                         ["--frequency", "1GHz", "--divisions", "0"], ["--size", "5", "--nonsense"],
                         ["--size", "5", "--max-turn", "0"], ["--frequency", "1GHz", "--eps-r", "-1"],
                         ["--size", "5", "--sew-tolerance", "-1"]):
@@ -122,6 +122,30 @@ class CommandLine(unittest.TestCase):
     def test_a_box_at_low_frequency_is_six_quads(self):
         run = runs.paver(BOX, self.out, "--size", 1000)
         self.assertEqual((run.code, len(run.mesh.quads), len(run.mesh.triangles)), (0, 6, 0), run.output)
+
+    def test_kinds_of_elements(self):
+        plate = os.path.join(runs.EXAMPLES, "plate_nine_holes.step")
+        counts = {}
+        for kind in ("quad-dominant", "all-quad", "all-triangle"):
+            with self.subTest(kind=kind):
+                run = runs.paver(plate, self.out, "--size", 8, "--elements", kind)
+                self.assertEqual(run.code, 0, run.output)
+                self.assertEqual(run.report["elements"], kind)
+                self.assertEqual(run.report["quality"]["inverted"], 0)
+                self.assertEqual([note for note in run.report["notes"] if note.startswith("Triangles remain")], [])
+                counts[kind] = len(run.mesh.quads), len(run.mesh.triangles)
+        self.assertEqual(counts["all-quad"][1], 0)
+        self.assertEqual(counts["all-triangle"][0], 0)
+        quads, triangles = counts["quad-dominant"]
+        self.assertEqual(counts["all-triangle"][1], 2 * quads + triangles)
+
+    def test_triangles_among_quads_only_are_named(self):
+        wing = os.path.join(runs.EXAMPLES, "wing.step")
+        for size in (60, 25):
+            run = runs.paver(wing, self.out, "--size", size, "--elements", "all-quad")
+            self.assertEqual(run.code, 0, run.output)
+            named = [note for note in run.report["notes"] if note.startswith("Triangles remain")]
+            self.assertEqual(bool(named), bool(len(run.mesh.triangles)), named)
 
     def test_an_old_file_is_replaced_only_by_a_whole_one(self):
         self.path("out.msh", "old")

@@ -5,14 +5,25 @@
 
 namespace paver {
 
+/// Which elements a mesh is made of.
+enum class Elements {
+  quad_dominant,  ///< quads, and triangles where they are better
+  all_quad,       ///< no triangle wherever a face's boundary and shape allow; the report names the other faces
+  all_triangle,   ///< every quad cut in two
+};
+
+/// "quad-dominant", "all-quad" or "all-triangle".
+const char* elements_name(Elements elements);
+
 /// Either `size` or `frequency` must be set. check() names the first bad field.
 struct Options {
-  std::optional<double> size;           ///< target length h, mm, > 0
-  std::optional<double> frequency;      ///< Hz, > 0; h = c / (f sqrt(eps_r mu_r) divisions)
-  double divisions = 10;                ///< elements per wavelength, > 0
-  double eps_r = 1;                     ///< relative permittivity, > 0
-  double mu_r = 1;                      ///< relative permeability, > 0
-  int order = 2;                        ///< order of the elements: 1 or 2
+  std::optional<double> size;       ///< target length h, mm, > 0
+  std::optional<double> frequency;  ///< Hz, > 0; h = c / (f sqrt(eps_r mu_r) divisions)
+  double divisions = 10;            ///< elements per wavelength, > 0
+  double eps_r = 1;                 ///< relative permittivity, > 0
+  double mu_r = 1;                  ///< relative permeability, > 0
+  int order = 2;                    ///< order of the elements: 1 or 2
+  Elements elements = Elements::quad_dominant;
   int threads = 0;                      ///< worker threads; 0: all cores
   std::optional<double> max_turn;       ///< largest turn per element edge, radians; default pi/4, pi/6 at order 1
   double gradation = 0.6;               ///< largest growth of h per unit of length, 0.05 to 2

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "paver/options.h"
 #include "paver/vec.h"
 
 namespace paver {
@@ -84,6 +85,7 @@ struct RunReport {
   ModelReport model;
   double target_length = 0;  ///< mm
   int order = 2, threads = 1;
+  Elements elements = Elements::quad_dominant;
   QualityReport quality;
   std::vector<FaceReport> faces;
   std::vector<std::string> notes;                             ///< one sentence each

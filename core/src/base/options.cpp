@@ -49,6 +49,18 @@ void check_target(const Options& options) {
 
 }  // namespace
 
+const char* elements_name(Elements elements) {
+  switch (elements) {
+    case Elements::all_quad:
+      return "all-quad";
+    case Elements::all_triangle:
+      return "all-triangle";
+    case Elements::quad_dominant:
+      break;
+  }
+  return "quad-dominant";
+}
+
 void check(const Options& options) {
   check_target(options);
   check_range("order", options.order, 1, 2);

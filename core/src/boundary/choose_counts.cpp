@@ -1,7 +1,7 @@
 // Interval count of every edge.
 // In: model, sizes. Out: count per edge, 0 where an edge is degenerate or no face uses it.
 // Steps: round the integral of ds/h; least counts (turn, closed edges, edges between the same vertices); opposite sides
-// tied; loops made even.
+// tied; loops made even, and where no triangle is wanted faces.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -75,9 +75,20 @@ void divide_lenses(const Model& model, std::vector<EdgeCount>& counts) {
   }
 }
 
+/// Two odd loops of one face are even together; a face that stays odd may have a short edge split.
+void even_out_faces(const std::vector<std::vector<Loop>>& loops, TiedCounts& tied) {
+  std::vector<std::vector<int>> face_edges;
+  for (const std::vector<Loop>& face : loops) {
+    std::vector<int>& edges = face_edges.emplace_back();
+    for (const Loop& loop : face)
+      for (const Coedge& coedge : loop.coedges) edges.push_back(tied.group[static_cast<std::size_t>(coedge.edge)]);
+  }
+  even_out_loops(face_edges, tied.groups, true);
+}
+
 }  // namespace
 
-std::vector<int> choose_counts(const Model& model, const SizeField& size, Progress& progress) {
+std::vector<int> choose_counts(const Model& model, const SizeField& size, Progress& progress, bool all_quad) {
   progress.begin(Stage::boundary, static_cast<long>(model.edges.size()));
   std::vector<EdgeCount> counts(model.edges.size());
   for (std::size_t e = 0; e < counts.size(); ++e) {
@@ -103,6 +114,7 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
   for (std::vector<int>& edges : loop_edges)
     for (int& e : edges) e = tied.group[static_cast<std::size_t>(e)];
   even_out_loops(loop_edges, tied.groups);
+  if (all_quad) even_out_faces(loops, tied);
 
   std::vector<int> result;
   for (int group : tied.group) result.push_back(tied.groups[static_cast<std::size_t>(group)].count);

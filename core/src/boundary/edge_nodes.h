@@ -28,7 +28,7 @@ struct EdgeNodes {
 
 /// Interval counts per edge: max(1, round(integral of ds/h)), at least 3 on an edge that closes on itself, no interval
 /// turning more than the limit; then parity.
-std::vector<int> choose_counts(const Model& model, const SizeField& size, Progress& progress);
+std::vector<int> choose_counts(const Model& model, const SizeField& size, Progress& progress, bool all_quad = false);
 
 /// Divides every edge into `counts[e]` intervals, equal in integral of ds/h on the exact curve.
 EdgeNodes divide_edges(const Model& model, const SizeField& size, const std::vector<int>& counts, Progress& progress);

@@ -17,6 +17,7 @@ namespace {
 constexpr double free_change = 0.12;    // relative change that costs no extra
 constexpr double extra_cost = 4;        // per relative change above it
 constexpr double tied_cost = 0.05;      // for a tie that may be lost
+constexpr double short_cost = 10000;    // a short one interval to two
 constexpr double locked_cost = 100;     // one interval to two: when nothing else helps
 constexpr double shortest_split = 0.7;  // of h: a shorter edge of one interval is never split
 constexpr double unreachable = std::numeric_limits<double>::infinity();
@@ -27,8 +28,9 @@ int changed_count(const EdgeCount& edge) {
   return can_drop && edge.wish < edge.count ? edge.count - 1 : edge.count + 1;
 }
 
-double change_cost(const EdgeCount& edge) {
-  if (edge.count == 1) return edge.wish > shortest_split ? locked_cost : unreachable;
+double change_cost(const EdgeCount& edge, bool may_split_short) {
+  if (edge.count == 1 && edge.wish <= shortest_split) return may_split_short ? short_cost : unreachable;
+  if (edge.count == 1) return locked_cost;
   double change = std::abs(changed_count(edge) - edge.wish) / edge.count;
   return change + extra_cost * std::max(0.0, change - free_change) + (edge.is_tied ? tied_cost : 0);
 }
@@ -36,8 +38,12 @@ double change_cost(const EdgeCount& edge) {
 // Nodes are loops; the last one is the outside.
 class LoopGraph {
  public:
-  LoopGraph(const std::vector<std::vector<int>>& loop_edges, const std::vector<EdgeCount>& counts)
-      : counts_(counts), uses_(counts.size()), flips_(counts.size(), false), is_odd_(loop_edges.size() + 1, false) {
+  LoopGraph(const std::vector<std::vector<int>>& loop_edges, const std::vector<EdgeCount>& counts, bool may_split_short)
+      : counts_(counts),
+        may_split_short_(may_split_short),
+        uses_(counts.size()),
+        flips_(counts.size(), false),
+        is_odd_(loop_edges.size() + 1, false) {
     for (std::size_t l = 0; l < loop_edges.size(); ++l) {
       long total = 0;
       for (int edge : loop_edges[l]) {
@@ -60,7 +66,8 @@ class LoopGraph {
     for (bool has_changed = true; has_changed;) {
       has_changed = false;
       for (std::size_t e = 0; e < uses_.size(); ++e) {
-        if (uses_[e].size() < 3 || flips_[e] || counts_[e].count == 0 || change_cost(counts_[e]) == unreachable)
+        if (uses_[e].size() < 3 || flips_[e] || counts_[e].count == 0 ||
+            change_cost(counts_[e], may_split_short_) == unreachable)
           continue;
         int before = odd_count();
         flip_edge(static_cast<int>(e));
@@ -106,7 +113,7 @@ class LoopGraph {
     for (std::size_t e = 0; e < uses_.size(); ++e) {
       if (counts_[e].count == 0 || uses_[e].empty() || uses_[e].size() > 2) continue;
       int a = uses_[e][0], b = uses_[e].size() == 2 ? uses_[e][1] : outside();
-      double cost = change_cost(counts_[e]);
+      double cost = change_cost(counts_[e], may_split_short_);
       if (a == b || cost == unreachable) continue;
       arcs_of_[static_cast<std::size_t>(a)].push_back(static_cast<int>(arcs_.size()));
       arcs_of_[static_cast<std::size_t>(b)].push_back(static_cast<int>(arcs_.size()));
@@ -184,6 +191,7 @@ class LoopGraph {
   }
 
   const std::vector<EdgeCount>& counts_;
+  const bool may_split_short_;
   std::vector<std::vector<int>> uses_;  // loops of each edge, once per use
   std::vector<bool> flips_;
   std::vector<bool> is_odd_;
@@ -193,8 +201,9 @@ class LoopGraph {
 
 }  // namespace
 
-int even_out_loops(const std::vector<std::vector<int>>& loop_edges, std::vector<EdgeCount>& counts) {
-  LoopGraph graph(loop_edges, counts);
+int even_out_loops(const std::vector<std::vector<int>>& loop_edges, std::vector<EdgeCount>& counts,
+                   bool may_split_short) {
+  LoopGraph graph(loop_edges, counts, may_split_short);
   graph.pair_odd_loops();
   graph.use_nonmanifold_edges();
   graph.pair_odd_loops();

@@ -18,7 +18,9 @@ struct EdgeCount {
 /// (edges of one loop only lead to the outside, which takes any parity); odd loops are paired by least relative change.
 /// An entry of `counts` may stand for several edges that change together: `loop_edges` then lists it for each of them.
 /// Edges of one interval change last, and only when they are longer than 0.7 h.
-/// Gives the number of loops that stay odd. Ties are broken by index.
-int even_out_loops(const std::vector<std::vector<int>>& loop_edges, std::vector<EdgeCount>& counts);
+/// With `may_split_short` those too, after everything else. Gives the number of loops that stay odd. Ties are broken by
+/// index.
+int even_out_loops(const std::vector<std::vector<int>>& loop_edges, std::vector<EdgeCount>& counts,
+                   bool may_split_short = false);
 
 }  // namespace paver

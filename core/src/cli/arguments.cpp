@@ -21,7 +21,7 @@ namespace {
 
 /// What CLI11 fills as it stands on the command line.
 struct Texts {
-  std::string size, frequency, sew_tolerance, msh_version = "4.1";
+  std::string size, frequency, sew_tolerance, msh_version = "4.1", elements = elements_name(Elements::quad_dominant);
   double max_turn_deg = 0;
 };
 
@@ -66,6 +66,11 @@ void add_other_options(CLI::App& mesh, Arguments& arguments, Texts& texts) {
   mesh.add_option("--order", arguments.options.order, "Order of the elements, 1 or 2")
       ->type_name("P")
       ->capture_default_str();
+  mesh.add_option("--elements", texts.elements,
+                  "quad-dominant; all-quad: triangles only where nothing else is possible; all-triangle")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"quad-dominant", "all-quad", "all-triangle"}))
+      ->capture_default_str();
   mesh.add_option("--threads", arguments.options.threads, "Threads to work on; 0: all cores")
       ->type_name("T")
       ->capture_default_str();
@@ -97,6 +102,8 @@ void convert(const CLI::App& mesh, const Texts& texts, Arguments& arguments) {
     options.sew_tolerance = quantity("--sew-tolerance", texts.sew_tolerance, parse_length, "0.01, 0.01mm or 10um");
   }
   if (mesh.count("--max-turn")) options.max_turn = texts.max_turn_deg * std::numbers::pi / 180;
+  for (Elements kind : {Elements::all_quad, Elements::all_triangle})
+    if (texts.elements == elements_name(kind)) options.elements = kind;
   arguments.files.msh_version = texts.msh_version == "2.2" ? MshVersion::v2_2 : MshVersion::v4_1;
 }
 

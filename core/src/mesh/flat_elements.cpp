@@ -8,13 +8,16 @@
 // Every outcome is judged as a whole, by its worst element, and must be positive in the chart.
 #include "mesh/flat_elements.h"
 
+#include <algorithm>
+
 #include "base/predicates.h"
 
 namespace paver {
 namespace {
 
 constexpr double flat = 0.05;
-constexpr double gain = 0.02;  // two triangles for a quad are worth this much: slivers stay quads
+constexpr double gain = 0.02;     // two triangles for a quad are worth this much: slivers stay quads
+constexpr double as_good = 1e-9;  // nearer than this two fillings are as good as each other, the first is taken
 constexpr int passes = 3;
 
 using Corners = std::array<int, 4>;
@@ -37,12 +40,13 @@ double value(const RegionMesh& mesh, const Corners& corners) {
 void try_filling(const RegionMesh& mesh, const std::vector<Corners>& elements, Filling& best) {
   double worst = 1;
   for (const Corners& corners : elements) worst = std::min(worst, value(mesh, corners));
-  if (worst > best.worst) best = {worst, elements};
+  if (worst > best.worst + as_good) best = {worst, elements};
 }
 
 Filling two_triangles(const RegionMesh& mesh, const Corners& v) {
   Filling best;
-  for (int i : {0, 1}) {
+  const int least = static_cast<int>(std::min_element(v.begin(), v.end()) - v.begin()) % 2;
+  for (int i : {least, 1 - least}) {
     int a = v[i], b = v[i + 1], c = v[i + 2], d = v[(i + 3) % 4];
     try_filling(mesh, {{a, b, c, -1}, {a, c, d, -1}}, best);
   }
@@ -100,7 +104,12 @@ bool mend_triangle(RegionMesh& mesh, int e, double sj) {
 
 bool split_quad(RegionMesh& mesh, int quad) { return mend_quad(mesh, quad, -1); }
 
-long mend_flat_elements(RegionMesh& mesh) {
+void split_all_quads(RegionMesh& mesh) {
+  for (int e = 0, n = static_cast<int>(mesh.elements.size()); e < n; ++e)
+    if (mesh.elements[e].corners() == 4) split_quad(mesh, e);
+}
+
+long mend_flat_elements(RegionMesh& mesh, bool may_split_quads) {
   long mended = 0;
   for (int pass = 0; pass < passes; ++pass) {
     long before = mended;
@@ -108,7 +117,8 @@ long mend_flat_elements(RegionMesh& mesh) {
       const Element& element = mesh.elements[e];
       if (!element.is_alive()) continue;
       double sj = scaled_jacobian(mesh, element);
-      if (sj < flat) mended += element.corners() == 4 ? mend_quad(mesh, e, sj + gain) : mend_triangle(mesh, e, sj);
+      if (sj >= flat || (element.corners() == 4 && !may_split_quads)) continue;
+      mended += element.corners() == 4 ? mend_quad(mesh, e, sj + gain) : mend_triangle(mesh, e, sj);
     }
     if (mended == before) break;
   }

@@ -92,6 +92,7 @@ std::string report_json(const MeshResult& result) {
                {"length_unit", "mm"},
                {"target_length", run.target_length},
                {"order", run.order},
+               {"elements", elements_name(run.elements)},
                {"threads", run.threads},
                {"model", model_json(run.model)},
                {"quality", quality_json(run.quality)},

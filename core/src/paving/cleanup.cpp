@@ -31,6 +31,9 @@ constexpr double uneven = 1;           // spread about a regular node from which
 constexpr double worst_goal = 0.74;
 // A triangle goes whatever it costs in energy, and for elements half as long.
 constexpr Demand triangle_demand{-100, 0.3, 0.4, 0};
+// Where triangles are not wanted at all, in this order.
+constexpr Demand all_quad_demands[] = {{-100, 0.2, 0.2, 0}, {-1e6, 0.05, 0.05, 0}, {-1e9, 1e-3, 1e-3, 0}};
+constexpr int most_partners = 8;  // other triangles tried for one
 // An element this poor may go at the cost of some energy when the worst about it rises.
 constexpr double poor_jacobian = 0.25, most_energy = 4;
 constexpr Demand mending_demand{-100, 0.45, 0.4, 0.1};
@@ -46,9 +49,17 @@ class CleanUp {
     push_all();
     work([&](int node) { return improve(node) || refill(node); });
     for (int round = 0; round < 2; ++round) {
-      join_triangles();
+      join_triangles(triangle_demand, 0);
       work([&](int node) { return improve(node) || refill(node); });
     }
+  }
+
+  /// Quads for triangles, as good as they come but at any price.
+  void join_all_triangles() {
+    edit_.forget_measures();
+    for (const Demand& demand : all_quad_demands)
+      for (int nearer = 0; nearer < most_partners; ++nearer) join_triangles(demand, nearer);
+    work([&](int node) { return improve(node) || refill(node); });
   }
 
   /// After smoothing: elements that stayed poor.
@@ -175,21 +186,25 @@ class CleanUp {
     return false;
   }
 
-  void join_triangles() {
+  void join_triangles(const Demand& demand, int nearer) {
     for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {
       const Element& element = mesh_.elements[e];
-      if (!element.is_alive() || element.corners() != 3 || !pairs_.find(e, fill_) || !edit_.apply(fill_)) continue;
+      if (!element.is_alive() || element.corners() != 3 || !pairs_.find(e, fill_, nearer)) continue;
+      if (!edit_.apply(fill_)) {
+        edit_.roll_back(0);
+        continue;
+      }
       progress_.check();
       std::size_t mark = edit_.mark();
-      if (take(triangle_demand)) continue;
+      if (take(demand)) continue;
       edit_.roll_back(mark);
-      if (!divide_hexagon(mark)) edit_.roll_back(0);
+      if (!divide_hexagon(mark, demand)) edit_.roll_back(0);
     }
   }
 
   // Where all nodes about joined triangles are fixed, the quads need a node or
   // two between.
-  bool divide_hexagon(std::size_t mark) {
+  bool divide_hexagon(std::size_t mark, const Demand& demand) {
     bool is_done = false;
     int tries = 0;
     const std::vector<int> nodes = edit_.touched();
@@ -198,7 +213,7 @@ class CleanUp {
       moves_.each(v, [&](const Change& next) {
         if (next.fresh.empty() || next.gone.size() != 2) return false;
         if (++tries > most_hexagons) return true;
-        if (edit_.apply(next) && take(triangle_demand)) return is_done = true;
+        if (edit_.apply(next) && take(demand)) return is_done = true;
         edit_.roll_back(mark);
         return false;
       });
@@ -223,9 +238,10 @@ class CleanUp {
 
 }  // namespace
 
-void clean_up(Front& front, const Progress& progress) {
+void clean_up(Front& front, const Progress& progress, bool all_quad) {
   CleanUp clean(front, progress);
   clean.run();
+  if (all_quad) clean.join_all_triangles();
   Sweeper sweeper(front);
   for (int i = 0; i < sweeps; ++i) {
     progress.check();

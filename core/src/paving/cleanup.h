@@ -7,6 +7,7 @@
 
 namespace paver {
 
-void clean_up(Front& front, const Progress& progress);
+/// With `all_quad` pairs of triangles become quads wherever those are positive, however poor.
+void clean_up(Front& front, const Progress& progress, bool all_quad = false);
 
 }  // namespace paver

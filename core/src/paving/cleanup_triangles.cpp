@@ -12,7 +12,7 @@
 
 namespace paver {
 
-bool TrianglePairs::search(int triangle) {
+bool TrianglePairs::search(int triangle, int nearer) {
   stamp_.resize(std::max(stamp_.size(), mesh_.elements.size()), 0);
   parent_.resize(stamp_.size());
   ++run_;
@@ -22,6 +22,7 @@ bool TrianglePairs::search(int triangle) {
   for (std::size_t i = 0; i < queue_.size() && i < most_visited; ++i) {
     const Element& e = mesh_.elements[queue_[i]];
     if (i > 0 && e.corners() == 3) {
+      if (nearer-- > 0) continue;
       path_.clear();
       for (int at = queue_[i]; at >= 0; at = parent_[at]) path_.push_back(at);
       return true;
@@ -76,6 +77,6 @@ bool TrianglePairs::make(Change& change) const {
   return false;
 }
 
-bool TrianglePairs::find(int triangle, Change& change) { return search(triangle) && make(change); }
+bool TrianglePairs::find(int triangle, Change& change, int nearer) { return search(triangle, nearer) && make(change); }
 
 }  // namespace paver

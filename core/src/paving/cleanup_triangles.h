@@ -11,11 +11,11 @@ class TrianglePairs {
 
   /// The change that turns a triangle, the nearest other one and the quads
   /// between into quads: every quad is cut along a diagonal and its halves join
-  /// with those before and behind. False when no triangle is near.
-  bool find(int triangle, Change& change);
+  /// with those before and behind; `nearer` others are passed over. False when no triangle is near.
+  bool find(int triangle, Change& change, int nearer = 0);
 
  private:
-  bool search(int triangle);
+  bool search(int triangle, int nearer);
   bool make(Change& change) const;
 
   static constexpr int most_visited = 4000;

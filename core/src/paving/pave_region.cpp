@@ -2,6 +2,7 @@
 #include "paving/pave_region.h"
 
 #include <algorithm>
+#include <span>
 
 #include "mesh/flat_elements.h"
 #include "paving/cleanup.h"
@@ -187,6 +188,8 @@ struct Attempt {
   double misfit_weight;
 };
 constexpr Attempt attempts[] = {{1, 1}, {1, 0}, {0.5, 1}, {0.25, 1}};
+// Where no triangle is wanted: a slightly other size already takes other ways.
+constexpr Attempt all_quad_attempts[] = {{1, 1}, {1, 0}, {0.95, 1}, {1.05, 1}, {0.9, 1}, {0.8, 1}, {0.5, 1}, {0.25, 1}};
 constexpr double few_flat = 0.01;  // of the elements: not worth four times as many
 
 Region scaled(const Region& region, double size) {
@@ -198,12 +201,12 @@ Region scaled(const Region& region, double size) {
   return finer;
 }
 
-PavedRegion pave_once(const Region& region, const Attempt& attempt, const Progress& progress) {
+PavedRegion pave_once(const Region& region, const Attempt& attempt, const Progress& progress, Elements elements) {
   PavedRegion paved;
   RegionPaver paver(region, paved.mesh, progress);
   paver.front().misfit_weight = attempt.misfit_weight;
   paved.counts = paver.run();
-  clean_up(paver.front(), progress);
+  clean_up(paver.front(), progress, elements == Elements::all_quad);
   remove_chords(paver.front());
   return paved;
 }
@@ -214,32 +217,52 @@ const int further_attempts = static_cast<int>(std::size(attempts)) - 1;
 
 namespace {
 
-PavedRegion pave_in_way(const Region& region, const Attempt& way, const Progress& progress) {
-  return way.size == 1 ? pave_once(region, way, progress) : pave_once(scaled(region, way.size), way, progress);
+PavedRegion pave_in_way(const Region& region, const Attempt& way, const Progress& progress, Elements elements) {
+  return pave_once(way.size == 1 ? region : scaled(region, way.size), way, progress, elements);
+}
+
+/// Pairs of triangles that clean-up could not join; an odd one is what the region's boundary asks for.
+long pairs_left(const RegionMesh& mesh) {
+  return std::count_if(mesh.elements.begin(), mesh.elements.end(),
+                       [](const Element& e) { return e.is_alive() && e.corners() == 3; }) /
+         2;
+}
+
+PavedRegion finish(PavedRegion paved, Elements elements) {
+  mend_flat_elements(paved.mesh, elements != Elements::all_quad);
+  if (elements == Elements::all_triangle) split_all_quads(paved.mesh);
+  return paved;
 }
 
 }  // namespace
 
-PavedRegion pave_region_again(const Region& region, int attempt, const Progress& progress) {
-  PavedRegion paved = pave_in_way(region, attempts[attempt], progress);
-  mend_flat_elements(paved.mesh);
-  return paved;
+PavedRegion pave_region_again(const Region& region, int attempt, const Progress& progress, Elements elements) {
+  return finish(pave_in_way(region, attempts[attempt], progress, elements), elements);
 }
 
-PavedRegion pave_region(const Region& region, const Progress& progress) {
-  if (region.laid) return {*region.laid, {}};
-  if (auto disc = lay_disc(region, progress)) return {std::move(*disc), {}};
+PavedRegion pave_region(const Region& region, const Progress& progress, Elements elements) {
+  auto as_laid = [&](RegionMesh mesh) {
+    if (elements == Elements::all_triangle) split_all_quads(mesh);
+    return PavedRegion{std::move(mesh), {}};
+  };
+  if (region.laid) return as_laid(*region.laid);
+  if (auto disc = lay_disc(region, progress)) return as_laid(std::move(*disc));
   PavedRegion best;
   Faults fewest{1, 0};
-  for (int attempt = 0; attempt <= further_attempts && fewest.sum() > 0; ++attempt) {
-    bool is_good_enough = fewest.off_surface == 0 && fewest.flat <= few_flat * best.mesh.elements.size();
-    if (attempts[attempt].size < 1 && is_good_enough) break;
-    PavedRegion paved = pave_in_way(region, attempts[attempt], progress);
+  long pairs = 0;
+  const bool all_quad = elements == Elements::all_quad;
+  for (const Attempt& way : all_quad ? std::span<const Attempt>(all_quad_attempts) : attempts) {
+    bool is_good_enough =
+        fewest.off_surface + pairs == 0 && fewest.flat <= few_flat * static_cast<double>(best.mesh.elements.size());
+    bool is_first = best.mesh.elements.empty();
+    if (!is_first && (fewest.sum() + pairs == 0 || (way.size != 1 && is_good_enough))) break;
+    PavedRegion paved = pave_in_way(region, way, progress, elements);
     Faults faults = count_faults(paved.mesh);
-    if (attempt == 0 || faults.sum() < fewest.sum()) best = std::move(paved), fewest = faults;
+    long left = all_quad ? pairs_left(paved.mesh) : 0;
+    if (!is_first && faults.sum() + left >= fewest.sum() + pairs) continue;
+    best = std::move(paved), fewest = faults, pairs = left;
   }
-  mend_flat_elements(best.mesh);
-  return best;
+  return finish(std::move(best), elements);
 }
 
 }  // namespace paver

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "mesh/region_mesh.h"
+#include "paver/options.h"
 #include "paver/progress.h"
 #include "paving/front.h"
 #include "regions/region.h"
@@ -21,10 +22,11 @@ std::optional<std::array<int, 2>> find_crossing(const Region& region);
 
 /// Self-contained and deterministic. Tries again in other ways, and finer, while an element is unsound, and gives the
 /// best. Throws Error{face_failed} with a point when the region's loops cross in the chart, Error{cancelled} on cancel.
-PavedRegion pave_region(const Region& region, const Progress& progress);
+PavedRegion pave_region(const Region& region, const Progress& progress, Elements elements = Elements::quad_dominant);
 
 /// Paves in the one way `attempt`, 1 to further_attempts: for a face that later turned out badly.
-PavedRegion pave_region_again(const Region& region, int attempt, const Progress& progress);
+PavedRegion pave_region_again(const Region& region, int attempt, const Progress& progress,
+                              Elements elements = Elements::quad_dominant);
 extern const int further_attempts;
 
 }  // namespace paver

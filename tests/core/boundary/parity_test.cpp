@@ -103,6 +103,14 @@ TEST(EvenOutLoops, AnEdgeOfThreeLoopsIsTakenWhereItLeavesFewerOddOnes) {
   EXPECT_EQ(counts[0].count, 6);
 }
 
+TEST(EvenOutLoops, ShortEdgesAreSplitOnlyOnDemand) {
+  Loops loops = {{0, 1, 2}};
+  std::vector<EdgeCount> counts = {edge(0.5), edge(0.4), edge(0.3)};
+  EXPECT_EQ(even_out_loops(loops, counts), 1);
+  EXPECT_EQ(even_out_loops(loops, counts, true), 0);
+  EXPECT_EQ(odd_loops(loops, counts), 0);
+}
+
 TEST(EvenOutLoops, ALargeGridOfRandomCountsComesOutEven) {
   constexpr int n = 40;  // n x n cells; horizontal edges first
   Loops loops;

@@ -50,6 +50,36 @@ TEST(FlatElements, AQuadWithAFlatCornerBecomesTwoTriangles) {
   EXPECT_GT(worst(mesh), 0.4);
 }
 
+TEST(FlatElements, QuadsThatMayNotBeSplitStay) {
+  RegionMesh mesh = flat_mesh({{0, 0}, {1, 0}, {2, 0}, {1, 0.5}});
+  mesh.add_element({0, 1, 2, 3});
+  EXPECT_EQ(mend_flat_elements(mesh, false), 0);
+  EXPECT_EQ(alive(mesh).size(), 1U);
+}
+
+TEST(FlatElements, EveryQuadIsSplitAlongItsBetterDiagonal) {
+  RegionMesh mesh = flat_mesh({{0, 0}, {1, 0}, {1.2, 1}, {0, 1}, {2, 0}, {2.2, 1}, {-1, 0.5}});
+  mesh.add_element({0, 1, 2, 3});
+  mesh.add_element({1, 4, 5, 2});
+  mesh.add_element({0, 3, 6, -1});
+  const double before = area(mesh);
+  split_all_quads(mesh);
+  EXPECT_EQ(alive(mesh).size(), 5U);
+  for (const Element& e : alive(mesh)) EXPECT_EQ(e.corners(), 3);
+  EXPECT_TRUE(has_side(mesh, 1, 3));
+  EXPECT_TRUE(has_side(mesh, 4, 2));
+  EXPECT_DOUBLE_EQ(area(mesh), before);
+}
+
+TEST(FlatElements, OfEquallyGoodDiagonalsTheOneAtTheFirstNodeIsTaken) {
+  for (int turn = 0; turn < 4; ++turn) {
+    RegionMesh mesh = flat_mesh({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    mesh.add_element({turn, (turn + 1) % 4, (turn + 2) % 4, (turn + 3) % 4});
+    split_all_quads(mesh);
+    EXPECT_TRUE(has_side(mesh, 0, 2)) << turn;
+  }
+}
+
 TEST(FlatElements, AQuadWithAReflexCornerIsCutThere) {
   RegionMesh mesh = flat_mesh({{0, 0}, {1, 0.2}, {2, 0}, {1, 1}});
   mesh.add_element({0, 1, 2, 3});

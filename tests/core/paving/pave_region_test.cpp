@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -231,6 +232,32 @@ TEST(PaveRegion, TriangularAndSlenderRegions) {
   }
   expect_paved({divided(box(100, 1.4), 1)}, 1);
   expect_paved({divided(box(100, 0.6), 1)}, 1);
+}
+
+TEST(PaveRegion, AllTriangles) {
+  Region region = planar_region({divided(box(10, 8), 1), reversed(circle({5, 4}, 1.5, 8))}, 1);
+  PavedRegion quads = pave_region(region, Progress()), paved = pave_region(region, Progress(), Elements::all_triangle);
+  EXPECT_EQ(test::paved_faults(region, paved.mesh), "");
+  auto is_alive = [](const Element& e) { return e.is_alive(); };
+  for (const Element& e : paved.mesh.elements) EXPECT_TRUE(!e.is_alive() || e.corners() == 3);
+  EXPECT_EQ(std::count_if(paved.mesh.elements.begin(), paved.mesh.elements.end(), is_alive),
+            2 * std::count_if(quads.mesh.elements.begin(), quads.mesh.elements.end(), is_alive));
+}
+
+TEST(PaveRegion, AllQuadsLeaveOneTriangleWhereTheBoundaryIsOdd) {
+  for (int n : {8, 9})
+    for (double apex : {90.0, 60.0, 30.0, 20.0}) {
+      SCOPED_TRACE(testing::Message() << n << " " << apex);
+      double a = apex * pi / 180;
+      Loops loops{divided({{0, 0}, {12, 0}, {12 * std::cos(a), 12 * std::sin(a)}}, 1)};
+      loops.push_back(reversed(circle({7 * std::cos(a / 2), 7 * std::sin(a / 2)}, 0.7, n)));
+      Region region = planar_region(loops, 1);
+      PavedRegion paved = pave_region(region, Progress(), Elements::all_quad);
+      EXPECT_EQ(test::paved_faults(region, paved.mesh), "");
+      long triangles = 0;
+      for (const Element& e : paved.mesh.elements) triangles += e.is_alive() && e.corners() == 3;
+      EXPECT_EQ(triangles, n % 2);
+    }
 }
 
 // Nothing hangs on an absolute size, and a power of two changes no decision.
