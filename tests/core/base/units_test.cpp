@@ -1,8 +1,9 @@
-#include "cli/units.h"
+#include "paver/units.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace paver {
 namespace {
@@ -29,6 +30,20 @@ TEST(ParseFrequency, TakesHertzAndMultiples) {
   EXPECT_DOUBLE_EQ(parse_frequency("1.5 khz").value(), 1500);
   EXPECT_FALSE(parse_frequency("3 mm"));
   EXPECT_TRUE(std::isnan(parse_frequency("nan").value()));
+}
+
+TEST(ParseAngle, TakesDegreesUnlessARadIsGiven) {
+  EXPECT_DOUBLE_EQ(parse_angle("180").value(), std::numbers::pi);
+  EXPECT_DOUBLE_EQ(parse_angle("90 deg").value(), std::numbers::pi / 2);
+  EXPECT_DOUBLE_EQ(parse_angle("90\u00b0").value(), std::numbers::pi / 2);
+  EXPECT_DOUBLE_EQ(parse_angle("0.5rad").value(), 0.5);
+  EXPECT_FALSE(parse_angle("5 mm"));
+}
+
+TEST(ParseNumber, TakesNoUnit) {
+  EXPECT_EQ(parse_number("2.5").value(), 2.5);
+  EXPECT_EQ(parse_number("0.1").value(), 0.1);
+  EXPECT_FALSE(parse_number("2 mm"));
 }
 
 }  // namespace

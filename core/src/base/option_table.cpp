@@ -1,0 +1,243 @@
+// The list of options, each with the function that puts its value where it belongs.
+#include "paver/option_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "paver/error.h"
+#include "paver/units.h"
+
+namespace paver {
+namespace {
+
+/// A value as read: numbers in mm, Hz, radians; `index` of a choice.
+struct Value {
+  double number = 0;
+  int index = 0;
+};
+
+struct Entry {
+  OptionInfo info;
+  void (*put)(Options&, const Value&);
+};
+
+const std::vector<Elements>& kinds_of_elements() {
+  static const std::vector<Elements> kinds{Elements::quad_dominant, Elements::all_quad, Elements::all_triangle};
+  return kinds;
+}
+
+std::vector<std::string> element_choices() {
+  std::vector<std::string> names;
+  for (Elements kind : kinds_of_elements()) names.emplace_back(elements_name(kind));
+  return names;
+}
+
+template <class T>
+std::string text_of(T value) {
+  return fmt::format("{}", value);
+}
+
+std::vector<Entry> size_entries(const Options& d) {
+  return {
+      {{"size",
+        OptionKind::length,
+        "H",
+        "Target length of the element edges, e.g. 30, \"30 mm\", 1.5in",
+        "",
+        "",
+        "",
+        {}},
+       [](Options& o, const Value& v) { o.size = v.number; }},
+      {{"frequency",
+        OptionKind::frequency,
+        "F",
+        "Working frequency instead of size, e.g. 3GHz, \"300 MHz\", 9e9",
+        "",
+        "",
+        "size",
+        {}},
+       [](Options& o, const Value& v) { o.frequency = v.number; }},
+      {{"divisions", OptionKind::number, "N", "Elements per wavelength", text_of(d.divisions), "frequency", "", {}},
+       [](Options& o, const Value& v) { o.divisions = v.number; }},
+      {{"eps_r", OptionKind::number, "E", "Relative permittivity of the medium", text_of(d.eps_r), "frequency", "", {}},
+       [](Options& o, const Value& v) { o.eps_r = v.number; }},
+      {{"mu_r", OptionKind::number, "M", "Relative permeability of the medium", text_of(d.mu_r), "frequency", "", {}},
+       [](Options& o, const Value& v) { o.mu_r = v.number; }},
+      {{"max_turn",
+        OptionKind::angle,
+        "DEG",
+        "Largest turn of the surface per element edge, degrees [45, at order 1 30]",
+        "",
+        "",
+        "",
+        {}},
+       [](Options& o, const Value& v) { o.max_turn = v.number; }},
+      {{"gradation",
+        OptionKind::number,
+        "G",
+        "Largest growth of the element size per unit of length",
+        text_of(d.gradation),
+        "",
+        "",
+        {}},
+       [](Options& o, const Value& v) { o.gradation = v.number; }},
+      {{"max_elements",
+        OptionKind::integer,
+        "N",
+        "Stop before meshing when more elements are predicted",
+        text_of(d.max_elements),
+        "",
+        "",
+        {}},
+       [](Options& o, const Value& v) { o.max_elements = static_cast<long>(v.number); }},
+  };
+}
+
+std::vector<Entry> other_entries(const Options& d) {
+  return {
+      {{"order", OptionKind::integer, "P", "Order of the elements, 1 or 2", text_of(d.order), "", "", {}},
+       [](Options& o, const Value& v) { o.order = static_cast<int>(v.number); }},
+      {{"elements", OptionKind::choice, "KIND",
+        "quad-dominant; all-quad: triangles only where nothing else is possible; all-triangle",
+        elements_name(d.elements), "", "", element_choices()},
+       [](Options& o, const Value& v) { o.elements = kinds_of_elements()[static_cast<std::size_t>(v.index)]; }},
+      {{"threads", OptionKind::integer, "T", "Threads to work on; 0: all cores", text_of(d.threads), "", "", {}},
+       [](Options& o, const Value& v) { o.threads = static_cast<int>(v.number); }},
+      {{"sew_tolerance",
+        OptionKind::length,
+        "T",
+        "Largest gap between faces that is sewn; 0: never sew [from the target length]",
+        "",
+        "",
+        "",
+        {}},
+       [](Options& o, const Value& v) { o.sew_tolerance = v.number; }},
+  };
+}
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all = [] {
+    Options defaults;
+    std::vector<Entry> list = size_entries(defaults), others = other_entries(defaults);
+    list.insert(list.end(), others.begin(), others.end());
+    return list;
+  }();
+  return all;
+}
+
+/// A whole number that an int holds exactly.
+std::optional<double> parse_integer(const std::string& text) {
+  constexpr double largest = 2'000'000'000;
+  std::optional<double> value = parse_number(text);
+  if (value && (*value != std::floor(*value) || std::abs(*value) > largest)) return std::nullopt;
+  return value;
+}
+
+std::string examples_of(const OptionInfo& info) {
+  switch (info.kind) {
+    case OptionKind::length:
+      return "30, 30mm, 1.5in or 2m";
+    case OptionKind::frequency:
+      return "3GHz, 300MHz or 9e9";
+    case OptionKind::angle:
+      return "30, 30deg or 0.5rad";
+    case OptionKind::number:
+      return "1.5";
+    case OptionKind::integer:
+      return "2, a whole number";
+    case OptionKind::choice:
+      break;
+  }
+  std::string names;
+  for (std::size_t i = 0; i < info.choices.size(); ++i)
+    names += (i == 0 ? "" : i + 1 < info.choices.size() ? ", " : " or ") + info.choices[i];
+  return names;
+}
+
+std::optional<Value> read_value(const OptionInfo& info, const std::string& text) {
+  auto number = [](std::optional<double> value) { return value ? std::optional<Value>({*value, 0}) : std::nullopt; };
+  switch (info.kind) {
+    case OptionKind::length:
+      return number(parse_length(text));
+    case OptionKind::frequency:
+      return number(parse_frequency(text));
+    case OptionKind::angle:
+      return number(parse_angle(text));
+    case OptionKind::number:
+      return number(parse_number(text));
+    case OptionKind::integer:
+      return number(parse_integer(text));
+    case OptionKind::choice:
+      break;
+  }
+  auto found = std::find(info.choices.begin(), info.choices.end(), text);
+  if (found == info.choices.end()) return std::nullopt;
+  return Value{0, static_cast<int>(found - info.choices.begin())};
+}
+
+const Entry& entry_of(const std::string& name) {
+  for (const Entry& entry : entries())
+    if (entry.info.name == name) return entry;
+  throw Error(ErrorCode::bad_option, fmt::format("There is no option '{}'; look at the list of options.", name));
+}
+
+void check_company(const OptionInfo& info, const std::vector<GivenOption>& given) {
+  auto is_given = [&](const std::string& name) {
+    return std::any_of(given.begin(), given.end(), [&](const GivenOption& option) { return option.first == name; });
+  };
+  if (!info.needs.empty() && !is_given(info.needs)) {
+    throw Error(ErrorCode::bad_option, fmt::format("{} needs {}; give both or neither.", info.name, info.needs));
+  }
+  if (!info.excludes.empty() && is_given(info.excludes)) {
+    throw Error(ErrorCode::bad_option, fmt::format("{} excludes {}; give only one of them.", info.name, info.excludes));
+  }
+}
+
+}  // namespace
+
+const char* kind_name(OptionKind kind) {
+  switch (kind) {
+    case OptionKind::length:
+      return "length";
+    case OptionKind::frequency:
+      return "frequency";
+    case OptionKind::angle:
+      return "angle";
+    case OptionKind::number:
+      return "number";
+    case OptionKind::integer:
+      return "integer";
+    case OptionKind::choice:
+      break;
+  }
+  return "choice";
+}
+
+const std::vector<OptionInfo>& option_table() {
+  static const std::vector<OptionInfo> table = [] {
+    std::vector<OptionInfo> list;
+    for (const Entry& entry : entries()) list.push_back(entry.info);
+    return list;
+  }();
+  return table;
+}
+
+Options read_options(const std::vector<GivenOption>& given) {
+  Options options;
+  for (const auto& [name, text] : given) {
+    const Entry& entry = entry_of(name);
+    check_company(entry.info, given);
+    std::optional<Value> value = read_value(entry.info, text);
+    if (!value) {
+      throw Error(ErrorCode::bad_option,
+                  fmt::format("{} is '{}'; write it like {}.", name, text, examples_of(entry.info)));
+    }
+    entry.put(options, *value);
+  }
+  return options;
+}
+
+}  // namespace paver
