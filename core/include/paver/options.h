@@ -25,12 +25,12 @@ struct Options {
   int order = 2;                    ///< order of the elements: 1 or 2
   Elements elements = Elements::quad_dominant;
   int threads = 0;                      ///< worker threads; 0: all cores
-  std::optional<double> max_turn;       ///< largest turn per element edge, radians; default pi/4, pi/6 at order 1
+  std::optional<double> max_turn;       ///< largest turn per element edge, radians; default pi/4, more on short ones
   double gradation = 0.6;               ///< largest growth of h per unit of length, 0.05 to 2
   long max_elements = 2'000'000;        ///< stop before meshing when more are predicted
   std::optional<double> sew_tolerance;  ///< mm, >= 0 (0: never sew); default from the target length
 
-  double turn_limit() const { return max_turn ? *max_turn : (order == 1 ? 0.5235987755982988 : 0.7853981633974483); }
+  double turn_limit() const { return max_turn ? *max_turn : 0.7853981633974483; }
 };
 
 /// Throws Error{bad_option} that names the option, its value and the range.

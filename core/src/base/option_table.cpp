@@ -69,7 +69,7 @@ std::vector<Entry> size_entries(const Options& d) {
       {{"max_turn",
         OptionKind::angle,
         "DEG",
-        "Largest turn of the surface per element edge, degrees [45, at order 1 30]",
+        "Largest turn of the surface per element edge, degrees [45; 75 where that stays as close]",
         "",
         "",
         "",

@@ -156,7 +156,7 @@ void EdgeMetric::set_sizes(const SizeField& size, bool is_closed) {
   for (Row& row : rows_) {
     double bend = curvature(*curve_, row.t);
     row.h = size.h;
-    if (bend > 0) row.h = std::min(row.h, std::max(size.turn_limit / bend, least_by_curvature));
+    if (bend > 0) row.h = std::min(row.h, std::max(size.longest_edge(bend), least_by_curvature));
   }
   // A second round carries the size through the point where a closed edge meets itself.
   for (int round = 0; round < (is_closed ? 2 : 1); ++round) {
@@ -282,13 +282,14 @@ double EdgeMetric::turn_at_length(double s, KinkSide side) const {
   return (1 - share) * a.turn + share * b.turn;
 }
 
-bool EdgeMetric::turns_within(int n, double limit) const {
+bool EdgeMetric::turns_within(int n, const SizeField& size) const {
   constexpr double slack = 1.001;  // the turn is linear between rows only
-  if (turn() <= limit * slack) return true;
+  if (turn() <= size.turn_limit * slack) return true;
   const std::vector<double> lengths = node_lengths(n);
   for (std::size_t i = 1; i < lengths.size(); ++i) {
     double end = i + 1 == lengths.size() ? turn() : turn_at_length(lengths[i], KinkSide::before);
-    if (end - turn_at_length(lengths[i - 1], KinkSide::behind) > limit * slack) return false;
+    double turn = end - turn_at_length(lengths[i - 1], KinkSide::behind);
+    if (!size.may_turn(turn / slack, (lengths[i] - lengths[i - 1]) / slack)) return false;
   }
   return true;
 }

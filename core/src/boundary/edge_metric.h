@@ -30,8 +30,8 @@ class EdgeMetric {
   /// Curve parameter at arc length `s`; exact to about 1e-9 of the length.
   double parameter_at_length(double s) const;
   double size_at_length(double s) const;
-  /// Whether none of `n` intervals turns more than `limit`; the turn of a kink on a node counts for none.
-  bool turns_within(int n, double limit) const;
+  /// Whether none of `n` intervals turns more than it may; the turn of a kink on a node counts for none.
+  bool turns_within(int n, const SizeField& size) const;
 
  private:
   struct Row {

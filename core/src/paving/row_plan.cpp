@@ -10,6 +10,7 @@ constexpr double deg = M_PI / 180;
 constexpr double wedge_turn = 70 * deg, wedge_ratio = 1.25, wedge_ratio_first = 1.35;
 constexpr double wedge_ratio_long = 1.12, wedge_excess = 1.5;  // of facets; a wedge takes two
 constexpr double tuck_turn = 70 * deg, tuck_ratio = 0.8, tuck_turn_small = 52 * deg, tuck_ratio_small = 0.3;
+constexpr double tuck_lack = 2;  // of facets, as many as a tuck takes
 
 constexpr double narrow = 0.4;  // facets shorter than this part of the row's height: directions over a wider stretch
 
@@ -47,7 +48,7 @@ void place(const Front& front, int f, NodePlan& plan) {
 }
 
 /// Walks along the row adding up turn and length ratio since the last change; changes the state of the node that
-/// turns most where both pass their limits, or where the row became longer by one and a half facets.
+/// turns most where both pass their limits, or where the row became longer by one and a half facets or shorter by two.
 class RowAdjuster {
  public:
   RowAdjuster(Front& front, const Row& row, std::vector<NodePlan>& plans) : front_(front), row_(row), plans_(plans) {}
@@ -67,7 +68,8 @@ class RowAdjuster {
       if (turns || is_long) {
         change(most_, NodeState::corner, front_.counts.wedges);
       } else if (!is_first && ((turn_ < -tuck_turn && ratio < tuck_ratio) ||
-                               (turn_ < -tuck_turn_small && ratio < tuck_ratio_small))) {
+                               (turn_ < -tuck_turn_small && ratio < tuck_ratio_small) ||
+                               (turn_ < 0 && ratio < tuck_ratio && excess < -tuck_lack))) {
         change(least_, NodeState::end, front_.counts.tucks);
       }
     }

@@ -82,7 +82,7 @@ class RegionBuilder {
     double within = std::fabs(dot(bend, unit(cross(unit(cross(xu, xv)), tangent)))) / dot(yt, yt);
     double target = std::min(size_.h, size_.faces[index_].at(uv));
     if (!(within * target > size_.turn_limit)) return std::isfinite(within) ? target : std::min(target, edge_target);
-    return std::min(target, std::max(edge_target, size_.turn_limit / within));
+    return std::min(target, std::max(edge_target, size_.longest_edge(within)));
   }
 
   // Direction of travel on a coedge at share 0 (start) to 1 (end) of interval i of its division, just inside it.

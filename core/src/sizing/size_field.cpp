@@ -1,8 +1,8 @@
 // Target length on faces: where a surface turns, h is cut so that one element edge turns no more than the limit.
-// In: model, options. Out: one FaceSize per face.
-// Steps: box of each face in (u, v); largest principal curvature on a grid over it; h = limit / curvature, between
-// H / 4 and H; element count predicted from area / h^2 and checked against the limit.
-// Known limit: the grid covers the box of the loops, so a trimmed-away bend may cut h near it.
+// Boundary edges shorter than h may turn more: what counts is how far they lie off their curve, about length x turn
+// / 8. In: model, options. Out: one FaceSize per face. Steps: box of each face in (u, v); largest principal curvature
+// on a grid over it; h = limit / curvature, between H / 4 and H; element count predicted from area / h^2 and checked
+// against the limit. Known limit: the grid covers the box of the loops, so a trimmed-away bend may cut h near it.
 #include "sizing/size_field.h"
 
 #include <fmt/format.h>
@@ -18,6 +18,7 @@ constexpr int grid_size = 17;            // samples per direction: enough for a 
 constexpr double smallest_share = 0.25;  // of H inside faces: a tiny fillet must not explode the count
 constexpr int samples_per_pcurve = 17;   // for the box of a face
 constexpr double one_way_turn = 2.5;
+constexpr double short_turn_limit = 75 * M_PI / 180;  // decision turn-of-short-edges
 constexpr double degenerate_area = 1e-9;  // of the largest |xu x xv| on the face: such a point counts as a pole
 
 struct Box {
@@ -189,12 +190,24 @@ double FaceSize::at(Vec2 uv) const {
   return (1 - b) * ((1 - a) * low[0] + a * low[1]) + b * ((1 - a) * high[0] + a * high[1]);
 }
 
+double SizeField::longest_edge(double curvature) const {
+  if (!(curvature > 0)) return h;
+  double strict = turn_limit / curvature;
+  if (strict >= h || short_turn_limit <= turn_limit) return std::min(strict, h);
+  return std::min(short_turn_limit / curvature, std::sqrt(strict * h));  // length * turn == h * turn_limit
+}
+
+bool SizeField::may_turn(double turn, double length) const {
+  return turn <= turn_limit || (turn <= short_turn_limit && turn * length <= turn_limit * h);
+}
+
 SizeField build_size_field(const Model& model, const Options& options, Progress& progress) {
   progress.begin(Stage::sizing, static_cast<long>(model.faces.size()));
   SizeField field;
   field.h = target_length(options);
   field.gradation = options.gradation;
   field.turn_limit = options.turn_limit();
+  if (!options.max_turn) field.short_turn_limit = short_turn_limit;
   double predicted = 0;
   for (const Face& face : model.faces) {
     bool is_meshed = face.has_area && face.fault.empty();

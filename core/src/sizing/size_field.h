@@ -1,6 +1,7 @@
 // Target length on faces and along edges: the global h, limited by curvature.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -33,8 +34,17 @@ class FaceSize {
 struct SizeField {
   double h = 0;  ///< target length of the run, mm
   double gradation = 0.3;
-  double turn_limit = 0.785;    ///< radians per element edge
+  double turn_limit = 0.785;  ///< radians per element edge
+  /// Radians per boundary edge shorter than h, where it stays as close to its curve as an edge of length h that turns
+  /// by turn_limit; 0: turn_limit holds for it, too.
+  double short_turn_limit = 0;
   std::vector<FaceSize> faces;  ///< per face of the model
+
+  /// Longest boundary edge along a curve of this curvature (1 / mm).
+  double longest_edge(double curvature) const;
+  /// Whether a boundary edge of this length may turn so much.
+  bool may_turn(double turn, double length) const;
+  double largest_turn() const { return std::max(turn_limit, short_turn_limit); }
 };
 
 /// Samples curvature; predicts the element count and throws too_many_elements above options.max_elements.
