@@ -28,12 +28,9 @@ using Corners = std::array<int, 4>;
 class ChordRemover {
  public:
   explicit ChordRemover(Front& front) : front_(front), mesh_(front.mesh) {
-    for (const auto& loop : front.region.loops)
-      for (const LoopNode& node : loop) edge_of_facet_.push_back(node.edge);
     facets_from_.resize(static_cast<std::size_t>(mesh_.node_count()));
-    for (std::size_t f = 0; f < edge_of_facet_.size(); ++f) {
-      facets_from_[front.facets[f].a].push_back(static_cast<int>(f));
-    }
+    for (std::size_t f = 0; f < front.boundary.size(); ++f)
+      facets_from_[front.boundary[f].a].push_back(static_cast<int>(f));
   }
 
   // Shortest first: what lies inside a narrow end opens the way to its mouth.
@@ -76,9 +73,10 @@ class ChordRemover {
     for (int first : facets_from_[a]) {
       double length = 0;
       int count = 0;
-      for (int f = first; edge_of_facet_[f] == edge_of_facet_[first] && edge_of_facet_[f] >= 0; ++count) {
-        int end = front_.facets[f].b;
-        length += norm(mesh_.x[end] - mesh_.x[front_.facets[f].a]);
+      const int edge = front_.boundary[first].edge;
+      for (int f = first; edge >= 0 && front_.boundary[f].edge == edge; ++count) {
+        int end = front_.boundary[f].b;
+        length += norm(mesh_.x[end] - mesh_.x[front_.boundary[f].a]);
         if (length > limit) break;
         if (end == b) return count > 0;
         if (facets_from_[end].size() != 1) break;
@@ -197,7 +195,6 @@ class ChordRemover {
 
   Front& front_;
   RegionMesh& mesh_;
-  std::vector<int> edge_of_facet_;  // B-rep edge of each start facet
   std::vector<std::vector<int>> facets_from_;
 };
 

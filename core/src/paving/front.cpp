@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/predicates.h"
+#include "paving/tips.h"
 
 namespace paver {
 
@@ -45,9 +46,10 @@ void Front::add_start_loop(const std::vector<int>& nodes) {
   start_loops.push_back(base);
 }
 
-std::optional<Crossing> Front::start() {
+std::optional<Crossing> Front::start(std::optional<double> sharpest_tip) {
   // Loops that touch in a vertex share one node; the two sides of a cut do not.
   std::map<int, std::vector<int>> made;
+  std::vector<std::vector<int>> loops;
   for (const auto& loop : region.loops) {
     std::vector<int> nodes;
     for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
@@ -62,7 +64,14 @@ std::optional<Crossing> Front::start() {
       }
       nodes.push_back(node);
     }
-    add_start_loop(nodes);
+    for (std::size_t i = 0, n = loop.size(); i < n; ++i)
+      boundary.push_back({nodes[i], nodes[(i + 1) % n], loop[i].edge});
+    loops.push_back(std::move(nodes));
+  }
+  const std::vector<Vec2> places = mesh.p;
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    if (sharpest_tip) lay_tips(region, mesh, region.loops[l], loops[l], places, *sharpest_tip);
+    add_start_loop(loops[l]);
   }
   for (const Fan& fan : region.fans) {
     int centre = add_loop_node(fan.centre, fan.ring[0].p, true);

@@ -17,6 +17,12 @@ struct Facet {
   bool is_alive = true;
 };
 
+/// Facet of a loop that the region came with, on B-rep edge `edge` (-1 on artificial cuts).
+struct BoundaryFacet {
+  int a = -1, b = -1;
+  int edge = -1;
+};
+
 /// How often paving fell back on something else; goes to the face's report.
 struct PavingCounts {
   long seams = 0, transition_seams = 0, wedges = 0, tucks = 0, joins = 0, triangles = 0, closed_by_triangulation = 0;
@@ -26,14 +32,16 @@ class Front {
  public:
   Front(const Region& region, RegionMesh& mesh);
 
-  /// Triangulates the void inside the region's loops. Returns facet numbers when loops cross or touch.
-  std::optional<Crossing> start();
+  /// Triangulates the void inside the region's loops; with `sharpest_tip` (radians) acute corners from there on are
+  /// filled first (tips.h). Returns facet numbers when loops cross or touch.
+  std::optional<Crossing> start(std::optional<double> sharpest_tip = std::nullopt);
 
   const Region& region;
   RegionMesh& mesh;
   VoidTriangulation empty;  ///< the void
   std::vector<Facet> facets;
-  std::vector<int> start_loops;  ///< one facet of each loop the region came with
+  std::vector<BoundaryFacet> boundary;  ///< all loops the region came with, facet after facet
+  std::vector<int> start_loops;         ///< one facet of each loop that paving starts with
   PavingCounts counts;
   double misfit_weight = 1;  ///< weight of the fit to the sides at its ends in the choice of a row
 

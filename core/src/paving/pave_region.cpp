@@ -22,8 +22,8 @@ class RegionPaver {
   RegionPaver(const Region& region, RegionMesh& mesh, const Progress& progress)
       : region_(region), front_(region, mesh), progress_(progress) {}
 
-  PavingCounts run() {
-    if (auto crossing = front_.start()) {
+  PavingCounts run(double sharpest_tip) {
+    if (auto crossing = front_.start(sharpest_tip)) {
       const Vec3 x = front_.mesh.x[front_.facets[crossing->facet].a];
       throw Error(ErrorCode::face_failed,
                   "its boundary, divided at this target length, crosses or touches itself; use a smaller size",
@@ -190,7 +190,8 @@ struct Attempt {
 constexpr Attempt attempts[] = {{1, 1}, {1, 0}, {0.5, 1}, {0.25, 1}};
 // Where no triangle is wanted: a slightly other size already takes other ways.
 constexpr Attempt all_quad_attempts[] = {{1, 1}, {1, 0}, {0.95, 1}, {1.05, 1}, {0.9, 1}, {0.8, 1}, {0.5, 1}, {0.25, 1}};
-constexpr double few_flat = 0.01;  // of the elements: not worth four times as many
+constexpr double sharpest_tip = 6 * M_PI / 180;  // sharper corners take a triangle, unless none is wanted
+constexpr double few_flat = 0.01;                // of the elements: not worth four times as many
 
 Region scaled(const Region& region, double size) {
   Region finer = region;
@@ -205,7 +206,7 @@ PavedRegion pave_once(const Region& region, const Attempt& attempt, const Progre
   PavedRegion paved;
   RegionPaver paver(region, paved.mesh, progress);
   paver.front().misfit_weight = attempt.misfit_weight;
-  paved.counts = paver.run();
+  paved.counts = paver.run(elements == Elements::all_quad ? 0 : sharpest_tip);
   clean_up(paver.front(), progress, elements == Elements::all_quad);
   remove_chords(paver.front());
   return paved;

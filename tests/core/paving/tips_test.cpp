@@ -1,0 +1,102 @@
+#include "paving/tips.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "paving/pave_region.h"
+#include "support/planar_region.h"
+#include "support/validate.h"
+
+namespace paver {
+namespace {
+
+using test::planar_region;
+
+/// Slice of a round cake: its tip at the origin, `rows` nodes of distance 1 along either side.
+Region slice(double angle, int rows, bool is_even = true) {
+  std::vector<Vec2> loop;
+  for (int i = 0; i < rows; ++i) loop.push_back({static_cast<double>(i), 0});
+  int across = std::max(1, static_cast<int>(std::lround(rows * angle)));
+  if ((across % 2 == 0) != is_even) ++across;
+  for (int i = 0; i < across; ++i)
+    loop.push_back({rows * std::cos(angle * i / across), rows * std::sin(angle * i / across)});
+  for (int i = rows; i > 0; --i) loop.push_back({i * std::cos(angle), i * std::sin(angle)});
+  return planar_region({loop}, 1);
+}
+
+struct Figures {
+  int triangles = 0;
+  double worst = 1, longest = 0;
+};
+
+Figures pave(const Region& region, Elements elements = Elements::quad_dominant) {
+  PavedRegion paved = pave_region(region, Progress(), elements);
+  EXPECT_EQ(test::paved_faults(region, paved.mesh), "");
+  Figures figures;
+  const RegionMesh& mesh = paved.mesh;
+  for (const Element& e : mesh.elements) {
+    if (!e.is_alive()) continue;
+    figures.triangles += e.corners() == 3;
+    figures.worst = std::min(figures.worst, scaled_jacobian(mesh, e));
+    for (int k = 0; k < e.corners(); ++k)
+      figures.longest = std::max(figures.longest, norm(mesh.x[e.v[k]] - mesh.x[e.v[(k + 1) % e.corners()]]));
+  }
+  return figures;
+}
+
+class Slices : public testing::TestWithParam<int> {};
+
+TEST_P(Slices, HaveNoTriangleAndNoElementWorseThanTheirTip) {
+  double angle = GetParam() * std::numbers::pi / 180;
+  for (int rows : {8, 20, 41}) {
+    SCOPED_TRACE(rows);
+    Figures figures = pave(slice(angle, rows));
+    EXPECT_EQ(figures.triangles, 0);
+    EXPECT_GT(figures.worst, 0.95 * std::min(std::sin(angle), 0.6));
+    EXPECT_LT(figures.longest, 1.6);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Angles, Slices, testing::Values(7, 11, 15, 20, 25, 30, 35, 40, 44));
+
+TEST(Tips, SharperOnesThanSixDegreesAreFilledWhereNoTriangleIsWanted) {
+  double angle = 3 * std::numbers::pi / 180;
+  EXPECT_EQ(pave(slice(angle, 60), Elements::all_quad).triangles, 0);
+}
+
+TEST(Tips, AnOddLoopKeepsItsOneTriangle) { EXPECT_EQ(pave(slice(0.25, 21, false)).triangles, 1); }
+
+TEST(Tips, BothEndsOfALensAreFilled) {
+  std::vector<Vec2> loop;
+  constexpr int n = 24;
+  for (int i = 0; i < n; ++i) loop.push_back({static_cast<double>(i), -0.01 * i * (n - i)});
+  for (int i = n; i > 0; --i) loop.push_back({static_cast<double>(i), 0.01 * i * (n - i)});
+  Region region = planar_region({loop}, 1);
+  Figures figures = pave(region);
+  EXPECT_EQ(figures.triangles, 0);
+  EXPECT_GT(figures.worst, 0.2);
+}
+
+TEST(Tips, ATipThatAHoleReachesIntoIsLeftToRows) {
+  Region region = slice(0.4, 20);
+  std::vector<Vec2> points;
+  for (const auto& loop : region.loops)
+    for (const LoopNode& node : loop) points.push_back(node.p);
+  for (bool is_free : {true, false}) {
+    if (!is_free) points.push_back({2.5, 0.3});
+    RegionMesh mesh;
+    std::vector<int> nodes;
+    for (const LoopNode& node : region.loops[0])
+      nodes.push_back(mesh.add_node(node.p, node.x, {1, 0, 0}, {0, 1, 0}, node.h));
+    std::size_t before = nodes.size();
+    lay_tips(region, mesh, region.loops[0], nodes, points, 0.1);
+    EXPECT_EQ(mesh.elements.empty(), !is_free);
+    EXPECT_EQ(nodes.size() < before, is_free);
+    EXPECT_EQ(nodes.size() % 2, before % 2);
+  }
+}
+
+}  // namespace
+}  // namespace paver
