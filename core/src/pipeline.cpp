@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <numeric>
 
 #include "boundary/edge_nodes.h"
+#include "brep/occt_impl.h"
 #include "curving/place_nodes.h"
 #include "curving/repair.h"
 #include "join/join.h"
@@ -20,6 +22,7 @@
 #include "quality/jacobian.h"
 #include "quality/report.h"
 #include "regions/build_regions.h"
+#include "sizing/predicted_memory.h"
 #include "topology/build_model.h"
 
 namespace paver {
@@ -27,24 +30,37 @@ namespace {
 
 constexpr int most_refinements = 12;  // rounds of dividing edges whose divisions cross
 constexpr int most_splits = 3;        // rounds of splitting quads that stay invalid
+constexpr const char* kernel_failure = "The CAD kernel failed at this model; report it with the model";
 
 class Run {
  public:
   Run(const Options& options, Progress& progress) : options_(options), progress_(progress) {}
 
-  MeshResult mesh(const std::string& path) {
-    check(options_);
-    RunReport& report = result_.report;
-    report.target_length = target_length(options_);
-    report.order = options_.order;
-    report.elements = options_.elements;
-    report.threads = thread_count(options_.threads);
-    read(path);
+  MeshResult mesh(const CadModel& model) {
+    start();
+    build(model);
     divide();
     pave();
     assemble();
     measure();
+    name_edges();
     return std::move(result_);
+  }
+
+  Prediction predict(const CadModel& model) {
+    start();
+    build(model);
+    begin(Stage::sizing);
+    size_ = build_size_field(model_, options_, progress_);
+    Prediction prediction;
+    prediction.target_length = result_.report.target_length;
+    prediction.face_elements.assign(static_cast<std::size_t>(result_.report.model.faces), 0);
+    for (std::size_t i = 0; i < model_.faces.size(); ++i) {
+      prediction.face_elements[static_cast<std::size_t>(model_.faces[i].origin)] += size_.predicted[i];
+      prediction.elements += size_.predicted[i];
+    }
+    prediction.memory_mib = predicted_memory_mib(prediction.elements, options_);
+    return prediction;
   }
 
  private:
@@ -70,12 +86,19 @@ class Run {
     stage_ = Stage::done;
   }
 
-  void read(const std::string& path) {
-    begin(Stage::read);
-    ModelReport found;
-    std::shared_ptr<Shape> shape = read_shape(path, found, progress_);
+  void start() {
+    check(options_);
+    RunReport& report = result_.report;
+    report.target_length = target_length(options_);
+    report.order = options_.order;
+    report.elements = options_.elements;
+    report.threads = thread_count(options_.threads);
+  }
+
+  void build(const CadModel& model) {
+    result_.report.stage_seconds.push_back({stage_name(Stage::read), model.read_seconds});
     begin(Stage::topology);
-    model_ = build_model(*shape, options_, result_.report.target_length, found, progress_);
+    model_ = build_model(*model.shape, options_, result_.report.target_length, model.report, progress_);
     result_.report.model = model_.report;
     result_.report.notes = model_.notes;
     for (const Face& face : model_.faces) {
@@ -153,6 +176,11 @@ class Run {
       } catch (const Error& error) {
         if (error.code() == ErrorCode::cancelled) throw;
         fail(face, error);
+      } catch (const Standard_Failure& failure) {
+        fail(face,
+             Error(ErrorCode::face_failed,
+                   "the CAD kernel cannot evaluate it (" + failure_text(failure) + "); repair it in the CAD program",
+                   {stage_name(Stage::paving), face, -1, {}}));
       }
       progress_.advance();
     });
@@ -356,6 +384,27 @@ class Run {
     if (!faces.empty()) result_.report.notes.push_back(fmt::format("Triangles remain in {}.", faces));
   }
 
+  // Lines and nodes get the edges of the shape as read; in the model's own list there are pieces of these and others.
+  void name_edges() {
+    std::vector<int> number;
+    auto& names = result_.edge_names;
+    for (int e = 0; e < model_.read_edges; ++e) names.push_back("Edge" + std::to_string(e + 1));
+    for (const Edge& edge : model_.edges) {
+      number.push_back(edge.origins.empty() ? static_cast<int>(names.size()) : edge.origins.front());
+      if (edge.origins.empty()) names.push_back(edge.name);
+    }
+    SurfaceMesh& mesh = result_.mesh;
+    for (std::size_t line = 0; line < mesh.line_edge.size(); ++line) {
+      int edge = mesh.line_edge[line];
+      mesh.line_edge[line] = number[edge];
+      const std::vector<int>& origins = model_.edges[edge].origins;
+      for (std::size_t i = 1; i < origins.size(); ++i)
+        mesh.further_edges.push_back({static_cast<int>(line), origins[i]});
+    }
+    for (int& edge : mesh.node_edge)
+      if (edge >= 0) edge = number[edge];
+  }
+
   const Options& options_;
   Progress& progress_;
   Stage stage_ = Stage::done;
@@ -375,8 +424,19 @@ class Run {
 
 }  // namespace
 
+MeshResult mesh_model(const CadModel& model, const Options& options, Progress& progress) {
+  return guard_occt(ErrorCode::internal, kernel_failure, [&] { return Run(options, progress).mesh(model); });
+}
+
 MeshResult mesh_file(const std::string& path, const Options& options, Progress& progress) {
-  return Run(options, progress).mesh(path);
+  check(options);
+  return mesh_model(read_file(path, progress), options, progress);
+}
+
+Prediction predict(const CadModel& model, const Options& options, Progress& progress) {
+  Options unlimited = options;
+  unlimited.max_elements = std::numeric_limits<long>::max();
+  return guard_occt(ErrorCode::internal, kernel_failure, [&] { return Run(unlimited, progress).predict(model); });
 }
 
 }  // namespace paver

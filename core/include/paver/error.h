@@ -24,6 +24,9 @@ enum class ErrorCode {
   internal,           ///< a broken invariant: a defect of ours
 };
 
+/// Name as in the enumeration, e.g. "bad_option".
+const char* code_name(ErrorCode code);
+
 /// Where it went wrong. Ids are 0-based; the text of an Error uses the names Face1, Edge1 ...
 struct Where {
   std::string stage;
@@ -39,6 +42,9 @@ class Error : public std::runtime_error {
       : std::runtime_error(text), code_(code), where_(std::move(where)) {}
   ErrorCode code() const { return code_; }
   const Where& where() const { return where_; }
+  /// What to do, without an end mark: what the sentence says after its last semicolon, else what helps against this
+  /// code.
+  std::string remedy() const;
 
  private:
   ErrorCode code_;

@@ -1,7 +1,10 @@
-// The whole job as one call.
+// The whole job in a few calls: read a model, predict, mesh.
 #pragma once
 
+#include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "paver/options.h"
 #include "paver/progress.h"
@@ -9,9 +12,50 @@
 
 namespace paver {
 
-/// Reads a STEP, IGES or BREP file and meshes all its faces.
-/// A face that fails is named in result.report.faces and the others are delivered.
-/// Throws Error for bad input, bad options, cancel and limits.
+struct Shape;  // the CAD kernel's data
+
+/// A CAD model as read. Cheap to copy; it never changes, and may be meshed any number of times, in many threads at
+/// once. Faces and edges are numbered as TopExp::MapShapes finds them, which is how FreeCAD names them: 0 is Face1,
+/// Edge1.
+struct CadModel {
+  std::shared_ptr<const Shape> shape;
+  ModelReport report;       ///< what reading found: file, format, unit
+  double read_seconds = 0;  ///< wall time
+};
+
+/// Reads a STEP, IGES or BREP file, or what FreeCAD's exportBinary writes; the content decides which. `name` stands for
+/// the file in messages and in the report; empty: its path. Throws Error{file_missing, not_a_cad_file, damaged_file,
+/// no_faces, cancelled}.
+CadModel read_file(const std::string& path, Progress& progress, const std::string& name = {});
+
+/// The same from the content of such a file.
+CadModel read_bytes(std::span<const char> bytes, const std::string& name, Progress& progress);
+
+/// One direct member of a compound: its faces and edges as 0-based numbers in the whole model, in the member's own
+/// order. Members may share some.
+struct ModelPart {
+  std::vector<int> faces, edges;
+};
+
+/// The members of a model that is a compound, else the model itself as its only part.
+std::vector<ModelPart> model_parts(const CadModel& model);
+
+/// Meshes all faces. A face that fails is named in result.report.faces and the others are delivered; shortfall() says
+/// so. Throws Error for bad options, cancel and limits.
+MeshResult mesh_model(const CadModel& model, const Options& options, Progress& progress);
+
+/// read_file and mesh_model; bad options are found before the file is read.
 MeshResult mesh_file(const std::string& path, const Options& options, Progress& progress);
+
+/// What a run with the same arguments will come to, from areas, perimeters and curvatures alone.
+struct Prediction {
+  double target_length = 0;           ///< mm
+  double elements = 0;                ///< all faces together; see core/docs/prediction.md for how near it comes
+  double memory_mib = 0;              ///< that the run takes on top of what the process already has
+  std::vector<double> face_elements;  ///< per face; 0 for faces that will not be meshed
+};
+
+/// Costs a small part of meshing: topology and sizing only. Options::max_elements is no limit here.
+Prediction predict(const CadModel& model, const Options& options, Progress& progress);
 
 }  // namespace paver

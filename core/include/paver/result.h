@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "paver/error.h"
 #include "paver/options.h"
 #include "paver/vec.h"
 
@@ -16,14 +18,16 @@ namespace paver {
 /// Elements run counter-clockwise seen against the outward normal of their B-rep face.
 struct SurfaceMesh {
   int order = 1;
-  std::vector<Vec3> nodes;          ///< mm
-  std::vector<int> quads;           ///< (p+1)^2 node indices per quad
-  std::vector<int> quad_face;       ///< 0-based B-rep face per quad
-  std::vector<int> triangles;       ///< (p+1)(p+2)/2 node indices per triangle
-  std::vector<int> triangle_face;   ///< 0-based B-rep face per triangle
-  std::vector<int> lines;           ///< p+1 node indices per piece of a B-rep edge
-  std::vector<int> line_edge;       ///< 0-based B-rep edge per line
-  std::vector<int> node_edge;       ///< per node: the B-rep edge it lies on (ends: any of its edges), or -1
+  std::vector<Vec3> nodes;         ///< mm
+  std::vector<int> quads;          ///< (p+1)^2 node indices per quad
+  std::vector<int> quad_face;      ///< 0-based B-rep face per quad
+  std::vector<int> triangles;      ///< (p+1)(p+2)/2 node indices per triangle
+  std::vector<int> triangle_face;  ///< 0-based B-rep face per triangle
+  std::vector<int> lines;          ///< p+1 node indices per piece of a B-rep edge
+  std::vector<int> line_edge;      ///< 0-based B-rep edge per line; edges that dividing added follow the model's own
+  std::vector<int> node_edge;      ///< per node: the B-rep edge it lies on (ends: any of its edges), or -1
+  /// (line, 0-based B-rep edge): where sewing made edges common, those a line lies on besides its line_edge.
+  std::vector<std::array<int, 2>> further_edges;
   std::vector<double> node_target;  ///< per node: target length h there, mm (corner nodes; 0 elsewhere)
 
   int nodes_per_quad() const { return (order + 1) * (order + 1); }
@@ -97,6 +101,11 @@ struct MeshResult {
   SurfaceMesh mesh;
   RunReport report;
   std::vector<std::string> face_names;  ///< per B-rep face: its name in the file, else "Face12"
+  std::vector<std::string> edge_names;  ///< per B-rep edge: "Edge7", and "Added1" for those that dividing added
 };
+
+/// Why a result is not all that was asked for: Error{face_failed} that names the faces and reasons, Error{no_faces}
+/// when no face has an area, nothing when every face with an area is meshed.
+std::optional<Error> shortfall(const MeshResult& result);
 
 }  // namespace paver

@@ -249,7 +249,7 @@ class CreaseDivider {
         divided.push_back({static_cast<int>(i), cuts[i].creases});
     if (divided.empty()) return {};
     replace_faces();
-    number_edges(edges);
+    note_divided_edges(edges);
     work_.is_rebuilt = true;
     return divided;
   }
@@ -350,11 +350,11 @@ class CreaseDivider {
     work_.faces = std::move(replaced);
   }
 
-  void number_edges(const TopTools_IndexedMapOfShape& edges) {
-    for (int i = 1; i <= edges.Extent(); ++i)
-      for (TopExp_Explorer parts(context_->Apply(edges(i).Oriented(TopAbs_FORWARD)), TopAbs_EDGE); parts.More();
-           parts.Next())
-        work_.edge_numbers.Bind(parts.Current(), i);
+  void note_divided_edges(const TopTools_IndexedMapOfShape& edges) {
+    for (int i = 1; i <= edges.Extent(); ++i) {
+      TopoDS_Shape image = context_->Apply(edges(i).Oriented(TopAbs_FORWARD));
+      if (!image.IsNull() && !image.IsSame(edges(i))) add_edge_origins(work_, image, edge_origins(work_, edges(i)));
+    }
   }
 
   Workpiece& work_;

@@ -23,25 +23,25 @@ struct FileEnds {
   std::string head, tail;
 };
 
-std::string quoted(const std::string& path) { return "'" + path + "'"; }
+std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
-void check_regular_file(const std::string& path) {
+void check_regular_file(const std::string& path, const std::string& name) {
   std::error_code error;
   auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found)
-    throw Error(ErrorCode::file_missing, quoted(path) + " does not exist; check the path.");
+    throw Error(ErrorCode::file_missing, quoted(name) + " does not exist; check the path.");
   if (status.type() == std::filesystem::file_type::directory)
-    throw Error(ErrorCode::file_missing, quoted(path) + " is a folder; name a STEP, IGES or BREP file in it.");
+    throw Error(ErrorCode::file_missing, quoted(name) + " is a folder; name a STEP, IGES or BREP file in it.");
   if (status.type() == std::filesystem::file_type::none)
     throw Error(ErrorCode::file_missing,
-                quoted(path) + " cannot be reached (" + error.message() + "); check the path.");
+                quoted(name) + " cannot be reached (" + error.message() + "); check the path.");
   if (status.type() != std::filesystem::file_type::regular)
-    throw Error(ErrorCode::file_missing, quoted(path) + " is not a file but a device or pipe; name a file.");
+    throw Error(ErrorCode::file_missing, quoted(name) + " is not a file but a device or pipe; name a file.");
 }
 
-FileEnds read_ends(const std::string& path) {
+FileEnds read_ends(const std::string& path, const std::string& name) {
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error(ErrorCode::file_missing, quoted(path) + " may not be read; change its permissions or copy it.");
+  if (!in) throw Error(ErrorCode::file_missing, quoted(name) + " may not be read; change its permissions or copy it.");
   FileEnds ends;
   ends.head.resize(head_bytes);
   in.read(ends.head.data(), static_cast<std::streamsize>(head_bytes));
@@ -53,7 +53,7 @@ FileEnds read_ends(const std::string& path) {
   in.seekg(static_cast<std::streamoff>(size - length));
   ends.tail.resize(length);
   in.read(ends.tail.data(), static_cast<std::streamsize>(length));
-  if (!in) throw Error(ErrorCode::file_missing, quoted(path) + " could not be read to its end; check the disk.");
+  if (!in) throw Error(ErrorCode::file_missing, quoted(name) + " could not be read to its end; check the disk.");
   return ends;
 }
 
@@ -109,19 +109,19 @@ bool is_iges_complete(std::string_view tail) {
   return has_section_letter(start == std::string_view::npos ? tail : tail.substr(start + 1), 'T');
 }
 
-[[noreturn]] void throw_foreign(const std::string& path, std::string_view head) {
+[[noreturn]] void throw_foreign(const std::string& name, std::string_view head) {
   if (head.starts_with("PK\x03\x04"))
-    throw Error(ErrorCode::not_a_cad_file, quoted(path) +
+    throw Error(ErrorCode::not_a_cad_file, quoted(name) +
                                                " is a FreeCAD document or another zip archive; "
                                                "open it in FreeCAD and export the shape as STEP.");
   if (head.starts_with("\x1f\x8b"))
-    throw Error(ErrorCode::not_a_cad_file, quoted(path) + " is compressed with gzip; unpack it first.");
+    throw Error(ErrorCode::not_a_cad_file, quoted(name) + " is compressed with gzip; unpack it first.");
   throw Error(ErrorCode::not_a_cad_file,
-              quoted(path) + " is not a STEP, IGES or BREP file; export the model in one of these formats.");
+              quoted(name) + " is not a STEP, IGES or BREP file; export the model in one of these formats.");
 }
 
-[[noreturn]] void throw_cut_off(const std::string& path, const char* what) {
-  throw Error(ErrorCode::damaged_file, quoted(path) + " is cut off: " + what + " is missing; copy or export it again.");
+[[noreturn]] void throw_cut_off(const std::string& name, const char* what) {
+  throw Error(ErrorCode::damaged_file, quoted(name) + " is cut off: " + what + " is missing; copy or export it again.");
 }
 
 }  // namespace
@@ -137,24 +137,24 @@ const char* format_name(FileFormat format) {
   }
 }
 
-FileFormat find_format(const std::string& path) {
-  check_regular_file(path);
-  FileEnds ends = read_ends(path);
+FileFormat find_format(const std::string& path, const std::string& name) {
+  check_regular_file(path, name);
+  FileEnds ends = read_ends(path, name);
   if (without_space(ends.head).empty())
-    throw Error(ErrorCode::not_a_cad_file, quoted(path) + " is empty; export the model again.");
+    throw Error(ErrorCode::not_a_cad_file, quoted(name) + " is empty; export the model again.");
   std::string_view words = first_words(ends.head);
   if (words.starts_with("ISO-10303-21")) {
-    if (ends.tail.find("END-ISO-10303-21") == std::string::npos) throw_cut_off(path, "the line END-ISO-10303-21");
+    if (ends.tail.find("END-ISO-10303-21") == std::string::npos) throw_cut_off(name, "the line END-ISO-10303-21");
     return FileFormat::step;
   }
   if (words.starts_with("DBRep_DrawableShape") || words.starts_with("CASCADE Topology")) return FileFormat::brep;
   if (words.starts_with("Open CASCADE Topology")) return FileFormat::binary_brep;
   if (is_iges(ends.head)) {
-    if (!is_iges_complete(ends.tail)) throw_cut_off(path, "the terminate section of the IGES file");
-    if (!has_all_iges_lines(path, ends.tail)) throw_cut_off(path, "part of the IGES sections");
+    if (!is_iges_complete(ends.tail)) throw_cut_off(name, "the terminate section of the IGES file");
+    if (!has_all_iges_lines(path, ends.tail)) throw_cut_off(name, "part of the IGES sections");
     return FileFormat::iges;
   }
-  throw_foreign(path, ends.head);
+  throw_foreign(name, ends.head);
 }
 
 }  // namespace paver

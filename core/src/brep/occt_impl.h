@@ -1,8 +1,6 @@
 // Shared between the files that talk to OpenCASCADE: conversions, error translation, progress, silence.
 #pragma once
 
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
 #include <Message_ProgressIndicator.hxx>
 #include <Message_ProgressScope.hxx>
 #include <Standard_Failure.hxx>
@@ -71,18 +69,14 @@ class OcctProgress : public Message_ProgressIndicator {
   long credited_ = 0;
 };
 
-/// Takes away the printers of OpenCASCADE's messenger as long as it lives.
+/// Silences the printers of OpenCASCADE's messenger as long as one lives. The messenger is the whole process's: only
+/// levels of its printers change, never their list, which a host program may be walking through.
 class QuietMessages {
  public:
-  QuietMessages() : saved_(Message::DefaultMessenger()->Printers()) {
-    Message::DefaultMessenger()->ChangePrinters().Clear();
-  }
-  ~QuietMessages() { Message::DefaultMessenger()->ChangePrinters() = saved_; }
+  QuietMessages();
+  ~QuietMessages();
   QuietMessages(const QuietMessages&) = delete;
   QuietMessages& operator=(const QuietMessages&) = delete;
-
- private:
-  Message_SequenceOfPrinters saved_;
 };
 
 }  // namespace paver

@@ -44,11 +44,11 @@ std::vector<std::string> face_labels(IGESControl_Reader& reader, const TopoDS_Sh
 
 }  // namespace
 
-void read_iges(const std::string& path, Shape& shape, ModelReport& report, Progress& progress) {
+void read_iges(const FileSource& file, Shape& shape, ModelReport& report, Progress& progress) {
   IGESControl_Reader reader;
   MillimetreReading millimetres;
-  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    throw Error(ErrorCode::damaged_file, "'" + path + "' is not readable IGES; export the model again.");
+  if (reader.ReadFile(file.path.c_str()) != IFSelect_RetDone)
+    throw Error(ErrorCode::damaged_file, "'" + file.name + "' is not readable IGES; export the model again.");
   progress.check();
   Handle(IGESData_IGESModel) model = reader.IGESModel();
   if (!model.IsNull()) report.unit = stated_unit(model);

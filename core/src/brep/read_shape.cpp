@@ -5,6 +5,8 @@
 #include <TopAbs_ShapeEnum.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <chrono>
+#include <mutex>
 
 #include "brep/file_format.h"
 #include "brep/readers_impl.h"
@@ -12,21 +14,36 @@
 
 namespace paver {
 
-std::shared_ptr<Shape> read_shape(const std::string& path, ModelReport& report, Progress& progress) {
+namespace {
+
+/// The readers of STEP and IGES keep settings and tables for the whole process: one at a time.
+std::unique_lock<std::timed_mutex> wait_for_readers(const Progress& progress) {
+  static std::timed_mutex busy;
+  std::unique_lock lock(busy, std::defer_lock);
+  while (!lock.try_lock_for(std::chrono::milliseconds(20))) progress.check();
+  return lock;
+}
+
+}  // namespace
+
+std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, Progress& progress) {
   progress.begin(Stage::read, read_units);
-  FileFormat format = find_format(path);
-  report.file = path;
+  FileFormat format = find_format(file.path, file.name);
+  report.file = file.name;
   report.format = format_name(format);
 
   auto shape = std::make_shared<Shape>();
   QuietMessages quiet;
-  guard_occt(ErrorCode::damaged_file, "'" + path + "' could not be read; export the model again", [&] {
+  guard_occt(ErrorCode::damaged_file, "'" + file.name + "' could not be read; export the model again", [&] {
+    if (format == FileFormat::brep || format == FileFormat::binary_brep) {
+      read_brep(file, format == FileFormat::binary_brep, *shape, report, progress);
+      return;
+    }
+    auto lock = wait_for_readers(progress);
     if (format == FileFormat::step) {
-      read_step(path, *shape, report, progress);
-    } else if (format == FileFormat::iges) {
-      read_iges(path, *shape, report, progress);
+      read_step(file, *shape, report, progress);
     } else {
-      read_brep(path, format == FileFormat::binary_brep, *shape, report, progress);
+      read_iges(file, *shape, report, progress);
     }
   });
   progress.check();
@@ -34,7 +51,7 @@ std::shared_ptr<Shape> read_shape(const std::string& path, ModelReport& report, 
   TopTools_IndexedMapOfShape faces;
   if (!shape->shape.IsNull()) TopExp::MapShapes(shape->shape, TopAbs_FACE, faces);
   if (faces.IsEmpty())
-    throw Error(ErrorCode::no_faces, "'" + path +
+    throw Error(ErrorCode::no_faces, "'" + file.name +
                                          "' has no faces, so there is nothing to mesh; "
                                          "export surfaces or solids, not curves or meshes.");
   shape->labels.resize(static_cast<std::size_t>(faces.Extent()));

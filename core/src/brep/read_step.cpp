@@ -33,7 +33,7 @@ std::string stated_unit(STEPControl_Reader& reader) {
 
 /// The reader marks entities whose content it could not load, and crashes later where it follows them into geometry.
 /// Names are allowed to be missing: some writers leave them out.
-void check_entities(const std::string& path, STEPControl_Reader& reader) {
+void check_entities(const std::string& name, STEPControl_Reader& reader) {
   Handle(Interface_InterfaceModel) model = reader.Model();
   for (int i = 1; i <= model->NbEntities(); ++i) {
     if (!model->IsErrorEntity(i)) continue;
@@ -44,7 +44,7 @@ void check_entities(const std::string& path, STEPControl_Reader& reader) {
     for (int k = 1; k <= check->NbFails(); ++k) {
       std::string reason = check->CFail(k);
       if (reason.find("(name)") != std::string::npos) continue;
-      throw Error(ErrorCode::damaged_file, "'" + path + "' is damaged at entity " +
+      throw Error(ErrorCode::damaged_file, "'" + name + "' is damaged at entity " +
                                                model->StringLabel(entity)->ToCString() + " (" + reason +
                                                "); export the model again.");
     }
@@ -65,13 +65,13 @@ std::vector<std::string> face_labels(STEPControl_Reader& reader, const TopoDS_Sh
 
 }  // namespace
 
-void read_step(const std::string& path, Shape& shape, ModelReport& report, Progress& progress) {
+void read_step(const FileSource& file, Shape& shape, ModelReport& report, Progress& progress) {
   STEPControl_Reader reader;
   MillimetreReading millimetres;
-  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    throw Error(ErrorCode::damaged_file, "'" + path + "' is not readable STEP; export the model again.");
+  if (reader.ReadFile(file.path.c_str()) != IFSelect_RetDone)
+    throw Error(ErrorCode::damaged_file, "'" + file.name + "' is not readable STEP; export the model again.");
   progress.check();
-  check_entities(path, reader);
+  check_entities(file.name, reader);
   report.unit = stated_unit(reader);
   Handle(OcctProgress) indicator = new OcctProgress(progress, read_units);
   reader.TransferRoots(indicator->Start());

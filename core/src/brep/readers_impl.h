@@ -2,16 +2,17 @@
 #pragma once
 
 #include "brep/occt_impl.h"
+#include "brep/read_shape.h"
 #include "brep/shape_impl.h"
 #include "paver/result.h"
 
 namespace paver {
 
 /// `shape.shape` is null when the file has nothing to transfer. Sets `report.unit`.
-void read_step(const std::string& path, Shape& shape, ModelReport& report, Progress& progress);
-void read_iges(const std::string& path, Shape& shape, ModelReport& report, Progress& progress);
-/// Text or binary; BREP states no unit.
-void read_brep(const std::string& path, bool is_binary, Shape& shape, ModelReport& report, Progress& progress);
+void read_step(const FileSource& file, Shape& shape, ModelReport& report, Progress& progress);
+void read_iges(const FileSource& file, Shape& shape, ModelReport& report, Progress& progress);
+/// Text or binary, as OpenCASCADE or FreeCAD writes it; BREP states no unit.
+void read_brep(const FileSource& file, bool is_binary, Shape& shape, ModelReport& report, Progress& progress);
 
 /// Work units of Stage::read.
 inline constexpr long read_units = 100;

@@ -3,6 +3,7 @@
 // their edges as they are, so sharing in the input is never undone. Faces keep their order and number.
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRep_Tool.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
@@ -62,12 +63,25 @@ std::map<int, std::vector<int>> groups_to_sew(const Workpiece& work, const EdgeU
   return groups;
 }
 
+/// Edges that sewing replaced keep the numbers of those they stand for.
+void note_replaced_edges(Workpiece& work, const std::vector<TopoDS_Face>& faces, const BRepBuilderAPI_Sewing& sewing) {
+  TopTools_IndexedMapOfShape edges;
+  for (const TopoDS_Face& face : faces) TopExp::MapShapes(face, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    TopoDS_Shape image = sewing.ModifiedSubShape(edges(i));
+    if (!image.IsNull() && !image.IsSame(edges(i))) add_edge_origins(work, image, edge_origins(work, edges(i)));
+  }
+}
+
 void sew_group(Workpiece& work, const std::vector<int>& group, SewResult& result, Progress& progress) {
   BRepBuilderAPI_Sewing sewing(result.tolerance);
-  for (int i : group) sewing.Add(work.faces[static_cast<std::size_t>(i)].face);
+  std::vector<TopoDS_Face> before;
+  for (int i : group) before.push_back(work.faces[static_cast<std::size_t>(i)].face);
+  for (const TopoDS_Face& face : before) sewing.Add(face);
   Handle(OcctProgress) indicator = new OcctProgress(progress, sew_units * static_cast<long>(group.size()));
   sewing.Perform(indicator->Start());
   indicator->finish();
+  note_replaced_edges(work, before, sewing);
   for (int i : group) {
     WorkFace& face = work.faces[static_cast<std::size_t>(i)];
     TopoDS_Shape image = sewing.IsModified(face.face) ? sewing.Modified(face.face) : face.face;
@@ -104,6 +118,7 @@ SewResult sew(Workpiece& work, double tolerance, double target_length, Progress&
   } else {
     // Nothing fitted: keep the faces as they were, and with them the names of their edges.
     work.faces = as_read;
+    work.replaced_edges.Clear();
     result = {0, result.free_before, result.free_before, {}};
   }
   progress.advance(units);

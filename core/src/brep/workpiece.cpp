@@ -82,6 +82,7 @@ Workpiece make_workpiece(const Shape& shape, Progress& progress) {
   TopTools_IndexedMapOfShape faces, solids;
   TopExp::MapShapes(shape.shape, TopAbs_FACE, faces);
   TopExp::MapShapes(shape.shape, TopAbs_SOLID, solids);
+  TopExp::MapShapes(shape.shape, TopAbs_EDGE, work.read_edges);
   work.faces.resize(static_cast<std::size_t>(faces.Extent()));
   for (int s = solids.Extent(); s >= 1; --s)  // backwards: a face of two solids counts to the first
     for (TopExp_Explorer inner(solids(s), TopAbs_FACE); inner.More(); inner.Next())
@@ -112,18 +113,33 @@ void copy_shape(Workpiece& work) {
   if (static_cast<std::size_t>(faces.Extent()) != work.faces.size())
     throw Error(ErrorCode::internal, "The copy of the shape has another number of faces.", {"topology", -1, -1, {}});
   work.shape = copy.Shape();
+  work.read_edges.Clear();
+  TopExp::MapShapes(work.shape, TopAbs_EDGE, work.read_edges);
   for (int i = 1; i <= faces.Extent(); ++i) work.faces[static_cast<std::size_t>(i - 1)].face = TopoDS::Face(faces(i));
   work.is_copied = true;
 }
 
 TopTools_IndexedMapOfShape edge_map(const Workpiece& work) {
   TopTools_IndexedMapOfShape edges;
-  if (!work.is_rebuilt) {
-    TopExp::MapShapes(work.shape, TopAbs_EDGE, edges);
-    return edges;
-  }
+  if (!work.is_rebuilt) return work.read_edges;
   for (const WorkFace& face : work.faces) TopExp::MapShapes(face.face, TopAbs_EDGE, edges);
   return edges;
+}
+
+std::vector<int> edge_origins(const Workpiece& work, const TopoDS_Shape& edge) {
+  if (const auto* origins = work.replaced_edges.Seek(edge)) return *origins;
+  int position = work.read_edges.FindIndex(edge);
+  return position > 0 ? std::vector<int>{position - 1} : std::vector<int>();
+}
+
+void add_edge_origins(Workpiece& work, const TopoDS_Shape& image, const std::vector<int>& origins) {
+  for (TopExp_Explorer edges(image, TopAbs_EDGE); edges.More(); edges.Next()) {
+    std::vector<int> all = edge_origins(work, edges.Current());
+    all.insert(all.end(), origins.begin(), origins.end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    work.replaced_edges.Bind(edges.Current(), all);
+  }
 }
 
 bool EdgeUses::is_free(int index) const {

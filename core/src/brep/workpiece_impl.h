@@ -1,8 +1,9 @@
 // A shape on its way to a Model: its faces in the order of the file, as repaired and sewn so far.
 #pragma once
 
-#include <TopTools_DataMapOfShapeInteger.hxx>
+#include <NCollection_DataMap.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
@@ -28,9 +29,10 @@ struct Workpiece {
   std::vector<WorkFace> faces;  ///< in the order of TopExp::MapShapes of the shape as read, pieces of one in a row
   double diagonal = 0;          ///< of the bounding box, mm
   bool is_copied = false;       ///< shape and faces are our own, to be changed in place
-  bool is_rebuilt = false;      ///< faces are no longer those of `shape`: edges are numbered over the faces instead
-  /// Once faces are divided: the number of the edge each edge is or is a piece of; new edges have none.
-  TopTools_DataMapOfShapeInteger edge_numbers;
+  bool is_rebuilt = false;      ///< faces are no longer those of `shape`: edges are listed over the faces instead
+  TopTools_IndexedMapOfShape read_edges;  ///< of `shape`, in the order of the shape as read
+  /// Edges that took the place of others, when sewn or divided: the 0-based edges as read that they lie on, rising.
+  NCollection_DataMap<TopoDS_Shape, std::vector<int>, TopTools_ShapeMapHasher> replaced_edges;
 };
 
 /// Progress units that the functions below credit per face.
@@ -48,8 +50,14 @@ void copy_shape(Workpiece& work);
 /// Credits repair_units per face.
 void repair(Workpiece& work, Progress& progress);
 
-/// All edges; the position of an edge is its number.
+/// All edges, in the order in which the model lists them.
 TopTools_IndexedMapOfShape edge_map(const Workpiece& work);
+
+/// The 0-based edges of the shape as read that an edge is or lies on; none for an edge that was added.
+std::vector<int> edge_origins(const Workpiece& work, const TopoDS_Shape& edge);
+
+/// Notes that the edges of `image` lie on `origins`, besides what they are known to lie on.
+void add_edge_origins(Workpiece& work, const TopoDS_Shape& image, const std::vector<int>& origins);
 
 /// Uses of every edge of faces with area, and whether it is a free one.
 struct EdgeUses {

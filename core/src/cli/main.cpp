@@ -16,7 +16,6 @@ namespace paver {
 namespace {
 
 constexpr int internal_exit_code = 1, face_failed_exit_code = 4;
-constexpr std::size_t most_named_faces = 10;
 
 int exit_code(ErrorCode code) {
   switch (code) {
@@ -49,19 +48,6 @@ void complain(std::string text) {
   fmt::print(stderr, "paver: {}\n", text);
 }
 
-/// "Face3 (paving: no room), Face9 (...)"; empty when no face failed.
-std::string failed_faces(const std::vector<FaceReport>& faces, std::size_t& count) {
-  std::string text;
-  for (const FaceReport& face : faces) {
-    if (face.status != FaceStatus::failed || ++count > most_named_faces) continue;
-    std::string reason = face.reason;
-    while (reason.ends_with('.')) reason.pop_back();
-    text += fmt::format("{}{} ({}: {})", text.empty() ? "" : ", ", face.name, face.stage, reason);
-  }
-  if (count > most_named_faces) text += fmt::format(" and {} more", count - most_named_faces);
-  return text;
-}
-
 void check_input_is_no_output(const Arguments& arguments) {
   for (const std::string& output : {arguments.files.mesh, arguments.files.report}) {
     std::error_code ignored;
@@ -87,19 +73,11 @@ int mesh(const Arguments& arguments, Progress& progress) {
   check_input_is_no_output(arguments);
   check_outputs(arguments.files);
   MeshResult result = mesh_and_write(arguments, progress);
-  bool is_empty = result.mesh.quad_count() + result.mesh.triangle_count() == 0;
   if (!arguments.is_quiet) {
     std::string table = report_table(result.report);
     std::fwrite(table.data(), 1, table.size(), stdout);
   }
-  std::size_t failed = 0;
-  std::string names = failed_faces(result.report.faces, failed);
-  if (failed > 0) {
-    complain(fmt::format("{} of {} faces could not be meshed{}: {}.", failed, result.report.faces.size(),
-                         is_empty ? ", no mesh is written" : ", the mesh of the others is written", names));
-    return face_failed_exit_code;
-  }
-  if (is_empty) throw Error(ErrorCode::no_faces, "None of the faces has an area, so there is no mesh.");
+  if (auto error = shortfall(result)) throw Error(*error);
   return 0;
 }
 

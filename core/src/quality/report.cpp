@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 
+#include "paver/quality.h"
 #include "quality/jacobian.h"
 #include "quality/mesh_edges_impl.h"
 #include "quality/metrics.h"
@@ -156,6 +157,20 @@ long count_used_nodes(const SurfaceMesh& mesh) {
 }
 
 }  // namespace
+
+ElementQuality element_quality(const SurfaceMesh& mesh) {
+  Progress progress;
+  ElementQuality quality;
+  for (bool is_quad : {true, false}) {
+    for (const ElementFigures& f : measure_elements(mesh, is_quad, progress)) {
+      quality.sj.push_back(f.sj);
+      quality.jacobian_ratio.push_back(f.ratio);
+      quality.area.push_back(f.area);
+      quality.validity.push_back(static_cast<std::int8_t>(f.validity));
+    }
+  }
+  return quality;
+}
 
 QualityReport measure_quality(const SurfaceMesh& mesh, double target_length, const std::vector<bool>& edge_is_periodic,
                               std::vector<FaceReport>& faces, const Progress& progress) {

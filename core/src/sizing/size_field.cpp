@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace paver {
 namespace {
@@ -208,15 +209,15 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
   field.gradation = options.gradation;
   field.turn_limit = options.turn_limit();
   if (!options.max_turn) field.short_turn_limit = short_turn_limit;
-  double predicted = 0;
   for (const Face& face : model.faces) {
     bool is_meshed = face.has_area && face.fault.empty();
     SampledFace sampled =
         is_meshed ? sample_face(model, face, field.h, field.turn_limit) : SampledFace{FaceSize(field.h), 0};
     field.faces.push_back(std::move(sampled.size));
-    if (is_meshed) predicted += predicted_elements(model, face, sampled.mean_density);
+    field.predicted.push_back(is_meshed ? predicted_elements(model, face, sampled.mean_density) : 0);
     progress.advance();
   }
+  double predicted = std::accumulate(field.predicted.begin(), field.predicted.end(), 0.0);
   check_predicted(predicted, field.h, options.max_elements);
   return field;
 }

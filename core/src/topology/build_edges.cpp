@@ -1,4 +1,4 @@
-// Edges and vertices of a model, numbered as in the shape.
+// Edges and vertices of a model, named as in the shape.
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
@@ -54,17 +54,15 @@ class EdgeBuilder {
     for (int position = 1; position <= index_.map.Extent(); ++position) {
       if (!used.Contains(index_.map(position))) continue;
       index_.edge[static_cast<std::size_t>(position)] = static_cast<int>(model_.edges.size());
-      add_edge(TopoDS::Edge(index_.map(position).Oriented(TopAbs_FORWARD)), position);
+      add_edge(TopoDS::Edge(index_.map(position).Oriented(TopAbs_FORWARD)));
     }
     number_vertices();
     return std::move(index_);
   }
 
  private:
-  std::string name(const TopoDS_Edge& shape, int position) {
-    if (work_.edge_numbers.IsEmpty()) return "Edge" + std::to_string(position);
-    if (const int* number = work_.edge_numbers.Seek(shape)) return "Edge" + std::to_string(*number);
-    return "Crease" + std::to_string(++creases_);
+  std::string name(const std::vector<int>& origins) {
+    return origins.empty() ? "Added" + std::to_string(++added_) : "Edge" + std::to_string(origins.front() + 1);
   }
 
   TopTools_IndexedMapOfShape used_edges() const {
@@ -79,9 +77,10 @@ class EdgeBuilder {
     return used;
   }
 
-  void add_edge(const TopoDS_Edge& shape, int position) {
+  void add_edge(const TopoDS_Edge& shape) {
     Edge edge;
-    edge.name = name(shape, position);
+    edge.origins = edge_origins(work_, shape);
+    edge.name = name(edge.origins);
     BRep_Tool::Range(shape, edge.t0, edge.t1);
     bool is_endless = Precision::IsInfinite(edge.t0) || Precision::IsInfinite(edge.t1);
     edge.length = is_endless ? 0 : edge_length(shape);
@@ -140,7 +139,7 @@ class EdgeBuilder {
   std::vector<int> vertex_ids_;
   std::vector<Vec3> points_;
   VertexMerger merger_;
-  int creases_ = 0;
+  int added_ = 0;
 };
 
 }  // namespace

@@ -47,6 +47,7 @@ class ModelBuilder {
     sewn_ = sew(work_, options.sew_tolerance.value_or(-1), target_length, progress_);
     for (const DividedFace& face : divide_creases(work_)) note_divided(face);
     EdgeIndex index = build_edges(work_, model_);
+    model_.read_edges = work_.read_edges.Extent();
     note_tolerances(index);
     for (std::size_t i = 0; i < work_.faces.size(); ++i) {
       add_face(static_cast<int>(i), index);

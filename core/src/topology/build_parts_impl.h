@@ -13,7 +13,7 @@ namespace paver {
 
 /// Which model edge an OpenCASCADE edge is.
 struct EdgeIndex {
-  TopTools_IndexedMapOfShape map;  ///< all edges of the shape; position is the number in the name
+  TopTools_IndexedMapOfShape map;  ///< all edges, in the order of the model
   std::vector<int> edge;           ///< per position: index in Model::edges, -1 where no face uses it
 
   /// -1: not in the model.

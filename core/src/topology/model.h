@@ -24,10 +24,11 @@ struct Loop {
 };
 
 struct Edge {
-  std::string name;  ///< "Edge7": position in the shape's edge map, from 1; pieces keep it, new edges are "Crease1"
-  int start = -1, end = -1;    ///< vertices at t0 and t1
-  double t0 = 0, t1 = 0;       ///< t0 < t1
-  double length = 0;           ///< mm
+  std::string name;          ///< of the first of its origins: "Edge7"; edges that were added are "Added1"
+  std::vector<int> origins;  ///< 0-based edges of the shape as read that it is or lies on: several where sewn together
+  int start = -1, end = -1;  ///< vertices at t0 and t1
+  double t0 = 0, t1 = 0;     ///< t0 < t1
+  double length = 0;         ///< mm
   bool is_degenerate = false;  ///< a pole: no length, curve is null
   bool is_periodic = false;    ///< used twice by one face (that face's own parametric seam)
   std::shared_ptr<const Curve> curve;
@@ -50,6 +51,7 @@ struct Model {
   std::vector<Vec3> vertices;
   std::vector<Edge> edges;
   std::vector<Face> faces;
+  int read_edges = 0;  ///< edges of the shape as read, used or not
   ModelReport report;
   std::vector<std::string> notes;
 };

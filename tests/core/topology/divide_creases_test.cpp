@@ -44,7 +44,7 @@ TopoDS_Face face_of(const Handle(Geom_BSplineSurface) & surface) {
 
 long crease_count(const Model& model) {
   return std::count_if(model.edges.begin(), model.edges.end(),
-                       [](const Edge& edge) { return edge.name.rfind("Crease", 0) == 0; });
+                       [](const Edge& edge) { return edge.name.rfind("Added", 0) == 0; });
 }
 
 long shared_count(const Model& model) {
@@ -90,7 +90,7 @@ TEST(DivideCreases, MakesACreaseAnEdge) {
   EXPECT_EQ(model.edges.size(), 7u);
   std::set<std::string> names;
   for (const Edge& edge : model.edges) names.insert(edge.name);
-  EXPECT_EQ(names, (std::set<std::string>{"Crease1", "Edge1", "Edge2", "Edge3", "Edge4"}));
+  EXPECT_EQ(names, (std::set<std::string>{"Added1", "Edge1", "Edge2", "Edge3", "Edge4"}));
   ASSERT_EQ(model.notes.size(), 1u);
   EXPECT_EQ(model.notes[0], "Face1 was divided along 1 crease.");
 }

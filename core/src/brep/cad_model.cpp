@@ -1,0 +1,59 @@
+// CadModel: reading from files and memory, and the members of a compound.
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <chrono>
+
+#include "base/memory_file.h"
+#include "brep/shape_impl.h"
+#include "paver/mesher.h"
+
+namespace paver {
+namespace {
+
+CadModel read(const FileSource& file, Progress& progress) {
+  auto start = std::chrono::steady_clock::now();
+  CadModel model;
+  model.shape = read_shape(file, model.report, progress);
+  model.read_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return model;
+}
+
+/// 0-based places in `all` of the parts of one kind of `shape`, in its own order.
+std::vector<int> places(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind, const TopTools_IndexedMapOfShape& all) {
+  TopTools_IndexedMapOfShape own;
+  TopExp::MapShapes(shape, kind, own);
+  std::vector<int> result;
+  for (int i = 1; i <= own.Extent(); ++i) result.push_back(all.FindIndex(own(i)) - 1);
+  return result;
+}
+
+}  // namespace
+
+CadModel read_file(const std::string& path, Progress& progress, const std::string& name) {
+  return read({path, name.empty() ? path : name}, progress);
+}
+
+CadModel read_bytes(std::span<const char> bytes, const std::string& name, Progress& progress) {
+  MemoryFile file(bytes);
+  return read({file.path(), name}, progress);
+}
+
+std::vector<ModelPart> model_parts(const CadModel& model) {
+  const TopoDS_Shape& shape = model.shape->shape;
+  TopTools_IndexedMapOfShape faces, edges;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  std::vector<ModelPart> parts;
+  auto add = [&](const TopoDS_Shape& part) {
+    parts.push_back({places(part, TopAbs_FACE, faces), places(part, TopAbs_EDGE, edges)});
+  };
+  if (shape.ShapeType() != TopAbs_COMPOUND) {
+    add(shape);
+    return parts;
+  }
+  for (TopoDS_Iterator members(shape); members.More(); members.Next()) add(members.Value());
+  return parts;
+}
+
+}  // namespace paver

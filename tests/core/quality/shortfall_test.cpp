@@ -1,0 +1,43 @@
+#include <gtest/gtest.h>
+
+#include "core/quality/wavy_mesh.h"
+
+namespace paver {
+namespace {
+
+TEST(Shortfall, IsNothingWhenEveryFaceIsMeshed) { EXPECT_FALSE(shortfall(fake::WavyMesh(1, 4, 0).result())); }
+
+TEST(Shortfall, NamesFacesReasonsAndTheFirstPlace) {
+  MeshResult result = fake::WavyMesh(1, 4, 0).result();
+  result.report.faces[1].status = FaceStatus::failed;
+  result.report.faces[1].stage = "paving";
+  result.report.faces[1].reason = "no room.";
+  result.report.faces[1].where = {1, 2, 3};
+  auto error = shortfall(result);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->code(), ErrorCode::face_failed);
+  EXPECT_STREQ(error->what(),
+               "1 of 2 faces could not be meshed, the mesh of the others is delivered: Face2 (paving: no room).");
+  EXPECT_EQ(error->where().face, 1);
+  EXPECT_EQ(error->where().stage, "paving");
+  EXPECT_EQ(error->where().point.value().z, 3);
+}
+
+TEST(Shortfall, IsNoFacesWhenNoneHasAnArea) {
+  MeshResult result;
+  result.report.faces.resize(3);
+  for (FaceReport& face : result.report.faces) face.status = FaceStatus::no_area;
+  EXPECT_EQ(shortfall(result).value().code(), ErrorCode::no_faces);
+}
+
+TEST(Shortfall, ListsTenFaces) {
+  MeshResult result;
+  result.report.faces.resize(12);
+  for (FaceReport& face : result.report.faces) face.status = FaceStatus::failed, face.name = "FaceX";
+  std::string text = shortfall(result).value().what();
+  EXPECT_NE(text.find("12 of 12 faces could not be meshed, there is no mesh: "), std::string::npos) << text;
+  EXPECT_NE(text.find(" and 2 more."), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace paver
