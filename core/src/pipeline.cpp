@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "boundary/edge_nodes.h"
+#include "boundary/prediction.h"
 #include "brep/occt_impl.h"
 #include "curving/place_nodes.h"
 #include "curving/repair.h"
@@ -22,7 +23,6 @@
 #include "quality/jacobian.h"
 #include "quality/report.h"
 #include "regions/build_regions.h"
-#include "sizing/predicted_memory.h"
 #include "topology/build_model.h"
 
 namespace paver {
@@ -50,16 +50,17 @@ class Run {
   Prediction predict(const CadModel& model) {
     start();
     build(model);
-    begin(Stage::sizing);
-    size_ = build_size_field(model_, options_, progress_);
+    std::vector<FaceLayout> layouts;
+    std::vector<int> counts = count_intervals(layouts);
+    std::vector<double> elements = predict_elements(model_, size_, counts, options_.elements);
     Prediction prediction;
     prediction.target_length = result_.report.target_length;
     prediction.face_elements.assign(static_cast<std::size_t>(result_.report.model.faces), 0);
     for (std::size_t i = 0; i < model_.faces.size(); ++i) {
-      prediction.face_elements[static_cast<std::size_t>(model_.faces[i].origin)] += size_.predicted[i];
-      prediction.elements += size_.predicted[i];
+      prediction.face_elements[static_cast<std::size_t>(model_.faces[i].origin)] += elements[i];
+      prediction.elements += elements[i];
     }
-    prediction.memory_mib = predicted_memory_mib(prediction.elements, options_);
+    prediction.memory_mib = predict_memory_mib(prediction.elements, options_);
     return prediction;
   }
 
@@ -116,14 +117,21 @@ class Run {
     }
   }
 
-  // Sizing, boundary nodes and regions; edges whose divisions cross in a chart are divided further until they do not.
-  void divide() {
+  // Sizing, and the number of intervals of every edge.
+  std::vector<int> count_intervals(std::vector<FaceLayout>& layouts) {
     begin(Stage::sizing);
     size_ = build_size_field(model_, options_, progress_);
     begin(Stage::boundary);
-    std::vector<FaceLayout> layouts = plan_layouts(model_, size_, progress_);
+    layouts = plan_layouts(model_, size_, progress_);
     std::vector<int> counts = choose_counts(model_, size_, progress_, options_.elements == Elements::all_quad);
     settle_counts(model_, layouts, counts);
+    return counts;
+  }
+
+  // Boundary nodes and regions; edges whose divisions cross in a chart are divided further until they do not.
+  void divide() {
+    std::vector<FaceLayout> layouts;
+    std::vector<int> counts = count_intervals(layouts);
     for (int round = 0;; ++round) {
       nodes_ = divide_edges(model_, size_, counts, progress_);
       regions_ = build_regions(model_, size_, layouts, nodes_);
@@ -163,7 +171,7 @@ class Run {
     report.status = FaceStatus::failed;
     report.stage = error.where().stage;
     report.reason = error.what();
-    if (error.where().point) report.where = *error.where().point;
+    report.where = error.where().point;
   }
 
   void pave() {

@@ -17,10 +17,12 @@ struct OutputFiles {
   std::string report;                         ///< path of the report (JSON); empty: none
   MshVersion msh_version = MshVersion::v4_1;  ///< for .msh
   bool is_ascii = false;                      ///< text instead of binary
+  std::string input{};                        ///< path of the model: never written over; empty: it came from no file
 };
 
-/// Throws Error{bad_option} for a mesh file name with another ending or two equal paths, and Error{unwritable_output}
-/// when a file could not be created in its folder. Leaves nothing behind. Call it before the work.
+/// Throws Error{bad_option} for a mesh file name with another ending, two equal paths or the model's own path, and
+/// Error{unwritable_output} when a file could not be created in its folder. Leaves nothing behind. Call it before the
+/// work.
 void check_outputs(const OutputFiles& files);
 
 /// Writes all files under temporary names in their folders, then renames them: a reader sees whole files or none, and

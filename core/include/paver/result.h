@@ -42,7 +42,7 @@ struct FaceReport {
   std::string name;  ///< "Face12"
   FaceStatus status = FaceStatus::meshed;
   std::string stage, reason;  ///< when not meshed: where it stopped and why
-  Vec3 where;                 ///< when failed: a point near the trouble
+  std::optional<Vec3> where;  ///< when failed: a point near the trouble, where one is known
   long quads = 0, triangles = 0;
   double worst_sj = 1;               ///< worst straight-sided scaled Jacobian
   double cad_area = 0;               ///< mm^2

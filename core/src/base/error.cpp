@@ -66,7 +66,8 @@ std::string Error::remedy() const {
   std::size_t start = text.rfind("; ");
   if (start == std::string::npos || code_ == ErrorCode::cancelled) return general_remedy(code_);
   text = text.substr(start + 2);
-  while (text.ends_with('.')) text.pop_back();
+  bool is_opened = text.find('(') != std::string::npos;
+  while (text.ends_with('.') || (text.ends_with(')') && !is_opened)) text.pop_back();
   return text;
 }
 

@@ -105,6 +105,7 @@ std::optional<int> read_arguments(int argc, const char* const* argv, Arguments& 
     throw Error(ErrorCode::bad_option, sentence(error.what()));
   }
   if (arguments.files.mesh.empty()) throw Error(ErrorCode::bad_option, "The name of the mesh file is empty.");
+  arguments.files.input = arguments.input;
   convert(mesh, texts, arguments);
   return std::nullopt;
 }

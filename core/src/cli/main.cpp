@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <new>
 
 #include "arguments.h"
@@ -48,15 +47,6 @@ void complain(std::string text) {
   fmt::print(stderr, "paver: {}\n", text);
 }
 
-void check_input_is_no_output(const Arguments& arguments) {
-  for (const std::string& output : {arguments.files.mesh, arguments.files.report}) {
-    std::error_code ignored;
-    if (!output.empty() && std::filesystem::equivalent(arguments.input, output, ignored)) {
-      throw Error(ErrorCode::bad_option, fmt::format("'{}' is the input; it is not written over.", output));
-    }
-  }
-}
-
 MeshResult mesh_and_write(const Arguments& arguments, Progress& progress) {
   Terminal terminal(progress, arguments.is_quiet,
                     {temporary_name(arguments.files.mesh), temporary_name(arguments.files.report)});
@@ -70,7 +60,6 @@ MeshResult mesh_and_write(const Arguments& arguments, Progress& progress) {
 
 int mesh(const Arguments& arguments, Progress& progress) {
   check(arguments.options);
-  check_input_is_no_output(arguments);
   check_outputs(arguments.files);
   MeshResult result = mesh_and_write(arguments, progress);
   if (!arguments.is_quiet) {

@@ -2,7 +2,7 @@
 // points.
 #include "display/shape_table.h"
 
-#include "quality/dense_impl.h"
+#include "quality/dense.h"
 #include "quality/lattice.h"
 
 namespace paver {

@@ -80,7 +80,7 @@ Json face_json(const FaceReport& face, const std::string& label) {
                {"cad_area", face.cad_area},
                {"mesh_area", face.mesh_area},
                {"closed_by_triangulation", face.closed_by_triangulation}};
-  if (face.status == FaceStatus::failed) json["where"] = {face.where.x, face.where.y, face.where.z};
+  if (face.where) json["where"] = {face.where->x, face.where->y, face.where->z};
   return json;
 }
 

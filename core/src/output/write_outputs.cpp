@@ -35,6 +35,13 @@ void check_names(const OutputFiles& files) {
   if (!files.mesh.empty() && !files.report.empty() && is_same_file(files.mesh, files.report)) {
     throw Error(ErrorCode::bad_option, fmt::format("Mesh and report have the same file name '{}'.", files.mesh));
   }
+  for (const std::string& output : {files.mesh, files.report}) {
+    std::error_code ignored;
+    if (!output.empty() && !files.input.empty() && std::filesystem::equivalent(files.input, output, ignored)) {
+      throw Error(ErrorCode::bad_option,
+                  fmt::format("'{}' is the input, which is not written over; choose another name.", output));
+    }
+  }
 }
 
 void write_mesh(const MeshResult& result, const OutputFiles& files, AtomicFile& file) {

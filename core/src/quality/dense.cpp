@@ -1,9 +1,9 @@
 // Inverse and product of the small matrices behind the tables of jacobian.h, in long double so that the tables are
 // exact to the last digits of a double.
+#include "quality/dense.h"
+
 #include <cmath>
 #include <utility>
-
-#include "quality/dense_impl.h"
 
 namespace paver {
 namespace {

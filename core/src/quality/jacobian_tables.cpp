@@ -7,7 +7,7 @@
 // element's border remain. Matrices for values and for quarters come from sampling and one inverse.
 #include <cmath>
 
-#include "quality/dense_impl.h"
+#include "quality/dense.h"
 #include "quality/jacobian.h"
 #include "quality/lattice.h"
 

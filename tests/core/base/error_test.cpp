@@ -10,6 +10,8 @@ namespace {
 TEST(Error, SaysWhatToDo) {
   EXPECT_EQ(Error(ErrorCode::bad_option, "size is 'x'; write it like 30.").remedy(), "write it like 30");
   EXPECT_EQ(Error(ErrorCode::internal, "One; two; three").remedy(), "three");
+  EXPECT_EQ(Error(ErrorCode::face_failed, "Faces: Face2 (paving: no room; use a smaller size).").remedy(),
+            "use a smaller size");
   EXPECT_EQ(Error(ErrorCode::cancelled, "Cancelled; nothing was written.").remedy(), "start again");
 }
 

@@ -219,6 +219,17 @@ TEST_F(CheckOutputs, RefusesBadNamesAndPlaces) {
   EXPECT_EQ(refusal({path("null.msh"), "", MshVersion::v4_1, false}), ErrorCode::unwritable_output);
 }
 
+TEST_F(CheckOutputs, NeverTheModelItself) {
+  std::ofstream(path("model.msh")) << "a model";
+  fs::create_symlink(path("model.msh"), path("link.msh"));
+  for (const char* name : {"model.msh", "link.msh"}) {
+    EXPECT_EQ(refusal({path(name), "", MshVersion::v4_1, false, path("model.msh")}), ErrorCode::bad_option);
+    EXPECT_EQ(refusal({"", path(name), MshVersion::v4_1, false, path("model.msh")}), ErrorCode::bad_option);
+  }
+  EXPECT_NO_THROW(check_outputs({path("other.msh"), "", MshVersion::v4_1, false, path("model.msh")}));
+  EXPECT_EQ(content(path("model.msh")), "a model");
+}
+
 TEST_F(CheckOutputs, LeavesNothingBehind) {
   EXPECT_NO_THROW(check_outputs({path("A.MSH"), path("r.json"), MshVersion::v4_1, false}));
   EXPECT_EQ(files_left(), 0);
@@ -229,6 +240,7 @@ TEST(ReportJson, HasEveryFaceAndSurvivesNamesThatAreNotUtf8) {
   result.face_names[1] = "K\xf6rper";
   result.report.faces[1].status = FaceStatus::failed;
   result.report.faces[1].reason = "no room";
+  result.report.faces[1].where = Vec3{1, 2, 3};
   result.report.stage_seconds = {{"read", 0.5}, {"paving", 1.5}};
   Json json = Json::parse(report_json(result));
   EXPECT_EQ(json["faces"][0]["status"], "meshed");

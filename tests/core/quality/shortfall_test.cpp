@@ -12,7 +12,7 @@ TEST(Shortfall, NamesFacesReasonsAndTheFirstPlace) {
   result.report.faces[1].status = FaceStatus::failed;
   result.report.faces[1].stage = "paving";
   result.report.faces[1].reason = "no room.";
-  result.report.faces[1].where = {1, 2, 3};
+  result.report.faces[1].where = Vec3{1, 2, 3};
   auto error = shortfall(result);
   ASSERT_TRUE(error);
   EXPECT_EQ(error->code(), ErrorCode::face_failed);

@@ -1,0 +1,131 @@
+"""mesh(), predict() and their options, which come from the core's table."""
+import inspect
+import numbers
+from typing import NamedTuple
+
+from . import _paver
+from ._errors import FaceError, OptionError
+from ._jobs import poll_of, printed
+from ._model import as_model
+from ._result import Result, file_arguments
+
+UNITS = {"length": "mm", "frequency": "Hz", "angle": "deg"}  # in which FreeCAD quantities are passed on
+
+
+class Prediction(NamedTuple):
+    """What a run will come to.
+
+    target_length: mm.
+    elements: about how many, all faces together. core/docs/prediction.md says how near it comes.
+    memory_mib: what meshing takes at most on top of what the process has, MiB.
+    face_elements: (faces,) float64, elements by face; 0 for faces that will not be meshed.
+    """
+
+    target_length: float
+    elements: float
+    memory_mib: float
+    face_elements: object
+
+
+def text_of_quantity(kind, value):
+    """As a plain number in the core's unit; as FreeCAD shows it, for the core to refuse, when it is of another kind."""
+    if kind in UNITS:
+        try:
+            return repr(float(value.getValueAs(UNITS[kind])))
+        except (ValueError, TypeError):
+            return value.UserString
+    return value.UserString if any(value.Unit.Signature) else repr(float(value.Value))
+
+
+def text_of(name, kind, value):
+    """The text of an option's value, which the core reads as it reads the command line."""
+    if isinstance(value, str):
+        return value
+    if hasattr(value, "getValueAs"):  # FreeCAD.Units.Quantity
+        return text_of_quantity(kind, value)
+    if isinstance(value, numbers.Integral) and not isinstance(value, bool):
+        return str(int(value))
+    if isinstance(value, numbers.Real) and not isinstance(value, bool):
+        return repr(float(value))
+    raise OptionError(f"{name} is {value!r}; write a number, or text with a unit.", "bad_option",
+                      "write a number, or text with a unit")
+
+
+def given_options(options):
+    kinds = {info["name"]: info["kind"] for info in _paver.options()}
+    return [(name, text_of(name, kinds.get(name), value)) for name, value in options.items() if value is not None]
+
+
+def require_faces(result, is_partial):
+    try:
+        result._data.check()
+    except FaceError as error:
+        error.faces, error.result = tuple(result.failed_faces), result
+        if not is_partial:
+            raise
+
+
+def mesh(shape, *, output=None, report=None, msh_version="4.1", ascii=False, quiet=True, partial=False, progress=None,
+         cancel=None, name=None, **options):
+    """Meshes `shape` and gives a Result. Arguments are those of the command line, by the same names.
+
+    shape: a Model, or what Model takes: a Part.Shape, an object of a FreeCAD document, a list of these, a path, bytes.
+    output, report, msh_version, ascii: files to write, as Result.write does; checked before the work.
+    quiet: False prints the stages and the report's table.
+    partial: True gives the mesh of the other faces where some cannot be meshed; else FaceError, which has it too.
+    progress: called before the work and then up to 20 times a second as progress(stage, fraction), in the calling
+        thread; ("done", 1.0) at the end. Giving False stops the run with Cancelled; an exception stops it and goes on.
+    cancel: a Cancel (or threading.Event): stops the run with Cancelled when set, by whatever thread.
+    name: of the model in messages and in the report.
+
+    Other threads run on while it works, and Ctrl-C ends it. Raises OptionError, InputError, LimitError, OutputError,
+    FaceError, Cancelled, OutOfMemory, InternalError; all are Error.
+    """
+    given = given_options(options)
+    model = as_model(shape, name)
+    _paver.check_outputs(file_arguments(model, output, report, msh_version, ascii))
+    poll = poll_of(progress if quiet else printed(progress), cancel)
+    result = Result(_paver.mesh(model._source, given, poll), model)
+    if output is not None or report is not None:
+        is_empty = len(result.quads) + len(result.triangles) == 0
+        result.write(None if is_empty else output, report=report, msh_version=msh_version, ascii=ascii, cancel=cancel)
+    if not quiet:
+        print(result.table, end="")
+    require_faces(result, partial)
+    return result
+
+
+def predict(shape, *, progress=None, cancel=None, name=None, **options):
+    """About how many elements, and how much memory, mesh() with the same arguments will come to; a Prediction.
+
+    Costs a small part of meshing: the model is read (once, when `shape` is a Model), areas and curvatures are sampled.
+    `max_elements` is no limit here. Errors as in mesh().
+    """
+    given = given_options(options)
+    return Prediction(**_paver.predict(as_model(shape, name)._source, given, poll_of(progress, cancel)))
+
+
+def options():
+    """The options of mesh() and predict(), in order.
+
+    Dicts with `name`, `kind` (length, frequency, angle, number, integer, choice), `letter` (stands for the value in
+    help texts), `help`, `default` (text, maybe empty), `needs`, `excludes` (another option's name, or empty), `choices`.
+    """
+    return _paver.options()
+
+
+def describe(function):
+    """Gives a function the options of the table as arguments and in its help."""
+    signature = inspect.signature(function)
+    own = [p for p in signature.parameters.values() if p.kind is not inspect.Parameter.VAR_KEYWORD]
+    table = _paver.options()
+    added = [inspect.Parameter(info["name"], inspect.Parameter.KEYWORD_ONLY, default=None) for info in table]
+    function.__signature__ = signature.replace(parameters=own[:1] + added + own[1:])
+    lines = [f"    {i['name']} ({i['kind']}): {i['help']}" + (f" [{i['default']}]" if i["default"] else "")
+             for i in table]
+    notes = 'Options, as numbers (mm, Hz, degrees), text with a unit ("30 mm", "9 GHz") or FreeCAD quantities:'
+    function.__doc__ = "\n".join([inspect.cleandoc(function.__doc__), "", notes, *lines])
+
+
+for described in (mesh, predict):
+    describe(described)

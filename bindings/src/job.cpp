@@ -1,0 +1,139 @@
+#include "job.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <new>
+#include <set>
+#include <string>
+#include <thread>
+
+namespace py = pybind11;
+
+namespace paver::python {
+namespace {
+
+constexpr std::chrono::milliseconds interval(50);
+
+std::mutex jobs_mutex;
+std::condition_variable job_ended;
+std::set<Progress*> jobs;
+
+/// Listed as long as it lives, for cancel_all_jobs().
+class Listed {
+ public:
+  explicit Listed(Progress& progress) : progress_(progress) {
+    std::lock_guard lock(jobs_mutex);
+    jobs.insert(&progress_);
+  }
+  ~Listed() {
+    {
+      std::lock_guard lock(jobs_mutex);
+      jobs.erase(&progress_);
+    }
+    job_ended.notify_all();
+  }
+  Listed(const Listed&) = delete;
+  Listed& operator=(const Listed&) = delete;
+
+ private:
+  Progress& progress_;
+};
+
+/// One call of `work` on a thread.
+class Job {
+ public:
+  explicit Job(const std::function<void(Progress&)>& work)
+      : listed_(progress_), thread_([this, &work] { run(work); }) {}
+  ~Job() { thread_.join(); }
+
+  Progress& progress() { return progress_; }
+
+  /// Whether the work has ended, after at most `interval`.
+  bool wait() {
+    std::unique_lock lock(mutex_);
+    return ended_.wait_for(lock, interval, [this] { return has_ended_; });
+  }
+
+  /// Throws what the work threw. Only after its end.
+  void check() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  void run(const std::function<void(Progress&)>& work) {
+    try {
+      try {
+        work(progress_);
+      } catch (const Error&) {
+        throw;
+      } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::out_of_memory, "Out of memory; choose a larger target length or fewer threads.");
+      } catch (const std::exception& error) {
+        throw Error(ErrorCode::internal,
+                    std::string("Internal error (") + error.what() + "); report it with the model.");
+      } catch (...) {
+        throw Error(ErrorCode::internal, "Internal error of an unknown kind; report it with the model.");
+      }
+    } catch (const Error&) {
+      error_ = std::current_exception();
+    }
+    {
+      std::lock_guard lock(mutex_);
+      has_ended_ = true;
+    }
+    ended_.notify_all();
+  }
+
+  Progress progress_;
+  Listed listed_;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool has_ended_ = false;
+  std::exception_ptr error_;
+  std::thread thread_;  // last: it uses the others
+};
+
+/// Throws KeyboardInterrupt or what `poll` throws; false when the answer is to stop.
+bool ask(const py::object& poll, const char* stage, double fraction) {
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  return poll.is_none() || !poll(stage, fraction).is(py::bool_(false));
+}
+
+bool has_ended(Job& job) {
+  py::gil_scoped_release free;
+  return job.wait();
+}
+
+}  // namespace
+
+void run_job(const py::object& poll, const std::function<void(Progress&)>& work) {
+  if (!ask(poll, stage_name(Stage::read), 0)) throw Error(ErrorCode::cancelled, "Cancelled before the start.");
+  std::exception_ptr stopped;  // what ended it from the Python side
+  {
+    Job job(work);
+    while (!has_ended(job)) {
+      Progress& progress = job.progress();
+      if (progress.is_cancelled()) continue;
+      try {
+        if (!ask(poll, stage_name(progress.stage()), progress.fraction())) progress.cancel();
+      } catch (const py::error_already_set&) {
+        stopped = std::current_exception();
+        progress.cancel();
+      }
+    }
+    if (!stopped) job.check();
+  }
+  if (stopped) std::rethrow_exception(stopped);
+  if (!poll.is_none()) poll(stage_name(Stage::done), 1.0);
+}
+
+void cancel_all_jobs() {
+  py::gil_scoped_release free;
+  std::unique_lock lock(jobs_mutex);
+  for (Progress* progress : jobs) progress->cancel();
+  job_ended.wait_for(lock, std::chrono::seconds(5), [] { return jobs.empty(); });
+}
+
+}  // namespace paver::python

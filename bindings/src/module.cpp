@@ -1,0 +1,141 @@
+// The compiled part of the Python package: models, runs, errors, the table of options. bindings/paver wraps it.
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bind_result.h"
+#include "job.h"
+#include "paver/mesher.h"
+#include "paver/option_table.h"
+
+namespace py = pybind11;
+
+namespace paver::python {
+namespace {
+
+/// A file or its content, read when it is first needed, once.
+class Source {
+ public:
+  Source(std::string path, std::string name) : path_(std::move(path)), name_(std::move(name)) {}
+  Source(const py::buffer& content, std::string name) : name_(std::move(name)) {
+    py::buffer_info info = content.request();
+    const char* bytes = static_cast<const char*>(info.ptr);
+    bytes_.emplace(bytes, bytes + info.size * info.itemsize);
+  }
+
+  CadModel model(Progress& progress) {
+    std::unique_lock lock(mutex_, std::defer_lock);
+    while (!lock.try_lock_for(std::chrono::milliseconds(20))) progress.check();
+    if (!model_) {
+      model_ = bytes_ ? read_bytes(*bytes_, name_, progress) : read_file(path_, progress, name_);
+      bytes_.reset();
+    }
+    return *model_;
+  }
+
+ private:
+  std::string path_, name_;
+  std::optional<std::vector<char>> bytes_;
+  std::timed_mutex mutex_;
+  std::optional<CadModel> model_;
+};
+
+py::object mesh(Source& source, const std::vector<GivenOption>& given, const py::object& poll) {
+  Options options = read_options(given);
+  check(options);
+  MeshResult result;
+  run_job(poll, [&](Progress& progress) { result = mesh_model(source.model(progress), options, progress); });
+  return wrap_result(std::move(result));
+}
+
+py::dict predict(Source& source, const std::vector<GivenOption>& given, const py::object& poll) {
+  Options options = read_options(given);
+  check(options);
+  Prediction found;
+  run_job(poll, [&](Progress& progress) { found = paver::predict(source.model(progress), options, progress); });
+  py::dict result;
+  result["target_length"] = found.target_length;
+  result["elements"] = found.elements;
+  result["memory_mib"] = found.memory_mib;
+  result["face_elements"] =
+      py::array_t<double>(static_cast<py::ssize_t>(found.face_elements.size()), found.face_elements.data());
+  return result;
+}
+
+py::list parts(Source& source, const py::object& poll) {
+  std::vector<ModelPart> found;
+  run_job(poll, [&](Progress& progress) { found = model_parts(source.model(progress)); });
+  auto array = [](const std::vector<int>& numbers) {
+    return py::array_t<int>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+  };
+  py::list result;
+  for (const ModelPart& part : found) result.append(py::make_tuple(array(part.faces), array(part.edges)));
+  return result;
+}
+
+py::list options() {
+  py::list list;
+  for (const OptionInfo& info : option_table()) {
+    py::dict entry;
+    entry["name"] = info.name;
+    entry["kind"] = kind_name(info.kind);
+    entry["letter"] = info.letter;
+    entry["help"] = info.help;
+    entry["default"] = info.default_text;
+    entry["needs"] = info.needs;
+    entry["excludes"] = info.excludes;
+    entry["choices"] = info.choices;
+    list.append(entry);
+  }
+  return list;
+}
+
+std::vector<std::string> error_codes() {
+  std::vector<std::string> names;
+  for (int code = 0; code <= static_cast<int>(ErrorCode::internal); ++code)
+    names.emplace_back(code_name(static_cast<ErrorCode>(code)));
+  return names;
+}
+
+/// paver._errors makes the exception: its classes are Python's.
+void raise_in_python(const Error& error) {
+  const Where& where = error.where();
+  py::object point = py::none();
+  if (where.point) point = py::make_tuple(where.point->x, where.point->y, where.point->z);
+  py::object exception = py::module_::import("paver._errors")
+                             .attr("from_core")(code_name(error.code()), error.what(), error.remedy(), where.stage,
+                                                where.face, where.edge, point);
+  PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception.ptr())), exception.ptr());
+}
+
+}  // namespace
+}  // namespace paver::python
+
+PYBIND11_MODULE(_paver, module) {
+  using namespace paver::python;
+  py::register_exception_translator([](std::exception_ptr pointer) {
+    try {
+      if (pointer) std::rethrow_exception(pointer);
+    } catch (const paver::Error& error) {
+      raise_in_python(error);
+    }
+  });
+  module.attr("version") = PAVER_VERSION;
+  py::class_<Source>(module, "Source")
+      .def(py::init<const py::buffer&, std::string>())  // before text: bytes would pass as text, too
+      .def(py::init<std::string, std::string>());
+  bind_result(module);
+  module.def("mesh", mesh);
+  module.def("predict", predict);
+  module.def("parts", parts);
+  module.def("options", options);
+  module.def("error_codes", error_codes);
+  module.def("cancel_all_jobs", cancel_all_jobs);
+}

@@ -1,0 +1,53 @@
+// Predictions against meshes.
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <string>
+
+#include "paver/mesher.h"
+
+namespace paver {
+namespace {
+
+class Predict : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Examples, Predict,
+                         testing::Values("box_cylinder", "conesphere", "plate_nine_holes", "torus", "wing"));
+
+TEST_P(Predict, ComesNearTheMesh) {
+  Progress progress;
+  CadModel model = read_file(std::string(PAVER_EXAMPLES) + "/" + GetParam() + ".step", progress);
+  for (Elements kind : {Elements::quad_dominant, Elements::all_triangle}) {
+    Options options;
+    options.size = 6;
+    options.elements = kind;
+    options.max_elements = 1;  // no limit for a prediction
+    Prediction prediction = predict(model, options, progress);
+    options.max_elements = 100'000;
+    MeshResult result = mesh_model(model, options, progress);
+    double elements = static_cast<double>(result.mesh.quad_count() + result.mesh.triangle_count());
+    EXPECT_GT(elements, 0.7 * prediction.elements);
+    EXPECT_LT(elements, 1.5 * prediction.elements);
+    EXPECT_EQ(prediction.target_length, 6);
+    ASSERT_EQ(prediction.face_elements.size(), result.report.faces.size());
+    EXPECT_NEAR(std::accumulate(prediction.face_elements.begin(), prediction.face_elements.end(), 0.0),
+                prediction.elements, 1e-6 * elements);
+  }
+}
+
+TEST(Predict, MemoryGrowsWithElementsAndOrder) {
+  Progress progress;
+  CadModel model = read_file(std::string(PAVER_EXAMPLES) + "/box.step", progress);
+  Options options;
+  options.size = 1;
+  double fine = predict(model, options, progress).memory_mib;
+  options.order = 1;
+  EXPECT_LT(predict(model, options, progress).memory_mib, fine);
+  options.order = 2;
+  options.size = 5;
+  EXPECT_LT(predict(model, options, progress).memory_mib, fine);
+  options.size = -1;
+  EXPECT_THROW(predict(model, options, progress), Error);
+}
+
+}  // namespace
+}  // namespace paver
