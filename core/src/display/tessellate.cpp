@@ -7,34 +7,15 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 
+#include "display/edge_table.h"
 #include "display/shape_table.h"
 #include "paver/display.h"
 #include "paver/error.h"
 
 namespace paver {
 namespace {
-
-/// A mesh edge: its ends, and one of its inner nodes because two curved edges may have the same ends.
-struct EdgeKey {
-  int low, high, inner;
-  bool operator==(const EdgeKey&) const = default;
-};
-
-struct EdgeKeyHash {
-  std::size_t operator()(const EdgeKey& key) const {
-    std::size_t hash = static_cast<std::size_t>(key.low) * 0x9E3779B97F4A7C15u;
-    hash = (hash ^ static_cast<std::size_t>(key.high)) * 0xC2B2AE3D27D4EB4Fu;
-    return hash ^ (hash >> 29) ^ static_cast<std::size_t>(key.inner + 1);
-  }
-};
-
-/// Ends `a`, `b`; `inner`: the order - 1 nodes between them.
-EdgeKey edge_key(int a, int b, const int* inner, int order) {
-  return {std::min(a, b), std::max(a, b), order > 1 ? std::min(inner[0], inner[order - 2]) : -1};
-}
 
 /// Points inside a mesh edge on one face: consecutive, from `start` on.
 struct SidePoints {
@@ -55,6 +36,8 @@ class Tessellator {
         n_(n),
         quad_(ElementShape::quad, mesh.order, n),
         triangle_(ElementShape::triangle, mesh.order, n),
+        sides_(2 * mesh.quad_count() + 3 * mesh.triangle_count() / 2),
+        lines_(mesh.line_edge.size()),
         point_of_node_(mesh.nodes.size(), {-1, -1}) {
     result_.subdivision = n;
   }
@@ -73,14 +56,17 @@ class Tessellator {
     std::size_t pieces = (2 * quads + triangles) * static_cast<std::size_t>(n_) * n_;
     result_.triangles.reserve(4 * pieces);
     result_.triangle_element.reserve(pieces);
-    sides_.reserve(2 * quads + 3 * triangles / 2);
+    std::size_t points = pieces / 2 + pieces / 16;  // about one per two triangles, and those at the faces' edges
+    result_.points.reserve(3 * points);
+    normals_.reserve(points);
   }
 
   void index_lines() {
     std::size_t stride = static_cast<std::size_t>(mesh_.order) + 1;
     for (std::size_t i = 0; i < mesh_.line_edge.size(); ++i) {
       const int* line = mesh_.lines.data() + i * stride;
-      lines_.emplace(edge_key(line[0], line[1], line + 2, mesh_.order), mesh_.line_edge[i]);
+      if (lines_.number(edge_key(line[0], line[1], line + 2, mesh_.order)).second)
+        edge_of_line_.push_back(mesh_.line_edge[i]);
     }
   }
 
@@ -139,8 +125,9 @@ class Tessellator {
     for (int side = 0; side < corners; ++side) {
       int a = e.nodes[side], b = e.nodes[(side + 1) % corners];
       EdgeKey key = edge_key(a, b, e.nodes + corners + side * (mesh_.order - 1), mesh_.order);
-      auto [found, is_new] = sides_.try_emplace(key, SidePoints{-1, -1, -1});
-      SidePoints& points = found->second;
+      auto [number, is_new] = sides_.number(key);
+      if (is_new) side_points_.push_back({-1, -1, -1});
+      SidePoints& points = side_points_[static_cast<std::size_t>(number)];
       if (points.face != e.face) {
         points = {e.face, a, static_cast<int>(result_.points.size() / 3)};
         for (int i = 1; i < n_; ++i) new_point(table.position(x_.data(), local(side, i)));
@@ -149,8 +136,8 @@ class Tessellator {
       if (!is_new) continue;
       for (int i = 0; i <= n_; ++i) result_.outlines.push_back(local_[local(side, i)]);
       result_.outlines.push_back(-1);
-      auto line = lines_.find(key);
-      result_.outline_edge.push_back(line == lines_.end() ? -1 : line->second);
+      int line = lines_.find(key);
+      result_.outline_edge.push_back(line < 0 ? -1 : edge_of_line_[static_cast<std::size_t>(line)]);
     }
   }
 
@@ -198,12 +185,13 @@ class Tessellator {
   const SurfaceMesh& mesh_;
   int n_;
   ShapeTable quad_, triangle_;
+  EdgeTable sides_, lines_;
   std::vector<std::pair<int, int>> point_of_node_;  ///< (face, point) of each corner node, on the face it was last met
-  std::unordered_map<EdgeKey, SidePoints, EdgeKeyHash> sides_;
-  std::unordered_map<EdgeKey, int, EdgeKeyHash> lines_;
-  std::vector<Vec3> normals_;  ///< sums, per point
-  std::vector<Vec3> x_;        ///< nodes of the element in hand
-  std::vector<int> local_;     ///< its points
+  std::vector<SidePoints> side_points_;             ///< per side, on the face it was last met
+  std::vector<int> edge_of_line_;                   ///< per line
+  std::vector<Vec3> normals_;                       ///< sums, per point
+  std::vector<Vec3> x_;                             ///< nodes of the element in hand
+  std::vector<int> local_;                          ///< its points
   Tessellation result_;
 };
 
