@@ -1,4 +1,5 @@
 """Models: what is meshed, taken once."""
+import os
 from typing import NamedTuple
 
 from . import _paver, _shapes
@@ -29,7 +30,10 @@ class Model:
     def __init__(self, shape, name=None):
         source, self.name = _shapes.source_of(shape, name)
         self.path = source if isinstance(source, str) else ""
-        self._source = _paver.Source(source, self.name)
+        if self.path:
+            self._source = _paver.Source.of_file(os.fsencode(source), os.fsencode(self.name))
+        else:
+            self._source = _paver.Source.of_bytes(source, os.fsencode(self.name))
 
     def __repr__(self):
         return f"<paver.Model {self.name!r}>"

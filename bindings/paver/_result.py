@@ -124,5 +124,5 @@ class Result:
 
 def file_arguments(model, path, report, msh_version, is_ascii):
     """As the compiled module wants them."""
-    names = [os.fsdecode(os.fspath(name)) if name is not None else "" for name in (path, report)]
-    return (*names, str(msh_version), bool(is_ascii), model.path)
+    names = [os.fsencode(name) if name is not None else b"" for name in (path, report)]
+    return (*names, str(msh_version), bool(is_ascii), os.fsencode(model.path))

@@ -45,6 +45,12 @@ py::array column(const std::shared_ptr<Owner>& owner, const std::vector<T>& valu
   return view(owner, values.data(), {static_cast<py::ssize_t>(values.size())});
 }
 
+py::list names(const std::vector<std::string>& texts) {
+  py::list list;
+  for (const std::string& text : texts) list.append(to_python(text));
+  return list;
+}
+
 class MeshData {
  public:
   explicit MeshData(MeshResult&& result) : result_(std::make_shared<MeshResult>(std::move(result))) {}
@@ -111,8 +117,8 @@ void bind_arrays(py::class_<MeshData>& data) {
     return view(d.owner(), reinterpret_cast<const int*>(d.mesh().further_edges.data()),
                 {static_cast<py::ssize_t>(d.mesh().further_edges.size()), 2});
   });
-  data.def_property_readonly("face_names", [](Data d) { return d.result().face_names; });
-  data.def_property_readonly("edge_names", [](Data d) { return d.result().edge_names; });
+  data.def_property_readonly("face_names", [](Data d) { return names(d.result().face_names); });
+  data.def_property_readonly("edge_names", [](Data d) { return names(d.result().edge_names); });
 }
 
 py::dict tessellation(const MeshData& data, int subdivision) {
@@ -153,7 +159,7 @@ void bind_result(py::module_& module) {
   data.def("quality", quality);
   data.def("tessellate", tessellation);
   data.def("report_json", &MeshData::report, py::call_guard<py::gil_scoped_release>());
-  data.def("report_table", [](const MeshData& d) { return report_table(d.result().report); });
+  data.def("report_table", [](const MeshData& d) { return to_python(report_table(d.result().report)); });
   data.def("check", [](const MeshData& d) {
     if (auto error = shortfall(d.result())) throw Error(*error);
   });

@@ -108,6 +108,12 @@ bool has_ended(Job& job) {
 
 }  // namespace
 
+py::str to_python(const std::string& text) {
+  PyObject* decoded = PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace");
+  if (!decoded) throw py::error_already_set();
+  return py::reinterpret_steal<py::str>(decoded);
+}
+
 void run_job(const py::object& poll, const std::function<void(Progress&)>& work) {
   if (!ask(poll, stage_name(Stage::read), 0)) throw Error(ErrorCode::cancelled, "Cancelled before the start.");
   std::exception_ptr stopped;  // what ended it from the Python side

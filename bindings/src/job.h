@@ -4,10 +4,14 @@
 #include <pybind11/pybind11.h>
 
 #include <functional>
+#include <string>
 
 #include "paver/progress.h"
 
 namespace paver::python {
+
+/// Text of the core as Python's; names from CAD files and of files may not be UTF-8.
+pybind11::str to_python(const std::string& text);
 
 /// Runs `work` without the interpreter lock and waits for it. Before it starts and then twenty times a second the
 /// calling thread takes the lock, looks for signals and calls `poll(stage name, fraction)` (None: nobody is asked).

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <chrono>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -23,11 +24,19 @@ namespace {
 /// A file or its content, read when it is first needed, once.
 class Source {
  public:
-  Source(std::string path, std::string name) : path_(std::move(path)), name_(std::move(name)) {}
-  Source(const py::buffer& content, std::string name) : name_(std::move(name)) {
+  static std::unique_ptr<Source> of_file(const std::string& path, const std::string& name) {
+    auto source = std::make_unique<Source>();
+    source->path_ = path;
+    source->name_ = name;
+    return source;
+  }
+  static std::unique_ptr<Source> of_bytes(const py::buffer& content, const std::string& name) {
+    auto source = std::make_unique<Source>();
     py::buffer_info info = content.request();
     const char* bytes = static_cast<const char*>(info.ptr);
-    bytes_.emplace(bytes, bytes + info.size * info.itemsize);
+    source->bytes_.emplace(bytes, bytes + info.size * info.itemsize);
+    source->name_ = name;
+    return source;
   }
 
   CadModel model(Progress& progress) {
@@ -110,8 +119,8 @@ void raise_in_python(const Error& error) {
   py::object point = py::none();
   if (where.point) point = py::make_tuple(where.point->x, where.point->y, where.point->z);
   py::object exception = py::module_::import("paver._errors")
-                             .attr("from_core")(code_name(error.code()), error.what(), error.remedy(), where.stage,
-                                                where.face, where.edge, point);
+                             .attr("from_core")(code_name(error.code()), to_python(error.what()),
+                                                to_python(error.remedy()), where.stage, where.face, where.edge, point);
   PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception.ptr())), exception.ptr());
 }
 
@@ -129,8 +138,8 @@ PYBIND11_MODULE(_paver, module) {
   });
   module.attr("version") = PAVER_VERSION;
   py::class_<Source>(module, "Source")
-      .def(py::init<const py::buffer&, std::string>())  // before text: bytes would pass as text, too
-      .def(py::init<std::string, std::string>());
+      .def_static("of_file", &Source::of_file)
+      .def_static("of_bytes", &Source::of_bytes);
   bind_result(module);
   module.def("mesh", mesh);
   module.def("predict", predict);

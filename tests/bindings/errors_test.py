@@ -61,6 +61,20 @@ def test_output(tmp_path, box):
     assert os.listdir(tmp_path) == ["box.step"]
 
 
+def test_names_that_are_not_utf_8(tmp_path, box):
+    odd = os.fsencode(tmp_path) + b"/K\xf6rper.step"
+    with pytest.raises(paver.InputError, match="K\ufffdrper.step' does not exist"):
+        paver.mesh(os.fsdecode(odd), size=20)
+    content = open(box, "rb").read()
+    with open(odd, "wb") as file:
+        file.write(content.replace(b"ADVANCED_FACE('',", b"ADVANCED_FACE('Fl\xe4che',"))
+    mesh_file = os.fsdecode(os.fsencode(tmp_path) + b"/\xf6.msh")
+    result = paver.mesh(os.fsdecode(odd), size=20, output=mesh_file)
+    assert "K\ufffdrper" in result.report["model"]["file"] and os.path.getsize(mesh_file) > 0
+    assert len(result.face_names) == 6 and "K\ufffdrper" in result.table
+    assert [face["label"] for face in result.report["faces"]] == result.face_names
+
+
 def test_limit(box):
     error = raised(paver.LimitError, box, size=0.1, max_elements=100)
     assert (error.code, error.stage, error.face) == ("too_many_elements", "sizing", None)
