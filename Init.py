@@ -1,18 +1,19 @@
-"""FreeCAD runs this at its start, without a window too: `import paver` works in macros and in the Python console.
+"""FreeCAD runs this at its start, without a window too: `import paver` works in macros and in the Python console, and
+documents find the modules of the workbench.
 
 It is run as text, so it does not know its own path: the folder is the entry of sys.path that FreeCAD just made for it.
 """
 
 
-def _add_bindings():
+def _add_folders():
     import os
     import sys
     for folder in list(sys.path):
-        bindings = os.path.join(folder, "bindings")
-        if os.path.isfile(os.path.join(bindings, "paver", "__init__.py")):
-            if bindings not in sys.path:
-                sys.path.append(bindings)
+        added = [os.path.join(folder, "bindings"), os.path.join(folder, "Workbench")]
+        if all(os.path.isfile(os.path.join(f, p, "__init__.py")) for f, p in zip(added, ("paver", "paver_wb"))):
+            sys.path.extend(f for f in added if f not in sys.path)
             return
 
 
-_add_bindings()
+_add_folders()
+FreeCAD.__unit_test__ += ["TestPaver"]  # noqa: F821, FreeCAD is there when it runs this

@@ -1,0 +1,9 @@
+"""Tests of the workbench: `freecadcmd -t TestPaver`. The cases lie in tests/workbench of the checkout."""
+import os
+import sys
+
+CASES = os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(__file__))), "tests", "workbench")
+if CASES not in sys.path:
+    sys.path.append(CASES)
+
+from addon_cases import *  # noqa: E402, F401, F403

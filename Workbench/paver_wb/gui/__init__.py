@@ -1,0 +1,1 @@
+"""What needs FreeCAD's window."""
