@@ -1,4 +1,4 @@
-// Surfaces without a closed form, evaluated by OpenCASCADE's adaptor, which keeps the last B-spline span.
+// Surfaces without a closed form: B-spline and Bezier surfaces evaluated here, others by OpenCASCADE's adaptor.
 // Parameters outside a closed direction are wrapped; beyond the ends of a bounded one the surface is continued
 // linearly, because a polynomial of high degree explodes there and a Newton step may well look.
 #include <BRep_Tool.hxx>
@@ -10,12 +10,15 @@
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Precision.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TopLoc_Location.hxx>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "brep/evaluators_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/spline_surface.h"
 
 namespace paver {
 namespace {
@@ -45,18 +48,52 @@ struct Range {
   }
 };
 
-/// Point and derivatives of one evaluation.
-struct Jet {
-  gp_Pnt x;
-  gp_Vec u, v, uu, uv, vv;
-};
+bool is_finite(Vec3 a) { return std::isfinite(a.x + a.y + a.z); }
 
-bool is_finite(const gp_XYZ& a) { return std::isfinite(a.X() + a.Y() + a.Z()); }
+template <class Source>
+void copy_poles(const Source& source, const gp_Trsf& placement, SplineNet& net) {
+  net.is_rational = source.IsURational() || source.IsVRational();
+  net.poles.reserve(static_cast<std::size_t>(source.NbUPoles()) * source.NbVPoles());
+  for (int i = 1; i <= source.NbUPoles(); ++i)
+    for (int j = 1; j <= source.NbVPoles(); ++j) {
+      gp_Pnt p = source.Pole(i, j).Transformed(placement);
+      double w = net.is_rational ? source.Weight(i, j) : 1;
+      net.poles.push_back(Pole{w * p.X(), w * p.Y(), w * p.Z(), net.is_rational ? w : 0});
+    }
+}
+
+/// Null for surfaces of other kinds.
+std::shared_ptr<const SplineNet> make_spline_net(const Handle(Geom_Surface) & surface, const gp_Trsf& placement) {
+  auto net = std::make_shared<SplineNet>();
+  if (auto bezier = Handle(Geom_BezierSurface)::DownCast(surface)) {
+    auto basis = [](int degree) {
+      std::vector<double> knots(degree + 1, 0.0);
+      knots.resize(2 * degree + 2, 1.0);
+      return SplineBasis(degree, knots);
+    };
+    net->u = basis(bezier->UDegree()), net->v = basis(bezier->VDegree());
+    copy_poles(*bezier, placement, *net);
+    return net;
+  }
+  auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
+  if (spline.IsNull()) return nullptr;
+  if (spline->IsUPeriodic() || spline->IsVPeriodic()) {
+    spline = Handle(Geom_BSplineSurface)::DownCast(spline->Copy());
+    if (spline->IsUPeriodic()) spline->SetUNotPeriodic();
+    if (spline->IsVPeriodic()) spline->SetVNotPeriodic();
+  }
+  auto flat = [](const TColStd_Array1OfReal& knots) { return std::vector<double>(knots.begin(), knots.end()); };
+  net->u = {spline->UDegree(), flat(spline->UKnotSequence())};
+  net->v = {spline->VDegree(), flat(spline->VKnotSequence())};
+  copy_poles(*spline, placement, *net);
+  return net;
+}
 
 class GeneralSurface : public Surface {
  public:
   GeneralSurface(const Handle(Geom_Surface) & surface, const gp_Trsf& placement, double closure_tolerance)
       : surface_(surface), placement_(placement), is_placed_(placement.Form() != gp_Identity), adaptor_(surface) {
+    if (auto net = make_spline_net(surface, placement)) spline_.emplace(net);
     surface->Bounds(u_.first, u_.last, v_.first, v_.last);
     auto is_bounded = [](const Range& r) { return !Precision::IsInfinite(r.first) && !Precision::IsInfinite(r.last); };
     u_.is_bounded = is_bounded(u_);
@@ -72,31 +109,31 @@ class GeneralSurface : public Surface {
         is_placed_(other.is_placed_),
         u_(other.u_),
         v_(other.v_),
+        spline_(other.spline_),
         adaptor_(other.surface_) {}
   GeneralSurface& operator=(const GeneralSurface&) = delete;
 
   Vec3 point(Vec2 uv) const override {
-    Jet jet;
-    Vec2 step = evaluate(uv, 0, jet);
-    return to_vec(step == Vec2{} ? jet.x
-                                 : jet.x.Translated(step.x * jet.u + step.y * jet.v + step.x * step.y * jet.uv));
+    SurfaceJet jet;
+    extend(evaluate(uv, 0, jet), jet);
+    return jet.x;
   }
   void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
-    Jet jet;
+    SurfaceJet jet;
     extend(evaluate(uv, 1, jet), jet);
-    x = to_vec(jet.x);
-    xu = to_vec(jet.u);
-    xv = to_vec(jet.v);
+    x = jet.x;
+    xu = jet.u;
+    xv = jet.v;
   }
   void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
-    Jet jet;
+    SurfaceJet jet;
     extend(evaluate(uv, 2, jet), jet);
-    x = to_vec(jet.x);
-    xu = to_vec(jet.u);
-    xv = to_vec(jet.v);
-    xuu = to_vec(jet.uu);
-    xuv = to_vec(jet.uv);
-    xvv = to_vec(jet.vv);
+    x = jet.x;
+    xu = jet.u;
+    xv = jet.v;
+    xuu = jet.uu;
+    xuv = jet.uv;
+    xvv = jet.vv;
   }
   SurfaceKind kind() const override {
     if (surface_->IsKind(STANDARD_TYPE(Geom_BSplineSurface))) return SurfaceKind::bspline;
@@ -136,7 +173,7 @@ class GeneralSurface : public Surface {
 
   /// Values at the nearest parameters within the bounds; the result is the step from there to `uv`.
   /// With a step the derivatives that continue the surface are evaluated too.
-  Vec2 evaluate(Vec2 uv, int order, Jet& jet) const {
+  Vec2 evaluate(Vec2 uv, int order, SurfaceJet& jet) const {
     Vec2 wrapped{u_.wrapped(uv.x), v_.wrapped(uv.y)};
     Vec2 inside{u_.clamped(wrapped.x), v_.clamped(wrapped.y)};
     Vec2 step = wrapped - inside;
@@ -144,24 +181,37 @@ class GeneralSurface : public Surface {
     if (!try_evaluate(inside, order, jet) && !try_evaluate(moved_inwards(inside), order, jet))
       throw Error(ErrorCode::face_failed, "The surface has no value at u = " + std::to_string(uv.x) + ", v = " +
                                               std::to_string(uv.y) + "; repair the face in the CAD program.");
-    if (is_placed_) place(order, jet);
     return step;
   }
 
-  bool try_evaluate(Vec2 uv, int order, Jet& jet) const {
+  bool try_evaluate(Vec2 uv, int order, SurfaceJet& jet) const {
+    if (spline_)
+      spline_->evaluate(uv.x, uv.y, order, jet);
+    else if (!adapt(uv, order, jet))
+      return false;
+    return is_finite(jet.x) && is_finite(jet.u + jet.v) && is_finite(jet.uu + jet.vv + jet.uv);
+  }
+
+  bool adapt(Vec2 uv, int order, SurfaceJet& jet) const {
+    gp_Pnt x;
+    gp_Vec u, v, uu, uv_, vv;
     try {
       if (order == 0) {
-        adaptor_.D0(uv.x, uv.y, jet.x);
+        adaptor_.D0(uv.x, uv.y, x);
       } else if (order == 1) {
-        adaptor_.D1(uv.x, uv.y, jet.x, jet.u, jet.v);
+        adaptor_.D1(uv.x, uv.y, x, u, v);
       } else {
-        adaptor_.D2(uv.x, uv.y, jet.x, jet.u, jet.v, jet.uu, jet.vv, jet.uv);
+        adaptor_.D2(uv.x, uv.y, x, u, v, uu, vv, uv_);
       }
     } catch (const Standard_Failure&) {
       return false;
     }
-    return is_finite(jet.x.XYZ()) && is_finite(jet.u.XYZ() + jet.v.XYZ()) &&
-           is_finite(jet.uu.XYZ() + jet.vv.XYZ() + jet.uv.XYZ());
+    if (is_placed_) {
+      x.Transform(placement_);
+      for (gp_Vec* a : {&u, &v, &uu, &uv_, &vv}) a->Transform(placement_);
+    }
+    jet = {to_vec(x), to_vec(u), to_vec(v), to_vec(uu), to_vec(uv_), to_vec(vv)};
+    return true;
   }
 
   Vec2 moved_inwards(Vec2 uv) const {
@@ -172,28 +222,22 @@ class GeneralSurface : public Surface {
     return {moved(u_, uv.x), moved(v_, uv.y)};
   }
 
-  void place(int order, Jet& jet) const {
-    jet.x.Transform(placement_);
-    if (order < 1) return;
-    for (gp_Vec* a : {&jet.u, &jet.v, &jet.uu, &jet.uv, &jet.vv}) a->Transform(placement_);
-  }
-
   /// Bilinear continuation over `step`: the derivatives belong exactly to the continued point, save the second ones
   /// along the border, which would need third derivatives.
-  static void extend(Vec2 step, Jet& jet) {
+  static void extend(Vec2 step, SurfaceJet& jet) {
     if (step == Vec2{}) return;
-    jet.x.Translate(step.x * jet.u + step.y * jet.v + step.x * step.y * jet.uv);
-    gp_Vec u = jet.u + step.y * jet.uv, v = jet.v + step.x * jet.uv;
-    jet.u = u;
-    jet.v = v;
-    if (step.x != 0) jet.uu = gp_Vec(0, 0, 0);
-    if (step.y != 0) jet.vv = gp_Vec(0, 0, 0);
+    jet.x += step.x * jet.u + step.y * jet.v + step.x * step.y * jet.uv;
+    jet.u += step.y * jet.uv;
+    jet.v += step.x * jet.uv;
+    if (step.x != 0) jet.uu = {};
+    if (step.y != 0) jet.vv = {};
   }
 
   Handle(Geom_Surface) surface_;
   gp_Trsf placement_;
   bool is_placed_;
   Range u_, v_;
+  std::optional<SplineSurface> spline_;
   GeomAdaptor_Surface adaptor_;
 };
 

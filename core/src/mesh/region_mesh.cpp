@@ -8,6 +8,7 @@ int RegionMesh::add_node(Vec2 chart, Vec3 position, Vec3 tangent_p, Vec3 tangent
   x.push_back(position);
   xp.push_back(tangent_p);
   xq.push_back(tangent_q);
+  drift.push_back(0);
   h.push_back(target);
   is_fixed.push_back(0);
   global.push_back(-1);
@@ -16,7 +17,7 @@ int RegionMesh::add_node(Vec2 chart, Vec3 position, Vec3 tangent_p, Vec3 tangent
 }
 
 void RegionMesh::drop_last_node() {
-  p.pop_back(), x.pop_back(), xp.pop_back(), xq.pop_back();
+  p.pop_back(), x.pop_back(), xp.pop_back(), xq.pop_back(), drift.pop_back();
   h.pop_back(), is_fixed.pop_back(), global.pop_back(), star.pop_back();
 }
 

@@ -54,16 +54,29 @@ class Star {
   std::vector<int> far_;
 };
 
+/// Where one node is, with the derivatives there.
+struct NodePlace {
+  Vec2 p;
+  Vec3 x, xp, xq;
+  float drift = 0;
+};
+
 /// Struct of arrays, one entry per node; elements are edited only through the members below.
 struct RegionMesh {
   std::vector<Vec2> p;         ///< chart coordinates
   std::vector<Vec3> x;         ///< position, mm
   std::vector<Vec3> xp, xq;    ///< derivatives of the position by the chart coordinates
+  std::vector<float> drift;    ///< how far the node slid since x was last evaluated, by its target length
   std::vector<double> h;       ///< target length, mm
   std::vector<char> is_fixed;  ///< boundary nodes and hard points never move
   std::vector<int> global;     ///< boundary stage's node, or -1
   std::vector<Star> star;
   std::vector<Element> elements;
+
+  NodePlace place(int node) const { return {p[node], x[node], xp[node], xq[node], drift[node]}; }
+  void put(int node, const NodePlace& at) {
+    p[node] = at.p, x[node] = at.x, xp[node] = at.xp, xq[node] = at.xq, drift[node] = at.drift;
+  }
 
   int node_count() const { return static_cast<int>(p.size()); }
   /// Takes back the node added last; no element may use it.

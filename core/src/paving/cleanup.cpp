@@ -25,7 +25,7 @@ constexpr int most_hexagons = 24;  // divisions tried for one pair of triangles
 constexpr int sweeps = 30;
 // Even lengths may cost energy: a change as dear as this is tried where a likely share of the spread about it would pay
 // for it, and where it brings the number of elements nearer to what the area wants.
-constexpr double dearest = 4.5, likely_share = 0.3, least_fall = 0.1, least_fit = 0.05;
+constexpr double dearest = 2.5, dearest_turn = 0.5, likely_share = 0.3, least_fall = 0.1, least_fit = 0.05;
 constexpr double even_jacobian = 0.6;  // least scaled Jacobian such a change may leave
 constexpr double uneven = 1;           // spread about a regular node from which on it is looked at
 constexpr double worst_goal = 0.74;
@@ -78,8 +78,9 @@ class CleanUp {
  private:
   bool mend_about(int node) {
     bool is_done = false;
-    moves_.each(node, [&](const Change& change) {
-      if (edit_.energy_gain(change) > most_energy || !edit_.apply(change)) return false;
+    auto is_cheap = [](double gain, std::span<const int>, int) { return gain <= most_energy; };
+    moves_.each(node, is_cheap, [&](const Change& change, double) {
+      if (!edit_.apply(change)) return false;
       if (take(mending_demand)) return is_done = true;
       edit_.roll_back(0);
       return false;
@@ -135,9 +136,10 @@ class CleanUp {
     if (is_stuck_[node]) return false;
     found_.clear();
     std::size_t used = 0;
-    moves_.each(node, [&](const Change& change) {
-      double gain = edit_.energy_gain(change);
-      if (gain > -0.1 && !may_even_lengths(change, gain)) return false;
+    auto is_worth = [&](double gain, std::span<const int> gone, int made) {
+      return gain <= -0.1 || may_even_lengths(gain, gone, made);
+    };
+    moves_.each(node, is_worth, [&](const Change& change, double gain) {
       if (pool_.size() <= used) pool_.emplace_back();
       pool_[used] = change;
       found_.push_back({gain, static_cast<int>(used++)});
@@ -154,25 +156,18 @@ class CleanUp {
     return false;
   }
 
-  bool may_even_lengths(const Change& change, double gain) {
-    if (gain > dearest || count_gain(change) > -least_fit) return false;
-    return gain + least_fall <= likely_share * MeshEdit::spread_price * edit_.spread_about(change);
+  bool may_even_lengths(double gain, std::span<const int> gone, int made) {
+    bool is_count_kept = static_cast<int>(gone.size()) == made;
+    if (gain > (is_count_kept ? dearest_turn : dearest)) return false;
+    if (!is_count_kept && count_gain(gone, made) > -least_fit) return false;
+    return gain + least_fall <= likely_share * MeshEdit::spread_price * edit_.spread_about(gone);
   }
 
   // How much nearer the change brings the number of elements to the area in target lengths; below 0: nearer.
-  double count_gain(const Change& change) const {
-    double old_count = change.gone.size(), new_count = change.made.size();
-    if (old_count == new_count) return -1;
+  double count_gain(std::span<const int> gone, int made) {
     double area = 0;
-    for (int e : change.gone) {
-      const Element& element = mesh_.elements[e];
-      const auto& v = element.v;
-      double h = mesh_.h[v[0]];
-      Vec3 twice = element.corners() == 4 ? cross(mesh_.x[v[2]] - mesh_.x[v[0]], mesh_.x[v[3]] - mesh_.x[v[1]])
-                                          : cross(mesh_.x[v[1]] - mesh_.x[v[0]], mesh_.x[v[2]] - mesh_.x[v[0]]);
-      area += 0.5 * norm(twice) / (h * h);
-    }
-    return std::fabs(std::log(new_count / area)) - std::fabs(std::log(old_count / area));
+    for (int e : gone) area += edit_.area(e);
+    return std::fabs(std::log(made / area)) - std::fabs(std::log(static_cast<double>(gone.size()) / area));
   }
 
   bool refill(int node) {
@@ -210,8 +205,8 @@ class CleanUp {
     const std::vector<int> nodes = edit_.touched();
     for (int v : nodes) {
       if (is_done || tries >= most_hexagons) break;
-      moves_.each(v, [&](const Change& next) {
-        if (next.fresh.empty() || next.gone.size() != 2) return false;
+      auto is_pair = [](double, std::span<const int> gone, int made) { return gone.size() == 2 && made > 2; };
+      moves_.each(v, is_pair, [&](const Change& next, double) {
         if (++tries > most_hexagons) return true;
         if (edit_.apply(next) && take(demand)) return is_done = true;
         edit_.roll_back(mark);
@@ -243,12 +238,11 @@ void clean_up(Front& front, const Progress& progress, bool all_quad) {
   clean.run();
   if (all_quad) clean.join_all_triangles();
   Sweeper sweeper(front);
-  for (int i = 0; i < sweeps; ++i) {
-    progress.check();
-    sweeper.sweep();
-  }
+  for (int i = 0; i < sweeps && sweeper.sweep(); ++i) progress.check();
+  front.end_slides();
   raise_worst(front, worst_goal, 3);
   clean.mend();
+  front.end_slides();
   raise_worst(front, worst_goal, 2);
 }
 

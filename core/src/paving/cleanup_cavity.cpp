@@ -15,48 +15,80 @@
 #include <algorithm>
 
 namespace paver {
+namespace {
+
+// One irregular node, or two with one element too many or too few, cannot go: the outline has their turn.
+constexpr double least_unsettled = 2.2;
+
+}  // namespace
 
 void Cavity::start(int node) {
-  elements_.clear();
-  loop_.clear();
-  stamp_.resize(mesh_.elements.size() + 1024, 0);
+  elements_.clear(), nodes_.clear(), loop_.clear();
+  if (stamp_.size() < mesh_.elements.size()) stamp_.resize(mesh_.elements.size() + 1024, 0);
+  if (rim_.size() < mesh_.p.size()) rim_.resize(mesh_.p.size() + 1024);
   ++run_;
+  sides_ = 0, energy_ = 0, is_knot_ = false;
   absorb_star(node);
 }
 
 void Cavity::absorb_star(int node) {
-  for (int e : mesh_.star[node]) {
-    if (stamp_[e] == run_) continue;
-    stamp_[e] = run_;
-    elements_.push_back(e);
+  for (int e : mesh_.star[node])
+    if (stamp_[e] != run_) absorb(e);
+}
+
+void Cavity::absorb(int e) {
+  stamp_[e] = run_;
+  elements_.push_back(e);
+  const Element& element = mesh_.elements[e];
+  int n = element.corners();
+  if (n == 3) energy_ += MeshEdit::triangle_energy;
+  for (int i = 0; i < n; ++i) add_node(element.v[i]);
+  for (int i = 0; i < n; ++i) cut_side(element.v[i], element.v[i + 1 < n ? i + 1 : 0]);
+}
+
+void Cavity::add_node(int node) {
+  Rim& rim = rim_[node];
+  if (rim.run != run_) {
+    rim = {run_, 0, {-1, -1}};
+    nodes_.push_back(node);
+    energy_ += edit_.energy(node);
   }
+  ++rim.inside;
+}
+
+// A side a -> b of an element taken in cancels against the outline's side b -> a.
+void Cavity::cut_side(int a, int b) {
+  for (int& next : rim_[b].next)
+    if (next == a) {
+      next = -1;
+      --sides_;
+      return;
+    }
+  for (int& next : rim_[a].next)
+    if (next < 0) {
+      next = b;
+      ++sides_;
+      return;
+    }
+  is_knot_ = true;
 }
 
 // The outline, counter-clockwise; false when it is not one simple loop.
 bool Cavity::trace_outline() {
-  ++trace_;
-  if (next_.size() < mesh_.p.size()) next_.resize(mesh_.p.size() + 1024, -1), next_run_.resize(next_.size(), 0);
-  int count = 0, first = -1;
-  for (int e : elements_) {
-    const Element& element = mesh_.elements[e];
-    for (int i = 0, n = element.corners(); i < n; ++i) {
-      int a = element.v[i], b = element.v[(i + 1) % n], g = edit_.across(e, a, b);
-      if (g >= 0 && stamp_[g] == run_) continue;
-      if (next_run_[a] == trace_) return false;
-      next_run_[a] = trace_;
-      next_[a] = b;
-      first = a;
-      ++count;
-    }
-  }
   loop_.clear();
-  if (first < 0) return false;
+  if (is_knot_ || sides_ == 0) return false;
+  int first = -1;
+  for (int node : nodes_) {
+    const Rim& rim = rim_[node];
+    if (rim.next[0] >= 0 && rim.next[1] >= 0) return false;
+    if (first < 0 && rim.next[0] + rim.next[1] >= -1) first = node;
+  }
   int a = first;
   do {
     loop_.push_back(a);
-    a = next_[a];
-  } while (a != first && static_cast<int>(loop_.size()) <= count);
-  return static_cast<int>(loop_.size()) == count;
+    a = std::max(rim_[a].next[0], rim_[a].next[1]);
+  } while (a != first);
+  return static_cast<int>(loop_.size()) == sides_;
 }
 
 // What each outline node costs as a corner and as a flat node, and how many
@@ -66,8 +98,7 @@ bool Cavity::weigh_corners() {
   std::size_t n = loop_.size();
   wanted_.resize(n), as_flat_.resize(n), as_corner_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
-    int v = loop_[i], inside = 0;
-    for (int e : mesh_.star[v]) inside += stamp_[e] == run_;
+    int v = loop_[i], inside = rim_[v].inside;
     as_corner_[i] = edit_.energy(v, 1 - inside);
     as_flat_[i] = edit_.energy(v, 2 - inside);
     wanted_[i] = as_corner_[i] < as_flat_[i] ? 1 : edit_.energy(v, 3 - inside) < as_flat_[i] ? 3 : 2;
@@ -106,19 +137,11 @@ std::size_t Cavity::outline_key() const {
   return key;
 }
 
-double Cavity::energy_now() const {
-  double sum = 0, corners = 0;
-  for (int v : loop_) sum += edit_.energy(v);
-  for (int e : elements_) {
-    const Element& element = mesh_.elements[e];
-    if (element.corners() == 3) sum += MeshEdit::triangle_energy;
-    for (int v : element.v) {
-      if (v < 0 || next_run_[v] == trace_) continue;
-      if (mesh_.is_fixed[v]) return -1;  // a hard point inside stays
-      corners += edit_.energy(v) / mesh_.star[v].size();
-    }
-  }
-  return sum + corners;
+// A hard point inside stays.
+bool Cavity::has_fixed_inside() const {
+  for (int v : nodes_)
+    if (mesh_.is_fixed[v] && rim_[v].next[0] < 0 && rim_[v].next[1] < 0) return true;
+  return false;
 }
 
 // Spoke lengths for three or five corners; for four only whether opposite sides
@@ -232,9 +255,8 @@ void Cavity::make_fill(Change& fill) {
 }
 
 bool Cavity::find_fill(double least, Change& fill) {
-  if (loop_.size() % 2 == 1) return false;
-  double now = energy_now();
-  if (now < least || best_corners(now - least + 1e-9) > now - least) return false;
+  if (loop_.size() % 2 == 1 || energy_ < std::max(least, least_unsettled) || has_fixed_inside()) return false;
+  if (best_corners(energy_ - least + 1e-9) > energy_ - least) return false;
   make_fill(fill);
   return true;
 }

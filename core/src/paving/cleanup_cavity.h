@@ -25,10 +25,13 @@ class Cavity {
 
  private:
   void absorb_star(int node);
+  void absorb(int e);
+  void add_node(int node);
+  void cut_side(int a, int b);
   bool make_convex(int most_elements);
   bool trace_outline();
   bool weigh_corners();
-  double energy_now() const;
+  bool has_fixed_inside() const;
   double best_corners(double limit);
   bool is_fillable(const std::vector<int>& corners);
   void make_fill(Change& fill);
@@ -39,10 +42,19 @@ class Cavity {
 
   MeshEdit& edit_;
   RegionMesh& mesh_;
-  std::vector<int> elements_;
-  std::vector<int> stamp_;            // per element: run_ when inside
-  std::vector<int> next_, next_run_;  // per node: the outline node after it
-  int run_ = 0, trace_ = 0;
+  struct Rim {  // of one node, valid when run is run_
+    int run = 0;
+    int inside = 0;                   // its elements within the cavity
+    std::array<int, 2> next{-1, -1};  // ends of the outline sides that start here; two where the outline touches itself
+  };
+
+  std::vector<int> elements_, nodes_;
+  std::vector<int> stamp_;  // per element: run_ when inside
+  std::vector<Rim> rim_;
+  int run_ = 0;
+  int sides_ = 0;         // of the outline
+  bool is_knot_ = false;  // an outline node has more than two sides ahead
+  double energy_ = 0;     // of all nodes and triangles
   std::vector<int> loop_, wanted_;
   std::vector<double> as_flat_, as_corner_;
   std::vector<int> corners_, trial_, spokes_, grid_;

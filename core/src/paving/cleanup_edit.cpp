@@ -13,7 +13,6 @@ namespace {
 constexpr double longest = 1.6;              // edge length by the target length that an edit may leave
 constexpr double hopeless = 0.3;             // spread of a side that counts no more however far off it is
 constexpr double widest = 155 * M_PI / 180;  // corner angle above which an element is as good as degenerate
-constexpr double degenerate_energy = 8;
 constexpr int local_sweeps = 4;
 constexpr double early_share = 0.2;  // of the fall in spread that a dear change must show after one sweep
 
@@ -41,26 +40,27 @@ bool is_positive(const RegionMesh& mesh, const Element& e) {
   return true;
 }
 
+double area_in_targets(const RegionMesh& mesh, const Element& e) {
+  const auto& v = e.v;
+  const auto& x = mesh.x;
+  double h = mesh.h[v[0]];
+  Vec3 twice =
+      e.corners() == 4 ? cross(x[v[2]] - x[v[0]], x[v[3]] - x[v[1]]) : cross(x[v[1]] - x[v[0]], x[v[2]] - x[v[0]]);
+  return 0.5 * norm(twice) / (h * h);
+}
+
 }  // namespace
 
-MeshEdit::MeshEdit(Front& front)
-    : front_(front), mesh_(front.mesh), ideal_(front.mesh.node_count(), 4), least_(front.mesh.node_count(), 3) {
+MeshEdit::MeshEdit(Front& front) : front_(front), mesh_(front.mesh), aims_(front.mesh.node_count()) {
   delta_.assign(mesh_.node_count(), 0);
   commit();
   for (int i = 0; i < mesh_.node_count(); ++i) {
     if (!mesh_.is_fixed[i]) continue;
     double angle = 0;
     for (int e : mesh_.star[i]) angle += corner_angle(mesh_, mesh_.elements[e], i);
-    ideal_[i] = ideal_elements(angle);
-    least_[i] = std::max(1, static_cast<int>(std::ceil(angle / widest - 1e-9)));
+    aims_[i].ideal = static_cast<float>(ideal_elements(angle));
+    aims_[i].least = std::max(1, static_cast<int>(std::ceil(angle / widest - 1e-9)));
   }
-}
-
-double MeshEdit::energy(int node, int more) const {
-  int size = more + (node < mesh_.node_count() ? mesh_.star[node].size() : 0);
-  if (size == 0) return 0;
-  int least = node < static_cast<int>(least_.size()) ? least_[node] : 3;
-  return (size - ideal(node)) * (size - ideal(node)) + (size < least ? degenerate_energy * (least - size) : 0);
 }
 
 double MeshEdit::energy_gain(const Change& change) {
@@ -125,10 +125,8 @@ void MeshEdit::touch(int node) {
 }
 
 void MeshEdit::move(int node, Vec2 p, bool is_first) {
-  if (is_first)
-    journal_.push_back({Kind::move, node, {}, mesh_.p[node], mesh_.x[node], mesh_.xp[node], mesh_.xq[node]});
-  mesh_.p[node] = p;
-  front_.region.evaluate(p, mesh_.x[node], mesh_.xp[node], mesh_.xq[node]);
+  if (is_first) journal_.push_back({Kind::move, node, {}, mesh_.place(node)});
+  front_.slide(node, p);
 }
 
 // Target length at a new node by those of the first `count` touched nodes, the
@@ -147,7 +145,7 @@ double MeshEdit::target_between(int node, std::size_t count) const {
 bool MeshEdit::apply(const Change& change) {
   std::size_t start = mark();
   for (int e : change.gone) {
-    journal_.push_back({Kind::gone, e, mesh_.elements[e], {}, {}, {}, {}});
+    journal_.push_back({Kind::gone, e, mesh_.elements[e], {}});
     for (int v : mesh_.elements[e].v)
       if (v >= 0) touch(v);
     mesh_.remove_element(e);
@@ -155,14 +153,14 @@ bool MeshEdit::apply(const Change& change) {
   std::size_t old_count = touched_.size();
   for (Vec2 p : change.fresh) {
     int node = front_.add_node(p);
-    journal_.push_back({Kind::node, node, {}, {}, {}, {}, {}});
+    journal_.push_back({Kind::node, node, {}, {}});
     mesh_.h[node] = std::min(mesh_.h[node], target_between(node, old_count));
     touch(node);
   }
   bool is_ok = true;
   for (const auto& v : change.made) {
     if (!(is_ok = is_sound(v))) break;
-    journal_.push_back({Kind::made, mesh_.add_element(v), {}, {}, {}, {}, {}});
+    journal_.push_back({Kind::made, mesh_.add_element(v), {}, {}});
   }
   for (int node : touched_) {
     if (!is_ok) break;
@@ -170,7 +168,7 @@ bool MeshEdit::apply(const Change& change) {
     bool is_border = mesh_.is_fixed[node];
     if ((is_border ? size < 1 : size == 1 || size == 2) || has_shared_edges(node)) is_ok = false;
   }
-  if (is_ok && change.moved >= 0) journal_.push_back({Kind::place, change.moved, {}, change.place, {}, {}, {}});
+  if (is_ok && change.moved >= 0) journal_.push_back({Kind::place, change.moved, {}, {change.place, {}, {}, {}}});
   if (!is_ok) roll_back(start);
   return is_ok;
 }
@@ -196,8 +194,7 @@ void MeshEdit::roll_back(std::size_t mark) {
       case Kind::place:
         break;
       case Kind::move:
-        mesh_.p[entry.id] = entry.p, mesh_.x[entry.id] = entry.x;
-        mesh_.xp[entry.id] = entry.xp, mesh_.xq[entry.id] = entry.xq;
+        mesh_.put(entry.id, entry.place);
         break;
     }
     journal_.pop_back();
@@ -255,12 +252,14 @@ void MeshEdit::collect_near() {
 const MeshEdit::Measure& MeshEdit::measured(int id, const Element& e) {
   if (measures_.size() <= static_cast<std::size_t>(id)) measures_.resize(mesh_.elements.size() + 1024);
   Measure& m = measures_[id];
-  if (m.jacobian > 1.5) measure(e, m);
+  if (m.jacobian > 1.5) {
+    measure(e, m);
+    m.area = area_in_targets(mesh_, e);
+  }
   return m;
 }
 
-template <class Elements>
-double MeshEdit::spread_about(const Elements& elements) {
+double MeshEdit::spread_about(std::span<const int> elements) {
   double sum = 0;
   if (stamp_.size() < mesh_.elements.size()) stamp_.resize(mesh_.elements.size() + 1024, 0);
   ++run_;
@@ -293,9 +292,6 @@ void MeshEdit::measure_lengths(const Element& e, Measure& worst) const {
   }
 }
 
-double MeshEdit::spread_about(const Change& change) { return spread_about(change.gone); }
-double MeshEdit::spread_about(int node) { return spread_about(mesh_.star[node]); }
-
 // Over the elements the journal removed and the old ones about the touched
 // nodes; nothing has moved yet.
 MeshEdit::Measure MeshEdit::measure_before() {
@@ -320,7 +316,7 @@ bool MeshEdit::settle(const Demand& demand) {
   const Measure before = measure_before();
   for (std::size_t i = 0, n = journal_.size(); i < n; ++i)
     if (journal_[i].kind == Kind::place && mesh_.star[journal_[i].id].size() > 0)
-      move(journal_[i].id, journal_[i].p, true);
+      move(journal_[i].id, journal_[i].place.p, true);
   for (int sweep = 0; sweep < local_sweeps; ++sweep) {
     smooth_touched(sweep == 0);
     if (sweep == 0 && demand.gain > 0 && !is_promising(demand, before.spread)) return false;

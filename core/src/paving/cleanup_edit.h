@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "paving/front.h"
@@ -45,13 +46,24 @@ class MeshEdit {
 
   RegionMesh& mesh() { return front_.mesh; }
   /// Node energy with `more` further elements.
-  double energy(int node, int more = 0) const;
+  double energy(int node, int more = 0) const {
+    int size = more + (node < mesh_.node_count() ? mesh_.star[node].size() : 0);
+    if (size == 0) return 0;
+    if (node >= static_cast<int>(aims_.size())) return energy_of_new(size);
+    return energy_of(size, aims_[node]);
+  }
+  /// What `more` further elements would add to the node's energy.
+  double step(int node, int more) const { return energy(node, more) - energy(node); }
+  /// Energy of a new node with that many elements.
+  static double energy_of_new(int size) { return energy_of(size, {}); }
   bool is_irregular(int node) const { return mesh_.star[node].size() > 0 && energy(node) >= 1; }
   /// What the change would add to the energy.
   double energy_gain(const Change& change);
-  /// Spread of the elements about the change as they are: more it cannot win.
-  double spread_about(const Change& change);
-  double spread_about(int node);
+  /// Spread of the elements about those given, as they are: more a change of them cannot win.
+  double spread_about(std::span<const int> elements);
+  double spread_about(int node) { return spread_about({mesh_.star[node].begin(), mesh_.star[node].end()}); }
+  /// Area of an element in squares of its target length.
+  double area(int e) { return measured(e, mesh_.elements[e]).area; }
   /// To be called where nodes were moved by others.
   void forget_measures() { measures_.clear(); }
   /// Carries the change out. False, and nothing done, when an element would
@@ -78,18 +90,26 @@ class MeshEdit {
     Kind kind;
     int id;
     Element element;
-    Vec2 p;
-    Vec3 x, xp, xq;
+    NodePlace place;
   };
+  struct Aim {
+    float ideal = 4;  // number of elements
+    int least = 3;    // that no corner is nearly straight
+  };
+  static double energy_of(int size, Aim aim) {
+    double off = size - aim.ideal;
+    return off * off + (size < aim.least ? degenerate_energy * (aim.least - size) : 0);
+  }
+  static constexpr double degenerate_energy = 8;
   struct Measure {
     double jacobian = 2, shortest = 1, longest = 1, spread = 0;  // lengths by the target length
+    double area = 0;
     void add(const Measure& m) {
       jacobian = std::min(jacobian, m.jacobian);
       shortest = std::min(shortest, m.shortest), longest = std::max(longest, m.longest);
       spread += m.spread;
     }
   };
-  double ideal(int node) const { return node < static_cast<int>(ideal_.size()) ? ideal_[node] : 4; }
   double target_between(int node, std::size_t count) const;
   bool is_sound(const std::array<int, 4>& corners) const;
   bool has_shared_edges(int node) const;
@@ -101,15 +121,12 @@ class MeshEdit {
   void measure(const Element& e, Measure& worst) const;
   void measure_lengths(const Element& e, Measure& worst) const;
   bool is_promising(const Demand& demand, double spread_before) const;
-  template <class Elements>
-  double spread_about(const Elements& elements);
   const Measure& measured(int id, const Element& e);
   Measure measure_before();
 
   Front& front_;
   RegionMesh& mesh_;
-  std::vector<double> ideal_;
-  std::vector<int> least_;  // elements a node needs that no corner is nearly straight
+  std::vector<Aim> aims_;
   std::vector<Entry> journal_;
   std::vector<int> touched_, near_, list_;
   std::vector<Vec3> sum_;

@@ -13,6 +13,7 @@ namespace paver {
 namespace {
 
 constexpr double over_relaxation = 1.6;  // thirty such sweeps even out lengths as sixty plain ones do
+constexpr double still = 0.004;          // step by the target length below which a node rests
 
 bool is_positive(const RegionMesh& mesh, const Element& e) {
   int n = e.corners();
@@ -50,13 +51,21 @@ int wished_corners(const RegionMesh& mesh, const Element& e, Vec3 at[4]) {
 }
 
 Sweeper::Sweeper(Front& front) : front_(front), mesh_(front.mesh) {
-  sj_.resize(mesh_.elements.size());
-  for (std::size_t e = 0; e < sj_.size(); ++e)
-    sj_[e] = mesh_.elements[e].is_alive() ? capped_jacobian(mesh_.elements[e]) : 0;
-  old_sj_ = sj_;
+  const std::size_t node_count = mesh_.p.size(), element_count = mesh_.elements.size();
+  sum_.resize(node_count), moved_as_.assign(node_count, -1), seen_node_.assign(node_count, 0);
+  sj_.resize(element_count), old_sj_.resize(element_count), seen_.assign(element_count, 0);
+  for (std::size_t e = 0; e < element_count; ++e)
+    if (mesh_.elements[e].is_alive()) sj_[e] = capped_jacobian(mesh_.elements[e]);
+  for (int i = 0; i < mesh_.node_count(); ++i) add_node(i);
+  nodes_.swap(next_);
 }
 
-double Sweeper::capped_jacobian(const Element& e) const {
+void Sweeper::add_node(int node) {
+  if (mesh_.is_fixed[node] || mesh_.star[node].size() == 0) return;
+  next_.push_back(node);
+}
+
+float Sweeper::capped_jacobian(const Element& e) const {
   int n = e.corners();
   Vec3 side[4];
   double length2[4];
@@ -69,60 +78,98 @@ double Sweeper::capped_jacobian(const Element& e) const {
   for (int i = 0; i < n; ++i) {
     int j = (i + n - 1) % n;
     double s = dot(cross(side[j], side[i]), area);
-    if (!(s > 0 && s * s >= bound * length2[i] * length2[j])) return std::min(good_jacobian, scaled_jacobian(mesh_, e));
+    if (!(s > 0 && s * s >= bound * length2[i] * length2[j]))
+      return static_cast<float>(std::min(good_jacobian, scaled_jacobian(mesh_, e)));
   }
-  return good_jacobian;
+  return static_cast<float>(good_jacobian);
+}
+
+void Sweeper::collect_elements() {
+  elements_.clear();
+  for (int node : nodes_)
+    for (int e : mesh_.star[node]) {
+      if (seen_[e] == run_) continue;
+      seen_[e] = run_;
+      elements_.push_back(e);
+    }
+}
+
+void Sweeper::gather_wishes() {
+  for (int node : nodes_) sum_[node] = {};
+  for (int e : elements_) {
+    const Element& element = mesh_.elements[e];
+    Vec3 at[4];
+    int n = wished_corners(mesh_, element, at);
+    for (int i = 0; i < element.corners(); ++i) sum_[element.v[i]] += n ? at[i] : mesh_.x[element.v[i]];
+  }
 }
 
 void Sweeper::move_nodes() {
-  has_moved_.assign(mesh_.p.size(), 0);
-  for (int i = 0; i < mesh_.node_count(); ++i) {
-    int size = mesh_.star[i].size();
-    if (mesh_.is_fixed[i] || size == 0) continue;
-    Vec3 step = over_relaxation * ((1.0 / size) * sum_[i] - mesh_.x[i]);
-    mesh_.p[i] = mesh_.p[i] + mesh_.pull_back(i, step);
-    front_.region.evaluate(mesh_.p[i], mesh_.x[i], mesh_.xp[i], mesh_.xq[i]);
-    has_moved_[i] = 1;
+  old_.resize(nodes_.size());
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    int i = nodes_[k];
+    Vec3 step = over_relaxation * ((1.0 / mesh_.star[i].size()) * sum_[i] - mesh_.x[i]);
+    if (!(norm(step) > still * mesh_.h[i])) continue;
+    old_[k] = {mesh_.p[i], mesh_.x[i]};
+    front_.slide(i, mesh_.p[i] + mesh_.pull_back(i, step));
+    moved_as_[i] = static_cast<int>(k);
   }
 }
 
 bool Sweeper::check(int e) {
   if (!is_positive(mesh_, mesh_.elements[e])) return false;
   sj_[e] = capped_jacobian(mesh_.elements[e]);
-  return sj_[e] >= good_jacobian || sj_[e] >= old_sj_[e];
+  return sj_[e] >= static_cast<float>(good_jacobian) || sj_[e] >= old_sj_[e];
 }
 
 void Sweeper::take_back_bad() {
   stack_.clear();
   auto collect = [&](int e) {
     for (int v : mesh_.elements[e].v)
-      if (v >= 0 && has_moved_[v]) stack_.push_back(v);
+      if (v >= 0 && moved_as_[v] >= 0) stack_.push_back(v);
   };
-  for (std::size_t e = 0; e < sj_.size(); ++e)
-    if (mesh_.elements[e].is_alive() && !check(static_cast<int>(e))) collect(static_cast<int>(e));
+  for (int e : elements_) {
+    old_sj_[e] = sj_[e];
+    if (!check(e)) collect(e);
+  }
   while (!stack_.empty()) {
     int node = stack_.back();
     stack_.pop_back();
-    if (!has_moved_[node]) continue;
-    has_moved_[node] = 0;
-    mesh_.p[node] = old_p_[node], mesh_.x[node] = old_x_[node];
-    mesh_.xp[node] = old_xp_[node], mesh_.xq[node] = old_xq_[node];
+    if (moved_as_[node] < 0) continue;
+    const Old& old = old_[moved_as_[node]];
+    moved_as_[node] = -1;
+    // Derivatives stay those of where it was evaluated last: to be evaluated at its next move.
+    mesh_.p[node] = old.p, mesh_.x[node] = old.x, mesh_.drift[node] = 1;
     for (int e : mesh_.star[node])
       if (!check(e)) collect(e);
   }
 }
 
-void Sweeper::sweep() {
-  sum_.assign(mesh_.p.size(), Vec3{0, 0, 0});
-  for (const Element& e : mesh_.elements) {
-    if (!e.is_alive()) continue;
-    Vec3 at[4];
-    int n = wished_corners(mesh_, e, at);
-    for (int i = 0; i < e.corners(); ++i) sum_[e.v[i]] += n ? at[i] : mesh_.x[e.v[i]];
+// Nodes of all elements in which something moved.
+void Sweeper::collect_nodes() {
+  next_.clear();
+  for (int e : elements_) {
+    const auto& v = mesh_.elements[e].v;
+    auto has_moved = [&](int node) { return node >= 0 && moved_as_[node] >= 0; };
+    if (std::none_of(v.begin(), v.end(), has_moved)) continue;
+    for (int node : v) {
+      if (node < 0 || seen_node_[node] == run_) continue;
+      seen_node_[node] = run_;
+      add_node(node);
+    }
   }
-  old_p_ = mesh_.p, old_x_ = mesh_.x, old_xp_ = mesh_.xp, old_xq_ = mesh_.xq, old_sj_ = sj_;
+  for (int node : nodes_) moved_as_[node] = -1;
+}
+
+bool Sweeper::sweep() {
+  ++run_;
+  collect_elements();
+  gather_wishes();
   move_nodes();
   take_back_bad();
+  collect_nodes();
+  nodes_.swap(next_);
+  return !nodes_.empty();
 }
 
 }  // namespace paver

@@ -377,14 +377,36 @@ bool Front::can_move(int node, Vec2 p) const {
 }
 
 void Front::set_position(int node, Vec2 p, Vec3 x, Vec3 xp, Vec3 xq) {
-  mesh.p[node] = p;
-  mesh.x[node] = x;
-  mesh.xp[node] = xp;
-  mesh.xq[node] = xq;
+  mesh.put(node, {p, x, xp, xq, 0});
+  renew_void(node);
+}
+
+void Front::renew_void(int node) {
   if (sectors_[node] == 0) return;
   stack_.clear();
   collect_fan(out_facet_[node], stack_);
   empty.legalise(stack_);
+}
+
+void Front::slide(int node, Vec2 p) {
+  const Vec2 by = p - mesh.p[node];
+  const Vec3 step = by.x * mesh.xp[node] + by.y * mesh.xq[node];
+  mesh.p[node] = p;
+  mesh.drift[node] += static_cast<float>(norm(step) / mesh.h[node]);
+  if (mesh.drift[node] <= most_drift) {
+    mesh.x[node] += step;
+  } else {
+    region.evaluate(p, mesh.x[node], mesh.xp[node], mesh.xq[node]);
+    mesh.drift[node] = 0;
+  }
+}
+
+void Front::end_slides() {
+  for (int i = 0; i < mesh.node_count(); ++i) {
+    if (!(mesh.drift[i] > 0) || mesh.star[i].size() == 0) continue;
+    region.evaluate(mesh.p[i], mesh.x[i], mesh.xp[i], mesh.xq[i]);
+    mesh.drift[i] = 0;
+  }
 }
 
 int Front::newest_facet() const {

@@ -82,6 +82,13 @@ class Front {
   int newest_facet() const;
   /// Moves a node that can_move() allowed, with its position already evaluated.
   void set_position(int node, Vec2 p, Vec3 x, Vec3 xp, Vec3 xq);
+  /// To be called for a node that was moved otherwise: the void about it is triangulated well again.
+  void renew_void(int node);
+  /// Moves a node, not the void about it. Near the place of its last evaluation it follows the tangent
+  /// plane there, which is off by less than a hundredth of the target length and costs no evaluation.
+  void slide(int node, Vec2 p);
+  /// Puts all nodes that slid on the surface.
+  void end_slides();
   /// Whether all elements and void triangles about the node stay positive in the chart with it at p.
   bool can_move(int node, Vec2 p) const;
 
@@ -89,6 +96,7 @@ class Front {
   void colour_loop(int f);
 
  private:
+  static constexpr float most_drift = 0.1F;
   struct Colour {
     int set = -1;
     bool bit = false;

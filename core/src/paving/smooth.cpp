@@ -39,18 +39,19 @@ double worst_about(const RegionMesh& mesh, int node) {
 
 bool smooth_node(Front& front, int node) {
   RegionMesh& mesh = front.mesh;
-  Vec3 old_x = mesh.x[node], step = ideal_position(mesh, node) - old_x;
+  const NodePlace old = mesh.place(node);
+  const Vec3 step = ideal_position(mesh, node) - old.x;
   double before = worst_about(mesh, node);
   for (double share : {1.0, 0.4, 0.15}) {
     Vec2 p = front.region.chart->walk(mesh.p[node], mesh.pull_back(node, share * step));
     if (!front.can_move(node, p)) continue;
-    Vec3 x, xp, xq;
-    front.region.evaluate(p, x, xp, xq);
-    mesh.x[node] = x;
+    front.slide(node, p);
     double after = worst_about(mesh, node);
-    mesh.x[node] = old_x;
-    if (after < before && after < good_jacobian) continue;
-    front.set_position(node, p, x, xp, xq);
+    if (after < before && after < good_jacobian) {
+      mesh.put(node, old);
+      continue;
+    }
+    front.renew_void(node);
     return true;
   }
   return false;
