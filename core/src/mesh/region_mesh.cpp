@@ -61,23 +61,47 @@ Vec2 RegionMesh::pull_back(int node, Vec3 v) const {
   return {(tt * vs - st * vt) / det, (ss * vt - st * vs) / det};
 }
 
-double scaled_jacobian(const RegionMesh& mesh, const Element& e) {
-  int n = e.corners();
-  Vec3 side[4];
+namespace {
+
+constexpr double equilateral = 1.1547005383792515;  // by the sine of 60 degrees
+
+struct Sides {
+  int count;
+  Vec3 side[4], area;
   double length2[4];
-  for (int i = 0; i < n; ++i) {
-    side[i] = mesh.x[e.v[(i + 1) % n]] - mesh.x[e.v[i]];
-    length2[i] = dot(side[i], side[i]);
+  Sides(const RegionMesh& mesh, const Element& e) : count(e.corners()) {
+    for (int i = 0; i < count; ++i) {
+      side[i] = mesh.x[e.v[i + 1 < count ? i + 1 : 0]] - mesh.x[e.v[i]];
+      length2[i] = dot(side[i], side[i]);
+    }
+    area = count == 3 ? cross(side[0], side[1]) : cross(side[0] + side[1], side[1] + side[2]);
   }
-  Vec3 area = n == 3 ? cross(side[0], side[1]) : cross(side[0] + side[1], side[1] + side[2]);
-  double area_norm = norm(area), worst = 2;
-  for (int i = 0; i < n; ++i) {
-    int j = (i + n - 1) % n;
-    double scale = std::sqrt(length2[i] * length2[j]) * area_norm;
-    double sj = scale > 0 ? dot(cross(side[j], side[i]), area) / scale : -1;
+};
+
+}  // namespace
+
+bool has_jacobian(const RegionMesh& mesh, const Element& e, double bound) {
+  const Sides s(mesh, e);
+  if (s.count == 3) bound /= equilateral;
+  double least = bound * bound * dot(s.area, s.area);
+  for (int i = 0; i < s.count; ++i) {
+    int j = i > 0 ? i - 1 : s.count - 1;
+    double sine = dot(cross(s.side[j], s.side[i]), s.area);
+    if (!(sine > 0 && sine * sine >= least * s.length2[i] * s.length2[j])) return false;
+  }
+  return true;
+}
+
+double scaled_jacobian(const RegionMesh& mesh, const Element& e) {
+  const Sides s(mesh, e);
+  double area_norm = norm(s.area), worst = 2;
+  for (int i = 0; i < s.count; ++i) {
+    int j = i > 0 ? i - 1 : s.count - 1;
+    double scale = std::sqrt(s.length2[i] * s.length2[j]) * area_norm;
+    double sj = scale > 0 ? dot(cross(s.side[j], s.side[i]), s.area) / scale : -1;
     worst = std::min(worst, sj);
   }
-  return n == 3 ? worst * 1.1547005383792515 : worst;
+  return s.count == 3 ? worst * equilateral : worst;
 }
 
 }  // namespace paver

@@ -93,6 +93,9 @@ struct RegionMesh {
   Vec2 pull_back(int node, Vec3 v) const;
 };
 
+/// Whether the scaled Jacobian is at least `bound`, positive; takes no root.
+bool has_jacobian(const RegionMesh& mesh, const Element& e, double bound);
+
 /// Smallest corner value (e1 x e2).n / (|e1||e2|), n the element's own area vector; triangles times 2/sqrt 3.
 double scaled_jacobian(const RegionMesh& mesh, const Element& e);
 

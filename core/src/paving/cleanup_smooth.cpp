@@ -66,22 +66,8 @@ void Sweeper::add_node(int node) {
 }
 
 float Sweeper::capped_jacobian(const Element& e) const {
-  int n = e.corners();
-  Vec3 side[4];
-  double length2[4];
-  for (int i = 0; i < n; ++i) {
-    side[i] = mesh_.x[e.v[(i + 1) % n]] - mesh_.x[e.v[i]];
-    length2[i] = dot(side[i], side[i]);
-  }
-  Vec3 area = n == 3 ? cross(side[0], side[1]) : cross(side[0] + side[1], side[1] + side[2]);
-  double bound = good_jacobian * good_jacobian * dot(area, area) * (n == 3 ? 0.75 : 1);
-  for (int i = 0; i < n; ++i) {
-    int j = (i + n - 1) % n;
-    double s = dot(cross(side[j], side[i]), area);
-    if (!(s > 0 && s * s >= bound * length2[i] * length2[j]))
-      return static_cast<float>(std::min(good_jacobian, scaled_jacobian(mesh_, e)));
-  }
-  return static_cast<float>(good_jacobian);
+  double sj = has_jacobian(mesh_, e, good_jacobian) ? good_jacobian : scaled_jacobian(mesh_, e);
+  return static_cast<float>(std::min(good_jacobian, sj));
 }
 
 void Sweeper::collect_elements() {

@@ -141,6 +141,8 @@ double Front::chord_angle_after(int f) const {
   Vec3 out = mesh.x[c] - mesh.x[b], in = mesh.x[a] - mesh.x[b], n = mesh.normal(b);
   double angle = std::atan2(dot(n, cross(out, in)), dot(out, in) - dot(n, out) * dot(n, in));
   if (angle < 0) angle += 2 * M_PI;
+  constexpr double clear = 0.8;
+  if (angle > clear && angle < 2 * M_PI - clear) return angle;
   // The chart settles on which side of a full turn a nearly closed angle is.
   Vec2 o = mesh.p[c] - mesh.p[b], i = mesh.p[a] - mesh.p[b];
   double flat = std::atan2(cross(o, i), dot(o, i));
@@ -327,10 +329,7 @@ void Front::relink(const Outline& o, int level) {
   }
   for (int i = 0; i < n; ++i)
     if (o.facet[i] >= 0) kill(o.facet[i]);
-  stack_.clear();
-  for (int i = 0; i < n; ++i)
-    if (o.behind[i].triangle >= 0) stack_.push_back(o.behind[i].triangle);
-  empty.legalise(stack_);
+  empty.legalise_recovered();
 }
 
 bool Front::form_element(int f, int c, int d, int level) {
@@ -339,8 +338,7 @@ bool Front::form_element(int f, int c, int d, int level) {
   bool is_simple = c != a && c != b && d != a && d != b && c != d;
   if (!is_simple) return false;
   if (!find_outline(f, c, d, o) || !colours_allow(o)) {
-    stack_.assign(1, empty.facet_side(f).triangle);
-    empty.legalise(stack_);
+    empty.legalise_recovered();
     return false;
   }
   mesh.add_element({a, b, c, d});
@@ -378,13 +376,13 @@ bool Front::can_move(int node, Vec2 p) const {
 
 void Front::set_position(int node, Vec2 p, Vec3 x, Vec3 xp, Vec3 xq) {
   mesh.put(node, {p, x, xp, xq, 0});
-  renew_void(node);
+  renew_void({&node, 1});
 }
 
-void Front::renew_void(int node) {
-  if (sectors_[node] == 0) return;
+void Front::renew_void(std::span<const int> nodes) {
   stack_.clear();
-  collect_fan(out_facet_[node], stack_);
+  for (int node : nodes)
+    if (sectors_[node] > 0) collect_fan(out_facet_[node], stack_);
   empty.legalise(stack_);
 }
 

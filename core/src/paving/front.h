@@ -1,6 +1,7 @@
 // The front of one region: its facets, the void they enclose, and the edits that keep both in step with the mesh.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "mesh/region_mesh.h"
@@ -82,8 +83,8 @@ class Front {
   int newest_facet() const;
   /// Moves a node that can_move() allowed, with its position already evaluated.
   void set_position(int node, Vec2 p, Vec3 x, Vec3 xp, Vec3 xq);
-  /// To be called for a node that was moved otherwise: the void about it is triangulated well again.
-  void renew_void(int node);
+  /// To be called for nodes that were moved otherwise: the void about them is triangulated well again.
+  void renew_void(std::span<const int> nodes);
   /// Moves a node, not the void about it. Near the place of its last evaluation it follows the tangent
   /// plane there, which is off by less than a hundredth of the target length and costs no evaluation.
   void slide(int node, Vec2 p);

@@ -7,6 +7,7 @@ namespace paver {
 namespace {
 
 constexpr double good_jacobian = 0.7;  // above this a node may trade shape for length
+constexpr double still = 0.01;         // step by the target length that is not worth it
 
 Vec3 quad_wish(const RegionMesh& mesh, const Element& e, int k) {
   Vec3 x0 = mesh.x[e.v[0]], x1 = mesh.x[e.v[1]], x2 = mesh.x[e.v[2]], x3 = mesh.x[e.v[3]];
@@ -37,21 +38,29 @@ double worst_about(const RegionMesh& mesh, int node) {
   return worst;
 }
 
+bool is_good_about(const RegionMesh& mesh, int node) {
+  for (int e : mesh.star[node])
+    if (!has_jacobian(mesh, mesh.elements[e], good_jacobian)) return false;
+  return true;
+}
+
+// Does not renew the void about the node.
 bool smooth_node(Front& front, int node) {
   RegionMesh& mesh = front.mesh;
   const NodePlace old = mesh.place(node);
   const Vec3 step = ideal_position(mesh, node) - old.x;
-  double before = worst_about(mesh, node);
+  if (norm(step) < still * mesh.h[node]) return false;
+  double before = -2;  // worst scaled Jacobian; worked out when needed
   for (double share : {1.0, 0.4, 0.15}) {
-    Vec2 p = front.region.chart->walk(mesh.p[node], mesh.pull_back(node, share * step));
+    Vec2 p = front.region.chart->walk(old.p, mesh.pull_back(node, share * step));
     if (!front.can_move(node, p)) continue;
     front.slide(node, p);
+    if (is_good_about(mesh, node)) return true;
     double after = worst_about(mesh, node);
-    if (after < before && after < good_jacobian) {
-      mesh.put(node, old);
-      continue;
-    }
-    front.renew_void(node);
+    mesh.put(node, old);
+    if (before < -1) before = worst_about(mesh, node);
+    if (after < before) continue;
+    front.slide(node, p);
     return true;
   }
   return false;
@@ -72,9 +81,14 @@ Vec3 ideal_position(const RegionMesh& mesh, int node) {
 }
 
 void smooth_nodes(Front& front, const std::vector<int>& nodes, int sweeps) {
+  std::vector<int> moved;
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (int node : nodes)
-      if (!front.mesh.is_fixed[node] && front.mesh.star[node].size() > 0) smooth_node(front, node);
+      if (!front.mesh.is_fixed[node] && front.mesh.star[node].size() > 0 && smooth_node(front, node))
+        moved.push_back(node);
+  std::sort(moved.begin(), moved.end());
+  moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
+  front.renew_void(moved);
 }
 
 }  // namespace paver

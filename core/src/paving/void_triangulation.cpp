@@ -126,7 +126,7 @@ bool VoidTriangulation::insert(int node, const Location& where) {
   for (const OuterSide& s : outer_) made_.push_back(make(s.a, s.b, node));
   link_cavity();
   stack_ = made_;
-  legalise(stack_);
+  legalise_about(node);
   return true;
 }
 
@@ -297,6 +297,7 @@ bool VoidTriangulation::recover(int start, int a, int b) {
         outer_.push_back({triangles_[c].v[(i + 1) % 3], triangles_[c].v[(i + 2) % 3], n});
   for (int c : crossed_) remove(c);
   link_cavity();
+  spoiled_.insert(spoiled_.end(), made_.begin(), made_.end());
   return true;
 }
 
@@ -358,6 +359,18 @@ void VoidTriangulation::legalise(std::vector<int>& stack) {
     }
   }
   stack.clear();
+}
+
+// About a node just inserted only the sides opposite it can be wrong, and no flip about it is undone.
+void VoidTriangulation::legalise_about(int node) {
+  while (!stack_.empty()) {
+    int t = stack_.back(), corner = corner_of(t, node), other = triangles_[t].n[corner];
+    stack_.pop_back();
+    if (!should_flip(t, corner)) continue;
+    flip(t, corner);
+    stack_.push_back(t);
+    stack_.push_back(other);
+  }
 }
 
 std::optional<Crossing> VoidTriangulation::insert_all(const std::vector<std::pair<int, int>>& facets) {
@@ -452,8 +465,7 @@ bool VoidTriangulation::bound_facet(int f, int count, std::pair<int, int> ends) 
 }
 
 std::optional<Crossing> VoidTriangulation::build(const std::vector<std::pair<int, int>>& facets) {
-  triangles_.clear();
-  free_.clear();
+  triangles_.clear(), free_.clear(), spoiled_.clear();
   most_crossed_ = 1 << 30;
   int count = static_cast<int>(facets.size());
   facet_side_.assign(2 * count + 3, Side{});
@@ -473,6 +485,7 @@ std::optional<Crossing> VoidTriangulation::build(const std::vector<std::pair<int
   for (int t = 0; t < triangle_count(); ++t)
     if (triangles_[t].is_alive) all.push_back(t);
   legalise(all);
+  spoiled_.clear();
   most_crossed_ = 64;
   for (int f = 0; f < count; ++f)
     if (facet_side_[f].triangle < 0 || !triangles_[facet_side_[f].triangle].is_alive) return Crossing{f, -1};

@@ -93,6 +93,8 @@ class VoidTriangulation {
 
   /// Restores the Delaunay property about the triangles on the stack, which is emptied.
   void legalise(std::vector<int>& stack);
+  /// The same where recover() spoiled it since the last call.
+  void legalise_recovered() { legalise(spoiled_); }
 
  private:
   struct OuterSide {
@@ -104,6 +106,7 @@ class VoidTriangulation {
   bool first_in_fan(int start, int node, Vec2 target, int& t) const;
   void flip(int t, int corner);
   bool should_flip(int t, int corner) const;
+  void legalise_about(int node);
   bool clip_ears(std::vector<int>& polygon);
   void link_cavity();
   bool recover_from_any(int a, int b);
@@ -120,6 +123,7 @@ class VoidTriangulation {
   std::vector<int> hint_;  // per node a triangle at it; only while building
   // Scratch of recover() and insert(), kept to avoid allocation.
   std::vector<int> crossed_, made_, left_, right_, stack_;
+  std::vector<int> spoiled_;  // triangles that recover() made
   std::vector<OuterSide> outer_;
   int most_crossed_ = 64;  // a side across more triangles is no side of an element that fits
   int blocker_ = -1;       // facet code that stopped recover()

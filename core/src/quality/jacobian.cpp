@@ -128,14 +128,25 @@ double JacobianForm::area(const Vec3* x) const {
   return area;
 }
 
+namespace {
+
+template <ElementShape shape, int order>
+const JacobianForm& built_form() {
+  static const JacobianForm form(shape, order);
+  return form;
+}
+
+}  // namespace
+
 const JacobianForm& jacobian_form(ElementShape shape, int order) {
-  static const std::array<JacobianForm, JacobianForm::max_order> quads{
-      JacobianForm(ElementShape::quad, 1), JacobianForm(ElementShape::quad, 2), JacobianForm(ElementShape::quad, 3),
-      JacobianForm(ElementShape::quad, 4)};
-  static const std::array<JacobianForm, JacobianForm::max_order> triangles{
-      JacobianForm(ElementShape::triangle, 1), JacobianForm(ElementShape::triangle, 2),
-      JacobianForm(ElementShape::triangle, 3), JacobianForm(ElementShape::triangle, 4)};
-  return (shape == ElementShape::quad ? quads : triangles).at(static_cast<std::size_t>(order) - 1);
+  using Get = const JacobianForm& (*)();
+  static constexpr std::array<Get, JacobianForm::max_order> quads{
+      built_form<ElementShape::quad, 1>, built_form<ElementShape::quad, 2>, built_form<ElementShape::quad, 3>,
+      built_form<ElementShape::quad, 4>};
+  static constexpr std::array<Get, JacobianForm::max_order> triangles{
+      built_form<ElementShape::triangle, 1>, built_form<ElementShape::triangle, 2>,
+      built_form<ElementShape::triangle, 3>, built_form<ElementShape::triangle, 4>};
+  return (shape == ElementShape::quad ? quads : triangles).at(static_cast<std::size_t>(order) - 1)();
 }
 
 bool is_valid(const SurfaceMesh& mesh, bool is_quad, int element) {
