@@ -58,7 +58,7 @@ void copy_poles(const Source& source, const gp_Trsf& placement, SplineNet& net) 
     for (int j = 1; j <= source.NbVPoles(); ++j) {
       gp_Pnt p = source.Pole(i, j).Transformed(placement);
       double w = net.is_rational ? source.Weight(i, j) : 1;
-      net.poles.push_back(Pole{w * p.X(), w * p.Y(), w * p.Z(), net.is_rational ? w : 0});
+      net.poles.push_back(Pole{Pole::Pair{w * p.X(), w * p.Y()}, Pole::Pair{w * p.Z(), net.is_rational ? w : 0}});
     }
 }
 

@@ -17,20 +17,26 @@ void differentiate(const double* quotients, int degree, double* out) {
   out[degree] = degree * before;
 }
 
-Vec3 head(const Pole& p) { return {p[0], p[1], p[2]}; }
+void add(Pole& sum, double weight, const Pole& p) {
+  sum.xy += weight * p.xy;
+  sum.zw += weight * p.zw;
+}
+
+Vec3 head(const Pole& p) { return {p.xy[0], p.xy[1], p.zw[0]}; }
+double weight(const Pole& p) { return p.zw[1]; }
 
 // From homogeneous coordinates by the rule for derivatives of a quotient.
 void divide_by_weight(const Pole (&sum)[6], int order, SurfaceJet& jet) {
   const Pole &a = sum[0], &u = sum[1], &v = sum[2], &uu = sum[3], &uv = sum[4], &vv = sum[5];
-  double scale = 1 / a[3];
+  double scale = 1 / weight(a);
   jet.x = scale * head(a);
   if (order < 1) return;
-  jet.u = scale * (head(u) - u[3] * jet.x);
-  jet.v = scale * (head(v) - v[3] * jet.x);
+  jet.u = scale * (head(u) - weight(u) * jet.x);
+  jet.v = scale * (head(v) - weight(v) * jet.x);
   if (order < 2) return;
-  jet.uu = scale * (head(uu) - 2 * u[3] * jet.u - uu[3] * jet.x);
-  jet.uv = scale * (head(uv) - u[3] * jet.v - v[3] * jet.u - uv[3] * jet.x);
-  jet.vv = scale * (head(vv) - 2 * v[3] * jet.v - vv[3] * jet.x);
+  jet.uu = scale * (head(uu) - 2 * weight(u) * jet.u - weight(uu) * jet.x);
+  jet.uv = scale * (head(uv) - weight(u) * jet.v - weight(v) * jet.u - weight(uv) * jet.x);
+  jet.vv = scale * (head(vv) - 2 * weight(v) * jet.v - weight(vv) * jet.x);
 }
 
 }  // namespace
@@ -89,13 +95,14 @@ void SplineSurface::sum_poles(double u, double v, SurfaceJet& jet) const {
     const Pole* row = &net.poles[static_cast<std::size_t>(span_u_ - m + i) * net.v.count() + span_v_ - n];
     Pole at{}, along{}, bend{};
     for (int j = 0; j <= n; ++j) {
-      at += bv.value[j] * row[j];
-      if constexpr (order > 0) along += bv.first[j] * row[j];
-      if constexpr (order > 1) bend += bv.second[j] * row[j];
+      add(at, bv.value[j], row[j]);
+      if constexpr (order > 0) add(along, bv.first[j], row[j]);
+      if constexpr (order > 1) add(bend, bv.second[j], row[j]);
     }
-    sum[0] += bu.value[i] * at;
-    if constexpr (order > 0) sum[1] += bu.first[i] * at, sum[2] += bu.value[i] * along;
-    if constexpr (order > 1) sum[3] += bu.second[i] * at, sum[4] += bu.first[i] * along, sum[5] += bu.value[i] * bend;
+    add(sum[0], bu.value[i], at);
+    if constexpr (order > 0) add(sum[1], bu.first[i], at), add(sum[2], bu.value[i], along);
+    if constexpr (order > 1)
+      add(sum[3], bu.second[i], at), add(sum[4], bu.first[i], along), add(sum[5], bu.value[i], bend);
   }
   if (net.is_rational) return divide_by_weight(sum, order, jet);
   jet = {head(sum[0]), head(sum[1]), head(sum[2]), head(sum[3]), head(sum[4]), head(sum[5])};

@@ -35,8 +35,11 @@ class SplineBasis {
   std::vector<double> share_;  // [k - 1][i]: 1 / (knots[i + k] - knots[i]), 0 where that is empty
 };
 
-/// Four numbers that the compiler keeps in vector registers: twice as fast as an array of them.
-using Pole = double __attribute__((vector_size(32)));
+/// Homogeneous coordinates in two vector registers: gcc keeps one of twice the size in memory.
+struct Pole {
+  using Pair = double __attribute__((vector_size(16)));
+  Pair xy{}, zw{};
+};
 
 /// poles[i * v.count() + j] belongs to the i-th basis function of u and the j-th of v: x, y, z times the weight, and
 /// the weight (0 throughout where the surface is polynomial).

@@ -196,29 +196,58 @@ double Cavity::best_corners(double limit) {
   return best;
 }
 
-Vec2 Cavity::place(int node, const Change& fill) const {
+Vec2 Cavity::chart_place(int node, const Change& fill) const {
   int old = mesh_.node_count();
   return node < old ? mesh_.p[node] : fill.fresh[node - old];
+}
+
+Vec3 Cavity::place(int node) const {
+  int old = mesh_.node_count();
+  return node < old ? mesh_.x[node] : fresh_x_[node - old];
+}
+
+int Cavity::add_fresh(Vec2 p, Vec3 x, Change& fill) {
+  fill.fresh.push_back(p);
+  fresh_x_.push_back(x);
+  return mesh_.node_count() + static_cast<int>(fill.fresh.size()) - 1;
 }
 
 // Fills the grid, whose border is given, with new nodes (bilinear between
 // opposite sides) and quads.
 void Cavity::make_grid(int a, int b, Change& fill) {
-  auto at = [&](int s, int t) { return place(grid(s, t), fill); };
   for (int s = 1; s < a; ++s)
     for (int t = 1; t < b; ++t) {
       double x = static_cast<double>(s) / a, y = static_cast<double>(t) / b;
-      Vec2 p = (1 - x) * at(0, t) + x * at(a, t) + (1 - y) * at(s, 0) + y * at(s, b);
-      p = p - (1 - x) * (1 - y) * at(0, 0) - x * (1 - y) * at(a, 0) - x * y * at(a, b) - (1 - x) * y * at(0, b);
-      grid(s, t) = mesh_.node_count() + static_cast<int>(fill.fresh.size());
-      fill.fresh.push_back(p);
+      auto blend = [&](auto at) {
+        auto sides = (1 - x) * at(0, t) + x * at(a, t) + (1 - y) * at(s, 0) + y * at(s, b);
+        return sides - (1 - x) * (1 - y) * at(0, 0) - x * (1 - y) * at(a, 0) - x * y * at(a, b) -
+               (1 - x) * y * at(0, b);
+      };
+      Vec2 p = blend([&](int i, int j) { return chart_place(grid(i, j), fill); });
+      grid(s, t) = add_fresh(p, blend([&](int i, int j) { return place(grid(i, j)); }), fill);
     }
   for (int s = 0; s < a; ++s)
     for (int t = 0; t < b; ++t) fill.made.push_back({grid(s, t), grid(s + 1, t), grid(s + 1, t + 1), grid(s, t + 1)});
 }
 
+double Cavity::spread_gain(const Change& fill) {
+  double sum = 0, h = 0;
+  for (int v : loop_) h += mesh_.h[v] / static_cast<double>(loop_.size());
+  const int old = mesh_.node_count();
+  auto target = [&](int v) { return v < old ? mesh_.h[v] : h; };
+  for (const auto& v : fill.made)
+    for (int i = 0; i < 4; ++i) {
+      int a = v[i], b = v[(i + 1) % 4];
+      if (a < old && b < old && mesh_.is_fixed[a] && mesh_.is_fixed[b]) continue;
+      sum += MeshEdit::spread(2 * norm(place(a) - place(b)) / (target(a) + target(b)));
+    }
+  for (int e : fill.gone) sum -= edit_.spread_of(e);
+  return sum;
+}
+
 void Cavity::make_fill(Change& fill) {
   fill.clear();
+  fresh_x_.clear();
   fill.gone = elements_;
   grid_.resize(64 * 64);
   int k = static_cast<int>(corners_.size()), n = static_cast<int>(loop_.size());
@@ -233,16 +262,20 @@ void Cavity::make_fill(Change& fill) {
   // Spoke i: from the middle of side i to the centre, as node numbers.
   std::vector<std::vector<int>> spoke(k);
   Vec2 centre{0, 0};
+  Vec3 centre_x{0, 0, 0};
   auto middle = [&](int i) { return corners_[i] + spokes_[(i + k - 1) % k]; };
-  for (int i = 0; i < k; ++i) centre = centre + (1.0 / k) * mesh_.p[around(middle(i))];
-  int hub = mesh_.node_count();
-  fill.fresh.push_back(centre);
+  for (int i = 0; i < k; ++i) {
+    centre = centre + (1.0 / k) * mesh_.p[around(middle(i))];
+    centre_x += (1.0 / k) * mesh_.x[around(middle(i))];
+  }
+  int hub = add_fresh(centre, centre_x, fill);
   for (int i = 0; i < k; ++i) {
     int length = spokes_[i], foot = around(middle(i));
     spoke[i].push_back(foot);
     for (int t = 1; t < length; ++t) {
-      spoke[i].push_back(mesh_.node_count() + static_cast<int>(fill.fresh.size()));
-      fill.fresh.push_back(mesh_.p[foot] + (static_cast<double>(t) / length) * (centre - mesh_.p[foot]));
+      double share = static_cast<double>(t) / length;
+      Vec3 x = mesh_.x[foot] + share * (centre_x - mesh_.x[foot]);
+      spoke[i].push_back(add_fresh(mesh_.p[foot] + share * (centre - mesh_.p[foot]), x, fill));
     }
     spoke[i].push_back(hub);
   }

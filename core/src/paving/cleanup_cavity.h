@@ -22,6 +22,8 @@ class Cavity {
   /// Finds the fill of least energy. False when none lowers the energy by
   /// `least` or more.
   bool find_fill(double least, Change& fill);
+  /// Spread of the fill found last less that of the elements it replaces, its new nodes taken where they were laid.
+  double spread_gain(const Change& fill);
 
  private:
   void absorb_star(int node);
@@ -36,7 +38,9 @@ class Cavity {
   bool is_fillable(const std::vector<int>& corners);
   void make_fill(Change& fill);
   void make_grid(int a, int b, Change& fill);
-  Vec2 place(int node, const Change& fill) const;
+  int add_fresh(Vec2 p, Vec3 x, Change& fill);
+  Vec2 chart_place(int node, const Change& fill) const;
+  Vec3 place(int node) const;
   int around(int i) const { return loop_[(i + 2 * loop_.size()) % loop_.size()]; }
   int& grid(int s, int t) { return grid_[s * 64 + t]; }
 
@@ -58,6 +62,7 @@ class Cavity {
   std::vector<int> loop_, wanted_;
   std::vector<double> as_flat_, as_corner_;
   std::vector<int> corners_, trial_, spokes_, grid_;
+  std::vector<Vec3> fresh_x_;  // of the fill's new nodes, blended like their chart places
 };
 
 }  // namespace paver

@@ -11,7 +11,6 @@ namespace paver {
 namespace {
 
 constexpr double longest = 1.6;              // edge length by the target length that an edit may leave
-constexpr double hopeless = 0.3;             // spread of a side that counts no more however far off it is
 constexpr double widest = 155 * M_PI / 180;  // corner angle above which an element is as good as degenerate
 constexpr int local_sweeps = 4;
 constexpr double early_share = 0.2;  // of the fall in spread that a dear change must show after one sweep
@@ -288,8 +287,7 @@ void MeshEdit::measure_lengths(const Element& e, Measure& worst) const {
     double ratio = 2 * norm(mesh_.x[a] - mesh_.x[b]) / (mesh_.h[a] + mesh_.h[b]);
     worst.shortest = std::min(worst.shortest, ratio);
     worst.longest = std::max(worst.longest, ratio);
-    double off = 0.5 * (ratio - 1 / ratio);  // twice as long is as bad as half as long
-    worst.spread += std::min(off * off, hopeless);
+    worst.spread += spread(ratio);
   }
 }
 

@@ -62,6 +62,12 @@ class MeshEdit {
   /// Spread of the elements about those given, as they are: more a change of them cannot win.
   double spread_about(std::span<const int> elements);
   double spread_about(int node) { return spread_about({mesh_.star[node].begin(), mesh_.star[node].end()}); }
+  /// Spread of one side by its length over the target length: twice as long is as bad as half as long.
+  static double spread(double ratio) {
+    double off = 0.5 * (ratio - 1 / ratio);
+    return std::min(off * off, hopeless);
+  }
+  double spread_of(int e) { return measured(e, mesh_.elements[e]).spread; }
   /// Area of an element in squares of its target length.
   double area(int e) { return measured(e, mesh_.elements[e]).area; }
   /// To be called where nodes were moved by others.
@@ -101,6 +107,7 @@ class MeshEdit {
     return off * off + (size < aim.least ? degenerate_energy * (aim.least - size) : 0);
   }
   static constexpr double degenerate_energy = 8;
+  static constexpr double hopeless = 0.3;  // spread of a side that counts no more however far off it is
   struct Measure {
     double jacobian = 2, shortest = 1, longest = 1, spread = 0;  // lengths by the target length
     double area = 0;
