@@ -103,6 +103,29 @@ Vec3 nearest_point(const Region& region, Vec2 p, Vec3 target) {
   return std::isfinite(norm(x)) ? x : first;
 }
 
+/// Distance from `target` to the surface near p. Ends where the foot is nearly below the target: what is left of the way
+/// along the tangent plane then counts by Pythagoras.
+double distance_to_surface(const Region& region, Vec2 p, Vec3 target) {
+  constexpr int most_steps = 6;
+  constexpr double nearly_below = 0.05;  // of the distance
+  double best = INFINITY;
+  for (int i = 0; i <= most_steps; ++i) {
+    Vec3 x, xp, xq;
+    region.evaluate(p, x, xp, xq);
+    Vec3 r = target - x;
+    double d = norm(r), a = dot(xp, xp), b = dot(xp, xq), c = dot(xq, xq), det = a * c - b * b;
+    if (!(d < best)) break;
+    best = d;
+    if (!(det > 1e-12 * a * c)) break;
+    double s = dot(r, xp), t = dot(r, xq);
+    Vec2 step{(c * s - b * t) / det, (a * t - b * s) / det};
+    double along = norm(step.x * xp + step.y * xq);
+    if (along <= nearly_below * d) return std::sqrt(d * d - along * along);
+    p = p + step;
+  }
+  return best;
+}
+
 /// For each part, the face's items (sides or quads) that it holds; the first part that knows all corners takes one.
 template <class Item, class Corners>
 std::vector<std::vector<Item>> share_out(const std::vector<CurvingPart>& parts, const NodeFinder& finder,
@@ -204,7 +227,7 @@ double chord_error(const SurfaceMesh& mesh, const std::vector<CurvingPart>& part
         x += (mesh.order == 1 ? 0.25 : weight[k]) * mesh.nodes[v[k]];
       Vec2 start =
           mesh.order == 1 ? 0.25 * (p[0] + p[1] + p[2] + p[3]) : 0.0625 * (9 * p[0] + 3 * p[1] + p[2] + 3 * p[3]);
-      worst[i] = std::max(worst[i], norm(nearest_point(*parts[i].region, start, x) - x));
+      worst[i] = std::max(worst[i], distance_to_surface(*parts[i].region, start, x));
     }
   });
   return worst.empty() ? 0 : *std::max_element(worst.begin(), worst.end());

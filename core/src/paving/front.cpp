@@ -109,9 +109,13 @@ void Front::link_sectors() {
 }
 
 int Front::add_node(Vec2 p) {
-  Vec3 x, xp, xq;
-  region.evaluate(p, x, xp, xq);
-  int node = mesh.add_node(p, x, xp, xq, region.target(p));
+  NodePlace at{p, {}, {}, {}};
+  region.evaluate(p, at.x, at.xp, at.xq);
+  return add_node(at);
+}
+
+int Front::add_node(const NodePlace& at) {
+  int node = mesh.add_node(at.p, at.x, at.xp, at.xq, region.target(at.p));
   out_facet_.push_back(-1);
   sectors_.push_back(0);
   colour_.emplace_back();

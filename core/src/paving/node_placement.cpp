@@ -148,13 +148,13 @@ Granted grant(Front& front, const Wish& wish, int start, int avoid_a, int avoid_
     int node = front.empty.triangle(where.triangle).v[where.corner];
     return is_allowed(front, wish, node, avoid_a, avoid_b) ? Granted{node, false} : Granted{};
   }
-  Vec3 x, xp, xq;
-  front.region.evaluate(p, x, xp, xq);
+  NodePlace at{p, {}, {}, {}};
+  front.region.evaluate(p, at.x, at.xp, at.xq);
   double nearest;
-  int node = near_node(front, wish, where.triangle, p, x, avoid_a, avoid_b, nearest);
+  int node = near_node(front, wish, where.triangle, p, at.x, avoid_a, avoid_b, nearest);
   if (node >= 0) return {node, false};
   if (nearest < 0.2 * std::min(wish.length, wish.width)) return {};
-  int fresh = front.add_node(p);
+  int fresh = front.add_node(at);
   mesh.h[fresh] = graded_target(front, wish.base, length, p);
   return {fresh, true};
 }
