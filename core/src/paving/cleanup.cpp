@@ -23,7 +23,7 @@ namespace {
 constexpr int most_rings = 4, most_elements = 60;
 constexpr double most_excess = 14;  // energy and spread together that a fill may lack as it is laid
 constexpr int most_hexagons = 24;   // divisions tried for one pair of triangles
-constexpr int sweeps = 30;
+constexpr int sweeps = 13;
 // Even lengths may cost energy: a change as dear as this is tried where a likely share of the spread about it would pay
 // for it, and where it brings the number of elements nearer to what the area wants.
 constexpr double dearest = 2.5, dearest_turn = 0.5, likely_share = 0.3, least_fall = 0.1, least_fit = 0.05;
@@ -176,8 +176,7 @@ class CleanUp {
     for (int ring = 0; ring < most_rings && cavity_.grow(most_elements); ++ring) {
       if (!cavity_.find_fill(1, fill_) || !tried_.insert(cavity_.outline_key()).second) continue;
       double gain = edit_.energy_gain(fill_);
-      if (std::getenv("PE") && gain + MeshEdit::spread_price * cavity_.spread_gain(fill_) > atof(std::getenv("PE")))
-        continue;
+      if (gain + MeshEdit::spread_price * cavity_.spread_gain(fill_) > most_excess) continue;
       if (edit_.apply(fill_) && take({.gain = gain})) return true;
       edit_.roll_back(0);
     }

@@ -38,7 +38,7 @@ class Sweeper {
   Front& front_;
   RegionMesh& mesh_;
   std::vector<int> nodes_, elements_, next_;  // nodes to look at and the elements about them
-  std::vector<Vec3> sum_;                     // per node: of its elements' wishes
+  std::vector<Vec3> sum_, last_;              // per node: of its elements' wishes; its last step
   struct Old {
     Vec2 p;
     Vec3 x;
