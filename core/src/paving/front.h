@@ -88,7 +88,7 @@ class Front {
   /// To be called for nodes that were moved otherwise: the void about them is triangulated well again.
   void renew_void(std::span<const int> nodes);
   /// Moves a node, not the void about it. Near the place of its last evaluation it follows the tangent
-  /// plane there, which is off by less than a hundredth of the target length and costs no evaluation.
+  /// plane there, which is off by a hundredth of the target length or so and costs no evaluation.
   void slide(int node, Vec2 p);
   /// Puts all nodes that slid on the surface.
   void end_slides();
@@ -99,7 +99,7 @@ class Front {
   void colour_loop(int f);
 
  private:
-  static constexpr float most_drift = 0.1F;
+  static constexpr float most_drift = 0.2F;
   struct Colour {
     int set = -1;
     bool bit = false;
