@@ -28,7 +28,7 @@ constexpr int sweeps = 13;
 // for it, and where it brings the number of elements nearer to what the area wants.
 constexpr double dearest = 2.5, dearest_turn = 0.5, likely_share = 0.3, least_fall = 0.1, least_fit = 0.05;
 constexpr double even_jacobian = 0.6;  // least scaled Jacobian such a change may leave
-constexpr double uneven = 1;           // spread about a regular node from which on it is looked at
+constexpr double uneven = 0.25;        // spread about a regular node from which on it is looked at
 constexpr double worst_goal = 0.74;
 // A triangle goes whatever it costs in energy, and for elements half as long.
 constexpr Demand triangle_demand{-100, 0.3, 0.4, 0};
@@ -96,7 +96,11 @@ class CleanUp {
     list_.push_back(node);
   }
 
-  bool is_uneven(int node) { return edit_.spread_about(node) > uneven; }
+  bool is_uneven(int node) {
+    double spread = 0;
+    for (int e : mesh_.star[node]) spread += edit_.spread_of(e);
+    return spread > uneven;
+  }
 
   void push_all() {
     for (int i = 0; i < mesh_.node_count(); ++i) push(i);

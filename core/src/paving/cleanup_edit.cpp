@@ -66,6 +66,7 @@ MeshEdit::MeshEdit(Front& front) : front_(front), mesh_(front.mesh), aims_(front
 double MeshEdit::energy_gain(const Change& change) {
   list_.clear();
   double gain = 0;
+  const int old_count = mesh_.node_count();
   if (delta_.size() < mesh_.p.size() + change.fresh.size()) delta_.resize(mesh_.p.size() + change.fresh.size() + 64, 0);
   auto count = [&](const std::array<int, 4>& v, int by) {
     if (v[3] < 0) gain += by * triangle_energy;
@@ -78,7 +79,7 @@ double MeshEdit::energy_gain(const Change& change) {
   for (int e : change.gone) count(mesh_.elements[e].v, -1);
   for (const auto& v : change.made) count(v, 1);
   for (int node : list_) {
-    if (delta_[node] != 0) gain += energy(node, delta_[node]) - energy(node);
+    if (delta_[node] != 0) gain += node < old_count ? step(node, delta_[node]) : energy_of_new(delta_[node]);
     delta_[node] = 0;
   }
   return gain;
@@ -153,6 +154,7 @@ bool MeshEdit::apply(const Change& change) {
   std::size_t old_count = touched_.size();
   for (Vec2 p : change.fresh) {
     int node = front_.add_node(p);
+    if (aims_.size() < mesh_.p.size()) aims_.resize(mesh_.p.size() + 1024);
     journal_.push_back({Kind::node, node, {}, {}});
     mesh_.h[node] = std::min(mesh_.h[node], target_between(node, old_count));
     touch(node);

@@ -46,12 +46,7 @@ class MeshEdit {
 
   RegionMesh& mesh() { return front_.mesh; }
   /// Node energy with `more` further elements.
-  double energy(int node, int more = 0) const {
-    int size = more + (node < mesh_.node_count() ? mesh_.star[node].size() : 0);
-    if (size == 0) return 0;
-    if (node >= static_cast<int>(aims_.size())) return energy_of_new(size);
-    return energy_of(size, aims_[node]);
-  }
+  double energy(int node, int more = 0) const { return energy_of(mesh_.star[node].size() + more, aims_[node]); }
   /// What `more` further elements would add to the node's energy.
   double step(int node, int more) const { return energy(node, more) - energy(node); }
   /// Energy of a new node with that many elements.
@@ -103,6 +98,7 @@ class MeshEdit {
     int least = 3;    // that no corner is nearly straight
   };
   static double energy_of(int size, Aim aim) {
+    if (size == 0) return 0;
     double off = size - aim.ideal;
     return off * off + (size < aim.least ? degenerate_energy * (aim.least - size) : 0);
   }
@@ -133,7 +129,7 @@ class MeshEdit {
 
   Front& front_;
   RegionMesh& mesh_;
-  std::vector<Aim> aims_;
+  std::vector<Aim> aims_;  // of all nodes and more
   std::vector<Entry> journal_;
   std::vector<int> touched_, near_, list_;
   std::vector<Vec3> sum_;
