@@ -26,7 +26,7 @@ constexpr int most_hexagons = 24;   // divisions tried for one pair of triangles
 constexpr int sweeps = 13;
 // Even lengths may cost energy: a change as dear as this is tried where a likely share of the spread about it would pay
 // for it, and where it brings the number of elements nearer to what the area wants.
-constexpr double dearest = 2.5, dearest_turn = 0.5, likely_share = 0.3, least_fall = 0.1, least_fit = 0.05;
+constexpr double dearest = 2.5, dearest_turn = 0.5, likely_share = 0.25, least_fall = 0.1, least_fit = 0.05;
 constexpr double even_jacobian = 0.6;  // least scaled Jacobian such a change may leave
 constexpr double uneven = 0.25;        // spread about a regular node from which on it is looked at
 constexpr double worst_goal = 0.74;

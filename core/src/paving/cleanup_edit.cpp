@@ -13,7 +13,7 @@ namespace {
 constexpr double longest = 1.6;              // edge length by the target length that an edit may leave
 constexpr double widest = 155 * M_PI / 180;  // corner angle above which an element is as good as degenerate
 constexpr int local_sweeps = 4;
-constexpr double early_share = 0.2;  // of the fall in spread that a dear change must show after one sweep
+constexpr double early_share = 0.3;  // of the fall in spread that a dear change must show after one sweep
 constexpr double early_excess = 4;   // energy and spread together that a change may still lack after one sweep
 
 double corner_angle(const RegionMesh& mesh, const Element& e, int node) {
