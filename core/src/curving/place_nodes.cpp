@@ -103,8 +103,8 @@ Vec3 nearest_point(const Region& region, Vec2 p, Vec3 target) {
   return std::isfinite(norm(x)) ? x : first;
 }
 
-/// Distance from `target` to the surface near p. Ends where the foot is nearly below the target: what is left of the way
-/// along the tangent plane then counts by Pythagoras.
+/// Distance from `target` to the surface near p. Ends where the foot is nearly below the target: what is left of the
+/// way along the tangent plane then counts by Pythagoras.
 double distance_to_surface(const Region& region, Vec2 p, Vec3 target) {
   constexpr int most_steps = 6;
   constexpr double nearly_below = 0.05;  // of the distance

@@ -53,6 +53,15 @@ int RegionMesh::valence(int node) const {
   return count;
 }
 
+double RegionMesh::scale_at(int node) const {
+  double least = h[node] * h[node];
+  for (int e : star[node]) {
+    Vec3 side = x[elements[e].after(node)] - x[node];
+    least = std::min(least, dot(side, side));
+  }
+  return std::sqrt(least);
+}
+
 Vec2 RegionMesh::pull_back(int node, Vec3 v) const {
   Vec3 s = xp[node], t = xq[node];
   double ss = dot(s, s), st = dot(s, t), tt = dot(t, t), vs = dot(v, s), vt = dot(v, t);

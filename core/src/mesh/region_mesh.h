@@ -66,7 +66,7 @@ struct RegionMesh {
   std::vector<Vec2> p;         ///< chart coordinates
   std::vector<Vec3> x;         ///< position, mm
   std::vector<Vec3> xp, xq;    ///< derivatives of the position by the chart coordinates
-  std::vector<float> drift;    ///< how far the node slid since x was last evaluated, by its target length
+  std::vector<float> drift;    ///< how far the node slid since x was last evaluated, by the scale there
   std::vector<double> h;       ///< target length, mm
   std::vector<char> is_fixed;  ///< boundary nodes and hard points never move
   std::vector<int> global;     ///< boundary stage's node, or -1
@@ -88,6 +88,8 @@ struct RegionMesh {
   void replace_node(int e, int from, int to);
   /// Number of distinct mesh edges at a node.
   int valence(int node) const;
+  /// Scale of the mesh at a node: its target length or, where that is shorter, its shortest side.
+  double scale_at(int node) const;
   Vec3 normal(int node) const { return unit(cross(xp[node], xq[node])); }
   /// Chart displacement whose image is the tangent vector v at `node`.
   Vec2 pull_back(int node, Vec3 v) const;

@@ -86,7 +86,17 @@ class CleanUp {
       edit_.roll_back(0);
       return false;
     });
-    return is_done;
+    return is_done || mend_cavity(node);
+  }
+
+  bool mend_cavity(int node) {
+    cavity_.start(node);
+    for (int ring = 0; ring < most_rings && cavity_.grow(most_elements); ++ring) {
+      if (!cavity_.find_fill(-most_energy, fill_) || !edit_.apply(fill_)) continue;
+      if (take(mending_demand)) return true;
+      edit_.roll_back(0);
+    }
+    return false;
   }
 
   void push(int node) {
@@ -244,7 +254,10 @@ void clean_up(Front& front, const Progress& progress, bool all_quad) {
   clean.run();
   if (all_quad) clean.join_all_triangles();
   Sweeper sweeper(front);
-  for (int i = 0; i < sweeps && sweeper.sweep(); ++i) progress.check();
+  for (int i = 0; i < sweeps; ++i) {
+    progress.check();
+    if (!sweeper.sweep()) break;
+  }
   front.end_slides();
   raise_worst(front, worst_goal, 3);
   clean.mend();

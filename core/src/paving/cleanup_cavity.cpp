@@ -288,7 +288,8 @@ void Cavity::make_fill(Change& fill) {
 }
 
 bool Cavity::find_fill(double least, Change& fill) {
-  if (loop_.size() % 2 == 1 || energy_ < std::max(least, least_unsettled) || has_fixed_inside()) return false;
+  if (loop_.size() % 2 == 1 || (least > 0 && energy_ < std::max(least, least_unsettled)) || has_fixed_inside())
+    return false;
   if (best_corners(energy_ - least + 1e-9) > energy_ - least) return false;
   make_fill(fill);
   return true;

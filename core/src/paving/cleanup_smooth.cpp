@@ -14,7 +14,7 @@ namespace {
 
 // With momentum a dozen sweeps even out lengths as thirty over-relaxed ones or sixty plain ones do.
 constexpr double over_relaxation = 1.3, momentum = 0.7;
-constexpr double still = 0.004;  // step by the target length below which a node rests
+constexpr double still = 0.004;  // step by the scale of the mesh below which a node rests
 
 bool is_positive(const RegionMesh& mesh, const Element& e) {
   int n = e.corners();
@@ -97,7 +97,7 @@ void Sweeper::move_nodes() {
     int i = nodes_[k];
     Vec3 step = over_relaxation * ((1.0 / mesh_.star[i].size()) * sum_[i] - mesh_.x[i]) + momentum * last_[i];
     last_[i] = step;
-    if (!(norm(step) > still * mesh_.h[i])) continue;
+    if (!(norm(step) > still * mesh_.scale_at(i))) continue;
     old_[k] = {mesh_.p[i], mesh_.x[i]};
     front_.slide(i, mesh_.p[i] + mesh_.pull_back(i, step));
     moved_as_[i] = static_cast<int>(k);

@@ -111,10 +111,10 @@ void Front::link_sectors() {
 int Front::add_node(Vec2 p) {
   NodePlace at{p, {}, {}, {}};
   region.evaluate(p, at.x, at.xp, at.xq);
-  return add_node(at);
+  return add_placed_node(at);
 }
 
-int Front::add_node(const NodePlace& at) {
+int Front::add_placed_node(const NodePlace& at) {
   int node = mesh.add_node(at.p, at.x, at.xp, at.xq, region.target(at.p));
   out_facet_.push_back(-1);
   sectors_.push_back(0);
@@ -394,7 +394,7 @@ void Front::slide(int node, Vec2 p) {
   const Vec2 by = p - mesh.p[node];
   const Vec3 step = by.x * mesh.xp[node] + by.y * mesh.xq[node];
   mesh.p[node] = p;
-  mesh.drift[node] += static_cast<float>(norm(step) / mesh.h[node]);
+  mesh.drift[node] += static_cast<float>(norm(step) / mesh.scale_at(node));
   if (mesh.drift[node] <= most_drift) {
     mesh.x[node] += step;
   } else {

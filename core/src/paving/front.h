@@ -53,7 +53,7 @@ class Front {
   /// New node at p, not yet in the void.
   int add_node(Vec2 p);
   /// The same where the surface has been evaluated there.
-  int add_node(const NodePlace& at);
+  int add_placed_node(const NodePlace& at);
   /// Takes back the node added last.
   void drop_last_node();
   /// Angle of the void at facet f's end node, radians in (0, 2 pi). Between two boundary facets it is that of the true

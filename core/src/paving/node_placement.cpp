@@ -154,7 +154,7 @@ Granted grant(Front& front, const Wish& wish, int start, int avoid_a, int avoid_
   int node = near_node(front, wish, where.triangle, p, at.x, avoid_a, avoid_b, nearest);
   if (node >= 0) return {node, false};
   if (nearest < 0.2 * std::min(wish.length, wish.width)) return {};
-  int fresh = front.add_node(at);
+  int fresh = front.add_placed_node(at);
   mesh.h[fresh] = graded_target(front, wish.base, length, p);
   return {fresh, true};
 }

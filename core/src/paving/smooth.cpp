@@ -7,7 +7,7 @@ namespace paver {
 namespace {
 
 constexpr double good_jacobian = 0.7;  // above this a node may trade shape for length
-constexpr double still = 0.01;         // step by the target length that is not worth it
+constexpr double still = 0.01;         // step by the scale of the mesh that is not worth it
 
 Vec3 quad_wish(const RegionMesh& mesh, const Element& e, int k) {
   Vec3 x0 = mesh.x[e.v[0]], x1 = mesh.x[e.v[1]], x2 = mesh.x[e.v[2]], x3 = mesh.x[e.v[3]];
@@ -49,7 +49,7 @@ bool smooth_node(Front& front, int node) {
   RegionMesh& mesh = front.mesh;
   const NodePlace old = mesh.place(node);
   const Vec3 step = ideal_position(mesh, node) - old.x;
-  if (norm(step) < still * mesh.h[node]) return false;
+  if (norm(step) < still * mesh.scale_at(node)) return false;
   double before = -2;  // worst scaled Jacobian; worked out when needed
   for (double share : {1.0, 0.4, 0.15}) {
     Vec2 p = front.region.chart->walk(old.p, mesh.pull_back(node, share * step));

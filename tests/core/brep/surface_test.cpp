@@ -8,6 +8,7 @@
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Ellipse.hxx>
@@ -20,6 +21,7 @@
 #include <Geom_ToroidalSurface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TColStd_Array2OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
@@ -132,6 +134,45 @@ TEST(SurfaceEvaluator, AgreesWithTheKernelOnOtherSurfaces) {
   expect_same_as_kernel(placed_face(new Geom_SurfaceOfLinearExtrusion(ellipse, gp_Dir(1, 2, 3)), 0.2, 4, 0.1, 3),
                         SurfaceKind::extrusion);
   expect_same_as_kernel(placed_face(new Geom_OffsetSurface(wavy_patch(), 0.01), 0, 1, 0, 1), SurfaceKind::offset);
+}
+
+/// A rational surface of degrees 8 and `degree`, with a double knot in v, weights between 0.5 and 1.5.
+Handle(Geom_BSplineSurface) rational_patch(int degree) {
+  const int rows = 9, columns = 2 * degree + 3;
+  TColgp_Array2OfPnt poles(1, rows, 1, columns);
+  TColStd_Array2OfReal weights(1, rows, 1, columns);
+  for (int i = 1; i <= rows; ++i)
+    for (int j = 1; j <= columns; ++j) {
+      poles(i, j) = gp_Pnt(i, j, std::sin(3 * i) * std::cos(2 * j));
+      weights(i, j) = 1 + 0.5 * std::sin(i + 5 * j);
+    }
+  TColStd_Array1OfReal u_knots(1, 2), v_knots(1, 3 + degree / 2);
+  TColStd_Array1OfInteger u_counts(1, 2), v_counts(1, 3 + degree / 2);
+  for (int i = 1; i <= 2; ++i) u_knots(i) = i, u_counts(i) = 9;
+  int left = columns + degree + 1 - 2 * (degree + 1), inner = v_knots.Length() - 2;
+  for (int i = 1; i <= v_knots.Length(); ++i) {
+    bool is_end = i == 1 || i == v_knots.Length();
+    v_knots(i) = 0.3 * i * i;
+    v_counts(i) = is_end ? degree + 1 : i - 1 < inner ? left / inner : left - (inner - 1) * (left / inner);
+  }
+  return new Geom_BSplineSurface(poles, weights, u_knots, v_knots, u_counts, v_counts, 8, degree);
+}
+
+TEST(SurfaceEvaluator, AgreesWithTheKernelOnSplinesOfAllKinds) {
+  for (int degree : {2, 3, 5}) {
+    Handle(Geom_BSplineSurface) patch = rational_patch(degree);
+    double u0, u1, v0, v1;
+    patch->Bounds(u0, u1, v0, v1);
+    expect_same_as_kernel(placed_face(patch, u0, u1, v0, v1), SurfaceKind::bspline);
+  }
+  Handle(Geom_BSplineSurface) ring = GeomConvert::SurfaceToBSplineSurface(new Geom_ToroidalSurface(axes(true), 4, 1.5));
+  ASSERT_TRUE(ring->IsUPeriodic() && ring->IsVPeriodic() && ring->IsURational());
+  expect_same_as_kernel(placed_face(ring, 0.1, 5, 0.2, 3), SurfaceKind::bspline);
+  TColgp_Array2OfPnt poles(1, 2, 1, 8);
+  TColStd_Array2OfReal weights(1, 2, 1, 8);
+  for (int i = 1; i <= 2; ++i)
+    for (int j = 1; j <= 8; ++j) poles(i, j) = gp_Pnt(3 * i, j, std::sin(i * j)), weights(i, j) = 1 + 0.1 * i * (j % 3);
+  expect_same_as_kernel(placed_face(new Geom_BezierSurface(poles, weights), 0, 1, 0, 1), SurfaceKind::bezier);
 }
 
 TEST(SurfaceEvaluator, LooksUnderTrims) {

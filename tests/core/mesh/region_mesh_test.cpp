@@ -127,5 +127,22 @@ TEST(RegionMesh, ScaledJacobianHasKnownValues) {
   EXPECT_NEAR(jacobian_of({{5, 7, 0}, {5, 7, -4}, {5, 11, -4.8}, {5, 11, 0}}), flat, 1e-14);  // turned and scaled
 }
 
+TEST(ScaledJacobian, IsToldFromABoundWithoutRoots) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> jitter(-0.6, 0.6);
+  for (int i = 0; i < 2000; ++i) {
+    RegionMesh mesh;
+    for (Vec2 p : {Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}, Vec2{0, 1}})
+      mesh.add_node(p, {p.x + jitter(random), p.y + jitter(random), jitter(random)}, {1, 0, 0}, {0, 1, 0}, 1);
+    for (const Element& e : {Element{{0, 1, 2, 3}}, Element{{0, 1, 2, -1}}}) {
+      double sj = scaled_jacobian(mesh, e);
+      for (double bound : {0.2, 0.7, sj + 1e-9, sj - 1e-9})
+        if (bound > 0) {
+          EXPECT_EQ(has_jacobian(mesh, e, bound), sj >= bound);
+        }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace paver

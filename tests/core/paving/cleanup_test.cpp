@@ -140,6 +140,8 @@ TEST(CleanUp, stops_when_cancelled) {
   EXPECT_THROW(clean_up(grid.front, progress), Error);
 }
 
+bool any_change(double, std::span<const int>, int) { return true; }
+
 TEST(MeshEdit, takes_every_change_back_exactly) {
   Grid grid(5);
   MeshEdit edit(grid.front);
@@ -147,7 +149,7 @@ TEST(MeshEdit, takes_every_change_back_exactly) {
   const auto elements = sorted_elements(grid.mesh);
   const std::vector<Vec2> places = grid.mesh.p;
   int tried = 0;
-  moves.each(grid.at(2, 2), [&](const Change& change) {
+  moves.each(grid.at(2, 2), any_change, [&](const Change& change, double) {
     if (edit.apply(change)) {
       ++tried;
       edit.settle({});
@@ -173,7 +175,7 @@ TEST(MeshEdit, reports_the_energy_it_changes) {
   };
   const double before = sum();
   EXPECT_EQ(before, 0);
-  moves.each(grid.at(2, 2), [&](const Change& change) {
+  moves.each(grid.at(2, 2), any_change, [&](const Change& change, double) {
     double gain = edit.energy_gain(change);
     if (edit.apply(change)) {
       EXPECT_DOUBLE_EQ(sum(), before + gain);
@@ -181,6 +183,35 @@ TEST(MeshEdit, reports_the_energy_it_changes) {
     edit.roll_back(0);
     return false;
   });
+}
+
+// At the border, next to it and about irregular nodes with a triangle.
+TEST(Moves, know_the_energy_of_a_change_before_they_make_it) {
+  Grid grid(6);
+  auto v = [&](int i, int j) { return grid.at(i, j); };
+  grid.replace(2, 2, 2, {{v(2, 2), v(3, 2), v(4, 2), v(4, 3)}, {v(4, 3), v(3, 3), v(2, 3), v(2, 2)}});
+  grid.replace(1, 4, 1, {{v(1, 4), v(2, 4), v(2, 5), -1}, {v(1, 4), v(2, 5), v(1, 5), -1}});
+  MeshEdit edit(grid.front);
+  Moves moves(edit);
+  int seen = 0;
+  for (int node = 0; node < grid.mesh.node_count(); ++node) {
+    double offered = 0;
+    std::size_t gone = 0;
+    int made = 0;
+    auto wanted = [&](double gain, std::span<const int> elements, int count) {
+      offered = gain, gone = elements.size(), made = count;
+      return true;
+    };
+    moves.each(node, wanted, [&](const Change& change, double gain) {
+      ++seen;
+      EXPECT_NEAR(gain, edit.energy_gain(change), 1e-6);
+      EXPECT_EQ(gain, offered);
+      EXPECT_EQ(change.gone.size(), gone);
+      EXPECT_EQ(static_cast<int>(change.made.size()), made);
+      return false;
+    });
+  }
+  EXPECT_GT(seen, 1000);
 }
 
 TEST(MeshEdit, refuses_an_element_with_one_boundary_node_twice) {

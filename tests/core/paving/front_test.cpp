@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "support/fake_model.h"
 #include "support/planar_region.h"
 #include "support/validate.h"
 
@@ -199,6 +200,28 @@ TEST(Front, NodesMoveOnlyWhereNothingTurnsOver) {
   t.region.evaluate({1.2, 1.3}, x, xp, xq);
   t.front.set_position(inner, {1.2, 1.3}, x, xp, xq);
   EXPECT_EQ(front_faults(t.front), "");
+}
+
+TEST(Front, SlidesStayNearTheSurfaceAndEndOnIt) {
+  constexpr double radius = 3;
+  Region region = test::planar_region({rectangle(4, 4)}, 1);
+  region.surface = std::make_shared<fake::Cylinder>(radius);
+  RegionMesh mesh;
+  Front front(region, mesh);
+  auto off = [&] { return std::fabs(std::hypot(mesh.x[0].x, mesh.x[0].y) - radius); };
+  front.add_node({0, 0});
+  mesh.h[0] = 1;
+  mesh.star[0].add(mesh.add_element({0, -1, -1, -1}));
+  for (int i = 1; i <= 20; ++i) {
+    front.slide(0, {0.01 * i, 0.3});  // a fifth of the target length is 0.067
+    EXPECT_LT(off(), 0.01);
+    if (i == 5) {
+      EXPECT_GT(off(), 1e-6);
+    }
+  }
+  front.end_slides();
+  EXPECT_LT(off(), 1e-12);
+  EXPECT_EQ(mesh.p[0], (Vec2{0.2, 0.3}));
 }
 
 TEST(Front, GivesAwayTheVoidOfOneLoop) {
