@@ -40,7 +40,7 @@ class MeshEdit {
   static constexpr double triangle_energy = 3;
   /// Energy that one unit of spread is worth: the sum of ((r - 1/r) / 2)^2 over the sides of elements, r their length
   /// by the target length; a side far off counts no more than one at the border of hope: narrow strips stay regular.
-  static constexpr double spread_price = 3.3;
+  static constexpr double spread_price = 3.8;
 
   explicit MeshEdit(Front& front);
 
