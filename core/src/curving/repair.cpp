@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::array<double, 3> straightening = {0.5, 0.75, 1.0};
 constexpr int passes = 2;
-constexpr int most_depth = 2;  // a straightened element may ask its neighbours, and these theirs, to follow
+// A straightened element may ask its neighbours, and these theirs, to follow; further where nothing else is left.
+constexpr int most_depth = 2, most_depth_at_edges = 8;
 
 struct Element {
   bool is_quad = true;
@@ -139,7 +140,9 @@ class Repairer {
     for (const Element& other : neighbours) {
       if (is_valid(other)) continue;
       if (other.is_quad) recentre(other);
-      if (!is_valid(other) && (depth == most_depth || !straighten(other, depth + 1))) return false;
+      if (!is_valid(other) &&
+          (depth == (moves_edges_ ? most_depth_at_edges : most_depth) || !straighten(other, depth + 1)))
+        return false;
     }
     return true;
   }
