@@ -30,13 +30,13 @@ constexpr double dearest = 2.5, dearest_turn = 0.5, likely_share = 0.25, least_f
 constexpr double even_jacobian = 0.6;  // least scaled Jacobian such a change may leave
 constexpr double uneven = 0.25;        // spread about a regular node from which on it is looked at
 constexpr double worst_goal = 0.74;
-// A triangle goes whatever it costs in energy, and for elements half as long.
-constexpr Demand triangle_demand{-100, 0.3, 0.4, 0};
+// A triangle goes whatever it costs in energy, and for elements half as long or nearly twice.
+constexpr Demand triangle_demand{.gain = -100, .jacobian = 0.3, .shortest = 0.4, .longest = 1.9};
 // Where triangles are not wanted at all, in this order.
 constexpr Demand all_quad_demands[] = {{-100, 0.2, 0.2, 0}, {-1e6, 0.05, 0.05, 0}, {-1e9, 1e-3, 1e-3, 0}};
 constexpr int most_partners = 8;  // other triangles tried for one
 // An element this poor may go at the cost of some energy when the worst about it rises.
-constexpr double poor_jacobian = 0.25, most_energy = 4;
+constexpr double poor_jacobian = 0.6, most_energy = 4;
 constexpr Demand mending_demand{-100, 0.45, 0.4, 0.1};
 
 class CleanUp {

@@ -10,7 +10,6 @@
 namespace paver {
 namespace {
 
-constexpr double longest = 1.6;              // edge length by the target length that an edit may leave
 constexpr double widest = 155 * M_PI / 180;  // corner angle above which an element is as good as degenerate
 constexpr int local_sweeps = 4;
 constexpr double early_share = 0.3;  // of the fall in spread that a dear change must show after one sweep
@@ -333,7 +332,7 @@ bool MeshEdit::settle(const Demand& demand) {
   if (demand.rise > 0 && after.jacobian < before.jacobian + demand.rise) return false;
   return after.jacobian >= std::min(demand.jacobian, before.jacobian) &&
          after.shortest >= std::min(demand.shortest, before.shortest) &&
-         after.longest <= std::max(longest, before.longest);
+         after.longest <= std::max(demand.longest, before.longest);
 }
 
 }  // namespace paver

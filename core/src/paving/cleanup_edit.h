@@ -30,6 +30,7 @@ struct Demand {
   double shortest = 0.55;  ///< least edge length by the target length
   double rise = 0;         ///< by how much the worst scaled Jacobian must rise, or 0
   double fall = 0;         ///< by how much energy and spread together must fall
+  double longest = 1.6;    ///< largest edge length by the target length
 };
 
 /// Journal over the mesh of a front that has no void left. The energy of a node

@@ -46,6 +46,30 @@ void Front::add_start_loop(const std::vector<int>& nodes) {
   start_loops.push_back(base);
 }
 
+int Front::add_boundary_node(const std::vector<LoopNode>& loop, std::size_t i) {
+  const std::size_t n = loop.size();
+  int node = add_loop_node(loop[i], 0.5 * (loop[(i + 1) % n].p + loop[(i + n - 1) % n].p), true);
+  true_angle_.resize(node, -1);
+  true_angle_.push_back(loop[i].angle);
+  return node;
+}
+
+std::optional<Crossing> Front::start_at(const std::vector<std::vector<int>>& loops) {
+  std::map<int, std::vector<int>> known;
+  for (int node = 0; node < mesh.node_count(); ++node)
+    if (mesh.global[node] >= 0) known[mesh.global[node]].push_back(node);
+  auto node_at = [&](const LoopNode& at) {
+    const std::vector<int>& nodes = known[at.global];
+    return *std::min_element(nodes.begin(), nodes.end(),
+                             [&](int a, int b) { return norm(mesh.p[a] - at.p) < norm(mesh.p[b] - at.p); });
+  };
+  for (const auto& loop : region.loops)
+    for (std::size_t i = 0, n = loop.size(); i < n; ++i)
+      boundary.push_back({node_at(loop[i]), node_at(loop[(i + 1) % n]), loop[i].edge});
+  for (const std::vector<int>& nodes : loops) add_start_loop(nodes);
+  return open_void();
+}
+
 std::optional<Crossing> Front::start(std::optional<double> sharpest_tip) {
   // Loops that touch in a vertex share one node; the two sides of a cut do not.
   std::map<int, std::vector<int>> made;
@@ -57,10 +81,8 @@ std::optional<Crossing> Front::start(std::optional<double> sharpest_tip) {
       for (int other : made[loop[i].global])
         if (norm(mesh.p[other] - loop[i].p) <= 1e-9 * norm(loop[(i + 1) % n].p - loop[i].p)) node = other;
       if (node < 0) {
-        node = add_loop_node(loop[i], 0.5 * (loop[(i + 1) % n].p + loop[(i + n - 1) % n].p), true);
+        node = add_boundary_node(loop, i);
         made[loop[i].global].push_back(node);
-        true_angle_.resize(node, -1);
-        true_angle_.push_back(loop[i].angle);
       }
       nodes.push_back(node);
     }
@@ -82,6 +104,10 @@ std::optional<Crossing> Front::start(std::optional<double> sharpest_tip) {
     add_start_loop(nodes);
     for (int i = 0; i < n; i += 2) mesh.add_element({centre, first + i, first + i + 1, first + (i + 2) % n});
   }
+  return open_void();
+}
+
+std::optional<Crossing> Front::open_void() {
   true_angle_.resize(mesh.node_count(), -1);
   out_facet_.assign(mesh.node_count(), -1);
   sectors_.assign(mesh.node_count(), 0);

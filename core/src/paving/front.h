@@ -33,6 +33,11 @@ class Front {
  public:
   Front(const Region& region, RegionMesh& mesh);
 
+  /// For a mesh that is there already: triangulates the void between `loops` of its nodes, void on the left. Boundary
+  /// facets are taken from the region's loops and found by their nodes.
+  std::optional<Crossing> start_at(const std::vector<std::vector<int>>& loops);
+  /// Adds a boundary node of the region.
+  int add_boundary_node(const std::vector<LoopNode>& loop, std::size_t i);
   /// Triangulates the void inside the region's loops; with `sharpest_tip` (radians) acute corners from there on are
   /// filled first (tips.h). Returns facet numbers when loops cross or touch.
   std::optional<Crossing> start(std::optional<double> sharpest_tip = std::nullopt);
@@ -107,6 +112,7 @@ class Front {
   struct Outline;
   void link_sectors();
   int add_loop_node(const LoopNode& node, Vec2 towards, bool is_fixed);
+  std::optional<Crossing> open_void();
   void add_start_loop(const std::vector<int>& nodes);
   bool find_outline(int f, int c, int d, Outline& o);
   void collect_fan(int f, std::vector<int>& fan) const;

@@ -10,7 +10,8 @@ constexpr double deg = M_PI / 180;
 constexpr double wedge_turn = 70 * deg, wedge_ratio = 1.25, wedge_ratio_first = 1.35;
 constexpr double wedge_ratio_long = 1.12, wedge_excess = 1.5;  // of facets; a wedge takes two
 constexpr double tuck_turn = 70 * deg, tuck_ratio = 0.8, tuck_turn_small = 52 * deg, tuck_ratio_small = 0.3;
-constexpr double tuck_lack = 2;  // of facets, as many as a tuck takes
+constexpr double tuck_lack = 2;           // of facets, as many as a tuck takes
+constexpr double tuck_least_ratio = 0.6;  // finer rows are so by their boundary: no tuck brings them near the target
 
 constexpr double narrow = 0.4;  // facets shorter than this part of the row's height: directions over a wider stretch
 
@@ -69,7 +70,7 @@ class RowAdjuster {
         change(most_, NodeState::corner, front_.counts.wedges);
       } else if (!is_first && ((turn_ < -tuck_turn && ratio < tuck_ratio) ||
                                (turn_ < -tuck_turn_small && ratio < tuck_ratio_small) ||
-                               (turn_ < 0 && ratio < tuck_ratio && excess < -tuck_lack))) {
+                               (turn_ < 0 && ratio > tuck_least_ratio && ratio < tuck_ratio && excess < -tuck_lack))) {
         change(least_, NodeState::end, front_.counts.tucks);
       }
     }

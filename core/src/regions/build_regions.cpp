@@ -28,7 +28,7 @@ class RegionBuilder {
       return;
     }
     Region region = make_region();
-    bool is_polar = layout_.kind == LayoutKind::polar;
+    bool is_polar = region.goes_round = layout_.kind == LayoutKind::polar;
     region.chart = is_polar ? make_polar_chart(*region.surface, layout_.box, layout_.period)
                             : make_row_chart(*region.surface, layout_.box);
     for (const Loop& loop : loops) add_loop(loop, region);
@@ -177,6 +177,7 @@ class RegionBuilder {
     low.hi.y = high.lo.y = layout_.cut;
     low.high_pole = high.low_pole = false;
     Region a = make_region(), b = make_region();
+    a.goes_round = b.goes_round = true;
     a.chart = make_polar_chart(*a.surface, low, layout_.period);
     b.chart = make_polar_chart(*b.surface, high, layout_.period);
     for (const Loop& loop : loops) {

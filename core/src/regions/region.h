@@ -46,6 +46,7 @@ struct Region {
   int face = -1;
   std::shared_ptr<const Surface> surface;  ///< this region's own evaluator
   std::shared_ptr<const Chart> chart;
+  bool goes_round = false;  ///< about the chart's origin, which is a pole or no point of the surface
   FaceSize size{1};
   double h = 1;  ///< target length of the run
   double gradation = 0.3;

@@ -1,0 +1,94 @@
+#include "paving/small_holes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "paving/pave_region.h"
+#include "support/planar_region.h"
+#include "support/validate.h"
+
+namespace paver {
+namespace {
+
+using test::circle;
+using test::divided;
+using test::planar_region;
+using test::reversed;
+
+std::vector<Vec2> square(double side, double h) { return divided({{0, 0}, {side, 0}, {side, side}, {0, side}}, h); }
+
+std::vector<Vec2> hole(Vec2 at, double radius, int n) { return reversed(circle(at, radius, n)); }
+
+struct Figures {
+  long elements = 0, triangles = 0, irregular = 0;
+  double worst = 1;
+};
+
+Figures pave(const Region& region) {
+  PavedRegion paved = pave_region(region, Progress());
+  EXPECT_EQ(test::paved_faults(region, paved.mesh), "");
+  Figures figures;
+  const RegionMesh& mesh = paved.mesh;
+  for (const Element& e : mesh.elements) {
+    if (!e.is_alive()) continue;
+    ++figures.elements;
+    figures.triangles += e.corners() == 3;
+    figures.worst = std::min(figures.worst, scaled_jacobian(mesh, e));
+  }
+  for (int v = 0; v < mesh.node_count(); ++v)
+    figures.irregular += mesh.star[v].size() > 0 && !mesh.is_fixed[v] && mesh.star[v].size() != 4;
+  return figures;
+}
+
+TEST(SmallHoles, AreThoseOfFewFacetsFarFromOthers) {
+  std::vector<Vec2> outer = square(20, 1);
+  Region region = planar_region({outer, hole({5, 5}, 0.4, 6), hole({10, 14}, 2.5, 16), hole({2, 16}, 0.4, 6),
+                                 hole({15, 5}, 0.5, 7), hole({14.8, 9.7}, 0.2, 6), hole({15.3, 9.7}, 0.2, 6)},
+                                1);
+  EXPECT_EQ(small_holes(region), (std::vector<std::size_t>{1})) << "many facets, at the border, odd, two side by side";
+  EXPECT_EQ(without_holes(region, {1}).loops.size(), region.loops.size() - 1);
+}
+
+TEST(SmallHoles, TheAxisOfATubeIsNone) {
+  Region region = planar_region({circle({0, 0}, 10, 62), hole({0, 0}, 1, 8)}, 1);
+  EXPECT_EQ(small_holes(region).size(), 1u);
+  region.goes_round = true;
+  EXPECT_TRUE(small_holes(region).empty());
+}
+
+TEST(SmallHoles, LeaveTheGridOfAPlateAsItIs) {
+  const int n = 30;
+  std::vector<std::vector<Vec2>> loops{square(n, 1)};
+  for (double y : {8.2, 22.6})
+    for (double x : {7.5, 21.0}) loops.push_back(hole({x, y}, 0.8, 6));
+  Figures figures = pave(planar_region(loops, 1));
+  EXPECT_EQ(figures.triangles, 0);
+  EXPECT_LE(figures.irregular, 4 * 8);
+  EXPECT_NEAR(static_cast<double>(figures.elements), n * n, 0.04 * n * n);
+  EXPECT_GT(figures.worst, 0.6);
+}
+
+TEST(SmallHoles, LeaveTheCoreOfADiscAsItIs) {
+  Region region = planar_region({circle({0, 0}, 20, 126), hole({5, 3}, 0.3, 6)}, 1);
+  region.gradation = 0.6;
+  for (LoopNode& node : region.loops[0]) node.angle = std::numbers::pi;
+  Figures figures = pave(region);
+  EXPECT_EQ(figures.triangles, 0);
+  EXPECT_LE(figures.irregular, 4 + 16);
+  EXPECT_GT(figures.worst, 0.6);
+}
+
+TEST(SmallHoles, MayBeOfAnyWidthUpToTheirLimit) {
+  for (int n : {4, 6, 8, 10, 12})
+    for (double radius : {0.02, 0.2, 0.16 * n}) {
+      SCOPED_TRACE(testing::Message() << n << " facets, radius " << radius);
+      Figures figures = pave(planar_region({square(16, 1), hole({7.6, 8.3}, radius, n)}, 1));
+      EXPECT_EQ(figures.triangles, 0);
+      EXPECT_GT(figures.worst, 0.3);
+    }
+}
+
+}  // namespace
+}  // namespace paver
