@@ -77,6 +77,7 @@ def decisive(obj):
 
 def put(obj, options):
     """Sets properties from {option: value}, values as paver.mesh takes them: numbers, text with a unit, quantities.
+    What excludes one of them, as a frequency does a size, is reset unless it is among them too.
 
     ValueError, in one sentence, for a value that the property cannot have or an option that is not there.
     """
@@ -88,9 +89,13 @@ def put(obj, options):
             value = number_of(name, table[name]["kind"], value)
         try:
             setattr(obj, property_name(name), value)
-        except (ValueError, TypeError, OverflowError, ArithmeticError) as error:
-            raise ValueError(f"{name} of '{obj.Label}' cannot be {value!r} ({error}); "
-                             f"write {table[name]['help'][0].lower() + table[name]['help'][1:]}.") from None
+        except Exception:  # FreeCAD raises all sorts, with texts for programmers
+            raise ValueError(f"{name} of '{obj.Label}' cannot be {value!r}; it is: "
+                             f"{table[name]['help']}.") from None
+    for info in table.values():
+        for one, other in ((info["name"], info["excludes"]), (info["excludes"], info["name"])):
+            if one in options and other and other not in options:
+                setattr(obj, property_name(other), initial(table[other]))
 
 
 def number_of(name, kind, text):

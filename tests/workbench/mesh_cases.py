@@ -85,6 +85,10 @@ class Properties(InDocument):
         self.assertEqual((given["frequency"], given["divisions"], given["order"]), (9e9, 8.0, 1))
         self.assertAlmostEqual(given["max_turn"], 28.6478897565)
         self.assertEqual(obj.Frequency.getValueAs("GHz").Value, 9)
+        properties.put(obj, {"size": "1 in"})
+        self.assertEqual((obj.Size.Value, obj.Frequency.Value), (25.4, 0))
+        properties.put(obj, {"frequency": 1e9})
+        self.assertEqual((obj.Size.Value, obj.Frequency.Value), (0, 1e9))
 
     def test_bad_options_are_refused_in_one_sentence(self):
         for options, word in (({"sise": 3}, "sise"), ({"order": "two"}, "order"), ({"size": "3 kg"}, "size"),
