@@ -7,3 +7,4 @@ if CASES not in sys.path:
     sys.path.append(CASES)
 
 from addon_cases import *  # noqa: E402, F401, F403
+from mesh_cases import *  # noqa: E402, F401, F403

@@ -109,7 +109,8 @@ def options():
     """The options of mesh() and predict(), in order.
 
     Dicts with `name`, `kind` (length, frequency, angle, number, integer, choice), `letter` (stands for the value in
-    help texts), `help`, `default` (text, maybe empty), `needs`, `excludes` (another option's name, or empty), `choices`.
+    help texts), `help`, `default` (text, maybe empty), `needs`, `excludes` (another option's name, or empty), `choices`,
+    `may_be_zero` (without a default: 0 is a value of its own, which a form must not use for "none").
     """
     return _paver.options()
 

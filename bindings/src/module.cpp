@@ -100,6 +100,7 @@ py::list options() {
     entry["default"] = info.default_text;
     entry["needs"] = info.needs;
     entry["excludes"] = info.excludes;
+    entry["may_be_zero"] = info.may_be_zero;
     entry["choices"] = info.choices;
     list.append(entry);
   }

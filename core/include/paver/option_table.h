@@ -31,6 +31,7 @@ struct OptionInfo {
   std::string default_text;          ///< as the text of a value; empty: none, or as `help` says
   std::string needs, excludes;       ///< name of another option, or empty
   std::vector<std::string> choices;  ///< of OptionKind::choice
+  bool may_be_zero = false;  ///< without a default: 0 is a value of its own, which a form must not use for "none"
 };
 
 /// All options, in the order in which they are listed to users.

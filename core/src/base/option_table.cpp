@@ -113,7 +113,8 @@ std::vector<Entry> other_entries(const Options& d) {
         "",
         "",
         "",
-        {}},
+        {},
+        true},
        [](Options& o, const Value& v) { o.sew_tolerance = v.number; }},
   };
 }

@@ -65,6 +65,22 @@ TEST(ReadOptions, DefaultsInTheTableAreThoseOfOptions) {
   EXPECT_EQ(read.gradation, defaults.gradation);
 }
 
+/// A form that shows options as numbers needs to know when 0 cannot stand for "none".
+TEST(OptionTable, SaysWhereZeroIsAValue) {
+  for (const OptionInfo& info : option_table()) {
+    if (!info.default_text.empty()) continue;
+    bool is_accepted = true;
+    try {
+      Options options = read_options({{info.name, "0"}});
+      if (!options.size && !options.frequency) options.size = 1;
+      check(options);
+    } catch (const Error&) {
+      is_accepted = false;
+    }
+    EXPECT_EQ(info.may_be_zero, is_accepted) << info.name;
+  }
+}
+
 TEST(ReadOptions, RefusesWhatIsNotOfTheKindAndSaysHowToWriteIt) {
   EXPECT_EQ(refusal({{"size", "five"}}), "size is 'five'; write it like 30, 30mm, 1.5in or 2m.");
   EXPECT_EQ(refusal({{"size", "1"}, {"order", "1.5"}}), "order is '1.5'; write it like 2, a whole number.");

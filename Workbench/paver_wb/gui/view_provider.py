@@ -1,0 +1,24 @@
+"""How a mesh object looks in the tree and in the 3D view. Documents name this module and MeshViewProvider."""
+import os
+
+from paver_wb.gui.paths import ICONS
+
+
+class MeshViewProvider:
+    """View provider of a mesh object. Nothing of it is stored but its name."""
+
+    def __init__(self, vobj):
+        vobj.Proxy = self
+        vobj.BackfaceCulling = False  # an open surface has two sides
+
+    def getIcon(self):
+        return os.path.join(ICONS, "Paver_CreateMesh.svg")
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads

@@ -1,0 +1,248 @@
+"""Meshing without a window: opens models, meshes, saves, exports, reports. Workbench/mesh.FCMacro runs main()."""
+import argparse
+import json
+import os
+import sys
+
+import FreeCAD
+
+from paver_wb import core, fem_mesh, mesh_object, meshing, properties
+
+OWN_FORMATS, FEM_FORMATS = ("msh", "vtu"), ("unv", "inp", "med")
+INTERNAL, USAGE, INPUT, FACE_FAILED, LIMIT, OUTPUT, CANCELLED = 1, 2, 3, 4, 5, 6, 130  # as the command line has them
+EXIT_CODES = {"bad_option": USAGE, "file_missing": INPUT, "not_a_cad_file": INPUT, "damaged_file": INPUT,
+              "no_faces": INPUT, "face_failed": FACE_FAILED, "too_many_elements": LIMIT, "unwritable_output": OUTPUT,
+              "cancelled": CANCELLED}
+EPILOG = ("Exit codes: 0 all is meshed, 1 internal error, 2 bad usage or option, 3 bad model, 4 some face failed, "
+          "5 more elements predicted than allowed, 6 an output cannot be written, 130 cancelled; of several the first.")
+
+
+class JobError(Exception):
+    """One sentence, and the exit code."""
+
+    def __init__(self, text, exit_code):
+        super().__init__(text)
+        self.exit_code = exit_code
+
+
+def parser():
+    """Arguments; those of the mesh come from the core's table of options."""
+    made = argparse.ArgumentParser(prog="freecadcmd mesh.FCMacro --", allow_abbrev=False, epilog=EPILOG,
+                                   description="Meshes FreeCAD documents and CAD files without a window.")
+    made.add_argument("models", nargs="+", metavar="MODEL", help="document (.FCStd) or CAD file (STEP, IGES, BREP)")
+    made.add_argument("--objects", metavar="A,B", type=names_of, help="mesh objects, or objects to mesh, by name or "
+                      "label [all mesh objects of a document]")
+    made.add_argument("--save", action="store_true", help="save the document; that of a CAD file as NAME-mesh.FCStd")
+    made.add_argument("--export", metavar="F,G", type=names_of, default=[],
+                      help="files to write for each mesh: " + ", ".join(OWN_FORMATS + FEM_FORMATS))
+    made.add_argument("--folder", metavar="DIR", help="for exports and documents of CAD files [that of the model]")
+    made.add_argument("--report", metavar="R.json", help="report of all runs")
+    group = made.add_argument_group("options of the mesh, in place of those of the mesh objects")
+    for info in core.load().options():
+        default = f" [{info['default']}]" if info["default"] else ""
+        group.add_argument("--" + info["name"].replace("_", "-"), metavar=info["letter"],
+                           help=(info["help"] + default).replace("%", "%%"))
+    return made
+
+
+def names_of(text):
+    return [name.strip() for name in text.split(",") if name.strip()]
+
+
+def check_arguments(arguments):
+    """JobError for what can be seen before any work."""
+    bad = [name for name in arguments.export if name not in OWN_FORMATS + FEM_FORMATS]
+    if bad:
+        raise JobError(f"--export has '{bad[0]}'; write some of {', '.join(OWN_FORMATS + FEM_FORMATS)}.", USAGE)
+    stems = [output_stem(arguments, path) for path in arguments.models]
+    twice = [path for path, stem in zip(arguments.models, stems) if stems.count(stem) > 1]
+    if twice and (arguments.export or arguments.save):
+        raise JobError(f"The outputs of {' and '.join(twice)} would have the same names; run them one by one with "
+                       "another --folder.", USAGE)
+    folders = {os.path.dirname(stem) for stem in stems}
+    if arguments.report:
+        folders.add(os.path.dirname(os.path.abspath(arguments.report)))
+    missing = [folder for folder in sorted(folders) if not os.path.isdir(folder)]
+    if missing and (arguments.folder or arguments.report):
+        raise JobError(f"The folder {missing[0]} does not exist; make it, or name another.", OUTPUT)
+
+
+def output_stem(arguments, path):
+    stem = os.path.splitext(os.path.basename(path))[0]
+    return os.path.join(os.path.abspath(arguments.folder or os.path.dirname(path) or "."), stem)
+
+
+def is_document(path):
+    return path.lower().endswith(".fcstd")
+
+
+def open_model(path):
+    """The document of a file; for a CAD file a new one with its shape as the only object."""
+    if not os.path.isfile(path):
+        raise JobError(f"There is no file {path}; check the name.", INPUT)
+    try:
+        if is_document(path):
+            return FreeCAD.openDocument(path, hidden=True)
+        import Part
+        shape = Part.read(path)
+    except Exception as error:
+        raise JobError(f"{path} cannot be read ({str(error).strip()}); pass a document or a STEP, IGES or BREP file.",
+                       INPUT) from None
+    if shape.isNull() or not shape.Faces:
+        raise JobError(f"{path} has no faces; pass a model that has.", INPUT)
+    document = FreeCAD.newDocument("Model", hidden=True)
+    document.addObject("Part::Feature", "Shape").Shape = shape
+    return document
+
+
+def named(document, path, name):
+    """An object by its name, else by its label if that is unique."""
+    found = document.getObject(name) or (document.getObjectsByLabel(name) or [None])[0]
+    if found is None or (found.Name != name and len(document.getObjectsByLabel(name)) > 1):
+        known = ", ".join(thing.Name for thing in document.Objects)
+        what = "no object" if found is None else "several objects labelled"
+        raise JobError(f"{path} has {what} '{name}'; its objects are {known}.", USAGE)
+    return found
+
+
+def targets(document, path, names):
+    """Mesh objects to mesh; they are made for named objects that are none and for CAD files."""
+    if names:
+        things = [named(document, path, name) for name in names]
+    elif is_document(path):
+        things = mesh_object.meshes_of(document)
+        if not things:
+            raise JobError(f"{path} has no mesh object; name the objects to mesh with --objects.", USAGE)
+    else:
+        things = document.Objects
+    return [thing if mesh_object.is_mesh(thing) else mesh_object.add(document, thing, thing.Name + "Mesh")
+            for thing in things]
+
+
+def write_fem(obj, path):
+    """Writes FemMesh to `path`, whole or not at all."""
+    folder, name = os.path.split(path)
+    part = os.path.join(folder, f".{os.getpid()}-{name}")
+    try:
+        if not obj.FemMeshFilled:
+            meshing.fill(obj)
+        obj.FemMesh.write(part)
+        os.replace(part, path)
+    except fem_mesh.NoFemMesh as error:
+        raise JobError(str(error), USAGE) from None
+    except Exception as error:
+        raise JobError(f"{path} cannot be written ({str(error).strip()}); check the folder.", OUTPUT) from None
+    finally:
+        if os.path.exists(part):
+            os.remove(part)
+
+
+def export(obj, result, stem, formats):
+    """Writes the files; their paths."""
+    paths = []
+    for ending in formats:
+        path = f"{stem}.{ending}"
+        if ending in OWN_FORMATS:
+            result.write(path)
+        else:
+            write_fem(obj, path)
+        paths.append(path)
+    return paths
+
+
+def failure(error):
+    """What an exception puts into an entry of the report."""
+    code = error.exit_code if isinstance(error, JobError) else EXIT_CODES.get(getattr(error, "code", ""), INTERNAL)
+    if isinstance(error, ValueError) and not hasattr(error, "code"):
+        code = USAGE
+    return {"status": "failed", "exit_code": code, "error": str(error)}
+
+
+def run_object(obj, stem, options, formats):
+    """Meshes one object and exports it; its entry of the report."""
+    entry = {"object": obj.Name, "label": obj.Label, "status": "meshed", "exit_code": 0, "error": None, "files": [],
+             "report": None}
+    try:
+        properties.put(obj, options)
+        result = meshing.mesh(obj)
+        entry["report"] = result.report
+        if obj.FailedFaces:
+            entry.update(status="faces_failed", exit_code=FACE_FAILED, error="; ".join(obj.FailedFaces))
+        entry["files"] = export(obj, result, stem, formats)
+    except Exception as error:
+        entry.update(failure(error))
+    return entry
+
+
+def save(document, path, stem):
+    """Saves the document; its path."""
+    saved = path if is_document(path) else stem + "-mesh.FCStd"
+    try:
+        document.save() if is_document(path) else document.saveAs(saved)
+    except Exception as error:
+        raise JobError(f"{saved} cannot be saved ({str(error).strip()}); check the folder.", OUTPUT) from None
+    return saved
+
+
+def run_model(path, arguments, options):
+    """Entries of the report for one model. The document is closed again, whatever happens."""
+    stem, entries, document = output_stem(arguments, path), [], None
+    try:
+        document = open_model(path)
+        meshes = targets(document, path, arguments.objects)
+        for obj in meshes:
+            of_object = stem if len(meshes) == 1 and not is_document(path) else f"{stem}-{obj.Name}"
+            entries.append(run_object(obj, of_object, options, arguments.export))
+        if arguments.save and any(entry["status"] != "failed" for entry in entries):
+            entries[0]["files"].append(save(document, path, stem))
+    except Exception as error:
+        entries.append({"object": None, "label": None, "files": [], "report": None, **failure(error)})
+    finally:
+        if document is not None:
+            FreeCAD.closeDocument(document.Name)
+    return [{"model": path, **entry} for entry in entries]
+
+
+def show(entry):
+    """A line on what became of a mesh; errors go to the error output."""
+    where = entry["model"] + (f", {entry['object']}" if entry["object"] else "")
+    if entry["report"]:
+        quality = entry["report"]["quality"]
+        print(f"{where}: {quality['quads']} quads, {quality['triangles']} triangles", flush=True)
+    if entry["error"]:
+        print(f"{where}: {entry['error']}", file=sys.stderr, flush=True)
+
+
+def write_report(path, content):
+    part = f"{path}.{os.getpid()}"
+    try:
+        with open(part, "w", encoding="utf-8") as file:
+            json.dump(content, file, indent=1)
+        os.replace(part, path)
+    except OSError as error:
+        raise JobError(f"{path} cannot be written ({error.strerror}); check the folder.", OUTPUT) from None
+
+
+def main(arguments):
+    """Exit code."""
+    try:
+        arguments = parser().parse_args(arguments)
+        check_arguments(arguments)
+        options = {info["name"]: getattr(arguments, info["name"]) for info in core.load().options()
+                   if getattr(arguments, info["name"]) is not None}
+        entries = []
+        for path in arguments.models:
+            of_model = run_model(path, arguments, options)
+            entries += of_model
+            for entry in of_model:
+                show(entry)
+        code = next((entry["exit_code"] for entry in entries if entry["exit_code"]), 0)
+        if arguments.report:
+            write_report(arguments.report, {"report_version": 1, "exit_code": code, "runs": entries})
+        return code
+    except core.CoreMissing as error:
+        print(error, file=sys.stderr)
+        return INTERNAL
+    except JobError as error:
+        print(error, file=sys.stderr)
+        return error.exit_code

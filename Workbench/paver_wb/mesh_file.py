@@ -1,0 +1,89 @@
+"""The file that keeps a mesh inside a document: all that Paver made of it, elements of any order.
+
+Layout: 8 bytes MAGIC, 8 bytes length of the head (little-endian), the head (JSON), then the arrays, each at a multiple
+of 8 bytes. The head has `order`, `face_names`, `edge_names`, `report` and, for each array, `type`, `shape`, `offset`
+(from the end of the head) and `crc`. FreeCAD compresses it in the .FCStd.
+"""
+import json
+import struct
+import zlib
+from typing import NamedTuple
+
+import numpy as np
+
+MAGIC = b"PaverM1\n"
+ARRAYS = {"nodes": "<f8", "quads": "<i4", "triangles": "<i4", "quad_faces": "<i4", "triangle_faces": "<i4",
+          "lines": "<i4", "line_edges": "<i4"}
+
+
+class StoredMesh(NamedTuple):
+    """Fields as those of paver.Result; face_names are those of the groups."""
+
+    order: int
+    nodes: object
+    quads: object
+    triangles: object
+    quad_faces: object
+    triangle_faces: object
+    lines: object
+    line_edges: object
+    face_names: list
+    edge_names: list
+    report: dict
+
+
+class DamagedMesh(ValueError):
+    """A stored mesh cannot be read. The text is one sentence."""
+
+
+def of_result(result, face_names):
+    """StoredMesh of a paver.Result."""
+    arrays = {name: getattr(result, name) for name in ARRAYS}
+    return StoredMesh(order=result.order, face_names=list(face_names), edge_names=list(result.edge_names),
+                      report=result.report, **arrays)
+
+
+def padding(size):
+    return b"\0" * (-size % 8)
+
+
+def write(mesh, path):
+    """Writes a StoredMesh to `path`."""
+    head = {name: getattr(mesh, name) for name in ("order", "face_names", "edge_names", "report")}
+    head["arrays"], blocks, offset = {}, [], 0
+    for name, kind in ARRAYS.items():
+        array = np.ascontiguousarray(getattr(mesh, name), dtype=kind)
+        data = array.tobytes()
+        head["arrays"][name] = {"type": kind, "shape": array.shape, "offset": offset, "crc": zlib.crc32(data)}
+        blocks += [data, padding(len(data))]
+        offset += len(data) + len(blocks[-1])
+    text = json.dumps(head).encode()
+    text += b" " * (-len(text) % 8)
+    with open(path, "wb") as file:
+        file.write(MAGIC + struct.pack("<Q", len(text)) + text)
+        file.writelines(blocks)
+
+
+def array_of(name, entry, data):
+    kind, shape = np.dtype(entry["type"]), tuple(entry["shape"])
+    size = kind.itemsize * int(np.prod(shape, dtype=np.int64))
+    part = data[entry["offset"]:entry["offset"] + size]
+    if entry["type"] != ARRAYS[name] or len(part) != size or zlib.crc32(part) != entry["crc"]:
+        raise ValueError(name)
+    return np.frombuffer(part, dtype=kind).reshape(shape)
+
+
+def read(path):
+    """The StoredMesh of a file. DamagedMesh when it is not one, or not whole."""
+    with open(path, "rb") as file:
+        content = file.read()
+    try:
+        if content[:8] != MAGIC:
+            raise ValueError("head")
+        length, = struct.unpack("<Q", content[8:16])
+        head = json.loads(content[16:16 + length])
+        data = memoryview(content)[16 + length:]
+        arrays = {name: array_of(name, head["arrays"][name], data) for name in ARRAYS}
+    except (ValueError, KeyError, TypeError, struct.error) as error:
+        raise DamagedMesh(f"The mesh kept in the document is damaged ({error}); mesh the object again.") from None
+    return StoredMesh(**arrays, **{name: head[name] for name in ("order", "face_names", "edge_names", "report")})

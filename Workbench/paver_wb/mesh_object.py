@@ -1,0 +1,257 @@
+"""The mesh as an object of a document.
+
+What is kept is the file in `MeshFile`: it is saved, undone and redone. `FemMesh` is a view for solvers and for drawing,
+made from that file: FreeCAD neither undoes it nor stores more than plain quadratic elements, and takes long over it.
+
+Documents name this module and MeshProxy: neither may be moved.
+"""
+import hashlib
+import itertools
+import os
+import tempfile
+
+import FreeCAD
+
+from paver_wb import core, fem_mesh, mesh_file, properties
+
+INPUT, RESULT = "Input", "Result"
+NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = STATES = ("Not meshed", "Up to date", "Out of date")
+LINKS = ("Part", "MoreParts")
+PREFERENCES = "User parameter:BaseApp/Preferences/Mod/Paver"
+FILL_LIMIT = 50000  # elements; FreeCAD needs about a second to draw as many
+
+# name: (type, group, tooltip, editor modes)
+PROPERTIES = {
+    "Part": ("App::PropertyLinkGlobal", INPUT, "Object to mesh: a solid or a surface, an App::Part, a link", ()),
+    "MoreParts": ("App::PropertyLinkListGlobal", INPUT, "Further objects, meshed together with Part, each where it "
+                  "stands", ()),
+    "Status": ("App::PropertyEnumeration", RESULT, "Out of date: an option or an object has changed since meshing",
+               ("ReadOnly",)),
+    "Quads": ("App::PropertyInteger", RESULT, "Number of quads", ("ReadOnly",)),
+    "Triangles": ("App::PropertyInteger", RESULT, "Number of triangles", ("ReadOnly",)),
+    "Nodes": ("App::PropertyInteger", RESULT, "Number of nodes", ("ReadOnly",)),
+    "TargetLength": ("App::PropertyLength", RESULT, "Target length of the element edges", ("ReadOnly",)),
+    "WorstScaledJacobian": ("App::PropertyFloat", RESULT, "Smallest scaled Jacobian of all elements", ("ReadOnly",)),
+    "Watertight": ("App::PropertyBool", RESULT, "Every mesh edge lies in exactly two elements", ("ReadOnly",)),
+    "FailedFaces": ("App::PropertyStringList", RESULT, "Faces that could not be meshed, with the reason",
+                    ("ReadOnly",)),
+    "FemMeshFilled": ("App::PropertyBool", RESULT, "FemMesh holds the mesh: always below the limit of the preferences, "
+                      "above it on demand", ("ReadOnly",)),
+    "MeshFile": ("App::PropertyFileIncluded", RESULT, "The mesh itself, as the document keeps it", ("Hidden",)),
+    "MeshedOptions": ("App::PropertyString", RESULT, "Options that the mesh was made with", ("Hidden",)),
+    "MeshedShape": ("App::PropertyString", RESULT, "Digest of the shape that was meshed", ("Hidden",)),
+    "ShapeChanged": ("App::PropertyBool", RESULT, "The shape differs from the one that was meshed", ("Hidden",)),
+}
+
+
+def add_properties(obj):
+    """Those that are not there yet."""
+    for name, (kind, group, tooltip, modes) in PROPERTIES.items():
+        if name not in obj.PropertiesList:
+            obj.addProperty(kind, name, group, tooltip)
+            if name == "Status":
+                obj.Status = list(STATES)
+        obj.setEditorMode(name, list(modes))
+    obj.setPropertyStatus("FemMesh", "Transient")
+
+
+def fill_limit():
+    """Largest number of elements with which FemMesh is filled unasked."""
+    return FreeCAD.ParamGet(PREFERENCES).GetInt("FillLimit", FILL_LIMIT)
+
+
+def sources(obj):
+    """The objects to mesh."""
+    return [thing for thing in [obj.Part, *obj.MoreParts] if thing is not None]
+
+
+def shape_digest(obj):
+    """Digest of the shapes of all sources where they stand; empty without one, or when it has no shape."""
+    paver = core.load()
+    from paver import _shapes
+    try:
+        return hashlib.blake2b(_shapes.source_of(sources(obj), None)[0], digest_size=16).hexdigest()
+    except (paver.InputError, TypeError):
+        return ""
+
+
+def is_restoring(obj):
+    return obj.Document.Restoring or obj.Document.Transacting or "Restore" in obj.State
+
+
+def update_status(obj):
+    """Status from what is recorded. Without the core it stays as it is: nothing can be meshed then anyway."""
+    if not obj.MeshFile:
+        state = NOT_MESHED
+    else:
+        try:
+            is_same = not obj.ShapeChanged and obj.MeshedOptions == properties.decisive(obj)
+        except core.CoreMissing:
+            return
+        state = UP_TO_DATE if is_same else OUT_OF_DATE
+    if obj.Status != state:
+        obj.Status = state
+
+
+def check(obj):
+    """Compares the shapes with those that were meshed, also where FreeCAD reports no change (a moved App::Part around
+    the object), and gives the Status."""
+    changed = bool(obj.MeshFile) and shape_digest(obj) != obj.MeshedShape
+    if obj.ShapeChanged != changed:
+        obj.ShapeChanged = changed
+    update_status(obj)
+    return obj.Status
+
+
+def stored(obj):
+    """The StoredMesh. ValueError when the object is not meshed, DamagedMesh when its file is."""
+    if not obj.MeshFile:
+        raise ValueError(f"'{obj.Label}' is not meshed; mesh it first.")
+    return mesh_file.read(obj.MeshFile)
+
+
+def fill(obj, mesh=None):
+    """Fills FemMesh, whatever the size."""
+    obj.FemMesh = fem_mesh.of_mesh(mesh or stored(obj))
+    if not obj.FemMeshFilled:
+        obj.FemMeshFilled = True
+
+
+def keep(obj, mesh):
+    """Puts a StoredMesh, or the bytes of its file, into the object's file."""
+    with tempfile.TemporaryDirectory(prefix="paver") as folder:
+        path = os.path.join(folder, obj.Name + ".paver")
+        if isinstance(mesh, bytes):
+            write_bytes(path, mesh)
+        else:
+            mesh_file.write(mesh, path)
+        obj.MeshFile = (path, free_name(obj))
+
+
+def free_name(obj):
+    """A file name that nothing in the document's folder has: by itself FreeCAD takes the one it had before."""
+    names = os.listdir(obj.Document.TransientDir)
+    return next(name for name in (f"{obj.Name}_{i}.paver" for i in itertools.count(1)) if name not in names)
+
+
+def write_bytes(path, content):
+    with open(path, "wb") as file:
+        file.write(content)
+
+
+def part_from_original(obj):
+    """Gives a copy of a mesh object a file of its own: FreeCAD leaves both with one, and deletes it with either."""
+    shared = obj.MeshFile
+    if not shared or all(other.MeshFile != shared for other in meshes_of(obj.Document) if other != obj):
+        return
+    with open(shared, "rb") as file:
+        content = file.read()
+    keep(obj, content)
+    if obj.MeshFile != shared and not os.path.exists(shared):
+        write_bytes(shared, content)
+
+
+def refill(obj):
+    """Makes FemMesh what the other properties say, after opening a file and after undo and redo."""
+    try:
+        if obj.MeshFile and obj.FemMeshFilled:
+            fill(obj)
+        elif obj.FemMesh.NodeCount:
+            obj.FemMesh = fem_mesh.empty()
+    except mesh_file.DamagedMesh as error:
+        FreeCAD.Console.PrintError(f"{obj.Label}: {error}\n")
+
+
+class MeshProxy:
+    """What FreeCAD calls. Nothing of it is stored but its name."""
+
+    Type = "Paver::Mesh"
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        add_properties(obj)
+        properties.add_to(obj)
+
+    def execute(self, obj):
+        """Meshes nothing: meshing is asked for. Only compares the shapes with those that were meshed."""
+        try:
+            check(obj)
+        except core.CoreMissing:
+            pass
+
+    def onChanged(self, obj, name):
+        if name not in LINKS and not properties.is_option(obj, name) or "Status" not in obj.PropertiesList:
+            return
+        if is_restoring(obj) or "ShapeChanged" not in obj.PropertiesList:
+            return
+        if name in LINKS and obj.MeshFile:
+            obj.ShapeChanged = True  # until execute has looked
+        update_status(obj)
+
+    def onDocumentRestored(self, obj):
+        add_properties(obj)
+        try:
+            properties.add_to(obj)
+        except core.CoreMissing as error:
+            FreeCAD.Console.PrintWarning(f"{obj.Label}: {error}\n")
+        part_from_original(obj)
+        refill(obj)
+        attach_view(obj)
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+class UndoObserver:
+    """Fills FemMesh again, which FreeCAD's undo leaves as it is."""
+
+    def slotUndoDocument(self, document):
+        for obj in meshes_of(document):
+            refill(obj)
+
+    slotRedoDocument = slotUndoDocument
+
+
+def is_mesh(obj):
+    return getattr(getattr(obj, "Proxy", None), "Type", "") == MeshProxy.Type
+
+
+def meshes_of(document):
+    """All meshes of a document, in its order."""
+    return [obj for obj in document.Objects if is_mesh(obj)]
+
+
+def attach_view(obj):
+    """Gives the object its view provider, which a file that was saved without a window does not have."""
+    if FreeCAD.GuiUp:
+        from paver_wb.gui.view_provider import MeshViewProvider
+        if not isinstance(obj.ViewObject.Proxy, MeshViewProvider):
+            MeshViewProvider(obj.ViewObject)
+
+
+def add(document, parts, name="PaverMesh", **options):
+    """A new mesh object for one object or a list of them, not meshed yet; options as those of paver.mesh.
+
+    ValueError for a bad option, CoreMissing when the core is not built; the document is then as before.
+    """
+    core.load()
+    parts = list(parts) if isinstance(parts, (list, tuple)) else [parts]
+    obj = document.addObject("Fem::FemMeshObjectPython", name)
+    try:
+        MeshProxy(obj)
+        obj.Part, obj.MoreParts = (parts or [None])[0], parts[1:]
+        properties.put(obj, options)
+    except BaseException:
+        document.removeObject(obj.Name)
+        raise
+    attach_view(obj)
+    return obj
+
+
+FreeCAD.addDocumentObserver(UndoObserver())

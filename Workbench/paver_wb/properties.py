@@ -1,0 +1,107 @@
+"""The options of a run as properties of a document object. The core's table of options is the only list of them."""
+from paver_wb import core
+
+GROUP = "Mesh options"
+TYPES = {"length": "App::PropertyLength", "frequency": "App::PropertyFrequency", "angle": "App::PropertyAngle",
+         "number": "App::PropertyFloat", "integer": "App::PropertyInteger", "choice": "App::PropertyEnumeration"}
+WITHOUT_EFFECT = {"threads", "max_elements"}  # on a mesh that was made
+
+
+def property_name(option):
+    """"MaxTurn" of "max_turn"."""
+    return "".join(word.capitalize() for word in option.split("_"))
+
+
+def has_default(info):
+    return info["default"] != ""
+
+
+def type_of(info):
+    """Where 0 is a value of its own, "none" is a negative one, which a PropertyLength cannot hold."""
+    return "App::PropertyDistance" if info["may_be_zero"] and info["kind"] == "length" else TYPES[info["kind"]]
+
+
+def tooltip(info):
+    text = info["help"]
+    if has_default(info):
+        return f"{text} [{info['default']}]"
+    return text + (". Negative: automatic" if info["may_be_zero"] else ". 0: not given")
+
+
+def initial(info):
+    if not has_default(info):
+        return -1 if info["may_be_zero"] else 0
+    return {"integer": int, "choice": str}.get(info["kind"], float)(info["default"])
+
+
+def add_to(obj):
+    """Adds the properties that `obj` does not have yet, all of a new object, some of one of an older file.
+
+    CoreMissing when the core, which has the table, cannot be loaded.
+    """
+    for info in core.load().options():
+        name = property_name(info["name"])
+        if name in obj.PropertiesList:
+            continue
+        obj.addProperty(type_of(info), name, GROUP, tooltip(info))
+        if info["kind"] == "choice":
+            setattr(obj, name, info["choices"])
+        setattr(obj, name, initial(info))
+
+
+def is_option(obj, name):
+    return name in obj.PropertiesList and obj.getGroupOfProperty(name) == GROUP
+
+
+def value_of(obj, info):
+    """Number in the core's unit (mm, Hz, degrees, which are FreeCAD's own) or text; None: not given."""
+    value = getattr(obj, property_name(info["name"]))
+    value = getattr(value, "Value", value)
+    if has_default(info):
+        return value
+    return None if (value < 0 if info["may_be_zero"] else value == 0) else value
+
+
+def given(obj):
+    """{option: value} as paver.mesh takes them. What needs an option that is not given is left out."""
+    table = core.load().options()
+    values = {info["name"]: value_of(obj, info) for info in table}
+    return {info["name"]: values[info["name"]] for info in table
+            if values[info["name"]] is not None and (not info["needs"] or values[info["needs"]] is not None)}
+
+
+def decisive(obj):
+    """Text that is equal for equal options, as far as they have an effect on the mesh."""
+    return repr(sorted((n, v) for n, v in given(obj).items() if n not in WITHOUT_EFFECT))
+
+
+def put(obj, options):
+    """Sets properties from {option: value}, values as paver.mesh takes them: numbers, text with a unit, quantities.
+    What excludes one of them, as a frequency does a size, is reset unless it is among them too.
+
+    ValueError, in one sentence, for a value that the property cannot have or an option that is not there.
+    """
+    table = {info["name"]: info for info in core.load().options()}
+    for name, value in options.items():
+        if name not in table:
+            raise ValueError(f"{name} is no option of a mesh; there are {', '.join(table)}.")
+        if table[name]["kind"] in ("number", "integer") and isinstance(value, str):
+            value = number_of(name, table[name]["kind"], value)
+        try:
+            setattr(obj, property_name(name), value)
+        except Exception:  # FreeCAD raises all sorts, with texts for programmers
+            raise ValueError(f"{name} of '{obj.Label}' cannot be {value!r}; it is: "
+                             f"{table[name]['help']}.") from None
+    for info in table.values():
+        for one, other in ((info["name"], info["excludes"]), (info["excludes"], info["name"])):
+            if one in options and other and other not in options:
+                setattr(obj, property_name(other), initial(table[other]))
+
+
+def number_of(name, kind, text):
+    try:
+        number = float(text)
+        return number if kind == "number" else int(number) if number == int(number) else int(text)
+    except (ValueError, OverflowError):
+        what = "a number" if kind == "number" else "a whole number"
+        raise ValueError(f"{name} is '{text}'; write {what}.") from None
