@@ -54,18 +54,17 @@ class VoidFiller {
   // One facet of each loop, smallest loops first.
   bool collect_open_loops() {
     progress_.check();
+    // Only facets alive at the last call and those made since: most of the array is dead before long.
+    for (int n = static_cast<int>(front_.facets.size()); known_ < n; ++known_) alive_.push_back(known_);
+    std::erase_if(alive_, [&](int f) { return !front_.facets[f].is_alive; });
+    seen_.resize(front_.facets.size(), 0);
+    ++call_;
     std::vector<std::pair<int, int>> found;
-    seen_.assign(front_.facets.size(), false);
-    for (std::size_t i = alive_from_; i < front_.facets.size(); ++i) {
-      int f = static_cast<int>(i);
-      if (!front_.facets[f].is_alive) {
-        if (i == alive_from_) ++alive_from_;
-        continue;
-      }
-      if (seen_[i]) continue;
+    for (int f : alive_) {
+      if (seen_[f] == call_) continue;
       int size = 0, g = f;
       do {
-        seen_[g] = true;
+        seen_[g] = call_;
         ++size;
         g = front_.facets[g].next;
       } while (g != f);
@@ -144,8 +143,9 @@ class VoidFiller {
   Front& front_;
   const Progress& progress_;
   std::vector<int> open_, loop_, fresh_, near_;
-  std::vector<bool> seen_;
-  std::size_t alive_from_ = 0;
+  std::vector<int> alive_;  // facets, ascending
+  std::vector<int> seen_;   // per facet: the call of collect_open_loops() that came by last
+  int known_ = 0, call_ = 0;
   long budget_ = 0;
 };
 
