@@ -53,6 +53,7 @@ class CleanUp {
       join_triangles(triangle_demand, 0);
       work([&](int node) { return improve(node) || refill(node); });
     }
+    edit_.forget_measures();
   }
 
   /// Quads for triangles, as good as they come but at any price.
@@ -250,6 +251,7 @@ class CleanUp {
 }  // namespace
 
 void clean_up(Front& front, const Progress& progress, bool all_quad) {
+  front.end_void();
   CleanUp clean(front, progress);
   clean.run();
   if (all_quad) clean.join_all_triangles();

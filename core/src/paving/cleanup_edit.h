@@ -67,7 +67,7 @@ class MeshEdit {
   /// Area of an element in squares of its target length.
   double area(int e) { return measured(e, mesh_.elements[e]).area; }
   /// To be called where nodes were moved by others.
-  void forget_measures() { measures_.clear(); }
+  void forget_measures() { measures_ = std::vector<Measure>(); }
   /// Carries the change out. False, and nothing done, when an element would
   /// have a node twice, an edge more than two elements, a free node fewer than
   /// three, or two nodes on the same boundary node would meet.

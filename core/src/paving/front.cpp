@@ -437,6 +437,11 @@ void Front::end_slides() {
   }
 }
 
+void Front::end_void() {
+  facets = std::vector<Facet>();
+  empty.clear();
+}
+
 int Front::newest_facet() const {
   for (int f = static_cast<int>(facets.size()) - 1; f >= 0; --f)
     if (facets[f].is_alive) return f;

@@ -100,6 +100,9 @@ class Front {
   /// Whether all elements and void triangles about the node stay positive in the chart with it at p.
   bool can_move(int node, Vec2 p) const;
 
+  /// Frees what only a void needs; there must be none left.
+  void end_void();
+
   /// Colours a loop's nodes alternately as a set of its own. The loop must be even.
   void colour_loop(int f);
 

@@ -50,6 +50,12 @@ class VoidTriangulation {
   /// Returns facets that cross or touch, or nothing when all is well.
   std::optional<Crossing> build(const std::vector<std::pair<int, int>>& facets);
 
+  /// Frees the triangles.
+  void clear() {
+    triangles_ = std::vector<VoidTriangle>();
+    facet_side_ = std::vector<Side>();
+  }
+
   const VoidTriangle& triangle(int t) const { return triangles_[t]; }
   int triangle_count() const { return static_cast<int>(triangles_.size()); }
   Side facet_side(int facet) const { return facet_side_[facet]; }
