@@ -8,3 +8,4 @@ def _add_workbench():
 
 
 _add_workbench()
+FreeCAD.__unit_test__ += ["TestPaverGui"]  # noqa: F821, FreeCAD is there when it runs this

@@ -7,4 +7,5 @@ if CASES not in sys.path:
     sys.path.append(CASES)
 
 from addon_cases import *  # noqa: E402, F401, F403
+from analysis_cases import *  # noqa: E402, F401, F403
 from mesh_cases import *  # noqa: E402, F401, F403

@@ -64,13 +64,17 @@ def memory_folder():
     return folder if os.path.isdir(folder) and os.access(folder, os.W_OK) else None
 
 
-def add_groups(fem, mesh):
-    """A group for each face that has elements."""
+def add_groups(fem, mesh, groups):
+    """A group for each face that has elements, and those of `groups`, {name: numbers of faces}."""
     faces = np.concatenate([mesh.quad_faces, mesh.triangle_faces])
     order = np.argsort(faces, kind="stable")
     present, starts = np.unique(faces[order], return_index=True)
     for face, members in zip(present, np.split(order + 1, starts[1:])):
         fem.addGroupElements(fem.addGroup(mesh.face_names[face], "Face"), members.tolist())
+    for name, wanted in groups.items():
+        members = np.flatnonzero(np.isin(faces, list(wanted))) + 1
+        if len(members):
+            fem.addGroupElements(fem.addGroup(name, "Face"), members.tolist())
 
 
 def empty():
@@ -78,8 +82,11 @@ def empty():
     return Fem.FemMesh()
 
 
-def of_mesh(mesh):
-    """Fem.FemMesh of a StoredMesh or paver.Result with face_names. NoFemMesh for orders that FreeCAD does not have."""
+def of_mesh(mesh, groups):
+    """Fem.FemMesh of a StoredMesh, with `groups`, {name: numbers of faces}, besides one for each face.
+
+    NoFemMesh for orders that FreeCAD does not have.
+    """
     import Fem
     points, quads, triangles = numbered(mesh)
     blocks = [(VTK_TYPES[kind, mesh.order][0], rows) for kind, rows in (("quad", quads), ("triangle", triangles))
@@ -90,5 +97,5 @@ def of_mesh(mesh):
         path = os.path.join(folder, "mesh.vtu")
         write_vtu(path, points, blocks)
         fem = Fem.read(path)
-    add_groups(fem, mesh)
+    add_groups(fem, mesh, groups)
     return fem

@@ -12,7 +12,7 @@ import tempfile
 
 import FreeCAD
 
-from paver_wb import core, fem_mesh, mesh_file, properties
+from paver_wb import analysis, core, fem_mesh, mesh_file, properties
 
 INPUT, RESULT = "Input", "Result"
 NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = STATES = ("Not meshed", "Up to date", "Out of date")
@@ -79,16 +79,19 @@ def is_restoring(obj):
     return obj.Document.Restoring or obj.Document.Transacting or "Restore" in obj.State
 
 
+def has_meshed_options(obj):
+    """Without the core, which knows what the options mean, any change may matter."""
+    try:
+        return obj.MeshedOptions == properties.decisive(obj)
+    except core.CoreMissing:
+        return False
+
+
 def update_status(obj):
-    """Status from what is recorded. Without the core it stays as it is: nothing can be meshed then anyway."""
-    if not obj.MeshFile:
-        state = NOT_MESHED
-    else:
-        try:
-            is_same = not obj.ShapeChanged and obj.MeshedOptions == properties.decisive(obj)
-        except core.CoreMissing:
-            return
-        state = UP_TO_DATE if is_same else OUT_OF_DATE
+    """Status from what is recorded."""
+    state = NOT_MESHED
+    if obj.MeshFile:
+        state = UP_TO_DATE if not obj.ShapeChanged and has_meshed_options(obj) else OUT_OF_DATE
     if obj.Status != state:
         obj.Status = state
 
@@ -110,9 +113,14 @@ def stored(obj):
     return mesh_file.read(obj.MeshFile)
 
 
+def fem_mesh_of(obj, mesh):
+    """Fem.FemMesh of a StoredMesh with all groups."""
+    return fem_mesh.of_mesh(mesh, analysis.face_groups(obj, sources(obj), mesh.face_names))
+
+
 def fill(obj, mesh=None):
-    """Fills FemMesh, whatever the size."""
-    obj.FemMesh = fem_mesh.of_mesh(mesh or stored(obj))
+    """Fills FemMesh, whatever the size, with a group for each face and for what the object's analysis needs."""
+    obj.FemMesh = fem_mesh_of(obj, mesh or stored(obj))
     if not obj.FemMeshFilled:
         obj.FemMeshFilled = True
 
@@ -176,8 +184,9 @@ class MeshProxy:
         """Meshes nothing: meshing is asked for. Only compares the shapes with those that were meshed."""
         try:
             check(obj)
-        except core.CoreMissing:
-            pass
+        except core.CoreMissing:  # something has changed, and nothing here can tell what
+            obj.ShapeChanged = bool(obj.MeshFile)
+            update_status(obj)
 
     def onChanged(self, obj, name):
         if name not in LINKS and not properties.is_option(obj, name) or "Status" not in obj.PropertiesList:
@@ -192,6 +201,7 @@ class MeshProxy:
         add_properties(obj)
         try:
             properties.add_to(obj)
+            update_status(obj)  # which a session without the core could not know
         except core.CoreMissing as error:
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {error}\n")
         part_from_original(obj)

@@ -71,7 +71,7 @@ def mesh(obj, progress=None, cancel=None):
     result = run(obj, progress, cancel)
     made = mesh_file.of_result(result, face_names(mesh_object.sources(obj), result))
     is_filled = len(made.quads) + len(made.triangles) <= mesh_object.fill_limit()
-    fem = fem_mesh.of_mesh(made) if is_filled else fem_mesh.empty()
+    fem = mesh_object.fem_mesh_of(obj, made) if is_filled else fem_mesh.empty()
     with transaction(obj.Document, "Mesh " + obj.Label):
         mesh_object.keep(obj, made)
         show_results(obj, made)

@@ -1,0 +1,94 @@
+"""The workbench in FreeCAD's window. gui_test.py runs this with a screen of its own."""
+import os
+import tempfile
+import unittest
+
+import FreeCAD
+import FreeCADGui
+
+from paver_wb import mesh_object
+
+COMMANDS = ["Paver_CreateMesh", "Paver_Mesh", "Paver_FillFemMesh", "Paver_About"]
+
+
+def select(*things):
+    FreeCADGui.Selection.clearSelection()
+    for thing in things:
+        FreeCADGui.Selection.addSelection(thing)
+
+
+class Window(unittest.TestCase):
+    def setUp(self):
+        FreeCADGui.activateWorkbench("PaverWorkbench")
+        self.document = FreeCAD.newDocument("PaverGui")
+        self.box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+
+    def tearDown(self):
+        FreeCAD.closeDocument(self.document.Name)
+
+    def is_active(self, name):
+        return FreeCADGui.Command.get(name).isActive()
+
+    def test_toolbar_has_every_command_and_each_an_icon(self):
+        bench = FreeCADGui.activeWorkbench()
+        self.assertEqual(bench.getToolbarItems()["Paver"], COMMANDS)
+        self.assertEqual([n for n in FreeCADGui.listCommands() if n.startswith("Paver_")], sorted(COMMANDS))
+        for name in COMMANDS:
+            info = FreeCADGui.Command.get(name).getInfo()
+            self.assertTrue(info["menuText"] and info["toolTip"], name)
+            self.assertFalse(FreeCADGui.getIcon(info["pixmap"]).isNull(), name)
+        self.assertTrue(os.path.isfile(bench.Icon))
+
+    def test_commands_are_active_where_they_apply(self):
+        select()
+        self.assertEqual([n for n in COMMANDS if self.is_active(n)], ["Paver_About"])
+        select(self.box)
+        self.assertEqual([n for n in COMMANDS if self.is_active(n)], ["Paver_CreateMesh", "Paver_About"])
+        select(mesh_object.add(self.document, self.box))
+        self.assertEqual([n for n in COMMANDS if self.is_active(n)], COMMANDS[1:])
+
+    def test_create_mesh_and_mesh_are_two_steps_of_undo(self):
+        select(self.box)
+        FreeCADGui.runCommand("Paver_CreateMesh")
+        mesh, = mesh_object.meshes_of(self.document)
+        self.assertEqual((mesh.Part, FreeCADGui.Selection.getSelection()), (self.box, [mesh]))
+        self.assertAlmostEqual(mesh.Size.Value, 0.9)  # a twentieth of the diagonal, to one digit
+        FreeCADGui.runCommand("Paver_Mesh")
+        self.assertEqual((mesh.Status, mesh.FemMesh.FaceCount), ("Up to date", mesh.Quads + mesh.Triangles))
+        self.assertEqual(self.document.UndoNames, ["Mesh PaverMesh", "Create mesh"])
+        self.document.undo()
+        self.assertEqual((mesh.Status, mesh.FemMesh.FaceCount), ("Not meshed", 0))
+        self.document.undo()
+        self.assertEqual(mesh_object.meshes_of(self.document), [])
+
+    def test_bad_options_leave_no_step_and_no_change(self):
+        mesh = mesh_object.add(self.document, self.box, size=3)
+        mesh.Frequency = 1e9
+        select(mesh)
+        before = self.document.UndoNames
+        FreeCADGui.runCommand("Paver_Mesh")
+        self.assertEqual((mesh.Status, self.document.UndoNames), ("Not meshed", before))
+
+    def test_a_document_made_without_a_window_gets_its_view(self):
+        path = os.environ.get("PAVER_HEADLESS_DOCUMENT")  # of gui_test.py: here everything has a window
+        if not path:
+            self.skipTest("no document from a FreeCAD without a window")
+        document = FreeCAD.openDocument(path)
+        self.addCleanup(FreeCAD.closeDocument, document.Name)
+        mesh, = mesh_object.meshes_of(document)
+        self.assertEqual(type(mesh.ViewObject.Proxy).__name__, "MeshViewProvider")
+        self.assertFalse(mesh.ViewObject.BackfaceCulling)
+        self.assertTrue(os.path.isfile(mesh.ViewObject.Proxy.getIcon()))
+        self.assertGreater(mesh.FemMesh.FaceCount, 0)
+
+    def test_the_view_is_there_after_saving_and_opening(self):
+        mesh = mesh_object.add(self.document, self.box, size=3)
+        name = mesh.Name
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "made.FCStd")
+            self.document.saveAs(path)
+            FreeCAD.closeDocument(self.document.Name)
+            self.document = FreeCAD.openDocument(path)
+        provider = self.document.getObject(name).ViewObject.Proxy
+        self.assertEqual(type(provider).__module__, "paver_wb.gui.view_provider")
