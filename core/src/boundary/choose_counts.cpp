@@ -19,7 +19,7 @@ constexpr double most_intervals = 1e8;           // keeps counts within int
 constexpr double most_by_turn = 4096;            // intervals on one edge that its turn may ask for
 constexpr double full_turn = 6.283185307179586;  // a closed edge that turns so far is round
 constexpr double rounding_slack = 1e-6;          // equal edges that come out at a half must not part by rounding errors
-constexpr double largest_change = 0.12;          // of the wish, for the sake of ties and parity
+constexpr double largest_change = 0.2;           // of the wish, for the sake of ties and parity
 constexpr double turn_slack = 1e-3;              // radians
 
 int least_for_shape(const Edge& edge, double turn) {

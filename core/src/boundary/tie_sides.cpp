@@ -17,6 +17,8 @@ namespace paver {
 namespace {
 
 constexpr double largest_change = 0.12;  // of an edge's wish
+// Intervals on the rims of a ring, by the target length: cones up to 1 : 1.67 come out regular (decision frusta).
+constexpr double shortest_on_rim = 0.75, longest_on_rim = 1.25;
 constexpr double rounding = 0.9;         // intervals: short edges may change by more than that share
 constexpr double rounding_slack = 1e-6;  // equal wishes at a half round alike
 
@@ -28,11 +30,14 @@ struct Range {
   bool is_possible(bool is_even) const { return is_even ? (least + 1) / 2 <= most / 2 : least <= most; }
 };
 
-Range range_of(const EdgeCount& edge) {
+Range range_of(const EdgeCount& edge, bool is_rim) {
   double slack = std::max(largest_change * edge.wish, rounding);
+  double lowest = edge.wish - slack, highest = edge.wish + slack;
+  if (is_rim)
+    lowest = std::min(lowest, edge.wish / longest_on_rim), highest = std::max(highest, edge.wish / shortest_on_rim);
   // The count it has is always allowed: its minimum may lie far above its wish.
-  int least = std::max(edge.minimum, static_cast<int>(std::ceil(std::max(edge.wish - slack, 1.0))));
-  int most = static_cast<int>(std::floor(std::min(edge.wish + slack, 1e8)));
+  int least = std::max(edge.minimum, static_cast<int>(std::ceil(std::max(lowest, 1.0))));
+  int most = static_cast<int>(std::floor(std::min(highest, 1e8)));
   return {std::min(least, edge.count), std::max(most, edge.count)};
 }
 
@@ -40,10 +45,17 @@ Range common(Range a, Range b) { return {std::max(a.least, b.least), std::min(a.
 
 class Tying {
  public:
-  explicit Tying(const std::vector<EdgeCount>& counts) : counts_(counts), parent_(counts.size()) {
+  Tying(const std::vector<EdgeCount>& counts, const std::vector<bool>& is_rim)
+      : counts_(counts), is_rim_(is_rim), parent_(counts.size()) {
     std::iota(parent_.begin(), parent_.end(), 0);
-    for (const EdgeCount& edge : counts)
-      members_.push_back({range_of(edge), {edge.count, edge.count}, edge.minimum, 1, edge.wish, false, false});
+    for (std::size_t e = 0; e < counts.size(); ++e)
+      members_.push_back({range_of(counts[e], is_rim[e]),
+                          {counts[e].count, counts[e].count},
+                          counts[e].minimum,
+                          1,
+                          counts[e].wish,
+                          false,
+                          false});
     is_held_.assign(counts.size(), false);
   }
 
@@ -57,7 +69,10 @@ class Tying {
   bool can_equal(const OppositeSides& pair) const {
     auto reach = [&](const std::vector<int>& side) {
       double least = 0, most = 0;
-      for (int e : side) least += range_of(counts_[at(e)]).least, most += range_of(counts_[at(e)]).most;
+      for (int e : side) {
+        Range range = range_of(counts_[at(e)], is_rim_[at(e)]);
+        least += range.least, most += range.most;
+      }
       return std::pair{least, most};
     };
     auto first = reach(pair.first), second = reach(pair.second);
@@ -176,6 +191,7 @@ class Tying {
   }
 
   const std::vector<EdgeCount>& counts_;
+  const std::vector<bool>& is_rim_;
   std::vector<int> parent_;
   std::vector<Members> members_;
   std::vector<int> chosen_;    // per group
@@ -186,11 +202,16 @@ class Tying {
 
 TiedCounts tie_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops,
                               const std::vector<EdgeCount>& counts) {
-  Tying tying(counts);
+  const std::vector<OppositeSides> pairs = find_opposite_sides(model, loops);
+  std::vector<bool> is_rim(counts.size(), false);
+  for (const OppositeSides& pair : pairs)
+    if (pair.partner < 0)
+      for (const std::vector<int>* side : {&pair.first, &pair.second})
+        for (int e : *side) is_rim[at(e)] = true;
+  Tying tying(counts, is_rim);
   for (const std::vector<Loop>& of_face : loops)
     for (const Loop& loop : of_face)
       if (loop.coedges.size() == 1 && counts[at(loop.coedges[0].edge)].count > 0) tying.mark_even(loop.coedges[0].edge);
-  const std::vector<OppositeSides> pairs = find_opposite_sides(model, loops);
   std::vector<bool> can_equal;
   for (const OppositeSides& p : pairs)
     can_equal.push_back(tying.is_divided(p.first) && tying.is_divided(p.second) && tying.can_equal(p));

@@ -14,8 +14,14 @@ constexpr double least_jacobian = 0.3;
 
 class PlainChart : public Chart {
  public:
-  Vec2 to_chart(Vec2 uv) const override { return uv; }
-  void to_uv(Vec2 p, Vec2& uv, Vec2& uv_x, Vec2& uv_y) const override { uv = p, uv_x = {1, 0}, uv_y = {0, 1}; }
+  explicit PlainChart(Vec2 scale) : scale_(scale) {}
+  Vec2 to_chart(Vec2 uv) const override { return {uv.x * scale_.x, uv.y * scale_.y}; }
+  void to_uv(Vec2 p, Vec2& uv, Vec2& uv_x, Vec2& uv_y) const override {
+    uv = {p.x / scale_.x, p.y / scale_.y}, uv_x = {1 / scale_.x, 0}, uv_y = {0, 1 / scale_.y};
+  }
+
+ private:
+  Vec2 scale_;
 };
 
 double signed_area(const GridPatch& patch) {
@@ -30,7 +36,7 @@ double signed_area(const GridPatch& patch) {
 
 }  // namespace
 
-std::shared_ptr<const Chart> make_plain_chart() { return std::make_shared<PlainChart>(); }
+std::shared_ptr<const Chart> make_plain_chart(Vec2 scale) { return std::make_shared<PlainChart>(scale); }
 
 FaceExtent measure_extent(const ClosedFace& face) {
   constexpr int across = 32, along = 64;

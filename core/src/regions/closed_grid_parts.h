@@ -6,8 +6,8 @@
 
 namespace paver {
 
-/// Chart of the parameters themselves, for nodes away from poles.
-std::shared_ptr<const Chart> make_plain_chart();
+/// Chart of the parameters themselves, times `scale`, for nodes away from poles.
+std::shared_ptr<const Chart> make_plain_chart(Vec2 scale = {1, 1});
 
 /// Mean scales of a closed face.
 struct FaceExtent {

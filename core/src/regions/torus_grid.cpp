@@ -53,7 +53,9 @@ class TorusGrid {
     auto closed = std::make_shared<ClosedGrid>();
     closed->h = grid_.mesh.h;
     GridPatch& patch = closed->patches.emplace_back();
-    patch.chart = make_row_chart(face_.surface, face_.box);
+    // Not the row chart, whose rows of different lengths bend large elements.
+    FaceExtent extent = measure_extent(face_);
+    patch.chart = make_plain_chart(box_uv(face_.box, {extent.round / face_.period, extent.tall / face_.other_period}));
     std::map<std::array<int, 2>, int> known;
     each_quad([&](const auto& places) {
       std::array<int, 4> v;

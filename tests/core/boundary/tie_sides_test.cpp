@@ -67,6 +67,21 @@ TEST(TieSides, TheCirclesOfAThinRingGetOneEvenCount) {
     }
 }
 
+TEST(TieSides, TheCirclesOfARingTakeOneCountWhileLengthsStayWithinAQuarterOfTheTarget) {
+  for (double ratio : {1.2, 1.4, 1.6, 1.8, 2.5})
+    for (double n : {32.0, 61.3, 200.8}) {
+      fake::Builder builder;
+      int outer = add_circle(builder, 1), inner = add_circle(builder, 1 / ratio);
+      add_ring(builder, outer, inner, 1);
+      std::vector<int> counts = tied(builder.take(), {n, n / ratio});
+      EXPECT_EQ(counts[0] == counts[1], ratio < 1.66) << n << " " << ratio;
+      EXPECT_GE(n / counts[0], 0.98);
+      EXPECT_LE(n / counts[0], 1.25);
+      EXPECT_GE(n / ratio / counts[1], 0.75);
+      EXPECT_EQ(counts[0] % 2, 0);
+    }
+}
+
 TEST(TieSides, ChainsOfRingsTakeOneCountWhileItFitsAll) {
   fake::Builder builder;
   std::vector<int> circles;
@@ -78,10 +93,10 @@ TEST(TieSides, ChainsOfRingsTakeOneCountWhileItFitsAll) {
 TEST(TieSides, ALongChainIsBrokenWhereItsFacesAreSmallest) {
   fake::Builder builder;
   std::vector<int> circles;
-  for (double radius : {1.0, 0.85, 0.7}) circles.push_back(add_circle(builder, radius));
+  for (double radius : {1.0, 0.75, 0.55}) circles.push_back(add_circle(builder, radius));
   add_ring(builder, circles[0], circles[1], 1);
   add_ring(builder, circles[1], circles[2], 2);
-  std::vector<int> counts = tied(builder.take(), {40, 34, 28});
+  std::vector<int> counts = tied(builder.take(), {40, 30, 22});
   EXPECT_EQ(counts[1], counts[2]);
   EXPECT_EQ(counts[0], 40);
 }
