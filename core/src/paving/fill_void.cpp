@@ -86,7 +86,7 @@ class VoidFiller {
     bool is_changed = false;
     std::vector<Row> rows = find_rows(front_, loop_);
     for (const Row& row : rows) {
-      if (is_changed && row.level > rows[0].level) break;
+      if (is_changed && !row.is_low) continue;
       if (!is_untouched(row)) continue;
       fresh_.clear();
       if (lay_row(front_, row, fresh_) == 0) continue;

@@ -56,6 +56,8 @@ std::vector<Row> find_rows(const Front& front, const std::vector<int>& loop) {
     add(i + 1, size, true,
         cost[i] + cost[j] + front.misfit_weight * misfit(front, loop[(i + 1) % n], loop[(i + size) % n]));
   }
+  for (std::size_t k = 0, m = rows.size(); k < m; ++k)
+    rows[k].is_low = rows[k].level <= std::min(rows[(k + 1) % m].level, rows[(k + m - 1) % m].level);
   std::stable_sort(rows.begin(), rows.end(), [](const Row& p, const Row& q) {
     if (p.level != q.level) return p.level < q.level;
     double pc = std::floor(p.cost / 0.35), qc = std::floor(q.cost / 0.35);  // steps of 20 degrees

@@ -13,7 +13,8 @@ struct Row {
   std::vector<int> facets;
   bool has_ends = true;
   int level = 0;
-  double cost = 0;  ///< ambiguity of its end nodes
+  bool is_low = true;  ///< neither row next to it in the loop has a lower level
+  double cost = 0;     ///< ambiguity of its end nodes
 };
 
 /// All rows of the loop between consecutive end nodes, best first: lowest level, clearest ends, shortest.
