@@ -85,9 +85,9 @@ class VoidFiller {
     if (close_seams(front_, near_)) return true;
     bool is_changed = false;
     std::vector<Row> rows = find_rows(front_, loop_);
-    for (const Row& row : rows) {
+    for (Row& row : rows) {
       if (is_changed && !row.is_low) continue;
-      if (!is_untouched(row)) continue;
+      if (!keep_living(row)) continue;
       fresh_.clear();
       if (lay_row(front_, row, fresh_) == 0) continue;
       is_changed = true;
@@ -96,13 +96,17 @@ class VoidFiller {
     return is_changed;
   }
 
-  bool is_untouched(const Row& row) const {
-    for (int g : row.facets)
-      if (!front_.facets[g].is_alive) return false;
-    if (!row.has_ends) return true;
-    int first = row.facets.front(), last = row.facets.back();
+  // Rows laid before in the pass may have used up the facets at the row's ends. What is left is a row when it still runs
+  // from end to end.
+  bool keep_living(Row& row) const {
+    auto is_dead = [&](int g) { return !front_.facets[g].is_alive; };
+    std::vector<int>& all = row.facets;
+    if (!row.has_ends) return std::none_of(all.begin(), all.end(), is_dead);
+    all.erase(all.begin(), std::find_if_not(all.begin(), all.end(), is_dead));
+    while (!all.empty() && is_dead(all.back())) all.pop_back();
+    if (all.empty() || std::any_of(all.begin(), all.end(), is_dead)) return false;
     auto is_end = [&](int g) { return classify(front_, front_.facets[g].b, front_.angle_after(g)) == NodeState::end; };
-    return is_end(front_.facets[first].prev) && is_end(last);
+    return is_end(front_.facets[all.front()].prev) && is_end(all.back());
   }
 
   // After a row: smooth its nodes and those it stands on, then close what became sharp.
