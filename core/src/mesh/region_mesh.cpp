@@ -3,6 +3,11 @@
 
 namespace paver {
 
+void RegionMesh::reserve(std::size_t count) {
+  p.reserve(count), x.reserve(count), xp.reserve(count), xq.reserve(count), drift.reserve(count), h.reserve(count);
+  is_fixed.reserve(count), global.reserve(count), star.reserve(count), elements.reserve(count);
+}
+
 int RegionMesh::add_node(Vec2 chart, Vec3 position, Vec3 tangent_p, Vec3 tangent_q, double target) {
   p.push_back(chart);
   x.push_back(position);

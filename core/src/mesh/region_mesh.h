@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "paver/vec.h"
@@ -26,32 +27,44 @@ struct Element {
 /// Elements about one node, unordered; in place as long as they are few, which is nearly always.
 class Star {
  public:
+  Star() = default;
+  Star(const Star& from)
+      : size_(from.size_),
+        near_(from.near_),
+        far_(from.far_ ? std::make_unique<std::vector<int>>(*from.far_) : nullptr) {}
+  Star(Star&&) noexcept = default;
+  Star& operator=(const Star&) = delete;
+  Star& operator=(Star&&) noexcept = default;
+  ~Star() = default;
   int size() const { return size_; }
-  const int* begin() const { return size_ <= few ? near_.data() : far_.data(); }
+  const int* begin() const { return size_ <= few ? near_.data() : far_->data(); }
   const int* end() const { return begin() + size_; }
   void add(int e) {
-    if (size_ == few) far_.assign(near_.begin(), near_.end());
+    if (size_ == few) far_ = std::make_unique<std::vector<int>>(near_.begin(), near_.end());
     if (size_ >= few)
-      far_.push_back(e);
+      far_->push_back(e);
     else
       near_[size_] = e;
     ++size_;
   }
   void remove(int e) {
-    int* first = size_ <= few ? near_.data() : far_.data();
+    int* first = size_ <= few ? near_.data() : far_->data();
     int* at = std::find(first, first + size_, e);
     if (at == first + size_) return;
     *at = first[--size_];
     if (size_ < few) return;
-    far_.pop_back();
-    if (size_ == few) std::copy(far_.begin(), far_.end(), near_.begin());
+    far_->pop_back();
+    if (size_ == few) {
+      std::copy(far_->begin(), far_->end(), near_.begin());
+      far_.reset();
+    }
   }
 
  private:
-  static constexpr int few = 8;
+  static constexpr int few = 5;  // 32 bytes: two stars a cache line
   int size_ = 0;
   std::array<int, few> near_{};
-  std::vector<int> far_;
+  std::unique_ptr<std::vector<int>> far_;
 };
 
 /// Where one node is, with the derivatives there.
@@ -78,6 +91,8 @@ struct RegionMesh {
     p[node] = at.p, x[node] = at.x, xp[node] = at.xp, xq[node] = at.xq, drift[node] = at.drift;
   }
 
+  /// Makes room for so many nodes and as many elements.
+  void reserve(std::size_t count);
   int node_count() const { return static_cast<int>(p.size()); }
   /// Takes back the node added last; no element may use it.
   void drop_last_node();

@@ -53,12 +53,13 @@ int wished_corners(const RegionMesh& mesh, const Element& e, Vec3 at[4]) {
 
 Sweeper::Sweeper(Front& front) : front_(front), mesh_(front.mesh) {
   const std::size_t node_count = mesh_.p.size(), element_count = mesh_.elements.size();
-  sum_.resize(node_count), last_.resize(node_count), moved_as_.assign(node_count, -1), seen_node_.assign(node_count, 0);
+  sum_.resize(node_count), last_.resize(node_count), scale_.resize(node_count), moved_as_.assign(node_count, -1), seen_node_.assign(node_count, 0);
   sj_.resize(element_count), old_sj_.resize(element_count), seen_.assign(element_count, 0);
   for (std::size_t e = 0; e < element_count; ++e)
     if (mesh_.elements[e].is_alive()) sj_[e] = capped_jacobian(mesh_.elements[e]);
   for (int i = 0; i < mesh_.node_count(); ++i) add_node(i);
   nodes_.swap(next_);
+  for (int i : nodes_) scale_[i] = static_cast<float>(mesh_.scale_at(i));
 }
 
 void Sweeper::add_node(int node) {
@@ -95,11 +96,12 @@ void Sweeper::move_nodes() {
   old_.resize(nodes_.size());
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     int i = nodes_[k];
-    Vec3 step = over_relaxation * ((1.0 / mesh_.star[i].size()) * sum_[i] - mesh_.x[i]) + momentum * last_[i];
-    last_[i] = step;
-    if (!(norm(step) > still * mesh_.scale_at(i))) continue;
+    const Vec3 last{last_[i][0], last_[i][1], last_[i][2]};
+    const Vec3 step = over_relaxation * ((1.0 / mesh_.star[i].size()) * sum_[i] - mesh_.x[i]) + momentum * last;
+    last_[i] = {static_cast<float>(step.x), static_cast<float>(step.y), static_cast<float>(step.z)};
+    if (!(norm(step) > still * scale_[i])) continue;
     old_[k] = {mesh_.p[i], mesh_.x[i]};
-    front_.slide(i, mesh_.p[i] + mesh_.pull_back(i, step));
+    front_.slide(i, mesh_.p[i] + mesh_.pull_back(i, step), scale_[i]);
     moved_as_[i] = static_cast<int>(k);
   }
 }

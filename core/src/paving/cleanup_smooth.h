@@ -1,6 +1,7 @@
 // Smoothing of a finished mesh, all nodes at a time.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "paving/front.h"
@@ -38,7 +39,9 @@ class Sweeper {
   Front& front_;
   RegionMesh& mesh_;
   std::vector<int> nodes_, elements_, next_;  // nodes to look at and the elements about them
-  std::vector<Vec3> sum_, last_;              // per node: of its elements' wishes; its last step
+  std::vector<Vec3> sum_;                     // per node: of its elements' wishes
+  std::vector<std::array<float, 3>> last_;    // per node: its last step
+  std::vector<float> scale_;                  // per node: of the mesh there at the start
   struct Old {
     Vec2 p;
     Vec3 x;

@@ -80,11 +80,14 @@ class VoidFiller {
   bool advance(int f) {
     front_.collect_loop(f, loop_, 1 << 30);
     if (loop_.size() <= 8 && close_loop(front_, loop_)) return true;
-    near_.clear();
-    for (int g : loop_) near_.push_back(front_.facets[g].b);
+    near_.clear(), angles_.clear();
+    for (int g : loop_) {
+      angles_.push_back(front_.angle_after(g));
+      if (wants_seam(front_, g, angles_.back())) near_.push_back(front_.facets[g].b);
+    }
     if (close_seams(front_, near_)) return true;
     bool is_changed = false;
-    std::vector<Row> rows = find_rows(front_, loop_);
+    std::vector<Row> rows = find_rows(front_, loop_, angles_);
     for (Row& row : rows) {
       if (is_changed && !row.is_low) continue;
       if (!keep_living(row)) continue;
@@ -147,6 +150,7 @@ class VoidFiller {
   Front& front_;
   const Progress& progress_;
   std::vector<int> open_, loop_, fresh_, near_;
+  std::vector<double> angles_;  // of the void at the ends of loop_
   std::vector<int> alive_;  // facets, ascending
   std::vector<int> seen_;   // per facet: the call of collect_open_loops() that came by last
   int known_ = 0, call_ = 0;

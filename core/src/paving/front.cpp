@@ -71,6 +71,8 @@ std::optional<Crossing> Front::start_at(const std::vector<std::vector<int>>& loo
 }
 
 std::optional<Crossing> Front::start(std::optional<double> sharpest_tip) {
+  // About as many as a uniform mesh has: growing by doubling would take half as much memory again.
+  mesh.reserve(static_cast<std::size_t>(std::min(1.1 * region.area / (region.h * region.h), 5e7)));
   // Loops that touch in a vertex share one node; the two sides of a cut do not.
   std::map<int, std::vector<int>> made;
   std::vector<std::vector<int>> loops;
@@ -416,11 +418,11 @@ void Front::renew_void(std::span<const int> nodes) {
   empty.legalise(stack_);
 }
 
-void Front::slide(int node, Vec2 p) {
+void Front::slide(int node, Vec2 p, double scale) {
   const Vec2 by = p - mesh.p[node];
   const Vec3 step = by.x * mesh.xp[node] + by.y * mesh.xq[node];
   mesh.p[node] = p;
-  mesh.drift[node] += static_cast<float>(norm(step) / mesh.scale_at(node));
+  mesh.drift[node] += static_cast<float>(norm(step) / scale);
   if (mesh.drift[node] <= most_drift) {
     mesh.x[node] += step;
   } else {

@@ -94,7 +94,9 @@ class Front {
   void renew_void(std::span<const int> nodes);
   /// Moves a node, not the void about it. Near the place of its last evaluation it follows the tangent
   /// plane there, which is off by a hundredth of the target length or so and costs no evaluation.
-  void slide(int node, Vec2 p);
+  void slide(int node, Vec2 p) { slide(node, p, mesh.scale_at(node)); }
+  /// The same where the scale of the mesh there is known.
+  void slide(int node, Vec2 p, double scale);
   /// Puts all nodes that slid on the surface.
   void end_slides();
   /// Whether all elements and void triangles about the node stay positive in the chart with it at p.

@@ -22,12 +22,12 @@ double misfit(const Front& front, int first, int last) {
 
 }  // namespace
 
-std::vector<Row> find_rows(const Front& front, const std::vector<int>& loop) {
+std::vector<Row> find_rows(const Front& front, const std::vector<int>& loop, const std::vector<double>& angles) {
   int n = static_cast<int>(loop.size());
   std::vector<int> ends;
   std::vector<double> cost(n, 0);
   for (int i = 0; i < n; ++i) {
-    double angle = front.angle_after(loop[i]);
+    double angle = angles[i];
     int node = front.facets[loop[i]].b;
     if (classify(front, node, angle) != NodeState::end) continue;
     ends.push_back(i);

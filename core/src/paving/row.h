@@ -17,8 +17,9 @@ struct Row {
   double cost = 0;     ///< ambiguity of its end nodes
 };
 
-/// All rows of the loop between consecutive end nodes, best first: lowest level, clearest ends, shortest.
-std::vector<Row> find_rows(const Front& front, const std::vector<int>& loop);
+/// All rows of the loop between consecutive end nodes, best first: lowest level, clearest ends, shortest. `angles` are
+/// those at the ends of its facets.
+std::vector<Row> find_rows(const Front& front, const std::vector<int>& loop, const std::vector<double>& angles);
 
 /// Lays the quads of the row until it is done or blocked. Returns the new front nodes; none: nothing was laid.
 /// `laid` counts quads.

@@ -28,13 +28,13 @@ bool share_element(const RegionMesh& mesh, int a, int c) {
   return false;
 }
 
+}  // namespace
+
 bool wants_seam(const Front& front, int f, double angle) {
   int b = front.facets[f].b, edges = front.mesh.star[b].size() + 1;
   if (front.mesh.star[b].size() == 0) return false;  // a corner of the boundary
   return angle < (edges >= 5 ? seam_angle_crowded : seam_angle);
 }
-
-}  // namespace
 
 bool close_seam(Front& front, int f) {
   RegionMesh& mesh = front.mesh;

@@ -49,18 +49,19 @@ bool smooth_node(Front& front, int node) {
   RegionMesh& mesh = front.mesh;
   const NodePlace old = mesh.place(node);
   const Vec3 step = ideal_position(mesh, node) - old.x;
-  if (norm(step) < still * mesh.scale_at(node)) return false;
+  const double scale = mesh.scale_at(node);
+  if (norm(step) < still * scale) return false;
   double before = -2;  // worst scaled Jacobian; worked out when needed
   for (double share : {1.0, 0.4, 0.15}) {
     Vec2 p = front.region.chart->walk(old.p, mesh.pull_back(node, share * step));
     if (!front.can_move(node, p)) continue;
-    front.slide(node, p);
+    front.slide(node, p, scale);
     if (is_good_about(mesh, node)) return true;
     double after = worst_about(mesh, node);
     mesh.put(node, old);
     if (before < -1) before = worst_about(mesh, node);
     if (after < before) continue;
-    front.slide(node, p);
+    front.slide(node, p, scale);
     return true;
   }
   return false;
