@@ -5,7 +5,8 @@ namespace paver {
 
 void RegionMesh::reserve(std::size_t count) {
   p.reserve(count), x.reserve(count), xp.reserve(count), xq.reserve(count), drift.reserve(count), h.reserve(count);
-  is_fixed.reserve(count), global.reserve(count), star.reserve(count), elements.reserve(count);
+  is_fixed.reserve(count), global.reserve(count), star.reserve(count);
+  elements.reserve(count + count / 2);  // those that went stay, as gaps
 }
 
 int RegionMesh::add_node(Vec2 chart, Vec3 position, Vec3 tangent_p, Vec3 tangent_q, double target) {

@@ -118,9 +118,9 @@ bool MeshEdit::has_shared_edges(int node) const {
 }
 
 void MeshEdit::touch(int node) {
-  if (is_touched_.size() <= static_cast<std::size_t>(node)) is_touched_.resize(node + 64, 0);
-  if (is_touched_[node]) return;
-  is_touched_[node] = 1;
+  if (slot_.size() < mesh_.p.size()) slot_.resize(mesh_.p.size() + 64, -1);
+  if (slot_[node] >= 0) return;
+  slot_[node] = static_cast<int>(touched_.size());
   touched_.push_back(node);
 }
 
@@ -189,7 +189,7 @@ void MeshEdit::roll_back(std::size_t mark) {
         break;
       case Kind::node:
         touched_.erase(std::remove(touched_.begin(), touched_.end(), entry.id), touched_.end());
-        is_touched_[entry.id] = 0;
+        slot_[entry.id] = -1;
         front_.drop_last_node();
         break;
       case Kind::place:
@@ -204,7 +204,7 @@ void MeshEdit::roll_back(std::size_t mark) {
 }
 
 void MeshEdit::forget_touched() {
-  for (int node : touched_) is_touched_[node] = 0;
+  for (int node : touched_) slot_[node] = -1;
   touched_.clear();
 }
 
@@ -218,18 +218,22 @@ void MeshEdit::commit() {
 }
 
 void MeshEdit::smooth_touched(bool is_first) {
-  if (sum_.size() < mesh_.p.size()) sum_.resize(mesh_.p.size() + 1024);
-  for (int node : touched_) sum_[node] = {0, 0, 0};
+  sum_.assign(touched_.size(), {0, 0, 0});
+  for (std::size_t k = 0; k < touched_.size(); ++k) slot_[touched_[k]] = static_cast<int>(k);  // some may have gone
   for (int e : near_) {
     const Element& element = mesh_.elements[e];
     Vec3 at[4];
     int n = wished_corners(mesh_, element, at);
-    for (int i = 0; i < element.corners(); ++i) sum_[element.v[i]] += n ? at[i] : mesh_.x[element.v[i]];
+    for (int i = 0; i < element.corners(); ++i) {
+      int v = element.v[i], slot = slot_[v];
+      if (slot >= 0) sum_[slot] += n ? at[i] : mesh_.x[v];
+    }
   }
-  for (int node : touched_) {
+  for (std::size_t k = 0; k < touched_.size(); ++k) {
+    const int node = touched_[k];
     int size = mesh_.star[node].size();
     if (mesh_.is_fixed[node] || size == 0) continue;
-    Vec3 step = (1.0 / size) * sum_[node] - mesh_.x[node];
+    Vec3 step = (1.0 / size) * sum_[k] - mesh_.x[node];
     double most = 0.8 * mesh_.h[node], length = norm(step);
     if (length > most) step = (most / length) * step;
     move(node, mesh_.p[node] + mesh_.pull_back(node, step), is_first);
@@ -255,7 +259,7 @@ const MeshEdit::Measure& MeshEdit::measured(int id, const Element& e) {
   Measure& m = measures_[id];
   if (m.jacobian > 1.5) {
     measure(e, m);
-    m.area = area_in_targets(mesh_, e);
+    m.area = static_cast<float>(area_in_targets(mesh_, e));
   }
   return m;
 }
@@ -277,7 +281,7 @@ double MeshEdit::spread_about(std::span<const int> elements) {
 }
 
 void MeshEdit::measure(const Element& e, Measure& worst) const {
-  worst.jacobian = std::min(worst.jacobian, scaled_jacobian(mesh_, e));
+  worst.jacobian = std::min(worst.jacobian, static_cast<float>(scaled_jacobian(mesh_, e)));
   measure_lengths(e, worst);
 }
 
@@ -285,10 +289,10 @@ void MeshEdit::measure_lengths(const Element& e, Measure& worst) const {
   for (int i = 0, n = e.corners(); i < n; ++i) {
     int a = e.v[i], b = e.v[(i + 1) % n];
     if (mesh_.is_fixed[a] && mesh_.is_fixed[b]) continue;
-    double ratio = 2 * norm(mesh_.x[a] - mesh_.x[b]) / (mesh_.h[a] + mesh_.h[b]);
+    const auto ratio = static_cast<float>(2 * norm(mesh_.x[a] - mesh_.x[b]) / (mesh_.h[a] + mesh_.h[b]));
     worst.shortest = std::min(worst.shortest, ratio);
     worst.longest = std::max(worst.longest, ratio);
-    worst.spread += spread(ratio);
+    worst.spread += static_cast<float>(spread(ratio));
   }
 }
 
@@ -330,9 +334,9 @@ bool MeshEdit::settle(const Demand& demand) {
   }
   if (demand.gain + spread_price * (after.spread - before.spread) > -demand.fall) return false;
   if (demand.rise > 0 && after.jacobian < before.jacobian + demand.rise) return false;
-  return after.jacobian >= std::min(demand.jacobian, before.jacobian) &&
-         after.shortest >= std::min(demand.shortest, before.shortest) &&
-         after.longest <= std::max(demand.longest, before.longest);
+  return after.jacobian >= std::min<double>(demand.jacobian, before.jacobian) &&
+         after.shortest >= std::min<double>(demand.shortest, before.shortest) &&
+         after.longest <= std::max<double>(demand.longest, before.longest);
 }
 
 }  // namespace paver

@@ -106,8 +106,8 @@ class MeshEdit {
   static constexpr double degenerate_energy = 8;
   static constexpr double hopeless = 0.3;  // spread of a side that counts no more however far off it is
   struct Measure {
-    double jacobian = 2, shortest = 1, longest = 1, spread = 0;  // lengths by the target length
-    double area = 0;
+    float jacobian = 2, shortest = 1, longest = 1, spread = 0;  // lengths by the target length
+    float area = 0;
     void add(const Measure& m) {
       jacobian = std::min(jacobian, m.jacobian);
       shortest = std::min(shortest, m.shortest), longest = std::max(longest, m.longest);
@@ -133,9 +133,9 @@ class MeshEdit {
   std::vector<Aim> aims_;  // of all nodes and more
   std::vector<Entry> journal_;
   std::vector<int> touched_, near_, list_;
-  std::vector<Vec3> sum_;
+  std::vector<Vec3> sum_;  // per entry of touched_
   std::vector<int> delta_;
-  std::vector<char> is_touched_;
+  std::vector<int> slot_;  // per node: its entry of touched_, or -1
   std::vector<Measure> measures_;  // per element, as at the last commit; Jacobian 2: to be measured
   std::vector<int> stamp_;
   int run_ = 0;

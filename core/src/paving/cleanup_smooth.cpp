@@ -100,7 +100,7 @@ void Sweeper::move_nodes() {
     const Vec3 step = over_relaxation * ((1.0 / mesh_.star[i].size()) * sum_[i] - mesh_.x[i]) + momentum * last;
     last_[i] = {static_cast<float>(step.x), static_cast<float>(step.y), static_cast<float>(step.z)};
     if (!(norm(step) > still * scale_[i])) continue;
-    old_[k] = {mesh_.p[i], mesh_.x[i]};
+    old_[k] = mesh_.p[i], sum_[i] = mesh_.x[i];
     front_.slide(i, mesh_.p[i] + mesh_.pull_back(i, step), scale_[i]);
     moved_as_[i] = static_cast<int>(k);
   }
@@ -126,10 +126,10 @@ void Sweeper::take_back_bad() {
     int node = stack_.back();
     stack_.pop_back();
     if (moved_as_[node] < 0) continue;
-    const Old& old = old_[moved_as_[node]];
+    const Vec2 old = old_[moved_as_[node]];
     moved_as_[node] = -1;
     // Derivatives stay those of where it was evaluated last: to be evaluated at its next move.
-    mesh_.p[node] = old.p, mesh_.x[node] = old.x, mesh_.drift[node] = 1, last_[node] = {};
+    mesh_.p[node] = old, mesh_.x[node] = sum_[node], mesh_.drift[node] = 1, last_[node] = {};
     for (int e : mesh_.star[node])
       if (!check(e)) collect(e);
   }
