@@ -12,6 +12,9 @@ namespace {
 // Against equal lengths. On the full sphere 0.1 costs 0.004 in the coefficient of variation of the lengths and takes
 // the mean scaled Jacobian from 0.986 to 0.991.
 constexpr double angle_weight = 0.07;
+// Over-relaxation: five sweeps make lengths as even as twelve of full steps do; the shorter share is for where the
+// energy does not fall.
+constexpr double shares[] = {1.7, 0.4};
 constexpr double longest_step = 0.3;  // of the target length
 constexpr double flat_sine = 0.2;     // corners may not become flatter than this: behind it lie folded elements
 constexpr double least_area = 0.05;   // of the product of two sides: flatter corners count as if they were no flatter
@@ -29,8 +32,14 @@ class NodeEnergy {
   double value(Vec3 at) {
     sum_ = 0;
     least_sine_ = 1;
-    has_slopes_ = false;
-    add_terms(at);
+    add_terms<false>(at);
+    return sum_;
+  }
+  /// The same, with what step() needs.
+  double value_and_slopes(Vec3 at) {
+    sum_ = g1_ = g2_ = h11_ = h12_ = h22_ = 0;
+    least_sine_ = 1;
+    add_terms<true>(at);
     return sum_;
   }
 
@@ -38,49 +47,37 @@ class NodeEnergy {
   double least_sine() const { return least_sine_; }
 
   /// The step that would be best if the residuals were linear.
-  Vec3 step(Vec3 at) {
-    sum_ = g1_ = g2_ = h11_ = h12_ = h22_ = 0;
-    has_slopes_ = true;
-    add_terms(at);
+  Vec3 step() const {
     double extra = damping * (h11_ + h22_), a = h11_ + extra, c = h22_ + extra, det = a * c - h12_ * h12_;
     if (!(det > 0)) return {0, 0, 0};
     return ((h12_ * g2_ - c * g1_) / det) * t_ + ((h12_ * g1_ - a * g2_) / det) * s_;
   }
 
  private:
+  template <bool has_slopes>
   void add_terms(Vec3 at) {
     for (int q : mesh_.star[node_]) {
       const Element& e = mesh_.elements[q];
       int k = e.corner_of(node_);
-      int next = e.v[(k + 1) % 4], across = e.v[(k + 2) % 4], last = e.v[(k + 3) % 4];
-      add_edge(at, next);
-      add_edge(at, last);
-      add_own_corner(mesh_.x[next] - at, mesh_.x[last] - at);
-      add_second_side(mesh_.x[across] - mesh_.x[next], at - mesh_.x[next]);
-      add_first_side(at - mesh_.x[last], mesh_.x[across] - mesh_.x[last]);
+      const int next = e.v[(k + 1) % 4];
+      const Vec3 a = mesh_.x[next], b = mesh_.x[e.v[(k + 2) % 4]], c = mesh_.x[e.v[(k + 3) % 4]];
+      add_edge<has_slopes>(at - a, mesh_.h[next]);
+      const Vec3 to_a = a - at, to_c = c - at;
+      if (const Corner own = corner_of(to_a, to_c); has_slopes)
+        add_slope(angle_weight, own.cotangent,
+                  -1 * (own.slope(to_c, cross(to_c, n_)) + own.slope(to_a, cross(n_, to_a))));
+      if (const Corner second = corner_of(b - a, at - a); has_slopes)
+        add_slope(angle_weight, second.cotangent, second.slope(b - a, cross(n_, b - a)));
+      if (const Corner first = corner_of(at - c, b - c); has_slopes)
+        add_slope(angle_weight, first.cotangent, first.slope(b - c, cross(b - c, n_)));
     }
   }
 
-  // Each edge is seen from both its quads.
-  void add_edge(Vec3 at, int other) {
-    Vec3 d = at - mesh_.x[other];
-    double length = norm(d), wish = 0.5 * ratio_ * (mesh_.h[node_] + mesh_.h[other]);
-    add(0.5, length / wish - 1, (1 / (length * wish)) * d);
-  }
-
-  void add_own_corner(Vec3 a, Vec3 b) {
-    Corner corner = corner_of(a, b);
-    add(angle_weight, corner.cotangent, -1 * (corner.slope(b, cross(b, n_)) + corner.slope(a, cross(n_, a))));
-  }
-
-  // The corner at a neighbour: its first side `a` or its second `b` leads to the node.
-  void add_first_side(Vec3 a, Vec3 b) {
-    Corner corner = corner_of(a, b);
-    add(angle_weight, corner.cotangent, corner.slope(b, cross(b, n_)));
-  }
-  void add_second_side(Vec3 a, Vec3 b) {
-    Corner corner = corner_of(a, b);
-    add(angle_weight, corner.cotangent, corner.slope(a, cross(n_, a)));
+  template <bool has_slopes>
+  void add_edge(Vec3 d, double target) {
+    double length = norm(d), wish = 0.5 * ratio_ * (mesh_.h[node_] + target), residual = length / wish - 1;
+    sum_ += residual * residual;
+    if (has_slopes) add_slope(1, residual, (1 / (length * wish)) * d);
   }
 
   struct Corner {
@@ -90,15 +87,15 @@ class NodeEnergy {
   };
 
   Corner corner_of(Vec3 a, Vec3 b) {
-    double scale = norm(a) * norm(b), area = dot(cross(a, b), n_);
+    double scale = std::sqrt(dot(a, a) * dot(b, b)), area = dot(cross(a, b), n_);
     least_sine_ = std::min(least_sine_, area / scale);
     area = std::max(area, least_area * scale);
-    return {dot(a, b) / area, area};
+    const double cotangent = dot(a, b) / area;
+    sum_ += angle_weight * cotangent * cotangent;
+    return {cotangent, area};
   }
 
-  void add(double weight, double residual, Vec3 slope) {
-    sum_ += weight * residual * residual;
-    if (!has_slopes_) return;
+  void add_slope(double weight, double residual, Vec3 slope) {
     double j1 = dot(slope, t_), j2 = dot(slope, s_);
     g1_ += weight * residual * j1, g2_ += weight * residual * j2;
     h11_ += weight * j1 * j1, h12_ += weight * j1 * j2, h22_ += weight * j2 * j2;
@@ -108,7 +105,6 @@ class NodeEnergy {
   int node_;
   double ratio_;
   Vec3 n_, t_, s_;
-  bool has_slopes_ = false;
   double least_sine_ = 1;
   double sum_ = 0, g1_ = 0, g2_ = 0, h11_ = 0, h12_ = 0, h22_ = 0;
 };
@@ -118,13 +114,13 @@ void improve(GluedGrid& grid, int node, double ratio, const Surface& surface, co
   NodeEnergy energy(mesh, node, ratio);
   const Vec2 p = mesh.p[node];
   const Vec3 x = mesh.x[node];
-  const double before = energy.value(x), sine = std::min(energy.least_sine(), flat_sine);
-  Vec3 step = energy.step(x);
+  const double before = energy.value_and_slopes(x), sine = std::min(energy.least_sine(), flat_sine);
+  Vec3 step = energy.step();
   double length = norm(step), most = longest_step * ratio * mesh.h[node];
   if (!(length > 0)) return;
   if (length > most) step = (most / length) * step;
   Vec2 move = mesh.pull_back(node, step);
-  for (double share : {1.0, 0.4}) {
+  for (double share : shares) {
     grid.place(node, p + share * move, surface, size);
     if (energy.value(mesh.x[node]) < before && energy.least_sine() >= sine) return;
   }
@@ -204,7 +200,5 @@ void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, 
       if (!grid.mesh.is_fixed[node]) improve(grid, node, ratio, surface, size);
   }
 }
-
-int finer_sweeps(const GluedGrid& grid) { return grid.mesh.node_count() > 40000 ? 3 : 12; }
 
 }  // namespace paver

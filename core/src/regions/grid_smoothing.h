@@ -40,8 +40,7 @@ GridFigures measure_grid(const GluedGrid& grid);
 /// cotangent.
 void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress);
 
-/// Sweeps for a grid that was interpolated from a smoothed one of half as many rows: fewer for large grids, whose error
-/// is smaller.
-int finer_sweeps(const GluedGrid& grid);
+/// Sweeps for a grid that was interpolated from a smoothed one of half as many rows.
+constexpr int finer_sweeps = 5;
 
 }  // namespace paver
