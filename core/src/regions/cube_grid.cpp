@@ -226,7 +226,7 @@ std::shared_ptr<const ClosedGrid> lay_cube(const ClosedFace& face, int n, int m,
     } else {
       grid->start();
     }
-    smooth_grid(grid->grid(), face.surface, face.size, coarse ? finer_sweeps : first_sweeps, progress);
+    smooth_grid(grid->grid(), face.surface, face.size, coarse ? finer_sweeps(grid->grid()) : first_sweeps, progress);
     coarse = std::move(grid);
   }
   return is_good(measure_grid(coarse->grid()), most_uneven, turn_limit) ? coarse->patches() : nullptr;

@@ -242,7 +242,8 @@ std::optional<RegionMesh> lay_disc(const Region& region, const Progress& progres
   for (const Layout& level : levels_of(*layout)) {
     auto finer = std::make_unique<DiscGrid>(region, rim, level);
     finer->start(disc.get());
-    smooth_grid(finer->grid(), *region.surface, region.size, disc ? finer_sweeps : first_sweeps, progress);
+    smooth_grid(finer->grid(), *region.surface, region.size, disc ? finer_sweeps(finer->grid()) : first_sweeps,
+                progress);
     disc = std::move(finer);
   }
   if (!disc->finish()) return std::nullopt;

@@ -15,6 +15,7 @@ constexpr double angle_weight = 0.07;
 // Over-relaxation: five sweeps make lengths as even as twelve of full steps do; the shorter share is for where the
 // energy does not fall.
 constexpr double shares[] = {1.7, 0.4};
+constexpr double still = 0.004;       // of the target length: when no node moves further the grid is smooth
 constexpr double longest_step = 0.3;  // of the target length
 constexpr double flat_sine = 0.2;     // corners may not become flatter than this: behind it lie folded elements
 constexpr double least_area = 0.05;   // of the product of two sides: flatter corners count as if they were no flatter
@@ -109,7 +110,8 @@ class NodeEnergy {
   double sum_ = 0, g1_ = 0, g2_ = 0, h11_ = 0, h12_ = 0, h22_ = 0;
 };
 
-void improve(GluedGrid& grid, int node, double ratio, const Surface& surface, const FaceSize& size) {
+/// How far the node went, by its target length.
+double improve(GluedGrid& grid, int node, double ratio, const Surface& surface, const FaceSize& size) {
   RegionMesh& mesh = grid.mesh;
   NodeEnergy energy(mesh, node, ratio);
   const Vec2 p = mesh.p[node];
@@ -117,14 +119,16 @@ void improve(GluedGrid& grid, int node, double ratio, const Surface& surface, co
   const double before = energy.value_and_slopes(x), sine = std::min(energy.least_sine(), flat_sine);
   Vec3 step = energy.step();
   double length = norm(step), most = longest_step * ratio * mesh.h[node];
-  if (!(length > 0)) return;
+  if (!(length > 0)) return 0;
   if (length > most) step = (most / length) * step;
   Vec2 move = mesh.pull_back(node, step);
   for (double share : shares) {
     grid.place(node, p + share * move, surface, size);
-    if (energy.value(mesh.x[node]) < before && energy.least_sine() >= sine) return;
+    if (energy.value(mesh.x[node]) < before && energy.least_sine() >= sine)
+      return norm(mesh.x[node] - x) / mesh.h[node];
   }
   grid.place(node, p, surface, size);
+  return 0;
 }
 
 double mean_ratio(const RegionMesh& mesh) {
@@ -192,12 +196,16 @@ GridFigures measure_grid(const GluedGrid& grid) {
   return figures;
 }
 
+int finer_sweeps(const GluedGrid& grid) { return std::clamp(8000 / grid.mesh.node_count(), 5, 40); }
+
 void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     progress.check();
     double ratio = mean_ratio(grid.mesh);
+    double furthest = 0;
     for (int node = 0; node < grid.mesh.node_count(); ++node)
-      if (!grid.mesh.is_fixed[node]) improve(grid, node, ratio, surface, size);
+      if (!grid.mesh.is_fixed[node]) furthest = std::max(furthest, improve(grid, node, ratio, surface, size));
+    if (furthest < still) return;
   }
 }
 

@@ -40,7 +40,8 @@ GridFigures measure_grid(const GluedGrid& grid);
 /// cotangent.
 void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress);
 
-/// Sweeps for a grid that was interpolated from a smoothed one of half as many rows.
-constexpr int finer_sweeps = 5;
+/// Sweeps for a grid that was interpolated from a smoothed one of half as many rows: more for small ones, where they
+/// cost little and spare the finer ones work.
+int finer_sweeps(const GluedGrid& grid);
 
 }  // namespace paver

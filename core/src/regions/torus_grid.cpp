@@ -172,7 +172,7 @@ std::shared_ptr<const ClosedGrid> make_torus_grid(const ClosedFace& face, const 
   for (std::size_t i = 1; i < levels.size(); ++i) {
     auto finer = std::make_unique<TorusGrid>(face, levels[i]);
     finer->start(grid.get());
-    smooth_grid(finer->grid(), face.surface, face.size, finer_sweeps, progress);
+    smooth_grid(finer->grid(), face.surface, face.size, finer_sweeps(finer->grid()), progress);
     grid = std::move(finer);
   }
   return is_good(measure_grid(grid->grid()), most_uneven, M_PI) ? grid->patches() : nullptr;
