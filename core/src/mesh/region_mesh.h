@@ -33,7 +33,10 @@ class Star {
         near_(from.near_),
         far_(from.far_ ? std::make_unique<std::vector<int>>(*from.far_) : nullptr) {}
   Star(Star&&) noexcept = default;
-  Star& operator=(const Star&) = delete;
+  Star& operator=(const Star& from) {
+    if (this != &from) *this = Star(from);
+    return *this;
+  }
   Star& operator=(Star&&) noexcept = default;
   ~Star() = default;
   int size() const { return size_; }
