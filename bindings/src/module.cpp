@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "bind_display.h"
 #include "bind_result.h"
 #include "job.h"
 #include "paver/mesher.h"
@@ -142,6 +143,7 @@ PYBIND11_MODULE(_paver, module) {
       .def_static("of_file", &Source::of_file)
       .def_static("of_bytes", &Source::of_bytes);
   bind_result(module);
+  bind_display(module);
   module.def("mesh", mesh);
   module.def("predict", predict);
   module.def("parts", parts);
