@@ -57,6 +57,25 @@ def place_of(model, error):
     return None
 
 
+def failures(job, mesh):
+    """[(Place, reason)] of the faces that a StoredMesh of the job lacks."""
+    found = []
+    for i, face in enumerate(mesh.report["faces"]):
+        if face["status"] == "failed":
+            source, element = place_of_name(job.sources, mesh.face_names[i])
+            found.append((Place(source, element), face["reason"]))
+    return found
+
+
+def place_of_name(sources, name):
+    """(number of the source, "Face3") of a name that face_names made."""
+    for number, source in enumerate(sources):
+        element = name[len(source) + 1:]
+        if len(sources) > 1 and name.startswith(source + "_Face") and element[4:].isdigit():
+            return number, element
+    return 0, name
+
+
 def run(job, progress=None, cancel=None, model=None):
     """paver.Result of a job. Faces that fail are left out.
 

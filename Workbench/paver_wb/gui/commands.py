@@ -51,8 +51,8 @@ def first_size(things):
 
 class CreateMesh:
     def GetResources(self):
-        return resources("Paver_CreateMesh", "Create mesh", "Makes a mesh object for the selected objects; its options "
-                         "are in the property editor")
+        return resources("Paver_CreateMesh", "Create mesh", "Makes a mesh object for the selected objects and opens "
+                         "its panel")
 
     def IsActive(self):
         return FreeCAD.ActiveDocument is not None and bool(selected()[1])
@@ -65,6 +65,8 @@ class CreateMesh:
                                   f"size={first_size(things)!r})"):
             FreeCADGui.Selection.clearSelection()
             do("FreeCADGui.Selection.addSelection(mesh)")
+            FreeCADGui.addModule("paver_wb.gui.task_panel")
+            do("paver_wb.gui.task_panel.edit_new(mesh)")
 
 
 class OnMeshes:
@@ -85,10 +87,11 @@ class OnMeshes:
 
 
 class Mesh(OnMeshes):
-    module, function = "paver_wb.gui.status_bar", "mesh"
+    module, function = "paver_wb.gui.run_control", "start"
 
     def GetResources(self):
-        return resources("Paver_Mesh", "Mesh", "Meshes the selected mesh objects with their options; Esc stops")
+        return resources("Paver_Mesh", "Mesh", "Meshes the selected mesh objects with their options, while "
+                         "FreeCAD can be used; double click on one for its panel")
 
 
 class FillFemMesh(OnMeshes):

@@ -14,6 +14,18 @@ class MeshViewProvider:
     def getIcon(self):
         return os.path.join(ICONS, "Paver_CreateMesh.svg")
 
+    def doubleClicked(self, vobj):
+        vobj.Document.setEdit(vobj.Object.Name)
+        return True
+
+    def setEdit(self, vobj, mode=0):
+        from paver_wb.gui import task_panel
+        return task_panel.set_edit(vobj.Object) if mode == 0 else None
+
+    def unsetEdit(self, vobj, mode=0):
+        from paver_wb.gui import task_panel
+        task_panel.unset_edit()
+
     def dumps(self):
         return None
 
