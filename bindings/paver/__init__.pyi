@@ -11,6 +11,8 @@ Quantity = Any  # FreeCAD.Units.Quantity
 Length = Union[float, str, Quantity]  # mm, or "30 mm"
 Frequency = Union[float, str, Quantity]  # Hz, or "9 GHz"
 Angle = Union[float, str, Quantity]  # degrees, or "0.5 rad"
+Medium = dict[str, float]  # eps_r, mu_r
+Local = Union[dict[Union[str, tuple[str, ...]], Union[Length, Medium]], str, Sequence[str]]  # {"Face3": "2 mm"}
 Path = Union[str, os.PathLike[str]]
 Shape = Any  # Part.Shape, or an object of a FreeCAD document
 Source = Union[Model, Shape, Sequence[Shape], Path, bytes, bytearray, memoryview]
@@ -50,6 +52,8 @@ class Prediction(NamedTuple):
 class Part(NamedTuple):
     faces: NDArray[np.int32]
     edges: NDArray[np.int32]
+    vertices: NDArray[np.int32]
+    solids: NDArray[np.int32]
 
 class ElementQuality(NamedTuple):
     sj: NDArray[np.float64]
@@ -128,16 +132,17 @@ class Result:
 
 def mesh(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Frequency] = None,
          divisions: Optional[float] = None, eps_r: Optional[float] = None, mu_r: Optional[float] = None,
-         max_turn: Optional[Angle] = None, gradation: Optional[float] = None, max_elements: Optional[int] = None,
-         order: Optional[int] = None, elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
+         max_turn: Optional[Angle] = None, gradation: Optional[float] = None, local: Optional[Local] = None,
+         max_elements: Optional[int] = None, order: Optional[int] = None,
+         elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
          threads: Optional[int] = None, sew_tolerance: Optional[Length] = None, output: Optional[Path] = None,
          report: Optional[Path] = None, msh_version: Literal["4.1", "2.2"] = "4.1", ascii: bool = False,
          quiet: bool = True, partial: bool = False, progress: Optional[Progress] = None,
          cancel: Optional[threading.Event] = None, name: Optional[str] = None) -> Result: ...
 def predict(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Frequency] = None,
             divisions: Optional[float] = None, eps_r: Optional[float] = None, mu_r: Optional[float] = None,
-            max_turn: Optional[Angle] = None, gradation: Optional[float] = None, max_elements: Optional[int] = None,
-            order: Optional[int] = None,
+            max_turn: Optional[Angle] = None, gradation: Optional[float] = None, local: Optional[Local] = None,
+            max_elements: Optional[int] = None, order: Optional[int] = None,
             elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
             threads: Optional[int] = None, sew_tolerance: Optional[Length] = None,
             progress: Optional[Progress] = None, cancel: Optional[threading.Event] = None,

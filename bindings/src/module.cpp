@@ -86,7 +86,9 @@ py::list parts(Source& source, const py::object& poll) {
     return py::array_t<int>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
   };
   py::list result;
-  for (const ModelPart& part : found) result.append(py::make_tuple(array(part.faces), array(part.edges)));
+  for (const ModelPart& part : found) {
+    result.append(py::make_tuple(array(part.faces), array(part.edges), array(part.vertices), array(part.solids)));
+  }
   return result;
 }
 
