@@ -10,3 +10,4 @@ from addon_cases import *  # noqa: E402, F401, F403
 from analysis_cases import *  # noqa: E402, F401, F403
 from child_cases import *  # noqa: E402, F401, F403
 from mesh_cases import *  # noqa: E402, F401, F403
+from refinement_cases import *  # noqa: E402, F401, F403

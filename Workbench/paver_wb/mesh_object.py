@@ -19,6 +19,7 @@ NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = STATES = ("Not meshed", "Up to date", "Out
 RUN_IN = AUTOMATIC, IN_FREECAD, IN_PROCESS = ("Automatic", "FreeCAD", "Own process")
 ENUMERATIONS = {"Status": STATES, "RunIn": RUN_IN}
 LINKS = ("Part", "MoreParts")
+REFINEMENTS = "Refinements"
 PREFERENCES = "User parameter:BaseApp/Preferences/Mod/Paver"
 FILL_LIMIT = 50000  # elements; FreeCAD needs about a second to draw as many
 HEAVY_ELEMENTS = 300000
@@ -28,6 +29,8 @@ PROPERTIES = {
     "Part": ("App::PropertyLinkGlobal", INPUT, "Object to mesh: a solid or a surface, an App::Part, a link", ()),
     "MoreParts": ("App::PropertyLinkListGlobal", INPUT, "Further objects, meshed together with Part, each where it "
                   "stands", ()),
+    REFINEMENTS: ("App::PropertyLinkListGlobal", INPUT, "Refinements: target lengths of faces, edges, vertices and "
+                  "solids", ()),
     "RunIn": ("App::PropertyEnumeration", INPUT, "Where the window's commands mesh; own process: FreeCAD survives a "
               "crash; automatic: there from HeavyElements of the preferences on", ()),
     "Status": ("App::PropertyEnumeration", RESULT, "Out of date: an option or an object has changed since meshing",
@@ -212,7 +215,9 @@ class MeshProxy:
             update_status(obj)
 
     def onChanged(self, obj, name):
-        if name not in LINKS and not properties.is_option(obj, name) or "Status" not in obj.PropertiesList:
+        if "Status" not in obj.PropertiesList:
+            return
+        if name not in (*LINKS, REFINEMENTS) and not properties.is_option(obj, name):
             return
         if is_restoring(obj) or "ShapeChanged" not in obj.PropertiesList:
             return

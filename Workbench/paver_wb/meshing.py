@@ -1,7 +1,7 @@
 """Meshing of a mesh object, as it is asked for by commands, scripts and jobs."""
 from contextlib import contextmanager
 
-from paver_wb import core, fem_mesh, mesh_job, mesh_object, properties
+from paver_wb import core, fem_mesh, mesh_job, mesh_object, properties, refinement
 from paver_wb.mesh_job import Job
 
 
@@ -34,8 +34,11 @@ def prepare(obj, **changes):
                                "set its property Part")
     shape, name = _shapes.source_of(parts, None)
     options = properties.merged(obj, changes)
-    return Job(shape, name, options, tuple(part.Name for part in parts), mesh_object.digest_of(shape),
-               properties.text_of(options))
+    decisive = properties.decisive(obj, options)
+    texts = refinement.local_texts(obj, parts)
+    if texts:
+        options["local"] = options.get("local", []) + texts
+    return Job(shape, name, options, tuple(part.Name for part in parts), mesh_object.digest_of(shape), decisive)
 
 
 def show_results(obj, mesh):

@@ -1,11 +1,11 @@
 """The options of a run as properties of a document object. The core's table of options is the only list of them."""
 import FreeCAD
 
-from paver_wb import core
+from paver_wb import core, refinement
 
 GROUP = "Mesh options"
 TYPES = {"length": "App::PropertyLength", "frequency": "App::PropertyFrequency", "angle": "App::PropertyAngle",
-         "number": "App::PropertyFloat", "integer": "App::PropertyInteger", "choice": "App::PropertyEnumeration"}
+         "number": "App::PropertyFloat", "integer": "App::PropertyInteger", "choice": "App::PropertyEnumeration", "local": "App::PropertyStringList"}
 WITHOUT_EFFECT = {"threads", "max_elements"}  # on a mesh that was made
 
 
@@ -27,10 +27,14 @@ def tooltip(info):
     text = info["help"]
     if has_default(info):
         return f"{text} [{info['default']}]"
+    if info["kind"] == "local":
+        return text + ". Besides those of the refinements"
     return text + (". Negative: automatic" if info["may_be_zero"] else ". 0: not given")
 
 
 def initial(info):
+    if info["kind"] == "local":
+        return []
     if not has_default(info):
         return -1 if info["may_be_zero"] else 0
     return {"integer": int, "choice": str}.get(info["kind"], float)(info["default"])
@@ -61,6 +65,8 @@ def value_of(obj, info):
     value = getattr(value, "Value", value)
     if has_default(info):
         return value
+    if info["kind"] == "local":
+        return list(value) or None
     return None if (value < 0 if info["may_be_zero"] else value == 0) else value
 
 
@@ -71,7 +77,8 @@ def needed(values):
 
 
 def given(obj):
-    """{option: value} as paver.mesh takes them. What needs an option that is not given is left out."""
+    """{option: value} as paver.mesh takes them, without refinements. What needs an option that is not given is left out.
+    """
     return needed({info["name"]: value_of(obj, info) for info in core.load().options()})
 
 
@@ -88,6 +95,8 @@ def plain(info, value):
     """A value that put takes, as value_of gives it back."""
     if value is None:
         return initial(info) if has_default(info) else None
+    if info["kind"] == "local":
+        return texts_of(value) or None
     if info["kind"] in ("number", "integer", "choice"):
         cast = {"integer": int, "number": float, "choice": str}[info["kind"]]
         return cast(number_of(info["name"], info["kind"], value) if isinstance(value, str) and cast != str else value)
@@ -102,9 +111,16 @@ def text_of(options):
     return repr(sorted((n, v) for n, v in options.items() if n not in WITHOUT_EFFECT))
 
 
-def decisive(obj):
-    """text_of the options that a mesh object has."""
-    return text_of(given(obj))
+def decisive(obj, options=None):
+    """Text that is equal for equal options, those that a mesh object has unless `options` are given, and refinements."""
+    return text_of(given(obj) if options is None else options) + refinement.decisive(obj)
+
+
+def texts_of(value):
+    """Lengths of parts as paver.mesh takes them, as a list of text."""
+    core.load()
+    from paver import _run
+    return _run.local_texts("local", value)
 
 
 def put(obj, options):
@@ -117,6 +133,8 @@ def put(obj, options):
     for name, value in options.items():
         if table[name]["kind"] in ("number", "integer") and isinstance(value, str):
             value = number_of(name, table[name]["kind"], value)
+        if table[name]["kind"] == "local":
+            value = None if value is None else texts_of(value)
         try:
             setattr(obj, property_name(name), initial(table[name]) if value is None else value)
         except Exception:  # FreeCAD raises all sorts, with texts for programmers

@@ -10,7 +10,7 @@ import window
 from paver_wb import mesh_object
 from paver_wb.gui import run_control
 
-COMMANDS = ["Paver_CreateMesh", "Paver_Mesh", "Paver_FillFemMesh", "Paver_About"]
+COMMANDS = ["Paver_CreateMesh", "Paver_Refine", "Paver_Mesh", "Paver_FillFemMesh", "Paver_About"]
 
 
 def select(*things):
@@ -48,7 +48,7 @@ class Window(unittest.TestCase):
         select(self.box)
         self.assertEqual([n for n in COMMANDS if self.is_active(n)], ["Paver_CreateMesh", "Paver_About"])
         select(mesh_object.add(self.document, self.box))
-        self.assertEqual([n for n in COMMANDS if self.is_active(n)], COMMANDS[1:])
+        self.assertEqual([n for n in COMMANDS if self.is_active(n)], COMMANDS[2:])
 
     def mesh_and_wait(self):
         FreeCADGui.runCommand("Paver_Mesh")

@@ -52,7 +52,7 @@ class OptionsBox(QtGui.QWidget):
     def __init__(self, obj):
         super().__init__()
         self.obj = obj
-        self.table = {info["name"]: info for info in core.load().options()}
+        self.table = {info["name"]: info for info in core.load().options() if info["kind"] != "local"}
         self.fields = {name: fields.field_for(info) for name, info in self.table.items()}
         for name, field in self.fields.items():
             field.setObjectName("Paver_" + name)
