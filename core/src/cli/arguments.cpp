@@ -41,9 +41,9 @@ struct Texts {
 void add_options(CLI::App& mesh, Texts& texts) {
   for (const OptionInfo& info : option_table()) {
     CLI::Option* option = mesh.add_option(command_line_name(info.name), texts.options[info.name], info.help);
-    option->type_name(info.letter);
+    option->type_name(info.letter)->allow_extra_args(false);
     if (info.kind == OptionKind::local) {
-      option->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     } else {
       option->expected(1);
     }
