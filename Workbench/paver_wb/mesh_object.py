@@ -16,15 +16,23 @@ from paver_wb import analysis, core, fem_mesh, mesh_file, properties
 
 INPUT, RESULT = "Input", "Result"
 NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = STATES = ("Not meshed", "Up to date", "Out of date")
+RUN_IN = AUTOMATIC, IN_FREECAD, IN_PROCESS = ("Automatic", "FreeCAD", "Own process")
+ENUMERATIONS = {"Status": STATES, "RunIn": RUN_IN}
 LINKS = ("Part", "MoreParts")
+REFINEMENTS = "Refinements"
 PREFERENCES = "User parameter:BaseApp/Preferences/Mod/Paver"
 FILL_LIMIT = 50000  # elements; FreeCAD needs about a second to draw as many
+HEAVY_ELEMENTS = 300000
 
 # name: (type, group, tooltip, editor modes)
 PROPERTIES = {
     "Part": ("App::PropertyLinkGlobal", INPUT, "Object to mesh: a solid or a surface, an App::Part, a link", ()),
     "MoreParts": ("App::PropertyLinkListGlobal", INPUT, "Further objects, meshed together with Part, each where it "
                   "stands", ()),
+    REFINEMENTS: ("App::PropertyLinkListGlobal", INPUT, "Refinements: target lengths of faces, edges, vertices and "
+                  "solids", ()),
+    "RunIn": ("App::PropertyEnumeration", INPUT, "Where the window's commands mesh; own process: FreeCAD survives a "
+              "crash; automatic: there from HeavyElements of the preferences on", ()),
     "Status": ("App::PropertyEnumeration", RESULT, "Out of date: an option or an object has changed since meshing",
                ("ReadOnly",)),
     "Quads": ("App::PropertyInteger", RESULT, "Number of quads", ("ReadOnly",)),
@@ -49,8 +57,8 @@ def add_properties(obj):
     for name, (kind, group, tooltip, modes) in PROPERTIES.items():
         if name not in obj.PropertiesList:
             obj.addProperty(kind, name, group, tooltip)
-            if name == "Status":
-                obj.Status = list(STATES)
+            if name in ENUMERATIONS:
+                setattr(obj, name, list(ENUMERATIONS[name]))
         obj.setEditorMode(name, list(modes))
     obj.setPropertyStatus("FemMesh", "Transient")
 
@@ -58,6 +66,11 @@ def add_properties(obj):
 def fill_limit():
     """Largest number of elements with which FemMesh is filled unasked."""
     return FreeCAD.ParamGet(PREFERENCES).GetInt("FillLimit", FILL_LIMIT)
+
+
+def heavy_elements():
+    """Number of predicted elements from which on RunIn "Automatic" means a process of its own."""
+    return FreeCAD.ParamGet(PREFERENCES).GetInt("HeavyElements", HEAVY_ELEMENTS)
 
 
 def sources(obj):
@@ -70,9 +83,14 @@ def shape_digest(obj):
     paver = core.load()
     from paver import _shapes
     try:
-        return hashlib.blake2b(_shapes.source_of(sources(obj), None)[0], digest_size=16).hexdigest()
+        return digest_of(_shapes.source_of(sources(obj), None)[0])
     except (paver.InputError, TypeError):
         return ""
+
+
+def digest_of(shape):
+    """Digest of the bytes of a shape."""
+    return hashlib.blake2b(shape, digest_size=16).hexdigest()
 
 
 def is_restoring(obj):
@@ -126,7 +144,15 @@ def fill(obj, mesh=None):
 
 
 def keep(obj, mesh):
-    """Puts a StoredMesh, or the bytes of its file, into the object's file."""
+    """Puts a StoredMesh, the bytes of its file, or such a file, by its path, into the object's file.
+
+    The file of a path is moved, without a copy, and must lie on the disk that the document has its own files on.
+    """
+    if isinstance(mesh, str):
+        path = os.path.join(obj.Document.TransientDir, free_name(obj) + ".new")
+        os.replace(mesh, path)
+        obj.MeshFile = (path, free_name(obj))  # FreeCAD moves what lies in its own folder, and copies anything else
+        return
     with tempfile.TemporaryDirectory(prefix="paver") as folder:
         path = os.path.join(folder, obj.Name + ".paver")
         if isinstance(mesh, bytes):
@@ -189,7 +215,9 @@ class MeshProxy:
             update_status(obj)
 
     def onChanged(self, obj, name):
-        if name not in LINKS and not properties.is_option(obj, name) or "Status" not in obj.PropertiesList:
+        if "Status" not in obj.PropertiesList:
+            return
+        if name not in (*LINKS, REFINEMENTS) and not properties.is_option(obj, name):
             return
         if is_restoring(obj) or "ShapeChanged" not in obj.PropertiesList:
             return

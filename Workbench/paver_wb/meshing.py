@@ -1,7 +1,8 @@
 """Meshing of a mesh object, as it is asked for by commands, scripts and jobs."""
 from contextlib import contextmanager
 
-from paver_wb import core, fem_mesh, mesh_file, mesh_object, properties
+from paver_wb import core, fem_mesh, mesh_job, mesh_object, properties, refinement
+from paver_wb.mesh_job import Job
 
 
 @contextmanager
@@ -20,34 +21,24 @@ def transaction(document, name):
         document.commitTransaction()
 
 
-def face_names(parts, result):
-    """Names of groups: "Face3" of a single object, "Box_Face3" where several are meshed together."""
-    if len(parts) < 2:
-        return result.face_names
-    names = list(result.face_names)
-    for thing, part in reversed(list(zip(parts, result.parts))):  # the first object names what several share
-        for number, face in enumerate(part.faces):
-            names[face] = f"{thing.Name}_Face{number + 1}"
-    return names
+def prepare(obj, **changes):
+    """The Job of a mesh object as it is now, but with `changes` of its options, as properties.put takes them.
 
-
-def run(obj, progress=None, cancel=None):
-    """paver.Result of the object's sources with its options; changes nothing. Faces that fail are left out.
-
-    FaceError when no face can be meshed; other errors as paver.mesh has them.
+    Looks at the document, so only in the main thread. InputError without anything to mesh, ValueError for bad changes.
     """
     paver = core.load()
+    from paver import _shapes
     parts = mesh_object.sources(obj)
     if not parts:
         raise paver.InputError(f"'{obj.Label}' has no object to mesh; set its property Part.", "no_faces",
                                "set its property Part")
-    model = paver.Model(parts)
-    try:
-        return paver.mesh(model, progress=progress, cancel=cancel, **properties.given(obj))
-    except paver.FaceError as error:
-        if error.result is None or len(error.result.quads) + len(error.result.triangles) == 0:
-            raise
-        return error.result
+    shape, name = _shapes.source_of(parts, None)
+    options = properties.merged(obj, changes)
+    decisive = properties.decisive(obj, options)
+    texts = refinement.local_texts(obj, parts)
+    if texts:
+        options["local"] = options.get("local", []) + texts
+    return Job(shape, name, options, tuple(part.Name for part in parts), mesh_object.digest_of(shape), decisive)
 
 
 def show_results(obj, mesh):
@@ -61,23 +52,36 @@ def show_results(obj, mesh):
                        if face["status"] == "failed"]
 
 
+def keep(obj, job, mesh, file=None, fem=None, **changes):
+    """Keeps a job's StoredMesh, and the changes of options it was made with, in its mesh object as one step of undo.
+
+    file: where the mesh is written already; it is moved, and must lie on the document's disk. fem: its FemMesh.
+    """
+    is_filled = is_filled_unasked(mesh)
+    if fem is None:
+        fem = mesh_object.fem_mesh_of(obj, mesh) if is_filled else fem_mesh.empty()
+    with transaction(obj.Document, "Mesh " + obj.Label):
+        properties.put(obj, changes)
+        mesh_object.keep(obj, file or mesh)
+        show_results(obj, mesh)
+        obj.MeshedShape, obj.MeshedOptions, obj.ShapeChanged = job.digest, job.decisive, False
+        obj.FemMesh, obj.FemMeshFilled = fem, is_filled
+        mesh_object.update_status(obj)
+
+
+def is_filled_unasked(mesh):
+    return len(mesh.quads) + len(mesh.triangles) <= mesh_object.fill_limit()
+
+
 def mesh(obj, progress=None, cancel=None):
     """Meshes a mesh object and keeps the result in it, as one step of undo; gives the paver.Result.
 
     progress(stage, fraction) and cancel are those of paver.mesh. After an error, or when it is stopped, the object is
     as before. Faces that fail are named in FailedFaces; the mesh of the others is kept.
     """
-    digest, options = mesh_object.shape_digest(obj), properties.decisive(obj)
-    result = run(obj, progress, cancel)
-    made = mesh_file.of_result(result, face_names(mesh_object.sources(obj), result))
-    is_filled = len(made.quads) + len(made.triangles) <= mesh_object.fill_limit()
-    fem = mesh_object.fem_mesh_of(obj, made) if is_filled else fem_mesh.empty()
-    with transaction(obj.Document, "Mesh " + obj.Label):
-        mesh_object.keep(obj, made)
-        show_results(obj, made)
-        obj.MeshedShape, obj.MeshedOptions, obj.ShapeChanged = digest, options, False
-        obj.FemMesh, obj.FemMeshFilled = fem, is_filled
-        mesh_object.update_status(obj)
+    job = prepare(obj)
+    result = mesh_job.run(job, progress, cancel)
+    keep(obj, job, mesh_job.stored(job, result))
     return result
 
 

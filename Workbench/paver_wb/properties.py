@@ -1,9 +1,11 @@
 """The options of a run as properties of a document object. The core's table of options is the only list of them."""
-from paver_wb import core
+import FreeCAD
+
+from paver_wb import core, refinement
 
 GROUP = "Mesh options"
 TYPES = {"length": "App::PropertyLength", "frequency": "App::PropertyFrequency", "angle": "App::PropertyAngle",
-         "number": "App::PropertyFloat", "integer": "App::PropertyInteger", "choice": "App::PropertyEnumeration"}
+         "number": "App::PropertyFloat", "integer": "App::PropertyInteger", "choice": "App::PropertyEnumeration", "local": "App::PropertyStringList"}
 WITHOUT_EFFECT = {"threads", "max_elements"}  # on a mesh that was made
 
 
@@ -25,10 +27,14 @@ def tooltip(info):
     text = info["help"]
     if has_default(info):
         return f"{text} [{info['default']}]"
+    if info["kind"] == "local":
+        return text + ". Besides those of the refinements"
     return text + (". Negative: automatic" if info["may_be_zero"] else ". 0: not given")
 
 
 def initial(info):
+    if info["kind"] == "local":
+        return []
     if not has_default(info):
         return -1 if info["may_be_zero"] else 0
     return {"integer": int, "choice": str}.get(info["kind"], float)(info["default"])
@@ -59,43 +65,99 @@ def value_of(obj, info):
     value = getattr(value, "Value", value)
     if has_default(info):
         return value
+    if info["kind"] == "local":
+        return list(value) or None
     return None if (value < 0 if info["may_be_zero"] else value == 0) else value
 
 
-def given(obj):
-    """{option: value} as paver.mesh takes them. What needs an option that is not given is left out."""
-    table = core.load().options()
-    values = {info["name"]: value_of(obj, info) for info in table}
-    return {info["name"]: values[info["name"]] for info in table
+def needed(values):
+    """{option: value} without those that are None and those that need an option that is."""
+    return {info["name"]: values[info["name"]] for info in core.load().options()
             if values[info["name"]] is not None and (not info["needs"] or values[info["needs"]] is not None)}
 
 
-def decisive(obj):
+def given(obj):
+    """{option: value} as paver.mesh takes them, without refinements. What needs an option that is not given is left out.
+    """
+    return needed({info["name"]: value_of(obj, info) for info in core.load().options()})
+
+
+def merged(obj, changes):
+    """given() as it would be after put(obj, changes). ValueError as there."""
+    table = table_for(changes)
+    values = {name: value_of(obj, info) for name, info in table.items()}
+    values.update({name: None for name in excluded(table, changes)})
+    values.update({name: plain(table[name], value) for name, value in changes.items()})
+    return needed(values)
+
+
+def plain(info, value):
+    """A value that put takes, as value_of gives it back."""
+    if value is None:
+        return initial(info) if has_default(info) else None
+    if info["kind"] == "local":
+        return texts_of(value) or None
+    if info["kind"] in ("number", "integer", "choice"):
+        cast = {"integer": int, "number": float, "choice": str}[info["kind"]]
+        return cast(number_of(info["name"], info["kind"], value) if isinstance(value, str) and cast != str else value)
+    try:
+        return float(FreeCAD.Units.Quantity(value).Value if isinstance(value, str) else getattr(value, "Value", value))
+    except (ValueError, ArithmeticError):
+        raise ValueError(f"{info['name']} is {value!r}; it is: {info['help']}.") from None
+
+
+def text_of(options):
     """Text that is equal for equal options, as far as they have an effect on the mesh."""
-    return repr(sorted((n, v) for n, v in given(obj).items() if n not in WITHOUT_EFFECT))
+    return repr(sorted((n, v) for n, v in options.items() if n not in WITHOUT_EFFECT))
+
+
+def decisive(obj, options=None):
+    """Text that is equal for equal options, those that a mesh object has unless `options` are given, and refinements."""
+    return text_of(given(obj) if options is None else options) + refinement.decisive(obj)
+
+
+def texts_of(value):
+    """Lengths of parts as paver.mesh takes them, as a list of text."""
+    core.load()
+    from paver import _run
+    return _run.local_texts("local", value)
 
 
 def put(obj, options):
     """Sets properties from {option: value}, values as paver.mesh takes them: numbers, text with a unit, quantities.
-    What excludes one of them, as a frequency does a size, is reset unless it is among them too.
+    None means not given. What excludes one of them, as a frequency does a size, is reset unless it is among them too.
 
     ValueError, in one sentence, for a value that the property cannot have or an option that is not there.
     """
-    table = {info["name"]: info for info in core.load().options()}
+    table = table_for(options)
     for name, value in options.items():
-        if name not in table:
-            raise ValueError(f"{name} is no option of a mesh; there are {', '.join(table)}.")
         if table[name]["kind"] in ("number", "integer") and isinstance(value, str):
             value = number_of(name, table[name]["kind"], value)
+        if table[name]["kind"] == "local":
+            value = None if value is None else texts_of(value)
         try:
-            setattr(obj, property_name(name), value)
+            setattr(obj, property_name(name), initial(table[name]) if value is None else value)
         except Exception:  # FreeCAD raises all sorts, with texts for programmers
             raise ValueError(f"{name} of '{obj.Label}' cannot be {value!r}; it is: "
                              f"{table[name]['help']}.") from None
-    for info in table.values():
-        for one, other in ((info["name"], info["excludes"]), (info["excludes"], info["name"])):
-            if one in options and other and other not in options:
-                setattr(obj, property_name(other), initial(table[other]))
+    for name in excluded(table, options):
+        setattr(obj, property_name(name), initial(table[name]))
+
+
+def table_for(options):
+    """{option: its entry of the core's table}. ValueError when one of `options` is not in it."""
+    table = {info["name"]: info for info in core.load().options()}
+    for name in options:
+        if name not in table:
+            raise ValueError(f"{name} is no option of a mesh; there are {', '.join(table)}.")
+    return table
+
+
+def excluded(table, options):
+    """Options that are reset by putting `options`: what these exclude, unless it is among them too."""
+    pairs = [(info["name"], info["excludes"]) for info in table.values() if info["excludes"]]
+    return [other for pair in pairs for one, other in (pair, pair[::-1])
+            if options.get(one) is not None and other not in options]
 
 
 def number_of(name, kind, text):

@@ -11,6 +11,8 @@ Quantity = Any  # FreeCAD.Units.Quantity
 Length = Union[float, str, Quantity]  # mm, or "30 mm"
 Frequency = Union[float, str, Quantity]  # Hz, or "9 GHz"
 Angle = Union[float, str, Quantity]  # degrees, or "0.5 rad"
+Medium = dict[str, float]  # eps_r, mu_r
+Local = Union[dict[Union[str, tuple[str, ...]], Union[Length, Medium]], str, Sequence[str]]  # {"Face3": "2 mm"}
 Path = Union[str, os.PathLike[str]]
 Shape = Any  # Part.Shape, or an object of a FreeCAD document
 Source = Union[Model, Shape, Sequence[Shape], Path, bytes, bytearray, memoryview]
@@ -50,6 +52,8 @@ class Prediction(NamedTuple):
 class Part(NamedTuple):
     faces: NDArray[np.int32]
     edges: NDArray[np.int32]
+    vertices: NDArray[np.int32]
+    solids: NDArray[np.int32]
 
 class ElementQuality(NamedTuple):
     sj: NDArray[np.float64]
@@ -66,6 +70,18 @@ class Tessellation(NamedTuple):
     outlines: NDArray[np.int32]
     outline_indices: NDArray[np.int32]
     outline_edges: NDArray[np.int32]
+    outline_elements: NDArray[np.int32]
+
+class SurfaceMesh:
+    def __init__(self, order: int, nodes: NDArray[np.float64], quads: NDArray[np.int32], triangles: NDArray[np.int32],
+                 quad_faces: NDArray[np.int32], triangle_faces: NDArray[np.int32], lines: NDArray[np.int32],
+                 line_edges: NDArray[np.int32]) -> None: ...
+    def quality(self) -> ElementQuality: ...
+    def tessellate(self, subdivision: int = 2, apart: bool = False) -> Tessellation: ...
+
+class PickTree:
+    def __init__(self, tessellation: Tessellation) -> None: ...
+    def hits(self, origin: Sequence[float], direction: Sequence[float]) -> list[tuple[int, float]]: ...
 
 class Model:
     name: str
@@ -109,23 +125,24 @@ class Result:
     @property
     def parts(self) -> list[Part]: ...
     def quality(self) -> ElementQuality: ...
-    def tessellate(self, subdivision: int = 2) -> Tessellation: ...
+    def tessellate(self, subdivision: int = 2, apart: bool = False) -> Tessellation: ...
     def write(self, path: Optional[Path] = None, *, report: Optional[Path] = None,
               msh_version: Literal["4.1", "2.2"] = "4.1", ascii: bool = False, progress: Optional[Progress] = None,
               cancel: Optional[threading.Event] = None) -> None: ...
 
 def mesh(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Frequency] = None,
          divisions: Optional[float] = None, eps_r: Optional[float] = None, mu_r: Optional[float] = None,
-         max_turn: Optional[Angle] = None, gradation: Optional[float] = None, max_elements: Optional[int] = None,
-         order: Optional[int] = None, elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
+         max_turn: Optional[Angle] = None, gradation: Optional[float] = None, local: Optional[Local] = None,
+         max_elements: Optional[int] = None, order: Optional[int] = None,
+         elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
          threads: Optional[int] = None, sew_tolerance: Optional[Length] = None, output: Optional[Path] = None,
          report: Optional[Path] = None, msh_version: Literal["4.1", "2.2"] = "4.1", ascii: bool = False,
          quiet: bool = True, partial: bool = False, progress: Optional[Progress] = None,
          cancel: Optional[threading.Event] = None, name: Optional[str] = None) -> Result: ...
 def predict(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Frequency] = None,
             divisions: Optional[float] = None, eps_r: Optional[float] = None, mu_r: Optional[float] = None,
-            max_turn: Optional[Angle] = None, gradation: Optional[float] = None, max_elements: Optional[int] = None,
-            order: Optional[int] = None,
+            max_turn: Optional[Angle] = None, gradation: Optional[float] = None, local: Optional[Local] = None,
+            max_elements: Optional[int] = None, order: Optional[int] = None,
             elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
             threads: Optional[int] = None, sew_tolerance: Optional[Length] = None,
             progress: Optional[Progress] = None, cancel: Optional[threading.Event] = None,

@@ -9,11 +9,13 @@ from ._jobs import poll_of
 class Part(NamedTuple):
     """One of several shapes meshed together.
 
-    faces, edges: (n,), (m,) int32, in the shape's own order: their numbers in the whole, from 0.
+    faces, edges, vertices, solids: int32 arrays, in the shape's own order: their numbers in the whole, from 0.
     """
 
     faces: object
     edges: object
+    vertices: object
+    solids: object
 
 
 class Model:

@@ -1,47 +1,9 @@
 """What a run gives: arrays, report, files."""
 import json
 import os
-from typing import NamedTuple
 
 from ._jobs import poll_of
-
-
-class ElementQuality(NamedTuple):
-    """Figures of every element, quads first, then triangles; read-only arrays. core/docs/quality.md defines them.
-
-    sj: (elements,) float64, straight-sided scaled Jacobian.
-    jacobian_ratio: (elements,) float64, lower bound of the curved Jacobian over its mean.
-    area: (elements,) float64, mm^2, of the curved element.
-    validity: (elements,) int8, 0 Jacobian proven positive, 1 inverted, 2 undecided.
-    """
-
-    sj: object
-    jacobian_ratio: object
-    area: object
-    validity: object
-
-
-class Tessellation(NamedTuple):
-    """A mesh cut into flat pieces for drawing; read-only arrays. n is the subdivision.
-
-    points: (k, 3) float32, mm; shared within a B-rep face, not between faces.
-    normals: (k, 3) float32, outward, of unit length.
-    triangles: (t, 3) int32, rows of `points`, counter-clockwise seen from outside.
-    triangle_elements: (t,) int32, the element of each triangle; quads come first, then triangles.
-    outlines: (e, n + 1) int32, every mesh edge once, as rows of `points`.
-    outline_edges: (e,) int32, the B-rep edge (0: Edge1) that the mesh edge lies on, or -1.
-    triangle_indices, outline_indices: the memory of `triangles` and `outlines` as Coin wants it, in one dimension and
-        with -1 after each row.
-    """
-
-    points: object
-    normals: object
-    triangles: object
-    triangle_indices: object
-    triangle_elements: object
-    outlines: object
-    outline_indices: object
-    outline_edges: object
+from ._surface_mesh import ElementQuality, Tessellation
 
 
 def of_data(name, doc):
@@ -107,9 +69,13 @@ class Result:
         """ElementQuality: figures of every element, measured at the first call."""
         return ElementQuality(**self._data.quality())
 
-    def tessellate(self, subdivision=2):
-        """Tessellation with every element side cut in `subdivision` pieces, 1 to 32. OptionError outside of that."""
-        return Tessellation(**self._data.tessellate(subdivision))
+    def tessellate(self, subdivision=2, apart=False):
+        """Tessellation with every element side cut in `subdivision` pieces, 1 to 32. OptionError outside of that.
+
+        apart: no two elements share a point, so that each can have a colour of its own; the points of the elements
+        then follow one another in the order of the elements, (n + 1)^2 of a quad, (n + 1) (n + 2) / 2 of a triangle.
+        """
+        return Tessellation(**self._data.tessellate(subdivision, apart))
 
     def write(self, path=None, *, report=None, msh_version="4.1", ascii=False, progress=None, cancel=None):
         """Writes the mesh to `path` (.msh or .vtu, by its ending), the report (JSON) to `report`: whole or not at all.

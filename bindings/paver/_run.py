@@ -51,9 +51,31 @@ def text_of(name, kind, value):
                       "write a number, or text with a unit")
 
 
+def local_texts(name, value):
+    """Texts of the lengths of parts, which may be a dict, one text or several."""
+    if isinstance(value, str):
+        return [value]
+    if not hasattr(value, "items"):
+        return [text_of(name, "local", text) for text in value]
+    texts = []
+    for parts, length in value.items():
+        if hasattr(length, "items"):  # a medium
+            length = ",".join(f"{what}:{text_of(name, 'number', number)}" for what, number in length.items())
+        names = parts if isinstance(parts, str) else ",".join(parts)
+        texts.append(f"{names}={text_of(name, 'length', length)}")
+    return texts
+
+
 def given_options(options):
     kinds = {info["name"]: info["kind"] for info in _paver.options()}
-    return [(name, text_of(name, kinds.get(name), value)) for name, value in options.items() if value is not None]
+    given = []
+    for name, value in options.items():
+        if value is None:
+            continue
+        is_local = kinds.get(name) == "local"
+        texts = local_texts(name, value) if is_local else [text_of(name, kinds.get(name), value)]
+        given += [(name, text) for text in texts]
+    return given
 
 
 def require_faces(result, is_partial):
@@ -108,7 +130,7 @@ def predict(shape, *, progress=None, cancel=None, name=None, **options):
 def options():
     """The options of mesh() and predict(), in order.
 
-    Dicts with `name`, `kind` (length, frequency, angle, number, integer, choice), `letter` (stands for the value in
+    Dicts with `name`, `kind` (length, frequency, angle, number, integer, choice, local), `letter` (stands for the value in
     help texts), `help`, `default` (text, maybe empty), `needs`, `excludes` (another option's name, or empty), `choices`,
     `may_be_zero` (without a default: 0 is a value of its own, which a form must not use for "none").
     """
@@ -124,7 +146,8 @@ def describe(function):
     function.__signature__ = signature.replace(parameters=own[:1] + added + own[1:])
     lines = [f"    {i['name']} ({i['kind']}): {i['help']}" + (f" [{i['default']}]" if i["default"] else "")
              for i in table]
-    notes = 'Options, as numbers (mm, Hz, degrees), text with a unit ("30 mm", "9 GHz") or FreeCAD quantities:'
+    notes = ('Options, as numbers (mm, Hz, degrees), text with a unit ("30 mm", "9 GHz") or FreeCAD quantities; local '
+             'as {"Face3": "2 mm", ("Edge5", "Vertex2"): 0.5, "Solid1": {"eps_r": 4}}:')
     function.__doc__ = "\n".join([inspect.cleandoc(function.__doc__), "", notes, *lines])
 
 

@@ -2,7 +2,6 @@
 // alive.
 #include "bind_result.h"
 
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <memory>
@@ -12,8 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "arrays.h"
+#include "bind_display.h"
 #include "job.h"
-#include "paver/display.h"
 #include "paver/output.h"
 #include "paver/quality.h"
 
@@ -21,29 +21,6 @@ namespace py = pybind11;
 
 namespace paver::python {
 namespace {
-
-using Shape = std::vector<py::ssize_t>;
-
-/// `data`, laid out as `shape` (and `strides` in bytes, else packed), is kept alive by `owner`.
-template <class T, class Owner>
-py::array view(const std::shared_ptr<Owner>& owner, const T* data, Shape shape, Shape strides = {}) {
-  auto* keep = new std::shared_ptr<const void>(owner);
-  py::capsule base(keep, [](void* pointer) { delete static_cast<std::shared_ptr<const void>*>(pointer); });
-  py::array array = strides.empty() ? py::array(py::dtype::of<T>(), std::move(shape), data, base)
-                                    : py::array(py::dtype::of<T>(), std::move(shape), std::move(strides), data, base);
-  array.attr("setflags")(py::arg("write") = false);
-  return array;
-}
-
-template <class T, class Owner>
-py::array rows(const std::shared_ptr<Owner>& owner, const std::vector<T>& values, int columns) {
-  return view(owner, values.data(), {static_cast<py::ssize_t>(values.size()) / columns, columns});
-}
-
-template <class T, class Owner>
-py::array column(const std::shared_ptr<Owner>& owner, const std::vector<T>& values) {
-  return view(owner, values.data(), {static_cast<py::ssize_t>(values.size())});
-}
 
 py::list names(const std::vector<std::string>& texts) {
   py::list list;
@@ -121,43 +98,15 @@ void bind_arrays(py::class_<MeshData>& data) {
   data.def_property_readonly("edge_names", [](Data d) { return names(d.result().edge_names); });
 }
 
-py::dict tessellation(const MeshData& data, int subdivision) {
-  auto cut = [&] {
-    py::gil_scoped_release free;
-    return std::make_shared<const Tessellation>(tessellate(data.mesh(), subdivision));
-  }();
-  auto count = static_cast<py::ssize_t>(cut->triangle_element.size());
-  constexpr py::ssize_t integer = sizeof(int);
-  py::dict arrays;
-  arrays["points"] = rows(cut, cut->points, 3);
-  arrays["normals"] = rows(cut, cut->normals, 3);
-  arrays["triangles"] = view(cut, cut->triangles.data(), {count, 3}, {4 * integer, integer});
-  arrays["triangle_indices"] = column(cut, cut->triangles);
-  arrays["triangle_elements"] = column(cut, cut->triangle_element);
-  py::ssize_t per_line = subdivision + 2, lines = static_cast<py::ssize_t>(cut->outline_edge.size());
-  arrays["outlines"] = view(cut, cut->outlines.data(), {lines, per_line - 1}, {per_line * integer, integer});
-  arrays["outline_indices"] = column(cut, cut->outlines);
-  arrays["outline_edges"] = column(cut, cut->outline_edge);
-  return arrays;
-}
-
-py::dict quality(MeshData& data) {
-  std::shared_ptr<const ElementQuality> figures = data.quality();
-  py::dict arrays;
-  arrays["sj"] = column(figures, figures->sj);
-  arrays["jacobian_ratio"] = column(figures, figures->jacobian_ratio);
-  arrays["area"] = column(figures, figures->area);
-  arrays["validity"] = column(figures, figures->validity);
-  return arrays;
-}
-
 }  // namespace
 
 void bind_result(py::module_& module) {
   py::class_<MeshData> data(module, "MeshData");
   bind_arrays(data);
-  data.def("quality", quality);
-  data.def("tessellate", tessellation);
+  data.def("quality", [](MeshData& d) { return quality_arrays(d.quality()); });
+  data.def("tessellate", [](const MeshData& d, int subdivision, bool apart) {
+    return tessellation_arrays(d.mesh(), subdivision, apart);
+  });
   data.def("report_json", &MeshData::report, py::call_guard<py::gil_scoped_release>());
   data.def("report_table", [](const MeshData& d) { return to_python(report_table(d.result().report)); });
   data.def("check", [](const MeshData& d) {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "bind_display.h"
 #include "bind_result.h"
 #include "job.h"
 #include "paver/mesher.h"
@@ -85,7 +86,9 @@ py::list parts(Source& source, const py::object& poll) {
     return py::array_t<int>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
   };
   py::list result;
-  for (const ModelPart& part : found) result.append(py::make_tuple(array(part.faces), array(part.edges)));
+  for (const ModelPart& part : found) {
+    result.append(py::make_tuple(array(part.faces), array(part.edges), array(part.vertices), array(part.solids)));
+  }
   return result;
 }
 
@@ -142,6 +145,7 @@ PYBIND11_MODULE(_paver, module) {
       .def_static("of_file", &Source::of_file)
       .def_static("of_bytes", &Source::of_bytes);
   bind_result(module);
+  bind_display(module);
   module.def("mesh", mesh);
   module.def("predict", predict);
   module.def("parts", parts);

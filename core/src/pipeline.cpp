@@ -121,6 +121,7 @@ class Run {
   std::vector<int> count_intervals(std::vector<FaceLayout>& layouts) {
     begin(Stage::sizing);
     size_ = build_size_field(model_, options_, progress_);
+    for (const std::string& note : size_.local->notes()) result_.report.notes.push_back(note);
     begin(Stage::boundary);
     layouts = plan_layouts(model_, size_, progress_);
     std::vector<int> counts = choose_counts(model_, size_, progress_, options_.elements == Elements::all_quad);

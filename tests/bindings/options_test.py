@@ -16,6 +16,7 @@ VALUES = {
     "mu_r": ("0.75", 0.75, {"size": None, "frequency": "4GHz"}, True),
     "max_turn": ("20 deg", 20, {}, True),
     "gradation": ("0.2", 0.2, {"max_turn": "15"}, True),
+    "local": ("Face1=3;Edge2=eps-r:9", {"Face1": 3, "Edge2": {"eps_r": 9}}, {"size": None, "frequency": "2.5GHz"}, True),
     "max_elements": ("100000", 100000, {}, False),
     "order": ("1", 1, {}, True),
     "elements": ("all-triangle", "all-triangle", {}, True),

@@ -3,7 +3,18 @@ import os
 import shutil
 import subprocess
 
+import pytest
+
 from repo import ROOT
+
+# Without the start page, which needs a browser and does not start for root.
+PREFERENCES = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
+<FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
+<FCParamGroup Name="General"><FCText Name="AutoloadModule">PartWorkbench</FCText>
+<FCBool Name="ShowSplasher" Value="0"/></FCParamGroup>
+<FCParamGroup Name="Mod"><FCParamGroup Name="Start"><FCBool Name="ShowOnStartup" Value="0"/></FCParamGroup></FCParamGroup>
+</FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
+"""
 
 
 def profile(folder):
@@ -21,3 +32,15 @@ def run(arguments, home, timeout=600, **environment):
     """CompletedProcess of freecadcmd with output as text. FreeCAD reads its input where it is left without a script."""
     return subprocess.run([program(), *arguments], capture_output=True, text=True, stdin=subprocess.DEVNULL,
                           timeout=timeout, cwd=home, env={**os.environ, "FREECAD_USER_HOME": home, **environment})
+
+
+def run_window(arguments, home, timeout=600, **environment):
+    """CompletedProcess of FreeCAD with its window, on a screen of its own, with output as text."""
+    window, screen = shutil.which("freecad") or shutil.which("FreeCAD"), shutil.which("xvfb-run")
+    if not window or not screen:
+        (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)("FreeCAD's window or Xvfb is not installed")
+    with open(os.path.join(home, "user.cfg"), "w") as file:
+        file.write(PREFERENCES)
+    return subprocess.run([screen, "-a", "-s", "-screen 0 1600x1000x24", window, *arguments], capture_output=True,
+                          text=True, stdin=subprocess.DEVNULL, timeout=timeout, cwd=home,
+                          env={**os.environ, "FREECAD_USER_HOME": home, **environment})

@@ -6,9 +6,11 @@ import unittest
 import FreeCAD
 import FreeCADGui
 
+import window
 from paver_wb import mesh_object
+from paver_wb.gui import run_control
 
-COMMANDS = ["Paver_CreateMesh", "Paver_Mesh", "Paver_FillFemMesh", "Paver_About"]
+COMMANDS = ["Paver_CreateMesh", "Paver_Refine", "Paver_Mesh", "Paver_FillFemMesh", "Paver_About"]
 
 
 def select(*things):
@@ -46,7 +48,11 @@ class Window(unittest.TestCase):
         select(self.box)
         self.assertEqual([n for n in COMMANDS if self.is_active(n)], ["Paver_CreateMesh", "Paver_About"])
         select(mesh_object.add(self.document, self.box))
-        self.assertEqual([n for n in COMMANDS if self.is_active(n)], COMMANDS[1:])
+        self.assertEqual([n for n in COMMANDS if self.is_active(n)], COMMANDS[2:])
+
+    def mesh_and_wait(self):
+        FreeCADGui.runCommand("Paver_Mesh")
+        window.wait(lambda: not run_control._runs, "for the mesh")
 
     def test_create_mesh_and_mesh_are_two_steps_of_undo(self):
         select(self.box)
@@ -54,7 +60,9 @@ class Window(unittest.TestCase):
         mesh, = mesh_object.meshes_of(self.document)
         self.assertEqual((mesh.Part, FreeCADGui.Selection.getSelection()), (self.box, [mesh]))
         self.assertAlmostEqual(mesh.Size.Value, 0.9)  # a twentieth of the diagonal, to one digit
-        FreeCADGui.runCommand("Paver_Mesh")
+        window.wait(FreeCADGui.Control.activeDialog, "for the panel")
+        FreeCADGui.ActiveDocument.resetEdit()
+        self.mesh_and_wait()
         self.assertEqual((mesh.Status, mesh.FemMesh.FaceCount), ("Up to date", mesh.Quads + mesh.Triangles))
         self.assertEqual(self.document.UndoNames, ["Mesh PaverMesh", "Create mesh"])
         self.document.undo()
@@ -67,7 +75,7 @@ class Window(unittest.TestCase):
         mesh.Frequency = 1e9
         select(mesh)
         before = self.document.UndoNames
-        FreeCADGui.runCommand("Paver_Mesh")
+        self.mesh_and_wait()
         self.assertEqual((mesh.Status, self.document.UndoNames), ("Not meshed", before))
 
     def test_a_document_made_without_a_window_gets_its_view(self):

@@ -2,9 +2,10 @@
 import FreeCAD
 import FreeCADGui
 
-from paver_wb import mesh_object
+from paver_wb import mesh_object, refinement
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+translate = FreeCAD.Qt.translate
 FACETS_ALONG = 20  # elements along the diagonal of what is selected, for a first size
 
 
@@ -51,8 +52,8 @@ def first_size(things):
 
 class CreateMesh:
     def GetResources(self):
-        return resources("Paver_CreateMesh", "Create mesh", "Makes a mesh object for the selected objects; its options "
-                         "are in the property editor")
+        return resources("Paver_CreateMesh", "Create mesh", "Makes a mesh object for the selected objects and opens "
+                         "its panel")
 
     def IsActive(self):
         return FreeCAD.ActiveDocument is not None and bool(selected()[1])
@@ -65,6 +66,8 @@ class CreateMesh:
                                   f"size={first_size(things)!r})"):
             FreeCADGui.Selection.clearSelection()
             do("FreeCADGui.Selection.addSelection(mesh)")
+            FreeCADGui.addModule("paver_wb.gui.task_panel")
+            do("paver_wb.gui.task_panel.edit_new(mesh)")
 
 
 class OnMeshes:
@@ -85,10 +88,38 @@ class OnMeshes:
 
 
 class Mesh(OnMeshes):
-    module, function = "paver_wb.gui.status_bar", "mesh"
+    module, function = "paver_wb.gui.run_control", "start"
 
     def GetResources(self):
-        return resources("Paver_Mesh", "Mesh", "Meshes the selected mesh objects with their options; Esc stops")
+        return resources("Paver_Mesh", "Mesh", "Meshes the selected mesh objects with their options, while "
+                         "FreeCAD can be used; double click on one for its panel")
+
+
+class Refine:
+    """A refinement of what is selected in the 3D view: of the selected mesh, else of the one that has it."""
+
+    def GetResources(self):
+        return resources("Paver_Refine", "Refine", "Shorter elements on the selected faces, edges, vertices or solids, "
+                         "and around them")
+
+    def IsActive(self):
+        document = FreeCAD.ActiveDocument
+        return document is not None and bool(mesh_object.meshes_of(document)) and bool(selected()[1])
+
+    def Activated(self):
+        references = [(s.Object, list(s.SubElementNames) or [""]) for s in FreeCADGui.Selection.getSelectionEx()
+                      if not mesh_object.is_mesh(s.Object)]
+        meshes = selected()[0] or refinement.meshes_with(FreeCAD.ActiveDocument, references)
+        if not meshes:
+            FreeCAD.Console.PrintError(translate("Paver", "No mesh has what is selected; select its mesh too, or make "
+                                                 "one with Create mesh.") + "\n")
+            return
+        FreeCADGui.addModule("paver_wb.refinement")
+        listed = ", ".join(f"({python_name(thing)}, {elements!r})" for thing, elements in references)
+        if in_step("Refine", f"refinement = paver_wb.refinement.make({python_name(meshes[0])}, [{listed}], "
+                             f"{refinement.first_length(meshes[0])!r})"):
+            FreeCADGui.Selection.clearSelection()
+            do("FreeCADGui.Selection.addSelection(refinement)")
 
 
 class FillFemMesh(OnMeshes):
@@ -111,7 +142,7 @@ class About:
         do('FreeCAD.Console.PrintMessage("\\n".join(paver_wb.core.about()) + "\\n")')
 
 
-COMMANDS = {"Paver_CreateMesh": CreateMesh, "Paver_Mesh": Mesh, "Paver_FillFemMesh": FillFemMesh,
+COMMANDS = {"Paver_CreateMesh": CreateMesh, "Paver_Refine": Refine, "Paver_Mesh": Mesh, "Paver_FillFemMesh": FillFemMesh,
             "Paver_About": About}
 
 

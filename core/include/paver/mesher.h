@@ -31,10 +31,10 @@ CadModel read_file(const std::string& path, Progress& progress, const std::strin
 /// The same from the content of such a file.
 CadModel read_bytes(std::span<const char> bytes, const std::string& name, Progress& progress);
 
-/// One direct member of a compound: its faces and edges as 0-based numbers in the whole model, in the member's own
-/// order. Members may share some.
+/// One direct member of a compound: its faces, edges, vertices and solids as 0-based numbers in the whole model, in the
+/// member's own order. Members may share some.
 struct ModelPart {
-  std::vector<int> faces, edges;
+  std::vector<int> faces, edges, vertices, solids;
 };
 
 /// The members of a model that is a compound, else the model itself as its only part.

@@ -18,9 +18,10 @@ enum class OptionKind {
   number,
   integer,
   choice,  ///< one of OptionInfo::choices
+  local,   ///< parts of the model with their lengths; may be given repeatedly
 };
 
-/// "length", "frequency", "angle", "number", "integer", "choice".
+/// "length", "frequency", "angle", "number", "integer", "choice", "local".
 const char* kind_name(OptionKind kind);
 
 struct OptionInfo {
@@ -41,7 +42,8 @@ const std::vector<OptionInfo>& option_table();
 using GivenOption = std::pair<std::string, std::string>;
 
 /// Options as given, the others at their defaults. Throws Error{bad_option} for an unknown name, for text that is not
-/// of the option's kind, and for options that need or exclude others. Ranges are left to check(Options).
+/// of the option's kind, and for options that need or exclude others. Options of kind `local` add up; of others the
+/// last one counts. Ranges are left to check(Options).
 Options read_options(const std::vector<GivenOption>& given);
 
 }  // namespace paver

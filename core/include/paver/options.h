@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace paver {
 
@@ -14,6 +16,13 @@ enum class Elements {
 
 /// "quad-dominant", "all-quad" or "all-triangle".
 const char* elements_name(Elements elements);
+
+/// Target length for one part of the model: there and, growing by the gradation, around it.
+struct LocalSize {
+  std::string part;            ///< "Face3", "Edge5", "Vertex2" or "Solid1", numbered as FreeCAD does
+  std::optional<double> size;  ///< mm, > 0; none: from the frequency, in the medium eps_r, mu_r
+  double eps_r = 1, mu_r = 1;  ///< > 0
+};
 
 /// Either `size` or `frequency` must be set. check() names the first bad field.
 struct Options {
@@ -29,6 +38,7 @@ struct Options {
   double gradation = 0.6;               ///< largest growth of h per unit of length, 0.05 to 2
   long max_elements = 2'000'000;        ///< stop before meshing when more are predicted
   std::optional<double> sew_tolerance;  ///< mm, >= 0 (0: never sew); default from the target length
+  std::vector<LocalSize> local;         ///< target lengths of parts of the model; the least counts
 
   double turn_limit() const { return max_turn ? *max_turn : 0.7853981633974483; }
 };
@@ -38,5 +48,8 @@ void check(const Options& options);
 
 /// The target length in mm, from `size` or from the frequency. Options must have passed check().
 double target_length(const Options& options);
+
+/// The target length of a part in mm. Options must have passed check().
+double local_length(const Options& options, const LocalSize& local);
 
 }  // namespace paver

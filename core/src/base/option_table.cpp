@@ -7,16 +7,18 @@
 #include <cmath>
 #include <optional>
 
+#include "base/local_parts.h"
 #include "paver/error.h"
 #include "paver/units.h"
 
 namespace paver {
 namespace {
 
-/// A value as read: numbers in mm, Hz, radians; `index` of a choice.
+/// A value as read: numbers in mm, Hz, radians; `index` of a choice; `local` of parts.
 struct Value {
   double number = 0;
   int index = 0;
+  std::vector<LocalSize> local;
 };
 
 struct Entry {
@@ -84,6 +86,15 @@ std::vector<Entry> size_entries(const Options& d) {
         "",
         {}},
        [](Options& o, const Value& v) { o.gradation = v.number; }},
+      {{"local",
+        OptionKind::local,
+        "PART=H",
+        "Target length of a part where shorter: Face3=2mm, Edge5,Vertex2=0.5, Solid1=eps-r:4; may be repeated",
+        "",
+        "",
+        "",
+        {}},
+       [](Options& o, const Value& v) { o.local.insert(o.local.end(), v.local.begin(), v.local.end()); }},
       {{"max_elements",
         OptionKind::integer,
         "N",
@@ -149,6 +160,8 @@ std::string examples_of(const OptionInfo& info) {
       return "1.5";
     case OptionKind::integer:
       return "2, a whole number";
+    case OptionKind::local:
+      return "Face3=2mm, Edge5,Vertex2=0.5mm or Solid1=eps-r:4";
     case OptionKind::choice:
       break;
   }
@@ -159,7 +172,9 @@ std::string examples_of(const OptionInfo& info) {
 }
 
 std::optional<Value> read_value(const OptionInfo& info, const std::string& text) {
-  auto number = [](std::optional<double> value) { return value ? std::optional<Value>({*value, 0}) : std::nullopt; };
+  auto number = [](std::optional<double> value) {
+    return value ? std::optional<Value>({*value, 0, {}}) : std::nullopt;
+  };
   switch (info.kind) {
     case OptionKind::length:
       return number(parse_length(text));
@@ -171,12 +186,15 @@ std::optional<Value> read_value(const OptionInfo& info, const std::string& text)
       return number(parse_number(text));
     case OptionKind::integer:
       return number(parse_integer(text));
+    case OptionKind::local:
+      if (auto local = parse_local(text)) return Value{0, 0, *std::move(local)};
+      return std::nullopt;
     case OptionKind::choice:
       break;
   }
   auto found = std::find(info.choices.begin(), info.choices.end(), text);
   if (found == info.choices.end()) return std::nullopt;
-  return Value{0, static_cast<int>(found - info.choices.begin())};
+  return Value{0, static_cast<int>(found - info.choices.begin()), {}};
 }
 
 const Entry& entry_of(const std::string& name) {
@@ -211,6 +229,8 @@ const char* kind_name(OptionKind kind) {
       return "number";
     case OptionKind::integer:
       return "integer";
+    case OptionKind::local:
+      return "local";
     case OptionKind::choice:
       break;
   }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/local_parts.h"
 #include "paver/error.h"
 
 namespace paver {
@@ -47,6 +48,27 @@ void check_target(const Options& options) {
   }
 }
 
+void check_local(const Options& options, const LocalSize& local) {
+  if (!parse_part(local.part))
+    refuse(fmt::format("local names '{}', which is no part of a model; write Face3, Edge5, Vertex2 or Solid1.",
+                       local.part));
+  const std::string name = "local " + local.part;
+  if (local.size) check_positive(name.c_str(), *local.size, " mm");
+  check_positive((name + " eps_r").c_str(), local.eps_r);
+  check_positive((name + " mu_r").c_str(), local.mu_r);
+  if (!local.size && !options.frequency)
+    refuse(fmt::format("{} has a medium, which needs frequency; set frequency, or give a length instead.", name));
+  double h = local_length(options, local);
+  if (!(h > 0 && h < infinity))
+    refuse(fmt::format("{}: the length that follows from the frequency is {:.6g} mm; it must be finite and above 0.",
+                       name, h));
+}
+
+double length_in_medium(const Options& options, double eps_r, double mu_r) {
+  double frequency = options.frequency.value_or(0);
+  return light_speed_mm_per_s / (frequency * std::sqrt(eps_r * mu_r) * options.divisions);
+}
+
 }  // namespace
 
 const char* elements_name(Elements elements) {
@@ -79,12 +101,17 @@ void check(const Options& options) {
     refuse(fmt::format("sew_tolerance is {:.6g} mm; it must be 0 (never sew) or a finite number above 0.",
                        *options.sew_tolerance));
   }
+  for (const LocalSize& local : options.local) check_local(options, local);
 }
 
 double target_length(const Options& options) {
   if (options.size) return *options.size;
-  double frequency = options.frequency.value_or(0);
-  return light_speed_mm_per_s / (frequency * std::sqrt(options.eps_r * options.mu_r) * options.divisions);
+  return length_in_medium(options, options.eps_r, options.mu_r);
+}
+
+double local_length(const Options& options, const LocalSize& local) {
+  if (local.size) return *local.size;
+  return length_in_medium(options, local.eps_r, local.mu_r);
 }
 
 }  // namespace paver

@@ -20,6 +20,7 @@ constexpr double kink_end_share = 1e-6;     // of the length: a kink so near an 
 constexpr double standstill = 1e-9;         // of the top speed: the tangent there is only rounding
 constexpr double standstill_step = 1e-6;    // of the parameter range
 constexpr double length_tolerance = 1e-9;   // of the edge's length, per panel
+constexpr double most_change = 0.3;         // of h between rows, where lengths of parts make it vary
 constexpr double most_by_curvature = 4096;  // intervals on one edge that its own curvature may ask for
 
 Vec3 finite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z) ? a : Vec3{}; }
@@ -49,7 +50,8 @@ double curvature(const Curve& curve, double t) {
 
 EdgeMetric::EdgeMetric(const Edge& edge, const SizeField& size) : curve_(edge.curve.get()), t0_(edge.t0), t1_(edge.t1) {
   tabulate();
-  set_sizes(size, edge.start == edge.end);
+  if (!size.local->is_empty()) refine_rows(edge, size);
+  set_sizes(edge, size);
 }
 
 // Four Gauss points: degree 7, so panels of smooth curves rarely need halving.
@@ -151,11 +153,41 @@ void EdgeMetric::drop_kinks_at_ends() {
   std::erase_if(kinks_, is_at_end);
 }
 
-void EdgeMetric::set_sizes(const SizeField& size, bool is_closed) {
+// Where lengths of parts make h vary, rows are so near each other that it is as good as linear between them.
+void EdgeMetric::refine_rows(const Edge& edge, const SizeField& size) {
+  std::vector<Row> fine{rows_.front()};
+  std::size_t kink = 0;
+  for (std::size_t i = 1; i < rows_.size(); ++i) {
+    if (kink < kinks_.size() && kinks_[kink].row == i) kinks_[kink++].row = fine.size();
+    refine_between(rows_[i - 1], rows_[i], edge, size, fine);
+  }
+  rows_ = std::move(fine);
+}
+
+void EdgeMetric::refine_between(const Row& a, const Row& b, const Edge& edge, const SizeField& size,
+                                std::vector<Row>& fine) const {
+  double step = b.s - a.s, change = size.gradation * step;
+  double h_a = size.given_at(edge, curve_->point(a.t)), h_b = size.given_at(edge, curve_->point(b.t));
+  bool is_far = 0.5 * (h_a + h_b - change) >= size.h;
+  bool is_fine = change <= most_change * std::min(h_a, h_b) || !(step > 1e-9 * length());
+  bool is_constant = std::max(h_a, h_b) <= size.local->least();
+  double t = 0.5 * (a.t + b.t);
+  if (is_far || is_fine || is_constant || !(t > a.t && t < b.t)) {
+    fine.push_back(b);
+    return;
+  }
+  double s = std::clamp(a.s + quadrature(a.t, t), a.s, b.s), share = (s - a.s) / step;
+  Row middle{t, s, (1 - share) * a.turn + share * b.turn, 0, 0};
+  refine_between(a, middle, edge, size, fine);
+  refine_between(middle, b, edge, size, fine);
+}
+
+void EdgeMetric::set_sizes(const Edge& edge, const SizeField& size) {
+  const bool is_closed = edge.start == edge.end;
   const double least_by_curvature = length() / most_by_curvature;
   for (Row& row : rows_) {
     double bend = curvature(*curve_, row.t);
-    row.h = size.h;
+    row.h = size.given_at(edge, curve_->point(row.t));
     if (bend > 0) row.h = std::min(row.h, std::max(size.longest_edge(bend), least_by_curvature));
   }
   // A second round carries the size through the point where a closed edge meets itself.

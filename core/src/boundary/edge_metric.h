@@ -9,9 +9,10 @@
 namespace paver {
 
 /// Table along one non-degenerate edge: parameter t, arc length s (mm), turn of the tangent (radians), target length h
-/// and the integral of ds/h, called weight. h is the lesser of the global h and the edge's own turn limit, smoothed
-/// along the edge by the gradation: an edge that runs straight along a fillet keeps the global h. Where the tangent
-/// jumps (a kink inside the edge) a node is placed. Keeps a reference to the edge's curve.
+/// and the integral of ds/h, called weight. h is the least of the global h, of lengths given for parts of the model,
+/// and of the edge's own turn limit, smoothed along the edge by the gradation: an edge that runs straight along a
+/// fillet keeps the global h. Where the tangent jumps (a kink inside the edge) a node is placed. Keeps a reference to
+/// the edge's curve.
 class EdgeMetric {
  public:
   EdgeMetric(const Edge& edge, const SizeField& size);
@@ -52,7 +53,10 @@ class EdgeMetric {
   void add_panel(const Panel& panel, double tolerance, int depth);
   void add_rows(const Panel& half, bool may_hold_kink);
   void drop_kinks_at_ends();
-  void set_sizes(const SizeField& size, bool is_closed);
+  void refine_rows(const Edge& edge, const SizeField& size);
+  void refine_between(const Row& a, const Row& b, const Edge& edge, const SizeField& size,
+                      std::vector<Row>& fine) const;
+  void set_sizes(const Edge& edge, const SizeField& size);
   double quadrature(double a, double b) const;
   std::vector<int> share_intervals(const std::vector<Row>& ends, int n) const;
   enum class KinkSide { before, behind };

@@ -18,14 +18,11 @@ std::vector<double> predict_elements(const Model& model, const SizeField& size, 
   std::vector<double> elements = size.predicted;
   for (std::size_t i = 0; i < model.faces.size(); ++i) {
     if (elements[i] <= 0) continue;
-    double facets = 0, perimeter = 0;
+    double facets = 0;
     for (const Loop& loop : model.faces[i].loops) {
-      for (const Coedge& coedge : loop.coedges) {
-        facets += counts[static_cast<std::size_t>(coedge.edge)];
-        perimeter += model.edges[static_cast<std::size_t>(coedge.edge)].length;
-      }
+      for (const Coedge& coedge : loop.coedges) facets += counts[static_cast<std::size_t>(coedge.edge)];
     }
-    elements[i] += std::max(0.0, facets - perimeter / size.h);
+    elements[i] += std::max(0.0, facets - size.perimeter[i]);
     if (kind == Elements::all_triangle) elements[i] *= 2;
   }
   return elements;

@@ -41,12 +41,14 @@ CadModel read_bytes(std::span<const char> bytes, const std::string& name, Progre
 
 std::vector<ModelPart> model_parts(const CadModel& model) {
   const TopoDS_Shape& shape = model.shape->shape;
-  TopTools_IndexedMapOfShape faces, edges;
-  TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  constexpr TopAbs_ShapeEnum kinds[] = {TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX, TopAbs_SOLID};
+  TopTools_IndexedMapOfShape all[4];
+  for (int k = 0; k < 4; ++k) TopExp::MapShapes(shape, kinds[k], all[k]);
   std::vector<ModelPart> parts;
   auto add = [&](const TopoDS_Shape& part) {
-    parts.push_back({places(part, TopAbs_FACE, faces), places(part, TopAbs_EDGE, edges)});
+    ModelPart& made = parts.emplace_back();
+    std::vector<int>* lists[] = {&made.faces, &made.edges, &made.vertices, &made.solids};
+    for (int k = 0; k < 4; ++k) *lists[k] = places(part, kinds[k], all[k]);
   };
   if (shape.ShapeType() != TopAbs_COMPOUND) {
     add(shape);

@@ -33,7 +33,7 @@ std::string command_line_name(std::string name) {
 
 /// What CLI11 fills as it stands on the command line.
 struct Texts {
-  std::map<std::string, std::string> options;  ///< by name; CLI11 keeps pointers into it
+  std::map<std::string, std::vector<std::string>> options;  ///< by name; CLI11 keeps pointers into it
   std::string msh_version = "4.1";
 };
 
@@ -41,7 +41,12 @@ struct Texts {
 void add_options(CLI::App& mesh, Texts& texts) {
   for (const OptionInfo& info : option_table()) {
     CLI::Option* option = mesh.add_option(command_line_name(info.name), texts.options[info.name], info.help);
-    option->type_name(info.letter);
+    option->type_name(info.letter)->allow_extra_args(false);
+    if (info.kind == OptionKind::local) {
+      option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    } else {
+      option->expected(1);
+    }
     if (!info.default_text.empty()) option->default_str(info.default_text);
   }
 }
@@ -56,10 +61,10 @@ void add_output_options(CLI::App& mesh, Arguments& arguments, Texts& texts) {
   mesh.add_flag("--quiet", arguments.is_quiet, "Print errors only");
 }
 
-void convert(const CLI::App& mesh, const Texts& texts, Arguments& arguments) {
+void convert(const Texts& texts, Arguments& arguments) {
   std::vector<GivenOption> given;
   for (const OptionInfo& info : option_table())
-    if (mesh.count(command_line_name(info.name)) > 0) given.emplace_back(info.name, texts.options.at(info.name));
+    for (const std::string& text : texts.options.at(info.name)) given.emplace_back(info.name, text);
   arguments.options = read_options(given);
   arguments.files.msh_version = texts.msh_version == "2.2" ? MshVersion::v2_2 : MshVersion::v4_1;
 }
@@ -106,7 +111,7 @@ std::optional<int> read_arguments(int argc, const char* const* argv, Arguments& 
   }
   if (arguments.files.mesh.empty()) throw Error(ErrorCode::bad_option, "The name of the mesh file is empty.");
   arguments.files.input = arguments.input;
-  convert(mesh, texts, arguments);
+  convert(texts, arguments);
   return std::nullopt;
 }
 

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "display/cut.h"
 #include "display/edge_table.h"
 #include "display/shape_table.h"
 #include "paver/display.h"
@@ -42,12 +43,12 @@ class Tessellator {
     result_.subdivision = n;
   }
 
-  Tessellation run() {
+  Cut run() {
     reserve();
     index_lines();
     for (int e : in_face_order()) cut(element(e));
     scale_normals();
-    return std::move(result_);
+    return {std::move(result_), std::move(element_points_)};
   }
 
  private:
@@ -59,6 +60,7 @@ class Tessellator {
     std::size_t points = pieces / 2 + pieces / 16;  // about one per two triangles, and those at the faces' edges
     result_.points.reserve(3 * points);
     normals_.reserve(points);
+    element_points_.resize(quads * quad_.point_count() + triangles * triangle_.point_count());
   }
 
   void index_lines() {
@@ -101,6 +103,14 @@ class Tessellator {
       if (point < 0) point = new_point(table.position(x_.data(), static_cast<int>(&point - local_.data())));
     add_normals(table);
     add_triangles(e, table);
+    std::copy(local_.begin(), local_.end(), element_points_.begin() + first_point(e.number));
+  }
+
+  /// Where the points of an element start in element_points_.
+  std::ptrdiff_t first_point(int e) const {
+    auto quads = static_cast<std::ptrdiff_t>(mesh_.quad_count());
+    return e < quads ? e * std::ptrdiff_t(quad_.point_count())
+                     : quads * quad_.point_count() + (e - quads) * triangle_.point_count();
   }
 
   /// Lattice coordinates of step i along a side, from corner `side` to the next.
@@ -133,11 +143,15 @@ class Tessellator {
         for (int i = 1; i < n_; ++i) new_point(table.position(x_.data(), local(side, i)));
       }
       for (int i = 1; i < n_; ++i) local_[local(side, i)] = points.first + (points.start == a ? i - 1 : n_ - 1 - i);
-      if (!is_new) continue;
+      if (!is_new) {
+        ++result_.outline_elements[static_cast<std::size_t>(number)];
+        continue;
+      }
       for (int i = 0; i <= n_; ++i) result_.outlines.push_back(local_[local(side, i)]);
       result_.outlines.push_back(-1);
       int line = lines_.find(key);
       result_.outline_edge.push_back(line < 0 ? -1 : edge_of_line_[static_cast<std::size_t>(line)]);
+      result_.outline_elements.push_back(1);
     }
   }
 
@@ -192,17 +206,20 @@ class Tessellator {
   std::vector<Vec3> normals_;                       ///< sums, per point
   std::vector<Vec3> x_;                             ///< nodes of the element in hand
   std::vector<int> local_;                          ///< its points
+  std::vector<int> element_points_;                 ///< those of all elements
   Tessellation result_;
 };
 
 }  // namespace
 
-Tessellation tessellate(const SurfaceMesh& mesh, int subdivision) {
+Cut cut_mesh(const SurfaceMesh& mesh, int subdivision) {
   if (subdivision < 1 || subdivision > most_subdivisions) {
     throw Error(ErrorCode::bad_option,
                 fmt::format("subdivision is {}; it must be from 1 to {}.", subdivision, most_subdivisions));
   }
   return Tessellator(mesh, subdivision).run();
 }
+
+Tessellation tessellate(const SurfaceMesh& mesh, int subdivision) { return cut_mesh(mesh, subdivision).shared; }
 
 }  // namespace paver

@@ -13,7 +13,7 @@ namespace paver {
 namespace {
 
 constexpr std::size_t most_facets = 12;
-constexpr double clearance = 2.5;  // of the target length, to other loops
+constexpr double clearance = 2.5;  // of the target length there, to other loops
 constexpr double reach = 0.8;      // of the target length: elements with a corner nearer to the hole go
 
 double chart_area(const std::vector<LoopNode>& loop) {
@@ -47,7 +47,7 @@ double radius_of(const std::vector<LoopNode>& loop, Vec3 middle) {
 bool is_clear(const Region& region, std::size_t hole) {
   const std::vector<LoopNode>& loop = region.loops[hole];
   const Vec3 middle = middle_of(loop);
-  const double room = radius_of(loop, middle) + clearance * region.h;
+  const double room = radius_of(loop, middle) + clearance * region.size.given_at(middle);
   for (std::size_t l = 0; l < region.loops.size(); ++l)
     for (const LoopNode& node : region.loops[l])
       if (l != hole && norm(node.x - middle) < room) return false;
@@ -99,7 +99,7 @@ class Cutter {
   bool is_near(const Element& e) const {
     for (int k = 0; k < e.corners(); ++k) {
       Vec3 x = mesh_.x[e.v[k]];
-      double limit = reach * front_.region.h, away = norm(x - middle_);
+      double limit = reach * front_.region.size.given_at(middle_), away = norm(x - middle_);
       if (away < radius_) return true;
       if (away < radius_ + limit && distance(x) < limit) return true;
     }

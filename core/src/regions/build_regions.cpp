@@ -42,7 +42,7 @@ class RegionBuilder {
     region.face = index_;
     region.surface = face_.surface->clone();
     region.size = size_.faces[index_];
-    region.h = size_.h;
+    region.h = size_.face_h[index_];
     region.area = face_.area;
     region.gradation = size_.gradation;
     return region;
@@ -80,7 +80,7 @@ class RegionBuilder {
     model_.edges[coedge.edge].curve->d2(t, y, yt, ytt);
     Vec3 tangent = unit(yt), bend = ytt - dot(ytt, tangent) * tangent;
     double within = std::fabs(dot(bend, unit(cross(unit(cross(xu, xv)), tangent)))) / dot(yt, yt);
-    double target = std::min(size_.h, size_.faces[index_].at(uv));
+    double target = std::min(size_.h, size_.faces[index_].at(uv, *face_.surface));
     if (!(within * target > size_.turn_limit)) return std::isfinite(within) ? target : std::min(target, edge_target);
     return std::min(target, std::max(edge_target, size_.longest_edge(within)));
   }
@@ -214,7 +214,7 @@ class RegionBuilder {
       if (i > 0) {
         double step = norm(x - last);
         length += step;
-        integral += step / std::min(size_.h, size_.faces[index_].at(uv));
+        integral += step / std::min(size_.h, size_.faces[index_].at(uv, *face_.surface));
         turn += std::acos(std::clamp(dot(tangent, last_tangent), -1.0, 1.0));
       }
       last = x, last_tangent = tangent;
@@ -227,7 +227,7 @@ class RegionBuilder {
       uv_.push_back(parameters(layout_.box.lo.x + layout_.period * i / n, layout_.cut));
       LoopNode node;
       node.x = face_.surface->point(uv_.back());
-      node.h = std::min(size_.h, size_.faces[index_].at(uv_.back()));
+      node.h = std::min(size_.h, size_.faces[index_].at(uv_.back(), *face_.surface));
       node.angle = M_PI;
       node.global = append(node.x, node.h);
       ring.push_back(node);
@@ -250,11 +250,11 @@ class RegionBuilder {
     double pole = box.low_pole ? box.lo.y : box.hi.y, inward = box.low_pole ? 1 : -1;
     double per_length = shape.small / shape.slant;  // meridian parameter per mm at the pole
     double room = nearest_loop(region, shape.apex);
-    double radius = std::min(0.8 * size_.h, 0.45 * room);
+    double h = size_.faces[index_].given_at(shape.apex), radius = std::min(0.8 * h, 0.45 * room);
     int quads = shape.cone_angle > 5.2 ? 4 : 3;
     Fan fan;
     fan.centre.x = shape.apex;
-    fan.centre.h = std::min(size_.h, radius);
+    fan.centre.h = std::min(h, radius);
     fan.centre.p = {0, 0};
     fan.centre.global = append(shape.apex, fan.centre.h);
     double half = shape.cone_angle / (2 * quads);
@@ -264,7 +264,7 @@ class RegionBuilder {
       Vec2 uv = parameters(box.lo.x + layout_.period * i / (2 * quads), pole + inward * per_length * reach);
       node.p = region.chart->to_chart(uv);
       node.x = region.surface->point(uv);
-      node.h = std::min(size_.h, std::max(radius * 2 * half, 0.3 * radius));
+      node.h = std::min(h, std::max(radius * 2 * half, 0.3 * radius));
       fan.ring.push_back(node);
     }
     double area = 0;

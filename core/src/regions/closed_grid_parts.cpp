@@ -50,7 +50,7 @@ FaceExtent measure_extent(const ClosedFace& face) {
       Vec3 x, a, b;
       face.surface.d1(uv, x, a, b);
       if (box.is_swapped) std::swap(a, b);
-      double h = face.size.at(uv);
+      double h = face.size.at(uv, face.surface);
       extent.elements += norm(cross(a, b)) * dx * dy / (h * h);
       extent.tall += norm(b) * dy / across;
       row += norm(a) * dx;

@@ -93,6 +93,7 @@ class LayoutPlanner {
 
   // A face without border: all its edges are its own periodic ones or poles.
   bool lay_grid() {
+    if (size_.faces[index_].is_graded()) return false;  // grids have one length
     if (!linked_loops(model_, index_, layout_.dropped).empty()) return false;
     for (const Loop& loop : face_.loops)
       for (const Coedge& c : loop.coedges)

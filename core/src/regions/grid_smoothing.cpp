@@ -158,7 +158,7 @@ void GluedGrid::place(int node, Vec2 p, const Surface& surface, const FaceSize& 
   surface.d1(uv, mesh.x[node], xu, xv);
   mesh.xp[node] = uv_x.x * xu + uv_x.y * xv;
   mesh.xq[node] = uv_y.x * xu + uv_y.y * xv;
-  mesh.h[node] = size.at(uv);
+  mesh.h[node] = size.at(uv, surface);
 }
 
 Vec2 GluedGrid::uv(int node) const {

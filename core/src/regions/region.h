@@ -48,7 +48,7 @@ struct Region {
   std::shared_ptr<const Chart> chart;
   bool goes_round = false;  ///< about the chart's origin, which is a pole or no point of the surface
   FaceSize size{1};
-  double h = 1;  ///< target length of the run
+  double h = 1;  ///< target length of the run, or what is given for the face
   double gradation = 0.3;
   double area = 0;                           ///< mm^2, of the whole face: bounds the work
   std::vector<std::vector<LoopNode>> loops;  ///< region on the left of each loop
@@ -64,11 +64,11 @@ struct Region {
     xp = uv_x.x * xu + uv_x.y * xv;
     xq = uv_y.x * xu + uv_y.y * xv;
   }
-  /// Target length by global size and curvature at a chart point.
+  /// Target length by what is given and by curvature at a chart point.
   double target(Vec2 p) const {
     Vec2 uv, uv_x, uv_y;
     chart->to_uv(p, uv, uv_x, uv_y);
-    return size.at(uv);
+    return size.at(uv, *surface);
   }
 };
 

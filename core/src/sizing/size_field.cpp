@@ -12,42 +12,16 @@
 #include <limits>
 #include <numeric>
 
+#include "sizing/local_counts.h"
+
 namespace paver {
 namespace {
 
 constexpr int grid_size = 17;            // samples per direction: enough for a B-spline of about 8 spans
 constexpr double smallest_share = 0.25;  // of H inside faces: a tiny fillet must not explode the count
-constexpr int samples_per_pcurve = 17;   // for the box of a face
 constexpr double one_way_turn = 2.5;
 constexpr double short_turn_limit = 75 * M_PI / 180;  // decision turn-of-short-edges
 constexpr double degenerate_area = 1e-9;  // of the largest |xu x xv| on the face: such a point counts as a pole
-
-struct Box {
-  Vec2 lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Vec2 hi{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-
-  void add(Vec2 p) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
-    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
-    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
-  }
-  bool has_area() const { return hi.x > lo.x && hi.y > lo.y; }
-};
-
-Box parameter_box(const Model& model, const Face& face) {
-  Box box;
-  for (const Loop& loop : face.loops) {
-    for (const Coedge& coedge : loop.coedges) {
-      if (!coedge.pcurve) continue;
-      const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
-      for (int i = 0; i < samples_per_pcurve; ++i) {
-        double share = static_cast<double>(i) / (samples_per_pcurve - 1);
-        box.add(coedge.pcurve->uv((1 - share) * edge.t0 + share * edge.t1));
-      }
-    }
-  }
-  return box;
-}
 
 struct CurvatureSample {
   double area = 0;       // |xu x xv|
@@ -110,7 +84,7 @@ void fill_degenerate(std::vector<double>& sizes, double h) {
 SampledFace sample_face(const Model& model, const Face& face, double h, double turn_limit) {
   SampledFace flat{FaceSize(h), 1 / (h * h)};
   if (!face.surface || face.surface->kind() == SurfaceKind::plane) return flat;
-  Box box = parameter_box(model, face);
+  SampleBox box = sample_box(model, face);
   if (!box.has_area()) return flat;
 
   std::vector<CurvatureSample> samples;
@@ -140,17 +114,35 @@ SampledFace sample_face(const Model& model, const Face& face, double h, double t
           weight > 0 ? density / weight : flat.mean_density};
 }
 
-// A strip narrower than h still gets an element per h of its length: half the perimeter counts as well as the area.
-double predicted_elements(const Model& model, const Face& face, double mean_density) {
-  double perimeter = 0;
+double perimeter(const Model& model, const Face& face) {
+  double sum = 0;
   for (const Loop& loop : face.loops) {
-    for (const Coedge& coedge : loop.coedges) perimeter += model.edges[static_cast<std::size_t>(coedge.edge)].length;
+    for (const Coedge& coedge : loop.coedges) sum += model.edges[static_cast<std::size_t>(coedge.edge)].length;
   }
-  return std::max({1.0, face.area * mean_density, 0.5 * perimeter * std::sqrt(mean_density) - 1});
+  return sum;
 }
 
-void check_predicted(double predicted, double h, long limit) {
+// A strip narrower than h still gets an element per h of its length: half the perimeter counts as well as the area.
+double predicted_elements(const Model& model, const Face& face, double mean_density) {
+  return std::max({1.0, face.area * mean_density, 0.5 * perimeter(model, face) * std::sqrt(mean_density) - 1});
+}
+
+// Lengths that are given for whole faces.
+void give_local(const Model& model, const Options& options, SizeField& field) {
+  auto local = std::make_shared<const LocalSizes>(model, options, field.h);
+  field.local = local;
+  for (std::size_t f = 0; f < model.faces.size(); ++f)
+    field.face_h.push_back(std::min(field.h, local->on_face(static_cast<int>(f))));
+}
+
+void check_predicted(double predicted, double h, long limit, bool is_local) {
   if (predicted <= static_cast<double>(limit)) return;
+  if (is_local)
+    throw Error(ErrorCode::too_many_elements,
+                fmt::format("About {:.3g} elements are predicted at target length {:.6g} mm and the local ones, above "
+                            "the limit of {}; choose longer ones, a larger max_turn, or raise max_elements.",
+                            predicted, h, limit),
+                {"sizing", -1, -1, std::nullopt});
   double enough = h * std::sqrt(predicted / static_cast<double>(limit));
   throw Error(ErrorCode::too_many_elements,
               fmt::format("About {:.3g} elements are predicted at target length {:.6g} mm, above the limit of {}; "
@@ -167,6 +159,7 @@ FaceSize::FaceSize(double h, Vec2 lo, Vec2 hi, int nu, int nv, std::vector<doubl
 FaceSize FaceSize::scaled(double factor) const {
   FaceSize result = *this;
   result.h_ *= factor;
+  result.scale_ *= factor;
   for (double& sample : result.samples_) sample *= factor;
   return result;
 }
@@ -175,7 +168,7 @@ double FaceSize::least() const {
   return samples_.empty() ? h_ : std::min(h_, *std::min_element(samples_.begin(), samples_.end()));
 }
 
-double FaceSize::at(Vec2 uv) const {
+double FaceSize::by_curvature(Vec2 uv) const {
   if (samples_.empty()) return h_;
   // Written so that NaN lands on 0: a size is always given back.
   auto position = [](double value, double lo, double hi, int n) {
@@ -209,16 +202,26 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
   field.gradation = options.gradation;
   field.turn_limit = options.turn_limit();
   if (!options.max_turn) field.short_turn_limit = short_turn_limit;
-  for (const Face& face : model.faces) {
+  give_local(model, options, field);
+  for (std::size_t f = 0; f < model.faces.size(); ++f) {
+    const Face& face = model.faces[f];
     bool is_meshed = face.has_area && face.fault.empty();
     SampledFace sampled =
-        is_meshed ? sample_face(model, face, field.h, field.turn_limit) : SampledFace{FaceSize(field.h), 0};
+        is_meshed ? sample_face(model, face, field.face_h[f], field.turn_limit) : SampledFace{FaceSize(field.h), 0};
+    field.perimeter.push_back(perimeter(model, face) / field.face_h[f]);
+    if (is_meshed && !field.local->is_empty()) {
+      sampled.size.set_local(field.local);
+      LocalCounts counts = count_with_local(model, face, sampled.size, field);
+      sampled.mean_density = std::max(sampled.mean_density, counts.mean_density);
+      field.perimeter.back() = counts.perimeter;
+      sampled.size.set_graded(counts.is_graded);
+    }
     field.faces.push_back(std::move(sampled.size));
     field.predicted.push_back(is_meshed ? predicted_elements(model, face, sampled.mean_density) : 0);
     progress.advance();
   }
   double predicted = std::accumulate(field.predicted.begin(), field.predicted.end(), 0.0);
-  check_predicted(predicted, field.h, options.max_elements);
+  check_predicted(predicted, field.h, options.max_elements, !field.local->is_empty());
   return field;
 }
 

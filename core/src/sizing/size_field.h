@@ -2,30 +2,53 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <vector>
 
 #include "paver/options.h"
 #include "paver/progress.h"
+#include "sizing/local_sizes.h"
 #include "topology/model.h"
 
 namespace paver {
 
-/// Target length h over one face's (u, v): the global h where the face is flat enough, less where it turns.
+/// Target length h over one face's (u, v): the face's own h where it is flat enough, less where it turns and near parts
+/// of the model with a length of their own.
 class FaceSize {
  public:
   /// Flat face: `h` everywhere.
   explicit FaceSize(double h) : h_(h) {}
   /// Grid of `nu` x `nv` samples (row after row in u) over the box lo..hi of (u, v); bilinear between.
   FaceSize(double h, Vec2 lo, Vec2 hi, int nu, int nv, std::vector<double> samples);
-  double at(Vec2 uv) const;
+  /// `surface` is the face's: only asked where lengths of parts are given.
+  double at(Vec2 uv, const Surface& surface) const {
+    double limited = by_curvature(uv);
+    return local_ ? std::min(limited, around_parts(surface.point(uv))) : limited;
+  }
+  /// Without the part of other parts of the model.
+  double by_curvature(Vec2 uv) const;
+  /// What lengths of parts leave around them; infinity where none are given.
+  double around_parts(Vec3 x) const {
+    return local_ ? scale_ * local_->at(x) : std::numeric_limits<double>::infinity();
+  }
+  /// Without curvature, at a point of the surface.
+  double given_at(Vec3 x) const { return std::min(h_, around_parts(x)); }
+  /// Length where neither curvature nor other parts shorten it.
+  double own() const { return h_; }
+  /// Other parts shorten h somewhere on the face.
+  bool is_graded() const { return is_graded_; }
+  void set_graded(bool is_graded) { is_graded_ = is_graded; }
+  void set_local(std::shared_ptr<const LocalSizes> local) { local_ = std::move(local); }
   /// The same field, all values times `factor`.
   FaceSize scaled(double factor) const;
-  /// Least value anywhere.
+  /// Least value by the face itself and its curvature.
   double least() const;
 
  private:
-  double h_;
+  double h_, scale_ = 1;
+  bool is_graded_ = false;
+  std::shared_ptr<const LocalSizes> local_;  // null: none are given
   Vec2 lo_, hi_;
   int nu_ = 0, nv_ = 0;
   std::vector<double> samples_;
@@ -33,6 +56,7 @@ class FaceSize {
 
 struct SizeField {
   double h = 0;  ///< target length of the run, mm
+  std::shared_ptr<const LocalSizes> local = std::make_shared<LocalSizes>();
   double gradation = 0.3;
   double turn_limit = 0.785;  ///< radians per element edge
   /// Radians per boundary edge shorter than h, where it stays as close to its curve as an edge of length h that turns
@@ -41,6 +65,13 @@ struct SizeField {
   std::vector<FaceSize> faces;    ///< per face of the model
   std::vector<double> predicted;  ///< elements, per face of the model; 0 for faces that are not meshed
 
+  std::vector<double> face_h;     ///< per face of the model: h, or what is given for the face
+  std::vector<double> perimeter;  ///< per face of the model: length of its loops in target lengths, curvature aside
+
+  /// h, or what is given for parts of the model, at a point of an edge.
+  double given_at(const Edge& edge, Vec3 x) const {
+    return local->is_empty() ? h : std::min({h, local->on_edge(edge), local->at(x)});
+  }
   /// Longest boundary edge along a curve of this curvature (1 / mm).
   double longest_edge(double curvature) const;
   /// Whether a boundary edge of this length may turn so much.

@@ -54,6 +54,7 @@ class ModelBuilder {
       bool is_last_piece = i + 1 == work_.faces.size() || work_.faces[i + 1].origin != work_.faces[i].origin;
       if (is_last_piece) progress_.advance(loop_units);
     }
+    list_parts(faces);
     mark_periodic_edges();
     orient_faces(work_, model_);
     fill_report();
@@ -62,6 +63,22 @@ class ModelBuilder {
   }
 
  private:
+  // What users may name besides faces and edges.
+  void list_parts(const TopTools_IndexedMapOfShape& faces) {
+    TopTools_IndexedMapOfShape vertices, solids;
+    TopExp::MapShapes(shape_.shape, TopAbs_VERTEX, vertices);
+    TopExp::MapShapes(shape_.shape, TopAbs_SOLID, solids);
+    for (int i = 1; i <= vertices.Extent(); ++i) {
+      gp_Pnt p = BRep_Tool::Pnt(TopoDS::Vertex(vertices(i)));
+      model_.read_vertices.push_back({p.X(), p.Y(), p.Z()});
+    }
+    for (int i = 1; i <= solids.Extent(); ++i) {
+      std::vector<int>& list = model_.solid_faces.emplace_back();
+      for (TopExp_Explorer inner(solids(i), TopAbs_FACE); inner.More(); inner.Next())
+        list.push_back(faces.FindIndex(inner.Current()) - 1);
+    }
+  }
+
   void note_divided(const DividedFace& face) {
     model_.notes.push_back(face_name(face.face) + " was divided along " + std::to_string(face.creases) +
                            (face.creases == 1 ? " crease." : " creases."));

@@ -51,7 +51,9 @@ struct Model {
   std::vector<Vec3> vertices;
   std::vector<Edge> edges;
   std::vector<Face> faces;
-  int read_edges = 0;  ///< edges of the shape as read, used or not
+  int read_edges = 0;                         ///< edges of the shape as read, used or not
+  std::vector<Vec3> read_vertices;            ///< of the shape as read
+  std::vector<std::vector<int>> solid_faces;  ///< per solid of the shape as read: its faces, as Face::origin
   ModelReport report;
   std::vector<std::string> notes;
 };

@@ -32,6 +32,8 @@ TEST(ReadOptions, PutsEveryValueInItsField) {
                             {"order", "1"},
                             {"elements", "all-quad"},
                             {"threads", "3"},
+                            {"local", "Face3=2mm"},
+                            {"local", "Edge1,Edge2=0.5"},
                             {"sew_tolerance", "10um"}});
   EXPECT_FALSE(o.size);
   EXPECT_EQ(o.frequency, 3e9);
@@ -44,6 +46,8 @@ TEST(ReadOptions, PutsEveryValueInItsField) {
   EXPECT_EQ(o.order, 1);
   EXPECT_EQ(o.elements, Elements::all_quad);
   EXPECT_EQ(o.threads, 3);
+  ASSERT_EQ(o.local.size(), 3u);
+  EXPECT_EQ(o.local[2].part, "Edge2");
   EXPECT_DOUBLE_EQ(o.sew_tolerance.value(), 0.01);
   EXPECT_EQ(read_options({{"size", "2cm"}}).size, 20);
 }

@@ -51,6 +51,16 @@ TEST(CheckOptions, NamesTheBadFieldAndItsValue) {
   EXPECT_EQ(refusal_after([](Options& o) { o.sew_tolerance = 0; }), "");
 }
 
+TEST(CheckOptions, LocalLengthsArePositiveAndForPartsOfModels) {
+  auto of = [](LocalSize local) { return refusal_after([=](Options& o) { o.local = {local}; }); };
+  EXPECT_EQ(of({"Face3", 1.0}), "");
+  EXPECT_EQ(of({"Face3", -2.0}), "local Face3 is -2 mm; it must be a finite number above 0.");
+  EXPECT_EQ(of({"Rim", 1.0}), "local names 'Rim', which is no part of a model; write Face3, Edge5, Vertex2 or Solid1.");
+  EXPECT_EQ(of({"Solid1", std::nullopt, 4.0}),
+            "local Solid1 has a medium, which needs frequency; set frequency, or give a length instead.");
+  EXPECT_EQ(of({"Solid1", std::nullopt, 0.0}), "local Solid1 eps_r is 0; it must be a finite number above 0.");
+}
+
 TEST(CheckOptions, WantsEitherSizeOrFrequency) {
   EXPECT_EQ(refusal(sized()), "");
   EXPECT_NE(refusal(Options()), "");

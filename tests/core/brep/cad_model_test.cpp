@@ -142,7 +142,7 @@ TEST(ReadBytes, WorksInManyThreadsAtOnce) {
   EXPECT_EQ(read_well, 12) << read(step).report.unit;
 }
 
-TEST(ModelParts, NumberTheFacesAndEdgesOfEachMember) {
+TEST(ModelParts, NumberThePartsOfEachMember) {
   TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Shape(), rod = BRepPrimAPI_MakeCylinder(2, 9).Shape();
   TopExp_Explorer faces(box, TopAbs_FACE);
   std::vector<ModelPart> parts = model_parts(read(freecad_binary(compound({box, rod, faces.Current()}))));
@@ -151,6 +151,11 @@ TEST(ModelParts, NumberTheFacesAndEdgesOfEachMember) {
   EXPECT_EQ(parts[0].edges.size(), 12u);
   EXPECT_EQ(parts[1].faces, (std::vector<int>{6, 7, 8}));
   EXPECT_EQ(parts[1].edges, (std::vector<int>{12, 13, 14}));
+  EXPECT_EQ(parts[0].vertices.size(), 8u);
+  EXPECT_EQ(parts[1].vertices, (std::vector<int>{8, 9}));
+  EXPECT_EQ(parts[0].solids, (std::vector<int>{0}));
+  EXPECT_EQ(parts[1].solids, (std::vector<int>{1}));
+  EXPECT_TRUE(parts[2].solids.empty());
   EXPECT_EQ(parts[2].faces, (std::vector<int>{0})) << "a face that two members share has one number";
   EXPECT_EQ(model_parts(read(freecad_binary(box))).size(), 1u);
 }

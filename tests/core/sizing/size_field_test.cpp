@@ -20,19 +20,19 @@ SizeField size_of(const Model& model, const Options& options) {
 
 TEST(FaceSize, IsBilinearInsideItsBoxAndClampedOutside) {
   FaceSize size(9, {0, 0}, {2, 1}, 3, 2, {1, 2, 3, 5, 6, 7});
-  EXPECT_DOUBLE_EQ(size.at({0, 0}), 1);
-  EXPECT_DOUBLE_EQ(size.at({2, 1}), 7);
-  EXPECT_DOUBLE_EQ(size.at({0.5, 0}), 1.5);
-  EXPECT_DOUBLE_EQ(size.at({1, 0.5}), 4);
-  EXPECT_DOUBLE_EQ(size.at({-5, -5}), 1);
-  EXPECT_DOUBLE_EQ(size.at({50, 0}), 3);
-  EXPECT_DOUBLE_EQ(size.at({std::nan(""), 0}), 1);
+  EXPECT_DOUBLE_EQ(size.by_curvature({0, 0}), 1);
+  EXPECT_DOUBLE_EQ(size.by_curvature({2, 1}), 7);
+  EXPECT_DOUBLE_EQ(size.by_curvature({0.5, 0}), 1.5);
+  EXPECT_DOUBLE_EQ(size.by_curvature({1, 0.5}), 4);
+  EXPECT_DOUBLE_EQ(size.by_curvature({-5, -5}), 1);
+  EXPECT_DOUBLE_EQ(size.by_curvature({50, 0}), 3);
+  EXPECT_DOUBLE_EQ(size.by_curvature({std::nan(""), 0}), 1);
 }
 
 TEST(BuildSizeField, FlatFacesHaveTheTargetLengthEverywhere) {
   SizeField field = size_of(fake::box(1, 2, 3), with_size(0.25));
   ASSERT_EQ(field.faces.size(), 6u);
-  for (const FaceSize& face : field.faces) EXPECT_DOUBLE_EQ(face.at({0.3, 0.4}), 0.25);
+  for (const FaceSize& face : field.faces) EXPECT_DOUBLE_EQ(face.by_curvature({0.3, 0.4}), 0.25);
 }
 
 // Where a surface bends one way only, rows of long elements follow it: their sides may turn 2.5 times the limit.
@@ -63,7 +63,7 @@ TEST(BuildSizeField, ACylinderTurnsNoMoreThanTwoAndAHalfTimesTheLimitPerEdge) {
   Options options = with_size(6);
   options.max_turn = 0.2;
   SizeField field = size_of(fake::tube(4, 20), options);
-  for (Vec2 uv : {Vec2{0, 0}, Vec2{1, 7}, Vec2{6, 20}}) EXPECT_NEAR(field.faces[0].at(uv), 2, 1e-12);
+  for (Vec2 uv : {Vec2{0, 0}, Vec2{1, 7}, Vec2{6, 20}}) EXPECT_NEAR(field.faces[0].by_curvature(uv), 2, 1e-12);
 }
 
 TEST(BuildSizeField, ASphereIsLimitedAtItsPolesAsElsewhere) {
@@ -71,18 +71,18 @@ TEST(BuildSizeField, ASphereIsLimitedAtItsPolesAsElsewhere) {
   options.max_turn = 0.5;
   SizeField field = size_of(fake::ball(4), options);
   for (Vec2 uv : {Vec2{0, -fake::pi / 2}, Vec2{3, fake::pi / 2}, Vec2{1, 0.2}}) {
-    EXPECT_NEAR(field.faces[0].at(uv), 2, 1e-9);
+    EXPECT_NEAR(field.faces[0].by_curvature(uv), 2, 1e-9);
   }
 }
 
 TEST(BuildSizeField, ATinyFilletKeepsAQuarterOfTheTargetLengthInside) {
   SizeField field = size_of(fake::tube(0.001, 1), with_size(1));
-  EXPECT_NEAR(field.faces[0].at({1, 0.5}), 0.25, 1e-12);
+  EXPECT_NEAR(field.faces[0].by_curvature({1, 0.5}), 0.25, 1e-12);
 }
 
 TEST(BuildSizeField, ATargetLengthFarAboveTheModelIsFine) {
   SizeField field = size_of(fake::box(1, 1, 1), with_size(1e6));
-  EXPECT_DOUBLE_EQ(field.faces[0].at({0, 0}), 1e6);
+  EXPECT_DOUBLE_EQ(field.faces[0].by_curvature({0, 0}), 1e6);
 }
 
 TEST(BuildSizeField, TooManyElementsAreRefusedWithNumberLengthAndLimit) {

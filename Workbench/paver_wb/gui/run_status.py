@@ -1,0 +1,83 @@
+"""Runs in the status bar: which one, how far, and a button that stops it."""
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+translate = FreeCAD.Qt.translate
+BAR_WIDTH = 160
+_box = None
+
+# Share of each stage in the time of a common run, in percent: a bar that never goes back needs some.
+SHARES = (("read", 8), ("topology", 2), ("sizing", 2), ("boundary", 12), ("regions", 4), ("paving", 52), ("join", 3),
+          ("curving", 10), ("quality", 5), ("write", 2))
+
+
+def percent(stage, fraction):
+    """Part of a whole run that is done."""
+    done = 0
+    for name, share in SHARES:
+        if name == stage:
+            return int(done + share * fraction)
+        done += share
+    return 100 if stage == "done" else 0
+
+
+def stage_text(stage):
+    """A stage of the core, as users read it."""
+    return {"": translate("Paver", "Starting"), "read": translate("Paver", "Reading the shape"),
+            "topology": translate("Paver", "Joining faces"), "sizing": translate("Paver", "Sizes"),
+            "boundary": translate("Paver", "Dividing edges"), "regions": translate("Paver", "Regions"),
+            "paving": translate("Paver", "Paving"), "join": translate("Paver", "Joining meshes"),
+            "curving": translate("Paver", "Curving"), "quality": translate("Paver", "Measuring quality"),
+            "write": translate("Paver", "Storing")}.get(stage, stage)
+
+
+class Box(QtGui.QWidget):
+    """The permanent widget of the status bar; hidden when nothing runs."""
+
+    def __init__(self):
+        super().__init__()
+        self.runs = []
+        layout = QtGui.QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        self.label, self.bar, self.button = QtGui.QLabel(), QtGui.QProgressBar(), QtGui.QToolButton()
+        self.bar.setFixedWidth(BAR_WIDTH)
+        self.button.setText(translate("Paver", "Stop"))
+        self.button.setObjectName("PaverStatusStop")
+        self.button.setToolTip(translate("Paver", "Stops meshing; the mesh object stays as it was"))
+        self.button.clicked.connect(self.stop)
+        for widget in (self.label, self.bar, self.button):
+            layout.addWidget(widget)
+
+    def watch(self, run):
+        self.runs.append(run)
+        run.progressed.connect(self.refresh)
+        run.ended.connect(self.drop)
+        self.refresh()
+
+    @QtCore.Slot()
+    def stop(self):
+        for run in list(self.runs):
+            run.stop()
+
+    def drop(self, _outcome):
+        self.runs = [run for run in self.runs if run.outcome is None]
+        self.refresh()
+
+    def refresh(self, *_):
+        self.setVisible(bool(self.runs))
+        if not self.runs:
+            return
+        run = self.runs[0]
+        more = f" (+{len(self.runs) - 1})" if len(self.runs) > 1 else ""
+        self.label.setText(f"{run.label}{more}: {stage_text(run.stage)}")
+        self.bar.setValue(percent(run.stage, run.fraction))
+
+
+def watch(run):
+    """Shows a run in the status bar until it ends."""
+    global _box
+    if _box is None:
+        _box = Box()
+        FreeCADGui.getMainWindow().statusBar().addPermanentWidget(_box)
+    _box.watch(run)

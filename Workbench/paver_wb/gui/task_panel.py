@@ -1,0 +1,281 @@
+"""The task panel of a mesh object.
+
+Options are changed in the fields only, until Apply, OK or Mesh puts them into the mesh object, in one step of undo.
+Cancel drops what was not applied, stops a run, and takes back a mesh object that was made for this panel and is unused.
+"""
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from paver_wb import mesh_object
+from paver_wb.gui import run_control, run_predict, task_panel_options, task_panel_result, task_panel_run
+
+translate = FreeCAD.Qt.translate
+_open = None  # the panel on screen
+_new = None  # the mesh object that the next panel is made with
+
+
+def python_name(obj):
+    return f'FreeCAD.getDocument("{obj.Document.Name}").getObject("{obj.Name}")'
+
+
+def in_python(options):
+    return ", ".join(f"{name}={value!r}" for name, value in options.items())
+
+
+class TaskPanel:
+    """What FreeCAD calls, and what ties the parts together. is_new: the object was made for this panel."""
+
+    def __init__(self, obj, is_new=False):
+        self.obj, self.is_new, self.run, self.is_closed = obj, is_new, None, False
+        self.document, self.document_name = obj.Document, obj.Document.Name
+        self.steps = self.document.UndoCount
+        self.options = task_panel_options.OptionsBox(obj)
+        self.runner = task_panel_run.RunBox(obj)
+        self.results = task_panel_result.ResultBox(obj)
+        self.predictor = run_predict.Predictor(obj)
+        self.form = [self.options, self.runner, self.results]
+        self.options.changed.connect(self.predict)
+        self.runner.mesh_asked.connect(self.mesh)
+        self.runner.stop_asked.connect(self.stop)
+        self.predictor.predicted.connect(self.show_prediction)
+        self.predictor.failed.connect(self.show_no_prediction)
+        self.observer = Observer(self)
+        FreeCAD.addDocumentObserver(self.observer)
+        self.results.refresh()
+        if run_control.run_of(obj):
+            self.watch(run_control.run_of(obj))
+        self.predict()
+
+    # Predicting
+
+    def predict(self):
+        fault = self.options.fault()
+        if fault:
+            self.predictor.drop()
+            self.runner.prediction.setText(fault)
+        else:
+            self.runner.prediction.setText(translate("Paver", "Predicting..."))
+            self.predictor.ask(self.options.changes())
+        if self.run is None:
+            self.runner.show_status(bool(fault or self.options.changes()))
+        self.runner.mesh.setEnabled(not fault and self.run is None)
+
+    def show_prediction(self, prediction):
+        self.runner.prediction.setText(task_panel_run.prediction_text(prediction, self.options.run_in.value()))
+
+    def show_no_prediction(self, error):
+        self.runner.prediction.setText(str(error))
+
+    # Meshing
+
+    def mesh(self):
+        if self.options.fault() or run_control.run_of(self.obj):
+            return
+        try:
+            self.apply_run_in()
+            self.watch(self.start(self.options.changes()))
+        except Exception as error:  # of what cannot be begun at all
+            self.runner.show_fault(str(error))
+
+    def start(self, changes):
+        """Starts a run as the console would."""
+        FreeCADGui.addModule("paver_wb.gui.run_control")
+        text = "".join(f", {name}={value!r}" for name, value in changes.items())
+        self.predictor.offer()
+        FreeCADGui.doCommand(f"paver_wb.gui.run_control.start({python_name(self.obj)}{text})")
+        return run_control.run_of(self.obj)
+
+    def watch(self, run):
+        self.run = run
+        run.ended.connect(self.show_end)
+        self.options.setEnabled(False)
+        self.runner.watch(run)
+
+    def show_end(self, outcome):
+        self.run = None
+        self.options.setEnabled(True)
+        self.runner.show_end(outcome)
+        if outcome.kind == run_control.MESHED:
+            self.is_new = False
+            self.options.refresh()
+            self.results.refresh(outcome.mesh)
+        self.predict()
+
+    def stop(self):
+        if self.run is not None:
+            self.run.stop()
+
+    # Applying
+
+    def apply(self):
+        """Puts the options into the mesh object. False when a field has no value."""
+        fault = self.options.fault()
+        if fault:
+            self.runner.show_fault(fault)
+            return False
+        if self.run is not None:  # they come with its result
+            return True
+        changes = self.options.changes()
+        self.apply_run_in(changes)
+        self.options.refresh()
+        self.runner.show_status()
+        self.is_new = False
+        return True
+
+    def apply_run_in(self, changes=None):
+        """RunIn, and the changes, if there are any, as one step of undo."""
+        lines = []
+        if self.options.run_in.value() != self.obj.RunIn:
+            lines.append(f"{python_name(self.obj)}.RunIn = {self.options.run_in.value()!r}")
+        if changes:
+            lines.append(f"paver_wb.properties.put({python_name(self.obj)}, {changes!r})")
+        if not lines:
+            return
+        FreeCADGui.addModule("paver_wb.properties")
+        self.document.openTransaction(translate("Paver", "Options of {}").format(self.obj.Label))
+        try:
+            for line in lines:
+                FreeCADGui.doCommand(line)
+        except BaseException:
+            self.document.abortTransaction()
+            raise
+        self.document.commitTransaction()
+
+    # What FreeCAD calls
+
+    def getStandardButtons(self):
+        buttons = QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Apply | QtGui.QDialogButtonBox.Cancel
+        return getattr(buttons, "value", None) or int(buttons)
+
+    def modifyStandardButtons(self, box):
+        tips = {QtGui.QDialogButtonBox.Ok: translate("Paver", "Applies the options and closes; a run goes on"),
+                QtGui.QDialogButtonBox.Apply: translate("Paver", "Puts the options into the mesh object; does not mesh"),
+                QtGui.QDialogButtonBox.Cancel: translate("Paver", "Drops changes that were not applied, stops a run and "
+                                                         "closes")}
+        for button, tip in tips.items():
+            box.button(button).setToolTip(tip)
+
+    def clicked(self, button):
+        if button == QtGui.QDialogButtonBox.Apply:
+            self.apply()
+
+    def accept(self):
+        if not self.apply():
+            return False
+        self.close()
+        return True
+
+    def reject(self):
+        run = self.run
+        is_unused = self.is_new and self.document.UndoCount == self.steps and not self.obj.MeshFile
+        document = self.document
+        self.close()
+        if run is not None:
+            run.stop()
+        if is_unused:
+            document.undo()
+        return True
+
+    def isAllowedAlterSelection(self):
+        return True
+
+    def isAllowedAlterView(self):
+        return True
+
+    def isAllowedAlterDocument(self):
+        return True
+
+    def close(self):
+        """Leaves FreeCAD's edit mode, which takes the panel away."""
+        self.forget()
+        FreeCADGui.getDocument(self.document.Name).resetEdit()
+        FreeCADGui.Control.closeDialog()
+
+    def forget(self):
+        """Lets go of everything that calls back."""
+        global _open
+        if self.is_closed:
+            return
+        self.is_closed = True
+        self.predictor.drop()
+        self.results.drop()
+        if self.run is not None:
+            self.run.ended.disconnect(self.show_end)
+            self.runner.leave(self.run)
+        FreeCAD.removeDocumentObserver(self.observer)
+        if _open is self:
+            _open = None
+
+
+class Observer:
+    """Keeps a panel in step with its mesh object; takes it away with the object."""
+
+    def __init__(self, panel):
+        self.panel = panel
+
+    def slotDeletedObject(self, obj):
+        if obj == self.panel.obj:
+            self.vanish()
+
+    def slotDeletedDocument(self, document):
+        if document.Name == self.panel.document_name:
+            self.vanish()
+
+    def vanish(self):
+        self.panel.forget()
+        QtCore.QTimer.singleShot(0, lambda: FreeCADGui.Control.closeDialog())
+
+    def slotChangedObject(self, obj, name):
+        panel = self.panel
+        if obj != panel.obj or panel.is_closed or mesh_object.is_restoring(obj):
+            return
+        if name == "Status" and panel.run is None:
+            panel.runner.show_status()
+        elif panel.options.show_property(name) or name in mesh_object.LINKS:
+            panel.predict()
+
+    def slotUndoDocument(self, document):
+        panel = self.panel
+        if document.Name == panel.document_name and panel.run is None and not panel.is_closed:
+            panel.options.refresh()
+            panel.runner.idle()
+            panel.results.refresh()
+            panel.predict()
+
+    slotRedoDocument = slotUndoDocument
+
+
+def show(obj, is_new=False):
+    """Opens the panel of a mesh object; False when another panel is open."""
+    global _open
+    if FreeCADGui.Control.activeDialog():
+        FreeCAD.Console.PrintError(translate("Paver", "Another task panel is open; close it first.") + "\n")
+        return False
+    _open = TaskPanel(obj, is_new)
+    FreeCADGui.Control.showDialog(_open)
+    return True
+
+
+def edit_new(obj):
+    """Opens the panel of a mesh object that was made for it: Cancel takes the object back.
+
+    Opens it when the command that calls this has ended: FreeCAD would keep its step of undo open for the whole panel.
+    """
+    global _new
+    _new, document, name = obj, obj.Document.Name, obj.Name
+    QtCore.QTimer.singleShot(0, lambda: FreeCADGui.getDocument(document).setEdit(name))
+
+
+def set_edit(obj):
+    """What the view provider does when the object is to be edited."""
+    global _new
+    is_new, _new = _new == obj, None
+    return show(obj, is_new)
+
+
+def unset_edit():
+    """What it does at the end, whoever asked for that."""
+    if _open is not None:
+        _open.forget()
+        FreeCADGui.Control.closeDialog()

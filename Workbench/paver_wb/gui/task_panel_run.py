@@ -1,0 +1,197 @@
+"""The part of the task panel that predicts, meshes, shows the progress, stops, and tells what went wrong."""
+import time
+
+import FreeCAD
+from PySide import QtCore, QtGui
+
+from paver_wb import mesh_object
+from paver_wb.gui import run_place, run_status
+
+translate = FreeCAD.Qt.translate
+LOG_LINES, LOG_HEIGHT = 200, 90
+SCROLL_DELAY = 50  # ms
+FAULT_STYLE = "QFrame#Paver_Fault { border: 1px solid #c01c28; border-radius: 3px; }"
+
+
+def count_text(number):
+    """12 345 elements are shown as exactly as a prediction deserves: three digits."""
+    return f"{float(f'{number:.3g}'):,.0f}".replace(",", "\u202f")
+
+
+def memory_text(mib):
+    return f"{mib / 1024:.1f} GB" if mib >= 1024 else f"{max(mib, 1):.0f} MB"
+
+
+def prediction_text(prediction, run_in):
+    """About how much a run will come to."""
+    text = translate("Paver", "About {} elements, up to {} of memory").format(count_text(prediction.elements),
+                                                                           memory_text(prediction.memory_mib))
+    is_heavy = run_in == mesh_object.AUTOMATIC and prediction.elements >= mesh_object.heavy_elements()
+    return text + (translate("Paver", "; in a process of its own") if is_heavy or run_in == mesh_object.IN_PROCESS
+                   else "")
+
+
+class RunBox(QtGui.QWidget):
+    """`mesh_asked`, `stop_asked`: the buttons. watch(run) follows a run until it ends."""
+
+    mesh_asked = QtCore.Signal()
+    stop_asked = QtCore.Signal()
+
+    def __init__(self, obj):
+        super().__init__()
+        self.obj, self.stage, self.place, self.in_sight = obj, None, None, self
+        self.scrolling = QtCore.QTimer(self)
+        self.scrolling.setSingleShot(True)
+        self.scrolling.timeout.connect(self.scroll)
+        self.setWindowTitle(translate("Paver", "Mesh"))
+        layout = QtGui.QVBoxLayout(self)
+        self.status, self.prediction = QtGui.QLabel(), QtGui.QLabel()
+        self.prediction.setObjectName("Paver_Prediction")
+        self.status.setObjectName("Paver_Status")
+        for label in (self.status, self.prediction):
+            label.setWordWrap(True)
+            layout.addWidget(label)
+        self.prediction.setToolTip(translate("Paver", "What meshing with these options comes to, before it is done"))
+        self.status.setToolTip(translate("Paver", "Whether the mesh fits the options and the shapes of its objects"))
+        layout.addLayout(self.buttons())
+        self.bar = QtGui.QProgressBar()
+        self.bar.setObjectName("Paver_Progress")
+        self.bar.setToolTip(translate("Paver", "Stage of the work, and how much of all work is done"))
+        layout.addWidget(self.bar)
+        layout.addWidget(self.fault_box())
+        layout.addWidget(self.log_box())
+        self.idle()
+
+    def buttons(self):
+        row = QtGui.QHBoxLayout()
+        self.mesh = QtGui.QPushButton(translate("Paver", "Mesh"))
+        self.mesh.setObjectName("Paver_MeshButton")
+        self.mesh.setToolTip(translate("Paver", "Applies the options and meshes; FreeCAD can be used meanwhile"))
+        self.stop = QtGui.QPushButton(translate("Paver", "Stop"))
+        self.stop.setObjectName("Paver_StopButton")
+        self.stop.setToolTip(translate("Paver", "Stops meshing within a second; the mesh stays as it was"))
+        self.mesh.clicked.connect(self.mesh_asked)
+        self.stop.clicked.connect(self.stop_asked)
+        row.addWidget(self.mesh, 2)
+        row.addWidget(self.stop, 1)
+        return row
+
+    def fault_box(self):
+        self.fault = QtGui.QFrame()
+        self.fault.setObjectName("Paver_Fault")
+        self.fault.setStyleSheet(FAULT_STYLE)
+        layout = QtGui.QVBoxLayout(self.fault)
+        self.fault_text, self.show_place = QtGui.QLabel(), QtGui.QPushButton()
+        self.fault_text.setObjectName("Paver_FaultText")
+        self.fault_text.setWordWrap(True)
+        self.fault_text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        self.fault_text.setToolTip(translate("Paver", "What went wrong, and what to do"))
+        self.show_place.setObjectName("Paver_ShowPlace")
+        self.show_place.setToolTip(translate("Paver", "Selects it in the 3D view and brings it into sight"))
+        self.show_place.clicked.connect(self.go_to_place)
+        layout.addWidget(self.fault_text)
+        layout.addWidget(self.show_place)
+        return self.fault
+
+    def log_box(self):
+        self.log = QtGui.QPlainTextEdit()
+        self.log.setObjectName("Paver_Log")
+        self.log.setReadOnly(True)
+        self.log.setMaximumBlockCount(LOG_LINES)
+        self.log.setFixedHeight(LOG_HEIGHT)
+        self.log.setToolTip(translate("Paver", "What has been done since the panel was opened"))
+        self.log.setPlaceholderText(translate("Paver", "Log"))
+        return self.log
+
+    def bring_into_sight(self, part):
+        """Scrolls the panel to a part of it, when that has got its size."""
+        self.in_sight = part
+        self.scrolling.start(SCROLL_DELAY)
+
+    @QtCore.Slot()
+    def scroll(self):
+        area = self.parent()
+        while area is not None and not isinstance(area, QtGui.QScrollArea):
+            area = area.parent()
+        if area is not None:
+            area.ensureWidgetVisible(self.in_sight)
+
+    def note(self, text):
+        self.log.appendPlainText(time.strftime("%H:%M:%S  ") + text)
+
+    def go_to_place(self):
+        import FreeCADGui
+        if run_place.select(self.obj, self.place):
+            FreeCADGui.SendMsgToActiveView("ViewSelection")
+
+    def show_status(self, has_edits=False):
+        """has_edits: fields differ from what the mesh object has."""
+        if has_edits:
+            self.status.setText(translate("Paver", "Options have been edited; Mesh or Apply puts them into effect"))
+            return
+        texts = {mesh_object.NOT_MESHED: translate("Paver", "Not meshed yet"),
+                 mesh_object.UP_TO_DATE: translate("Paver", "The mesh is up to date"),
+                 mesh_object.OUT_OF_DATE: translate("Paver", "Options or shapes have changed since meshing")}
+        self.status.setText(texts[self.obj.Status])
+
+    def show_fault(self, text, place=None):
+        """A sentence, or none; with a place a button goes there."""
+        self.place = place
+        self.fault.setVisible(bool(text))
+        if text:
+            self.bring_into_sight(self.fault)
+        self.fault_text.setText(text)
+        self.show_place.setVisible(place is not None)
+        if place is not None:
+            self.show_place.setText(translate("Paver", "Show {}").format(place.element))
+
+    def idle(self):
+        self.mesh.setEnabled(True)
+        self.stop.setEnabled(False)
+        self.bar.hide()
+        self.show_fault("")
+        self.show_status()
+
+    def watch(self, run):
+        """Follows a run; show() of its end is the panel's."""
+        self.stage = None
+        self.show_fault("")
+        self.status.setText(translate("Paver", "Meshing; FreeCAD can be used meanwhile"))
+        self.mesh.setEnabled(False)
+        self.stop.setEnabled(True)
+        self.bar.setValue(0)
+        self.bar.show()
+        self.bring_into_sight(self.log)
+        self.note(translate("Paver", "Shape of {:.2f} MB handed over in {:.2f} s").format(
+            len(run.job.shape) / 1e6, run.seconds["hand over"]))
+        run.progressed.connect(self.tell)
+        run.moved.connect(self.tell_moved)
+        self.tell(run.stage, run.fraction)
+
+    def leave(self, run):
+        """Follows it no longer."""
+        run.progressed.disconnect(self.tell)
+        run.moved.disconnect(self.tell_moved)
+
+    @QtCore.Slot()
+    def tell_moved(self):
+        self.note(translate("Paver", "Meshing in a process of its own"))
+
+    @QtCore.Slot(str, float)
+    def tell(self, stage, fraction):
+        self.bar.setValue(run_status.percent(stage, fraction))
+        self.bar.setFormat(run_status.stage_text(stage) + "  %p %")
+        if stage != self.stage:
+            self.note(run_status.stage_text(stage))
+            self.stage = stage
+
+    def show_end(self, outcome):
+        self.idle()
+        self.note(outcome.text)
+        for line in filter(None, outcome.log.splitlines()):
+            self.note(line)
+        if outcome.kind == "meshed":
+            self.note(translate("Paver", "{:.2f} s of meshing, {:.2f} s to take it into the document").format(
+                outcome.seconds["mesh"], outcome.seconds["take back"]))
+        if outcome.kind == "failed" or outcome.place:
+            self.show_fault(outcome.text, outcome.place)

@@ -1,0 +1,74 @@
+"""A mesh as arrays, without its report: what can be measured, drawn and picked of it."""
+from typing import NamedTuple
+
+from . import _paver
+
+
+class ElementQuality(NamedTuple):
+    """Figures of every element, quads first, then triangles; read-only arrays. core/docs/quality.md defines them.
+
+    sj: (elements,) float64, straight-sided scaled Jacobian.
+    jacobian_ratio: (elements,) float64, lower bound of the curved Jacobian over its mean.
+    area: (elements,) float64, mm^2, of the curved element.
+    validity: (elements,) int8, 0 Jacobian proven positive, 1 inverted, 2 undecided.
+    """
+
+    sj: object
+    jacobian_ratio: object
+    area: object
+    validity: object
+
+
+class Tessellation(NamedTuple):
+    """A mesh cut into flat pieces for drawing; read-only arrays. n is the subdivision.
+
+    points: (k, 3) float32, mm; shared within a B-rep face, not between faces; with `apart` not between elements.
+    normals: (k, 3) float32, outward, of unit length.
+    triangles: (t, 3) int32, rows of `points`, counter-clockwise seen from outside.
+    triangle_elements: (t,) int32, the element of each triangle; quads come first, then triangles.
+    outlines: (e, n + 1) int32, every mesh edge once, as rows of `points`.
+    outline_edges: (e,) int32, the B-rep edge (0: Edge1) that the mesh edge lies on, or -1.
+    outline_elements: (e,) int32, how many elements have the mesh edge; 1 for a free edge.
+    triangle_indices, outline_indices: the memory of `triangles` and `outlines` as Coin wants it, in one dimension and
+        with -1 after each row.
+    """
+
+    points: object
+    normals: object
+    triangles: object
+    triangle_indices: object
+    triangle_elements: object
+    outlines: object
+    outline_indices: object
+    outline_edges: object
+    outline_elements: object
+
+
+class SurfaceMesh:
+    """A mesh from arrays as those of a Result, which may come from a file; the arrays are copied.
+
+    ValueError when they do not fit together.
+    """
+
+    def __init__(self, order, nodes, quads, triangles, quad_faces, triangle_faces, lines, line_edges):
+        self._data = _paver.BareMesh(order, nodes, quads, triangles, quad_faces, triangle_faces, lines, line_edges)
+
+    def quality(self):
+        """ElementQuality: figures of every element, measured at the first call."""
+        return ElementQuality(**self._data.quality())
+
+    def tessellate(self, subdivision=2, apart=False):
+        """Tessellation as Result.tessellate gives it."""
+        return Tessellation(**self._data.tessellate(subdivision, apart))
+
+
+class PickTree:
+    """Search tree over the triangles of a Tessellation: finds in microseconds what lies under the mouse."""
+
+    def __init__(self, tessellation):
+        self._tree = _paver.Picker(tessellation.points, tessellation.triangle_indices)
+
+    def hits(self, origin, direction):
+        """[(triangle, along)] of all triangles that a ray meets, nearest first: rows of `triangles`, and the factor of
+        `direction` with which origin + along * direction is the point."""
+        return self._tree.hits(tuple(origin), tuple(direction))

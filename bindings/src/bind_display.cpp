@@ -1,0 +1,160 @@
+// Drawing and picking: of results, and of meshes that come back as arrays from a file.
+#include "bind_display.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "arrays.h"
+#include "paver/display.h"
+#include "paver/pick.h"
+
+namespace paver::python {
+namespace {
+
+using Integers = py::array_t<int, py::array::c_style | py::array::forcecast>;
+using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Rows of `columns` numbers from 0 to `below`, copied out; ValueError for anything else.
+std::vector<int> numbers(const char* name, const Integers& array, py::ssize_t columns, std::size_t below) {
+  bool fits = columns == 1 ? array.ndim() == 1 : array.ndim() == 2 && array.shape(1) == columns;
+  if (!fits) throw py::value_error(fmt::format("{} must have {} numbers per row.", name, columns));
+  std::vector<int> values(array.data(), array.data() + array.size());
+  for (int value : values) {
+    if (value < 0 || static_cast<std::size_t>(value) >= below)
+      throw py::value_error(fmt::format("{} has {}; it must be from 0 to below {}.", name, value, below));
+  }
+  return values;
+}
+
+void check_count(const char* name, std::size_t count, std::size_t wanted) {
+  if (count != wanted) throw py::value_error(fmt::format("{} has {} rows; it must have {}.", name, count, wanted));
+}
+
+/// A mesh without its report.
+class BareMesh {
+ public:
+  BareMesh(int order, const Doubles& nodes, const Integers& quads, const Integers& triangles,
+           const Integers& quad_faces, const Integers& triangle_faces, const Integers& lines,
+           const Integers& line_edges) {
+    constexpr std::size_t any = 1u << 31;
+    if (order < 1 || order > 9) throw py::value_error(fmt::format("order is {}; it must be from 1 to 9.", order));
+    if (nodes.ndim() != 2 || nodes.shape(1) != 3) throw py::value_error("nodes must have 3 numbers per row.");
+    mesh_.order = order;
+    for (py::ssize_t i = 0; i < nodes.shape(0); ++i)
+      mesh_.nodes.push_back({nodes.data(i)[0], nodes.data(i)[1], nodes.data(i)[2]});
+    mesh_.quads = numbers("quads", quads, mesh_.nodes_per_quad(), mesh_.nodes.size());
+    mesh_.triangles = numbers("triangles", triangles, mesh_.nodes_per_triangle(), mesh_.nodes.size());
+    mesh_.quad_face = numbers("quad_faces", quad_faces, 1, any);
+    mesh_.triangle_face = numbers("triangle_faces", triangle_faces, 1, any);
+    mesh_.lines = numbers("lines", lines, order + 1, mesh_.nodes.size());
+    mesh_.line_edge = numbers("line_edges", line_edges, 1, any);
+    check_count("quad_faces", mesh_.quad_face.size(), mesh_.quads.size() / mesh_.nodes_per_quad());
+    check_count("triangle_faces", mesh_.triangle_face.size(), mesh_.triangles.size() / mesh_.nodes_per_triangle());
+    check_count("line_edges", mesh_.line_edge.size(), mesh_.lines.size() / static_cast<std::size_t>(order + 1));
+  }
+
+  const SurfaceMesh& mesh() const { return mesh_; }
+
+  std::shared_ptr<const ElementQuality> quality() {
+    py::gil_scoped_release free;
+    std::lock_guard lock(mutex_);
+    if (!quality_) quality_ = std::make_shared<ElementQuality>(element_quality(mesh_));
+    return quality_;
+  }
+
+ private:
+  SurfaceMesh mesh_;
+  std::shared_ptr<const ElementQuality> quality_;
+  std::mutex mutex_;
+};
+
+/// Keeps the arrays that its tree looks into.
+class Picker {
+ public:
+  Picker(Floats points, Integers triangle_indices)
+      : points_(std::move(points)), triangles_(std::move(triangle_indices)), tree_(checked()) {}
+
+  py::list hits(const Vec3& origin, const Vec3& direction) const {
+    py::list list;
+    for (const PickHit& hit : tree_.hits(origin, direction)) list.append(py::make_tuple(hit.triangle, hit.along));
+    return list;
+  }
+
+ private:
+  PickTree checked() const {
+    if (points_.ndim() != 2 || points_.shape(1) != 3) throw py::value_error("points must have 3 numbers per row.");
+    if (triangles_.ndim() != 1 || triangles_.size() % 4 != 0)
+      throw py::value_error("triangle_indices must have three points and -1 for each triangle.");
+    for (py::ssize_t i = 0; i < triangles_.size(); ++i) {
+      int point = triangles_.data()[i];
+      if (i % 4 != 3 && (point < 0 || point >= points_.shape(0)))
+        throw py::value_error(fmt::format("triangle_indices has {}; there are {} points.", point, points_.shape(0)));
+    }
+    py::gil_scoped_release free;
+    return PickTree({points_.data(), static_cast<std::size_t>(points_.size())},
+                    {triangles_.data(), static_cast<std::size_t>(triangles_.size())});
+  }
+
+  Floats points_;
+  Integers triangles_;
+  PickTree tree_;
+};
+
+Vec3 vector_of(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
+
+}  // namespace
+
+py::dict tessellation_arrays(const SurfaceMesh& mesh, int subdivision, bool apart) {
+  auto cut = [&] {
+    py::gil_scoped_release free;
+    return std::make_shared<const Tessellation>(apart ? tessellate_apart(mesh, subdivision)
+                                                      : tessellate(mesh, subdivision));
+  }();
+  auto count = static_cast<py::ssize_t>(cut->triangle_element.size());
+  constexpr py::ssize_t integer = sizeof(int);
+  py::dict arrays;
+  arrays["points"] = rows(cut, cut->points, 3);
+  arrays["normals"] = rows(cut, cut->normals, 3);
+  arrays["triangles"] = view(cut, cut->triangles.data(), {count, 3}, {4 * integer, integer});
+  arrays["triangle_indices"] = column(cut, cut->triangles);
+  arrays["triangle_elements"] = column(cut, cut->triangle_element);
+  py::ssize_t per_line = subdivision + 2, lines = static_cast<py::ssize_t>(cut->outline_edge.size());
+  arrays["outlines"] = view(cut, cut->outlines.data(), {lines, per_line - 1}, {per_line * integer, integer});
+  arrays["outline_indices"] = column(cut, cut->outlines);
+  arrays["outline_edges"] = column(cut, cut->outline_edge);
+  arrays["outline_elements"] = column(cut, cut->outline_elements);
+  return arrays;
+}
+
+py::dict quality_arrays(const std::shared_ptr<const ElementQuality>& figures) {
+  py::dict arrays;
+  arrays["sj"] = column(figures, figures->sj);
+  arrays["jacobian_ratio"] = column(figures, figures->jacobian_ratio);
+  arrays["area"] = column(figures, figures->area);
+  arrays["validity"] = column(figures, figures->validity);
+  return arrays;
+}
+
+void bind_display(py::module_& module) {
+  py::class_<BareMesh>(module, "BareMesh")
+      .def(py::init<int, const Doubles&, const Integers&, const Integers&, const Integers&, const Integers&,
+                    const Integers&, const Integers&>())
+      .def("quality", [](BareMesh& mesh) { return quality_arrays(mesh.quality()); })
+      .def("tessellate", [](const BareMesh& mesh, int subdivision, bool apart) {
+        return tessellation_arrays(mesh.mesh(), subdivision, apart);
+      });
+  py::class_<Picker>(module, "Picker")
+      .def(py::init<Floats, Integers>())
+      .def("hits",
+           [](const Picker& picker, const std::array<double, 3>& origin, const std::array<double, 3>& direction) {
+             return picker.hits(vector_of(origin), vector_of(direction));
+           });
+}
+
+}  // namespace paver::python

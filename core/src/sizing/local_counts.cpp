@@ -1,0 +1,100 @@
+// Cells and pieces are halved until the target length varies little in each: only near what asks for a short one.
+#include "sizing/local_counts.h"
+
+namespace paver {
+namespace {
+
+constexpr int first_cells = 8;       // per direction
+constexpr int deepest_cell = 12;     // halvings
+constexpr int deepest_piece = 20;    // halvings
+constexpr double coarse_cell = 0.8;  // of h over the gradation: size of a cell that is not halved
+constexpr double graded_share = 0.9;
+constexpr int samples_per_pcurve = 17;  // for the box of a face
+
+class CellCounter {
+ public:
+  CellCounter(const Surface& surface, const FaceSize& size, double gradation)
+      : surface_(surface), size_(size), gradation_(gradation) {}
+
+  void add(Vec2 lo, Vec2 hi, int depth) {
+    Vec2 middle = 0.5 * (lo + hi);
+    Vec3 x, xu, xv;
+    surface_.d1(middle, x, xu, xv);
+    double wide = norm(xu) * (hi.x - lo.x), high = norm(xv) * (hi.y - lo.y), reach = wide + high;
+    double h = size_.at(middle, surface_), plain = size_.by_curvature(middle);
+    bool is_near = size_.around_parts(x) - 0.5 * gradation_ * reach < plain;
+    if (depth < deepest_cell && is_near && gradation_ * reach > coarse_cell * h) {
+      add(lo, middle, depth + 1);
+      add(middle, hi, depth + 1);
+      add({middle.x, lo.y}, {hi.x, middle.y}, depth + 1);
+      add({lo.x, middle.y}, {middle.x, hi.y}, depth + 1);
+      return;
+    }
+    is_graded_ = is_graded_ || size_.given_at(x) < graded_share * size_.own();
+    double cell = norm(cross(xu, xv)) * (hi.x - lo.x) * (hi.y - lo.y);
+    if (!std::isfinite(cell)) return;
+    area_ += cell;
+    elements_ += cell / (h * h);
+  }
+  double mean_density() const { return area_ > 0 ? elements_ / area_ : 0; }
+
+  bool is_graded() const { return is_graded_; }
+
+ private:
+  const Surface& surface_;
+  const FaceSize& size_;
+  double gradation_, area_ = 0, elements_ = 0;
+  bool is_graded_ = false;
+};
+
+// Integral of ds / h along an edge on a face whose own length is `face_h`.
+double facets_on(const Edge& edge, double t0, double t1, double face_h, const SizeField& field, int depth) {
+  double t = 0.5 * (t0 + t1);
+  double length = edge.length * (t1 - t0) / (edge.t1 - edge.t0);
+  double given = field.given_at(edge, edge.curve->point(t)), h = std::min(face_h, given);
+  bool is_near = given - 0.5 * field.gradation * length < face_h;
+  if (depth < deepest_piece && is_near && field.gradation * length > h)
+    return facets_on(edge, t0, t, face_h, field, depth + 1) + facets_on(edge, t, t1, face_h, field, depth + 1);
+  return length / h;
+}
+
+}  // namespace
+
+SampleBox sample_box(const Model& model, const Face& face) {
+  SampleBox box;
+  for (const Loop& loop : face.loops) {
+    for (const Coedge& coedge : loop.coedges) {
+      if (!coedge.pcurve) continue;
+      const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
+      for (int i = 0; i < samples_per_pcurve; ++i) {
+        double share = static_cast<double>(i) / (samples_per_pcurve - 1);
+        box.add(coedge.pcurve->uv((1 - share) * edge.t0 + share * edge.t1));
+      }
+    }
+  }
+  return box;
+}
+
+LocalCounts count_with_local(const Model& model, const Face& face, const FaceSize& size, const SizeField& field) {
+  LocalCounts counts;
+  double face_h = size.own();
+  for (const Loop& loop : face.loops)
+    for (const Coedge& coedge : loop.coedges) {
+      const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
+      if (!edge.is_degenerate && edge.curve) counts.perimeter += facets_on(edge, edge.t0, edge.t1, face_h, field, 0);
+    }
+  SampleBox box = sample_box(model, face);
+  if (!face.surface || !box.has_area()) return counts;
+  CellCounter cells(*face.surface, size, field.gradation);
+  Vec2 step{(box.hi.x - box.lo.x) / first_cells, (box.hi.y - box.lo.y) / first_cells};
+  for (int j = 0; j < first_cells; ++j)
+    for (int i = 0; i < first_cells; ++i) {
+      Vec2 lo{box.lo.x + i * step.x, box.lo.y + j * step.y};
+      cells.add(lo, lo + step, 0);
+    }
+  counts.mean_density = cells.mean_density();
+  counts.is_graded = cells.is_graded();
+  return counts;
+}
+
+}  // namespace paver

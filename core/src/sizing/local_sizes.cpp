@@ -1,0 +1,109 @@
+// In: model, options. Out: lengths on faces and edges, sources around which the length grows.
+// Steps: every part to its faces, edges or point; the least length on each edge, its faces' included; edges as straight
+// pieces, finer than the length asked for. A face's length spreads over its edges: through them it reaches its
+// neighbours, and not through the thickness of a plate.
+#include "sizing/local_sizes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/local_parts.h"
+#include "paver/error.h"
+
+namespace paver {
+namespace {
+
+constexpr int fewest_pieces = 32, most_pieces = 20000;  // of an edge
+constexpr double piece_share = 2;                       // of the length asked for
+
+[[noreturn]] void refuse(const LocalSize& local, const std::string& kind, std::size_t count) {
+  std::string has = count == 0   ? "no " + kind + "; name another part"
+                    : count == 1 ? "only " + kind + "1; name that"
+                                 : fmt::format("{0}1 to {0}{1}; name one of these", kind, count);
+  throw Error(ErrorCode::bad_option, fmt::format("local names {}, but the model has {}.", local.part, has));
+}
+
+double& entry(std::vector<double>& list, int index) { return list[static_cast<std::size_t>(index)]; }
+
+}  // namespace
+
+LocalSizes::LocalSizes(const Model& model, const Options& options, double h) {
+  if (options.local.empty()) return;
+  of_face_.assign(model.faces.size(), none);
+  of_edge_.assign(static_cast<std::size_t>(model.read_edges), none);
+  for (const LocalSize& local : options.local) {
+    double length = local_length(options, local);
+    put(model, local, length);
+    if (length >= h)
+      notes_.push_back(fmt::format("The length {:.6g} mm of {} has no effect: the target length is {:.6g} mm.", length,
+                                   local.part, h));
+  }
+  add_sources(model, options.gradation);
+}
+
+// Every part in its own way; a solid is its faces.
+void LocalSizes::put(const Model& model, const LocalSize& local, double length) {
+  const PartName part = *parse_part(local.part);
+  const auto index = static_cast<std::size_t>(part.index);
+  auto check_index = [&](const char* kind, std::size_t count) {
+    if (index >= count) refuse(local, kind, count);
+  };
+  auto put_on_face = [&](int origin) {
+    for (std::size_t f = 0; f < model.faces.size(); ++f)
+      if (model.faces[f].origin == origin) of_face_[f] = std::min(of_face_[f], length);
+  };
+  least_ = std::min(least_, length);
+  switch (part.kind) {
+    case PartKind::face:
+      check_index("Face", static_cast<std::size_t>(model.report.faces));
+      return put_on_face(part.index);
+    case PartKind::edge:
+      check_index("Edge", of_edge_.size());
+      entry(of_edge_, part.index) = std::min(entry(of_edge_, part.index), length);
+      return;
+    case PartKind::vertex:
+      check_index("Vertex", model.read_vertices.size());
+      points_.push_back({model.read_vertices[index], length});
+      return;
+    case PartKind::solid:
+      check_index("Solid", model.solid_faces.size());
+      for (int face : model.solid_faces[index]) put_on_face(face);
+      return;
+  }
+}
+
+double LocalSizes::on_edge(const Edge& edge) const {
+  double least = none;
+  if (is_empty()) return least;
+  for (int origin : edge.origins) least = std::min(least, of_edge_[static_cast<std::size_t>(origin)]);
+  for (int face : edge.faces) least = std::min(least, of_face_[static_cast<std::size_t>(face)]);
+  return least;
+}
+
+void LocalSizes::add_sources(const Model& model, double gradation) {
+  std::vector<SizeSource> sources;
+  for (auto [point, length] : points_) sources.push_back({point, point, length});
+  for (const Edge& edge : model.edges) {
+    double length = on_edge(edge);
+    if (!(length < none)) continue;
+    if (edge.is_degenerate || !edge.curve) {
+      Vec3 point = model.vertices[static_cast<std::size_t>(edge.start)];
+      sources.push_back({point, point, length});
+      continue;
+    }
+    int count = std::clamp(static_cast<int>(std::min(edge.length / (piece_share * length), 1.0 * most_pieces)),
+                           fewest_pieces, most_pieces);
+    Vec3 last = edge.curve->point(edge.t0);
+    for (int i = 1; i <= count; ++i) {
+      double share = static_cast<double>(i) / count;
+      Vec3 next = edge.curve->point((1 - share) * edge.t0 + share * edge.t1);
+      sources.push_back({last, next, length});
+      last = next;
+    }
+  }
+  sources_ = NearestSource(std::move(sources), gradation);
+}
+
+}  // namespace paver

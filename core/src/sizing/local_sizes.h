@@ -1,0 +1,47 @@
+// Target lengths that the user gives for parts of a model, and what follows from them around these parts.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "paver/options.h"
+#include "sizing/nearest_source.h"
+#include "topology/model.h"
+
+namespace paver {
+
+/// Lengths in mm; infinity where nothing is asked for.
+class LocalSizes {
+ public:
+  LocalSizes() = default;
+  /// Throws bad_option for parts that the model does not have. `h` is the target length of the run.
+  LocalSizes(const Model& model, const Options& options, double h);
+
+  bool is_empty() const { return of_face_.empty(); }
+  /// Length asked for on a whole face: its own and those of its solids.
+  double on_face(int face) const { return is_empty() ? none : of_face_[static_cast<std::size_t>(face)]; }
+  /// Length asked for on a whole edge: its own and those of its faces.
+  double on_edge(const Edge& edge) const;
+  /// Least over all parts of their length plus gradation times the distance to their edges or vertex.
+  double at(Vec3 x) const { return sources_.least(x); }
+  /// Least of all.
+  double least() const { return least_; }
+  /// Lengths that have no effect, in sentences.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  static constexpr double none = std::numeric_limits<double>::infinity();
+  void put(const Model& model, const LocalSize& local, double length);
+  void add_sources(const Model& model, double gradation);
+
+  std::vector<double> of_face_;  // per face of the model
+  std::vector<double> of_edge_;  // per edge of the shape as read
+  std::vector<std::pair<Vec3, double>> points_;
+  NearestSource sources_;
+  double least_ = none;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace paver

@@ -1,0 +1,42 @@
+// Where around many straight sources of length the target length is least.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "paver/vec.h"
+
+namespace paver {
+
+/// A straight piece from a to b (a point where they are equal) with the target length on it, mm.
+struct SizeSource {
+  Vec3 a, b;
+  double h = 0;
+};
+
+/// Tree of boxes over sources. The answer depends on their set only, not on its order.
+class NearestSource {
+ public:
+  NearestSource() = default;
+  NearestSource(std::vector<SizeSource> sources, double gradation);
+
+  /// Least over all sources of h + gradation * distance from x; infinity without sources.
+  double least(Vec3 x) const;
+
+ private:
+  struct Box {
+    Vec3 lo, hi;
+    double h = 0;              // least in the box
+    int first = 0, count = 0;  // of the sources; count 0: an inner box
+    int second_child = -1;     // the first one follows its parent
+  };
+  int add_box(int first, int count);
+  double bound(const Box& box, Vec3 x) const;
+
+  std::vector<SizeSource> sources_;
+  std::vector<Box> boxes_;
+  double gradation_ = 0;
+};
+
+}  // namespace paver

@@ -1,0 +1,14 @@
+"""The task panel and runs beside the window, in FreeCAD's window; pictures end up in the build folder."""
+import re
+
+import freecad
+import pytest
+
+
+@pytest.mark.parametrize("case", ["Panel", "Runs"])
+def test_all_cases_in_the_window(home, case):
+    done = freecad.run_window(["-t", "TestPaverGui." + case], home)
+    output = done.stdout + done.stderr
+    assert done.returncode == 0, output[-8000:]
+    assert int(re.search(r"Ran (\d+) tests", output).group(1)) > 8 and "skipped" not in output
+    assert "already deleted" not in output and output.count("Traceback") == 0, output[-8000:]

@@ -1,0 +1,81 @@
+"""Cases that run inside FreeCAD's window: waiting, clicking, pictures. Imported in FreeCAD, with its Python."""
+import os
+import time
+
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+LIMIT = 120  # seconds
+
+
+def pause(milliseconds):
+    """Lets the window work for a while."""
+    loop = QtCore.QEventLoop()
+    QtCore.QTimer.singleShot(milliseconds, loop.quit)
+    loop.exec_()
+
+
+def wait(is_done, what=""):
+    """Lets the window work until is_done()."""
+    end = time.monotonic() + LIMIT
+    while not is_done():
+        if time.monotonic() > end:
+            raise AssertionError(f"waited {LIMIT} s in vain {what}")
+        pause(10)
+
+
+def widgets(kind, name=None):
+    """Visible widgets of a kind. Qt deletes some that Python still has a name for."""
+    import shiboken2
+    main = FreeCADGui.getMainWindow()
+    found = main.findChildren(kind, name) if name else main.findChildren(kind)
+    return [w for w in found if shiboken2.isValid(w) and w.isVisible()]
+
+
+def widget(name, kind=QtGui.QWidget):
+    """The visible widget of that object name, or None."""
+    return next(iter(widgets(kind, name)), None)
+
+
+def click(button):
+    """Clicks at the left, where a radio button has its circle."""
+    from PySide2 import QtTest  # FreeCAD's PySide has no QtTest
+    if button is None or not button.isEnabled():
+        raise AssertionError("the button is not there" if button is None else f"{button.text()} is disabled")
+    QtTest.QTest.mouseClick(button, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, QtCore.QPoint(8, button.height() // 2))
+
+
+def type_into(field, text):
+    """Replaces the text of a field, as from the keyboard."""
+    from PySide2 import QtTest
+    field.setFocus()
+    field.selectAll()
+    QtTest.QTest.keyClicks(field, text)
+    QtTest.QTest.keyClick(field, QtCore.Qt.Key_Return)
+
+
+def picture(name):
+    """Keeps a picture of the screen in the build folder."""
+    folder = os.path.join(os.environ.get("PAVER_BUILD") or os.getcwd(), "screenshots")
+    os.makedirs(folder, exist_ok=True)
+    pause(100)
+    QtGui.QApplication.primaryScreen().grabWindow(0).save(os.path.join(folder, name + ".png"))
+
+
+class Gaps:
+    """Largest time between two turns of the event loop, in seconds, while `with` lasts."""
+
+    def __enter__(self):
+        self.largest, self.last = 0.0, time.monotonic()
+        self.timer = QtCore.QTimer()
+        self.timer.timeout.connect(self.tick)
+        self.timer.start(20)
+        return self
+
+    def tick(self):
+        now = time.monotonic()
+        self.largest, self.last = max(self.largest, now - self.last), now
+
+    def __exit__(self, *_):
+        self.tick()
+        self.timer.stop()
