@@ -239,9 +239,10 @@ TEST(PlanarShapes, RandomRegionsAreAsGoodAsTheCorpus) {
   }
   std::sort(worst.begin(), worst.end());
   const auto elements = static_cast<double>(sum.quads + sum.triangles);
-  std::printf("%zu regions: mean SJ %.4f, min SJ median %.3f, 5 %% %.3f, least %.3f; irregular %.2f %%, triangles %ld\n",
-              worst.size(), sum.jacobian / elements, worst[worst.size() / 2], worst[worst.size() / 20], worst[0],
-              100.0 * static_cast<double>(sum.irregular) / static_cast<double>(sum.interior), sum.triangles);
+  std::printf(
+      "%zu regions: mean SJ %.4f, min SJ median %.3f, 5 %% %.3f, least %.3f; irregular %.2f %%, triangles %ld\n",
+      worst.size(), sum.jacobian / elements, worst[worst.size() / 2], worst[worst.size() / 20], worst[0],
+      100.0 * static_cast<double>(sum.irregular) / static_cast<double>(sum.interior), sum.triangles);
   EXPECT_GT(sum.jacobian / elements, 0.95);
   EXPECT_GT(worst[worst.size() / 2], 0.7);
   EXPECT_GT(worst[worst.size() / 20], 0.6);

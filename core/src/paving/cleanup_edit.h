@@ -135,7 +135,7 @@ class MeshEdit {
   std::vector<int> touched_, near_, list_;
   std::vector<Vec3> sum_;  // per entry of touched_
   std::vector<int> delta_;
-  std::vector<int> slot_;  // per node: its entry of touched_, or -1
+  std::vector<int> slot_;          // per node: its entry of touched_, or -1
   std::vector<Measure> measures_;  // per element, as at the last commit; Jacobian 2: to be measured
   std::vector<int> stamp_;
   int run_ = 0;

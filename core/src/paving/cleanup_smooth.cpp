@@ -53,7 +53,8 @@ int wished_corners(const RegionMesh& mesh, const Element& e, Vec3 at[4]) {
 
 Sweeper::Sweeper(Front& front) : front_(front), mesh_(front.mesh) {
   const std::size_t node_count = mesh_.p.size(), element_count = mesh_.elements.size();
-  sum_.resize(node_count), last_.resize(node_count), scale_.resize(node_count), moved_as_.assign(node_count, -1), seen_node_.assign(node_count, 0);
+  sum_.resize(node_count), last_.resize(node_count), scale_.resize(node_count), moved_as_.assign(node_count, -1),
+      seen_node_.assign(node_count, 0);
   sj_.resize(element_count), old_sj_.resize(element_count), seen_.assign(element_count, 0);
   for (std::size_t e = 0; e < element_count; ++e)
     if (mesh_.elements[e].is_alive()) sj_[e] = capped_jacobian(mesh_.elements[e]);

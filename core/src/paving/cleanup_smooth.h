@@ -42,10 +42,10 @@ class Sweeper {
   std::vector<Vec3> sum_;                     // per node: of its elements' wishes, then where it was
   std::vector<std::array<float, 3>> last_;    // per node: its last step
   std::vector<float> scale_;                  // per node: of the mesh there at the start
-  std::vector<Vec2> old_;              // per entry of nodes_: where it was in the chart
-  std::vector<int> moved_as_;          // per node: its entry of nodes_ when it moved in this sweep, or -1
-  std::vector<int> seen_, seen_node_;  // per element, per node: the sweep that listed it last
-  std::vector<float> old_sj_, sj_;     // per element, at most good_jacobian
+  std::vector<Vec2> old_;                     // per entry of nodes_: where it was in the chart
+  std::vector<int> moved_as_;                 // per node: its entry of nodes_ when it moved in this sweep, or -1
+  std::vector<int> seen_, seen_node_;         // per element, per node: the sweep that listed it last
+  std::vector<float> old_sj_, sj_;            // per element, at most good_jacobian
   std::vector<int> stack_;
   int run_ = 0;
 };

@@ -99,8 +99,8 @@ class VoidFiller {
     return is_changed;
   }
 
-  // Rows laid before in the pass may have used up the facets at the row's ends. What is left is a row when it still runs
-  // from end to end.
+  // Rows laid before in the pass may have used up the facets at the row's ends. What is left is a row when it still
+  // runs from end to end.
   bool keep_living(Row& row) const {
     auto is_dead = [&](int g) { return !front_.facets[g].is_alive; };
     std::vector<int>& all = row.facets;
@@ -151,8 +151,8 @@ class VoidFiller {
   const Progress& progress_;
   std::vector<int> open_, loop_, fresh_, near_;
   std::vector<double> angles_;  // of the void at the ends of loop_
-  std::vector<int> alive_;  // facets, ascending
-  std::vector<int> seen_;   // per facet: the call of collect_open_loops() that came by last
+  std::vector<int> alive_;      // facets, ascending
+  std::vector<int> seen_;       // per facet: the call of collect_open_loops() that came by last
   int known_ = 0, call_ = 0;
   long budget_ = 0;
 };
