@@ -21,7 +21,7 @@ ENUMERATIONS = {"Status": STATES, "RunIn": RUN_IN}
 LINKS = ("Part", "MoreParts")
 REFINEMENTS = "Refinements"
 PREFERENCES = "User parameter:BaseApp/Preferences/Mod/Paver"
-FILL_LIMIT = 50000  # elements; FreeCAD needs about a second to draw as many
+FILL_LIMIT = 10000  # elements; FreeCAD needs about a quarter of a second for as many, in which the window stands still
 HEAVY_ELEMENTS = 300000
 
 # name: (type, group, tooltip, editor modes)

@@ -33,12 +33,18 @@ def prepare(obj, **changes):
         raise paver.InputError(f"'{obj.Label}' has no object to mesh; set its property Part.", "no_faces",
                                "set its property Part")
     shape, name = _shapes.source_of(parts, None)
+    decisive = properties.decisive(obj, properties.merged(obj, changes))
+    return Job(shape, name, options_of(obj, changes), tuple(part.Name for part in parts), mesh_object.digest_of(shape),
+               decisive)
+
+
+def options_of(obj, changes):
+    """Options of a mesh object with `changes`, as paver.mesh takes them, with its refinements."""
     options = properties.merged(obj, changes)
-    decisive = properties.decisive(obj, options)
-    texts = refinement.local_texts(obj, parts)
+    texts = refinement.local_texts(obj, mesh_object.sources(obj))
     if texts:
         options["local"] = options.get("local", []) + texts
-    return Job(shape, name, options, tuple(part.Name for part in parts), mesh_object.digest_of(shape), decisive)
+    return options
 
 
 def show_results(obj, mesh):

@@ -87,6 +87,7 @@ class Window(unittest.TestCase):
         mesh, = mesh_object.meshes_of(document)
         self.assertEqual(type(mesh.ViewObject.Proxy).__name__, "MeshViewProvider")
         self.assertFalse(mesh.ViewObject.BackfaceCulling)
+        self.assertEqual(mesh.ViewObject.MaxFacesShowInner, 1)
         self.assertTrue(os.path.isfile(mesh.ViewObject.Proxy.getIcon()))
         self.assertGreater(mesh.FemMesh.FaceCount, 0)
 

@@ -5,10 +5,10 @@ import freecad
 import pytest
 
 
-@pytest.mark.parametrize("case", ["Panel", "Runs"])
+@pytest.mark.parametrize("case", ["Panel", "Runs", "Sizes"])
 def test_all_cases_in_the_window(home, case):
     done = freecad.run_window(["-t", "TestPaverGui." + case], home)
     output = done.stdout + done.stderr
     assert done.returncode == 0, output[-8000:]
-    assert int(re.search(r"Ran (\d+) tests", output).group(1)) > 8 and "skipped" not in output
+    assert int(re.search(r"Ran (\d+) tests", output).group(1)) > 3 and "skipped" not in output
     assert "already deleted" not in output and output.count("Traceback") == 0, output[-8000:]

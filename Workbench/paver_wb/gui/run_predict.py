@@ -1,7 +1,7 @@
 """Predictions while options are edited: on a thread, a moment after the last edit."""
 from PySide import QtCore
 
-from paver_wb import core, mesh_object, meshing, properties
+from paver_wb import core, mesh_object, meshing
 from paver_wb.gui import run_control, run_thread
 
 DELAY = 300  # ms without an edit
@@ -45,7 +45,7 @@ class Predictor(QtCore.QObject):
                 one.isEqual(other) for one, other in zip(shapes, self.shapes)):
             self.shape_job = meshing.prepare(self.obj, **self.changes)
             self.model, self.shapes = self.shape_job.model(), shapes
-        return self.shape_job._replace(options=properties.merged(self.obj, self.changes))
+        return self.shape_job._replace(options=meshing.options_of(self.obj, self.changes))
 
     @QtCore.Slot()
     def begin(self):

@@ -4,7 +4,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 translate = FreeCAD.Qt.translate
-BAR_WIDTH = 160
+BAR_WIDTH, LABEL_WIDTH = 160, 220
 _box = None
 
 # Share of each stage in the time of a common run, in percent: a bar that never goes back needs some.
@@ -42,6 +42,8 @@ class Box(QtGui.QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         self.label, self.bar, self.button = QtGui.QLabel(), QtGui.QProgressBar(), QtGui.QToolButton()
         self.bar.setFixedWidth(BAR_WIDTH)
+        self.label.setFixedWidth(LABEL_WIDTH)  # another one at each stage would lay out the whole status bar again
+        self.label.setAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
         self.button.setText(translate("Paver", "Stop"))
         self.button.setObjectName("PaverStatusStop")
         self.button.setToolTip(translate("Paver", "Stops meshing; the mesh object stays as it was"))
@@ -70,7 +72,10 @@ class Box(QtGui.QWidget):
             return
         run = self.runs[0]
         more = f" (+{len(self.runs) - 1})" if len(self.runs) > 1 else ""
-        self.label.setText(f"{run.label}{more}: {stage_text(run.stage)}")
+        text = f"{run.label}{more}: {stage_text(run.stage)}"
+        if text != self.label.toolTip():
+            self.label.setToolTip(text)
+            self.label.setText(self.label.fontMetrics().elidedText(text, QtCore.Qt.ElideMiddle, LABEL_WIDTH))
         self.bar.setValue(percent(run.stage, run.fraction))
 
 

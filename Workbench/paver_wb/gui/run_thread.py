@@ -5,6 +5,7 @@ from PySide import QtCore
 
 from paver_wb import child_process, core, mesh_file, mesh_job, mesh_object
 
+STEP = 0.02  # share of a stage
 _running = set()  # Qt ends the program when a thread's object goes before the thread
 
 
@@ -59,10 +60,13 @@ class MeshThread(Background):
     def __init__(self, job, folder, run_in, heavy, model=None):
         super().__init__()
         self.job, self.folder, self.run_in, self.heavy, self.model = job, folder, run_in, heavy, model
-        self.path = None
+        self.path, self.told = None, ("", 0.0)
 
     def tell(self, stage, fraction):
-        self.progressed.emit(stage, fraction)
+        """Passes on progress worth showing: another stage, or a step of it that can be seen."""
+        if stage != self.told[0] or fraction - self.told[1] >= STEP:
+            self.told = (stage, fraction)
+            self.progressed.emit(stage, fraction)
 
     def is_for_child(self):
         if self.run_in != mesh_object.AUTOMATIC:

@@ -3,24 +3,21 @@
 Options are changed in the fields only, until Apply, OK or Mesh puts them into the mesh object, in one step of undo.
 Cancel drops what was not applied, stops a run, and takes back a mesh object that was made for this panel and is unused.
 """
+import os
+
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from paver_wb import mesh_object
-from paver_wb.gui import run_control, run_predict, task_panel_options, task_panel_result, task_panel_run
+from paver_wb import mesh_object, refinement
+from paver_wb.gui import (run_control, run_predict, task_panel_options, task_panel_result, task_panel_run,
+                          task_panel_sizes)
+from paver_wb.gui.paths import ICONS
+from paver_wb.gui.task_panel_steps import in_step, python_name
 
 translate = FreeCAD.Qt.translate
 _open = None  # the panel on screen
 _new = None  # the mesh object that the next panel is made with
-
-
-def python_name(obj):
-    return f'FreeCAD.getDocument("{obj.Document.Name}").getObject("{obj.Name}")'
-
-
-def in_python(options):
-    return ", ".join(f"{name}={value!r}" for name, value in options.items())
 
 
 class TaskPanel:
@@ -31,11 +28,15 @@ class TaskPanel:
         self.document, self.document_name = obj.Document, obj.Document.Name
         self.steps = self.document.UndoCount
         self.options = task_panel_options.OptionsBox(obj)
+        self.sizes = task_panel_sizes.SizesBox(obj)
         self.runner = task_panel_run.RunBox(obj)
         self.results = task_panel_result.ResultBox(obj)
         self.predictor = run_predict.Predictor(obj)
-        self.form = [self.options, self.runner, self.results]
+        self.form = [self.options, self.sizes, self.runner, self.results]
+        for part in self.form:
+            part.setWindowIcon(QtGui.QIcon(os.path.join(ICONS, "Paver_CreateMesh.svg")))
         self.options.changed.connect(self.predict)
+        self.sizes.failed.connect(self.runner.show_fault)
         self.runner.mesh_asked.connect(self.mesh)
         self.runner.stop_asked.connect(self.stop)
         self.predictor.predicted.connect(self.show_prediction)
@@ -60,6 +61,11 @@ class TaskPanel:
         if self.run is None:
             self.runner.show_status(bool(fault or self.options.changes()))
         self.runner.mesh.setEnabled(not fault and self.run is None)
+
+    def sizes_changed(self):
+        self.sizes.refresh_soon()
+        if self.run is None:
+            self.predict()
 
     def show_prediction(self, prediction):
         self.runner.prediction.setText(task_panel_run.prediction_text(prediction, self.options.run_in.value()))
@@ -89,12 +95,14 @@ class TaskPanel:
     def watch(self, run):
         self.run = run
         run.ended.connect(self.show_end)
-        self.options.setEnabled(False)
+        for part in (self.options, self.sizes):
+            part.setEnabled(False)
         self.runner.watch(run)
 
     def show_end(self, outcome):
         self.run = None
-        self.options.setEnabled(True)
+        for part in (self.options, self.sizes):
+            part.setEnabled(True)
         self.runner.show_end(outcome)
         if outcome.kind == run_control.MESHED:
             self.is_new = False
@@ -130,17 +138,9 @@ class TaskPanel:
             lines.append(f"{python_name(self.obj)}.RunIn = {self.options.run_in.value()!r}")
         if changes:
             lines.append(f"paver_wb.properties.put({python_name(self.obj)}, {changes!r})")
-        if not lines:
-            return
-        FreeCADGui.addModule("paver_wb.properties")
-        self.document.openTransaction(translate("Paver", "Options of {}").format(self.obj.Label))
-        try:
-            for line in lines:
-                FreeCADGui.doCommand(line)
-        except BaseException:
-            self.document.abortTransaction()
-            raise
-        self.document.commitTransaction()
+        if lines:
+            in_step(self.document, translate("Paver", "Options of {}").format(self.obj.Label), ["paver_wb.properties"],
+                    lines)
 
     # What FreeCAD calls
 
@@ -217,6 +217,8 @@ class Observer:
     def slotDeletedObject(self, obj):
         if obj == self.panel.obj:
             self.vanish()
+        elif refinement.is_refinement(obj) and not self.panel.is_closed:
+            self.panel.sizes_changed()
 
     def slotDeletedDocument(self, document):
         if document.Name == self.panel.document_name:
@@ -228,9 +230,13 @@ class Observer:
 
     def slotChangedObject(self, obj, name):
         panel = self.panel
-        if obj != panel.obj or panel.is_closed or mesh_object.is_restoring(obj):
+        if panel.is_closed or mesh_object.is_restoring(obj):
             return
-        if name == "Status" and panel.run is None:
+        if name == mesh_object.REFINEMENTS or refinement.is_refinement(obj):
+            panel.sizes_changed()
+        elif obj != panel.obj:
+            return
+        elif name == "Status" and panel.run is None:
             panel.runner.show_status()
         elif panel.options.show_property(name) or name in mesh_object.LINKS:
             panel.predict()
@@ -239,6 +245,7 @@ class Observer:
         panel = self.panel
         if document.Name == panel.document_name and panel.run is None and not panel.is_closed:
             panel.options.refresh()
+            panel.sizes.refresh()
             panel.runner.idle()
             panel.results.refresh()
             panel.predict()

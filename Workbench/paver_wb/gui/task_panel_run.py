@@ -180,8 +180,8 @@ class RunBox(QtGui.QWidget):
     @QtCore.Slot(str, float)
     def tell(self, stage, fraction):
         self.bar.setValue(run_status.percent(stage, fraction))
-        self.bar.setFormat(run_status.stage_text(stage) + "  %p %")
         if stage != self.stage:
+            self.bar.setFormat(run_status.stage_text(stage) + "  %p %")
             self.note(run_status.stage_text(stage))
             self.stage = stage
 

@@ -12,6 +12,7 @@ class MeshViewProvider:
         vobj.Proxy = self
         self.attach(vobj)
         vobj.BackfaceCulling = False  # an open surface has two sides
+        vobj.MaxFacesShowInner = 1  # FreeCAD's search for faces inside solids takes seconds, and a surface has none
 
     def getIcon(self):
         return os.path.join(ICONS, "Paver_CreateMesh.svg")

@@ -1,0 +1,176 @@
+"""The part of the task panel that has the local sizes: the refinements of a mesh object.
+
+They are objects of their own: what is done here is done at once, each in a step of undo, and Cancel leaves it.
+"""
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from paver_wb import mesh_object, refinement
+from paver_wb.gui import task_panel_fields as fields
+from paver_wb.gui.task_panel_steps import in_step, python_name
+
+translate = FreeCAD.Qt.translate
+WHERE, BY, VALUE = range(3)
+MOST_ROWS = 5  # that are seen without scrolling
+VALUE_WIDTH = 70
+
+
+def where_text(obj):
+    """"Box: Face1, Face3" of a refinement."""
+    texts = []
+    for thing, elements in obj.References:
+        names = ", ".join(filter(None, elements)) or translate("Paver", "all")
+        texts.append(f"{thing.Label}: {names}")
+    return "; ".join(texts)
+
+
+def value_text(obj):
+    if obj.By == refinement.LENGTH:
+        return fields.quantity_text("length", obj.Length.Value)
+    return f"{fields.number_text(obj.EpsR)}, {fields.number_text(obj.MuR)}"
+
+
+def value_of(obj, text):
+    """Arguments of refinement.set_value for what the user wrote. ValueError, in one sentence."""
+    if obj.By == refinement.LENGTH:
+        return {"length": fields.parsed("length", text)}
+    try:
+        numbers = [float(number) for number in text.replace(";", ",").split(",")]
+        if len(numbers) > 2 or min(numbers) <= 0:
+            raise ValueError
+    except ValueError:
+        raise ValueError(translate("Paver", "'{}' is no medium; write its \u03b5r, or \u03b5r and \u03bcr, such as 4, 1."
+                                   ).format(text)) from None
+    return {"eps_r": numbers[0], "mu_r": numbers[1] if len(numbers) > 1 else 1.0}
+
+
+class SizesBox(QtGui.QWidget):
+    """`failed`: a sentence on what could not be done."""
+
+    failed = QtCore.Signal(str)
+
+    def __init__(self, obj):
+        super().__init__()
+        self.obj, self.shown = obj, []
+        self.setWindowTitle(translate("Paver", "Local sizes"))
+        layout = QtGui.QVBoxLayout(self)
+        self.table = QtGui.QTableWidget(0, 3)
+        self.table.setObjectName("Paver_Sizes")
+        self.table.setToolTip(translate("Paver", "Target lengths of parts of the model; elements grow from there on"))
+        self.table.setHorizontalHeaderLabels([translate("Paver", "Where"), translate("Paver", "By"),
+                                              translate("Paver", "Value")])
+        self.table.horizontalHeader().setSectionResizeMode(WHERE, QtGui.QHeaderView.Stretch)
+        self.table.setColumnWidth(VALUE, VALUE_WIDTH)
+        self.table.verticalHeader().hide()
+        self.table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
+        self.table.itemChanged.connect(self.edited)
+        self.table.itemSelectionChanged.connect(self.show_chosen)
+        self.add = self.button("AddSize", translate("Paver", "Add from selection"), translate(
+            "Paver", "A shorter length on the faces, edges, vertices or objects that are selected in the 3D view"))
+        self.remove = self.button("RemoveSize", translate("Paver", "Remove"),
+                                  translate("Paver", "Deletes the chosen local sizes"))
+        self.add.clicked.connect(self.add_selected)
+        self.remove.clicked.connect(self.remove_chosen)
+        row = QtGui.QHBoxLayout()
+        row.addWidget(self.add, 2)
+        row.addWidget(self.remove, 1)
+        layout.addWidget(self.table)
+        layout.addLayout(row)
+        self.timer = QtCore.QTimer(self)
+        self.timer.setSingleShot(True)
+        self.timer.timeout.connect(self.refresh)
+        self.refresh()
+
+    def button(self, name, text, tip):
+        button = QtGui.QPushButton(text)
+        button.setObjectName("Paver_" + name)
+        button.setToolTip(tip)
+        return button
+
+    def refresh_soon(self):
+        """When what is going on in the document is over."""
+        self.timer.start(0)
+
+    @QtCore.Slot()
+    def refresh(self):
+        self.shown = refinement.of_mesh(self.obj)
+        self.table.blockSignals(True)
+        self.table.setRowCount(len(self.shown))
+        for row, obj in enumerate(self.shown):
+            self.fill_row(row, obj)
+        self.table.resizeColumnToContents(BY)
+        self.table.blockSignals(False)
+        self.table.setVisible(bool(self.shown))
+        self.remove.setVisible(bool(self.shown))
+        height = self.table.verticalHeader().defaultSectionSize() * min(len(self.shown), MOST_ROWS)
+        self.table.setFixedHeight(height + self.table.horizontalHeader().sizeHint().height() + 4)
+
+    def fill_row(self, row, obj):
+        where = QtGui.QTableWidgetItem(where_text(obj))
+        where.setFlags(where.flags() & ~QtCore.Qt.ItemIsEditable)
+        where.setToolTip(f"{obj.Label}: {where_text(obj)}")
+        value = QtGui.QTableWidgetItem(value_text(obj))
+        value.setToolTip(translate("Paver", "Target length there, such as 2 mm") if obj.By == refinement.LENGTH else
+                         translate("Paver", "\u03b5r, \u03bcr of the medium there, whose wavelength counts"))
+        self.table.setItem(row, WHERE, where)
+        self.table.setItem(row, VALUE, value)
+        choice = fields.ChoiceField(refinement.BY, [translate("Paver", "Length"), translate("Paver", "Medium")])
+        choice.set_value(obj.By)
+        choice.set_tip(translate("Paver", "A length, or the wavelength in a medium, which needs a frequency"))
+        choice.changed.connect(lambda: self.choose(obj, choice.value()))
+        self.table.setCellWidget(row, BY, choice)
+
+    def do(self, name, line):
+        try:
+            in_step(self.obj.Document, name, ["paver_wb.refinement"], [line])
+        except Exception as error:
+            self.failed.emit(str(error))
+            self.refresh()
+            return False
+        return True
+
+    def add_selected(self):
+        references = [(s.Object, list(s.SubElementNames) or [""]) for s in FreeCADGui.Selection.getSelectionEx()
+                      if not mesh_object.is_mesh(s.Object) and not refinement.is_refinement(s.Object)]
+        listed = ", ".join(f"({python_name(thing)}, {elements!r})" for thing, elements in references)
+        self.do(translate("Paver", "Refine"), f"paver_wb.refinement.make({python_name(self.obj)}, [{listed}], "
+                                              f"{refinement.first_length(self.obj)!r})")
+
+    def chosen(self):
+        return [self.shown[row] for row in sorted({index.row() for index in self.table.selectedIndexes()})]
+
+    def show_chosen(self):
+        """Selects in the 3D view what the chosen rows refer to."""
+        FreeCADGui.Selection.clearSelection()
+        for obj in self.chosen():
+            for thing, elements in obj.References:
+                for element in elements or ("",):
+                    FreeCADGui.Selection.addSelection(thing, element)
+
+    def remove_chosen(self):
+        for obj in self.chosen():
+            self.do(translate("Paver", "Delete {}").format(obj.Label),
+                    f'FreeCAD.getDocument("{obj.Document.Name}").removeObject("{obj.Name}")')
+
+    def edited(self, item):
+        obj = self.shown[item.row()]
+        try:
+            arguments = value_of(obj, item.text())
+        except ValueError as error:
+            self.failed.emit(str(error))
+            self.refresh()
+            return
+        self.set(obj, arguments)
+
+    def choose(self, obj, way):
+        """Changes between length and medium, beginning with what there was or with a length that refines."""
+        if way == refinement.LENGTH:
+            self.set(obj, {"length": obj.Length.Value or refinement.first_length(self.obj)})
+        else:
+            self.set(obj, {"eps_r": obj.EpsR, "mu_r": obj.MuR})
+
+    def set(self, obj, arguments):
+        text = ", ".join(f"{name}={value!r}" for name, value in arguments.items())
+        self.do(translate("Paver", "Size of {}").format(obj.Label),
+                f"paver_wb.refinement.set_value({python_name(obj)}, {text})")
