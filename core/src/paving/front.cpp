@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/predicates.h"
+#include "mesh/spatial_order.h"
 #include "paving/tips.h"
 
 namespace paver {
@@ -442,6 +443,10 @@ void Front::end_slides() {
 void Front::end_void() {
   facets = std::vector<Facet>();
   empty.clear();
+  true_angle_ = std::vector<double>();
+  const std::vector<int> number = order_spatially(mesh);
+  for (BoundaryFacet& facet : boundary) facet.a = number[facet.a], facet.b = number[facet.b];
+  out_facet_.assign(number.size(), -1), sectors_.assign(number.size(), 0), colour_.assign(number.size(), {});
 }
 
 int Front::newest_facet() const {

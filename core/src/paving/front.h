@@ -102,7 +102,8 @@ class Front {
   /// Whether all elements and void triangles about the node stay positive in the chart with it at p.
   bool can_move(int node, Vec2 p) const;
 
-  /// Frees what only a void needs; there must be none left.
+  /// Frees what only a void needs; there must be none left. Nodes and elements get new numbers, near each other in
+  /// memory where they are so in the chart.
   void end_void();
 
   /// Colours a loop's nodes alternately as a set of its own. The loop must be even.
