@@ -41,6 +41,7 @@ class TaskPanel:
         self.runner.stop_asked.connect(self.stop)
         self.predictor.predicted.connect(self.show_prediction)
         self.predictor.failed.connect(self.show_no_prediction)
+        run_control.announcer.started.connect(self.watch)
         self.observer = Observer(self)
         FreeCAD.addDocumentObserver(self.observer)
         self.results.refresh()
@@ -68,10 +69,11 @@ class TaskPanel:
             self.predict()
 
     def show_prediction(self, prediction):
-        self.runner.prediction.setText(task_panel_run.prediction_text(prediction, self.options.run_in.value()))
+        self.runner.prediction.setText(task_panel_run.prediction_text(
+            prediction, self.options.run_in.value(), self.options.fields["max_elements"].value()))
 
     def show_no_prediction(self, error):
-        self.runner.prediction.setText(str(error))
+        self.runner.prediction.setText(task_panel_options.with_labels(str(error)))
 
     # Meshing
 
@@ -80,7 +82,7 @@ class TaskPanel:
             return
         try:
             self.apply_run_in()
-            self.watch(self.start(self.options.changes()))
+            self.start(self.options.changes())
         except Exception as error:  # of what cannot be begun at all
             self.runner.show_fault(str(error))
 
@@ -90,9 +92,11 @@ class TaskPanel:
         text = "".join(f", {name}={value!r}" for name, value in changes.items())
         self.predictor.offer()
         FreeCADGui.doCommand(f"paver_wb.gui.run_control.start({python_name(self.obj)}{text})")
-        return run_control.run_of(self.obj)
 
     def watch(self, run):
+        """Follows a run of the mesh object, also one that a command has started."""
+        if not run.is_of(self.obj):
+            return
         self.run = run
         run.ended.connect(self.show_end)
         for part in (self.options, self.sizes):
@@ -122,9 +126,9 @@ class TaskPanel:
         if fault:
             self.runner.show_fault(fault)
             return False
-        if self.run is not None:  # they come with its result
-            return True
         changes = self.options.changes()
+        if self.run is not None and changes == self.run.changes:  # they come with its result
+            return True
         self.apply_run_in(changes)
         self.options.refresh()
         self.runner.show_status()
@@ -200,6 +204,7 @@ class TaskPanel:
         self.is_closed = True
         self.predictor.drop()
         self.results.drop()
+        run_control.announcer.started.disconnect(self.watch)
         if self.run is not None:
             self.run.ended.disconnect(self.show_end)
             self.runner.leave(self.run)
