@@ -212,6 +212,10 @@ class Panel(PanelCase):
         self.assertEqual([w.objectName() for w in shown if not w.toolTip()], [])
 
     def test_no_text_is_clipped(self):
+        main = FreeCADGui.getMainWindow()
+        dock, = [d for d in window.widgets(QtGui.QDockWidget) if d.objectName() == "Combo View"]
+        main.resizeDocks([dock], [100], QtCore.Qt.Horizontal)
+        window.pause(50)
         self.open(self.add_mesh(frequency="9.375 GHz", divisions=12))
         window.click(window.widget("Paver_More"))
         window.pause(50)
@@ -219,6 +223,12 @@ class Panel(PanelCase):
             if field.objectName().startswith("Paver_"):
                 needed = field.fontMetrics().horizontalAdvance(field.text() or field.placeholderText())
                 self.assertLess(needed, field.width(), field.objectName())
+        window.picture("panel_narrow")
+        for part in window.widgets(QtGui.QPushButton) + window.widgets(QtGui.QLabel):
+            if part.objectName().startswith("Paver_"):
+                right = part.mapTo(dock, part.rect().topRight()).x()
+                self.assertTrue(part.minimumSizeHint().width() <= part.width() and right < dock.width(),
+                                part.objectName())
 
 
 class Runs(PanelCase):

@@ -16,6 +16,7 @@ from paver_wb.gui.paths import ICONS
 from paver_wb.gui.task_panel_steps import in_step, python_name
 
 translate = FreeCAD.Qt.translate
+FRAME = 90  # pixels that FreeCAD puts around a part of a panel, scroll bar included
 _open = None  # the panel on screen
 _new = None  # the mesh object that the next panel is made with
 
@@ -266,7 +267,19 @@ def show(obj, is_new=False):
         return False
     _open = TaskPanel(obj, is_new)
     FreeCADGui.Control.showDialog(_open)
+    QtCore.QTimer.singleShot(0, widen)
     return True
+
+
+def widen():
+    """Makes the dock of the open panel wide enough for it: FreeCAD cuts off what a new profile's has no room for."""
+    dock = _open.options if _open is not None else None
+    while dock is not None and not isinstance(dock, QtGui.QDockWidget):
+        dock = dock.parentWidget()
+    if dock is not None and not dock.isFloating():
+        wanted = max(part.minimumSizeHint().width() for part in _open.form) + FRAME
+        if dock.width() < wanted:
+            FreeCADGui.getMainWindow().resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
 
 
 def edit_new(obj):
