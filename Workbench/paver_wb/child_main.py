@@ -8,6 +8,9 @@ import threading
 from paver_wb import child_process, core, mesh_file, mesh_job
 
 
+NICENESS = 5  # FreeCAD's window comes first
+
+
 def take_output():
     """A file for messages only: whatever else writes to the output ends up in the log."""
     messages = os.fdopen(os.dup(1), "w", encoding="utf-8", buffering=1)
@@ -39,6 +42,7 @@ def description(error):
 
 
 def main(folder):
+    os.nice(NICENESS)
     messages, has_finished = take_output(), threading.Event()
     end_with_parent(folder, has_finished)
 

@@ -58,14 +58,13 @@ def show_results(obj, mesh):
                        if face["status"] == "failed"]
 
 
-def keep(obj, job, mesh, file=None, fem=None, **changes):
+def keep(obj, job, mesh, file=None, **changes):
     """Keeps a job's StoredMesh, and the changes of options it was made with, in its mesh object as one step of undo.
 
-    file: where the mesh is written already; it is moved, and must lie on the document's disk. fem: its FemMesh.
+    file: where the mesh is written already; it is moved, and must lie on the document's disk.
     """
     is_filled = is_filled_unasked(mesh)
-    if fem is None:
-        fem = mesh_object.fem_mesh_of(obj, mesh) if is_filled else fem_mesh.empty()
+    fem = mesh_object.fem_mesh_of(obj, mesh) if is_filled else fem_mesh.empty()
     with transaction(obj.Document, "Mesh " + obj.Label):
         properties.put(obj, changes)
         mesh_object.keep(obj, file or mesh)

@@ -100,6 +100,29 @@ class Panel(PanelCase):
         self.assertIn("2 mm", rows["Target length"])
         window.picture("panel_meshed")
 
+    def test_double_click_in_the_tree_opens_it(self):
+        mesh = self.add_mesh()
+        window.pause(300)  # FreeCAD fills its tree late
+        window.double_click(mesh)
+        window.wait(lambda: window.widget("Paver_MeshButton"), "for the panel")
+        self.assertEqual(FreeCADGui.ActiveDocument.getInEdit().Object, mesh)
+        self.mesh_and_wait()
+        self.assertEqual(self.document.UndoNames, ["Mesh PaverMesh"])
+        window.click(self.button(QtGui.QDialogButtonBox.Ok))
+        window.wait(lambda: not FreeCADGui.Control.activeDialog())
+        window.double_click(mesh)
+        window.wait(lambda: window.widget("Paver_MeshButton"), "for the panel again")
+
+    def test_too_many_elements_are_told_before_and_after(self):
+        mesh = self.add_mesh(size=0.5, max_elements=100)
+        self.open(mesh)
+        window.wait(lambda: "elements" in self.text("Prediction"), "for a prediction")
+        self.assertIn("more than 'Most elements' allows", self.text("Prediction"))
+        self.mesh_and_wait()
+        self.assertIn("raise 'Most elements'", self.text("FaultText"))
+        self.assertEqual((mesh.Status, self.document.UndoCount), ("Not meshed", 0))
+        window.picture("panel_limit")
+
     def test_frequency_and_length_are_linked(self):
         self.open(self.add_mesh(frequency="30 GHz", divisions=10, order=1))
         self.assertEqual((self.text("frequency"), self.text("size")), ("30 GHz", "0.9993082 mm"))
@@ -189,6 +212,10 @@ class Panel(PanelCase):
         self.assertEqual([w.objectName() for w in shown if not w.toolTip()], [])
 
     def test_no_text_is_clipped(self):
+        main = FreeCADGui.getMainWindow()
+        dock, = [d for d in window.widgets(QtGui.QDockWidget) if d.objectName() == "Combo View"]
+        main.resizeDocks([dock], [100], QtCore.Qt.Horizontal)
+        window.pause(50)
         self.open(self.add_mesh(frequency="9.375 GHz", divisions=12))
         window.click(window.widget("Paver_More"))
         window.pause(50)
@@ -196,6 +223,12 @@ class Panel(PanelCase):
             if field.objectName().startswith("Paver_"):
                 needed = field.fontMetrics().horizontalAdvance(field.text() or field.placeholderText())
                 self.assertLess(needed, field.width(), field.objectName())
+        window.picture("panel_narrow")
+        for part in window.widgets(QtGui.QPushButton) + window.widgets(QtGui.QLabel):
+            if part.objectName().startswith("Paver_"):
+                right = part.mapTo(dock, part.rect().topRight()).x()
+                self.assertTrue(part.minimumSizeHint().width() <= part.width() and right < dock.width(),
+                                part.objectName())
 
 
 class Runs(PanelCase):
@@ -372,6 +405,15 @@ class Runs(PanelCase):
         self.assertFalse(window.widget("Paver_MeshButton").isEnabled())
         window.click(window.widget("Paver_StopButton"))
         window.wait(lambda: run.outcome, "for the stop")
+
+    def test_the_panel_follows_a_run_of_the_mesh_command(self):
+        mesh = self.add_mesh()
+        self.open(mesh)
+        run = self.begin_long_run(mesh)
+        self.assertTrue(window.widget("Paver_Progress"))
+        window.click(window.widget("Paver_StopButton"))
+        window.wait(lambda: run.outcome, "for the stop")
+        self.assertTrue(window.widget("Paver_MeshButton").isEnabled())
 
     def test_deleting_the_object_or_the_document_while_a_run_is_on(self):
         for goes in ("object", "undo", "document"):

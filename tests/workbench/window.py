@@ -45,6 +45,20 @@ def click(button):
     QtTest.QTest.mouseClick(button, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, QtCore.QPoint(8, button.height() // 2))
 
 
+def double_click(thing):
+    """Double click on an object of a document, in the tree."""
+    from PySide2 import QtTest
+    for tree in widgets(QtGui.QTreeWidget):
+        for item in tree.findItems(thing.Label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive):
+            tree.scrollToItem(item)
+            pause(50)
+            middle = tree.visualItemRect(item).center()
+            QtTest.QTest.mouseClick(tree.viewport(), QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, middle)
+            QtTest.QTest.mouseDClick(tree.viewport(), QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, middle)
+            return
+    raise AssertionError(f"{thing.Label} is in no tree that is seen")
+
+
 def type_into(field, text):
     """Replaces the text of a field, as from the keyboard."""
     from PySide2 import QtTest

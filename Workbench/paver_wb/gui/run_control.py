@@ -139,9 +139,19 @@ class Run(QtCore.QObject):
         if self.thread.isFinished() or not self.thread.isRunning():
             shutil.rmtree(self.folder, ignore_errors=True)
         self.outcome = Outcome(kind, text, place, log, self.seconds, mesh)
+        self.thread.result = self.thread.model = None  # Qt may keep the thread for a while
         report(self)
         self.ended.emit(self.outcome)
         begin_next()
+
+
+class Announcer(QtCore.QObject):
+    """`started`: a Run is there, whoever asked for it."""
+
+    started = QtCore.Signal(object)
+
+
+announcer = Announcer()
 
 
 def is_busy(document):
@@ -191,6 +201,7 @@ def start(obj, **changes):
     run = Run(obj, changes)
     _runs.append(run)
     run_status.watch(run)
+    announcer.started.emit(run)
     begin_next()
     return run
 

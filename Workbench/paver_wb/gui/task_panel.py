@@ -16,6 +16,7 @@ from paver_wb.gui.paths import ICONS
 from paver_wb.gui.task_panel_steps import in_step, python_name
 
 translate = FreeCAD.Qt.translate
+FRAME = 90  # pixels that FreeCAD puts around a part of a panel, scroll bar included
 _open = None  # the panel on screen
 _new = None  # the mesh object that the next panel is made with
 
@@ -41,6 +42,7 @@ class TaskPanel:
         self.runner.stop_asked.connect(self.stop)
         self.predictor.predicted.connect(self.show_prediction)
         self.predictor.failed.connect(self.show_no_prediction)
+        run_control.announcer.started.connect(self.watch)
         self.observer = Observer(self)
         FreeCAD.addDocumentObserver(self.observer)
         self.results.refresh()
@@ -68,10 +70,11 @@ class TaskPanel:
             self.predict()
 
     def show_prediction(self, prediction):
-        self.runner.prediction.setText(task_panel_run.prediction_text(prediction, self.options.run_in.value()))
+        self.runner.prediction.setText(task_panel_run.prediction_text(
+            prediction, self.options.run_in.value(), self.options.fields["max_elements"].value()))
 
     def show_no_prediction(self, error):
-        self.runner.prediction.setText(str(error))
+        self.runner.prediction.setText(task_panel_options.with_labels(str(error)))
 
     # Meshing
 
@@ -80,7 +83,7 @@ class TaskPanel:
             return
         try:
             self.apply_run_in()
-            self.watch(self.start(self.options.changes()))
+            self.start(self.options.changes())
         except Exception as error:  # of what cannot be begun at all
             self.runner.show_fault(str(error))
 
@@ -90,9 +93,11 @@ class TaskPanel:
         text = "".join(f", {name}={value!r}" for name, value in changes.items())
         self.predictor.offer()
         FreeCADGui.doCommand(f"paver_wb.gui.run_control.start({python_name(self.obj)}{text})")
-        return run_control.run_of(self.obj)
 
     def watch(self, run):
+        """Follows a run of the mesh object, also one that a command has started."""
+        if not run.is_of(self.obj):
+            return
         self.run = run
         run.ended.connect(self.show_end)
         for part in (self.options, self.sizes):
@@ -122,9 +127,9 @@ class TaskPanel:
         if fault:
             self.runner.show_fault(fault)
             return False
-        if self.run is not None:  # they come with its result
-            return True
         changes = self.options.changes()
+        if self.run is not None and changes == self.run.changes:  # they come with its result
+            return True
         self.apply_run_in(changes)
         self.options.refresh()
         self.runner.show_status()
@@ -200,6 +205,7 @@ class TaskPanel:
         self.is_closed = True
         self.predictor.drop()
         self.results.drop()
+        run_control.announcer.started.disconnect(self.watch)
         if self.run is not None:
             self.run.ended.disconnect(self.show_end)
             self.runner.leave(self.run)
@@ -261,7 +267,19 @@ def show(obj, is_new=False):
         return False
     _open = TaskPanel(obj, is_new)
     FreeCADGui.Control.showDialog(_open)
+    QtCore.QTimer.singleShot(0, widen)
     return True
+
+
+def widen():
+    """Makes the dock of the open panel wide enough for it: FreeCAD cuts off what a new profile's has no room for."""
+    dock = _open.options if _open is not None else None
+    while dock is not None and not isinstance(dock, QtGui.QDockWidget):
+        dock = dock.parentWidget()
+    if dock is not None and not dock.isFloating():
+        wanted = max(part.minimumSizeHint().width() for part in _open.form) + FRAME
+        if dock.width() < wanted:
+            FreeCADGui.getMainWindow().resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
 
 
 def edit_new(obj):

@@ -171,7 +171,9 @@ class ChoiceField(QtGui.QComboBox):
         return self.itemData(self.currentIndex())
 
     def set_value(self, value):
-        self.setCurrentIndex(max(0, self.findData(value)))
+        if self.findData(value) < 0:  # one that only the property editor offers
+            self.addItem(str(value), value)
+        self.setCurrentIndex(self.findData(value))
 
     def fault(self):
         return ""
@@ -182,7 +184,9 @@ def field_for(info):
     may_be_empty = info["default"] == ""
     empty = translate("Paver", "automatic") if may_be_empty else ""
     if info["kind"] == "choice":
-        return ChoiceField(info["choices"], info["choices"])
+        names = {"quad-dominant": translate("Paver", "Quad-dominant"), "all-quad": translate("Paver", "All quads"),
+                 "all-triangle": translate("Paver", "All triangles")}
+        return ChoiceField(info["choices"], [names.get(choice, choice) for choice in info["choices"]])
     if info["name"] == "order":
         return ChoiceField([1, 2], [translate("Paver", "1 (straight)"), translate("Paver", "2 (curved)")])
     if info["kind"] in UNITS:

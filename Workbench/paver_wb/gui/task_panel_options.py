@@ -1,5 +1,6 @@
 """The part of the task panel that has the options of a mesh object."""
 import math
+import re
 
 import FreeCAD
 from PySide import QtCore, QtGui
@@ -22,6 +23,14 @@ def labels():
             "gradation": translate("Paver", "Gradation"), "max_elements": translate("Paver", "Most elements"),
             "order": translate("Paver", "Order"), "elements": translate("Paver", "Elements"),
             "threads": translate("Paver", "Threads"), "sew_tolerance": translate("Paver", "Sew gaps up to")}
+
+
+def with_labels(text):
+    """A message of the core with the options called as in the panel: 'Most elements' for max_elements."""
+    for name, label in labels().items():
+        if "_" in name:
+            text = re.sub(rf"\b{name}\b", f"'{label}'", text)
+    return text
 
 
 def wavelength(frequency, eps_r, mu_r):

@@ -6,6 +6,7 @@ from PySide import QtCore, QtGui
 
 from paver_wb import mesh_object
 from paver_wb.gui import run_place, run_status
+from paver_wb.gui.task_panel_options import with_labels
 
 translate = FreeCAD.Qt.translate
 LOG_LINES, LOG_HEIGHT = 200, 90
@@ -22,10 +23,12 @@ def memory_text(mib):
     return f"{mib / 1024:.1f} GB" if mib >= 1024 else f"{max(mib, 1):.0f} MB"
 
 
-def prediction_text(prediction, run_in):
-    """About how much a run will come to."""
+def prediction_text(prediction, run_in, limit):
+    """About how much a run will come to; limit: the most elements it may make."""
     text = translate("Paver", "About {} elements, up to {} of memory").format(count_text(prediction.elements),
                                                                            memory_text(prediction.memory_mib))
+    if prediction.elements > limit:
+        return text + translate("Paver", "; more than 'Most elements' allows, so choose longer elements or raise that")
     is_heavy = run_in == mesh_object.AUTOMATIC and prediction.elements >= mesh_object.heavy_elements()
     return text + (translate("Paver", "; in a process of its own") if is_heavy or run_in == mesh_object.IN_PROCESS
                    else "")
@@ -140,7 +143,7 @@ class RunBox(QtGui.QWidget):
         self.fault.setVisible(bool(text))
         if text:
             self.bring_into_sight(self.fault)
-        self.fault_text.setText(text)
+        self.fault_text.setText(with_labels(text))
         self.show_place.setVisible(place is not None)
         if place is not None:
             self.show_place.setText(translate("Paver", "Show {}").format(place.element))

@@ -13,6 +13,49 @@ class MeshViewProvider:
         self.attach(vobj)
         vobj.BackfaceCulling = False  # an open surface has two sides
         vobj.MaxFacesShowInner = 1  # FreeCAD's search for faces inside solids takes seconds, and a surface has none
+        vobj.SelectionStyle = "BoundBox"  # FreeCAD would paint over colours that tell something
+        self.add_modes(vobj)
+        vobj.Visibility = True  # FreeCAD hides what was made without a window
+
+    def attach(self, vobj):
+        """Called by FreeCAD with a new object and when a document is opened, but not where a document was saved without
+        a window."""
+        from paver_wb.gui.display import selection, view_properties  # noqa: F401, selection starts to follow FreeCAD's
+        from paver_wb.gui.display.mesh_display import MeshDisplay
+        self.Object = vobj.Object
+        if getattr(self, "display", None) is None:
+            view_properties.add_to(vobj)
+            self.display = MeshDisplay(vobj)
+            self.display.attach(vobj)
+
+    def add_modes(self, vobj):
+        from paver_wb.gui.display.mesh_display import CURVED_EDGES
+        if CURVED_EDGES not in vobj.getEnumerationsOfProperty("DisplayMode"):
+            vobj.DisplayMode = vobj.listDisplayModes()
+        vobj.DisplayMode = CURVED_EDGES
+
+    def getDisplayModes(self, vobj):
+        from paver_wb.gui.display.mesh_display import MODES
+        return list(MODES)
+
+    def getDefaultDisplayMode(self):
+        from paver_wb.gui.display.mesh_display import CURVED_EDGES
+        return CURVED_EDGES
+
+    def setDisplayMode(self, mode):
+        return mode
+
+    def updateData(self, obj, name):
+        if name == "MeshFile" and getattr(self, "display", None):
+            from paver_wb.gui.display.mesh_display import MESH
+            self.display.changed(MESH)
+
+    def onChanged(self, vobj, name):
+        if getattr(self, "display", None):
+            self.display.property_changed(name)
+
+    def getElementPicked(self, picked):
+        return self.display.picker.element_picked(picked)
 
     def getIcon(self):
         return os.path.join(ICONS, "Paver_CreateMesh.svg")
@@ -20,9 +63,6 @@ class MeshViewProvider:
     def doubleClicked(self, vobj):
         vobj.Document.setEdit(vobj.Object.Name)
         return True
-
-    def attach(self, vobj):
-        self.Object = vobj.Object
 
     def claimChildren(self):
         return refinement.of_mesh(self.Object) if hasattr(self, "Object") else []

@@ -1,0 +1,167 @@
+"""A stored mesh as it is drawn: figures of every element, points, triangles. Elements count from 0, quads first."""
+from functools import cached_property
+
+import numpy as np
+
+from paver_wb import core
+
+MOST_TRIANGLES = 1200000  # of the drawing, where FreeCAD's window still turns it at some frames a second in software
+MOST_SUBDIVISION = 8
+SAG = 0.003  # of an edge length: what a drawn edge may miss of the curved one
+
+
+def subdivision_for(elements, sag):
+    """Pieces per element side: enough for elements whose edges bulge by `sag` (of their length), few enough to draw."""
+    wanted = int(np.ceil(np.sqrt(max(sag, 0) / SAG)))
+    allowed = int(np.sqrt(MOST_TRIANGLES / 2 / max(elements, 1)))
+    return max(1, min(wanted, allowed, MOST_SUBDIVISION))
+
+
+class DrawnMesh:
+    """Everything is made when it is first asked for."""
+
+    def __init__(self, stored):
+        """stored: a StoredMesh."""
+        self.stored = stored
+        self.order, self.face_names = stored.order, stored.face_names
+        self.quad_count, self.triangle_count = len(stored.quads), len(stored.triangles)
+        self.count = self.quad_count + self.triangle_count
+        self.target = float(stored.report.get("target_length") or 0)
+        self.core_mesh = core.load().SurfaceMesh(
+            stored.order, stored.nodes, stored.quads, stored.triangles, stored.quad_faces, stored.triangle_faces,
+            stored.lines, stored.line_edges)
+
+    @cached_property
+    def faces(self):
+        """(elements,): number of the face."""
+        return np.concatenate([self.stored.quad_faces, self.stored.triangle_faces])
+
+    @cached_property
+    def quality(self):
+        """paver.ElementQuality."""
+        return self.core_mesh.quality()
+
+    @cached_property
+    def corners(self):
+        """(elements, 4) rows of nodes; -1 as the fourth of a triangle."""
+        made = np.full((self.count, 4), -1, np.int32)
+        made[:self.quad_count] = self.stored.quads[:, :4]
+        made[self.quad_count:, :3] = self.stored.triangles[:, :3]
+        return made
+
+    @cached_property
+    def edge_lengths(self):
+        """(elements, 4): chords from corner to corner, mm; NaN as the fourth of a triangle."""
+        corners, nodes = self.corners, self.stored.nodes
+        following = np.roll(corners, -1, axis=1)
+        following[self.quad_count:, 2] = corners[self.quad_count:, 0]
+        lengths = np.empty(corners.shape)
+        for side in range(4):
+            lengths[:, side] = np.linalg.norm(nodes[following[:, side]] - nodes[corners[:, side]], axis=1)
+        lengths[self.quad_count:, 3] = np.nan
+        return lengths
+
+    @cached_property
+    def longest_edges(self):
+        """(elements,), mm."""
+        return np.fmax.reduce(self.edge_lengths, axis=1) if self.count else np.zeros(0)
+
+    @cached_property
+    def centres(self):
+        """(elements, 3): means of the corners."""
+        nodes, corners = self.stored.nodes, self.corners
+        means = np.empty((self.count, 3))
+        means[:self.quad_count] = nodes[corners[:self.quad_count]].mean(axis=1)
+        means[self.quad_count:] = nodes[corners[self.quad_count:, :3]].mean(axis=1)
+        return means
+
+    @cached_property
+    def normals(self):
+        """(elements, 3): unit vector areas of the corners."""
+        nodes, corners = self.stored.nodes, self.corners
+        fourth = np.where(corners[:, 3] < 0, corners[:, 0], corners[:, 3])
+        made = np.cross(nodes[corners[:, 2]] - nodes[corners[:, 0]], nodes[fourth] - nodes[corners[:, 1]])
+        return made / np.maximum(np.linalg.norm(made, axis=1, keepdims=True), 1e-300)
+
+    @cached_property
+    def extent(self):
+        """(lowest, highest) coordinates of the nodes."""
+        nodes = self.stored.nodes
+        return (nodes.min(axis=0), nodes.max(axis=0)) if len(nodes) else (np.zeros(3), np.zeros(3))
+
+    @cached_property
+    def sag(self):
+        """How far element edges bulge, of their length: that of all but the worst thousandth."""
+        if self.order < 2 or not self.count:
+            return 0.0
+        inner = (self.order - 1) // 2  # a node about the middle of a side
+        nodes, sags = self.stored.nodes, []
+        for rows, sides in ((self.stored.quads, 4), (self.stored.triangles, 3)):
+            for side in range(sides if len(rows) else 0):
+                a, b = nodes[rows[:, side]], nodes[rows[:, (side + 1) % sides]]
+                part = (inner + 1) / self.order
+                middle = nodes[rows[:, sides + side * (self.order - 1) + inner]]
+                length = np.maximum(np.linalg.norm(b - a, axis=1), 1e-300)
+                sags.append(np.linalg.norm(middle - (1 - part) * a - part * b, axis=1) / length)
+        return float(np.quantile(np.concatenate(sags), 0.999))
+
+    def tessellation(self, subdivision):
+        """paver.Tessellation in which no elements share points."""
+        return self.core_mesh.tessellate(subdivision, apart=True)
+
+    def points_per_element(self, subdivision):
+        """Of a quad, of a triangle."""
+        n = subdivision
+        return (n + 1) ** 2, (n + 1) * (n + 2) // 2
+
+    def per_point(self, values, subdivision):
+        """One value per element spread to the points of a tessellation."""
+        of_quad, of_triangle = self.points_per_element(subdivision)
+        return np.concatenate([np.repeat(values[:self.quad_count], of_quad, axis=0),
+                               np.repeat(values[self.quad_count:], of_triangle, axis=0)])
+
+    def triangle_rows(self, elements, subdivision):
+        """Rows of a tessellation's triangles that elements are cut into."""
+        elements, n = np.asarray(elements, np.int64), subdivision
+        quads, others = elements[elements < self.quad_count], elements[elements >= self.quad_count]
+        of_quads = (quads[:, None] * 2 * n * n + np.arange(2 * n * n)).ravel()
+        first = self.quad_count * 2 * n * n
+        of_others = (first + (others[:, None] - self.quad_count) * n * n + np.arange(n * n)).ravel()
+        return np.concatenate([of_quads, of_others])
+
+    def element_outlines(self, elements, subdivision):
+        """Indices of points, one closed line per element ended by -1."""
+        elements, n = np.asarray(elements, np.int64), subdivision
+        of_quad, of_triangle = self.points_per_element(n)
+        quads, others = elements[elements < self.quad_count], elements[elements >= self.quad_count]
+        blocks = []
+        for numbers, first, size, ring in (
+                (quads, 0, of_quad, quad_ring(n)),
+                (others - self.quad_count, self.quad_count * of_quad, of_triangle, triangle_ring(n))):
+            lines = np.full((len(numbers), len(ring) + 1), -1, np.int64)
+            lines[:, :-1] = first + numbers[:, None] * size + ring
+            blocks.append(lines.ravel())
+        return np.concatenate(blocks).astype(np.int32)
+
+    def shrunk(self, points, factor, subdivision):
+        """Points of a tessellation, each element's moved towards their mean."""
+        of_quad, of_triangle = self.points_per_element(subdivision)
+        made, split = np.array(points), self.quad_count * of_quad
+        for block, size in ((made[:split], of_quad), (made[split:], of_triangle)):
+            cells = block.reshape(-1, size, 3)
+            centres = cells.mean(axis=1, keepdims=True)
+            cells[:] = centres + np.float32(factor) * (cells - centres)
+        return made
+
+
+def quad_ring(n):
+    """Points around a quad's lattice of rows of n + 1, closed."""
+    w, steps = n + 1, np.arange(n)
+    return np.concatenate([steps, n + steps * w, n * w + n - steps, (n - steps) * w, [0]])
+
+
+def triangle_ring(n):
+    """The same of a triangle's lattice with rows of n + 1, n, ..., 1 points."""
+    starts = np.concatenate([[0], np.cumsum(np.arange(n + 1, 0, -1))])[:n + 1]
+    lengths, steps = np.arange(n + 1, 0, -1), np.arange(n)
+    return np.concatenate([steps, (starts + lengths - 1)[:n], starts[::-1][:n], [0]])

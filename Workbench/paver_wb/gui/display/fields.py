@@ -1,0 +1,66 @@
+"""Coin fields filled from NumPy arrays by one copy of memory, and small nodes."""
+import ctypes
+
+import numpy as np
+from pivy import coin
+
+FLOATS, INTEGERS, COLOURS = np.float32, np.int32, np.uint32
+
+
+def fill(field, array, kind):
+    """Makes the field hold the numbers of `array`, converted to `kind` where they are of another."""
+    array = np.ascontiguousarray(array, dtype=kind)
+    vectors = kind == FLOATS
+    count = len(array) if vectors else array.size
+    field.setNum(count)
+    if count:
+        pointer = field.startEditing()
+        ctypes.memmove(int(getattr(pointer, "this", pointer)), array.ctypes.data, array.nbytes)
+    field.finishEditing() if count else field.touch()
+
+
+def content(field, kind, columns=1):
+    """A copy of what a field holds."""
+    count = field.getNum() * columns
+    if not count:
+        return np.zeros((0, columns) if columns > 1 else 0, kind)
+    pointer = field.startEditing()
+    address = int(getattr(pointer, "this", pointer))
+    made = np.frombuffer(ctypes.string_at(address, count * np.dtype(kind).itemsize), kind)
+    field.finishEditing()
+    return made.reshape(-1, columns) if columns > 1 else made
+
+
+def put(group, *nodes):
+    """Adds nodes to a group; gives the group."""
+    for node in nodes:
+        group.addChild(node)
+    return group
+
+
+def separator(*nodes):
+    return put(coin.SoSeparator(), *nodes)
+
+
+def unpickable():
+    style = coin.SoPickStyle()
+    style.style = coin.SoPickStyle.UNPICKABLE
+    return style
+
+
+def unlit():
+    model = coin.SoLightModel()
+    model.model = coin.SoLightModel.BASE_COLOR
+    return model
+
+
+def colour_node(rgb):
+    node = coin.SoBaseColor()
+    node.rgb = tuple(rgb[:3])
+    return node
+
+
+def line_style(width):
+    style = coin.SoDrawStyle()
+    style.lineWidth = width
+    return style

@@ -1,0 +1,122 @@
+"""What is marked of a mesh: elements, free edges, normals, labels. All lie over the drawing and none is picked."""
+import FreeCAD
+import numpy as np
+from pivy import coin
+
+from paver_wb.gui.display import colour_maps
+from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, line_style, put, separator,
+                                         unlit, unpickable)
+from paver_wb.gui.display.panels import label_at
+from paver_wb.gui.display.scene import both_sides, by_index, rows_as_indices
+
+FREE, CROWDED = (0.95, 0.05, 0.25), (0.60, 0.10, 0.85)  # mesh edges of one element, of more than two
+WORST, TRIANGLE = (0.90, 0.05, 0.55), (0.20, 0.35, 0.95)
+NORMAL_ROOT, NORMAL_TIP = (0.05, 0.15, 0.55), (0.15, 0.75, 0.95)
+NORMAL_LENGTH = 0.6  # of an element's longest edge
+MOST_LABELS = 20
+VIEW = "User parameter:BaseApp/Preferences/View"
+
+
+def user_colour(name, otherwise):
+    """A colour of FreeCAD's preferences."""
+    value = FreeCAD.ParamGet(VIEW).GetUnsigned(name, otherwise)
+    return tuple((value >> shift & 255) / 255 for shift in (24, 16, 8))
+
+
+def selection_colour():
+    return user_colour("SelectionColor", 0x1CAD1CFF)
+
+
+def hover_colour():
+    return user_colour("HighlightColor", 0xE1E114FF)
+
+
+class ElementMark:
+    """Some elements in a colour of their own, with thick outlines; without faces only these."""
+
+    def __init__(self, scene, colour, width=3, has_faces=True):
+        self.scene, self.face_set, self.lines = scene, coin.SoIndexedFaceSet(), coin.SoIndexedLineSet()
+        self.material, self.line_colour, self.elements = coin.SoMaterial(), colour_node(colour), ()
+        self.root = separator(unpickable(), scene.points)
+        if has_faces:
+            put(self.root, separator(both_sides(), self.material, scene.normals, by_index(), self.face_set))
+        put(self.root, separator(unlit(), self.line_colour, line_style(width), self.lines))
+        self.set_colour(colour)
+
+    def set_colour(self, colour):
+        self.material.diffuseColor = colour
+        self.material.emissiveColor = tuple(0.35 * x for x in colour)
+        self.line_colour.rgb = tuple(0.75 * x for x in colour)
+
+    def show(self, mesh, tessellation, subdivision, elements):
+        """elements: numbers in a DrawnMesh; none to show nothing."""
+        if not len(elements) and not len(self.elements):
+            return
+        self.elements = tuple(int(e) for e in elements)
+        if not self.elements:
+            return self.clear()
+        rows = mesh.triangle_rows(self.elements, subdivision)
+        fill(self.face_set.coordIndex, tessellation.triangle_indices.reshape(-1, 4)[rows], INTEGERS)
+        fill(self.lines.coordIndex, mesh.element_outlines(self.elements, subdivision), INTEGERS)
+
+    def clear(self):
+        self.elements = ()
+        for field in (self.face_set.coordIndex, self.lines.coordIndex):
+            fill(field, np.zeros(0, np.int32), INTEGERS)
+
+
+class EdgeMark:
+    """Mesh edges in a colour of their own, with points of their own: shrunk elements leave them where they are."""
+
+    def __init__(self, colour, width=4):
+        self.points, self.lines = coin.SoCoordinate3(), coin.SoIndexedLineSet()
+        self.count = 0
+        self.root = separator(unpickable(), unlit(), colour_node(colour), line_style(width), self.points, self.lines)
+
+    def show(self, points, outlines):
+        """outlines: (edges, n + 1) rows of points."""
+        self.count = len(outlines)
+        used, rows = np.unique(outlines, return_inverse=True)
+        fill(self.lines.coordIndex, np.zeros(0, np.int32), INTEGERS)
+        fill(self.points.point, points[used].reshape(-1, 3), FLOATS)
+        fill(self.lines.coordIndex, rows_as_indices(rows.reshape(outlines.shape)), INTEGERS)
+
+    def clear(self):
+        self.show(np.zeros((0, 3), np.float32), np.zeros((0, 2), np.int64))
+
+
+class NormalMark:
+    """A line along the normal of every element, brighter towards its end."""
+
+    def __init__(self):
+        self.vertices, self.lines, self.count = coin.SoVertexProperty(), coin.SoIndexedLineSet(), 0
+        self.vertices.materialBinding = coin.SoVertexProperty.PER_VERTEX_INDEXED
+        self.lines.vertexProperty = self.vertices
+        self.root = separator(unpickable(), unlit(), line_style(2), self.lines)
+
+    def show(self, mesh):
+        ends = mesh.centres + NORMAL_LENGTH * mesh.longest_edges[:, None] * mesh.normals
+        self.put(np.stack([mesh.centres, ends], axis=1))
+
+    def put(self, pairs):
+        self.count = len(pairs)
+        fill(self.lines.coordIndex, np.zeros(0, np.int32), INTEGERS)
+        fill(self.vertices.vertex, pairs.reshape(-1, 3), FLOATS)
+        fill(self.vertices.orderedRGBA, np.tile(colour_maps.packed(np.array([NORMAL_ROOT, NORMAL_TIP])), self.count),
+             COLOURS)
+        fill(self.lines.coordIndex, rows_as_indices(np.arange(2 * self.count).reshape(-1, 2)), INTEGERS)
+
+    def clear(self):
+        self.put(np.zeros((0, 2, 3)))
+
+
+class Labels:
+    """Short texts at points of the model, never hidden by it."""
+
+    def __init__(self):
+        self.root, self.texts = coin.SoAnnotation(), []
+
+    def show(self, points, texts):
+        self.root.removeAllChildren()
+        self.texts = list(texts)[:MOST_LABELS]
+        put(self.root, unpickable(), *[label_at(p, text) for p, text in zip(points, self.texts)])

@@ -1,0 +1,217 @@
+"""The drawing of one mesh object. Nothing is built before it is shown, and what has changed is built once, when FreeCAD
+is back in its event loop."""
+import numpy as np
+from PySide import QtCore
+from pivy import coin
+
+import FreeCAD
+from paver_wb import core, mesh_file, mesh_object
+from paver_wb.gui.display import colour_maps, colouring, drawn_mesh, legend, marks, report, view_properties
+from paver_wb.gui.display.fields import put
+from paver_wb.gui.display.panels import ViewPanel
+from paver_wb.gui.display.picking import Picker
+from paver_wb.gui.display.scene import Scene, rows_as_indices
+
+CURVED, CURVED_EDGES, EDGES = MODES = ("Curved", "Curved + edges", "Edges only")
+MESH, POINTS, PAINT, MARKED, CHOSEN = LAYERS = ("mesh", "points", "paint", "marks", "chosen")  # each needs those before
+LAYER_OF = {"Subdivision": POINTS, "ShrinkFactor": POINTS, "AlwaysAllEdges": POINTS, "ColourBy": PAINT,
+            "ColourMap": PAINT, "ColourRange": PAINT, "RangeLow": PAINT, "RangeHigh": PAINT, "ColourBar": PAINT,
+            "Shaded": PAINT, "EdgeColour": PAINT, "ShapeColor": PAINT, "ShowNormals": MARKED, "ShowFreeEdges": MARKED,
+            "ShowTriangles": MARKED, "ShowWorst": MARKED, "ElementReport": CHOSEN}
+MOST_TO_HOVER = 100000  # elements: above, a frame for every element that the mouse passes would be too many
+
+
+class MeshDisplay:
+    """mesh: the DrawnMesh, None while nothing is shown; selected, hovered: elements; reported: that of the report."""
+
+    def __init__(self, vobj):
+        self.names = vobj.Object.Document.Name, vobj.Object.Name
+        self.mesh, self.tessellation, self.subdivision, self.tree = None, None, 1, None
+        self.colouring, self.stale, self.is_waiting = colouring.Colouring(None, None), set(LAYERS), False
+        self.selected, self.hovered, self.reported = (), None, None
+        self.scene, self.picker = Scene(), Picker(self.hits)
+        self.make_marks()
+        self.bar, self.report_panel = ViewPanel(top=True), ViewPanel(top=False)
+        self.modes = {}
+        shared = [self.marks, self.picker.node, self.bar.switch, self.report_panel.switch]
+        for name, nodes in ((CURVED, [self.scene.faces]), (CURVED_EDGES, [self.scene.faces, self.scene.edges]),
+                            (EDGES, [self.scene.edges])):
+            self.modes[name] = put(coin.SoGroup(), *nodes, *shared)
+
+    def make_marks(self):
+        self.triangles = marks.ElementMark(self.scene, marks.TRIANGLE, 1)
+        self.worst = marks.ElementMark(self.scene, marks.WORST)
+        self.selection = marks.ElementMark(self.scene, marks.selection_colour())
+        self.hover = marks.ElementMark(self.scene, marks.hover_colour(), has_faces=False)
+        self.free, self.crowded = marks.EdgeMark(marks.FREE), marks.EdgeMark(marks.CROWDED)
+        self.normals, self.labels = marks.NormalMark(), marks.Labels()
+        self.marks = put(coin.SoGroup(), *[mark.root for mark in (
+            self.triangles, self.worst, self.selection, self.hover, self.free, self.crowded, self.normals,
+            self.labels)])
+
+    def attach(self, vobj):
+        """Makes the modes known to FreeCAD."""
+        for name, node in self.modes.items():
+            vobj.addDisplayMode(node, name)
+
+    @property
+    def obj(self):
+        """The mesh object. Looked up each time: FreeCAD crashes at a view object whose document is closed.
+
+        ReferenceError when it is deleted.
+        """
+        document = FreeCAD.listDocuments().get(self.names[0])
+        found = document.getObject(self.names[1]) if document else None
+        if found is None or found.ViewObject is None or getattr(found.ViewObject.Proxy, "display", None) is not self:
+            raise ReferenceError("The mesh object is deleted.")
+        return found
+
+    @property
+    def vobj(self):
+        return self.obj.ViewObject
+
+    # ---- what changes
+
+    def changed(self, layer):
+        """What the layer shows is no longer so; it is renewed with all that need it when the event loop comes to it."""
+        self.stale.update(LAYERS[LAYERS.index(layer):])
+        if not self.is_waiting:
+            self.is_waiting = True
+            QtCore.QTimer.singleShot(0, self.update_later)
+
+    def property_changed(self, name):
+        if name in LAYER_OF:
+            self.changed(LAYER_OF[name])
+        elif name in ("Visibility", "DisplayMode") and self.stale:
+            self.changed(CHOSEN)
+
+    def report(self, element):
+        """Shows the report of an element, as long as it is selected."""
+        self.reported = element
+        self.changed(CHOSEN)
+
+    def update_later(self):
+        self.is_waiting = False
+        try:
+            self.update()
+        except ReferenceError:  # the object is deleted
+            pass
+
+    def update(self):
+        """Renews what is stale, if the drawing is shown."""
+        vobj = self.vobj
+        if not self.stale or not vobj.Visibility or vobj.DisplayMode not in MODES:
+            return
+        stale, self.stale = self.stale, set()
+        if MESH in stale:
+            self.load()
+        if self.mesh is None:
+            return
+        for layer, renew in ((POINTS, self.draw), (PAINT, self.paint), (MARKED, self.mark), (CHOSEN, self.choose)):
+            if layer in stale:
+                renew()
+
+    # ---- layers
+
+    def load(self):
+        """Reads the mesh from the document, or shows nothing."""
+        self.mesh, self.tessellation, self.tree = None, None, None
+        self.hovered = self.reported = None
+        try:
+            if self.obj.MeshFile:
+                self.mesh = drawn_mesh.DrawnMesh(mesh_object.stored(self.obj))
+        except (mesh_file.DamagedMesh, core.CoreMissing) as error:
+            FreeCAD.Console.PrintError(f"{self.obj.Label}: {error}\n")
+        if self.mesh is None:
+            self.clear()
+
+    def clear(self):
+        empty = np.zeros((0, 3), np.float32)
+        for mark in (self.triangles, self.worst, self.selection, self.hover, self.free, self.crowded, self.normals):
+            mark.clear()
+        self.labels.show([], [])
+        self.scene.set_points(empty, empty, np.zeros(0, np.int32))
+        for panel in (self.bar, self.report_panel):
+            panel.show(None)
+
+    def draw(self):
+        mesh, vobj = self.mesh, self.vobj
+        self.subdivision = vobj.Subdivision or drawn_mesh.subdivision_for(mesh.count, mesh.sag)
+        self.tessellation, self.tree = mesh.tessellation(self.subdivision), None
+        drawn, points, outlines = self.tessellation, self.tessellation.points, self.tessellation.outline_indices
+        for mark in (self.triangles, self.worst, self.selection, self.hover):
+            mark.clear()
+        on_model = drawn.outline_edges >= 0
+        if vobj.ShrinkFactor < 1:
+            points = mesh.shrunk(points, vobj.ShrinkFactor, self.subdivision)
+            outlines, on_model = mesh.element_outlines(np.arange(mesh.count), self.subdivision), np.zeros_like(on_model)
+        self.scene.set_points(points, drawn.normals, drawn.triangle_indices)
+        self.scene.set_edges(outlines, rows_as_indices(drawn.outlines[on_model]), mesh.count, vobj.AlwaysAllEdges)
+        low, high = mesh.extent
+        for panel in (self.bar, self.report_panel):
+            panel.stand_in((low + high) / 2, float(np.linalg.norm(high - low)) or 1.0)
+
+    def paint(self):
+        vobj = self.vobj
+        self.scene.set_shaded(vobj.Shaded)
+        self.scene.set_edge_colour(vobj.EdgeColour)
+        self.colouring = colouring.of_mesh(self.mesh, view_properties.wish(vobj))
+        if self.colouring.colours is None:
+            self.scene.set_one_colour(colour_maps.packed(np.array([vobj.ShapeColor[:3]]))[0])
+        else:
+            self.scene.set_colours(self.mesh.per_point(self.colouring.colours, self.subdivision))
+        is_shown = vobj.ColourBar and self.colouring.legend is not None and self.mesh.count
+        self.bar.show(legend.picture(self.colouring.legend) if is_shown else None)
+
+    def mark(self):
+        mesh, vobj, drawn = self.mesh, self.vobj, self.tessellation
+        worst = self.worst_elements(vobj.ShowWorst)
+        self.mark_elements(self.worst, worst)
+        self.labels.show(mesh.centres[worst], [f"{i + 1}: {mesh.quality.sj[e]:.2f}" for i, e in enumerate(worst)])
+        is_marked = vobj.ShowTriangles
+        self.mark_elements(self.triangles, np.arange(mesh.quad_count, mesh.count) if is_marked else ())
+        for mark, wanted in ((self.free, drawn.outline_elements == 1), (self.crowded, drawn.outline_elements > 2)):
+            if vobj.ShowFreeEdges:
+                mark.show(drawn.points, drawn.outlines[wanted])
+            else:
+                mark.clear()
+        if vobj.ShowNormals:
+            self.normals.show(mesh)
+        else:
+            self.normals.clear()
+
+    def mark_elements(self, mark, elements):
+        mark.show(self.mesh, self.tessellation, self.subdivision, elements)
+
+    def choose(self):
+        """What depends on the selection and the mouse."""
+        count = self.mesh.count
+        self.selection.set_colour(marks.selection_colour())
+        self.mark_elements(self.selection, [e for e in self.selected if e < count])
+        self.mark_elements(self.hover, [] if self.hovered is None or count > MOST_TO_HOVER else [self.hovered])
+        is_shown = self.vobj.ElementReport and self.reported is not None and self.reported in self.selected
+        image = legend.picture_of_report(report.rows(self.information(self.reported))) if is_shown else None
+        self.report_panel.show(image)
+
+    # ---- questions
+
+    def worst_elements(self, count):
+        """Numbers of the elements with the least scaled Jacobian, worst first."""
+        values = self.mesh.quality.sj
+        count = min(count, len(values))
+        few = np.argpartition(values, count - 1)[:count] if 0 < count < len(values) else np.arange(len(values))[:count]
+        return few[np.lexsort((few, values[few]))]
+
+    def hits(self, origin, direction):
+        """[(element, point)] under a ray in the coordinates of the mesh, nearest first."""
+        if self.tessellation is None:
+            return []
+        if self.tree is None:
+            self.tree = core.load().PickTree(self.tessellation)
+        elements = self.tessellation.triangle_elements
+        return [(int(elements[triangle]), [o + along * d for o, d in zip(origin, direction)])
+                for triangle, along in self.tree.hits(origin, direction)]
+
+    def information(self, element):
+        """Figures of an element as a dict."""
+        return report.information(self.mesh, element, report.wavelength(self.obj))

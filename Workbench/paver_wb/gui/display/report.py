@@ -1,0 +1,68 @@
+"""What is told about an element."""
+import math
+
+from paver_wb.gui.display.colouring import translate
+
+LIGHT_SPEED = 299792458000.0  # mm/s
+
+
+def wavelength(obj):
+    """Of the mesh object's frequency in its medium, mm; None without a frequency."""
+    frequency = float(getattr(getattr(obj, "Frequency", 0), "Value", 0))
+    medium = float(getattr(obj, "EpsR", 1)) * float(getattr(obj, "MuR", 1))
+    return LIGHT_SPEED / (frequency * math.sqrt(medium)) if frequency > 0 and medium > 0 else None
+
+
+def element_name(element):
+    """As FreeCAD names it in selections: element 0 is "Elem1"."""
+    return f"Elem{element + 1}"
+
+
+def element_number(name):
+    """0 of "Elem1"; None for the name of anything else."""
+    digits = name[len("Elem"):]
+    return int(digits) - 1 if name.startswith("Elem") and digits.isdigit() and int(digits) > 0 else None
+
+
+def information(mesh, element, wave=None):
+    """Figures of an element of a DrawnMesh as a dict; lengths in mm, `lengths_in_wavelengths` only with a wavelength."""
+    is_quad = element < mesh.quad_count
+    lengths = [float(x) for x in mesh.edge_lengths[element][:4 if is_quad else 3]]
+    made = {"name": element_name(element), "kind": "quad" if is_quad else "triangle", "order": mesh.order,
+            "face": mesh.face_names[mesh.faces[element]], "sj": float(mesh.quality.sj[element]),
+            "jacobian_ratio": float(mesh.quality.jacobian_ratio[element]),
+            "validity": ("valid", "inverted", "undecided")[mesh.quality.validity[element]],
+            "area": float(mesh.quality.area[element]), "lengths": lengths, "target": mesh.target,
+            "centre": tuple(float(x) for x in mesh.centres[element])}
+    if wave:
+        made["lengths_in_wavelengths"] = [x / wave for x in lengths]
+    return made
+
+
+def kind_text(info):
+    return translate("Quad") if info["kind"] == "quad" else translate("Triangle")
+
+
+def rows(info):
+    """(name, value) texts, the first one a heading without a value."""
+    t, validity = translate, info["validity"]
+    shown = {"valid": t("valid, proven"), "inverted": t("inverted"), "undecided": t("undecided")}[validity]
+    made = [(f"{kind_text(info)} {info['name']}", ""),
+            (t("Face"), info["face"]),
+            (t("Scaled Jacobian"), f"{info['sj']:.4f}"),
+            (t("Order {}").format(info["order"]), f"{shown}, {t('Jacobian ratio')} {info['jacobian_ratio']:.3f}"),
+            (t("Edges"), ", ".join(f"{x:.4g}" for x in info["lengths"]) + " mm")]
+    if "lengths_in_wavelengths" in info:
+        made.append((t("Edges / \u03bb"), ", ".join(f"{x:.3g}" for x in info["lengths_in_wavelengths"])))
+    if info["target"]:
+        made.append((t("Longest / target"), f"{max(info['lengths']) / info['target']:.3f}"))
+    return made + [(t("Area"), f"{info['area']:.4g} mm\u00b2")]
+
+
+def line(info):
+    """All of it in one line, for the status bar."""
+    text = (f"{kind_text(info)} {info['name']}, {info['face']}, SJ {info['sj']:.3f}, "
+            f"{translate('edges')} {', '.join(f'{x:.4g}' for x in info['lengths'])} mm")
+    if "lengths_in_wavelengths" in info:
+        text += " = " + ", ".join(f"{x:.3g}" for x in info["lengths_in_wavelengths"]) + " \u03bb"
+    return text

@@ -1,0 +1,100 @@
+"""Coin nodes of a mesh: faces with true normals and a colour per element, element edges, edges of the model."""
+import numpy as np
+from pivy import coin
+
+from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, line_style, put, separator,
+                                         unlit, unpickable)
+
+EDGE_WIDTH, MODEL_EDGE_WIDTH = 1, 2.5
+FILL_DIRECTIONS, FILL_INTENSITY = ((0.3, 0.2, -1), (-0.3, -0.2, 1), (1, -0.6, 0), (-1, 0.6, 0)), 0.16
+PIXELS_PER_ELEMENT = 14  # of the view: where elements are smaller, their edges would hide the colours
+
+
+class Scene:
+    """`faces`, `edges` are the groups to put into display modes; `points` and `normals` serve the marks too.
+
+    Coin sends arrays straight to the graphics card only where points, normals and colours have the same indices: so
+    elements share no points, and each point has the colour of its element.
+    """
+
+    def __init__(self):
+        self.points, self.normals, self.packed = coin.SoCoordinate3(), coin.SoNormal(), coin.SoPackedColor()
+        self.light, self.binding, self.face_set = coin.SoLightModel(), coin.SoMaterialBinding(), coin.SoIndexedFaceSet()
+        self.faces = separator(unpickable(), *fill_lights(), both_sides(), self.light, soft_material(), self.packed, self.binding,
+                               coin.SoPolygonOffset(), self.points, self.normals, by_index(), self.face_set)
+        self.edge_colour = colour_node((0, 0, 0))
+        self.lines, self.model_lines = coin.SoIndexedLineSet(), coin.SoIndexedLineSet()
+        self.by_size = coin.SoLevelOfDetail()
+        put(self.by_size, self.lines, coin.SoGroup())
+        self.edges = separator(unpickable(), unlit(), self.edge_colour, self.points, line_style(EDGE_WIDTH),
+                               self.by_size, line_style(MODEL_EDGE_WIDTH), self.model_lines)
+        self.count = 0
+
+    def set_points(self, points, normals, triangle_indices):
+        fill(self.face_set.coordIndex, np.zeros(0, np.int32), INTEGERS)  # never indices of points that are not there
+        fill(self.lines.coordIndex, np.zeros(0, np.int32), INTEGERS)
+        fill(self.model_lines.coordIndex, np.zeros(0, np.int32), INTEGERS)
+        fill(self.points.point, points, FLOATS)
+        fill(self.normals.vector, normals, FLOATS)
+        fill(self.face_set.coordIndex, triangle_indices, INTEGERS)
+
+    def set_edges(self, indices, model_indices, elements, always):
+        """indices: of element edges; model_indices: of those on edges of the model."""
+        fill(self.lines.coordIndex, indices, INTEGERS)
+        fill(self.model_lines.coordIndex, model_indices, INTEGERS)
+        self.by_size.screenArea.setValue(0.0 if always else float(elements * PIXELS_PER_ELEMENT))
+
+    def set_colours(self, per_point):
+        """per_point: (points,) packed colours."""
+        self.binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
+        fill(self.packed.orderedRGBA, per_point, COLOURS)
+
+    def set_one_colour(self, packed):
+        self.binding.value = coin.SoMaterialBinding.OVERALL
+        fill(self.packed.orderedRGBA, np.array([packed], np.uint32), COLOURS)
+
+    def set_shaded(self, is_shaded):
+        self.light.model = coin.SoLightModel.PHONG if is_shaded else coin.SoLightModel.BASE_COLOR
+
+    def set_edge_colour(self, rgb):
+        self.edge_colour.rgb = tuple(rgb[:3])
+
+
+def both_sides():
+    """An open surface has two."""
+    hints = coin.SoShapeHints()
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+    hints.shapeType = coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
+    hints.faceType = coin.SoShapeHints.CONVEX
+    return hints
+
+
+def soft_material():
+    """Without gloss, which would wash colours out."""
+    material = coin.SoMaterial()
+    material.ambientColor = (0.3, 0.3, 0.3)
+    material.specularColor = (0, 0, 0)
+    return material
+
+
+def fill_lights():
+    """Weak lights besides the camera's: faces seen at an angle keep colours that can be read."""
+    made = []
+    for direction in FILL_DIRECTIONS:
+        light = coin.SoDirectionalLight()
+        light.direction, light.intensity = direction, FILL_INTENSITY
+        made.append(light)
+    return made
+
+
+def by_index():
+    binding = coin.SoNormalBinding()
+    binding.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
+    return binding
+
+
+def rows_as_indices(rows):
+    """(n, k) rows of points as Coin wants them, each ended by -1."""
+    made = np.full((len(rows), rows.shape[1] + 1), -1, np.int32)
+    made[:, :-1] = rows
+    return made.ravel()

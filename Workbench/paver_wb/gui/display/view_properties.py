@@ -1,0 +1,49 @@
+"""The properties of the view object that say what is drawn. They are saved with the document."""
+from paver_wb.gui.display import colour_maps, colouring
+
+COLOURS, SHAPE, MARKS = "Paver colours", "Paver shape", "Paver marks"
+
+# name: (type, group, tooltip, first value or list of choices)
+PROPERTIES = {
+    "ColourBy": ("App::PropertyEnumeration", COLOURS, "What the colours of the elements tell; Certificate: whether the "
+                 "curved element is proven not to fold", list(colouring.CHOICES)),
+    "ColourMap": ("App::PropertyEnumeration", COLOURS, "Colours of figures; Standard: one made for the quantity",
+                  [colouring.OWN_MAP, *colour_maps.NAMES]),
+    "ColourRange": ("App::PropertyEnumeration", COLOURS, "Standard: the same for all meshes; Data: from the least to the "
+                    "most of this mesh; Manual: from RangeLow to RangeHigh", list(colouring.RANGES)),
+    "RangeLow": ("App::PropertyFloat", COLOURS, "Lower end of the colours with ColourRange Manual", 0.0),
+    "RangeHigh": ("App::PropertyFloat", COLOURS, "Upper end of the colours with ColourRange Manual", 1.0),
+    "ColourBar": ("App::PropertyBool", COLOURS, "Shows the colour bar with its histogram in the view", True),
+    "Shaded": ("App::PropertyBool", COLOURS, "Light and shade; without them the colours are those of the colour bar "
+               "exactly", True),
+    "Subdivision": ("App::PropertyIntegerConstraint", SHAPE, "Straight pieces per element edge; 0: as many as the "
+                    "curvature needs and the number of elements allows", (0, 0, 32, 1)),
+    "ShrinkFactor": ("App::PropertyFloatConstraint", SHAPE, "Size of the drawn elements, 1: whole; smaller ones leave "
+                     "gaps that show every element alone", (1.0, 0.05, 1.0, 0.05)),
+    "EdgeColour": ("App::PropertyColor", SHAPE, "Colour of the element edges", (0.13, 0.14, 0.16)),
+    "AlwaysAllEdges": ("App::PropertyBool", SHAPE, "Draws the element edges also where they lie so close that they would "
+                       "cover the colours", False),
+    "ShowNormals": ("App::PropertyBool", MARKS, "Shows the outward normal of every element", False),
+    "ShowFreeEdges": ("App::PropertyBool", MARKS, "Marks mesh edges with one element only, and those with more than two",
+                      False),
+    "ShowTriangles": ("App::PropertyBool", MARKS, "Marks the triangles", False),
+    "ShowWorst": ("App::PropertyIntegerConstraint", MARKS, "Marks so many elements with the least scaled Jacobian",
+                  (0, 0, 1000, 1)),
+    "ElementReport": ("App::PropertyBool", MARKS, "Shows figures of the element that was clicked last in the view", True),
+}
+FIRST_CHOICES = {"ColourBy": colouring.SJ}
+
+
+def add_to(vobj):
+    """Adds the properties that the view object does not have yet."""
+    for name, (kind, group, tooltip, value) in PROPERTIES.items():
+        if name not in vobj.PropertiesList:
+            vobj.addProperty(kind, name, group, tooltip)
+            setattr(vobj, name, value)
+            if name in FIRST_CHOICES:
+                setattr(vobj, name, FIRST_CHOICES[name])
+
+
+def wish(vobj):
+    """What the colours shall tell."""
+    return colouring.Wish(vobj.ColourBy, vobj.ColourMap, vobj.ColourRange, (vobj.RangeLow, vobj.RangeHigh))

@@ -1,0 +1,115 @@
+"""Drawings through undo, saving, copying and deleting; see display_cases.py."""
+import os
+import tempfile
+
+import FreeCAD
+import FreeCADGui
+
+import display_cases
+from display_cases import is_coloured, share_of, wait
+from paver_wb import mesh_object
+from paver_wb.gui.display import actions, colouring, mesh_display, view_properties
+
+
+class Life(display_cases.InWindow):
+    def expect_shown(self, display):
+        self.assertEqual(display.mesh.count, self.mesh.Quads + self.mesh.Triangles)
+        self.assertEqual(len(self.triangles_drawn(display)),
+                         (2 * self.mesh.Quads + self.mesh.Triangles) * display.subdivision ** 2)
+
+    def test_undo_and_redo(self):
+        display = self.run_mesh()
+        first = display.mesh.count
+        self.document.openTransaction("size")
+        self.mesh.Size = 2
+        self.document.commitTransaction()
+        self.run_mesh()
+        second = display.mesh.count
+        self.assertGreater(second, first)
+        self.expect_shown(display)
+        for step, count in ((self.document.undo, first), (self.document.redo, second), (self.document.undo, first)):
+            step()
+            wait()
+            self.assertEqual(display.mesh.count, count)
+            self.expect_shown(display)
+        self.document.undo()
+        self.document.undo()
+        wait()
+        self.assertEqual(self.mesh.Status, "Not meshed")
+        self.assertIsNone(display.mesh)
+        self.assertEqual(len(self.triangles_drawn(display)), 0)
+
+    def test_what_is_chosen_is_saved(self):
+        self.run_mesh()
+        chosen = {"DisplayMode": mesh_display.CURVED, "ColourBy": colouring.FACE, "ColourMap": "Rainbow",
+                  "ColourRange": "Manual", "RangeLow": 0.25, "RangeHigh": 0.5, "ShrinkFactor": 0.7, "ShowWorst": 3,
+                  "ShowNormals": True, "Subdivision": 4, "ColourBar": False}
+        self.set(**chosen)
+        name, documentation = self.mesh.Name, self.mesh.ViewObject.getDocumentationOfProperty("ShowWorst")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "made.FCStd")
+            self.document.saveAs(path)
+            FreeCAD.closeDocument(self.document.Name)
+            self.document = FreeCAD.openDocument(path)
+            self.mesh = self.document.getObject(name)
+            wait(100)
+            self.expect_shown(self.display())
+        for what, value in chosen.items():
+            self.assertEqual(getattr(self.mesh.ViewObject, what), value, what)
+        self.assertEqual(self.mesh.ViewObject.getEnumerationsOfProperty("ColourBy"), list(colouring.CHOICES))
+        self.assertEqual(self.mesh.ViewObject.getDocumentationOfProperty("ShowWorst"), documentation)
+        self.assertEqual((self.display().subdivision, len(self.display().worst.elements)), (4, 3))
+
+    def test_a_document_made_without_a_window(self):
+        path = os.environ.get("PAVER_HEADLESS_DOCUMENT")
+        if not path:
+            self.skipTest("no document from a FreeCAD without a window")
+        document = FreeCAD.openDocument(path)
+        self.addCleanup(FreeCAD.closeDocument, document.Name)
+        self.mesh, = mesh_object.meshes_of(document)
+        wait(100)
+        self.assertEqual(self.mesh.ViewObject.DisplayMode, mesh_display.CURVED_EDGES)
+        self.assertTrue(self.mesh.ViewObject.Visibility)
+        self.expect_shown(self.display())
+        self.view = FreeCADGui.getDocument(document.Name).ActiveView
+        self.look()
+        self.assertGreater(share_of(self.picture("headless"), is_coloured), 0.1)
+
+    def test_a_copy_has_a_drawing_of_its_own(self):
+        self.run_mesh()
+        self.set(ColourBy=colouring.FACE)
+        copy = self.document.copyObject(self.mesh)
+        wait(100)
+        self.assertIsNot(self.display(copy), self.display())
+        self.assertEqual(copy.ViewObject.DisplayMode, mesh_display.CURVED_EDGES)
+        self.mesh = copy
+        self.expect_shown(self.display())
+
+    def test_a_deleted_mesh_is_forgotten(self):
+        display = self.run_mesh()
+        actions.select(self.mesh, ["Elem1"])
+        display.changed(mesh_display.MESH)
+        self.document.removeObject(self.mesh.Name)
+        wait(100)
+        self.document.undo()
+        wait(100)
+        self.mesh, = mesh_object.meshes_of(self.document)
+        self.expect_shown(self.display())
+
+    def test_inside_of_a_part(self):
+        part = self.document.addObject("App::Part", "Part")
+        part.addObject(self.mesh)
+        display = self.run_mesh()
+        self.look()
+        FreeCADGui.Selection.addSelection(self.document.Name, part.Name, self.mesh.Name + ".Elem4")
+        wait()
+        self.assertEqual(display.selection.elements, (3,))
+
+    def test_actions_on_what_is_not_meshed(self):
+        for action in (actions.show_worst, actions.show_free_edges, actions.show_triangles):
+            self.assertRaisesRegex(ValueError, "mesh it first", action, self.mesh)
+
+    def test_every_property_is_explained(self):
+        vobj = self.mesh.ViewObject
+        for name, (_, group, tooltip, _) in view_properties.PROPERTIES.items():
+            self.assertEqual((vobj.getGroupOfProperty(name), vobj.getDocumentationOfProperty(name)), (group, tooltip))
