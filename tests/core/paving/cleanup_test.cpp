@@ -83,9 +83,14 @@ struct Grid {
   Front front;
 };
 
-std::vector<std::array<int, 4>> sorted_elements(const RegionMesh& mesh) {
-  std::vector<std::array<int, 4>> all;
-  for (const Element& e : mesh.elements) all.push_back(e.v);
+/// Places of each element's corners, whatever the numbers of nodes and elements.
+std::vector<std::array<std::pair<double, double>, 4>> sorted_elements(const RegionMesh& mesh) {
+  std::vector<std::array<std::pair<double, double>, 4>> all;
+  for (const Element& e : mesh.elements) {
+    auto& places = all.emplace_back();
+    for (int k = 0; k < e.corners(); ++k) places[k] = {mesh.p[e.v[k]].x, mesh.p[e.v[k]].y};
+  }
+  std::sort(all.begin(), all.end());
   return all;
 }
 
@@ -94,8 +99,6 @@ TEST(CleanUp, leaves_a_grid_as_it_is) {
   const auto before = sorted_elements(grid.mesh);
   clean_up(grid.front, Progress());
   EXPECT_EQ(before, sorted_elements(grid.mesh));
-  for (int j = 0; j <= 5; ++j)
-    for (int i = 0; i <= 5; ++i) EXPECT_NEAR(norm(grid.mesh.p[grid.at(i, j)] - Vec2{1.0 * i, 1.0 * j}), 0, 1e-12);
 }
 
 TEST(CleanUp, joins_two_triangles_with_a_common_side) {
