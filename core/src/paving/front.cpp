@@ -444,6 +444,7 @@ void Front::end_void() {
   facets = std::vector<Facet>();
   empty.clear();
   true_angle_ = std::vector<double>();
+  if (mesh.node_count() < fewest_to_order) return;
   const std::vector<int> number = order_spatially(mesh);
   for (BoundaryFacet& facet : boundary) facet.a = number[facet.a], facet.b = number[facet.b];
   out_facet_.assign(number.size(), -1), sectors_.assign(number.size(), 0), colour_.assign(number.size(), {});

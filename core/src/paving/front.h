@@ -102,8 +102,8 @@ class Front {
   /// Whether all elements and void triangles about the node stay positive in the chart with it at p.
   bool can_move(int node, Vec2 p) const;
 
-  /// Frees what only a void needs; there must be none left. Nodes and elements get new numbers, near each other in
-  /// memory where they are so in the chart.
+  /// Frees what only a void needs; there must be none left. Nodes and elements of a large mesh get new numbers, near
+  /// each other in memory where they are so in the chart.
   void end_void();
 
   /// Colours a loop's nodes alternately as a set of its own. The loop must be even.
@@ -111,6 +111,7 @@ class Front {
 
  private:
   static constexpr float most_drift = 0.2F;
+  static constexpr int fewest_to_order = 100000;  // two rows of smaller meshes fit in a cache as they are
   struct Colour {
     int set = -1;
     bool bit = false;
