@@ -119,7 +119,7 @@ class MeshDisplay:
         self.hovered = self.reported = None
         try:
             if self.obj.MeshFile:
-                self.mesh = drawn_mesh.DrawnMesh(mesh_object.stored(self.obj))
+                self.mesh = drawn_mesh.taken(self.obj.MeshFile) or drawn_mesh.DrawnMesh(mesh_object.stored(self.obj))
         except (mesh_file.DamagedMesh, core.CoreMissing) as error:
             FreeCAD.Console.PrintError(f"{self.obj.Label}: {error}\n")
         if self.mesh is None:
