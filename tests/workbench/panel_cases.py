@@ -124,6 +124,24 @@ class Panel(PanelCase):
         self.assertEqual((mesh.Status, self.document.UndoCount), ("Not meshed", 0))
         window.picture("panel_limit")
 
+    def test_model_and_mesh_are_not_seen_at_one_place(self):
+        mesh = self.add_mesh()
+        self.open(mesh)
+        self.mesh_and_wait()
+        self.assertEqual((self.box.ViewObject.Visibility, mesh.ViewObject.Visibility), (False, True))
+        FreeCADGui.Selection.clearSelection()
+        window.picture("panel_mesh_in_view")
+        window.click(window.widget("Paver_ViewModel"))
+        self.assertEqual((self.box.ViewObject.Visibility, mesh.ViewObject.Visibility), (True, False))
+        self.mesh_and_wait()
+        self.assertEqual((self.box.ViewObject.Visibility, mesh.ViewObject.Visibility), (False, True))
+        self.document.undo()
+        window.click(window.widget("Paver_ViewModel"))
+        window.click(window.widget("Paver_ViewMesh"))
+        self.assertEqual((self.box.ViewObject.Visibility, mesh.ViewObject.Visibility), (False, True))
+        self.document.undo()
+        self.assertEqual((mesh.Status, self.box.ViewObject.Visibility), ("Not meshed", True))
+
     def test_frequency_and_length_are_linked(self):
         self.open(self.add_mesh(frequency="30 GHz", divisions=10, order=1))
         self.assertEqual((self.text("frequency"), self.text("size")), ("30 GHz", "0.9993082 mm"))

@@ -114,7 +114,8 @@ class Run(QtCore.QObject):
     def keep(self):
         start, mesh = time.monotonic(), self.thread.result
         try:
-            meshing.keep(self.obj, self.job, mesh, self.thread.path, **self.changes)
+            is_first = not self.obj.MeshFile and self.obj.ViewObject.Visibility
+            meshing.keep(self.obj, self.job, mesh, self.thread.path, is_first, **self.changes)
         except Exception as error:
             return self.fail(error)
         if self.thread.drawn is not None:
@@ -149,9 +150,9 @@ class Run(QtCore.QObject):
 
 
 def shown_subdivision(obj):
-    """The view property Subdivision; None where the mesh is not shown as Paver draws it."""
+    """The view property Subdivision; None where the mesh is not drawn by Paver."""
     view = obj.ViewObject
-    return view.Subdivision if view.Visibility and view.DisplayMode in mesh_display.MODES else None
+    return view.Subdivision if view.DisplayMode in mesh_display.MODES else None
 
 
 class Announcer(QtCore.QObject):
