@@ -156,6 +156,10 @@ class Modes(InWindow):
 
 
 class Colours(InWindow):
+    def setUp(self):
+        super().setUp()
+        self.set(Shaded=False)
+
     def per_element(self, display):
         """(elements,) packed colours as drawn; one for all points of each."""
         drawn = fields.content(display.scene.packed.orderedRGBA, np.uint32)
@@ -220,6 +224,15 @@ class Colours(InWindow):
             np.testing.assert_allclose(picture[picture.shape[0] - 1 - y, x], wanted, atol=2)
             compared += 1
         self.assertGreater(compared, 20)
+
+    def test_light_makes_up_for_darker_colours(self):
+        self.run_mesh()
+        self.set(ColourBy=colouring.NONE, ShapeColor=(0.5, 0.25, 0.75), Shaded=True, DisplayMode=mesh_display.CURVED,
+                 ColourBar=False)
+        self.look()
+        picture = self.picture("shaded")
+        middle = picture[picture.shape[0] // 2, picture.shape[1] // 2]
+        np.testing.assert_allclose(middle / 255, (0.5, 0.25, 0.75), atol=0.09)
 
     def test_new_colours_leave_points_alone(self):
         display = self.run_mesh()

@@ -107,6 +107,14 @@ class DrawnMesh:
         nodes = self.stored.nodes
         return (nodes.min(axis=0), nodes.max(axis=0)) if len(nodes) else (np.zeros(3), np.zeros(3))
 
+    @property
+    def box_per_element(self):
+        """Surface of the box around the mesh over the mean area of an element."""
+        low, high = self.extent
+        a, b, c = high - low
+        area = float(self.stored.report.get("quality", {}).get("mesh_area") or 0)
+        return 2 * float(a * b + b * c + c * a) * self.count / area if area > 0 else 0.0
+
     @cached_property
     def sag(self):
         """How far element edges bulge, of their length: that of all but the worst thousandth."""
