@@ -96,20 +96,31 @@ class Modes(InWindow):
 
     def test_what_each_mode_draws(self):
         self.run_mesh()
-        self.set(ColourBar=False)
+        self.set(ColourBar=False, EdgeColour=(1.0, 0.0, 0.0))
         self.look()
-        coloured, dark = {}, {}
+        drawn = {}
         for mode in mesh_display.MODES:
             self.set(DisplayMode=mode)
             picture = self.picture("mode_" + mode.replace(" + ", "_").replace(" ", "_").lower())
-            coloured[mode] = share_of(picture, is_coloured)
-            dark[mode] = share_of(picture, lambda p: p.max(axis=2) < 70)
-        curved, both, edges = (mesh_display.CURVED, mesh_display.CURVED_EDGES, mesh_display.EDGES)
-        self.assertGreater(coloured[curved], 0.15)
-        self.assertGreater(coloured[both], 0.15)
-        self.assertLess(coloured[edges], 0.01)
-        self.assertGreater(dark[both], 2 * dark[curved])
-        self.assertGreater(dark[edges], 2 * dark[curved])
+            is_edge = (picture[:, :, 0] > 200) & (picture[:, :, 1:].max(axis=2) < 40)
+            drawn[mode] = (is_coloured(picture) & ~is_edge).mean() > 0.15, is_edge.mean() > 0.01
+        self.assertEqual(list(drawn.values()), [(True, False), (True, True), (False, True)])
+
+    def test_edges_fade_where_they_lie_close(self):
+        self.mesh.Size = 0.5
+        self.run_mesh()
+        self.set(ColourBar=False, Shaded=False, ColourBy=colouring.NONE, ShapeColor=(1.0, 1.0, 1.0),
+                 EdgeColour=(0.0, 0.0, 0.0))
+        self.look()
+        dark = lambda picture: (picture.max(axis=2) < 60).mean()  # noqa: E731
+        before = dark(self.picture("edges_faint"))
+        self.view.getCameraNode().height = self.view.getCameraNode().height.getValue() / 8
+        near = dark(self.picture("edges_near"))
+        self.look()
+        self.set(AlwaysAllEdges=True)
+        always = dark(self.picture("edges_all"))
+        self.assertLess(before, 0.01)
+        self.assertGreater(min(near, always), 2 * before + 0.01)
 
     def test_faces_and_edges_are_curved_and_normals_true(self):
         display = self.run_mesh()
