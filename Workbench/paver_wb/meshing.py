@@ -58,10 +58,11 @@ def show_results(obj, mesh):
                        if face["status"] == "failed"]
 
 
-def keep(obj, job, mesh, file=None, **changes):
+def keep(obj, job, mesh, file=None, hides_sources=False, **changes):
     """Keeps a job's StoredMesh, and the changes of options it was made with, in its mesh object as one step of undo.
 
-    file: where the mesh is written already; it is moved, and must lie on the document's disk.
+    file: where the mesh is written already; it is moved, and must lie on the document's disk. hides_sources: where they
+    lie the 3D view would show spots of both.
     """
     is_filled = is_filled_unasked(mesh)
     fem = mesh_object.fem_mesh_of(obj, mesh) if is_filled else fem_mesh.empty()
@@ -71,6 +72,8 @@ def keep(obj, job, mesh, file=None, **changes):
         show_results(obj, mesh)
         obj.MeshedShape, obj.MeshedOptions, obj.ShapeChanged = job.digest, job.decisive, False
         obj.FemMesh, obj.FemMeshFilled = fem, is_filled
+        for source in mesh_object.sources(obj) if hides_sources else ():
+            source.Visibility = False
         mesh_object.update_status(obj)
 
 

@@ -96,20 +96,31 @@ class Modes(InWindow):
 
     def test_what_each_mode_draws(self):
         self.run_mesh()
-        self.set(ColourBar=False)
+        self.set(ColourBar=False, EdgeColour=(1.0, 0.0, 0.0))
         self.look()
-        coloured, dark = {}, {}
+        drawn = {}
         for mode in mesh_display.MODES:
             self.set(DisplayMode=mode)
             picture = self.picture("mode_" + mode.replace(" + ", "_").replace(" ", "_").lower())
-            coloured[mode] = share_of(picture, is_coloured)
-            dark[mode] = share_of(picture, lambda p: p.max(axis=2) < 70)
-        curved, both, edges = (mesh_display.CURVED, mesh_display.CURVED_EDGES, mesh_display.EDGES)
-        self.assertGreater(coloured[curved], 0.15)
-        self.assertGreater(coloured[both], 0.15)
-        self.assertLess(coloured[edges], 0.01)
-        self.assertGreater(dark[both], 2 * dark[curved])
-        self.assertGreater(dark[edges], 2 * dark[curved])
+            is_edge = (picture[:, :, 0] > 200) & (picture[:, :, 1:].max(axis=2) < 40)
+            drawn[mode] = (is_coloured(picture) & ~is_edge).mean() > 0.15, is_edge.mean() > 0.01
+        self.assertEqual(list(drawn.values()), [(True, False), (True, True), (False, True)])
+
+    def test_edges_fade_where_they_lie_close(self):
+        self.mesh.Size = 0.5
+        self.run_mesh()
+        self.set(ColourBar=False, Shaded=False, ColourBy=colouring.NONE, ShapeColor=(1.0, 1.0, 1.0),
+                 EdgeColour=(0.0, 0.0, 0.0))
+        self.look()
+        dark = lambda picture: (picture.max(axis=2) < 60).mean()  # noqa: E731
+        before = dark(self.picture("edges_faint"))
+        self.view.getCameraNode().height = self.view.getCameraNode().height.getValue() / 8
+        near = dark(self.picture("edges_near"))
+        self.look()
+        self.set(AlwaysAllEdges=True)
+        always = dark(self.picture("edges_all"))
+        self.assertLess(before, 0.01)
+        self.assertGreater(min(near, always), 2 * before + 0.01)
 
     def test_faces_and_edges_are_curved_and_normals_true(self):
         display = self.run_mesh()
@@ -156,6 +167,10 @@ class Modes(InWindow):
 
 
 class Colours(InWindow):
+    def setUp(self):
+        super().setUp()
+        self.set(Shaded=False)
+
     def per_element(self, display):
         """(elements,) packed colours as drawn; one for all points of each."""
         drawn = fields.content(display.scene.packed.orderedRGBA, np.uint32)
@@ -220,6 +235,15 @@ class Colours(InWindow):
             np.testing.assert_allclose(picture[picture.shape[0] - 1 - y, x], wanted, atol=2)
             compared += 1
         self.assertGreater(compared, 20)
+
+    def test_light_makes_up_for_darker_colours(self):
+        self.run_mesh()
+        self.set(ColourBy=colouring.NONE, ShapeColor=(0.5, 0.25, 0.75), Shaded=True, DisplayMode=mesh_display.CURVED,
+                 ColourBar=False)
+        self.look()
+        picture = self.picture("shaded")
+        middle = picture[picture.shape[0] // 2, picture.shape[1] // 2]
+        np.testing.assert_allclose(middle / 255, (0.5, 0.25, 0.75), atol=0.09)
 
     def test_new_colours_leave_points_alone(self):
         display = self.run_mesh()

@@ -1,6 +1,8 @@
 """Drawings through undo, saving, copying and deleting; see display_cases.py."""
+import gc
 import os
 import tempfile
+import weakref
 
 import FreeCAD
 import FreeCADGui
@@ -95,6 +97,18 @@ class Life(display_cases.InWindow):
         wait(100)
         self.mesh, = mesh_object.meshes_of(self.document)
         self.expect_shown(self.display())
+
+    def test_a_closed_document_leaves_no_memory(self):
+        display = self.run_mesh()
+        self.look()
+        self.view.getObjectInfo((10, 10))
+        left = [weakref.ref(display), weakref.ref(display.mesh), weakref.ref(display.picker)]
+        del display, self.mesh, self.sphere, self.view
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.newDocument("PaverDisplay")
+        wait(100)
+        gc.collect()
+        self.assertEqual([one() for one in left], [None] * 3)
 
     def test_inside_of_a_part(self):
         part = self.document.addObject("App::Part", "Part")

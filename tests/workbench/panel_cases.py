@@ -12,6 +12,7 @@ import window
 from child_cases import children
 from paver_wb import mesh_object
 from paver_wb.gui import run_control
+from paver_wb.gui.display import drawn_mesh
 
 PANEL_WIDTH = 360
 LONG = {"size": 0.03, "max_elements": 3000000}  # a run that takes a while
@@ -122,6 +123,24 @@ class Panel(PanelCase):
         self.assertIn("raise 'Most elements'", self.text("FaultText"))
         self.assertEqual((mesh.Status, self.document.UndoCount), ("Not meshed", 0))
         window.picture("panel_limit")
+
+    def test_model_and_mesh_are_not_seen_at_one_place(self):
+        mesh = self.add_mesh()
+        self.open(mesh)
+        self.mesh_and_wait()
+        self.assertEqual((self.box.ViewObject.Visibility, mesh.ViewObject.Visibility), (False, True))
+        FreeCADGui.Selection.clearSelection()
+        window.picture("panel_mesh_in_view")
+        window.click(window.widget("Paver_ViewModel"))
+        self.assertEqual((self.box.ViewObject.Visibility, mesh.ViewObject.Visibility), (True, False))
+        self.mesh_and_wait()
+        self.assertEqual((self.box.ViewObject.Visibility, mesh.ViewObject.Visibility), (False, True))
+        self.document.undo()
+        window.click(window.widget("Paver_ViewModel"))
+        window.click(window.widget("Paver_ViewMesh"))
+        self.assertEqual((self.box.ViewObject.Visibility, mesh.ViewObject.Visibility), (False, True))
+        self.document.undo()
+        self.assertEqual((mesh.Status, self.box.ViewObject.Visibility), ("Not meshed", True))
 
     def test_frequency_and_length_are_linked(self):
         self.open(self.add_mesh(frequency="30 GHz", divisions=10, order=1))
@@ -339,6 +358,29 @@ class Runs(PanelCase):
         self.mesh_and_wait()
         self.assertEqual(own.report["checksum"], mesh_object.stored(mesh).report["checksum"])
         self.assertEqual((children(), folders(self.document)), ([], []))
+
+    def test_what_is_drawn_is_made_on_the_thread_and_is_that_of_the_file(self):
+        mesh = self.add_mesh(size=1)
+        made = []
+        real = drawn_mesh.DrawnMesh
+
+        def noted(stored):
+            made.append(QtCore.QThread.currentThread() == QtGui.QApplication.instance().thread())
+            return real(stored)
+        drawn_mesh.DrawnMesh = noted
+        self.addCleanup(setattr, drawn_mesh, "DrawnMesh", real)
+        run = run_control.start(mesh)
+        window.wait(lambda: run.outcome, "for the mesh")
+        display = mesh.ViewObject.Proxy.display
+        window.wait(lambda: display.mesh is not None, "for the drawing")
+        self.assertEqual(made, [False])
+        kept = mesh_object.stored(mesh)
+        self.assertTrue((display.mesh.stored.nodes == kept.nodes).all() and (display.mesh.stored.quads == kept.quads).all())
+        self.document.undo()
+        window.wait(lambda: display.mesh is None, "for undo")
+        self.document.redo()
+        window.wait(lambda: display.mesh is not None, "for redo")
+        self.assertEqual((made, len(display.mesh.stored.quads)), ([False, True], len(kept.quads)))
 
     def test_heavy_runs_go_to_a_child_process(self):
         preferences = FreeCAD.ParamGet(mesh_object.PREFERENCES)

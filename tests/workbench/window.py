@@ -70,7 +70,7 @@ def type_into(field, text):
 
 def picture(name):
     """Keeps a picture of the screen in the build folder."""
-    folder = os.path.join(os.environ.get("PAVER_BUILD") or os.getcwd(), "screenshots")
+    folder = os.path.join(os.environ.get("PAVER_BUILD") or os.getcwd(), "pictures", "panel")
     os.makedirs(folder, exist_ok=True)
     pause(100)
     QtGui.QApplication.primaryScreen().grabWindow(0).save(os.path.join(folder, name + ".png"))

@@ -10,6 +10,7 @@ from PySide import QtCore
 
 from paver_wb import core, mesh_job, mesh_object, meshing
 from paver_wb.gui import run_place, run_status, run_thread
+from paver_wb.gui.display import drawn_mesh, mesh_display
 
 WAITING, RUNNING, TAKING, ENDED = "waiting", "running", "taking", "ended"
 MESHED, CANCELLED, FAILED = "meshed", "cancelled", "failed"
@@ -53,7 +54,7 @@ class Run(QtCore.QObject):
         self.job = meshing.prepare(obj, **changes)
         self.folder = tempfile.mkdtemp(prefix="paver", dir=os.path.dirname(obj.Document.TransientDir))
         self.thread = run_thread.MeshThread(self.job, self.folder, obj.RunIn, mesh_object.heavy_elements(),
-                                            offered(self.job.digest))
+                                            offered(self.job.digest), shown_subdivision(obj))
         self.thread.progressed.connect(self.tell, QtCore.Qt.QueuedConnection)
         self.thread.moved.connect(self.moved)
         self.thread.done.connect(self.take_back)
@@ -113,9 +114,12 @@ class Run(QtCore.QObject):
     def keep(self):
         start, mesh = time.monotonic(), self.thread.result
         try:
-            meshing.keep(self.obj, self.job, mesh, self.thread.path, **self.changes)
+            is_first = not self.obj.MeshFile and self.obj.ViewObject.Visibility
+            meshing.keep(self.obj, self.job, mesh, self.thread.path, is_first, **self.changes)
         except Exception as error:
             return self.fail(error)
+        if self.thread.drawn is not None:
+            drawn_mesh.offer(self.obj.MeshFile, self.thread.drawn)
         self.seconds["take back"] = time.monotonic() - start
         text = translate("Paver", "'{}' has {} quads and {} triangles").format(self.label, len(mesh.quads),
                                                                                len(mesh.triangles))
@@ -139,10 +143,16 @@ class Run(QtCore.QObject):
         if self.thread.isFinished() or not self.thread.isRunning():
             shutil.rmtree(self.folder, ignore_errors=True)
         self.outcome = Outcome(kind, text, place, log, self.seconds, mesh)
-        self.thread.result = self.thread.model = None  # Qt may keep the thread for a while
+        self.thread.result = self.thread.model = self.thread.drawn = None  # Qt may keep the thread for a while
         report(self)
         self.ended.emit(self.outcome)
         begin_next()
+
+
+def shown_subdivision(obj):
+    """The view property Subdivision; None where the mesh is not drawn by Paver."""
+    view = obj.ViewObject
+    return view.Subdivision if view.DisplayMode in mesh_display.MODES else None
 
 
 class Announcer(QtCore.QObject):

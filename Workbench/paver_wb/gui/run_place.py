@@ -27,6 +27,13 @@ def sub_name(source, element):
     return f"{path}{kind}{number}"
 
 
+def show(obj, mesh):
+    """Shows a mesh object, or else its sources, and hides the other: drawn at the same place they make spots."""
+    for thing, is_shown in [(obj, mesh)] + [(source, not mesh) for source in mesh_object.sources(obj)]:
+        if thing.ViewObject.Visibility != is_shown:
+            thing.ViewObject.Visibility = is_shown
+
+
 def select(obj, place):
     """Selects a mesh_job.Place of a mesh object's sources, alone, and shows the source if it is hidden.
 
@@ -37,7 +44,7 @@ def select(obj, place):
         return False
     source = sources[place.source]
     FreeCADGui.Selection.clearSelection()
-    if not source.ViewObject.isVisible():
-        source.ViewObject.show()
+    if not source.ViewObject.Visibility:
+        source.ViewObject.Visibility = True
     FreeCADGui.Selection.addSelection(source, sub_name(source, place.element))
     return True

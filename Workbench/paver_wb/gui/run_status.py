@@ -9,7 +9,7 @@ _box = None
 
 # Share of each stage in the time of a common run, in percent: a bar that never goes back needs some.
 SHARES = (("read", 8), ("topology", 2), ("sizing", 2), ("boundary", 12), ("regions", 4), ("paving", 52), ("join", 3),
-          ("curving", 10), ("quality", 5), ("write", 2))
+          ("curving", 9), ("quality", 4), ("write", 2), ("drawing", 2))
 
 
 def percent(stage, fraction):
@@ -29,7 +29,7 @@ def stage_text(stage):
             "boundary": translate("Paver", "Dividing edges"), "regions": translate("Paver", "Regions"),
             "paving": translate("Paver", "Paving"), "join": translate("Paver", "Joining meshes"),
             "curving": translate("Paver", "Curving"), "quality": translate("Paver", "Measuring quality"),
-            "write": translate("Paver", "Storing")}.get(stage, stage)
+            "write": translate("Paver", "Storing"), "drawing": translate("Paver", "Drawing")}.get(stage, stage)
 
 
 class Box(QtGui.QWidget):

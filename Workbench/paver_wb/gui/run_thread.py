@@ -4,6 +4,7 @@ import os
 from PySide import QtCore
 
 from paver_wb import child_process, core, mesh_file, mesh_job, mesh_object
+from paver_wb.gui.display import drawn_mesh
 
 STEP = 0.02  # share of a stage
 _running = set()  # Qt ends the program when a thread's object goes before the thread
@@ -49,17 +50,20 @@ def end_all(milliseconds=2000):
 
 
 class MeshThread(Background):
-    """Does a job, in this process or in one of its own; `result` is the StoredMesh, `path` its file in `folder`.
+    """Does a job, in this process or in one of its own; `result` is the StoredMesh, `path` its file in `folder`, `drawn`
+    the DrawnMesh for the 3D view.
 
     run_in: a value of mesh_object.RUN_IN; from so many `heavy` predicted elements on "Automatic" means an own process.
+    subdivision: of the drawing, 0 the one that fits; None: it is not shown, so nothing is made for it.
     """
 
     progressed = QtCore.Signal(str, float)
     moved = QtCore.Signal()  # to a process of its own
 
-    def __init__(self, job, folder, run_in, heavy, model=None):
+    def __init__(self, job, folder, run_in, heavy, model=None, subdivision=None):
         super().__init__()
         self.job, self.folder, self.run_in, self.heavy, self.model = job, folder, run_in, heavy, model
+        self.subdivision, self.drawn = subdivision, None
         self.path, self.told = None, ("", 0.0)
 
     def tell(self, stage, fraction):
@@ -75,6 +79,15 @@ class MeshThread(Background):
         return core.load().predict(self.model, cancel=self.stop, **self.job.options).elements >= self.heavy
 
     def work(self):
+        made = self.made()
+        if self.subdivision is not None:
+            self.tell("drawing", 0.0)
+            drawn = drawn_mesh.DrawnMesh(made)
+            drawn.prepare(self.subdivision)
+            self.drawn = drawn
+        return made
+
+    def made(self):
         if self.is_for_child():
             self.model = None  # it may be large
             self.moved.emit()

@@ -112,6 +112,8 @@ class TaskPanel:
         if outcome.kind == run_control.MESHED:
             self.is_new = False
             self.options.refresh()
+            if not self.obj.ViewObject.Visibility:
+                self.sizes.show_in_view(shows_mesh=True)
             self.results.refresh(outcome.mesh)
         self.predict()
 

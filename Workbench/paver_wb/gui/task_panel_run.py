@@ -1,4 +1,5 @@
 """The part of the task panel that predicts, meshes, shows the progress, stops, and tells what went wrong."""
+import os
 import time
 
 import FreeCAD
@@ -6,6 +7,7 @@ from PySide import QtCore, QtGui
 
 from paver_wb import mesh_object
 from paver_wb.gui import run_place, run_status
+from paver_wb.gui.paths import ICONS
 from paver_wb.gui.task_panel_options import with_labels
 
 translate = FreeCAD.Qt.translate
@@ -69,6 +71,7 @@ class RunBox(QtGui.QWidget):
         row = QtGui.QHBoxLayout()
         self.mesh = QtGui.QPushButton(translate("Paver", "Mesh"))
         self.mesh.setObjectName("Paver_MeshButton")
+        self.mesh.setIcon(QtGui.QIcon(os.path.join(ICONS, "Paver_Mesh.svg")))
         self.mesh.setToolTip(translate("Paver", "Applies the options and meshes; FreeCAD can be used meanwhile"))
         self.stop = QtGui.QPushButton(translate("Paver", "Stop"))
         self.stop.setObjectName("Paver_StopButton")

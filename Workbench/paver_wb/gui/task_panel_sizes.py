@@ -77,10 +77,29 @@ class SizesBox(QtGui.QWidget):
         row.addWidget(self.remove, 1)
         layout.addWidget(self.table)
         layout.addLayout(row)
+        layout.addLayout(self.view_row())
         self.timer = QtCore.QTimer(self)
         self.timer.setSingleShot(True)
         self.timer.timeout.connect(self.refresh)
         self.refresh()
+
+    def view_row(self):
+        """What the 3D view shows: faces can be selected on the model only."""
+        row = QtGui.QHBoxLayout()
+        row.addWidget(QtGui.QLabel(translate("Paver", "In the 3D view:")))
+        for name, text, tip, shows_mesh in (
+                ("ViewModel", translate("Paver", "Model"), translate("Paver", "Shows what is meshed, to select from it"),
+                 False),
+                ("ViewMesh", translate("Paver", "Mesh"), translate("Paver", "Shows the mesh"), True)):
+            button = self.button(name, text, tip)
+            button.clicked.connect(lambda _checked=False, shows=shows_mesh: self.show_in_view(shows))
+            row.addWidget(button, 1)
+        return row
+
+    def show_in_view(self, shows_mesh):
+        """One of mesh and model: together they lie in each other. No step of undo, as always with what is seen."""
+        FreeCADGui.addModule("paver_wb.gui.run_place")
+        FreeCADGui.doCommand(f"paver_wb.gui.run_place.show({python_name(self.obj)}, mesh={shows_mesh})")
 
     def button(self, name, text, tip):
         button = QtGui.QPushButton(text)

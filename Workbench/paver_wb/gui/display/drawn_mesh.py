@@ -17,12 +17,30 @@ def subdivision_for(elements, sag):
     return max(1, min(wanted, allowed, MOST_SUBDIVISION))
 
 
+_offered = None  # (path of a file, its DrawnMesh)
+
+
+def offer(path, drawn):
+    """What the display takes, once, instead of reading the file of a mesh and making its own."""
+    global _offered
+    _offered = (path, drawn)
+
+
+def taken(path):
+    """The DrawnMesh that was offered for a file, or None."""
+    global _offered
+    if _offered is None or _offered[0] != path:
+        return None
+    drawn, _offered = _offered[1], None
+    return drawn
+
+
 class DrawnMesh:
     """Everything is made when it is first asked for."""
 
     def __init__(self, stored):
         """stored: a StoredMesh."""
-        self.stored = stored
+        self.stored, self.cut = stored, (0, None)
         self.order, self.face_names = stored.order, stored.face_names
         self.quad_count, self.triangle_count = len(stored.quads), len(stored.triangles)
         self.count = self.quad_count + self.triangle_count
@@ -89,6 +107,14 @@ class DrawnMesh:
         nodes = self.stored.nodes
         return (nodes.min(axis=0), nodes.max(axis=0)) if len(nodes) else (np.zeros(3), np.zeros(3))
 
+    @property
+    def box_per_element(self):
+        """Surface of the box around the mesh over the mean area of an element."""
+        low, high = self.extent
+        a, b, c = high - low
+        area = float(self.stored.report.get("quality", {}).get("mesh_area") or 0)
+        return 2 * float(a * b + b * c + c * a) * self.count / area if area > 0 else 0.0
+
     @cached_property
     def sag(self):
         """How far element edges bulge, of their length: that of all but the worst thousandth."""
@@ -106,8 +132,15 @@ class DrawnMesh:
         return float(np.quantile(np.concatenate(sags), 0.999))
 
     def tessellation(self, subdivision):
-        """paver.Tessellation in which no elements share points."""
-        return self.core_mesh.tessellate(subdivision, apart=True)
+        """paver.Tessellation in which no elements share points; the last one is kept."""
+        if self.cut[0] != subdivision:
+            self.cut = (subdivision, self.core_mesh.tessellate(subdivision, apart=True))
+        return self.cut[1]
+
+    def prepare(self, subdivision):
+        """Makes what every drawing needs, so that it can be done in a thread; subdivision 0: the one that fits."""
+        self.tessellation(subdivision or subdivision_for(self.count, self.sag))
+        return self.quality, self.extent
 
     def points_per_element(self, subdivision):
         """Of a quad, of a triangle."""

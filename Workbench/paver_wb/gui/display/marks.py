@@ -32,15 +32,18 @@ def hover_colour():
 
 
 class ElementMark:
-    """Some elements in a colour of their own, with thick outlines; without faces only these."""
+    """Some elements in a colour of their own, with thick outlines; without faces only these. Those that are seen through
+    the model have thin outlines where something hides them."""
 
-    def __init__(self, scene, colour, width=3, has_faces=True):
+    def __init__(self, scene, colour, width=3, has_faces=True, is_seen_through=False):
         self.scene, self.face_set, self.lines = scene, coin.SoIndexedFaceSet(), coin.SoIndexedLineSet()
         self.material, self.line_colour, self.elements = coin.SoMaterial(), colour_node(colour), ()
         self.root = separator(unpickable(), scene.points)
         if has_faces:
             put(self.root, separator(both_sides(), self.material, scene.normals, by_index(), self.face_set))
         put(self.root, separator(unlit(), self.line_colour, line_style(width), self.lines))
+        if is_seen_through:
+            put(self.root, put(coin.SoAnnotation(), unlit(), self.line_colour, line_style(1), self.lines))
         self.set_colour(colour)
 
     def set_colour(self, colour):

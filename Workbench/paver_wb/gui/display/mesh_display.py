@@ -10,7 +10,7 @@ from paver_wb.gui.display import colour_maps, colouring, drawn_mesh, legend, mar
 from paver_wb.gui.display.fields import put
 from paver_wb.gui.display.panels import ViewPanel
 from paver_wb.gui.display.picking import Picker
-from paver_wb.gui.display.scene import Scene, rows_as_indices
+from paver_wb.gui.display.scene import DIMMED, Scene, rows_as_indices
 
 CURVED, CURVED_EDGES, EDGES = MODES = ("Curved", "Curved + edges", "Edges only")
 MESH, POINTS, PAINT, MARKED, CHOSEN = LAYERS = ("mesh", "points", "paint", "marks", "chosen")  # each needs those before
@@ -40,7 +40,7 @@ class MeshDisplay:
 
     def make_marks(self):
         self.triangles = marks.ElementMark(self.scene, marks.TRIANGLE, 1)
-        self.worst = marks.ElementMark(self.scene, marks.WORST)
+        self.worst = marks.ElementMark(self.scene, marks.WORST, is_seen_through=True)
         self.selection = marks.ElementMark(self.scene, marks.selection_colour())
         self.hover = marks.ElementMark(self.scene, marks.hover_colour(), has_faces=False)
         self.free, self.crowded = marks.EdgeMark(marks.FREE), marks.EdgeMark(marks.CROWDED)
@@ -119,7 +119,7 @@ class MeshDisplay:
         self.hovered = self.reported = None
         try:
             if self.obj.MeshFile:
-                self.mesh = drawn_mesh.DrawnMesh(mesh_object.stored(self.obj))
+                self.mesh = drawn_mesh.taken(self.obj.MeshFile) or drawn_mesh.DrawnMesh(mesh_object.stored(self.obj))
         except (mesh_file.DamagedMesh, core.CoreMissing) as error:
             FreeCAD.Console.PrintError(f"{self.obj.Label}: {error}\n")
         if self.mesh is None:
@@ -146,7 +146,8 @@ class MeshDisplay:
             points = mesh.shrunk(points, vobj.ShrinkFactor, self.subdivision)
             outlines, on_model = mesh.element_outlines(np.arange(mesh.count), self.subdivision), np.zeros_like(on_model)
         self.scene.set_points(points, drawn.normals, drawn.triangle_indices)
-        self.scene.set_edges(outlines, rows_as_indices(drawn.outlines[on_model]), mesh.count, vobj.AlwaysAllEdges)
+        self.scene.set_edges(outlines, rows_as_indices(drawn.outlines[on_model]))
+        self.scene.set_edge_limits(0 if vobj.AlwaysAllEdges else mesh.box_per_element)
         low, high = mesh.extent
         for panel in (self.bar, self.report_panel):
             panel.stand_in((low + high) / 2, float(np.linalg.norm(high - low)) or 1.0)
@@ -154,12 +155,17 @@ class MeshDisplay:
     def paint(self):
         vobj = self.vobj
         self.scene.set_shaded(vobj.Shaded)
-        self.scene.set_edge_colour(vobj.EdgeColour)
         self.colouring = colouring.of_mesh(self.mesh, view_properties.wish(vobj))
+        colours = self.colouring.colours
+        if colours is None:
+            colours = colour_maps.packed(np.array([vobj.ShapeColor[:3]]))
+        if vobj.Shaded:
+            colours = colour_maps.dimmed(colours, DIMMED)
+        self.scene.set_edge_colour(vobj.EdgeColour, colours)
         if self.colouring.colours is None:
-            self.scene.set_one_colour(colour_maps.packed(np.array([vobj.ShapeColor[:3]]))[0])
+            self.scene.set_one_colour(colours[0])
         else:
-            self.scene.set_colours(self.mesh.per_point(self.colouring.colours, self.subdivision))
+            self.scene.set_colours(self.mesh.per_point(colours, self.subdivision))
         is_shown = vobj.ColourBar and self.colouring.legend is not None and self.mesh.count
         self.bar.show(legend.picture(self.colouring.legend) if is_shown else None)
 

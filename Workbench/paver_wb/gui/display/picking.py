@@ -1,5 +1,7 @@
 """The element under the mouse, by a search tree of the core: Coin's own picking takes half a second for a million
 triangles, and FreeCAD picks at every move of the mouse."""
+import weakref
+
 from pivy import coin
 
 from paver_wb.gui.display.report import element_name
@@ -9,11 +11,12 @@ class Picker:
     """`node` takes part in FreeCAD's picking like a shape would."""
 
     def __init__(self, hits):
-        """hits(origin, direction): [(element, point)], nearest first."""
+        """hits(origin, direction): [(element, point)], nearest first; a function that holds nothing."""
         self.hits, self.node = hits, coin.SoCallback()
-        self.node.setCallback(self.called, None)
+        me = weakref.ref(self)  # Coin never lets go of what it is to call
+        self.node.setCallback(lambda _, action: me() and me().called(action), None)
 
-    def called(self, _, action):
+    def called(self, action):
         if not action.isOfType(coin.SoRayPickAction.getClassTypeId()):
             return
         ray = coin.cast(action, "SoRayPickAction")

@@ -5,9 +5,11 @@ from pivy import coin
 from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, line_style, put, separator,
                                          unlit, unpickable)
 
-EDGE_WIDTH, MODEL_EDGE_WIDTH = 1, 2.5
+EDGE_WIDTH, MODEL_EDGE_WIDTH = 1, 2
+DIMMED = 0.85  # colours where they are lit, as all lights together are brighter than one
 FILL_DIRECTIONS, FILL_INTENSITY = ((0.3, 0.2, -1), (-0.3, -0.2, 1), (1, -0.6, 0), (-1, 0.6, 0)), 0.16
-PIXELS_PER_ELEMENT = 14  # of the view: where elements are smaller, their edges would hide the colours
+DARK_EDGES, ANY_EDGES = 80, 16  # pixels that an element needs for edges of the full colour, for fainter ones
+FAINT = 0.55  # of the elements' colour in edges that lie close together
 
 
 class Scene:
@@ -22,13 +24,14 @@ class Scene:
         self.light, self.binding, self.face_set = coin.SoLightModel(), coin.SoMaterialBinding(), coin.SoIndexedFaceSet()
         self.faces = separator(unpickable(), *fill_lights(), both_sides(), self.light, soft_material(), self.packed, self.binding,
                                coin.SoPolygonOffset(), self.points, self.normals, by_index(), self.face_set)
-        self.edge_colour = colour_node((0, 0, 0))
+        self.edge_colour, self.faint_colour = colour_node((0, 0, 0)), colour_node((0.5, 0.5, 0.5))
         self.lines, self.model_lines = coin.SoIndexedLineSet(), coin.SoIndexedLineSet()
         self.by_size = coin.SoLevelOfDetail()
-        put(self.by_size, self.lines, coin.SoGroup())
-        self.edges = separator(unpickable(), unlit(), self.edge_colour, self.points, line_style(EDGE_WIDTH),
-                               self.by_size, line_style(MODEL_EDGE_WIDTH), self.model_lines)
-        self.count = 0
+        put(self.by_size, put(coin.SoGroup(), self.edge_colour, self.lines),
+            put(coin.SoGroup(), self.faint_colour, self.lines), coin.SoGroup())
+        self.edges = separator(unpickable(), unlit(), self.edge_colour, self.points,
+                               separator(line_style(EDGE_WIDTH), self.by_size),
+                               line_style(MODEL_EDGE_WIDTH), self.model_lines)
 
     def set_points(self, points, normals, triangle_indices):
         fill(self.face_set.coordIndex, np.zeros(0, np.int32), INTEGERS)  # never indices of points that are not there
@@ -38,14 +41,21 @@ class Scene:
         fill(self.normals.vector, normals, FLOATS)
         fill(self.face_set.coordIndex, triangle_indices, INTEGERS)
 
-    def set_edges(self, indices, model_indices, elements, always):
+    def set_edges(self, indices, model_indices):
         """indices: of element edges; model_indices: of those on edges of the model."""
         fill(self.lines.coordIndex, indices, INTEGERS)
         fill(self.model_lines.coordIndex, model_indices, INTEGERS)
-        self.by_size.screenArea.setValue(0.0 if always else float(elements * PIXELS_PER_ELEMENT))
+
+    def set_edge_limits(self, box_per_element):
+        """box_per_element: surface of the box around the mesh over the mean area of an element; 0: always draw all.
+
+        A box shows about a quarter of its surface, and Coin takes the rectangle around what it shows.
+        """
+        pixels = [limit * box_per_element / 2 for limit in (DARK_EDGES, ANY_EDGES)]
+        self.by_size.screenArea.setValues(0, 2, pixels if box_per_element else [0, 0])
 
     def set_colours(self, per_point):
-        """per_point: (points,) packed colours."""
+        """per_point: (points,) packed colours as they shall be drawn."""
         self.binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
         fill(self.packed.orderedRGBA, per_point, COLOURS)
 
@@ -56,8 +66,11 @@ class Scene:
     def set_shaded(self, is_shaded):
         self.light.model = coin.SoLightModel.PHONG if is_shaded else coin.SoLightModel.BASE_COLOR
 
-    def set_edge_colour(self, rgb):
+    def set_edge_colour(self, rgb, packed):
+        """packed: colours of the elements."""
         self.edge_colour.rgb = tuple(rgb[:3])
+        mean = [float((packed >> shift & 255).mean()) / 255 if len(packed) else 0.5 for shift in (24, 16, 8)]
+        self.faint_colour.rgb = tuple(FAINT * m + (1 - FAINT) * c for m, c in zip(mean, rgb))
 
 
 def both_sides():
