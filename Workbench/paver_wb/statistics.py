@@ -153,14 +153,15 @@ def text(figures):
     return "\n".join(lines) + "\n"
 
 
-def histogram(values, bins=24):
-    """(counts, limits) over whole values from least to largest; one bin around values that are all alike."""
+def histogram(values, bins=24, limits=None):
+    """(counts, limits of the bins) from least to largest, or between `limits`, which take in every value at their ends;
+    values that are nearly alike get wider limits, so that numbers on an axis differ."""
     values = np.asarray(values, dtype=float)
     values = values[np.isfinite(values)]
     if not len(values):
         return np.zeros(1, int), np.array([0.0, 1.0])
-    low, high = values.min(), values.max()
-    if high - low <= 1e-6 * max(abs(high), 1e-300):
-        half = 0.05 * abs(high) or 0.5
-        low, high, bins = low - half, high + half, 5
-    return np.histogram(values, bins=bins, range=(low, high))
+    low, high = limits or (values.min(), values.max())
+    least_width = 0.1 * abs(0.5 * (high + low)) or 1.0
+    if high - low < least_width:
+        low, high = 0.5 * (low + high - least_width), 0.5 * (low + high + least_width)
+    return np.histogram(np.clip(values, low, high), bins=bins, range=(low, high))
