@@ -2,9 +2,8 @@
 
 
 def _add_workbench():
-    import FreeCADGui
-    from paver_wb.gui.workbench import PaverWorkbench
-    FreeCADGui.addWorkbench(PaverWorkbench())
+    from paver_wb.gui import workbench
+    workbench.register()
 
 
 _add_workbench()

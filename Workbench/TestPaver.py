@@ -9,5 +9,6 @@ if CASES not in sys.path:
 from addon_cases import *  # noqa: E402, F401, F403
 from analysis_cases import *  # noqa: E402, F401, F403
 from child_cases import *  # noqa: E402, F401, F403
+from files_cases import *  # noqa: E402, F401, F403
 from mesh_cases import *  # noqa: E402, F401, F403
 from refinement_cases import *  # noqa: E402, F401, F403

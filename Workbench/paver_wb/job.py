@@ -6,7 +6,7 @@ import sys
 
 import FreeCAD
 
-from paver_wb import core, fem_mesh, mesh_object, meshing, properties
+from paver_wb import core, export_mesh, mesh_object, meshing, properties
 
 OWN_FORMATS, FEM_FORMATS = ("msh", "vtu"), ("unv", "inp", "med")
 INTERNAL, USAGE, INPUT, FACE_FAILED, LIMIT, OUTPUT, CANCELLED = 1, 2, 3, 4, 5, 6, 130  # as the command line has them
@@ -121,20 +121,10 @@ def targets(document, path, names):
 
 def write_fem(obj, path):
     """Writes FemMesh to `path`, whole or not at all."""
-    folder, name = os.path.split(path)
-    part = os.path.join(folder, f".{os.getpid()}-{name}")
     try:
-        if not obj.FemMeshFilled:
-            meshing.fill(obj)
-        obj.FemMesh.write(part)
-        os.replace(part, path)
-    except fem_mesh.NoFemMesh as error:
-        raise JobError(str(error), USAGE) from None
-    except Exception as error:
-        raise JobError(f"{path} cannot be written ({str(error).strip()}); check the folder.", OUTPUT) from None
-    finally:
-        if os.path.exists(part):
-            os.remove(part)
+        export_mesh.write(obj, path)
+    except export_mesh.NotWritten as error:
+        raise JobError(str(error), USAGE if isinstance(error, export_mesh.CannotHold) else OUTPUT) from None
 
 
 def export(obj, result, stem, formats):

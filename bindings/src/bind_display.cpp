@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "arrays.h"
+#include "bind_result.h"
+#include "job.h"
 #include "paver/display.h"
 #include "paver/pick.h"
 
@@ -60,6 +62,18 @@ class BareMesh {
   }
 
   const SurfaceMesh& mesh() const { return mesh_; }
+
+  /// As a result with these names of faces and edges is written, without a report.
+  void write(const OutputFiles& files, std::vector<std::string> face_names, std::vector<std::string> edge_names,
+             const py::object& poll) const {
+    run_job(poll, [&](Progress& progress) {
+      MeshResult result;
+      result.mesh = mesh_;
+      result.face_names = std::move(face_names);
+      result.edge_names = std::move(edge_names);
+      write_outputs(result, files, progress);
+    });
+  }
 
   std::shared_ptr<const ElementQuality> quality() {
     py::gil_scoped_release free;
@@ -145,6 +159,11 @@ void bind_display(py::module_& module) {
   py::class_<BareMesh>(module, "BareMesh")
       .def(py::init<int, const Doubles&, const Integers&, const Integers&, const Integers&, const Integers&,
                     const Integers&, const Integers&>())
+      .def("write",
+           [](const BareMesh& mesh, const FileArguments& files, std::vector<std::string> face_names,
+              std::vector<std::string> edge_names, const py::object& poll) {
+             mesh.write(output_files(files), std::move(face_names), std::move(edge_names), poll);
+           })
       .def("quality", [](BareMesh& mesh) { return quality_arrays(mesh.quality()); })
       .def("tessellate", [](const BareMesh& mesh, int subdivision, bool apart) {
         return tessellation_arrays(mesh.mesh(), subdivision, apart);

@@ -61,17 +61,6 @@ class MeshData {
   std::mutex mutex_;
 };
 
-/// What Python passes: paths of mesh and report, "4.1" or "2.2", whether as text, path of the model.
-using FileArguments = std::tuple<std::string, std::string, std::string, bool, std::string>;
-
-OutputFiles output_files(const FileArguments& arguments) {
-  const auto& [mesh, report, msh_version, is_ascii, input] = arguments;
-  if (msh_version != "4.1" && msh_version != "2.2") {
-    throw Error(ErrorCode::bad_option, "msh_version is '" + msh_version + "'; write it like 4.1 or 2.2.");
-  }
-  return {mesh, report, msh_version == "2.2" ? MshVersion::v2_2 : MshVersion::v4_1, is_ascii, input};
-}
-
 void bind_arrays(py::class_<MeshData>& data) {
   using Data = const MeshData&;
   data.def_property_readonly("order", [](Data d) { return d.mesh().order; });
@@ -99,6 +88,14 @@ void bind_arrays(py::class_<MeshData>& data) {
 }
 
 }  // namespace
+
+OutputFiles output_files(const FileArguments& arguments) {
+  const auto& [mesh, report, msh_version, is_ascii, input] = arguments;
+  if (msh_version != "4.1" && msh_version != "2.2") {
+    throw Error(ErrorCode::bad_option, "msh_version is '" + msh_version + "'; write it like 4.1 or 2.2.");
+  }
+  return {mesh, report, msh_version == "2.2" ? MshVersion::v2_2 : MshVersion::v4_1, is_ascii, input};
+}
 
 void bind_result(py::module_& module) {
   py::class_<MeshData> data(module, "MeshData");

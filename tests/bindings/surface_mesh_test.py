@@ -37,6 +37,19 @@ def test_free_edges_are_where_a_face_is_missing(result):
     assert is_free.any() and (drawn.outline_edges[is_free] >= 0).all()
 
 
+def test_it_writes_what_the_result_writes(result, tmp_path):
+    names = {"face_names": result.face_names, "edge_names": result.edge_names}
+    for ending, more in (("vtu", {}), ("msh", {}), ("msh", {"msh_version": "2.2", "ascii": True})):
+        one, two = tmp_path / f"one.{ending}", tmp_path / f"two.{ending}"
+        result.write(one, **more)
+        paver.SurfaceMesh(**arrays_of(result)).write(two, **names, **more)
+        assert one.read_bytes() == two.read_bytes()
+    with pytest.raises(paver.OptionError, match="must end in .msh or .vtu"):
+        paver.SurfaceMesh(**arrays_of(result)).write(tmp_path / "mesh.stl")
+    with pytest.raises(paver.OutputError):
+        paver.SurfaceMesh(**arrays_of(result)).write(tmp_path / "no" / "mesh.msh")
+
+
 @pytest.mark.parametrize("name, value", [
     ("order", 0), ("nodes", np.zeros((3, 2))), ("quads", np.zeros((2, 9), np.int32) - 1),
     ("quads", np.full((2, 9), 10**6, np.int32)), ("quads", np.zeros((2, 8), np.int32)),

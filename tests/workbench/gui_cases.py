@@ -10,8 +10,6 @@ import window
 from paver_wb import mesh_object
 from paver_wb.gui import run_control
 
-COMMANDS = ["Paver_CreateMesh", "Paver_Refine", "Paver_Mesh", "Paver_FillFemMesh", "Paver_About"]
-
 
 def select(*things):
     FreeCADGui.Selection.clearSelection()
@@ -28,27 +26,6 @@ class Window(unittest.TestCase):
 
     def tearDown(self):
         FreeCAD.closeDocument(self.document.Name)
-
-    def is_active(self, name):
-        return FreeCADGui.Command.get(name).isActive()
-
-    def test_toolbar_has_every_command_and_each_an_icon(self):
-        bench = FreeCADGui.activeWorkbench()
-        self.assertEqual(bench.getToolbarItems()["Paver"], COMMANDS)
-        self.assertEqual([n for n in FreeCADGui.listCommands() if n.startswith("Paver_")], sorted(COMMANDS))
-        for name in COMMANDS:
-            info = FreeCADGui.Command.get(name).getInfo()
-            self.assertTrue(info["menuText"] and info["toolTip"], name)
-            self.assertFalse(FreeCADGui.getIcon(info["pixmap"]).isNull(), name)
-        self.assertTrue(os.path.isfile(bench.Icon))
-
-    def test_commands_are_active_where_they_apply(self):
-        select()
-        self.assertEqual([n for n in COMMANDS if self.is_active(n)], ["Paver_About"])
-        select(self.box)
-        self.assertEqual([n for n in COMMANDS if self.is_active(n)], ["Paver_CreateMesh", "Paver_About"])
-        select(mesh_object.add(self.document, self.box))
-        self.assertEqual([n for n in COMMANDS if self.is_active(n)], COMMANDS[2:])
 
     def mesh_and_wait(self):
         FreeCADGui.runCommand("Paver_Mesh")

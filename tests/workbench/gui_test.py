@@ -22,4 +22,4 @@ def test_all_cases_in_the_window(home, tmp_path):
     done = freecad.run_window(["-t", "TestPaverGui.Window"], home, PAVER_HEADLESS_DOCUMENT=str(document))
     output = done.stdout + done.stderr
     assert done.returncode == 0, output[-8000:]
-    assert int(re.search(r"Ran (\d+) tests", output).group(1)) > 4 and "skipped" not in output
+    assert int(re.search(r"Ran (\d+) tests", output).group(1)) >= 4 and "skipped" not in output

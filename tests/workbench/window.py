@@ -59,6 +59,13 @@ def double_click(thing):
     raise AssertionError(f"{thing.Label} is in no tree that is seen")
 
 
+def click_standard(which):
+    """Clicks a button of the task panel: a QDialogButtonBox.StandardButton."""
+    box = next(box for box in widgets(QtGui.QDialogButtonBox) if box.button(which))
+    box.button(which).click()
+    pause(50)
+
+
 def type_into(field, text):
     """Replaces the text of a field, as from the keyboard."""
     from PySide2 import QtTest

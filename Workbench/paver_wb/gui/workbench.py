@@ -1,11 +1,24 @@
-"""The workbench: toolbar, menu, icons."""
+"""The workbench: toolbar, menu, icons, preference page, translations."""
 import os
 
 import FreeCAD
 import FreeCADGui
 
 from paver_wb import core
-from paver_wb.gui.paths import ICONS
+from paver_wb.gui.paths import FORMS, ICONS, TRANSLATIONS
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+EXAMPLES = QT_TRANSLATE_NOOP("Workbench", "Examples")
+
+
+def register():
+    """Called when FreeCAD's window is made: what is there before the workbench is chosen."""
+    FreeCADGui.addLanguagePath(TRANSLATIONS)
+    FreeCADGui.updateLocale()
+    FreeCADGui.addIconPath(ICONS)
+    FreeCADGui.addPreferencePage(os.path.join(FORMS, "preferences.ui"), "Paver")
+    PaverWorkbench.ToolTip = FreeCAD.Qt.translate("Paver", PaverWorkbench.ToolTip)
+    FreeCADGui.addWorkbench(PaverWorkbench())
 
 
 class PaverWorkbench(FreeCADGui.Workbench):
@@ -13,15 +26,16 @@ class PaverWorkbench(FreeCADGui.Workbench):
 
     Icon = os.path.join(ICONS, "Paver.svg")
     MenuText = "Paver"
-    ToolTip = FreeCAD.Qt.translate("Paver", "Curved quadrilateral meshes of surfaces for Method-of-Moments solvers")
+    ToolTip = QT_TRANSLATE_NOOP("Paver", "Curved quadrilateral meshes of surfaces for Method-of-Moments solvers")
 
     def Initialize(self):
         """Called once, when the workbench is first chosen."""
         from paver_wb.gui import commands
-        FreeCADGui.addIconPath(ICONS)
-        names = commands.add_all()
-        self.appendToolbar("Paver", names)
-        self.appendMenu("&Paver", names)
+        examples = commands.add_all()
+        self.appendToolbar("Paver", commands.TOOLBAR)
+        self.appendMenu("&Paver", commands.MENU)
+        self.appendMenu(["&Paver", EXAMPLES], examples)
+        self.appendMenu("&Paver", commands.ABOUT)
 
     def Activated(self):
         problem = core.problem()

@@ -1,0 +1,1098 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de">
+<context>
+    <name>Paver</name>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Six plane faces: a regular grid on each</source>
+        <translation>Sechs ebene Flächen: auf jeder ein regelmäßiges Gitter</translation>
+    </message>
+    <message>
+        <source>Box with a cylinder</source>
+        <translation>Quader mit Zylinder</translation>
+    </message>
+    <message>
+        <source>A periodic face between plane ones</source>
+        <translation>Eine periodische Fläche zwischen ebenen</translation>
+    </message>
+    <message>
+        <source>Cone-sphere</source>
+        <translation>Kegelkugel</translation>
+    </message>
+    <message>
+        <source>The tip of a cone and a half sphere</source>
+        <translation>Die Spitze eines Kegels und eine Halbkugel</translation>
+    </message>
+    <message>
+        <source>Cone-sphere with a groove</source>
+        <translation>Kegelkugel mit Rille</translation>
+    </message>
+    <message>
+        <source>Narrow rings beside large faces</source>
+        <translation>Schmale Ringe neben großen Flächen</translation>
+    </message>
+    <message>
+        <source>Cone-sphere as one face</source>
+        <translation>Kegelkugel als eine Fläche</translation>
+    </message>
+    <message>
+        <source>One face of revolution with a pole at either end</source>
+        <translation>Eine Rotationsfläche mit einem Pol an jedem Ende</translation>
+    </message>
+    <message>
+        <source>Disk with a tiny hole</source>
+        <translation>Scheibe mit winzigem Loch</translation>
+    </message>
+    <message>
+        <source>Element sizes from 1 to 20 in one face</source>
+        <translation>Elementgrößen von 1 bis 20 in einer Fläche</translation>
+    </message>
+    <message>
+        <source>Plate with a round hole</source>
+        <translation>Platte mit rundem Loch</translation>
+    </message>
+    <message>
+        <source>Rows from a circle meet rows from straight sides</source>
+        <translation>Reihen um einen Kreis treffen auf Reihen entlang gerader Seiten</translation>
+    </message>
+    <message>
+        <source>Plate with nine holes</source>
+        <translation>Platte mit neun Löchern</translation>
+    </message>
+    <message>
+        <source>Ten loops in one face</source>
+        <translation>Zehn Randkurven in einer Fläche</translation>
+    </message>
+    <message>
+        <source>Plate with a rectangular hole</source>
+        <translation>Platte mit rechteckigem Loch</translation>
+    </message>
+    <message>
+        <source>Corners that turn outwards</source>
+        <translation>Einspringende Ecken</translation>
+    </message>
+    <message>
+        <source>Pyramid</source>
+        <translation>Pyramide</translation>
+    </message>
+    <message>
+        <source>Acute corners, faces of three sides</source>
+        <translation>Spitze Ecken, dreiseitige Flächen</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>One closed face with two poles</source>
+        <translation>Eine geschlossene Fläche mit zwei Polen</translation>
+    </message>
+    <message>
+        <source>Torus</source>
+        <translation>Torus</translation>
+    </message>
+    <message>
+        <source>Closed both ways, no border at all</source>
+        <translation>In beiden Richtungen geschlossen, ganz ohne Rand</translation>
+    </message>
+    <message>
+        <source>Wavy patch</source>
+        <translation>Gewellte Fläche</translation>
+    </message>
+    <message>
+        <source>A B-spline surface, curved both ways</source>
+        <translation>Eine B-Spline-Fläche, in beiden Richtungen gekrümmt</translation>
+    </message>
+    <message>
+        <source>Wing</source>
+        <translation>Tragflügel</translation>
+    </message>
+    <message>
+        <source>A narrow trailing edge beside large faces</source>
+        <translation>Eine schmale Hinterkante neben großen Flächen</translation>
+    </message>
+    <message>
+        <source>The mesh is out of date: an option or a shape has changed; mesh again.</source>
+        <translation>Das Netz ist veraltet: Eine Option oder eine Form hat sich geändert; vernetzen Sie neu.</translation>
+    </message>
+    <message>
+        <source>All elements are proven not to fold, curved as they are.</source>
+        <translation>Alle Elemente sind nachweislich nicht gefaltet, gekrümmt wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The mesh fits its options and shapes.</source>
+        <translation>Das Netz passt zu seinen Optionen und Formen.</translation>
+    </message>
+    <message>
+        <source>All elements are quads.</source>
+        <translation>Alle Elemente sind Vierecke.</translation>
+    </message>
+    <message>
+        <source>No scaled Jacobian is below {}; the least is {}.</source>
+        <translation>Keine skalierte Jacobi-Determinante liegt unter {}; die kleinste ist {}.</translation>
+    </message>
+    <message>
+        <source>The mesh has no free edge.</source>
+        <translation>Das Netz hat keine freie Kante.</translation>
+    </message>
+    <message>
+        <source>{} of {} elements are triangles.</source>
+        <translation>{} von {} Elementen sind Dreiecke.</translation>
+    </message>
+    <message>
+        <source>A face is not meshed: {}.</source>
+        <translation>Eine Fläche ist nicht vernetzt: {}.</translation>
+    </message>
+    <message>
+        <source>{} elements fold, or may fold; use a smaller size there.</source>
+        <translation>{} Elemente falten sich oder könnten es; nehmen Sie dort eine kleinere Länge.</translation>
+    </message>
+    <message>
+        <source>{} elements have a scaled Jacobian below {}; the least is {}.</source>
+        <translation>{} Elemente haben eine skalierte Jacobi-Determinante unter {}; die kleinste ist {}.</translation>
+    </message>
+    <message>
+        <source>{} edges are longer than {} of the target length.</source>
+        <translation>{} Kanten sind länger als das {}-Fache der Ziellänge.</translation>
+    </message>
+    <message>
+        <source>{} mesh edges have more than two elements: sheets meet there.</source>
+        <translation>{} Netzkanten haben mehr als zwei Elemente: Dort treffen sich Bleche.</translation>
+    </message>
+    <message>
+        <source>{} mesh edges are free: the surface is open there.</source>
+        <translation>{} Netzkanten sind frei: Dort ist die Oberfläche offen.</translation>
+    </message>
+    <message>
+        <source>No edge is longer than {} of the target length.</source>
+        <translation>Keine Kante ist länger als das {}-Fache der Ziellänge.</translation>
+    </message>
+    <message>
+        <source>The mesh has errors.</source>
+        <translation>Das Netz hat Fehler.</translation>
+    </message>
+    <message>
+        <source>The mesh can be used; look at the warnings.</source>
+        <translation>Das Netz ist brauchbar; beachten Sie die Warnungen.</translation>
+    </message>
+    <message>
+        <source>The mesh is sound.</source>
+        <translation>Das Netz ist in Ordnung.</translation>
+    </message>
+    <message>
+        <source>Click on a line to select its elements in the 3D view</source>
+        <translation>Ein Klick auf eine Zeile wählt ihre Elemente in der 3D-Ansicht aus</translation>
+    </message>
+    <message>
+        <source>Check again</source>
+        <translation>Noch einmal prüfen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Check of {}</source>
+        <translation>Prüfung von {}</translation>
+    </message>
+    <message>
+        <source>Help on Paver</source>
+        <translation>Hilfe zu Paver</translation>
+    </message>
+    <message>
+        <source>Meshing of '{}' was stopped; it is as before.</source>
+        <translation>Das Vernetzen von „{}“ wurde angehalten; es ist wie zuvor.</translation>
+    </message>
+    <message>
+        <source>'{}' has {} quads and {} triangles</source>
+        <translation>„{}“ hat {} Vierecke und {} Dreiecke</translation>
+    </message>
+    <message>
+        <source>, but {} could not be meshed: {}.</source>
+        <translation>, aber {} ließ sich nicht vernetzen: {}.</translation>
+    </message>
+    <message>
+        <source>Meshing of '{}' was stopped, as it was deleted.</source>
+        <translation>Das Vernetzen von „{}“ wurde angehalten, weil es gelöscht wurde.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stops meshing; the mesh object stays as it was</source>
+        <translation>Hält das Vernetzen an; das Netzobjekt bleibt, wie es war</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>Reading the shape</source>
+        <translation>Form lesen</translation>
+    </message>
+    <message>
+        <source>Joining faces</source>
+        <translation>Flächen verbinden</translation>
+    </message>
+    <message>
+        <source>Sizes</source>
+        <translation>Größen</translation>
+    </message>
+    <message>
+        <source>Dividing edges</source>
+        <translation>Kanten teilen</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Gebiete</translation>
+    </message>
+    <message>
+        <source>Paving</source>
+        <translation>Pflastern</translation>
+    </message>
+    <message>
+        <source>Joining meshes</source>
+        <translation>Netze verbinden</translation>
+    </message>
+    <message>
+        <source>Curving</source>
+        <translation>Krümmen</translation>
+    </message>
+    <message>
+        <source>Measuring quality</source>
+        <translation>Güte messen</translation>
+    </message>
+    <message>
+        <source>Storing</source>
+        <translation>Ablegen</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>Quads</source>
+        <translation>Vierecke</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>Edge length</source>
+        <translation>Kantenlänge</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Kleinste</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größte</translation>
+    </message>
+    <message>
+        <source>Element area</source>
+        <translation>Elementfläche</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Gesamt</translation>
+    </message>
+    <message>
+        <source>Elements per λ²</source>
+        <translation>Elemente je λ²</translation>
+    </message>
+    <message>
+        <source>Scaled Jacobian</source>
+        <translation>Skalierte Jacobi-Determinante</translation>
+    </message>
+    <message>
+        <source>Unknowns (conductor)</source>
+        <translation>Unbekannte (Leiter)</translation>
+    </message>
+    <message>
+        <source>Basis order 1 (rooftops, RWG)</source>
+        <translation>Basisordnung 1 (Rooftops, RWG)</translation>
+    </message>
+    <message>
+        <source>Basis order 2</source>
+        <translation>Basisordnung 2</translation>
+    </message>
+    <message>
+        <source>Basis order 3</source>
+        <translation>Basisordnung 3</translation>
+    </message>
+    <message>
+        <source>Frequency for the figures in wavelengths; the mesh stays as it is</source>
+        <translation>Frequenz für die Angaben in Wellenlängen; das Netz bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>Edge lengths</source>
+        <translation>Kantenlängen</translation>
+    </message>
+    <message>
+        <source>Element areas</source>
+        <translation>Elementflächen</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>In wavelengths, memory</source>
+        <translation>In Wellenlängen, Speicher</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>Give a frequency to see wavelengths</source>
+        <translation>Geben Sie eine Frequenz an, um Wellenlängen zu sehen</translation>
+    </message>
+    <message>
+        <source>Statistics of {}</source>
+        <translation>Statistik von {}</translation>
+    </message>
+    <message>
+        <source>Applies the options and closes; a run goes on</source>
+        <translation>Übernimmt die Optionen und schließt; ein Lauf geht weiter</translation>
+    </message>
+    <message>
+        <source>Puts the options into the mesh object; does not mesh</source>
+        <translation>Übernimmt die Optionen in das Netzobjekt; vernetzt nicht</translation>
+    </message>
+    <message>
+        <source>Drops changes that were not applied, stops a run and closes</source>
+        <translation>Verwirft Änderungen, die nicht übernommen sind, hält einen Lauf an und schließt</translation>
+    </message>
+    <message>
+        <source>Predicting...</source>
+        <translation>Vorhersage ...</translation>
+    </message>
+    <message>
+        <source>Another task panel is open; close it first.</source>
+        <translation>Ein anderes Aufgabenfenster ist offen; schließen Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>Options of {}</source>
+        <translation>Optionen von {}</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>selbsttätig</translation>
+    </message>
+    <message>
+        <source>Quad-dominant</source>
+        <translation>Überwiegend Vierecke</translation>
+    </message>
+    <message>
+        <source>All quads</source>
+        <translation>Nur Vierecke</translation>
+    </message>
+    <message>
+        <source>All triangles</source>
+        <translation>Nur Dreiecke</translation>
+    </message>
+    <message>
+        <source>1 (straight)</source>
+        <translation>1 (gerade)</translation>
+    </message>
+    <message>
+        <source>2 (curved)</source>
+        <translation>2 (gekrümmt)</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>'{}' cannot be read; write a number and a unit, such as {}.</source>
+        <translation>„{}“ ist nicht lesbar; schreiben Sie eine Zahl und eine Einheit, etwa {}.</translation>
+    </message>
+    <message>
+        <source>A value is missing; write one, such as {}.</source>
+        <translation>Ein Wert fehlt; schreiben Sie einen, etwa {}.</translation>
+    </message>
+    <message>
+        <source>'{}' cannot be read; write {}.</source>
+        <translation>„{}“ ist nicht lesbar; schreiben Sie {}.</translation>
+    </message>
+    <message>
+        <source>Target length</source>
+        <translation>Ziellänge</translation>
+    </message>
+    <message>
+        <source>Elements per λ</source>
+        <translation>Elemente je λ</translation>
+    </message>
+    <message>
+        <source>Medium εr</source>
+        <translation>Medium εr</translation>
+    </message>
+    <message>
+        <source>μr</source>
+        <translation>μr</translation>
+    </message>
+    <message>
+        <source>Turn per edge</source>
+        <translation>Drehung je Kante</translation>
+    </message>
+    <message>
+        <source>Gradation</source>
+        <translation>Gradation</translation>
+    </message>
+    <message>
+        <source>Most elements</source>
+        <translation>Höchstens Elemente</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Threads</translation>
+    </message>
+    <message>
+        <source>Sew gaps up to</source>
+        <translation>Lücken schließen bis</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>Optionen</translation>
+    </message>
+    <message>
+        <source>Size from the frequency</source>
+        <translation>Größe aus der Frequenz</translation>
+    </message>
+    <message>
+        <source>Elements as long as a part of the wavelength</source>
+        <translation>Elemente so lang wie ein Teil der Wellenlänge</translation>
+    </message>
+    <message>
+        <source>Size as a length</source>
+        <translation>Größe als Länge</translation>
+    </message>
+    <message>
+        <source>Elements of one target length</source>
+        <translation>Elemente einer Ziellänge</translation>
+    </message>
+    <message>
+        <source>Wavelength in the medium, at the frequency</source>
+        <translation>Wellenlänge im Medium, bei der Frequenz</translation>
+    </message>
+    <message>
+        <source>More options</source>
+        <translation>Weitere Optionen</translation>
+    </message>
+    <message>
+        <source>Curvature, gradation, limits, sewing, where to mesh</source>
+        <translation>Krümmung, Gradation, Grenzen, Lücken, wo vernetzt wird</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Selbsttätig</translation>
+    </message>
+    <message>
+        <source>FreeCAD</source>
+        <translation>FreeCAD</translation>
+    </message>
+    <message>
+        <source>Own process</source>
+        <translation>Eigener Prozess</translation>
+    </message>
+    <message>
+        <source>Mesh in</source>
+        <translation>Vernetzen in</translation>
+    </message>
+    <message>
+        <source>In a process of its own a crash cannot harm FreeCAD; automatic: from {} predicted elements on</source>
+        <translation>In einem eigenen Prozess kann ein Absturz FreeCAD nicht schaden; selbsttätig: ab {} vorhergesagten Elementen</translation>
+    </message>
+    <message>
+        <source>Quads and triangles</source>
+        <translation>Vierecke und Dreiecke</translation>
+    </message>
+    <message>
+        <source>Elements with four sides</source>
+        <translation>Elemente mit vier Seiten</translation>
+    </message>
+    <message>
+        <source>Elements with three sides</source>
+        <translation>Elemente mit drei Seiten</translation>
+    </message>
+    <message>
+        <source>Of all orders</source>
+        <translation>Aller Ordnungen</translation>
+    </message>
+    <message>
+        <source>Smallest and mean; 1 is a square or an equilateral triangle, 0 a degenerate element</source>
+        <translation>Kleinste und mittlere; 1 ist ein Quadrat oder gleichseitiges Dreieck, 0 ein entartetes Element</translation>
+    </message>
+    <message>
+        <source>Shortest and longest element edge, end to end</source>
+        <translation>Kürzeste und längste Elementkante, von Ende zu Ende</translation>
+    </message>
+    <message>
+        <source>Mean edge</source>
+        <translation>Mittlere Kante</translation>
+    </message>
+    <message>
+        <source>Mean length of the element edges</source>
+        <translation>Mittlere Länge der Elementkanten</translation>
+    </message>
+    <message>
+        <source>Away from bends and local sizes</source>
+        <translation>Abseits von Biegungen und örtlichen Längen</translation>
+    </message>
+    <message>
+        <source>Edges 0.7–1.4 target</source>
+        <translation>Kanten 0,7–1,4 Ziel</translation>
+    </message>
+    <message>
+        <source>Edges between 0.7 and 1.4 of the length wanted there</source>
+        <translation>Kanten zwischen dem 0,7- und 1,4-Fachen der dort gewünschten Länge</translation>
+    </message>
+    <message>
+        <source>Irregular nodes</source>
+        <translation>Irreguläre Knoten</translation>
+    </message>
+    <message>
+        <source>Nodes inside faces where not four quads meet</source>
+        <translation>Knoten im Innern von Flächen, in denen sich nicht vier Vierecke treffen</translation>
+    </message>
+    <message>
+        <source>Watertight</source>
+        <translation>Wasserdicht</translation>
+    </message>
+    <message>
+        <source>Whether every mesh edge lies in exactly two elements</source>
+        <translation>Ob jede Netzkante in genau zwei Elementen liegt</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Of all stages</source>
+        <translation>Aller Stufen</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>What keeps figures or faces from being here</source>
+        <translation>Was Angaben oder Flächen hier fernhält</translation>
+    </message>
+    <message>
+        <source>Figures of the mesh that the object has</source>
+        <translation>Angaben zum Netz, das das Objekt hat</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>Time of this stage</source>
+        <translation>Zeit dieser Stufe</translation>
+    </message>
+    <message>
+        <source>Nothing is meshed yet.</source>
+        <translation>Noch ist nichts vernetzt.</translation>
+    </message>
+    <message>
+        <source>no, {} free edges</source>
+        <translation>nein, {} freie Kanten</translation>
+    </message>
+    <message>
+        <source>Not meshed: {}</source>
+        <translation>Nicht vernetzt: {}</translation>
+    </message>
+    <message>
+        <source>About {} elements, up to {} of memory</source>
+        <translation>Etwa {} Elemente, bis zu {} Speicher</translation>
+    </message>
+    <message>
+        <source>; more than 'Most elements' allows, so choose longer elements or raise that</source>
+        <translation>; mehr als „Höchstens Elemente“ erlaubt: Nehmen Sie längere Elemente oder erhöhen Sie es</translation>
+    </message>
+    <message>
+        <source>; in a process of its own</source>
+        <translation>; in einem eigenen Prozess</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Vernetzen</translation>
+    </message>
+    <message>
+        <source>What meshing with these options comes to, before it is done</source>
+        <translation>Was das Vernetzen mit diesen Optionen ergibt, im Voraus</translation>
+    </message>
+    <message>
+        <source>Whether the mesh fits the options and the shapes of its objects</source>
+        <translation>Ob das Netz zu den Optionen und den Formen seiner Objekte passt</translation>
+    </message>
+    <message>
+        <source>Stage of the work, and how much of all work is done</source>
+        <translation>Stufe der Arbeit, und wie viel der ganzen Arbeit getan ist</translation>
+    </message>
+    <message>
+        <source>Applies the options and meshes; FreeCAD can be used meanwhile</source>
+        <translation>Übernimmt die Optionen und vernetzt; FreeCAD bleibt dabei benutzbar</translation>
+    </message>
+    <message>
+        <source>Stops meshing within a second; the mesh stays as it was</source>
+        <translation>Hält das Vernetzen binnen einer Sekunde an; das Netz bleibt, wie es war</translation>
+    </message>
+    <message>
+        <source>What went wrong, and what to do</source>
+        <translation>Was schiefging, und was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Selects it in the 3D view and brings it into sight</source>
+        <translation>Wählt es in der 3D-Ansicht aus und bringt es ins Bild</translation>
+    </message>
+    <message>
+        <source>What has been done since the panel was opened</source>
+        <translation>Was getan wurde, seit das Fenster offen ist</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Not meshed yet</source>
+        <translation>Noch nicht vernetzt</translation>
+    </message>
+    <message>
+        <source>The mesh is up to date</source>
+        <translation>Das Netz ist aktuell</translation>
+    </message>
+    <message>
+        <source>Options or shapes have changed since meshing</source>
+        <translation>Optionen oder Formen haben sich seit dem Vernetzen geändert</translation>
+    </message>
+    <message>
+        <source>Meshing; FreeCAD can be used meanwhile</source>
+        <translation>Vernetzt; FreeCAD bleibt dabei benutzbar</translation>
+    </message>
+    <message>
+        <source>Meshing in a process of its own</source>
+        <translation>Vernetzt in einem eigenen Prozess</translation>
+    </message>
+    <message>
+        <source>Options have been edited; Mesh or Apply puts them into effect</source>
+        <translation>Optionen sind bearbeitet; Vernetzen oder Anwenden macht sie wirksam</translation>
+    </message>
+    <message>
+        <source>Shape of {:.2f} MB handed over in {:.2f} s</source>
+        <translation>Form von {:.2f} MB übergeben in {:.2f} s</translation>
+    </message>
+    <message>
+        <source>Show {}</source>
+        <translation>{} zeigen</translation>
+    </message>
+    <message>
+        <source>{:.2f} s of meshing, {:.2f} s to take it into the document</source>
+        <translation>{:.2f} s vernetzt, {:.2f} s für die Aufnahme ins Dokument</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>Local sizes</source>
+        <translation>Örtliche Längen</translation>
+    </message>
+    <message>
+        <source>Target lengths of parts of the model; elements grow from there on</source>
+        <translation>Ziellängen von Teilen des Modells; von dort an wachsen die Elemente</translation>
+    </message>
+    <message>
+        <source>Add from selection</source>
+        <translation>Aus der Auswahl</translation>
+    </message>
+    <message>
+        <source>A shorter length on the faces, edges, vertices or objects that are selected in the 3D view</source>
+        <translation>Eine kürzere Länge auf den Flächen, Kanten, Punkten oder Objekten, die in der 3D-Ansicht ausgewählt sind</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Deletes the chosen local sizes</source>
+        <translation>Löscht die gewählten örtlichen Längen</translation>
+    </message>
+    <message>
+        <source>A length, or the wavelength in a medium, which needs a frequency</source>
+        <translation>Eine Länge, oder die Wellenlänge in einem Medium, wozu es eine Frequenz braucht</translation>
+    </message>
+    <message>
+        <source>Refine</source>
+        <translation>Verfeinern</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Durch</translation>
+    </message>
+    <message>
+        <source>In the 3D view:</source>
+        <translation>In der 3D-Ansicht:</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Shows what is meshed, to select from it</source>
+        <translation>Zeigt, was vernetzt wird, um daraus auszuwählen</translation>
+    </message>
+    <message>
+        <source>Shows the mesh</source>
+        <translation>Zeigt das Netz</translation>
+    </message>
+    <message>
+        <source>Target length there, such as 2 mm</source>
+        <translation>Ziellänge dort, etwa 2 mm</translation>
+    </message>
+    <message>
+        <source>εr, μr of the medium there, whose wavelength counts</source>
+        <translation>εr, μr des Mediums dort, dessen Wellenlänge zählt</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Medium</translation>
+    </message>
+    <message>
+        <source>Size of {}</source>
+        <translation>Länge von {}</translation>
+    </message>
+    <message>
+        <source>'{}' is no medium; write its εr, or εr and μr, such as 4, 1.</source>
+        <translation>„{}“ ist kein Medium; schreiben Sie sein εr, oder εr und μr, etwa 4, 1.</translation>
+    </message>
+    <message>
+        <source>Delete {}</source>
+        <translation>{} löschen</translation>
+    </message>
+    <message>
+        <source>Curved quadrilateral meshes of surfaces for Method-of-Moments solvers</source>
+        <translation>Gekrümmte Vierecksnetze von Oberflächen für Löser der Momentenmethode</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Export mesh</source>
+        <translation>Netz exportieren</translation>
+    </message>
+    <message>
+        <source>Import mesh</source>
+        <translation>Netz importieren</translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>Netze</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Alle Dateien</translation>
+    </message>
+    <message>
+        <source>Written: {}</source>
+        <translation>Geschrieben: {}</translation>
+    </message>
+    <message>
+        <source>No mesh has what is selected. Select its mesh, too, or make one with Create mesh.</source>
+        <translation>Kein Netz hat, was ausgewählt ist. Wählen Sie sein Netz dazu aus, oder legen Sie mit „Netz anlegen“ eines an.</translation>
+    </message>
+</context>
+<context>
+    <name>PaverPreferences</name>
+    <message>
+        <source>Meshes</source>
+        <translation>Netze</translation>
+    </message>
+    <message>
+        <source>New mesh objects</source>
+        <translation>Neue Netzobjekte</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>Frequency of new mesh objects; without one they get a length from the size of the model</source>
+        <translation>Frequenz neuer Netzobjekte; ohne eine bekommen sie eine Länge nach der Größe des Modells</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Elements per wavelength</source>
+        <translation>Elemente je Wellenlänge</translation>
+    </message>
+    <message>
+        <source>Used with a frequency</source>
+        <translation>Gilt bei einer Frequenz</translation>
+    </message>
+    <message>
+        <source>Elements along the diagonal</source>
+        <translation>Elemente entlang der Diagonale</translation>
+    </message>
+    <message>
+        <source>Without a frequency: how many elements lie along the diagonal of the model</source>
+        <translation>Ohne Frequenz: wie viele Elemente entlang der Diagonale des Modells liegen</translation>
+    </message>
+    <message>
+        <source>Order of the elements</source>
+        <translation>Ordnung der Elemente</translation>
+    </message>
+    <message>
+        <source>Curved elements follow the surface</source>
+        <translation>Gekrümmte Elemente folgen der Fläche</translation>
+    </message>
+    <message>
+        <source>1 (straight)</source>
+        <translation>1 (gerade)</translation>
+    </message>
+    <message>
+        <source>2 (curved)</source>
+        <translation>2 (gekrümmt)</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>All quads: triangles only where nothing else is possible</source>
+        <translation>Nur Vierecke: Dreiecke nur, wo nichts anderes möglich ist</translation>
+    </message>
+    <message>
+        <source>Quads and few triangles</source>
+        <translation>Vierecke und wenige Dreiecke</translation>
+    </message>
+    <message>
+        <source>All quads</source>
+        <translation>Nur Vierecke</translation>
+    </message>
+    <message>
+        <source>All triangles</source>
+        <translation>Nur Dreiecke</translation>
+    </message>
+    <message>
+        <source>Gradation</source>
+        <translation>Gradation</translation>
+    </message>
+    <message>
+        <source>Largest growth of the element size per unit of length</source>
+        <translation>Größtes Wachstum der Elementgröße je Längeneinheit</translation>
+    </message>
+    <message>
+        <source>From what number of elements on</source>
+        <translation>Ab welcher Zahl von Elementen</translation>
+    </message>
+    <message>
+        <source>Fill FemMesh up to</source>
+        <translation>FemMesh füllen bis</translation>
+    </message>
+    <message>
+        <source>Number of elements up to which FemMesh, which solvers use, is filled with each mesh; above on demand</source>
+        <translation>Zahl der Elemente, bis zu der FemMesh, das Löser benutzen, mit jedem Netz gefüllt wird; darüber auf Verlangen</translation>
+    </message>
+    <message>
+        <source>Own process from</source>
+        <translation>Eigener Prozess ab</translation>
+    </message>
+    <message>
+        <source>Number of predicted elements from which on meshing is done in a process of its own, whose crash FreeCAD survives</source>
+        <translation>Zahl vorhergesagter Elemente, ab der in einem eigenen Prozess vernetzt wird, dessen Absturz FreeCAD übersteht</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_About</name>
+    <message>
+        <source>About Paver</source>
+        <translation>Über Paver</translation>
+    </message>
+    <message>
+        <source>Shows versions in the report view, for a report of a fault</source>
+        <translation>Zeigt Versionen im Ausgabefenster, für eine Fehlermeldung</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_Check</name>
+    <message>
+        <source>Check mesh</source>
+        <translation>Netz prüfen</translation>
+    </message>
+    <message>
+        <source>Looks for folded and poor elements, free edges, triangles, long edges, and says what it finds</source>
+        <translation>Sucht gefaltete und schlechte Elemente, freie Kanten, Dreiecke, lange Kanten, und sagt, was es findet</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_CreateMesh</name>
+    <message>
+        <source>Create mesh</source>
+        <translation>Netz anlegen</translation>
+    </message>
+    <message>
+        <source>Makes a mesh object for the selected objects and opens its panel</source>
+        <translation>Legt für die ausgewählten Objekte ein Netzobjekt an und öffnet sein Aufgabenfenster</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_Export</name>
+    <message>
+        <source>Export mesh...</source>
+        <translation>Netz exportieren ...</translation>
+    </message>
+    <message>
+        <source>Writes the mesh to a file: Gmsh and VTK with all nodes, and the formats of the FEM workbench</source>
+        <translation>Schreibt das Netz in eine Datei: Gmsh und VTK mit allen Knoten, und die Formate des FEM-Arbeitsbereichs</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_FillFemMesh</name>
+    <message>
+        <source>Fill FEM mesh</source>
+        <translation>FEM-Netz füllen</translation>
+    </message>
+    <message>
+        <source>Fills FemMesh of the selected mesh objects, whatever the size, for solvers and exports of the FEM workbench</source>
+        <translation>Füllt FemMesh der ausgewählten Netzobjekte, wie groß sie auch sind, für Löser und Exporte des FEM-Arbeitsbereichs</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_Help</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>How to make a mesh, what the options mean, what to do when something goes wrong</source>
+        <translation>Wie ein Netz entsteht, was die Optionen bedeuten, was zu tun ist, wenn etwas schiefgeht</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_Import</name>
+    <message>
+        <source>Import mesh...</source>
+        <translation>Netz importieren ...</translation>
+    </message>
+    <message>
+        <source>Makes a mesh object of a file: Gmsh, VTK, and the formats of the FEM workbench</source>
+        <translation>Macht aus einer Datei ein Netzobjekt: Gmsh, VTK, und die Formate des FEM-Arbeitsbereichs</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_Mesh</name>
+    <message>
+        <source>Mesh</source>
+        <translation>Vernetzen</translation>
+    </message>
+    <message>
+        <source>Meshes the selected mesh objects with their options, while FreeCAD can be used; double click on one for its panel</source>
+        <translation>Vernetzt die ausgewählten Netzobjekte mit ihren Optionen, während FreeCAD benutzbar bleibt; ein Doppelklick auf eines öffnet sein Aufgabenfenster</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_Preferences</name>
+    <message>
+        <source>Preferences...</source>
+        <translation>Einstellungen ...</translation>
+    </message>
+    <message>
+        <source>What new mesh objects start with, and from what size on work is done differently</source>
+        <translation>Womit neue Netzobjekte beginnen, und ab welcher Größe anders gearbeitet wird</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_Refine</name>
+    <message>
+        <source>Refine</source>
+        <translation>Verfeinern</translation>
+    </message>
+    <message>
+        <source>Shorter elements on the selected faces, edges, vertices or solids of what is meshed, and around them</source>
+        <translation>Kürzere Elemente auf den ausgewählten Flächen, Kanten, Punkten oder Körpern dessen, was vernetzt wird, und um sie herum</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_Statistics</name>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistik</translation>
+    </message>
+    <message>
+        <source>Lengths, areas and quality in millimetres and wavelengths, histograms, unknowns and matrix memory</source>
+        <translation>Längen, Flächeninhalte und Güte in Millimetern und Wellenlängen, Histogramme, Unbekannte und Matrixspeicher</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Paver</source>
+        <translation>Paver</translation>
+    </message>
+    <message>
+        <source>&amp;Paver</source>
+        <translation>&amp;Paver</translation>
+    </message>
+</context>
+</TS>

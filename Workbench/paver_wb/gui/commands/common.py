@@ -1,0 +1,69 @@
+"""What the commands share."""
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from paver_wb import mesh_object
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+translate = FreeCAD.Qt.translate
+
+
+def resources(name, text, tooltip, keys=""):
+    """What GetResources gives; text and tooltip are marked for translation by the caller."""
+    made = {"MenuText": text, "ToolTip": tooltip, "Pixmap": name}
+    return {**made, "Accel": keys} if keys else made
+
+
+def selected():
+    """(meshes, other objects) of the selection."""
+    things = FreeCADGui.Selection.getSelection()
+    return [t for t in things if mesh_object.is_mesh(t)], [t for t in things if not mesh_object.is_mesh(t)]
+
+
+def target_mesh():
+    """The mesh object a command is meant for: the first selected one, else the document's only one; or None."""
+    meshes = selected()[0]
+    if not meshes and FreeCAD.ActiveDocument is not None:
+        every = mesh_object.meshes_of(FreeCAD.ActiveDocument)
+        meshes = every if len(every) == 1 else []
+    return meshes[0] if meshes else None
+
+
+def do(line):
+    FreeCADGui.doCommand(line)
+
+
+def run(line):
+    """Runs a line of Python; whether it went well. An error is shown."""
+    try:
+        do(line)
+    except Exception as error:
+        complain(str(error))
+        return False
+    return True
+
+
+def in_step(name, line):
+    """Runs a line of Python as one step of undo; an error is shown and leaves no trace."""
+    document = FreeCAD.ActiveDocument
+    document.openTransaction(name)
+    if not run(line):
+        document.abortTransaction()
+        return False
+    document.commitTransaction()
+    return True
+
+
+def complain(text):
+    """Shows an error in a box that does not block, and in the report view."""
+    FreeCAD.Console.PrintError(text + "\n")
+    box = QtGui.QMessageBox(QtGui.QMessageBox.Warning, "Paver", text, QtGui.QMessageBox.Ok,
+                            FreeCADGui.getMainWindow())
+    box.setObjectName("Paver_Complaint")
+    box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+    box.open()
+
+
+def python_name(thing):
+    return f'FreeCAD.getDocument("{thing.Document.Name}").getObject("{thing.Name}")'

@@ -1,0 +1,109 @@
+"""Commands that read and write files."""
+import os
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+
+from paver_wb import examples, export_mesh, import_mesh
+from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, in_step, python_name, resources, run, target_mesh,
+                                          translate)
+from paver_wb.gui.commands.look import OnMeshed
+
+FOLDER = "LastFolder"  # of the preferences
+
+
+def parameters():
+    from paver_wb import mesh_object
+    return FreeCAD.ParamGet(mesh_object.PREFERENCES)
+
+
+def remember(path):
+    parameters().SetString(FOLDER, os.path.dirname(path))
+
+
+def export_filters():
+    """{text of a filter: (ending, further arguments)}, in the order of the dialog."""
+    text = translate("Paver", "text")
+    filters = {"Gmsh 4.1 (*.msh)": ("msh", {}), f"Gmsh 4.1, {text} (*.msh)": ("msh", {"ascii": True}),
+               "Gmsh 2.2 (*.msh)": ("msh", {"msh_version": "2.2"}),
+               f"Gmsh 2.2, {text} (*.msh)": ("msh", {"msh_version": "2.2", "ascii": True}),
+               "VTK (*.vtu)": ("vtu", {}), f"VTK, {text} (*.vtu)": ("vtu", {"ascii": True})}
+    filters.update({f"{what} (*.{ending})": (ending, {}) for ending, what in export_mesh.FEM.items()})
+    return filters
+
+
+class Export(OnMeshed):
+    def GetResources(self):
+        return resources("Paver_Export", QT_TRANSLATE_NOOP("Paver_Export", "Export mesh..."), QT_TRANSLATE_NOOP(
+            "Paver_Export", "Writes the mesh to a file: Gmsh and VTK with all nodes, and the formats of the FEM "
+            "workbench"), "Q, E")
+
+    def Activated(self):
+        obj, filters = target_mesh(), export_filters()
+        start = os.path.join(parameters().GetString(FOLDER, ""), obj.Label + ".msh")
+        path, chosen = QtGui.QFileDialog.getSaveFileName(FreeCADGui.getMainWindow(), translate("Paver", "Export mesh"),
+                                                         start, ";;".join(filters))
+        if path:
+            self.write(obj, path, *filters[chosen])
+
+    @staticmethod
+    def write(obj, path, ending, more):
+        known = [*export_mesh.OWN, *export_mesh.FEM]
+        if os.path.splitext(path)[1].lower().lstrip(".") not in known:
+            path += "." + ending
+        arguments = "".join(f", {name}={value!r}" for name, value in more.items())
+        FreeCADGui.addModule("paver_wb.export_mesh")
+        if run(f"paver_wb.export_mesh.write({python_name(obj)}, {path!r}{arguments})"):
+            remember(path)
+            FreeCADGui.getMainWindow().statusBar().showMessage(translate("Paver", "Written: {}").format(path), 10000)
+
+
+class Import:
+    def GetResources(self):
+        return resources("Paver_Import", QT_TRANSLATE_NOOP("Paver_Import", "Import mesh..."), QT_TRANSLATE_NOOP(
+            "Paver_Import", "Makes a mesh object of a file: Gmsh, VTK, and the formats of the FEM workbench"), "Q, I")
+
+    def IsActive(self):
+        return True
+
+    def Activated(self):
+        endings = " ".join("*" + ending for ending in (*import_mesh.OWN, *import_mesh.FEM))
+        filters = f"{translate('Paver', 'Meshes')} ({endings});;{translate('Paver', 'All files')} (*)"
+        path, _ = QtGui.QFileDialog.getOpenFileName(FreeCADGui.getMainWindow(), translate("Paver", "Import mesh"),
+                                                    parameters().GetString(FOLDER, ""), filters)
+        if path:
+            self.read(path)
+
+    @staticmethod
+    def read(path):
+        if FreeCAD.ActiveDocument is None:
+            run("FreeCAD.newDocument()")
+        FreeCADGui.addModule("paver_wb.import_mesh")
+        if in_step("Import mesh", f"mesh = paver_wb.import_mesh.add(FreeCAD.ActiveDocument, {path!r})"):
+            remember(path)
+            FreeCADGui.SendMsgToActiveView("ViewFit")
+
+
+class Example:
+    """Opens one of the models that come with Paver."""
+
+    def __init__(self, name):
+        self.name = name
+
+    def GetResources(self):
+        return {**resources("Paver_Example", examples.title(self.name), examples.about(self.name))}
+
+    def IsActive(self):
+        return True
+
+    def Activated(self):
+        FreeCADGui.addModule("paver_wb.examples")
+        if run(f"paver_wb.examples.open_model({self.name!r})"):
+            FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+            FreeCADGui.SendMsgToActiveView("ViewFit")
+
+
+def example_commands():
+    """{name of a command: command}."""
+    return {f"Paver_Example_{os.path.splitext(name)[0]}": Example(name) for name in examples.names()}

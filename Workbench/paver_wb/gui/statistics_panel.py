@@ -1,0 +1,175 @@
+"""The statistics of a mesh: a table and histograms, in millimetres and wavelengths."""
+from math import floor
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from paver_wb import mesh_object, statistics
+from paver_wb.gui.histogram import Histogram
+
+translate = FreeCAD.Qt.translate
+_open = {}  # object name of a dialog: the dialog
+
+
+def sj_limits(values):
+    """From a tenth below the least to 1, at least from 0.9 on."""
+    return (min(0.9, floor(10 * min(values)) / 10) if len(values) else 0.0, 1.0)
+
+
+def names():
+    """Words of the table in the user's language, by what statistics.rows has."""
+    return {"Elements": translate("Paver", "Elements"), "Quads": translate("Paver", "Quads"),
+            "Triangles": translate("Paver", "Triangles"), "Nodes": translate("Paver", "Nodes"),
+            "Edges": translate("Paver", "Edges"), "Edge length": translate("Paver", "Edge length"),
+            "Target": translate("Paver", "Target"), "Least": translate("Paver", "Least"),
+            "Mean": translate("Paver", "Mean"), "Largest": translate("Paver", "Largest"),
+            "Element area": translate("Paver", "Element area"), "Total": translate("Paver", "Total"),
+            "Elements per λ²": translate("Paver", "Elements per λ²"),
+            "Scaled Jacobian": translate("Paver", "Scaled Jacobian"),
+            "Unknowns (conductor)": translate("Paver", "Unknowns (conductor)"),
+            "Basis order 1": translate("Paver", "Basis order 1 (rooftops, RWG)"),
+            "Basis order 2": translate("Paver", "Basis order 2"), "Basis order 3": translate("Paver", "Basis order 3")}
+
+
+class StatisticsPanel(QtGui.QDialog):
+    """Stays open beside the window, and follows the mesh."""
+
+    def __init__(self, obj):
+        super().__init__(FreeCADGui.getMainWindow())
+        self.obj, self.figures = obj, None
+        self.setObjectName("Paver_StatisticsPanel")
+        self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+        self.setWindowTitle(translate("Paver", "Statistics of {}").format(obj.Label))
+        self.build()
+        self.refresh()
+        self.resize(900, 620)
+        FreeCAD.addDocumentObserver(self)
+
+    def build(self):
+        self.table = QtGui.QTreeWidget()
+        self.table.setObjectName("Paver_StatisticsTable")
+        self.table.setColumnCount(3)
+        self.table.setHeaderLabels([translate("Paver", "Figure"), translate("Paver", "Value"),
+                                    translate("Paver", "In wavelengths, memory")])
+        self.table.setRootIsDecorated(False)
+        self.table.setAlternatingRowColors(True)
+        self.histograms = [Histogram("Paver_Histogram" + name) for name in ("Lengths", "Areas", "SJ")]
+        charts = QtGui.QVBoxLayout()
+        for chart in self.histograms:
+            charts.addWidget(chart)
+        both = QtGui.QHBoxLayout()
+        both.addWidget(self.table, 5)
+        both.addLayout(charts, 4)
+        layout = QtGui.QVBoxLayout(self)
+        layout.addLayout(both)
+        layout.addLayout(self.bottom())
+
+    def bottom(self):
+        row = QtGui.QHBoxLayout()
+        self.frequency = QtGui.QDoubleSpinBox()
+        self.frequency.setObjectName("Paver_StatisticsFrequency")
+        self.frequency.setDecimals(4)
+        self.frequency.setRange(0, 1e6)
+        self.frequency.setSuffix(" GHz")
+        self.frequency.setSpecialValueText("\u2013")
+        self.frequency.setToolTip(translate("Paver", "Frequency for the figures in wavelengths; the mesh stays as it is"))
+        wave = statistics.wave_of(self.obj)
+        self.frequency.setValue(wave.frequency / 1e9 if wave else 0)
+        self.frequency.valueChanged.connect(lambda _value: self.show_figures())
+        copy = QtGui.QPushButton(translate("Paver", "Copy table"))
+        copy.setObjectName("Paver_StatisticsCopy")
+        copy.clicked.connect(self.copy)
+        close = QtGui.QPushButton(translate("Paver", "Close"))
+        close.setDefault(True)
+        close.clicked.connect(self.close)
+        self.note = QtGui.QLabel()
+        row.addWidget(QtGui.QLabel(translate("Paver", "Frequency")))
+        row.addWidget(self.frequency)
+        row.addWidget(self.note, 1)
+        row.addWidget(copy)
+        row.addWidget(close)
+        return row
+
+    def refresh(self):
+        """Measures the mesh again."""
+        self.base = statistics.of_object(self.obj)
+        self.show_figures()
+
+    def show_figures(self):
+        frequency = self.frequency.value() * 1e9
+        wave = statistics.wave_at(frequency, self.obj.EpsR, self.obj.MuR) if frequency > 0 else None
+        self.figures = self.base._replace(wave=wave)
+        self.note.setText(f"λ = {statistics.number(wave.length)} mm" if wave else translate(
+            "Paver", "Give a frequency to see wavelengths"))
+        self.fill_table()
+        self.draw(wave)
+
+    def fill_table(self):
+        words = names()
+        self.table.clear()
+        group = None
+        for row in statistics.rows(self.figures):
+            if group is None or group.data(0, QtCore.Qt.UserRole) != row.group:
+                group = QtGui.QTreeWidgetItem(self.table, [words[row.group]])
+                group.setData(0, QtCore.Qt.UserRole, row.group)
+                bold = group.font(0)
+                bold.setBold(True)
+                group.setFont(0, bold)
+            item = QtGui.QTreeWidgetItem(group, [words[row.name], row.value, row.in_waves])
+            for column in (1, 2):
+                item.setTextAlignment(column, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
+        self.table.expandAll()
+        for column in range(3):
+            self.table.resizeColumnToContents(column)
+
+    def draw(self, wave):
+        figures, (lengths, areas, sj) = self.figures, self.histograms
+        long = wave.length if wave else 1
+        lengths.show_values(translate("Paver", "Edge lengths"), figures.lengths / long, "λ" if wave else "mm",
+                            figures.target / long if figures.target else None)
+        areas.show_values(translate("Paver", "Element areas"), figures.areas / long ** 2, "λ²" if wave else "mm²")
+        sj.show_values(translate("Paver", "Scaled Jacobian"), figures.sj, "", limits=sj_limits(figures.sj))
+
+    def copy(self):
+        """Into the clipboard. Through a text field: a wrapper of QClipboard makes FreeCAD crash when it ends."""
+        field = QtGui.QPlainTextEdit(statistics.text(self.figures))
+        field.selectAll()
+        field.copy()
+
+    def slotChangedObject(self, obj, name):
+        """FreeCAD calls it: the mesh may be another one."""
+        if obj == self.obj and name == "MeshFile" and obj.MeshFile:
+            QtCore.QTimer.singleShot(0, lambda: self.refresh_later())
+
+    def refresh_later(self):
+        try:
+            if self.obj.MeshFile:
+                self.refresh()
+        except (ReferenceError, RuntimeError, ValueError):  # gone meanwhile
+            self.close()
+
+    def slotDeletedObject(self, obj):
+        if obj == self.obj:
+            self.close()
+
+    def slotDeletedDocument(self, document):
+        if document.Name == self.document_name:
+            self.close()
+
+    def closeEvent(self, event):
+        FreeCAD.removeDocumentObserver(self)
+        _open.pop(self.key, None)
+        super().closeEvent(event)
+
+
+def show(obj):
+    """Opens the statistics of a mesh object, or brings them to the front. ValueError when it is not meshed."""
+    mesh_object.stored(obj)
+    key = (obj.Document.Name, obj.Name)
+    if key not in _open:
+        _open[key] = StatisticsPanel(obj)
+        _open[key].key, _open[key].document_name = key, obj.Document.Name
+    _open[key].show()
+    _open[key].raise_()
+    return _open[key]

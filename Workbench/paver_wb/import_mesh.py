@@ -1,0 +1,95 @@
+"""Meshes from files as mesh objects: Gmsh, VTK, and what FreeCAD's FEM workbench reads."""
+import os
+
+import numpy as np
+
+from paver_wb import mesh_file, mesh_object, meshing, properties, raw_mesh, read_msh, read_vtu, statistics
+from paver_wb.raw_mesh import Damaged
+
+OWN = {".msh": read_msh.read, ".vtu": read_vtu.read}
+FEM = (".unv", ".med", ".inp", ".dat", ".bdf", ".z88", ".vtk", ".stl", ".frd")
+FEM_KINDS = {3: "tri3", 4: "quad4", 6: "tri6", 8: "quad8"}
+
+
+def read(path):
+    """StoredMesh of a file, by its ending. Damaged, with one sentence, when it cannot be read."""
+    name = os.path.basename(path)
+    ending = os.path.splitext(name)[1].lower()
+    try:
+        if ending in OWN:
+            with open(path, "rb") as file:
+                raw = OWN[ending](file.read())
+        elif ending in FEM:
+            raw = of_fem_file(path)
+        else:
+            raise Damaged("its ending is none of " + ", ".join([*OWN, *FEM]))
+        return stored(raw_mesh.tables(raw), name)
+    except OSError as error:
+        raise Damaged(f"{name} cannot be read: {error.strerror}.") from None
+    except Damaged as error:
+        raise Damaged(f"{name} cannot be read: {error}.") from None
+    except (ValueError, IndexError, OverflowError, MemoryError) as error:
+        raise Damaged(f"{name} cannot be read: its content is damaged ({error}).") from None
+
+
+def of_fem_file(path):
+    """RawMesh of what FreeCAD reads."""
+    import Fem
+    try:
+        fem = Fem.read(path)
+    except Exception as error:
+        raise Damaged(str(error).strip().rstrip(".") or "FreeCAD does not read it") from None
+    return of_fem_mesh(fem)
+
+
+def of_fem_mesh(fem):
+    """RawMesh of a Fem.FemMesh; groups of faces that do not share elements name the faces."""
+    points = fem.Nodes
+    tags = np.fromiter(points, dtype=np.int64, count=len(points))
+    name_of = {}
+    for group in fem.Groups:
+        if fem.getGroupElementType(group) == "Face":
+            for element in fem.getGroupElements(group):
+                name_of.setdefault(element, fem.getGroupName(group))
+    rows = {}
+    for element in fem.Faces:
+        nodes = fem.getElementNodes(element)
+        if len(nodes) in FEM_KINDS:
+            rows.setdefault((FEM_KINDS[len(nodes)], name_of.get(element, "Face1")), []).append(nodes)
+    blocks = [(kind, np.array(table, np.int64), name) for (kind, name), table in rows.items()]
+    return raw_mesh.RawMesh(np.array([tuple(points[t]) for t in tags.tolist()]).reshape(-1, 3), tags, blocks)
+
+
+def stored(tables, source):
+    """StoredMesh with the part of a report that is known."""
+    mesh = mesh_file.StoredMesh(tables.order, tables.nodes, tables.quads, tables.triangles, tables.quad_faces,
+                                tables.triangle_faces, np.zeros((0, tables.order + 1), np.int32), np.zeros(0, np.int32),
+                                tables.names, [], {})
+    figures = statistics.of_mesh(mesh)
+    sj = figures.sj.min()
+    report = {"model": {"file": source}, "target_length": float(figures.lengths.mean()), "order": tables.order,
+              "quality": {"quads": figures.quads, "triangles": figures.triangles, "nodes": figures.nodes,
+                          "sj": {"all": {"min": float(sj), "mean": float(figures.sj.mean())}},
+                          "watertight": bool((figures.users == 2).all())},
+              "faces": [{"name": name, "status": "meshed"} for name in tables.names],
+              "notes": [f"Imported from {source}; the target length is the mean length of the edges."]}
+    return mesh._replace(report=report)
+
+
+def add(document, path, name=""):
+    """A mesh object of a file, without anything to mesh. Damaged when the file cannot be read."""
+    mesh = read(path)
+    label = name or os.path.splitext(os.path.basename(path))[0]
+    obj = mesh_object.add(document, [], label)
+    try:
+        obj.Label = label
+        mesh_object.keep(obj, mesh)
+        meshing.show_results(obj, mesh)
+        obj.MeshedOptions, obj.MeshedShape = properties.decisive(obj), mesh_object.shape_digest(obj)
+        if meshing.is_filled_unasked(mesh):
+            mesh_object.fill(obj, mesh)
+        mesh_object.update_status(obj)
+    except BaseException:
+        document.removeObject(obj.Name)
+        raise
+    return obj

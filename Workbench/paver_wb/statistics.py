@@ -1,0 +1,167 @@
+"""Figures of a mesh for people who compute with it: sizes in millimetres and wavelengths, unknowns, matrix memory."""
+from typing import NamedTuple
+
+import numpy as np
+
+from paver_wb import core
+
+LIGHT = 299792458e3  # mm/s
+BASIS_ORDERS = (1, 2, 3)
+BYTES_DOUBLE, BYTES_SINGLE = 16, 8  # of a complex number
+
+
+class Wave(NamedTuple):
+    """frequency: Hz; length: wavelength in the medium, mm."""
+
+    frequency: float
+    length: float
+
+
+class Figures(NamedTuple):
+    """name: of the mesh object. quads, triangles, nodes: counts.
+
+    edges: (e, 2) mesh edges between corners, once each; lengths: (e,) chords, mm; users: (e,) elements at each.
+    areas: (elements,) mm^2, of the curved elements; sj: (elements,), quads first; target: target length, mm.
+    wave: Wave, or None.
+    """
+
+    name: str
+    quads: int
+    triangles: int
+    nodes: int
+    edges: object
+    lengths: object
+    users: object
+    areas: object
+    sj: object
+    target: float
+    wave: object
+
+
+class Row(NamedTuple):
+    """A row of the table: group and name in English, to be translated; value as text, the same in wavelengths or empty."""
+
+    group: str
+    name: str
+    value: str
+    in_waves: str = ""
+
+
+def wave_of(obj):
+    """The Wave that a mesh object's options ask for; None where they give a length."""
+    frequency = getattr(getattr(obj, "Frequency", 0), "Value", 0)
+    return wave_at(frequency, obj.EpsR, obj.MuR) if frequency > 0 else None
+
+
+def wave_at(frequency, eps_r=1.0, mu_r=1.0):
+    return Wave(frequency, LIGHT / (frequency * (eps_r * mu_r) ** 0.5))
+
+
+def mesh_edges(mesh):
+    """(edges, users) of a StoredMesh: pairs of corner nodes, rising, and how many elements have each."""
+    sides = []
+    for rows, corners in ((mesh.quads, 4), (mesh.triangles, 3)):
+        for k in range(corners):
+            sides.append(np.stack([rows[:, k], rows[:, (k + 1) % corners]], axis=1))
+    sides = np.sort(np.concatenate(sides).astype(np.int64), axis=1)
+    keys, users = np.unique(sides[:, 0] * (len(mesh.nodes) + 1) + sides[:, 1], return_counts=True)
+    return np.stack(np.divmod(keys, len(mesh.nodes) + 1), axis=1), users
+
+
+def surface_mesh(mesh):
+    """paver.SurfaceMesh of a StoredMesh."""
+    names = ("order", "nodes", "quads", "triangles", "quad_faces", "triangle_faces", "lines", "line_edges")
+    return core.load().SurfaceMesh(**{name: getattr(mesh, name) for name in names})
+
+
+def of_mesh(mesh, name="", wave=None):
+    """Figures of a StoredMesh."""
+    edges, users = mesh_edges(mesh)
+    quality = surface_mesh(mesh).quality()
+    nodes = np.asarray(mesh.nodes)
+    lengths = np.linalg.norm(nodes[edges[:, 0]] - nodes[edges[:, 1]], axis=1)
+    used = np.unique(np.concatenate([mesh.quads.ravel(), mesh.triangles.ravel()]))
+    return Figures(name, len(mesh.quads), len(mesh.triangles), len(used), edges, lengths, users, quality.area,
+                   quality.sj, mesh.report.get("target_length") or 0.0, wave)
+
+
+def of_object(obj, frequency=None):
+    """Figures of a mesh object; `frequency` (Hz) in place of its own. ValueError when it is not meshed."""
+    from paver_wb import mesh_object
+    wave = wave_of(obj) if frequency is None else wave_at(frequency, obj.EpsR, obj.MuR)
+    return of_mesh(mesh_object.stored(obj), obj.Label, wave)
+
+
+def unknowns(figures, order=1):
+    """Unknowns of an electric-field integral equation on a perfect conductor, div-conforming basis functions of full
+    order `order` (1: rooftops and RWG): per mesh edge with k elements (k - 1) * order, inside a quad
+    2 * order * (order - 1), inside a triangle order * (order - 1)."""
+    on_edges = int((figures.users - 1).sum()) * order
+    return on_edges + (2 * figures.quads + figures.triangles) * order * (order - 1)
+
+
+def number(value):
+    """Four digits, or all of a whole number with gaps between thousands."""
+    return f"{value:,}".replace(",", "\u202f") if isinstance(value, int) else f"{value:.4g}"
+
+
+def memory(size):
+    """Bytes as text."""
+    for unit in ("B", "KiB", "MiB", "GiB", "TiB"):
+        if size < 1024 or unit == "TiB":
+            return f"{size:.0f} {unit}" if unit == "B" else f"{size:.3g} {unit}"
+        size /= 1024
+
+
+def spread(group, values, unit, wave, power):
+    """Rows for least, mean and largest."""
+    if not len(values):
+        return []
+    rows = []
+    for name, value in (("Least", values.min()), ("Mean", values.mean()), ("Largest", values.max())):
+        in_waves = f"{number(value / wave.length ** power)} {'λ' if power == 1 else 'λ²'}" if wave else ""
+        rows.append(Row(group, name, f"{number(value)} {unit}".strip(), in_waves if power else ""))
+    return rows
+
+
+def rows(figures):
+    """The table."""
+    wave, elements = figures.wave, figures.quads + figures.triangles
+    table = [Row("Elements", "Quads", number(figures.quads)), Row("Elements", "Triangles", number(figures.triangles)),
+             Row("Elements", "Nodes", number(figures.nodes)), Row("Elements", "Edges", number(len(figures.edges)))]
+    if figures.target:
+        in_waves = f"{number(figures.target / wave.length)} λ" if wave else ""
+        table.append(Row("Edge length", "Target", f"{number(figures.target)} mm", in_waves))
+    table += spread("Edge length", figures.lengths, "mm", wave, 1) + spread("Element area", figures.areas, "mm²", wave, 2)
+    total = figures.areas.sum()
+    table.append(Row("Element area", "Total", f"{number(total)} mm²", f"{number(total / wave.length ** 2)} λ²" if wave
+                     else ""))
+    if wave and total > 0:
+        per_area = elements / (total / wave.length ** 2)
+        table.append(Row("Element area", "Elements per λ²", "", number(per_area)))
+    table += spread("Scaled Jacobian", figures.sj, "", None, 0)
+    for order in BASIS_ORDERS:
+        count = unknowns(figures, order)
+        table.append(Row("Unknowns (conductor)", f"Basis order {order}", number(count),
+                         memory(BYTES_DOUBLE * count ** 2)))
+    return table
+
+
+def text(figures):
+    """The table as lines, with tabs between columns."""
+    lines = [figures.name] + ["\t".join(row) for row in rows(figures)]
+    return "\n".join(lines) + "\n"
+
+
+def histogram(values, bins=24, limits=None):
+    """(counts, limits of the bins) from least to largest, or between `limits`, which take in every value at their ends;
+    values that are nearly alike get wider limits, so that numbers on an axis differ."""
+    values = np.asarray(values, dtype=float)
+    values = values[np.isfinite(values)]
+    if not len(values):
+        return np.zeros(1, int), np.array([0.0, 1.0])
+    low, high = limits or (values.min(), values.max())
+    least_width = 0.1 * abs(0.5 * (high + low)) or 1.0
+    if high - low < least_width:
+        low, high = 0.5 * (low + high - least_width), 0.5 * (low + high + least_width)
+    return np.histogram(np.clip(values, low, high), bins=bins, range=(low, high))
