@@ -132,7 +132,7 @@ def death(status, last, log):
         remedy = "try another target length or Part's Check geometry, and report it with the model"
     else:
         what, remedy = f"ended{stage} without a result (exit code {status})", "see the log, and report it with the model"
-    error = ChildDied(f"The meshing process {what}; FreeCAD and the mesh are as before, {remedy}.")
+    error = ChildDied(f"The meshing process {what}, FreeCAD and the mesh are as before; {remedy}.")
     error.log = log
     return error
 

@@ -47,6 +47,26 @@ def options_of(obj, changes):
     return options
 
 
+def shapes(obj):
+    """Shapes of the sources where they stand, which are not handed over yet."""
+    core.load()
+    from paver import _shapes
+    return [_shapes.shape_of(source) for source in mesh_object.sources(obj)]
+
+
+def are_same(some, others):
+    """Whether two lists of shapes are the same for certain: that is seen at once, without looking into them."""
+    return len(some) == len(others) and all(one.isEqual(other) for one, other in zip(some, others))
+
+
+def has_changed(obj, job, known):
+    """Whether a mesh object's shape differs from that of a job, which was prepared with the shapes `known`."""
+    try:
+        return not are_same(shapes(obj), known) and mesh_object.shape_digest(obj) != job.digest
+    except (core.load().InputError, ReferenceError):
+        return True
+
+
 def show_results(obj, mesh):
     """The properties that tell about the mesh."""
     quality = mesh.report["quality"]
@@ -58,11 +78,11 @@ def show_results(obj, mesh):
                        if face["status"] == "failed"]
 
 
-def keep(obj, job, mesh, file=None, hides_sources=False, **changes):
+def keep(obj, job, mesh, file=None, hides_sources=False, is_outdated=False, **changes):
     """Keeps a job's StoredMesh, and the changes of options it was made with, in its mesh object as one step of undo.
 
     file: where the mesh is written already; it is moved, and must lie on the document's disk. hides_sources: where they
-    lie the 3D view would show spots of both.
+    lie the 3D view would show spots of both. is_outdated: the shape is not that of the job any more.
     """
     is_filled = is_filled_unasked(mesh)
     fem = mesh_object.fem_mesh_of(obj, mesh) if is_filled else fem_mesh.empty()
@@ -70,7 +90,7 @@ def keep(obj, job, mesh, file=None, hides_sources=False, **changes):
         properties.put(obj, changes)
         mesh_object.keep(obj, file or mesh)
         show_results(obj, mesh)
-        obj.MeshedShape, obj.MeshedOptions, obj.ShapeChanged = job.digest, job.decisive, False
+        obj.MeshedShape, obj.MeshedOptions, obj.ShapeChanged = job.digest, job.decisive, is_outdated
         obj.FemMesh, obj.FemMeshFilled = fem, is_filled
         for source in mesh_object.sources(obj) if hides_sources else ():
             source.Visibility = False

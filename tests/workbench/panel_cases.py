@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 
 import window
 from child_cases import children
-from paver_wb import mesh_object
+from paver_wb import core, mesh_object
 from paver_wb.gui import run_control
 from paver_wb.gui.display import drawn_mesh
 
@@ -209,6 +209,16 @@ class Panel(PanelCase):
         window.wait(lambda: self.text("Status") == "The mesh is up to date")
         self.assertEqual((self.text("size"), mesh.Quads, mesh.FemMesh.FaceCount), ("1 mm", count, count))
 
+    def test_without_the_core_nothing_opens(self):
+        mesh = self.add_mesh()
+        real = core.problem
+        core.problem = lambda: "The core is not there; build it."
+        self.addCleanup(setattr, core, "problem", real)
+        FreeCADGui.ActiveDocument.setEdit(mesh.Name)
+        window.pause(100)
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+        self.assertIsNone(FreeCADGui.ActiveDocument.getInEdit())
+
     def test_changes_in_the_property_editor_are_seen(self):
         mesh = self.add_mesh()
         self.open(mesh)
@@ -308,6 +318,20 @@ class Runs(PanelCase):
         self.document.commitTransaction()
         window.wait(lambda: run.outcome, "for the end")
         self.assertEqual((mesh.Status, self.document.UndoNames), ("Up to date", ["Mesh PaverMesh", "Something else"]))
+
+    def test_a_shape_that_changes_meanwhile_leaves_the_mesh_out_of_date(self):
+        mesh = self.add_mesh()
+        for length, status in ((10, "Up to date"), (12, "Out of date")):
+            run = run_control.start(mesh)
+            self.box.Length = length
+            self.document.recompute()
+            self.assertIsNone(run.outcome)
+            window.wait(lambda: run.outcome, "for the mesh")
+            self.assertEqual((run.outcome.kind, mesh.Status), ("meshed", status))
+        run = run_control.start(mesh)
+        mesh.Part = None
+        window.wait(lambda: run.outcome, "for the mesh")
+        self.assertEqual(mesh.Status, "Out of date")
 
     def test_an_error_is_a_sentence_and_selects_the_face(self):
         wire = Part.makePolygon([FreeCAD.Vector(x + 20, y) for x, y in BOW_TIE])

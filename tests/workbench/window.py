@@ -81,22 +81,3 @@ def picture(name):
     os.makedirs(folder, exist_ok=True)
     pause(100)
     QtGui.QApplication.primaryScreen().grabWindow(0).save(os.path.join(folder, name + ".png"))
-
-
-class Gaps:
-    """Largest time between two turns of the event loop, in seconds, while `with` lasts."""
-
-    def __enter__(self):
-        self.largest, self.last = 0.0, time.monotonic()
-        self.timer = QtCore.QTimer()
-        self.timer.timeout.connect(self.tick)
-        self.timer.start(20)
-        return self
-
-    def tick(self):
-        now = time.monotonic()
-        self.largest, self.last = max(self.largest, now - self.last), now
-
-    def __exit__(self, *_):
-        self.tick()
-        self.timer.stop()

@@ -51,7 +51,7 @@ class Run(QtCore.QObject):
         self.obj, self.changes, self.state, self.outcome = obj, changes, WAITING, None
         self.document, self.name, self.label = obj.Document.Name, obj.Name, obj.Label
         self.stage, self.fraction, self.begun = "", 0.0, start
-        self.job = meshing.prepare(obj, **changes)
+        self.job, self.shapes = meshing.prepare(obj, **changes), meshing.shapes(obj)
         self.folder = tempfile.mkdtemp(prefix="paver", dir=os.path.dirname(obj.Document.TransientDir))
         self.thread = run_thread.MeshThread(self.job, self.folder, obj.RunIn, mesh_object.heavy_elements(),
                                             offered(self.job.digest), shown_subdivision(obj))
@@ -115,7 +115,8 @@ class Run(QtCore.QObject):
         start, mesh = time.monotonic(), self.thread.result
         try:
             is_first = not self.obj.MeshFile and self.obj.ViewObject.Visibility
-            meshing.keep(self.obj, self.job, mesh, self.thread.path, is_first, **self.changes)
+            is_outdated = meshing.has_changed(self.obj, self.job, self.shapes)
+            meshing.keep(self.obj, self.job, mesh, self.thread.path, is_first, is_outdated, **self.changes)
         except Exception as error:
             return self.fail(error)
         if self.thread.drawn is not None:

@@ -1,7 +1,7 @@
 """Predictions while options are edited: on a thread, a moment after the last edit."""
 from PySide import QtCore
 
-from paver_wb import core, mesh_object, meshing
+from paver_wb import core, meshing
 from paver_wb.gui import run_control, run_thread
 
 DELAY = 300  # ms without an edit
@@ -40,9 +40,8 @@ class Predictor(QtCore.QObject):
 
     def job(self):
         """The Job, with the shape of before where it is the same."""
-        shapes = shapes_of(self.obj)
-        if self.shapes is None or len(shapes) != len(self.shapes) or not all(
-                one.isEqual(other) for one, other in zip(shapes, self.shapes)):
+        shapes = meshing.shapes(self.obj)
+        if self.shapes is None or not meshing.are_same(shapes, self.shapes):
             self.shape_job = meshing.prepare(self.obj, **self.changes)
             self.model, self.shapes = self.shape_job.model(), shapes
         return self.shape_job._replace(options=meshing.options_of(self.obj, self.changes))
@@ -74,9 +73,3 @@ class Predictor(QtCore.QObject):
         """Offers the model, which may be read already, to the next run."""
         if self.model is not None:
             run_control.offer(self.shape_job.digest, self.model)
-
-
-def shapes_of(obj):
-    """What identifies the shapes of the sources where they stand, without handing them over."""
-    from paver import _shapes
-    return [_shapes.shape_of(thing) for thing in mesh_object.sources(obj)]

@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from paver_wb import mesh_object, refinement
+from paver_wb import core, mesh_object, refinement
 from paver_wb.gui import (run_control, run_predict, task_panel_options, task_panel_result, task_panel_run,
                           task_panel_sizes)
 from paver_wb.gui.paths import ICONS
@@ -298,7 +298,10 @@ def set_edit(obj):
     """What the view provider does when the object is to be edited."""
     global _new
     is_new, _new = _new == obj, None
-    return show(obj, is_new)
+    problem = core.problem()
+    if problem:
+        FreeCAD.Console.PrintError(f"{obj.Label}: {problem}\n")
+    return not problem and show(obj, is_new)
 
 
 def unset_edit():
