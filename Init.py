@@ -16,4 +16,7 @@ def _add_folders():
 
 
 _add_folders()
+FreeCAD.addImportType("Gmsh mesh (*.msh)", "paver_wb.file_types")  # noqa: F821
+FreeCAD.addExportType("Gmsh mesh of Paver (*.msh)", "paver_wb.file_types")  # noqa: F821
+FreeCAD.addExportType("VTK mesh of Paver (*.vtu)", "paver_wb.file_types")  # noqa: F821
 FreeCAD.__unit_test__ += ["TestPaver"]  # noqa: F821, FreeCAD is there when it runs this

@@ -23,8 +23,9 @@ class Finding(NamedTuple):
 def check(obj):
     """[Finding] of a mesh object, the worst first. ValueError when it is not meshed."""
     mesh = mesh_object.stored(obj)
-    findings = [status(obj), *failed_faces(obj), validity(mesh), shape(mesh), *borders(mesh), triangles(mesh),
-                *lengths(obj, mesh)]
+    figures = statistics.of_mesh(mesh)
+    findings = [status(obj), *failed_faces(obj), validity(figures), shape(figures), *borders(mesh, figures),
+                triangles(figures), *lengths(mesh, figures)]
     order = (ERROR, WARNING, NOTE, GOOD)
     return sorted((f for f in findings if f), key=lambda finding: order.index(finding.level))
 
@@ -47,8 +48,7 @@ def failed_faces(obj):
             for text in obj.FailedFaces]
 
 
-def validity(mesh):
-    figures = statistics.surface_mesh(mesh).quality()
+def validity(figures):
     bad = np.flatnonzero(figures.validity != 0) + 1
     if len(bad):
         return Finding(ERROR, translate("Paver", "{} elements fold, or may fold; use a smaller size there.").format(
@@ -56,8 +56,8 @@ def validity(mesh):
     return Finding(GOOD, translate("Paver", "All elements are proven not to fold, curved as they are."))
 
 
-def shape(mesh):
-    sj = statistics.surface_mesh(mesh).quality().sj
+def shape(figures):
+    sj = figures.sj
     poor = np.flatnonzero(sj < POOR) + 1
     if len(poor):
         return Finding(WARNING, translate("Paver", "{} elements have a scaled Jacobian below {}; the least is {}.").format(
@@ -68,17 +68,21 @@ def shape(mesh):
 
 def with_edges(mesh, edges):
     """Numbers of the elements that have one of these edges."""
-    wanted, found, first = {tuple(edge) for edge in edges.tolist()}, [], 1
+    def keys(pairs):
+        low, high = np.sort(pairs.astype(np.int64), axis=1).T
+        return low * (len(mesh.nodes) + 1) + high
+    wanted, found, first = keys(edges), [], 1
     for rows, corners in ((mesh.quads, 4), (mesh.triangles, 3)):
-        for number, row in enumerate(rows[:, :corners].tolist(), first):
-            if any(tuple(sorted((row[k], row[(k + 1) % corners]))) in wanted for k in range(corners)):
-                found.append(number)
+        has = np.zeros(len(rows), dtype=bool)
+        for k in range(corners):
+            has |= np.isin(keys(rows[:, [k, (k + 1) % corners]]), wanted)
+        found += (np.flatnonzero(has) + first).tolist()
         first += len(rows)
     return tuple(found)
 
 
-def borders(mesh):
-    edges, users = statistics.mesh_edges(mesh)
+def borders(mesh, figures):
+    edges, users = figures.edges, figures.users
     free, several = edges[users == 1], edges[users > 2]
     findings = []
     if len(several):
@@ -92,16 +96,15 @@ def borders(mesh):
     return findings
 
 
-def triangles(mesh):
-    if not len(mesh.triangles):
+def triangles(figures):
+    if not figures.triangles:
         return Finding(GOOD, translate("Paver", "All elements are quads."))
-    numbers = range(len(mesh.quads) + 1, len(mesh.quads) + len(mesh.triangles) + 1)
-    return Finding(NOTE, translate("Paver", "{} of {} elements are triangles.").format(
-        len(mesh.triangles), len(mesh.quads) + len(mesh.triangles)), tuple(numbers))
+    total = figures.quads + figures.triangles
+    return Finding(NOTE, translate("Paver", "{} of {} elements are triangles.").format(figures.triangles, total),
+                   tuple(range(figures.quads + 1, total + 1)))
 
 
-def lengths(obj, mesh):
-    figures = statistics.of_mesh(mesh)
+def lengths(mesh, figures):
     if not figures.target:
         return []
     long = figures.lengths > LONGEST * figures.target

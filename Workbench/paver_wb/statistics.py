@@ -21,7 +21,8 @@ class Figures(NamedTuple):
     """name: of the mesh object. quads, triangles, nodes: counts.
 
     edges: (e, 2) mesh edges between corners, once each; lengths: (e,) chords, mm; users: (e,) elements at each.
-    areas: (elements,) mm^2, of the curved elements; sj: (elements,), quads first; target: target length, mm.
+    areas: (elements,) mm^2, of the curved elements, quads first; sj: (elements,); validity: (elements,) as
+    paver.ElementQuality has it; target: target length, mm.
     wave: Wave, or None.
     """
 
@@ -34,6 +35,7 @@ class Figures(NamedTuple):
     users: object
     areas: object
     sj: object
+    validity: object
     target: float
     wave: object
 
@@ -82,7 +84,7 @@ def of_mesh(mesh, name="", wave=None):
     lengths = np.linalg.norm(nodes[edges[:, 0]] - nodes[edges[:, 1]], axis=1)
     used = np.unique(np.concatenate([mesh.quads.ravel(), mesh.triangles.ravel()]))
     return Figures(name, len(mesh.quads), len(mesh.triangles), len(used), edges, lengths, users, quality.area,
-                   quality.sj, mesh.report.get("target_length") or 0.0, wave)
+                   quality.sj, quality.validity, mesh.report.get("target_length") or 0.0, wave)
 
 
 def of_object(obj, frequency=None):

@@ -6,7 +6,7 @@ import numpy as np
 import Part
 
 from mesh_cases import InDocument
-from paver_wb import core, export_mesh, import_mesh, mesh_check, mesh_object, meshing, raw_mesh, statistics
+from paver_wb import core, export_mesh, file_types, import_mesh, mesh_check, mesh_object, meshing, raw_mesh, statistics
 
 
 class WithMesh(InDocument):
@@ -159,6 +159,20 @@ class Files(WithMesh):
         self.assertEqual(import_mesh.read(self.path("again.vtu")).quads.shape, mesh_object.stored(read).quads.shape)
         with self.assertRaisesRegex(core.load().InputError, "no object to mesh"):
             meshing.mesh(read)
+
+    def test_freecads_own_import_and_export(self):
+        self.assertIn("paver_wb.file_types", FreeCAD.getImportType("msh"))
+        self.assertIn("paver_wb.file_types", FreeCAD.getExportType("msh"))
+        mesh, _ = self.meshed()
+        path = self.path("own.msh")
+        file_types.export([self.box, mesh], path)
+        read = file_types.insert(path, self.document.Name)
+        self.assertEqual((read.Quads, self.document.UndoNames[0]), (mesh.Quads, "Import mesh"))
+        other = file_types.open(path)
+        self.assertEqual(mesh_object.meshes_of(other)[0].Quads, mesh.Quads)
+        FreeCAD.closeDocument(other.Name)
+        with self.assertRaisesRegex(ValueError, "Select one mesh"):
+            file_types.export([self.box], path)
 
     def test_mixed_orders_become_one(self):
         points = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (2, 0, 0), (2, 1, 0), (1.5, -0.1, 0), (2, 0.5, 0),

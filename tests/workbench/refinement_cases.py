@@ -5,7 +5,7 @@ import FreeCAD
 import numpy as np
 
 from mesh_cases import InDocument
-from paver_wb import core, job, mesh_object, meshing, refinement
+from paver_wb import child_process, core, job, mesh_object, meshing, refinement
 
 
 def lengths_on(result, face):
@@ -118,6 +118,14 @@ class Refinements(InDocument):
         self.assertEqual(meshing.mesh(mesh).report["checksum"], checksum)
         child.Length = 3
         self.assertEqual(mesh.Status, "Out of date")
+
+    def test_a_process_of_its_own_gets_them(self):
+        mesh = self.mesh()
+        mesh.Local = ["Face1=1mm"]
+        refinement.make(mesh, [(self.box, "Face2")], 2)
+        made = meshing.prepare(mesh)
+        stored, _ = child_process.run(made, self.folder.name)
+        self.assertEqual(stored.report["checksum"], meshing.mesh(mesh).report["checksum"])
 
     def test_the_property_local_and_jobs(self):
         mesh = self.mesh()

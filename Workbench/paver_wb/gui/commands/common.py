@@ -36,11 +36,14 @@ def do(line):
 
 def run(line):
     """Runs a line of Python; whether it went well. An error is shown."""
+    QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)  # large meshes take a second
     try:
         do(line)
     except Exception as error:
         complain(str(error))
         return False
+    finally:
+        QtGui.QApplication.restoreOverrideCursor()
     return True
 
 
