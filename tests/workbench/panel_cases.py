@@ -1,6 +1,7 @@
 """The task panel of a mesh object and runs off the main thread, with clicks. Runs in FreeCAD's window: panel_test.py."""
 import os
 import signal
+import threading
 import unittest
 
 import FreeCAD
@@ -306,6 +307,28 @@ class Runs(PanelCase):
         window.click(window.widget("PaverStatusStop"))
         window.wait(lambda: run.outcome, "for the stop")
         self.assertEqual((run.outcome.kind, mesh.Status), ("cancelled", "Not meshed"))
+
+    def test_a_run_that_does_not_answer_a_stop_is_left_to_itself(self):
+        mesh, held, real = self.add_mesh(), threading.Event(), run_control.run_thread.MeshThread.tell
+
+        def held_up(thread, stage, fraction):
+            real(thread, stage, fraction)
+            held.wait(window.LIMIT)
+        run_control.run_thread.MeshThread.tell = held_up
+        self.addCleanup(held.set)
+        try:
+            run = self.begin_long_run(mesh)
+        finally:
+            run_control.run_thread.MeshThread.tell = real
+        run.stop()
+        window.wait(lambda: run.outcome, "for the stop")
+        self.assertTrue(run.thread.isRunning())
+        after = run_control.start(mesh)
+        window.wait(lambda: after.outcome, "for the next one")
+        self.assertEqual((run.outcome.kind, after.outcome.kind, mesh.Status), ("cancelled", "meshed", "Up to date"))
+        held.set()
+        window.wait(lambda: not os.path.exists(run.folder), "for its files to go")
+        self.assertEqual((mesh.Status, self.document.UndoCount), ("Up to date", 1))
 
     def test_a_result_waits_for_a_step_of_undo_that_is_open(self):
         mesh = self.add_mesh()
