@@ -780,16 +780,16 @@
         <translation>Durch</translation>
     </message>
     <message>
-        <source>In the 3D view:</source>
-        <translation>In der 3D-Ansicht:</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>Modell</translation>
+        <source>Show model</source>
+        <translation>Modell zeigen</translation>
     </message>
     <message>
         <source>Shows what is meshed, to select from it</source>
         <translation>Zeigt, was vernetzt wird, um daraus auszuwählen</translation>
+    </message>
+    <message>
+        <source>Show mesh</source>
+        <translation>Netz zeigen</translation>
     </message>
     <message>
         <source>Shows the mesh</source>

@@ -86,11 +86,10 @@ class SizesBox(QtGui.QWidget):
     def view_row(self):
         """What the 3D view shows: faces can be selected on the model only."""
         row = QtGui.QHBoxLayout()
-        row.addWidget(QtGui.QLabel(translate("Paver", "In the 3D view:")))
         for name, text, tip, shows_mesh in (
-                ("ViewModel", translate("Paver", "Model"), translate("Paver", "Shows what is meshed, to select from it"),
+                ("ViewModel", translate("Paver", "Show model"), translate("Paver", "Shows what is meshed, to select from it"),
                  False),
-                ("ViewMesh", translate("Paver", "Mesh"), translate("Paver", "Shows the mesh"), True)):
+                ("ViewMesh", translate("Paver", "Show mesh"), translate("Paver", "Shows the mesh"), True)):
             button = self.button(name, text, tip)
             button.clicked.connect(lambda _checked=False, shows=shows_mesh: self.show_in_view(shows))
             row.addWidget(button, 1)
