@@ -3,4 +3,6 @@ import TestPaver  # noqa: F401, makes the folder of the cases known
 from commands_cases import *  # noqa: F401, F403
 from gui_cases import *  # noqa: F401, F403
 from panel_cases import *  # noqa: F401, F403
+from panel_run_cases import *  # noqa: F401, F403
+from panel_size_cases import *  # noqa: F401, F403
 from translation_cases import *  # noqa: F401, F403

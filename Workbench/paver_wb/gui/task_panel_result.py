@@ -3,7 +3,6 @@ import FreeCAD
 import numpy as np
 from PySide import QtCore, QtGui
 
-from paver_wb import mesh_object
 from paver_wb.gui import run_status, run_thread
 from paver_wb.gui.task_panel_fields import quantity_text
 

@@ -1,0 +1,88 @@
+"""Local sizes in the task panel. Runs in FreeCAD's window: panel_test.py."""
+import FreeCADGui
+
+import window
+from paver_wb.gui import run_control
+from panel_cases import PanelCase
+from PySide import QtGui
+
+
+class Sizes(PanelCase):
+    def row(self, number=0):
+        table = window.widget("Paver_Sizes", QtGui.QTableWidget)
+        return [table.item(number, 0).text(), table.cellWidget(number, 1).value(), table.item(number, 2).text()]
+
+    def add(self, *elements):
+        FreeCADGui.Selection.clearSelection()
+        for element in elements:
+            FreeCADGui.Selection.addSelection(self.box, element)
+        window.click(window.widget("Paver_AddSize"))
+        window.pause(50)
+
+    def elements(self):
+        """The prediction, when there is one."""
+        window.wait(lambda: "elements" in self.text("Prediction"), "for a prediction")
+        return int("".join(filter(str.isdigit, self.text("Prediction").split("elements")[0])))
+
+    def test_sizes_come_from_the_selection_and_count_at_once(self):
+        mesh = self.add_mesh()
+        self.open(mesh)
+        before = self.elements()
+        self.add("Face6", "Edge1")
+        self.assertEqual(self.row(), ["Box: Face6, Edge1", "Length", "0.7 mm"])
+        self.assertGreater(self.elements(), 2 * before)
+        window.widget("Paver_Sizes").item(0, 2).setText("0.5 mm")
+        child, = mesh.Refinements
+        self.assertEqual((child.Length.Value, self.document.UndoCount), (0.5, 2))
+        window.picture("panel_sizes")
+        self.mesh_and_wait()
+        self.assertGreater(mesh.Quads, 3 * before)
+        self.document.undo()
+        self.document.undo()
+        window.wait(lambda: self.row()[2] == "0.7 mm", "for undo")
+        self.document.undo()
+        window.wait(lambda: not window.widget("Paver_Sizes"), "for undo")
+        self.assertEqual(self.elements(), before)
+
+    def test_a_child_process_gets_them_too(self):
+        mesh = self.add_mesh()
+        mesh.RunIn = "Own process"
+        coarse = run_control.start(mesh)
+        window.wait(lambda: coarse.outcome, "for the mesh")
+        before = mesh.Quads
+        self.open(mesh)
+        self.add("Face6")
+        self.mesh_and_wait()
+        self.assertGreater(mesh.Quads, before)
+
+    def test_rows_select_change_to_a_medium_and_go(self):
+        mesh = self.add_mesh(frequency="30 GHz", divisions=6)
+        self.open(mesh)
+        self.add("Face6")
+        self.add("Face1")
+        table = window.widget("Paver_Sizes")
+        choice = table.cellWidget(1, 1)
+        choice.setCurrentIndex(1)
+        choice.activated.emit(1)
+        window.pause(50)
+        table.item(1, 2).setText("4, 2")
+        window.pause(50)
+        self.assertEqual(self.row(1), ["Box: Face1", "Medium", "4, 2"])
+        self.assertEqual((mesh.Refinements[1].EpsR, mesh.Refinements[1].MuR), (4, 2))
+        table.item(1, 2).setText("glass")
+        self.assertIn("write its", self.text("FaultText"))
+        self.assertEqual(self.row(1)[2], "4, 2")
+        window.picture("panel_sizes_fault")
+        FreeCADGui.Selection.clearSelection()
+        table.selectRow(1)
+        self.assertEqual(FreeCADGui.Selection.getSelectionEx()[0].SubElementNames, ("Face1",))
+        window.click(window.widget("Paver_RemoveSize"))
+        window.pause(50)
+        self.assertEqual((len(mesh.Refinements), self.row()[0]), (1, "Box: Face6"))
+
+    def test_nothing_selected_is_told(self):
+        mesh = self.add_mesh()
+        self.open(mesh)
+        self.add()
+        self.assertIn("select", self.text("FaultText"))
+        self.assertEqual((mesh.Refinements, self.document.UndoCount), ([], 0))
