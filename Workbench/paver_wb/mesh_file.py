@@ -14,6 +14,7 @@ import numpy as np
 MAGIC = b"PaverM1\n"
 ARRAYS = {"nodes": "<f8", "quads": "<i4", "triangles": "<i4", "quad_faces": "<i4", "triangle_faces": "<i4",
           "lines": "<i4", "line_edges": "<i4"}
+OPTIONAL = {"node_targets": "<f8"}  # arrays that older files and imported meshes do not have
 
 
 class StoredMesh(NamedTuple):
@@ -30,6 +31,7 @@ class StoredMesh(NamedTuple):
     face_names: list
     edge_names: list
     report: dict
+    node_targets: object = None
 
 
 class DamagedMesh(ValueError):
@@ -39,6 +41,7 @@ class DamagedMesh(ValueError):
 def of_result(result, face_names):
     """StoredMesh of a paver.Result."""
     arrays = {name: getattr(result, name) for name in ARRAYS}
+    arrays.update({name: getattr(result, name, None) for name in OPTIONAL})
     return StoredMesh(order=result.order, face_names=list(face_names), edge_names=list(result.edge_names),
                       report=result.report, **arrays)
 
@@ -51,7 +54,9 @@ def write(mesh, path):
     """Writes a StoredMesh to `path`."""
     head = {name: getattr(mesh, name) for name in ("order", "face_names", "edge_names", "report")}
     head["arrays"], blocks, offset = {}, [], 0
-    for name, kind in ARRAYS.items():
+    for name, kind in {**ARRAYS, **OPTIONAL}.items():
+        if name in OPTIONAL and getattr(mesh, name) is None:
+            continue
         array = np.ascontiguousarray(getattr(mesh, name), dtype=kind)
         data = array.tobytes()
         head["arrays"][name] = {"type": kind, "shape": array.shape, "offset": offset, "crc": zlib.crc32(data)}
@@ -68,7 +73,7 @@ def array_of(name, entry, data):
     kind, shape = np.dtype(entry["type"]), tuple(entry["shape"])
     size = kind.itemsize * int(np.prod(shape, dtype=np.int64))
     part = data[entry["offset"]:entry["offset"] + size]
-    if entry["type"] != ARRAYS[name] or len(part) != size or zlib.crc32(part) != entry["crc"]:
+    if entry["type"] != {**ARRAYS, **OPTIONAL}[name] or len(part) != size or zlib.crc32(part) != entry["crc"]:
         raise ValueError(name)
     return np.frombuffer(part, dtype=kind).reshape(shape)
 
@@ -83,7 +88,8 @@ def read(path):
         length, = struct.unpack("<Q", content[8:16])
         head = json.loads(content[16:16 + length])
         data = memoryview(content)[16 + length:]
-        arrays = {name: array_of(name, head["arrays"][name], data) for name in ARRAYS}
+        arrays = {name: array_of(name, head["arrays"][name], data)
+                  for name in [*ARRAYS, *(name for name in OPTIONAL if name in head["arrays"])]}
     except (ValueError, KeyError, TypeError, struct.error) as error:
         raise DamagedMesh(f"The mesh kept in the document is damaged ({error}); mesh the object again.") from None
     return StoredMesh(**arrays, **{name: head[name] for name in ("order", "face_names", "edge_names", "report")})

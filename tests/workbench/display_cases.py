@@ -10,7 +10,7 @@ import numpy as np
 from pivy import coin
 from PySide import QtCore, QtGui
 
-from paver_wb import mesh_object, meshing
+from paver_wb import core, mesh_file, mesh_object, meshing
 from paver_wb.gui.display import colour_maps, colouring, drawn_mesh, fields, legend, mesh_display
 
 RADIUS = 10
@@ -203,6 +203,26 @@ class Colours(InWindow):
         self.assertEqual(len(stored.triangles), 0)
         self.expect_colours(display, longest / self.mesh.TargetLength.Value, 0, 2, "Deviation")
 
+    def test_edge_length_over_local_target(self):
+        cylinder = self.document.addObject("Part::Cylinder", "Cylinder")
+        cylinder.Height = 30
+        self.document.recompute()
+        self.mesh = self.add(cylinder, size=2)
+        self.mesh.Local = ["Face3=0.5mm"]
+        mesh = self.run_mesh().mesh
+        display, stored = self.set(ColourBy=colouring.LOCAL_LENGTH, Shaded=False), mesh_object.stored(self.mesh)
+        targets, worst = stored.node_targets, []
+        for rows, corners in ((stored.quads, 4), (stored.triangles, 3)):
+            for row in rows:
+                pairs = [(row[k], row[(k + 1) % corners]) for k in range(corners)]
+                worst.append(max(np.linalg.norm(stored.nodes[a] - stored.nodes[b]) / ((targets[a] + targets[b]) / 2)
+                                 for a, b in pairs))
+        self.expect_colours(display, np.array(worst), 0, 2, "Deviation")
+        self.assertLess(targets[targets > 0].min(), 0.6)
+        self.assertRegex(legend.labels(display.colouring.legend)[1], "^target 0.5 \u2013 [12].* mm$")
+        older = drawn_mesh.DrawnMesh(stored._replace(node_targets=None))
+        np.testing.assert_array_equal(np.nanmax(older.edge_targets), mesh.target)
+
     def test_element_type_face_and_certificate(self):
         cylinder = self.document.addObject("Part::Cylinder", "Cylinder")
         self.document.recompute()
@@ -303,8 +323,6 @@ class Elements(unittest.TestCase):
 
     def drawn(self, elements, order=2):
         import Part
-
-        from paver_wb import core, mesh_file
         result = core.load().mesh(Part.makeCylinder(5, 20), size=4, order=order, elements=elements)
         return drawn_mesh.DrawnMesh(mesh_file.of_result(result, result.face_names))
 
@@ -324,6 +342,14 @@ class Elements(unittest.TestCase):
                     corners = mesh.corners[element][mesh.corners[element] >= 0]
                     self.assertEqual((len(piece), piece[0]), (len(corners) * n + 2, piece[-2]))
                     np.testing.assert_allclose(drawn.points[piece[:-2:n]], mesh.stored.nodes[corners], atol=1e-5)
+
+    def test_files_without_local_targets(self):
+        mesh = self.drawn("quad-dominant").stored
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "mesh.paver")
+            for targets in (mesh.node_targets, None):
+                mesh_file.write(mesh._replace(node_targets=targets), path)
+                np.testing.assert_array_equal(mesh_file.read(path).node_targets, targets)
 
     def test_subdivision_follows_curvature_and_count(self):
         self.assertEqual(drawn_mesh.subdivision_for(1000, 0), 1)

@@ -6,20 +6,19 @@ import numpy as np
 
 from paver_wb.gui.display import colour_maps
 
-NONE, SJ, LENGTH, KIND, FACE, CERTIFICATE = CHOICES = (
-    "None", "Scaled Jacobian", "Edge length / target", "Element type", "Source face", "Certificate")
+NONE, SJ, LENGTH, LOCAL_LENGTH, KIND, FACE, CERTIFICATE = CHOICES = (
+    "None", "Scaled Jacobian", "Edge length / target", "Edge length / local target", "Element type", "Source face",
+    "Certificate")
 STANDARD, DATA, MANUAL = RANGES = ("Standard", "Data", "Manual")
 OWN_MAP = "Standard"
 BINS = 24
 MOST_ENTRIES = 14
 
-
-def translate(text):
-    return FreeCAD.Qt.translate("Paver", text)
+translate = FreeCAD.Qt.translate
 
 
 class Scale(NamedTuple):
-    """A colour bar. histogram: (bins,) counts of elements from low to high; those outside are in the first and last."""
+    """A colour bar. unit: a line of text, may be empty. histogram: (bins,) counts of elements from low to high; those outside are in the first and last."""
 
     title: str
     unit: str
@@ -58,11 +57,15 @@ class Wish(NamedTuple):
 def of_mesh(mesh, wish):
     """Colouring of a DrawnMesh."""
     if wish.by == SJ:
-        return scaled(mesh.quality.sj, translate("Scaled Jacobian"), "", (0, 1), "Quality", wish)
+        return scaled(mesh.quality.sj, translate("Paver", "Scaled Jacobian"), "", (0, 1), "Quality", wish)
     if wish.by == LENGTH:
-        values = mesh.longest_edges / (mesh.target or 1)
-        return scaled(values, translate("Longest edge / target"), f"{mesh.target:.4g} mm" if mesh.target else "mm",
-                      (0, 2), "Deviation", wish)
+        return scaled(mesh.longest_edges / (mesh.target or 1), translate("Paver", "Longest edge / target"),
+                      range_text(mesh.target, mesh.target), (0, 2), "Deviation", wish)
+    if wish.by == LOCAL_LENGTH:
+        targets = mesh.edge_targets
+        values = np.fmax.reduce(mesh.edge_lengths / np.maximum(targets, 1e-300), axis=1)
+        return scaled(values, translate("Paver", "Longest edge / local target"),
+                      range_text(np.nanmin(targets), np.nanmax(targets)), (0, 2), "Deviation", wish)
     if wish.by == KIND:
         return by_kind(mesh)
     if wish.by == FACE:
@@ -70,6 +73,12 @@ def of_mesh(mesh, wish):
     if wish.by == CERTIFICATE:
         return by_certificate(mesh)
     return Colouring(None, None)
+
+
+def range_text(low, high):
+    """Of lengths in mm."""
+    text = f"{low:.4g}" if np.isclose(low, high, rtol=1e-3) else f"{low:.4g} \u2013 {high:.4g}"
+    return translate("Paver", "target {} mm").format(text)
 
 
 def limits_of(values, standard, wish):
@@ -100,16 +109,16 @@ def listed(title, numbers, labels, colours):
 
 def by_kind(mesh):
     numbers = np.repeat([0, 1], [mesh.quad_count, mesh.triangle_count])
-    labels = [translate("Quad"), translate("Triangle")]
-    return listed(translate("Element type"), numbers, labels, [(0.55, 0.70, 0.82), (0.93, 0.45, 0.18)])
+    labels = [translate("Paver", "Quad"), translate("Paver", "Triangle")]
+    return listed(translate("Paver", "Element type"), numbers, labels, [(0.55, 0.70, 0.82), (0.93, 0.45, 0.18)])
 
 
 def by_face(mesh):
-    return listed(translate("Source face"), mesh.faces, mesh.face_names, colour_maps.distinct(len(mesh.face_names)))
+    return listed(translate("Paver", "Source face"), mesh.faces, mesh.face_names, colour_maps.distinct(len(mesh.face_names)))
 
 
 def by_certificate(mesh):
-    labels = [translate("Valid, proven"), translate("Inverted"), translate("Undecided")]
-    title = translate("Certificate, order {}").format(mesh.order)
+    labels = [translate("Paver", "Valid, proven"), translate("Paver", "Inverted"), translate("Paver", "Undecided")]
+    title = translate("Paver", "Certificate, order {}").format(mesh.order)
     return listed(title, mesh.quality.validity.astype(int), labels,
                   [(0.35, 0.68, 0.52), (0.78, 0.10, 0.14), (0.95, 0.75, 0.20)])

@@ -85,6 +85,20 @@ class DrawnMesh:
         return np.fmax.reduce(self.edge_lengths, axis=1) if self.count else np.zeros(0)
 
     @cached_property
+    def edge_targets(self):
+        """(elements, 4): target length at each edge, mm, mean of its ends; that of the run where the mesh does not know.
+        NaN as the fourth of a triangle."""
+        targets = self.stored.node_targets
+        if targets is None or not len(targets):
+            return np.where(np.isnan(self.edge_lengths), np.nan, self.target)
+        ends = targets[self.corners]
+        following = np.roll(ends, -1, axis=1)
+        following[self.quad_count:, 2] = ends[self.quad_count:, 0]
+        made = (ends + following) / 2
+        made[self.quad_count:, 3] = np.nan
+        return np.where(made > 0, made, self.target)
+
+    @cached_property
     def centres(self):
         """(elements, 3): means of the corners."""
         nodes, corners = self.stored.nodes, self.corners

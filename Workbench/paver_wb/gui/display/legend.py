@@ -2,6 +2,7 @@
 from PySide import QtCore, QtGui
 
 from paver_wb.gui.display import colouring
+from paver_wb.gui.display.colouring import translate
 from paver_wb.gui.display.panels import FAINT, INK, font, sheet, text_size
 
 PAD, BAR_HEIGHT, BAR_WIDTH, HISTOGRAM_WIDTH = 10, 190, 18, 86
@@ -25,9 +26,7 @@ def ticks(scale):
 
 
 def heading(scale):
-    if not scale.unit:
-        return [scale.title]
-    return [scale.title, colouring.translate("target {}").format(scale.unit)]
+    return [scale.title] + ([scale.unit] if scale.unit else [])
 
 
 def labels(legend):
@@ -38,9 +37,10 @@ def labels(legend):
 
 
 def summary(scale):
-    t = colouring.translate
-    return [f"{t('min')} {number(scale.least)}   {t('mean')} {number(scale.mean)}   {t('max')} {number(scale.most)}",
-            f"{count_text(int(scale.histogram.sum()))} {t('elements')}"]
+    names = translate("Paver", "min"), translate("Paver", "mean"), translate("Paver", "max")
+    figures = (number(x) for x in (scale.least, scale.mean, scale.most))
+    return ["   ".join(f"{name} {figure}" for name, figure in zip(names, figures)),
+            translate("Paver", "{} elements").format(count_text(int(scale.histogram.sum())))]
 
 
 def key_rows(key):
@@ -50,7 +50,7 @@ def key_rows(key):
         return rows
     kept = colouring.MOST_ENTRIES - 1
     hidden = sum(count for _, _, count in key.entries[kept:])
-    more = colouring.translate("{} more").format(len(rows) - kept)
+    more = translate("Paver", "{} more").format(len(rows) - kept)
     return rows[:kept] + [(more, count_text(hidden), None)]
 
 

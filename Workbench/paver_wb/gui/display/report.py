@@ -40,29 +40,30 @@ def information(mesh, element, wave=None):
 
 
 def kind_text(info):
-    return translate("Quad") if info["kind"] == "quad" else translate("Triangle")
+    return translate("Paver", "Quad") if info["kind"] == "quad" else translate("Paver", "Triangle")
 
 
 def rows(info):
     """(name, value) texts, the first one a heading without a value."""
-    t, validity = translate, info["validity"]
-    shown = {"valid": t("valid, proven"), "inverted": t("inverted"), "undecided": t("undecided")}[validity]
+    shown = {"valid": translate("Paver", "valid, proven"), "inverted": translate("Paver", "inverted"),
+             "undecided": translate("Paver", "undecided")}[info["validity"]]
     made = [(f"{kind_text(info)} {info['name']}", ""),
-            (t("Face"), info["face"]),
-            (t("Scaled Jacobian"), f"{info['sj']:.4f}"),
-            (t("Order {}").format(info["order"]), f"{shown}, {t('Jacobian ratio')} {info['jacobian_ratio']:.3f}"),
-            (t("Edges"), ", ".join(f"{x:.4g}" for x in info["lengths"]) + " mm")]
+            (translate("Paver", "Face"), info["face"]),
+            (translate("Paver", "Scaled Jacobian"), f"{info['sj']:.4f}"),
+            (translate("Paver", "Order {}").format(info["order"]),
+             shown + ", " + translate("Paver", "Jacobian ratio {}").format(f"{info['jacobian_ratio']:.3f}")),
+            (translate("Paver", "Edges"), ", ".join(f"{x:.4g}" for x in info["lengths"]) + " mm")]
     if "lengths_in_wavelengths" in info:
-        made.append((t("Edges / \u03bb"), ", ".join(f"{x:.3g}" for x in info["lengths_in_wavelengths"])))
+        made.append((translate("Paver", "Edges / \u03bb"), ", ".join(f"{x:.3g}" for x in info["lengths_in_wavelengths"])))
     if info["target"]:
-        made.append((t("Longest / target"), f"{max(info['lengths']) / info['target']:.3f}"))
-    return made + [(t("Area"), f"{info['area']:.4g} mm\u00b2")]
+        made.append((translate("Paver", "Longest / target"), f"{max(info['lengths']) / info['target']:.3f}"))
+    return made + [(translate("Paver", "Area"), f"{info['area']:.4g} mm\u00b2")]
 
 
 def line(info):
     """All of it in one line, for the status bar."""
-    text = (f"{kind_text(info)} {info['name']}, {info['face']}, SJ {info['sj']:.3f}, "
-            f"{translate('edges')} {', '.join(f'{x:.4g}' for x in info['lengths'])} mm")
+    text = f"{kind_text(info)} {info['name']}, {info['face']}, SJ {info['sj']:.3f}, " + translate(
+        "Paver", "edges {} mm").format(", ".join(f"{x:.4g}" for x in info["lengths"]))
     if "lengths_in_wavelengths" in info:
         text += " = " + ", ".join(f"{x:.3g}" for x in info["lengths_in_wavelengths"]) + " \u03bb"
     return text

@@ -5,8 +5,8 @@ COLOURS, SHAPE, MARKS = "Paver colours", "Paver shape", "Paver marks"
 
 # name: (type, group, tooltip, first value or list of choices)
 PROPERTIES = {
-    "ColourBy": ("App::PropertyEnumeration", COLOURS, "What the colours of the elements tell; Certificate: whether the "
-                 "curved element is proven not to fold", list(colouring.CHOICES)),
+    "ColourBy": ("App::PropertyEnumeration", COLOURS, "What the colours of the elements tell; local target: as "
+                 "media, refinements and curvature make it; Certificate: whether the curved element is proven not to fold", list(colouring.CHOICES)),
     "ColourMap": ("App::PropertyEnumeration", COLOURS, "Colours of figures; Standard: one made for the quantity",
                   [colouring.OWN_MAP, *colour_maps.NAMES]),
     "ColourRange": ("App::PropertyEnumeration", COLOURS, "Standard: the same for all meshes; Data: from the least to the "
