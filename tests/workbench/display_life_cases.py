@@ -99,16 +99,28 @@ class Life(display_cases.InWindow):
         self.expect_shown(self.display())
 
     def test_a_closed_document_leaves_no_memory(self):
-        display = self.run_mesh()
-        self.look()
-        self.view.getObjectInfo((10, 10))
-        left = [weakref.ref(display), weakref.ref(display.mesh), weakref.ref(display.picker)]
-        del display, self.mesh, self.sphere, self.view
-        FreeCAD.closeDocument(self.document.Name)
-        self.document = FreeCAD.newDocument("PaverDisplay")
-        wait(100)
-        gc.collect()
-        self.assertEqual([one() for one in left], [None] * 3)
+        self.run_mesh()
+        name = self.mesh.Name
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "made.FCStd")
+            self.document.saveAs(path)
+            for _ in ("made", "opened"):
+                wait(100)
+                display = self.display()
+                self.view.getObjectInfo((10, 10))
+                left = [weakref.ref(one) for one in (display.mesh, display.picker, display.scene)]
+                fields = [display.scene.points.point, display.scene.normals.vector, display.scene.packed.orderedRGBA,
+                          display.scene.face_set.coordIndex, display.scene.lines.coordIndex]
+                self.assertGreater(min(field.getNum() for field in fields), 100)
+                del display, self.mesh, self.sphere, self.view
+                FreeCAD.closeDocument(self.document.Name)
+                wait(100)
+                gc.collect()
+                self.document = FreeCAD.openDocument(path)
+                self.assertEqual([one() for one in left], [None] * 3)
+                self.assertEqual([field.getNum() for field in fields], [0] * 5)
+                self.mesh, self.sphere = self.document.getObject(name), None
+                self.view = FreeCADGui.ActiveDocument.ActiveView
 
     def test_inside_of_a_part(self):
         part = self.document.addObject("App::Part", "Part")

@@ -18,3 +18,4 @@ def test_all_cases_of_the_display(home, tmp_path):
     output = done.stdout + done.stderr
     assert done.returncode == 0, output[-8000:]
     assert int(re.search(r"Ran (\d+) tests", output).group(1)) > 35 and "skipped" not in output
+    assert "already deleted" not in output and "Traceback" not in output, output[-8000:]

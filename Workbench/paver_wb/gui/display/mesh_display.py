@@ -1,10 +1,12 @@
 """The drawing of one mesh object. Nothing is built before it is shown, and what has changed is built once, when FreeCAD
 is back in its event loop."""
-import numpy as np
-from PySide import QtCore
-from pivy import coin
+import weakref
 
 import FreeCAD
+import numpy as np
+from pivy import coin
+from PySide import QtCore
+
 from paver_wb import core, mesh_file, mesh_object
 from paver_wb.gui.display import colour_maps, colouring, drawn_mesh, legend, marks, report, view_properties
 from paver_wb.gui.display.fields import put
@@ -18,6 +20,7 @@ LAYER_OF = {"Subdivision": POINTS, "ShrinkFactor": POINTS, "AlwaysAllEdges": POI
             "ColourMap": PAINT, "ColourRange": PAINT, "RangeLow": PAINT, "RangeHigh": PAINT, "ColourBar": PAINT,
             "Shaded": PAINT, "EdgeColour": PAINT, "ShapeColor": PAINT, "ShowNormals": MARKED, "ShowFreeEdges": MARKED,
             "ShowTriangles": MARKED, "ShowWorst": MARKED, "ElementReport": CHOSEN}
+_displays = weakref.WeakSet()
 MOST_TO_HOVER = 100000  # elements: above, a frame for every element that the mouse passes would be too many
 
 
@@ -33,6 +36,7 @@ class MeshDisplay:
         self.make_marks()
         self.bar, self.report_panel = ViewPanel(top=True), ViewPanel(top=False)
         self.modes = {}
+        _displays.add(self)
         shared = [self.marks, self.picker.node, self.bar.switch, self.report_panel.switch]
         for name, nodes in ((CURVED, [self.scene.faces]), (CURVED_EDGES, [self.scene.faces, self.scene.edges]),
                             (EDGES, [self.scene.edges])):
@@ -69,6 +73,12 @@ class MeshDisplay:
     @property
     def vobj(self):
         return self.obj.ViewObject
+
+    def release(self):
+        """Lets go of everything: FreeCAD keeps the view providers of documents that it has opened for ever."""
+        _displays.discard(self)
+        self.clear()
+        self.__dict__ = {"names": self.names, "stale": set(), "is_waiting": True, "mesh": None, "tessellation": None}
 
     # ---- what changes
 
@@ -131,6 +141,7 @@ class MeshDisplay:
             mark.clear()
         self.labels.show([], [])
         self.scene.set_points(empty, empty, np.zeros(0, np.int32))
+        self.scene.set_colours(np.zeros(0, np.uint32))
         for panel in (self.bar, self.report_panel):
             panel.show(None)
 
@@ -221,3 +232,14 @@ class MeshDisplay:
     def information(self, element):
         """Figures of an element as a dict."""
         return report.information(self.mesh, element, report.wavelength(self.obj))
+
+
+class Closing:
+    """Follows FreeCAD's documents."""
+
+    def slotDeletedDocument(self, document):
+        for display in [one for one in _displays if one.names[0] == document.Name]:
+            display.release()
+
+
+FreeCAD.addDocumentObserver(Closing())
