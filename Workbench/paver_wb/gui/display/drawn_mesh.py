@@ -12,9 +12,9 @@ SAG = 0.003  # of an edge length: what a drawn edge may miss of the curved one
 
 def subdivision_for(elements, sag):
     """Pieces per element side: enough for elements whose edges bulge by `sag` (of their length), few enough to draw."""
-    wanted = int(np.ceil(np.sqrt(max(sag, 0) / SAG)))
-    allowed = int(np.sqrt(MOST_TRIANGLES / 2 / max(elements, 1)))
-    return max(1, min(wanted, allowed, MOST_SUBDIVISION))
+    wanted = np.ceil(np.sqrt(max(sag, 0) / SAG))
+    allowed = np.floor(np.sqrt(MOST_TRIANGLES / 2 / max(elements, 1)))
+    return int(max(1, min(wanted, allowed, MOST_SUBDIVISION)))
 
 
 _offered = None  # (path of a file, its DrawnMesh)
@@ -145,6 +145,10 @@ class DrawnMesh:
                 sags.append(np.linalg.norm(middle - (1 - part) * a - part * b, axis=1) / length)
         return float(np.quantile(np.concatenate(sags), 0.999))
 
+    def fitting_subdivision(self):
+        """Enough for the curved edges, few enough to draw."""
+        return subdivision_for(self.count, self.sag) if subdivision_for(self.count, np.inf) > 1 else 1
+
     def tessellation(self, subdivision):
         """paver.Tessellation in which no elements share points; the last one is kept."""
         if self.cut[0] != subdivision:
@@ -153,7 +157,7 @@ class DrawnMesh:
 
     def prepare(self, subdivision):
         """Makes what every drawing needs, so that it can be done in a thread; subdivision 0: the one that fits."""
-        self.tessellation(subdivision or subdivision_for(self.count, self.sag))
+        self.tessellation(subdivision or self.fitting_subdivision())
         return self.quality, self.extent
 
     def points_per_element(self, subdivision):

@@ -147,7 +147,7 @@ class MeshDisplay:
 
     def draw(self):
         mesh, vobj = self.mesh, self.vobj
-        self.subdivision = vobj.Subdivision or drawn_mesh.subdivision_for(mesh.count, mesh.sag)
+        self.subdivision = vobj.Subdivision or mesh.fitting_subdivision()
         self.tessellation, self.tree = mesh.tessellation(self.subdivision), None
         drawn, points, outlines = self.tessellation, self.tessellation.points, self.tessellation.outline_indices
         for mark in (self.triangles, self.worst, self.selection, self.hover):
@@ -184,7 +184,7 @@ class MeshDisplay:
         mesh, vobj, drawn = self.mesh, self.vobj, self.tessellation
         worst = self.worst_elements(vobj.ShowWorst)
         self.mark_elements(self.worst, worst)
-        self.labels.show(mesh.centres[worst], [f"{i + 1}: {mesh.quality.sj[e]:.2f}" for i, e in enumerate(worst)])
+        self.labels.show(mesh.centres[worst] if len(worst) else (), [f"{i + 1}: {mesh.quality.sj[e]:.2f}" for i, e in enumerate(worst)])
         is_marked = vobj.ShowTriangles
         self.mark_elements(self.triangles, np.arange(mesh.quad_count, mesh.count) if is_marked else ())
         for mark, wanted in ((self.free, drawn.outline_elements == 1), (self.crowded, drawn.outline_elements > 2)):
