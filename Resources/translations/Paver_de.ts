@@ -855,6 +855,110 @@
         <source>No mesh has what is selected. Select its mesh, too, or make one with Create mesh.</source>
         <translation>Kein Netz hat, was ausgewählt ist. Wählen Sie sein Netz dazu aus, oder legen Sie mit „Netz anlegen“ eines an.</translation>
     </message>
+    <message>
+        <source>Quad</source>
+        <translation>Viereck</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>Element type</source>
+        <translation>Elementart</translation>
+    </message>
+    <message>
+        <source>Source face</source>
+        <translation>Ursprungsfläche</translation>
+    </message>
+    <message>
+        <source>Valid, proven</source>
+        <translation>Gültig, bewiesen</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Umgestülpt</translation>
+    </message>
+    <message>
+        <source>Undecided</source>
+        <translation>Unentschieden</translation>
+    </message>
+    <message>
+        <source>Longest edge / target</source>
+        <translation>Längste Kante / Ziellänge</translation>
+    </message>
+    <message>
+        <source>Longest edge / local target</source>
+        <translation>Längste Kante / örtliche Ziellänge</translation>
+    </message>
+    <message>
+        <source>target {} mm</source>
+        <translation>Ziellänge {} mm</translation>
+    </message>
+    <message>
+        <source>Certificate, order {}</source>
+        <translation>Zertifikat, Ordnung {}</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>max</translation>
+    </message>
+    <message>
+        <source>{} more</source>
+        <translation>{} weitere</translation>
+    </message>
+    <message>
+        <source>{} elements</source>
+        <translation>{} Elemente</translation>
+    </message>
+    <message>
+        <source>valid, proven</source>
+        <translation>gültig, bewiesen</translation>
+    </message>
+    <message>
+        <source>inverted</source>
+        <translation>umgestülpt</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>unentschieden</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Edges / λ</source>
+        <translation>Kanten / λ</translation>
+    </message>
+    <message>
+        <source>Longest / target</source>
+        <translation>Längste / Ziellänge</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Flächeninhalt</translation>
+    </message>
+    <message>
+        <source>edges {} mm</source>
+        <translation>Kanten {} mm</translation>
+    </message>
+    <message>
+        <source>Order {}</source>
+        <translation>Ordnung {}</translation>
+    </message>
+    <message>
+        <source>Jacobian ratio {}</source>
+        <translation>Jacobi-Verhältnis {}</translation>
+    </message>
 </context>
 <context>
     <name>PaverPreferences</name>
