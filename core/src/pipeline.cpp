@@ -17,6 +17,7 @@
 #include "curving/repair.h"
 #include "join/join.h"
 #include "mesh/flat_elements.h"
+#include "multilevel/multilevel.h"
 #include "parallel/tasks.h"
 #include "paver/mesher.h"
 #include "paving/pave_region.h"
@@ -181,7 +182,7 @@ class Run {
     run_tasks(options_.threads, costs(), [&](int i) {
       int face = regions_[i].face;
       try {
-        paved_[i] = pave_region(regions_[i], progress_, options_.elements);
+        paved_[i] = pave_by_levels(regions_[i], options_.multilevel, progress_, options_.elements);
       } catch (const Error& error) {
         if (error.code() == ErrorCode::cancelled) throw;
         fail(face, error);

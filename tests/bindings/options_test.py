@@ -20,6 +20,7 @@ VALUES = {
     "max_elements": ("100000", 100000, {}, False),
     "order": ("1", 1, {}, True),
     "elements": ("all-triangle", "all-triangle", {}, True),
+    "multilevel": ("auto", "auto", {}, False),
     "threads": ("1", 1, {}, False),
     "sew_tolerance": ("20 um", 0.02, {}, False),
 }

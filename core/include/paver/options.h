@@ -24,6 +24,9 @@ struct LocalSize {
   double eps_r = 1, mu_r = 1;  ///< > 0
 };
 
+/// Value of Options::multilevel: levels as the number of elements suggests.
+constexpr int automatic_levels = -1;
+
 /// Either `size` or `frequency` must be set. check() names the first bad field.
 struct Options {
   std::optional<double> size;       ///< target length h, mm, > 0
@@ -33,6 +36,9 @@ struct Options {
   double mu_r = 1;                  ///< relative permeability, > 0
   int order = 2;                    ///< order of the elements: 1 or 2
   Elements elements = Elements::quad_dominant;
+  /// Faces are meshed at this many times the target length first, and the coarse elements divided: 0: never; 4 to 8, or
+  /// automatic_levels. Large faces only.
+  int multilevel = 0;
   int threads = 0;                      ///< worker threads; 0: all cores
   std::optional<double> max_turn;       ///< largest turn per element edge, radians; default pi/4, more on short ones
   double gradation = 0.6;               ///< largest growth of h per unit of length, 0.05 to 2

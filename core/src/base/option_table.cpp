@@ -37,6 +37,15 @@ std::vector<std::string> element_choices() {
   return names;
 }
 
+/// Choices of multilevel; from the third on the numbers from 4.
+std::vector<std::string> level_choices() { return {"off", "auto", "4", "5", "6", "7", "8"}; }
+
+int level_value(int choice) {
+  constexpr int first_number = 2, least_ratio = 4;
+  if (choice >= first_number) return choice - first_number + least_ratio;
+  return choice == 0 ? 0 : automatic_levels;
+}
+
 template <class T>
 std::string text_of(T value) {
   return fmt::format("{}", value);
@@ -115,6 +124,10 @@ std::vector<Entry> other_entries(const Options& d) {
         "quad-dominant; all-quad: triangles only where nothing else is possible; all-triangle",
         elements_name(d.elements), "", "", element_choices()},
        [](Options& o, const Value& v) { o.elements = kinds_of_elements()[static_cast<std::size_t>(v.index)]; }},
+      {{"multilevel", OptionKind::choice, "K",
+        "Mesh large faces at K times the target length first and divide that mesh: off, auto, 4 to 8",
+        level_choices().front(), "", "", level_choices()},
+       [](Options& o, const Value& v) { o.multilevel = level_value(v.index); }},
       {{"threads", OptionKind::integer, "T", "Threads to work on; 0: all cores", text_of(d.threads), "", "", {}},
        [](Options& o, const Value& v) { o.threads = static_cast<int>(v.number); }},
       {{"sew_tolerance",

@@ -86,6 +86,9 @@ const char* elements_name(Elements elements) {
 void check(const Options& options) {
   check_target(options);
   check_range("order", options.order, 1, 2);
+  if (options.multilevel != 0 && options.multilevel != automatic_levels) {
+    check_range("multilevel", options.multilevel, 4, 8);
+  }
   check_range("threads", options.threads, 0, most_threads);
   check_range("gradation", options.gradation, 0.05, 2);
   if (options.max_turn) {

@@ -176,7 +176,7 @@ class CleanUp {
     bool is_count_kept = static_cast<int>(gone.size()) == made;
     if (gain > (is_count_kept ? dearest_turn : dearest)) return false;
     if (!is_count_kept && count_gain(gone, made) > -least_fit) return false;
-    return gain + least_fall <= likely_share * MeshEdit::spread_price * edit_.spread_about(gone);
+    return gain + least_fall <= likely_share * edit_.spread_price * edit_.spread_about(gone);
   }
 
   // How much nearer the change brings the number of elements to the area in target lengths; below 0: nearer.
@@ -191,7 +191,7 @@ class CleanUp {
     for (int ring = 0; ring < most_rings && cavity_.grow(most_elements); ++ring) {
       if (!cavity_.find_fill(1, fill_) || !tried_.insert(cavity_.outline_key()).second) continue;
       double gain = edit_.energy_gain(fill_);
-      if (gain + MeshEdit::spread_price * cavity_.spread_gain(fill_) > most_excess) continue;
+      if (gain + edit_.spread_price * cavity_.spread_gain(fill_) > most_excess) continue;
       if (edit_.apply(fill_) && take({.gain = gain})) return true;
       edit_.roll_back(0);
     }

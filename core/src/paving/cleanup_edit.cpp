@@ -50,7 +50,11 @@ double area_in_targets(const RegionMesh& mesh, const Element& e) {
 
 }  // namespace
 
-MeshEdit::MeshEdit(Front& front) : front_(front), mesh_(front.mesh), aims_(front.mesh.node_count()) {
+MeshEdit::MeshEdit(Front& front)
+    : spread_price(fine_spread_price * front.region.evenness),
+      front_(front),
+      mesh_(front.mesh),
+      aims_(front.mesh.node_count()) {
   delta_.assign(mesh_.node_count(), 0);
   commit();
   for (int i = 0; i < mesh_.node_count(); ++i) {

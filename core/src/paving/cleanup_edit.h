@@ -39,9 +39,11 @@ struct Demand {
 class MeshEdit {
  public:
   static constexpr double triangle_energy = 3;
+  static constexpr double fine_spread_price = 3.8;
   /// Energy that one unit of spread is worth: the sum of ((r - 1/r) / 2)^2 over the sides of elements, r their length
   /// by the target length; a side far off counts no more than one at the border of hope: narrow strips stay regular.
-  static constexpr double spread_price = 3.8;
+  /// On coarse meshes (Region::evenness) it is worth more.
+  const double spread_price;
 
   explicit MeshEdit(Front& front);
 

@@ -110,11 +110,15 @@ std::optional<Crossing> Front::start(std::optional<double> sharpest_tip) {
   return open_void();
 }
 
-std::optional<Crossing> Front::open_void() {
+void Front::start_whole() {
   true_angle_.resize(mesh.node_count(), -1);
   out_facet_.assign(mesh.node_count(), -1);
   sectors_.assign(mesh.node_count(), 0);
   colour_.assign(mesh.node_count(), {});
+}
+
+std::optional<Crossing> Front::open_void() {
+  start_whole();
   std::vector<std::pair<int, int>> ends;
   for (std::size_t f = 0; f < facets.size(); ++f) {
     ends.push_back({facets[f].a, facets[f].b});

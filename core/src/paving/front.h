@@ -36,6 +36,8 @@ class Front {
   /// For a mesh that is there already: triangulates the void between `loops` of its nodes, void on the left. Boundary
   /// facets are taken from the region's loops and found by their nodes.
   std::optional<Crossing> start_at(const std::vector<std::vector<int>>& loops);
+  /// For a mesh without any void, whose boundary nodes are there: nodes and elements may be added and moved.
+  void start_whole();
   /// Adds a boundary node of the region.
   int add_boundary_node(const std::vector<LoopNode>& loop, std::size_t i);
   /// Triangulates the void inside the region's loops; with `sharpest_tip` (radians) acute corners from there on are

@@ -86,7 +86,8 @@ std::optional<PavedRegion> pave_and_cut(const Region& region, const Attempt& att
   if (holes.empty()) return std::nullopt;
   const Region whole = without_holes(region, holes);
   PavedRegion paved;
-  if (auto disc = lay_disc(whole, progress)) {
+  auto disc = region.evenness > 1 ? std::nullopt : lay_disc(whole, progress);  // paving is more even
+  if (disc) {
     paved.mesh = std::move(*disc);
   } else {
     paved = pave_whole(whole, attempt, progress, elements);

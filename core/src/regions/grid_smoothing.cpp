@@ -24,9 +24,10 @@ constexpr double damping = 1e-3;
 /// Energy about one node as a function of its position, with gradient and Gauss-Newton matrix in the tangent basis.
 class NodeEnergy {
  public:
-  NodeEnergy(const RegionMesh& mesh, int node, double ratio) : mesh_(mesh), node_(node), ratio_(ratio) {
-    n_ = mesh.normal(node);
-    t_ = unit(mesh.xp[node]);
+  NodeEnergy(const GluedGrid& grid, int node, double ratio)
+      : grid_(grid), mesh_(grid.mesh), node_(node), ratio_(ratio) {
+    n_ = mesh_.normal(node);
+    t_ = unit(mesh_.xp[node]);
     s_ = cross(n_, t_);
   }
 
@@ -62,7 +63,7 @@ class NodeEnergy {
       int k = e.corner_of(node_);
       const int next = e.v[(k + 1) % 4];
       const Vec3 a = mesh_.x[next], b = mesh_.x[e.v[(k + 2) % 4]], c = mesh_.x[e.v[(k + 3) % 4]];
-      add_edge<has_slopes>(at - a, mesh_.h[next]);
+      add_edge<has_slopes>(at - a, grid_.wish(q, k) * (mesh_.h[node_] + mesh_.h[next]));
       const Vec3 to_a = a - at, to_c = c - at;
       if (const Corner own = corner_of(to_a, to_c); has_slopes)
         add_slope(angle_weight, own.cotangent,
@@ -75,8 +76,8 @@ class NodeEnergy {
   }
 
   template <bool has_slopes>
-  void add_edge(Vec3 d, double target) {
-    double length = norm(d), wish = 0.5 * ratio_ * (mesh_.h[node_] + target), residual = length / wish - 1;
+  void add_edge(Vec3 d, double twice_target) {
+    double length = norm(d), wish = 0.5 * ratio_ * twice_target, residual = length / wish - 1;
     sum_ += residual * residual;
     if (has_slopes) add_slope(1, residual, (1 / (length * wish)) * d);
   }
@@ -102,6 +103,7 @@ class NodeEnergy {
     h11_ += weight * j1 * j1, h12_ += weight * j1 * j2, h22_ += weight * j2 * j2;
   }
 
+  const GluedGrid& grid_;
   const RegionMesh& mesh_;
   int node_;
   double ratio_;
@@ -113,7 +115,7 @@ class NodeEnergy {
 /// How far the node went, by its target length.
 double improve(GluedGrid& grid, int node, double ratio, const Surface& surface, const FaceSize& size) {
   RegionMesh& mesh = grid.mesh;
-  NodeEnergy energy(mesh, node, ratio);
+  NodeEnergy energy(grid, node, ratio);
   const Vec2 p = mesh.p[node];
   const Vec3 x = mesh.x[node];
   const double before = energy.value_and_slopes(x), sine = std::min(energy.least_sine(), flat_sine);
@@ -131,12 +133,13 @@ double improve(GluedGrid& grid, int node, double ratio, const Surface& surface, 
   return 0;
 }
 
-double mean_ratio(const RegionMesh& mesh) {
+double mean_ratio(const GluedGrid& grid) {
+  const RegionMesh& mesh = grid.mesh;
   double sum = 0;
-  for (const Element& e : mesh.elements)
+  for (std::size_t q = 0; q < mesh.elements.size(); ++q)
     for (int k = 0; k < 4; ++k) {
-      int a = e.v[k], b = e.v[(k + 1) % 4];
-      sum += norm(mesh.x[a] - mesh.x[b]) / (mesh.h[a] + mesh.h[b]);
+      int a = mesh.elements[q].v[k], b = mesh.elements[q].v[(k + 1) % 4];
+      sum += norm(mesh.x[a] - mesh.x[b]) / (grid.wish(static_cast<int>(q), k) * (mesh.h[a] + mesh.h[b]));
     }
   return sum / (2.0 * static_cast<double>(mesh.elements.size()));
 }
@@ -170,7 +173,7 @@ Vec2 GluedGrid::uv(int node) const {
 GridFigures measure_grid(const GluedGrid& grid) {
   const RegionMesh& mesh = grid.mesh;
   GridFigures figures;
-  figures.mean_ratio = mean_ratio(mesh);
+  figures.mean_ratio = mean_ratio(grid);
   figures.worst = 2;
   double outside = 0, squares = 0, cotangents = 0;
   for (const Element& e : mesh.elements) {
@@ -201,7 +204,7 @@ int finer_sweeps(const GluedGrid& grid) { return std::clamp(8000 / grid.mesh.nod
 void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     progress.check();
-    double ratio = mean_ratio(grid.mesh);
+    double ratio = mean_ratio(grid);
     double furthest = 0;
     for (int node = 0; node < grid.mesh.node_count(); ++node)
       if (!grid.mesh.is_fixed[node]) furthest = std::max(furthest, improve(grid, node, ratio, surface, size));

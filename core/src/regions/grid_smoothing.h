@@ -1,6 +1,7 @@
 // Smoothing of a regular grid of quads, laid over a whole closed face or a disc.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -16,6 +17,10 @@ struct GluedGrid {
   std::vector<std::shared_ptr<const Chart>> charts;
   std::vector<int> chart;
   RegionMesh mesh;
+  /// Per quad and side from its corner k: the wished length by the target length; empty: 1.
+  std::vector<std::array<float, 4>> wishes;
+
+  double wish(int quad, int side) const { return wishes.empty() ? 1 : wishes[quad][side]; }
 
   /// The new node's number.
   int add_node(int in_chart, Vec2 p, const Surface& surface, const FaceSize& size);
@@ -36,8 +41,8 @@ struct GridFigures {
 GridFigures measure_grid(const GluedGrid& grid);
 
 /// `sweeps` over all nodes that are not fixed. A node goes where the energy about it is least: sum over edges of
-/// (length / (r h) - 1)^2, r the mean of length / h, plus `angle_weight` times the sum over corners of the squared
-/// cotangent.
+/// (length / (r w h) - 1)^2, w the wish, r the mean of length / (w h), plus `angle_weight` times the sum over corners
+/// of the squared cotangent.
 void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress);
 
 /// Sweeps for a grid that was interpolated from a smoothed one of half as many rows: more for small ones, where they

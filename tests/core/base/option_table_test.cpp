@@ -31,6 +31,7 @@ TEST(ReadOptions, PutsEveryValueInItsField) {
                             {"max_elements", "3e6"},
                             {"order", "1"},
                             {"elements", "all-quad"},
+                            {"multilevel", "6"},
                             {"threads", "3"},
                             {"local", "Face3=2mm"},
                             {"local", "Edge1,Edge2=0.5"},
@@ -45,6 +46,9 @@ TEST(ReadOptions, PutsEveryValueInItsField) {
   EXPECT_EQ(o.max_elements, 3'000'000);
   EXPECT_EQ(o.order, 1);
   EXPECT_EQ(o.elements, Elements::all_quad);
+  EXPECT_EQ(o.multilevel, 6);
+  EXPECT_EQ(read_options({{"size", "1"}, {"multilevel", "auto"}}).multilevel, automatic_levels);
+  EXPECT_EQ(read_options({{"size", "1"}, {"multilevel", "off"}}).multilevel, 0);
   EXPECT_EQ(o.threads, 3);
   ASSERT_EQ(o.local.size(), 3u);
   EXPECT_EQ(o.local[2].part, "Edge2");
@@ -60,6 +64,7 @@ TEST(ReadOptions, DefaultsInTheTableAreThoseOfOptions) {
     EXPECT_EQ(again.divisions, defaults.divisions) << info.name;
     EXPECT_EQ(again.order, defaults.order) << info.name;
     EXPECT_EQ(again.elements, defaults.elements) << info.name;
+    EXPECT_EQ(again.multilevel, defaults.multilevel) << info.name;
     EXPECT_EQ(again.threads, defaults.threads) << info.name;
     EXPECT_EQ(again.gradation, defaults.gradation) << info.name;
     EXPECT_EQ(again.max_elements, defaults.max_elements) << info.name;

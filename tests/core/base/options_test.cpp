@@ -46,6 +46,8 @@ TEST(CheckOptions, NamesTheBadFieldAndItsValue) {
   }
   EXPECT_EQ(refusal_after([](Options& o) { o.order = 7; }), "order is 7; it must be from 1 to 2.");
   EXPECT_EQ(refusal_after([](Options& o) { o.threads = -2; }), "threads is -2; it must be from 0 to 1024.");
+  EXPECT_EQ(refusal_after([](Options& o) { o.multilevel = 3; }), "multilevel is 3; it must be from 4 to 8.");
+  EXPECT_EQ(refusal_after([](Options& o) { o.multilevel = automatic_levels; }), "");
   EXPECT_EQ(refusal_after([](Options& o) { o.max_elements = 0; }), "max_elements is 0; it must be at least 1.");
   EXPECT_NE(refusal_after([](Options& o) { o.sew_tolerance = -1; }), "");
   EXPECT_EQ(refusal_after([](Options& o) { o.sew_tolerance = 0; }), "");

@@ -1,0 +1,64 @@
+// The mesh as a grid of one chart without gaps in its numbering, smoothed, and put back where that is sound.
+#include "multilevel/even_out.h"
+
+#include <algorithm>
+
+#include "base/predicates.h"
+#include "regions/grid_smoothing.h"
+
+namespace paver {
+namespace {
+
+bool is_positive(const RegionMesh& mesh, const Element& e) {
+  for (int k = 0; k < 4; ++k)
+    if (orientation(mesh.p[e.v[k]], mesh.p[e.v[(k + 1) % 4]], mesh.p[e.v[(k + 2) % 4]]) <= 0) return false;
+  return true;
+}
+
+GluedGrid as_grid(const Region& region, const RegionMesh& mesh, const std::vector<std::array<float, 4>>& wishes) {
+  GluedGrid grid;
+  grid.charts = {region.chart};
+  grid.chart.assign(mesh.p.size(), 0);
+  grid.mesh = mesh;
+  grid.mesh.elements.clear();
+  for (Star& star : grid.mesh.star) star = {};
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (!mesh.elements[e].is_alive()) continue;
+    grid.mesh.add_element(mesh.elements[e].v);
+    if (!wishes.empty()) grid.wishes.push_back(wishes[e]);
+  }
+  for (int v = 0; v < mesh.node_count(); ++v)
+    if (grid.mesh.star[v].size() == 0) grid.mesh.is_fixed[v] = 1;
+  return grid;
+}
+
+}  // namespace
+
+void even_out(const Region& region, RegionMesh& mesh, const std::vector<std::array<float, 4>>& wishes, int sweeps,
+              const Progress& progress) {
+  for (const Element& e : mesh.elements)
+    if (e.is_alive() && e.corners() == 3) return;
+  GluedGrid grid = as_grid(region, mesh, wishes);
+  smooth_grid(grid, *region.surface, region.size, sweeps, progress);
+  std::vector<int> bad;
+  for (std::size_t e = 0; e < grid.mesh.elements.size(); ++e)
+    if (!is_positive(grid.mesh, grid.mesh.elements[e])) bad.push_back(static_cast<int>(e));
+  while (!bad.empty()) {
+    const int e = bad.back();
+    bad.pop_back();
+    for (int v : grid.mesh.elements[e].v) {
+      if (grid.mesh.is_fixed[v] || grid.mesh.p[v] == mesh.p[v]) continue;
+      grid.mesh.put(v, mesh.place(v));
+      grid.mesh.h[v] = mesh.h[v];
+      for (int other : grid.mesh.star[v])
+        if (!is_positive(grid.mesh, grid.mesh.elements[other])) bad.push_back(other);
+    }
+  }
+  for (int v = 0; v < mesh.node_count(); ++v) {
+    if (mesh.is_fixed[v]) continue;
+    mesh.put(v, grid.mesh.place(v));
+    mesh.h[v] = grid.mesh.h[v];
+  }
+}
+
+}  // namespace paver

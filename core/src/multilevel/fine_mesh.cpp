@@ -1,0 +1,266 @@
+// Positions: coarse edges become cubics that run smoothly through regular nodes, grids blend the four edges about them
+// (Coons), both in space; each node finds its chart point from its neighbours', one step off, and the surface from
+// there.
+#include "multilevel/fine_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/predicates.h"
+
+namespace paver {
+namespace {
+
+constexpr double least_jacobian = 0.1;  // of a grid's elements as laid
+constexpr double close = 0.02;          // of the target length: near enough to where a node should be
+constexpr int corrections = 2;
+
+}  // namespace
+
+FineMesh::FineMesh(const CoarseRegion& coarse_region, const RegionMesh& coarse_mesh, const CoarseNet& coarse_net,
+                   const std::vector<int>& edge_counts, Front& fine_front)
+    : coarse(coarse_region),
+      mesh(coarse_mesh),
+      net(coarse_net),
+      counts(edge_counts),
+      front(fine_front),
+      fine_(fine_front.mesh),
+      first_(coarse_net.edges.size(), -1) {
+  add_boundary();
+}
+
+// Loops that touch in a vertex share one node; the two sides of a cut do not.
+void FineMesh::add_boundary() {
+  std::map<int, Row> made;
+  for (const auto& loop : front.region.loops) {
+    Row& nodes = loop_nodes_.emplace_back();
+    for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
+      int node = -1;
+      for (int other : made[loop[i].global])
+        if (norm(fine_.p[other] - loop[i].p) <= 1e-9 * norm(loop[(i + 1) % n].p - loop[i].p)) node = other;
+      if (node < 0) {
+        node = front.add_boundary_node(loop, i);
+        made[loop[i].global].push_back(node);
+      }
+      nodes.push_back(node);
+    }
+  }
+  front.start_whole();
+  node_.assign(mesh.p.size(), -1);
+  is_pole_ = mesh.is_fixed;
+  for (std::size_t l = 0; l < net.loop_node.size(); ++l)
+    for (std::size_t i = 0; i < net.loop_node[l].size(); ++i)
+      node_[net.loop_node[l][i]] = node_on_loop(l, coarse.at[l][i]), is_pole_[net.loop_node[l][i]] = 0;
+}
+
+int FineMesh::node_on_loop(std::size_t loop, int i) const {
+  const Row& nodes = loop_nodes_[loop];
+  return nodes[static_cast<std::size_t>(i) % nodes.size()];
+}
+
+const LoopNode& FineMesh::loop_node(const CoarseEdge& edge, int i) const {
+  const std::vector<LoopNode>& loop = front.region.loops[static_cast<std::size_t>(edge.loop)];
+  int at = coarse.at[static_cast<std::size_t>(edge.loop)][static_cast<std::size_t>(edge.facet)] + i;
+  return loop[static_cast<std::size_t>(at) % loop.size()];
+}
+
+int FineMesh::corner_node(int v) {
+  if (node_[v] >= 0) return node_[v];
+  node_[v] = front.add_placed_node(mesh.place(v));
+  if (mesh.is_fixed[v]) {
+    fine_.is_fixed[node_[v]] = 1;
+    fine_.global[node_[v]] = mesh.global[v];
+  }
+  return node_[v];
+}
+
+int FineMesh::pole_of(int e) const {
+  for (int v : mesh.elements[e].v)
+    if (v >= 0 && is_pole_[v]) return v;
+  return -1;
+}
+
+bool FineMesh::lay(int e) {
+  const Element& element = mesh.elements[e];
+  const int n = element.corners();
+  for (int k = 0; k < n; ++k) corner_node(element.v[k]);
+  std::vector<Row> rows;
+  for (int k = 0; k < n; ++k) rows.push_back(row_of(net.of_element[e][k], element.v[k]));
+  // A pole comes last of all corners: nothing can be placed from there.
+  const int pole = pole_of(e);
+  if (n == 4 && pole >= 0) std::rotate(rows.begin(), rows.begin() + (element.corner_of(pole) + 2) % 4, rows.end());
+  const int nodes = fine_.node_count();
+  const std::size_t made = fine_.elements.size();
+  if (n == 4 ? lay_grid(rows[0], rows[1], rows[2], rows[3]) : lay_triangle(rows)) return true;
+  for (std::size_t i = fine_.elements.size(); i-- > made;) fine_.remove_element(static_cast<int>(i));
+  fine_.elements.resize(made);
+  while (fine_.node_count() > nodes) front.drop_last_node();
+  return false;
+}
+
+// The edge's nodes, ends included, from coarse node `from`.
+Row FineMesh::row_of(int e, int from) {
+  const CoarseEdge& edge = net.edges[e];
+  Row row;
+  if (edge.loop >= 0) {
+    const std::size_t l = static_cast<std::size_t>(edge.loop), f = static_cast<std::size_t>(edge.facet);
+    for (int i = coarse.at[l][f]; i <= coarse.at[l][f + 1]; ++i) row.push_back(node_on_loop(l, i));
+  } else {
+    if (first_[e] < 0) add_edge_nodes(e);
+    row.push_back(node_[edge.a]);
+    for (int i = 0; i + 1 < counts[e]; ++i) row.push_back(first_[e] + i);
+    row.push_back(node_[edge.b]);
+  }
+  if (from != edge.a) std::reverse(row.begin(), row.end());
+  return row;
+}
+
+void FineMesh::add_edge_nodes(int e) {
+  const CoarseEdge& edge = net.edges[e];
+  first_[e] = fine_.node_count();
+  // From a pole nothing can be placed.
+  bool is_turned = is_pole_[edge.a];
+  const int a = is_turned ? edge.b : edge.a, b = is_turned ? edge.a : edge.b, n = counts[e];
+  const Vec3 xa = mesh.x[a], xb = mesh.x[b], ta = tangent(e, a), tb = -1 * tangent(e, b);
+  Row row{node_[a]};
+  for (int i = 1; i < n; ++i) {
+    double t = static_cast<double>(i) / n, s = 1 - t;
+    Vec3 y = (s * s * (1 + 2 * t)) * xa + (t * t * (1 + 2 * s)) * xb + (s * s * t) * ta - (t * t * s) * tb;
+    Vec2 guess = i > 1 ? 2 * fine_.p[row[i - 1]] - fine_.p[row[i - 2]] : stepped(node_[a], y);
+    row.push_back(place(y, guess));
+  }
+  if (is_turned && n > 2) reverse_nodes(first_[e], n - 1);
+}
+
+void FineMesh::reverse_nodes(int first, int count) {
+  for (int i = 0, j = count - 1; i < j; ++i, --j) {
+    NodePlace low = fine_.place(first + i), high = fine_.place(first + j);
+    fine_.put(first + i, high), fine_.put(first + j, low);
+    std::swap(fine_.h[first + i], fine_.h[first + j]);
+  }
+}
+
+// Of the edge's curve at its end v, pointing along the edge, per whole edge.
+Vec3 FineMesh::tangent(int e, int v) const {
+  const CoarseEdge& edge = net.edges[e];
+  const int w = edge.a == v ? edge.b : edge.a;
+  const Vec3 chord = mesh.x[w] - mesh.x[v];
+  const int across = edge_across(e, v);
+  if (across < 0) return chord;
+  const CoarseEdge& other = net.edges[across];
+  const int z = other.a == v ? other.b : other.a;
+  return (static_cast<double>(counts[e]) / (counts[e] + counts[across])) * (mesh.x[w] - mesh.x[z]);
+}
+
+// The edge that goes on at a regular node where `e` ends, or -1.
+int FineMesh::edge_across(int e, int v) const {
+  const Star& star = mesh.star[v];
+  if (star.size() != 4 || mesh.is_fixed[v]) return -1;
+  const CoarseEdge& edge = net.edges[e];
+  int found[2] = {-1, -1}, others = 0;
+  for (int i : star) {
+    if (mesh.elements[i].corners() != 4) return -1;
+    if (i == edge.element[0] || i == edge.element[1]) continue;
+    if (others == 2) return -1;
+    int k = mesh.elements[i].corner_of(v);
+    int out = net.of_element[i][k], in = net.of_element[i][(k + 3) % 4];
+    if (others == 0) {
+      found[0] = out, found[1] = in;
+    } else {
+      if (found[0] == out || found[0] == in) return found[0];
+      if (found[1] == out || found[1] == in) return found[1];
+    }
+    ++others;
+  }
+  return -1;
+}
+
+Vec2 FineMesh::stepped(int from, Vec3 to) const {
+  return front.region.chart->walk(fine_.p[from], fine_.pull_back(from, to - fine_.x[from]));
+}
+
+int FineMesh::place(Vec3 y, Vec2 guess) {
+  int node = front.add_node(guess);
+  for (int i = 0; i < corrections; ++i) {
+    Vec2 step = fine_.pull_back(node, y - fine_.x[node]);
+    Vec3 way = step.x * fine_.xp[node] + step.y * fine_.xq[node];
+    if (norm(way) <= close * fine_.h[node]) break;
+    front.slide(node, fine_.p[node] + step);
+  }
+  return node;
+}
+
+//      top (reversed)
+//     +----<----+
+// left v        ^ right      rows run counter-clockwise; grid nodes from bottom left
+//     +---->----+
+//       bottom
+bool FineMesh::lay_grid(const Row& bottom, const Row& right, const Row& top, const Row& left) {
+  const int m = static_cast<int>(bottom.size()) - 1, n = static_cast<int>(right.size()) - 1;
+  if (static_cast<int>(top.size()) - 1 != m || static_cast<int>(left.size()) - 1 != n) return false;
+  grid_.assign(static_cast<std::size_t>(m + 1) * static_cast<std::size_t>(n + 1), -1);
+  auto at = [&](int i, int j) -> int& { return grid_[static_cast<std::size_t>(j * (m + 1) + i)]; };
+  for (int i = 0; i <= m; ++i) at(i, 0) = bottom[i], at(i, n) = top[m - i];
+  for (int j = 0; j <= n; ++j) at(0, j) = left[n - j], at(m, j) = right[j];
+  const Vec3 x00 = fine_.x[at(0, 0)], xm0 = fine_.x[at(m, 0)], x0n = fine_.x[at(0, n)], xmn = fine_.x[at(m, n)];
+  for (int j = 1; j < n; ++j)
+    for (int i = 1; i < m; ++i) {
+      double s = static_cast<double>(i) / m, t = static_cast<double>(j) / n;
+      Vec3 y = (1 - t) * fine_.x[at(i, 0)] + t * fine_.x[at(i, n)] + (1 - s) * fine_.x[at(0, j)] +
+               s * fine_.x[at(m, j)] - ((1 - s) * (1 - t)) * x00 - (s * (1 - t)) * xm0 - ((1 - s) * t) * x0n -
+               (s * t) * xmn;
+      Vec2 guess = fine_.p[at(i - 1, j)] + fine_.p[at(i, j - 1)] - fine_.p[at(i - 1, j - 1)];
+      at(i, j) = place(y, guess);
+    }
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < m; ++i)
+      if (!add_quad({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)})) return false;
+  return true;
+}
+
+bool FineMesh::add_quad(const std::array<int, 4>& v) {
+  for (int k = 0; k < 4; ++k)
+    if (orientation(fine_.p[v[k]], fine_.p[v[(k + 1) % 4]], fine_.p[v[(k + 2) % 4]]) <= 0) return false;
+  if (!has_jacobian(fine_, Element{v}, least_jacobian)) return false;
+  fine_.add_element(v);
+  return true;
+}
+
+// Three grids about a centre. On edge k (from corner k) part[k] fine edges belong to corner k; what lies opposite in
+// each grid agrees when part[k] + part[k + 1] == count[k + 1] all round.
+bool FineMesh::lay_triangle(const std::vector<Row>& rows) {
+  int count[3], part[3];
+  for (int k = 0; k < 3; ++k) count[k] = static_cast<int>(rows[k].size()) - 1;
+  for (int k = 0; k < 3; ++k) {
+    int sum = count[k] + count[(k + 1) % 3] - count[(k + 2) % 3];
+    if (sum % 2 != 0 || sum <= 0) return false;
+    part[k] = sum / 2;
+  }
+  Vec3 middle{0, 0, 0};
+  for (int k = 0; k < 3; ++k) middle += (1.0 / 3) * fine_.x[rows[k][part[k]]];
+  int centre = place(middle, stepped(rows[0][part[0]], middle));
+  Row spoke[3];  // from the edge to the centre
+  for (int k = 0; k < 3; ++k) spoke[k] = straight_row(rows[k][part[k]], centre, part[(k + 1) % 3]);
+  for (int k = 0; k < 3; ++k) {
+    int last = (k + 2) % 3;
+    Row out(rows[k].begin(), rows[k].begin() + part[k] + 1), in(rows[last].begin() + part[last], rows[last].end());
+    Row back(spoke[last].rbegin(), spoke[last].rend());
+    if (!lay_grid(out, spoke[k], back, in)) return false;
+  }
+  return true;
+}
+
+Row FineMesh::straight_row(int a, int b, int n) {
+  Row row{a};
+  const Vec3 xa = fine_.x[a], xb = fine_.x[b];
+  for (int i = 1; i < n; ++i) {
+    double t = static_cast<double>(i) / n;
+    Vec3 y = (1 - t) * xa + t * xb;
+    row.push_back(place(y, stepped(row.back(), y)));
+  }
+  row.push_back(b);
+  return row;
+}
+
+}  // namespace paver

@@ -1,0 +1,60 @@
+// The fine nodes along the edges of a coarse mesh, and grids of fine elements inside its elements.
+#pragma once
+
+#include <vector>
+
+#include "multilevel/coarse_net.h"
+#include "paving/front.h"
+
+namespace paver {
+
+/// Fine nodes in a row: along a coarse edge, or a line between two of them.
+using Row = std::vector<int>;
+
+/// `front` is on the fine region, its mesh empty at first. References are kept.
+class FineMesh {
+ public:
+  FineMesh(const CoarseRegion& coarse, const RegionMesh& mesh, const CoarseNet& net, const std::vector<int>& counts,
+           Front& front);
+
+  /// The fine node at a coarse one.
+  int corner_node(int v);
+  /// Nodes of coarse edge `e`, ends included, from coarse node `from`. Made when first asked for.
+  Row row_of(int e, int from);
+  /// The fixed coarse node inside the region among the element's corners, or -1.
+  int pole_of(int e) const;
+  /// Divides coarse element `e` in a grid, a triangle in three. False, and nothing done but on its edges, where counts
+  /// do not fit or an element would not be sound.
+  bool lay(int e);
+  /// The node of a fine loop.
+  const LoopNode& loop_node(const CoarseEdge& edge, int i) const;
+
+  const CoarseRegion& coarse;
+  const RegionMesh& mesh;
+  const CoarseNet& net;
+  const std::vector<int>& counts;
+  Front& front;
+
+ private:
+  void add_boundary();
+  int node_on_loop(std::size_t loop, int i) const;
+  void add_edge_nodes(int e);
+  void reverse_nodes(int first, int count);
+  Vec3 tangent(int e, int v) const;
+  int edge_across(int e, int v) const;
+  Vec2 stepped(int from, Vec3 to) const;
+  int place(Vec3 y, Vec2 guess);
+  bool lay_grid(const Row& bottom, const Row& right, const Row& top, const Row& left);
+  bool add_quad(const std::array<int, 4>& v);
+  bool lay_triangle(const std::vector<Row>& rows);
+  Row straight_row(int a, int b, int n);
+
+  RegionMesh& fine_;
+  std::vector<Row> loop_nodes_;
+  Row node_;                   // per coarse node: fine node
+  std::vector<char> is_pole_;  // per coarse node: fixed inside
+  Row first_;                  // per coarse edge inside: its first fine node between the ends
+  Row grid_;
+};
+
+}  // namespace paver

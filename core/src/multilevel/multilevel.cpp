@@ -1,0 +1,152 @@
+// In: region. Out: its mesh.
+// Steps: coarser region, its mesh, lengths made even; counts along its chords; coarse nodes on the boundary go to the
+// fine nodes that the counts give them, the others to where lengths suit the counts; division; smoothing.
+#include "multilevel/multilevel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/flat_elements.h"
+#include "multilevel/coarse_net.h"
+#include "multilevel/edge_counts.h"
+#include "multilevel/even_out.h"
+#include "multilevel/subdivide.h"
+#include "paving/cleanup_optimise.h"
+#include "paving/cleanup_smooth.h"
+#include "paving/faults.h"
+#include "regions/disc_grid.h"
+
+namespace paver {
+namespace {
+
+constexpr int least_ratio = 4, automatic_ratio = 6;
+constexpr double fewest_coarse = 2000;  // elements that the coarse mesh should have: large elements vary more in length
+constexpr double evenness = 2.1;        // of coarse meshes: their irregular nodes are few among the fine ones
+constexpr int even_sweeps = 15, count_sweeps = 30, fine_sweeps = 2;
+constexpr double worst_goal = 0.74;
+
+/// Ratio of the target lengths for which the coarse mesh is not too small; 0: none.
+int ratio_for(const Region& region, int multilevel) {
+  int fitting = static_cast<int>(std::sqrt(region.area / (region.h * region.h) / fewest_coarse));
+  int ratio = std::min(multilevel == automatic_levels ? automatic_ratio : multilevel, fitting);
+  return ratio >= least_ratio ? ratio : 0;
+}
+
+class Level {
+ public:
+  Level(const Region& region, CoarseRegion coarse, const Progress& progress, Elements elements)
+      : region_(region), coarse_(std::move(coarse)), progress_(progress), elements_(elements) {}
+
+  std::optional<PavedRegion> divide(PavedRegion paved) {
+    RegionMesh& mesh = paved.mesh;
+    even_out(coarse_.region, mesh, {}, even_sweeps, progress_);
+    std::optional<CoarseNet> net = build_net(coarse_, mesh);
+    if (!net) return std::nullopt;
+    auto counts = choose_edge_counts(coarse_, *net, find_chords(coarse_, mesh, *net), lengths(mesh, *net));
+    if (!counts) return std::nullopt;
+    move_boundary(mesh, *net, *counts);
+    even_out(coarse_.region, mesh, wishes(mesh, *net, *counts), count_sweeps, progress_);
+    PavedRegion result;
+    result.counts = paved.counts;
+    Front front(region_, result.mesh);
+    auto rests = subdivide(coarse_, mesh, *net, *counts, lengths(mesh, *net), front, progress_, elements_);
+    if (!rests) return std::nullopt;
+    smooth(front, *rests);
+    if (count_faults(result.mesh).sum() > 0) return std::nullopt;
+    return result;
+  }
+
+ private:
+  double ratio() const { return coarse_.region.h / region_.h; }
+
+  // Of coarse edges, in fine target lengths.
+  std::vector<double> lengths(const RegionMesh& mesh, const CoarseNet& net) const {
+    std::vector<double> result;
+    for (const CoarseEdge& edge : net.edges) {
+      double h = 0.5 * (mesh.h[edge.a] + mesh.h[edge.b]) / ratio();
+      result.push_back(norm(mesh.x[edge.b] - mesh.x[edge.a]) / h);
+    }
+    return result;
+  }
+
+  // Lengths that suit the counts, in coarse target lengths.
+  std::vector<std::array<float, 4>> wishes(const RegionMesh& mesh, const CoarseNet& net,
+                                           const std::vector<int>& counts) const {
+    std::vector<std::array<float, 4>> result(mesh.elements.size(), {1, 1, 1, 1});
+    for (std::size_t e = 0; e < result.size(); ++e)
+      for (int k = 0; mesh.elements[e].is_alive() && k < mesh.elements[e].corners(); ++k)
+        result[e][k] = static_cast<float>(counts[net.of_element[e][k]] / ratio());
+    return result;
+  }
+
+  void move_boundary(RegionMesh& mesh, const CoarseNet& net, const std::vector<int>& counts) {
+    std::vector<std::vector<int>> facets(coarse_.at.size());
+    for (std::size_t l = 0; l < facets.size(); ++l) facets[l].resize(coarse_.side[l].size());
+    for (std::size_t e = 0; e < net.edges.size(); ++e)
+      if (net.edges[e].loop >= 0) facets[net.edges[e].loop][net.edges[e].facet] = counts[e];
+    for (std::size_t l = 0; l < facets.size(); ++l)
+      for (std::size_t i = 0; i < facets[l].size(); ++i) {
+        int next = coarse_.at[l][i] + facets[l][i];
+        if (next == coarse_.at[l][i + 1]) continue;
+        coarse_.at[l][i + 1] = next;
+        put(mesh, net.loop_node[l][(i + 1) % facets[l].size()], l, next);
+      }
+  }
+
+  void put(RegionMesh& mesh, int node, std::size_t l, int i) const {
+    const LoopNode& at = region_.loops[l][static_cast<std::size_t>(i) % region_.loops[l].size()];
+    mesh.p[node] = at.p;
+    region_.evaluate(at.p, mesh.x[node], mesh.xp[node], mesh.xq[node]);
+    mesh.x[node] = at.x;
+    mesh.global[node] = at.global;
+  }
+
+  void smooth(Front& front, const std::vector<int>& rests) const {
+    for (int v : rests) front.mesh.is_fixed[v] = 1;
+    Sweeper sweeper(front);
+    for (int i = 0; i < fine_sweeps; ++i) {
+      progress_.check();
+      if (!sweeper.sweep()) break;
+    }
+    for (int v : rests) front.mesh.is_fixed[v] = 0;
+    front.end_slides();
+    raise_worst(front, worst_goal, 2);
+  }
+
+  const Region& region_;
+  CoarseRegion coarse_;
+  const Progress& progress_;
+  const Elements elements_;
+};
+
+std::optional<PavedRegion> pave_level(const Region& region, int multilevel, int ratio, const Progress& progress,
+                                      Elements elements) {
+  std::optional<CoarseRegion> coarse = coarsen(region, ratio);
+  if (!coarse) return std::nullopt;
+  coarse->region.evenness = evenness;
+  try {
+    PavedRegion paved = pave_by_levels(coarse->region, multilevel, progress, elements);
+    return Level(region, std::move(*coarse), progress, elements).divide(std::move(paved));
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::face_failed) throw;
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+PavedRegion pave_by_levels(const Region& region, int multilevel, const Progress& progress, Elements elements) {
+  const int first = region.laid || multilevel == 0 ? 0 : ratio_for(region, multilevel);
+  if (first == 0) return pave_region(region, progress, elements);
+  const Elements quads = elements == Elements::all_triangle ? Elements::quad_dominant : elements;
+  std::optional<PavedRegion> paved;
+  if (auto disc = lay_disc(region, progress)) paved = PavedRegion{std::move(*disc), {}};
+  for (int ratio = first; !paved && ratio >= least_ratio; ratio = ratio > least_ratio ? least_ratio : 0)
+    paved = pave_level(region, multilevel, ratio, progress, quads);
+  if (!paved) return pave_region(region, progress, elements);
+  mend_flat_elements(paved->mesh, elements != Elements::all_quad);
+  if (elements == Elements::all_triangle) split_all_quads(paved->mesh);
+  return std::move(*paved);
+}
+
+}  // namespace paver

@@ -1,0 +1,176 @@
+// In: marked elements. Out: fine elements in their place.
+// Steps: parts connected by nodes; their outlines as loops of fine nodes; a region of its own for each, with the fan
+// about a pole that lies in it.
+#include "multilevel/patches.h"
+
+#include <algorithm>
+#include <map>
+
+#include "paving/pave_region.h"
+
+namespace paver {
+namespace {
+
+/// A coarse edge on the outline, run through so that the part is on its left.
+struct OutlineEdge {
+  int edge = -1, from = -1, to = -1;
+};
+
+// Edges between an element of the part and one outside, or the boundary; by start node.
+template <class IsInside>
+std::multimap<int, OutlineEdge> outline_of(const std::vector<int>& part, const RegionMesh& mesh, const CoarseNet& net,
+                                           IsInside is_inside) {
+  std::multimap<int, OutlineEdge> outline;
+  for (int e : part) {
+    const Element& element = mesh.elements[e];
+    for (int k = 0, n = element.corners(); k < n; ++k) {
+      const CoarseEdge& edge = net.edges[net.of_element[e][k]];
+      int across = edge.element[0] == e ? edge.element[1] : edge.element[0];
+      if (across >= 0 && is_inside(across)) continue;
+      outline.insert({element.v[k], {net.of_element[e][k], element.v[k], element.v[(k + 1) % n]}});
+    }
+  }
+  return outline;
+}
+
+class PatchPaver {
+ public:
+  PatchPaver(FineMesh& fine, const std::vector<char>& is_marked, const Progress& progress, Elements elements)
+      : fine_(fine), front_(fine.front), mesh_(fine.mesh), progress_(progress), elements_(elements) {
+    waits_ = is_marked;
+  }
+
+  std::vector<int> run() {
+    for (std::size_t e = 0; e < waits_.size(); ++e)
+      if (waits_[e]) pave(part_from(static_cast<int>(e)));
+    return std::move(about_poles_);
+  }
+
+ private:
+  // All marked elements that hang together by nodes.
+  std::vector<int> part_from(int first) {
+    std::vector<int> part{first};
+    waits_[first] = 0;
+    for (std::size_t i = 0; i < part.size(); ++i)
+      for (int v : mesh_.elements[part[i]].v) {
+        if (v < 0) continue;
+        for (int e : mesh_.star[v])
+          if (waits_[e]) waits_[e] = 0, part.push_back(e);
+      }
+    return part;
+  }
+
+  void pave(std::vector<int> part) {
+    std::sort(part.begin(), part.end());
+    const Region& whole = front_.region;
+    Region region;
+    region.face = whole.face;
+    region.surface = whole.surface;
+    region.chart = whole.chart;
+    region.goes_round = whole.goes_round;
+    region.size = whole.size;
+    region.h = whole.h;
+    region.gradation = whole.gradation;
+    region.evenness = whole.evenness;
+    region.area = 0;
+    for (int e : part) region.area += area_of(e);
+    add_loops(part, region);
+    for (int e : part) add_fan(e, region);
+    take_over(pave_region(region, progress_, elements_).mesh, !region.fans.empty());
+  }
+
+  double area_of(int e) const {
+    const auto& v = mesh_.elements[e].v;
+    const Vec3 a = mesh_.x[v[0]], b = mesh_.x[v[1]], c = mesh_.x[v[2]], d = v[3] < 0 ? c : mesh_.x[v[3]];
+    return 0.5 * norm(cross(c - a, d - b));
+  }
+
+  void add_loops(const std::vector<int>& part, Region& region) {
+    auto is_inside = [&](int e) { return std::binary_search(part.begin(), part.end(), e); };
+    std::multimap<int, OutlineEdge> outline = outline_of(part, mesh_, fine_.net, is_inside);
+    while (!outline.empty()) {
+      std::vector<LoopNode>& loop = region.loops.emplace_back();
+      int node = outline.begin()->first;
+      for (auto next = outline.begin(); next != outline.end(); next = outline.find(node)) {
+        add_edge(next->second, loop);
+        node = next->second.to;
+        outline.erase(next);
+      }
+    }
+  }
+
+  void add_edge(const OutlineEdge& at, std::vector<LoopNode>& loop) {
+    for (int v : {at.from, at.to}) fine_.corner_node(v);
+    const CoarseEdge& edge = fine_.net.edges[at.edge];
+    const Row row = fine_.row_of(at.edge, at.from);
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+      LoopNode node{row[i], -1, front_.mesh.p[row[i]], front_.mesh.x[row[i]], front_.mesh.h[row[i]], -1};
+      if (edge.loop >= 0) {
+        const LoopNode& known = fine_.loop_node(edge, static_cast<int>(i));
+        node.edge = known.edge;
+        if (i > 0) node.angle = known.angle;
+      }
+      loop.push_back(node);
+    }
+  }
+
+  void add_fan(int e, Region& region) {
+    const int pole = fine_.pole_of(e);
+    if (pole < 0) return;
+    for (const Fan& fan : front_.region.fans) {
+      if (fan.centre.global != mesh_.global[pole]) continue;
+      const int node = fine_.corner_node(pole);
+      for (const Fan& known : region.fans)
+        if (known.centre.global == node) return;
+      region.fans.push_back(fan);
+      region.fans.back().centre.global = node;
+    }
+  }
+
+  void take_over(const RegionMesh& part, bool has_pole) {
+    Row number(part.p.size(), -1);
+    for (int v = 0; v < part.node_count(); ++v) {
+      if (part.star[v].size() == 0) continue;
+      number[v] = part.global[v] >= 0 ? part.global[v] : front_.add_placed_node(part.place(v));
+      if (has_pole && part.global[v] < 0) about_poles_.push_back(number[v]);
+    }
+    for (const Element& element : part.elements) {
+      if (!element.is_alive()) continue;
+      std::array<int, 4> v{-1, -1, -1, -1};
+      for (int k = 0; k < element.corners(); ++k) v[k] = number[element.v[k]];
+      front_.mesh.add_element(v);
+    }
+  }
+
+  FineMesh& fine_;
+  Front& front_;
+  const RegionMesh& mesh_;
+  const Progress& progress_;
+  const Elements elements_;
+  std::vector<char> waits_;
+  std::vector<int> about_poles_;
+};
+
+}  // namespace
+
+void settle_marks(const RegionMesh& mesh, const CoarseNet& net, std::vector<char>& is_marked) {
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    std::vector<int> part;
+    for (std::size_t e = 0; e < is_marked.size(); ++e)
+      if (is_marked[e]) part.push_back(static_cast<int>(e));
+    const auto outline = outline_of(part, mesh, net, [&](int e) { return is_marked[e] != 0; });
+    for (const auto& [node, edge] : outline) {
+      if (outline.count(node) < 2) continue;
+      for (int e : mesh.star[node])
+        if (!is_marked[e]) is_marked[e] = has_changed = true;
+    }
+  }
+}
+
+std::vector<int> pave_patches(FineMesh& fine, const std::vector<char>& is_marked, const Progress& progress,
+                              Elements elements) {
+  return PatchPaver(fine, is_marked, progress, elements).run();
+}
+
+}  // namespace paver
