@@ -112,8 +112,7 @@ std::optional<Crossing> Front::start(std::optional<double> sharpest_tip) {
 
 void Front::start_whole() {
   true_angle_.resize(mesh.node_count(), -1);
-  out_facet_.assign(mesh.node_count(), -1);
-  sectors_.assign(mesh.node_count(), 0);
+  out_facet_.assign(mesh.node_count(), -1), sectors_.assign(mesh.node_count(), 0);
   colour_.assign(mesh.node_count(), {});
 }
 
