@@ -156,9 +156,7 @@ int Front::add_placed_node(const NodePlace& at) {
 
 void Front::drop_last_node() {
   mesh.drop_last_node();
-  out_facet_.pop_back();
-  sectors_.pop_back();
-  colour_.pop_back();
+  out_facet_.pop_back(), sectors_.pop_back(), colour_.pop_back();
 }
 
 double Front::angle_after(int f) const {
