@@ -9,6 +9,7 @@ constexpr int deepest_cell = 12;     // halvings
 constexpr int deepest_piece = 20;    // halvings
 constexpr double coarse_cell = 0.8;  // of h over the gradation: size of a cell that is not halved
 constexpr double graded_share = 0.9;
+constexpr double graded_excess = 2.8;   // rows give up nodes more slowly than the gradation allows (docs/prediction.md)
 constexpr int samples_per_pcurve = 17;  // for the box of a face
 
 class CellCounter {
@@ -34,16 +35,16 @@ class CellCounter {
     double cell = norm(cross(xu, xv)) * (hi.x - lo.x) * (hi.y - lo.y);
     if (!std::isfinite(cell)) return;
     area_ += cell;
-    elements_ += cell / (h * h);
+    more_ += cell / (h * h) - cell / (plain * plain);
   }
-  double mean_density() const { return area_ > 0 ? elements_ / area_ : 0; }
+  double more_density() const { return area_ > 0 ? graded_excess * more_ / area_ : 0; }
 
   bool is_graded() const { return is_graded_; }
 
  private:
   const Surface& surface_;
   const FaceSize& size_;
-  double gradation_, area_ = 0, elements_ = 0;
+  double gradation_, area_ = 0, more_ = 0;
   bool is_graded_ = false;
 };
 
@@ -92,7 +93,7 @@ LocalCounts count_with_local(const Model& model, const Face& face, const FaceSiz
       Vec2 lo{box.lo.x + i * step.x, box.lo.y + j * step.y};
       cells.add(lo, lo + step, 0);
     }
-  counts.mean_density = cells.mean_density();
+  counts.more_density = cells.more_density();
   counts.is_graded = cells.is_graded();
   return counts;
 }

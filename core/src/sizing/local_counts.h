@@ -25,7 +25,7 @@ struct SampleBox {
 SampleBox sample_box(const Model& model, const Face& face);
 
 struct LocalCounts {
-  double mean_density = 0;  ///< area-weighted mean of 1 / h^2 over the box of the face
+  double more_density = 0;  ///< what other parts add to the mean of 1 / h^2 over the box of the face, as rows come out
   double perimeter = 0;     ///< integral of ds / h over its loops
   bool is_graded = false;   ///< other parts shorten h somewhere on the face
 };

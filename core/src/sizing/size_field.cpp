@@ -212,7 +212,7 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
     if (is_meshed && !field.local->is_empty()) {
       sampled.size.set_local(field.local);
       LocalCounts counts = count_with_local(model, face, sampled.size, field);
-      sampled.mean_density = std::max(sampled.mean_density, counts.mean_density);
+      sampled.mean_density += counts.more_density;
       field.perimeter.back() = counts.perimeter;
       sampled.size.set_graded(counts.is_graded);
     }
