@@ -1086,6 +1086,66 @@
     </message>
 </context>
 <context>
+    <name>Paver_ColourCertificate</name>
+    <message>
+        <source>Colours by certificate</source>
+        <translation>Farben nach Zertifikat</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_ColourFace</name>
+    <message>
+        <source>Colours by source face</source>
+        <translation>Farben nach Ursprungsfläche</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_ColourLength</name>
+    <message>
+        <source>Colours by edge length / target</source>
+        <translation>Farben nach Kantenlänge / Ziellänge</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_ColourLocalLength</name>
+    <message>
+        <source>Colours by edge length / local target</source>
+        <translation>Farben nach Kantenlänge / örtlicher Ziellänge</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_ColourNone</name>
+    <message>
+        <source>One colour</source>
+        <translation>Eine Farbe</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_ColourQuality</name>
+    <message>
+        <source>Colours by scaled Jacobian</source>
+        <translation>Farben nach skalierter Jacobi-Determinante</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_ColourType</name>
+    <message>
+        <source>Colours by element type</source>
+        <translation>Farben nach Elementart</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_Colours</name>
+    <message>
+        <source>Colours of the elements</source>
+        <translation>Farben der Elemente</translation>
+    </message>
+    <message>
+        <source>What the colours of the elements tell</source>
+        <translation>Was die Farben der Elemente bedeuten</translation>
+    </message>
+</context>
+<context>
     <name>Paver_CreateMesh</name>
     <message>
         <source>Create mesh</source>
@@ -1174,6 +1234,61 @@
     </message>
 </context>
 <context>
+    <name>Paver_ShowFreeEdges</name>
+    <message>
+        <source>Free edges</source>
+        <translation>Freie Kanten</translation>
+    </message>
+    <message>
+        <source>Marks mesh edges with one element only, and those with more than two, or no longer</source>
+        <translation>Hebt Netzkanten mit nur einem Element und solche mit mehr als zweien hervor, oder nicht mehr</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_ShowNormals</name>
+    <message>
+        <source>Normals</source>
+        <translation>Normalen</translation>
+    </message>
+    <message>
+        <source>Shows the outward normal of every element, or no longer</source>
+        <translation>Zeigt die Außennormale jedes Elements, oder nicht mehr</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_ShowTriangles</name>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Marks the triangles, or no longer</source>
+        <translation>Hebt die Dreiecke hervor, oder nicht mehr</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_ShowWorst</name>
+    <message>
+        <source>Worst elements</source>
+        <translation>Schlechteste Elemente</translation>
+    </message>
+    <message>
+        <source>Marks the ten elements with the least scaled Jacobian, or no longer</source>
+        <translation>Hebt die zehn Elemente mit der kleinsten skalierten Jacobi-Determinante hervor, oder nicht mehr</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_Shrink</name>
+    <message>
+        <source>Shrink elements</source>
+        <translation>Elemente verkleinern</translation>
+    </message>
+    <message>
+        <source>Draws every element smaller, so that each is seen alone, or whole again</source>
+        <translation>Zeichnet jedes Element kleiner, sodass es für sich zu sehen ist, oder wieder ganz</translation>
+    </message>
+</context>
+<context>
     <name>Paver_Statistics</name>
     <message>
         <source>Statistics</source>
@@ -1186,6 +1301,10 @@
 </context>
 <context>
     <name>Workbench</name>
+    <message>
+        <source>Paver view</source>
+        <translation>Paver-Ansicht</translation>
+    </message>
     <message>
         <source>Examples</source>
         <translation>Beispiele</translation>

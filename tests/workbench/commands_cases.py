@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 import window
 from paver_wb import examples, mesh_object, meshing, preferences, refinement, statistics
 from paver_wb.gui import commands, statistics_panel
-from paver_wb.gui.commands import files
+from paver_wb.gui.commands import files, view
 
 NEEDS_NOTHING = ["Paver_Import", "Paver_Preferences", "Paver_Help", "Paver_About"]
 ON_MESHED = ["Paver_Check", "Paver_Statistics", "Paver_Export"]
@@ -76,8 +76,9 @@ class Commands(WithCommands):
     def test_toolbar_and_menu_have_every_command_and_each_an_icon_and_a_tip(self):
         bench = FreeCADGui.activeWorkbench()
         self.assertEqual(bench.getToolbarItems()["Paver"], commands.TOOLBAR)
+        self.assertEqual(bench.getToolbarItems()["Paver view"], list(view.COMMANDS))
         known = [n for n in FreeCADGui.listCommands() if n.startswith("Paver_") and "Example" not in n]
-        self.assertEqual(known, sorted(commands.COMMANDS))
+        self.assertEqual(known, sorted([*commands.COMMANDS, *view.COMMANDS, *view.COLOURS]))
         keys = []
         for name in known:
             info = FreeCADGui.Command.get(name).getInfo()
@@ -90,7 +91,7 @@ class Commands(WithCommands):
         main = FreeCADGui.getMainWindow()
         menus = {menu.title(): menu for menu in main.findChildren(QtGui.QMenu)}
         shown = [action for action in menus["&Paver"].actions() if not action.isSeparator()]
-        self.assertEqual(len(shown), len(commands.COMMANDS) + 1)  # and the examples
+        self.assertEqual(len(shown), len(commands.COMMANDS) + 2)  # and the 3D view, the examples
         self.assertEqual(len(menus["Examples"].actions()), len(examples.names()))
         self.assertTrue(os.path.isfile(bench.Icon))
         for menu in main.findChildren(QtGui.QMenu):  # some are of workbenches chosen before

@@ -7,7 +7,8 @@ from PySide import QtCore, QtGui
 import display_cases
 from display_cases import RADIUS, wait
 from paver_wb import mesh_object
-from paver_wb.gui.display import actions, fields, report
+from paver_wb.gui.commands import view
+from paver_wb.gui.display import actions, colouring, fields, report
 
 
 class Marks(display_cases.InWindow):
@@ -222,3 +223,34 @@ class Picking(display_cases.InWindow):
         self.assertEqual((display.selected, display.reported), ((6,), 6))
         width, height = self.view.getSize()
         self.assertEqual(self.view.getObjectInfo((width // 2, height // 2))["Component"], "Elem7")
+
+
+class Buttons(display_cases.InWindow):
+    def press(self, name):
+        FreeCADGui.runCommand(name)
+        wait()
+
+    def test_each_is_one_step_of_undo_and_what_scripts_call(self):
+        FreeCADGui.activateWorkbench("PaverWorkbench")
+        for name in view.COMMANDS:
+            self.assertFalse(FreeCADGui.Command.get(name).isActive(), name)
+        self.run_mesh()
+        vobj = self.mesh.ViewObject
+        for name, what, off, on in (("Paver_ShowWorst", "ShowWorst", 0, 10), ("Paver_Shrink", "ShrinkFactor", 1, 0.75),
+                                    ("Paver_ShowFreeEdges", "ShowFreeEdges", False, True),
+                                    ("Paver_ShowTriangles", "ShowTriangles", False, True),
+                                    ("Paver_ShowNormals", "ShowNormals", False, True)):
+            self.document.clearUndos()
+            self.press(name)
+            self.assertEqual((getattr(vobj, what), len(self.document.UndoNames)), (on, 1), name)
+            self.press(name)
+            self.assertEqual((getattr(vobj, what), len(self.document.UndoNames)), (off, 2), name)
+            self.document.undo()
+            wait()
+            self.assertEqual(getattr(vobj, what), on, name)
+            self.document.undo()
+            self.assertEqual(getattr(vobj, what), off, name)
+        self.assertEqual([what for what, _ in view.COLOURS.values()], list(colouring.CHOICES))
+        for name, (what, _) in view.COLOURS.items():
+            self.press(name)
+            self.assertEqual(vobj.ColourBy, what)

@@ -8,6 +8,7 @@ from paver_wb import core
 from paver_wb.gui.paths import FORMS, ICONS, TRANSLATIONS
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+VIEW = QT_TRANSLATE_NOOP("Workbench", "Paver view")
 EXAMPLES = QT_TRANSLATE_NOOP("Workbench", "Examples")
 
 
@@ -31,9 +32,12 @@ class PaverWorkbench(FreeCADGui.Workbench):
     def Initialize(self):
         """Called once, when the workbench is first chosen."""
         from paver_wb.gui import commands
-        examples = commands.add_all()
+        from paver_wb.gui.commands import view
+        examples, views = commands.add_all(), view.add_all()
         self.appendToolbar("Paver", commands.TOOLBAR)
+        self.appendToolbar(VIEW, views)
         self.appendMenu("&Paver", commands.MENU)
+        self.appendMenu(["&Paver", VIEW], views)
         self.appendMenu(["&Paver", EXAMPLES], examples)
         self.appendMenu("&Paver", commands.ABOUT)
 

@@ -126,7 +126,7 @@ class DrawnMesh:
         """Surface of the box around the mesh over the mean area of an element."""
         low, high = self.extent
         a, b, c = high - low
-        area = float(self.stored.report.get("quality", {}).get("mesh_area") or 0)
+        area = float(self.stored.report.get("quality", {}).get("mesh_area") or self.quality.area.sum())
         return 2 * float(a * b + b * c + c * a) * self.count / area if area > 0 else 0.0
 
     @cached_property

@@ -1,0 +1,125 @@
+"""Commands for the mesh in the 3D view: each sets a property of its view object, as one step of undo."""
+import FreeCADGui
+
+from paver_wb.gui.commands.common import QT_TRANSLATE_NOOP, in_step, python_name, resources, target_mesh
+from paver_wb.gui.display import colouring
+
+WORST, SHRUNK = 10, 0.75  # what the buttons choose; the property editor has any number
+
+COLOURS = {
+    "Paver_ColourNone": (colouring.NONE, QT_TRANSLATE_NOOP("Paver_ColourNone", "One colour")),
+    "Paver_ColourQuality": (colouring.SJ, QT_TRANSLATE_NOOP("Paver_ColourQuality", "Colours by scaled Jacobian")),
+    "Paver_ColourLength": (colouring.LENGTH, QT_TRANSLATE_NOOP("Paver_ColourLength", "Colours by edge length / target")),
+    "Paver_ColourLocalLength": (colouring.LOCAL_LENGTH, QT_TRANSLATE_NOOP("Paver_ColourLocalLength",
+                                                                          "Colours by edge length / local target")),
+    "Paver_ColourType": (colouring.KIND, QT_TRANSLATE_NOOP("Paver_ColourType", "Colours by element type")),
+    "Paver_ColourFace": (colouring.FACE, QT_TRANSLATE_NOOP("Paver_ColourFace", "Colours by source face")),
+    "Paver_ColourCertificate": (colouring.CERTIFICATE, QT_TRANSLATE_NOOP("Paver_ColourCertificate",
+                                                                         "Colours by certificate")),
+}
+
+
+class OnShown:
+    """A command on the selected mesh object, or the document's only one, once it is meshed."""
+
+    def IsActive(self):
+        obj = target_mesh()
+        return obj is not None and bool(obj.MeshFile)
+
+    def act(self, step, call):
+        """Calls a function of display.actions; `call` has {} in place of the mesh object."""
+        FreeCADGui.addModule("paver_wb.gui.display.actions")
+        in_step(step, "paver_wb.gui.display.actions." + call.format(python_name(target_mesh())))
+
+
+class Colour(OnShown):
+    def __init__(self, name):
+        self.name = name
+
+    def GetResources(self):
+        text = COLOURS[self.name][1]
+        return resources("Paver_Colours", text, text)
+
+    def Activated(self):
+        self.act("Colours", f"colour_by({{}}, {COLOURS[self.name][0]!r})")
+
+
+class Colours(OnShown):
+    """All colours behind one button."""
+
+    def GetCommands(self):
+        return tuple(COLOURS)
+
+    def GetDefaultCommand(self):
+        return 1
+
+    def GetResources(self):
+        return resources("Paver_Colours", QT_TRANSLATE_NOOP("Paver_Colours", "Colours of the elements"),
+                         QT_TRANSLATE_NOOP("Paver_Colours", "What the colours of the elements tell"))
+
+
+class Worst(OnShown):
+    def GetResources(self):
+        return resources("Paver_ShowWorst", QT_TRANSLATE_NOOP("Paver_ShowWorst", "Worst elements"), QT_TRANSLATE_NOOP(
+            "Paver_ShowWorst", "Marks the ten elements with the least scaled Jacobian, or no longer"), "Q, W")
+
+    def Activated(self):
+        count = 0 if target_mesh().ViewObject.ShowWorst else WORST
+        self.act("Worst elements", f"show_worst({{}}, {count})")
+
+
+class Toggle(OnShown):
+    """Switches a property that is on or off."""
+
+    property, function = "", ""
+
+    def Activated(self):
+        is_shown = not getattr(target_mesh().ViewObject, self.property)
+        self.act(self.GetResources()["MenuText"], f"{self.function}({{}}, {is_shown})")
+
+
+class FreeEdges(Toggle):
+    property, function = "ShowFreeEdges", "show_free_edges"
+
+    def GetResources(self):
+        return resources("Paver_ShowFreeEdges", QT_TRANSLATE_NOOP("Paver_ShowFreeEdges", "Free edges"), QT_TRANSLATE_NOOP(
+            "Paver_ShowFreeEdges", "Marks mesh edges with one element only, and those with more than two, or no longer"))
+
+
+class Triangles(Toggle):
+    property, function = "ShowTriangles", "show_triangles"
+
+    def GetResources(self):
+        return resources("Paver_ShowTriangles", QT_TRANSLATE_NOOP("Paver_ShowTriangles", "Triangles"), QT_TRANSLATE_NOOP(
+            "Paver_ShowTriangles", "Marks the triangles, or no longer"))
+
+
+class Normals(Toggle):
+    property, function = "ShowNormals", "show_normals"
+
+    def GetResources(self):
+        return resources("Paver_ShowNormals", QT_TRANSLATE_NOOP("Paver_ShowNormals", "Normals"), QT_TRANSLATE_NOOP(
+            "Paver_ShowNormals", "Shows the outward normal of every element, or no longer"))
+
+
+class Shrink(OnShown):
+    def GetResources(self):
+        return resources("Paver_Shrink", QT_TRANSLATE_NOOP("Paver_Shrink", "Shrink elements"), QT_TRANSLATE_NOOP(
+            "Paver_Shrink", "Draws every element smaller, so that each is seen alone, or whole again"))
+
+    def Activated(self):
+        factor = SHRUNK if target_mesh().ViewObject.ShrinkFactor == 1 else 1
+        self.act("Shrink elements", f"shrink({{}}, {factor})")
+
+
+COMMANDS = {"Paver_Colours": Colours, "Paver_ShowWorst": Worst, "Paver_ShowFreeEdges": FreeEdges,
+            "Paver_ShowTriangles": Triangles, "Paver_ShowNormals": Normals, "Paver_Shrink": Shrink}
+
+
+def add_all():
+    """Makes the commands known to FreeCAD; their names in the order of the toolbar."""
+    for name in COLOURS:
+        FreeCADGui.addCommand(name, Colour(name))
+    for name, command in COMMANDS.items():
+        FreeCADGui.addCommand(name, command())
+    return list(COMMANDS)
