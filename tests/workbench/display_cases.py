@@ -298,13 +298,16 @@ class ColourBar(InWindow):
     def test_it_lies_in_the_corner_and_can_be_hidden(self):
         self.run_mesh()
         self.look()
-        for mode in mesh_display.MODES:
+        for mode in (mesh_display.CURVED, mesh_display.CURVED_EDGES):
             self.set(DisplayMode=mode, ColourBar=True)
             bar = self.picture("colour_bar", background="Black")[10:300, 10:200]
             self.assertGreater((bar.min(axis=2) > 180).mean(), 0.5, mode)
             self.set(ColourBar=False)
             bar = self.picture("no_colour_bar", background="Black")[10:300, 10:200]
             self.assertLess((bar.min(axis=2) > 180).mean(), 0.05, mode)
+        self.set(DisplayMode=mesh_display.EDGES, ColourBar=True)
+        bar = self.picture("no_colour_bar", background="Black")[10:300, 10:200]
+        self.assertLess((bar.min(axis=2) > 180).mean(), 0.05, "no colours, no bar")
 
     def test_it_adds_nothing_to_the_extent_of_the_model(self):
         self.sphere.Placement.Base = FreeCAD.Vector(1e4, 2e4, 3e4)

@@ -37,9 +37,10 @@ class MeshDisplay:
         self.bar, self.report_panel = ViewPanel(top=True), ViewPanel(top=False)
         self.modes = {}
         _displays.add(self)
-        shared = [self.marks, self.picker.node, self.bar.switch, self.report_panel.switch]
-        for name, nodes in ((CURVED, [self.scene.faces]), (CURVED_EDGES, [self.scene.faces, self.scene.edges]),
-                            (EDGES, [self.scene.edges])):
+        shared = [self.marks, self.picker.node, self.report_panel.switch]
+        for name, nodes in ((CURVED, [self.scene.faces, self.bar.switch]),
+                            (CURVED_EDGES, [self.scene.faces, self.scene.edges, self.bar.switch]),
+                            (EDGES, [self.scene.edges_alone])):
             self.modes[name] = put(coin.SoGroup(), *nodes, *shared)
 
     def make_marks(self):

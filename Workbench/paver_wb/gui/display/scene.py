@@ -13,7 +13,7 @@ FAINT = 0.55  # of the elements' colour in edges that lie close together
 
 
 class Scene:
-    """`faces`, `edges` are the groups to put into display modes; `points` and `normals` serve the marks too.
+    """`faces`, `edges`, or `edges_alone`, which do not fade, are the groups to put into display modes; `points` and `normals` serve the marks too.
 
     Coin sends arrays straight to the graphics card only where points, normals and colours have the same indices: so
     elements share no points, and each point has the colour of its element.
@@ -32,6 +32,9 @@ class Scene:
         self.edges = separator(unpickable(), unlit(), self.edge_colour, self.points,
                                separator(line_style(EDGE_WIDTH), self.by_size),
                                line_style(MODEL_EDGE_WIDTH), self.model_lines)
+        self.edges_alone = separator(unpickable(), unlit(), self.edge_colour, self.points,
+                                     separator(line_style(EDGE_WIDTH), self.lines),
+                                     line_style(MODEL_EDGE_WIDTH), self.model_lines)
 
     def set_points(self, points, normals, triangle_indices):
         fill(self.face_set.coordIndex, np.zeros(0, np.int32), INTEGERS)  # never indices of points that are not there
