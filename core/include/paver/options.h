@@ -38,7 +38,7 @@ struct Options {
   Elements elements = Elements::quad_dominant;
   /// Faces are meshed at this many times the target length first, and the coarse elements divided: 0: never; 4 to 8, or
   /// automatic_levels. Large faces only.
-  int multilevel = 0;
+  int multilevel = automatic_levels;
   int threads = 0;                      ///< worker threads; 0: all cores
   std::optional<double> max_turn;       ///< largest turn per element edge, radians; default pi/4, more on short ones
   double gradation = 0.6;               ///< largest growth of h per unit of length, 0.05 to 2

@@ -126,7 +126,7 @@ std::vector<Entry> other_entries(const Options& d) {
        [](Options& o, const Value& v) { o.elements = kinds_of_elements()[static_cast<std::size_t>(v.index)]; }},
       {{"multilevel", OptionKind::choice, "K",
         "Mesh large faces at K times the target length first and divide that mesh: off, auto, 4 to 8",
-        level_choices().front(), "", "", level_choices()},
+        level_choices()[1], "", "", level_choices()},
        [](Options& o, const Value& v) { o.multilevel = level_value(v.index); }},
       {{"threads", OptionKind::integer, "T", "Threads to work on; 0: all cores", text_of(d.threads), "", "", {}},
        [](Options& o, const Value& v) { o.threads = static_cast<int>(v.number); }},
