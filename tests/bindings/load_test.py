@@ -93,8 +93,9 @@ def test_freecad_finds_the_package_through_init_py(tmp_path):
     script = f"""
 import sys, types
 sys.path.insert(0, {str(tmp_path / 'Paver')!r})
+types_of_files = lambda *of: None
 exec(compile(open({os.path.join(ROOT, 'Init.py')!r}).read(), "Init.py", "exec"),
-     {{"FreeCAD": types.SimpleNamespace(__unit_test__=[])}})
+     {{"FreeCAD": types.SimpleNamespace(__unit_test__=[], addImportType=types_of_files, addExportType=types_of_files)}})
 import paver
 print(paver.__file__)
 """
