@@ -89,6 +89,12 @@ def test_the_ways_to_write_them(box):
     assert paver.mesh(box, frequency="1 GHz", local="Solid1=eps-r:9").report["checksum"] == solid.report["checksum"]
 
 
+def test_a_length_that_is_only_come_near_to_is_noted(example):
+    report = paver.mesh(example("sphere.step"), size=20, local={"Edge1": 5}).report
+    assert (len(report["notes"]), "Edge1" in report["notes"][0]) == (1, True)
+    assert paver.mesh(example("box.step"), size=20, local={"Edge1": 5}).report["notes"] == []
+
+
 @pytest.mark.parametrize("local, says", [
     ({"Face7": 1}, "local names Face7, but the model has Face1 to Face6"), ({"Face1": 0}, "local Face1 is 0 mm"),
     ({"Face1": "-1 mm"}, "local Face1 is -1 mm"), ({"Lid": 1}, "'Lid', which is no part of a model"),

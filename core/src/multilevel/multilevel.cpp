@@ -22,13 +22,15 @@ namespace {
 constexpr int least_ratio = 4, automatic_ratio = 6;
 constexpr double fewest_coarse = 2000;  // elements that the coarse mesh should have: large elements vary more in length
 constexpr double evenness = 2.1;        // of coarse meshes: their irregular nodes are few among the fine ones
-constexpr int even_sweeps = 15, count_sweeps = 30, fine_sweeps = 2;
+constexpr int even_sweeps = 8, count_sweeps = 20, fine_sweeps = 2;
 constexpr double worst_goal = 0.74;
 
-/// Ratio of the target lengths for which the coarse mesh is not too small; 0: none.
+/// Ratio of the target lengths for which the coarse mesh is not too small; 0: none. Unless asked for, small ratios are
+/// not taken: they come with small coarse meshes, whose lengths vary.
 int ratio_for(const Region& region, int multilevel) {
-  int fitting = static_cast<int>(std::sqrt(region.area / (region.h * region.h) / fewest_coarse));
-  int ratio = std::min(multilevel == automatic_levels ? automatic_ratio : multilevel, fitting);
+  const int fitting = static_cast<int>(std::sqrt(region.area / (region.h * region.h) / fewest_coarse));
+  if (multilevel == automatic_levels) return fitting >= automatic_ratio ? automatic_ratio : 0;
+  const int ratio = std::min(multilevel, fitting);
   return ratio >= least_ratio ? ratio : 0;
 }
 
@@ -133,17 +135,23 @@ std::optional<PavedRegion> pave_level(const Region& region, int multilevel, int 
   }
 }
 
+/// A coarse mesh is paved in one way only: where it is poor the fine one will be paved.
+PavedRegion pave_directly(const Region& region, const Progress& progress, Elements elements) {
+  return region.evenness > 1 ? pave_region_again(region, 0, progress, elements)
+                             : pave_region(region, progress, elements);
+}
+
 }  // namespace
 
 PavedRegion pave_by_levels(const Region& region, int multilevel, const Progress& progress, Elements elements) {
   const int first = region.laid || multilevel == 0 ? 0 : ratio_for(region, multilevel);
-  if (first == 0) return pave_region(region, progress, elements);
+  if (first == 0) return pave_directly(region, progress, elements);
   const Elements quads = elements == Elements::all_triangle ? Elements::quad_dominant : elements;
   std::optional<PavedRegion> paved;
   if (auto disc = lay_disc(region, progress)) paved = PavedRegion{std::move(*disc), {}};
   for (int ratio = first; !paved && ratio >= least_ratio; ratio = ratio > least_ratio ? least_ratio : 0)
     paved = pave_level(region, multilevel, ratio, progress, quads);
-  if (!paved) return pave_region(region, progress, elements);
+  if (!paved) return pave_directly(region, progress, elements);
   mend_flat_elements(paved->mesh, elements != Elements::all_quad);
   if (elements == Elements::all_triangle) split_all_quads(paved->mesh);
   return std::move(*paved);

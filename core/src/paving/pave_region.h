@@ -24,7 +24,7 @@ std::optional<std::array<int, 2>> find_crossing(const Region& region);
 /// best. Throws Error{face_failed} with a point when the region's loops cross in the chart, Error{cancelled} on cancel.
 PavedRegion pave_region(const Region& region, const Progress& progress, Elements elements = Elements::quad_dominant);
 
-/// Paves in the one way `attempt`, 1 to further_attempts: for a face that later turned out badly.
+/// Paves in the one way `attempt`: 0 the first, 1 to further_attempts for a face that later turned out badly.
 PavedRegion pave_region_again(const Region& region, int attempt, const Progress& progress,
                               Elements elements = Elements::quad_dominant);
 extern const int further_attempts;

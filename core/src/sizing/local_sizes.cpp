@@ -36,11 +36,23 @@ LocalSizes::LocalSizes(const Model& model, const Options& options, double h) {
   for (const LocalSize& local : options.local) {
     double length = local_length(options, local);
     put(model, local, length);
+    if (length < h) note_inside(model, local);
     if (length >= h)
       notes_.push_back(fmt::format("The length {:.6g} mm of {} has no effect: the target length is {:.6g} mm.", length,
                                    local.part, h));
   }
   add_sources(model, options.gradation);
+}
+
+// No rows need start at a face's own periodic edge.
+void LocalSizes::note_inside(const Model& model, const LocalSize& local) {
+  const PartName part = *parse_part(local.part);
+  if (part.kind != PartKind::edge) return;
+  for (const Edge& edge : model.edges) {
+    bool is_meant = std::find(edge.origins.begin(), edge.origins.end(), part.index) != edge.origins.end();
+    if (is_meant && (edge.is_periodic || edge.is_degenerate))
+      notes_.push_back(fmt::format("The length of {} is only come near to: it is no border of its face.", local.part));
+  }
 }
 
 // Every part in its own way; a solid is its faces.

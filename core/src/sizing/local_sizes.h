@@ -28,11 +28,12 @@ class LocalSizes {
   double at(Vec3 x) const { return sources_.least(x); }
   /// Least of all.
   double least() const { return least_; }
-  /// Lengths that have no effect, in sentences.
+  /// Lengths that have no effect, or less than asked for, in sentences.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
   static constexpr double none = std::numeric_limits<double>::infinity();
+  void note_inside(const Model& model, const LocalSize& local);
   void put(const Model& model, const LocalSize& local, double length);
   void add_sources(const Model& model, double gradation);
 
