@@ -13,8 +13,8 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 import runs  # noqa: E402
 
 # File, target length in mm with which some face is large, ratio, Euler characteristic, whether it is closed.
-MODELS = {"plate_circular_hole": (".step", 0.8, "auto", 0, False), "conesphere_gap": (".step", 0.7, "auto", 2, True),
-          "conesphere_one_face": (".brep", 0.9, 4, 2, True), "wavy_patch": (".step", 0.8, "auto", 1, False),
+MODELS = {"plate_circular_hole": (".step", 0.65, "auto", 0, False), "conesphere_gap": (".step", 0.7, 6, 2, True),
+          "conesphere_one_face": (".brep", 0.9, 4, 2, True), "wavy_patch": (".step", 0.75, "auto", 1, False),
           "wing": (".step", 1.2, 5, 2, True), "box_cylinder": (".step", 0.5, 4, 2, True)}
 
 
