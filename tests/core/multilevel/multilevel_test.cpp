@@ -46,12 +46,19 @@ Loops plate(int hole) {
 TEST(PaveByLevels, IsSoundAndRegular) {
   Region region = with_area(plate(282), 1);
   Figures direct = figures_of(pave_by_levels(region, 0, Progress(), Elements::quad_dominant).mesh);
-  PavedRegion paved = pave_by_levels(region, automatic_levels, Progress(), Elements::quad_dominant);
+  PavedRegion paved = pave_by_levels(region, 6, Progress(), Elements::quad_dominant);
   EXPECT_EQ(test::paved_faults(region, paved.mesh), "");
   Figures figures = figures_of(paved.mesh);
   EXPECT_EQ(figures.triangles, 0);
   EXPECT_NEAR(static_cast<double>(figures.quads), region.area, 0.03 * region.area);
   EXPECT_LT(4 * figures.irregular, direct.irregular);
+}
+
+TEST(PaveByLevels, SmallRegionsAreNotDividedUnasked) {
+  Region region = with_area(plate(200), 1);
+  RegionMesh direct = pave_by_levels(region, 0, Progress(), Elements::quad_dominant).mesh;
+  RegionMesh unasked = pave_by_levels(region, automatic_levels, Progress(), Elements::quad_dominant).mesh;
+  EXPECT_TRUE(direct.p == unasked.p);
 }
 
 TEST(PaveByLevels, TheSameEveryTime) {
