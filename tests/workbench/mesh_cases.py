@@ -3,6 +3,7 @@ import importlib
 import os
 import tempfile
 import unittest
+from unittest import mock
 
 import FreeCAD
 import numpy as np
@@ -252,6 +253,15 @@ class Keeping(InDocument):
             self.assertTrue(isinstance(getattr(importlib.import_module(module), name), type))
         proxy = mesh_object.MeshProxy.__new__(mesh_object.MeshProxy)
         self.assertEqual((proxy.dumps(), proxy.__getstate__(), proxy.Type), (None, None, "Paver::Mesh"))
+
+    def test_files_that_are_not_packed_are_read(self):
+        obj = mesh_object.add(self.document, self.box, size=10)
+        result = meshing.mesh(obj)
+        path = os.path.join(self.folder.name, "plain.paver")
+        with mock.patch.object(mesh_file, "pack", lambda array: (array.tobytes(), None)):
+            mesh_file.write(mesh_file.read(obj.MeshFile), path)
+        self.expect_same_mesh(mesh_file.read(path), result)
+        self.assertLess(os.path.getsize(obj.MeshFile) - os.path.getsize(path), 200)
 
     def test_damaged_files_are_refused(self):
         obj = mesh_object.add(self.document, self.box, size=10)

@@ -5,6 +5,7 @@
 #include "curving/order2.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace paver {
@@ -83,20 +84,21 @@ int line_node(const std::vector<Line>& lines, const Side& side, const Model& mod
 // Middle node per element side; adds the interior ones to the mesh and to `interior`.
 std::vector<int> number_sides(const std::vector<Side>& sides, const std::vector<Line>& lines, const Model& model,
                               OrderTwoMesh& result) {
-  std::vector<Side> sorted = sides;
-  std::sort(sorted.begin(), sorted.end(), [](const Side& one, const Side& other) {
-    return std::tie(one.face, one.a, one.b, one.place) < std::tie(other.face, other.a, other.b, other.place);
-  });
-  std::vector<int> first_place(sides.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    bool is_new = i == 0 || !is_same(sorted[i - 1], sorted[i]);
-    first_place[static_cast<std::size_t>(sorted[i].place)] =
-        is_new ? sorted[i].place : first_place[static_cast<std::size_t>(sorted[i - 1].place)];
-  }
+  // Sides from each node in their order: few, so the first that is the same is found by looking at them all.
+  std::vector<int> start(result.mesh.nodes.size() + 1, 0), places(sides.size());
+  for (const Side& side : sides) ++start[static_cast<std::size_t>(side.a) + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<int> end(start.begin(), start.end() - 1);
+  for (const Side& side : sides) places[static_cast<std::size_t>(end[static_cast<std::size_t>(side.a)]++)] = side.place;
+  auto first_place = [&](const Side& side) {
+    const int* place = &places[static_cast<std::size_t>(start[static_cast<std::size_t>(side.a)])];
+    while (!is_same(sides[static_cast<std::size_t>(*place)], side)) ++place;
+    return static_cast<std::size_t>(*place);
+  };
   std::vector<int> node_of_side(sides.size());
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (first_place[i] != static_cast<int>(i)) {
-      node_of_side[i] = node_of_side[static_cast<std::size_t>(first_place[i])];
+    if (const std::size_t first = first_place(sides[i]); first != i) {
+      node_of_side[i] = node_of_side[first];
       continue;
     }
     node_of_side[i] = line_node(lines, sides[i], model);
