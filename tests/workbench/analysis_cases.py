@@ -6,32 +6,26 @@ import unittest
 
 import FreeCAD
 import ObjectsFem
+import Part
 
 from paver_wb import mesh_object, meshing
 
-LENGTH, WIDTH, THICKNESS, PRESSURE = 100.0, 20.0, 2.0, 0.01  # mm, MPa
+LENGTH, WIDTH, RADIUS, THICKNESS, PRESSURE = 100.0, 20.0, 20.0, 2.0, 0.01  # mm, MPa
 YOUNG, POISSON = 210000.0, 0.3
 
 
-class Strip(unittest.TestCase):
-    """A strip, clamped at one end, under pressure."""
+class InAnalysis(unittest.TestCase):
+    """A document with an analysis of a surface, clamped at an edge, under pressure."""
 
     def setUp(self):
         self.document = FreeCAD.newDocument("PaverAnalysis", hidden=True)
-        self.plane = self.document.addObject("Part::Plane", "Plane")
-        self.plane.Length, self.plane.Width = LENGTH, WIDTH
-        self.document.recompute()
         self.folder = tempfile.TemporaryDirectory()
 
     def tearDown(self):
         FreeCAD.closeDocument(self.document.Name)
         self.folder.cleanup()
 
-    def clamped_edge(self):
-        """Name of the edge at x = 0."""
-        return next(f"Edge{i}" for i, e in enumerate(self.plane.Shape.Edges, 1) if e.BoundBox.XMax < 1e-9)
-
-    def add_analysis(self, **options):
+    def members_of(self, source, edge, **options):
         """(mesh, pressure) of an analysis that can be solved, the mesh not made yet."""
         document = self.document
         analysis = ObjectsFem.makeAnalysis(document, "Analysis")
@@ -42,14 +36,41 @@ class Strip(unittest.TestCase):
                              "PoissonRatio": str(POISSON)}
         thickness = ObjectsFem.makeElementGeometry2D(document, THICKNESS)
         fixed = ObjectsFem.makeConstraintFixed(document)
-        fixed.References = [(self.plane, self.clamped_edge())]
+        fixed.References = [(source, edge)]
         pressure = ObjectsFem.makeConstraintPressure(document)
-        pressure.References, pressure.Pressure = [(self.plane, "Face1")], PRESSURE
-        mesh = mesh_object.add(document, self.plane, **options)
+        pressure.References, pressure.Pressure = [(source, "Face1")], PRESSURE
+        mesh = mesh_object.add(document, source, **options)
         for member in (solver, material, thickness, fixed, pressure, mesh):
             analysis.addObject(member)
         document.recompute()
         return mesh, pressure
+
+    def displacements(self):
+        """Vector of each node, as CalculiX finds it."""
+        from femtools import ccxtools
+        runner = ccxtools.FemToolsCcx(self.document.Analysis)
+        runner.update_objects()
+        runner.setup_working_dir(self.folder.name)
+        runner.setup_ccx()
+        self.assertEqual(runner.check_prerequisites(), "")
+        runner.purge_results()
+        runner.write_inp_file()
+        self.assertFalse(runner.ccx_run())
+        runner.load_results()
+        result, = (thing for thing in self.document.Objects if thing.isDerivedFrom("Fem::FemResultObject"))
+        return dict(zip(result.NodeNumbers, result.DisplacementVectors))
+
+
+class Strip(InAnalysis):
+    def setUp(self):
+        super().setUp()
+        self.plane = self.document.addObject("Part::Plane", "Plane")
+        self.plane.Length, self.plane.Width = LENGTH, WIDTH
+        self.document.recompute()
+
+    def add_analysis(self, **options):
+        at_zero = next(f"Edge{i}" for i, e in enumerate(self.plane.Shape.Edges, 1) if e.BoundBox.XMax < 1e-9)
+        return self.members_of(self.plane, at_zero, **options)
 
     def group_sizes(self, mesh):
         return {mesh.FemMesh.getGroupName(g): len(mesh.FemMesh.getGroupElements(g)) for g in mesh.FemMesh.Groups}
@@ -87,20 +108,35 @@ class Strip(unittest.TestCase):
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_calculix_bends_the_strip_as_theory_says(self):
         """Deflection q L^4 / (8 E I) of the free end, between that of a beam and that of a plate bent to a cylinder."""
-        from femtools import ccxtools
         mesh, _ = self.add_analysis(size=5)
         meshing.mesh(mesh)
-        runner = ccxtools.FemToolsCcx(self.document.Analysis)
-        runner.update_objects()
-        runner.setup_working_dir(self.folder.name)
-        runner.setup_ccx()
-        self.assertEqual(runner.check_prerequisites(), "")
-        runner.purge_results()
-        runner.write_inp_file()
-        self.assertFalse(runner.ccx_run())
-        runner.load_results()
-        results = [thing for thing in self.document.Objects if thing.isDerivedFrom("Fem::FemResultObject")]
-        largest = max(vector.Length for vector in results[0].DisplacementVectors)
+        largest = max(vector.Length for vector in self.displacements().values())
         beam = 12 * PRESSURE * LENGTH**4 / (8 * YOUNG * THICKNESS**3)
         self.assertLess(largest, 1.02 * beam)
         self.assertGreater(largest, 0.98 * (1 - POISSON**2) * beam)
+
+
+class Pipe(InAnalysis):
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_calculix_widens_a_pipe_as_theory_says(self):
+        """As Lamé's thick pipe at the free end, where the clamp is no longer felt: curved quads, and curved triangles.
+        CalculiX gives shells their thickness, so the pressure acts on the inside."""
+        pipe = self.document.addObject("Part::Feature", "Pipe")
+        pipe.Shape = next(f for f in Part.makeCylinder(RADIUS, LENGTH).Faces if isinstance(f.Surface, Part.Cylinder))
+        self.document.recompute()
+        clamped = next(f"Edge{i}" for i, e in enumerate(pipe.Shape.Edges, 1) if e.BoundBox.ZMax < 1e-9)
+        mesh, _ = self.members_of(pipe, clamped, size=8)
+        inner, outer = RADIUS - THICKNESS / 2, RADIUS + THICKNESS / 2
+        expected = (PRESSURE / YOUNG * inner**2 / (outer**2 - inner**2) *
+                    ((1 - POISSON) * RADIUS + (1 + POISSON) * outer**2 / RADIUS))
+        for elements, kind in (("quad-dominant", "Quads"), ("all-triangle", "Triangles")):
+            with self.subTest(elements=elements):
+                mesh.Elements = elements
+                meshing.mesh(mesh)
+                self.assertGreater(getattr(mesh, kind), 150)
+                moved, nodes = self.displacements(), mesh.FemMesh.Nodes
+                free = [n for n, at in nodes.items() if at.z > LENGTH - 1e-6]
+                self.assertGreater(len(free), 30)
+                for n in free:
+                    radial = FreeCAD.Vector(nodes[n].x, nodes[n].y, 0).normalize()
+                    self.assertAlmostEqual(abs(moved[n].dot(radial)), expected, delta=0.01 * expected)
