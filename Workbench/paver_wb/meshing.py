@@ -93,8 +93,14 @@ def keep(obj, job, mesh, file=None, hides_sources=False, is_outdated=False, **ch
         obj.MeshedShape, obj.MeshedOptions, obj.ShapeChanged = job.digest, job.decisive, is_outdated
         obj.FemMesh, obj.FemMeshFilled = fem, is_filled
         for source in mesh_object.sources(obj) if hides_sources else ():
-            source.Visibility = False
+            if may_be_hidden(source):
+                source.Visibility = False
         mesh_object.update_status(obj)
+
+
+def may_be_hidden(source):
+    """FreeCAD leaves what is hidden inside an App::Part out of that one's shape."""
+    return source.getParentGeoFeatureGroup() is None
 
 
 def is_filled_unasked(mesh):
@@ -105,11 +111,12 @@ def mesh(obj, progress=None, cancel=None):
     """Meshes a mesh object and keeps the result in it, as one step of undo; gives the paver.Result.
 
     progress(stage, fraction) and cancel are those of paver.mesh. After an error, or when it is stopped, the object is
-    as before. Faces that fail are named in FailedFaces; the mesh of the others is kept.
+    as before. Faces that fail are named in FailedFaces; the mesh of the others is kept. The first mesh hides its model,
+    as in the window.
     """
     job = prepare(obj)
     result = mesh_job.run(job, progress, cancel)
-    keep(obj, job, mesh_job.stored(job, result))
+    keep(obj, job, mesh_job.stored(job, result), hides_sources=not obj.MeshFile and obj.Visibility)
     return result
 
 

@@ -124,6 +124,23 @@ class Meshing(InDocument):
             self.assertEqual(obj.WorstScaledJacobian, result.report["quality"]["sj"]["all"]["min"])
             self.assertEqual(obj.TargetLength.Value, result.report["target_length"])
 
+    def test_the_first_mesh_hides_its_model(self):
+        obj = mesh_object.add(self.document, self.box, size=5)
+        self.assertTrue(self.box.Visibility)
+        meshing.mesh(obj)
+        self.assertFalse(self.box.Visibility)
+        self.box.Visibility = True
+        meshing.mesh(obj)
+        self.assertTrue(self.box.Visibility)
+
+    def test_a_model_inside_a_part_is_not_hidden(self):
+        whole = self.document.addObject("App::Part", "Whole")
+        whole.addObject(self.box)
+        self.document.recompute()
+        meshing.mesh(mesh_object.add(self.document, self.box, size=5))
+        self.assertTrue(self.box.Visibility)
+        self.assertEqual(len(meshing.mesh(mesh_object.add(self.document, whole, size=5)).face_names), 6)
+
     def test_triangles_and_quads_together(self):
         prism = self.add("Part::Prism", Polygon=3, Circumradius=10, Height=7)
         self.document.recompute()

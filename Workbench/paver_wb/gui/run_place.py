@@ -1,7 +1,7 @@
 """The face or edge that an error names, selected in the 3D view."""
 import FreeCADGui
 
-from paver_wb import mesh_object
+from paver_wb import mesh_object, meshing
 
 
 def counts(source, path):
@@ -29,7 +29,8 @@ def sub_name(source, element):
 
 def show(obj, mesh):
     """Shows a mesh object, or else its sources, and hides the other: drawn at the same place they make spots."""
-    for thing, is_shown in [(obj, mesh)] + [(source, not mesh) for source in mesh_object.sources(obj)]:
+    sources = [source for source in mesh_object.sources(obj) if not mesh or meshing.may_be_hidden(source)]
+    for thing, is_shown in [(obj, mesh)] + [(source, not mesh) for source in sources]:
         if thing.ViewObject.Visibility != is_shown:
             thing.ViewObject.Visibility = is_shown
 
