@@ -13,6 +13,7 @@ import tempfile
 import FreeCAD
 
 from paver_wb import analysis, core, fem_mesh, mesh_file, properties
+from paver_wb.stateless import Stateless
 
 INPUT, RESULT = "Input", "Result"
 NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = STATES = ("Not meshed", "Up to date", "Out of date")
@@ -196,7 +197,7 @@ def refill(obj):
         FreeCAD.Console.PrintError(f"{obj.Label}: {error}\n")
 
 
-class MeshProxy:
+class MeshProxy(Stateless):
     """What FreeCAD calls. Nothing of it is stored but its name."""
 
     Type = "Paver::Mesh"
@@ -235,15 +236,6 @@ class MeshProxy:
         part_from_original(obj)
         refill(obj)
         attach_view(obj)
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 class UndoObserver:

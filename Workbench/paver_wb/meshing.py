@@ -78,12 +78,13 @@ def show_results(obj, mesh):
                        if face["status"] == "failed"]
 
 
-def keep(obj, job, mesh, file=None, hides_sources=False, is_outdated=False, **changes):
+def keep(obj, job, mesh, file=None, is_outdated=False, **changes):
     """Keeps a job's StoredMesh, and the changes of options it was made with, in its mesh object as one step of undo.
 
-    file: where the mesh is written already; it is moved, and must lie on the document's disk. hides_sources: where they
-    lie the 3D view would show spots of both. is_outdated: the shape is not that of the job any more.
+    file: where the mesh is written already; it is moved, and must lie on the document's disk. is_outdated: the shape is
+    not that of the job any more. The first mesh hides its sources.
     """
+    hides_sources = not obj.MeshFile and obj.Visibility  # the 3D view would show spots of both
     is_filled = is_filled_unasked(mesh)
     fem = mesh_object.fem_mesh_of(obj, mesh) if is_filled else fem_mesh.empty()
     with transaction(obj.Document, "Mesh " + obj.Label):
@@ -116,7 +117,7 @@ def mesh(obj, progress=None, cancel=None):
     """
     job = prepare(obj)
     result = mesh_job.run(job, progress, cancel)
-    keep(obj, job, mesh_job.stored(job, result), hides_sources=not obj.MeshFile and obj.Visibility)
+    keep(obj, job, mesh_job.stored(job, result))
     return result
 
 

@@ -7,6 +7,9 @@ import re
 
 import FreeCAD
 
+from paver_wb.stateless import Stateless
+from paver_wb.waves import wavelength
+
 GROUP = "Refinement"
 LENGTH, MEDIUM = BY = ("Length", "Medium")
 KINDS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
@@ -47,7 +50,7 @@ def show_what_counts(obj):
         obj.setEditorMode(name, [] if (name == "Length") == (obj.By == LENGTH) else ["Hidden"])
 
 
-class RefinementProxy:
+class RefinementProxy(Stateless):
     """What FreeCAD calls. Nothing of it is stored but its name."""
 
     Type = "Paver::Refinement"
@@ -69,15 +72,6 @@ class RefinementProxy:
     def onDocumentRestored(self, obj):
         add_properties(obj)
         attach_view(obj)
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def is_refinement(obj):
@@ -147,8 +141,10 @@ def first_length(mesh):
     options = properties.given(mesh)
     if "size" not in options and "frequency" not in options:
         return 1.0
-    wave = 299792458e3 / (options.get("frequency", 1) * (options.get("eps_r", 1) * options.get("mu_r", 1)) ** 0.5)
-    length = options["size"] if "size" in options else wave / options["divisions"]
+    if "size" in options:
+        length = options["size"]
+    else:
+        length = wavelength(options["frequency"], options.get("eps_r", 1), options.get("mu_r", 1)) / options["divisions"]
     return float(f"{length / 3:.0e}")
 
 

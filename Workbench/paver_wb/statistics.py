@@ -4,8 +4,8 @@ from typing import NamedTuple
 import numpy as np
 
 from paver_wb import core
+from paver_wb.waves import wavelength
 
-LIGHT = 299792458e3  # mm/s
 BASIS_ORDERS = (1, 2, 3)
 BYTES_DOUBLE, BYTES_SINGLE = 16, 8  # of a complex number
 
@@ -56,7 +56,7 @@ def wave_of(obj):
 
 
 def wave_at(frequency, eps_r=1.0, mu_r=1.0):
-    return Wave(frequency, LIGHT / (frequency * (eps_r * mu_r) ** 0.5))
+    return Wave(frequency, wavelength(frequency, eps_r, mu_r))
 
 
 def mesh_edges(mesh):

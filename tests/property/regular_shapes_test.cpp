@@ -7,28 +7,18 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
-#include <BRepTools.hxx>
 #include <GeomAbs_SurfaceType.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <cmath>
 #include <string>
 
-#include "core/brep/shape_files.h"
-#include "paver/mesher.h"
+#include "support/report_of.h"
 
 namespace paver {
 namespace {
 
-RunReport report_of(const TopoDS_Shape& shape, double size) {
-  test::TemporaryFolder folder;
-  std::string path = folder.file("model.brep");
-  BRepTools::Write(shape, path.c_str());
-  Options options;
-  options.size = size;
-  Progress progress;
-  return mesh_file(path, options, progress).report;
-}
+using test::report_of;
 
 /// The lateral face of a solid: all but the flat ones.
 TopoDS_Shape bent_face(const TopoDS_Shape& solid) {

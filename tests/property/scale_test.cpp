@@ -3,34 +3,24 @@
 #include <gtest/gtest.h>
 
 #include <BRepBuilderAPI_Transform.hxx>
-#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <STEPControl_Reader.hxx>
 #include <cmath>
 #include <gp_Ax1.hxx>
 #include <string>
 
-#include "core/brep/shape_files.h"
-#include "paver/mesher.h"
+#include "support/report_of.h"
 
 namespace paver {
 namespace {
+
+using test::report_of;
 
 TopoDS_Shape example(const std::string& name) {
   STEPControl_Reader reader;
   EXPECT_EQ(reader.ReadFile((std::string(PAVER_EXAMPLES) + "/" + name + ".step").c_str()), IFSelect_RetDone);
   reader.TransferRoots();
   return reader.OneShape();
-}
-
-RunReport report_of(const TopoDS_Shape& shape, double size) {
-  test::TemporaryFolder folder;
-  std::string path = folder.file("model.brep");
-  BRepTools::Write(shape, path.c_str());
-  Options options;
-  options.size = size;
-  Progress progress;
-  return mesh_file(path, options, progress).report;
 }
 
 TopoDS_Shape scaled(const TopoDS_Shape& shape, double scale) {

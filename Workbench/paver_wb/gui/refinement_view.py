@@ -2,9 +2,10 @@
 import os
 
 from paver_wb.gui.paths import ICONS
+from paver_wb.stateless import Stateless
 
 
-class RefinementViewProvider:
+class RefinementViewProvider(Stateless):
     """View provider of a refinement. Nothing of it is stored but its name."""
 
     def __init__(self, vobj):
@@ -21,12 +22,3 @@ class RefinementViewProvider:
             for element in elements or ("",):
                 FreeCADGui.Selection.addSelection(thing, element)
         return True
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads

@@ -114,9 +114,8 @@ class Run(QtCore.QObject):
     def keep(self):
         start, mesh = time.monotonic(), self.thread.result
         try:
-            is_first = not self.obj.MeshFile and self.obj.ViewObject.Visibility
             is_outdated = meshing.has_changed(self.obj, self.job, self.shapes)
-            meshing.keep(self.obj, self.job, mesh, self.thread.path, is_first, is_outdated, **self.changes)
+            meshing.keep(self.obj, self.job, mesh, self.thread.path, is_outdated, **self.changes)
         except Exception as error:
             return self.fail(error)
         if self.thread.drawn is not None:

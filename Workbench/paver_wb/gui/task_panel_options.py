@@ -1,5 +1,4 @@
 """The part of the task panel that has the options of a mesh object."""
-import math
 import re
 
 import FreeCAD
@@ -7,9 +6,9 @@ from PySide import QtCore, QtGui
 
 from paver_wb import core, mesh_object, properties
 from paver_wb.gui import task_panel_fields as fields
+from paver_wb.waves import wavelength
 
 translate = FreeCAD.Qt.translate
-LIGHT = 299792458e3  # mm/s
 BY_FREQUENCY = ("frequency", "divisions", "eps_r", "mu_r")
 SHAPE_OF_ELEMENTS = ("elements", "order")
 RUN_IN = "RunIn"
@@ -31,12 +30,6 @@ def with_labels(text):
         if "_" in name:
             text = re.sub(rf"\b{name}\b", f"'{label}'", text)
     return text
-
-
-def wavelength(frequency, eps_r, mu_r):
-    """mm; None where it is not defined."""
-    square = eps_r * mu_r
-    return LIGHT / (frequency * math.sqrt(square)) if frequency > 0 and square > 0 else None
 
 
 def new_form():

@@ -3,9 +3,10 @@ import os
 
 from paver_wb import refinement
 from paver_wb.gui.paths import ICONS
+from paver_wb.stateless import Stateless
 
 
-class MeshViewProvider:
+class MeshViewProvider(Stateless):
     """View provider of a mesh object. Nothing of it is stored but its name."""
 
     def __init__(self, vobj):
@@ -80,12 +81,3 @@ class MeshViewProvider:
     def unsetEdit(self, vobj, mode=0):
         from paver_wb.gui import task_panel
         task_panel.unset_edit()
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads

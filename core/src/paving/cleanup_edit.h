@@ -59,7 +59,6 @@ class MeshEdit {
   double energy_gain(const Change& change);
   /// Spread of the elements about those given, as they are: more a change of them cannot win.
   double spread_about(std::span<const int> elements);
-  double spread_about(int node) { return spread_about({mesh_.star[node].begin(), mesh_.star[node].end()}); }
   /// Spread of one side by its length over the target length: twice as long is as bad as half as long.
   static double spread(double ratio) {
     double off = 0.5 * (ratio - 1 / ratio);

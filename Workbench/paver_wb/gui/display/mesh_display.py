@@ -13,6 +13,7 @@ from paver_wb.gui.display.fields import put
 from paver_wb.gui.display.panels import ViewPanel
 from paver_wb.gui.display.picking import Picker
 from paver_wb.gui.display.scene import DIMMED, Scene, rows_as_indices
+from paver_wb.waves import wavelength_of
 
 CURVED, CURVED_EDGES, EDGES = MODES = ("Curved", "Curved + edges", "Edges only")
 MESH, POINTS, PAINT, MARKED, CHOSEN = LAYERS = ("mesh", "points", "paint", "marks", "chosen")  # each needs those before
@@ -232,7 +233,7 @@ class MeshDisplay:
 
     def information(self, element):
         """Figures of an element as a dict."""
-        return report.information(self.mesh, element, report.wavelength(self.obj))
+        return report.information(self.mesh, element, wavelength_of(self.obj))
 
 
 class Closing:

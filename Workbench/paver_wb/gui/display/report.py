@@ -1,16 +1,5 @@
 """What is told about an element."""
-import math
-
 from paver_wb.gui.display.colouring import translate
-
-LIGHT_SPEED = 299792458000.0  # mm/s
-
-
-def wavelength(obj):
-    """Of the mesh object's frequency in its medium, mm; None without a frequency."""
-    frequency = float(getattr(getattr(obj, "Frequency", 0), "Value", 0))
-    medium = float(getattr(obj, "EpsR", 1)) * float(getattr(obj, "MuR", 1))
-    return LIGHT_SPEED / (frequency * math.sqrt(medium)) if frequency > 0 and medium > 0 else None
 
 
 def element_name(element):
