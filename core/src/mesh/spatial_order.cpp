@@ -1,5 +1,5 @@
-// Morton's order: the bits of both coordinates interleaved. Paving numbers nodes row by row; beyond some 100,000 nodes
-// two rows no longer fit in a processor's second-level cache, and clean-up waited for memory half of its time.
+// Morton's order: the bits of both coordinates interleaved. Paving numbers nodes row by row; of a million nodes
+// two rows no longer fit in a processor's second-level cache, and clean-up waits for memory.
 #include "mesh/spatial_order.h"
 
 #include <algorithm>
