@@ -8,6 +8,7 @@
 
 #include "paver/options.h"
 #include "paver/progress.h"
+#include "paver/ranks.h"
 #include "paver/result.h"
 
 namespace paver {
@@ -46,6 +47,21 @@ MeshResult mesh_model(const CadModel& model, const Options& options, Progress& p
 
 /// read_file and mesh_model; bad options are found before the file is read.
 MeshResult mesh_file(const std::string& path, const Options& options, Progress& progress);
+
+/// What one rank holds of a mesh: the elements that it made, with all nodes they use, all lines of the whole mesh, and
+/// their nodes. Each table of `result.mesh` is a subsequence of the whole mesh's: numbers here rise and tell which.
+struct MeshShare {
+  MeshResult result;                         ///< the report is that of the whole mesh, the same on all ranks
+  std::vector<long> node_number;             ///< per node of the share: its number in the whole mesh
+  std::vector<char> is_own_node;             ///< of all ranks that hold a node exactly one owns it
+  std::vector<long> quad_number;             ///< per quad of the share: its number in the whole mesh
+  std::vector<long> triangle_number;         ///< per triangle likewise
+  long nodes = 0, quads = 0, triangles = 0;  ///< of the whole mesh
+};
+
+/// mesh_model on several processes, collective. The shares together are the mesh of mesh_model, bit for bit, for every
+/// number of ranks.
+MeshShare mesh_share(const CadModel& model, const Options& options, Progress& progress, Ranks& ranks);
 
 /// What a run with the same arguments will come to, from areas, perimeters and curvatures alone.
 struct Prediction {
