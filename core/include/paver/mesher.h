@@ -54,6 +54,7 @@ struct MeshShare {
   MeshResult result;                         ///< the report is that of the whole mesh, the same on all ranks
   std::vector<long> node_number;             ///< per node of the share: its number in the whole mesh
   std::vector<char> is_own_node;             ///< of all ranks that hold a node exactly one owns it
+  std::vector<char> is_shared_node;          ///< per node: true wherever other ranks hold it, too
   std::vector<long> quad_number;             ///< per quad of the share: its number in the whole mesh
   std::vector<long> triangle_number;         ///< per triangle likewise
   long nodes = 0, quads = 0, triangles = 0;  ///< of the whole mesh
