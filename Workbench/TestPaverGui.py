@@ -1,6 +1,7 @@
 """Tests of the workbench that need FreeCAD's window: `freecad -t TestPaverGui`; see TestPaver.py."""
 import TestPaver  # noqa: F401, makes the folder of the cases known
 from commands_cases import *  # noqa: F401, F403
+from file_task_cases import *  # noqa: F401, F403
 from gui_cases import *  # noqa: F401, F403
 from panel_cases import *  # noqa: F401, F403
 from panel_run_cases import *  # noqa: F401, F403

@@ -200,8 +200,28 @@
         <translation>Prüfung von {}</translation>
     </message>
     <message>
+        <source>Writing {}</source>
+        <translation>{} wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Reading {}</source>
+        <translation>{} wird gelesen</translation>
+    </message>
+    <message>
+        <source>Written: {}</source>
+        <translation>Geschrieben: {}</translation>
+    </message>
+    <message>
+        <source>The document was closed before '{}' was read.</source>
+        <translation>Das Dokument wurde geschlossen, bevor „{}“ gelesen war.</translation>
+    </message>
+    <message>
         <source>Help on Paver</source>
         <translation>Hilfe zu Paver</translation>
+    </message>
+    <message>
+        <source>The mesh is being measured; the window can be used meanwhile</source>
+        <translation>Das Netz wird vermessen; das Fenster bleibt bedienbar</translation>
     </message>
     <message>
         <source>Meshing of '{}' was stopped; it is as before.</source>
@@ -224,8 +244,8 @@
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Stops meshing; the mesh object stays as it was</source>
-        <translation>Hält das Vernetzen an; das Netzobjekt bleibt, wie es war</translation>
+        <source>Stops it; the document stays as it was</source>
+        <translation>Hält es an; das Dokument bleibt, wie es war</translation>
     </message>
     <message>
         <source>Starting</source>
@@ -274,6 +294,10 @@
     <message>
         <source>Drawing</source>
         <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Stopped: {}</source>
+        <translation>Angehalten: {}</translation>
     </message>
     <message>
         <source>Elements</source>
@@ -846,10 +870,6 @@
     <message>
         <source>All files</source>
         <translation>Alle Dateien</translation>
-    </message>
-    <message>
-        <source>Written: {}</source>
-        <translation>Geschrieben: {}</translation>
     </message>
     <message>
         <source>No mesh has what is selected. Select its mesh, too, or make one with Create mesh.</source>

@@ -11,24 +11,32 @@ def analyses_of(obj):
 
 
 def face_numbers(names, source, subelements, is_alone):
-    """Numbers, from 0, of the faces of a mesh that one entry of References means; an entry without any means all."""
-    prefix = "" if is_alone else source.Name + "_"
+    """Numbers, from 0, of the faces of a mesh that one entry of References means, of the source of that name; an entry
+    without any elements means all."""
+    prefix = "" if is_alone else source + "_"
     wanted = [prefix + sub for sub in subelements if re.fullmatch(r"Face\d+", sub)]
     is_whole = not any(subelements)
     pattern = re.compile(re.escape(prefix) + r"Face\d+")
     return {i for i, name in enumerate(names) if name in wanted or is_whole and pattern.fullmatch(name)}
 
 
+def references(obj, sources):
+    """[(name of a member of the mesh object's analyses, name of a source, elements of it that the member refers to)]."""
+    return [(member.Name, source.Name, list(subelements)) for analysis in analyses_of(obj) for member in analysis.Group
+            for source, subelements in getattr(member, "References", None) or [] if source in sources]
+
+
+def groups_of(wanted, names, is_alone):
+    """{name of a group: numbers of faces} of references(); is_alone: a single object is meshed. Needs no document."""
+    groups = {}
+    for member, source, subelements in wanted:
+        faces = face_numbers(names, source, subelements, is_alone)
+        if faces:
+            groups.setdefault(member + "_Faces", set()).update(faces)
+    return groups
+
+
 def face_groups(obj, sources, names):
     """{name of a group: numbers of faces} for every member of the mesh object's analyses that refers to faces of what
     is meshed."""
-    groups = {}
-    for analysis in analyses_of(obj):
-        for member in analysis.Group:
-            faces = set()
-            for source, subelements in getattr(member, "References", None) or []:
-                if source in sources:
-                    faces |= face_numbers(names, source, subelements, len(sources) < 2)
-            if faces:
-                groups[member.Name + "_Faces"] = faces
-    return groups
+    return groups_of(references(obj, sources), names, len(sources) < 2)

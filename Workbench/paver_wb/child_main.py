@@ -42,7 +42,8 @@ def description(error):
 
 
 def main(folder):
-    os.nice(NICENESS)
+    if hasattr(os, "nice"):
+        os.nice(NICENESS)
     messages, has_finished = take_output(), threading.Event()
     end_with_parent(folder, has_finished)
 

@@ -1,6 +1,6 @@
 """Runs a job in a process of its own, so that FreeCAD lives on whatever becomes of it.
 
-The process is Python with paver_wb/child_main.py. A folder holds what it needs and what it makes; a line of JSON on its
+The process is Python with paver_wb/child_main.py; fem_process.py has one for FreeCAD's formats of files. A folder holds what it needs and what it makes; a line of JSON on its
 output for each step of the progress, and one at the end; its input stays open as long as FreeCAD wants the result.
 """
 import json
@@ -37,9 +37,9 @@ def interpreter():
     return found[0]
 
 
-def command(folder):
-    """Program and arguments that do the job in `folder`."""
-    return [interpreter(), os.path.join(os.path.dirname(os.path.realpath(__file__)), MAIN), folder]
+def command(folder, main=MAIN):
+    """Program and arguments that do the job in `folder`; main: the file of this package that does it."""
+    return [interpreter(), os.path.join(os.path.dirname(os.path.realpath(__file__)), main), folder]
 
 
 def environment():
@@ -137,6 +137,22 @@ def death(status, last, log):
     return error
 
 
+def supervise(arguments, folder, progress=None, cancel=None, variables=None):
+    """Runs a program until it ends or is stopped; (its exit code, its last message, the end of its error output).
+
+    variables: further ones of its environment. Leaves no process behind.
+    """
+    with tempfile.TemporaryFile() as log:
+        child = subprocess.Popen(arguments, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log, cwd=folder,
+                                 env={**environment(), **(variables or {})})
+        try:
+            last = follow(child, progress, cancel)
+            status = child.wait()
+        finally:
+            end(child)
+        return status, last, tail(log)
+
+
 def run(job, folder, progress=None, cancel=None):
     """Does the job in a process that uses `folder`, an empty one; (the StoredMesh, the path of its file there).
 
@@ -144,18 +160,11 @@ def run(job, folder, progress=None, cancel=None):
     process ends without a result; else errors as those of mesh_job.run.
     """
     write_job(job, folder)
-    with tempfile.TemporaryFile() as log:
-        child = subprocess.Popen(command(folder), stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log, cwd=folder,
-                                 env=environment())
-        try:
-            last = follow(child, progress, cancel)
-            status = child.wait()
-        finally:
-            end(child)
-        if "error" in last:
-            raise error_of(last)
-        if "done" not in last:
-            raise death(status, last, tail(log))
+    status, last, log = supervise(command(folder), folder, progress, cancel)
+    if "error" in last:
+        raise error_of(last)
+    if "done" not in last:
+        raise death(status, last, log)
     path = os.path.join(folder, MESH)
     return mesh_file.read(path), path
 

@@ -1,8 +1,9 @@
 """Mesh objects to files: Paver's own formats with all nodes, those of FreeCAD's FEM workbench with quad8."""
 import os
 import tempfile
+from contextlib import contextmanager
 
-from paver_wb import core, fem_mesh, mesh_object, statistics
+from paver_wb import child_process, core, fem_mesh, mesh_object, statistics
 
 # ending: what it is; in the order in which they are offered
 OWN = {"msh": "Gmsh", "vtu": "VTK"}
@@ -23,31 +24,49 @@ def write(obj, path, msh_version="4.1", ascii=False):
 
     msh_version "4.1" or "2.2", ascii: for .msh and .vtu. NotWritten with what to do; ValueError when it is not meshed.
     """
-    ending = os.path.splitext(path)[1].lower().lstrip(".")
-    mesh = mesh_object.stored(obj)
+    ending, mesh = ending_of(path), mesh_object.stored(obj)
     if ending in OWN:
-        try:
-            statistics.surface_mesh(mesh).write(path, face_names=mesh.face_names, edge_names=mesh.edge_names,
-                                                msh_version=msh_version, ascii=ascii)
-        except core.load().Error as error:
-            raise NotWritten(str(error)) from None
-    elif ending in FEM:
-        write_fem(obj, mesh, path)
+        write_own(mesh, path, msh_version, ascii)
     else:
-        known = ", ".join("." + e for e in (*OWN, *FEM))
-        raise CannotHold(f"{os.path.basename(path)} has none of the endings {known}; choose one of them.")
+        with whole_file(path) as part:
+            mesh_object.fem_mesh_of(obj, mesh).write(part)
     return path
 
 
-def write_fem(obj, mesh, path):
-    """Through FreeCAD, in a folder of its own first. The name stays the same: MED files have it inside, too."""
+def ending_of(path):
+    """One of OWN and FEM. CannotHold for another one."""
+    ending = os.path.splitext(path)[1].lower().lstrip(".")
+    if ending not in OWN and ending not in FEM:
+        known = ", ".join("." + e for e in (*OWN, *FEM))
+        raise CannotHold(f"{os.path.basename(path)} has none of the endings {known}; choose one of them.")
+    return ending
+
+
+def write_own(mesh, path, msh_version="4.1", ascii=False, progress=None, cancel=None):
+    """Writes a StoredMesh to .msh or .vtu, in any thread. NotWritten; paver.Cancelled when it is stopped."""
+    paver = core.load()
+    try:
+        statistics.surface_mesh(mesh).write(path, face_names=mesh.face_names, edge_names=mesh.edge_names,
+                                            msh_version=msh_version, ascii=ascii, progress=progress, cancel=cancel)
+    except paver.Cancelled:
+        raise
+    except paver.Error as error:
+        raise NotWritten(str(error)) from None
+
+
+@contextmanager
+def whole_file(path):
+    """Gives a path to write to, in a folder of its own, and moves what is there to `path`; errors become NotWritten.
+
+    The name stays the same: MED files have it inside, too.
+    """
     folder, name = os.path.split(os.path.abspath(path))
     try:
-        fem = obj.FemMesh if obj.FemMeshFilled else mesh_object.fem_mesh_of(obj, mesh)
         with tempfile.TemporaryDirectory(prefix=".paver", dir=folder) as own:
-            part = os.path.join(own, name)
-            fem.write(part)
-            os.replace(part, os.path.join(folder, name))
+            yield os.path.join(own, name)
+            os.replace(os.path.join(own, name), os.path.join(folder, name))
+    except (core.load().Cancelled, child_process.ChildDied):
+        raise
     except fem_mesh.NoFemMesh as error:
         raise CannotHold(str(error)) from None
     except Exception as error:

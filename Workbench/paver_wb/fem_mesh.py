@@ -77,6 +77,11 @@ def add_groups(fem, mesh, groups):
             fem.addGroupElements(fem.addGroup(name, "Face"), members.tolist())
 
 
+def write(mesh, groups, path):
+    """Writes a StoredMesh in a format of FreeCAD's, by the ending of `path`; `groups` as in of_mesh."""
+    of_mesh(mesh, groups).write(path)
+
+
 def empty():
     import Fem
     return Fem.FemMesh()

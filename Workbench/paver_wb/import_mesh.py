@@ -3,61 +3,35 @@ import os
 
 import numpy as np
 
-from paver_wb import mesh_file, mesh_object, meshing, properties, raw_mesh, read_msh, read_vtu, statistics
+from paver_wb import mesh_file, mesh_object, meshing, properties, raw_mesh, read_fem, read_msh, read_vtu, statistics
 from paver_wb.raw_mesh import Damaged
 
 OWN = {".msh": read_msh.read, ".vtu": read_vtu.read}
 FEM = (".unv", ".med", ".inp", ".dat", ".bdf", ".z88", ".vtk", ".stl", ".frd")
-FEM_KINDS = {3: "tri3", 4: "quad4", 6: "tri6", 8: "quad8"}
 
 
-def read(path):
-    """StoredMesh of a file, by its ending. Damaged, with one sentence, when it cannot be read."""
+def read(path, fem_tables=read_fem.tables):
+    """StoredMesh of a file, by its ending. Damaged, with one sentence, when it cannot be read.
+
+    fem_tables(path): raw_mesh.Tables of what FreeCAD reads.
+    """
     name = os.path.basename(path)
     ending = os.path.splitext(name)[1].lower()
     try:
         if ending in OWN:
             with open(path, "rb") as file:
-                raw = OWN[ending](file.read())
+                tables = raw_mesh.tables(OWN[ending](file.read()))
         elif ending in FEM:
-            raw = of_fem_file(path)
+            tables = fem_tables(path)
         else:
             raise Damaged("its ending is none of " + ", ".join([*OWN, *FEM]))
-        return stored(raw_mesh.tables(raw), name)
+        return stored(tables, name)
     except OSError as error:
         raise Damaged(f"{name} cannot be read: {error.strerror}.") from None
     except Damaged as error:
         raise Damaged(f"{name} cannot be read: {error}.") from None
     except (ValueError, IndexError, OverflowError, MemoryError) as error:
         raise Damaged(f"{name} cannot be read: its content is damaged ({error}).") from None
-
-
-def of_fem_file(path):
-    """RawMesh of what FreeCAD reads."""
-    import Fem
-    try:
-        fem = Fem.read(path)
-    except Exception as error:
-        raise Damaged(str(error).strip().rstrip(".") or "FreeCAD does not read it") from None
-    return of_fem_mesh(fem)
-
-
-def of_fem_mesh(fem):
-    """RawMesh of a Fem.FemMesh; groups of faces that do not share elements name the faces."""
-    points = fem.Nodes
-    tags = np.fromiter(points, dtype=np.int64, count=len(points))
-    name_of = {}
-    for group in fem.Groups:
-        if fem.getGroupElementType(group) == "Face":
-            for element in fem.getGroupElements(group):
-                name_of.setdefault(element, fem.getGroupName(group))
-    rows = {}
-    for element in fem.Faces:
-        nodes = fem.getElementNodes(element)
-        if len(nodes) in FEM_KINDS:
-            rows.setdefault((FEM_KINDS[len(nodes)], name_of.get(element, "Face1")), []).append(nodes)
-    blocks = [(kind, np.array(table, np.int64), name) for (kind, name), table in rows.items()]
-    return raw_mesh.RawMesh(np.array([tuple(points[t]) for t in tags.tolist()]).reshape(-1, 3), tags, blocks)
 
 
 def stored(tables, source):
@@ -78,12 +52,15 @@ def stored(tables, source):
 
 def add(document, path, name=""):
     """A mesh object of a file, without anything to mesh. Damaged when the file cannot be read."""
-    mesh = read(path)
-    label = name or os.path.splitext(os.path.basename(path))[0]
+    return add_mesh(document, read(path), name or os.path.splitext(os.path.basename(path))[0])
+
+
+def add_mesh(document, mesh, label, file=None):
+    """A mesh object of a StoredMesh, which is in `file` already, if that is given: it is moved into the document."""
     obj = mesh_object.add(document, [], label)
     try:
         obj.Label = label
-        mesh_object.keep(obj, mesh)
+        mesh_object.keep(obj, file or mesh)
         meshing.show_results(obj, mesh)
         obj.MeshedOptions, obj.MeshedShape = properties.decisive(obj), mesh_object.shape_digest(obj)
         if meshing.is_filled_unasked(mesh):

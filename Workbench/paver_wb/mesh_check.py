@@ -22,12 +22,23 @@ class Finding(NamedTuple):
 
 def check(obj):
     """[Finding] of a mesh object, the worst first. ValueError when it is not meshed."""
-    mesh = mesh_object.stored(obj)
+    return in_order(of_document(obj) + of_mesh(mesh_object.stored(obj)))
+
+
+def of_document(obj):
+    """[Finding] of what the mesh's own file does not tell."""
+    return [finding for finding in (status(obj), *failed_faces(obj)) if finding]
+
+
+def of_mesh(mesh):
+    """[Finding] of a StoredMesh; looks at no document, so any thread may ask."""
     figures = statistics.of_mesh(mesh)
-    findings = [status(obj), *failed_faces(obj), validity(figures), shape(figures), *borders(mesh, figures),
-                triangles(figures), *lengths(mesh, figures)]
-    order = (ERROR, WARNING, NOTE, GOOD)
-    return sorted((f for f in findings if f), key=lambda finding: order.index(finding.level))
+    return [validity(figures), shape(figures), *borders(mesh, figures), triangles(figures), *lengths(mesh, figures)]
+
+
+def in_order(findings):
+    """The worst first."""
+    return sorted(findings, key=lambda finding: (ERROR, WARNING, NOTE, GOOD).index(finding.level))
 
 
 def verdict(findings):

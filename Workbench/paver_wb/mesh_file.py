@@ -102,8 +102,12 @@ def array_of(name, entry, data):
 
 def read(path):
     """The StoredMesh of a file. DamagedMesh when it is not one, or not whole."""
-    with open(path, "rb") as file:
-        content = file.read()
+    try:
+        with open(path, "rb") as file:
+            content = file.read()
+    except OSError as error:
+        raise DamagedMesh(f"The mesh kept in the document cannot be read ({error.strerror}); mesh the object "
+                          "again.") from None
     try:
         if content[:8] != MAGIC:
             raise ValueError("head")

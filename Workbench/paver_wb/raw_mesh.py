@@ -53,10 +53,11 @@ def packed(order, points, parts, names):
     widths = {3: 3 * order, 4: (order + 1) ** 2}
     rows = {n: np.concatenate([r for r, _ in parts[n]] or [np.zeros((0, widths[n]), np.int64)]) for n in (3, 4)}
     faces = {n: np.concatenate([f for _, f in parts[n]] or [np.zeros(0, np.int64)]) for n in (3, 4)}
-    used = np.unique(np.concatenate([rows[3].ravel(), rows[4].ravel()]))
-    number = np.full(len(points), -1, np.int64)
-    number[used] = np.arange(len(used))
-    return Tables(order, points[used], number[rows[4]].astype(np.int32), number[rows[3]].astype(np.int32),
+    is_used = np.zeros(len(points), dtype=bool)
+    is_used[rows[3].ravel()] = True
+    is_used[rows[4].ravel()] = True
+    number = np.cumsum(is_used) - 1
+    return Tables(order, points[is_used], number[rows[4]].astype(np.int32), number[rows[3]].astype(np.int32),
                   faces[4].astype(np.int32), faces[3].astype(np.int32), names)
 
 
@@ -65,35 +66,36 @@ class Builder:
 
     def __init__(self, points, order):
         self.known, self.order, self.added, self.sides = points, order, [], {}
+        self.count = len(points)
 
     def points(self):
-        return np.concatenate([self.known, np.array(self.added)]) if self.added else self.known
+        return np.concatenate([self.known, *self.added])
 
-    def point(self, number):
-        return self.known[number] if number < len(self.known) else self.added[number - len(self.known)]
+    def add(self, points):
+        """Numbers of new nodes at (n, 3) points."""
+        self.added.append(points)
+        self.count += len(points)
+        return np.arange(self.count - len(points), self.count)
 
-    def add(self, point):
-        self.added.append(point)
-        return len(self.known) + len(self.added) - 1
-
-    def middle(self, a, b):
-        key = (a, b) if a < b else (b, a)
-        if key not in self.sides:
-            self.sides[key] = self.add(0.5 * (self.point(a) + self.point(b)))
-        return self.sides[key]
+    def middles(self, ends):
+        """Nodes in the middles of (n, 2) pairs of corners of the file, those of before where a pair comes again."""
+        keys = [(a, b) if a < b else (b, a) for a, b in ends.tolist()]
+        new = [key for key in dict.fromkeys(keys) if key not in self.sides]
+        if new:
+            numbers = self.add(0.5 * self.known[np.array(new)].sum(axis=1))
+            self.sides.update(zip(new, numbers.tolist()))
+        return np.array([self.sides[key] for key in keys], dtype=np.int64)
 
     def full(self, kind, rows):
         """Rows with all nodes of the mesh's order."""
         if self.order == 1 or kind in ("tri6", "quad9"):
             return rows
+        added, around = [], self.known[rows]
         if kind in ("tri3", "quad4"):
-            corners = CORNERS[kind]
-            rows = np.array([[*row, *(self.middle(row[k], row[(k + 1) % corners]) for k in range(corners))]
-                             for row in rows.tolist()])
-        if kind in ("quad8", "quad4"):
-            centres = []
-            for row in rows.tolist():
-                p = [self.point(n) for n in row]
-                centres.append([self.add(0.5 * sum(p[4:8]) - 0.25 * sum(p[:4]))])
-            rows = np.concatenate([rows, np.array(centres)], axis=1)
-        return rows
+            sides = np.stack([rows, np.roll(rows, -1, axis=1)], axis=2).reshape(-1, 2)
+            added.append(self.middles(sides).reshape(rows.shape))
+        if kind == "quad4":
+            added.append(self.add(around.mean(axis=1))[:, None])
+        if kind == "quad8":
+            added.append(self.add(0.5 * around[:, 4:].sum(axis=1) - 0.25 * around[:, :4].sum(axis=1))[:, None])
+        return np.concatenate([rows, *added], axis=1)

@@ -1,4 +1,5 @@
 """Figures of a mesh for people who compute with it: sizes in millimetres and wavelengths, unknowns, matrix memory."""
+from math import floor
 from typing import NamedTuple
 
 import numpy as np
@@ -82,8 +83,10 @@ def of_mesh(mesh, name="", wave=None):
     quality = surface_mesh(mesh).quality()
     nodes = np.asarray(mesh.nodes)
     lengths = np.linalg.norm(nodes[edges[:, 0]] - nodes[edges[:, 1]], axis=1)
-    used = np.unique(np.concatenate([mesh.quads.ravel(), mesh.triangles.ravel()]))
-    return Figures(name, len(mesh.quads), len(mesh.triangles), len(used), edges, lengths, users, quality.area,
+    is_used = np.zeros(len(nodes), dtype=bool)
+    is_used[mesh.quads.ravel()] = True
+    is_used[mesh.triangles.ravel()] = True
+    return Figures(name, len(mesh.quads), len(mesh.triangles), int(is_used.sum()), edges, lengths, users, quality.area,
                    quality.sj, quality.validity, mesh.report.get("target_length") or 0.0, wave)
 
 
@@ -153,6 +156,21 @@ def text(figures):
     """The table as lines, with tabs between columns."""
     lines = [figures.name] + ["\t".join(row) for row in rows(figures)]
     return "\n".join(lines) + "\n"
+
+
+class Charts(NamedTuple):
+    """histogram() of the lengths in mm, of the areas in mm^2, and of the scaled Jacobian."""
+
+    lengths: tuple
+    areas: tuple
+    sj: tuple
+
+
+def charts(figures):
+    """The Charts of Figures."""
+    least = float(figures.sj.min()) if len(figures.sj) else 0.0
+    below_least = min(0.9, floor(10 * least) / 10)
+    return Charts(histogram(figures.lengths), histogram(figures.areas), histogram(figures.sj, limits=(below_least, 1.0)))
 
 
 def histogram(values, bins=24, limits=None):

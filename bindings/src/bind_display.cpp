@@ -47,7 +47,9 @@ class BareMesh {
     constexpr std::size_t any = 1u << 31;
     if (order < 1 || order > 9) throw py::value_error(fmt::format("order is {}; it must be from 1 to 9.", order));
     if (nodes.ndim() != 2 || nodes.shape(1) != 3) throw py::value_error("nodes must have 3 numbers per row.");
+    py::gil_scoped_release free;  // what follows reads memory only; the arguments keep the arrays alive
     mesh_.order = order;
+    mesh_.nodes.reserve(static_cast<std::size_t>(nodes.shape(0)));
     for (py::ssize_t i = 0; i < nodes.shape(0); ++i)
       mesh_.nodes.push_back({nodes.data(i)[0], nodes.data(i)[1], nodes.data(i)[2]});
     mesh_.quads = numbers("quads", quads, mesh_.nodes_per_quad(), mesh_.nodes.size());
@@ -105,12 +107,12 @@ class Picker {
     if (points_.ndim() != 2 || points_.shape(1) != 3) throw py::value_error("points must have 3 numbers per row.");
     if (triangles_.ndim() != 1 || triangles_.size() % 4 != 0)
       throw py::value_error("triangle_indices must have three points and -1 for each triangle.");
+    py::gil_scoped_release free;
     for (py::ssize_t i = 0; i < triangles_.size(); ++i) {
       int point = triangles_.data()[i];
       if (i % 4 != 3 && (point < 0 || point >= points_.shape(0)))
         throw py::value_error(fmt::format("triangle_indices has {}; there are {} points.", point, points_.shape(0)));
     }
-    py::gil_scoped_release free;
     return PickTree({points_.data(), static_cast<std::size_t>(points_.size())},
                     {triangles_.data(), static_cast<std::size_t>(triangles_.size())});
   }

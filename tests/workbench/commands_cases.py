@@ -9,7 +9,7 @@ from PySide import QtCore, QtGui
 
 import window
 from paver_wb import examples, mesh_object, meshing, preferences, refinement, statistics
-from paver_wb.gui import commands, statistics_panel
+from paver_wb.gui import commands, run_task, run_thread, statistics_panel
 from paver_wb.gui.commands import files, view
 
 NEEDS_NOTHING = ["Paver_Import", "Paver_Preferences", "Paver_Help", "Paver_About"]
@@ -42,7 +42,7 @@ class WithCommands(unittest.TestCase):
             window.click_standard(QtGui.QDialogButtonBox.Cancel)
         for name in list(FreeCAD.listDocuments()):
             FreeCAD.closeDocument(name)
-        window.pause(20)
+        self.wait_for_tasks()
 
     def console(self):
         return "\n".join(self.lines)
@@ -60,6 +60,9 @@ class WithCommands(unittest.TestCase):
             meshing.mesh(made)
         self.document.clearUndos()
         return made
+
+    def wait_for_tasks(self):
+        window.wait(lambda: not run_task._tasks and not run_thread._running, "for tasks")
 
     def complaint(self):
         """Text of the box with an error, which is closed."""
@@ -176,8 +179,12 @@ class Dialogs(WithCommands):
     def test_statistics(self):
         mesh = self.mesh(frequency="30 GHz", divisions=8)
         FreeCADGui.runCommand("Paver_Statistics")
-        window.pause(200)
         panel = window.widget("Paver_StatisticsPanel", QtGui.QDialog)
+        self.assertIsNone(panel.figures, "the window goes on while the mesh is measured")
+        self.assertTrue(panel.busy.isVisible())
+        panel.copy()
+        window.wait(lambda: panel.figures, "for the figures")
+        self.assertFalse(panel.busy.isVisible())
         table = panel.findChild(QtGui.QTreeWidget)
         texts = {}
         for i in range(table.topLevelItemCount()):
@@ -210,14 +217,15 @@ class Dialogs(WithCommands):
         meshing.mesh(mesh)
         mesh.Size = 3
         FreeCADGui.runCommand("Paver_Check")
-        window.pause(100)
         panel = window.widget("Paver_CheckPanel", QtGui.QDialog)
+        window.wait(lambda: panel.findings, "for the check")
         lines = [panel.list.item(i).text() for i in range(panel.list.count())]
         self.assertIn("out of date", lines[0])
         self.assertTrue(any("are free" in line for line in lines))
         window.picture("commands_check")
         mesh.Size = 2
         window.click(window.widget("Paver_CheckAgain", QtGui.QPushButton))
+        window.wait(lambda: not panel.busy.isVisible(), "for another check")
         self.assertEqual(window.widget("Paver_CheckVerdict", QtGui.QLabel).text(), "The mesh is sound.")
         panel.close()
 
@@ -226,22 +234,30 @@ class Dialogs(WithCommands):
         with tempfile.TemporaryDirectory() as folder:
             for text, (ending, more) in files.export_filters().items():
                 files.Export.write(mesh, os.path.join(folder, "mesh"), ending, more)
+                self.wait_for_tasks()
                 self.assertIn("mesh." + ending, os.listdir(folder), text)
             self.assertEqual(self.complaint(), "")
             self.assertEqual(self.document.UndoNames, [])
             path = os.path.join(folder, "mesh.msh")
             files.Import.read(path)
-            self.assertIn("paver_wb.export_mesh.write(", self.console())
+            self.assertEqual(self.document.UndoNames, [], "the window goes on while the file is read")
+            self.wait_for_tasks()
+            self.assertIn("paver_wb.gui.file_tasks.export(", self.console())
+            self.assertIn("paver_wb.gui.file_tasks.import_file(", self.console())
             self.assertEqual(self.document.UndoNames, ["Import mesh"])
             read = mesh_object.meshes_of(self.document)[-1]
             self.assertEqual((read.Label, read.Quads), ("mesh", mesh.Quads))
             files.Import.read(os.path.join(folder, "nowhere.msh"))
+            self.wait_for_tasks()
             self.assertIn("cannot be read", self.complaint())
             self.assertEqual(self.document.UndoNames, ["Import mesh"])
-            files.Export.write(mesh, os.path.join(folder, "no", "mesh.msh"), "msh", {})
-            self.assertIn("no", self.complaint())
+            for ending in ("msh", "unv"):
+                files.Export.write(mesh, os.path.join(folder, "no", "mesh." + ending), ending, {})
+                self.wait_for_tasks()
+                self.assertRegex(self.complaint(), "^Cannot write|cannot be written")
             FreeCAD.closeDocument(self.document.Name)
             files.Import.read(path)
+            self.wait_for_tasks()
             self.assertEqual(len(mesh_object.meshes_of(FreeCAD.ActiveDocument)), 1)
 
     def test_the_dialogs_of_export_and_import_open(self):

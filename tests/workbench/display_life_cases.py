@@ -8,8 +8,10 @@ import FreeCAD
 import FreeCADGui
 
 import display_cases
+import window
 from display_cases import is_coloured, share_of, wait
-from paver_wb import mesh_object
+from paver_wb import mesh_object, meshing
+from paver_wb.gui import run_thread
 from paver_wb.gui.display import actions, colouring, mesh_display, view_properties
 
 
@@ -40,6 +42,37 @@ class Life(display_cases.InWindow):
         self.assertEqual(self.mesh.Status, "Not meshed")
         self.assertIsNone(display.mesh)
         self.assertEqual(len(self.triangles_drawn(display)), 0)
+
+    def test_large_meshes_are_read_beside_the_window(self):
+        self.mesh.Size = 0.25
+        meshing.mesh(self.mesh)
+        self.assertGreater(self.mesh.Quads, mesh_display.HEAVY)
+        display = self.display()
+        wait(3)
+        self.assertIsNone(display.mesh)
+        window.wait(lambda: display.mesh, "for the mesh")
+        wait()
+        self.expect_shown(display)
+        self.document.undo()
+        wait()
+        self.document.redo()
+        wait(3)
+        self.assertIsNone(display.mesh)
+        self.assertEqual(actions.show_triangles(self.mesh), self.mesh.Triangles, "scripts get what they ask for at once")
+        self.expect_shown(display)
+        self.document.undo()
+        wait(3)
+        self.document.redo()
+        wait(3)
+        self.document.undo()  # while it is read
+        wait(200)
+        self.assertIsNone(display.mesh)
+        self.assertEqual(len(self.triangles_drawn(display)), 0)
+        self.document.redo()
+        wait(3)
+        FreeCAD.closeDocument(self.document.Name)
+        window.wait(lambda: not run_thread._running, "for the thread")
+        self.document = FreeCAD.newDocument("PaverDisplay")
 
     def test_what_is_chosen_is_saved(self):
         self.run_mesh()

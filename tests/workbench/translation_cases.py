@@ -36,6 +36,7 @@ class Translations(WithCommands):
         self.assertIn("Alle Elemente sind Vierecke.", texts)
         statistics, check = statistics_panel.show(mesh), check_panel.show(mesh)
         FreeCADGui.runCommand("Paver_Help")
+        window.wait(lambda: statistics.figures and check.findings, "for figures")
         check.move(760, 560)
         statistics.move(20, 60)
         window.pause(300)

@@ -3,7 +3,8 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from paver_wb import mesh_check
+from paver_wb import mesh_check, mesh_file
+from paver_wb.gui.measuring import MeasuringDialog
 
 translate = FreeCAD.Qt.translate
 MOST_SELECTED = 500  # elements that a click selects
@@ -19,12 +20,12 @@ def verdict_text(level):
             mesh_check.GOOD: translate("Paver", "The mesh is sound.")}[level]
 
 
-class CheckPanel(QtGui.QDialog):
-    """Stays open beside the window."""
+class CheckPanel(MeasuringDialog):
+    """Stays open beside the window. `findings`: those that are shown."""
 
     def __init__(self, obj):
         super().__init__(FreeCADGui.getMainWindow())
-        self.obj = obj
+        self.obj, self.findings = obj, []
         self.setObjectName("Paver_CheckPanel")
         self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
         self.setWindowTitle(translate("Paver", "Check of {}").format(obj.Label))
@@ -41,6 +42,7 @@ class CheckPanel(QtGui.QDialog):
         layout = QtGui.QVBoxLayout(self)
         layout.addWidget(self.verdict)
         layout.addWidget(self.list)
+        layout.addWidget(self.busy)
         layout.addLayout(self.bottom())
         self.resize(560, 320)
         self.refresh()
@@ -58,13 +60,22 @@ class CheckPanel(QtGui.QDialog):
         return row
 
     def refresh(self):
+        """Checks the mesh again, on a thread."""
         try:
-            self.findings = mesh_check.check(self.obj)
+            path, found = self.obj.MeshFile, mesh_check.of_document(self.obj)
         except (ReferenceError, RuntimeError):  # the object is gone
             self.close()
             return
-        except ValueError as error:
-            self.findings = [mesh_check.Finding(mesh_check.ERROR, str(error))]
+        if not path:
+            self.show_fault(f"'{self.obj.Label}' is not meshed; mesh it first.")
+            return
+        self.measure(lambda: mesh_check.in_order(found + mesh_check.of_mesh(mesh_file.read(path))))
+
+    def show_fault(self, text):
+        self.show_measured([mesh_check.Finding(mesh_check.ERROR, text)])
+
+    def show_measured(self, findings):
+        self.findings = findings
         level = mesh_check.verdict(self.findings)
         self.verdict.setText(verdict_text(level))
         self.verdict.setStyleSheet(f"color: {COLOURS[level]}")
@@ -87,8 +98,8 @@ _open = {}
 
 def show(obj):
     """Checks a mesh object and shows what was found. ValueError when it is not meshed."""
-    from paver_wb import mesh_object
-    mesh_object.stored(obj)
+    if not obj.MeshFile:
+        raise ValueError(f"'{obj.Label}' is not meshed; mesh it first.")
     key = (obj.Document.Name, obj.Name)
     if key in _open:
         _open[key].refresh()

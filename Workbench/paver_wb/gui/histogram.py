@@ -1,7 +1,6 @@
 """A histogram drawn with Qt."""
+import numpy as np
 from PySide import QtCore, QtGui
-
-from paver_wb import statistics
 
 BAR, MARK = QtGui.QColor("#729fcf"), QtGui.QColor("#cc0000")
 LEFT, RIGHT, TOP, BOTTOM = 44, 14, 26, 44  # room around the bars, pixels
@@ -28,12 +27,11 @@ class Histogram(QtGui.QWidget):
         self.setMinimumSize(240, 130)
         self.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Expanding)
         self.setMouseTracking(True)
-        self.show_values("", [], "")
+        self.show_counts("", np.zeros(1, int), np.array([0.0, 1.0]), "")
 
-    def show_values(self, title, values, unit, mark=None, limits=None):
-        """unit: below the axis; mark: a value to show, or None; limits: of the axis [those of the values]."""
-        self.title, self.unit, self.mark = title, unit, mark
-        self.counts, self.limits = statistics.histogram(values, limits=limits)
+    def show_counts(self, title, counts, limits, unit, mark=None):
+        """limits: of the bars, one more than counts; unit: below the axis; mark: a value to show, or None."""
+        self.title, self.unit, self.mark, self.counts, self.limits = title, unit, mark, counts, limits
         if mark is not None and not self.limits[0] <= mark <= self.limits[-1]:
             self.mark = None
         self.update()

@@ -10,13 +10,12 @@ from PySide import QtCore
 
 from paver_wb import core, mesh_job, mesh_object, meshing
 from paver_wb.gui import run_place, run_status, run_thread
+from paver_wb.gui.run_task import BUSY, PATIENCE, is_busy
 from paver_wb.gui.display import drawn_mesh, mesh_display
 
 WAITING, RUNNING, TAKING, ENDED = "waiting", "running", "taking", "ended"
 MESHED, CANCELLED, FAILED = "meshed", "cancelled", "failed"
-PATIENCE = 700  # ms until a run that was asked to stop is left to itself
 NAMED = 3  # faces in a message
-BUSY = 100  # ms between looks at a document that something else is changing
 translate = FreeCAD.Qt.translate
 
 _runs = []  # those that have not ended, in order; the first one is at work
@@ -62,6 +61,12 @@ class Run(QtCore.QObject):
 
     def is_of(self, obj):
         return (self.document, self.name) == (obj.Document.Name, obj.Name)
+
+    def line(self):
+        return f"{self.label}: {run_status.stage_text(self.stage)}"
+
+    def percent(self):
+        return run_status.percent(self.stage, self.fraction)
 
     def begin(self):
         self.state, self.begun = RUNNING, time.monotonic()
@@ -162,11 +167,6 @@ class Announcer(QtCore.QObject):
 
 
 announcer = Announcer()
-
-
-def is_busy(document):
-    """Whether something else is changing the document, so that a step of undo of ours would become a part of it."""
-    return document.HasPendingTransaction or document.Recomputing or document.Transacting or document.Restoring
 
 
 def report(run):

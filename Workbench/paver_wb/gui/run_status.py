@@ -1,4 +1,4 @@
-"""Runs in the status bar: which one, how far, and a button that stops it."""
+"""Runs and tasks in the status bar: which one, how far, and a button that stops it."""
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
@@ -46,7 +46,7 @@ class Box(QtGui.QWidget):
         self.label.setAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
         self.button.setText(translate("Paver", "Stop"))
         self.button.setObjectName("PaverStatusStop")
-        self.button.setToolTip(translate("Paver", "Stops meshing; the mesh object stays as it was"))
+        self.button.setToolTip(translate("Paver", "Stops it; the document stays as it was"))
         self.button.clicked.connect(self.stop)
         for widget in (self.label, self.bar, self.button):
             layout.addWidget(widget)
@@ -71,12 +71,14 @@ class Box(QtGui.QWidget):
         if not self.runs:
             return
         run = self.runs[0]
-        more = f" (+{len(self.runs) - 1})" if len(self.runs) > 1 else ""
-        text = f"{run.label}{more}: {stage_text(run.stage)}"
+        text = run.line() + (f" (+{len(self.runs) - 1})" if len(self.runs) > 1 else "")
         if text != self.label.toolTip():
             self.label.setToolTip(text)
             self.label.setText(self.label.fontMetrics().elidedText(text, QtCore.Qt.ElideMiddle, LABEL_WIDTH))
-        self.bar.setValue(percent(run.stage, run.fraction))
+        share = run.percent()
+        self.bar.setRange(0, 0 if share is None else 100)  # without a share it only shows that something goes on
+        if share is not None:
+            self.bar.setValue(share)
 
 
 def watch(run):

@@ -1,20 +1,14 @@
 """The statistics of a mesh: a table and histograms, in millimetres and wavelengths."""
-from math import floor
-
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from paver_wb import mesh_object, statistics
+from paver_wb import mesh_file, statistics
 from paver_wb.gui.histogram import Histogram
+from paver_wb.gui.measuring import MeasuringDialog
 
 translate = FreeCAD.Qt.translate
 _open = {}  # object name of a dialog: the dialog
-
-
-def sj_limits(values):
-    """From a tenth below the least to 1, at least from 0.9 on."""
-    return (min(0.9, floor(10 * min(values)) / 10) if len(values) else 0.0, 1.0)
 
 
 def names():
@@ -32,12 +26,12 @@ def names():
             "Basis order 2": translate("Paver", "Basis order 2"), "Basis order 3": translate("Paver", "Basis order 3")}
 
 
-class StatisticsPanel(QtGui.QDialog):
-    """Stays open beside the window, and follows the mesh."""
+class StatisticsPanel(MeasuringDialog):
+    """Stays open beside the window, and follows the mesh. `figures`: those that are shown, None until there are some."""
 
     def __init__(self, obj):
         super().__init__(FreeCADGui.getMainWindow())
-        self.obj, self.figures = obj, None
+        self.obj, self.figures, self.base, self.charts = obj, None, None, None
         self.setObjectName("Paver_StatisticsPanel")
         self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
         self.setWindowTitle(translate("Paver", "Statistics of {}").format(obj.Label))
@@ -63,6 +57,7 @@ class StatisticsPanel(QtGui.QDialog):
         both.addLayout(charts, 4)
         layout = QtGui.QVBoxLayout(self)
         layout.addLayout(both)
+        layout.addWidget(self.busy)
         layout.addLayout(self.bottom())
 
     def bottom(self):
@@ -92,11 +87,24 @@ class StatisticsPanel(QtGui.QDialog):
         return row
 
     def refresh(self):
-        """Measures the mesh again."""
-        self.base = statistics.of_object(self.obj)
+        """Measures the mesh again, on a thread."""
+        path, label = self.obj.MeshFile, self.obj.Label
+
+        def work():
+            figures = statistics.of_mesh(mesh_file.read(path), label)
+            return figures, statistics.charts(figures)
+        self.measure(work)
+
+    def show_measured(self, measured):
+        self.base, self.charts = measured
         self.show_figures()
 
+    def show_fault(self, text):
+        self.note.setText(text)
+
     def show_figures(self):
+        if self.base is None:
+            return
         frequency = self.frequency.value() * 1e9
         wave = statistics.wave_at(frequency, self.obj.EpsR, self.obj.MuR) if frequency > 0 else None
         self.figures = self.base._replace(wave=wave)
@@ -126,13 +134,17 @@ class StatisticsPanel(QtGui.QDialog):
     def draw(self, wave):
         figures, (lengths, areas, sj) = self.figures, self.histograms
         long = wave.length if wave else 1
-        lengths.show_values(translate("Paver", "Edge lengths"), figures.lengths / long, "λ" if wave else "mm",
+        counts, limits = self.charts.lengths
+        lengths.show_counts(translate("Paver", "Edge lengths"), counts, limits / long, "λ" if wave else "mm",
                             figures.target / long if figures.target else None)
-        areas.show_values(translate("Paver", "Element areas"), figures.areas / long ** 2, "λ²" if wave else "mm²")
-        sj.show_values(translate("Paver", "Scaled Jacobian"), figures.sj, "", limits=sj_limits(figures.sj))
+        counts, limits = self.charts.areas
+        areas.show_counts(translate("Paver", "Element areas"), counts, limits / long ** 2, "λ²" if wave else "mm²")
+        sj.show_counts(translate("Paver", "Scaled Jacobian"), *self.charts.sj, "")
 
     def copy(self):
         """Into the clipboard. Through a text field: a wrapper of QClipboard makes FreeCAD crash when it ends."""
+        if self.figures is None:
+            return
         field = QtGui.QPlainTextEdit(statistics.text(self.figures))
         field.selectAll()
         field.copy()
@@ -165,7 +177,8 @@ class StatisticsPanel(QtGui.QDialog):
 
 def show(obj):
     """Opens the statistics of a mesh object, or brings them to the front. ValueError when it is not meshed."""
-    mesh_object.stored(obj)
+    if not obj.MeshFile:
+        raise ValueError(f"'{obj.Label}' is not meshed; mesh it first.")
     key = (obj.Document.Name, obj.Name)
     if key not in _open:
         _open[key] = StatisticsPanel(obj)

@@ -4,6 +4,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb import mesh_object
+from paver_wb.gui.complaint import complain
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 translate = FreeCAD.Qt.translate
@@ -56,16 +57,6 @@ def in_step(name, line):
         return False
     document.commitTransaction()
     return True
-
-
-def complain(text):
-    """Shows an error in a box that does not block, and in the report view."""
-    FreeCAD.Console.PrintError(text + "\n")
-    box = QtGui.QMessageBox(QtGui.QMessageBox.Warning, "Paver", text, QtGui.QMessageBox.Ok,
-                            FreeCADGui.getMainWindow())
-    box.setObjectName("Paver_Complaint")
-    box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-    box.open()
 
 
 def python_name(thing):

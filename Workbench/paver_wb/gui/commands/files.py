@@ -6,20 +6,9 @@ import FreeCADGui
 from PySide import QtGui
 
 from paver_wb import examples, export_mesh, import_mesh
-from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, in_step, python_name, resources, run, target_mesh,
-                                          translate)
+from paver_wb.gui.commands.common import QT_TRANSLATE_NOOP, python_name, resources, run, target_mesh, translate
 from paver_wb.gui.commands.look import OnMeshed
-
-FOLDER = "LastFolder"  # of the preferences
-
-
-def parameters():
-    from paver_wb import mesh_object
-    return FreeCAD.ParamGet(mesh_object.PREFERENCES)
-
-
-def remember(path):
-    parameters().SetString(FOLDER, os.path.dirname(path))
+from paver_wb.gui.file_tasks import FOLDER, parameters
 
 
 def export_filters():
@@ -53,10 +42,8 @@ class Export(OnMeshed):
         if os.path.splitext(path)[1].lower().lstrip(".") not in known:
             path += "." + ending
         arguments = "".join(f", {name}={value!r}" for name, value in more.items())
-        FreeCADGui.addModule("paver_wb.export_mesh")
-        if run(f"paver_wb.export_mesh.write({python_name(obj)}, {path!r}{arguments})"):
-            remember(path)
-            FreeCADGui.getMainWindow().statusBar().showMessage(translate("Paver", "Written: {}").format(path), 10000)
+        FreeCADGui.addModule("paver_wb.gui.file_tasks")
+        run(f"paver_wb.gui.file_tasks.export({python_name(obj)}, {path!r}{arguments})")
 
 
 class Import:
@@ -79,10 +66,8 @@ class Import:
     def read(path):
         if FreeCAD.ActiveDocument is None:
             run("FreeCAD.newDocument()")
-        FreeCADGui.addModule("paver_wb.import_mesh")
-        if in_step("Import mesh", f"mesh = paver_wb.import_mesh.add(FreeCAD.ActiveDocument, {path!r})"):
-            remember(path)
-            FreeCADGui.SendMsgToActiveView("ViewFit")
+        FreeCADGui.addModule("paver_wb.gui.file_tasks")
+        run(f"paver_wb.gui.file_tasks.import_file(FreeCAD.ActiveDocument, {path!r})")
 
 
 class Example:

@@ -3,7 +3,7 @@ from functools import cached_property
 
 import numpy as np
 
-from paver_wb import core
+from paver_wb import core, mesh_file
 
 MOST_TRIANGLES = 1200000  # of the drawing, where FreeCAD's window still turns it at some frames a second in software
 MOST_SUBDIVISION = 8
@@ -24,6 +24,18 @@ def offer(path, drawn):
     """What the display takes, once, instead of reading the file of a mesh and making its own."""
     global _offered
     _offered = (path, drawn)
+
+
+def is_offered(path):
+    """Whether taken() has one for a file."""
+    return _offered is not None and _offered[0] == path
+
+
+def of_file(path, subdivision):
+    """The DrawnMesh of a mesh's file with all that every drawing needs; subdivision 0: the one that fits."""
+    made = DrawnMesh(mesh_file.read(path))
+    made.prepare(subdivision)
+    return made
 
 
 def taken(path):

@@ -38,6 +38,7 @@ class ElementMark:
     def __init__(self, scene, colour, width=3, has_faces=True, is_seen_through=False):
         self.scene, self.face_set, self.lines = scene, coin.SoIndexedFaceSet(), coin.SoIndexedLineSet()
         self.material, self.line_colour, self.elements = coin.SoMaterial(), colour_node(colour), ()
+        self.colour = None
         self.root = separator(unpickable(), scene.points)
         if has_faces:
             put(self.root, separator(both_sides(), self.material, scene.normals, by_index(), self.face_set))
@@ -45,24 +46,30 @@ class ElementMark:
         if is_seen_through:
             put(self.root, put(coin.SoAnnotation(), unlit(), self.line_colour, line_style(1), self.lines))
         self.set_colour(colour)
+        self.empty()
 
     def set_colour(self, colour):
+        if colour == self.colour:  # Coin draws another frame for every value that is set
+            return
+        self.colour = colour
         self.material.diffuseColor = colour
         self.material.emissiveColor = tuple(0.35 * x for x in colour)
         self.line_colour.rgb = tuple(0.75 * x for x in colour)
 
     def show(self, mesh, tessellation, subdivision, elements):
         """elements: numbers in a DrawnMesh; none to show nothing."""
-        if not len(elements) and not len(self.elements):
-            return
-        self.elements = tuple(int(e) for e in elements)
-        if not self.elements:
+        if not len(elements):
             return self.clear()
+        self.elements = tuple(int(e) for e in elements)
         rows = mesh.triangle_rows(self.elements, subdivision)
         fill(self.face_set.coordIndex, tessellation.triangle_indices.reshape(-1, 4)[rows], INTEGERS)
         fill(self.lines.coordIndex, mesh.element_outlines(self.elements, subdivision), INTEGERS)
 
     def clear(self):
+        if self.elements:
+            self.empty()
+
+    def empty(self):
         self.elements = ()
         for field in (self.face_set.coordIndex, self.lines.coordIndex):
             fill(field, np.zeros(0, np.int32), INTEGERS)
@@ -75,6 +82,7 @@ class EdgeMark:
         self.points, self.lines = coin.SoCoordinate3(), coin.SoIndexedLineSet()
         self.count = 0
         self.root = separator(unpickable(), unlit(), colour_node(colour), line_style(width), self.points, self.lines)
+        self.empty()
 
     def show(self, points, outlines):
         """outlines: (edges, n + 1) rows of points."""
@@ -85,6 +93,10 @@ class EdgeMark:
         fill(self.lines.coordIndex, rows_as_indices(rows.reshape(outlines.shape)), INTEGERS)
 
     def clear(self):
+        if self.count:
+            self.empty()
+
+    def empty(self):
         self.show(np.zeros((0, 3), np.float32), np.zeros((0, 2), np.int64))
 
 
@@ -96,6 +108,7 @@ class NormalMark:
         self.vertices.materialBinding = coin.SoVertexProperty.PER_VERTEX_INDEXED
         self.lines.vertexProperty = self.vertices
         self.root = separator(unpickable(), unlit(), line_style(2), self.lines)
+        self.empty()
 
     def show(self, mesh):
         ends = mesh.centres + NORMAL_LENGTH * mesh.longest_edges[:, None] * mesh.normals
@@ -110,6 +123,10 @@ class NormalMark:
         fill(self.lines.coordIndex, rows_as_indices(np.arange(2 * self.count).reshape(-1, 2)), INTEGERS)
 
     def clear(self):
+        if self.count:
+            self.empty()
+
+    def empty(self):
         self.put(np.zeros((0, 2, 3)))
 
 
@@ -120,6 +137,8 @@ class Labels:
         self.root, self.texts = coin.SoAnnotation(), []
 
     def show(self, points, texts):
+        if not self.texts and not len(texts):
+            return
         self.root.removeAllChildren()
         self.texts = list(texts)[:MOST_LABELS]
         put(self.root, unpickable(), *[label_at(p, text) for p, text in zip(points, self.texts)])

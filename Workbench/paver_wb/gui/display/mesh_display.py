@@ -8,6 +8,7 @@ from pivy import coin
 from PySide import QtCore
 
 from paver_wb import core, mesh_file, mesh_object
+from paver_wb.gui import run_thread
 from paver_wb.gui.display import colour_maps, colouring, drawn_mesh, legend, marks, report, view_properties
 from paver_wb.gui.display.fields import put
 from paver_wb.gui.display.panels import ViewPanel
@@ -22,6 +23,7 @@ LAYER_OF = {"Subdivision": POINTS, "ShrinkFactor": POINTS, "AlwaysAllEdges": POI
             "Shaded": PAINT, "EdgeColour": PAINT, "ShapeColor": PAINT, "ShowNormals": MARKED, "ShowFreeEdges": MARKED,
             "ShowTriangles": MARKED, "ShowWorst": MARKED, "ElementReport": CHOSEN}
 _displays = weakref.WeakSet()
+HEAVY = 10000  # elements from which on a mesh is read and cut into triangles on a thread
 MOST_TO_HOVER = 100000  # elements: above, a frame for every element that the mouse passes would be too many
 
 
@@ -33,6 +35,7 @@ class MeshDisplay:
         self.mesh, self.tessellation, self.subdivision, self.tree = None, None, 1, None
         self.colouring, self.stale, self.is_waiting = colouring.Colouring(None, None), set(LAYERS), False
         self.selected, self.hovered, self.reported = (), None, None
+        self.loading = None
         self.scene, self.picker = Scene(), Picker(self.hits)
         self.make_marks()
         self.bar, self.report_panel = ViewPanel(top=True), ViewPanel(top=False)
@@ -80,7 +83,8 @@ class MeshDisplay:
         """Lets go of everything: FreeCAD keeps the view providers of documents that it has opened for ever."""
         _displays.discard(self)
         self.clear()
-        self.__dict__ = {"names": self.names, "stale": set(), "is_waiting": True, "mesh": None, "tessellation": None}
+        self.__dict__ = {"names": self.names, "stale": set(), "is_waiting": True, "mesh": None, "tessellation": None,
+                         "loading": None}
 
     # ---- what changes
 
@@ -105,18 +109,25 @@ class MeshDisplay:
     def update_later(self):
         self.is_waiting = False
         try:
-            self.update()
+            self.renew(self.load_soon)
         except ReferenceError:  # the object is deleted
             pass
 
     def update(self):
-        """Renews what is stale, if the drawing is shown."""
+        """Renews what is stale, if the drawing is shown; waits for the mesh where that is being read."""
+        if self.loading is not None:
+            self.loading.wait()
+            self.take_loaded()
+        self.renew(self.load)
+
+    def renew(self, load):
+        """load: what is to be done for the mesh itself. Without one nothing else is renewed."""
         vobj = self.vobj
         if not self.stale or not vobj.Visibility or vobj.DisplayMode not in MODES:
             return
         stale, self.stale = self.stale, set()
         if MESH in stale:
-            self.load()
+            load()
         if self.mesh is None:
             return
         for layer, renew in ((POINTS, self.draw), (PAINT, self.paint), (MARKED, self.mark), (CHOSEN, self.choose)):
@@ -125,24 +136,55 @@ class MeshDisplay:
 
     # ---- layers
 
+    def forget(self):
+        self.mesh, self.tessellation, self.tree, self.loading = None, None, None, None
+        self.hovered = self.reported = None
+
     def load(self):
         """Reads the mesh from the document, or shows nothing."""
-        self.mesh, self.tessellation, self.tree = None, None, None
-        self.hovered = self.reported = None
+        self.forget()
         try:
             if self.obj.MeshFile:
                 self.mesh = drawn_mesh.taken(self.obj.MeshFile) or drawn_mesh.DrawnMesh(mesh_object.stored(self.obj))
         except (mesh_file.DamagedMesh, core.CoreMissing) as error:
-            FreeCAD.Console.PrintError(f"{self.obj.Label}: {error}\n")
+            self.complain(error)
         if self.mesh is None:
             self.clear()
+
+    def load_soon(self):
+        """Like load, but a large mesh is read on a thread, and is shown when that is done."""
+        obj, subdivision = self.obj, self.vobj.Subdivision
+        path = obj.MeshFile
+        if obj.Quads + obj.Triangles < HEAVY or not path or drawn_mesh.is_offered(path) or core.problem():
+            self.load()
+            return
+        self.forget()
+        self.clear()
+        self.loading = run_thread.Background(lambda: drawn_mesh.of_file(path, subdivision))
+        self.loading.done.connect(self.take_loaded)
+        self.loading.begin()
+
+    def take_loaded(self):
+        """Shows the mesh that was read, unless another one is wanted by now."""
+        thread = self.loading
+        if thread is None or not thread.isFinished():
+            return
+        self.loading = None
+        if thread.error is not None:
+            self.complain(thread.error)
+            return
+        self.mesh = thread.result
+        self.changed(POINTS)
+
+    def complain(self, error):
+        FreeCAD.Console.PrintError(f"{self.obj.Label}: {error}\n")
 
     def clear(self):
         empty = np.zeros((0, 3), np.float32)
         for mark in (self.triangles, self.worst, self.selection, self.hover, self.free, self.crowded, self.normals):
             mark.clear()
         self.labels.show([], [])
-        self.scene.set_points(empty, empty, np.zeros(0, np.int32))
+        self.scene.set_points(empty, empty)
         self.scene.set_colours(np.zeros(0, np.uint32))
         for panel in (self.bar, self.report_panel):
             panel.show(None)
@@ -158,8 +200,8 @@ class MeshDisplay:
         if vobj.ShrinkFactor < 1:
             points = mesh.shrunk(points, vobj.ShrinkFactor, self.subdivision)
             outlines, on_model = mesh.element_outlines(np.arange(mesh.count), self.subdivision), np.zeros_like(on_model)
-        self.scene.set_points(points, drawn.normals, drawn.triangle_indices)
-        self.scene.set_edges(outlines, rows_as_indices(drawn.outlines[on_model]))
+        self.scene.set_points(points, drawn.normals)
+        self.scene.set_indices(drawn.triangle_indices, outlines, rows_as_indices(drawn.outlines[on_model]))
         self.scene.set_edge_limits(0 if vobj.AlwaysAllEdges else mesh.box_per_element)
         low, high = mesh.extent
         for panel in (self.bar, self.report_panel):

@@ -80,6 +80,8 @@ class ViewPanel:
 
     def show(self, image):
         """A QImage, or None to hide the panel."""
+        if image is None and self.switch.whichChild.getValue() == -1:
+            return  # Coin would draw another frame
         set_image(self.node, image)
         self.switch.whichChild = -1 if image is None else 0
 

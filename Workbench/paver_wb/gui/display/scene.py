@@ -36,18 +36,19 @@ class Scene:
                                      separator(line_style(EDGE_WIDTH), self.lines),
                                      line_style(MODEL_EDGE_WIDTH), self.model_lines)
 
-    def set_points(self, points, normals, triangle_indices):
-        fill(self.face_set.coordIndex, np.zeros(0, np.int32), INTEGERS)  # never indices of points that are not there
-        fill(self.lines.coordIndex, np.zeros(0, np.int32), INTEGERS)
-        fill(self.model_lines.coordIndex, np.zeros(0, np.int32), INTEGERS)
+    def set_points(self, points, normals):
+        """Nothing is drawn from here on until set_indices."""
+        nothing = np.zeros(0, np.int32)
+        self.set_indices(nothing, nothing, nothing)  # never indices of points or colours that are not there
         fill(self.points.point, points, FLOATS)
         fill(self.normals.vector, normals, FLOATS)
-        fill(self.face_set.coordIndex, triangle_indices, INTEGERS)
 
-    def set_edges(self, indices, model_indices):
-        """indices: of element edges; model_indices: of those on edges of the model."""
-        fill(self.lines.coordIndex, indices, INTEGERS)
-        fill(self.model_lines.coordIndex, model_indices, INTEGERS)
+    def set_indices(self, triangles, edges, model_edges):
+        """edges: of elements; model_edges: of those on edges of the model."""
+        for field, indices in ((self.face_set.coordIndex, triangles), (self.lines.coordIndex, edges),
+                               (self.model_lines.coordIndex, model_edges)):
+            if len(indices) or field.getNum():
+                fill(field, indices, INTEGERS)
 
     def set_edge_limits(self, box_per_element):
         """box_per_element: surface of the box around the mesh over the mean area of an element; 0: always draw all.

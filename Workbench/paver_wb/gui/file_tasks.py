@@ -1,0 +1,87 @@
+"""Export and import beside the window. Commands call these; scripts that want to wait use export_mesh and import_mesh."""
+import os
+import shutil
+
+import FreeCAD
+import FreeCADGui
+
+from paver_wb import analysis, export_mesh, fem_process, import_mesh, mesh_file, mesh_object, meshing
+from paver_wb.gui import run_task
+from paver_wb.gui.display import drawn_mesh
+
+FOLDER = "LastFolder"  # of the preferences
+STATUS_TIME = 10000  # ms
+translate = FreeCAD.Qt.translate
+
+
+def parameters():
+    return FreeCAD.ParamGet(mesh_object.PREFERENCES)
+
+
+def remember(path):
+    parameters().SetString(FOLDER, os.path.dirname(path))
+
+
+def kept(obj, folder):
+    """The mesh's file under a name of its own: an undo meanwhile would take the document's away."""
+    path = os.path.join(folder, "mesh.paver")
+    try:
+        os.link(obj.MeshFile, path)
+    except OSError:
+        shutil.copyfile(obj.MeshFile, path)
+    return path
+
+
+def export(obj, path, msh_version="4.1", ascii=False):
+    """Writes the mesh of a mesh object to `path` on a thread, and gives the run_task.Task.
+
+    Arguments, and what goes wrong before it begins, as for export_mesh.write.
+    """
+    if not obj.MeshFile:
+        raise ValueError(f"'{obj.Label}' is not meshed; mesh it first.")
+    ending, sources = export_mesh.ending_of(path), mesh_object.sources(obj)
+    references, is_alone = analysis.references(obj, sources), len(sources) < 2
+
+    def work(task):
+        mesh = mesh_file.read(file)
+        if ending in export_mesh.OWN:
+            export_mesh.write_own(mesh, path, msh_version, ascii, task.tell, task.cancel)
+            return
+        groups = analysis.groups_of(references, mesh.face_names, is_alone)
+        with export_mesh.whole_file(path) as part:
+            fem_process.write(file, groups, part, task.folder, task.cancel)
+
+    def take(_):
+        remember(path)
+        FreeCADGui.getMainWindow().statusBar().showMessage(translate("Paver", "Written: {}").format(path), STATUS_TIME)
+    task = run_task.Task(translate("Paver", "Writing {}").format(os.path.basename(path)), obj.Document, work, take)
+    file = kept(obj, task.folder)
+    task.begin()
+    return task
+
+
+def import_file(document, path):
+    """Reads a mesh on a thread and makes a mesh object of it, as one step of undo; gives the run_task.Task."""
+    label, name = os.path.splitext(os.path.basename(path))[0], document.Name
+
+    def work(task):
+        mesh = import_mesh.read(path, lambda path: fem_process.read(path, task.folder, task.cancel))
+        if task.cancel.is_set():
+            return None
+        file = os.path.join(task.folder, "made.paver")
+        mesh_file.write(mesh, file)
+        drawn = drawn_mesh.DrawnMesh(mesh)
+        drawn.prepare(0)
+        return mesh, file, drawn
+
+    def take(made):
+        document = FreeCAD.listDocuments().get(name)
+        if document is None:
+            raise ValueError(translate("Paver", "The document was closed before '{}' was read.").format(label))
+        mesh, file, drawn = made
+        with meshing.transaction(document, "Import mesh"):
+            obj = import_mesh.add_mesh(document, mesh, label, file)
+        drawn_mesh.offer(obj.MeshFile, drawn)
+        remember(path)
+        FreeCADGui.SendMsgToActiveView("ViewFit")
+    return run_task.begin(translate("Paver", "Reading {}").format(os.path.basename(path)), document, work, take)
