@@ -13,9 +13,8 @@
 namespace paver {
 namespace {
 
-constexpr int most_levels = 8;      // of splitting for the sign
-constexpr int close_levels = 2;     // of splitting for a closer bound
-constexpr double poor_ratio = 0.5;  // below it the bound is worked out more closely
+constexpr int most_levels = 8;   // of splitting for the sign
+constexpr int close_levels = 2;  // of splitting for a closer bound
 
 /// Unit vectors s, t with s x t = n.
 void plane_of(Vec3 n, Vec3& s, Vec3& t) {
@@ -42,13 +41,8 @@ struct JacobianForm::Split {
 };
 
 bool JacobianForm::coefficients(const Vec3* x, Coefficients& c) const {
-  std::array<Vec3, max_nodes> control;
-  const double* row = to_control_.data();
-  for (int i = 0; i < nodes_; ++i, row += nodes_) {
-    Vec3 sum;
-    for (int k = 1; k < nodes_; ++k) sum += row[k] * (x[k] - x[0]);
-    control[i] = sum;
-  }
+  std::array<Vec3, max_nodes> control{};
+  for (const Weight& term : to_control_) control[term.out] += term.weight * (x[term.in] - x[0]);
   Vec3 vector;
   for (const Pair& pair : mean_) vector += pair.weight * cross(control[pair.a], control[pair.b]);
   double mean = norm(vector);

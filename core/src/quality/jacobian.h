@@ -38,11 +38,29 @@ class JacobianForm {
   /// The same with a lower bound that is worked out more closely for elements below 0.5.
   JacobianBound bound(const Vec3* x) const { return bound(x, true); }
 
+  static constexpr int lanes = 4;
+  struct alignas(lanes * sizeof(double)) Lanes {  ///< one number of each of several elements
+    double of[lanes];
+  };
+  struct LaneFigures {
+    Lanes sj, area;
+    Lanes low;  ///< least coefficient of det over its mean; where it is poor_ratio or more: the bound
+  };
+  /// Scaled Jacobian, area and lowest coefficient of several elements at once, bit for bit those of one alone.
+  /// `x`: three per node: x, y, z.
+  void measure_lanes(const Lanes* x, LaneFigures& figures) const;
+
+  static constexpr double poor_ratio = 0.5;  ///< lower bounds below it are worked out more closely
+
   /// Area of the curved element by Gauss quadrature with p + 2 points per direction, in units of x squared.
   double area(const Vec3* x) const;
 
  private:
   using Coefficients = std::array<double, max_coefficients>;
+  struct Weight {  ///< control point `out` receives weight * (node `in` - node 0)
+    int out, in;
+    double weight;
+  };
   struct Difference {  ///< a control point of x_u or x_v: order * (to - from)
     int from, to;
   };
@@ -56,6 +74,10 @@ class JacobianForm {
   };
   struct Split;
 
+  template <int width>
+  void measure_wide(const Lanes* x, int lane, LaneFigures& figures) const;
+  void measure_lanes_avx2(const Lanes* x, LaneFigures& figures) const;
+  void build_control();
   void build_products();
   void build_mean();
   void build_children();
@@ -67,7 +89,8 @@ class JacobianForm {
 
   ElementShape shape_;
   int order_, nodes_, degree_, count_;  ///< degree and number of the coefficients of det
-  std::vector<double> to_control_;      ///< nodes_ x nodes_: control points from nodes
+  std::vector<double> node_weights_;    ///< nodes_ x nodes_: control points from nodes
+  std::vector<Weight> to_control_;      ///< the same without zeros and without node 0, by control point
   std::vector<Difference> du_, dv_;
   std::vector<Product> products_;
   std::vector<Pair> mean_;

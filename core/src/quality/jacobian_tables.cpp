@@ -46,11 +46,22 @@ JacobianForm::JacobianForm(ElementShape shape, int order) : shape_(shape), order
   nodes_ = static_cast<int>(nodes.size());
   degree_ = shape == ElementShape::quad ? 2 * order - 1 : 2 * order - 2;
   count_ = static_cast<int>(bernstein_lattice(shape, degree_).size());
-  to_control_ = inverse(bernstein_matrix(shape, order, nodes, in_place)).rounded();
+  node_weights_ = inverse(bernstein_matrix(shape, order, nodes, in_place)).rounded();
+  build_control();
   build_products();
   build_mean();
   build_children();
   build_quadrature();
+}
+
+void JacobianForm::build_control() {
+  constexpr double nothing = 1e-13;  // zeros but for rounding
+  for (int out = 0; out < nodes_; ++out) {
+    for (int in = 1; in < nodes_; ++in) {
+      double weight = node_weights_[static_cast<std::size_t>(out) * nodes_ + in];
+      if (std::fabs(weight) > nothing) to_control_.push_back({out, in, weight});
+    }
+  }
 }
 
 void JacobianForm::build_products() {
@@ -128,7 +139,7 @@ void JacobianForm::build_quadrature() {
           long double slope = 0;
           for (int c = 0; c < nodes_; ++c) {
             auto [du, dv] = bernstein_slope(shape_, order_, lattice[c], u, t);
-            slope += (by_v ? dv : du) * to_control_[static_cast<std::size_t>(c) * nodes_ + node];
+            slope += (by_v ? dv : du) * node_weights_[static_cast<std::size_t>(c) * nodes_ + node];
           }
           quadrature_.push_back(static_cast<double>(slope));
         }

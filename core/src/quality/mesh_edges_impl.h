@@ -3,18 +3,27 @@
 
 #include <vector>
 
+#include "paver/progress.h"
 #include "paver/result.h"
 
 namespace paver {
 
-/// Corner nodes of quads and triangles; middle nodes are no part of it.
-struct EdgeFigures {
-  std::vector<double> chords;              ///< mm, corner to corner, every edge once
-  long border = 0, nonmanifold = 0;        ///< edges of one element, of more than two
-  std::vector<int> valence;                ///< per node: edges that meet there
-  std::vector<bool> is_corner, is_border;  ///< per node: used as a corner; on a border edge
+/// An edge between two corner nodes, low < high, and how many elements have it.
+struct EdgeUse {
+  int low, high, uses;
 };
 
-EdgeFigures measure_edges(const SurfaceMesh& mesh);
+/// Corner nodes of quads and triangles; middle nodes are no part of it.
+struct EdgeFigures {
+  std::vector<std::vector<double>> chords;  ///< mm, corner to corner, every edge of this rank alone once, in any order
+  std::vector<EdgeUse> odd;                 ///< of these the ones that do not have two elements
+  std::vector<EdgeUse> shared;              ///< edges whose ends are both shared; no part of the others
+  /// Per node: twice the number of edges that meet there, as if all but `odd` had two elements; 0: not a corner.
+  std::vector<int> twice_valence;
+};
+
+/// `is_shared`: per node, or empty: none. Runs on the threads of the calling arena; the order of what is listed may
+/// depend on their number.
+EdgeFigures measure_edges(const SurfaceMesh& mesh, const std::vector<char>& is_shared, const Progress& progress);
 
 }  // namespace paver

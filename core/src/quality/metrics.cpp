@@ -11,8 +11,6 @@
 namespace paver {
 namespace {
 
-constexpr double triangle_scale = 2 * std::numbers::inv_sqrt3;  // makes the equilateral triangle 1
-
 double corner_jacobian(Vec3 next, Vec3 previous, Vec3 normal) {
   double lengths = std::sqrt(dot(next, next) * dot(previous, previous));
   return lengths > 0 ? dot(cross(next, previous), normal) / lengths : 0.0;

@@ -1,190 +1,360 @@
-// Measures a whole mesh: elements one by one on all threads, then sums in the elements' own order, so that the figures
-// are the same for any number of threads; then the edges and the nodes inside faces.
+// Measures a mesh: the elements one by one, then its edges, then the nodes inside faces, all on all threads; then what
+// several ranks hold. Sums are exact and the rest are counts and least values, so the figures are the same for any
+// number of threads and ranks.
 #include "quality/report.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
+#include <atomic>
+#include <cstring>
+#include <limits>
+#include <mutex>
 
 #include "paver/quality.h"
-#include "quality/jacobian.h"
+#include "quality/element_figures.h"
+#include "quality/exact_sum.h"
 #include "quality/mesh_edges_impl.h"
-#include "quality/metrics.h"
+#include "quality/shared_edges.h"
 
 namespace paver {
 namespace {
 
 constexpr double poor_sj = 0.3;
 constexpr double band_low = 0.7, band_high = 1.4;  // edge length over target length
+constexpr std::size_t task_elements = 1024, task_nodes = 65536;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-struct ElementFigures {
-  double sj, area, ratio;
-  Validity validity;
-};
-
-ElementFigures measure_element(const JacobianForm& form, const std::vector<Vec3>& nodes, const int* element,
-                               bool is_quad) {
-  std::array<Vec3, JacobianForm::max_nodes> x;
-  for (int k = 0; k < form.node_count(); ++k) x[k] = nodes[element[k]];
-  JacobianBound bound = form.bound(x.data());
-  double sj = is_quad ? scaled_jacobian(x[0], x[1], x[2], x[3]) : scaled_jacobian(x[0], x[1], x[2]);
-  return {sj, form.area(x.data()), bound.ratio, bound.validity};
-}
-
-std::vector<ElementFigures> measure_elements(const SurfaceMesh& mesh, bool is_quad, const Progress& progress) {
-  const JacobianForm& form = jacobian_form(is_quad ? ElementShape::quad : ElementShape::triangle, mesh.order);
-  const std::vector<int>& elements = is_quad ? mesh.quads : mesh.triangles;
-  std::vector<ElementFigures> figures(is_quad ? mesh.quad_count() : mesh.triangle_count());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, figures.size(), 1024), [&](const auto& range) {
-    progress.check();
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      figures[i] = measure_element(form, mesh.nodes, elements.data() + i * form.node_count(), is_quad);
-    }
-  });
-  return figures;
-}
-
-/// Sums of one kind of element; `poor` counts those below poor_sj.
+/// Of one kind of element; `poor` counts those below poor_sj.
 struct Totals {
-  double least = 0, sum = 0, area = 0, ratio = 0;
+  double least_sj = infinity, least_ratio = infinity;
+  ExactSum sj;
   long count = 0, poor = 0, inverted = 0, undecided = 0;
+
+  void add(const Totals& other) {
+    least_sj = std::min(least_sj, other.least_sj);
+    least_ratio = std::min(least_ratio, other.least_ratio);
+    sj.add(other.sj);
+    count += other.count, poor += other.poor, inverted += other.inverted, undecided += other.undecided;
+  }
 };
 
-Totals total_of(const std::vector<ElementFigures>& figures) {
-  Totals t;
-  for (const ElementFigures& f : figures) {
-    t.least = t.count ? std::min(t.least, f.sj) : f.sj;
-    t.ratio = t.count ? std::min(t.ratio, f.ratio) : f.ratio;
-    t.sum += f.sj;
-    t.area += f.area;
-    t.poor += f.sj < poor_sj;
-    t.inverted += f.validity == Validity::invalid;
-    t.undecided += f.validity == Validity::undecided;
-    ++t.count;
+struct FaceTotals {
+  long quads = 0, triangles = 0;
+  double least_sj = infinity;
+  ExactSum area;
+
+  void add(const FaceTotals& other) {
+    quads += other.quads, triangles += other.triangles;
+    least_sj = std::min(least_sj, other.least_sj);
+    area.add(other.area);
   }
-  return t;
-}
+};
 
-Totals join(const Totals& a, const Totals& b) {
-  if (!a.count) return b;
-  if (!b.count) return a;
-  return {std::min(a.least, b.least), a.sum + b.sum,   a.area + b.area,         std::min(a.ratio, b.ratio),
-          a.count + b.count,          a.poor + b.poor, a.inverted + b.inverted, a.undecided + b.undecided};
-}
+struct EdgeTotals {
+  long count = 0, in_band = 0, border = 0, nonmanifold = 0;
+  ExactSum length, squares;  ///< of the lengths, and of their distances from the mean
+};
 
-ScaledJacobianStats stats_of(const Totals& t) {
-  double n = static_cast<double>(std::max(t.count, 1L));
-  return {t.least, t.sum / n, static_cast<double>(t.poor) / n};
-}
+struct NodeTotals {
+  long used = 0, face_interior = 0, irregular = 0;
+};
 
-void credit_faces(std::vector<FaceReport>& faces, const std::vector<int>& face_of,
-                  const std::vector<ElementFigures>& figures, long FaceReport::*count) {
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    FaceReport& face = faces.at(static_cast<std::size_t>(face_of[i]));
-    bool is_first = face.quads + face.triangles == 0;
-    face.worst_sj = is_first ? figures[i].sj : std::min(face.worst_sj, figures[i].sj);
-    face.mesh_area += figures[i].area;
-    ++(face.*count);
+/// Brings numbers of all ranks together; nothing to do on a single one.
+class Reduction {
+ public:
+  void sum(long& value) { longs_.push_back(&value); }
+  void sum(ExactSum& value) { sums_.push_back(&value); }
+  void least(double& value) { least_.push_back(&value); }
+
+  void run(Ranks& ranks) {
+    if (ranks.count() == 1) return;
+    std::vector<long> numbers;
+    for (long* value : longs_) numbers.push_back(*value);
+    for (ExactSum* value : sums_) {
+      for (long part : value->parts()) numbers.push_back(part);
+    }
+    ranks.add_up(numbers);
+    const long* at = numbers.data();
+    for (long* value : longs_) *value = *at++;
+    for (ExactSum* value : sums_) value->set_parts(at), at += ExactSum::part_count;
+    if (!least_.empty()) find_least(ranks);
   }
-}
 
-void report_elements(const SurfaceMesh& mesh, std::vector<FaceReport>& faces, const Progress& progress,
-                     QualityReport& report) {
-  std::vector<ElementFigures> quads = measure_elements(mesh, true, progress);
-  std::vector<ElementFigures> triangles = measure_elements(mesh, false, progress);
-  for (FaceReport& face : faces) face.quads = face.triangles = 0, face.mesh_area = 0;
-  credit_faces(faces, mesh.quad_face, quads, &FaceReport::quads);
-  credit_faces(faces, mesh.triangle_face, triangles, &FaceReport::triangles);
-  for (const FaceReport& face : faces) report.cad_area += face.cad_area;
-  Totals of_quads = total_of(quads), of_triangles = total_of(triangles), all = join(of_quads, of_triangles);
-  report.quads = of_quads.count;
-  report.triangles = of_triangles.count;
-  report.sj_quads = stats_of(of_quads);
-  report.sj_triangles = stats_of(of_triangles);
-  report.sj_all = stats_of(all);
-  report.mesh_area = all.area;
-  report.inverted = all.inverted;
-  report.undecided = all.undecided;
-  report.min_jacobian_ratio = all.ratio;
-}
-
-void report_lengths(const EdgeFigures& edges, double h, QualityReport& report) {
-  if (edges.chords.empty()) return;
-  double n = static_cast<double>(edges.chords.size()), sum = 0, squares = 0;
-  long in_band = 0;
-  for (double chord : edges.chords) {
-    sum += chord;
-    in_band += chord >= band_low * h && chord <= band_high * h;
+ private:
+  void find_least(Ranks& ranks) {
+    std::vector<double> theirs;
+    for (double* value : least_) theirs.push_back(*value);
+    std::size_t bytes = theirs.size() * sizeof(double);
+    for (const std::string& text : ranks.gather({reinterpret_cast<const char*>(theirs.data()), bytes})) {
+      std::memcpy(theirs.data(), text.data(), bytes);
+      for (std::size_t i = 0; i < theirs.size(); ++i) *least_[i] = std::min(*least_[i], theirs[i]);
+    }
   }
-  double mean = sum / n;
-  for (double chord : edges.chords) squares += (chord - mean) * (chord - mean);
-  report.length_mean = mean / h;
-  report.length_cv = mean > 0 ? std::sqrt(squares / n) / mean : 0;
-  report.length_in_band = static_cast<double>(in_band) / n;
-}
 
-/// Per node: whether it lies on a B-rep edge that is not periodic. Poles have no lines and count as inside.
-std::vector<bool> nodes_on_edges(const SurfaceMesh& mesh, const std::vector<bool>& edge_is_periodic) {
-  std::vector<bool> on_edge(mesh.nodes.size(), false);
-  std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
-  for (std::size_t i = 0; i < mesh.line_edge.size(); ++i) {
-    if (edge_is_periodic.at(static_cast<std::size_t>(mesh.line_edge[i]))) continue;
-    for (std::size_t k = 0; k < stride; ++k) on_edge[mesh.lines[i * stride + k]] = true;
+  std::vector<long*> longs_;
+  std::vector<ExactSum*> sums_;
+  std::vector<double*> least_;
+};
+
+class Measurement {
+ public:
+  Measurement(const MeshShare* share, const SurfaceMesh& mesh, double h, const Progress& progress)
+      : share_(share), mesh_(mesh), h_(h), progress_(progress), is_used_(mesh.nodes.size(), 0) {
+    edge_totals_.length = ExactSum(h);
+    edge_totals_.squares = ExactSum(h * h);
   }
-  return on_edge;
-}
 
-void report_valence(const SurfaceMesh& mesh, const EdgeFigures& edges, const std::vector<bool>& edge_is_periodic,
-                    QualityReport& report) {
-  std::vector<bool> on_edge = nodes_on_edges(mesh, edge_is_periodic);
-  for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
-    if (!edges.is_corner[node] || edges.is_border[node] || on_edge[node]) continue;
-    ++report.face_interior_nodes;
-    report.irregular_nodes += edges.valence[node] != 4;
+  QualityReport measure(const std::vector<bool>& edge_is_periodic, std::vector<FaceReport>& faces, Ranks& ranks) {
+    for (const FaceReport& face : faces) {
+      FaceTotals totals;
+      totals.area = ExactSum(face.cad_area > 0 && face.cad_area < infinity ? face.cad_area : h_ * h_);
+      faces_.push_back(totals);
+    }
+    add_elements(true);
+    add_elements(false);
+    EdgeFigures edges = measure_edges(mesh_, share_ ? share_->is_shared_node : std::vector<char>(), progress_);
+    progress_.check();
+    add_nodes(edges, edge_is_periodic, ranks);
+    add_lengths(edges, ranks);
+    return report(faces);
   }
-  report.irregular_share = report.face_interior_nodes ? static_cast<double>(report.irregular_nodes) /
-                                                            static_cast<double>(report.face_interior_nodes)
-                                                      : 0;
-}
 
-long count_used_nodes(const SurfaceMesh& mesh) {
-  std::vector<bool> is_used(mesh.nodes.size(), false);
-  for (int node : mesh.quads) is_used[node] = true;
-  for (int node : mesh.triangles) is_used[node] = true;
-  return std::count(is_used.begin(), is_used.end(), true);
-}
+ private:
+  void add_elements(bool is_quad) {
+    std::size_t count = is_quad ? mesh_.quad_count() : mesh_.triangle_count();
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, task_elements), [&](const auto& range) {
+      progress_.check();
+      for (std::size_t first = range.begin(); first < range.end(); first += task_elements)
+        add_elements(is_quad, first, std::min(first + task_elements, range.end()));
+    });
+  }
+
+  void add_elements(bool is_quad, std::size_t begin, std::size_t end) {
+    std::array<ElementFigures, task_elements> figures;
+    measure_elements(mesh_, is_quad, begin, end, figures.data());
+    mark_used(is_quad, begin, end);
+    Totals totals;
+    for (std::size_t i = 0; i < end - begin; ++i) {
+      const ElementFigures& f = figures[i];
+      totals.least_sj = std::min(totals.least_sj, f.sj);
+      totals.least_ratio = std::min(totals.least_ratio, f.ratio);
+      totals.sj.add(f.sj);
+      totals.poor += f.sj < poor_sj;
+      totals.inverted += f.validity == Validity::invalid;
+      totals.undecided += f.validity == Validity::undecided;
+    }
+    totals.count = static_cast<long>(end - begin);
+    std::lock_guard lock(mutex_);
+    (is_quad ? quads_ : triangles_).add(totals);
+    credit_faces(is_quad, begin, end, figures.data());
+  }
+
+  void credit_faces(bool is_quad, std::size_t begin, std::size_t end, const ElementFigures* f) {
+    const std::vector<int>& face_of = is_quad ? mesh_.quad_face : mesh_.triangle_face;
+    for (std::size_t i = begin; i < end; ++i, ++f) {
+      FaceTotals& face = faces_.at(static_cast<std::size_t>(face_of[i]));
+      ++(is_quad ? face.quads : face.triangles);
+      face.least_sj = std::min(face.least_sj, f->sj);
+      face.area.add(f->area);
+    }
+  }
+
+  void mark_used(bool is_quad, std::size_t begin, std::size_t end) {
+    const std::vector<int>& table = is_quad ? mesh_.quads : mesh_.triangles;
+    std::size_t stride = static_cast<std::size_t>(is_quad ? mesh_.nodes_per_quad() : mesh_.nodes_per_triangle());
+    for (std::size_t i = begin * stride; i < end * stride; ++i)
+      std::atomic_ref(is_used_[static_cast<std::size_t>(table[i])]).store(1, std::memory_order_relaxed);
+  }
+
+  /// Per node: whether it lies on the border by an edge of this rank, or on a B-rep edge that is not periodic. Poles
+  /// have no lines and count as inside.
+  std::vector<char> find_outside(const EdgeFigures& edges, const std::vector<bool>& edge_is_periodic) const {
+    std::vector<char> is_outside(mesh_.nodes.size(), 0);
+    std::size_t stride = static_cast<std::size_t>(mesh_.order) + 1;
+    for (std::size_t i = 0; i < mesh_.line_edge.size(); ++i) {
+      if (edge_is_periodic.at(static_cast<std::size_t>(mesh_.line_edge[i]))) continue;
+      for (std::size_t k = 0; k < stride; ++k) is_outside[static_cast<std::size_t>(mesh_.lines[i * stride + k])] = 1;
+    }
+    for (const EdgeUse& edge : edges.odd) {
+      if (edge.uses == 1) is_outside[edge.low] = is_outside[edge.high] = 1;
+    }
+    return is_outside;
+  }
+
+  // Nodes, and the edges by their number of elements.
+  void add_nodes(EdgeFigures& edges, const std::vector<bool>& edge_is_periodic, Ranks& ranks) {
+    std::vector<char> is_outside = find_outside(edges, edge_is_periodic);
+    for (const EdgeUse& edge : edges.odd) ++(edge.uses == 1 ? edge_totals_.border : edge_totals_.nonmanifold);
+    std::size_t count = mesh_.nodes.size();
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, task_nodes), [&](const auto& range) {
+      NodeTotals totals;
+      for (std::size_t node = range.begin(); node < range.end(); ++node) {
+        if (share_ && share_->is_shared_node[node]) continue;
+        totals.used += is_used_[node];
+        int twice_valence = edges.twice_valence[node];
+        if (twice_valence == 0 || is_outside[node]) continue;
+        ++totals.face_interior;
+        totals.irregular += twice_valence != 8;
+      }
+      add(totals);
+    });
+    if (!share_) return;
+    SharedFigures shared = measure_shared(*share_, edges, is_used_, is_outside, ranks);
+    add({shared.nodes, shared.face_interior_nodes, shared.irregular_nodes});
+    edge_totals_.border += shared.border;
+    edge_totals_.nonmanifold += shared.nonmanifold;
+    edges.chords.push_back(std::move(shared.chords));
+  }
+
+  void add(const NodeTotals& totals) {
+    std::lock_guard lock(mutex_);
+    nodes_.used += totals.used;
+    nodes_.face_interior += totals.face_interior;
+    nodes_.irregular += totals.irregular;
+  }
+
+  // Lengths of all ranks, and with them all that was counted before.
+  void add_lengths(const EdgeFigures& edges, Ranks& ranks) {
+    tbb::parallel_for(std::size_t{0}, edges.chords.size(), [&](std::size_t i) {
+      ExactSum length(h_);
+      long in_band = 0;
+      for (double chord : edges.chords[i]) {
+        length.add(chord);
+        in_band += chord >= band_low * h_ && chord <= band_high * h_;
+      }
+      std::lock_guard lock(mutex_);
+      edge_totals_.length.add(length);
+      edge_totals_.in_band += in_band;
+      edge_totals_.count += static_cast<long>(edges.chords[i].size());
+    });
+    reduce(ranks);
+    double mean = edge_totals_.length.total() / static_cast<double>(std::max(edge_totals_.count, 1L));
+    tbb::parallel_for(std::size_t{0}, edges.chords.size(), [&](std::size_t i) {
+      ExactSum squares(h_ * h_);
+      for (double chord : edges.chords[i]) squares.add((chord - mean) * (chord - mean));
+      std::lock_guard lock(mutex_);
+      edge_totals_.squares.add(squares);
+    });
+    Reduction reduction;
+    reduction.sum(edge_totals_.squares);
+    reduction.run(ranks);
+  }
+
+  void reduce(Ranks& ranks) {
+    Reduction reduction;
+    for (Totals* t : {&quads_, &triangles_}) {
+      reduction.least(t->least_sj), reduction.least(t->least_ratio), reduction.sum(t->sj);
+      for (long* count : {&t->count, &t->poor, &t->inverted, &t->undecided}) reduction.sum(*count);
+    }
+    for (FaceTotals& face : faces_) {
+      reduction.sum(face.quads), reduction.sum(face.triangles), reduction.sum(face.area);
+      reduction.least(face.least_sj);
+    }
+    for (long* count : {&nodes_.used, &nodes_.face_interior, &nodes_.irregular}) reduction.sum(*count);
+    EdgeTotals& e = edge_totals_;
+    for (long* count : {&e.count, &e.in_band, &e.border, &e.nonmanifold}) reduction.sum(*count);
+    reduction.sum(e.length);
+    reduction.run(ranks);
+  }
+
+  static ScaledJacobianStats stats_of(const Totals& t) {
+    if (t.count == 0) return {};
+    double n = static_cast<double>(t.count);
+    return {t.least_sj, t.sj.total() / n, static_cast<double>(t.poor) / n};
+  }
+
+  QualityReport report(std::vector<FaceReport>& faces) const {
+    QualityReport report;
+    Totals all = quads_;
+    all.add(triangles_);
+    report.quads = quads_.count;
+    report.triangles = triangles_.count;
+    report.sj_quads = stats_of(quads_);
+    report.sj_triangles = stats_of(triangles_);
+    report.sj_all = stats_of(all);
+    report.inverted = all.inverted;
+    report.undecided = all.undecided;
+    report.min_jacobian_ratio = all.count ? all.least_ratio : 0;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      faces[i].quads = faces_[i].quads;
+      faces[i].triangles = faces_[i].triangles;
+      faces[i].mesh_area = faces_[i].area.total();
+      if (faces[i].quads + faces[i].triangles > 0) faces[i].worst_sj = faces_[i].least_sj;
+      report.mesh_area += faces[i].mesh_area;
+      report.cad_area += faces[i].cad_area;
+    }
+    report_edges_and_nodes(report);
+    return report;
+  }
+
+  void report_edges_and_nodes(QualityReport& report) const {
+    const EdgeTotals& e = edge_totals_;
+    report.nodes = nodes_.used;
+    report.border_edges = e.border;
+    report.nonmanifold_edges = e.nonmanifold;
+    report.watertight = report.quads + report.triangles > 0 && e.border == 0 && e.nonmanifold == 0;
+    report.face_interior_nodes = nodes_.face_interior;
+    report.irregular_nodes = nodes_.irregular;
+    if (nodes_.face_interior > 0)
+      report.irregular_share = static_cast<double>(nodes_.irregular) / static_cast<double>(nodes_.face_interior);
+    if (e.count == 0) return;
+    double n = static_cast<double>(e.count), mean = e.length.total() / n;
+    report.length_mean = mean / h_;
+    report.length_cv = mean > 0 ? std::sqrt(e.squares.total() / n) / mean : 0;
+    report.length_in_band = static_cast<double>(e.in_band) / n;
+  }
+
+  const MeshShare* share_;  // or null: all of the mesh is here
+  const SurfaceMesh& mesh_;
+  const double h_;
+  const Progress& progress_;
+  std::mutex mutex_;
+  std::vector<char> is_used_;  // per node
+  Totals quads_, triangles_;
+  std::vector<FaceTotals> faces_;
+  EdgeTotals edge_totals_;
+  NodeTotals nodes_;
+};
 
 }  // namespace
 
 ElementQuality element_quality(const SurfaceMesh& mesh) {
-  Progress progress;
+  std::size_t quads = mesh.quad_count(), count = quads + mesh.triangle_count();
   ElementQuality quality;
-  for (bool is_quad : {true, false}) {
-    for (const ElementFigures& f : measure_elements(mesh, is_quad, progress)) {
-      quality.sj.push_back(f.sj);
-      quality.jacobian_ratio.push_back(f.ratio);
-      quality.area.push_back(f.area);
-      quality.validity.push_back(static_cast<std::int8_t>(f.validity));
-    }
-  }
+  quality.sj.resize(count);
+  quality.jacobian_ratio.resize(count);
+  quality.area.resize(count);
+  quality.validity.resize(count);
+  auto measure = [&](bool is_quad, std::size_t offset, std::size_t elements) {
+    tbb::parallel_for(std::size_t{0}, elements / task_elements + 1, [&](std::size_t task) {
+      std::array<ElementFigures, task_elements> figures;
+      std::size_t begin = task * task_elements, end = std::min(begin + task_elements, elements);
+      measure_elements(mesh, is_quad, begin, end, figures.data());
+      for (std::size_t i = begin; i < end; ++i) {
+        const ElementFigures& f = figures[i - begin];
+        quality.sj[offset + i] = f.sj;
+        quality.jacobian_ratio[offset + i] = f.ratio;
+        quality.area[offset + i] = f.area;
+        quality.validity[offset + i] = static_cast<std::int8_t>(f.validity);
+      }
+    });
+  };
+  measure(true, 0, quads);
+  measure(false, quads, mesh.triangle_count());
   return quality;
 }
 
 QualityReport measure_quality(const SurfaceMesh& mesh, double target_length, const std::vector<bool>& edge_is_periodic,
                               std::vector<FaceReport>& faces, const Progress& progress) {
-  QualityReport report;
-  report_elements(mesh, faces, progress, report);
-  report.nodes = count_used_nodes(mesh);
-  EdgeFigures edges = measure_edges(mesh);
-  progress.check();
-  report.border_edges = edges.border;
-  report.nonmanifold_edges = edges.nonmanifold;
-  report.watertight = report.quads + report.triangles > 0 && edges.border == 0 && edges.nonmanifold == 0;
-  report_lengths(edges, target_length, report);
-  report_valence(mesh, edges, edge_is_periodic, report);
-  return report;
+  SingleRank single;
+  return Measurement(nullptr, mesh, target_length, progress).measure(edge_is_periodic, faces, single);
+}
+
+QualityReport measure_quality(const MeshShare& share, double target_length, const std::vector<bool>& edge_is_periodic,
+                              std::vector<FaceReport>& faces, const Progress& progress, Ranks& ranks) {
+  return Measurement(&share, share.result.mesh, target_length, progress).measure(edge_is_periodic, faces, ranks);
 }
 
 }  // namespace paver

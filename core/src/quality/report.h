@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "paver/mesher.h"
 #include "paver/progress.h"
 #include "paver/result.h"
 
@@ -16,5 +17,10 @@ namespace paver {
 /// Runs on the threads of the calling arena; the figures do not depend on their number.
 QualityReport measure_quality(const SurfaceMesh& mesh, double target_length, const std::vector<bool>& edge_is_periodic,
                               std::vector<FaceReport>& faces, const Progress& progress);
+
+/// The same for the mesh that all ranks hold together, collective: every rank gets the figures of the whole, bit for
+/// bit those of one rank. `faces` are those of the whole, the same on all ranks.
+QualityReport measure_quality(const MeshShare& share, double target_length, const std::vector<bool>& edge_is_periodic,
+                              std::vector<FaceReport>& faces, const Progress& progress, Ranks& ranks);
 
 }  // namespace paver
