@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "paver/mesher.h"
 #include "paver/progress.h"
 #include "paver/result.h"
 
@@ -36,10 +37,18 @@ std::string temporary_name(const std::string& path);
 /// The report as JSON text. Keys: core/docs/quality.md.
 std::string report_json(const MeshResult& result);
 
+/// The same with the checksum of a mesh that `result` holds only a share of.
+std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum);
+
 /// The report as lines of at most about 100 columns for a terminal; of the faces only failed ones and the worst.
 std::string report_table(const RunReport& report);
 
-/// 64-bit FNV-1a over coordinates, bit for bit, elements and lines in their order: equal for equal meshes.
+/// 64 bits from the elements with their faces, orientation and the exact coordinates of their nodes, the lines with
+/// their edges, and the number of nodes. Does not depend on the order of elements or nodes, nor on the corner at which
+/// an element starts: equal for meshes that are the same but for that.
 std::uint64_t checksum(const SurfaceMesh& mesh);
+
+/// The same of the mesh that all ranks hold together, collective.
+std::uint64_t checksum(const MeshShare& share, Ranks& ranks);
 
 }  // namespace paver

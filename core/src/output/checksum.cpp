@@ -1,37 +1,148 @@
-// 64-bit FNV-1a of a mesh, eight bytes at a step: every number of the mesh in its order.
+// 64-bit checksum of a mesh: the sum, modulo 2^64, of one well mixed number per element and per line, so that neither
+// the order of elements nor who holds them matters.
+//
+// The number of an element follows from its kind, order, face and the exact bits of its nodes' coordinates, from its
+// lowest corner on, the way round it runs. Products of 64-bit numbers, folded from 128 bits, mix them.
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cstdint>
 
 #include "paver/output.h"
+#include "quality/lattice.h"
 
 namespace paver {
 namespace {
 
-class Fnv {
+using Word = std::uint64_t;
+using Bits = std::array<Word, 3>;
+__extension__ typedef unsigned __int128 DoubleWord;
+
+enum class Kind : Word { quad = 1, triangle, line, further_edge, nodes };
+
+// Odd numbers without pattern: the fraction digits of the golden ratio and of square roots.
+constexpr Word key_a = 0x9e3779b97f4a7c15, key_b = 0x6a09e667f3bcc909, key_c = 0xbb67ae8584caa73b;
+
+Word fold(Word a, Word b) {
+  DoubleWord product = static_cast<DoubleWord>(a) * b;
+  return static_cast<Word>(product) ^ static_cast<Word>(product >> 64);
+}
+
+/// Takes words in their order.
+class Mix {
  public:
-  void add(std::uint64_t value) { hash_ = (hash_ ^ value) * prime; }
-  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
-  void add(const std::vector<int>& values) {
-    add(static_cast<std::uint64_t>(values.size()));
-    for (int value : values) add(static_cast<std::uint64_t>(value));
+  Mix(Kind kind, int order, int place)
+      : state_(fold(static_cast<Word>(kind) * key_a ^ key_b, static_cast<Word>(order) << 32 ^ key_c)) {
+    add(static_cast<Word>(place));
   }
-  std::uint64_t value() const { return hash_; }
+  void add(Word word) { state_ = fold(state_ ^ key_a, word ^ key_b) + key_c; }
+  void add(const Bits& x) { state_ = fold(state_ ^ fold(x[0] ^ key_a, x[1] ^ key_b), x[2] ^ key_c) + key_a; }
+  Word value() const { return fold(state_ ^ key_b, state_ ^ std::rotl(state_, 29) ^ key_c); }
 
  private:
-  static constexpr std::uint64_t prime = 0x100000001b3;
-  std::uint64_t hash_ = 0xcbf29ce484222325;
+  Word state_;
 };
+
+Bits bits_of(Vec3 x) { return {std::bit_cast<Word>(x.x), std::bit_cast<Word>(x.y), std::bit_cast<Word>(x.z)}; }
+
+/// Node positions of an element as they follow each other when it starts at its second corner.
+std::vector<int> turned(ElementShape shape, int p) {
+  std::vector<LatticePoint> lattice = lagrange_nodes(shape, p);
+  std::vector<int> positions;
+  for (auto [i, j] : lattice) {
+    LatticePoint from = shape == ElementShape::quad ? LatticePoint{p - j, i} : LatticePoint{p - i - j, i};
+    positions.push_back(static_cast<int>(std::find(lattice.begin(), lattice.end(), from) - lattice.begin()));
+  }
+  return positions;
+}
+
+/// One table of elements.
+class ElementNumbers {
+ public:
+  ElementNumbers(const SurfaceMesh& mesh, bool is_quad)
+      : mesh_(mesh),
+        kind_(is_quad ? Kind::quad : Kind::triangle),
+        corners_(is_quad ? 4 : 3),
+        table_(is_quad ? mesh.quads : mesh.triangles),
+        face_of_(is_quad ? mesh.quad_face : mesh.triangle_face) {
+    ElementShape shape = is_quad ? ElementShape::quad : ElementShape::triangle;
+    std::vector<int> turn = turned(shape, mesh.order), start(turn.size());
+    for (std::size_t k = 0; k < start.size(); ++k) start[k] = static_cast<int>(k);
+    for (int corner = 0; corner < corners_; ++corner) {
+      starts_.push_back(start);
+      std::vector<int> next;
+      for (int position : turn) next.push_back(start[static_cast<std::size_t>(position)]);
+      start = next;
+    }
+  }
+
+  Word sum() const {
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, face_of_.size(), 4096), Word{0},
+        [&](const auto& range, Word sum) {
+          for (std::size_t i = range.begin(); i < range.end(); ++i) sum += number(i);
+          return sum;
+        },
+        std::plus<>());
+  }
+
+ private:
+  Word number(std::size_t element) const {
+    const int* nodes = table_.data() + element * starts_[0].size();
+    std::array<Bits, JacobianForm::max_nodes> x;
+    for (std::size_t k = 0; k < starts_[0].size(); ++k) x[k] = bits_of(mesh_.nodes[static_cast<std::size_t>(nodes[k])]);
+    auto lowest = std::min_element(x.begin(), x.begin() + corners_) - x.begin();
+    Mix mix(kind_, mesh_.order, face_of_[element]);
+    for (int position : starts_[static_cast<std::size_t>(lowest)]) mix.add(x[static_cast<std::size_t>(position)]);
+    return mix.value();
+  }
+
+  const SurfaceMesh& mesh_;
+  const Kind kind_;
+  const int corners_;
+  const std::vector<int>&table_, &face_of_;
+  std::vector<std::vector<int>> starts_;  // per corner: node positions from there on
+};
+
+Word sum_of_elements(const SurfaceMesh& mesh) {
+  return ElementNumbers(mesh, true).sum() + ElementNumbers(mesh, false).sum();
+}
+
+Word line_number(const SurfaceMesh& mesh, Kind kind, std::size_t line, int edge) {
+  std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
+  Mix mix(kind, mesh.order, edge);
+  for (std::size_t k = 0; k < stride; ++k)
+    mix.add(bits_of(mesh.nodes[static_cast<std::size_t>(mesh.lines[line * stride + k])]));
+  return mix.value();
+}
+
+/// Lines, and the number of nodes: it tells joined elements from such that only lie side by side.
+Word sum_of_rest(const SurfaceMesh& mesh, long nodes) {
+  Mix count(Kind::nodes, mesh.order, 0);
+  count.add(static_cast<Word>(nodes));
+  Word sum = count.value();
+  for (std::size_t i = 0; i < mesh.line_edge.size(); ++i) sum += line_number(mesh, Kind::line, i, mesh.line_edge[i]);
+  for (auto [line, edge] : mesh.further_edges)
+    sum += line_number(mesh, Kind::further_edge, static_cast<std::size_t>(line), edge);
+  return sum;
+}
 
 }  // namespace
 
 std::uint64_t checksum(const SurfaceMesh& mesh) {
-  Fnv hash;
-  hash.add(static_cast<std::uint64_t>(mesh.order));
-  for (Vec3 x : mesh.nodes) hash.add(x.x), hash.add(x.y), hash.add(x.z);
-  for (const std::vector<int>* table :
-       {&mesh.quads, &mesh.quad_face, &mesh.triangles, &mesh.triangle_face, &mesh.lines, &mesh.line_edge}) {
-    hash.add(*table);
-  }
-  return hash.value();
+  return sum_of_elements(mesh) + sum_of_rest(mesh, static_cast<long>(mesh.nodes.size()));
+}
+
+std::uint64_t checksum(const MeshShare& share, Ranks& ranks) {
+  Word sum = sum_of_elements(share.result.mesh);
+  if (ranks.rank() == 0) sum += sum_of_rest(share.result.mesh, share.nodes);
+  constexpr Word low = 0xffffffff;  // in two halves: sums over ranks must not overflow
+  std::array<long, 2> halves{static_cast<long>(sum & low), static_cast<long>(sum >> 32)};
+  ranks.add_up(halves);
+  return static_cast<Word>(halves[0]) + (static_cast<Word>(halves[1]) << 32);
 }
 
 }  // namespace paver

@@ -86,7 +86,9 @@ Json face_json(const FaceReport& face, const std::string& label) {
 
 }  // namespace
 
-std::string report_json(const MeshResult& result) {
+std::string report_json(const MeshResult& result) { return report_json(result, checksum(result.mesh)); }
+
+std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
   const RunReport& run = result.report;
   Json json = {{"report_version", report_version},
                {"length_unit", "mm"},
@@ -100,7 +102,7 @@ std::string report_json(const MeshResult& result) {
                {"notes", run.notes},
                {"stage_seconds", Json::object()},
                {"peak_memory_mib", run.peak_memory_mib},
-               {"checksum", fmt::format("{:016x}", checksum(result.mesh))}};
+               {"checksum", fmt::format("{:016x}", mesh_checksum)}};
   for (std::size_t i = 0; i < run.faces.size(); ++i) {
     const std::string& label = i < result.face_names.size() ? result.face_names[i] : run.faces[i].name;
     json["faces"].push_back(face_json(run.faces[i], label));
