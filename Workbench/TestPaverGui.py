@@ -6,4 +6,5 @@ from gui_cases import *  # noqa: F401, F403
 from panel_cases import *  # noqa: F401, F403
 from panel_run_cases import *  # noqa: F401, F403
 from panel_size_cases import *  # noqa: F401, F403
+from refinement_panel_cases import *  # noqa: F401, F403
 from translation_cases import *  # noqa: F401, F403

@@ -5,14 +5,13 @@ made from that file: FreeCAD neither undoes it nor stores more than plain quadra
 
 Documents name this module and MeshProxy: neither may be moved.
 """
-import hashlib
 import itertools
 import os
 import tempfile
 
 import FreeCAD
 
-from paver_wb import analysis, core, fem_mesh, mesh_file, properties
+from paver_wb import analysis, core, fem_mesh, mesh_file, properties, source_shapes
 from paver_wb.stateless import Stateless
 
 INPUT, RESULT = "Input", "Result"
@@ -81,17 +80,13 @@ def sources(obj):
 
 def shape_digest(obj):
     """Digest of the shapes of all sources where they stand; empty without one, or when it has no shape."""
-    paver = core.load()
-    from paver import _shapes
+    things = sources(obj)
+    if not hasattr(obj.Proxy, "known"):
+        obj.Proxy.known = source_shapes.Known()
     try:
-        return digest_of(_shapes.source_of(sources(obj), None)[0])
-    except (paver.InputError, TypeError):
+        return obj.Proxy.known.digest_of(source_shapes.of(things)) if things else ""
+    except core.load().InputError:
         return ""
-
-
-def digest_of(shape):
-    """Digest of the bytes of a shape."""
-    return hashlib.blake2b(shape, digest_size=16).hexdigest()
 
 
 def is_restoring(obj):

@@ -1,7 +1,7 @@
 """Meshing of a mesh object, as it is asked for by commands, scripts and jobs."""
 from contextlib import contextmanager
 
-from paver_wb import core, fem_mesh, mesh_job, mesh_object, properties, refinement
+from paver_wb import core, fem_mesh, mesh_job, mesh_object, properties, refinement, source_shapes
 from paver_wb.mesh_job import Job
 
 
@@ -34,8 +34,8 @@ def prepare(obj, **changes):
                                "set its property Part")
     shape, name = _shapes.source_of(parts, None)
     decisive = properties.decisive(obj, properties.merged(obj, changes))
-    return Job(shape, name, options_of(obj, changes), tuple(part.Name for part in parts), mesh_object.digest_of(shape),
-               decisive)
+    return Job(shape, name, options_of(obj, changes), tuple(part.Name for part in parts),
+               source_shapes.digest_of(shape), decisive)
 
 
 def options_of(obj, changes):
@@ -47,22 +47,11 @@ def options_of(obj, changes):
     return options
 
 
-def shapes(obj):
-    """Shapes of the sources where they stand, which are not handed over yet."""
-    core.load()
-    from paver import _shapes
-    return [_shapes.shape_of(source) for source in mesh_object.sources(obj)]
-
-
-def are_same(some, others):
-    """Whether two lists of shapes are the same for certain: that is seen at once, without looking into them."""
-    return len(some) == len(others) and all(one.isEqual(other) for one, other in zip(some, others))
-
-
 def has_changed(obj, job, known):
     """Whether a mesh object's shape differs from that of a job, which was prepared with the shapes `known`."""
     try:
-        return not are_same(shapes(obj), known) and mesh_object.shape_digest(obj) != job.digest
+        shapes = source_shapes.of(mesh_object.sources(obj))
+        return not source_shapes.are_same(shapes, known) and mesh_object.shape_digest(obj) != job.digest
     except (core.load().InputError, ReferenceError):
         return True
 
@@ -78,10 +67,10 @@ def show_results(obj, mesh):
                        if face["status"] == "failed"]
 
 
-def keep(obj, job, mesh, file=None, is_outdated=False, **changes):
+def keep(obj, job, mesh, file=None, is_outdated=False, run_in=None, **changes):
     """Keeps a job's StoredMesh, and the changes of options it was made with, in its mesh object as one step of undo.
 
-    file: where the mesh is written already; it is moved, and must lie on the document's disk. is_outdated: the shape is
+    run_in: the value that RunIn gets, or None. file: where the mesh is written already; it is moved, and must lie on the document's disk. is_outdated: the shape is
     not that of the job any more. The first mesh hides its sources.
     """
     hides_sources = not obj.MeshFile and obj.Visibility  # the 3D view would show spots of both
@@ -89,6 +78,8 @@ def keep(obj, job, mesh, file=None, is_outdated=False, **changes):
     fem = mesh_object.fem_mesh_of(obj, mesh) if is_filled else fem_mesh.empty()
     with transaction(obj.Document, "Mesh " + obj.Label):
         properties.put(obj, changes)
+        if run_in is not None and run_in != obj.RunIn:
+            obj.RunIn = run_in
         mesh_object.keep(obj, file or mesh)
         show_results(obj, mesh)
         obj.MeshedShape, obj.MeshedOptions, obj.ShapeChanged = job.digest, job.decisive, is_outdated

@@ -104,11 +104,8 @@ def make(mesh, references, length=None, eps_r=None, mu_r=None, name="Refinement"
     length: mm, text with a unit, or a quantity. Without one eps_r, mu_r: the wavelength in that medium.
     ReferenceMissing for what the mesh does not have, ValueError for a bad length; the document is then as before.
     """
-    from paver_wb import mesh_object
     listed = as_references(mesh, references)
-    for thing, elements in listed:
-        for element in elements:
-            find(mesh_object.sources(mesh), mesh, thing, element)
+    check_references([mesh], listed)
     obj = mesh.Document.addObject("App::FeaturePython", name)
     try:
         RefinementProxy(obj)
@@ -146,6 +143,24 @@ def first_length(mesh):
     else:
         length = wavelength(options["frequency"], options.get("eps_r", 1), options.get("mu_r", 1)) / options["divisions"]
     return float(f"{length / 3:.0e}")
+
+
+def change(obj, references, length=None, eps_r=None, mu_r=None):
+    """Gives a refinement other references and another value, as make takes them, with its errors."""
+    meshes = meshes_of(obj)
+    listed = as_references(meshes[0], references) if meshes else references
+    check_references(meshes, listed)
+    obj.References = [(thing, tuple(elements)) for thing, elements in listed]
+    set_value(obj, length, eps_r, mu_r)
+
+
+def check_references(meshes, listed):
+    """ReferenceMissing where one of [(object, elements)] is in none of what a mesh object meshes."""
+    from paver_wb import mesh_object
+    for mesh in meshes:
+        for thing, elements in listed:
+            for element in elements:
+                find(mesh_object.sources(mesh), mesh, thing, element)
 
 
 def set_value(obj, length=None, eps_r=None, mu_r=None):

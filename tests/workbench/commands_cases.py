@@ -131,8 +131,10 @@ class Commands(WithCommands):
         self.assertIn("paver_wb.refinement.make(", self.console())
         self.assertEqual(self.document.UndoNames, ["Refine"])
         window.picture("commands_refine")
-        child.ViewObject.Proxy.doubleClicked(child.ViewObject)
+        window.wait(lambda: window.widget("Paver_RefinementLength"), "for its panel")
         self.assertEqual(FreeCADGui.Selection.getSelectionEx()[0].SubElementNames, ("Face6", "Edge1"))
+        window.click_standard(QtGui.QDialogButtonBox.Ok)
+        self.assertEqual(self.document.UndoNames, ["Refine"])
         self.document.undo()
         self.assertEqual((refinement.of_mesh(mesh), mesh.Status), ([], "Up to date"))
 

@@ -337,6 +337,41 @@ class Status(InDocument):
         meshing.mesh(obj)
         self.assertEqual(obj.Status, "Up to date")
 
+    def test_shapes_are_only_handed_over_when_they_are_other_ones(self):
+        from paver import _shapes
+        made, real = [], _shapes.binary
+        self.addCleanup(setattr, _shapes, "binary", real)
+        _shapes.binary = lambda shape: made.append(shape) or real(shape)
+        group = self.add("App::Part", placement=FreeCAD.Placement(FreeCAD.Vector(3, 0, 0), FreeCAD.Rotation(1, 2, 3)))
+        inner = self.add("Part::Sphere", group, FreeCAD.Placement(FreeCAD.Vector(50, 0, 0), FreeCAD.Rotation(4, 5, 6)))
+        link = self.add("App::Link")
+        link.LinkedObject = self.box
+        link.LinkPlacement.Base.y = 70
+        self.document.recompute()
+        for parts in ([self.box], [group, self.box], [inner, link]):
+            obj = mesh_object.add(self.document, parts, size=5)
+            meshing.mesh(obj)
+            self.document.recompute()
+            made.clear()
+            for _ in range(3):
+                obj.touch()
+                self.document.recompute()
+                self.assertEqual(mesh_object.check(obj), "Up to date")
+            self.assertEqual(made, [])
+            for thing in parts:
+                thing.Placement.Base.z += 1
+                self.document.recompute()
+                self.assertEqual((mesh_object.check(obj), len(made)), ("Out of date", 1), thing.Name)
+                thing.Placement.Base.z -= 1
+                self.document.recompute()
+                self.assertEqual((mesh_object.check(obj), len(made)), ("Up to date", 2), thing.Name)
+                made.clear()
+            parts[0].touch()
+            inner.Radius, self.box.Length = inner.Radius.Value + 1, self.box.Length.Value + 1
+            self.document.recompute()
+            self.assertEqual(mesh_object.check(obj), "Out of date")
+            self.document.removeObject(obj.Name)
+
     def test_reopened_documents_know_it(self):
         obj = mesh_object.add(self.document, self.box, size=5)
         meshing.mesh(obj)

@@ -80,6 +80,46 @@ class Sizes(PanelCase):
         window.pause(50)
         self.assertEqual((len(mesh.Refinements), self.row()[0]), (1, "Box: Face6"))
 
+    def test_cancel_brings_the_sizes_back(self):
+        mesh = self.add_mesh(frequency="30 GHz", divisions=6)
+        self.open(mesh)
+        self.add("Face6")
+        self.add("Face1", "Edge3")
+        window.click(self.button(QtGui.QDialogButtonBox.Apply))
+        names = [child.Name for child in mesh.Refinements]
+        before, label = (mesh.Status, len(mesh.Refinements)), mesh.Refinements[1].Label
+        texts = [self.row(0), self.row(1)]
+        self.add("Face2")
+        window.widget("Paver_Sizes").item(0, 2).setText("0.1 mm")
+        window.pause(50)
+        window.widget("Paver_Sizes").selectRow(1)
+        window.click(window.widget("Paver_RemoveSize"))
+        window.pause(50)
+        self.assertEqual(len(mesh.Refinements), 2)
+        steps = self.document.UndoCount
+        window.click(self.button(QtGui.QDialogButtonBox.Cancel))
+        window.wait(lambda: not FreeCADGui.Control.activeDialog())
+        self.assertEqual((mesh.Status, len(mesh.Refinements)), before)
+        self.assertEqual(([child.Name for child in mesh.Refinements], mesh.Refinements[1].Label), (names, label))
+        self.assertEqual((self.document.UndoCount, self.document.UndoNames[0]), (steps + 1, "Drop local sizes"))
+        self.open(mesh)
+        self.assertEqual([self.row(0), self.row(1)], texts)
+        self.mesh_and_wait()
+        window.click(self.button(QtGui.QDialogButtonBox.Cancel))
+        window.wait(lambda: not FreeCADGui.Control.activeDialog())
+        self.assertEqual((mesh.Status, len(mesh.Refinements)), ("Up to date", 2))
+
+    def test_cancel_takes_a_new_mesh_with_sizes_back(self):
+        FreeCADGui.Selection.addSelection(self.box)
+        FreeCADGui.runCommand("Paver_CreateMesh")
+        window.wait(lambda: window.widget("Paver_MeshButton"), "for the panel")
+        self.add("Face6")
+        window.widget("Paver_Sizes").item(0, 2).setText("0.1 mm")
+        window.pause(50)
+        window.click(self.button(QtGui.QDialogButtonBox.Cancel))
+        window.wait(lambda: not FreeCADGui.Control.activeDialog())
+        self.assertEqual([thing.Name for thing in self.document.Objects], ["Box"])
+
     def test_nothing_selected_is_told(self):
         mesh = self.add_mesh()
         self.open(mesh)

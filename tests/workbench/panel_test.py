@@ -5,7 +5,7 @@ import freecad
 import pytest
 
 
-@pytest.mark.parametrize("case", ["Panel", "Runs", "Sizes"])
+@pytest.mark.parametrize("case", ["Panel", "Runs", "Sizes", "RefinementPanel"])
 def test_all_cases_in_the_window(home, case):
     done = freecad.run_window(["-t", "TestPaverGui." + case], home)
     output = done.stdout + done.stderr

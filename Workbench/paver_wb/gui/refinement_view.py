@@ -15,10 +15,13 @@ class RefinementViewProvider(Stateless):
         return os.path.join(ICONS, "Paver_Refine.svg")
 
     def doubleClicked(self, vobj):
-        """Selects what it refers to, so that the 3D view shows it."""
-        import FreeCADGui
-        FreeCADGui.Selection.clearSelection()
-        for thing, elements in vobj.Object.References:
-            for element in elements or ("",):
-                FreeCADGui.Selection.addSelection(thing, element)
+        vobj.Document.setEdit(vobj.Object.Name)
         return True
+
+    def setEdit(self, vobj, mode=0):
+        from paver_wb.gui import refinement_panel
+        return refinement_panel.set_edit(vobj.Object) if mode == 0 else None
+
+    def unsetEdit(self, vobj, mode=0):
+        from paver_wb.gui import refinement_panel
+        refinement_panel.unset_edit()

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import FreeCAD
 from PySide import QtCore
 
-from paver_wb import core, mesh_job, mesh_object, meshing
+from paver_wb import core, mesh_job, mesh_object, meshing, source_shapes
 from paver_wb.gui import run_place, run_status, run_thread
 from paver_wb.gui.run_task import BUSY, PATIENCE, is_busy
 from paver_wb.gui.display import drawn_mesh, mesh_display
@@ -44,15 +44,15 @@ class Run(QtCore.QObject):
     moved = QtCore.Signal()
     ended = QtCore.Signal(object)
 
-    def __init__(self, obj, changes):
+    def __init__(self, obj, run_in, changes):
         super().__init__()
         start = time.monotonic()
-        self.obj, self.changes, self.state, self.outcome = obj, changes, WAITING, None
+        self.obj, self.run_in, self.changes, self.state, self.outcome = obj, run_in, changes, WAITING, None
         self.document, self.name, self.label = obj.Document.Name, obj.Name, obj.Label
         self.stage, self.fraction, self.begun = "", 0.0, start
-        self.job, self.shapes = meshing.prepare(obj, **changes), meshing.shapes(obj)
+        self.job, self.shapes = meshing.prepare(obj, **changes), source_shapes.of(mesh_object.sources(obj))
         self.folder = tempfile.mkdtemp(prefix="paver", dir=os.path.dirname(obj.Document.TransientDir))
-        self.thread = run_thread.MeshThread(self.job, self.folder, obj.RunIn, mesh_object.heavy_elements(),
+        self.thread = run_thread.MeshThread(self.job, self.folder, run_in or obj.RunIn, mesh_object.heavy_elements(),
                                             offered(self.job.digest), shown_subdivision(obj))
         self.thread.progressed.connect(self.tell, QtCore.Qt.QueuedConnection)
         self.thread.moved.connect(self.moved)
@@ -120,7 +120,8 @@ class Run(QtCore.QObject):
         start, mesh = time.monotonic(), self.thread.result
         try:
             is_outdated = meshing.has_changed(self.obj, self.job, self.shapes)
-            meshing.keep(self.obj, self.job, mesh, self.thread.path, is_outdated, **self.changes)
+            meshing.keep(self.obj, self.job, mesh, self.thread.path, is_outdated, self.run_in,
+                         **self.changes)
         except Exception as error:
             return self.fail(error)
         if self.thread.drawn is not None:
@@ -199,16 +200,16 @@ def offered(digest):
     return model if known == digest else None
 
 
-def start(obj, **changes):
+def start(obj, run_in=None, **changes):
     """Meshes a mesh object on a thread; gives the Run. One run follows the other.
 
-    changes: options to be set together with the result, as properties.put takes them; until then the object is as
-    before, and it stays so after an error or a stop. ValueError when the object is being meshed already; errors of
+    run_in, changes: RunIn and options, as properties.put takes them, to be set together with the result; until then the
+    object is as before, and it stays so after an error or a stop. ValueError when the object is being meshed already; errors of
     meshing.prepare.
     """
     if run_of(obj):
         raise ValueError(f"'{obj.Label}' is being meshed; wait for that or stop it first.")
-    run = Run(obj, changes)
+    run = Run(obj, run_in, changes)
     _runs.append(run)
     run_status.watch(run)
     announcer.started.emit(run)

@@ -1,7 +1,7 @@
 """Predictions while options are edited: on a thread, a moment after the last edit."""
 from PySide import QtCore
 
-from paver_wb import core, meshing
+from paver_wb import core, mesh_object, meshing, source_shapes
 from paver_wb.gui import run_control, run_thread
 
 DELAY = 300  # ms without an edit
@@ -40,8 +40,8 @@ class Predictor(QtCore.QObject):
 
     def job(self):
         """The Job, with the shape of before where it is the same."""
-        shapes = meshing.shapes(self.obj)
-        if self.shapes is None or not meshing.are_same(shapes, self.shapes):
+        shapes = source_shapes.of(mesh_object.sources(self.obj))
+        if self.shapes is None or not source_shapes.are_same(shapes, self.shapes):
             self.shape_job = meshing.prepare(self.obj, **self.changes)
             self.model, self.shapes = self.shape_job.model(), shapes
         return self.shape_job._replace(options=meshing.options_of(self.obj, self.changes))

@@ -1,7 +1,8 @@
 """The task panel of a mesh object.
 
 Options are changed in the fields only, until Apply, OK or Mesh puts them into the mesh object, in one step of undo.
-Cancel drops what was not applied, stops a run, and takes back a mesh object that was made for this panel and is unused.
+Local sizes are put in at once, each in a step of its own. Cancel drops what was not applied, local sizes too, stops a run,
+and takes back a mesh object that was made for this panel and is unused.
 """
 import os
 
@@ -61,7 +62,7 @@ class TaskPanel:
             self.runner.prediction.setText(translate("Paver", "Predicting..."))
             self.predictor.ask(self.options.changes())
         if self.run is None:
-            self.runner.show_status(bool(fault or self.options.changes()))
+            self.runner.show_status(bool(fault or self.changes()))
         self.runner.mesh.setEnabled(not fault and self.run is None)
 
     def sizes_changed(self):
@@ -82,10 +83,16 @@ class TaskPanel:
         if self.options.fault() or run_control.run_of(self.obj):
             return
         try:
-            self.apply_run_in()
-            self.start(self.options.changes())
+            self.start(self.changes())
         except Exception as error:  # of what cannot be begun at all
             self.runner.show_fault(str(error))
+
+    def changes(self):
+        """{argument of run_control.start: value} of what was edited: options, and run_in."""
+        changes = self.options.changes()
+        if self.options.run_in.value() != self.obj.RunIn:
+            changes["run_in"] = self.options.run_in.value()
+        return changes
 
     def start(self, changes):
         """Starts a run as the console would."""
@@ -112,6 +119,7 @@ class TaskPanel:
         if outcome.kind == run_control.MESHED:
             self.is_new = False
             self.options.refresh()
+            self.sizes.settle()
             if not self.obj.ViewObject.Visibility:
                 self.sizes.show_in_view(shows_mesh=True)
             self.results.refresh(outcome.mesh)
@@ -129,20 +137,25 @@ class TaskPanel:
         if fault:
             self.runner.show_fault(fault)
             return False
-        changes = self.options.changes()
-        if self.run is not None and changes == self.run.changes:  # they come with its result
+        self.sizes.settle()
+        self.is_new = False
+        changes = self.changes()
+        if self.run is not None and changes == self.run_changes():  # they come with its result
             return True
-        self.apply_run_in(changes)
+        self.put(changes)
         self.options.refresh()
         self.runner.show_status()
-        self.is_new = False
         return True
 
-    def apply_run_in(self, changes=None):
-        """RunIn, and the changes, if there are any, as one step of undo."""
-        lines = []
-        if self.options.run_in.value() != self.obj.RunIn:
-            lines.append(f"{python_name(self.obj)}.RunIn = {self.options.run_in.value()!r}")
+    def run_changes(self):
+        """changes() with which the run was started."""
+        return {**self.run.changes, **({"run_in": self.run.run_in} if self.run.run_in else {})}
+
+    def put(self, changes):
+        """Puts changes() into the mesh object as one step of undo."""
+        lines, run_in = [], changes.pop("run_in", None)
+        if run_in:
+            lines.append(f"{python_name(self.obj)}.RunIn = {run_in!r}")
         if changes:
             lines.append(f"paver_wb.properties.put({python_name(self.obj)}, {changes!r})")
         if lines:
@@ -174,14 +187,17 @@ class TaskPanel:
         return True
 
     def reject(self):
-        run = self.run
-        is_unused = self.is_new and self.document.UndoCount == self.steps and not self.obj.MeshFile
-        document = self.document
+        run, document, sizes = self.run, self.document, self.sizes
+        is_unused = self.is_new and document.UndoCount == self.steps + sizes.steps and not self.obj.MeshFile
+        self.forget()
+        if not is_unused:
+            sizes.drop()
         self.close()
         if run is not None:
             run.stop()
         if is_unused:
-            document.undo()
+            for _ in range(1 + sizes.steps):
+                document.undo()
         return True
 
     def isAllowedAlterSelection(self):

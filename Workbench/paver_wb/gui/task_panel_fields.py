@@ -185,8 +185,13 @@ def field_for(info):
     empty = translate("Paver", "automatic") if may_be_empty else ""
     if info["kind"] == "choice":
         names = {"quad-dominant": translate("Paver", "Quad-dominant"), "all-quad": translate("Paver", "All quads"),
-                 "all-triangle": translate("Paver", "All triangles")}
-        return ChoiceField(info["choices"], [names.get(choice, choice) for choice in info["choices"]])
+                 "all-triangle": translate("Paver", "All triangles"), "off": translate("Paver", "No"),
+                 "auto": translate("Paver", "Automatic")}
+        labels = [names.get(choice, choice) for choice in info["choices"]]
+        if info["name"] == "multilevel":
+            labels = [translate("Paver", "{} times as long").format(label) if label.isdigit() else label
+                      for label in labels]
+        return ChoiceField(info["choices"], labels)
     if info["name"] == "order":
         return ChoiceField([1, 2], [translate("Paver", "1 (straight)"), translate("Paver", "2 (curved)")])
     if info["kind"] in UNITS:

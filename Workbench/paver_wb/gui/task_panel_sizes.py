@@ -1,6 +1,7 @@
 """The part of the task panel that has the local sizes: the refinements of a mesh object.
 
-They are objects of their own: what is done here is done at once, each in a step of undo, and Cancel leaves it.
+They are objects of their own: what is done here is done at once, each in a step of undo. drop() brings back what there was
+when the panel was opened or its options were last put into effect.
 """
 import FreeCAD
 import FreeCADGui
@@ -45,14 +46,33 @@ def value_of(obj, text):
     return {"eps_r": numbers[0], "mu_r": numbers[1] if len(numbers) > 1 else 1.0}
 
 
+def references_text(references):
+    """[(object, elements)] as text for Python."""
+    listed = ", ".join(f"({python_name(thing)}, {list(elements) or ['']!r})" for thing, elements in references)
+    return f"[{listed}]"
+
+
+def selected_references():
+    """[(object, elements)] of what is selected in the 3D view and may be refined."""
+    return [(s.Object, list(s.SubElementNames) or [""]) for s in FreeCADGui.Selection.getSelectionEx()
+            if not mesh_object.is_mesh(s.Object) and not refinement.is_refinement(s.Object)]
+
+
+def as_arguments(obj):
+    """(references, value) of a refinement, as text for Python: arguments of refinement.change."""
+    value = f"length={obj.Length.Value!r}" if obj.By == refinement.LENGTH else f"eps_r={obj.EpsR!r}, mu_r={obj.MuR!r}"
+    return references_text(obj.References), value
+
+
 class SizesBox(QtGui.QWidget):
-    """`failed`: a sentence on what could not be done."""
+    """`steps`: how many steps of undo were made here. `failed`: a sentence on what could not be done."""
 
     failed = QtCore.Signal(str)
 
     def __init__(self, obj):
         super().__init__()
-        self.obj, self.shown = obj, []
+        self.obj, self.shown, self.steps = obj, [], 0
+        self.settle()
         self.setWindowTitle(translate("Paver", "Local sizes"))
         layout = QtGui.QVBoxLayout(self)
         self.table = QtGui.QTableWidget(0, 3)
@@ -146,13 +166,32 @@ class SizesBox(QtGui.QWidget):
             self.failed.emit(str(error))
             self.refresh()
             return False
+        self.steps += 1
         return True
 
+    def settle(self):
+        """What there is now is what drop() brings back."""
+        self.settled = {obj.Name: (obj.Label, *as_arguments(obj)) for obj in refinement.of_mesh(self.obj)}
+
+    def drop(self):
+        """Takes back what was done since settle(), as one step of undo."""
+        lines = []
+        for obj in refinement.of_mesh(self.obj):
+            if obj.Name not in self.settled:
+                lines.append(f'FreeCAD.getDocument("{obj.Document.Name}").removeObject("{obj.Name}")')
+            elif as_arguments(obj) != self.settled[obj.Name][1:]:
+                lines.append(f"paver_wb.refinement.change({python_name(obj)}, {', '.join(self.settled[obj.Name][1:])})")
+        there = {obj.Name for obj in refinement.of_mesh(self.obj)}
+        for name, (label, references, value) in self.settled.items():
+            if name not in there:
+                lines += [f"refinement = paver_wb.refinement.make({python_name(self.obj)}, {references}, {value}, "
+                          f"name={name!r})", f"refinement.Label = {label!r}"]
+        if lines:
+            in_step(self.obj.Document, translate("Paver", "Drop local sizes"), ["paver_wb.refinement"], lines)
+
     def add_selected(self):
-        references = [(s.Object, list(s.SubElementNames) or [""]) for s in FreeCADGui.Selection.getSelectionEx()
-                      if not mesh_object.is_mesh(s.Object) and not refinement.is_refinement(s.Object)]
-        listed = ", ".join(f"({python_name(thing)}, {elements!r})" for thing, elements in references)
-        self.do(translate("Paver", "Refine"), f"paver_wb.refinement.make({python_name(self.obj)}, [{listed}], "
+        listed = references_text(selected_references())
+        self.do(translate("Paver", "Refine"), f"paver_wb.refinement.make({python_name(self.obj)}, {listed}, "
                                               f"{refinement.first_length(self.obj)!r})")
 
     def chosen(self):

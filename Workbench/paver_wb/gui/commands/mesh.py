@@ -61,7 +61,7 @@ class Refine:
     def GetResources(self):
         return resources("Paver_Refine", QT_TRANSLATE_NOOP("Paver_Refine", "Refine"), QT_TRANSLATE_NOOP(
             "Paver_Refine", "Shorter elements on the selected faces, edges, vertices or solids of what is meshed, and "
-            "around them"), "Q, R")
+            "around them; opens a panel for the length"), "Q, R")
 
     def IsActive(self):
         document = FreeCAD.ActiveDocument
@@ -81,6 +81,9 @@ class Refine:
                              f"{refinement.first_length(meshes[0])!r})"):
             FreeCADGui.Selection.clearSelection()
             do("FreeCADGui.Selection.addSelection(refinement)")
+            if not FreeCADGui.Control.activeDialog():
+                FreeCADGui.addModule("paver_wb.gui.refinement_panel")
+                do("paver_wb.gui.refinement_panel.edit_new(refinement)")
 
 
 class FillFemMesh(OnMeshes):

@@ -1,0 +1,132 @@
+"""The task panel of a refinement. Runs in FreeCAD's window: panel_test.py."""
+import FreeCADGui
+from PySide import QtGui
+
+import window
+from paver_wb import refinement
+from panel_cases import PanelCase
+
+
+class RefinementPanel(PanelCase):
+    def refined(self, **options):
+        mesh = self.add_mesh(**options)
+        child = refinement.make(mesh, [(self.box, ["Face6", "Edge1"])], 1)
+        self.document.recompute()
+        self.document.clearUndos()
+        return mesh, child
+
+    def open_panel(self, child):
+        FreeCADGui.ActiveDocument.setEdit(child.Name)
+        window.wait(lambda: window.widget("Paver_RefinementWhere"), "for the panel")
+
+    def lines(self):
+        shown = window.widget("Paver_RefinementWhere", QtGui.QListWidget)
+        return [shown.item(row).text() for row in range(shown.count())]
+
+    def select(self, *elements):
+        FreeCADGui.Selection.clearSelection()
+        for element in elements:
+            FreeCADGui.Selection.addSelection(self.box, element)
+
+    def choose(self, number):
+        by = window.widget("Paver_RefinementBy")
+        by.setCurrentIndex(number)
+        by.activated.emit(number)
+
+    def ok(self):
+        window.click(self.button(QtGui.QDialogButtonBox.Ok))
+        window.pause(50)
+
+    def test_double_click_edits_length_and_references_in_one_step(self):
+        mesh, child = self.refined()
+        window.pause(300)  # FreeCAD fills its tree late
+        for tree in window.widgets(QtGui.QTreeWidget):
+            tree.expandAll()
+        window.double_click(child)
+        window.wait(lambda: window.widget("Paver_RefinementWhere"), "for the panel")
+        self.assertEqual((self.lines(), self.text("RefinementLength")), (["Box: Face6", "Box: Edge1"], "1 mm"))
+        self.assertEqual(FreeCADGui.Selection.getSelectionEx()[0].SubElementNames, ("Face6", "Edge1"))
+        self.assertFalse(window.widget("Paver_RefinementEpsR"))
+        window.picture("panel_refinement")
+        window.type_into(window.widget("Paver_RefinementLength"), "0.4 mm")
+        self.select("Face3", "Vertex2", "Face6")
+        window.click(window.widget("Paver_RefinementAdd"))
+        self.assertEqual(self.lines(), ["Box: Face6", "Box: Edge1", "Box: Face3", "Box: Vertex2"])
+        window.widget("Paver_RefinementWhere").setCurrentRow(1)
+        self.assertEqual(FreeCADGui.Selection.getSelectionEx()[0].SubElementNames, ("Edge1",))
+        window.click(window.widget("Paver_RefinementRemove"))
+        self.assertEqual((child.Length.Value, self.document.UndoCount), (1, 0))
+        self.ok()
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+        self.assertEqual((child.Length.Value, child.References), (0.4, [(self.box, ("Face6", "Face3", "Vertex2"))]))
+        self.assertEqual(self.document.UndoNames, [f"Size of {child.Label}"])
+        self.document.undo()
+        self.assertEqual((child.Length.Value, child.References), (1, [(self.box, ("Face6", "Edge1"))]))
+
+    def test_a_medium_and_cancel(self):
+        mesh, child = self.refined(frequency="30 GHz")
+        self.open_panel(child)
+        self.choose(1)
+        self.assertFalse(window.widget("Paver_RefinementLength"))
+        window.type_into(window.widget("Paver_RefinementEpsR"), "4")
+        window.picture("panel_refinement_medium")
+        window.click(self.button(QtGui.QDialogButtonBox.Cancel))
+        window.pause(50)
+        self.assertEqual((child.By, self.document.UndoCount), ("Length", 0))
+        self.open_panel(child)
+        self.choose(1)
+        window.type_into(window.widget("Paver_RefinementEpsR"), "4")
+        self.ok()
+        self.assertEqual((child.By, child.EpsR, child.MuR, self.document.UndoCount), ("Medium", 4, 1, 1))
+        self.open_panel(child)
+        self.ok()
+        self.assertEqual(self.document.UndoCount, 1, "nothing was changed")
+
+    def test_faults_stay_in_the_panel(self):
+        mesh, child = self.refined()
+        ball = self.document.addObject("Part::Sphere", "Ball")
+        self.document.recompute()
+        self.document.clearUndos()
+        self.open_panel(child)
+        FreeCADGui.Selection.clearSelection()
+        window.click(window.widget("Paver_RefinementAdd"))
+        self.assertIn("Nothing of the model is selected", self.text("FaultText"))
+        FreeCADGui.Selection.addSelection(ball, "Face1")
+        window.click(window.widget("Paver_RefinementAdd"))
+        self.assertIn("not among", self.text("FaultText"))
+        window.picture("panel_refinement_fault")
+        for text, words in (("two", "cannot be read"), ("0", "above 0"), ("3 GHz", "cannot be read")):
+            window.type_into(window.widget("Paver_RefinementLength"), text)
+            window.click(self.button(QtGui.QDialogButtonBox.Ok))
+            self.assertIn(words, self.text("FaultText"))
+        window.type_into(window.widget("Paver_RefinementLength"), "2")
+        window.widget("Paver_RefinementWhere").selectAll()
+        window.click(window.widget("Paver_RefinementRemove"))
+        window.click(self.button(QtGui.QDialogButtonBox.Ok))
+        self.assertIn("Nothing is refined", self.text("FaultText"))
+        self.assertEqual((child.Length.Value, self.document.UndoCount), (1, 0))
+        self.document.removeObject(child.Name)
+        window.wait(lambda: not FreeCADGui.Control.activeDialog(), "for the panel to go")
+
+    def test_refine_opens_it_and_cancel_takes_the_refinement_back(self):
+        mesh = self.add_mesh()
+        for is_kept in (False, True):
+            self.select("Face6")
+            FreeCADGui.runCommand("Paver_Refine")
+            window.wait(lambda: window.widget("Paver_RefinementLength"), "for the panel")
+            self.assertEqual(self.text("RefinementLength"), "0.7 mm")
+            if is_kept:
+                window.type_into(window.widget("Paver_RefinementLength"), "0.3")
+                self.ok()
+            else:
+                window.click(self.button(QtGui.QDialogButtonBox.Cancel))
+                window.pause(50)
+            self.assertEqual(len(mesh.Refinements), is_kept)
+        self.assertEqual(mesh.Refinements[0].Length.Value, 0.3)
+
+    def test_every_field_and_button_has_a_tooltip(self):
+        mesh, child = self.refined()
+        self.open_panel(child)
+        shown = [w for w in window.widgets(QtGui.QWidget) if w.objectName().startswith("Paver_Refinement")]
+        self.assertGreater(len(shown), 6)
+        self.assertEqual([w.objectName() for w in shown if not w.toolTip()], [])
