@@ -2,6 +2,253 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de">
 <context>
+    <name>App::Property</name>
+    <message>
+        <source>Input</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Object to mesh: a solid or a surface, an App::Part, a link</source>
+        <translation>Was vernetzt wird: ein Körper oder eine Fläche, ein App::Part, eine Verknüpfung</translation>
+    </message>
+    <message>
+        <source>Further objects, meshed together with Part, each where it stands</source>
+        <translation>Weitere Objekte, zusammen mit Part vernetzt, jedes an seinem Ort</translation>
+    </message>
+    <message>
+        <source>Refinements: target lengths of faces, edges, vertices and solids</source>
+        <translation>Verfeinerungen: Ziellängen von Flächen, Kanten, Ecken und Körpern</translation>
+    </message>
+    <message>
+        <source>Where the window's commands mesh; own process: FreeCAD survives a crash; automatic: there from HeavyElements of the preferences on</source>
+        <translation>Wo die Befehle des Fensters vernetzen; Own process: FreeCAD übersteht einen Absturz; Automatic: dort ab HeavyElements der Einstellungen</translation>
+    </message>
+    <message>
+        <source>Processes that share the work, by MPI; 0: without MPI</source>
+        <translation>Prozesse, die sich die Arbeit teilen, über MPI; 0: ohne MPI</translation>
+    </message>
+    <message>
+        <source>Not meshed, Up to date, Out of date: the same in all languages, for scripts</source>
+        <translation>Not meshed, Up to date, Out of date: in allen Sprachen gleich, für Skripte</translation>
+    </message>
+    <message>
+        <source>Out of date: an option or an object has changed since meshing</source>
+        <translation>Veraltet: eine Option oder ein Objekt hat sich seit dem Vernetzen geändert</translation>
+    </message>
+    <message>
+        <source>Number of quads</source>
+        <translation>Zahl der Vierecke</translation>
+    </message>
+    <message>
+        <source>Number of triangles</source>
+        <translation>Zahl der Dreiecke</translation>
+    </message>
+    <message>
+        <source>Number of nodes</source>
+        <translation>Zahl der Knoten</translation>
+    </message>
+    <message>
+        <source>Target length of the element edges</source>
+        <translation>Ziellänge der Elementkanten</translation>
+    </message>
+    <message>
+        <source>Smallest scaled Jacobian of all elements</source>
+        <translation>Kleinste skalierte Jacobi-Determinante aller Elemente</translation>
+    </message>
+    <message>
+        <source>Every mesh edge lies in exactly two elements</source>
+        <translation>Jede Netzkante liegt in genau zwei Elementen</translation>
+    </message>
+    <message>
+        <source>Faces that could not be meshed, with the reason</source>
+        <translation>Flächen, die nicht vernetzt werden konnten, mit dem Grund</translation>
+    </message>
+    <message>
+        <source>FemMesh holds the mesh: always below the limit of the preferences, above it on demand</source>
+        <translation>FemMesh enthält das Netz: unter der Grenze der Einstellungen immer, darüber auf Verlangen</translation>
+    </message>
+    <message>
+        <source>The mesh itself, as the document keeps it</source>
+        <translation>Das Netz selbst, wie das Dokument es aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Options that the mesh was made with</source>
+        <translation>Optionen, mit denen das Netz erzeugt wurde</translation>
+    </message>
+    <message>
+        <source>Digest of the shape that was meshed</source>
+        <translation>Prüfsumme der Form, die vernetzt wurde</translation>
+    </message>
+    <message>
+        <source>The shape differs from the one that was meshed</source>
+        <translation>Die Form ist eine andere als die vernetzte</translation>
+    </message>
+    <message>
+        <source>Mesh options</source>
+        <translation>Netzoptionen</translation>
+    </message>
+    <message>
+        <source>Target length of the element edges, e.g. 30, "30 mm", 1.5in. 0: not given</source>
+        <translation>Ziellänge der Elementkanten, z. B. 30, „30 mm“, 1.5in. 0: nicht gegeben</translation>
+    </message>
+    <message>
+        <source>Working frequency instead of size, e.g. 3GHz, "300 MHz", 9e9. 0: not given</source>
+        <translation>Arbeitsfrequenz statt der Länge, z. B. 3GHz, „300 MHz“, 9e9. 0: nicht gegeben</translation>
+    </message>
+    <message>
+        <source>Elements per wavelength [10]</source>
+        <translation>Elemente je Wellenlänge [10]</translation>
+    </message>
+    <message>
+        <source>Relative permittivity of the medium [1]</source>
+        <translation>Relative Permittivität des Mediums [1]</translation>
+    </message>
+    <message>
+        <source>Relative permeability of the medium [1]</source>
+        <translation>Relative Permeabilität des Mediums [1]</translation>
+    </message>
+    <message>
+        <source>Largest turn of the surface per element edge, degrees [45; 75 where that stays as close]. 0: not given</source>
+        <translation>Größte Drehung der Fläche je Elementkante in Grad [45; 75, wo das gleich nahe bleibt]. 0: nicht gegeben</translation>
+    </message>
+    <message>
+        <source>Largest growth of the element size per unit of length [0.6]</source>
+        <translation>Größtes Wachstum der Elementgröße je Längeneinheit [0.6]</translation>
+    </message>
+    <message>
+        <source>Target length of a part where shorter: Face3=2mm, Edge5,Vertex2=0.5, Solid1=eps-r:4; may be repeated. Besides those of the refinements</source>
+        <translation>Ziellänge eines Teils, wo sie kürzer ist: Face3=2mm, Edge5,Vertex2=0.5, Solid1=eps-r:4; mehrfach möglich. Neben denen der Verfeinerungen</translation>
+    </message>
+    <message>
+        <source>Stop before meshing when more elements are predicted [2000000]</source>
+        <translation>Vor dem Vernetzen anhalten, wenn mehr Elemente vorhergesagt sind [2000000]</translation>
+    </message>
+    <message>
+        <source>Order of the elements, 1 or 2 [2]</source>
+        <translation>Ordnung der Elemente, 1 oder 2 [2]</translation>
+    </message>
+    <message>
+        <source>quad-dominant; all-quad: triangles only where nothing else is possible; all-triangle [quad-dominant]</source>
+        <translation>quad-dominant: vorwiegend Vierecke; all-quad: Dreiecke nur, wo nichts anderes möglich ist; all-triangle: nur Dreiecke [quad-dominant]</translation>
+    </message>
+    <message>
+        <source>Mesh large faces at K times the target length first and divide that mesh: off, auto, 4 to 8 [auto]</source>
+        <translation>Große Flächen zuerst mit der K-fachen Ziellänge vernetzen und dieses Netz teilen: off (nein), auto, 4 bis 8 [auto]</translation>
+    </message>
+    <message>
+        <source>Threads to work on; 0: all cores [0]</source>
+        <translation>Threads, auf denen gearbeitet wird; 0: alle Kerne [0]</translation>
+    </message>
+    <message>
+        <source>Largest gap between faces that is sewn; 0: never sew [from the target length]. Negative: automatic</source>
+        <translation>Größter Spalt zwischen Flächen, der vernäht wird; 0: nie vernähen [aus der Ziellänge]. Negativ: automatisch</translation>
+    </message>
+    <message>
+        <source>Refinement</source>
+        <translation>Verfeinerung</translation>
+    </message>
+    <message>
+        <source>Faces, edges, vertices; a whole object means its solids, or its faces where it has none</source>
+        <translation>Flächen, Kanten, Ecken; ein ganzes Objekt meint seine Körper oder, wo es keine hat, seine Flächen</translation>
+    </message>
+    <message>
+        <source>What gives the target length: a length, or the wavelength in a medium</source>
+        <translation>Was die Ziellänge bestimmt: eine Länge oder die Wellenlänge in einem Medium</translation>
+    </message>
+    <message>
+        <source>Target length there, growing around it by Gradation of the mesh; without effect where that of the mesh is shorter</source>
+        <translation>Ziellänge dort, ringsum wachsend mit Gradation des Netzes; ohne Wirkung, wo die des Netzes kürzer ist</translation>
+    </message>
+    <message>
+        <source>Relative permittivity of the medium; needs Frequency of the mesh</source>
+        <translation>Relative Permittivität des Mediums; braucht Frequency des Netzes</translation>
+    </message>
+    <message>
+        <source>Relative permeability of the medium</source>
+        <translation>Relative Permeabilität des Mediums</translation>
+    </message>
+    <message>
+        <source>Paver colours</source>
+        <translation>Paver: Farben</translation>
+    </message>
+    <message>
+        <source>Paver shape</source>
+        <translation>Paver: Form</translation>
+    </message>
+    <message>
+        <source>Paver marks</source>
+        <translation>Paver: Markierungen</translation>
+    </message>
+    <message>
+        <source>What the colours of the elements tell; local target: as media, refinements and curvature make it; Certificate: whether the curved element is proven not to fold</source>
+        <translation>Was die Farben der Elemente zeigen; local target: wie Medien, Verfeinerungen und Krümmung es verlangen; Certificate: ob bewiesen ist, dass das gekrümmte Element sich nicht faltet</translation>
+    </message>
+    <message>
+        <source>Colours of figures; Standard: one made for the quantity</source>
+        <translation>Farben der Werte; Standard: eine für die Größe gemachte Farbskala</translation>
+    </message>
+    <message>
+        <source>Standard: the same for all meshes; Data: from the least to the most of this mesh; Manual: from RangeLow to RangeHigh</source>
+        <translation>Standard: gleich für alle Netze; Data: vom kleinsten zum größten Wert dieses Netzes; Manual: von RangeLow bis RangeHigh</translation>
+    </message>
+    <message>
+        <source>Lower end of the colours with ColourRange Manual</source>
+        <translation>Unteres Ende der Farben bei ColourRange Manual</translation>
+    </message>
+    <message>
+        <source>Upper end of the colours with ColourRange Manual</source>
+        <translation>Oberes Ende der Farben bei ColourRange Manual</translation>
+    </message>
+    <message>
+        <source>Shows the colour bar with its histogram in the view</source>
+        <translation>Zeigt den Farbbalken mit Histogramm in der Ansicht</translation>
+    </message>
+    <message>
+        <source>Light and shade; without them the colours are those of the colour bar exactly</source>
+        <translation>Licht und Schatten; ohne sie sind die Farben genau die des Farbbalkens</translation>
+    </message>
+    <message>
+        <source>Straight pieces per element edge; 0: as many as the curvature needs and the number of elements allows</source>
+        <translation>Gerade Stücke je Elementkante; 0: so viele, wie die Krümmung braucht und die Zahl der Elemente erlaubt</translation>
+    </message>
+    <message>
+        <source>Size of the drawn elements, 1: whole; smaller ones leave gaps that show every element alone</source>
+        <translation>Größe der gezeichneten Elemente, 1: ganz; kleinere lassen Lücken, die jedes Element einzeln zeigen</translation>
+    </message>
+    <message>
+        <source>Colour of the element edges</source>
+        <translation>Farbe der Elementkanten</translation>
+    </message>
+    <message>
+        <source>Draws the element edges also where they lie so close that they would cover the colours</source>
+        <translation>Zeichnet die Elementkanten auch dort, wo sie so dicht liegen, dass sie die Farben verdecken</translation>
+    </message>
+    <message>
+        <source>Shows the outward normal of every element</source>
+        <translation>Zeigt die äußere Normale jedes Elements</translation>
+    </message>
+    <message>
+        <source>Marks mesh edges with one element only, and those with more than two</source>
+        <translation>Markiert Netzkanten mit nur einem Element und solche mit mehr als zweien</translation>
+    </message>
+    <message>
+        <source>Marks the triangles</source>
+        <translation>Markiert die Dreiecke</translation>
+    </message>
+    <message>
+        <source>Marks so many elements with the least scaled Jacobian</source>
+        <translation>Markiert so viele Elemente mit der kleinsten skalierten Jacobi-Determinante</translation>
+    </message>
+    <message>
+        <source>Shows figures of the element that was clicked last in the view</source>
+        <translation>Zeigt Werte des Elements, das zuletzt in der Ansicht angeklickt wurde</translation>
+    </message>
+</context>
+<context>
     <name>Paver</name>
     <message>
         <source>Box</source>
@@ -172,6 +419,18 @@
         <translation>Keine Kante ist länger als das {}-Fache der Ziellänge.</translation>
     </message>
     <message>
+        <source>Not meshed</source>
+        <translation>Nicht vernetzt</translation>
+    </message>
+    <message>
+        <source>Up to date</source>
+        <translation>Aktuell</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Veraltet</translation>
+    </message>
+    <message>
         <source>The mesh has errors.</source>
         <translation>Das Netz hat Fehler.</translation>
     </message>
@@ -222,6 +481,110 @@
     <message>
         <source>The mesh is being measured; the window can be used meanwhile</source>
         <translation>Das Netz wird vermessen; das Fenster bleibt bedienbar</translation>
+    </message>
+    <message>
+        <source>Another task panel is open; close it first.</source>
+        <translation>Ein anderes Aufgabenfenster ist offen; schließen Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>A length, or the wavelength in a medium, which needs a frequency</source>
+        <translation>Eine Länge, oder die Wellenlänge in einem Medium, wozu es eine Frequenz braucht</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Durch</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Medium εr</source>
+        <translation>Medium εr</translation>
+    </message>
+    <message>
+        <source>μr</source>
+        <translation>μr</translation>
+    </message>
+    <message>
+        <source>What is refined; a click shows it in the 3D view</source>
+        <translation>Was verfeinert wird; ein Klick zeigt es in der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>What went wrong, and what to do</source>
+        <translation>Was schiefging, und was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Nothing is refined; add faces, edges, vertices or objects.</source>
+        <translation>Nichts wird verfeinert; fügen Sie Flächen, Kanten, Ecken oder Objekte hinzu.</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Target length there, such as 2 mm</source>
+        <translation>Ziellänge dort, etwa 2 mm</translation>
+    </message>
+    <message>
+        <source>Relative permittivity of the medium there</source>
+        <translation>Relative Permittivität des Mediums dort</translation>
+    </message>
+    <message>
+        <source>Relative permeability of the medium there</source>
+        <translation>Relative Permeabilität des Mediums dort</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Medium</translation>
+    </message>
+    <message>
+        <source>Add selection</source>
+        <translation>Auswahl hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds what is selected in the 3D view</source>
+        <translation>Fügt hinzu, was in der 3D-Ansicht ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the chosen lines</source>
+        <translation>Entfernt die gewählten Zeilen</translation>
+    </message>
+    <message>
+        <source>Show model</source>
+        <translation>Modell zeigen</translation>
+    </message>
+    <message>
+        <source>Shows what is meshed, to select from it</source>
+        <translation>Zeigt, was vernetzt wird, um daraus auszuwählen</translation>
+    </message>
+    <message>
+        <source>Show mesh</source>
+        <translation>Netz zeigen</translation>
+    </message>
+    <message>
+        <source>Shows the mesh</source>
+        <translation>Zeigt das Netz</translation>
+    </message>
+    <message>
+        <source>Nothing of the model is selected; select faces, edges, vertices or objects in the 3D view.</source>
+        <translation>Vom Modell ist nichts ausgewählt; wählen Sie Flächen, Kanten, Ecken oder Objekte in der 3D-Ansicht.</translation>
+    </message>
+    <message>
+        <source>{} is not above 0; write a larger number.</source>
+        <translation>{} ist nicht größer als 0; schreiben Sie eine größere Zahl.</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>Size of {}</source>
+        <translation>Länge von {}</translation>
     </message>
     <message>
         <source>Meshing of '{}' was stopped; it is as before.</source>
@@ -428,10 +791,6 @@
         <translation>Vorhersage ...</translation>
     </message>
     <message>
-        <source>Another task panel is open; close it first.</source>
-        <translation>Ein anderes Aufgabenfenster ist offen; schließen Sie es zuerst.</translation>
-    </message>
-    <message>
         <source>Options of {}</source>
         <translation>Optionen von {}</translation>
     </message>
@@ -450,6 +809,14 @@
     <message>
         <source>All triangles</source>
         <translation>Nur Dreiecke</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Selbsttätig</translation>
     </message>
     <message>
         <source>1 (straight)</source>
@@ -480,20 +847,16 @@
         <translation>„{}“ ist nicht lesbar; schreiben Sie {}.</translation>
     </message>
     <message>
+        <source>{} times as long</source>
+        <translation>{}-mal so lang</translation>
+    </message>
+    <message>
         <source>Target length</source>
         <translation>Ziellänge</translation>
     </message>
     <message>
         <source>Elements per λ</source>
         <translation>Elemente je λ</translation>
-    </message>
-    <message>
-        <source>Medium εr</source>
-        <translation>Medium εr</translation>
-    </message>
-    <message>
-        <source>μr</source>
-        <translation>μr</translation>
     </message>
     <message>
         <source>Turn per edge</source>
@@ -510,6 +873,10 @@
     <message>
         <source>Order</source>
         <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>Coarse mesh first</source>
+        <translation>Zuerst grobes Netz</translation>
     </message>
     <message>
         <source>Threads</source>
@@ -550,10 +917,6 @@
     <message>
         <source>Curvature, gradation, limits, sewing, where to mesh</source>
         <translation>Krümmung, Gradation, Grenzen, Lücken, wo vernetzt wird</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Selbsttätig</translation>
     </message>
     <message>
         <source>FreeCAD</source>
@@ -708,10 +1071,6 @@
         <translation>Hält das Vernetzen binnen einer Sekunde an; das Netz bleibt, wie es war</translation>
     </message>
     <message>
-        <source>What went wrong, and what to do</source>
-        <translation>Was schiefging, und was zu tun ist</translation>
-    </message>
-    <message>
         <source>Selects it in the 3D view and brings it into sight</source>
         <translation>Wählt es in der 3D-Ansicht aus und bringt es ins Bild</translation>
     </message>
@@ -760,10 +1119,6 @@
         <translation>{:.2f} s vernetzt, {:.2f} s für die Aufnahme ins Dokument</translation>
     </message>
     <message>
-        <source>all</source>
-        <translation>alles</translation>
-    </message>
-    <message>
         <source>Local sizes</source>
         <translation>Örtliche Längen</translation>
     </message>
@@ -780,64 +1135,20 @@
         <translation>Eine kürzere Länge auf den Flächen, Kanten, Punkten oder Objekten, die in der 3D-Ansicht ausgewählt sind</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
         <source>Deletes the chosen local sizes</source>
         <translation>Löscht die gewählten örtlichen Längen</translation>
-    </message>
-    <message>
-        <source>A length, or the wavelength in a medium, which needs a frequency</source>
-        <translation>Eine Länge, oder die Wellenlänge in einem Medium, wozu es eine Frequenz braucht</translation>
     </message>
     <message>
         <source>Refine</source>
         <translation>Verfeinern</translation>
     </message>
     <message>
-        <source>Where</source>
-        <translation>Wo</translation>
-    </message>
-    <message>
-        <source>By</source>
-        <translation>Durch</translation>
-    </message>
-    <message>
-        <source>Show model</source>
-        <translation>Modell zeigen</translation>
-    </message>
-    <message>
-        <source>Shows what is meshed, to select from it</source>
-        <translation>Zeigt, was vernetzt wird, um daraus auszuwählen</translation>
-    </message>
-    <message>
-        <source>Show mesh</source>
-        <translation>Netz zeigen</translation>
-    </message>
-    <message>
-        <source>Shows the mesh</source>
-        <translation>Zeigt das Netz</translation>
-    </message>
-    <message>
-        <source>Target length there, such as 2 mm</source>
-        <translation>Ziellänge dort, etwa 2 mm</translation>
-    </message>
-    <message>
         <source>εr, μr of the medium there, whose wavelength counts</source>
         <translation>εr, μr des Mediums dort, dessen Wellenlänge zählt</translation>
     </message>
     <message>
-        <source>Length</source>
-        <translation>Länge</translation>
-    </message>
-    <message>
-        <source>Medium</source>
-        <translation>Medium</translation>
-    </message>
-    <message>
-        <source>Size of {}</source>
-        <translation>Länge von {}</translation>
+        <source>Drop local sizes</source>
+        <translation>Lokale Größen verwerfen</translation>
     </message>
     <message>
         <source>'{}' is no medium; write its εr, or εr and μr, such as 4, 1.</source>
@@ -1249,8 +1560,8 @@
         <translation>Verfeinern</translation>
     </message>
     <message>
-        <source>Shorter elements on the selected faces, edges, vertices or solids of what is meshed, and around them</source>
-        <translation>Kürzere Elemente auf den ausgewählten Flächen, Kanten, Punkten oder Körpern dessen, was vernetzt wird, und um sie herum</translation>
+        <source>Shorter elements on the selected faces, edges, vertices or solids of what is meshed, and around them; opens a panel for the length</source>
+        <translation>Kürzere Elemente auf den gewählten Flächen, Kanten, Ecken oder Körpern des Vernetzten und um sie herum; öffnet ein Fenster für die Länge</translation>
     </message>
 </context>
 <context>

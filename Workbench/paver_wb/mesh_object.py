@@ -12,43 +12,48 @@ import tempfile
 import FreeCAD
 
 from paver_wb import analysis, core, fem_mesh, mesh_file, properties, source_shapes
+from paver_wb.property_texts import tip
 from paver_wb.stateless import Stateless
 
-INPUT, RESULT = "Input", "Result"
+INPUT, RESULT = tip("Input"), tip("Result")
 NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = STATES = ("Not meshed", "Up to date", "Out of date")
 RUN_IN = AUTOMATIC, IN_FREECAD, IN_PROCESS = ("Automatic", "FreeCAD", "Own process")
 ENUMERATIONS = {"Status": STATES, "RunIn": RUN_IN}
 LINKS = ("Part", "MoreParts")
-REFINEMENTS = "Refinements"
+REFINEMENTS, RANKS, SHOWN_STATUS = "Refinements", "Ranks", "MeshStatus"
+translate = FreeCAD.Qt.translate
 PREFERENCES = "User parameter:BaseApp/Preferences/Mod/Paver"
 FILL_LIMIT = 10000  # elements; FreeCAD needs about a quarter of a second for as many, in which the window stands still
 HEAVY_ELEMENTS = 300000
 
 # name: (type, group, tooltip, editor modes)
 PROPERTIES = {
-    "Part": ("App::PropertyLinkGlobal", INPUT, "Object to mesh: a solid or a surface, an App::Part, a link", ()),
-    "MoreParts": ("App::PropertyLinkListGlobal", INPUT, "Further objects, meshed together with Part, each where it "
-                  "stands", ()),
-    REFINEMENTS: ("App::PropertyLinkListGlobal", INPUT, "Refinements: target lengths of faces, edges, vertices and "
-                  "solids", ()),
-    "RunIn": ("App::PropertyEnumeration", INPUT, "Where the window's commands mesh; own process: FreeCAD survives a "
-              "crash; automatic: there from HeavyElements of the preferences on", ()),
-    "Status": ("App::PropertyEnumeration", RESULT, "Out of date: an option or an object has changed since meshing",
-               ("ReadOnly",)),
-    "Quads": ("App::PropertyInteger", RESULT, "Number of quads", ("ReadOnly",)),
-    "Triangles": ("App::PropertyInteger", RESULT, "Number of triangles", ("ReadOnly",)),
-    "Nodes": ("App::PropertyInteger", RESULT, "Number of nodes", ("ReadOnly",)),
-    "TargetLength": ("App::PropertyLength", RESULT, "Target length of the element edges", ("ReadOnly",)),
-    "WorstScaledJacobian": ("App::PropertyFloat", RESULT, "Smallest scaled Jacobian of all elements", ("ReadOnly",)),
-    "Watertight": ("App::PropertyBool", RESULT, "Every mesh edge lies in exactly two elements", ("ReadOnly",)),
-    "FailedFaces": ("App::PropertyStringList", RESULT, "Faces that could not be meshed, with the reason",
+    "Part": ("App::PropertyLinkGlobal", INPUT, tip("Object to mesh: a solid or a surface, an App::Part, a link"), ()),
+    "MoreParts": ("App::PropertyLinkListGlobal", INPUT, tip("Further objects, meshed together with Part, each where it "
+                  "stands"), ()),
+    REFINEMENTS: ("App::PropertyLinkListGlobal", INPUT, tip("Refinements: target lengths of faces, edges, vertices and "
+                  "solids"), ()),
+    "RunIn": ("App::PropertyEnumeration", INPUT, tip("Where the window's commands mesh; own process: FreeCAD survives a "
+              "crash; automatic: there from HeavyElements of the preferences on"), ()),
+    RANKS: ("App::PropertyInteger", INPUT, tip("Processes that share the work, by MPI; 0: without MPI"), ()),
+    "Status": ("App::PropertyEnumeration", RESULT, tip("Not meshed, Up to date, Out of date: the same in all languages, "
+               "for scripts"), ("Hidden",)),
+    SHOWN_STATUS: ("App::PropertyString", RESULT, tip("Out of date: an option or an object has changed since meshing"),
+            ("ReadOnly",)),
+    "Quads": ("App::PropertyInteger", RESULT, tip("Number of quads"), ("ReadOnly",)),
+    "Triangles": ("App::PropertyInteger", RESULT, tip("Number of triangles"), ("ReadOnly",)),
+    "Nodes": ("App::PropertyInteger", RESULT, tip("Number of nodes"), ("ReadOnly",)),
+    "TargetLength": ("App::PropertyLength", RESULT, tip("Target length of the element edges"), ("ReadOnly",)),
+    "WorstScaledJacobian": ("App::PropertyFloat", RESULT, tip("Smallest scaled Jacobian of all elements"), ("ReadOnly",)),
+    "Watertight": ("App::PropertyBool", RESULT, tip("Every mesh edge lies in exactly two elements"), ("ReadOnly",)),
+    "FailedFaces": ("App::PropertyStringList", RESULT, tip("Faces that could not be meshed, with the reason"),
                     ("ReadOnly",)),
-    "FemMeshFilled": ("App::PropertyBool", RESULT, "FemMesh holds the mesh: always below the limit of the preferences, "
-                      "above it on demand", ("ReadOnly",)),
-    "MeshFile": ("App::PropertyFileIncluded", RESULT, "The mesh itself, as the document keeps it", ("Hidden",)),
-    "MeshedOptions": ("App::PropertyString", RESULT, "Options that the mesh was made with", ("Hidden",)),
-    "MeshedShape": ("App::PropertyString", RESULT, "Digest of the shape that was meshed", ("Hidden",)),
-    "ShapeChanged": ("App::PropertyBool", RESULT, "The shape differs from the one that was meshed", ("Hidden",)),
+    "FemMeshFilled": ("App::PropertyBool", RESULT, tip("FemMesh holds the mesh: always below the limit of the preferences, "
+                      "above it on demand"), ("ReadOnly",)),
+    "MeshFile": ("App::PropertyFileIncluded", RESULT, tip("The mesh itself, as the document keeps it"), ("Hidden",)),
+    "MeshedOptions": ("App::PropertyString", RESULT, tip("Options that the mesh was made with"), ("Hidden",)),
+    "MeshedShape": ("App::PropertyString", RESULT, tip("Digest of the shape that was meshed"), ("Hidden",)),
+    "ShapeChanged": ("App::PropertyBool", RESULT, tip("The shape differs from the one that was meshed"), ("Hidden",)),
 }
 
 
@@ -61,6 +66,9 @@ def add_properties(obj):
                 setattr(obj, name, list(ENUMERATIONS[name]))
         obj.setEditorMode(name, list(modes))
     obj.setPropertyStatus("FemMesh", "Transient")
+    obj.setPropertyStatus(SHOWN_STATUS, ["Transient", "Output"])  # each session has its own language
+    if not core.problem() and not properties.has_ranks():
+        obj.setEditorMode(RANKS, ["Hidden"])
 
 
 def fill_limit():
@@ -108,6 +116,14 @@ def update_status(obj):
         state = UP_TO_DATE if not obj.ShapeChanged and has_meshed_options(obj) else OUT_OF_DATE
     if obj.Status != state:
         obj.Status = state
+    if getattr(obj, SHOWN_STATUS) != status_text(state):
+        setattr(obj, SHOWN_STATUS, status_text(state))
+
+
+def status_text(state):
+    """One of STATES in the user's language."""
+    return {NOT_MESHED: translate("Paver", "Not meshed"), UP_TO_DATE: translate("Paver", "Up to date"),
+            OUT_OF_DATE: translate("Paver", "Out of date")}[state]
 
 
 def check(obj):
@@ -201,6 +217,7 @@ class MeshProxy(Stateless):
         obj.Proxy = self
         add_properties(obj)
         properties.add_to(obj)
+        update_status(obj)
 
     def execute(self, obj):
         """Meshes nothing: meshing is asked for. Only compares the shapes with those that were meshed."""
@@ -211,7 +228,7 @@ class MeshProxy(Stateless):
             update_status(obj)
 
     def onChanged(self, obj, name):
-        if "Status" not in obj.PropertiesList:
+        if SHOWN_STATUS not in obj.PropertiesList:
             return
         if name not in (*LINKS, REFINEMENTS) and not properties.is_option(obj, name):
             return

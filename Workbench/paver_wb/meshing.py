@@ -32,6 +32,7 @@ def prepare(obj, **changes):
     if not parts:
         raise paver.InputError(f"'{obj.Label}' has no object to mesh; set its property Part.", "no_faces",
                                "set its property Part")
+    properties.check_ranks(obj)
     shape, name = _shapes.source_of(parts, None)
     decisive = properties.decisive(obj, properties.merged(obj, changes))
     return Job(shape, name, options_of(obj, changes), tuple(part.Name for part in parts),

@@ -2,11 +2,13 @@
 import FreeCAD
 
 from paver_wb import core, refinement
+from paver_wb.property_texts import tip
 
-GROUP = "Mesh options"
+GROUP = tip("Mesh options")
 TYPES = {"length": "App::PropertyLength", "frequency": "App::PropertyFrequency", "angle": "App::PropertyAngle",
          "number": "App::PropertyFloat", "integer": "App::PropertyInteger", "choice": "App::PropertyEnumeration", "local": "App::PropertyStringList"}
-WITHOUT_EFFECT = {"threads", "max_elements"}  # on a mesh that was made
+RANKS = "ranks"
+WITHOUT_EFFECT = {"threads", "max_elements", RANKS}  # on a mesh that was made
 
 
 def property_name(option):
@@ -24,6 +26,7 @@ def type_of(info):
 
 
 def tooltip(info):
+    """In English, one of property_texts.OPTIONS."""
     text = info["help"]
     if has_default(info):
         return f"{text} [{info['default']}]"
@@ -53,6 +56,18 @@ def add_to(obj):
         if info["kind"] == "choice":
             setattr(obj, name, info["choices"])
         setattr(obj, name, initial(info))
+
+
+def has_ranks():
+    """Whether the core can mesh with several processes."""
+    return any(info["name"] == RANKS for info in core.load().options())
+
+
+def check_ranks(obj):
+    """ValueError when a mesh object asks for several processes and the core cannot do that."""
+    if obj.Ranks != 0 and not has_ranks():
+        raise ValueError(f"'{obj.Label}' asks for {obj.Ranks} MPI ranks, which this build of Paver does not have; set its "
+                         "property Ranks to 0.")
 
 
 def is_option(obj, name):

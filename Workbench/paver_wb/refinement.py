@@ -7,23 +7,24 @@ import re
 
 import FreeCAD
 
+from paver_wb.property_texts import tip
 from paver_wb.stateless import Stateless
 from paver_wb.waves import wavelength
 
-GROUP = "Refinement"
+GROUP = tip("Refinement")
 LENGTH, MEDIUM = BY = ("Length", "Medium")
 KINDS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
 ELEMENT = re.compile(r"(Face|Edge|Vertex|Solid)([1-9]\d*)")
 
 # name: (type, tooltip)
 PROPERTIES = {
-    "References": ("App::PropertyLinkSubListGlobal", "Faces, edges, vertices; a whole object means its solids, or its "
-                   "faces where it has none"),
-    "By": ("App::PropertyEnumeration", "What gives the target length: a length, or the wavelength in a medium"),
-    "Length": ("App::PropertyLength", "Target length there, growing around it by Gradation of the mesh; without effect "
-               "where that of the mesh is shorter"),
-    "EpsR": ("App::PropertyFloat", "Relative permittivity of the medium; needs Frequency of the mesh"),
-    "MuR": ("App::PropertyFloat", "Relative permeability of the medium"),
+    "References": ("App::PropertyLinkSubListGlobal", tip("Faces, edges, vertices; a whole object means its solids, or its "
+                   "faces where it has none")),
+    "By": ("App::PropertyEnumeration", tip("What gives the target length: a length, or the wavelength in a medium")),
+    "Length": ("App::PropertyLength", tip("Target length there, growing around it by Gradation of the mesh; without effect "
+               "where that of the mesh is shorter")),
+    "EpsR": ("App::PropertyFloat", tip("Relative permittivity of the medium; needs Frequency of the mesh")),
+    "MuR": ("App::PropertyFloat", tip("Relative permeability of the medium")),
 }
 
 

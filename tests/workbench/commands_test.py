@@ -5,7 +5,7 @@ import freecad
 import pytest
 
 
-@pytest.mark.parametrize("case, count", [("Commands", 6), ("Dialogs", 4), ("Preferences", 2), ("Translations", 2), ("FileTasks", 8)])
+@pytest.mark.parametrize("case, count", [("Commands", 6), ("Dialogs", 4), ("Preferences", 2), ("Translations", 3), ("FileTasks", 8)])
 def test_all_cases_in_the_window(home, case, count):
     done = freecad.run_window(["-t", "TestPaverGui." + case], home)
     output = done.stdout + done.stderr

@@ -66,7 +66,8 @@ class Properties(InDocument):
     def test_every_option_of_the_core_is_a_property(self):
         obj = mesh_object.add(self.document, self.box)
         self.assertEqual({n for n in obj.PropertiesList if properties.is_option(obj, n)},
-                         {properties.property_name(info["name"]) for info in core.load().options()})
+                         {properties.property_name(info["name"]) for info in core.load().options()}
+                         - set(mesh_object.PROPERTIES))
         for info in core.load().options():
             name = properties.property_name(info["name"])
             self.assertIn(info["help"], obj.getDocumentationOfProperty(name))
@@ -90,6 +91,20 @@ class Properties(InDocument):
         self.assertEqual((obj.Size.Value, obj.Frequency.Value), (25.4, 0))
         properties.put(obj, {"frequency": 1e9})
         self.assertEqual((obj.Size.Value, obj.Frequency.Value), (0, 1e9))
+
+    def test_ranks_are_kept_and_refused_where_the_core_has_none(self):
+        obj = mesh_object.add(self.document, self.box, size=5)
+        self.assertEqual(obj.Ranks, 0)
+        obj.Ranks = 2
+        self.reopen()
+        obj = self.document.getObject("PaverMesh")
+        self.assertEqual(obj.Ranks, 2)
+        if not properties.has_ranks():
+            self.assertIn("Hidden", obj.getEditorMode("Ranks"))
+            with self.assertRaisesRegex(ValueError, "set its property Ranks to 0"):
+                meshing.mesh(obj)
+            obj.Ranks = 0
+            meshing.mesh(obj)
 
     def test_bad_options_are_refused_in_one_sentence(self):
         for options, word in (({"sise": 3}, "sise"), ({"order": "two"}, "order"), ({"size": "3 kg"}, "size"),

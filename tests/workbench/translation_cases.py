@@ -8,8 +8,9 @@ from PySide import QtGui
 
 import window
 from commands_cases import WithCommands
-from paver_wb import examples, mesh_check
+from paver_wb import examples, mesh_check, mesh_object, properties, refinement
 from paver_wb.gui import statistics_panel, check_panel
+from paver_wb.gui.display import view_properties
 from paver_wb.gui.paths import TRANSLATIONS
 
 
@@ -28,6 +29,36 @@ class Translations(WithCommands):
                 self.assertEqual(shown, message.findtext("translation"))
                 count += 1
         self.assertGreater(count, 200)
+
+    def test_the_property_editor_is_german(self):
+        mesh = self.mesh(size=3)
+        child = refinement.make(mesh, ["Face1"], 1)
+        groups = {mesh_object.INPUT, mesh_object.RESULT, properties.GROUP, refinement.GROUP, view_properties.COLOURS,
+                  view_properties.SHAPE, view_properties.MARKS}
+        count = 0
+        for thing in (mesh, child, mesh.ViewObject):
+            for name in thing.PropertiesList:
+                if thing.getGroupOfProperty(name) in groups:
+                    text = thing.getDocumentationOfProperty(name)
+                    self.assertNotEqual(FreeCAD.Qt.translate("App::Property", text), text, f"{name}: put its tooltip "
+                                        "into property_texts.py, if it is one of the core, and run scripts/translations")
+                    count += 1
+        self.assertGreater(count, 45)
+        self.assertTrue(all(FreeCAD.Qt.translate("App::Property", group) != group for group in groups))
+        self.assertEqual((mesh.Status, mesh.MeshStatus), ("Out of date", "Veraltet"))
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(mesh)
+        window.pause(500)
+        shown = {}
+        for view in window.widgets(QtGui.QTreeView):
+            model = view.model()
+            for row in range(model.rowCount() if model else 0):
+                group = model.index(row, 0)
+                shown.update({model.index(k, 0, group).data(): model.index(k, 1, group).data()
+                              for k in range(model.rowCount(group))})
+        self.assertEqual(shown.get("Mesh Status"), "Veraltet")
+        self.assertNotIn("Status", shown)
+        window.picture("commands_german_properties")
 
     def test_commands_and_dialogs_are_german(self):
         self.assertEqual(examples.title("box.step"), "Quader")

@@ -58,7 +58,8 @@ class OptionsBox(QtGui.QWidget):
         self.fields = {name: fields.field_for(info) for name, info in self.table.items()}
         for name, field in self.fields.items():
             field.setObjectName("Paver_" + name)
-            field.set_tip(properties.tooltip(self.table[name]))
+            tooltip = properties.tooltip(self.table[name])
+            field.set_tip(translate("App::Property", tooltip))
             field.changed.connect(self.edited)
         for name in ("size", "frequency"):
             self.fields[name].may_be_empty = False

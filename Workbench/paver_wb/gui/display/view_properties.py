@@ -1,35 +1,36 @@
 """The properties of the view object that say what is drawn. They are saved with the document."""
+from paver_wb.property_texts import tip
 from paver_wb.gui.display import colour_maps, colouring
 
-COLOURS, SHAPE, MARKS = "Paver colours", "Paver shape", "Paver marks"
+COLOURS, SHAPE, MARKS = tip("Paver colours"), tip("Paver shape"), tip("Paver marks")
 
 # name: (type, group, tooltip, first value or list of choices)
 PROPERTIES = {
-    "ColourBy": ("App::PropertyEnumeration", COLOURS, "What the colours of the elements tell; local target: as "
-                 "media, refinements and curvature make it; Certificate: whether the curved element is proven not to fold", list(colouring.CHOICES)),
-    "ColourMap": ("App::PropertyEnumeration", COLOURS, "Colours of figures; Standard: one made for the quantity",
+    "ColourBy": ("App::PropertyEnumeration", COLOURS, tip("What the colours of the elements tell; local target: as "
+                 "media, refinements and curvature make it; Certificate: whether the curved element is proven not to fold"), list(colouring.CHOICES)),
+    "ColourMap": ("App::PropertyEnumeration", COLOURS, tip("Colours of figures; Standard: one made for the quantity"),
                   [colouring.OWN_MAP, *colour_maps.NAMES]),
-    "ColourRange": ("App::PropertyEnumeration", COLOURS, "Standard: the same for all meshes; Data: from the least to the "
-                    "most of this mesh; Manual: from RangeLow to RangeHigh", list(colouring.RANGES)),
-    "RangeLow": ("App::PropertyFloat", COLOURS, "Lower end of the colours with ColourRange Manual", 0.0),
-    "RangeHigh": ("App::PropertyFloat", COLOURS, "Upper end of the colours with ColourRange Manual", 1.0),
-    "ColourBar": ("App::PropertyBool", COLOURS, "Shows the colour bar with its histogram in the view", True),
-    "Shaded": ("App::PropertyBool", COLOURS, "Light and shade; without them the colours are those of the colour bar "
-               "exactly", True),
-    "Subdivision": ("App::PropertyIntegerConstraint", SHAPE, "Straight pieces per element edge; 0: as many as the "
-                    "curvature needs and the number of elements allows", (0, 0, 32, 1)),
-    "ShrinkFactor": ("App::PropertyFloatConstraint", SHAPE, "Size of the drawn elements, 1: whole; smaller ones leave "
-                     "gaps that show every element alone", (1.0, 0.05, 1.0, 0.05)),
-    "EdgeColour": ("App::PropertyColor", SHAPE, "Colour of the element edges", (0.13, 0.14, 0.16)),
-    "AlwaysAllEdges": ("App::PropertyBool", SHAPE, "Draws the element edges also where they lie so close that they would "
-                       "cover the colours", False),
-    "ShowNormals": ("App::PropertyBool", MARKS, "Shows the outward normal of every element", False),
-    "ShowFreeEdges": ("App::PropertyBool", MARKS, "Marks mesh edges with one element only, and those with more than two",
+    "ColourRange": ("App::PropertyEnumeration", COLOURS, tip("Standard: the same for all meshes; Data: from the least to the "
+                    "most of this mesh; Manual: from RangeLow to RangeHigh"), list(colouring.RANGES)),
+    "RangeLow": ("App::PropertyFloat", COLOURS, tip("Lower end of the colours with ColourRange Manual"), 0.0),
+    "RangeHigh": ("App::PropertyFloat", COLOURS, tip("Upper end of the colours with ColourRange Manual"), 1.0),
+    "ColourBar": ("App::PropertyBool", COLOURS, tip("Shows the colour bar with its histogram in the view"), True),
+    "Shaded": ("App::PropertyBool", COLOURS, tip("Light and shade; without them the colours are those of the colour bar "
+               "exactly"), True),
+    "Subdivision": ("App::PropertyIntegerConstraint", SHAPE, tip("Straight pieces per element edge; 0: as many as the "
+                    "curvature needs and the number of elements allows"), (0, 0, 32, 1)),
+    "ShrinkFactor": ("App::PropertyFloatConstraint", SHAPE, tip("Size of the drawn elements, 1: whole; smaller ones leave "
+                     "gaps that show every element alone"), (1.0, 0.05, 1.0, 0.05)),
+    "EdgeColour": ("App::PropertyColor", SHAPE, tip("Colour of the element edges"), (0.13, 0.14, 0.16)),
+    "AlwaysAllEdges": ("App::PropertyBool", SHAPE, tip("Draws the element edges also where they lie so close that they would "
+                       "cover the colours"), False),
+    "ShowNormals": ("App::PropertyBool", MARKS, tip("Shows the outward normal of every element"), False),
+    "ShowFreeEdges": ("App::PropertyBool", MARKS, tip("Marks mesh edges with one element only, and those with more than two"),
                       False),
-    "ShowTriangles": ("App::PropertyBool", MARKS, "Marks the triangles", False),
-    "ShowWorst": ("App::PropertyIntegerConstraint", MARKS, "Marks so many elements with the least scaled Jacobian",
+    "ShowTriangles": ("App::PropertyBool", MARKS, tip("Marks the triangles"), False),
+    "ShowWorst": ("App::PropertyIntegerConstraint", MARKS, tip("Marks so many elements with the least scaled Jacobian"),
                   (0, 0, 1000, 1)),
-    "ElementReport": ("App::PropertyBool", MARKS, "Shows figures of the element that was clicked last in the view", True),
+    "ElementReport": ("App::PropertyBool", MARKS, tip("Shows figures of the element that was clicked last in the view"), True),
 }
 FIRST_CHOICES = {"ColourBy": colouring.SJ}
 
