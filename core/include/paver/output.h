@@ -31,7 +31,17 @@ void check_outputs(const OutputFiles& files);
 /// Error{cancelled} nothing is left.
 void write_outputs(MeshResult& result, const OutputFiles& files, Progress& progress);
 
-/// The temporary name that write_outputs uses for `path` in this process; to remove it when the process must end.
+/// Throws Error{bad_option} for files that write_share cannot write, and what check_outputs throws. Call it before the
+/// work, on one process.
+void check_share_outputs(const OutputFiles& files);
+
+/// write_outputs for a mesh that several ranks hold, collective: one file, written by all at once, byte for byte what
+/// write_outputs gives for the whole mesh. Binary .msh 4.1 and .vtu only, on a file system that all ranks see; rank 0
+/// writes the report. An Error on one rank is thrown on all, and nothing is left.
+void write_share(MeshShare& share, const OutputFiles& files, Progress& progress, Ranks& ranks);
+
+/// The temporary name that write_outputs, and write_share on rank 0, use for `path` in this process; to remove it when
+/// the process must end.
 std::string temporary_name(const std::string& path);
 
 /// The report as JSON text. Keys: core/docs/quality.md.

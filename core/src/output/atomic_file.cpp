@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "output/atomic_file_impl.h"
 #include "paver/output.h"
@@ -52,34 +53,56 @@ std::string temporary_name(const std::string& path) {
   return (target.parent_path() / fmt::format(".{}.{}.part", target.filename().string(), ::getpid())).string();
 }
 
-AtomicFile::AtomicFile(const std::string& path, const Progress* progress)
-    : path_(path), target_(followed(path).string()), temporary_(temporary_name(path)), progress_(progress) {
+void fail_to_write(const std::string& path, int error_number) {
+  throw Error(ErrorCode::unwritable_output, fmt::format("Cannot write '{}': {}.", path, reason_of(error_number)));
+}
+
+std::string writable_target(const std::string& path) {
+  std::string target = followed(path).string();
   struct stat found {};
-  if (::stat(target_.c_str(), &found) == 0) {
-    if (S_ISDIR(found.st_mode)) fail(EISDIR);
-    if (!S_ISREG(found.st_mode)) {
-      throw Error(ErrorCode::unwritable_output,
-                  fmt::format("Cannot write '{}': it is a device or pipe, not a regular file.", path_));
-    }
-    if (::access(target_.c_str(), W_OK) != 0) fail(errno);
+  if (::stat(target.c_str(), &found) != 0) return target;
+  if (S_ISDIR(found.st_mode)) fail_to_write(path, EISDIR);
+  if (!S_ISREG(found.st_mode)) {
+    throw Error(ErrorCode::unwritable_output,
+                fmt::format("Cannot write '{}': it is a device or pipe, not a regular file.", path));
   }
+  if (::access(target.c_str(), W_OK) != 0) fail_to_write(path, errno);
+  return target;
+}
+
+int create_temporary(const std::string& path) {
+  std::string temporary = temporary_name(path);
   constexpr int mode = O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC;
-  descriptor_ = ::open(temporary_.c_str(), mode, new_file_mode);
-  if (descriptor_ < 0 && errno == EEXIST) {  // left by a process of this number that was killed
-    ::unlink(temporary_.c_str());
-    descriptor_ = ::open(temporary_.c_str(), mode, new_file_mode);
+  int descriptor = ::open(temporary.c_str(), mode, new_file_mode);
+  if (descriptor < 0 && errno == EEXIST) {  // left by a process of this number that was killed
+    ::unlink(temporary.c_str());
+    descriptor = ::open(temporary.c_str(), mode, new_file_mode);
   }
-  if (descriptor_ < 0) fail(errno);
+  if (descriptor < 0) fail_to_write(path, errno);
+  return descriptor;
+}
+
+void synchronise_and_close(int descriptor, const std::string& path) {
+  // EINVAL, EROFS: a file system that cannot synchronise. Anything else means lost data.
+  int fault = ::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS ? errno : 0;
+  if (::close(descriptor) != 0 && errno != EINTR && fault == 0) fault = errno;
+  if (fault != 0) fail_to_write(path, fault);
+}
+
+void rename_temporary(const std::string& temporary, const std::string& target, const std::string& path) {
+  if (::rename(temporary.c_str(), target.c_str()) != 0) fail_to_write(path, errno);
+  synchronise_folder(target);
+}
+
+AtomicFile::AtomicFile(const std::string& path, const Progress* progress)
+    : path_(path), target_(writable_target(path)), temporary_(temporary_name(path)), progress_(progress) {
+  descriptor_ = create_temporary(path);
   buffer_.reserve(buffer_bytes);
 }
 
 AtomicFile::~AtomicFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
   if (!is_committed_) ::unlink(temporary_.c_str());
-}
-
-void AtomicFile::fail(int error_number) const {
-  throw Error(ErrorCode::unwritable_output, fmt::format("Cannot write '{}': {}.", path_, reason_of(error_number)));
 }
 
 void AtomicFile::write(const void* data, std::size_t bytes) {
@@ -98,7 +121,7 @@ void AtomicFile::flush() {
   for (std::size_t at = 0; at < buffer_.size();) {
     ssize_t written = ::write(descriptor_, buffer_.data() + at, buffer_.size() - at);
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail(errno);
+    if (written < 0) fail_to_write(path_, errno);
     at += static_cast<std::size_t>(written);
   }
   buffer_.clear();
@@ -106,21 +129,12 @@ void AtomicFile::flush() {
 
 void AtomicFile::finish() {
   flush();
-  // EINVAL, EROFS: a file system that cannot synchronise. Anything else means lost data.
-  if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail(errno);
-  close();
-}
-
-void AtomicFile::close() {
-  int descriptor = descriptor_;
-  descriptor_ = -1;
-  if (::close(descriptor) != 0 && errno != EINTR) fail(errno);
+  synchronise_and_close(std::exchange(descriptor_, -1), path_);
 }
 
 void AtomicFile::commit() {
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  rename_temporary(temporary_, target_, path_);
   is_committed_ = true;
-  synchronise_folder(target_);
 }
 
 }  // namespace paver

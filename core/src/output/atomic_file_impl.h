@@ -2,42 +2,47 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "output/byte_sink_impl.h"
 #include "paver/progress.h"
 
 namespace paver {
 
+/// The file that `path` means once links are followed. Throws Error{unwritable_output} for what exists and is not a
+/// regular file, or may not be written.
+std::string writable_target(const std::string& path);
+
+/// Creates the temporary file of `path`, new and empty; its descriptor.
+int create_temporary(const std::string& path);
+
+/// Makes what was written safe on disk and closes; where that fails, still closes.
+void synchronise_and_close(int descriptor, const std::string& path);
+
+/// Gives the temporary file of `path` its name.
+void rename_temporary(const std::string& temporary, const std::string& target, const std::string& path);
+
+/// "Cannot write 'PATH': REASON."
+[[noreturn]] void fail_to_write(const std::string& path, int error_number);
+
 /// Written under a temporary name beside its path; finish() makes it safe on disk, commit() gives it its name.
 /// Destroyed before commit(): removed. Every failure throws Error{unwritable_output} with the path and the reason.
-class AtomicFile {
+class AtomicFile : public ByteSink {
  public:
   /// Creates the temporary file. `progress` (may be null) is checked for cancel while writing.
   explicit AtomicFile(const std::string& path, const Progress* progress = nullptr);
-  ~AtomicFile();
+  ~AtomicFile() override;
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  void write(const void* data, std::size_t bytes);
-  void write(std::string_view text) { write(text.data(), text.size()); }
-  /// Array as it lies in memory.
-  template <class T>
-  void write_packed(const std::vector<T>& values) {
-    write(values.data(), values.size() * sizeof(T));
-  }
-  template <class T>
-  void write_packed(T value) {
-    write(&value, sizeof value);
-  }
+  using ByteSink::write;
+  void write(const void* data, std::size_t bytes) override;
 
   void finish();
   void commit();
 
  private:
   void flush();
-  void close();
-  [[noreturn]] void fail(int error_number) const;
 
   std::string path_, target_, temporary_;
   const Progress* progress_;

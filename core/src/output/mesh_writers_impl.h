@@ -16,7 +16,7 @@ void write_msh2(const MeshResult& result, bool is_ascii, AtomicFile& file);
 void write_vtu(const MeshResult& result, bool is_ascii, AtomicFile& file);
 
 /// The $PhysicalNames section of both Gmsh formats, empty when there are no groups.
-struct Numbering;
-void write_physical_names(const Numbering& numbering, AtomicFile& file);
+struct FaceGroups;
+void write_physical_names(const FaceGroups& groups, ByteSink& sink);
 
 }  // namespace paver

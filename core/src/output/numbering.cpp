@@ -46,20 +46,6 @@ std::unordered_map<long long, int> edge_of_sides(const SurfaceMesh& mesh) {
   return edges;
 }
 
-/// Per node: the edge to file it under, or -1 when it is on no line. Its own edge before that of a line ending there.
-std::vector<int> curve_of_nodes(const SurfaceMesh& mesh, const Grouping& lines) {
-  std::vector<int> curve(mesh.nodes.size(), -1);
-  std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
-  for (std::size_t i = 0; i < mesh.lines.size(); ++i) {
-    int node = mesh.lines[i];
-    if (curve[node] >= 0) continue;
-    int own = static_cast<std::size_t>(node) < mesh.node_edge.size() ? mesh.node_edge[node] : -1;
-    bool has_lines = own >= 0 && own < static_cast<int>(lines.count()) && lines.size(own) > 0;
-    curve[node] = has_lines ? own : mesh.line_edge[i / stride];
-  }
-  return curve;
-}
-
 /// Per node that is on no line: the face of an element that uses it; else -1.
 std::vector<int> face_of_nodes(const SurfaceMesh& mesh, const std::vector<int>& curve) {
   std::vector<int> face(mesh.nodes.size(), -1);
@@ -71,28 +57,6 @@ std::vector<int> face_of_nodes(const SurfaceMesh& mesh, const std::vector<int>& 
   mark(mesh.triangles, mesh.triangle_face, mesh.nodes_per_triangle());
   mark(mesh.quads, mesh.quad_face, mesh.nodes_per_quad());
   return face;
-}
-
-void collect_edges(const SurfaceMesh& mesh, const std::vector<int>& curve, std::vector<std::vector<int>>& face_edges) {
-  auto edges = edge_of_sides(mesh);
-  auto walk = [&](const std::vector<int>& elements, const std::vector<int>& face_of, int corners, int stride) {
-    for (std::size_t i = 0; i < face_of.size(); ++i) {
-      const int* element = elements.data() + i * stride;
-      for (int k = 0; k < corners; ++k) {
-        int a = element[k], b = element[(k + 1) % corners];
-        if (curve[a] < 0 || curve[b] < 0) continue;
-        if (auto found = edges.find(pair_key(a, b)); found != edges.end()) {
-          face_edges[face_of[i]].push_back(found->second);
-        }
-      }
-    }
-  };
-  walk(mesh.quads, mesh.quad_face, 4, mesh.nodes_per_quad());
-  walk(mesh.triangles, mesh.triangle_face, 3, mesh.nodes_per_triangle());
-  for (std::vector<int>& list : face_edges) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
 }
 
 }  // namespace
@@ -112,12 +76,66 @@ Grouping group_rows(const std::vector<int>& group_of, int groups) {
   return result;
 }
 
+FaceGroups group_faces(const MeshResult& result, const std::vector<char>& has_elements) {
+  FaceGroups groups;
+  std::unordered_map<std::string, int> numbers;
+  groups.of_face.assign(has_elements.size(), 0);
+  for (std::size_t face = 0; face < has_elements.size(); ++face) {
+    if (!has_elements[face]) continue;
+    std::string name = name_of_face(result, face);
+    auto [at, is_new] = numbers.emplace(name, static_cast<int>(groups.names.size()) + 1);
+    if (is_new) groups.names.push_back(name);
+    groups.of_face[face] = at->second;
+  }
+  return groups;
+}
+
+int face_count(const MeshResult& result) {
+  const SurfaceMesh& mesh = result.mesh;
+  return 1 + std::max({largest(mesh.quad_face), largest(mesh.triangle_face),
+                       static_cast<int>(result.face_names.size()) - 1});
+}
+
+std::vector<int> curve_of_nodes(const SurfaceMesh& mesh, const Grouping& lines) {
+  std::vector<int> curve(mesh.nodes.size(), -1);
+  std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
+  for (std::size_t i = 0; i < mesh.lines.size(); ++i) {
+    int node = mesh.lines[i];
+    if (curve[node] >= 0) continue;
+    int own = static_cast<std::size_t>(node) < mesh.node_edge.size() ? mesh.node_edge[node] : -1;
+    bool has_lines = own >= 0 && own < static_cast<int>(lines.count()) && lines.size(own) > 0;
+    curve[node] = has_lines ? own : mesh.line_edge[i / stride];
+  }
+  return curve;
+}
+
+std::vector<std::vector<int>> edges_of_faces(const SurfaceMesh& mesh, const std::vector<int>& curve, int faces) {
+  std::vector<std::vector<int>> face_edges(static_cast<std::size_t>(faces));
+  auto edges = edge_of_sides(mesh);
+  auto walk = [&](const std::vector<int>& elements, const std::vector<int>& face_of, int corners, int stride) {
+    for (std::size_t i = 0; i < face_of.size(); ++i) {
+      const int* element = elements.data() + i * stride;
+      for (int k = 0; k < corners; ++k) {
+        int a = element[k], b = element[(k + 1) % corners];
+        if (curve[a] < 0 || curve[b] < 0) continue;
+        if (auto found = edges.find(pair_key(a, b)); found != edges.end()) {
+          face_edges[face_of[i]].push_back(found->second);
+        }
+      }
+    }
+  };
+  walk(mesh.quads, mesh.quad_face, 4, mesh.nodes_per_quad());
+  walk(mesh.triangles, mesh.triangle_face, 3, mesh.nodes_per_triangle());
+  for (std::vector<int>& list : face_edges) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return face_edges;
+}
+
 Numbering::Numbering(const MeshResult& result) {
   const SurfaceMesh& mesh = result.mesh;
-  int faces =
-      std::max({largest(mesh.quad_face), largest(mesh.triangle_face), static_cast<int>(result.face_names.size()) - 1}) +
-      1;
-  int edges = largest(mesh.line_edge) + 1;
+  int faces = face_count(result), edges = largest(mesh.line_edge) + 1;
   quads = group_rows(mesh.quad_face, faces);
   triangles = group_rows(mesh.triangle_face, faces);
   lines = group_rows(mesh.line_edge, edges);
@@ -128,17 +146,10 @@ Numbering::Numbering(const MeshResult& result) {
   for (std::size_t node = 0; node < node_tag.size(); ++node) {
     if (curve[node] >= 0 || face[node] >= 0) node_tag[node] = ++node_count;
   }
-  std::unordered_map<std::string, int> groups;
-  face_group.assign(static_cast<std::size_t>(faces), 0);
-  for (std::size_t f = 0; f < face_group.size(); ++f) {
-    if (!has_elements(f)) continue;
-    std::string name = name_of_face(result, f);
-    auto [at, is_new] = groups.emplace(name, static_cast<int>(group_names.size()) + 1);
-    if (is_new) group_names.push_back(name);
-    face_group[f] = at->second;
-  }
-  face_edges.resize(static_cast<std::size_t>(faces));
-  collect_edges(mesh, curve, face_edges);
+  std::vector<char> has_any;
+  for (std::size_t f = 0; f < static_cast<std::size_t>(faces); ++f) has_any.push_back(has_elements(f));
+  groups = group_faces(result, has_any);
+  face_edges = edges_of_faces(mesh, curve, faces);
 }
 
 int gmsh_line_type(int order) { return std::array{1, 8, 26, 27}.at(static_cast<std::size_t>(order) - 1); }

@@ -20,6 +20,23 @@ struct Grouping {
 /// `group_of`: per row its group, from 0 to groups - 1; -1 leaves it out.
 Grouping group_rows(const std::vector<int>& group_of, int groups);
 
+/// Physical groups: faces of one name share one.
+struct FaceGroups {
+  std::vector<int> of_face;        ///< number of the group, or 0 when the face has no elements
+  std::vector<std::string> names;  ///< of group 1, 2, ...
+};
+FaceGroups group_faces(const MeshResult& result, const std::vector<char>& has_elements);
+
+/// Number of faces to file elements under: those with elements here and those with names.
+int face_count(const MeshResult& result);
+
+/// Per node: the edge to file it under, or -1 when it is on no line. Its own edge before that of a line ending there.
+/// `lines`: by edge.
+std::vector<int> curve_of_nodes(const SurfaceMesh& mesh, const Grouping& lines);
+
+/// Per face: edges whose lines are sides of its elements, rising. `curve`: of nodes.
+std::vector<std::vector<int>> edges_of_faces(const SurfaceMesh& mesh, const std::vector<int>& curve, int faces);
+
 /// Tags are numbers in the file, from 1. Surface tag = B-rep face + 1 (Face12: 12), curve tag = B-rep edge + 1.
 struct Numbering {
   explicit Numbering(const MeshResult& result);
@@ -30,8 +47,7 @@ struct Numbering {
   Grouping lines;                            ///< by edge
   Grouping curve_nodes;                      ///< by edge: nodes on lines
   Grouping surface_nodes;                    ///< by face: the others
-  std::vector<int> face_group;               ///< per face: number of its physical group, or 0 when it has no elements
-  std::vector<std::string> group_names;      ///< of group 1, 2, ...; faces of one name share a group
+  FaceGroups groups;                         ///< physical groups
   std::vector<std::vector<int>> face_edges;  ///< per face: edges whose lines are sides of its elements, rising
 
   bool has_elements(std::size_t face) const { return quads.size(face) + triangles.size(face) > 0; }

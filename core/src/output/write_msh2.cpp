@@ -69,12 +69,12 @@ void write_table(const Table& table, const Numbering& numbering, bool is_ascii, 
 
 }  // namespace
 
-void write_physical_names(const Numbering& numbering, AtomicFile& file) {
-  if (numbering.group_names.empty()) return;
-  file.write(fmt::format("$PhysicalNames\n{}\n", numbering.group_names.size()));
+void write_physical_names(const FaceGroups& groups, ByteSink& sink) {
+  if (groups.names.empty()) return;
+  sink.write(fmt::format("$PhysicalNames\n{}\n", groups.names.size()));
   int number = 0;
-  for (const std::string& name : numbering.group_names) file.write(fmt::format("2 {} \"{}\"\n", ++number, name));
-  file.write("$EndPhysicalNames\n");
+  for (const std::string& name : groups.names) sink.write(fmt::format("2 {} \"{}\"\n", ++number, name));
+  sink.write("$EndPhysicalNames\n");
 }
 
 void write_msh2(const MeshResult& result, bool is_ascii, AtomicFile& file) {
@@ -86,11 +86,11 @@ void write_msh2(const MeshResult& result, bool is_ascii, AtomicFile& file) {
     file.write("\n");
   }
   file.write("$EndMeshFormat\n");
-  write_physical_names(numbering, file);
+  write_physical_names(numbering.groups, file);
   write_nodes(mesh, numbering, is_ascii, file);
   file.write(fmt::format("$Elements\n{}\n", mesh.line_edge.size() + mesh.triangle_count() + mesh.quad_count()));
   int number = 0;
-  const std::vector<int>* groups = &numbering.face_group;
+  const std::vector<int>* groups = &numbering.groups.of_face;
   write_table({gmsh_line_type(mesh.order), mesh.order + 1, mesh.lines, mesh.line_edge, nullptr}, numbering, is_ascii,
               number, file);
   write_table({gmsh_triangle_type(mesh.order), mesh.nodes_per_triangle(), mesh.triangles, mesh.triangle_face, groups},

@@ -6,9 +6,13 @@
 #include <cctype>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 
+#include "output/atomic_file_impl.h"
 #include "output/mesh_writers_impl.h"
+#include "output/share_writers_impl.h"
+#include "output/shared_file_impl.h"
 #include "paver/output.h"
 
 namespace paver {
@@ -21,10 +25,20 @@ std::string ending(const std::string& path) {
   return text;
 }
 
+bool is_vtu(const OutputFiles& files) { return ending(files.mesh) == ".vtu"; }
+
 bool is_same_file(const std::string& a, const std::string& b) {
   std::error_code ignored;
   auto full = [&](const std::string& path) { return std::filesystem::weakly_canonical(path, ignored); };
   return full(a) == full(b);
+}
+
+void check_share_formats(const OutputFiles& files) {
+  if (files.mesh.empty() || (!files.is_ascii && (is_vtu(files) || files.msh_version == MshVersion::v4_1))) return;
+  throw Error(ErrorCode::bad_option,
+              fmt::format("Several processes write binary .msh 4.1 and .vtu only, not '{}' as {}; "
+                          "choose one of these or a single process (--ranks 0).",
+                          files.mesh, files.is_ascii ? "text" : ".msh 2.2"));
 }
 
 void check_names(const OutputFiles& files) {
@@ -45,12 +59,29 @@ void check_names(const OutputFiles& files) {
 }
 
 void write_mesh(const MeshResult& result, const OutputFiles& files, AtomicFile& file) {
-  if (ending(files.mesh) == ".vtu") {
+  if (is_vtu(files)) {
     write_vtu(result, files.is_ascii, file);
   } else if (files.msh_version == MshVersion::v2_2) {
     write_msh2(result, files.is_ascii, file);
   } else {
     write_msh4(result, files.is_ascii, file);
+  }
+}
+
+void add_stage_seconds(MeshResult& result, std::chrono::steady_clock::time_point start) {
+  std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  result.report.stage_seconds.emplace_back(stage_name(Stage::write), seconds.count());
+}
+
+/// The mesh last: who waits for it finds the report, too.
+void commit_both(const OutputFiles& files, const std::function<void()>& commit_report,
+                 const std::function<void()>& commit_mesh) {
+  if (!files.report.empty()) commit_report();
+  try {
+    if (!files.mesh.empty()) commit_mesh();
+  } catch (const Error&) {
+    if (!files.report.empty()) std::filesystem::remove(files.report);
+    throw;
   }
 }
 
@@ -74,21 +105,55 @@ void write_outputs(MeshResult& result, const OutputFiles& files, Progress& progr
     mesh->finish();
   }
   progress.advance();
-  std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  result.report.stage_seconds.emplace_back(stage_name(Stage::write), seconds.count());
+  add_stage_seconds(result, start);
   if (!files.report.empty()) {
     report.emplace(files.report, &progress);
     report->write(report_json(result));
     report->finish();
   }
   progress.advance();
-  if (report) report->commit();
-  try {
-    if (mesh) mesh->commit();
-  } catch (const Error&) {
-    if (report) std::filesystem::remove(files.report);
-    throw;
+  commit_both(
+      files, [&] { report->commit(); }, [&] { mesh->commit(); });
+}
+
+void check_share_outputs(const OutputFiles& files) {
+  check_share_formats(files);
+  check_outputs(files);
+}
+
+void write_share(MeshShare& share, const OutputFiles& files, Progress& progress, Ranks& ranks) {
+  do_together(ranks, [&] {
+    check_share_formats(files);
+    check_names(files);
+    progress.begin(Stage::write, 2);
+  });
+  auto start = std::chrono::steady_clock::now();
+  std::optional<SharedFile> mesh;
+  std::optional<AtomicFile> report;
+  if (!files.mesh.empty()) {
+    auto writer = is_vtu(files) ? vtu_share_writer(share, ranks) : msh4_share_writer(share, ranks);
+    mesh.emplace(files.mesh, writer->file_bytes(), progress, ranks);
+    do_together(ranks, [&] {
+      writer->write(*mesh);
+      mesh->finish();
+    });
   }
+  add_stage_seconds(share.result, start);
+  std::uint64_t sum = files.report.empty() ? 0 : checksum(share, ranks);
+  do_together(ranks, [&] {
+    progress.advance();
+    if (ranks.rank() == 0 && !files.report.empty()) {
+      report.emplace(files.report, &progress);
+      report->write(report_json(share.result, sum));
+      report->finish();
+    }
+    progress.advance();
+  });
+  do_together(ranks, [&] {
+    if (ranks.rank() == 0)
+      commit_both(
+          files, [&] { report->commit(); }, [&] { mesh->commit(); });
+  });
 }
 
 }  // namespace paver

@@ -1,0 +1,67 @@
+// What the writers of .vtu have in common, for one process and for several.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "output/byte_sink_impl.h"
+#include "paver/result.h"
+
+namespace paver {
+
+/// The arrays of the file, in its order. Cells are quads, then triangles.
+enum class VtuArray { face, sj, points, connectivity, offsets, types };
+inline constexpr std::array vtu_arrays{VtuArray::face,         VtuArray::sj,      VtuArray::points,
+                                       VtuArray::connectivity, VtuArray::offsets, VtuArray::types};
+
+/// Sizes of the whole file.
+struct VtuSize {
+  int order = 1;
+  long points = 0, quads = 0, triangles = 0;
+
+  long cells() const { return quads + triangles; }
+  bool has_wide_points() const;  ///< point numbers take 64 bits
+  long entry_bytes(VtuArray array) const;
+  long entries(VtuArray array) const;
+  /// Entries of a cell array before those of an element, `number` being its place among the elements of its kind.
+  long entries_before(VtuArray array, bool is_quad, long number) const;
+  long bytes(VtuArray array) const { return entries(array) * entry_bytes(array); }
+};
+
+/// The XML element of an array up to its name and components, without the end of the tag.
+std::string vtu_declaration(VtuArray array, const VtuSize& size);
+
+/// The file from its first byte to the last before the appended data; `declare` writes the element of an array.
+void write_vtu_xml(const VtuSize& size, ByteSink& sink, const std::function<void(VtuArray)>& declare);
+
+/// The same for raw appended data, which begins right behind it: per array its size as 64 bits, then its bytes.
+std::string vtu_beginning(const VtuSize& size);
+inline constexpr const char* vtu_ending = "\n</AppendedData>\n</VTKFile>\n";
+
+/// Quads or triangles of a mesh as cells.
+class VtuCells {
+ public:
+  /// `point`: per node its number among the points, from 1.
+  VtuCells(const SurfaceMesh& mesh, bool is_quad, const VtuSize& size, const std::vector<long>& point);
+
+  std::size_t count() const { return face_of_.size(); }
+  /// Cell data, connectivity, offsets or types of elements begin to end - 1 of the mesh. `number`: that of the first
+  /// one among all elements of its kind.
+  void write(VtuArray array, std::size_t begin, std::size_t end, long number, ByteSink& sink) const;
+
+ private:
+  void write_connectivity(std::size_t begin, std::size_t end, ByteSink& sink) const;
+  double sj(std::size_t element) const;
+
+  const SurfaceMesh& mesh_;
+  const bool is_quad_;
+  const VtuSize size_;
+  const std::vector<long>& point_;
+  const std::vector<int>&table_, &face_of_;
+  std::vector<int> positions_;  // per VTK position: the position in Gmsh's order
+};
+
+}  // namespace paver
