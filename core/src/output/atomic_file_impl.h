@@ -2,12 +2,13 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "output/byte_sink_impl.h"
 #include "paver/progress.h"
 
 namespace paver {
+
+constexpr std::size_t file_buffer_bytes = 1 << 20;
 
 /// The file that `path` means once links are followed. Throws Error{unwritable_output} for what exists and is not a
 /// regular file, or may not be written.
@@ -15,6 +16,9 @@ std::string writable_target(const std::string& path);
 
 /// Creates the temporary file of `path`, new and empty; its descriptor.
 int create_temporary(const std::string& path);
+
+/// Writes at a place of an open file.
+void write_at(int descriptor, const char* data, std::size_t bytes, long offset, const std::string& path);
 
 /// Makes what was written safe on disk and closes; where that fails, still closes.
 void synchronise_and_close(int descriptor, const std::string& path);
@@ -35,20 +39,17 @@ class AtomicFile : public ByteSink {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  using ByteSink::write;
-  void write(const void* data, std::size_t bytes) override;
-
   void finish();
   void commit();
 
  private:
-  void flush();
+  void drain(const char* data, std::size_t bytes) override;
 
   std::string path_, target_, temporary_;
   const Progress* progress_;
   int descriptor_ = -1;
   bool is_committed_ = false;
-  std::vector<char> buffer_;
+  long at_ = 0;  // where what waits belongs
 };
 
 }  // namespace paver

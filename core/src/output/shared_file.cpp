@@ -14,8 +14,6 @@
 namespace paver {
 namespace {
 
-constexpr std::size_t buffer_bytes = 1 << 20;
-
 /// Takes room for a file on the disk. Where the file system cannot promise it, that is no failure.
 int reserve(int descriptor, long bytes) {
 #ifdef __linux__
@@ -39,7 +37,7 @@ void do_together(Ranks& ranks, const std::function<void()>& work) {
 }
 
 SharedFile::SharedFile(const std::string& path, long bytes, const Progress& progress, Ranks& ranks)
-    : path_(path), progress_(progress), is_first_(ranks.rank() == 0) {
+    : ByteSink(file_buffer_bytes), path_(path), progress_(progress), is_first_(ranks.rank() == 0) {
   try {
     do_together(ranks, [&] {
       if (is_first_) create(bytes);
@@ -55,7 +53,6 @@ SharedFile::SharedFile(const std::string& path, long bytes, const Progress& prog
     if (is_created_) ::unlink(temporary_.c_str());
     throw;
   }
-  buffer_.reserve(buffer_bytes);
 }
 
 SharedFile::~SharedFile() {
@@ -72,34 +69,15 @@ void SharedFile::create(long bytes) {
 }
 
 void SharedFile::seek(long offset) {
-  if (offset == at_ + static_cast<long>(buffer_.size())) return;
+  if (offset == at_ + static_cast<long>(waiting())) return;
   flush();
   at_ = offset;
 }
 
-void SharedFile::write(const void* data, std::size_t bytes) {
-  const char* from = static_cast<const char*>(data);
-  while (bytes > 0) {
-    std::size_t part = std::min(bytes, buffer_bytes - buffer_.size());
-    buffer_.insert(buffer_.end(), from, from + part);
-    from += part;
-    bytes -= part;
-    if (buffer_.size() == buffer_bytes) flush();
-  }
-}
-
-void SharedFile::flush() {
+void SharedFile::drain(const char* data, std::size_t bytes) {
   progress_.check();
-  std::size_t done = 0;
-  while (done < buffer_.size()) {
-    ssize_t written =
-        ::pwrite(descriptor_, buffer_.data() + done, buffer_.size() - done, at_ + static_cast<long>(done));
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail_to_write(path_, errno);
-    done += static_cast<std::size_t>(written);
-  }
-  at_ += static_cast<long>(buffer_.size());
-  buffer_.clear();
+  write_at(descriptor_, data, bytes, at_, path_);
+  at_ += static_cast<long>(bytes);
 }
 
 void SharedFile::finish() {

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "output/byte_sink_impl.h"
 #include "paver/progress.h"
@@ -28,9 +27,6 @@ class SharedFile : public ByteSink {
 
   /// What is written from now on goes to `offset` and behind it.
   void seek(long offset);
-  using ByteSink::write;
-  void write(const void* data, std::size_t bytes) override;
-
   /// Makes the part of this rank safe on disk. Not collective.
   void finish();
   /// Gives the file its name; rank 0 calls it once all ranks have finished.
@@ -38,15 +34,14 @@ class SharedFile : public ByteSink {
 
  private:
   void create(long bytes);
-  void flush();
+  void drain(const char* data, std::size_t bytes) override;
 
   std::string path_, target_, temporary_;
   const Progress& progress_;
   const bool is_first_;
   int descriptor_ = -1;
   bool is_created_ = false;
-  long at_ = 0;  // where the buffer belongs
-  std::vector<char> buffer_;
+  long at_ = 0;  // where what waits belongs
 };
 
 }  // namespace paver

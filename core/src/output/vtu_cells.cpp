@@ -110,7 +110,7 @@ std::string vtu_beginning(const VtuSize& size) {
     offset += static_cast<long>(sizeof(std::uint64_t)) + size.bytes(array);
   });
   sink.write("<AppendedData encoding=\"raw\">\n_");
-  return std::move(sink.content);
+  return sink.content();
 }
 
 VtuCells::VtuCells(const SurfaceMesh& mesh, bool is_quad, const VtuSize& size, const std::vector<long>& point)

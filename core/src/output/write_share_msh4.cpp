@@ -186,7 +186,7 @@ class Msh4Share : public ShareWriter {
     Msh4Numbers numbers(beginning, false);
     write_msh4_head(present(curve_nodes_.size) + present(surface_nodes_.size), static_cast<std::size_t>(tags_.count),
                     numbers);
-    beginning_ = std::move(beginning.content);
+    beginning_ = beginning.content();
 
     long at = static_cast<long>(beginning_.size()), nodes = 0, elements = 0;
     constexpr long node_bytes = tag_bytes + static_cast<long>(sizeof(Vec3));
@@ -204,8 +204,8 @@ class Msh4Share : public ShareWriter {
     middle.write("$Elements\n");
     write_msh4_head(blocks, static_cast<std::size_t>(total), between);
     last.end_section("Elements");
-    middle_ = std::move(middle.content);
-    ending_ = std::move(ending.content);
+    middle_ = middle.content();
+    ending_ = ending.content();
     middle_at_ = at;
     at += static_cast<long>(middle_.size());
     for (Table* table : {&lines_, &triangles_, &quads_})

@@ -67,15 +67,15 @@ class VtuFile {
     write_array(array, sink);
     switch (array) {
       case VtuArray::sj:
-        return write_numbers<double>(sink.content, 1);
+        return write_numbers<double>(sink.content(), 1);
       case VtuArray::points:
-        return write_numbers<double>(sink.content, 3);
+        return write_numbers<double>(sink.content(), 3);
       case VtuArray::types:
-        return write_numbers<std::uint8_t>(sink.content, 1);
+        return write_numbers<std::uint8_t>(sink.content(), 1);
       case VtuArray::offsets:
-        return write_numbers<std::int64_t>(sink.content, 1);
+        return write_numbers<std::int64_t>(sink.content(), 1);
       default:
-        return write_numbers<std::int32_t>(sink.content, 1);
+        return write_numbers<std::int32_t>(sink.content(), 1);
     }
   }
 
