@@ -88,6 +88,10 @@
         <translation>Die Form ist eine andere als die vernetzte</translation>
     </message>
     <message>
+        <source>Part, under the name that the FEM workbench looks for from FreeCAD 1.0 on</source>
+        <translation>Part unter dem Namen, den der Arbeitsbereich FEM ab FreeCAD 1.0 sucht</translation>
+    </message>
+    <message>
         <source>Mesh options</source>
         <translation>Netzoptionen</translation>
     </message>

@@ -20,7 +20,7 @@ NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = STATES = ("Not meshed", "Up to date", "Out
 RUN_IN = AUTOMATIC, IN_FREECAD, IN_PROCESS = ("Automatic", "FreeCAD", "Own process")
 ENUMERATIONS = {"Status": STATES, "RunIn": RUN_IN}
 LINKS = ("Part", "MoreParts")
-REFINEMENTS, RANKS, SHOWN_STATUS = "Refinements", "Ranks", "MeshStatus"
+REFINEMENTS, RANKS, SHOWN_STATUS, SHAPE_LINK = "Refinements", "Ranks", "MeshStatus", "Shape"
 translate = FreeCAD.Qt.translate
 PREFERENCES = "User parameter:BaseApp/Preferences/Mod/Paver"
 FILL_LIMIT = 10000  # elements; FreeCAD needs about a quarter of a second for as many, in which the window stands still
@@ -69,6 +69,23 @@ def add_properties(obj):
     obj.setPropertyStatus(SHOWN_STATUS, ["Transient", "Output"])  # each session has its own language
     if not core.problem() and not properties.has_ranks():
         obj.setEditorMode(RANKS, ["Hidden"])
+    if needs_shape_link() and SHAPE_LINK not in obj.PropertiesList:
+        obj.addProperty("App::PropertyLinkGlobal", SHAPE_LINK, INPUT,
+                        tip("Part, under the name that the FEM workbench looks for from FreeCAD 1.0 on"))
+        obj.setEditorMode(SHAPE_LINK, ["Hidden"])
+    follow_part(obj)
+
+
+def needs_shape_link():
+    """Whether this FreeCAD's solvers look for the geometry of a mesh under another name than Part. In 0.20 they know
+    both, but its window takes a property of that name for a shape."""
+    return int(FreeCAD.Version()[0]) >= 1
+
+
+def follow_part(obj):
+    """Keeps the second link to what is meshed, where there is one, in step with the first."""
+    if SHAPE_LINK in obj.PropertiesList and getattr(obj, SHAPE_LINK) != obj.Part:
+        setattr(obj, SHAPE_LINK, obj.Part)
 
 
 def fill_limit():
@@ -234,6 +251,8 @@ class MeshProxy(Stateless):
             return
         if is_restoring(obj) or "ShapeChanged" not in obj.PropertiesList:
             return
+        if name == LINKS[0]:
+            follow_part(obj)
         if name in LINKS and obj.MeshFile:
             obj.ShapeChanged = True  # until execute has looked
         update_status(obj)

@@ -106,6 +106,23 @@ class Properties(InDocument):
             obj.Ranks = 0
             meshing.mesh(obj)
 
+    def test_the_link_has_the_name_of_later_versions_too(self):
+        self.assertNotIn("Shape", mesh_object.add(self.document, self.box).PropertiesList)
+        real = mesh_object.needs_shape_link
+        self.addCleanup(setattr, mesh_object, "needs_shape_link", real)
+        mesh_object.needs_shape_link = lambda: True
+        obj = mesh_object.add(self.document, self.box, size=5)
+        meshing.mesh(obj)
+        ball = self.add("Part::Sphere")
+        self.assertEqual((obj.Shape, obj.Status), (self.box, "Up to date"))
+        obj.Part = ball
+        self.assertEqual((obj.Shape, obj.Status), (ball, "Out of date"))
+        names = obj.Name, ball.Name
+        self.reopen()
+        obj, ball = map(self.document.getObject, names)
+        self.assertEqual((obj.Shape, obj.Part), (ball, ball))
+        self.assertIn("Hidden", obj.getEditorMode("Shape"))
+
     def test_bad_options_are_refused_in_one_sentence(self):
         for options, word in (({"sise": 3}, "sise"), ({"order": "two"}, "order"), ({"size": "3 kg"}, "size"),
                               ({"elements": "hexahedra"}, "elements")):

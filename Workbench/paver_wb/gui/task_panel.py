@@ -177,7 +177,8 @@ class TaskPanel:
             box.button(button).setToolTip(tip)
 
     def clicked(self, button):
-        if button == QtGui.QDialogButtonBox.Apply:
+        apply = QtGui.QDialogButtonBox.Apply  # which Qt 6 does not take for equal to its number
+        if button in (apply, getattr(apply, "value", apply)):
             self.apply()
 
     def accept(self):

@@ -6,15 +6,20 @@ from paver_wb.gui.paths import ICONS
 from paver_wb.stateless import Stateless
 
 
+FIRST = {"BackfaceCulling": False,  # an open surface has two sides
+         "MaxFacesShowInner": 1,  # FreeCAD's search for faces inside solids takes seconds, and a surface has none
+         "SelectionStyle": "BoundBox"}  # FreeCAD would paint over colours that tell something
+
+
 class MeshViewProvider(Stateless):
     """View provider of a mesh object. Nothing of it is stored but its name."""
 
     def __init__(self, vobj):
         vobj.Proxy = self
         self.attach(vobj)
-        vobj.BackfaceCulling = False  # an open surface has two sides
-        vobj.MaxFacesShowInner = 1  # FreeCAD's search for faces inside solids takes seconds, and a surface has none
-        vobj.SelectionStyle = "BoundBox"  # FreeCAD would paint over colours that tell something
+        for name, value in FIRST.items():
+            if name in vobj.PropertiesList:  # of this version of FreeCAD
+                setattr(vobj, name, value)
         self.add_modes(vobj)
         vobj.Visibility = True  # FreeCAD hides what was made without a window
 

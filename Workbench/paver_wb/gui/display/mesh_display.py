@@ -20,8 +20,8 @@ CURVED, CURVED_EDGES, EDGES = MODES = ("Curved", "Curved + edges", "Edges only")
 MESH, POINTS, PAINT, MARKED, CHOSEN = LAYERS = ("mesh", "points", "paint", "marks", "chosen")  # each needs those before
 LAYER_OF = {"Subdivision": POINTS, "ShrinkFactor": POINTS, "AlwaysAllEdges": POINTS, "ColourBy": PAINT,
             "ColourMap": PAINT, "ColourRange": PAINT, "RangeLow": PAINT, "RangeHigh": PAINT, "ColourBar": PAINT,
-            "Shaded": PAINT, "EdgeColour": PAINT, "ShapeColor": PAINT, "ShowNormals": MARKED, "ShowFreeEdges": MARKED,
-            "ShowTriangles": MARKED, "ShowWorst": MARKED, "ElementReport": CHOSEN}
+            "Shaded": PAINT, "EdgeColour": PAINT, "ShapeColor": PAINT, "ShapeAppearance": PAINT, "ShowNormals": MARKED,
+            "ShowFreeEdges": MARKED, "ShowTriangles": MARKED, "ShowWorst": MARKED, "ElementReport": CHOSEN}
 _displays = weakref.WeakSet()
 HEAVY = 10000  # elements from which on a mesh is read and cut into triangles on a thread
 MOST_TO_HOVER = 100000  # elements: above, a frame for every element that the mouse passes would be too many
@@ -213,7 +213,7 @@ class MeshDisplay:
         self.colouring = colouring.of_mesh(self.mesh, view_properties.wish(vobj))
         colours = self.colouring.colours
         if colours is None:
-            colours = colour_maps.packed(np.array([vobj.ShapeColor[:3]]))
+            colours = colour_maps.packed(np.array([view_properties.shape_colour(vobj)]))
         if vobj.Shaded:
             colours = colour_maps.dimmed(colours, DIMMED)
         self.scene.set_edge_colour(vobj.EdgeColour, colours)

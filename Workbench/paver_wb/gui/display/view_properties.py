@@ -45,6 +45,13 @@ def add_to(vobj):
                 setattr(vobj, name, FIRST_CHOICES[name])
 
 
+def shape_colour(vobj):
+    """(red, green, blue) of elements that tell nothing by their colour."""
+    if hasattr(vobj, "ShapeColor"):
+        return vobj.ShapeColor[:3]
+    return vobj.ShapeAppearance[0].DiffuseColor[:3]  # its name from FreeCAD 1.0 on
+
+
 def wish(vobj):
     """What the colours shall tell."""
     return colouring.Wish(vobj.ColourBy, vobj.ColourMap, vobj.ColourRange, (vobj.RangeLow, vobj.RangeHigh))
