@@ -6,22 +6,16 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <map>
-#include <mutex>
 #include <numeric>
 
+#include "assemble/assembler.h"
 #include "boundary/edge_nodes.h"
 #include "boundary/prediction.h"
 #include "brep/occt_impl.h"
-#include "curving/place_nodes.h"
-#include "curving/repair.h"
-#include "join/join.h"
-#include "mesh/flat_elements.h"
-#include "multilevel/multilevel.h"
+#include "parallel/pave_parts.h"
 #include "parallel/tasks.h"
 #include "paver/mesher.h"
-#include "paving/pave_region.h"
-#include "quality/jacobian.h"
+#include "paver/ranks.h"
 #include "quality/report.h"
 #include "regions/build_regions.h"
 #include "topology/build_model.h"
@@ -30,22 +24,28 @@ namespace paver {
 namespace {
 
 constexpr int most_refinements = 12;  // rounds of dividing edges whose divisions cross
-constexpr int most_splits = 3;        // rounds of splitting quads that stay invalid
 constexpr const char* kernel_failure = "The CAD kernel failed at this model; report it with the model";
 
 class Run {
  public:
-  Run(const Options& options, Progress& progress) : options_(options), progress_(progress) {}
+  Run(const Options& options, Progress& progress, Ranks& ranks)
+      : options_(options), progress_(progress), ranks_(ranks) {}
 
-  MeshResult mesh(const CadModel& model) {
+  MeshShare mesh(const CadModel& model) {
     start();
     build(model);
     divide();
-    pave();
-    assemble();
-    measure();
+    PartPaver paver(regions_, costs(), static_cast<int>(nodes_.nodes.size()), options_, progress_, ranks_);
+    Assembler assembler(
+        model_, nodes_, regions_, paver, options_, progress_, ranks_, [this](Stage stage) { begin(stage); },
+        result_.report);
+    result_.mesh = assembler.run();
+    measure(assembler);
     name_edges();
-    return std::move(result_);
+    MeshShare share;
+    share.result = std::move(result_);
+    if (ranks_.count() > 1) assembler.number(share);
+    return share;
   }
 
   Prediction predict(const CadModel& model) {
@@ -167,178 +167,6 @@ class Run {
     return cost;
   }
 
-  void fail(int face, const Error& error) {
-    std::lock_guard lock(mutex_);
-    FaceReport& report = result_.report.faces[face];
-    report.status = FaceStatus::failed;
-    report.stage = error.where().stage;
-    report.reason = error.what();
-    report.where = error.where().point;
-  }
-
-  void pave() {
-    begin(Stage::paving, static_cast<long>(regions_.size()));
-    paved_.resize(regions_.size());
-    run_tasks(options_.threads, costs(), [&](int i) {
-      int face = regions_[i].face;
-      try {
-        paved_[i] = pave_by_levels(regions_[i], options_.multilevel, progress_, options_.elements);
-      } catch (const Error& error) {
-        if (error.code() == ErrorCode::cancelled) throw;
-        fail(face, error);
-      } catch (const Standard_Failure& failure) {
-        fail(face,
-             Error(ErrorCode::face_failed,
-                   "the CAD kernel cannot evaluate it (" + failure_text(failure) + "); repair it in the CAD program",
-                   {stage_name(Stage::paving), face, -1, {}}));
-      }
-      progress_.advance();
-    });
-    for (std::size_t i = 0; i < regions_.size(); ++i)
-      result_.report.faces[regions_[i].face].closed_by_triangulation += paved_[i].counts.closed_by_triangulation;
-  }
-
-  // Joining and curving. Faces with invalid elements are paved with other rows, then mended element by element; where
-  // that is not enough they are paved finer and mended again.
-  void assemble() {
-    std::vector<long> invalid = join_and_curve();
-    int next = 1;
-    for (int last : {1, further_attempts}) {
-      for (; next <= last && has_any(invalid); ++next) invalid = pave_invalid(std::move(invalid), next);
-      invalid = split_invalid(std::move(invalid));
-      if (options_.order > 1) straighten_last(invalid);
-      if (!has_any(invalid)) break;
-    }
-    note_invalid(invalid);
-  }
-
-  static bool has_any(const std::vector<long>& invalid) {
-    return std::any_of(invalid.begin(), invalid.end(), [](long n) { return n > 0; });
-  }
-
-  // Paves the faces with invalid elements in another way and keeps it where it leaves fewer.
-  std::vector<long> pave_invalid(std::vector<long> invalid, int attempt) {
-    std::vector<PavedRegion> before = pave_again(invalid, attempt);
-    std::vector<long> now = join_and_curve();
-    bool is_reverted = false;
-    for (std::size_t i = 0; i < regions_.size(); ++i) {
-      int face = regions_[i].face;
-      if (invalid[face] == 0 || now[face] < invalid[face]) continue;
-      paved_[i] = std::move(before[i]);
-      is_reverted = true;
-    }
-    return is_reverted ? join_and_curve() : std::move(now);
-  }
-
-  // Invalid quads become two triangles each, as long as that leaves fewer invalid elements.
-  std::vector<long> split_invalid(std::vector<long> invalid) {
-    for (int round = 0; round < most_splits && !invalid_quads_.empty(); ++round) {
-      std::vector<PavedRegion> before = paved_;
-      for (int q : invalid_quads_) {
-        auto [part, element] = joined_.quad_source[q];
-        split_quad(paved_[part].mesh, element);
-      }
-      std::vector<long> now = join_and_curve();
-      bool is_better =
-          std::accumulate(now.begin(), now.end(), 0L) < std::accumulate(invalid.begin(), invalid.end(), 0L);
-      if (!is_better) {
-        paved_ = std::move(before);
-        return join_and_curve();
-      }
-      invalid = std::move(now);
-    }
-    return invalid;
-  }
-
-  void straighten_last(std::vector<long>& invalid) {
-    RepairResult last = straighten_at_edges(result_.mesh, is_valid, invalid_quads_, invalid_triangles_);
-    if (last.recentred + last.straightened == 0) return;
-    straightened_ += last.recentred + last.straightened;
-    result_.report.notes.push_back(fmt::format(
-        "To keep elements valid sides were straightened along B-rep edges, up to {:.3g} mm off.", last.off_edge));
-    std::fill(invalid.begin(), invalid.end(), 0);
-    for (int q : last.invalid_quads) ++invalid[result_.mesh.quad_face[q]];
-    for (int t : last.invalid_triangles) ++invalid[result_.mesh.triangle_face[t]];
-  }
-
-  // Regions of faces with invalid elements, paved another way; returns what they were.
-  std::vector<PavedRegion> pave_again(const std::vector<long>& invalid, int attempt) {
-    std::vector<PavedRegion> before(regions_.size());
-    run_tasks(options_.threads, costs(), [&](int i) {
-      if (invalid[regions_[i].face] == 0) return;
-      before[i] = std::move(paved_[i]);
-      paved_[i] = pave_region_again(regions_[i], attempt, progress_, options_.elements);
-    });
-    return before;
-  }
-
-  std::vector<long> join_and_curve() {
-    begin(Stage::join);
-    join();
-    begin(Stage::curving);
-    return curve();
-  }
-
-  void join() {
-    while (true) {
-      std::vector<JoinPart> parts;
-      for (std::size_t i = 0; i < regions_.size(); ++i) {
-        int face = regions_[i].face;
-        bool is_meshed = result_.report.faces[face].status == FaceStatus::meshed;
-        parts.push_back({face, is_meshed ? &paved_[i].mesh : nullptr});
-      }
-      try {
-        joined_ = join_regions(model_, nodes_, parts);
-        break;
-      } catch (const Error& error) {
-        if (error.code() != ErrorCode::face_failed) throw;
-        fail(error.where().face, error);
-      }
-    }
-    parts_.clear();
-    for (std::size_t i = 0; i < regions_.size(); ++i) {
-      bool is_meshed = !joined_.node_of[i].empty();
-      parts_.push_back({&regions_[i], is_meshed ? &paved_[i].mesh : nullptr, &joined_.node_of[i]});
-    }
-  }
-
-  // Raises the order; returns the number of elements per face whose Jacobian is not proven positive.
-  std::vector<long> curve() {
-    SurfaceMesh& mesh = result_.mesh;
-    std::vector<long> invalid(model_.faces.size(), 0);
-    invalid_quads_.clear();
-    invalid_triangles_.clear();
-    if (options_.order == 1) {
-      mesh = std::move(joined_.mesh);
-      for (int q = 0; q < static_cast<int>(mesh.quad_count()); ++q)
-        if (!is_valid(mesh, true, q)) invalid_quads_.push_back(q);
-      for (int q : invalid_quads_) ++invalid[mesh.quad_face[q]];
-      return invalid;
-    }
-    mesh = curve_elements(joined_.mesh, nodes_, model_, parts_, options_.threads, progress_);
-    RepairResult repaired = repair_elements(mesh, is_valid);
-    straightened_ = repaired.recentred + repaired.straightened;
-    invalid_quads_ = repaired.invalid_quads;
-    invalid_triangles_ = repaired.invalid_triangles;
-    for (int q : repaired.invalid_quads) ++invalid[mesh.quad_face[q]];
-    for (int t : repaired.invalid_triangles) ++invalid[mesh.triangle_face[t]];
-    return invalid;
-  }
-
-  void note_invalid(const std::vector<long>& invalid) {
-    auto& notes = result_.report.notes;
-    if (straightened_ > 0)
-      notes.push_back(fmt::format("{} curved elements were straightened to keep them valid.", straightened_));
-    std::map<int, long> count;
-    for (std::size_t face = 0; face < invalid.size(); ++face)
-      if (invalid[face] > 0) count[model_.faces[face].origin] += invalid[face];
-    for (auto [face, n] : count)
-      notes.push_back(fmt::format("{} has {} elements that could not be made valid; use a smaller size or max-turn.",
-                                  origin_name(face), n));
-  }
-
-  std::string origin_name(int origin) const { return "Face" + std::to_string(origin + 1); }
-
   // Faces divided along creases become one again: in the mesh, in the reports and in the names.
   void merge_pieces() {
     for (int& face : result_.mesh.quad_face) face = model_.faces[face].origin;
@@ -371,9 +199,9 @@ class Run {
     face.closed_by_triangulation += piece.closed_by_triangulation;
   }
 
-  void measure() {
+  void measure(const Assembler& assembler) {
     begin(Stage::quality);
-    double chord = chord_error(result_.mesh, parts_, options_.threads);  // by piece, as the regions are
+    double chord = assembler.chord_error(result_.mesh);  // by piece, as the regions are
     merge_pieces();
     std::vector<bool> is_periodic;
     for (const Edge& edge : model_.edges) is_periodic.push_back(edge.is_periodic);
@@ -417,25 +245,25 @@ class Run {
 
   const Options& options_;
   Progress& progress_;
+  Ranks& ranks_;
   Stage stage_ = Stage::done;
   Clock::time_point started_;
-  std::mutex mutex_;
   Model model_;
   SizeField size_;
   EdgeNodes nodes_;
   std::vector<Region> regions_;
-  std::vector<PavedRegion> paved_;
-  JoinedMesh joined_;
-  std::vector<CurvingPart> parts_;
-  long straightened_ = 0;
-  std::vector<int> invalid_quads_, invalid_triangles_;
   MeshResult result_;
 };
 
 }  // namespace
 
+MeshShare mesh_share(const CadModel& model, const Options& options, Progress& progress, Ranks& ranks) {
+  return guard_occt(ErrorCode::internal, kernel_failure, [&] { return Run(options, progress, ranks).mesh(model); });
+}
+
 MeshResult mesh_model(const CadModel& model, const Options& options, Progress& progress) {
-  return guard_occt(ErrorCode::internal, kernel_failure, [&] { return Run(options, progress).mesh(model); });
+  SingleRank alone;
+  return mesh_share(model, options, progress, alone).result;
 }
 
 MeshResult mesh_file(const std::string& path, const Options& options, Progress& progress) {
@@ -446,7 +274,9 @@ MeshResult mesh_file(const std::string& path, const Options& options, Progress& 
 Prediction predict(const CadModel& model, const Options& options, Progress& progress) {
   Options unlimited = options;
   unlimited.max_elements = std::numeric_limits<long>::max();
-  return guard_occt(ErrorCode::internal, kernel_failure, [&] { return Run(unlimited, progress).predict(model); });
+  SingleRank alone;
+  return guard_occt(ErrorCode::internal, kernel_failure,
+                    [&] { return Run(unlimited, progress, alone).predict(model); });
 }
 
 }  // namespace paver

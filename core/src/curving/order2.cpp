@@ -1,12 +1,11 @@
-// Middle nodes of a mesh of order 2.
-// In: straight mesh, divided edges. Out: mesh of order 2 in Gmsh's node order.
-// Steps: middles of the lines; all element sides sorted by (face, node pair), so that equal sides share one node;
-// numbers by first use; elements written; positions.
+// In: joined straight mesh, divided edges, cuts. Out: mesh of order 2 in Gmsh's node order, inner nodes not placed.
+// Steps: each part numbers its sides by itself; its border sides find the middles of lines and cuts; nodes; elements.
 #include "curving/order2.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
+
+#include "parallel/tasks.h"
 
 namespace paver {
 namespace {
@@ -21,124 +20,201 @@ bool operator<(const Line& one, const Line& other) {
   return std::tie(one.a, one.b, one.edge) < std::tie(other.a, other.b, other.edge);
 }
 
-struct Side {
-  int face, a, b;  // a < b
-  int place;       // among all element sides
-};
-
-bool is_same(const Side& one, const Side& other) {
-  return one.face == other.face && one.a == other.a && one.b == other.b;
-}
-
-// Sides of all elements in order: quads, then triangles.
-std::vector<Side> element_sides(const SurfaceMesh& linear) {
-  std::vector<Side> sides;
-  sides.reserve(linear.quads.size() + linear.triangles.size());
-  auto add = [&sides](const std::vector<int>& nodes, const std::vector<int>& faces, std::size_t corners) {
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      for (std::size_t c = 0; c < corners; ++c) {
-        auto [a, b] = std::minmax({nodes[i * corners + c], nodes[i * corners + (c + 1) % corners]});
-        sides.push_back({faces[i], a, b, static_cast<int>(sides.size())});
-      }
-    }
-  };
-  add(linear.quads, linear.quad_face, 4);
-  add(linear.triangles, linear.triangle_face, 3);
-  return sides;
-}
-
-int add_node(SurfaceMesh& mesh, Vec3 x, int edge) {
-  mesh.nodes.push_back(x);
-  mesh.node_edge.push_back(edge);
-  mesh.node_target.push_back(0);
-  return static_cast<int>(mesh.nodes.size()) - 1;
-}
-
-// Middles of the lines, placed as the edges are divided; gives the lines sorted by their ends.
-std::vector<Line> number_lines(const SurfaceMesh& linear, const EdgeNodes& edges, SurfaceMesh& mesh) {
-  std::vector<std::size_t> interval_of_edge(edges.edges.size(), 0);
-  std::vector<Line> lines;
-  for (std::size_t i = 0; i < linear.line_edge.size(); ++i) {
-    const int edge = linear.line_edge[i];
-    const EdgeDivision& division = edges.edges[static_cast<std::size_t>(edge)];
-    const std::size_t interval = interval_of_edge[static_cast<std::size_t>(edge)]++;
-    const int first = linear.lines[2 * i], second = linear.lines[2 * i + 1];
-    const int node = add_node(mesh, division.x.at(2 * interval + 1), edge);
-    mesh.lines.insert(mesh.lines.end(), {first, second, node});
-    lines.push_back({std::min(first, second), std::max(first, second), edge, node});
-  }
-  std::sort(lines.begin(), lines.end());
-  return lines;
-}
-
-// Middle of the line a side lies on, or -1.
-int line_node(const std::vector<Line>& lines, const Side& side, const Model& model) {
-  auto line = std::lower_bound(lines.begin(), lines.end(), Line{side.a, side.b, -1, -1});
-  for (; line != lines.end() && line->a == side.a && line->b == side.b; ++line) {
-    const std::vector<int>& faces = model.edges[static_cast<std::size_t>(line->edge)].faces;
-    if (std::find(faces.begin(), faces.end(), side.face) != faces.end()) return line->node;
+// The element on the other side of element e's side from a to b, or -1.
+int across(const RegionMesh& mesh, int e, int a, int b) {
+  for (int other : mesh.star[a]) {
+    if (other == e) continue;
+    const Element& element = mesh.elements[other];
+    if (element.corner_of(b) >= 0 && element.after(b) == a) return other;
   }
   return -1;
 }
 
-// Middle node per element side; adds the interior ones to the mesh and to `interior`.
-std::vector<int> number_sides(const std::vector<Side>& sides, const std::vector<Line>& lines, const Model& model,
-                              OrderTwoMesh& result) {
-  // Sides from each node in their order: few, so the first that is the same is found by looking at them all.
-  std::vector<int> start(result.mesh.nodes.size() + 1, 0), places(sides.size());
-  for (const Side& side : sides) ++start[static_cast<std::size_t>(side.a) + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<int> end(start.begin(), start.end() - 1);
-  for (const Side& side : sides) places[static_cast<std::size_t>(end[static_cast<std::size_t>(side.a)]++)] = side.place;
-  auto first_place = [&](const Side& side) {
-    const int* place = &places[static_cast<std::size_t>(start[static_cast<std::size_t>(side.a)])];
-    while (!is_same(sides[static_cast<std::size_t>(*place)], side)) ++place;
-    return static_cast<std::size_t>(*place);
-  };
-  std::vector<int> node_of_side(sides.size());
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (const std::size_t first = first_place(sides[i]); first != i) {
-      node_of_side[i] = node_of_side[first];
-      continue;
-    }
-    node_of_side[i] = line_node(lines, sides[i], model);
-    if (node_of_side[i] >= 0) continue;
-    node_of_side[i] = add_node(result.mesh, {}, -1);
-    result.sides.push_back({sides[i].face, sides[i].a, sides[i].b, node_of_side[i]});
+class Raiser {
+ public:
+  Raiser(const JoinedMesh& linear, const EdgeNodes& edges, const Model& model, const Cuts& cuts,
+         const std::vector<CurvingPart>& parts, int threads)
+      : linear_(linear), edges_(edges), model_(model), cuts_(cuts), parts_(parts), threads_(threads) {}
+
+  OrderTwoMesh run() {
+    copy_linear();
+    number_lines();
+    number_parts();
+    number_nodes();
+    fill_elements();
+    return std::move(result_);
   }
-  return node_of_side;
-}
+
+ private:
+  SurfaceMesh& mesh() { return result_.mesh; }
+
+  void copy_linear() {
+    const SurfaceMesh& from = linear_.mesh;
+    mesh().order = 2;
+    mesh().nodes = from.nodes;
+    mesh().node_edge = from.node_edge;
+    mesh().node_target = from.node_target;
+    mesh().quad_face = from.quad_face;
+    mesh().triangle_face = from.triangle_face;
+    mesh().line_edge = from.line_edge;
+  }
+
+  void number_lines() {
+    std::vector<std::size_t> interval_of_edge(edges_.edges.size(), 0);
+    for (std::size_t i = 0; i < mesh().line_edge.size(); ++i) {
+      const int edge = mesh().line_edge[i];
+      const std::size_t interval = interval_of_edge[static_cast<std::size_t>(edge)]++;
+      const int a = linear_.mesh.lines[2 * i], b = linear_.mesh.lines[2 * i + 1];
+      const int node = static_cast<int>(mesh().nodes.size());
+      mesh().nodes.push_back(edges_.edges[static_cast<std::size_t>(edge)].x.at(2 * interval + 1));
+      mesh().node_edge.push_back(edge);
+      mesh().lines.insert(mesh().lines.end(), {a, b, node});
+      lines_.push_back({std::min(a, b), std::max(a, b), edge, node});
+    }
+    std::sort(lines_.begin(), lines_.end());
+  }
+
+  void number_parts() {
+    result_.sides.resize(parts_.size());
+    std::vector<double> cost;
+    for (const CurvingPart& part : parts_)
+      cost.push_back(part.mesh ? static_cast<double>(part.mesh->elements.size()) : 0);
+    cost_ = cost;
+    run_tasks(threads_, cost, [&](int i) {
+      if (parts_[i].mesh) result_.sides[i] = number_sides(*parts_[i].mesh);
+    });
+  }
+
+  // Middle of the line between two joined nodes that bounds the face, or -1.
+  int line_node(int one, int other, int face) const {
+    auto [a, b] = std::minmax(one, other);
+    auto line = std::lower_bound(lines_.begin(), lines_.end(), Line{a, b, -1, -1});
+    for (; line != lines_.end() && line->a == a && line->b == b; ++line) {
+      const std::vector<int>& faces = model_.edges[static_cast<std::size_t>(line->edge)].faces;
+      if (std::find(faces.begin(), faces.end(), face) != faces.end()) return line->node;
+    }
+    return -1;
+  }
+
+  int cut_of(const CurvingPart& part, int v, int w) const {
+    const std::vector<int>& global = part.mesh->global;
+    if (global[v] < 0 || global[w] < 0) return -1;
+    const std::size_t boundary = edges_.nodes.size();
+    return cuts_.find(part.region->face, shared_node(global[v], part.outline, boundary),
+                      shared_node(global[w], part.outline, boundary));
+  }
+
+  // Cuts that are used get their nodes first; border sides on neither line nor cut count as the part's own.
+  void number_nodes() {
+    std::vector<std::vector<int>>& cut = result_.border_cut;
+    cut.resize(parts_.size());
+    result_.border_node.resize(parts_.size());
+    result_.cut_node.assign(cuts_.sides().size(), -1);
+    constexpr int is_used = 0;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      for (auto [v, w] : result_.sides[i].border) {
+        const std::vector<int>& node_of = *parts_[i].node_of;
+        int node = line_node(node_of[v], node_of[w], parts_[i].region->face);
+        cut[i].push_back(node < 0 ? cut_of(parts_[i], v, w) : -1);
+        if (cut[i].back() >= 0) result_.cut_node[static_cast<std::size_t>(cut[i].back())] = is_used;
+        result_.border_node[i].push_back(node);
+      }
+    }
+    int next = static_cast<int>(mesh().nodes.size());
+    for (int& node : result_.cut_node)
+      if (node == is_used) node = next++;
+    result_.first_inside = next;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      result_.first_own.push_back(next);
+      PartSides& sides = result_.sides[i];
+      for (std::size_t k = 0; k < cut[i].size(); ++k) {
+        int& node = result_.border_node[i][k];
+        if (cut[i][k] >= 0) node = result_.cut_node[static_cast<std::size_t>(cut[i][k])];
+        if (node >= 0) continue;
+        node = next + static_cast<int>(sides.inside.size());
+        sides.inside.push_back(sides.border[k]);
+      }
+      const long own = static_cast<long>(sides.inside.size()) + linear_.sizes[i].quads;
+      result_.own_nodes.push_back(own);
+      next += static_cast<int>(own);
+    }
+    mesh().nodes.resize(static_cast<std::size_t>(next));
+    mesh().node_edge.resize(static_cast<std::size_t>(next), -1);
+    mesh().node_target.resize(static_cast<std::size_t>(next), 0);
+  }
+
+  void fill_elements() {
+    mesh().quads.resize(9 * mesh().quad_count());
+    mesh().triangles.resize(6 * mesh().triangle_count());
+    std::vector<std::array<std::size_t, 2>> first(parts_.size() + 1, {0, 0});  // quad and triangle
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      first[i + 1] = {first[i][0] + static_cast<std::size_t>(linear_.sizes[i].quads),
+                      first[i][1] + static_cast<std::size_t>(linear_.sizes[i].triangles)};
+    run_tasks(threads_, cost_, [&](int i) {
+      if (parts_[i].mesh) fill_part(static_cast<std::size_t>(i), first[i][0], first[i][1]);
+    });
+  }
+
+  void fill_part(std::size_t i, std::size_t quad, std::size_t triangle) {
+    const PartSides& sides = result_.sides[i];
+    int centre = result_.first_own[i] + static_cast<int>(sides.inside.size());
+    const bool is_reversed = model_.faces[static_cast<std::size_t>(parts_[i].region->face)].is_reversed;
+    const std::vector<Element>& elements = parts_[i].mesh->elements;
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      if (!elements[e].is_alive()) continue;
+      const int n = elements[e].corners();
+      int* to = n == 4 ? &mesh().quads[9 * quad] : &mesh().triangles[6 * triangle];
+      const int* from = n == 4 ? &linear_.mesh.quads[4 * quad++] : &linear_.mesh.triangles[3 * triangle++];
+      for (int k = 0; k < n; ++k) {
+        const int side = sides.of_element[e][is_reversed ? n - 1 - k : k];
+        to[k] = from[k];
+        to[n + k] =
+            side >= 0 ? result_.first_own[i] + side : result_.border_node[i][static_cast<std::size_t>(-1 - side)];
+      }
+      if (n == 4) to[8] = centre++;
+    }
+  }
+
+  const JoinedMesh& linear_;
+  const EdgeNodes& edges_;
+  const Model& model_;
+  const Cuts& cuts_;
+  const std::vector<CurvingPart>& parts_;
+  const int threads_;
+  std::vector<double> cost_;
+  std::vector<Line> lines_;
+  OrderTwoMesh result_;
+};
 
 }  // namespace
 
-OrderTwoMesh number_order_2(const SurfaceMesh& linear, const EdgeNodes& edges, const Model& model) {
-  OrderTwoMesh result;
-  SurfaceMesh& mesh = result.mesh;
-  mesh.order = 2;
-  mesh.nodes = linear.nodes;
-  mesh.node_edge = linear.node_edge;
-  mesh.node_target = linear.node_target;
-  mesh.quad_face = linear.quad_face;
-  mesh.triangle_face = linear.triangle_face;
-  mesh.line_edge = linear.line_edge;
-  const std::vector<Line> lines = number_lines(linear, edges, mesh);
-  const std::vector<int> node_of_side = number_sides(element_sides(linear), lines, model, result);
+PartSides number_sides(const RegionMesh& mesh) {
+  PartSides sides;
+  sides.of_element.resize(mesh.elements.size());
+  sides.inside.reserve(2 * mesh.elements.size());
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const Element& element = mesh.elements[e];
+    if (!element.is_alive()) continue;
+    for (int k = 0, n = element.corners(); k < n; ++k) {
+      const int a = element.v[k], b = element.v[(k + 1) % n], other = across(mesh, static_cast<int>(e), a, b);
+      int& side = sides.of_element[e][k];
+      if (other < 0) {
+        side = -1 - static_cast<int>(sides.border.size());
+        sides.border.push_back({a, b});
+      } else if (other < static_cast<int>(e)) {
+        side = sides.of_element[other][mesh.elements[other].corner_of(b)];
+      } else {
+        side = static_cast<int>(sides.inside.size());
+        sides.inside.push_back({a, b});
+      }
+    }
+  }
+  return sides;
+}
 
-  auto side_node = node_of_side.begin();
-  for (std::size_t q = 0; q < linear.quad_count(); ++q) {
-    auto corners = linear.quads.begin() + static_cast<std::ptrdiff_t>(4 * q);
-    mesh.quads.insert(mesh.quads.end(), corners, corners + 4);
-    mesh.quads.insert(mesh.quads.end(), side_node, side_node + 4);
-    mesh.quads.push_back(add_node(mesh, {}, -1));
-    side_node += 4;
-  }
-  for (std::size_t i = 0; i < linear.triangle_count(); ++i) {
-    auto corners = linear.triangles.begin() + static_cast<std::ptrdiff_t>(3 * i);
-    mesh.triangles.insert(mesh.triangles.end(), corners, corners + 3);
-    mesh.triangles.insert(mesh.triangles.end(), side_node, side_node + 3);
-    side_node += 3;
-  }
-  return result;
+OrderTwoMesh number_order_2(const JoinedMesh& linear, const EdgeNodes& edges, const Model& model, const Cuts& cuts,
+                            const std::vector<CurvingPart>& parts, int threads) {
+  return Raiser(linear, edges, model, cuts, parts, threads).run();
 }
 
 Vec3 blended_centre(const SurfaceMesh& mesh, int quad) {
@@ -149,20 +225,6 @@ Vec3 blended_centre(const SurfaceMesh& mesh, int quad) {
     middles += mesh.nodes[static_cast<std::size_t>(nodes[4 + i])];
   }
   return 0.5 * middles - 0.25 * corners;
-}
-
-SurfaceMesh raise_to_order_2(const SurfaceMesh& linear, const EdgeNodes& edges, const Model& model,
-                             const MidpointFn& midpoint, const CentreFn& centre) {
-  OrderTwoMesh raised = number_order_2(linear, edges, model);
-  SurfaceMesh& mesh = raised.mesh;
-  for (const InteriorSide& side : raised.sides) {
-    mesh.nodes[static_cast<std::size_t>(side.node)] = midpoint(side.face, side.a, side.b);
-  }
-  for (std::size_t q = 0; q < mesh.quad_count(); ++q) {
-    Vec3 blend = blended_centre(mesh, static_cast<int>(q));
-    mesh.nodes[static_cast<std::size_t>(mesh.quads[9 * q + 8])] = centre ? centre(static_cast<int>(q), blend) : blend;
-  }
-  return std::move(mesh);
 }
 
 }  // namespace paver

@@ -1,45 +1,54 @@
-// A straight mesh raised to order 2: one node more per mesh edge and per quad.
+// The nodes of order 2, numbered: one more per side and per quad.
 #pragma once
 
-#include <functional>
+#include <array>
 #include <vector>
 
 #include "boundary/edge_nodes.h"
-#include "paver/result.h"
-#include "topology/model.h"
+#include "join/cuts.h"
+#include "join/join.h"
+#include "mesh/region_mesh.h"
 
 namespace paver {
 
-/// A mesh edge inside a face, to be given a middle node.
-struct InteriorSide {
-  int face = -1;
-  int a = -1, b = -1;  ///< corner nodes, a < b
-  int node = -1;       ///< the middle node
+/// One part with its mesh and its nodes' numbers in the joined mesh.
+struct CurvingPart {
+  const Region* region = nullptr;
+  const RegionMesh* mesh = nullptr;  ///< null: failed, or on another rank
+  const std::vector<int>* node_of = nullptr;
+  int outline = 0;  ///< as JoinPart's
 };
 
-/// Mesh of order 2 with all its nodes numbered: corners as they were, middles of the lines, middles of the interior
-/// sides (in order of first use: quads, then triangles), centres of the quads in order.
-/// Middles of lines are placed; middles of interior sides and centres are not.
+/// Sides of a part's elements. Those inside the part have numbers in the order of first use.
+struct PartSides {
+  /// Per element and side from corner k: the number of a side inside the part, or -1 - i for `border[i]`.
+  std::vector<std::array<int, 4>> of_element;
+  std::vector<std::array<int, 2>> inside;  ///< per number: its two region nodes
+  std::vector<std::array<int, 2>> border;  ///< sides of one element only: its two region nodes
+};
+
+PartSides number_sides(const RegionMesh& mesh);
+
+/// The joined mesh at order 2: nodes of the lines placed, all others numbered only.
+/// Nodes: the corners as they were, middles of the lines, of the cuts that are used, then part by part the middles of
+/// its own sides and the centres of its quads.
 struct OrderTwoMesh {
   SurfaceMesh mesh;
-  std::vector<InteriorSide> sides;
+  std::vector<PartSides> sides;               ///< per part
+  std::vector<std::vector<int>> border_node;  ///< per part and border side: its middle
+  std::vector<std::vector<int>> border_cut;   ///< per part and border side: its cut, or -1
+  std::vector<int> first_own;                 ///< per part: the middle of its side 0
+  std::vector<long> own_nodes;                ///< per part: its own middles and centres
+  std::vector<int> cut_node;                  ///< per cut: its middle, -1 where no part here has it
+  int first_inside = 0;                       ///< from here on nodes belong to one part only
 };
 
-/// `linear`: order 1; its lines run interval by interval along each edge as `edges` divides it.
-/// All faces that use an edge share its middles. A side lies on an edge when its two nodes are the ends of one of the
-/// edge's intervals and the edge belongs to its face: the same two nodes may be joined otherwise inside another face.
-OrderTwoMesh number_order_2(const SurfaceMesh& linear, const EdgeNodes& edges, const Model& model);
+/// A side at a part's border lies on a B-rep edge when its two nodes are the ends of one of the edge's intervals and
+/// the edge belongs to its face; else on a cut.
+OrderTwoMesh number_order_2(const JoinedMesh& linear, const EdgeNodes& edges, const Model& model, const Cuts& cuts,
+                            const std::vector<CurvingPart>& parts, int threads);
 
 /// Centre of an order-2 quad that blends its sides: half the sum of the side middles less a quarter of the corners'.
 Vec3 blended_centre(const SurfaceMesh& mesh, int quad);
-
-/// Position on the face of the middle between two corner nodes (a < b).
-using MidpointFn = std::function<Vec3(int face, int a, int b)>;
-/// Position on the face of a quad's centre, given the blended one.
-using CentreFn = std::function<Vec3(int quad, Vec3 blend)>;
-
-/// number_order_2 with every node placed. An empty CentreFn leaves the blended centres.
-SurfaceMesh raise_to_order_2(const SurfaceMesh& linear, const EdgeNodes& edges, const Model& model,
-                             const MidpointFn& midpoint, const CentreFn& centre);
 
 }  // namespace paver

@@ -1,84 +1,14 @@
-// Curving by closest points in the charts.
-// Nodes are found again in their region by number; where a region shows a node twice (both sides of a cut) the copy
-// nearest to the other corners is meant.
+// Curving by closest points in the charts: of the middles of chords, of the blends of sides.
 #include "curving/place_nodes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "parallel/tasks.h"
 
 namespace paver {
 namespace {
-
-struct Located {
-  const Region* region = nullptr;
-  Vec2 p[4];
-};
-
-/// Chart positions of joined nodes, region by region.
-class NodeFinder {
- public:
-  explicit NodeFinder(const std::vector<CurvingPart>& parts) : parts_(parts), copies_(parts.size()) {
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (!parts[i].mesh) continue;
-      const std::vector<int>& node_of = *parts[i].node_of;
-      for (std::size_t k = 0; k < node_of.size(); ++k)
-        if (node_of[k] >= 0) copies_[i].push_back({node_of[k], static_cast<int>(k)});
-      std::sort(copies_[i].begin(), copies_[i].end());
-    }
-  }
-
-  /// Chart points of `count` corners in part i, copies chosen next to one another; false when one is not there.
-  bool find(std::size_t i, const int* corners, int count, Vec2* p) const {
-    // The corner with the fewest copies anchors the others; where it has several, the one whose neighbours are nearest.
-    Range ranges[4];
-    int anchor = 0;
-    for (int k = 0; k < count; ++k) {
-      ranges[k] = copies(i, corners[k]);
-      if (ranges[k].first == ranges[k].last) return false;
-      if (ranges[k].last - ranges[k].first < ranges[anchor].last - ranges[anchor].first) anchor = k;
-    }
-    double best = 1e300;
-    for (auto at = ranges[anchor].first; at != ranges[anchor].last; ++at) {
-      Vec2 q[4];
-      double spread = nearest_copies(i, ranges, count, chart(i, at->second), q);
-      if (spread < best) best = spread, std::copy_n(q, count, p);
-    }
-    return true;
-  }
-
- private:
-  using Copy = std::pair<int, int>;  // joined node, region node
-  struct Range {
-    std::vector<Copy>::const_iterator first, last;
-  };
-  Range copies(std::size_t i, int node) const {
-    auto first = std::lower_bound(copies_[i].begin(), copies_[i].end(), Copy{node, -1});
-    auto last = first;
-    while (last != copies_[i].end() && last->first == node) ++last;
-    return {first, last};
-  }
-  Vec2 chart(std::size_t i, int k) const { return parts_[i].mesh->p[k]; }
-
-  /// The copy of each corner nearest to `at`; the sum of their distances.
-  double nearest_copies(std::size_t i, const Range* ranges, int count, Vec2 at, Vec2* p) const {
-    double sum = 0;
-    for (int k = 0; k < count; ++k) {
-      double nearest = 1e300;
-      for (auto c = ranges[k].first; c != ranges[k].last; ++c) {
-        Vec2 q = chart(i, c->second);
-        double d = norm(q - at);
-        if (d < nearest) nearest = d, p[k] = q;
-      }
-      sum += nearest;
-    }
-    return sum;
-  }
-
-  const std::vector<CurvingPart>& parts_;
-  std::vector<std::vector<Copy>> copies_;
-};
 
 /// Surface point nearest to `target`, by Gauss-Newton in the chart from p; the start itself where that does not settle.
 Vec3 nearest_point(const Region& region, Vec2 p, Vec3 target) {
@@ -126,109 +56,115 @@ double distance_to_surface(const Region& region, Vec2 p, Vec3 target) {
   return best;
 }
 
-/// For each part, the face's items (sides or quads) that it holds; the first part that knows all corners takes one.
-template <class Item, class Corners>
-std::vector<std::vector<Item>> share_out(const std::vector<CurvingPart>& parts, const NodeFinder& finder,
-                                         const std::vector<std::pair<int, Item>>& items, Corners corners) {
-  int faces = 0;
-  for (const CurvingPart& part : parts) faces = std::max(faces, part.region->face + 1);
-  std::vector<std::vector<std::size_t>> parts_of(faces);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (parts[i].mesh) parts_of[parts[i].region->face].push_back(i);
-  std::vector<std::vector<Item>> shares(parts.size());
-  for (const auto& [face, item] : items) {
-    const auto& candidates = parts_of[face];
-    std::size_t chosen = candidates.front();
-    if (candidates.size() > 1) {
-      Vec2 p[4];
-      int v[4];
-      int n = corners(item, v);
-      for (std::size_t i : candidates)
-        if (finder.find(i, v, n, p)) {
-          chosen = i;
-          break;
-        }
-    }
-    shares[chosen].push_back(item);
-  }
-  return shares;
-}
-
 std::vector<double> sizes(const std::vector<CurvingPart>& parts) {
   std::vector<double> cost;
   for (const CurvingPart& part : parts) cost.push_back(part.mesh ? static_cast<double>(part.mesh->elements.size()) : 0);
   return cost;
 }
 
-}  // namespace
-
-SurfaceMesh curve_elements(const SurfaceMesh& linear, const EdgeNodes& edges, const Model& model,
-                           const std::vector<CurvingPart>& parts, int threads, const Progress& progress) {
-  OrderTwoMesh raised = number_order_2(linear, edges, model);
-  SurfaceMesh& mesh = raised.mesh;
-  NodeFinder finder(parts);
-  std::vector<std::pair<int, InteriorSide>> sides;
-  for (const InteriorSide& s : raised.sides) sides.push_back({s.face, s});
-  auto side_shares = share_out(parts, finder, sides, [](const InteriorSide& s, int* v) {
-    v[0] = s.a, v[1] = s.b;
-    return 2;
-  });
-  std::vector<std::pair<int, int>> quads;
-  for (std::size_t q = 0; q < mesh.quad_count(); ++q) quads.push_back({mesh.quad_face[q], static_cast<int>(q)});
-  auto quad_shares = share_out(parts, finder, quads, [&](int q, int* v) {
-    std::copy_n(&mesh.quads[9 * static_cast<std::size_t>(q)], 4, v);
-    return 4;
-  });
-  run_tasks(threads, sizes(parts), [&](int i) {
-    progress.check();
-    const Region& region = *parts[i].region;
-    for (const InteriorSide& s : side_shares[i]) {
-      int v[2] = {s.a, s.b};
-      Vec2 p[4];
-      Vec3 chord = 0.5 * (mesh.nodes[s.a] + mesh.nodes[s.b]);
-      mesh.nodes[s.node] = finder.find(i, v, 2, p) ? nearest_point(region, 0.5 * (p[0] + p[1]), chord) : chord;
-    }
-  });
-  run_tasks(threads, sizes(parts), [&](int i) {
-    progress.check();
-    for (int q : quad_shares[i]) {
-      const int* v = &mesh.quads[9 * static_cast<std::size_t>(q)];
-      Vec2 p[4];
-      Vec3 blend = blended_centre(mesh, q);
-      bool is_found = finder.find(i, v, 4, p);
-      mesh.nodes[v[8]] = is_found ? nearest_point(*parts[i].region, 0.25 * (p[0] + p[1] + p[2] + p[3]), blend) : blend;
-    }
-  });
-  return std::move(raised.mesh);
+void place_sides(const CurvingPart& part, const std::vector<std::array<int, 2>>& sides, int first, SurfaceMesh& mesh) {
+  const std::vector<int>& node_of = *part.node_of;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    auto [v, w] = sides[k];
+    Vec3 chord = 0.5 * (mesh.nodes[node_of[v]] + mesh.nodes[node_of[w]]);
+    mesh.nodes[first + static_cast<int>(k)] =
+        nearest_point(*part.region, 0.5 * (part.mesh->p[v] + part.mesh->p[w]), chord);
+  }
 }
 
-double chord_error(const SurfaceMesh& mesh, const std::vector<CurvingPart>& parts, int threads) {
-  NodeFinder finder(parts);
-  std::vector<std::pair<int, int>> quads;
-  for (std::size_t q = 0; q < mesh.quad_count(); ++q) quads.push_back({mesh.quad_face[q], static_cast<int>(q)});
-  std::size_t stride = static_cast<std::size_t>(mesh.nodes_per_quad());
-  auto corners = [&](int q, int* v) {
-    std::copy_n(&mesh.quads[stride * static_cast<std::size_t>(q)], 4, v);
-    return 4;
-  };
-  auto shares = share_out(parts, finder, quads, corners);
-  std::vector<double> worst(parts.size(), 0);
-  // Lagrange weights of a quad9 at a quarter of either side, corners, sides, centre in Gmsh order.
-  constexpr double near = 0.375, mid = 0.75, far = -0.125;
-  constexpr double weight[9] = {near * near, far * near, far * far,  near * far, mid * near,
-                                far * mid,   mid * far,  near * mid, mid * mid};
+// Where a cut has a place of its own it counts, so that all parts and ranks find the same; else the part's.
+void place_cuts(const OrderTwoMesh& raised, const Cuts& cuts, const CurvingPart& part, std::size_t i, SurfaceMesh& mesh,
+                std::vector<char>& is_placed) {
+  for (std::size_t k = 0; k < raised.border_cut[i].size(); ++k) {
+    const int number = raised.border_cut[i][k];
+    if (number < 0 || is_placed[number]) continue;
+    is_placed[number] = 1;
+    const CutSide& cut = cuts.sides()[static_cast<std::size_t>(number)];
+    auto [v, w] = raised.sides[i].border[k];
+    Vec3 chord = 0.5 * (mesh.nodes[(*part.node_of)[v]] + mesh.nodes[(*part.node_of)[w]]);
+    Vec2 middle = 0.5 * (cut.region ? cut.pa + cut.pb : part.mesh->p[v] + part.mesh->p[w]);
+    mesh.nodes[raised.border_node[i][k]] = nearest_point(cut.region ? *cut.region : *part.region, middle, chord);
+  }
+}
+
+Vec2 mean_place(const RegionMesh& mesh, const Element& quad) {
+  return 0.25 * (mesh.p[quad.v[0]] + mesh.p[quad.v[1]] + mesh.p[quad.v[2]] + mesh.p[quad.v[3]]);
+}
+
+// A part's quads follow each other; the first of all parts.
+std::vector<std::size_t> first_quads(const std::vector<CurvingPart>& parts) {
+  std::vector<std::size_t> first;
+  std::size_t next = 0;
+  for (const CurvingPart& part : parts) {
+    first.push_back(next);
+    if (!part.mesh) continue;
+    for (const Element& e : part.mesh->elements) next += e.is_alive() && e.corners() == 4;
+  }
+  return first;
+}
+
+void place_centres(const CurvingPart& part, std::size_t quad, SurfaceMesh& mesh) {
+  for (const Element& e : part.mesh->elements) {
+    if (!e.is_alive() || e.corners() != 4) continue;
+    Vec3 blend = blended_centre(mesh, static_cast<int>(quad));
+    mesh.nodes[mesh.quads[9 * quad + 8]] = nearest_point(*part.region, mean_place(*part.mesh, e), blend);
+    ++quad;
+  }
+}
+
+// Lagrange weights of a quad9 at a quarter of either side, corners, sides, centre in Gmsh order.
+constexpr double near = 0.375, mid = 0.75, far = -0.125;
+constexpr std::array<double, 9> quarter{near * near, far* near, far* far,  near* far, mid* near,
+                                        far* mid,    mid* far,  near* mid, mid* mid};
+
+double part_chord_error(const CurvingPart& part, bool is_reversed, std::size_t quad, const SurfaceMesh& mesh) {
+  const auto stride = static_cast<std::size_t>(mesh.nodes_per_quad());
+  double worst = 0;
+  for (const Element& e : part.mesh->elements) {
+    if (!e.is_alive() || e.corners() != 4) continue;
+    const int* v = &mesh.quads[stride * quad++];
+    Vec3 x{0, 0, 0};
+    for (std::size_t k = 0; k < (mesh.order == 1 ? 4 : stride); ++k)
+      x += (mesh.order == 1 ? 0.25 : quarter[k]) * mesh.nodes[v[k]];
+    const std::vector<Vec2>& p = part.mesh->p;
+    const int second = is_reversed ? 3 : 1, fourth = 4 - second;
+    Vec2 start = mesh.order == 1 ? mean_place(*part.mesh, e)
+                                 : 0.0625 * (9 * p[e.v[0]] + 3 * p[e.v[second]] + p[e.v[2]] + 3 * p[e.v[fourth]]);
+    worst = std::max(worst, distance_to_surface(*part.region, start, x));
+  }
+  return worst;
+}
+
+}  // namespace
+
+CurvedMesh curve_elements(const JoinedMesh& linear, const EdgeNodes& edges, const Model& model, const Cuts& cuts,
+                          const std::vector<CurvingPart>& parts, int threads, const Progress& progress) {
+  OrderTwoMesh raised = number_order_2(linear, edges, model, cuts, parts, threads);
+  SurfaceMesh& mesh = raised.mesh;
+  std::vector<char> is_placed(cuts.sides().size(), 0);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i].mesh) place_cuts(raised, cuts, parts[i], i, mesh, is_placed);
   run_tasks(threads, sizes(parts), [&](int i) {
-    for (int q : shares[i]) {
-      const int* v = &mesh.quads[stride * static_cast<std::size_t>(q)];
-      Vec2 p[4];
-      if (!finder.find(i, v, 4, p)) continue;
-      Vec3 x{0, 0, 0};
-      for (std::size_t k = 0; k < (mesh.order == 1 ? 4 : stride); ++k)
-        x += (mesh.order == 1 ? 0.25 : weight[k]) * mesh.nodes[v[k]];
-      Vec2 start =
-          mesh.order == 1 ? 0.25 * (p[0] + p[1] + p[2] + p[3]) : 0.0625 * (9 * p[0] + 3 * p[1] + p[2] + 3 * p[3]);
-      worst[i] = std::max(worst[i], distance_to_surface(*parts[i].region, start, x));
-    }
+    progress.check();
+    if (parts[i].mesh) place_sides(parts[i], raised.sides[i].inside, raised.first_own[i], mesh);
+  });
+  const std::vector<std::size_t> first = first_quads(parts);
+  run_tasks(threads, sizes(parts), [&](int i) {
+    progress.check();
+    if (parts[i].mesh) place_centres(parts[i], first[i], mesh);
+  });
+  CurvedMesh result{std::move(mesh), std::move(raised.own_nodes), {}, raised.first_inside};
+  for (std::size_t c = 0; c < raised.cut_node.size(); ++c)
+    if (raised.cut_node[c] >= 0) result.cuts.push_back(static_cast<int>(c));
+  return result;
+}
+
+double chord_error(const SurfaceMesh& mesh, const Model& model, const std::vector<CurvingPart>& parts, int threads) {
+  const std::vector<std::size_t> first = first_quads(parts);
+  std::vector<double> worst(parts.size(), 0);
+  run_tasks(threads, sizes(parts), [&](int i) {
+    const bool is_reversed = parts[i].mesh && model.faces[static_cast<std::size_t>(parts[i].region->face)].is_reversed;
+    if (parts[i].mesh) worst[i] = part_chord_error(parts[i], is_reversed, first[i], mesh);
   });
   return worst.empty() ? 0 : *std::max_element(worst.begin(), worst.end());
 }

@@ -25,8 +25,8 @@ struct Element {
 
 class Repairer {
  public:
-  Repairer(SurfaceMesh& mesh, const IsValidFn& is_valid, bool moves_edges)
-      : mesh_(mesh), is_valid_(is_valid), moves_edges_(moves_edges) {}
+  Repairer(SurfaceMesh& mesh, const IsValidFn& is_valid, bool moves_edges, int first_inside)
+      : mesh_(mesh), is_valid_(is_valid), moves_edges_(moves_edges), first_inside_(first_inside) {}
 
   RepairResult run(std::vector<Element> invalid) {
     if (!invalid.empty()) list_neighbours();
@@ -93,7 +93,9 @@ class Repairer {
     return true;
   }
 
-  bool is_kept(int middle) const { return !moves_edges_ && mesh_.node_edge[static_cast<std::size_t>(middle)] >= 0; }
+  bool is_kept(int middle) const {
+    return !moves_edges_ && (middle < first_inside_ || mesh_.node_edge[static_cast<std::size_t>(middle)] >= 0);
+  }
 
   bool straighten(const Element& element, int depth) {
     return std::any_of(straightening.begin(), straightening.end(),
@@ -160,14 +162,23 @@ class Repairer {
   SurfaceMesh& mesh_;
   const IsValidFn& is_valid_;
   bool moves_edges_;
+  int first_inside_;
   std::vector<std::vector<Element>> elements_at_;
   std::vector<Moved> moved_;  // for the element being mended, in order
   RepairResult result_;
 };
 
+RepairResult run(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& quads,
+                 const std::vector<int>& triangles, bool moves_edges, int first_inside) {
+  std::vector<Element> invalid;
+  for (int quad : quads) invalid.push_back({true, quad});
+  for (int triangle : triangles) invalid.push_back({false, triangle});
+  return Repairer(mesh, is_valid, moves_edges, first_inside).run(std::move(invalid));
+}
+
 }  // namespace
 
-RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid) {
+RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid, int first_inside) {
   std::vector<int> quads, triangles;
   for (int q = 0; q < static_cast<int>(mesh.quad_count()); ++q) {
     if (!is_valid(mesh, true, q)) quads.push_back(q);
@@ -175,29 +186,12 @@ RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid) {
   for (int t = 0; t < static_cast<int>(mesh.triangle_count()); ++t) {
     if (!is_valid(mesh, false, t)) triangles.push_back(t);
   }
-  return repair_elements(mesh, is_valid, quads, triangles);
+  return run(mesh, is_valid, quads, triangles, false, first_inside);
 }
-
-namespace {
-
-RepairResult run(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& quads,
-                 const std::vector<int>& triangles, bool moves_edges) {
-  std::vector<Element> invalid;
-  for (int quad : quads) invalid.push_back({true, quad});
-  for (int triangle : triangles) invalid.push_back({false, triangle});
-  return Repairer(mesh, is_valid, moves_edges).run(std::move(invalid));
-}
-
-}  // namespace
 
 RepairResult straighten_at_edges(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& invalid_quads,
                                  const std::vector<int>& invalid_triangles) {
-  return run(mesh, is_valid, invalid_quads, invalid_triangles, true);
-}
-
-RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& invalid_quads,
-                             const std::vector<int>& invalid_triangles) {
-  return run(mesh, is_valid, invalid_quads, invalid_triangles, false);
+  return run(mesh, is_valid, invalid_quads, invalid_triangles, true, 0);
 }
 
 }  // namespace paver

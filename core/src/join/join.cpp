@@ -1,4 +1,4 @@
-// Joining is numbering: regions share nothing but the nodes of the boundary stage.
+// Joining is numbering: parts share nothing but nodes of the boundary stage and of the outlines between pieces.
 #include "join/join.h"
 
 #include <algorithm>
@@ -32,40 +32,105 @@ void add_lines(const EdgeNodes& edges, SurfaceMesh& mesh) {
   }
 }
 
-}  // namespace
+class Joiner {
+ public:
+  Joiner(const Model& model, const EdgeNodes& edges, const std::vector<JoinPart>& parts, int outlines)
+      : model_(model), edges_(edges), parts_(parts), outline_node_(static_cast<std::size_t>(outlines), -1) {}
 
-JoinedMesh join_regions(const Model& model, const EdgeNodes& edges, const std::vector<JoinPart>& parts) {
-  JoinedMesh joined;
-  SurfaceMesh& mesh = joined.mesh;
-  mesh.nodes = edges.nodes;
-  mesh.node_edge = edges.node_edge;
-  mesh.node_target = edges.node_target;
-  add_lines(edges, mesh);
-  for (const JoinPart& part : parts) {
-    std::vector<int>& node_of = joined.node_of.emplace_back();
-    if (!part.mesh) continue;
+  JoinedMesh run() {
+    SurfaceMesh& mesh = joined_.mesh;
+    mesh.nodes = edges_.nodes;
+    mesh.node_edge = edges_.node_edge;
+    mesh.node_target = edges_.node_target;
+    add_lines(edges_, mesh);
+    reserve();
+    add_outlines();
+    joined_.node_of.resize(parts_.size());
+    joined_.sizes.resize(parts_.size());
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      if (parts_[i].mesh) add_part(i);
+    return std::move(joined_);
+  }
+
+ private:
+  std::size_t boundary() const { return edges_.nodes.size(); }
+
+  void reserve() {
+    std::size_t nodes = boundary(), elements = 0;
+    for (const JoinPart& part : parts_)
+      if (part.mesh) nodes += part.mesh->p.size(), elements += part.mesh->elements.size();
+    SurfaceMesh& mesh = joined_.mesh;
+    mesh.nodes.reserve(nodes), mesh.node_edge.reserve(nodes), mesh.node_target.reserve(nodes);
+    mesh.quads.reserve(4 * elements), mesh.quad_face.reserve(elements);
+    joined_.quad_source.reserve(elements);
+  }
+
+  int add_node(const RegionMesh& region, int i) {
+    SurfaceMesh& mesh = joined_.mesh;
+    mesh.nodes.push_back(region.x[i]);
+    mesh.node_edge.push_back(-1);
+    mesh.node_target.push_back(region.h[i]);
+    return static_cast<int>(mesh.nodes.size()) - 1;
+  }
+
+  int outline_of(const JoinPart& part, int i) const {
+    return shared_node(part.mesh->global[i], part.outline, boundary()) - static_cast<int>(boundary());
+  }
+
+  // In the order of their numbers; all parts about one have it at the same place.
+  void add_outlines() {
+    std::vector<std::pair<int, int>> from(outline_node_.size(), {-1, -1});
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      if (!parts_[k].mesh) continue;
+      const RegionMesh& region = *parts_[k].mesh;
+      for (int i = 0; i < region.node_count(); ++i)
+        if (region.global[i] >= static_cast<int>(boundary()) && region.star[i].size() > 0)
+          from[outline_of(parts_[k], i)] = {static_cast<int>(k), i};
+    }
+    for (std::size_t o = 0; o < from.size(); ++o) {
+      if (from[o].first < 0) continue;
+      outline_node_[o] = add_node(*parts_[from[o].first].mesh, from[o].second);
+      joined_.outline.push_back(static_cast<int>(o));
+    }
+  }
+
+  void add_part(std::size_t i) {
+    const JoinPart& part = parts_[i];
     const RegionMesh& region = *part.mesh;
+    SurfaceMesh& mesh = joined_.mesh;
+    std::vector<int>& node_of = joined_.node_of[i];
+    const long nodes = static_cast<long>(mesh.nodes.size()), quads = static_cast<long>(mesh.quad_count()),
+               triangles = static_cast<long>(mesh.triangle_count());
     node_of.assign(region.node_count(), -1);
-    for (int i = 0; i < region.node_count(); ++i) {
-      if (region.star[i].size() == 0) continue;
-      if (region.global[i] >= 0) {
-        node_of[i] = region.global[i];
-        continue;
-      }
-      node_of[i] = static_cast<int>(mesh.nodes.size());
-      mesh.nodes.push_back(region.x[i]);
-      mesh.node_edge.push_back(-1);
-      mesh.node_target.push_back(region.h[i]);
+    for (int v = 0; v < region.node_count(); ++v) {
+      if (region.star[v].size() == 0) continue;
+      const int global = region.global[v];
+      if (global < 0)
+        node_of[v] = add_node(region, v);
+      else
+        node_of[v] = global < static_cast<int>(boundary()) ? global : outline_node_[outline_of(part, v)];
     }
     for (std::size_t e = 0; e < region.elements.size(); ++e) {
       const Element& element = region.elements[e];
       if (!element.is_alive()) continue;
-      add_element(mesh, element, node_of, model.faces[part.face], part.face);
-      if (element.corners() == 4)
-        joined.quad_source.push_back({static_cast<int>(&part - parts.data()), static_cast<int>(e)});
+      add_element(mesh, element, node_of, model_.faces[part.face], part.face);
+      if (element.corners() == 4) joined_.quad_source.push_back({static_cast<int>(i), static_cast<int>(e)});
     }
+    joined_.sizes[i] = {static_cast<long>(mesh.nodes.size()) - nodes, static_cast<long>(mesh.quad_count()) - quads,
+                        static_cast<long>(mesh.triangle_count()) - triangles};
   }
-  return joined;
+
+  const Model& model_;
+  const EdgeNodes& edges_;
+  const std::vector<JoinPart>& parts_;
+  std::vector<int> outline_node_;  // per outline node: its node in the mesh
+  JoinedMesh joined_;
+};
+
+}  // namespace
+
+JoinedMesh join_regions(const Model& model, const EdgeNodes& edges, const std::vector<JoinPart>& parts, int outlines) {
+  return Joiner(model, edges, parts, outlines).run();
 }
 
 }  // namespace paver

@@ -1,4 +1,4 @@
-// The regions' meshes become one conforming mesh of order 1.
+// The parts' meshes become one conforming mesh of order 1.
 #pragma once
 
 #include <array>
@@ -10,10 +10,18 @@
 
 namespace paver {
 
-/// One paved region. A failed one has no mesh.
+/// One part of the mesh: a region, or one of the pieces that levels cut it into.
+/// Its nodes with `global` >= 0 are shared with others: below the number of nodes of the boundary stage that node, from
+/// there on a node on the outlines of its region's pieces.
 struct JoinPart {
   int face = -1;
-  const RegionMesh* mesh = nullptr;
+  const RegionMesh* mesh = nullptr;  ///< null: failed, or on another rank
+  int outline = 0;                   ///< number of its region's first outline node among those of all regions
+};
+
+/// What a part adds to the mesh.
+struct PartSizes {
+  long nodes = 0, quads = 0, triangles = 0;
 };
 
 struct JoinedMesh {
@@ -22,11 +30,19 @@ struct JoinedMesh {
   std::vector<std::vector<int>> node_of;
   /// Per quad: its part, and its element there.
   std::vector<std::array<int, 2>> quad_source;
+  std::vector<PartSizes> sizes;  ///< per part
+  std::vector<int> outline;      ///< the outline nodes in `mesh`, rising: they follow those of the boundary stage
 };
 
-/// Nodes: those of the boundary stage first, then each part's own in order. Elements of reversed faces are turned, so
-/// all run counter-clockwise against the outward normal.
+/// Nodes: those of the boundary stage first, the outline nodes (`outlines` of all regions) that are used, then each
+/// part's own in order. Elements of reversed faces are turned, so all run counter-clockwise against the outward normal.
 /// Throws Error{face_failed} naming the face when an element would use a node twice.
-JoinedMesh join_regions(const Model& model, const EdgeNodes& edges, const std::vector<JoinPart>& parts);
+JoinedMesh join_regions(const Model& model, const EdgeNodes& edges, const std::vector<JoinPart>& parts,
+                        int outlines = 0);
+
+/// A node's number among all shared ones: boundary stage, then outlines. `global` >= 0.
+inline int shared_node(int global, int outline, std::size_t boundary_nodes) {
+  return global < static_cast<int>(boundary_nodes) ? global : global + outline;
+}
 
 }  // namespace paver

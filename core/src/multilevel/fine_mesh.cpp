@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "base/predicates.h"
 
@@ -18,56 +17,42 @@ constexpr int corrections = 2;
 
 }  // namespace
 
-FineMesh::FineMesh(const CoarseRegion& coarse_region, const RegionMesh& coarse_mesh, const CoarseNet& coarse_net,
-                   const std::vector<int>& edge_counts, Front& fine_front)
-    : coarse(coarse_region),
-      mesh(coarse_mesh),
-      net(coarse_net),
-      counts(edge_counts),
+FineMesh::FineMesh(const Region& whole, const LevelPlan& level_plan, Front& fine_front)
+    : plan(level_plan),
+      mesh(level_plan.mesh),
+      net(level_plan.net),
       front(fine_front),
+      whole_(whole),
+      counts_(level_plan.counts),
       fine_(fine_front.mesh),
-      first_(coarse_net.edges.size(), -1) {
-  add_boundary();
+      node_(mesh.p.size(), -1),
+      first_(net.edges.size(), -1) {
+  front.start_whole();
 }
 
 // Loops that touch in a vertex share one node; the two sides of a cut do not.
-void FineMesh::add_boundary() {
-  std::map<int, Row> made;
-  for (const auto& loop : front.region.loops) {
-    Row& nodes = loop_nodes_.emplace_back();
-    for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
-      int node = -1;
-      for (int other : made[loop[i].global])
-        if (norm(fine_.p[other] - loop[i].p) <= 1e-9 * norm(loop[(i + 1) % n].p - loop[i].p)) node = other;
-      if (node < 0) {
-        node = front.add_boundary_node(loop, i);
-        made[loop[i].global].push_back(node);
-      }
-      nodes.push_back(node);
-    }
-  }
-  front.start_whole();
-  node_.assign(mesh.p.size(), -1);
-  is_pole_ = mesh.is_fixed;
-  for (std::size_t l = 0; l < net.loop_node.size(); ++l)
-    for (std::size_t i = 0; i < net.loop_node[l].size(); ++i)
-      node_[net.loop_node[l][i]] = node_on_loop(l, coarse.at[l][i]), is_pole_[net.loop_node[l][i]] = 0;
-}
-
-int FineMesh::node_on_loop(std::size_t loop, int i) const {
-  const Row& nodes = loop_nodes_[loop];
-  return nodes[static_cast<std::size_t>(i) % nodes.size()];
+int FineMesh::node_on_loop(std::size_t l, int at) {
+  const std::vector<LoopNode>& loop = whole_.loops[l];
+  const std::size_t n = loop.size(), i = static_cast<std::size_t>(at) % n;
+  Row& made = made_[loop[i].global];
+  for (int node : made)
+    if (norm(fine_.p[node] - loop[i].p) <= 1e-9 * norm(loop[(i + 1) % n].p - loop[i].p)) return node;
+  made.push_back(front.add_boundary_node(loop, i));
+  return made.back();
 }
 
 const LoopNode& FineMesh::loop_node(const CoarseEdge& edge, int i) const {
-  const std::vector<LoopNode>& loop = front.region.loops[static_cast<std::size_t>(edge.loop)];
-  int at = coarse.at[static_cast<std::size_t>(edge.loop)][static_cast<std::size_t>(edge.facet)] + i;
+  const std::vector<LoopNode>& loop = whole_.loops[static_cast<std::size_t>(edge.loop)];
+  int at = plan.at[static_cast<std::size_t>(edge.loop)][static_cast<std::size_t>(edge.facet)] + i;
   return loop[static_cast<std::size_t>(at) % loop.size()];
 }
 
 int FineMesh::corner_node(int v) {
   if (node_[v] >= 0) return node_[v];
+  if (auto [loop, i] = plan.place_on_loop[v]; loop >= 0)
+    return node_[v] = node_on_loop(static_cast<std::size_t>(loop), plan.at[loop][i]);
   node_[v] = front.add_placed_node(mesh.place(v));
+  if (plan.outline_of_node[v] >= 0) share(node_[v], plan.outline_of_node[v]);
   if (mesh.is_fixed[v]) {
     fine_.is_fixed[node_[v]] = 1;
     fine_.global[node_[v]] = mesh.global[v];
@@ -75,9 +60,14 @@ int FineMesh::corner_node(int v) {
   return node_[v];
 }
 
+void FineMesh::share(int node, int outline) {
+  fine_.is_fixed[node] = 1;
+  fine_.global[node] = plan.boundary_nodes + outline;
+}
+
 int FineMesh::pole_of(int e) const {
   for (int v : mesh.elements[e].v)
-    if (v >= 0 && is_pole_[v]) return v;
+    if (v >= 0 && is_pole(v)) return v;
   return -1;
 }
 
@@ -105,11 +95,12 @@ Row FineMesh::row_of(int e, int from) {
   Row row;
   if (edge.loop >= 0) {
     const std::size_t l = static_cast<std::size_t>(edge.loop), f = static_cast<std::size_t>(edge.facet);
-    for (int i = coarse.at[l][f]; i <= coarse.at[l][f + 1]; ++i) row.push_back(node_on_loop(l, i));
+    for (int i = plan.at[l][f]; i <= plan.at[l][f + 1]; ++i) row.push_back(node_on_loop(l, i));
   } else {
+    for (int v : {edge.a, edge.b}) corner_node(v);
     if (first_[e] < 0) add_edge_nodes(e);
     row.push_back(node_[edge.a]);
-    for (int i = 0; i + 1 < counts[e]; ++i) row.push_back(first_[e] + i);
+    for (int i = 0; i + 1 < counts_[e]; ++i) row.push_back(first_[e] + i);
     row.push_back(node_[edge.b]);
   }
   if (from != edge.a) std::reverse(row.begin(), row.end());
@@ -120,8 +111,8 @@ void FineMesh::add_edge_nodes(int e) {
   const CoarseEdge& edge = net.edges[e];
   first_[e] = fine_.node_count();
   // From a pole nothing can be placed.
-  bool is_turned = is_pole_[edge.a];
-  const int a = is_turned ? edge.b : edge.a, b = is_turned ? edge.a : edge.b, n = counts[e];
+  bool is_turned = is_pole(edge.a);
+  const int a = is_turned ? edge.b : edge.a, b = is_turned ? edge.a : edge.b, n = counts_[e];
   const Vec3 xa = mesh.x[a], xb = mesh.x[b], ta = tangent(e, a), tb = -1 * tangent(e, b);
   Row row{node_[a]};
   for (int i = 1; i < n; ++i) {
@@ -131,6 +122,8 @@ void FineMesh::add_edge_nodes(int e) {
     row.push_back(place(y, guess));
   }
   if (is_turned && n > 2) reverse_nodes(first_[e], n - 1);
+  if (plan.outline_of_edge[e] >= 0)
+    for (int i = 0; i + 1 < n; ++i) share(first_[e] + i, plan.outline_of_edge[e] + i);
 }
 
 void FineMesh::reverse_nodes(int first, int count) {
@@ -150,7 +143,7 @@ Vec3 FineMesh::tangent(int e, int v) const {
   if (across < 0) return chord;
   const CoarseEdge& other = net.edges[across];
   const int z = other.a == v ? other.b : other.a;
-  return (static_cast<double>(counts[e]) / (counts[e] + counts[across])) * (mesh.x[w] - mesh.x[z]);
+  return (static_cast<double>(counts_[e]) / (counts_[e] + counts_[across])) * (mesh.x[w] - mesh.x[z]);
 }
 
 // The edge that goes on at a regular node where `e` ends, or -1.

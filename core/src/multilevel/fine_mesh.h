@@ -1,9 +1,10 @@
 // The fine nodes along the edges of a coarse mesh, and grids of fine elements inside its elements.
 #pragma once
 
+#include <unordered_map>
 #include <vector>
 
-#include "multilevel/coarse_net.h"
+#include "multilevel/level_plan.h"
 #include "paving/front.h"
 
 namespace paver {
@@ -11,11 +12,11 @@ namespace paver {
 /// Fine nodes in a row: along a coarse edge, or a line between two of them.
 using Row = std::vector<int>;
 
-/// `front` is on the fine region, its mesh empty at first. References are kept.
+/// What is asked for of the fine mesh of `whole`, the region that `plan` is for; the same wherever it is asked for.
+/// `front` is on that region or a copy without its loops, its mesh empty at first. References are kept.
 class FineMesh {
  public:
-  FineMesh(const CoarseRegion& coarse, const RegionMesh& mesh, const CoarseNet& net, const std::vector<int>& counts,
-           Front& front);
+  FineMesh(const Region& whole, const LevelPlan& plan, Front& front);
 
   /// The fine node at a coarse one.
   int corner_node(int v);
@@ -29,15 +30,14 @@ class FineMesh {
   /// The node of a fine loop.
   const LoopNode& loop_node(const CoarseEdge& edge, int i) const;
 
-  const CoarseRegion& coarse;
-  const RegionMesh& mesh;
+  const LevelPlan& plan;
+  const RegionMesh& mesh;  ///< the coarse one
   const CoarseNet& net;
-  const std::vector<int>& counts;
   Front& front;
 
  private:
-  void add_boundary();
-  int node_on_loop(std::size_t loop, int i) const;
+  int node_on_loop(std::size_t loop, int i);
+  void share(int node, int outline);
   void add_edge_nodes(int e);
   void reverse_nodes(int first, int count);
   Vec3 tangent(int e, int v) const;
@@ -49,11 +49,14 @@ class FineMesh {
   bool lay_triangle(const std::vector<Row>& rows);
   Row straight_row(int a, int b, int n);
 
+  bool is_pole(int v) const { return mesh.is_fixed[v] && plan.place_on_loop[v][0] < 0; }
+
+  const Region& whole_;
+  const std::vector<int>& counts_;
   RegionMesh& fine_;
-  std::vector<Row> loop_nodes_;
-  Row node_;                   // per coarse node: fine node
-  std::vector<char> is_pole_;  // per coarse node: fixed inside
-  Row first_;                  // per coarse edge inside: its first fine node between the ends
+  std::unordered_map<int, Row> made_;  // by node of the boundary stage: its fine nodes so far
+  Row node_;                           // per coarse node: fine node
+  Row first_;                          // per coarse edge inside: its first fine node between the ends
   Row grid_;
 };
 

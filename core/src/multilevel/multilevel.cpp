@@ -1,6 +1,7 @@
-// In: region. Out: its mesh.
+// In: region. Out: its plan, and the mesh of each of its pieces.
 // Steps: coarser region, its mesh, lengths made even; counts along its chords; coarse nodes on the boundary go to the
-// fine nodes that the counts give them, the others to where lengths suit the counts; division; smoothing.
+// fine nodes that the counts give them, the others to where lengths suit the counts; pieces. Then for each piece:
+// division, patches, smoothing.
 #include "multilevel/multilevel.h"
 
 #include <algorithm>
@@ -10,11 +11,12 @@
 #include "multilevel/coarse_net.h"
 #include "multilevel/edge_counts.h"
 #include "multilevel/even_out.h"
+#include "multilevel/fine_mesh.h"
+#include "multilevel/patches.h"
 #include "multilevel/subdivide.h"
 #include "paving/cleanup_optimise.h"
 #include "paving/cleanup_smooth.h"
 #include "paving/faults.h"
-#include "regions/disc_grid.h"
 
 namespace paver {
 namespace {
@@ -24,6 +26,8 @@ constexpr double fewest_coarse = 2000;  // elements that the coarse mesh should 
 constexpr double evenness = 2.1;        // of coarse meshes: their irregular nodes are few among the fine ones
 constexpr int even_sweeps = 8, count_sweeps = 20, fine_sweeps = 2;
 constexpr double worst_goal = 0.74;
+constexpr double piece_elements = 4096;  // fine ones: enough pieces for many ranks, few nodes between them
+constexpr int whole = -1;                // for boundary_nodes: one piece
 
 /// Ratio of the target lengths for which the coarse mesh is not too small; 0: none. Unless asked for, small ratios are
 /// not taken: they come with small coarse meshes, whose lengths vary.
@@ -34,12 +38,13 @@ int ratio_for(const Region& region, int multilevel) {
   return ratio >= least_ratio ? ratio : 0;
 }
 
-class Level {
+/// From a coarse mesh to a plan.
+class Planner {
  public:
-  Level(const Region& region, CoarseRegion coarse, const Progress& progress, Elements elements)
-      : region_(region), coarse_(std::move(coarse)), progress_(progress), elements_(elements) {}
+  Planner(const Region& region, CoarseRegion coarse, const Progress& progress)
+      : region_(region), coarse_(std::move(coarse)), progress_(progress) {}
 
-  std::optional<PavedRegion> divide(PavedRegion paved) {
+  std::optional<LevelPlan> run(PavedRegion paved) {
     RegionMesh& mesh = paved.mesh;
     even_out(coarse_.region, mesh, {}, even_sweeps, progress_);
     std::optional<CoarseNet> net = build_net(coarse_, mesh);
@@ -48,14 +53,15 @@ class Level {
     if (!counts) return std::nullopt;
     move_boundary(mesh, *net, *counts);
     even_out(coarse_.region, mesh, wishes(mesh, *net, *counts), count_sweeps, progress_);
-    PavedRegion result;
-    result.counts = paved.counts;
-    Front front(region_, result.mesh);
-    auto rests = subdivide(coarse_, mesh, *net, *counts, lengths(mesh, *net), front, progress_, elements_);
-    if (!rests) return std::nullopt;
-    smooth(front, *rests);
-    if (count_faults(result.mesh).sum() > 0) return std::nullopt;
-    return result;
+    LevelPlan plan;
+    plan.is_paved = choose_paved(mesh, *net, *counts, lengths(mesh, *net));
+    if (plan.is_paved.empty()) return std::nullopt;
+    plan.mesh = std::move(mesh);
+    plan.net = std::move(*net);
+    plan.at = std::move(coarse_.at);
+    plan.counts = std::move(*counts);
+    plan.paving = paved.counts;
+    return plan;
   }
 
  private:
@@ -103,58 +109,89 @@ class Level {
     mesh.global[node] = at.global;
   }
 
-  void smooth(Front& front, const std::vector<int>& rests) const {
-    for (int v : rests) front.mesh.is_fixed[v] = 1;
-    Sweeper sweeper(front);
-    for (int i = 0; i < fine_sweeps; ++i) {
-      progress_.check();
-      if (!sweeper.sweep()) break;
-    }
-    for (int v : rests) front.mesh.is_fixed[v] = 0;
-    front.end_slides();
-    raise_worst(front, worst_goal, 2);
-  }
-
   const Region& region_;
   CoarseRegion coarse_;
   const Progress& progress_;
-  const Elements elements_;
 };
 
-std::optional<PavedRegion> pave_level(const Region& region, int multilevel, int ratio, const Progress& progress,
-                                      Elements elements) {
+/// The mesh of a coarse region, itself on levels where it is large. A coarse mesh is paved in one way only: where it is
+/// poor the fine one will be paved.
+PavedRegion pave_coarse(const Region& region, int multilevel, const Progress& progress, Elements elements) {
+  try {
+    if (auto plan = plan_levels(region, multilevel, whole, progress, elements))
+      return lay_piece(region, region, *plan, 0, progress, elements);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::face_failed) throw;
+  }
+  return pave_region_again(region, 0, progress, elements);
+}
+
+std::optional<LevelPlan> plan_level(const Region& region, int multilevel, int ratio, const Progress& progress,
+                                    Elements elements) {
   std::optional<CoarseRegion> coarse = coarsen(region, ratio);
   if (!coarse) return std::nullopt;
   coarse->region.evenness = evenness;
   try {
-    PavedRegion paved = pave_by_levels(coarse->region, multilevel, progress, elements);
-    return Level(region, std::move(*coarse), progress, elements).divide(std::move(paved));
+    PavedRegion paved = pave_coarse(coarse->region, multilevel, progress, elements);
+    return Planner(region, std::move(*coarse), progress).run(std::move(paved));
   } catch (const Error& error) {
     if (error.code() != ErrorCode::face_failed) throw;
     return std::nullopt;
   }
 }
 
-/// A coarse mesh is paved in one way only: where it is poor the fine one will be paved.
-PavedRegion pave_directly(const Region& region, const Progress& progress, Elements elements) {
-  return region.evenness > 1 ? pave_region_again(region, 0, progress, elements)
-                             : pave_region(region, progress, elements);
+void smooth(Front& front, const std::vector<int>& rests, const Progress& progress) {
+  for (int v : rests) front.mesh.is_fixed[v] = 1;
+  Sweeper sweeper(front);
+  for (int i = 0; i < fine_sweeps; ++i) {
+    progress.check();
+    if (!sweeper.sweep()) break;
+  }
+  for (int v : rests) front.mesh.is_fixed[v] = 0;
+  front.end_slides();
+  raise_worst(front, worst_goal, 2);
 }
 
 }  // namespace
 
-PavedRegion pave_by_levels(const Region& region, int multilevel, const Progress& progress, Elements elements) {
+std::optional<LevelPlan> plan_levels(const Region& region, int multilevel, int boundary_nodes, const Progress& progress,
+                                     Elements elements) {
   const int first = region.laid || multilevel == 0 ? 0 : ratio_for(region, multilevel);
-  if (first == 0) return pave_directly(region, progress, elements);
+  if (first == 0) return std::nullopt;
   const Elements quads = elements == Elements::all_triangle ? Elements::quad_dominant : elements;
-  std::optional<PavedRegion> paved;
-  if (auto disc = lay_disc(region, progress)) paved = PavedRegion{std::move(*disc), {}};
-  for (int ratio = first; !paved && ratio >= least_ratio; ratio = ratio > least_ratio ? least_ratio : 0)
-    paved = pave_level(region, multilevel, ratio, progress, quads);
-  if (!paved) return pave_directly(region, progress, elements);
-  mend_flat_elements(paved->mesh, elements != Elements::all_quad);
-  if (elements == Elements::all_triangle) split_all_quads(paved->mesh);
-  return std::move(*paved);
+  for (int ratio = first; ratio >= least_ratio; ratio = ratio > least_ratio ? least_ratio : 0) {
+    std::optional<LevelPlan> plan = plan_level(region, multilevel, ratio, progress, quads);
+    if (!plan) continue;
+    plan->boundary_nodes = boundary_nodes;
+    cut_in_pieces(*plan, boundary_nodes == whole ? 0 : piece_elements);
+    number_outlines(*plan);
+    return plan;
+  }
+  return std::nullopt;
+}
+
+PavedRegion lay_piece(const Region& region, const Region& part, const LevelPlan& plan, std::size_t i,
+                      const Progress& progress, Elements elements) {
+  const Elements quads = elements == Elements::all_triangle ? Elements::quad_dominant : elements;
+  PavedRegion result;
+  if (i == 0) result.counts = plan.paving;
+  Front front(part, result.mesh);
+  FineMesh fine(region, plan, front);
+  std::vector<char> is_marked(plan.mesh.elements.size(), 0);
+  bool has_grids = false;
+  for (int e : plan.pieces[i]) {
+    if (e % 64 == 0) progress.check();
+    is_marked[e] = plan.is_paved[e] || !fine.lay(e);
+    has_grids |= !is_marked[e];
+  }
+  const std::vector<int> rests = pave_patches(fine, is_marked, progress, quads);
+  if (has_grids) smooth(front, rests, progress);
+  if (count_faults(result.mesh).sum() > 0)
+    throw Error(ErrorCode::face_failed, "a piece of the coarse mesh cannot be divided",
+                {"paving", region.face, -1, {}});
+  mend_flat_elements(result.mesh, elements != Elements::all_quad);
+  if (elements == Elements::all_triangle) split_all_quads(result.mesh);
+  return result;
 }
 
 }  // namespace paver

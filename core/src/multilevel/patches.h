@@ -9,11 +9,11 @@
 
 namespace paver {
 
-/// Paves, at the fine target length, the marked coarse elements (1 in `is_marked`): those that share a node together,
-/// between the fine nodes on their outline. Elements that would leave an outline touching itself are marked, too.
-/// Gives the new nodes about poles: best left where they are.
-/// To be called before any element is divided to learn which ones are.
+/// Marks elements (1 in `is_marked`) that would leave an outline of the marked ones touching itself.
 void settle_marks(const RegionMesh& mesh, const CoarseNet& net, std::vector<char>& is_marked);
+
+/// Paves the marked coarse elements at the fine target length: those that share a node together, between the fine nodes
+/// on their outline. Gives the new nodes about poles: best left where they are.
 std::vector<int> pave_patches(FineMesh& fine, const std::vector<char>& is_marked, const Progress& progress,
                               Elements elements);
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "multilevel/fine_mesh.h"
 #include "multilevel/patches.h"
 
 namespace paver {
@@ -55,20 +54,13 @@ bool is_too_much(const std::vector<char>& is_marked, const RegionMesh& mesh) {
 
 }  // namespace
 
-std::optional<std::vector<int>> subdivide(const CoarseRegion& coarse, const RegionMesh& mesh, const CoarseNet& net,
-                                          const std::vector<int>& counts, const std::vector<double>& lengths,
-                                          Front& fine, const Progress& progress, Elements elements) {
-  FineMesh divided(coarse, mesh, net, counts, fine);
+std::vector<char> choose_paved(const RegionMesh& mesh, const CoarseNet& net, const std::vector<int>& counts,
+                               const std::vector<double>& lengths) {
   std::vector<char> is_marked = marks(mesh, net, counts, lengths);
   for (int ring = 0; ring < rings; ++ring) grow(mesh, is_marked);
   settle_marks(mesh, net, is_marked);
-  if (is_too_much(is_marked, mesh)) return std::nullopt;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    if (!mesh.elements[e].is_alive() || is_marked[e]) continue;
-    if (e % 64 == 0) progress.check();
-    if (!divided.lay(static_cast<int>(e))) is_marked[e] = 1;
-  }
-  return pave_patches(divided, is_marked, progress, elements);
+  if (is_too_much(is_marked, mesh)) is_marked.clear();
+  return is_marked;
 }
 
 }  // namespace paver

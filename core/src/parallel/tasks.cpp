@@ -14,24 +14,36 @@ namespace paver {
 int thread_count(int threads) { return threads > 0 ? threads : tbb::this_task_arena::max_concurrency(); }
 
 void run_tasks(int threads, const std::vector<double>& cost, const std::function<void(int)>& task) {
+  std::atomic<long> next{0};
+  run_tasks(
+      threads, cost, [&] { return next.fetch_add(1); }, task);
+}
+
+std::vector<int> run_tasks(int threads, const std::vector<double>& cost, const std::function<long()>& take,
+                           const std::function<void(int)>& task) {
   std::vector<int> order(cost.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return cost[a] > cost[b]; });
-  int workers = thread_count(threads);
-  std::atomic<std::size_t> next{0};
+  const int workers = thread_count(threads);
+  std::vector<std::vector<int>> done(static_cast<std::size_t>(workers));
   tbb::task_arena arena(workers);
   arena.execute([&] {
     tbb::task_group_context context;  // knows when another thread's task has thrown
     tbb::parallel_for(
         0, workers,
-        [&](int) {
-          for (std::size_t i; (i = next.fetch_add(1)) < order.size();) {
+        [&](int worker) {
+          for (std::size_t i; (i = static_cast<std::size_t>(take())) < order.size();) {
             if (context.is_group_execution_cancelled()) return;
+            done[static_cast<std::size_t>(worker)].push_back(order[i]);
             task(order[i]);
           }
         },
         tbb::simple_partitioner{}, context);
   });
+  std::vector<int> all;
+  for (const std::vector<int>& some : done) all.insert(all.end(), some.begin(), some.end());
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 }  // namespace paver

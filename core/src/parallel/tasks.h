@@ -11,6 +11,11 @@ namespace paver {
 /// order.
 void run_tasks(int threads, const std::vector<double>& cost, const std::function<void(int)>& task);
 
+/// The same for a queue shared with others: each thread takes the next number from `take` until it is beyond the last
+/// task. Gives those done here, rising.
+std::vector<int> run_tasks(int threads, const std::vector<double>& cost, const std::function<long()>& take,
+                           const std::function<void(int)>& task);
+
 /// Number of threads that `threads` stands for.
 int thread_count(int threads);
 

@@ -52,6 +52,7 @@ int Front::add_boundary_node(const std::vector<LoopNode>& loop, std::size_t i) {
   int node = add_loop_node(loop[i], 0.5 * (loop[(i + 1) % n].p + loop[(i + n - 1) % n].p), true);
   true_angle_.resize(node, -1);
   true_angle_.push_back(loop[i].angle);
+  out_facet_.resize(node + 1, -1), sectors_.resize(node + 1, 0), colour_.resize(node + 1);
   return node;
 }
 

@@ -73,4 +73,20 @@ struct Region {
   }
 };
 
+/// The region without its loops, with an evaluator of its own: for a task that makes a piece of it.
+inline Region without_loops(const Region& region) {
+  Region part;
+  part.face = region.face;
+  part.surface = region.surface->clone();
+  part.chart = region.chart;
+  part.goes_round = region.goes_round;
+  part.size = region.size;
+  part.h = region.h;
+  part.gradation = region.gradation;
+  part.evenness = region.evenness;
+  part.area = region.area;
+  part.fans = region.fans;
+  return part;
+}
+
 }  // namespace paver

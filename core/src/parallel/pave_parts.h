@@ -1,0 +1,80 @@
+// Which rank paves what: regions and their pieces from queues that all ranks share.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "multilevel/multilevel.h"
+#include "paver/options.h"
+#include "paver/ranks.h"
+#include "paving/pave_region.h"
+#include "regions/region.h"
+
+namespace paver {
+
+/// A region or one of its pieces. Every rank knows all parts, and has the meshes of its own.
+struct Part {
+  int region = -1;
+  int piece = -1;  ///< -1: the whole region
+  double cost = 0;
+  std::shared_ptr<const Region> place;       ///< of a piece here: its copy of the region
+  std::shared_ptr<const PavedRegion> paved;  ///< null: failed, or on another rank
+};
+
+/// Why a region has no mesh.
+struct RegionFailure {
+  int region = -1;
+  std::string stage, reason;
+  std::optional<Vec3> where;
+};
+
+/// References are kept. Every member is collective.
+class PartPaver {
+ public:
+  /// `boundary_nodes`: number of nodes of the boundary stage.
+  PartPaver(const std::vector<Region>& regions, std::vector<double> costs, int boundary_nodes, const Options& options,
+            Progress& progress, Ranks& ranks);
+
+  /// Paves all regions, large ones in pieces. Failures are the same on all ranks, by region.
+  std::vector<RegionFailure> pave();
+  /// Paves the regions marked 1 another way (pave_region_again), whole.
+  std::vector<RegionFailure> pave_again(const std::vector<char>& is_wanted, int attempt);
+
+  /// In the order of the regions and their pieces.
+  const std::vector<Part>& parts() const { return parts_; }
+  /// Other meshes for the same parts, or parts as they were.
+  void put(std::vector<Part> parts);
+  /// Outline nodes of a region's pieces start at this number.
+  int outline_of(int region) const { return first_outline_[region]; }
+  int outline_nodes() const { return first_outline_.back(); }
+  /// Sides on the outlines, as shared nodes of the whole model (see shared_node).
+  std::vector<std::array<int, 2>> outline_sides(int region) const;
+  const Region& place_of(const Part& part) const { return part.place ? *part.place : regions_[part.region]; }
+
+ private:
+  void plan();
+  void exchange_plans(const std::vector<int>& done);
+  std::vector<char> run_parts(const std::vector<int>& which, std::vector<RegionFailure>& failures,
+                              const std::function<PavedRegion(const Part&)>& pave);
+  void replace(const std::vector<char>& is_whole);
+  void number_outlines();
+  PavedRegion pave_part(const Part& part);
+
+  const std::vector<Region>& regions_;
+  const std::vector<double> costs_;
+  const int boundary_nodes_;
+  const Options& options_;
+  Progress& progress_;
+  Ranks& ranks_;
+  std::vector<Part> parts_;
+  int queue_ = 0;
+  std::vector<std::optional<LevelPlan>> plans_;  // per region
+  std::vector<char> is_in_pieces_;               // per region
+  std::vector<int> first_outline_;               // per region, and the number of all
+};
+
+}  // namespace paver
