@@ -186,6 +186,7 @@ PavedRegion lay_piece(const Region& region, const Region& part, const LevelPlan&
   }
   const std::vector<int> rests = pave_patches(fine, is_marked, progress, quads);
   if (has_grids) smooth(front, rests, progress);
+  front.end_slides();
   if (count_faults(result.mesh).sum() > 0)
     throw Error(ErrorCode::face_failed, "a piece of the coarse mesh cannot be divided",
                 {"paving", region.face, -1, {}});

@@ -35,9 +35,10 @@ struct Meshed {
     joined = join_regions(model, edges, join);
     for (std::size_t i = 0; i < regions.size(); ++i) parts.push_back({&regions[i], &paved[i], &joined.node_of[i]});
   }
-  SurfaceMesh curved(int threads = 1) const {
-    return curve_elements(joined.mesh, edges, model, parts, threads, Progress());
+  SurfaceMesh curved(int threads = 1, const Progress& progress = Progress()) const {
+    return curve_elements(joined, edges, model, Cuts(regions, {}), parts, threads, progress).mesh;
   }
+  double chord_error_of(const SurfaceMesh& mesh) const { return chord_error(mesh, model, parts, 1); }
 
   Model model;
   EdgeNodes edges;
@@ -90,7 +91,7 @@ TEST(CurveElements, FlatFacesKeepTheMiddlesOfTheirChords) {
     for (std::size_t k = 0; k < 4; ++k) EXPECT_LE(norm(x(4 + k) - 0.5 * (x(k) + x((k + 1) % 4))), 1e-12);
     EXPECT_LE(norm(x(8) - 0.25 * (x(0) + x(1) + x(2) + x(3))), 1e-12);
   }
-  EXPECT_LE(chord_error(mesh, flat.parts, 1), 1e-12);
+  EXPECT_LE(flat.chord_error_of(mesh), 1e-12);
 }
 
 TEST(CurveElements, AnyNumberOfThreadsGivesTheSameNodes) {
@@ -105,14 +106,14 @@ TEST(CurveElements, StopsWhenCancelled) {
   Meshed ball(fake::ball(3), 0.8, 0.6);
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(curve_elements(ball.joined.mesh, ball.edges, ball.model, ball.parts, 1, progress), Error);
+  EXPECT_THROW(ball.curved(1, progress), Error);
 }
 
 TEST(ChordError, FallsWithTheOrderOfTheElementsAndTheirSize) {
   Meshed coarse(fake::tube(4, 10), 3, 0.8), fine(fake::tube(4, 10), 1.5, 0.4);
-  double order_1 = chord_error(coarse.joined.mesh, coarse.parts, 1);
-  double order_2 = chord_error(coarse.curved(), coarse.parts, 1);
-  double order_2_fine = chord_error(fine.curved(), fine.parts, 1);
+  double order_1 = coarse.chord_error_of(coarse.joined.mesh);
+  double order_2 = coarse.chord_error_of(coarse.curved());
+  double order_2_fine = fine.chord_error_of(fine.curved());
   EXPECT_GT(order_1, 0.05);
   EXPECT_LT(order_1, 1);
   EXPECT_LT(order_2, 0.1 * order_1);

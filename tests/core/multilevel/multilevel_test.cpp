@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/levels.h"
 #include "support/planar_region.h"
 #include "support/validate.h"
 
@@ -14,6 +15,7 @@ namespace {
 
 using test::circle;
 using test::divided;
+using test::pave_on_levels;
 using test::planar_region;
 using test::reversed;
 
@@ -43,51 +45,51 @@ Loops plate(int hole) {
   return {divided({{0, 0}, {200, 0}, {200, 200}, {0, 200}}, 1), reversed(circle({90, 110}, 45, hole))};
 }
 
-TEST(PaveByLevels, IsSoundAndRegular) {
+TEST(PlanLevels, IsSoundAndRegular) {
   Region region = with_area(plate(282), 1);
-  Figures direct = figures_of(pave_by_levels(region, 0, Progress(), Elements::quad_dominant).mesh);
-  PavedRegion paved = pave_by_levels(region, 6, Progress(), Elements::quad_dominant);
-  EXPECT_EQ(test::paved_faults(region, paved.mesh), "");
-  Figures figures = figures_of(paved.mesh);
+  Figures direct = figures_of(pave_on_levels(region, 0, Progress()));
+  RegionMesh paved = pave_on_levels(region, 6, Progress());
+  EXPECT_EQ(test::paved_faults(region, paved), "");
+  Figures figures = figures_of(paved);
   EXPECT_EQ(figures.triangles, 0);
   EXPECT_NEAR(static_cast<double>(figures.quads), region.area, 0.03 * region.area);
   EXPECT_LT(4 * figures.irregular, direct.irregular);
 }
 
-TEST(PaveByLevels, SmallRegionsAreNotDividedUnasked) {
+TEST(PlanLevels, SmallRegionsAreNotDividedUnasked) {
   Region region = with_area(plate(200), 1);
-  RegionMesh direct = pave_by_levels(region, 0, Progress(), Elements::quad_dominant).mesh;
-  RegionMesh unasked = pave_by_levels(region, automatic_levels, Progress(), Elements::quad_dominant).mesh;
+  RegionMesh direct = pave_on_levels(region, 0, Progress());
+  RegionMesh unasked = pave_on_levels(region, automatic_levels, Progress());
   EXPECT_TRUE(direct.p == unasked.p);
 }
 
-TEST(PaveByLevels, TheSameEveryTime) {
+TEST(PlanLevels, TheSameEveryTime) {
   Region region = with_area(plate(280), 1);
-  RegionMesh a = pave_by_levels(region, 4, Progress(), Elements::quad_dominant).mesh;
-  RegionMesh b = pave_by_levels(region, 4, Progress(), Elements::quad_dominant).mesh;
+  RegionMesh a = pave_on_levels(region, 4, Progress());
+  RegionMesh b = pave_on_levels(region, 4, Progress());
   EXPECT_TRUE(a.p == b.p);
   EXPECT_TRUE(a.x == b.x);
 }
 
-TEST(PaveByLevels, AnOddRegionHasOneTriangle) {
+TEST(PlanLevels, AnOddRegionHasOneTriangle) {
   Region region = with_area(plate(281), 1);
-  PavedRegion paved = pave_by_levels(region, 4, Progress(), Elements::quad_dominant);
-  EXPECT_EQ(test::paved_faults(region, paved.mesh), "");
-  EXPECT_EQ(figures_of(paved.mesh).triangles, 1);
+  RegionMesh paved = pave_on_levels(region, 4, Progress());
+  EXPECT_EQ(test::paved_faults(region, paved), "");
+  EXPECT_EQ(figures_of(paved).triangles, 1);
 }
 
-TEST(PaveByLevels, KindsOfElements) {
+TEST(PlanLevels, KindsOfElements) {
   Region region = with_area(plate(282), 1);
-  RegionMesh triangles = pave_by_levels(region, 4, Progress(), Elements::all_triangle).mesh;
+  RegionMesh triangles = pave_on_levels(region, 4, Progress(), Elements::all_triangle);
   EXPECT_EQ(test::paved_faults(region, triangles), "");
   EXPECT_EQ(figures_of(triangles).quads, 0);
-  RegionMesh quads = pave_by_levels(region, 4, Progress(), Elements::all_quad).mesh;
+  RegionMesh quads = pave_on_levels(region, 4, Progress(), Elements::all_quad);
   EXPECT_EQ(test::paved_faults(region, quads), "");
   EXPECT_EQ(figures_of(quads).triangles, 0);
 }
 
 /// Holes of few nodes, narrow arms and acute corners all have to come out as they went in.
-TEST(PaveByLevels, TakesWhateverTheBoundaryIs) {
+TEST(PlanLevels, TakesWhateverTheBoundaryIs) {
   const std::vector<Loops> shapes = {
       {divided({{0, 0}, {300, 0}, {300, 8}, {120, 8}, {120, 270}, {0, 270}}, 1)},
       {divided({{0, 0}, {330, 0}, {20, 260}}, 1)},
@@ -97,19 +99,56 @@ TEST(PaveByLevels, TakesWhateverTheBoundaryIs) {
   for (std::size_t i = 0; i < shapes.size(); ++i)
     for (int ratio : {4, 7}) {
       Region region = with_area(shapes[i], 1);
-      PavedRegion paved = pave_by_levels(region, ratio, Progress(), Elements::quad_dominant);
-      EXPECT_EQ(test::paved_faults(region, paved.mesh), "") << i << ", " << ratio;
+      RegionMesh paved = pave_on_levels(region, ratio, Progress());
+      EXPECT_EQ(test::paved_faults(region, paved), "") << i << ", " << ratio;
     }
 }
 
-TEST(PaveByLevels, EndsWhenCancelled) {
+TEST(PlanLevels, EndsWhenCancelled) {
   Progress progress;
   progress.cancel();
   try {
-    pave_by_levels(with_area(plate(282), 1), 4, progress, Elements::quad_dominant);
+    pave_on_levels(with_area(plate(282), 1), 4, progress);
     FAIL() << "it went on";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::cancelled);
+  }
+}
+
+TEST(LevelPlan, PiecesAreOfAboutOneSizeAndMeetInTheSameNodes) {
+  Region region = with_area(plate(282), 1);
+  const int boundary = test::boundary_nodes_of(region);
+  auto plan = plan_levels(region, 4, boundary, Progress(), Elements::quad_dominant);
+  ASSERT_TRUE(plan);
+  EXPECT_GE(plan->pieces.size(), 6u);
+  std::map<int, std::vector<Vec3>> places;
+  for (std::size_t i = 0; i < plan->pieces.size(); ++i) {
+    RegionMesh mesh = lay_piece(region, without_loops(region), *plan, i, Progress(), Elements::quad_dominant).mesh;
+    if (!plan->is_paved[static_cast<std::size_t>(plan->pieces[i][0])]) {
+      EXPECT_NEAR(static_cast<double>(mesh.elements.size()), 4096, 2048) << i;
+    }
+    for (int v = 0; v < mesh.node_count(); ++v)
+      if (mesh.global[v] >= boundary) places[mesh.global[v] - boundary].push_back(mesh.x[v]);
+  }
+  EXPECT_EQ(static_cast<int>(places.size()), plan->outline_nodes);
+  for (const auto& [node, at] : places) {
+    EXPECT_GE(at.size(), 2u) << node;
+    for (Vec3 x : at) EXPECT_TRUE(x == at.front()) << node;
+  }
+}
+
+TEST(LevelPlan, IsTheSameAfterPackingAndUnpacking) {
+  Region region = with_area(plate(280), 1);
+  auto plan = plan_levels(region, 4, test::boundary_nodes_of(region), Progress(), Elements::quad_dominant);
+  ASSERT_TRUE(plan);
+  const std::string bytes = pack(*plan);
+  LevelPlan unpacked = unpack_plan(bytes);
+  EXPECT_EQ(pack(unpacked), bytes);
+  EXPECT_EQ(unpacked.outline_sides, plan->outline_sides);
+  for (std::size_t i = 0; i < plan->pieces.size(); ++i) {
+    RegionMesh a = lay_piece(region, without_loops(region), *plan, i, Progress(), Elements::quad_dominant).mesh;
+    RegionMesh b = lay_piece(region, without_loops(region), unpacked, i, Progress(), Elements::quad_dominant).mesh;
+    EXPECT_TRUE(a.p == b.p && a.x == b.x && a.global == b.global) << i;
   }
 }
 
