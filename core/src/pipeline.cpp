@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "assemble/assembler.h"
+#include "base/bytes.h"
 #include "boundary/edge_nodes.h"
 #include "boundary/prediction.h"
 #include "brep/occt_impl.h"
@@ -37,15 +38,11 @@ class Run {
     divide();
     PartPaver paver(regions_, costs(), static_cast<int>(nodes_.nodes.size()), options_, progress_, ranks_);
     Assembler assembler(
-        model_, nodes_, regions_, paver, options_, progress_, ranks_, [this](Stage stage) { begin(stage); },
-        result_.report);
-    result_.mesh = assembler.run();
+        model_, nodes_, regions_, paver, options_, progress_, ranks_, [this](Stage stage) { begin(stage); }, share_);
+    assembler.run();
     measure(assembler);
     name_edges();
-    MeshShare share;
-    share.result = std::move(result_);
-    if (ranks_.count() > 1) assembler.number(share);
-    return share;
+    return std::move(share_);
   }
 
   Prediction predict(const CadModel& model) {
@@ -201,18 +198,27 @@ class Run {
 
   void measure(const Assembler& assembler) {
     begin(Stage::quality);
-    double chord = assembler.chord_error(result_.mesh);  // by piece, as the regions are
+    double chord = assembler.chord_error();  // by piece, as the regions are
     merge_pieces();
     std::vector<bool> is_periodic;
     for (const Edge& edge : model_.edges) is_periodic.push_back(edge.is_periodic);
     RunReport& report = result_.report;
-    report.quality = measure_quality(result_.mesh, report.target_length, is_periodic, report.faces, progress_);
-    report.quality.chord_error = chord;
+    report.quality = ranks_.count() == 1
+                         ? measure_quality(result_.mesh, report.target_length, is_periodic, report.faces, progress_)
+                         : measure_quality(share_, report.target_length, is_periodic, report.faces, progress_, ranks_);
+    report.quality.chord_error = largest(chord);
     if (options_.elements == Elements::all_quad) note_triangles();
     end_stage();
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     report.peak_memory_mib = static_cast<double>(usage.ru_maxrss) / 1024;
+  }
+
+  // Over all ranks.
+  double largest(double value) {
+    for (const std::string& bytes : ranks_.gather(bytes_of(std::vector<double>{value})))
+      value = std::max(value, from_bytes<double>(bytes).front());
+    return value;
   }
 
   void note_triangles() {
@@ -252,7 +258,8 @@ class Run {
   SizeField size_;
   EdgeNodes nodes_;
   std::vector<Region> regions_;
-  MeshResult result_;
+  MeshShare share_;
+  MeshResult& result_ = share_.result;
 };
 
 }  // namespace

@@ -7,14 +7,15 @@
 #include <map>
 #include <numeric>
 
-#include "curving/repair.h"
+#include "assemble/neighbourhood.h"
 #include "mesh/flat_elements.h"
 #include "quality/jacobian.h"
 
 namespace paver {
 namespace {
 
-constexpr int most_splits = 3;  // rounds of splitting quads that stay invalid
+constexpr int most_splits = 3;        // rounds of splitting quads that stay invalid
+constexpr int rings_of_mending = 12;  // farther than straighten_at_edges() reaches
 
 bool has_any(const std::vector<long>& invalid) {
   return std::any_of(invalid.begin(), invalid.end(), [](long n) { return n > 0; });
@@ -26,7 +27,7 @@ long sum(const std::vector<long>& counts) { return std::accumulate(counts.begin(
 
 Assembler::Assembler(const Model& model, const EdgeNodes& nodes, const std::vector<Region>& regions, PartPaver& paver,
                      const Options& options, Progress& progress, Ranks& ranks, std::function<void(Stage)> begin,
-                     RunReport& report)
+                     MeshShare& share)
     : model_(model),
       nodes_(nodes),
       regions_(regions),
@@ -35,9 +36,11 @@ Assembler::Assembler(const Model& model, const EdgeNodes& nodes, const std::vect
       progress_(progress),
       ranks_(ranks),
       begin_(std::move(begin)),
-      report_(report) {}
+      share_(share),
+      report_(share.result.report),
+      mesh_(share.result.mesh) {}
 
-SurfaceMesh Assembler::run() {
+void Assembler::run() {
   begin_(Stage::paving);
   fail(paver_.pave());
   std::vector<long> closed(regions_.size(), 0);
@@ -55,7 +58,7 @@ SurfaceMesh Assembler::run() {
     if (!has_any(invalid)) break;
   }
   note_invalid(invalid);
-  return std::move(mesh_);
+  if (ranks_.count() > 1) number(share_);
 }
 
 void Assembler::fail(const std::vector<RegionFailure>& failures) {
@@ -219,14 +222,27 @@ Assembler::Invalid Assembler::count_invalid() {
 }
 
 void Assembler::straighten_last(Invalid& invalid) {
-  RepairResult last = straighten_at_edges(mesh_, is_valid, invalid_quads_, invalid_triangles_);
+  if (!has_any(invalid)) return;
+  const RepairResult last = straighten();
   if (last.recentred + last.straightened == 0) return;
-  straightened_ += last.recentred + last.straightened;
+  if (ranks_.rank() == 0) straightened_ += last.recentred + last.straightened;
   report_.notes.push_back(fmt::format(
       "To keep elements valid sides were straightened along B-rep edges, up to {:.3g} mm off.", last.off_edge));
   invalid_quads_ = last.invalid_quads;
   invalid_triangles_ = last.invalid_triangles;
   invalid = count_invalid();
+}
+
+// Sides on B-rep edges have neighbours on other ranks: all mend the same neighbourhood, each keeps what is its own.
+RepairResult Assembler::straighten() {
+  if (ranks_.count() == 1) return straighten_at_edges(mesh_, is_valid, invalid_quads_, invalid_triangles_);
+  number(share_);
+  Neighbourhood about = gather_neighbourhood(share_, invalid_quads_, invalid_triangles_, rings_of_mending, ranks_);
+  RepairResult result = straighten_at_edges(about.mesh, is_valid, about.invalid_quads, about.invalid_triangles);
+  put_nodes_back(about, share_);
+  result.invalid_quads = rows_here(result.invalid_quads, about.quad_number, share_.quad_number);
+  result.invalid_triangles = rows_here(result.invalid_triangles, about.triangle_number, share_.triangle_number);
+  return result;
 }
 
 void Assembler::note_invalid(const Invalid& invalid) {
@@ -241,8 +257,6 @@ void Assembler::note_invalid(const Invalid& invalid) {
         "Face{} has {} elements that could not be made valid; use a smaller size or max-turn.", face + 1, n));
 }
 
-double Assembler::chord_error(const SurfaceMesh& mesh) const {
-  return paver::chord_error(mesh, model_, parts_, options_.threads);
-}
+double Assembler::chord_error() const { return paver::chord_error(mesh_, model_, parts_, options_.threads); }
 
 }  // namespace paver

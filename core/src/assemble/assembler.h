@@ -8,6 +8,7 @@
 
 #include "boundary/edge_nodes.h"
 #include "curving/place_nodes.h"
+#include "curving/repair.h"
 #include "join/cuts.h"
 #include "join/join.h"
 #include "parallel/pave_parts.h"
@@ -19,19 +20,18 @@ namespace paver {
 /// References are kept. Members are collective.
 class Assembler {
  public:
-  /// `begin`: told which stage begins. Failures and notes go to `report`, whose faces are those of the model.
+  /// `begin`: told which stage begins. Failures and notes go to the share's report, whose faces are those of the model.
   Assembler(const Model& model, const EdgeNodes& nodes, const std::vector<Region>& regions, PartPaver& paver,
             const Options& options, Progress& progress, Ranks& ranks, std::function<void(Stage)> begin,
-            RunReport& report);
+            MeshShare& share);
 
-  /// Paves all, joins and curves. Faces with invalid elements are paved with other rows, then mended element by
-  /// element; where that is not enough they are paved finer and mended again.
-  SurfaceMesh run();
+  /// Paves all, joins and curves: fills in the share's mesh and, on several ranks, its numbers. Faces with invalid
+  /// elements are paved with other rows, then mended element by element; where that is not enough they are paved finer
+  /// and mended again.
+  void run();
 
   /// Largest distance to the surface, of the parts here (see chord_error()).
-  double chord_error(const SurfaceMesh& mesh) const;
-  /// Fills in the numbers of what is here.
-  void number(MeshShare& share) const;
+  double chord_error() const;
 
  private:
   using Invalid = std::vector<long>;  // per face, over all ranks
@@ -40,6 +40,8 @@ class Assembler {
   Invalid pave_invalid(Invalid invalid, int attempt);
   Invalid split_invalid(Invalid invalid);
   void straighten_last(Invalid& invalid);
+  RepairResult straighten();
+  void number(MeshShare& share) const;
   Invalid join_and_curve();
   void join();
   bool share_failures(const std::optional<Error>& error);
@@ -55,11 +57,12 @@ class Assembler {
   Progress& progress_;
   Ranks& ranks_;
   const std::function<void(Stage)> begin_;
-  RunReport& report_;
+  MeshShare& share_;
+  RunReport& report_;  // the share's
+  SurfaceMesh& mesh_;  // the share's
   JoinedMesh joined_;
   std::vector<CurvingPart> parts_;
   std::optional<Cuts> cuts_;
-  SurfaceMesh mesh_;
   CurvedMesh curved_;  // its mesh is mesh_
   std::vector<int> invalid_quads_, invalid_triangles_;
   long straightened_ = 0;

@@ -1,9 +1,7 @@
 // Numbers of a share in the whole mesh. Nodes of the whole, in this order: boundary stage, outlines, each part's own;
 // at order 2 the middles of the lines, of the cuts, then each part's middles and centres. Elements: part by part.
-#include <cstring>
-#include <numeric>
-
 #include "assemble/assembler.h"
+#include "base/bytes.h"
 
 namespace paver {
 namespace {
@@ -11,18 +9,6 @@ namespace {
 struct PartRow {
   long part = 0, nodes = 0, quads = 0, triangles = 0, own_nodes = 0;
 };
-
-template <class T>
-std::string_view bytes_of(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
-
-template <class T>
-std::vector<T> from_bytes(std::string_view bytes) {
-  std::vector<T> values(bytes.size() / sizeof(T));
-  if (!bytes.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
-  return values;
-}
 
 /// Things that several ranks may have: each belongs to the first that has it, and counts once.
 struct Shared {
@@ -44,15 +30,19 @@ class Numberer {
  public:
   Numberer(MeshShare& share, Ranks& ranks) : share_(share), ranks_(ranks) {}
 
-  void add_run(long first, long count, bool is_own) {
+  void add_run(long first, long count, bool is_own, bool is_shared) {
     for (long i = 0; i < count; ++i) share_.node_number.push_back(first + i);
     share_.is_own_node.insert(share_.is_own_node.end(), static_cast<std::size_t>(count), is_own);
+    share_.is_shared_node.insert(share_.is_shared_node.end(), static_cast<std::size_t>(count), is_shared);
   }
+  void add_common(long first, long count) { add_run(first, count, ranks_.rank() == 0, true); }
+  void add_private(long first, long count) { add_run(first, count, true, false); }
 
   void add_shared(long first, const std::vector<int>& mine, const Shared& shared) {
     for (int thing : mine) {
       share_.node_number.push_back(first + shared.number[thing]);
       share_.is_own_node.push_back(shared.owner[thing] == ranks_.rank());
+      share_.is_shared_node.push_back(true);
     }
   }
 
@@ -62,8 +52,6 @@ class Numberer {
     for (const PartRow& row : rows) result.push_back(result.back() + row.*count);
     return result;
   }
-
-  bool is_first_rank() const { return ranks_.rank() == 0; }
 
  private:
   MeshShare& share_;
@@ -89,6 +77,8 @@ void number_elements(const std::vector<PartRow>& mine, const std::vector<long>& 
 }  // namespace
 
 void Assembler::number(MeshShare& share) const {
+  share.node_number.clear(), share.is_own_node.clear(), share.is_shared_node.clear();
+  share.quad_number.clear(), share.triangle_number.clear();
   std::vector<PartRow> mine;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const PartSizes& sizes = joined_.sizes[i];
@@ -99,18 +89,18 @@ void Assembler::number(MeshShare& share) const {
   const Shared outlines(joined_.outline, static_cast<std::size_t>(paver_.outline_nodes()), ranks_);
   Numberer numberer(share, ranks_);
   const long boundary = static_cast<long>(nodes_.nodes.size());
-  numberer.add_run(0, boundary, numberer.is_first_rank());
+  numberer.add_common(0, boundary);
   numberer.add_shared(boundary, joined_.outline, outlines);
   std::vector<long> first = Numberer::firsts(all, &PartRow::nodes, boundary + outlines.count);
-  for (std::size_t i = 0; i < mine.size(); ++i) numberer.add_run(first[i], mine[i].nodes, true);
+  for (std::size_t i = 0; i < mine.size(); ++i) numberer.add_private(first[i], mine[i].nodes);
   share.nodes = first.back();
   if (options_.order > 1) {
     const Shared cuts(curved_.cuts, cuts_->sides().size(), ranks_);
     const long lines = static_cast<long>(share.result.mesh.line_edge.size());
-    numberer.add_run(share.nodes, lines, numberer.is_first_rank());
+    numberer.add_common(share.nodes, lines);
     numberer.add_shared(share.nodes + lines, curved_.cuts, cuts);
     first = Numberer::firsts(all, &PartRow::own_nodes, share.nodes + lines + cuts.count);
-    for (std::size_t i = 0; i < mine.size(); ++i) numberer.add_run(first[i], mine[i].own_nodes, true);
+    for (std::size_t i = 0; i < mine.size(); ++i) numberer.add_private(first[i], mine[i].own_nodes);
     share.nodes = first.back();
   }
   const std::vector<long> quads = Numberer::firsts(all, &PartRow::quads, 0),

@@ -1,0 +1,184 @@
+// Steps: rings of marks on nodes and elements, with the marks of shared nodes told to all; marked elements with their
+// nodes to all; sorted by their numbers in the whole mesh.
+#include "assemble/neighbourhood.h"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+
+#include "base/bytes.h"
+
+namespace paver {
+namespace {
+
+struct NodeRow {
+  long number = -1;
+  Vec3 x;
+  int edge = -1;
+};
+
+struct ElementRow {
+  long number = -1;
+  int face = -1;
+  bool is_invalid = false;
+  std::array<long, 9> nodes{};
+};
+
+/// One kind of element of a share.
+struct Table {
+  const std::vector<int>& nodes;
+  const std::vector<int>& face;
+  const std::vector<long>& number;
+  int stride, corners;
+  std::vector<char> is_marked, is_invalid;
+
+  Table(const std::vector<int>& element_nodes, const std::vector<int>& faces, const std::vector<long>& numbers,
+        int per_element, int corner_count, const std::vector<int>& invalid)
+      : nodes(element_nodes),
+        face(faces),
+        number(numbers),
+        stride(per_element),
+        corners(corner_count),
+        is_marked(faces.size(), 0),
+        is_invalid(faces.size(), 0) {
+    for (int e : invalid) is_marked[e] = is_invalid[e] = 1;
+  }
+  const int* row(std::size_t e) const { return nodes.data() + e * static_cast<std::size_t>(stride); }
+};
+
+class Gatherer {
+ public:
+  Gatherer(const MeshShare& share, const std::vector<int>& quads, const std::vector<int>& triangles, Ranks& ranks)
+      : share_(share),
+        mesh_(share.result.mesh),
+        ranks_(ranks),
+        quads_(mesh_.quads, mesh_.quad_face, share.quad_number, mesh_.nodes_per_quad(), 4, quads),
+        triangles_(mesh_.triangles, mesh_.triangle_face, share.triangle_number, mesh_.nodes_per_triangle(), 3,
+                   triangles),
+        is_marked_(mesh_.nodes.size(), 0) {}
+
+  Neighbourhood run(int rings) {
+    for (int ring = 0; ring < rings; ++ring) {
+      mark_nodes();
+      share_marks();
+      for (Table* table : {&quads_, &triangles_}) mark_elements(*table);
+    }
+    add_elements(quads_, result_.mesh.quads, result_.mesh.quad_face, result_.quad_number, result_.invalid_quads);
+    add_elements(triangles_, result_.mesh.triangles, result_.mesh.triangle_face, result_.triangle_number,
+                 result_.invalid_triangles);
+    add_nodes();
+    return std::move(result_);
+  }
+
+ private:
+  void mark_nodes() {
+    for (const Table* table : {&quads_, &triangles_})
+      for (std::size_t e = 0; e < table->face.size(); ++e)
+        for (int k = 0; table->is_marked[e] && k < table->corners; ++k) is_marked_[table->row(e)[k]] = 1;
+  }
+
+  void share_marks() {
+    std::vector<long> mine;
+    for (std::size_t v = 0; v < is_marked_.size(); ++v)
+      if (is_marked_[v] && share_.is_shared_node[v]) mine.push_back(share_.node_number[v]);
+    for (const std::string& bytes : ranks_.gather(bytes_of(mine)))
+      for (long number : from_bytes<long>(bytes))
+        if (int v = here(number); v >= 0) is_marked_[v] = 1;
+  }
+
+  int here(long number) const {
+    auto at = std::lower_bound(share_.node_number.begin(), share_.node_number.end(), number);
+    return at != share_.node_number.end() && *at == number ? static_cast<int>(at - share_.node_number.begin()) : -1;
+  }
+
+  void mark_elements(Table& table) {
+    for (std::size_t e = 0; e < table.face.size(); ++e)
+      for (int k = 0; k < table.corners; ++k) table.is_marked[e] |= is_marked_[table.row(e)[k]];
+  }
+
+  void add_elements(const Table& table, std::vector<int>& nodes, std::vector<int>& face, std::vector<long>& number,
+                    std::vector<int>& invalid) {
+    std::vector<ElementRow> mine, all;
+    for (std::size_t e = 0; e < table.face.size(); ++e) {
+      if (!table.is_marked[e]) continue;
+      ElementRow& row = mine.emplace_back();
+      row.number = table.number[e], row.face = table.face[e], row.is_invalid = table.is_invalid[e] != 0;
+      for (int k = 0; k < table.stride; ++k) {
+        row.nodes[static_cast<std::size_t>(k)] = share_.node_number[table.row(e)[k]];
+        add_node(table.row(e)[k]);
+      }
+    }
+    for (const std::string& bytes : ranks_.gather(bytes_of(mine))) {
+      const auto rows = from_bytes<ElementRow>(bytes);
+      all.insert(all.end(), rows.begin(), rows.end());
+    }
+    std::sort(all.begin(), all.end(), [](const ElementRow& a, const ElementRow& b) { return a.number < b.number; });
+    for (const ElementRow& row : all) {
+      if (row.is_invalid) invalid.push_back(static_cast<int>(face.size()));
+      face.push_back(row.face);
+      number.push_back(row.number);
+      // Numbers of the whole until the nodes are known; they fit, as they do where one rank has the whole mesh.
+      for (int k = 0; k < table.stride; ++k) nodes.push_back(static_cast<int>(row.nodes[static_cast<std::size_t>(k)]));
+    }
+  }
+
+  void add_node(int v) { mine_.push_back({share_.node_number[v], mesh_.nodes[v], mesh_.node_edge[v]}); }
+
+  void add_nodes() {
+    std::vector<NodeRow> all;
+    for (const std::string& bytes : ranks_.gather(bytes_of(mine_))) {
+      const auto rows = from_bytes<NodeRow>(bytes);
+      all.insert(all.end(), rows.begin(), rows.end());
+    }
+    std::stable_sort(all.begin(), all.end(), [](const NodeRow& a, const NodeRow& b) { return a.number < b.number; });
+    SurfaceMesh& mesh = result_.mesh;
+    mesh.order = mesh_.order;
+    for (const NodeRow& row : all) {
+      if (!result_.node_number.empty() && result_.node_number.back() == row.number) continue;
+      result_.node_number.push_back(row.number);
+      mesh.nodes.push_back(row.x);
+      mesh.node_edge.push_back(row.edge);
+    }
+    mesh.node_target.assign(mesh.nodes.size(), 0);
+    for (std::vector<int>* nodes : {&mesh.quads, &mesh.triangles})
+      for (int& node : *nodes)
+        node = static_cast<int>(std::lower_bound(result_.node_number.begin(), result_.node_number.end(), node) -
+                                result_.node_number.begin());
+  }
+
+  const MeshShare& share_;
+  const SurfaceMesh& mesh_;
+  Ranks& ranks_;
+  Table quads_, triangles_;
+  std::vector<char> is_marked_;  // per node
+  std::vector<NodeRow> mine_;
+  Neighbourhood result_;
+};
+
+}  // namespace
+
+Neighbourhood gather_neighbourhood(const MeshShare& share, const std::vector<int>& invalid_quads,
+                                   const std::vector<int>& invalid_triangles, int rings, Ranks& ranks) {
+  return Gatherer(share, invalid_quads, invalid_triangles, ranks).run(rings);
+}
+
+void put_nodes_back(const Neighbourhood& from, MeshShare& share) {
+  std::size_t at = 0;
+  for (std::size_t v = 0; v < share.node_number.size() && at < from.node_number.size(); ++v) {
+    while (at < from.node_number.size() && from.node_number[at] < share.node_number[v]) ++at;
+    if (at < from.node_number.size() && from.node_number[at] == share.node_number[v])
+      share.result.mesh.nodes[v] = from.mesh.nodes[at];
+  }
+}
+
+std::vector<int> rows_here(const std::vector<int>& rows, const std::vector<long>& numbers,
+                           const std::vector<long>& numbers_here) {
+  std::vector<int> here;
+  for (int row : rows) {
+    auto at = std::lower_bound(numbers_here.begin(), numbers_here.end(), numbers[row]);
+    if (at != numbers_here.end() && *at == numbers[row]) here.push_back(static_cast<int>(at - numbers_here.begin()));
+  }
+  return here;
+}
+
+}  // namespace paver

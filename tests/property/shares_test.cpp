@@ -1,0 +1,39 @@
+// Real models: faces that fail, elements that are mended across faces, and all the rest come out on several ranks as on
+// one.
+#include "support/shares.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+namespace paver {
+namespace {
+
+TEST(SharesOfRealModels, AreTheSameOnThreeRanks) {
+  const std::filesystem::path folder = PAVER_SHARED "/cad";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the folder with real models is not here";
+  std::set<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) files.insert(entry.path());
+  int models = 0, mended = 0;
+  for (const std::filesystem::path& file : files) {
+    const std::string ending = file.extension();
+    if (ending != ".step" && ending != ".stp" && ending != ".brep" && ending != ".igs") continue;
+    SCOPED_TRACE(file.filename());
+    Progress progress;
+    const CadModel model = read_file(file, progress);
+    Options options;
+    options.size = 1e9;
+    options.size = mesh_model(model, options, progress).report.model.diagonal / 15;
+    options.threads = 1;
+    const MeshResult alone = mesh_model(model, options, progress);
+    test::expect_same_on_ranks(model, options, alone, 3, 1);
+    for (const std::string& note : alone.report.notes) mended += note.find("B-rep edges") != std::string::npos;
+    ++models;
+  }
+  EXPECT_GT(models, 10);
+  EXPECT_GT(mended, 3);
+}
+
+}  // namespace
+}  // namespace paver
