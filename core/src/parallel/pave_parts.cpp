@@ -4,13 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <Standard_Failure.hxx>
 #include <algorithm>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "brep/occt_impl.h"
+#include "brep/kernel_guard.h"
 #include "parallel/tasks.h"
 
 namespace paver {
@@ -142,15 +141,11 @@ std::vector<char> PartPaver::run_parts(const std::vector<int>& which, std::vecto
         Part& part = parts_[which[k]];
         if (part.piece >= 0) part.place = std::make_shared<Region>(without_loops(regions_[part.region]));
         try {
-          part.paved = std::make_shared<PavedRegion>(pave(part));
+          guard_kernel({stage_name(Stage::paving), regions_[part.region].face, -1, {}},
+                       [&] { part.paved = std::make_shared<PavedRegion>(pave(part)); });
         } catch (const Error& error) {
           if (error.code() == ErrorCode::cancelled) throw;
           note(part, error);
-        } catch (const Standard_Failure& failure) {
-          note(part,
-               Error(ErrorCode::face_failed,
-                     "the CAD kernel cannot evaluate it (" + failure_text(failure) + "); repair it in the CAD program",
-                     {stage_name(Stage::paving), regions_[part.region].face, -1, {}}));
         }
         progress_.advance();
       });
