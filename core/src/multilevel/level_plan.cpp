@@ -45,13 +45,14 @@ void halve(Centre* first, Centre* last, int pieces, std::vector<std::vector<int>
     const double at = by_x ? a.p.x : a.p.y, other = by_x ? b.p.x : b.p.y;
     return at != other ? at < other : a.element < b.element;
   });
+  const int first_pieces = pieces / 2;
   double all = 0, sum = 0;
   for (const Centre* c = first; c != last; ++c) all += c->fine;
   Centre* middle = first;
-  while (middle + 1 != last && sum + 0.5 * middle->fine < all * (pieces / 2) / pieces) sum += (middle++)->fine;
+  while (middle + 1 != last && sum + 0.5 * middle->fine < all * first_pieces / pieces) sum += (middle++)->fine;
   if (middle == first) ++middle;
-  halve(first, middle, pieces / 2, result);
-  halve(middle, last, pieces - pieces / 2, result);
+  halve(first, middle, first_pieces, result);
+  halve(middle, last, pieces - first_pieces, result);
 }
 
 // Elements to be paved that hang together by nodes.
