@@ -293,14 +293,17 @@ class Preferences(WithCommands):
         seen = {}
 
         def look():
-            page = FreeCADGui.getMainWindow().findChild(QtGui.QWidget, "PaverPreferences")
+            page = window.widget("PaverPreferences")
+            if page is None:  # FreeCAD is still making the dialog
+                QtCore.QTimer.singleShot(200, look)
+                return
             for name in ("FillLimit", "HeavyElements", "NewFrequency", "NewDivisions", "NewGradation", "NewFacetsAlong"):
                 seen[name] = page.findChild(QtGui.QAbstractSpinBox, "Paver" + name).value()
             seen["NewOrder"] = page.findChild(QtGui.QComboBox, "PaverNewOrder").currentIndex()
             page.findChild(QtGui.QSpinBox, "PaverNewFacetsAlong").setValue(7)
             window.picture("commands_preferences")
             page.window().accept()
-        QtCore.QTimer.singleShot(1500, look)
+        QtCore.QTimer.singleShot(500, look)
         FreeCADGui.runCommand("Paver_Preferences")
         self.assertEqual(seen, {"FillLimit": mesh_object.FILL_LIMIT, "HeavyElements": mesh_object.HEAVY_ELEMENTS,
                                 "NewFrequency": 0, "NewDivisions": 10, "NewGradation": 0.6,
