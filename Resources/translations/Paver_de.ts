@@ -21,7 +21,7 @@
     </message>
     <message>
         <source>Refinements: target lengths of faces, edges, vertices and solids</source>
-        <translation>Verfeinerungen: Ziellängen von Flächen, Kanten, Ecken und Körpern</translation>
+        <translation>Verfeinerungen: Ziellängen von Flächen, Kanten, Punkte und Körpern</translation>
     </message>
     <message>
         <source>Where the window's commands mesh; own process: FreeCAD survives a crash; automatic: there from HeavyElements of the preferences on</source>
@@ -149,7 +149,7 @@
     </message>
     <message>
         <source>Largest gap between faces that is sewn; 0: never sew [from the target length]. Negative: automatic</source>
-        <translation>Größter Spalt zwischen Flächen, der vernäht wird; 0: nie vernähen [aus der Ziellänge]. Negativ: automatisch</translation>
+        <translation>Größte Lücke zwischen Flächen, die geschlossen wird; 0: nie [aus der Ziellänge]. Negativ: automatisch</translation>
     </message>
     <message>
         <source>Refinement</source>
@@ -157,7 +157,7 @@
     </message>
     <message>
         <source>Faces, edges, vertices; a whole object means its solids, or its faces where it has none</source>
-        <translation>Flächen, Kanten, Ecken; ein ganzes Objekt meint seine Körper oder, wo es keine hat, seine Flächen</translation>
+        <translation>Flächen, Kanten, Punkte; ein ganzes Objekt meint seine Körper oder, wo es keine hat, seine Flächen</translation>
     </message>
     <message>
         <source>What gives the target length: a length, or the wavelength in a medium</source>
@@ -324,7 +324,7 @@
     </message>
     <message>
         <source>Corners that turn outwards</source>
-        <translation>Einspringende Ecken</translation>
+        <translation>Einspringende Punkte</translation>
     </message>
     <message>
         <source>Pyramid</source>
@@ -332,7 +332,7 @@
     </message>
     <message>
         <source>Acute corners, faces of three sides</source>
-        <translation>Spitze Ecken, dreiseitige Flächen</translation>
+        <translation>Spitze Punkte, dreiseitige Flächen</translation>
     </message>
     <message>
         <source>Sphere</source>
@@ -520,7 +520,7 @@
     </message>
     <message>
         <source>Nothing is refined; add faces, edges, vertices or objects.</source>
-        <translation>Nichts wird verfeinert; fügen Sie Flächen, Kanten, Ecken oder Objekte hinzu.</translation>
+        <translation>Nichts wird verfeinert; fügen Sie Flächen, Kanten, Punkte oder Objekte hinzu.</translation>
     </message>
     <message>
         <source>Where</source>
@@ -576,7 +576,7 @@
     </message>
     <message>
         <source>Nothing of the model is selected; select faces, edges, vertices or objects in the 3D view.</source>
-        <translation>Vom Modell ist nichts ausgewählt; wählen Sie Flächen, Kanten, Ecken oder Objekte in der 3D-Ansicht.</translation>
+        <translation>Vom Modell ist nichts ausgewählt; wählen Sie Flächen, Kanten, Punkte oder Objekte in der 3D-Ansicht.</translation>
     </message>
     <message>
         <source>{} is not above 0; write a larger number.</source>
@@ -1565,7 +1565,7 @@
     </message>
     <message>
         <source>Shorter elements on the selected faces, edges, vertices or solids of what is meshed, and around them; opens a panel for the length</source>
-        <translation>Kürzere Elemente auf den gewählten Flächen, Kanten, Ecken oder Körpern des Vernetzten und um sie herum; öffnet ein Fenster für die Länge</translation>
+        <translation>Kürzere Elemente auf den gewählten Flächen, Kanten, Punkte oder Körpern des Vernetzten und um sie herum; öffnet ein Fenster für die Länge</translation>
     </message>
 </context>
 <context>
