@@ -146,11 +146,24 @@ def status_text(state):
 def check(obj):
     """Compares the shapes with those that were meshed, also where FreeCAD reports no change (a moved App::Part around
     the object), and gives the Status."""
-    changed = bool(obj.MeshFile) and shape_digest(obj) != obj.MeshedShape
+    changed = bool(obj.MeshFile) and not has_meshed_shape(obj)
     if obj.ShapeChanged != changed:
         obj.ShapeChanged = changed
     update_status(obj)
     return obj.Status
+
+
+def has_meshed_shape(obj):
+    """Whether the shapes are those that were meshed, as they were or as the document has kept them."""
+    digest = shape_digest(obj)
+    return digest == obj.MeshedShape or (obj.MeshedShape, digest) == getattr(obj.Proxy, "reopened", None)
+
+
+def remember_reopened(obj):
+    """Files of FreeCAD keep shapes with 15 digits, so that one that was opened is not the one that was saved. Those that
+    come with a mesh that fits are taken for the ones that were meshed."""
+    if obj.MeshFile and not obj.ShapeChanged:
+        obj.Proxy.reopened = (obj.MeshedShape, shape_digest(obj))
 
 
 def stored(obj):
@@ -262,6 +275,7 @@ class MeshProxy(Stateless):
         try:
             properties.add_to(obj)
             update_status(obj)  # which a session without the core could not know
+            remember_reopened(obj)
         except core.CoreMissing as error:
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {error}\n")
         part_from_original(obj)
@@ -269,14 +283,19 @@ class MeshProxy(Stateless):
         attach_view(obj)
 
 
-class UndoObserver:
-    """Fills FemMesh again, which FreeCAD's undo leaves as it is."""
+class Observer:
+    """Fills FemMesh again, which FreeCAD's undo leaves as it is; compares shapes before they are saved."""
 
     def slotUndoDocument(self, document):
         for obj in meshes_of(document):
             refill(obj)
 
     slotRedoDocument = slotUndoDocument
+
+    def slotStartSaveDocument(self, document, _path):
+        if not core.problem():
+            for obj in meshes_of(document):
+                check(obj)
 
 
 def is_mesh(obj):
@@ -315,4 +334,4 @@ def add(document, parts, name="PaverMesh", **options):
     return obj
 
 
-FreeCAD.addDocumentObserver(UndoObserver())
+FreeCAD.addDocumentObserver(Observer())

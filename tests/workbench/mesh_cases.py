@@ -405,6 +405,37 @@ class Status(InDocument):
             self.assertEqual(mesh_object.check(obj), "Out of date")
             self.document.removeObject(obj.Name)
 
+    def test_shapes_that_files_keep_with_fewer_digits(self):
+        group = self.add("App::Part", placement=FreeCAD.Placement(FreeCAD.Vector(1 / 3, 0, 0), FreeCAD.Rotation(1, 2, 3)))
+        ball = self.add("Part::Sphere", group, FreeCAD.Placement(FreeCAD.Vector(50 / 7, 0, 0), FreeCAD.Rotation(4, 5, 6)))
+        fixed = self.document.addObject("Part::Feature", "Fixed")
+        ball.Radius = 10 / 3
+        self.document.recompute()
+        fixed.Shape = ball.Shape.fuse(self.box.Shape)
+        names = [mesh_object.add(self.document, part, size=5).Name for part in (fixed, group)]
+        for name in names:
+            meshing.mesh(self.document.getObject(name))
+        for _ in range(2):
+            self.reopen()
+            for name in names:
+                obj = self.document.getObject(name)
+                obj.touch()
+                self.document.recompute()
+                self.assertEqual(mesh_object.check(obj), "Up to date", name)
+        fixed, group = self.document.Fixed, self.document.getObject(names[1]).Part
+        group.Placement.Base.z = 1  # which FreeCAD does not report; saving looks
+        self.reopen()
+        fixed, obj = self.document.Fixed, self.document.getObject(names[0])
+        self.assertEqual(self.document.getObject(names[1]).Status, "Out of date")
+        self.assertEqual(mesh_object.check(self.document.getObject(names[1])), "Out of date")
+        shape = fixed.Shape
+        fixed.Shape = shape.scaled(1.0001)
+        self.assertEqual(mesh_object.check(obj), "Out of date")
+        fixed.Shape = shape
+        self.assertEqual(mesh_object.check(obj), "Up to date")
+        meshing.mesh(obj)
+        self.assertEqual(mesh_object.check(obj), "Up to date")
+
     def test_reopened_documents_know_it(self):
         obj = mesh_object.add(self.document, self.box, size=5)
         meshing.mesh(obj)
