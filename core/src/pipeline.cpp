@@ -2,6 +2,7 @@
 // read -> topology -> sizing -> boundary nodes -> regions -> paving -> join -> curving -> quality
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -265,7 +266,10 @@ class Run {
 }  // namespace
 
 MeshShare mesh_share(const CadModel& model, const Options& options, Progress& progress, Ranks& ranks) {
-  return guard_occt(ErrorCode::internal, kernel_failure, [&] { return Run(options, progress, ranks).mesh(model); });
+  check(options);
+  tbb::task_arena arena(thread_count(options.threads));  // for what spreads by itself
+  return guard_occt(ErrorCode::internal, kernel_failure,
+                    [&] { return arena.execute([&] { return Run(options, progress, ranks).mesh(model); }); });
 }
 
 MeshResult mesh_model(const CadModel& model, const Options& options, Progress& progress) {

@@ -9,6 +9,7 @@
 
 #include "assemble/neighbourhood.h"
 #include "mesh/flat_elements.h"
+#include "quality/element_figures.h"
 #include "quality/jacobian.h"
 
 namespace paver {
@@ -193,10 +194,8 @@ Assembler::Invalid Assembler::curve() {
   straightened_ = 0;
   if (options_.order == 1) {
     mesh_ = std::move(joined_.mesh);
-    invalid_quads_.clear();
+    invalid_quads_ = find_invalid(mesh_, true);
     invalid_triangles_.clear();
-    for (int q = 0; q < static_cast<int>(mesh_.quad_count()); ++q)
-      if (!is_valid(mesh_, true, q)) invalid_quads_.push_back(q);
     return count_invalid();
   }
   std::vector<CutSide> outlines;
@@ -206,7 +205,8 @@ Assembler::Invalid Assembler::curve() {
   cuts_.emplace(regions_, std::move(outlines));
   curved_ = curve_elements(joined_, nodes_, model_, *cuts_, parts_, options_.threads, progress_);
   mesh_ = std::move(curved_.mesh);
-  RepairResult repaired = repair_elements(mesh_, is_valid, curved_.first_inside);
+  RepairResult repaired =
+      repair_elements(mesh_, is_valid, find_invalid(mesh_, true), find_invalid(mesh_, false), curved_.first_inside);
   straightened_ = repaired.recentred + repaired.straightened;
   invalid_quads_ = repaired.invalid_quads;
   invalid_triangles_ = repaired.invalid_triangles;

@@ -10,27 +10,27 @@
 namespace paver {
 namespace {
 
-/// Surface point nearest to `target`, by Gauss-Newton in the chart from p; the start itself where that does not settle.
-Vec3 nearest_point(const Region& region, Vec2 p, Vec3 target) {
-  Vec3 first, x, xp, xq;
-  region.evaluate(p, x, xp, xq);
-  first = x;
-  double best = norm(target - x);
-  for (int i = 0; i < 6; ++i) {
-    double a = dot(xp, xp), b = dot(xp, xq), c = dot(xq, xq), det = a * c - b * b;
+constexpr double settled = 1e-3;  // of `scale`: a step along the surface that is not worth an evaluation
+
+/// Surface point nearest to `target`, by Gauss-Newton in the chart from p, up to `settled` times `scale`; the nearest
+/// one on the way where that does not settle.
+Vec3 nearest_point(const Region& region, Vec2 p, Vec3 target, double scale) {
+  Vec3 nearest, x, xp, xq;
+  double best = INFINITY;
+  for (int i = 0; i < 7; ++i) {
+    region.evaluate(p, x, xp, xq);
+    const Vec3 r = target - x;
+    const double d = norm(r);
+    if (i > 0 && !(d <= best * (1 + 1e-12))) break;
+    nearest = x, best = d;
+    const double a = dot(xp, xp), b = dot(xp, xq), c = dot(xq, xq), det = a * c - b * b;
     if (!(det > 1e-12 * a * c)) break;
-    Vec3 r = target - x;
-    double s = dot(r, xp), t = dot(r, xq);
-    Vec2 step{(c * s - b * t) / det, (a * t - b * s) / det};
-    Vec3 y, yp, yq;
-    region.evaluate(p + step, y, yp, yq);
-    double d = norm(target - y);
-    if (!(d <= best * (1 + 1e-12))) break;
-    double moved = norm(y - x);
-    p = p + step, x = y, xp = yp, xq = yq, best = d;
-    if (moved < 1e-9 * (1e-300 + norm(xp) + norm(xq)) * norm(step) || moved == 0) break;
+    const double s = dot(r, xp), t = dot(r, xq);
+    const Vec2 step{(c * s - b * t) / det, (a * t - b * s) / det};
+    if (norm(step.x * xp + step.y * xq) <= settled * scale) break;
+    p = p + step;
   }
-  return std::isfinite(norm(x)) ? x : first;
+  return nearest;
 }
 
 /// Distance from `target` to the surface near p. Ends where the foot is nearly below the target: what is left of the
@@ -62,13 +62,16 @@ std::vector<double> sizes(const std::vector<CurvingPart>& parts) {
   return cost;
 }
 
+Vec3 side_middle(const Region& region, Vec2 p, Vec3 a, Vec3 b) {
+  return nearest_point(region, p, 0.5 * (a + b), norm(b - a));
+}
+
 void place_sides(const CurvingPart& part, const std::vector<std::array<int, 2>>& sides, int first, SurfaceMesh& mesh) {
   const std::vector<int>& node_of = *part.node_of;
   for (std::size_t k = 0; k < sides.size(); ++k) {
     auto [v, w] = sides[k];
-    Vec3 chord = 0.5 * (mesh.nodes[node_of[v]] + mesh.nodes[node_of[w]]);
-    mesh.nodes[first + static_cast<int>(k)] =
-        nearest_point(*part.region, 0.5 * (part.mesh->p[v] + part.mesh->p[w]), chord);
+    mesh.nodes[first + static_cast<int>(k)] = side_middle(*part.region, 0.5 * (part.mesh->p[v] + part.mesh->p[w]),
+                                                          mesh.nodes[node_of[v]], mesh.nodes[node_of[w]]);
   }
 }
 
@@ -81,9 +84,9 @@ void place_cuts(const OrderTwoMesh& raised, const Cuts& cuts, const CurvingPart&
     is_placed[number] = 1;
     const CutSide& cut = cuts.sides()[static_cast<std::size_t>(number)];
     auto [v, w] = raised.sides[i].border[k];
-    Vec3 chord = 0.5 * (mesh.nodes[(*part.node_of)[v]] + mesh.nodes[(*part.node_of)[w]]);
     Vec2 middle = 0.5 * (cut.region ? cut.pa + cut.pb : part.mesh->p[v] + part.mesh->p[w]);
-    mesh.nodes[raised.border_node[i][k]] = nearest_point(cut.region ? *cut.region : *part.region, middle, chord);
+    mesh.nodes[raised.border_node[i][k]] = side_middle(cut.region ? *cut.region : *part.region, middle,
+                                                       mesh.nodes[(*part.node_of)[v]], mesh.nodes[(*part.node_of)[w]]);
   }
 }
 
@@ -107,7 +110,9 @@ void place_centres(const CurvingPart& part, std::size_t quad, SurfaceMesh& mesh)
   for (const Element& e : part.mesh->elements) {
     if (!e.is_alive() || e.corners() != 4) continue;
     Vec3 blend = blended_centre(mesh, static_cast<int>(quad));
-    mesh.nodes[mesh.quads[9 * quad + 8]] = nearest_point(*part.region, mean_place(*part.mesh, e), blend);
+    const int* v = &mesh.quads[9 * quad];
+    const double across = norm(mesh.nodes[v[2]] - mesh.nodes[v[0]]);
+    mesh.nodes[v[8]] = nearest_point(*part.region, mean_place(*part.mesh, e), blend, across);
     ++quad;
   }
 }

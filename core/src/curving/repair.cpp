@@ -178,15 +178,9 @@ RepairResult run(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector
 
 }  // namespace
 
-RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid, int first_inside) {
-  std::vector<int> quads, triangles;
-  for (int q = 0; q < static_cast<int>(mesh.quad_count()); ++q) {
-    if (!is_valid(mesh, true, q)) quads.push_back(q);
-  }
-  for (int t = 0; t < static_cast<int>(mesh.triangle_count()); ++t) {
-    if (!is_valid(mesh, false, t)) triangles.push_back(t);
-  }
-  return run(mesh, is_valid, quads, triangles, false, first_inside);
+RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& invalid_quads,
+                             const std::vector<int>& invalid_triangles, int first_inside) {
+  return run(mesh, is_valid, invalid_quads, invalid_triangles, false, first_inside);
 }
 
 RepairResult straighten_at_edges(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& invalid_quads,

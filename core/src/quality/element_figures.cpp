@@ -1,5 +1,7 @@
 #include "quality/element_figures.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 namespace paver {
@@ -39,6 +41,22 @@ void measure_elements(const SurfaceMesh& mesh, bool is_quad, std::size_t begin, 
       *figures++ = {finite(of.sj.of[lane]), finite(of.area.of[lane]), bound.ratio, bound.validity};
     }
   }
+}
+
+std::vector<int> find_invalid(const SurfaceMesh& mesh, bool is_quad) {
+  constexpr std::size_t block = 1024;
+  const std::size_t count = is_quad ? mesh.quad_count() : mesh.triangle_count(), blocks = (count + block - 1) / block;
+  std::vector<std::vector<int>> found(blocks);
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+    ElementFigures figures[block];
+    const std::size_t begin = b * block, end = std::min(begin + block, count);
+    measure_elements(mesh, is_quad, begin, end, figures);
+    for (std::size_t i = begin; i < end; ++i)
+      if (figures[i - begin].validity != Validity::valid) found[b].push_back(static_cast<int>(i));
+  });
+  std::vector<int> all;
+  for (const std::vector<int>& some : found) all.insert(all.end(), some.begin(), some.end());
+  return all;
 }
 
 }  // namespace paver
