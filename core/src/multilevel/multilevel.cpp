@@ -24,7 +24,7 @@ namespace {
 constexpr int least_ratio = 4, automatic_ratio = 6;
 constexpr double fewest_coarse = 2000;  // elements that the coarse mesh should have: large elements vary more in length
 constexpr double evenness = 2.1;        // of coarse meshes: their irregular nodes are few among the fine ones
-constexpr int even_sweeps = 8, count_sweeps = 20, fine_sweeps = 2;
+constexpr int even_sweeps = 4, count_sweeps = 12, fine_sweeps = 2;
 constexpr double worst_goal = 0.74;
 constexpr double piece_elements = 4096;  // fine ones: enough pieces for many ranks, few nodes between them
 constexpr int whole = -1;                // for boundary_nodes: one piece
