@@ -9,6 +9,7 @@
 
 #include "paver/error.h"
 #include "paver/options.h"
+#include "paver/progress.h"
 #include "paver/vec.h"
 
 namespace paver {
@@ -85,6 +86,12 @@ struct ModelReport {
   std::vector<std::string> free_edge_names, nonmanifold_edge_names;  ///< "Edge7"
 };
 
+/// How long one piece of work that may run on any thread or rank took; those of one stage in the order of the queue.
+struct TaskTime {
+  Stage stage = Stage::paving;  ///< regions: the coarse mesh of a region on levels; or paving
+  double seconds = 0;           ///< wall time
+};
+
 struct RunReport {
   ModelReport model;
   double target_length = 0;  ///< mm
@@ -94,6 +101,7 @@ struct RunReport {
   std::vector<FaceReport> faces;
   std::vector<std::string> notes;                             ///< one sentence each
   std::vector<std::pair<std::string, double>> stage_seconds;  ///< wall time per stage, in order
+  std::vector<TaskTime> tasks;                                ///< those done by this process
   double peak_memory_mib = 0;
 };
 

@@ -59,6 +59,7 @@ void Assembler::run() {
     if (!has_any(invalid)) break;
   }
   note_invalid(invalid);
+  report_.tasks = paver_.times();
   if (ranks_.count() > 1) number(share_);
 }
 

@@ -101,6 +101,7 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
                {"faces", Json::array()},
                {"notes", run.notes},
                {"stage_seconds", Json::object()},
+               {"tasks", Json::object()},
                {"peak_memory_mib", run.peak_memory_mib},
                {"checksum", fmt::format("{:016x}", mesh_checksum)}};
   for (std::size_t i = 0; i < run.faces.size(); ++i) {
@@ -108,6 +109,7 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
     json["faces"].push_back(face_json(run.faces[i], label));
   }
   for (const auto& [stage, seconds] : run.stage_seconds) json["stage_seconds"][stage] = seconds;
+  for (const TaskTime& task : run.tasks) json["tasks"][stage_name(task.stage)].push_back(task.seconds);
   // Names from CAD files may not be UTF-8: replace what is not, rather than fail.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

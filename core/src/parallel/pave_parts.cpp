@@ -10,7 +10,6 @@
 #include <numeric>
 
 #include "brep/kernel_guard.h"
-#include "parallel/tasks.h"
 
 namespace paver {
 namespace {
@@ -82,19 +81,25 @@ std::vector<RegionFailure> PartPaver::pave_again(const std::vector<char>& is_wan
 
 // Regions without levels cost nothing here.
 void PartPaver::plan() {
-  std::vector<int> done = run_tasks(
+  const std::vector<DoneTask> done = run_tasks(
       options_.threads, costs_, [&] { return ranks_.take(queue_); },
       [&](int i) {
         plans_[i] = plan_levels(regions_[i], options_.multilevel, boundary_nodes_, progress_, options_.elements);
       });
   ++queue_;
+  note_times(Stage::regions, done);
   exchange_plans(done);
 }
 
-void PartPaver::exchange_plans(const std::vector<int>& done) {
+void PartPaver::note_times(Stage stage, const std::vector<DoneTask>& done) {
+  for (const DoneTask& task : done) times_.push_back({stage, task.seconds});
+}
+
+void PartPaver::exchange_plans(const std::vector<DoneTask>& done) {
   if (ranks_.count() == 1) return;
   std::string mine;
-  for (int i : done) {
+  for (const DoneTask& task : done) {
+    const int i = task.task;
     if (!plans_[i]) continue;
     const std::string plan = pack(*plans_[i]);
     for (std::size_t number : {static_cast<std::size_t>(i), plan.size()})
@@ -135,7 +140,7 @@ std::vector<char> PartPaver::run_parts(const std::vector<int>& which, std::vecto
     else
       mine.push_back(failure_of(part.region, error));
   };
-  run_tasks(
+  const std::vector<DoneTask> done = run_tasks(
       options_.threads, cost, [&] { return ranks_.take(queue_); },
       [&](int k) {
         Part& part = parts_[which[k]];
@@ -150,6 +155,7 @@ std::vector<char> PartPaver::run_parts(const std::vector<int>& which, std::vecto
         progress_.advance();
       });
   ++queue_;
+  note_times(Stage::paving, done);
   ranks_.add_up(has_failed);
   std::vector<RegionFailure> all;
   for (const std::string& text : ranks_.gather(to_text(mine))) add_from_text(text, all);

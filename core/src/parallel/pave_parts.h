@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "multilevel/multilevel.h"
+#include "parallel/tasks.h"
 #include "paver/options.h"
 #include "paver/ranks.h"
+#include "paver/result.h"
 #include "paving/pave_region.h"
 #include "regions/region.h"
 
@@ -53,11 +55,14 @@ class PartPaver {
   int outline_nodes() const { return first_outline_.back(); }
   /// Sides on the outlines, as shared nodes of the whole model (see shared_node).
   std::vector<std::array<int, 2>> outline_sides(int region) const;
+  /// Tasks done here so far.
+  const std::vector<TaskTime>& times() const { return times_; }
   const Region& place_of(const Part& part) const { return part.place ? *part.place : regions_[part.region]; }
 
  private:
   void plan();
-  void exchange_plans(const std::vector<int>& done);
+  void note_times(Stage stage, const std::vector<DoneTask>& done);
+  void exchange_plans(const std::vector<DoneTask>& done);
   std::vector<char> run_parts(const std::vector<int>& which, std::vector<RegionFailure>& failures,
                               const std::function<PavedRegion(const Part&)>& pave);
   void replace(const std::vector<char>& is_whole);
@@ -71,6 +76,7 @@ class PartPaver {
   Progress& progress_;
   Ranks& ranks_;
   std::vector<Part> parts_;
+  std::vector<TaskTime> times_;
   int queue_ = 0;
   std::vector<std::optional<LevelPlan>> plans_;  // per region
   std::vector<char> is_in_pieces_;               // per region

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <numeric>
 
 namespace paver {
@@ -19,31 +20,36 @@ void run_tasks(int threads, const std::vector<double>& cost, const std::function
       threads, cost, [&] { return next.fetch_add(1); }, task);
 }
 
-std::vector<int> run_tasks(int threads, const std::vector<double>& cost, const std::function<long()>& take,
-                           const std::function<void(int)>& task) {
+std::vector<DoneTask> run_tasks(int threads, const std::vector<double>& cost, const std::function<long()>& take,
+                                const std::function<void(int)>& task) {
   std::vector<int> order(cost.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return cost[a] > cost[b]; });
   const int workers = thread_count(threads);
-  std::vector<std::vector<int>> done(static_cast<std::size_t>(workers));
+  using Clock = std::chrono::steady_clock;
+  std::vector<std::vector<std::pair<long, double>>> done(static_cast<std::size_t>(workers));
   tbb::task_arena arena(workers);
   arena.execute([&] {
     tbb::task_group_context context;  // knows when another thread's task has thrown
     tbb::parallel_for(
         0, workers,
         [&](int worker) {
-          for (std::size_t i; (i = static_cast<std::size_t>(take())) < order.size();) {
+          for (long i; (i = take()) < static_cast<long>(order.size());) {
             if (context.is_group_execution_cancelled()) return;
-            done[static_cast<std::size_t>(worker)].push_back(order[i]);
-            task(order[i]);
+            const Clock::time_point start = Clock::now();
+            task(order[static_cast<std::size_t>(i)]);
+            const std::chrono::duration<double> seconds = Clock::now() - start;
+            done[static_cast<std::size_t>(worker)].emplace_back(i, seconds.count());
           }
         },
         tbb::simple_partitioner{}, context);
   });
-  std::vector<int> all;
-  for (const std::vector<int>& some : done) all.insert(all.end(), some.begin(), some.end());
+  std::vector<std::pair<long, double>> all;
+  for (const auto& some : done) all.insert(all.end(), some.begin(), some.end());
   std::sort(all.begin(), all.end());
-  return all;
+  std::vector<DoneTask> result;
+  for (auto [i, seconds] : all) result.push_back({order[static_cast<std::size_t>(i)], seconds});
+  return result;
 }
 
 }  // namespace paver

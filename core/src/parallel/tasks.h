@@ -11,10 +11,16 @@ namespace paver {
 /// order.
 void run_tasks(int threads, const std::vector<double>& cost, const std::function<void(int)>& task);
 
+/// A task that was done here, and its wall time.
+struct DoneTask {
+  int task = -1;
+  double seconds = 0;
+};
+
 /// The same for a queue shared with others: each thread takes the next number from `take` until it is beyond the last
-/// task. Gives those done here, rising.
-std::vector<int> run_tasks(int threads, const std::vector<double>& cost, const std::function<long()>& take,
-                           const std::function<void(int)>& task);
+/// task. Gives those done here in the order of the queue.
+std::vector<DoneTask> run_tasks(int threads, const std::vector<double>& cost, const std::function<long()>& take,
+                                const std::function<void(int)>& task);
 
 /// Number of threads that `threads` stands for.
 int thread_count(int threads);
