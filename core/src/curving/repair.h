@@ -19,10 +19,10 @@ struct RepairResult {
   std::vector<int> invalid_quads, invalid_triangles;  ///< what no step could mend, in order
 };
 
-/// Mends elements of an order-2 mesh that are known as invalid. In this order, until valid: the centre as the blend of the sides;
-/// the middles of its interior sides 1/2, 3/4 and all the way to the middle of the chord. Middles on B-rep edges, nodes
-/// before `first_inside`, which parts share, and corners never move. A valid neighbour stays valid (it may be
-/// straightened for that, too), else the element is left as it was and listed.
+/// Mends elements of an order-2 mesh that are known as invalid. In this order, until valid: the centre as the blend of
+/// the sides; the middles of its interior sides 1/2, 3/4 and all the way to the middle of the chord. Middles on B-rep
+/// edges, nodes before `first_inside`, which parts share, and corners never move. A valid neighbour stays valid (it may
+/// be straightened for that, too), else the element is left as it was and listed.
 RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& invalid_quads,
                              const std::vector<int>& invalid_triangles, int first_inside = 0);
 
