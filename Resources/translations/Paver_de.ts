@@ -148,6 +148,10 @@
         <translation>Threads, auf denen gearbeitet wird; 0: alle Kerne [0]</translation>
     </message>
     <message>
+        <source>Processes that share the work, by MPI; 0: without MPI [0]</source>
+        <translation>Prozesse, die sich die Arbeit teilen, über MPI; 0: ohne MPI [0]</translation>
+    </message>
+    <message>
         <source>Largest gap between faces that is sewn; 0: never sew [from the target length]. Negative: automatic</source>
         <translation>Größte Lücke zwischen Flächen, die geschlossen wird; 0: nie [aus der Ziellänge]. Negativ: automatisch</translation>
     </message>
@@ -885,6 +889,10 @@
     <message>
         <source>Threads</source>
         <translation>Threads</translation>
+    </message>
+    <message>
+        <source>MPI processes</source>
+        <translation>MPI-Prozesse</translation>
     </message>
     <message>
         <source>Sew gaps up to</source>

@@ -24,5 +24,6 @@ OPTIONS = [
     tip("quad-dominant; all-quad: triangles only where nothing else is possible; all-triangle [quad-dominant]"),
     tip("Mesh large faces at K times the target length first and divide that mesh: off, auto, 4 to 8 [auto]"),
     tip("Threads to work on; 0: all cores [0]"),
+    tip("Processes that share the work, by MPI; 0: without MPI [0]"),
     tip("Largest gap between faces that is sewn; 0: never sew [from the target length]. Negative: automatic"),
 ]

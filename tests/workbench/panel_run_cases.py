@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 
 import window
 from child_cases import children
-from paver_wb import mesh_object
+from paver_wb import mesh_object, properties
 from paver_wb.gui import run_control
 from paver_wb.gui.display import drawn_mesh
 from panel_cases import PanelCase
@@ -208,6 +208,26 @@ class Runs(PanelCase):
             window.wait(lambda: run.outcome, "for the mesh")
             self.assertEqual(run.outcome.kind, "meshed")
         self.assertEqual(moved, [1])
+
+    def test_ranks_give_the_same_mesh(self):
+        if not properties.has_ranks():
+            return
+        mesh = self.add_mesh(size=0.5)
+        self.open(mesh)
+        self.mesh_and_wait()
+        alone = mesh_object.stored(mesh).report["checksum"]
+        for run_in in ("Automatic", "Own process"):
+            mesh.RunIn, mesh.Ranks = run_in, 2
+            self.assertEqual(self.text("ranks"), "2")
+            self.mesh_and_wait()
+            self.assertEqual((self.text("FaultText"), mesh.Status), ("", "Up to date"))
+            self.assertEqual(mesh_object.stored(mesh).report["checksum"], alone)
+        window.picture("panel_ranks")
+        mesh.RunIn = "Automatic"
+        run = self.begin_long_run(mesh)
+        run.stop()
+        window.wait(lambda: run.outcome, "for the stop")
+        self.assertEqual((run.outcome.kind, folders(self.document)), ("cancelled", []))
 
     def test_freecad_survives_a_child_that_dies(self):
         mesh = self.add_mesh()

@@ -3,7 +3,7 @@ import os
 
 from PySide import QtCore
 
-from paver_wb import child_process, core, mesh_file, mesh_job, mesh_object
+from paver_wb import child_process, core, mesh_file, mesh_job, mesh_object, properties
 from paver_wb.gui.display import drawn_mesh
 
 STEP = 0.02  # share of a stage
@@ -75,6 +75,8 @@ class MeshThread(Background):
     def is_for_child(self):
         if self.run_in != mesh_object.AUTOMATIC:
             return self.run_in == mesh_object.IN_PROCESS
+        if self.job.options.get(properties.RANKS):
+            return False  # ranks are processes of their own anyway
         self.model = self.model or self.job.model()
         return core.load().predict(self.model, cancel=self.stop, **self.job.options).elements >= self.heavy
 

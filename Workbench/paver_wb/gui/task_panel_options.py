@@ -21,7 +21,8 @@ def labels():
             "mu_r": translate("Paver", "\u03bcr"), "max_turn": translate("Paver", "Turn per edge"),
             "gradation": translate("Paver", "Gradation"), "max_elements": translate("Paver", "Most elements"),
             "order": translate("Paver", "Order"), "elements": translate("Paver", "Elements"),
-            "multilevel": translate("Paver", "Coarse mesh first"), "threads": translate("Paver", "Threads"), "sew_tolerance": translate("Paver", "Sew gaps up to")}
+            "multilevel": translate("Paver", "Coarse mesh first"), "threads": translate("Paver", "Threads"),
+            "ranks": translate("Paver", "MPI processes"), "sew_tolerance": translate("Paver", "Sew gaps up to")}
 
 
 def with_labels(text):
