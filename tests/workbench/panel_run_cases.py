@@ -216,11 +216,12 @@ class Runs(PanelCase):
         self.open(mesh)
         self.mesh_and_wait()
         alone = mesh_object.stored(mesh).report["checksum"]
+        window.click(window.widget("Paver_More"))
         for run_in in ("Automatic", "Own process"):
             mesh.RunIn, mesh.Ranks = run_in, 2
             self.assertEqual(self.text("ranks"), "2")
             self.mesh_and_wait()
-            self.assertEqual((self.text("FaultText"), mesh.Status), ("", "Up to date"))
+            self.assertEqual((window.widget("Paver_FaultText"), mesh.Status), (None, "Up to date"))
             self.assertEqual(mesh_object.stored(mesh).report["checksum"], alone)
         window.picture("panel_ranks")
         mesh.RunIn = "Automatic"
