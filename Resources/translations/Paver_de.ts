@@ -1175,6 +1175,10 @@
         <translation>Gekrümmte Vierecksnetze von Oberflächen für Löser der Momentenmethode</translation>
     </message>
     <message>
+        <source>This FreeCAD is built without its FEM module, which mesh objects need; install one that has it.</source>
+        <translation>Dieses FreeCAD ist ohne sein Modul FEM gebaut, das Netzobjekte brauchen; installieren Sie eines, das es hat.</translation>
+    </message>
+    <message>
         <source>text</source>
         <translation>Text</translation>
     </message>

@@ -22,6 +22,16 @@ def register():
     FreeCADGui.addWorkbench(PaverWorkbench())
 
 
+def load_what_takes_a_moment():
+    """Now rather than with the first mesh object."""
+    from paver_wb.gui.display import selection  # noqa: F401
+    try:
+        import FemGui  # noqa: F401
+    except ImportError:
+        FreeCAD.Console.PrintError(FreeCAD.Qt.translate("Paver", "This FreeCAD is built without its FEM module, which "
+                                                                 "mesh objects need; install one that has it.") + "\n")
+
+
 class PaverWorkbench(FreeCADGui.Workbench):
     """Quad meshes of surfaces, by paving."""
 
@@ -34,6 +44,7 @@ class PaverWorkbench(FreeCADGui.Workbench):
         from paver_wb.gui import commands
         from paver_wb.gui.commands import view
         examples, views = commands.add_all(), view.add_all()
+        load_what_takes_a_moment()
         self.appendToolbar("Paver", commands.TOOLBAR)
         self.appendToolbar(VIEW, views)
         self.appendMenu("&Paver", commands.MENU)
