@@ -47,7 +47,8 @@ class Tessellation(NamedTuple):
 
 
 class SurfaceMesh:
-    """A mesh from arrays as those of a Result, which may come from a file; the arrays are copied.
+    """A mesh from arrays as those of a Result, which may come from a file; the arrays are copied, and
+    other threads of Python run meanwhile.
 
     ValueError when they do not fit together.
     """
