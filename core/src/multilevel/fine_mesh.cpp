@@ -24,9 +24,7 @@ FineMesh::FineMesh(const Region& whole, const LevelPlan& level_plan, Front& fine
       front(fine_front),
       whole_(whole),
       counts_(level_plan.counts),
-      fine_(fine_front.mesh),
-      node_(mesh.p.size(), -1),
-      first_(net.edges.size(), -1) {
+      fine_(fine_front.mesh) {
   front.start_whole();
 }
 
@@ -48,16 +46,20 @@ const LoopNode& FineMesh::loop_node(const CoarseEdge& edge, int i) const {
 }
 
 int FineMesh::corner_node(int v) {
-  if (node_[v] >= 0) return node_[v];
-  if (auto [loop, i] = plan.place_on_loop[v]; loop >= 0)
-    return node_[v] = node_on_loop(static_cast<std::size_t>(loop), plan.at[loop][i]);
-  node_[v] = front.add_placed_node(mesh.place(v));
-  if (plan.outline_of_node[v] >= 0) share(node_[v], plan.outline_of_node[v]);
-  if (mesh.is_fixed[v]) {
-    fine_.is_fixed[node_[v]] = 1;
-    fine_.global[node_[v]] = mesh.global[v];
+  if (auto known = node_.find(v); known != node_.end()) return known->second;
+  int node = -1;
+  if (auto [loop, i] = plan.place_on_loop[v]; loop >= 0) {
+    node = node_on_loop(static_cast<std::size_t>(loop), plan.at[loop][i]);
+  } else {
+    node = front.add_placed_node(mesh.place(v));
+    if (plan.outline_of_node[v] >= 0) share(node, plan.outline_of_node[v]);
+    if (mesh.is_fixed[v]) {
+      fine_.is_fixed[node] = 1;
+      fine_.global[node] = mesh.global[v];
+    }
   }
-  return node_[v];
+  node_[v] = node;
+  return node;
 }
 
 void FineMesh::share(int node, int outline) {
@@ -97,33 +99,35 @@ Row FineMesh::row_of(int e, int from) {
     const std::size_t l = static_cast<std::size_t>(edge.loop), f = static_cast<std::size_t>(edge.facet);
     for (int i = plan.at[l][f]; i <= plan.at[l][f + 1]; ++i) row.push_back(node_on_loop(l, i));
   } else {
-    for (int v : {edge.a, edge.b}) corner_node(v);
-    if (first_[e] < 0) add_edge_nodes(e);
-    row.push_back(node_[edge.a]);
-    for (int i = 0; i + 1 < counts_[e]; ++i) row.push_back(first_[e] + i);
-    row.push_back(node_[edge.b]);
+    const int a = corner_node(edge.a), b = corner_node(edge.b);
+    auto first = first_.find(e);
+    if (first == first_.end()) first = first_.emplace(e, add_edge_nodes(e)).first;
+    row.push_back(a);
+    for (int i = 0; i + 1 < counts_[e]; ++i) row.push_back(first->second + i);
+    row.push_back(b);
   }
   if (from != edge.a) std::reverse(row.begin(), row.end());
   return row;
 }
 
-void FineMesh::add_edge_nodes(int e) {
+int FineMesh::add_edge_nodes(int e) {
   const CoarseEdge& edge = net.edges[e];
-  first_[e] = fine_.node_count();
   // From a pole nothing can be placed.
   bool is_turned = is_pole(edge.a);
   const int a = is_turned ? edge.b : edge.a, b = is_turned ? edge.a : edge.b, n = counts_[e];
   const Vec3 xa = mesh.x[a], xb = mesh.x[b], ta = tangent(e, a), tb = -1 * tangent(e, b);
-  Row row{node_[a]};
+  Row row{corner_node(a)};
+  const int first = fine_.node_count();
   for (int i = 1; i < n; ++i) {
     double t = static_cast<double>(i) / n, s = 1 - t;
     Vec3 y = (s * s * (1 + 2 * t)) * xa + (t * t * (1 + 2 * s)) * xb + (s * s * t) * ta - (t * t * s) * tb;
-    Vec2 guess = i > 1 ? 2 * fine_.p[row[i - 1]] - fine_.p[row[i - 2]] : stepped(node_[a], y);
+    Vec2 guess = i > 1 ? 2 * fine_.p[row[i - 1]] - fine_.p[row[i - 2]] : stepped(row[0], y);
     row.push_back(place(y, guess));
   }
-  if (is_turned && n > 2) reverse_nodes(first_[e], n - 1);
+  if (is_turned && n > 2) reverse_nodes(first, n - 1);
   if (plan.outline_of_edge[e] >= 0)
-    for (int i = 0; i + 1 < n; ++i) share(first_[e] + i, plan.outline_of_edge[e] + i);
+    for (int i = 0; i + 1 < n; ++i) share(first + i, plan.outline_of_edge[e] + i);
+  return first;
 }
 
 void FineMesh::reverse_nodes(int first, int count) {

@@ -38,7 +38,7 @@ class FineMesh {
  private:
   int node_on_loop(std::size_t loop, int i);
   void share(int node, int outline);
-  void add_edge_nodes(int e);
+  int add_edge_nodes(int e);
   void reverse_nodes(int first, int count);
   Vec3 tangent(int e, int v) const;
   int edge_across(int e, int v) const;
@@ -54,9 +54,9 @@ class FineMesh {
   const Region& whole_;
   const std::vector<int>& counts_;
   RegionMesh& fine_;
-  std::unordered_map<int, Row> made_;  // by node of the boundary stage: its fine nodes so far
-  Row node_;                           // per coarse node: fine node
-  Row first_;                          // per coarse edge inside: its first fine node between the ends
+  std::unordered_map<int, Row> made_;   // by node of the boundary stage: its fine nodes so far
+  std::unordered_map<int, int> node_;   // by coarse node: fine node. Maps, since a piece sees few of all
+  std::unordered_map<int, int> first_;  // by coarse edge inside: its first fine node between the ends
   Row grid_;
 };
 

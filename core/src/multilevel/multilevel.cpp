@@ -177,15 +177,13 @@ PavedRegion lay_piece(const Region& region, const Region& part, const LevelPlan&
   if (i == 0) result.counts = plan.paving;
   Front front(part, result.mesh);
   FineMesh fine(region, plan, front);
-  std::vector<char> is_marked(plan.mesh.elements.size(), 0);
-  bool has_grids = false;
+  std::vector<int> marked;
   for (int e : plan.pieces[i]) {
     if (e % 64 == 0) progress.check();
-    is_marked[e] = plan.is_paved[e] || !fine.lay(e);
-    has_grids |= !is_marked[e];
+    if (plan.is_paved[e] || !fine.lay(e)) marked.push_back(e);
   }
-  const std::vector<int> rests = pave_patches(fine, is_marked, progress, quads);
-  if (has_grids) smooth(front, rests, progress);
+  const std::vector<int> rests = pave_patches(fine, marked, progress, quads);
+  if (marked.size() < plan.pieces[i].size()) smooth(front, rests, progress);
   front.end_slides();
   if (count_faults(result.mesh).sum() > 0)
     throw Error(ErrorCode::face_failed, "a piece of the coarse mesh cannot be divided",

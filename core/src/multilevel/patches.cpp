@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "paving/pave_region.h"
 
@@ -35,14 +36,13 @@ std::multimap<int, OutlineEdge> outline_of(const std::vector<int>& part, const R
 
 class PatchPaver {
  public:
-  PatchPaver(FineMesh& fine, const std::vector<char>& is_marked, const Progress& progress, Elements elements)
+  PatchPaver(FineMesh& fine, const std::vector<int>& marked, const Progress& progress, Elements elements)
       : fine_(fine), front_(fine.front), mesh_(fine.mesh), progress_(progress), elements_(elements) {
-    waits_ = is_marked;
+    waits_.insert(marked.begin(), marked.end());
   }
 
   std::vector<int> run() {
-    for (std::size_t e = 0; e < waits_.size(); ++e)
-      if (waits_[e]) pave(part_from(static_cast<int>(e)));
+    while (!waits_.empty()) pave(part_from(*waits_.begin()));
     return std::move(about_poles_);
   }
 
@@ -50,12 +50,12 @@ class PatchPaver {
   // All marked elements that hang together by nodes.
   std::vector<int> part_from(int first) {
     std::vector<int> part{first};
-    waits_[first] = 0;
+    waits_.erase(first);
     for (std::size_t i = 0; i < part.size(); ++i)
       for (int v : mesh_.elements[part[i]].v) {
         if (v < 0) continue;
         for (int e : mesh_.star[v])
-          if (waits_[e]) waits_[e] = 0, part.push_back(e);
+          if (waits_.erase(e) > 0) part.push_back(e);
       }
     return part;
   }
@@ -147,7 +147,7 @@ class PatchPaver {
   const RegionMesh& mesh_;
   const Progress& progress_;
   const Elements elements_;
-  std::vector<char> waits_;
+  std::set<int> waits_;
   std::vector<int> about_poles_;
 };
 
@@ -168,9 +168,9 @@ void settle_marks(const RegionMesh& mesh, const CoarseNet& net, std::vector<char
   }
 }
 
-std::vector<int> pave_patches(FineMesh& fine, const std::vector<char>& is_marked, const Progress& progress,
+std::vector<int> pave_patches(FineMesh& fine, const std::vector<int>& marked, const Progress& progress,
                               Elements elements) {
-  return PatchPaver(fine, is_marked, progress, elements).run();
+  return PatchPaver(fine, marked, progress, elements).run();
 }
 
 }  // namespace paver

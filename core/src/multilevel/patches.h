@@ -12,9 +12,9 @@ namespace paver {
 /// Marks elements (1 in `is_marked`) that would leave an outline of the marked ones touching itself.
 void settle_marks(const RegionMesh& mesh, const CoarseNet& net, std::vector<char>& is_marked);
 
-/// Paves the marked coarse elements at the fine target length: those that share a node together, between the fine nodes
-/// on their outline. Gives the new nodes about poles: best left where they are.
-std::vector<int> pave_patches(FineMesh& fine, const std::vector<char>& is_marked, const Progress& progress,
+/// Paves the coarse elements of `marked` at the fine target length: those that share a node together, between the fine
+/// nodes on their outline. Gives the new nodes about poles: best left where they are.
+std::vector<int> pave_patches(FineMesh& fine, const std::vector<int>& marked, const Progress& progress,
                               Elements elements);
 
 }  // namespace paver
