@@ -135,25 +135,33 @@ class Run {
     for (int round = 0;; ++round) {
       nodes_ = divide_edges(model_, size_, counts, progress_);
       regions_ = build_regions(model_, size_, layouts, nodes_);
-      if (round == most_refinements || !refine_crossings(counts)) break;
+      if (round == most_refinements || !refine_crossings(counts, round)) break;
     }
     begin(Stage::regions);
   }
 
   // Doubles the counts of crossing edges, keeping their parity. Whether anything crossed.
-  bool refine_crossings(std::vector<int>& counts) {
+  bool refine_crossings(std::vector<int>& counts, int round) {
     std::vector<std::array<int, 2>> crossing(regions_.size(), {-1, -1});
-    run_tasks(options_.threads, costs(), [&](int i) {
-      progress_.check();
-      if (auto edges = find_crossing(regions_[i])) crossing[i] = *edges;
-    });
-    std::vector<bool> is_refined(counts.size(), false);
+    const int queue = Ranks::most_queues - 1 - round;
+    run_tasks(
+        options_.threads, costs(), [&] { return ranks_.take(queue); },
+        [&](int i) {
+          progress_.check();
+          if (auto edges = find_crossing(regions_[i])) crossing[i] = *edges;
+        });
+    std::vector<long> times_found(counts.size(), 0);
     for (const auto& pair : crossing)
       for (int e : pair)
-        if (e >= 0 && counts[e] < 100000) is_refined[e] = true;
-    for (std::size_t e = 0; e < counts.size(); ++e)
-      if (is_refined[e]) counts[e] = 2 * counts[e] + counts[e] % 2;
-    return std::find(is_refined.begin(), is_refined.end(), true) != is_refined.end();
+        if (e >= 0 && counts[e] < 100000) ++times_found[e];
+    ranks_.add_up(times_found);
+    bool is_refined = false;
+    for (std::size_t e = 0; e < counts.size(); ++e) {
+      if (times_found[e] == 0) continue;
+      counts[e] = 2 * counts[e] + counts[e] % 2;
+      is_refined = true;
+    }
+    return is_refined;
   }
 
   std::vector<double> costs() const {

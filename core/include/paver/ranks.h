@@ -26,7 +26,7 @@ class Ranks {
   /// called from any thread. 0 <= queue < most_queues.
   virtual long take(int queue) = 0;
 
-  static constexpr int most_queues = 256;
+  static constexpr int most_queues = 256;  ///< of one run
 };
 
 /// A process on its own.
