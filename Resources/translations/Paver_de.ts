@@ -363,6 +363,14 @@
         <translation>Eine B-Spline-Fläche, in beiden Richtungen gekrümmt</translation>
     </message>
     <message>
+        <source>Wind generator</source>
+        <translation>Windkraftanlage</translation>
+    </message>
+    <message>
+        <source>Faces of very different size, twisted blades</source>
+        <translation>Flächen sehr verschiedener Größe, verwundene Rotorblätter</translation>
+    </message>
+    <message>
         <source>Wing</source>
         <translation>Tragflügel</translation>
     </message>

@@ -14,7 +14,7 @@ import runs  # noqa: E402
 MODELS = {"plate_rect_hole": (9, 0), "plate_circular_hole": (7, 0), "plate_nine_holes": (5, -8),
           "disk_tiny_hole": (7, 0), "conesphere_one_face": (8, 2), "conesphere": (8, 2), "conesphere_gap": (8, 2),
           "sphere": (12, 2), "torus": (10, 0), "box": (6, 2), "box_cylinder": (8, 2), "pyramid": (7, 2),
-          "wavy_patch": (8, 1), "wing": (10, 2)}
+          "wavy_patch": (8, 1), "wing": (10, 2), "wind_generator": (120, 2)}
 OPEN = ("plate_rect_hole", "plate_circular_hole", "plate_nine_holes", "disk_tiny_hole", "wavy_patch")
 
 
