@@ -45,6 +45,8 @@ const std::vector<Case> cases{
     {"box_cylinder", 44625, 20000},
     {"wavy_patch", 46900, 20000},
     {"wing", 119854, 20000},
+    {"conesphere_gap", 58592, 530000},
+    {"wind_generator", 215630200, 441409},
 };
 const std::vector<std::string> stages{"read",   "topology", "sizing",  "boundary", "regions",
                                       "paving", "join",     "curving", "quality"};
