@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "regions/closed_grid_parts.h"
+#include "regions/grid_interpolation.h"
 
 namespace paver {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 constexpr int coarsest = 10;         // quads along a patch where smoothing starts
 constexpr int fewest = 7;            // across it: fewer do not show the shape
 constexpr int first_sweeps = 150;    // on the coarsest grid: long waves settle
+constexpr int least_sweeps = 2;      // of finer grids: they start smooth
 constexpr int most_coarse = 4;       // quads along a cap: up to here finer grids are tried as well
 constexpr double most_turn = 2.1;    // radians across an element: beyond, it misses what the surface does there
 constexpr double most_uneven = 0.4;  // two polar charts are no better where lengths vary so much
@@ -141,18 +143,11 @@ class CubeGrid {
     return grid_.chart[node] == cap ? grid_.mesh.p[node] : grid_.charts[cap]->to_chart(grid_.uv(node));
   }
 
-  template <class Corner>
-  static Vec2 between(double s, double t, int most_s, int most_t, Corner corner) {
-    int i = std::clamp(static_cast<int>(s), 0, most_s - 1), j = std::clamp(static_cast<int>(t), 0, most_t - 1);
-    s -= i, t -= j;
-    return (1 - t) * ((1 - s) * corner(i, j) + s * corner(i + 1, j)) +
-           t * ((1 - s) * corner(i, j + 1) + s * corner(i + 1, j + 1));
-  }
   Vec2 cap_between(int cap, double a, double b) const {
-    return between(a, b, n_, n_, [&](int i, int j) { return cap_point(cap, i, j); });
+    return interpolate(a, b, n_, n_, [&](int i, int j) { return cap_point(cap, i, j); });
   }
   Vec2 side_between(double i, double j) const {
-    return between(i, j, 4 * n_, m_, [&](int k, int l) { return unrolled(k, l); });
+    return interpolate(i, j, 4 * n_, m_, [&](int k, int l) { return unrolled(k, l); });
   }
 
   static void add_quads(GridPatch& patch, int columns, int rows) {
@@ -226,7 +221,8 @@ std::shared_ptr<const ClosedGrid> lay_cube(const ClosedFace& face, int n, int m,
     } else {
       grid->start();
     }
-    smooth_grid(grid->grid(), face.surface, face.size, coarse ? finer_sweeps(grid->grid()) : first_sweeps, progress);
+    smooth_grid(grid->grid(), face.surface, face.size, coarse ? finer_sweeps(grid->grid(), least_sweeps) : first_sweeps,
+                progress);
     coarse = std::move(grid);
   }
   return is_good(measure_grid(coarse->grid()), most_uneven, turn_limit) ? coarse->patches() : nullptr;

@@ -15,6 +15,7 @@
 namespace paver {
 namespace {
 
+constexpr int least_sweeps = 5;
 constexpr double corner = 0.52;   // radians (30 degrees): a loop that turns more at a node has a corner there
 constexpr int fewest_nodes = 8;   // on the loop
 constexpr int coarsest = 12;      // quads along the core where smoothing starts
@@ -242,8 +243,8 @@ std::optional<RegionMesh> lay_disc(const Region& region, const Progress& progres
   for (const Layout& level : levels_of(*layout)) {
     auto finer = std::make_unique<DiscGrid>(region, rim, level);
     finer->start(disc.get());
-    smooth_grid(finer->grid(), *region.surface, region.size, disc ? finer_sweeps(finer->grid()) : first_sweeps,
-                progress);
+    smooth_grid(finer->grid(), *region.surface, region.size,
+                disc ? finer_sweeps(finer->grid(), least_sweeps) : first_sweeps, progress);
     disc = std::move(finer);
   }
   if (!disc->finish()) return std::nullopt;

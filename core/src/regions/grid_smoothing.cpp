@@ -199,7 +199,7 @@ GridFigures measure_grid(const GluedGrid& grid) {
   return figures;
 }
 
-int finer_sweeps(const GluedGrid& grid) { return std::clamp(8000 / grid.mesh.node_count(), 5, 40); }
+int finer_sweeps(const GluedGrid& grid, int least) { return std::clamp(8000 / grid.mesh.node_count(), least, 40); }
 
 void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {

@@ -46,7 +46,7 @@ GridFigures measure_grid(const GluedGrid& grid);
 void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress);
 
 /// Sweeps for a grid that was interpolated from a smoothed one of half as many rows: more for small ones, where they
-/// cost little and spare the finer ones work.
-int finer_sweeps(const GluedGrid& grid);
+/// cost little and spare the finer ones work. At least `least`.
+int finer_sweeps(const GluedGrid& grid, int least);
 
 }  // namespace paver
