@@ -36,7 +36,7 @@ def titles():
         "sphere.step": (translate("Paver", "Sphere"), translate("Paver", "One closed face with two poles")),
         "torus.step": (translate("Paver", "Torus"), translate("Paver", "Closed both ways, no border at all")),
         "wavy_patch.step": (translate("Paver", "Wavy patch"), translate("Paver", "A B-spline surface, curved both ways")),
-        "wind_generator.step": (translate("Paver", "Wind generator"), translate(
+        "wind_generator.brep": (translate("Paver", "Wind generator"), translate(
             "Paver", "Faces of very different size, twisted blades")),
         "wing.step": (translate("Paver", "Wing"), translate("Paver", "A narrow trailing edge beside large faces")),
     }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <utility>
@@ -26,7 +27,10 @@ struct Case {
   std::string name;
   double area;  ///< mm^2, to choose the target length
   long elements;
-  std::string path() const { return std::string(PAVER_EXAMPLES) + "/" + name + ".step"; }
+  std::string path() const {
+    std::string path = std::string(PAVER_EXAMPLES) + "/" + name + ".step";
+    return std::filesystem::exists(path) ? path : std::string(PAVER_EXAMPLES) + "/" + name + ".brep";
+  }
   std::string label() const { return name + "/" + std::to_string(elements); }
   paver::Options options() const {
     paver::Options options;

@@ -21,6 +21,7 @@ Simulated: this machine runs few ranks at once, the others are worked out from o
 The same sum for two ranks stands beside the measured time, to show how near it comes.
 """
 import argparse
+import glob
 import heapq
 import json
 import math
@@ -73,12 +74,16 @@ def size_of(model, elements):
     return math.sqrt(AREA[model] / elements)
 
 
+def model_path(model):
+    return glob.glob(os.path.join(ROOT, "Resources", "examples", model + ".*"))[0]
+
+
 def run_once(model, elements, options, watch):
     """{"wall": s, "report": ..., "memory": MiB of all processes} of one process or one set of ranks."""
     with tempfile.TemporaryDirectory() as folder:
         out, report = os.path.join(folder, "mesh.msh"), os.path.join(folder, "report.json")
         mark = f"PAVER_RUN_OF_BENCHMARK={uuid.uuid4()}"
-        command = [PROGRAM, "mesh", os.path.join(ROOT, "Resources", "examples", model + ".step"), "-o", out, "--report",
+        command = [PROGRAM, "mesh", model_path(model), "-o", out, "--report",
                    report, "--size", repr(size_of(model, elements)), "--max-elements", str(4 * elements), "--quiet",
                    *([] if "--threads" in options else ["--threads", "1"]), *options]
         memory = Memory(mark)

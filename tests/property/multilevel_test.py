@@ -16,7 +16,7 @@ import runs  # noqa: E402
 MODELS = {"plate_circular_hole": (".step", 0.65, "auto", 0, False), "conesphere_gap": (".step", 0.7, 6, 2, True),
           "conesphere_one_face": (".brep", 0.9, 4, 2, True), "wavy_patch": (".step", 0.75, "auto", 1, False),
           "wing": (".step", 1.2, 5, 2, True), "box_cylinder": (".step", 0.5, 4, 2, True),
-          "wind_generator": (".step", 36, "auto", 2, True)}
+          "wind_generator": (".brep", 36, "auto", 2, True)}
 
 
 def faults_of(run, euler, closed):

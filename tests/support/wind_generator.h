@@ -1,4 +1,4 @@
-// The example model Resources/examples/wind_generator.step.
+// The example model Resources/examples/wind_generator.brep.
 #pragma once
 
 class TopoDS_Shape;
