@@ -1,7 +1,8 @@
 """A folder of core/src includes only itself and the folders before it in PAVER_STAGES of core/CMakeLists.txt.
 
 base/, mesh/ and quality/metrics.h are leaves that any folder may include (and that include only base/ and each other);
-pipeline.cpp sees everything; cli/ sees only the public headers. Only brep/ and topology/ include OpenCASCADE.
+pipeline.cpp sees everything; cli/ sees only the public headers, worker/ those and base/. Only brep/ and
+topology/ include OpenCASCADE, only worker/ includes MPI.
 """
 import os
 import re
@@ -23,6 +24,8 @@ def fault(order, folder, included):
     """Why a file of `folder` may not include `included`, or None."""
     if OPENCASCADE.match(included):
         return None if folder in ("brep", "topology") else "only brep/ and topology/ include OpenCASCADE"
+    if included == "mpi.h":
+        return None if folder == "worker" else "only worker/ includes MPI"
     target = os.path.dirname(included).split("/")[0]
     if target == "paver" or not target:
         return None
@@ -33,7 +36,7 @@ def fault(order, folder, included):
     if included.endswith("_impl.h") and folder != "topology":
         return "an _impl.h header includes OpenCASCADE"
     if folder not in order:
-        return "only public headers here" if folder == "cli" else None
+        return "only public headers here" if folder == "cli" or folder == "worker" and target != "base" else None
     if target in LEAVES or included == "quality/metrics.h":
         return None if folder not in LEAVES or target in LEAVES or target == "base" else "a leaf includes only leaves"
     return None if order.index(target) < order.index(folder) else f"{target}/ comes after {folder}/"

@@ -27,6 +27,9 @@ enum class ErrorCode {
 /// Name as in the enumeration, e.g. "bad_option".
 const char* code_name(ErrorCode code);
 
+/// Exit code of a program that ends with such an error; 0 is left for success.
+int exit_code(ErrorCode code);
+
 /// Where it went wrong. Ids are 0-based; the text of an Error uses the names Face1, Edge1 ...
 struct Where {
   std::string stage;

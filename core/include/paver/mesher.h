@@ -32,6 +32,10 @@ CadModel read_file(const std::string& path, Progress& progress, const std::strin
 /// The same from the content of such a file.
 CadModel read_bytes(std::span<const char> bytes, const std::string& name, Progress& progress);
 
+/// The content of a file that read_file would look at, for read_bytes in other processes. Throws
+/// Error{file_missing, not_a_cad_file, damaged_file}.
+std::string file_content(const std::string& path, const std::string& name = {});
+
 /// One direct member of a compound: its faces, edges, vertices and solids as 0-based numbers in the whole model, in the
 /// member's own order. Members may share some.
 struct ModelPart {

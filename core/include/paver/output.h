@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "paver/mesher.h"
 #include "paver/progress.h"
@@ -43,6 +44,10 @@ void write_share(MeshShare& share, const OutputFiles& files, Progress& progress,
 /// The temporary name that write_outputs, and write_share on rank 0, use for `path` in this process; to remove it when
 /// the process must end.
 std::string temporary_name(const std::string& path);
+
+/// A result as bytes, for another process of the same build.
+std::string pack_result(const MeshResult& result);
+MeshResult unpack_result(std::string_view bytes);
 
 /// The report as JSON text. Keys: core/docs/quality.md.
 std::string report_json(const MeshResult& result);

@@ -1,4 +1,4 @@
-// Names of the error codes, and what to do about each.
+// Names and exit codes of the error codes, and what to do about each.
 #include "paver/error.h"
 
 namespace paver {
@@ -59,6 +59,30 @@ const char* code_name(ErrorCode code) {
       break;
   }
   return "internal";
+}
+
+int exit_code(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::bad_option:
+      return 2;
+    case ErrorCode::file_missing:
+    case ErrorCode::not_a_cad_file:
+    case ErrorCode::damaged_file:
+    case ErrorCode::no_faces:
+      return 3;
+    case ErrorCode::face_failed:
+      return 4;
+    case ErrorCode::too_many_elements:
+      return 5;
+    case ErrorCode::unwritable_output:
+      return 6;
+    case ErrorCode::cancelled:
+      return 130;
+    case ErrorCode::out_of_memory:
+    case ErrorCode::internal:
+      break;
+  }
+  return 1;
 }
 
 std::string Error::remedy() const {

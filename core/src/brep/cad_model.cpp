@@ -3,8 +3,11 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <chrono>
+#include <fstream>
+#include <sstream>
 
 #include "base/memory_file.h"
+#include "brep/file_format.h"
 #include "brep/shape_impl.h"
 #include "paver/mesher.h"
 
@@ -37,6 +40,17 @@ CadModel read_file(const std::string& path, Progress& progress, const std::strin
 CadModel read_bytes(std::span<const char> bytes, const std::string& name, Progress& progress) {
   MemoryFile file(bytes);
   return read({file.path(), name}, progress);
+}
+
+std::string file_content(const std::string& path, const std::string& name) {
+  const std::string& shown = name.empty() ? path : name;
+  find_format(path, shown);  // looks at the ends, and refuses what is no such file
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream content;
+  content << in.rdbuf();
+  if (!in || !content)
+    throw Error(ErrorCode::file_missing, "'" + shown + "' could not be read to its end; check the disk.");
+  return std::move(content).str();
 }
 
 std::vector<ModelPart> model_parts(const CadModel& model) {

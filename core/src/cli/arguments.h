@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "paver/option_table.h"
 #include "paver/options.h"
 #include "paver/output.h"
 
@@ -12,7 +14,9 @@ namespace paver {
 struct Arguments {
   std::string input;  ///< CAD file
   Options options;
+  std::vector<GivenOption> given;  ///< the same as they were given
   OutputFiles files;
+  int ranks = 0;          ///< processes; 0: this one alone
   bool is_quiet = false;  ///< neither progress nor table
 };
 

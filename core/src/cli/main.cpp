@@ -8,43 +8,30 @@
 #include <new>
 
 #include "arguments.h"
+#include "paver/launch.h"
 #include "paver/mesher.h"
 #include "terminal.h"
 
 namespace paver {
 namespace {
 
-constexpr int internal_exit_code = 1, face_failed_exit_code = 4;
-
-int exit_code(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::bad_option:
-      return 2;
-    case ErrorCode::file_missing:
-    case ErrorCode::not_a_cad_file:
-    case ErrorCode::damaged_file:
-    case ErrorCode::no_faces:
-      return 3;
-    case ErrorCode::face_failed:
-      return face_failed_exit_code;
-    case ErrorCode::too_many_elements:
-      return 5;
-    case ErrorCode::unwritable_output:
-      return 6;
-    case ErrorCode::cancelled:
-      return 130;
-    case ErrorCode::out_of_memory:
-    case ErrorCode::internal:
-      break;
-  }
-  return internal_exit_code;
-}
-
 /// Prints one line, whatever the text holds.
 void complain(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   fmt::print(stderr, "paver: {}\n", text);
+}
+
+MeshResult mesh_in_other_processes(const Arguments& arguments, Progress& progress) {
+  // Longer than those processes take to end once they are told to.
+  Terminal terminal(progress, arguments.is_quiet, {}, std::chrono::milliseconds(5000));
+  Job job;
+  job.input = arguments.input;
+  job.options = arguments.given;
+  job.files = arguments.files;
+  MeshResult result = mesh_in_ranks(job, arguments.ranks, progress).result;
+  progress.begin(Stage::done);
+  return result;
 }
 
 MeshResult mesh_and_write(const Arguments& arguments, Progress& progress) {
@@ -60,8 +47,10 @@ MeshResult mesh_and_write(const Arguments& arguments, Progress& progress) {
 
 int mesh(const Arguments& arguments, Progress& progress) {
   check(arguments.options);
+  check_ranks(arguments.ranks);
   check_outputs(arguments.files);
-  MeshResult result = mesh_and_write(arguments, progress);
+  MeshResult result =
+      arguments.ranks > 0 ? mesh_in_other_processes(arguments, progress) : mesh_and_write(arguments, progress);
   if (!arguments.is_quiet) {
     std::string table = report_table(result.report);
     std::fwrite(table.data(), 1, table.size(), stdout);
@@ -87,7 +76,7 @@ int run(int argc, const char* const* argv) {
   } catch (...) {
     complain("Internal error of an unknown kind, please report it with the model.");
   }
-  return internal_exit_code;
+  return exit_code(ErrorCode::internal);
 }
 
 }  // namespace

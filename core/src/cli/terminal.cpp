@@ -1,7 +1,7 @@
 // The reporter thread: looks at the progress twenty times a second, prints it, and watches over a cancelled run.
 //
 // A run stops at its next check of the progress. Inside a long call of the CAD library there is none, so a cancelled
-// run that has not come back after `patience` is ended here; its temporary files go first, so nothing is left.
+// run that has not come back in time is ended here; its temporary files go first, so nothing is left.
 #include "terminal.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace paver {
 namespace {
 
-constexpr std::chrono::milliseconds interval(50), patience(700);
+constexpr std::chrono::milliseconds interval(50);
 constexpr int cancelled_exit_code = 130;
 
 std::atomic<Progress*> signalled{nullptr};  // signal handlers have no other way to reach it
@@ -42,11 +42,13 @@ void cancel_on_signals(Progress& progress) {
   for (int number : {SIGXFSZ, SIGPIPE}) sigaction(number, &action, nullptr);
 }
 
-Terminal::Terminal(const Progress& progress, bool is_quiet, std::vector<std::string> temporaries)
+Terminal::Terminal(const Progress& progress, bool is_quiet, std::vector<std::string> temporaries,
+                   std::chrono::milliseconds patience)
     : progress_(progress),
       is_quiet_(is_quiet),
       is_terminal_(::isatty(STDERR_FILENO) == 1),
       temporaries_(std::move(temporaries)),
+      patience_(patience),
       stage_start_(Clock::now()),
       thread_([this] { watch(); }) {}
 
@@ -70,7 +72,7 @@ void Terminal::watch() {
       show();
     } else if (cancelled_at == Clock::time_point{}) {
       cancelled_at = Clock::now();
-    } else if (Clock::now() - cancelled_at > patience) {
+    } else if (Clock::now() - cancelled_at > patience_) {
       end_process();
     }
   }

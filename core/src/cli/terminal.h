@@ -18,10 +18,11 @@ void cancel_on_signals(Progress& progress);
 
 /// While it lives, a thread of its own prints how far `progress` is: on a terminal one line on stderr that is written
 /// over, else one line on stdout per finished stage, so that stderr holds nothing but errors. When a cancelled run
-/// does not come back in time, the thread removes `temporaries` and ends the process with code 130.
+/// does not come back within `patience`, the thread removes `temporaries` and ends the process with code 130.
 class Terminal {
  public:
-  Terminal(const Progress& progress, bool is_quiet, std::vector<std::string> temporaries);
+  Terminal(const Progress& progress, bool is_quiet, std::vector<std::string> temporaries,
+           std::chrono::milliseconds patience = std::chrono::milliseconds(700));
   ~Terminal() { stop(); }
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
@@ -41,6 +42,7 @@ class Terminal {
   const Progress& progress_;
   bool is_quiet_, is_terminal_;
   std::vector<std::string> temporaries_;
+  std::chrono::milliseconds patience_;
   std::string shown_;
   int stage_ = 0;
   Clock::time_point stage_start_;

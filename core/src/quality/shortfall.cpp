@@ -28,7 +28,9 @@ std::string failed_faces(const std::vector<FaceReport>& faces, std::size_t& coun
 
 std::optional<Error> shortfall(const MeshResult& result) {
   const std::vector<FaceReport>& faces = result.report.faces;
-  bool is_empty = result.mesh.quad_count() + result.mesh.triangle_count() == 0;
+  const QualityReport& quality = result.report.quality;  // of a result without its mesh, too
+  bool is_empty =
+      result.mesh.quad_count() + result.mesh.triangle_count() == 0 && quality.quads + quality.triangles == 0;
   std::size_t failed = 0;
   int first = -1;
   std::string names = failed_faces(faces, failed, first);

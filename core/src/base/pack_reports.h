@@ -1,0 +1,44 @@
+// The fields of reports, in one place for all that packs them (base/packing.h).
+#pragma once
+
+#include "base/packing.h"
+#include "paver/result.h"
+
+namespace paver {
+
+template <class A>
+void fields(A& archive, Is<ModelReport> auto& model) {
+  auto& [file, format, unit, solids, shells, faces, edges, vertices, free_edges, nonmanifold_edges, sewn_edges,
+         sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names] = model;
+  archive(file, format, unit, solids, shells, faces, edges, vertices, free_edges, nonmanifold_edges, sewn_edges,
+          sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names);
+}
+
+template <class A>
+void fields(A& archive, Is<FaceReport> auto& face) {
+  auto& [name, status, stage, reason, where, quads, triangles, worst_sj, cad_area, mesh_area, closed_by_triangulation] =
+      face;
+  archive(name, status, stage, reason, where, quads, triangles, worst_sj, cad_area, mesh_area, closed_by_triangulation);
+}
+
+template <class A>
+void fields(A& archive, Is<RunReport> auto& run) {
+  auto& [model, target_length, order, threads, elements, quality, faces, notes, stage_seconds, peak_memory_mib] = run;
+  archive(model, target_length, order, threads, elements, quality, faces, notes, stage_seconds, peak_memory_mib);
+}
+
+template <class A>
+void fields(A& archive, Is<SurfaceMesh> auto& mesh) {
+  auto& [order, nodes, quads, quad_face, triangles, triangle_face, lines, line_edge, node_edge, further_edges,
+         node_target] = mesh;
+  archive(order, nodes, quads, quad_face, triangles, triangle_face, lines, line_edge, node_edge, further_edges,
+          node_target);
+}
+
+template <class A>
+void fields(A& archive, Is<MeshResult> auto& result) {
+  auto& [mesh, report, face_names, edge_names] = result;
+  archive(mesh, report, face_names, edge_names);
+}
+
+}  // namespace paver

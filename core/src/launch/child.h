@@ -1,0 +1,41 @@
+// A program that runs beside this process until it ends or is stopped.
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace paver {
+
+/// The child has a process group of its own, all signals at their defaults, our end of a pipe as stdin, and another
+/// pipe as stdout and stderr.
+class Child {
+ public:
+  /// Throws Error{internal} when it cannot be started.
+  Child(const std::vector<std::string>& command, const std::vector<std::string>& environment);
+  /// Kills its process group when it still runs.
+  ~Child();
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// Closes its stdin, by which it knows that it must end.
+  void stop();
+  void kill();
+  /// Where its output comes, to wait for with poll().
+  int output() const { return output_; }
+  /// Takes what has come and keeps the last part; false when the child has closed its output.
+  bool read_output();
+  const std::string& last_output() const { return last_output_; }
+  /// How it ended, as waitpid() says; nothing as long as it runs.
+  std::optional<int> status();
+
+ private:
+  pid_t pid_ = -1;
+  int input_ = -1, output_ = -1;
+  std::optional<int> status_;
+  std::string last_output_;
+};
+
+}  // namespace paver

@@ -1,0 +1,200 @@
+// A run in several processes, seen from the process that asked for it.
+//
+// What is started is paver-worker as a watcher: it starts mpirun, waits for it, ends all that is left of the run and
+// removes the temporary folders, also when this process is gone, which it sees by its stdin. Ranks tell how far they
+// are through a named pipe; when our end of it closes they stop by themselves.
+#include "paver/launch.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <regex>
+#include <thread>
+
+#include "launch/child.h"
+#include "launch/events.h"
+#include "launch/programs.h"
+#include "launch/run_folder.h"
+
+namespace paver {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int poll_milliseconds = 20;
+constexpr std::chrono::milliseconds patience(3000);  // the watcher itself needs at most two seconds
+constexpr int signal_exit_code = 128;                // what the watcher adds to a signal's number
+constexpr long units = 1000;                         // of a stage, in our progress
+
+/// Passes the ranks' progress on, and keeps how they ended.
+class Listener {
+ public:
+  explicit Listener(Progress& progress) : progress_(progress) {}
+
+  void hear(const Event& event) {
+    switch (event.kind) {
+      case Event::Kind::progress:
+        follow(event);
+        break;
+      case Event::Kind::error:
+        keep(*event.error);
+        break;
+      case Event::Kind::done:
+        busy_ = event.busy;
+        break;
+      case Event::Kind::other:
+        break;
+    }
+  }
+  /// The first error that is not only the answer to another one's.
+  const std::optional<Error>& error() const { return error_; }
+  const std::optional<std::vector<double>>& busy() const { return busy_; }
+
+ private:
+  void follow(const Event& event) {
+    if (progress_.is_cancelled()) return;
+    try {
+      if (event.stage != progress_.stage() || !has_begun_) {
+        progress_.begin(event.stage, units);
+        credited_ = 0;
+        has_begun_ = true;
+      }
+      long now = static_cast<long>(event.fraction * units);
+      if (now > credited_) progress_.advance(now - credited_);
+      credited_ = std::max(credited_, now);
+    } catch (const Error&) {
+      // Cancelled in between; the loop sees it next.
+    }
+  }
+  void keep(const Error& error) {
+    if (!error_ || error_->code() == ErrorCode::cancelled) error_.emplace(error);
+  }
+
+  Progress& progress_;
+  bool has_begun_ = false;
+  long credited_ = 0;
+  std::optional<Error> error_;
+  std::optional<std::vector<double>> busy_;
+};
+
+void write_file(const std::string& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out)
+    throw Error(ErrorCode::unwritable_output,
+                fmt::format("Cannot write the temporary file '{}'; free some space or set TMPDIR.", path));
+}
+
+std::string read_file_content(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// Until the watcher has closed its output, by which it says that all ranks have ended.
+void wait_for_ranks(Child& child, EventPipe& pipe, Listener& listener, const Progress& progress) {
+  std::optional<Clock::time_point> stopped;
+  bool is_open = true;
+  while (is_open) {
+    pollfd waited[] = {{pipe.descriptor(), POLLIN, 0}, {child.output(), POLLIN, 0}};
+    ::poll(waited, 2, poll_milliseconds);
+    is_open = child.read_output();
+    for (const Event& event : pipe.read()) listener.hear(event);
+    if (progress.is_cancelled() && !stopped) {
+      stopped = Clock::now();
+      child.stop();
+      pipe.close();
+    }
+    if (stopped && Clock::now() - *stopped > patience) child.kill();
+  }
+}
+
+/// Tells the watcher that its folders are not needed any more, and waits until it has removed them. What waitpid() says
+/// of the watcher, which ends as mpirun ended.
+int wait_for_end(Child& child) {
+  child.stop();
+  auto start = Clock::now();
+  while (!child.status()) {
+    if (Clock::now() - start > patience) child.kill();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return *child.status();
+}
+
+/// What mpirun says when a rank ended by a signal.
+std::optional<Error> lost_rank(const std::string& output, int ranks, const Progress& progress) {
+  static const std::regex pattern(R"(process rank (\d+)[^.]*?exited\s+on\s+signal\s+(\d+))");
+  std::smatch found;
+  if (!std::regex_search(output, found, pattern)) return std::nullopt;
+  constexpr int killed = 9;
+  std::string who = fmt::format("Rank {} of {} was ended by signal {} ({}) in stage {}", found[1].str(), ranks,
+                                found[2].str(), ::strsignal(std::stoi(found[2].str())), stage_name(progress.stage()));
+  if (std::stoi(found[2].str()) == killed)
+    return Error(ErrorCode::out_of_memory,
+                 who +
+                     ", as the system does when memory runs out; nothing was written, choose fewer ranks or a larger "
+                     "target length.");
+  return Error(ErrorCode::internal, who + "; nothing was written, report it with the model.");
+}
+
+/// The first line of mpirun's output that says something.
+std::string first_words(const std::string& output) {
+  static const std::regex line(R"((?:^|\n)(?=[^\n]*[A-Za-z]{2})([^\n]+))");
+  std::smatch found;
+  if (!std::regex_search(output, found, line)) return "it says nothing";
+  return found[1].str();
+}
+
+[[noreturn]] void fail(const Child& child, int status, int ranks, const Listener& listener, const Progress& progress) {
+  if (progress.is_cancelled()) progress.check();
+  const std::optional<Error>& error = listener.error();
+  if (error && error->code() != ErrorCode::cancelled) throw Error(*error);
+  if (auto lost = lost_rank(child.last_output(), ranks, progress)) throw Error(*lost);
+  int number = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status) - signal_exit_code;
+  if (number == SIGKILL)
+    throw Error(ErrorCode::internal,
+                fmt::format("mpirun was ended by signal {} in stage {}; nothing was written, find out "
+                            "who kills processes here, or leave ranks out.",
+                            number, stage_name(progress.stage())));
+  if (error) throw Error(*error);
+  throw Error(ErrorCode::internal, fmt::format("mpirun ended with exit code {} before the mesh was written ({}); check "
+                                               "that 'mpirun -n {} true' works here.",
+                                               WEXITSTATUS(status), first_words(child.last_output()), ranks));
+}
+
+}  // namespace
+
+void check_ranks(int ranks) {
+  if (ranks >= 0 && ranks <= most_ranks) return;
+  throw Error(ErrorCode::bad_option,
+              fmt::format("ranks is {}; it must be from 0 (this process alone) to {}.", ranks, most_ranks));
+}
+
+RanksResult mesh_in_ranks(const Job& job, int ranks, Progress& progress) {
+  check_ranks(ranks);
+  std::string mpirun = find_mpirun(ranks), worker = find_worker(ranks);
+  RunFolder folder;
+  EventPipe pipe(folder.file("events"));
+  Job handed = job;
+  handed.events = pipe.path();
+  handed.folder = folder.path();
+  write_file(folder.file("job.json"), job_text(handed));
+  Listener listener(progress);
+  Child child({worker, "--watch", folder.path(), folder.shared_memory(), mpirun, "-n", std::to_string(ranks), worker,
+               folder.file("job.json")},
+              rank_environment(folder, ranks));
+  wait_for_ranks(child, pipe, listener, progress);
+  std::string bytes = listener.busy() ? read_file_content(folder.file("result")) : std::string();
+  int status = wait_for_end(child);
+  if (bytes.empty()) fail(child, status, ranks, listener, progress);
+  return {unpack_result(bytes), *listener.busy()};
+}
+
+}  // namespace paver

@@ -1,0 +1,134 @@
+// Looks for mpirun and paver-worker, and prepares the variables by which Open MPI is told what it needs to know.
+#include "launch/programs.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <thread>
+
+#include "paver/error.h"
+
+namespace paver {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_program(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored) && ::access(path.c_str(), X_OK) == 0;
+}
+
+std::optional<std::string> on_path(const char* name) {
+  const char* path = std::getenv("PATH");
+  std::string_view left = path ? path : "";
+  while (!left.empty()) {
+    std::string_view folder = left.substr(0, left.find(':'));
+    left.remove_prefix(std::min(folder.size() + 1, left.size()));
+    fs::path file = fs::path(folder) / name;
+    if (!folder.empty() && is_program(file)) return file.string();
+  }
+  return std::nullopt;
+}
+
+/// The program that a variable names.
+std::optional<std::string> from_variable(const char* variable, int ranks) {
+  const char* path = std::getenv(variable);
+  if (!path || !*path) return std::nullopt;
+  if (is_program(path)) return path;
+  throw Error(
+      ErrorCode::bad_option,
+      fmt::format("ranks is {}, but {} names '{}', which is no program; correct or unset it.", ranks, variable, path));
+}
+
+/// Beside this library or program, or where the build folder has it from there.
+std::optional<std::string> beside_us(const char* name) {
+  Dl_info info{};
+  std::error_code ignored;
+  std::vector<fs::path> ours{fs::read_symlink("/proc/self/exe", ignored)};
+  if (::dladdr(reinterpret_cast<const void*>(&is_program), &info) && info.dli_fname)
+    ours.insert(ours.begin(), fs::weakly_canonical(info.dli_fname, ignored));
+  for (const fs::path& own : ours)
+    for (const fs::path& folder : {own.parent_path(), own.parent_path().parent_path() / "core"})
+      if (is_program(folder / name)) return (folder / name).string();
+  return std::nullopt;
+}
+
+/// Whether a variable belongs to a run of MPI or to the batch system around it.
+bool is_of_a_run(std::string_view variable, bool is_in_a_run) {
+  if (variable.starts_with("OMPI_MCA_") && !is_in_a_run) return false;  // the user's own settings
+  for (std::string_view start : {"OMPI_", "PMIX_", "PMI_", "PMI2_", "PRTE_", "SLURM_", "PBS_", "LSB_"})
+    if (variable.starts_with(start)) return true;
+  return false;
+}
+
+bool is_in_a_run() {
+  return std::getenv("OMPI_COMM_WORLD_RANK") || std::getenv("PMIX_RANK") || std::getenv("PMI_RANK");
+}
+
+/// Settings of Open MPI. They count only where the user has set nothing else, but for the folders.
+std::vector<std::pair<std::string, std::string>> settings(const RunFolder& folder, int ranks) {
+  std::vector<std::pair<std::string, std::string>> list{
+      {"TMPDIR", folder.path()},
+      {"OMPI_MCA_orte_tmpdir_base", folder.path()},
+      {"OMPI_MCA_btl_vader_backing_directory", folder.shared_memory()},
+      {"OMPI_MCA_plm", "isolated"},                          // this machine only, no remote shell
+      {"OMPI_MCA_rmaps_base_oversubscribe", "1"},            // more ranks than cores
+      {"OMPI_MCA_hwloc_base_binding_policy", "none"},        // ranks have threads
+      {"OMPI_MCA_pml", "ob1"},                               // no search for networks, ...
+      {"OMPI_MCA_btl", "self,vader"},                        // ... shared memory serves
+      {"OMPI_MCA_btl_vader_single_copy_mechanism", "none"},  // containers forbid it, and it would not be faster here
+      {"OMPI_MCA_odls_base_sigkill_timeout", "1"}};
+  if (ranks > static_cast<int>(std::thread::hardware_concurrency()))
+    list.emplace_back("OMPI_MCA_mpi_yield_when_idle", "1");
+  if (::geteuid() == 0) {  // who runs us as root has decided that already
+    list.emplace_back("OMPI_ALLOW_RUN_AS_ROOT", "1");
+    list.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string find_mpirun(int ranks) {
+  if (auto path = from_variable("PAVER_MPIRUN", ranks)) return *path;
+  if (auto path = on_path("mpirun")) return *path;
+  throw Error(ErrorCode::bad_option,
+              fmt::format("ranks is {}, but there is no mpirun on the PATH; install Open MPI (package openmpi-bin), or "
+                          "leave ranks out to mesh in this process.",
+                          ranks));
+}
+
+std::string find_worker(int ranks) {
+  if (auto path = from_variable("PAVER_WORKER", ranks)) return *path;
+  if (auto path = beside_us("paver-worker")) return *path;
+  if (auto path = on_path("paver-worker")) return *path;
+  throw Error(ErrorCode::bad_option,
+              fmt::format("ranks is {}, but there is no program paver-worker; build Paver where Open MPI is installed "
+                          "(package libopenmpi-dev), or leave ranks out to mesh in this process.",
+                          ranks));
+}
+
+std::vector<std::string> rank_environment(const RunFolder& folder, int ranks) {
+  std::vector<std::string> list;
+  bool is_inside = is_in_a_run();
+  for (char** variable = environ; *variable; ++variable)
+    if (!is_of_a_run(*variable, is_inside)) list.emplace_back(*variable);
+  for (const auto& [name, value] : settings(folder, ranks)) {
+    auto same = std::find_if(list.begin(), list.end(), [&](const std::string& v) { return v.starts_with(name + "="); });
+    bool is_folder = value == folder.path() || value == folder.shared_memory();
+    if (same == list.end()) {
+      list.push_back(name + "=" + value);
+    } else if (is_folder) {
+      *same = name + "=" + value;
+    }
+  }
+  return list;
+}
+
+}  // namespace paver
