@@ -139,9 +139,9 @@ def mesh(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Fr
          max_elements: Optional[int] = None, order: Optional[int] = None,
          elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
          multilevel: Optional[Literal["off", "auto", "4", "5", "6", "7", "8"]] = None,
-         threads: Optional[int] = None, sew_tolerance: Optional[Length] = None, output: Optional[Path] = None,
-         report: Optional[Path] = None, msh_version: Literal["4.1", "2.2"] = "4.1", ascii: bool = False,
-         quiet: bool = True, partial: bool = False, progress: Optional[Progress] = None,
+         threads: Optional[int] = None, sew_tolerance: Optional[Length] = None, ranks: int = 0,
+         output: Optional[Path] = None, report: Optional[Path] = None, msh_version: Literal["4.1", "2.2"] = "4.1",
+         ascii: bool = False, quiet: bool = True, partial: bool = False, progress: Optional[Progress] = None,
          cancel: Optional[threading.Event] = None, name: Optional[str] = None) -> Result: ...
 def predict(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Frequency] = None,
             divisions: Optional[float] = None, eps_r: Optional[float] = None, mu_r: Optional[float] = None,

@@ -14,6 +14,7 @@
 #include "bind_display.h"
 #include "bind_result.h"
 #include "job.h"
+#include "paver/launch.h"
 #include "paver/mesher.h"
 #include "paver/option_table.h"
 
@@ -43,11 +44,19 @@ class Source {
   CadModel model(Progress& progress) {
     std::unique_lock lock(mutex_, std::defer_lock);
     while (!lock.try_lock_for(std::chrono::milliseconds(20))) progress.check();
-    if (!model_) {
-      model_ = bytes_ ? read_bytes(*bytes_, name_, progress) : read_file(path_, progress, name_);
-      bytes_.reset();
-    }
+    if (!model_) model_ = bytes_ ? read_bytes(*bytes_, name_, progress) : read_file(path_, progress, name_);
     return *model_;
+  }
+
+  /// Meshed by other processes, which read it themselves.
+  MeshResult mesh_in_ranks(const std::vector<GivenOption>& given, int ranks, Progress& progress) const {
+    Job job;
+    job.input = path_;
+    job.name = name_;
+    job.options = given;
+    job.returns_mesh = true;
+    return paver::mesh_in_ranks(job, ranks, progress, bytes_ ? std::span<const char>(*bytes_) : std::span<const char>())
+        .result;
   }
 
  private:
@@ -57,11 +66,15 @@ class Source {
   std::optional<CadModel> model_;
 };
 
-py::object mesh(Source& source, const std::vector<GivenOption>& given, const py::object& poll) {
+py::object mesh(Source& source, const std::vector<GivenOption>& given, int ranks, const py::object& poll) {
   Options options = read_options(given);
   check(options);
+  check_ranks(ranks);
   MeshResult result;
-  run_job(poll, [&](Progress& progress) { result = mesh_model(source.model(progress), options, progress); });
+  run_job(poll, [&](Progress& progress) {
+    result = ranks > 0 ? source.mesh_in_ranks(given, ranks, progress)
+                       : mesh_model(source.model(progress), options, progress);
+  });
   return wrap_result(std::move(result));
 }
 

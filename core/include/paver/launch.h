@@ -1,6 +1,7 @@
 // Meshing in several processes (ranks) of this machine, which MPI starts; and the job file that tells them what to do.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,10 +41,11 @@ std::string job_text(const Job& job);
 Job read_job(const std::string& path);
 Job parse_job(const std::string& text, const std::string& path);
 
-/// Runs a job on `ranks` processes and waits for them; Job::events and Job::folder are not used. Temporary folders go
-/// whatever happens, also when this process is killed. `progress` follows rank 0; when it is cancelled, all processes
-/// end within two seconds. Throws what reading, meshing and writing throw in one process, Error{bad_option} when no
-/// mpirun or no paver-worker is found, and Error{out_of_memory} or Error{internal} when a rank ends by a signal.
-RanksResult mesh_in_ranks(const Job& job, int ranks, Progress& progress);
+/// Runs a job on `ranks` processes and waits for them; Job::events and Job::folder are not used, and where Job::input
+/// is empty `content` stands for the file. Temporary folders go whatever happens, also when this process is killed.
+/// `progress` follows rank 0; when it is cancelled, all processes end within two seconds. Throws what reading, meshing
+/// and writing throw in one process, Error{bad_option} when no mpirun or no paver-worker is found, and
+/// Error{out_of_memory} or Error{internal} when a rank ends by a signal.
+RanksResult mesh_in_ranks(const Job& job, int ranks, Progress& progress, std::span<const char> content = {});
 
 }  // namespace paver

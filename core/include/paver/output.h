@@ -48,6 +48,12 @@ std::string temporary_name(const std::string& path);
 /// A result as bytes, for another process of the same build.
 std::string pack_result(const MeshResult& result);
 MeshResult unpack_result(std::string_view bytes);
+std::string pack_share(const MeshShare& share);
+MeshShare unpack_share(std::string_view bytes);
+
+/// Puts a share where it belongs in the whole mesh; after all of them, in any order, `whole` is the result of one
+/// process, bit for bit.
+void add_share(const MeshShare& share, MeshResult& whole);
 
 /// The report as JSON text. Keys: core/docs/quality.md.
 std::string report_json(const MeshResult& result);

@@ -12,6 +12,7 @@
 
 #include <chrono>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -84,18 +85,30 @@ class Listener {
   std::optional<std::vector<double>> busy_;
 };
 
-void write_file(const std::string& path, const std::string& text) {
+void write_file(const std::string& path, std::span<const char> content) {
   std::ofstream out(path, std::ios::binary);
-  out << text;
+  out.write(content.data(), static_cast<std::streamsize>(content.size()));
   out.close();
   if (!out)
     throw Error(ErrorCode::unwritable_output,
                 fmt::format("Cannot write the temporary file '{}'; free some space or set TMPDIR.", path));
 }
 
-std::string read_file_content(const std::string& path) {
+std::string read_and_remove(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+  return bytes;
+}
+
+/// What the ranks left in the run's folder for us.
+MeshResult take_result(const RunFolder& folder, int ranks, bool has_mesh) {
+  if (!has_mesh) return unpack_result(read_and_remove(folder.file("result")));
+  MeshResult whole;
+  for (int rank = 0; rank < ranks; ++rank)
+    add_share(unpack_share(read_and_remove(folder.file(fmt::format("share{}", rank)))), whole);
+  return whole;
 }
 
 /// Until the watcher has closed its output, by which it says that all ranks have ended.
@@ -177,7 +190,7 @@ void check_ranks(int ranks) {
               fmt::format("ranks is {}; it must be from 0 (this process alone) to {}.", ranks, most_ranks));
 }
 
-RanksResult mesh_in_ranks(const Job& job, int ranks, Progress& progress) {
+RanksResult mesh_in_ranks(const Job& job, int ranks, Progress& progress, std::span<const char> content) {
   check_ranks(ranks);
   std::string mpirun = find_mpirun(ranks), worker = find_worker(ranks);
   RunFolder folder;
@@ -185,16 +198,22 @@ RanksResult mesh_in_ranks(const Job& job, int ranks, Progress& progress) {
   Job handed = job;
   handed.events = pipe.path();
   handed.folder = folder.path();
-  write_file(folder.file("job.json"), job_text(handed));
+  if (job.input.empty()) {
+    handed.input = folder.file("model");
+    write_file(handed.input, content);
+  }
+  std::string text = job_text(handed);
+  write_file(folder.file("job.json"), text);
   Listener listener(progress);
   Child child({worker, "--watch", folder.path(), folder.shared_memory(), mpirun, "-n", std::to_string(ranks), worker,
                folder.file("job.json")},
               rank_environment(folder, ranks));
   wait_for_ranks(child, pipe, listener, progress);
-  std::string bytes = listener.busy() ? read_file_content(folder.file("result")) : std::string();
+  std::optional<MeshResult> result;
+  if (listener.busy()) result = take_result(folder, ranks, job.returns_mesh);
   int status = wait_for_end(child);
-  if (bytes.empty()) fail(child, status, ranks, listener, progress);
-  return {unpack_result(bytes), *listener.busy()};
+  if (!result) fail(child, status, ranks, listener, progress);
+  return {*std::move(result), *listener.busy()};
 }
 
 }  // namespace paver

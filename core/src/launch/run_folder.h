@@ -15,7 +15,7 @@ class RunFolder {
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
-  std::string file(const char* name) const { return path_ + "/" + name; }
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
   const std::string& path() const { return path_; }
   const std::string& shared_memory() const { return shared_memory_; }
 

@@ -1,20 +1,78 @@
-// A result as bytes, from the process that meshed to the one that asked for it.
-#include "base/pack_reports.h"
+// Results as bytes, from the processes that meshed to the one that asked for it, which puts the shares together.
+#include "base/pack_results.h"
 #include "paver/output.h"
 
 namespace paver {
+namespace {
 
-std::string pack_result(const MeshResult& result) {
+template <class T>
+std::string pack(const T& value) {
   Packer packer;
-  packer(result);
+  packer(value);
   return packer.take();
 }
 
-MeshResult unpack_result(std::string_view bytes) {
-  MeshResult result;
+template <class T>
+T unpack(std::string_view bytes) {
+  T value;
   Unpacker unpacker(bytes);
-  unpacker(result);
-  return result;
+  unpacker(value);
+  return value;
+}
+
+/// Rows of `width` node indices of a share into the rows of the whole that `rows` tells.
+void place_elements(const std::vector<int>& part, int width, const std::vector<long>& rows,
+                    const std::vector<long>& node_number, std::vector<int>& whole) {
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    for (int k = 0; k < width; ++k) {
+      auto node = static_cast<std::size_t>(part[row * static_cast<std::size_t>(width) + static_cast<std::size_t>(k)]);
+      whole[static_cast<std::size_t>(rows[row] * width + k)] = static_cast<int>(node_number[node]);
+    }
+}
+
+template <class T>
+void place(const std::vector<T>& part, const std::vector<long>& rows, std::vector<T>& whole) {
+  for (std::size_t row = 0; row < part.size(); ++row) whole[static_cast<std::size_t>(rows[row])] = part[row];
+}
+
+void resize(const MeshShare& share, SurfaceMesh& whole) {
+  auto nodes = static_cast<std::size_t>(share.nodes), quads = static_cast<std::size_t>(share.quads);
+  auto triangles = static_cast<std::size_t>(share.triangles);
+  whole.order = share.result.mesh.order;
+  whole.nodes.resize(nodes);
+  if (!share.result.mesh.node_edge.empty()) whole.node_edge.resize(nodes);
+  if (!share.result.mesh.node_target.empty()) whole.node_target.resize(nodes);
+  whole.quads.resize(quads * static_cast<std::size_t>(whole.nodes_per_quad()));
+  whole.quad_face.resize(quads);
+  whole.triangles.resize(triangles * static_cast<std::size_t>(whole.nodes_per_triangle()));
+  whole.triangle_face.resize(triangles);
+}
+
+}  // namespace
+
+std::string pack_result(const MeshResult& result) { return pack(result); }
+MeshResult unpack_result(std::string_view bytes) { return unpack<MeshResult>(bytes); }
+std::string pack_share(const MeshShare& share) { return pack(share); }
+MeshShare unpack_share(std::string_view bytes) { return unpack<MeshShare>(bytes); }
+
+void add_share(const MeshShare& share, MeshResult& whole) {
+  const SurfaceMesh& part = share.result.mesh;
+  SurfaceMesh& mesh = whole.mesh;
+  whole.report = share.result.report;
+  whole.face_names = share.result.face_names;
+  whole.edge_names = share.result.edge_names;
+  resize(share, mesh);
+  place(part.nodes, share.node_number, mesh.nodes);
+  place(part.node_edge, share.node_number, mesh.node_edge);
+  place(part.node_target, share.node_number, mesh.node_target);
+  place_elements(part.quads, mesh.nodes_per_quad(), share.quad_number, share.node_number, mesh.quads);
+  place(part.quad_face, share.quad_number, mesh.quad_face);
+  place_elements(part.triangles, mesh.nodes_per_triangle(), share.triangle_number, share.node_number, mesh.triangles);
+  place(part.triangle_face, share.triangle_number, mesh.triangle_face);
+  mesh.lines.clear();  // all shares have all of them
+  for (int node : part.lines) mesh.lines.push_back(static_cast<int>(share.node_number[static_cast<std::size_t>(node)]));
+  mesh.line_edge = part.line_edge;
+  mesh.further_edges = part.further_edges;
 }
 
 }  // namespace paver

@@ -104,9 +104,13 @@ std::vector<double> busy_seconds(MpiRanks& ranks, double seconds) {
   return result;
 }
 
-/// What goes back to the process that started the run.
-void hand_back(const Job& job, const MeshResult& result) {
-  if (!job.folder.empty()) write_file(job.folder + "/result", pack_result(result));
+/// What goes back to the process that started the run: the whole mesh share by share, or the report alone.
+void hand_back(const Job& job, MeshShare& share, const MpiRanks& ranks) {
+  if (!job.folder.empty() && job.returns_mesh)
+    write_file(fmt::format("{}/share{}", job.folder, ranks.rank()), pack_share(share));
+  share.result.mesh = {};
+  if (!job.folder.empty() && !job.returns_mesh && ranks.rank() == 0)
+    write_file(job.folder + "/result", pack_result(share.result));
 }
 
 /// One job from its file to its outputs; the exit code.
@@ -123,15 +127,12 @@ int run_job(const std::string& path, MpiRanks& ranks, Progress& progress, std::o
   OutputFiles files = job.files;
   if (share.quads + share.triangles == 0) files.mesh.clear();
   write_share(share, files, progress, ranks);
+  hand_back(job, share, ranks);
   std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   std::vector<double> busy = busy_seconds(ranks, seconds.count() - ranks.waited_seconds());
   progress.begin(Stage::done);
-  share.result.mesh = {};
   bool is_whole = !shortfall(share.result);
-  if (ranks.rank() == 0) {
-    hand_back(job, share.result);
-    reporter->done(share.result, busy);
-  }
+  if (ranks.rank() == 0) reporter->done(share.result, busy);
   ranks.finish();
   return is_whole ? 0 : exit_code(ErrorCode::face_failed);
 }

@@ -1,8 +1,8 @@
-// The fields of reports, in one place for all that packs them (base/packing.h).
+// The fields of results, in one place for all that packs them (base/packing.h).
 #pragma once
 
 #include "base/packing.h"
-#include "paver/result.h"
+#include "paver/mesher.h"
 
 namespace paver {
 
@@ -39,6 +39,12 @@ template <class A>
 void fields(A& archive, Is<MeshResult> auto& result) {
   auto& [mesh, report, face_names, edge_names] = result;
   archive(mesh, report, face_names, edge_names);
+}
+
+template <class A>
+void fields(A& archive, Is<MeshShare> auto& share) {
+  auto& [result, node_number, is_own_node, is_shared_node, quad_number, triangle_number, nodes, quads, triangles] = share;
+  archive(result, node_number, is_own_node, is_shared_node, quad_number, triangle_number, nodes, quads, triangles);
 }
 
 }  // namespace paver
