@@ -139,7 +139,7 @@ def mesh(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Fr
          max_elements: Optional[int] = None, order: Optional[int] = None,
          elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
          multilevel: Optional[Literal["off", "auto", "4", "5", "6", "7", "8"]] = None,
-         threads: Optional[int] = None, sew_tolerance: Optional[Length] = None, ranks: int = 0,
+         threads: Optional[int] = None, ranks: Optional[int] = None, sew_tolerance: Optional[Length] = None,
          output: Optional[Path] = None, report: Optional[Path] = None, msh_version: Literal["4.1", "2.2"] = "4.1",
          ascii: bool = False, quiet: bool = True, partial: bool = False, progress: Optional[Progress] = None,
          cancel: Optional[threading.Event] = None, name: Optional[str] = None) -> Result: ...
@@ -149,7 +149,7 @@ def predict(shape: Source, *, size: Optional[Length] = None, frequency: Optional
             max_elements: Optional[int] = None, order: Optional[int] = None,
             elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
             multilevel: Optional[Literal["off", "auto", "4", "5", "6", "7", "8"]] = None,
-            threads: Optional[int] = None, sew_tolerance: Optional[Length] = None,
+            threads: Optional[int] = None, ranks: Optional[int] = None, sew_tolerance: Optional[Length] = None,
             progress: Optional[Progress] = None, cancel: Optional[threading.Event] = None,
             name: Optional[str] = None) -> Prediction: ...
 def options() -> list[dict[str, Any]]: ...

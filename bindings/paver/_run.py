@@ -87,19 +87,11 @@ def require_faces(result, is_partial):
             raise
 
 
-def number_of_ranks(value):
-    if isinstance(value, numbers.Integral) and not isinstance(value, bool) and abs(value) < 1 << 31:
-        return int(value)
-    raise OptionError(f"ranks is {value!r}; write a whole number of processes, or 0 for this one alone.", "bad_option",
-                      "write a whole number of processes, or 0 for this one alone")
-
-
-def mesh(shape, *, ranks=0, output=None, report=None, msh_version="4.1", ascii=False, quiet=True, partial=False,
-         progress=None, cancel=None, name=None, **options):
+def mesh(shape, *, output=None, report=None, msh_version="4.1", ascii=False, quiet=True, partial=False, progress=None,
+         cancel=None, name=None, **options):
     """Meshes `shape` and gives a Result. Arguments are those of the command line, by the same names.
 
     shape: a Model, or what Model takes: a Part.Shape, an object of a FreeCAD document, a list of these, a path, bytes.
-    ranks: processes that share the work, started by mpirun; 0: this one alone. The mesh is the same.
     output, report, msh_version, ascii: files to write, as Result.write does; checked before the work.
     quiet: False prints the stages and the report's table.
     partial: True gives the mesh of the other faces where some cannot be meshed; else FaceError, which has it too.
@@ -115,7 +107,7 @@ def mesh(shape, *, ranks=0, output=None, report=None, msh_version="4.1", ascii=F
     model = as_model(shape, name)
     _paver.check_outputs(file_arguments(model, output, report, msh_version, ascii))
     poll = poll_of(progress if quiet else printed(progress), cancel)
-    result = Result(_paver.mesh(model._source, given, number_of_ranks(ranks), poll), model)
+    result = Result(_paver.mesh(model._source, given, poll), model)
     if output is not None or report is not None:
         is_empty = len(result.quads) + len(result.triangles) == 0
         result.write(None if is_empty else output, report=report, msh_version=msh_version, ascii=ascii, cancel=cancel)

@@ -66,14 +66,13 @@ class Source {
   std::optional<CadModel> model_;
 };
 
-py::object mesh(Source& source, const std::vector<GivenOption>& given, int ranks, const py::object& poll) {
+py::object mesh(Source& source, const std::vector<GivenOption>& given, const py::object& poll) {
   Options options = read_options(given);
   check(options);
-  check_ranks(ranks);
   MeshResult result;
   run_job(poll, [&](Progress& progress) {
-    result = ranks > 0 ? source.mesh_in_ranks(given, ranks, progress)
-                       : mesh_model(source.model(progress), options, progress);
+    result = options.ranks > 0 ? source.mesh_in_ranks(given, options.ranks, progress)
+                               : mesh_model(source.model(progress), options, progress);
   });
   return wrap_result(std::move(result));
 }

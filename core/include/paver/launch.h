@@ -16,7 +16,7 @@ namespace paver {
 struct Job {
   std::string input;                 ///< CAD file
   std::string name;                  ///< stands for the file in messages and in the report; empty: its path
-  std::vector<GivenOption> options;  ///< as for read_options()
+  std::vector<GivenOption> options;  ///< as for read_options(); the number of ranks is not looked for there
   OutputFiles files;
   std::string events;  ///< where rank 0 says how far it is: "-": stdout, a path: that pipe; empty: lines for a terminal
   std::string folder;  ///< temporary folder of the run, for what goes back to the process that asked; empty: none
@@ -28,11 +28,6 @@ struct RanksResult {
   MeshResult result;                 ///< the mesh is empty unless Job::returns_mesh
   std::vector<double> busy_seconds;  ///< per rank: its time less what it waited for others
 };
-
-constexpr int most_ranks = 4096;
-
-/// Throws Error{bad_option} unless 0 <= ranks <= most_ranks.
-void check_ranks(int ranks);
 
 /// The text of a job file.
 std::string job_text(const Job& job);

@@ -40,6 +40,7 @@ struct Options {
   /// automatic_levels. Large faces only.
   int multilevel = automatic_levels;
   int threads = 0;                      ///< worker threads; 0: all cores
+  int ranks = 0;                        ///< processes, for those who start them (paver/launch.h); 0: this one alone
   std::optional<double> max_turn;       ///< largest turn per element edge, radians; default pi/4, more on short ones
   double gradation = 0.6;               ///< largest growth of h per unit of length, 0.05 to 2
   long max_elements = 2'000'000;        ///< stop before meshing when more are predicted

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double light_speed_mm_per_s = 299'792'458e3;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int most_threads = 1024;
+constexpr int most_threads = 1024, most_ranks = 4096;
 
 [[noreturn]] void refuse(const std::string& text) { throw Error(ErrorCode::bad_option, text); }
 
@@ -90,6 +90,7 @@ void check(const Options& options) {
     check_range("multilevel", options.multilevel, 4, 8);
   }
   check_range("threads", options.threads, 0, most_threads);
+  check_range("ranks", options.ranks, 0, most_ranks);
   check_range("gradation", options.gradation, 0.05, 2);
   if (options.max_turn) {
     double degrees = *options.max_turn * 180 / std::numbers::pi;

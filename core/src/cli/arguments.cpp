@@ -58,9 +58,6 @@ void add_output_options(CLI::App& mesh, Arguments& arguments, Texts& texts) {
       ->check(CLI::IsMember({"4.1", "2.2"}))
       ->capture_default_str();
   mesh.add_flag("--ascii", arguments.files.is_ascii, "Write the mesh as text instead of binary");
-  mesh.add_option("--ranks", arguments.ranks, "Processes that share the work, started by mpirun; 0: this one alone")
-      ->type_name("N")
-      ->capture_default_str();
   mesh.add_flag("--quiet", arguments.is_quiet, "Print errors only");
 }
 
@@ -118,18 +115,16 @@ std::optional<int> read_arguments(int argc, const char* const* argv, Arguments& 
 }
 
 std::string with_command_line_names(std::string text) {
-  std::vector<std::string> names{"ranks"};
-  for (const OptionInfo& info : option_table()) names.push_back(info.name);
-  for (const std::string& name : names) {
-    std::string option = command_line_name(name);
-    bool is_plain_word = name.find('_') == std::string::npos;
-    for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos; at += option.size()) {
+  for (const OptionInfo& info : option_table()) {
+    std::string option = command_line_name(info.name);
+    bool is_plain_word = info.name.find('_') == std::string::npos;
+    for (std::size_t at = 0; (at = text.find(info.name, at)) != std::string::npos; at += option.size()) {
       std::string_view before = std::string_view(text).substr(0, at), after = std::string_view(text).substr(at);
-      after.remove_prefix(name.size());
+      after.remove_prefix(info.name.size());
       bool is_subject = before.empty() && after.starts_with(" ");
       bool is_object = before.ends_with(" needs ") || before.ends_with(" excludes ") || before.ends_with(" leave ");
       if (is_plain_word && !is_subject && !is_object) continue;
-      text.replace(at, name.size(), option);
+      text.replace(at, info.name.size(), option);
     }
   }
   return text;

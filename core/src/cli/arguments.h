@@ -16,7 +16,6 @@ struct Arguments {
   Options options;
   std::vector<GivenOption> given;  ///< the same as they were given
   OutputFiles files;
-  int ranks = 0;          ///< processes; 0: this one alone
   bool is_quiet = false;  ///< neither progress nor table
 };
 

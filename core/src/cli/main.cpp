@@ -29,7 +29,7 @@ MeshResult mesh_in_other_processes(const Arguments& arguments, Progress& progres
   job.input = arguments.input;
   job.options = arguments.given;
   job.files = arguments.files;
-  MeshResult result = mesh_in_ranks(job, arguments.ranks, progress).result;
+  MeshResult result = mesh_in_ranks(job, arguments.options.ranks, progress).result;
   progress.begin(Stage::done);
   return result;
 }
@@ -47,10 +47,9 @@ MeshResult mesh_and_write(const Arguments& arguments, Progress& progress) {
 
 int mesh(const Arguments& arguments, Progress& progress) {
   check(arguments.options);
-  check_ranks(arguments.ranks);
   check_outputs(arguments.files);
   MeshResult result =
-      arguments.ranks > 0 ? mesh_in_other_processes(arguments, progress) : mesh_and_write(arguments, progress);
+      arguments.options.ranks > 0 ? mesh_in_other_processes(arguments, progress) : mesh_and_write(arguments, progress);
   if (!arguments.is_quiet) {
     std::string table = report_table(result.report);
     std::fwrite(table.data(), 1, table.size(), stdout);

@@ -184,14 +184,7 @@ std::string first_words(const std::string& output) {
 
 }  // namespace
 
-void check_ranks(int ranks) {
-  if (ranks >= 0 && ranks <= most_ranks) return;
-  throw Error(ErrorCode::bad_option,
-              fmt::format("ranks is {}; it must be from 0 (this process alone) to {}.", ranks, most_ranks));
-}
-
 RanksResult mesh_in_ranks(const Job& job, int ranks, Progress& progress, std::span<const char> content) {
-  check_ranks(ranks);
   std::string mpirun = find_mpirun(ranks), worker = find_worker(ranks);
   RunFolder folder;
   EventPipe pipe(folder.file("events"));
