@@ -22,6 +22,7 @@ VALUES = {
     "elements": ("all-triangle", "all-triangle", {}, True),
     "multilevel": ("auto", "auto", {}, False),
     "threads": ("1", 1, {}, False),
+    "ranks": ("0", 0, {}, False),
     "sew_tolerance": ("20 um", 0.02, {}, False),
 }
 FILE_OPTIONS = {"output", "report", "msh_version", "ascii", "quiet"}

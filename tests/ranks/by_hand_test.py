@@ -27,6 +27,7 @@ def own_words(done):
     ('{"input": "wing.step", "mesh": "a.msh", "options": {"size": -1}}', USAGE, "size is -1"),
     ('{"input": "wing.step", "mesh": "a.msh", "options": {"colour": 1}}', USAGE, "no option 'colour'"),
     ('{"input": "wing.step", "mesh": "a.stl", "options": {"size": 9}}', USAGE, "a.stl"),
+    ('{"input": "wing.step", "mesh": "a.msh", "ascii": true, "options": {"size": 9}}', USAGE, "binary"),
     ('{"input": "wing.step", "mesh": "a.msh", "options": {"size": 9}}', INPUT, "'wing.step' does not exist"),
 ])
 def test_a_bad_job_is_one_sentence(tmp_path, content, code, says):
@@ -48,13 +49,13 @@ def test_usage():
 
 def test_a_job_by_hand_writes_the_files_and_prints_the_table(tmp_path):
     local = ["Face1=15mm", "Edge2=8mm"]
-    job = write_job(tmp_path / "job.json", input=WING, mesh="wing.vtu", report="wing.json", ascii=True,
+    job = write_job(tmp_path / "job.json", input=WING, mesh="wing.vtu", report="wing.json",
                     options={"size": "25 mm", "order": 1, "local": local})
     done = by_hand(job, 2, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert "edge length" in done.stdout and "ranks         2 busy for" in done.stdout
     given = [word for part in local for word in ("--local", part)]
-    subprocess.run([PROGRAM, "mesh", WING, "-o", "one.vtu", "--ascii", "--size", "25", "--order", "1", *given],
+    subprocess.run([PROGRAM, "mesh", WING, "-o", "one.vtu", "--size", "25", "--order", "1", *given],
                    cwd=tmp_path, check=True, capture_output=True)
     assert (tmp_path / "wing.vtu").read_bytes() == (tmp_path / "one.vtu").read_bytes()
     with open(tmp_path / "wing.json") as f:

@@ -43,7 +43,8 @@ void fields(A& archive, Is<MeshResult> auto& result) {
 
 template <class A>
 void fields(A& archive, Is<MeshShare> auto& share) {
-  auto& [result, node_number, is_own_node, is_shared_node, quad_number, triangle_number, nodes, quads, triangles] = share;
+  auto& [result, node_number, is_own_node, is_shared_node, quad_number, triangle_number, nodes, quads, triangles] =
+      share;
   archive(result, node_number, is_own_node, is_shared_node, quad_number, triangle_number, nodes, quads, triangles);
 }
 

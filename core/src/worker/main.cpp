@@ -24,7 +24,6 @@
 #endif
 
 namespace paver {
-void write_share(MeshShare& share, const OutputFiles& files, Progress& progress, Ranks& ranks);  // STUB
 namespace {
 
 constexpr const char* usage = R"(One rank of a run of Paver in several processes; all of them together write one mesh.
@@ -74,7 +73,7 @@ void write_file(const std::string& path, const std::string& bytes) {
 /// whoever is left removes them.
 std::vector<std::string> prepare_outputs(const Job& job, MpiRanks& ranks) {
   std::string names = from_rank_0(ranks, [&] {
-    check_outputs(job.files);
+    check_share_outputs(job.files);
     std::string list;
     for (const std::string& path : {job.files.mesh, job.files.report})
       if (!path.empty()) list += temporary_name(path) + "\n";
