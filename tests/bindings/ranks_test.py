@@ -16,7 +16,7 @@ ARRAYS = ("nodes", "quads", "triangles", "quad_faces", "triangle_faces", "lines"
 
 
 def without_costs(report):
-    return {key: value for key, value in report.items() if key not in ("stage_seconds", "peak_memory_mib", "threads")}
+    return {key: value for key, value in report.items() if key not in ("stage_seconds", "peak_memory_mib", "threads", "tasks")}
 
 
 @pytest.fixture(autouse=True)

@@ -23,8 +23,9 @@ void fields(A& archive, Is<FaceReport> auto& face) {
 
 template <class A>
 void fields(A& archive, Is<RunReport> auto& run) {
-  auto& [model, target_length, order, threads, elements, quality, faces, notes, stage_seconds, peak_memory_mib] = run;
-  archive(model, target_length, order, threads, elements, quality, faces, notes, stage_seconds, peak_memory_mib);
+  auto& [model, target_length, order, threads, elements, quality, faces, notes, stage_seconds, tasks, peak_memory_mib] =
+      run;
+  archive(model, target_length, order, threads, elements, quality, faces, notes, stage_seconds, tasks, peak_memory_mib);
 }
 
 template <class A>
