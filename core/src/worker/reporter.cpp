@@ -71,12 +71,15 @@ Reporter::~Reporter() {
 }
 
 void Reporter::open(const std::string& events) {
-  if (events.empty() || events == "-") {
-    if (rank_ == 0) style_ = events.empty() ? Style::table : Style::lines;
-    if (rank_ == 0) descriptor_ = STDOUT_FILENO;
+  if (events.empty()) {
+    style_ = rank_ == 0 ? Style::table : Style::silent;
     return;
   }
   style_ = Style::lines;
+  if (events == "-") {
+    descriptor_ = STDOUT_FILENO;
+    return;
+  }
   descriptor_ = ::open(events.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor_ < 0) progress_.cancel();  // who started this is gone
 }
@@ -92,11 +95,12 @@ void Reporter::started(int ranks, int threads) {
 }
 
 void Reporter::failed(const Error& error) {
+  if (error.code() == ErrorCode::cancelled && rank_ != 0) return;  // all ranks are; one says so
   if (style_ == Style::lines) {
     Json json = {{"event", "error"}, {"rank", rank_}};
     json.update(error_json(error));
     say(line_of(json), true);
-  } else if (rank_ == 0 || error.code() != ErrorCode::cancelled) {
+  } else {
     fmt::print(stderr, "paver-worker: {}\n", error.what());
   }
 }

@@ -35,7 +35,7 @@ class Reporter {
   [[noreturn]] void end_process(int code);
 
  private:
-  enum class Style { lines, table, silent };  ///< events; for people; other ranks where people read
+  enum class Style { lines, table, silent };  ///< events; for people; the other ranks there
 
   void open(const std::string& events);
   void watch();
