@@ -10,7 +10,7 @@ import pytest
 from processes import PATIENCE, PROGRAM, Run, WING, wait_until
 
 OTHER, USAGE, INPUT, TOO_MANY, OUTPUT, CANCELLED = 1, 2, 3, 5, 6, 130
-LONG = ("--size", "0.4", "--multilevel", "off")  # minutes of work for what is stopped at once
+LONG = ("--size", "0.4", "--multilevel", "off")  # more work than anyone waits for who stops it at once
 
 
 @pytest.fixture
