@@ -13,8 +13,8 @@ Floor: a point and its derivatives on the surface, once for every node of the me
 Simulated: this machine runs few ranks at once, the others are worked out from one process's report. With N ranks
 - what each rank repeats counts in full: read, topology, sizing, boundary, and what is left of regions and paving
   without their tasks; so does the start of the processes (wall time less all stages);
-- tasks are those measured, coarse meshes first, then regions and pieces, dearest first as the queue has them: each goes
-  to the rank that is free first, and all wait for the last (list scheduling);
+- tasks are those measured, regions and coarse meshes of large ones first, then pieces of these, dearest first as the
+  queues have them: each goes to the rank that is free first, and after each queue all wait for the last;
 - join, curving, quality and write each treat a rank's own elements only, so they take the share of the rank that has
   most. A rank's elements are taken to be in proportion to the time of its tasks;
 - messages, waiting for memory or disk that ranks share, and mpirun's own start are not in it.
@@ -157,11 +157,11 @@ def simulate(run, ranks):
     """{part: seconds} with that many ranks."""
     stages, tasks = run["report"]["stage_seconds"], run["report"]["tasks"]
     parts = {stage: stages.get(stage, 0) for stage in REPEATED[:5]}
-    # The coarse meshes are made in the stage "paving" of the report.
     tasks_left = sum(sum(some) for some in tasks.values())
     parts["rest of paving"] = max(0.0, stages.get("paving", 0) - tasks_left)
-    parts["coarse meshes"] = schedule(tasks.get("regions", []), ranks)[0]
-    parts["regions and pieces"], load = schedule(tasks.get("paving", []), ranks)
+    parts["regions"], of_regions = schedule(tasks.get("regions", []), ranks)
+    parts["pieces"], of_pieces = schedule(tasks.get("paving", []), ranks)
+    load = [a + b for a, b in zip(of_regions, of_pieces)]
     share = max(load) / sum(load) if sum(load) else 1
     for stage in SHARED_OUT:
         parts[stage] = stages.get(stage, 0) * share

@@ -88,8 +88,9 @@ struct ModelReport {
 
 /// How long one piece of work that may run on any thread or rank took; those of one stage in the order of the queue.
 struct TaskTime {
-  Stage stage = Stage::paving;  ///< regions: the coarse mesh of a region on levels; or paving
-  double seconds = 0;           ///< wall time
+  Stage stage =
+      Stage::paving;   ///< regions: a region paved or, when on levels, its coarse mesh; paving: one of its pieces
+  double seconds = 0;  ///< wall time
 };
 
 struct RunReport {

@@ -1,10 +1,11 @@
-// Steps: coarse meshes of large regions, given to all ranks; all parts, dearest first; regions of which a piece failed
-// once more, whole. What a rank found out reaches the others by gather().
+// Steps: all regions, dearest first, of large ones the coarse mesh, which all ranks get; their pieces; regions of which
+// a piece failed once more, whole. What a rank found out reaches the others by gather().
 #include "parallel/pave_parts.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -14,7 +15,8 @@
 namespace paver {
 namespace {
 
-constexpr double planned_cost = 0.25;  // of an element on levels, by one that is paved
+constexpr double planned_cost = 0.25;   // of an element on levels, by one that is paved
+constexpr double planning_share = 0.2;  // of the work on a region on levels
 
 RegionFailure failure_of(int region, const Error& error) {
   return {region, error.where().stage, error.what(), error.where().point};
@@ -51,59 +53,110 @@ PartPaver::PartPaver(const std::vector<Region>& regions, std::vector<double> cos
       plans_(regions.size()) {}
 
 std::vector<RegionFailure> PartPaver::pave() {
-  plan();
-  replace(std::vector<char>(regions_.size(), 0));
-  std::vector<int> all(parts_.size());
-  std::iota(all.begin(), all.end(), 0);
-  progress_.begin(Stage::paving, static_cast<long>(parts_.size()));
-  std::vector<RegionFailure> failures;
-  std::vector<char> is_whole = run_parts(all, failures, [this](const Part& part) { return pave_part(part); });
+  progress_.begin(Stage::paving, std::lround(std::accumulate(costs_.begin(), costs_.end(), 1.0)));
+  std::vector<RegionFailure> failures = pave_regions();
+  std::vector<char> is_whole(regions_.size(), 0);
+  for (const RegionFailure& failure : lay_pieces()) is_whole[failure.region] = 1;
   if (std::count(is_whole.begin(), is_whole.end(), 1) == 0) return failures;
-  replace(is_whole);
-  std::vector<int> again;
-  for (std::size_t i = 0; i < parts_.size(); ++i)
-    if (is_whole[parts_[i].region]) again.push_back(static_cast<int>(i));
-  run_parts(again, failures, [this](const Part& part) { return pave_part(part); });
+  for (const RegionFailure& failure :
+       pave_whole(is_whole, [this](const Region& region) { return pave_region(region, progress_, options_.elements); }))
+    failures.push_back(failure);
   return failures;
 }
 
 std::vector<RegionFailure> PartPaver::pave_again(const std::vector<char>& is_wanted, int attempt) {
-  replace(is_wanted);
-  std::vector<int> again;
-  for (std::size_t i = 0; i < parts_.size(); ++i)
-    if (is_wanted[parts_[i].region]) again.push_back(static_cast<int>(i));
-  std::vector<RegionFailure> failures;
-  run_parts(again, failures, [&](const Part& part) {
-    return pave_region_again(regions_[part.region], attempt, progress_, options_.elements);
+  return pave_whole(is_wanted, [&](const Region& region) {
+    return pave_region_again(region, attempt, progress_, options_.elements);
   });
+}
+
+// Small regions are paved while others make the coarse meshes of large ones.
+std::vector<RegionFailure> PartPaver::pave_regions() {
+  std::vector<int> all(regions_.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<std::shared_ptr<const PavedRegion>> paved(regions_.size());
+  const std::vector<RegionFailure> failures = run(Stage::regions, all, costs_, [&](int i) {
+    const Region& region = regions_[i];
+    plans_[i] = plan_levels(region, options_.multilevel, boundary_nodes_, progress_, options_.elements);
+    if (!plans_[i]) paved[i] = std::make_shared<PavedRegion>(pave_region(region, progress_, options_.elements));
+    advance(plans_[i] ? planning_share * costs_[i] : costs_[i]);
+  });
+  exchange_plans();
+  replace(std::vector<char>(regions_.size(), 0));
+  for (Part& part : parts_)
+    if (part.piece < 0) part.paved = paved[part.region];
   return failures;
 }
 
-// Regions without levels cost nothing here.
-void PartPaver::plan() {
+std::vector<RegionFailure> PartPaver::lay_pieces() {
+  std::vector<int> pieces, region_of;
+  std::vector<double> costs;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (parts_[i].piece < 0) continue;
+    pieces.push_back(static_cast<int>(i));
+    region_of.push_back(parts_[i].region);
+    costs.push_back(parts_[i].cost);
+  }
+  return run(Stage::paving, region_of, costs, [&](int k) {
+    Part& part = parts_[pieces[k]];
+    const Region& region = regions_[part.region];
+    const LevelPlan& plan = *plans_[part.region];
+    part.place = std::make_shared<Region>(without_loops(region));
+    part.paved = std::make_shared<PavedRegion>(
+        lay_piece(region, *part.place, plan, static_cast<std::size_t>(part.piece), progress_, options_.elements));
+    advance((1 - planning_share) * costs_[part.region] / static_cast<double>(plan.pieces.size()));
+  });
+}
+
+std::vector<RegionFailure> PartPaver::pave_whole(const std::vector<char>& is_wanted,
+                                                 const std::function<PavedRegion(const Region&)>& pave) {
+  replace(is_wanted);
+  std::vector<int> which, region_of;
+  std::vector<double> costs;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const int region = parts_[i].region;
+    if (!is_wanted[region]) continue;
+    which.push_back(static_cast<int>(i));
+    region_of.push_back(region);
+    costs.push_back(costs_[region]);
+  }
+  return run(Stage::regions, region_of, costs,
+             [&](int k) { parts_[which[k]].paved = std::make_shared<PavedRegion>(pave(regions_[region_of[k]])); });
+}
+
+// Failures are the same on all ranks, by region.
+std::vector<RegionFailure> PartPaver::run(Stage stage, const std::vector<int>& region_of,
+                                          const std::vector<double>& costs, const std::function<void(int)>& task) {
+  std::vector<RegionFailure> mine, all;
+  std::mutex mutex;
   const std::vector<DoneTask> done = run_tasks(
-      options_.threads, costs_, [&] { return ranks_.take(queue_); },
-      [&](int i) {
-        plans_[i] = plan_levels(regions_[i], options_.multilevel, boundary_nodes_, progress_, options_.elements);
+      options_.threads, costs, [&] { return ranks_.take(queue_); },
+      [&](int k) {
+        try {
+          guard_kernel({stage_name(Stage::paving), regions_[region_of[k]].face, -1, {}}, [&] { task(k); });
+        } catch (const Error& error) {
+          if (error.code() == ErrorCode::cancelled) throw;
+          std::lock_guard lock(mutex);
+          mine.push_back(failure_of(region_of[k], error));
+        }
       });
   ++queue_;
-  note_times(Stage::regions, done);
-  exchange_plans(done);
+  for (const DoneTask& one : done) times_.push_back({stage, one.seconds});
+  for (const std::string& text : ranks_.gather(to_text(mine))) add_from_text(text, all);
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.region < b.region; });
+  return all;
 }
 
-void PartPaver::note_times(Stage stage, const std::vector<DoneTask>& done) {
-  for (const DoneTask& task : done) times_.push_back({stage, task.seconds});
-}
+void PartPaver::advance(double cost) { progress_.advance(std::max(1L, std::lround(cost))); }
 
-void PartPaver::exchange_plans(const std::vector<DoneTask>& done) {
+// Each rank has the plans that it made.
+void PartPaver::exchange_plans() {
   if (ranks_.count() == 1) return;
   std::string mine;
-  for (const DoneTask& task : done) {
-    const int i = task.task;
+  for (std::size_t i = 0; i < plans_.size(); ++i) {
     if (!plans_[i]) continue;
     const std::string plan = pack(*plans_[i]);
-    for (std::size_t number : {static_cast<std::size_t>(i), plan.size()})
-      mine.append(reinterpret_cast<const char*>(&number), sizeof number);
+    for (std::size_t number : {i, plan.size()}) mine.append(reinterpret_cast<const char*>(&number), sizeof number);
     mine += plan;
   }
   const std::vector<std::string> all = ranks_.gather(mine);
@@ -116,54 +169,6 @@ void PartPaver::exchange_plans(const std::vector<DoneTask>& done) {
       rest.remove_prefix(sizeof head + head[1]);
     }
   }
-}
-
-PavedRegion PartPaver::pave_part(const Part& part) {
-  const Region& region = regions_[part.region];
-  if (part.piece < 0) return pave_region(region, progress_, options_.elements);
-  return lay_piece(region, *part.place, *plans_[part.region], static_cast<std::size_t>(part.piece), progress_,
-                   options_.elements);
-}
-
-// Gives, per region, whether one of its pieces failed: on all ranks the same.
-std::vector<char> PartPaver::run_parts(const std::vector<int>& which, std::vector<RegionFailure>& failures,
-                                       const std::function<PavedRegion(const Part&)>& pave) {
-  std::vector<double> cost;
-  for (int i : which) cost.push_back(parts_[i].cost);
-  std::vector<long> has_failed(regions_.size(), 0);
-  std::vector<RegionFailure> mine;
-  std::mutex mutex;
-  auto note = [&](const Part& part, const Error& error) {
-    std::lock_guard lock(mutex);
-    if (part.piece >= 0)
-      has_failed[part.region] = 1;
-    else
-      mine.push_back(failure_of(part.region, error));
-  };
-  const std::vector<DoneTask> done = run_tasks(
-      options_.threads, cost, [&] { return ranks_.take(queue_); },
-      [&](int k) {
-        Part& part = parts_[which[k]];
-        if (part.piece >= 0) part.place = std::make_shared<Region>(without_loops(regions_[part.region]));
-        try {
-          guard_kernel({stage_name(Stage::paving), regions_[part.region].face, -1, {}},
-                       [&] { part.paved = std::make_shared<PavedRegion>(pave(part)); });
-        } catch (const Error& error) {
-          if (error.code() == ErrorCode::cancelled) throw;
-          note(part, error);
-        }
-        progress_.advance();
-      });
-  ++queue_;
-  note_times(Stage::paving, done);
-  ranks_.add_up(has_failed);
-  std::vector<RegionFailure> all;
-  for (const std::string& text : ranks_.gather(to_text(mine))) add_from_text(text, all);
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.region < b.region; });
-  failures.insert(failures.end(), all.begin(), all.end());
-  std::vector<char> is_whole;
-  for (long n : has_failed) is_whole.push_back(n > 0);
-  return is_whole;
 }
 
 // Regions marked 1 become one part each, the others stay; at first all are made.

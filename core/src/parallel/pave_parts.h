@@ -60,14 +60,16 @@ class PartPaver {
   const Region& place_of(const Part& part) const { return part.place ? *part.place : regions_[part.region]; }
 
  private:
-  void plan();
-  void note_times(Stage stage, const std::vector<DoneTask>& done);
-  void exchange_plans(const std::vector<DoneTask>& done);
-  std::vector<char> run_parts(const std::vector<int>& which, std::vector<RegionFailure>& failures,
-                              const std::function<PavedRegion(const Part&)>& pave);
+  std::vector<RegionFailure> run(Stage stage, const std::vector<int>& region_of, const std::vector<double>& costs,
+                                 const std::function<void(int)>& task);
+  std::vector<RegionFailure> pave_regions();
+  std::vector<RegionFailure> lay_pieces();
+  std::vector<RegionFailure> pave_whole(const std::vector<char>& is_wanted,
+                                        const std::function<PavedRegion(const Region&)>& pave);
+  void exchange_plans();
+  void advance(double cost);
   void replace(const std::vector<char>& is_whole);
   void number_outlines();
-  PavedRegion pave_part(const Part& part);
 
   const std::vector<Region>& regions_;
   const std::vector<double> costs_;
