@@ -41,6 +41,8 @@ class Run {
     Assembler assembler(
         model_, nodes_, regions_, paver, options_, progress_, ranks_, [this](Stage stage) { begin(stage); }, share_);
     assembler.run();
+    auto& tasks = result_.report.tasks;
+    tasks.insert(tasks.begin(), boundary_tasks_.begin(), boundary_tasks_.end());
     measure(assembler);
     name_edges();
     return std::move(share_);
@@ -144,12 +146,13 @@ class Run {
   bool refine_crossings(std::vector<int>& counts, int round) {
     std::vector<std::array<int, 2>> crossing(regions_.size(), {-1, -1});
     const int queue = Ranks::most_queues - 1 - round;
-    run_tasks(
+    const std::vector<DoneTask> done = run_tasks(
         options_.threads, costs(), [&] { return ranks_.take(queue); },
         [&](int i) {
           progress_.check();
           if (auto edges = find_crossing(regions_[i])) crossing[i] = *edges;
         });
+    for (const DoneTask& task : done) boundary_tasks_.push_back({Stage::boundary, task.seconds});
     std::vector<long> times_found(counts.size(), 0);
     for (const auto& pair : crossing)
       for (int e : pair)
@@ -267,6 +270,7 @@ class Run {
   SizeField size_;
   EdgeNodes nodes_;
   std::vector<Region> regions_;
+  std::vector<TaskTime> boundary_tasks_;
   MeshShare share_;
   MeshResult& result_ = share_.result;
 };

@@ -11,10 +11,11 @@ exit code is 1 when a run fails or the same mesh has two checksums; no time is j
 Floor: a point and its derivatives on the surface, once for every node of the mesh (paver_benchmarks, floor/...).
 
 Simulated: this machine runs few ranks at once, the others are worked out from one process's report. With N ranks
-- what each rank repeats counts in full: read, topology, sizing, boundary, and what is left of regions and paving
+- what each rank repeats counts in full: read, topology, sizing, and what is left of boundary, regions and paving
   without their tasks; so does the start of the processes (wall time less all stages);
-- tasks are those measured, regions and coarse meshes of large ones first, then pieces of these, dearest first as the
-  queues have them: each goes to the rank that is free first, and after each queue all wait for the last;
+- tasks are those measured: searches for crossing divisions, then regions and coarse meshes of large ones, then pieces
+  of these, dearest first as the queues have them. Each goes to the rank that is free first, and after each queue all
+  wait for the last (list scheduling);
 - join, curving, quality and write each treat a rank's own elements only, so they take the share of the rank that has
   most. A rank's elements are taken to be in proportion to the time of its tasks;
 - messages, waiting for memory or disk that ranks share, and mpirun's own start are not in it.
@@ -36,7 +37,8 @@ import uuid
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PROGRAM = os.environ.get("PAVER_PROGRAM") or os.path.join(ROOT, "build", "core", "paver")
 BENCHMARKS = os.path.join(os.path.dirname(os.path.dirname(PROGRAM)), "tests", "benchmark", "paver_benchmarks")
-AREA = {"wind_generator": 215630200, "conesphere_gap": 58592, "wavy_patch": 46900}  # mm^2, to choose a target length
+# mm^2, to choose a target length.
+AREA = {"box": 24800, "wind_generator": 215630200, "conesphere_gap": 58592, "wavy_patch": 46900}
 REPEATED = ("read", "topology", "sizing", "boundary", "regions", "paving")
 SHARED_OUT = ("join", "curving", "quality", "write")
 faults = []
@@ -119,7 +121,7 @@ def measure(model, elements, variants, repeat, watch=False):
 
 def two_workers():
     """(what to call them, options): two ranks, or two threads where ranks are not built."""
-    text = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
+    text = subprocess.run([PROGRAM, "mesh", "--help"], capture_output=True, text=True).stdout
     if "--ranks" in text and os.path.exists(os.path.join(os.path.dirname(PROGRAM), "paver-worker")):
         return "2 ranks", ["--ranks", "2"]
     return "2 threads (ranks are not built)", ["--threads", "2"]
@@ -157,8 +159,10 @@ def simulate(run, ranks):
     """{part: seconds} with that many ranks."""
     stages, tasks = run["report"]["stage_seconds"], run["report"]["tasks"]
     parts = {stage: stages.get(stage, 0) for stage in REPEATED[:5]}
-    tasks_left = sum(sum(some) for some in tasks.values())
-    parts["rest of paving"] = max(0.0, stages.get("paving", 0) - tasks_left)
+    paving = sum(tasks.get("regions", [])) + sum(tasks.get("paving", []))
+    parts["boundary"] = max(0.0, parts["boundary"] - sum(tasks.get("boundary", [])))
+    parts["rest of paving"] = max(0.0, stages.get("paving", 0) - paving)
+    parts["crossings"] = schedule(tasks.get("boundary", []), ranks)[0]
     parts["regions"], of_regions = schedule(tasks.get("regions", []), ranks)
     parts["pieces"], of_pieces = schedule(tasks.get("paving", []), ranks)
     load = [a + b for a, b in zip(of_regions, of_pieces)]
@@ -171,7 +175,7 @@ def simulate(run, ranks):
 
 def share_table(run):
     """What one rank repeats or cannot share, by stage, of the wall time."""
-    parts = {**simulate(run, 1)}
+    parts = simulate(run, 1)
     serial = [*REPEATED[:5], "rest of paving", "start"]
     rows = [[name, f"{1000 * parts[name]:.0f}", f"{parts[name] / run['wall']:.1%}"] for name in serial]
     total = sum(parts[name] for name in serial)
@@ -193,11 +197,13 @@ def wind(a):
     two, options = two_workers()
     runs = measure("wind_generator", elements, {"mesh": [], "mesh, " + two: options}, a.repeat)
     one, both = runs["mesh"], runs["mesh, " + two]
+    start = measure("box", 24, {"mesh, " + two: options}, a.repeat)["mesh, " + two]["wall"]
     rows = [["elements", f"{count(one):,}", ""], ["one core", f"{one['wall']:.2f} s", "about 5 s"]]
     floor = None if a.quick else floor_seconds(f"wind_generator/{elements}")
     if floor:
         rows += [["floor", f"{floor:.3f} s", ""], ["one core / floor", f"{one['wall'] / floor:.1f}", "<= 20"]]
     rows.append([two, f"{both['wall']:.2f} s, {one['wall'] / both['wall']:.2f} times as fast", ">= 1.85"])
+    rows.append([f"{two}, a box of 24 elements", f"{start:.2f} s", ""])
     for ranks in [2, *a.ranks_of]:
         parts = simulate(one, ranks)
         wanted = {32: ">= 25", 256: ">= 150"}.get(ranks, "")
@@ -213,18 +219,19 @@ def levels(a):
     elements = 60000 if a.quick else 530000
     on = "4" if a.quick else "auto"
     for order in ("1", "2"):
+        on_levels, (two, options) = ["--multilevel", on, "--order", order], two_workers()
         runs = measure("conesphere_gap", elements, {"direct": ["--multilevel", "off", "--order", order],
-                                                    "levels": ["--multilevel", on, "--order", order],
-                                                    "levels, " + two_workers()[0]: ["--multilevel", on, "--order", order,
-                                                                                   *two_workers()[1]]}, a.repeat)
+                                                    "levels": on_levels, "levels, " + two: on_levels + options},
+                       a.repeat)
         rows, quality = [], {name: run["report"]["quality"] for name, run in runs.items()}
         direct, level = runs["direct"], runs["levels"]
         for name in ("direct", "levels"):
             q, run = quality[name], runs[name]
             rows.append([name, f"{count(run):,}", f"{run['wall']:.2f}", f"{count(run) / run['wall']:,.0f}",
                          f"{q['irregular_share']:.3%}", f"{q['sj']['all']['mean']:.4f}", f"{q['length_cv']:.4f}"])
+        irregular = [max(1e-9, quality[name]["irregular_share"]) for name in ("levels", "direct")]
         rows.append(["levels / direct", "", f"{level['wall'] / direct['wall']:.2f}", "",
-                     f"{quality['levels']['irregular_share'] / max(1e-9, quality['direct']['irregular_share']):.2f}", "", ""])
+                     f"{irregular[0] / irregular[1]:.2f}", "", ""])
         rows.append(["required", "", "<= 0.25", "floor / 5", "<= 0.25", "no worse", "no worse"])
         if not a.quick and order == "2":
             floor = floor_seconds(f"conesphere_gap/{elements}")

@@ -187,6 +187,7 @@ void EdgeMetric::set_sizes(const Edge& edge, const SizeField& size) {
   const double least_by_curvature = length() / most_by_curvature;
   for (Row& row : rows_) {
     double bend = curvature(*curve_, row.t);
+    row.pace = 1 / std::max(norm(velocity(*curve_, row.t)), standstill * top_speed_);
     row.h = size.given_at(edge, curve_->point(row.t));
     if (bend > 0) row.h = std::min(row.h, std::max(size.longest_edge(bend), least_by_curvature));
   }
@@ -227,12 +228,20 @@ double EdgeMetric::length_at_weight(double target) const {
   return a.s + step * std::clamp(share, 0.0, 1.0);
 }
 
+// Cubic through both rows with their paces; straight where it would leave the rows.
+double EdgeMetric::first_guess(const Row& a, const Row& b, double share) {
+  double step = b.s - a.s, rest = 1 - share, linear = rest * a.t + share * b.t;
+  double bow = (a.pace * step - (b.t - a.t)) * rest - (b.pace * step - (b.t - a.t)) * share;
+  double t = linear + share * rest * bow;
+  return t > a.t && t < b.t ? t : linear;
+}
+
 double EdgeMetric::parameter_at_length(double s) const {
   std::size_t i = row_before_length(s);
   const Row &a = rows_[i], &b = rows_[i + 1];
   if (!(b.s > a.s)) return a.t;
   double share = std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0);
-  double lo = a.t, hi = b.t, t = (1 - share) * a.t + share * b.t;
+  double lo = a.t, hi = b.t, t = first_guess(a, b, share);
   const double tolerance = 1e-13 * length();
   for (int iteration = 0; iteration < 40; ++iteration) {
     double error = a.s + quadrature(a.t, t) - s;

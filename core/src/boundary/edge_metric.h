@@ -37,6 +37,7 @@ class EdgeMetric {
  private:
   struct Row {
     double t = 0, s = 0, turn = 0, h = 0, weight = 0;
+    double pace = 0;  // dt/ds
   };
   struct Panel {
     double a = 0, b = 0;
@@ -61,6 +62,7 @@ class EdgeMetric {
   std::vector<int> share_intervals(const std::vector<Row>& ends, int n) const;
   enum class KinkSide { before, behind };
   double turn_at_length(double s, KinkSide side) const;
+  static double first_guess(const Row& a, const Row& b, double share);
   std::size_t row_before_length(double s) const;
 
   const Curve* curve_;
