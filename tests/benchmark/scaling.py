@@ -163,7 +163,7 @@ def simulate(run, ranks):
     parts["boundary"] = max(0.0, parts["boundary"] - sum(tasks.get("boundary", [])))
     parts["rest of paving"] = max(0.0, stages.get("paving", 0) - paving)
     parts["crossings"] = schedule(tasks.get("boundary", []), ranks)[0]
-    parts["regions"], of_regions = schedule(tasks.get("regions", []), ranks)
+    parts["regions, coarse meshes"], of_regions = schedule(tasks.get("regions", []), ranks)
     parts["pieces"], of_pieces = schedule(tasks.get("paving", []), ranks)
     load = [a + b for a, b in zip(of_regions, of_pieces)]
     share = max(load) / sum(load) if sum(load) else 1
