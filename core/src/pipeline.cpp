@@ -33,7 +33,8 @@ class Run {
   Run(const Options& options, Progress& progress, Ranks& ranks)
       : options_(options), progress_(progress), ranks_(ranks) {}
 
-  MeshShare mesh(const CadModel& model) {
+  /// `is_numbered`: with the numbers of a share.
+  MeshShare mesh(const CadModel& model, bool is_numbered) {
     start();
     build(model);
     divide();
@@ -41,6 +42,7 @@ class Run {
     Assembler assembler(
         model_, nodes_, regions_, paver, options_, progress_, ranks_, [this](Stage stage) { begin(stage); }, share_);
     assembler.run();
+    if (is_numbered) assembler.number();
     auto& tasks = result_.report.tasks;
     tasks.insert(tasks.begin(), boundary_tasks_.begin(), boundary_tasks_.end());
     measure(assembler);
@@ -277,16 +279,25 @@ class Run {
 
 }  // namespace
 
-MeshShare mesh_share(const CadModel& model, const Options& options, Progress& progress, Ranks& ranks) {
+namespace {
+
+MeshShare run(const CadModel& model, const Options& options, Progress& progress, Ranks& ranks, bool is_numbered) {
   check(options);
   tbb::task_arena arena(thread_count(options.threads));  // for what spreads by itself
-  return guard_occt(ErrorCode::internal, kernel_failure,
-                    [&] { return arena.execute([&] { return Run(options, progress, ranks).mesh(model); }); });
+  return guard_occt(ErrorCode::internal, kernel_failure, [&] {
+    return arena.execute([&] { return Run(options, progress, ranks).mesh(model, is_numbered); });
+  });
+}
+
+}  // namespace
+
+MeshShare mesh_share(const CadModel& model, const Options& options, Progress& progress, Ranks& ranks) {
+  return run(model, options, progress, ranks, true);
 }
 
 MeshResult mesh_model(const CadModel& model, const Options& options, Progress& progress) {
   SingleRank alone;
-  return mesh_share(model, options, progress, alone).result;
+  return run(model, options, progress, alone, false).result;
 }
 
 MeshResult mesh_file(const std::string& path, const Options& options, Progress& progress) {

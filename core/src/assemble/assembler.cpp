@@ -60,7 +60,6 @@ void Assembler::run() {
   }
   note_invalid(invalid);
   report_.tasks = paver_.times();
-  if (ranks_.count() > 1) number(share_);
 }
 
 void Assembler::fail(const std::vector<RegionFailure>& failures) {
@@ -237,7 +236,7 @@ void Assembler::straighten_last(Invalid& invalid) {
 // Sides on B-rep edges have neighbours on other ranks: all mend the same neighbourhood, each keeps what is its own.
 RepairResult Assembler::straighten() {
   if (ranks_.count() == 1) return straighten_at_edges(mesh_, is_valid, invalid_quads_, invalid_triangles_);
-  number(share_);
+  number();
   Neighbourhood about = gather_neighbourhood(share_, invalid_quads_, invalid_triangles_, rings_of_mending, ranks_);
   RepairResult result = straighten_at_edges(about.mesh, is_valid, about.invalid_quads, about.invalid_triangles);
   put_nodes_back(about, share_);

@@ -25,10 +25,11 @@ class Assembler {
             const Options& options, Progress& progress, Ranks& ranks, std::function<void(Stage)> begin,
             MeshShare& share);
 
-  /// Paves all, joins and curves: fills in the share's mesh and, on several ranks, its numbers. Faces with invalid
-  /// elements are paved with other rows, then mended element by element; where that is not enough they are paved finer
-  /// and mended again.
+  /// Paves all, joins and curves: fills in the share's mesh. Faces with invalid elements are paved with other rows,
+  /// then mended element by element; where that is not enough they are paved finer and mended again.
   void run();
+  /// Fills in the share's numbers.
+  void number();
 
   /// Largest distance to the surface, of the parts here (see chord_error()).
   double chord_error() const;
@@ -41,7 +42,6 @@ class Assembler {
   Invalid split_invalid(Invalid invalid);
   void straighten_last(Invalid& invalid);
   RepairResult straighten();
-  void number(MeshShare& share) const;
   Invalid join_and_curve();
   void join();
   bool share_failures(const std::optional<Error>& error);

@@ -76,7 +76,8 @@ void number_elements(const std::vector<PartRow>& mine, const std::vector<long>& 
 
 }  // namespace
 
-void Assembler::number(MeshShare& share) const {
+void Assembler::number() {
+  MeshShare& share = share_;
   share.node_number.clear(), share.is_own_node.clear(), share.is_shared_node.clear();
   share.quad_number.clear(), share.triangle_number.clear();
   std::vector<PartRow> mine;

@@ -8,7 +8,6 @@
 #include <cstring>
 #include <fstream>
 #include <new>
-#include <numeric>
 #include <optional>
 #include <sstream>
 #include <system_error>
@@ -113,25 +112,6 @@ void hand_back(const Job& job, MeshShare& share, const MpiRanks& ranks) {
     write_file(job.folder + "/result", pack_result(share.result));
 }
 
-std::vector<long> first_numbers(long count) {
-  std::vector<long> numbers(static_cast<std::size_t>(count));
-  std::iota(numbers.begin(), numbers.end(), 0L);
-  return numbers;
-}
-
-/// The share of a single rank is the whole mesh, and meshing leaves out what tells so.
-void number_whole(MeshShare& share) {
-  const SurfaceMesh& mesh = share.result.mesh;
-  share.nodes = static_cast<long>(mesh.nodes.size());
-  share.quads = static_cast<long>(mesh.quad_count());
-  share.triangles = static_cast<long>(mesh.triangle_count());
-  share.node_number = first_numbers(share.nodes);
-  share.quad_number = first_numbers(share.quads);
-  share.triangle_number = first_numbers(share.triangles);
-  share.is_own_node.assign(mesh.nodes.size(), 1);
-  share.is_shared_node.assign(mesh.nodes.size(), 0);
-}
-
 /// One job from its file to its outputs; the exit code.
 int run_job(const std::string& path, MpiRanks& ranks, Progress& progress, std::optional<Reporter>& reporter) {
   auto start = std::chrono::steady_clock::now();
@@ -143,7 +123,6 @@ int run_job(const std::string& path, MpiRanks& ranks, Progress& progress, std::o
   const std::string& name = job.name.empty() ? job.input : job.name;
   CadModel model = read_bytes(from_rank_0(ranks, [&] { return file_content(job.input, name); }), name, progress);
   MeshShare share = mesh_share(model, options, progress, ranks);
-  if (ranks.count() == 1) number_whole(share);
   OutputFiles files = job.files;
   if (share.quads + share.triangles == 0) files.mesh.clear();
   write_share(share, files, progress, ranks);
