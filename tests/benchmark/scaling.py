@@ -290,6 +290,8 @@ def main():
     a.repeat = a.repeat or (1 if a.quick else 3)
     for name in a.only:
         TABLES[name](a)
+    print(f"\nLoad average {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores: where other programs run, several ranks and "
+          "threads are slower than they could be.")
     print("\n" + ("\n".join(faults) or "Meshes that should be the same have the same checksum."))
     sys.exit(1 if faults else 0)
 
