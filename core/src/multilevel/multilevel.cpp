@@ -23,6 +23,7 @@ namespace {
 
 constexpr int least_ratio = 4, automatic_ratio = 6;
 constexpr double fewest_coarse = 2000;  // elements that the coarse mesh should have: large elements vary more in length
+constexpr double fewest_coarser = 800;  // the same for the mesh under a coarse one
 constexpr double evenness = 2.1;        // of coarse meshes: their irregular nodes are few among the fine ones
 constexpr int even_sweeps = 4, count_sweeps = 12, fine_sweeps = 2;
 constexpr double worst_goal = 0.74;
@@ -32,9 +33,11 @@ constexpr int whole = -1;                // for boundary_nodes: one piece
 /// Ratio of the target lengths for which the coarse mesh is not too small; 0: none. Unless asked for, small ratios are
 /// not taken: they come with small coarse meshes, whose lengths vary.
 int ratio_for(const Region& region, int multilevel) {
-  const int fitting = static_cast<int>(std::sqrt(region.area / (region.h * region.h) / fewest_coarse));
-  if (multilevel == automatic_levels) return fitting >= automatic_ratio ? automatic_ratio : 0;
-  const int ratio = std::min(multilevel, fitting);
+  const bool is_coarse = region.evenness > 1;  // already: its own lengths are evened out afterwards
+  const double fewest = is_coarse ? fewest_coarser : fewest_coarse;
+  const int fitting = static_cast<int>(std::sqrt(region.area / (region.h * region.h) / fewest));
+  if (multilevel == automatic_levels && !is_coarse) return fitting >= automatic_ratio ? automatic_ratio : 0;
+  const int ratio = std::min(multilevel == automatic_levels ? automatic_ratio : multilevel, fitting);
   return ratio >= least_ratio ? ratio : 0;
 }
 
