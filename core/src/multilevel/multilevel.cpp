@@ -17,6 +17,7 @@
 #include "paving/cleanup_optimise.h"
 #include "paving/cleanup_smooth.h"
 #include "paving/faults.h"
+#include "regions/disc_grid.h"
 
 namespace paver {
 namespace {
@@ -126,6 +127,7 @@ PavedRegion pave_coarse(const Region& region, int multilevel, const Progress& pr
   } catch (const Error& error) {
     if (error.code() != ErrorCode::face_failed) throw;
   }
+  if (auto disc = lay_disc(region, progress)) return {std::move(*disc), {}};
   return pave_region_again(region, 0, progress, elements);
 }
 
