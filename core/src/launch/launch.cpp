@@ -10,13 +10,17 @@
 #include <signal.h>
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <regex>
+#include <sstream>
+#include <string_view>
 #include <thread>
 
 #include "launch/child.h"
@@ -141,15 +145,38 @@ int wait_for_end(Child& child) {
   return *child.status();
 }
 
+/// Each run of blanks and line ends as one blank: mpirun breaks its lines anywhere.
+std::string on_one_line(const std::string& text) {
+  std::string line;
+  for (char c : text) {
+    const bool is_blank = std::isspace(static_cast<unsigned char>(c)) != 0;
+    if (!is_blank || (!line.empty() && line.back() != ' ')) line.push_back(is_blank ? ' ' : c);
+  }
+  return line;
+}
+
+/// The number that follows `words` in `text`, and what follows it.
+std::optional<int> number_after(std::string_view words, std::string_view& text) {
+  const std::size_t at = text.find(words);
+  if (at == std::string_view::npos) return std::nullopt;
+  std::string_view rest = text.substr(at + words.size());
+  int number = 0;
+  auto [end, fault] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+  if (fault != std::errc()) return std::nullopt;
+  text = rest.substr(static_cast<std::size_t>(end - rest.data()));
+  return number;
+}
+
 /// What mpirun says when a rank ended by a signal.
 std::optional<Error> lost_rank(const std::string& output, int ranks, const Progress& progress) {
-  static const std::regex pattern(R"(process rank (\d+)[^.]*?exited\s+on\s+signal\s+(\d+))");
-  std::smatch found;
-  if (!std::regex_search(output, found, pattern)) return std::nullopt;
+  const std::string line = on_one_line(output);
+  std::string_view rest = line;
+  const std::optional<int> rank = number_after("process rank ", rest), signal = number_after("exited on signal ", rest);
+  if (!rank || !signal) return std::nullopt;
   constexpr int killed = 9;
-  std::string who = fmt::format("Rank {} of {} was ended by signal {} ({}) in stage {}", found[1].str(), ranks,
-                                found[2].str(), ::strsignal(std::stoi(found[2].str())), stage_name(progress.stage()));
-  if (std::stoi(found[2].str()) == killed)
+  std::string who = fmt::format("Rank {} of {} was ended by signal {} ({}) in stage {}", *rank, ranks, *signal,
+                                ::strsignal(*signal), stage_name(progress.stage()));
+  if (*signal == killed)
     return Error(ErrorCode::out_of_memory,
                  who +
                      ", as the system does when memory runs out; nothing was written, choose fewer ranks or a larger "
@@ -157,12 +184,15 @@ std::optional<Error> lost_rank(const std::string& output, int ranks, const Progr
   return Error(ErrorCode::internal, who + "; nothing was written, report it with the model.");
 }
 
-/// The first line of mpirun's output that says something.
+/// The first line of mpirun's output with two letters next to each other.
 std::string first_words(const std::string& output) {
-  static const std::regex line(R"((?:^|\n)(?=[^\n]*[A-Za-z]{2})([^\n]+))");
-  std::smatch found;
-  if (!std::regex_search(output, found, line)) return "it says nothing";
-  return found[1].str();
+  auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);)
+    if (std::adjacent_find(line.begin(), line.end(), [&](char a, char b) { return is_letter(a) && is_letter(b); }) !=
+        line.end())
+      return line;
+  return "it says nothing";
 }
 
 [[noreturn]] void fail(const Child& child, int status, int ranks, const Listener& listener, const Progress& progress) {
