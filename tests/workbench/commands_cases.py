@@ -130,8 +130,9 @@ class Commands(WithCommands):
         self.assertEqual(mesh.ViewObject.Proxy.claimChildren(), [child])
         self.assertIn("paver_wb.refinement.make(", self.console())
         self.assertEqual(self.document.UndoNames, ["Refine"])
-        window.picture("commands_refine")
         window.wait(lambda: window.widget("Paver_RefinementLength"), "for its panel")
+        window.pause(300)  # until all is drawn
+        window.picture("commands_refine")
         self.assertEqual(FreeCADGui.Selection.getSelectionEx()[0].SubElementNames, ("Face6", "Edge1"))
         window.click_standard(QtGui.QDialogButtonBox.Ok)
         self.assertEqual(self.document.UndoNames, ["Refine"])
