@@ -1,6 +1,5 @@
 """Meshing from the window: on a thread, one run after the other, the result taken into the document when it may be."""
 import os
-import shutil
 import tempfile
 import time
 from typing import NamedTuple
@@ -105,7 +104,6 @@ class Run(QtCore.QObject):
     def take_back(self):
         """Takes the result into the document, as soon as nothing else is changing that."""
         if self.state == ENDED:
-            shutil.rmtree(self.folder, ignore_errors=True)  # a thread that was left to itself has only now gone
             return
         self.seconds.setdefault("mesh", time.monotonic() - self.begun)
         if self.thread.error is not None or self.thread.stop.is_set():
@@ -146,8 +144,7 @@ class Run(QtCore.QObject):
         self.state = ENDED
         if self in _runs:
             _runs.remove(self)
-        if self.thread.isFinished() or not self.thread.isRunning():
-            shutil.rmtree(self.folder, ignore_errors=True)
+        self.thread.drop_folder(self.folder)
         self.outcome = Outcome(kind, text, place, log, self.seconds, mesh)
         self.thread.result = self.thread.model = self.thread.drawn = None  # Qt may keep the thread for a while
         report(self)

@@ -1,7 +1,6 @@
 """Work beside the window that is no meshing, such as reading and writing files: on a thread, shown in the status bar, where
 it can be stopped; what it gives is taken in the main thread."""
 import os
-import shutil
 import tempfile
 
 import FreeCAD
@@ -72,7 +71,6 @@ class Task(QtCore.QObject):
     @QtCore.Slot()
     def take_back(self):
         if self.outcome is not None:
-            shutil.rmtree(self.folder, ignore_errors=True)  # a thread that was left to itself has only now gone
             return
         if self.cancel.is_set() or isinstance(self.thread.error, core.load().Cancelled):
             self.end(STOPPED)
@@ -96,8 +94,7 @@ class Task(QtCore.QObject):
         self.outcome, self.error = outcome, error
         if self in _tasks:
             _tasks.remove(self)
-        if not self.thread.isRunning():
-            shutil.rmtree(self.folder, ignore_errors=True)
+        self.thread.drop_folder(self.folder)
         self.thread.result = None
         if outcome == STOPPED:
             FreeCAD.Console.PrintMessage(translate("Paver", "Stopped: {}").format(self.text) + "\n")

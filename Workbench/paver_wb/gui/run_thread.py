@@ -1,5 +1,6 @@
 """Threads that work while the window lives on. None of them touches a document or the 3D view."""
 import os
+import shutil
 
 from PySide import QtCore
 
@@ -13,7 +14,8 @@ _running = set()  # Qt ends the program when a thread's object goes before the t
 class Background(QtCore.QThread):
     """Calls `work()` in a thread, then emits `done`: `result` is what it gave, or `error` what it raised.
 
-    `stop` is the cancel token for the core. A thread that is stopped and dropped ends by itself.
+    `stop` is the cancel token for the core. A thread that is stopped and dropped ends by itself, and removes
+    `left_folder` then.
     """
 
     done = QtCore.Signal()
@@ -22,7 +24,7 @@ class Background(QtCore.QThread):
         super().__init__()
         if work is not None:
             self.work = work
-        self.stop, self.result, self.error = core.load().Cancel(), None, None
+        self.stop, self.result, self.error, self.left_folder = core.load().Cancel(), None, None, None
         self.finished.connect(self.leave, QtCore.Qt.QueuedConnection)
 
     def begin(self):
@@ -39,6 +41,15 @@ class Background(QtCore.QThread):
     def leave(self):
         _running.discard(self)
         self.done.emit()
+        if self.left_folder:
+            shutil.rmtree(self.left_folder, ignore_errors=True)
+
+    def drop_folder(self, folder):
+        """Removes a folder that the work may write to: now, or when the thread, left to itself, has gone."""
+        if self in _running:
+            self.left_folder = folder
+        else:
+            shutil.rmtree(folder, ignore_errors=True)
 
 
 def end_all(milliseconds=2000):
@@ -47,6 +58,8 @@ def end_all(milliseconds=2000):
         thread.stop.set()
     for thread in list(_running):
         thread.wait(milliseconds)
+        if thread.left_folder:
+            shutil.rmtree(thread.left_folder, ignore_errors=True)
 
 
 class MeshThread(Background):
