@@ -147,14 +147,19 @@ void Assembler::join() {
       const bool is_here = part.paved && report_.faces[face].status == FaceStatus::meshed;
       parts.push_back({face, is_here ? &part.paved->mesh : nullptr, paver_.outline_of(part.region)});
     }
-    std::optional<Error> failure;
+    std::vector<RegionFailure> failures;
     try {
       joined_ = join_regions(model_, nodes_, parts, paver_.outline_nodes());
     } catch (const Error& error) {
       if (error.code() != ErrorCode::face_failed) throw;
-      failure = error;
+      auto is_of = [&](const Region& region) { return region.face == error.where().face; };
+      const auto region = std::find_if(regions_.begin(), regions_.end(), is_of);
+      failures.push_back(
+          {static_cast<int>(region - regions_.begin()), stage_name(Stage::join), error.what(), error.where().point});
     }
-    if (!share_failures(failure)) break;
+    failures = gather_failures(failures, ranks_);
+    if (failures.empty()) break;
+    fail(failures);
   }
   parts_.clear();
   for (std::size_t i = 0; i < paver_.parts().size(); ++i) {
@@ -163,30 +168,6 @@ void Assembler::join() {
     parts_.push_back({&paver_.place_of(part), is_here ? &part.paved->mesh : nullptr, &joined_.node_of[i],
                       paver_.outline_of(part.region)});
   }
-}
-
-// Whether joining failed on some rank.
-bool Assembler::share_failures(const std::optional<Error>& error) {
-  std::string mine;
-  if (error) {
-    const Vec3 x = error->where().point.value_or(Vec3{});
-    mine = fmt::format("{} {:a} {:a} {:a} {}", error->where().face, x.x, x.y, x.z, error->what());
-  }
-  bool has_failed = false;
-  for (const std::string& text : ranks_.gather(mine)) {
-    if (text.empty()) continue;
-    has_failed = true;
-    int face = -1, used = 0;
-    Vec3 x;
-    std::sscanf(text.c_str(), "%d %la %la %la %n", &face, &x.x, &x.y, &x.z, &used);
-    FaceReport& report = report_.faces[face];
-    if (report.status == FaceStatus::failed) continue;
-    report.status = FaceStatus::failed;
-    report.stage = stage_name(Stage::join);
-    report.reason = text.substr(static_cast<std::size_t>(used));
-    report.where = x;
-  }
-  return has_failed;
 }
 
 // Raises the order; gives the number of elements per face whose Jacobian is not proven positive.

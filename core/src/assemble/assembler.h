@@ -44,7 +44,6 @@ class Assembler {
   RepairResult straighten();
   Invalid join_and_curve();
   void join();
-  bool share_failures(const std::optional<Error>& error);
   Invalid curve();
   Invalid count_invalid();
   void note_invalid(const Invalid& invalid);

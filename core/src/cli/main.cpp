@@ -10,6 +10,7 @@
 #include "arguments.h"
 #include "paver/launch.h"
 #include "paver/mesher.h"
+#include "paver/signals.h"
 #include "terminal.h"
 
 namespace paver {

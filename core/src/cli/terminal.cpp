@@ -5,10 +5,8 @@
 #include "terminal.h"
 
 #include <fmt/format.h>
-#include <signal.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cstdio>
 
 namespace paver {
@@ -17,30 +15,12 @@ namespace {
 constexpr std::chrono::milliseconds interval(50);
 constexpr int cancelled_exit_code = 130;
 
-std::atomic<Progress*> signalled{nullptr};  // signal handlers have no other way to reach it
-static_assert(std::atomic<Progress*>::is_always_lock_free);
-
-void handle_signal(int) {
-  if (Progress* progress = signalled.load()) progress->cancel();
-}
-
 void print(std::FILE* stream, const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stream);
   std::fflush(stream);
 }
 
 }  // namespace
-
-void cancel_on_signals(Progress& progress) {
-  signalled.store(&progress);
-  struct sigaction action {};
-  action.sa_handler = handle_signal;
-  sigemptyset(&action.sa_mask);
-  action.sa_flags = SA_RESTART;
-  for (int number : {SIGINT, SIGTERM, SIGHUP}) sigaction(number, &action, nullptr);
-  action.sa_handler = SIG_IGN;
-  for (int number : {SIGXFSZ, SIGPIPE}) sigaction(number, &action, nullptr);
-}
 
 Terminal::Terminal(const Progress& progress, bool is_quiet, std::vector<std::string> temporaries,
                    std::chrono::milliseconds patience)

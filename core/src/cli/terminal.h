@@ -12,10 +12,6 @@
 
 namespace paver {
 
-/// Makes SIGINT, SIGTERM and SIGHUP cancel `progress`, which must live as long as the process. A file that grows
-/// beyond a limit and a reader that goes away become write errors instead of signals.
-void cancel_on_signals(Progress& progress);
-
 /// While it lives, a thread of its own prints how far `progress` is: on a terminal one line on stderr that is written
 /// over, else one line on stdout per finished stage, so that stderr holds nothing but errors. When a cancelled run
 /// does not come back within `patience`, the thread removes `temporaries` and ends the process with code 130.

@@ -36,14 +36,10 @@ class Coarsener {
  private:
   void copy_task() {
     Region& coarse = result_.region;
-    coarse.face = region_.face;
-    coarse.surface = region_.surface;
-    coarse.chart = region_.chart;
-    coarse.goes_round = region_.goes_round;
+    coarse = task_of(region_);
+    coarse.evenness = 1;
     coarse.size = region_.size.scaled(ratio_);
     coarse.h = ratio_ * region_.h;
-    coarse.gradation = region_.gradation;
-    coarse.area = region_.area;
   }
 
   // Nodes that the loops share or pass twice at one place in the chart.

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
+
+#include "base/packing.h"
 
 namespace paver {
 namespace {
@@ -115,66 +116,13 @@ class OutlineNumberer {
   LevelPlan& plan_;
 };
 
-/// Arrays one after the other, as they lie in memory.
-class Packer {
- public:
-  template <class T>
-  void operator()(const std::vector<T>& values) {
-    const std::size_t count = values.size();
-    add(&count, sizeof count);
-    add(values.data(), count * sizeof(T));
-  }
-  template <class T>
-  void operator()(const std::vector<std::vector<T>>& lists) {
-    std::vector<int> sizes;
-    for (const auto& list : lists) sizes.push_back(static_cast<int>(list.size()));
-    (*this)(sizes);
-    for (const auto& list : lists) (*this)(list);
-  }
-  std::string take() { return std::move(bytes_); }
-
- private:
-  void add(const void* data, std::size_t size) {
-    if (size > 0) bytes_.append(static_cast<const char*>(data), size);
-  }
-  std::string bytes_;
-};
-
-class Unpacker {
- public:
-  explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}
-
-  template <class T>
-  void operator()(std::vector<T>& values) {
-    std::size_t count = 0;
-    take(&count, sizeof count);
-    values.resize(count);
-    take(values.data(), count * sizeof(T));
-  }
-  template <class T>
-  void operator()(std::vector<std::vector<T>>& lists) {
-    std::vector<int> sizes;
-    (*this)(sizes);
-    lists.resize(sizes.size());
-    for (auto& list : lists) (*this)(list);
-  }
-
- private:
-  void take(void* to, std::size_t size) {
-    if (size > 0) std::memcpy(to, bytes_.data(), size);
-    bytes_.remove_prefix(size);
-  }
-  std::string_view bytes_;
-};
-
 /// Every field but those that number_outlines() fills in; stars follow from the elements.
-template <class Plan, class Each>
-void for_each_array(Plan& plan, Each& each) {
+template <class A>
+void fields(A& archive, Is<LevelPlan> auto& plan) {
   auto& mesh = plan.mesh;
-  each(mesh.p), each(mesh.x), each(mesh.xp), each(mesh.xq), each(mesh.drift), each(mesh.h), each(mesh.is_fixed);
-  each(mesh.global), each(mesh.elements);
-  each(plan.net.edges), each(plan.net.of_element), each(plan.net.loop_node);
-  each(plan.at), each(plan.counts), each(plan.is_paved), each(plan.pieces);
+  archive(mesh.p, mesh.x, mesh.xp, mesh.xq, mesh.drift, mesh.h, mesh.is_fixed, mesh.global, mesh.elements);
+  archive(plan.net.edges, plan.net.of_element, plan.net.loop_node);
+  archive(plan.at, plan.counts, plan.is_paved, plan.paving, plan.boundary_nodes, plan.pieces);
 }
 
 }  // namespace
@@ -214,21 +162,14 @@ void number_outlines(LevelPlan& plan) {
 
 std::string pack(const LevelPlan& plan) {
   Packer packer;
-  for_each_array(plan, packer);
-  packer(std::vector<int>{plan.boundary_nodes});
-  packer(std::vector<PavingCounts>{plan.paving});
+  fields(packer, plan);
   return packer.take();
 }
 
 LevelPlan unpack_plan(std::string_view bytes) {
   LevelPlan plan;
   Unpacker unpacker(bytes);
-  for_each_array(plan, unpacker);
-  std::vector<int> boundary_nodes;
-  std::vector<PavingCounts> paving;
-  unpacker(boundary_nodes), unpacker(paving);
-  plan.boundary_nodes = boundary_nodes.at(0);
-  plan.paving = paving.at(0);
+  fields(unpacker, plan);
   plan.mesh.star.resize(plan.mesh.p.size());
   for (std::size_t e = 0; e < plan.mesh.elements.size(); ++e)
     for (int k = 0; plan.mesh.elements[e].is_alive() && k < plan.mesh.elements[e].corners(); ++k)

@@ -62,16 +62,7 @@ class PatchPaver {
 
   void pave(std::vector<int> part) {
     std::sort(part.begin(), part.end());
-    const Region& whole = front_.region;
-    Region region;
-    region.face = whole.face;
-    region.surface = whole.surface;
-    region.chart = whole.chart;
-    region.goes_round = whole.goes_round;
-    region.size = whole.size;
-    region.h = whole.h;
-    region.gradation = whole.gradation;
-    region.evenness = whole.evenness;
+    Region region = task_of(front_.region);
     region.area = 0;
     for (int e : part) region.area += area_of(e);
     add_loops(part, region);

@@ -2,14 +2,12 @@
 // a piece failed once more, whole. What a rank found out reaches the others by gather().
 #include "parallel/pave_parts.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "base/packing.h"
 #include "brep/kernel_guard.h"
 
 namespace paver {
@@ -22,25 +20,27 @@ RegionFailure failure_of(int region, const Error& error) {
   return {region, error.where().stage, error.what(), error.where().point};
 }
 
-std::string to_text(const std::vector<RegionFailure>& failures) {
-  auto list = nlohmann::json::array();
-  for (const RegionFailure& f : failures) {
-    auto where = nlohmann::json::array();
-    if (f.where) where = {f.where->x, f.where->y, f.where->z};
-    list.push_back({f.region, f.stage, f.reason, where});
-  }
-  return list.dump();
-}
-
-void add_from_text(std::string_view text, std::vector<RegionFailure>& failures) {
-  for (const auto& f : nlohmann::json::parse(text)) {
-    RegionFailure failure{f[0], f[1], f[2], std::nullopt};
-    if (!f[3].empty()) failure.where = Vec3{f[3][0], f[3][1], f[3][2]};
-    failures.push_back(failure);
-  }
-}
-
 }  // namespace
+
+template <class A>
+void fields(A& archive, Is<RegionFailure> auto& failure) {
+  auto& [region, stage, reason, where] = failure;
+  archive(region, stage, reason, where);
+}
+
+std::vector<RegionFailure> gather_failures(const std::vector<RegionFailure>& mine, Ranks& ranks) {
+  Packer packer;
+  packer(mine);
+  std::vector<RegionFailure> all;
+  for (const std::string& bytes : ranks.gather(packer.take())) {
+    std::vector<RegionFailure> some;
+    Unpacker unpacker(bytes);
+    unpacker(some);
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.region < b.region; });
+  return all;
+}
 
 PartPaver::PartPaver(const std::vector<Region>& regions, std::vector<double> costs, int boundary_nodes,
                      const Options& options, Progress& progress, Ranks& ranks)
@@ -127,7 +127,7 @@ std::vector<RegionFailure> PartPaver::pave_whole(const std::vector<char>& is_wan
 // Failures are the same on all ranks, by region.
 std::vector<RegionFailure> PartPaver::run(Stage stage, const std::vector<int>& region_of,
                                           const std::vector<double>& costs, const std::function<void(int)>& task) {
-  std::vector<RegionFailure> mine, all;
+  std::vector<RegionFailure> mine;
   std::mutex mutex;
   const std::vector<DoneTask> done = run_tasks(
       options_.threads, costs, [&] { return ranks_.take(queue_); },
@@ -142,9 +142,7 @@ std::vector<RegionFailure> PartPaver::run(Stage stage, const std::vector<int>& r
       });
   ++queue_;
   for (const DoneTask& one : done) times_.push_back({stage, one.seconds});
-  for (const std::string& text : ranks_.gather(to_text(mine))) add_from_text(text, all);
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.region < b.region; });
-  return all;
+  return gather_failures(mine, ranks_);
 }
 
 void PartPaver::advance(double cost) { progress_.advance(std::max(1L, std::lround(cost))); }
@@ -152,22 +150,18 @@ void PartPaver::advance(double cost) { progress_.advance(std::max(1L, std::lroun
 // Each rank has the plans that it made.
 void PartPaver::exchange_plans() {
   if (ranks_.count() == 1) return;
-  std::string mine;
-  for (std::size_t i = 0; i < plans_.size(); ++i) {
-    if (!plans_[i]) continue;
-    const std::string plan = pack(*plans_[i]);
-    for (std::size_t number : {i, plan.size()}) mine.append(reinterpret_cast<const char*>(&number), sizeof number);
-    mine += plan;
-  }
-  const std::vector<std::string> all = ranks_.gather(mine);
-  for (int rank = 0; rank < ranks_.count(); ++rank) {
-    if (rank == ranks_.rank()) continue;
-    for (std::string_view rest = all[rank]; !rest.empty();) {
-      std::size_t head[2];
-      std::copy_n(rest.data(), sizeof head, reinterpret_cast<char*>(head));
-      plans_[head[0]] = unpack_plan(rest.substr(sizeof head, head[1]));
-      rest.remove_prefix(sizeof head + head[1]);
-    }
+  using Packed = std::vector<std::pair<int, std::string>>;  // region and plan
+  Packed mine;
+  for (std::size_t i = 0; i < plans_.size(); ++i)
+    if (plans_[i]) mine.emplace_back(static_cast<int>(i), pack(*plans_[i]));
+  Packer packer;
+  packer(mine);
+  for (const std::string& bytes : ranks_.gather(packer.take())) {
+    Packed plans;
+    Unpacker unpacker(bytes);
+    unpacker(plans);
+    for (const auto& [region, plan] : plans)
+      if (!plans_[region]) plans_[region] = unpack_plan(plan);
   }
 }
 

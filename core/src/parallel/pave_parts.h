@@ -34,6 +34,9 @@ struct RegionFailure {
   std::optional<Vec3> where;
 };
 
+/// Collective: those of all ranks, by region.
+std::vector<RegionFailure> gather_failures(const std::vector<RegionFailure>& mine, Ranks& ranks);
+
 /// References are kept. Every member is collective.
 class PartPaver {
  public:

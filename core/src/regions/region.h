@@ -73,18 +73,25 @@ struct Region {
   }
 };
 
+/// What is asked for, without any shape: no loops, no fans, no mesh. The evaluator is shared.
+inline Region task_of(const Region& region) {
+  Region task;
+  task.face = region.face;
+  task.surface = region.surface;
+  task.chart = region.chart;
+  task.goes_round = region.goes_round;
+  task.size = region.size;
+  task.h = region.h;
+  task.gradation = region.gradation;
+  task.evenness = region.evenness;
+  task.area = region.area;
+  return task;
+}
+
 /// The region without its loops, with an evaluator of its own: for a task that makes a piece of it.
 inline Region without_loops(const Region& region) {
-  Region part;
-  part.face = region.face;
+  Region part = task_of(region);
   part.surface = region.surface->clone();
-  part.chart = region.chart;
-  part.goes_round = region.goes_round;
-  part.size = region.size;
-  part.h = region.h;
-  part.gradation = region.gradation;
-  part.evenness = region.evenness;
-  part.area = region.area;
   part.fans = region.fans;
   return part;
 }

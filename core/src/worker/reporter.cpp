@@ -8,11 +8,12 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "paver/signals.h"
 
 namespace paver {
 namespace {
@@ -23,12 +24,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds interval(50), patience(700), retry(5);
 constexpr int most_retries = 100;
 constexpr std::size_t longest_sentence = 3000;  // lines of up to 4096 bytes come whole through a pipe
-
-std::atomic<Progress*> signalled{nullptr};  // signal handlers have no other way to reach it
-
-void handle_signal(int) {
-  if (Progress* progress = signalled.load()) progress->cancel();
-}
 
 Json error_json(const Error& error) {
   std::string sentence = error.what();
@@ -43,14 +38,7 @@ std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
 }  // namespace
 
 void listen_to_signals(Progress& progress) {
-  signalled.store(&progress);
-  struct sigaction action {};
-  action.sa_handler = handle_signal;
-  sigemptyset(&action.sa_mask);
-  action.sa_flags = SA_RESTART;
-  for (int number : {SIGINT, SIGTERM, SIGHUP}) sigaction(number, &action, nullptr);
-  action.sa_handler = SIG_IGN;
-  for (int number : {SIGXFSZ, SIGPIPE}) sigaction(number, &action, nullptr);
+  cancel_on_signals(progress);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
 }
 
