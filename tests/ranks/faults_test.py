@@ -2,12 +2,13 @@
 gone. Each time one sentence and its exit code, and nothing is left: no file, no process, no temporary folder."""
 import os
 import resource
+import shutil
 import signal
 import subprocess
 
 import pytest
 
-from processes import PATIENCE, PROGRAM, Run, WING, wait_until
+from processes import PATIENCE, PROGRAM, Run, WING, WORKER, wait_until
 
 OTHER, USAGE, INPUT, TOO_MANY, OUTPUT, CANCELLED = 1, 2, 3, 5, 6, 130
 LONG = ("--size", "0.4", "--multilevel", "off")  # more work than anyone waits for who stops it at once
@@ -109,6 +110,16 @@ def test_a_full_disk_is_said_and_leaves_no_file(start, tmp_path):
     assert "No space left".lower() in run.sentence().lower() and "wing.msh" in run.sentence()
 
 
+@pytest.mark.parametrize("ranks, settings", [(1, {}), (3, {}), (5, {}), (2, {"OMPI_MCA_hwloc_base_binding_policy": "core"}),
+                                             (3, {"OMPI_MCA_rmaps_base_mapping_policy": "slot"})])
+def test_a_finished_run_leaves_its_file_alone(start, ranks, settings):
+    run = start(ranks, "--size", "8", **settings)
+    assert wait_until(lambda: run.child.poll() is not None or len(run.workers()) == ranks)
+    assert run.wait() == 0, run.said("stderr")
+    run.expect_nothing_left(["wing.msh"])
+    assert not run.said("stderr")
+
+
 def test_no_mpirun_and_no_worker_are_bad_usage(start, tmp_path):
     run = start(2, "--size", "40", PATH=str(tmp_path))
     assert run.wait() == USAGE
@@ -117,6 +128,12 @@ def test_no_mpirun_and_no_worker_are_bad_usage(start, tmp_path):
     run = start(2, "--size", "40", PAVER_WORKER="/no/such/worker")
     assert run.wait() == USAGE
     assert "'/no/such/worker'" in run.sentence()
+    lone = tmp_path / "paver"  # away from the programs that belong to it
+    shutil.copy(PROGRAM, lone)
+    shutil.copy(WORKER, tmp_path / "paver-worker")
+    run = start(2, "--size", "40", program=[str(lone)])
+    assert run.wait() == USAGE
+    assert "no program paver-watch" in run.sentence()
     run = start(-1, "--size", "40")
     assert run.wait() == USAGE
     assert "--ranks is -1" in run.sentence()

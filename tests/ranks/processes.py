@@ -89,7 +89,7 @@ class Run:
     def workers(self):
         """Pids of the ranks."""
         return sorted(pid for pid, command in self.processes().items()
-                      if command and os.path.basename(command[0]) == "paver-worker" and "--watch" not in command)
+                      if command and os.path.basename(command[0]) == "paver-worker")
 
     def rank(self, number):
         """Pid of one rank."""
@@ -100,7 +100,7 @@ class Run:
         raise AssertionError(f"no rank {number}")
 
     def watcher(self):
-        return next(pid for pid, command in self.processes().items() if "--watch" in command)
+        return next(pid for pid, command in self.processes().items() if os.path.basename(command[0]) == "paver-watch")
 
     def mpirun(self):
         return next(pid for pid, command in self.processes().items() if os.path.basename(command[0]) == "mpirun")

@@ -1,7 +1,7 @@
 """A folder of core/src includes only itself and the folders before it in PAVER_STAGES of core/CMakeLists.txt.
 
 base/, mesh/ and quality/metrics.h are leaves that any folder may include (and that include only base/ and each other);
-pipeline.cpp sees everything; cli/ sees only the public headers, worker/ those and base/. Only brep/ and
+pipeline.cpp sees everything; cli/ sees only the public headers, worker/ and watch/ those and base/. Only brep/ and
 topology/ include OpenCASCADE, only worker/ includes MPI.
 """
 import os
@@ -36,7 +36,8 @@ def fault(order, folder, included):
     if included.endswith("_impl.h") and folder != "topology":
         return "an _impl.h header includes OpenCASCADE"
     if folder not in order:
-        return "only public headers here" if folder == "cli" or folder == "worker" and target != "base" else None
+        hidden = folder == "cli" or folder in ("worker", "watch") and target != "base"
+        return "only public headers here" if hidden else None
     if target in LEAVES or included == "quality/metrics.h":
         return None if folder not in LEAVES or target in LEAVES or target == "base" else "a leaf includes only leaves"
     return None if order.index(target) < order.index(folder) else f"{target}/ comes after {folder}/"

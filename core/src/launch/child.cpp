@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -33,24 +34,30 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
 }
 
 /// Both ends close in every program that is started; -1 when there is none.
-struct Pipe {
-  Pipe() {
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) ends = {-1, -1};
-  }
-  std::array<int, 2> ends{};
-};
+using Ends = std::array<int, 2>;
+
+Ends make_pipe() {
+  Ends ends{};
+  return ::pipe2(ends.data(), O_CLOEXEC) == 0 ? ends : Ends{-1, -1};
+}
+
+/// Unlike a pipe, it can be written to without a signal when the child has gone.
+Ends make_socket() {
+  Ends ends{};
+  return ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0 ? ends : Ends{-1, -1};
+}
 
 }  // namespace
 
 Child::Child(const std::vector<std::string>& command, const std::vector<std::string>& environment) {
-  Pipe in, out;
-  input_ = in.ends[1];
-  output_ = out.ends[0];
+  Ends in = make_socket(), out = make_pipe();
+  input_ = in[1];
+  output_ = out[0];
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, in.ends[0], STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, out.ends[1], STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, out.ends[1], STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, in[0], STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, out[1], STDERR_FILENO);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
@@ -64,7 +71,7 @@ Child::Child(const std::vector<std::string>& command, const std::vector<std::str
                             pointers(environment).data());
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
-  for (int end : {in.ends[0], out.ends[1]})
+  for (int end : {in[0], out[1]})
     if (end >= 0) ::close(end);
   if (error == 0) {
     ::fcntl(output_, F_SETFL, O_NONBLOCK);
@@ -83,6 +90,11 @@ Child::~Child() {
     }
   }
   ::close(output_);
+}
+
+void Child::poke() {
+  const char byte = 0;
+  if (input_ >= 0) (void)!::send(input_, &byte, 1, MSG_NOSIGNAL);  // it may have ended
 }
 
 void Child::stop() {

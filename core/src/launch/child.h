@@ -9,8 +9,8 @@
 
 namespace paver {
 
-/// The child has a process group of its own, all signals at their defaults, our end of a pipe as stdin, and another
-/// pipe as stdout and stderr.
+/// The child has a process group of its own, all signals at their defaults, our end of a socket as stdin, and a pipe
+/// as stdout and stderr.
 class Child {
  public:
   /// Throws Error{internal} when it cannot be started.
@@ -20,6 +20,8 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
+  /// Writes one byte to its stdin.
+  void poke();
   /// Closes its stdin, by which it knows that it must end.
   void stop();
   void kill();

@@ -1,8 +1,9 @@
 // A run in several processes, seen from the process that asked for it.
 //
-// What is started is paver-worker as a watcher: it starts mpirun, waits for it, ends all that is left of the run and
+// What is started is paver-watch, the watcher: it starts mpirun, waits for it, ends all that is left of the run and
 // removes the temporary folders, also when this process is gone, which it sees by its stdin. Ranks tell how far they
-// are through a named pipe; when our end of it closes they stop by themselves.
+// are through a named pipe; when our end of it closes they stop by themselves. Once they have said that their outputs
+// are in place, nobody waits for them to take leave of each other: the watcher kills them.
 #include "paver/launch.h"
 
 #include <fmt/format.h>
@@ -118,12 +119,16 @@ MeshResult take_result(const RunFolder& folder, int ranks, bool has_mesh) {
 /// Until the watcher has closed its output, by which it says that all ranks have ended.
 void wait_for_ranks(Child& child, EventPipe& pipe, Listener& listener, const Progress& progress) {
   std::optional<Clock::time_point> stopped;
-  bool is_open = true;
+  bool is_open = true, is_done = false;
   while (is_open) {
     pollfd waited[] = {{pipe.descriptor(), POLLIN, 0}, {child.output(), POLLIN, 0}};
     ::poll(waited, 2, poll_milliseconds);
     is_open = child.read_output();
     for (const Event& event : pipe.read()) listener.hear(event);
+    if (listener.busy() && !is_done) {
+      is_done = true;
+      child.poke();
+    }
     if (progress.is_cancelled() && !stopped) {
       stopped = Clock::now();
       child.stop();
@@ -140,7 +145,7 @@ int wait_for_end(Child& child) {
   auto start = Clock::now();
   while (!child.status()) {
     if (Clock::now() - start > patience) child.kill();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
   return *child.status();
 }
@@ -215,7 +220,7 @@ std::string first_words(const std::string& output) {
 }  // namespace
 
 RanksResult mesh_in_ranks(const Job& job, int ranks, Progress& progress, std::span<const char> content) {
-  std::string mpirun = find_mpirun(ranks), worker = find_worker(ranks);
+  std::string mpirun = find_mpirun(ranks), worker = find_worker(ranks), watcher = find_watcher(worker, ranks);
   RunFolder folder;
   EventPipe pipe(folder.file("events"));
   Job handed = job;
@@ -228,7 +233,7 @@ RanksResult mesh_in_ranks(const Job& job, int ranks, Progress& progress, std::sp
   std::string text = job_text(handed);
   write_file(folder.file("job.json"), text);
   Listener listener(progress);
-  Child child({worker, "--watch", folder.path(), folder.shared_memory(), mpirun, "-n", std::to_string(ranks), worker,
+  Child child({watcher, folder.path(), folder.shared_memory(), mpirun, "-n", std::to_string(ranks), worker,
                folder.file("job.json")},
               rank_environment(folder, ranks));
   wait_for_ranks(child, pipe, listener, progress);

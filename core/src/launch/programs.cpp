@@ -1,4 +1,4 @@
-// Looks for mpirun and paver-worker, and prepares the variables by which Open MPI is told what it needs to know.
+// Looks for the programs of a run, and prepares the variables by which Open MPI is told what it needs to know.
 #include "launch/programs.h"
 
 #include <dlfcn.h>
@@ -67,6 +67,14 @@ bool is_of_a_run(std::string_view variable, bool is_in_a_run) {
   return false;
 }
 
+/// Whether the user has told Open MPI where to run ranks: then it must see the cores of this machine.
+bool is_placed() {
+  for (char** variable = environ; *variable; ++variable)
+    for (std::string_view start : {"OMPI_MCA_hwloc_", "OMPI_MCA_rmaps_", "HWLOC_"})
+      if (std::string_view(*variable).starts_with(start)) return true;
+  return false;
+}
+
 bool is_in_a_run() {
   return std::getenv("OMPI_COMM_WORLD_RANK") || std::getenv("PMIX_RANK") || std::getenv("PMI_RANK");
 }
@@ -86,6 +94,7 @@ std::vector<std::pair<std::string, std::string>> settings(const RunFolder& folde
       {"OMPI_MCA_odls_base_sigkill_timeout", "1"}};
   if (ranks > static_cast<int>(std::thread::hardware_concurrency()))
     list.emplace_back("OMPI_MCA_mpi_yield_when_idle", "1");
+  if (!is_placed()) list.emplace_back("HWLOC_COMPONENTS", "no_os,stop");  // no look at caches, graphics, X servers, ...
   if (::geteuid() == 0) {  // who runs us as root has decided that already
     list.emplace_back("OMPI_ALLOW_RUN_AS_ROOT", "1");
     list.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
@@ -112,6 +121,18 @@ std::string find_worker(int ranks) {
               fmt::format("ranks is {}, but there is no program paver-worker; build Paver where Open MPI is installed "
                           "(package libopenmpi-dev), or leave ranks out to mesh in this process.",
                           ranks));
+}
+
+std::string find_watcher(const std::string& worker, int ranks) {
+  fs::path beside_worker = fs::path(worker).parent_path() / "paver-watch";
+  if (is_program(beside_worker)) return beside_worker.string();
+  if (auto path = beside_us("paver-watch")) return *path;
+  if (auto path = on_path("paver-watch")) return *path;
+  throw Error(
+      ErrorCode::bad_option,
+      fmt::format("ranks is {}, but there is no program paver-watch beside '{}'; install both, or leave ranks out "
+                  "to mesh in this process.",
+                  ranks, worker));
 }
 
 std::vector<std::string> rank_environment(const RunFolder& folder, int ranks) {

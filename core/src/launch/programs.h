@@ -14,6 +14,9 @@ std::string find_mpirun(int ranks);
 /// PAVER_WORKER, else paver-worker beside this program or library, else on the PATH. Throws Error{bad_option}.
 std::string find_worker(int ranks);
 
+/// paver-watch beside that worker, this program or this library, else on the PATH. Throws Error{bad_option}.
+std::string find_watcher(const std::string& worker, int ranks);
+
 /// This process's variables as "NAME=value", without those of an MPI run that it is part of, and with what keeps Open
 /// MPI on this machine and in the run's folders.
 std::vector<std::string> rank_environment(const RunFolder& folder, int ranks);

@@ -1,4 +1,4 @@
-// paver-worker: one rank of a run in several processes, started by mpirun or srun; or the process that watches one.
+// paver-worker: one rank of a run in several processes, started by mpirun or srun.
 // core/docs/ranks.md has the contract.
 #include <fmt/format.h>
 #include <mpi.h>
@@ -13,11 +13,11 @@
 #include <system_error>
 
 #include "base/packing.h"
+#include "base/run_files.h"
 #include "paver/launch.h"
 #include "paver/mesher.h"
 #include "worker/mpi_ranks.h"
 #include "worker/reporter.h"
-#include "worker/watch_run.h"
 
 #ifndef PAVER_VERSION
 #define PAVER_VERSION "0.1.0"
@@ -207,9 +207,6 @@ int run_rank(const std::string& path, int argc, char** argv) {
 int run(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   std::string first = arguments.empty() ? "--help" : arguments[0];
-  constexpr std::size_t folders_end = 3;
-  if (first == "--watch" && arguments.size() > folders_end)
-    return watch_run({{arguments[1], arguments[2]}, {arguments.begin() + folders_end, arguments.end()}});
   if (first == "--version") return fmt::print("paver-worker {}\n", PAVER_VERSION), 0;
   if (first == "--help" || first == "-h") return fmt::print("{}", usage), arguments.empty() ? 2 : 0;
   if (arguments.size() == 1 && !first.starts_with('-')) return run_rank(first, argc, argv);

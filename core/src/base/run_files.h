@@ -1,0 +1,10 @@
+// Files in the folder of a run in several processes that more than one program knows.
+#pragma once
+
+namespace paver {
+
+/// Lists the temporary names of the run's outputs, one per line; the watcher removes what ranks that were killed have
+/// left of them.
+inline constexpr const char* temporaries_file = "temporaries";
+
+}  // namespace paver
