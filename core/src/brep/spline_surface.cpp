@@ -3,23 +3,45 @@
 
 #include <algorithm>
 
+#pragma GCC diagnostic ignored "-Wpsabi"  // no function here passes vectors to another object file
+#define PAVER_IN_PLACE inline __attribute__((always_inline))
+#define PAVER_UNROLL _Pragma("GCC unroll 16")
+#if defined(__x86_64__) && defined(__GNUC__)
+#define PAVER_HAS_AVX2 1
+#endif
+
 namespace paver {
 namespace {
 
+/// A sum of poles in registers of two numbers.
+struct NarrowSum {
+  Pole::Pair xy, zw;
+  PAVER_IN_PLACE void load(const Pole& p) { xy = p.xy, zw = p.zw; }
+  PAVER_IN_PLACE void store(Pole& p) const { p.xy = xy, p.zw = zw; }
+  PAVER_IN_PLACE void add(double weight, const NarrowSum& p) {
+    xy += weight * p.xy;
+    zw += weight * p.zw;
+  }
+};
+
+/// The same in one of four: for processors that have these, gcc keeps it in memory on others.
+struct WideSum {
+  typedef double Four __attribute__((vector_size(32), may_alias));
+  Four xyzw;
+  PAVER_IN_PLACE void load(const Pole& p) { xyzw = *reinterpret_cast<const Four*>(&p); }
+  PAVER_IN_PLACE void store(Pole& p) const { *reinterpret_cast<Four*>(&p) = xyzw; }
+  PAVER_IN_PLACE void add(double weight, const WideSum& p) { xyzw += weight * p.xyzw; }
+};
+
 // Derivatives are differences: N'[r] = degree (q[r - 1] - q[r]), q the basis functions of one degree less by the widths
 // of their supports.
-void differentiate(const double* quotients, int degree, double* out) {
+PAVER_IN_PLACE void differentiate(const double* quotients, int degree, double* out) {
   double before = 0;
-  for (int r = 0; r < degree; ++r) {
+  PAVER_UNROLL for (int r = 0; r < degree; ++r) {
     out[r] = degree * (before - quotients[r]);
     before = quotients[r];
   }
   out[degree] = degree * before;
-}
-
-void add(Pole& sum, double weight, const Pole& p) {
-  sum.xy += weight * p.xy;
-  sum.zw += weight * p.zw;
 }
 
 Vec3 head(const Pole& p) { return {p.xy[0], p.xy[1], p.zw[0]}; }
@@ -58,62 +80,130 @@ int SplineBasis::find_span(double t, int last) const {
   return static_cast<int>(after - knots_.begin()) - 1;
 }
 
-void SplineBasis::evaluate(int span, double t, int order, Values& out) const {
-  double left[most_degree + 1], right[most_degree + 1], quotient[most_degree + 1], lower_first[most_degree + 1];
-  double* value = out.value;
+template <int fixed, int order>
+PAVER_IN_PLACE void SplineBasis::recur(int span, double t, Values& out) const {
+  constexpr int room = (fixed > 0 ? fixed : most_degree) + 1;
+  const int degree = fixed > 0 ? fixed : degree_;
+  double left[room], right[room], quotient[room], lower_first[room], value[room];
   value[0] = 1;
   out.first[0] = out.second[0] = lower_first[0] = 0;
-  for (int k = 1; k <= degree_; ++k) {
+  PAVER_UNROLL for (int k = 1; k <= degree; ++k) {
     left[k] = t - knots_[span + 1 - k];
     right[k] = knots_[span + k] - t;
     const double* share = shares(k, span);
     double saved = 0;
-    for (int r = 0; r < k; ++r) {
+    PAVER_UNROLL for (int r = 0; r < k; ++r) {
       quotient[r] = value[r] * share[r];
       value[r] = saved + right[r + 1] * quotient[r];
       saved = left[k - r] * quotient[r];
     }
     value[k] = saved;
-    if (order > 1 && k == degree_ - 1) differentiate(quotient, k, lower_first);
-    if (order > 0 && k == degree_) differentiate(quotient, k, out.first);
-    if (order > 1 && k == degree_) {
-      for (int r = 0; r < k; ++r) quotient[r] = lower_first[r] * share[r];
+    if (order > 1 && k == degree - 1) differentiate(quotient, k, lower_first);
+    if (order > 0 && k == degree) differentiate(quotient, k, out.first);
+    if (order > 1 && k == degree) {
+      PAVER_UNROLL for (int r = 0; r < k; ++r) quotient[r] = lower_first[r] * share[r];
       differentiate(quotient, k, out.second);
     }
   }
+  PAVER_UNROLL for (int r = 0; r <= degree; ++r) out.value[r] = value[r];
 }
 
+// With the degree known the compiler keeps the recurrence in registers.
 template <int order>
-void SplineSurface::sum_poles(double u, double v, SurfaceJet& jet) const {
+void SplineBasis::evaluate(int span, double t, Values& out) const {
+  switch (degree_) {
+    case 1:
+      return recur<1, order>(span, t, out);
+    case 2:
+      return recur<2, order>(span, t, out);
+    case 3:
+      return recur<3, order>(span, t, out);
+    case 4:
+      return recur<4, order>(span, t, out);
+    case 5:
+      return recur<5, order>(span, t, out);
+    case 6:
+      return recur<6, order>(span, t, out);
+    case 7:
+      return recur<7, order>(span, t, out);
+    case 8:
+      return recur<8, order>(span, t, out);
+    default:
+      return recur<0, order>(span, t, out);
+  }
+}
+
+// Adds the poles of `rows` basis functions of u from i on: several at a time share the values of those of v.
+template <int order, class Sum, int rows>
+PAVER_IN_PLACE void SplineSurface::add_rows(int i, const SplineBasis::Values& bu, const SplineBasis::Values& bv,
+                                            Sum (&sum)[6]) const {
   const SplineNet& net = *net_;
   const int m = net.u.degree(), n = net.v.degree();
-  SplineBasis::Values bu, bv;
-  net.u.evaluate(span_u_, u, order, bu);
-  net.v.evaluate(span_v_, v, order, bv);
-  Pole sum[6]{};  // x, u, v, uu, uv, vv
-  for (int i = 0; i <= m; ++i) {
-    const Pole* row = &net.poles[static_cast<std::size_t>(span_u_ - m + i) * net.v.count() + span_v_ - n];
-    Pole at{}, along{}, bend{};
-    for (int j = 0; j <= n; ++j) {
-      add(at, bv.value[j], row[j]);
-      if constexpr (order > 0) add(along, bv.first[j], row[j]);
-      if constexpr (order > 1) add(bend, bv.second[j], row[j]);
+  const std::size_t stride = static_cast<std::size_t>(net.v.count());
+  const Pole* row = &net.poles[static_cast<std::size_t>(span_u_ - m + i) * stride + span_v_ - n];
+  Sum at[rows]{}, along[rows]{}, bend[rows]{};
+  for (int j = 0; j <= n; ++j) {
+    PAVER_UNROLL for (int k = 0; k < rows; ++k) {
+      Sum pole;
+      pole.load(row[k * stride + j]);
+      at[k].add(bv.value[j], pole);
+      if constexpr (order > 0) along[k].add(bv.first[j], pole);
+      if constexpr (order > 1) bend[k].add(bv.second[j], pole);
     }
-    add(sum[0], bu.value[i], at);
-    if constexpr (order > 0) add(sum[1], bu.first[i], at), add(sum[2], bu.value[i], along);
-    if constexpr (order > 1)
-      add(sum[3], bu.second[i], at), add(sum[4], bu.first[i], along), add(sum[5], bu.value[i], bend);
   }
-  if (net.is_rational) return divide_by_weight(sum, order, jet);
-  jet = {head(sum[0]), head(sum[1]), head(sum[2]), head(sum[3]), head(sum[4]), head(sum[5])};
+  PAVER_UNROLL for (int k = 0; k < rows; ++k) {
+    sum[0].add(bu.value[i + k], at[k]);
+    if constexpr (order > 0) sum[1].add(bu.first[i + k], at[k]), sum[2].add(bu.value[i + k], along[k]);
+    if constexpr (order > 1)
+      sum[3].add(bu.second[i + k], at[k]), sum[4].add(bu.first[i + k], along[k]), sum[5].add(bu.value[i + k], bend[k]);
+  }
+}
+
+template <int order, class Sum>
+PAVER_IN_PLACE void SplineSurface::sum_poles(const SplineBasis::Values& bu, const SplineBasis::Values& bv,
+                                             Pole (&result)[6]) const {
+  Sum sum[6]{};  // x, u, v, uu, uv, vv
+  constexpr int rows = 3;
+  int i = 0;
+  for (; i + rows <= net_->u.degree() + 1; i += rows) add_rows<order, Sum, rows>(i, bu, bv, sum);
+  for (; i <= net_->u.degree(); ++i) add_rows<order, Sum, 1>(i, bu, bv, sum);
+  for (int k = 0; k < (order + 1) * (order + 2) / 2; ++k) sum[k].store(result[k]);
+}
+
+#if PAVER_HAS_AVX2
+template <int order>
+__attribute__((target("avx2"))) void SplineSurface::sum_poles_avx2(const SplineBasis::Values& bu,
+                                                                   const SplineBasis::Values& bv,
+                                                                   Pole (&sum)[6]) const {
+  sum_poles<order, WideSum>(bu, bv, sum);
+}
+#endif
+
+template <int order>
+void SplineSurface::evaluate(double u, double v, SurfaceJet& jet) const {
+  SplineBasis::Values bu, bv;
+  net_->u.evaluate<order>(span_u_, u, bu);
+  net_->v.evaluate<order>(span_v_, v, bv);
+  Pole sum[6];
+#if PAVER_HAS_AVX2
+  static const bool has_avx2 = __builtin_cpu_supports("avx2");
+  if (has_avx2)
+    sum_poles_avx2<order>(bu, bv, sum);
+  else
+#endif
+    sum_poles<order, NarrowSum>(bu, bv, sum);
+  if (net_->is_rational) return divide_by_weight(sum, order, jet);
+  jet.x = head(sum[0]);
+  if constexpr (order > 0) jet.u = head(sum[1]), jet.v = head(sum[2]);
+  if constexpr (order > 1) jet.uu = head(sum[3]), jet.uv = head(sum[4]), jet.vv = head(sum[5]);
 }
 
 void SplineSurface::evaluate(double u, double v, int order, SurfaceJet& jet) const {
   span_u_ = net_->u.find_span(u, span_u_);
   span_v_ = net_->v.find_span(v, span_v_);
-  if (order == 0) return sum_poles<0>(u, v, jet);
-  if (order == 1) return sum_poles<1>(u, v, jet);
-  sum_poles<2>(u, v, jet);
+  if (order == 0) return evaluate<0>(u, v, jet);
+  if (order == 1) return evaluate<1>(u, v, jet);
+  evaluate<2>(u, v, jet);
 }
 
 }  // namespace paver

@@ -25,9 +25,12 @@ class SplineBasis {
   /// Index i with knots[i] <= t < knots[i + 1], beyond the ends the first or last such; `last` is tried first.
   int find_span(double t, int last) const;
   /// Derivatives up to `order`; function i of the result belongs to pole span - degree + i.
-  void evaluate(int span, double t, int order, Values& out) const;
+  template <int order>
+  void evaluate(int span, double t, Values& out) const;
 
  private:
+  template <int fixed, int order>
+  void recur(int span, double t, Values& out) const;
   const double* shares(int k, int span) const { return &share_[(k - 1) * knots_.size() + span + 1 - k]; }
 
   int degree_ = 1, count_ = 0;
@@ -35,8 +38,8 @@ class SplineBasis {
   std::vector<double> share_;  // [k - 1][i]: 1 / (knots[i + k] - knots[i]), 0 where that is empty
 };
 
-/// Homogeneous coordinates in two vector registers: gcc keeps one of twice the size in memory.
-struct Pole {
+/// Homogeneous coordinates.
+struct alignas(32) Pole {
   using Pair = double __attribute__((vector_size(16)));
   Pair xy{}, zw{};
 };
@@ -64,7 +67,13 @@ class SplineSurface {
 
  private:
   template <int order>
-  void sum_poles(double u, double v, SurfaceJet& jet) const;
+  void evaluate(double u, double v, SurfaceJet& jet) const;
+  template <int order, class Sum, int rows>
+  void add_rows(int i, const SplineBasis::Values& bu, const SplineBasis::Values& bv, Sum (&sum)[6]) const;
+  template <int order, class Sum>
+  void sum_poles(const SplineBasis::Values& bu, const SplineBasis::Values& bv, Pole (&result)[6]) const;
+  template <int order>
+  void sum_poles_avx2(const SplineBasis::Values& bu, const SplineBasis::Values& bv, Pole (&sum)[6]) const;
 
   std::shared_ptr<const SplineNet> net_;
   mutable int span_u_ = 0, span_v_ = 0;
