@@ -44,41 +44,26 @@ struct ProfilePoint {
   double r = 0, z = 0, r1 = 0, z1 = 0, r2 = 0, z2 = 0;
 };
 
-template <SurfaceKind Kind>
-ProfilePoint profile(const ElementarySurface& e, double v) {
-  if constexpr (Kind == SurfaceKind::cylinder) {
-    return {e.radius, v, 0, 1, 0, 0};
-  } else if constexpr (Kind == SurfaceKind::cone) {
-    double s = std::sin(e.half_angle), c = std::cos(e.half_angle);
-    return {e.radius + v * s, v * c, s, c, 0, 0};
-  } else if constexpr (Kind == SurfaceKind::sphere) {
-    double s = e.radius * std::sin(v), c = e.radius * std::cos(v);
-    return {c, s, -s, c, -c, -s};
-  } else {
-    double s = e.minor_radius * std::sin(v), c = e.minor_radius * std::cos(v);
-    return {e.radius + c, s, -s, c, -c, -s};
-  }
-}
-
 /// A profile turned about the z axis.
 template <SurfaceKind Kind>
 class TurnedSurface : public Surface {
  public:
-  explicit TurnedSurface(const ElementarySurface& shape) : shape_(shape) {}
+  explicit TurnedSurface(const ElementarySurface& shape)
+      : shape_(shape), sine_(std::sin(shape.half_angle)), cosine_(std::cos(shape.half_angle)) {}
 
   Vec3 point(Vec2 uv) const override {
-    ProfilePoint p = profile<Kind>(shape_, uv.y);
+    ProfilePoint p = profile(uv.y);
     return shape_.origin + p.r * radial(uv.x) + p.z * shape_.z;
   }
   void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
-    ProfilePoint p = profile<Kind>(shape_, uv.y);
+    ProfilePoint p = profile(uv.y);
     Vec3 e = radial(uv.x);
     x = shape_.origin + p.r * e + p.z * shape_.z;
     xu = p.r * tangential(uv.x);
     xv = p.r1 * e + p.z1 * shape_.z;
   }
   void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
-    ProfilePoint p = profile<Kind>(shape_, uv.y);
+    ProfilePoint p = profile(uv.y);
     Vec3 e = radial(uv.x), t = tangential(uv.x);
     x = shape_.origin + p.r * e + p.z * shape_.z;
     xu = p.r * t;
@@ -93,10 +78,24 @@ class TurnedSurface : public Surface {
   std::unique_ptr<Surface> clone() const override { return std::make_unique<TurnedSurface>(*this); }
 
  private:
+  ProfilePoint profile(double v) const {
+    if constexpr (Kind == SurfaceKind::cylinder) {
+      return {shape_.radius, v, 0, 1, 0, 0};
+    } else if constexpr (Kind == SurfaceKind::cone) {
+      return {shape_.radius + v * sine_, v * cosine_, sine_, cosine_, 0, 0};
+    } else if constexpr (Kind == SurfaceKind::sphere) {
+      double s = shape_.radius * std::sin(v), c = shape_.radius * std::cos(v);
+      return {c, s, -s, c, -c, -s};
+    } else {
+      double s = shape_.minor_radius * std::sin(v), c = shape_.minor_radius * std::cos(v);
+      return {shape_.radius + c, s, -s, c, -c, -s};
+    }
+  }
   Vec3 radial(double u) const { return std::cos(u) * shape_.x + std::sin(u) * shape_.y; }
   Vec3 tangential(double u) const { return -std::sin(u) * shape_.x + std::cos(u) * shape_.y; }
 
   ElementarySurface shape_;
+  double sine_, cosine_;  // of the half angle
 };
 
 ElementarySurface placed_axes(const gp_Ax3& axes, const gp_Trsf& placement) {

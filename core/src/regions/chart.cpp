@@ -37,6 +37,7 @@ class RowChart : public Chart {
     if (!(tallest > 0)) tallest = 1;
     arc_.push_back(0);
     for (int i = 0; i < cells_; ++i) arc_.push_back(arc_.back() + step_ * std::max(table.height(i), 1e-6 * tallest));
+    cells_per_arc_ = cells_ / arc_.back();
     sign_ = box.is_swapped ? -1 : 1;
   }
 
@@ -47,8 +48,7 @@ class RowChart : public Chart {
   }
 
   void to_uv(Vec2 p, Vec2& uv, Vec2& uv_x, Vec2& uv_y) const override {
-    int i = static_cast<int>(std::upper_bound(arc_.begin(), arc_.end(), p.y) - arc_.begin()) - 1;
-    i = std::clamp(i, 0, cells_ - 1);
+    const int i = find_cell(p.y);
     double rise = arc_[i + 1] - arc_[i], t = (p.y - arc_[i]) / rise;
     Cell c{i, t};
     double a = width_at(c), da = t < 0 || t > 1 ? 0 : (width_[i + 1] - width_[i]) / rise;
@@ -64,8 +64,17 @@ class RowChart : public Chart {
     return std::max(smallest_, width_[c.i] + t * (width_[c.i + 1] - width_[c.i]));
   }
 
+  // The last cell that starts at or below y, searched from where it is with cells of equal height.
+  int find_cell(double y) const {
+    const double guess = y * cells_per_arc_;
+    int i = guess > 0 ? static_cast<int>(std::min(guess, cells_ - 1.0)) : 0;
+    while (i + 1 < cells_ && arc_[i + 1] <= y) ++i;
+    while (i > 0 && y < arc_[i]) --i;
+    return i;
+  }
+
   ParameterBox box_;
-  double mid_, lo_, step_, sign_ = 1, smallest_ = 0;
+  double mid_, lo_, step_, sign_ = 1, smallest_ = 0, cells_per_arc_ = 0;
   int cells_;
   std::vector<double> width_, arc_;
 };
@@ -86,6 +95,10 @@ class PolarChart : public Chart {
     for (int i = 0; i <= cells_; ++i) radius_.push_back(std::exp(rises_ ? log_r[i] - middle : middle - log_r[i]));
     if (box.low_pole) radius_.front() = 0;
     if (box.high_pole) radius_.back() = 0;
+    for (int i = 0; i < cells_; ++i) {
+      const bool is_at_pole = !(radius_[i] > 0 && radius_[i + 1] > 0);
+      log_ratio_.push_back(is_at_pole ? 0 : std::log(radius_[i + 1] / radius_[i]));
+    }
     least_ = 1e300;
     for (double r : radius_)
       if (r > 0) least_ = std::min(least_, 1e-9 * r);
@@ -121,9 +134,8 @@ class PolarChart : public Chart {
     int i = find_cell(r);
     double r0 = radius_[i], r1 = radius_[i + 1], t, dt;  // t in the cell and its derivative by r
     if (r0 > 0 && r1 > 0) {
-      double log_ratio = std::log(r1 / r0);
-      t = std::log(r / r0) / log_ratio;
-      dt = 1 / (r * log_ratio);
+      t = std::log(r / r0) / log_ratio_[i];
+      dt = 1 / (r * log_ratio_[i]);
     } else {
       dt = 1 / (r1 - r0);
       t = (r - r0) * dt;
@@ -141,7 +153,7 @@ class PolarChart : public Chart {
  private:
   double radius_at(Cell c) const {
     double r0 = radius_[c.i], r1 = radius_[c.i + 1];
-    if (r0 > 0 && r1 > 0) return r0 * std::exp(c.t * std::log(r1 / r0));
+    if (r0 > 0 && r1 > 0) return r0 * std::exp(c.t * log_ratio_[c.i]);
     return std::max(0.0, r0 + c.t * (r1 - r0));
   }
   int find_cell(double r) const {
@@ -156,6 +168,7 @@ class PolarChart : public Chart {
   bool rises_ = false;
   double sign_ = 1;
   std::vector<double> radius_;
+  std::vector<double> log_ratio_;  // per cell: of its radii, 0 at a pole
 };
 
 constexpr int table_cells = 64;
