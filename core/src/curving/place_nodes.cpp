@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 
 #include "parallel/tasks.h"
@@ -34,11 +35,14 @@ Vec3 nearest_point(const Region& region, Vec2 p, Vec3 target, double scale) {
 }
 
 /// Distance from `target` to the surface near p. Ends where the foot is nearly below the target: what is left of the
-/// way along the tangent plane then counts by Pythagoras.
-double distance_to_surface(const Region& region, Vec2 p, Vec3 target) {
+/// way along the tangent plane then counts by Pythagoras. Where the distance is not above `known`, any bound that is
+/// not either: most need a single point of the surface.
+double distance_to_surface(const Region& region, Vec2 p, Vec3 target, double known) {
   constexpr int most_steps = 6;
   constexpr double nearly_below = 0.05;  // of the distance
-  double best = INFINITY;
+  double best = norm(target - region.point(p));
+  if (best <= known) return best;
+  best = INFINITY;
   for (int i = 0; i <= most_steps; ++i) {
     Vec3 x, xp, xq;
     region.evaluate(p, x, xp, xq);
@@ -46,7 +50,7 @@ double distance_to_surface(const Region& region, Vec2 p, Vec3 target) {
     double d = norm(r), a = dot(xp, xp), b = dot(xp, xq), c = dot(xq, xq), det = a * c - b * b;
     if (!(d < best)) break;
     best = d;
-    if (!(det > 1e-12 * a * c)) break;
+    if (d <= known || !(det > 1e-12 * a * c)) break;
     double s = dot(r, xp), t = dot(r, xq);
     Vec2 step{(c * s - b * t) / det, (a * t - b * s) / det};
     double along = norm(step.x * xp + step.y * xq);
@@ -122,23 +126,50 @@ constexpr double near = 0.375, mid = 0.75, far = -0.125;
 constexpr std::array<double, 9> quarter{near * near, far* near, far* far,  near* far, mid* near,
                                         far* mid,    mid* far,  near* mid, mid* mid};
 
-double part_chord_error(const CurvingPart& part, bool is_reversed, std::size_t quad, const SurfaceMesh& mesh) {
-  const auto stride = static_cast<std::size_t>(mesh.nodes_per_quad());
-  double worst = 0;
-  for (const Element& e : part.mesh->elements) {
-    if (!e.is_alive() || e.corners() != 4) continue;
-    const int* v = &mesh.quads[stride * quad++];
-    Vec3 x{0, 0, 0};
-    for (std::size_t k = 0; k < (mesh.order == 1 ? 4 : stride); ++k)
-      x += (mesh.order == 1 ? 0.25 : quarter[k]) * mesh.nodes[v[k]];
-    const std::vector<Vec2>& p = part.mesh->p;
-    const int second = is_reversed ? 3 : 1, fourth = 4 - second;
-    Vec2 start = mesh.order == 1 ? mean_place(*part.mesh, e)
-                                 : 0.0625 * (9 * p[e.v[0]] + 3 * p[e.v[second]] + p[e.v[2]] + 3 * p[e.v[fourth]]);
-    worst = std::max(worst, distance_to_surface(*part.region, start, x));
+/// The largest of one part's chord errors and of what is known of others.
+class PartChordError {
+ public:
+  PartChordError(const CurvingPart& part, bool is_reversed, std::size_t first_quad, const SurfaceMesh& mesh,
+                 std::atomic<double>& worst)
+      : part_(part), is_reversed_(is_reversed), first_quad_(first_quad), mesh_(mesh), worst_(worst) {}
+
+  /// A few elements first: the others are then seldom worse.
+  void run() {
+    measure(sampled);
+    measure(1);
   }
-  return worst;
-}
+
+ private:
+  static constexpr std::size_t sampled = 64;
+
+  void measure(std::size_t step) {
+    std::size_t quad = 0;
+    for (const Element& e : part_.mesh->elements)
+      if (e.is_alive() && e.corners() == 4 && quad++ % step == 0) measure(e, first_quad_ + quad - 1);
+  }
+
+  void measure(const Element& e, std::size_t quad) {
+    const auto stride = static_cast<std::size_t>(mesh_.nodes_per_quad());
+    const int* v = &mesh_.quads[stride * quad];
+    Vec3 x{0, 0, 0};
+    for (std::size_t k = 0; k < (mesh_.order == 1 ? 4 : stride); ++k)
+      x += (mesh_.order == 1 ? 0.25 : quarter[k]) * mesh_.nodes[v[k]];
+    const std::vector<Vec2>& p = part_.mesh->p;
+    const int second = is_reversed_ ? 3 : 1, fourth = 4 - second;
+    Vec2 start = mesh_.order == 1 ? mean_place(*part_.mesh, e)
+                                  : 0.0625 * (9 * p[e.v[0]] + 3 * p[e.v[second]] + p[e.v[2]] + 3 * p[e.v[fourth]]);
+    double known = worst_.load(std::memory_order_relaxed);
+    const double distance = distance_to_surface(*part_.region, start, x, known);
+    while (distance > known && !worst_.compare_exchange_weak(known, distance, std::memory_order_relaxed)) {
+    }
+  }
+
+  const CurvingPart& part_;
+  const bool is_reversed_;
+  const std::size_t first_quad_;
+  const SurfaceMesh& mesh_;
+  std::atomic<double>& worst_;
+};
 
 }  // namespace
 
@@ -166,12 +197,13 @@ CurvedMesh curve_elements(const JoinedMesh& linear, const EdgeNodes& edges, cons
 
 double chord_error(const SurfaceMesh& mesh, const Model& model, const std::vector<CurvingPart>& parts, int threads) {
   const std::vector<std::size_t> first = first_quads(parts);
-  std::vector<double> worst(parts.size(), 0);
+  std::atomic<double> worst = 0;
   run_tasks(threads, sizes(parts), [&](int i) {
-    const bool is_reversed = parts[i].mesh && model.faces[static_cast<std::size_t>(parts[i].region->face)].is_reversed;
-    if (parts[i].mesh) worst[i] = part_chord_error(parts[i], is_reversed, first[i], mesh);
+    if (!parts[i].mesh) return;
+    const bool is_reversed = model.faces[static_cast<std::size_t>(parts[i].region->face)].is_reversed;
+    PartChordError(parts[i], is_reversed, first[i], mesh, worst).run();
   });
-  return worst.empty() ? 0 : *std::max_element(worst.begin(), worst.end());
+  return worst;
 }
 
 }  // namespace paver

@@ -56,6 +56,12 @@ struct Region {
   std::vector<Fan> fans;
   std::optional<RegionMesh> laid;  ///< its whole mesh, where that is known in advance: a patch of a closed grid
 
+  /// Surface point at a chart point.
+  Vec3 point(Vec2 p) const {
+    Vec2 uv, uv_x, uv_y;
+    chart->to_uv(p, uv, uv_x, uv_y);
+    return surface->point(uv);
+  }
   /// Surface point and its derivatives by the chart coordinates.
   void evaluate(Vec2 p, Vec3& x, Vec3& xp, Vec3& xq) const {
     Vec2 uv, uv_x, uv_y;
