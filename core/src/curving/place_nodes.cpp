@@ -11,25 +11,31 @@
 namespace paver {
 namespace {
 
-constexpr double settled = 1e-3;  // of `scale`: a step along the surface that is not worth an evaluation
+constexpr double settled = 1e-4;  // of `scale`: a step along the surface that is not worth an evaluation
 
-/// Surface point nearest to `target`, by Gauss-Newton in the chart from p, up to `settled` times `scale`; the nearest
-/// one on the way where that does not settle.
-Vec3 nearest_point(const Region& region, Vec2 p, Vec3 target, double scale) {
+/// Step in the chart whose image comes nearest to r, by the derivatives there; false where these are parallel.
+bool pull_back(Vec3 xp, Vec3 xq, Vec3 r, Vec2& step) {
+  const double a = dot(xp, xp), b = dot(xp, xq), c = dot(xq, xq), det = a * c - b * b;
+  if (!(det > 1e-12 * a * c)) return false;
+  const double s = dot(r, xp), t = dot(r, xq);
+  step = {(c * s - b * t) / det, (a * t - b * s) / det};
+  return true;
+}
+
+/// Moves p by Gauss-Newton in the chart to where the surface is nearest to `target`, up to `settled` times `scale`, or
+/// to the nearest on the way where that does not settle. Gives the point there.
+Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
   Vec3 nearest, x, xp, xq;
+  Vec2 at = p, step;
   double best = INFINITY;
   for (int i = 0; i < 7; ++i) {
-    region.evaluate(p, x, xp, xq);
+    region.evaluate(at, x, xp, xq);
     const Vec3 r = target - x;
     const double d = norm(r);
     if (i > 0 && !(d <= best * (1 + 1e-12))) break;
-    nearest = x, best = d;
-    const double a = dot(xp, xp), b = dot(xp, xq), c = dot(xq, xq), det = a * c - b * b;
-    if (!(det > 1e-12 * a * c)) break;
-    const double s = dot(r, xp), t = dot(r, xq);
-    const Vec2 step{(c * s - b * t) / det, (a * t - b * s) / det};
-    if (norm(step.x * xp + step.y * xq) <= settled * scale) break;
-    p = p + step;
+    nearest = x, best = d, p = at;
+    if (!pull_back(xp, xq, r, step) || norm(step.x * xp + step.y * xq) <= settled * scale) break;
+    at = at + step;
   }
   return nearest;
 }
@@ -47,12 +53,11 @@ double distance_to_surface(const Region& region, Vec2 p, Vec3 target, double kno
     Vec3 x, xp, xq;
     region.evaluate(p, x, xp, xq);
     Vec3 r = target - x;
-    double d = norm(r), a = dot(xp, xp), b = dot(xp, xq), c = dot(xq, xq), det = a * c - b * b;
+    double d = norm(r);
     if (!(d < best)) break;
     best = d;
-    if (d <= known || !(det > 1e-12 * a * c)) break;
-    double s = dot(r, xp), t = dot(r, xq);
-    Vec2 step{(c * s - b * t) / det, (a * t - b * s) / det};
+    Vec2 step;
+    if (d <= known || !pull_back(xp, xq, r, step)) break;
     double along = norm(step.x * xp + step.y * xq);
     if (along <= nearly_below * d) return std::sqrt(d * d - along * along);
     p = p + step;
@@ -66,17 +71,38 @@ std::vector<double> sizes(const std::vector<CurvingPart>& parts) {
   return cost;
 }
 
-Vec3 side_middle(const Region& region, Vec2 p, Vec3 a, Vec3 b) {
+Vec3 side_middle(const Region& region, Vec2& p, Vec3 a, Vec3 b) {
   return nearest_point(region, p, 0.5 * (a + b), norm(b - a));
 }
 
-void place_sides(const CurvingPart& part, const std::vector<std::array<int, 2>>& sides, int first, SurfaceMesh& mesh) {
+/// About where the surface is nearest to a point that lies `off` the middle of the chord from node v to w: by the cubic
+/// that has the surface's derivatives at both, which runs an eighth of their difference off that middle. Just half way
+/// where these differ much: across a crease, at an apex.
+Vec2 guess_middle(const RegionMesh& mesh, int v, int w, Vec3 off) {
+  constexpr double most_turn = 0.5, most_step = 0.25;  // of the chord, of the way
+  const Vec2 middle = 0.5 * (mesh.p[v] + mesh.p[w]), way = mesh.p[w] - mesh.p[v];
+  const Vec3 chord = mesh.x[w] - mesh.x[v];
+  const Vec3 turn = way.x * (mesh.xp[w] - mesh.xp[v]) + way.y * (mesh.xq[w] - mesh.xq[v]);
+  Vec2 step;
+  const bool is_found =
+      dot(turn, turn) <= most_turn * most_turn * dot(chord, chord) &&
+      pull_back(0.5 * (mesh.xp[v] + mesh.xp[w]), 0.5 * (mesh.xq[v] + mesh.xq[w]), off + 0.125 * turn, step) &&
+      dot(step, step) <= most_step * most_step * dot(way, way);
+  return is_found ? middle + step : middle;
+}
+
+/// Per side inside the part: its middle's place in the chart.
+std::vector<Vec2> place_sides(const CurvingPart& part, const std::vector<std::array<int, 2>>& sides, int first,
+                              SurfaceMesh& mesh) {
   const std::vector<int>& node_of = *part.node_of;
+  std::vector<Vec2> places(sides.size());
   for (std::size_t k = 0; k < sides.size(); ++k) {
     auto [v, w] = sides[k];
-    mesh.nodes[first + static_cast<int>(k)] = side_middle(*part.region, 0.5 * (part.mesh->p[v] + part.mesh->p[w]),
-                                                          mesh.nodes[node_of[v]], mesh.nodes[node_of[w]]);
+    places[k] = guess_middle(*part.mesh, v, w, {});
+    mesh.nodes[first + static_cast<int>(k)] =
+        side_middle(*part.region, places[k], mesh.nodes[node_of[v]], mesh.nodes[node_of[w]]);
   }
+  return places;
 }
 
 // Where a cut has a place of its own it counts, so that all parts and ranks find the same; else the part's.
@@ -110,16 +136,49 @@ std::vector<std::size_t> first_quads(const std::vector<CurvingPart>& parts) {
   return first;
 }
 
-void place_centres(const CurvingPart& part, std::size_t quad, SurfaceMesh& mesh) {
-  for (const Element& e : part.mesh->elements) {
-    if (!e.is_alive() || e.corners() != 4) continue;
-    Vec3 blend = blended_centre(mesh, static_cast<int>(quad));
-    const int* v = &mesh.quads[9 * quad];
-    const double across = norm(mesh.nodes[v[2]] - mesh.nodes[v[0]]);
-    mesh.nodes[v[8]] = nearest_point(*part.region, mean_place(*part.mesh, e), blend, across);
-    ++quad;
+/// Places the centres of a part's quads, with what is known of its sides.
+class CentrePlacer {
+ public:
+  CentrePlacer(const CurvingPart& part, const PartSides& sides, const std::vector<int>& border_node,
+               const std::vector<Vec2>& places, SurfaceMesh& mesh)
+      : part_(part), sides_(sides), border_node_(border_node), places_(places), mesh_(mesh) {}
+
+  void run(std::size_t quad) {
+    const std::vector<Element>& elements = part_.mesh->elements;
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      if (!elements[e].is_alive() || elements[e].corners() != 4) continue;
+      Vec3 blend = blended_centre(mesh_, static_cast<int>(quad));
+      const int* v = &mesh_.quads[9 * quad];
+      const double across = norm(mesh_.nodes[v[2]] - mesh_.nodes[v[0]]);
+      Vec2 place = blended_place(e);
+      mesh_.nodes[v[8]] = nearest_point(*part_.region, place, blend, across);
+      ++quad;
+    }
   }
-}
+
+ private:
+  // As blended_centre(), in the chart.
+  Vec2 blended_place(std::size_t e) const {
+    Vec2 middles;
+    for (int k = 0; k < 4; ++k) middles = middles + middle_place(e, k);
+    return 0.5 * middles - mean_place(*part_.mesh, part_.mesh->elements[e]);
+  }
+
+  Vec2 middle_place(std::size_t e, int k) const {
+    const int side = sides_.of_element[e][k];
+    if (side >= 0) return places_[static_cast<std::size_t>(side)];
+    auto [v, w] = sides_.border[static_cast<std::size_t>(-1 - side)];
+    auto position = [&](int node) { return mesh_.nodes[(*part_.node_of)[node]]; };
+    const Vec3 middle = mesh_.nodes[border_node_[static_cast<std::size_t>(-1 - side)]];
+    return guess_middle(*part_.mesh, v, w, middle - 0.5 * (position(v) + position(w)));
+  }
+
+  const CurvingPart& part_;
+  const PartSides& sides_;
+  const std::vector<int>& border_node_;
+  const std::vector<Vec2>& places_;
+  SurfaceMesh& mesh_;
+};
 
 // Lagrange weights of a quad9 at a quarter of either side, corners, sides, centre in Gmsh order.
 constexpr double near = 0.375, mid = 0.75, far = -0.125;
@@ -180,14 +239,13 @@ CurvedMesh curve_elements(const JoinedMesh& linear, const EdgeNodes& edges, cons
   std::vector<char> is_placed(cuts.sides().size(), 0);
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (parts[i].mesh) place_cuts(raised, cuts, parts[i], i, mesh, is_placed);
-  run_tasks(threads, sizes(parts), [&](int i) {
-    progress.check();
-    if (parts[i].mesh) place_sides(parts[i], raised.sides[i].inside, raised.first_own[i], mesh);
-  });
   const std::vector<std::size_t> first = first_quads(parts);
   run_tasks(threads, sizes(parts), [&](int i) {
     progress.check();
-    if (parts[i].mesh) place_centres(parts[i], first[i], mesh);
+    if (!parts[i].mesh) return;
+    const PartSides& sides = raised.sides[i];
+    const std::vector<Vec2> places = place_sides(parts[i], sides.inside, raised.first_own[i], mesh);
+    CentrePlacer(parts[i], sides, raised.border_node[i], places, mesh).run(first[i]);
   });
   CurvedMesh result{std::move(mesh), std::move(raised.own_nodes), {}, raised.first_inside};
   for (std::size_t c = 0; c < raised.cut_node.size(); ++c)
