@@ -40,15 +40,13 @@ Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
   return nearest;
 }
 
-/// Distance from `target` to the surface near p. Ends where the foot is nearly below the target: what is left of the
-/// way along the tangent plane then counts by Pythagoras. Where the distance is not above `known`, any bound that is
-/// not either: most need a single point of the surface.
-double distance_to_surface(const Region& region, Vec2 p, Vec3 target, double known) {
+/// Distance from `target` to the surface near p, the target of an element as large as `scale`. Ends where the surface
+/// turns too little on the rest of the way to the foot to matter: that way then counts by Pythagoras. Where the
+/// distance is not above `known`, any bound that is not either.
+double distance_to_surface(const Region& region, Vec2 p, Vec3 target, double scale, double known) {
   constexpr int most_steps = 6;
-  constexpr double nearly_below = 0.05;  // of the distance
-  double best = norm(target - region.point(p));
-  if (best <= known) return best;
-  best = INFINITY;
+  constexpr double most_turn = 1e-4;  // of the distance, as far as the surface turns by one on the scale
+  double best = INFINITY;
   for (int i = 0; i <= most_steps; ++i) {
     Vec3 x, xp, xq;
     region.evaluate(p, x, xp, xq);
@@ -59,7 +57,7 @@ double distance_to_surface(const Region& region, Vec2 p, Vec3 target, double kno
     Vec2 step;
     if (d <= known || !pull_back(xp, xq, r, step)) break;
     double along = norm(step.x * xp + step.y * xq);
-    if (along <= nearly_below * d) return std::sqrt(d * d - along * along);
+    if (along * along <= most_turn * scale * d) return std::sqrt(std::max(d * d - along * along, 0.0));
     p = p + step;
   }
   return best;
@@ -75,19 +73,43 @@ Vec3 side_middle(const Region& region, Vec2& p, Vec3 a, Vec3 b) {
   return nearest_point(region, p, 0.5 * (a + b), norm(b - a));
 }
 
-/// About where the surface is nearest to a point that lies `off` the middle of the chord from node v to w: by the cubic
-/// that has the surface's derivatives at both, which runs an eighth of their difference off that middle. Just half way
-/// where these differ much: across a crease, at an apex.
+/// The cubic through two nodes of a mesh that has the surface's derivatives at both.
+struct SideCubic {
+  Vec3 a, b;         ///< nodes
+  Vec3 first, last;  ///< derivatives there, by a parameter from 0 to 1
+
+  SideCubic(const RegionMesh& mesh, int v, int w) : a(mesh.x[v]), b(mesh.x[w]) {
+    const Vec2 way = mesh.p[w] - mesh.p[v];
+    first = way.x * mesh.xp[v] + way.y * mesh.xq[v];
+    last = way.x * mesh.xp[w] + way.y * mesh.xq[w];
+  }
+  /// Not where the derivatives differ much: across a crease, at an apex.
+  bool is_smooth() const {
+    constexpr double most_turn = 0.5;  // of the chord
+    const Vec3 turn = last - first, chord = b - a;
+    return dot(turn, turn) <= most_turn * most_turn * dot(chord, chord);
+  }
+  Vec3 at(double s) const {
+    const double r = 1 - s;
+    return r * r * ((1 + 2 * s) * a + s * first) + s * s * ((3 - 2 * s) * b - r * last);
+  }
+};
+
+bool is_short(Vec2 step, Vec2 way) {
+  constexpr double most_step = 0.25;
+  return dot(step, step) <= most_step * most_step * dot(way, way);
+}
+
+/// About where the surface is nearest to a point that lies `off` the middle of the chord from node v to w. Just half
+/// way where the cubic does not tell.
 Vec2 guess_middle(const RegionMesh& mesh, int v, int w, Vec3 off) {
-  constexpr double most_turn = 0.5, most_step = 0.25;  // of the chord, of the way
-  const Vec2 middle = 0.5 * (mesh.p[v] + mesh.p[w]), way = mesh.p[w] - mesh.p[v];
-  const Vec3 chord = mesh.x[w] - mesh.x[v];
-  const Vec3 turn = way.x * (mesh.xp[w] - mesh.xp[v]) + way.y * (mesh.xq[w] - mesh.xq[v]);
+  const Vec2 middle = 0.5 * (mesh.p[v] + mesh.p[w]);
+  const SideCubic cubic(mesh, v, w);
   Vec2 step;
-  const bool is_found =
-      dot(turn, turn) <= most_turn * most_turn * dot(chord, chord) &&
-      pull_back(0.5 * (mesh.xp[v] + mesh.xp[w]), 0.5 * (mesh.xq[v] + mesh.xq[w]), off + 0.125 * turn, step) &&
-      dot(step, step) <= most_step * most_step * dot(way, way);
+  const bool is_found = cubic.is_smooth() &&
+                        pull_back(0.5 * (mesh.xp[v] + mesh.xp[w]), 0.5 * (mesh.xq[v] + mesh.xq[w]),
+                                  off + 0.125 * (cubic.last - cubic.first), step) &&
+                        is_short(step, mesh.p[w] - mesh.p[v]);
   return is_found ? middle + step : middle;
 }
 
@@ -185,6 +207,21 @@ constexpr double near = 0.375, mid = 0.75, far = -0.125;
 constexpr std::array<double, 9> quarter{near * near, far* near, far* far,  near* far, mid* near,
                                         far* mid,    mid* far,  near* mid, mid* mid};
 
+/// Moves p, bilinear between the corners v at (s, s), to about where the surface is nearest to `target`: by cubic sides
+/// and the blend of these inside.
+void improve_guess(const RegionMesh& mesh, const std::array<int, 4>& v, double s, Vec3 target, Vec2& p) {
+  const SideCubic sides[] = {{mesh, v[0], v[1]}, {mesh, v[0], v[3]}, {mesh, v[3], v[2]}, {mesh, v[1], v[2]}};
+  for (const SideCubic& side : sides)
+    if (!side.is_smooth()) return;
+  const double r = 1 - s;
+  const Vec3 bilinear = r * (r * sides[0].a + s * sides[0].b) + s * (r * sides[2].a + s * sides[2].b);
+  const Vec3 blend = r * (sides[0].at(s) + sides[1].at(s)) + s * (sides[2].at(s) + sides[3].at(s)) - bilinear;
+  auto mean = [&](const std::vector<Vec3>& of) { return 0.25 * (of[v[0]] + of[v[1]] + of[v[2]] + of[v[3]]); };
+  Vec2 step;
+  if (pull_back(mean(mesh.xp), mean(mesh.xq), target - blend, step) && is_short(step, mesh.p[v[2]] - mesh.p[v[0]]))
+    p = p + step;
+}
+
 /// The largest of one part's chord errors and of what is known of others.
 class PartChordError {
  public:
@@ -217,8 +254,14 @@ class PartChordError {
     const int second = is_reversed_ ? 3 : 1, fourth = 4 - second;
     Vec2 start = mesh_.order == 1 ? mean_place(*part_.mesh, e)
                                   : 0.0625 * (9 * p[e.v[0]] + 3 * p[e.v[second]] + p[e.v[2]] + 3 * p[e.v[fourth]]);
+    improve_guess(*part_.mesh, {e.v[0], e.v[second], e.v[2], e.v[fourth]}, mesh_.order == 1 ? 0.5 : 0.25, x, start);
     double known = worst_.load(std::memory_order_relaxed);
-    const double distance = distance_to_surface(*part_.region, start, x, known);
+    // At order 2 the distance is so small that the guess is seldom good enough for this. A point alone may be rounded
+    // unlike one with derivatives: what the margin leaves is certainly no larger.
+    constexpr double margin = 1e-9;
+    if (mesh_.order == 1 && norm(x - part_.region->point(start)) <= (1 - margin) * known) return;
+    const double scale = norm(mesh_.nodes[v[2]] - mesh_.nodes[v[0]]);
+    const double distance = distance_to_surface(*part_.region, start, x, scale, known);
     while (distance > known && !worst_.compare_exchange_weak(known, distance, std::memory_order_relaxed)) {
     }
   }
