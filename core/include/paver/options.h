@@ -37,7 +37,7 @@ struct Options {
   int order = 2;                    ///< order of the elements: 1 or 2
   Elements elements = Elements::quad_dominant;
   /// Faces are meshed at this many times the target length first, and the coarse elements divided: 0: never; 4 to 8, or
-  /// automatic_levels. Large faces only.
+  /// automatic_levels: 3 to 12, by the size of the face. Large faces only.
   int multilevel = automatic_levels;
   int threads = 0;                      ///< worker threads; 0: all cores
   int ranks = 0;                        ///< processes, for those who start them (paver/launch.h); 0: this one alone

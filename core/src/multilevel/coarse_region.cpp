@@ -115,6 +115,22 @@ class Coarsener {
     return best != nullptr;
   }
 
+  // Facets of a side are equally long, so that opposite sides match and rows between them are even: in general a node
+  // lies between two of the fine ones. It goes to one of them once the counts are known.
+  static LoopNode coarse_node(const std::vector<LoopNode>& loop, const Side& side, int k) {
+    const long all = static_cast<long>(side.fine) * k, rest = all % side.coarse;
+    const std::size_t i = static_cast<std::size_t>(side.first + all / side.coarse);
+    const LoopNode &before = loop[i % loop.size()], &after = loop[(i + 1) % loop.size()];
+    LoopNode node = 2 * rest < side.coarse ? before : after;
+    if (rest > 0) {
+      const double t = static_cast<double>(rest) / side.coarse;
+      node.p = (1 - t) * before.p + t * after.p;
+      node.x = (1 - t) * before.x + t * after.x;
+    }
+    node.h *= static_cast<double>(side.fine) / side.coarse;
+    return node;
+  }
+
   bool add_loop(std::size_t l) {
     const std::vector<LoopNode>& fine = region_.loops[l];
     const int n = static_cast<int>(fine.size());
@@ -131,13 +147,9 @@ class Coarsener {
     std::vector<int>&at = result_.at.emplace_back(), &of_side = result_.side.emplace_back();
     for (const Side& side : sides) {
       for (int k = 0; k < side.coarse; ++k) {
-        // To the nearest node, so that sides opposite each other keep the same ones.
-        int i = side.first + static_cast<int>((2L * side.fine * k + side.coarse) / (2L * side.coarse));
-        LoopNode node = fine[i % n];
-        node.h *= static_cast<double>(side.fine) / side.coarse;
-        at.push_back(i);
+        at.push_back(side.first + static_cast<int>((2L * side.fine * k + side.coarse) / (2L * side.coarse)));
         of_side.push_back(static_cast<int>(result_.side_intervals.size()));
-        loop.push_back(node);
+        loop.push_back(coarse_node(fine, side, k));
       }
       result_.side_intervals.push_back(side.fine);
     }

@@ -22,23 +22,25 @@
 namespace paver {
 namespace {
 
-constexpr int least_ratio = 4, automatic_ratio = 6;
-constexpr double fewest_coarse = 2000;  // elements that the coarse mesh should have: large elements vary more in length
-constexpr double fewest_coarser = 800;  // the same for the mesh under a coarse one
+constexpr int least_ratio = 3, moderate_ratio = 6, largest_ratio = 12;
+constexpr double fewest_coarse = 1500;  // elements that the coarse mesh should have: large elements vary more in length
+constexpr double many_coarse = 6000;    // the same for ratios above the moderate one
+constexpr double fewest_coarser = 800;  // and for the mesh under a coarse one, whose lengths are evened out afterwards
 constexpr double evenness = 2.1;        // of coarse meshes: their irregular nodes are few among the fine ones
 constexpr int even_sweeps = 4, count_sweeps = 12, fine_sweeps = 2;
 constexpr double worst_goal = 0.74;
 constexpr double piece_elements = 4096;  // fine ones: enough pieces for many ranks, few nodes between them
 constexpr int whole = -1;                // for boundary_nodes: one piece
 
-/// Ratio of the target lengths for which the coarse mesh is not too small; 0: none. Unless asked for, small ratios are
-/// not taken: they come with small coarse meshes, whose lengths vary.
+/// Ratio of the target lengths for which the coarse mesh is not too small; 0: none.
 int ratio_for(const Region& region, int multilevel) {
-  const bool is_coarse = region.evenness > 1;  // already: its own lengths are evened out afterwards
-  const double fewest = is_coarse ? fewest_coarser : fewest_coarse;
-  const int fitting = static_cast<int>(std::sqrt(region.area / (region.h * region.h) / fewest));
-  if (multilevel == automatic_levels && !is_coarse) return fitting >= automatic_ratio ? automatic_ratio : 0;
-  const int ratio = std::min(multilevel == automatic_levels ? automatic_ratio : multilevel, fitting);
+  const double elements = region.area / (region.h * region.h);
+  auto fitting = [&](double fewest) { return static_cast<int>(std::sqrt(elements / fewest)); };
+  const bool is_coarse = region.evenness > 1;
+  const int most = multilevel == automatic_levels ? moderate_ratio : multilevel;
+  int ratio = std::min(most, fitting(is_coarse ? fewest_coarser : fewest_coarse));
+  if (multilevel == automatic_levels && !is_coarse)
+    ratio = std::max(ratio, std::min(largest_ratio, fitting(many_coarse)));
   return ratio >= least_ratio ? ratio : 0;
 }
 
@@ -99,7 +101,6 @@ class Planner {
     for (std::size_t l = 0; l < facets.size(); ++l)
       for (std::size_t i = 0; i < facets[l].size(); ++i) {
         int next = coarse_.at[l][i] + facets[l][i];
-        if (next == coarse_.at[l][i + 1]) continue;
         coarse_.at[l][i + 1] = next;
         put(mesh, net.loop_node[l][(i + 1) % facets[l].size()], l, next);
       }
@@ -164,7 +165,7 @@ std::optional<LevelPlan> plan_levels(const Region& region, int multilevel, int b
   const int first = region.laid || multilevel == 0 ? 0 : ratio_for(region, multilevel);
   if (first == 0) return std::nullopt;
   const Elements quads = elements == Elements::all_triangle ? Elements::quad_dominant : elements;
-  for (int ratio = first; ratio >= least_ratio; ratio = ratio > least_ratio ? least_ratio : 0) {
+  for (int ratio = first; ratio > 0; ratio = ratio > least_ratio ? std::max(least_ratio, ratio / 2) : 0) {
     std::optional<LevelPlan> plan = plan_level(region, multilevel, ratio, progress, quads);
     if (!plan) continue;
     plan->boundary_nodes = boundary_nodes;

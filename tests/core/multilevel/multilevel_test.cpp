@@ -57,10 +57,24 @@ TEST(PlanLevels, IsSoundAndRegular) {
 }
 
 TEST(PlanLevels, SmallRegionsAreNotDividedUnasked) {
-  Region region = with_area(plate(200), 1);
+  Region region = with_area({divided({{0, 0}, {100, 0}, {100, 120}, {0, 120}}, 1)}, 1);
   RegionMesh direct = pave_on_levels(region, 0, Progress());
   RegionMesh unasked = pave_on_levels(region, automatic_levels, Progress());
   EXPECT_TRUE(direct.p == unasked.p);
+}
+
+// Also where no ratio divides the sides.
+TEST(PlanLevels, ARectangleBecomesAGrid) {
+  for (auto [a, b] : {std::pair{241.0, 120.0}, {201.0, 80.0}, {173.0, 211.0}, {330.0, 59.0}}) {
+    Region region = with_area({divided({{0, 0}, {a, 0}, {a, b}, {0, b}}, 1)}, 1);
+    for (int ratio : {automatic_levels, 4, 6}) {
+      RegionMesh paved = pave_on_levels(region, ratio, Progress());
+      EXPECT_EQ(test::paved_faults(region, paved), "");
+      Figures figures = figures_of(paved);
+      EXPECT_EQ(figures.irregular, 0) << a << " by " << b;
+      EXPECT_EQ(figures.quads, std::lround(a * b));
+    }
+  }
 }
 
 TEST(PlanLevels, TheSameEveryTime) {
