@@ -10,7 +10,7 @@ FOLDER = os.path.dirname(os.path.abspath(os.path.realpath(__file__)))
 CHECKOUT = os.path.dirname(os.path.dirname(FOLDER))
 BUILD = "run scripts/build paver_python in " + CHECKOUT
 SOURCES = ("core/include", "core/src", "bindings/src")  # relative to the checkout
-NOT_LINKED = (os.path.join("core", "src", "cli"), os.path.join("core", "src", "worker"))
+NOT_LINKED = tuple(os.path.join("core", "src", name) for name in ("cli", "formats", "watch", "worker"))
 
 
 def candidates(folder):

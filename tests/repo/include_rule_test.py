@@ -1,8 +1,8 @@
 """A folder of core/src includes only itself and the folders before it in PAVER_STAGES of core/CMakeLists.txt.
 
 base/, mesh/ and quality/metrics.h are leaves that any folder may include (and that include only base/ and each other);
-pipeline.cpp sees everything; cli/ sees only the public headers, worker/ and watch/ those and base/. Only brep/ and
-topology/ include OpenCASCADE, only worker/ includes MPI.
+pipeline.cpp sees everything; cli/ sees only the public headers, worker/ and watch/ those and base/, formats/ those and
+brep/. Only brep/, formats/ and topology/ include OpenCASCADE, only worker/ includes MPI.
 """
 import os
 import re
@@ -23,7 +23,8 @@ def stages():
 def fault(order, folder, included):
     """Why a file of `folder` may not include `included`, or None."""
     if OPENCASCADE.match(included):
-        return None if folder in ("brep", "topology") else "only brep/ and topology/ include OpenCASCADE"
+        allowed = folder in ("brep", "formats", "topology")
+        return None if allowed else "only brep/, formats/ and topology/ include OpenCASCADE"
     if included == "mpi.h":
         return None if folder == "worker" else "only worker/ includes MPI"
     target = os.path.dirname(included).split("/")[0]
@@ -33,11 +34,11 @@ def fault(order, folder, included):
         return None  # a library
     if folder == target:
         return None
-    if included.endswith("_impl.h") and folder != "topology":
+    if included.endswith("_impl.h") and folder not in ("formats", "topology"):
         return "an _impl.h header includes OpenCASCADE"
     if folder not in order:
-        hidden = folder == "cli" or folder in ("worker", "watch") and target != "base"
-        return "only public headers here" if hidden else None
+        seen = {"worker": "base", "watch": "base", "formats": "brep"}.get(folder)
+        return None if target == seen else "only public headers here"
     if target in LEAVES or included == "quality/metrics.h":
         return None if folder not in LEAVES or target in LEAVES or target == "base" else "a leaf includes only leaves"
     return None if order.index(target) < order.index(folder) else f"{target}/ comes after {folder}/"

@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "brep/file_format.h"
+#include "brep/format_library_impl.h"
 #include "brep/readers_impl.h"
 #include "brep/shape_impl.h"
 
@@ -40,11 +41,7 @@ std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, P
       return;
     }
     auto lock = wait_for_readers(progress);
-    if (format == FileFormat::step) {
-      read_step(file, *shape, report, progress);
-    } else {
-      read_iges(file, *shape, report, progress);
-    }
+    format_library(format == FileFormat::step ? "step" : "iges", file)(file, *shape, report, progress);
   });
   progress.check();
 

@@ -8,9 +8,6 @@
 
 namespace paver {
 
-/// `shape.shape` is null when the file has nothing to transfer. Sets `report.unit`.
-void read_step(const FileSource& file, Shape& shape, ModelReport& report, Progress& progress);
-void read_iges(const FileSource& file, Shape& shape, ModelReport& report, Progress& progress);
 /// Text or binary, as OpenCASCADE or FreeCAD writes it; BREP states no unit.
 void read_brep(const FileSource& file, bool is_binary, Shape& shape, ModelReport& report, Progress& progress);
 

@@ -6,6 +6,7 @@ import json
 import os
 import pty
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -17,7 +18,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 import runs  # noqa: E402
 
 BOX = os.path.join(runs.EXAMPLES, "box.step")
-OK, USAGE, INPUT, TOO_MANY, OUTPUT, CANCELLED = 0, 2, 3, 5, 6, 130
+OK, OTHER, USAGE, INPUT, TOO_MANY, OUTPUT, CANCELLED = 0, 1, 2, 3, 5, 6, 130
 
 
 class Contract(unittest.TestCase):
@@ -63,6 +64,14 @@ class Contract(unittest.TestCase):
     def test_bad_input_is_3_and_too_many_elements_5(self):
         self.refused(self.call("mesh", "nowhere.step", "-o", self.out, "--size", 5), INPUT, "nowhere.step")
         self.refused(self.mesh("--size", 1, "--max-elements", 10), TOO_MANY, "10")
+
+    def test_the_library_for_a_format_lies_beside_the_program(self):
+        with tempfile.TemporaryDirectory() as elsewhere:
+            lone = [shutil.copy(runs.PROGRAM, elsewhere), "mesh", BOX, "-o", self.out, "--size", "20"]
+            done = subprocess.run(lone, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60)
+            self.refused(done, OTHER, "without the library libpaver_step.so")
+            shutil.copy(os.path.join(os.path.dirname(runs.PROGRAM), "libpaver_step.so"), elsewhere)
+            subprocess.run(lone, stdin=subprocess.DEVNULL, capture_output=True, timeout=60, check=True)
 
     def test_unwritable_output_is_6_before_any_meshing(self):
         self.refused(self.call("mesh", BOX, "-o", "/no/such/out.msh", "--size", 5), OUTPUT, "/no/such/out.msh")

@@ -12,9 +12,10 @@
 #include <XSControl_WorkSession.hxx>
 #include <string_view>
 
-#include "brep/exchange_settings_impl.h"
-#include "brep/face_labels_impl.h"
+#include "brep/format_library_impl.h"
 #include "brep/readers_impl.h"
+#include "formats/exchange_settings_impl.h"
+#include "formats/face_labels_impl.h"
 
 namespace paver {
 namespace {
@@ -65,7 +66,7 @@ std::vector<std::string> face_labels(STEPControl_Reader& reader, const TopoDS_Sh
 
 }  // namespace
 
-void read_step(const FileSource& file, Shape& shape, ModelReport& report, Progress& progress) {
+extern "C" void paver_read_format(const FileSource& file, Shape& shape, ModelReport& report, Progress& progress) {
   STEPControl_Reader reader;
   MillimetreReading millimetres;
   if (reader.ReadFile(file.path.c_str()) != IFSelect_RetDone)

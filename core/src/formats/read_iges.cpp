@@ -9,9 +9,10 @@
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 
-#include "brep/exchange_settings_impl.h"
-#include "brep/face_labels_impl.h"
+#include "brep/format_library_impl.h"
 #include "brep/readers_impl.h"
+#include "formats/exchange_settings_impl.h"
+#include "formats/face_labels_impl.h"
 
 namespace paver {
 namespace {
@@ -44,7 +45,7 @@ std::vector<std::string> face_labels(IGESControl_Reader& reader, const TopoDS_Sh
 
 }  // namespace
 
-void read_iges(const FileSource& file, Shape& shape, ModelReport& report, Progress& progress) {
+extern "C" void paver_read_format(const FileSource& file, Shape& shape, ModelReport& report, Progress& progress) {
   IGESControl_Reader reader;
   MillimetreReading millimetres;
   if (reader.ReadFile(file.path.c_str()) != IFSelect_RetDone)
