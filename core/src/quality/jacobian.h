@@ -49,6 +49,8 @@ class JacobianForm {
   /// Scaled Jacobian, area and lowest coefficient of several elements at once, bit for bit those of one alone.
   /// `x`: three per node: x, y, z.
   void measure_lanes(const Lanes* x, LaneFigures& figures) const;
+  /// Of these the lowest coefficient alone: an element is valid where it is positive.
+  void bound_lanes(const Lanes* x, Lanes& low) const;
 
   static constexpr double poor_ratio = 0.5;  ///< lower bounds below it are worked out more closely
 
@@ -76,7 +78,10 @@ class JacobianForm {
 
   template <int width>
   void measure_wide(const Lanes* x, int lane, LaneFigures& figures) const;
+  template <int width>
+  void bound_wide(const Lanes* x, int lane, Lanes& least) const;
   void measure_lanes_avx2(const Lanes* x, LaneFigures& figures) const;
+  void bound_lanes_avx2(const Lanes* x, Lanes& low) const;
   void build_control();
   void build_products();
   void build_mean();

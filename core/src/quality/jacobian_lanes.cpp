@@ -8,6 +8,9 @@
 
 #pragma GCC diagnostic ignored "-Wpsabi"  // no function here passes vectors to another object file
 #define PAVER_IN_PLACE inline __attribute__((always_inline))
+#if defined(__x86_64__) && defined(__GNUC__)
+#define PAVER_HAS_AVX2
+#endif
 
 namespace paver {
 namespace {
@@ -92,29 +95,11 @@ struct Wide {
 }  // namespace
 
 template <int width>
-PAVER_IN_PLACE void JacobianForm::measure_wide(const Lanes* x, int lane, LaneFigures& figures) const {
+PAVER_IN_PLACE void JacobianForm::bound_wide(const Lanes* x, int lane, Lanes& least) const {
   using W = Wide<width>;
   using Lane = typename W::Lane;
   using Lane3 = typename W::Lane3;
   x = reinterpret_cast<const Lanes*>(x->of + lane);
-  W::store(shape_ == ElementShape::quad ? W::least_corner(x, 4) : triangle_scale * W::least_corner(x, 3),
-           figures.sj.of + lane);
-
-  Lane area = W::all(0);
-  const double* q = quadrature_.data();
-  for (std::size_t points = quadrature_.size() / (1 + 2 * static_cast<std::size_t>(nodes_)); points > 0; --points) {
-    const double *by_u = q + 1, *by_v = by_u + nodes_;
-    Lane3 xu{}, xv{};
-    for (int k = 0; k < nodes_; ++k) {
-      Lane3 node = W::load(x + 3 * k);
-      W::add(xu, by_u[k], node);
-      W::add(xv, by_v[k], node);
-    }
-    area += *q * W::norm(W::cross(xu, xv));
-    q = by_v + nodes_;
-  }
-  W::store(area, figures.area.of + lane);
-
   Lane3 control[max_nodes], origin = W::load(x);
   std::fill_n(control, nodes_, Lane3{});
   for (const Weight& term : to_control_)
@@ -140,21 +125,62 @@ PAVER_IN_PLACE void JacobianForm::measure_wide(const Lanes* x, int lane, LaneFig
     sum += value;
   }
   // A sum that is not finite betrays any coefficient that is not.
-  W::store(sum - sum == 0 ? low : W::all(-1), figures.low.of + lane);
+  W::store(sum - sum == 0 ? low : W::all(-1), least.of + lane);
 }
 
-#if defined(__x86_64__) && defined(__GNUC__)
+template <int width>
+PAVER_IN_PLACE void JacobianForm::measure_wide(const Lanes* x, int lane, LaneFigures& figures) const {
+  using W = Wide<width>;
+  using Lane = typename W::Lane;
+  using Lane3 = typename W::Lane3;
+  bound_wide<width>(x, lane, figures.low);
+  x = reinterpret_cast<const Lanes*>(x->of + lane);
+  W::store(shape_ == ElementShape::quad ? W::least_corner(x, 4) : triangle_scale * W::least_corner(x, 3),
+           figures.sj.of + lane);
+
+  Lane area = W::all(0);
+  const double* q = quadrature_.data();
+  for (std::size_t points = quadrature_.size() / (1 + 2 * static_cast<std::size_t>(nodes_)); points > 0; --points) {
+    const double *by_u = q + 1, *by_v = by_u + nodes_;
+    Lane3 xu{}, xv{};
+    for (int k = 0; k < nodes_; ++k) {
+      Lane3 node = W::load(x + 3 * k);
+      W::add(xu, by_u[k], node);
+      W::add(xv, by_v[k], node);
+    }
+    area += *q * W::norm(W::cross(xu, xv));
+    q = by_v + nodes_;
+  }
+  W::store(area, figures.area.of + lane);
+}
+
+#ifdef PAVER_HAS_AVX2
 __attribute__((target("avx2"))) void JacobianForm::measure_lanes_avx2(const Lanes* x, LaneFigures& figures) const {
   measure_wide<4>(x, 0, figures);
 }
+__attribute__((target("avx2"))) void JacobianForm::bound_lanes_avx2(const Lanes* x, Lanes& low) const {
+  bound_wide<4>(x, 0, low);
+}
+namespace {
+bool has_avx2() {
+  static const bool has = __builtin_cpu_supports("avx2");
+  return has;
+}
+}  // namespace
 #endif
 
 void JacobianForm::measure_lanes(const Lanes* x, LaneFigures& figures) const {
-#if defined(__x86_64__) && defined(__GNUC__)
-  static const bool has_avx2 = __builtin_cpu_supports("avx2");
-  if (has_avx2) return measure_lanes_avx2(x, figures);
+#ifdef PAVER_HAS_AVX2
+  if (has_avx2()) return measure_lanes_avx2(x, figures);
 #endif
   for (int lane = 0; lane < lanes; lane += 2) measure_wide<2>(x, lane, figures);
+}
+
+void JacobianForm::bound_lanes(const Lanes* x, Lanes& low) const {
+#ifdef PAVER_HAS_AVX2
+  if (has_avx2()) return bound_lanes_avx2(x, low);
+#endif
+  for (int lane = 0; lane < lanes; lane += 2) bound_wide<2>(x, lane, low);
 }
 
 }  // namespace paver

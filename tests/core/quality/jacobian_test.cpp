@@ -76,6 +76,34 @@ std::vector<Vec3> square_with_middle_at(double t) {
   return x;
 }
 
+TEST_P(AnyElement, HasTheSameLowestCoefficientAmongOthersAsAlone) {
+  constexpr int lanes = JacobianForm::lanes;
+  JacobianForm::Lanes x[3 * JacobianForm::max_nodes], low;
+  std::vector<JacobianForm::LaneFigures> alone(lanes);
+  std::vector<std::vector<Vec3>> elements;
+  for (int lane = 0; lane < lanes; ++lane) {
+    std::vector<Vec3> nodes = element(shape(), order(), [](double u, double v) { return Vec3{u, v, 0.1 * u * v}; });
+    nodes[2].x -= 0.2 * lane, nodes[2].y -= 0.2 * lane;  // the last quad is no longer convex
+    elements.push_back(nodes);
+  }
+  auto put = [&](int lane, const std::vector<Vec3>& nodes) {
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      x[3 * k].of[lane] = nodes[k].x, x[3 * k + 1].of[lane] = nodes[k].y, x[3 * k + 2].of[lane] = nodes[k].z;
+  };
+  for (int which = 0; which < lanes; ++which) {
+    for (int lane = 0; lane < lanes; ++lane) put(lane, elements[which]);
+    form().measure_lanes(x, alone[which]);
+  }
+  for (int lane = 0; lane < lanes; ++lane) put(lane, elements[lane]);
+  form().bound_lanes(x, low);
+  for (int lane = 0; lane < lanes; ++lane) {
+    EXPECT_EQ(low.of[lane], alone[lane].low.of[0]);
+    EXPECT_EQ(low.of[lane] > 0 || form().is_valid(elements[lane].data()), form().is_valid(elements[lane].data()));
+  }
+  EXPECT_GT(low.of[0], 0);
+  EXPECT_TRUE(!is_quad() || order() > 1 || low.of[lanes - 1] <= 0);
+}
+
 TEST(JacobianForm, DecidesWhereAMiddleNodeFoldsASide) {
   const JacobianForm& form = jacobian_form(ElementShape::quad, 2);
   EXPECT_TRUE(form.is_valid(square_with_middle_at(0.26).data()));
