@@ -11,11 +11,12 @@
 
 #include "assemble/assembler.h"
 #include "base/bytes.h"
+#include "base/shared_tasks.h"
+#include "base/tasks.h"
 #include "boundary/edge_nodes.h"
 #include "boundary/prediction.h"
 #include "brep/occt_impl.h"
 #include "parallel/pave_parts.h"
-#include "parallel/tasks.h"
 #include "paver/mesher.h"
 #include "paver/ranks.h"
 #include "quality/report.h"
@@ -31,7 +32,7 @@ constexpr const char* kernel_failure = "The CAD kernel failed at this model; rep
 class Run {
  public:
   Run(const Options& options, Progress& progress, Ranks& ranks)
-      : options_(options), progress_(progress), ranks_(ranks) {}
+      : options_(options), progress_(progress), ranks_(ranks), shared_(options.threads, progress, ranks) {}
 
   /// `is_numbered`: with the numbers of a share.
   MeshShare mesh(const CadModel& model, bool is_numbered) {
@@ -44,7 +45,7 @@ class Run {
     assembler.run();
     if (is_numbered) assembler.number();
     auto& tasks = result_.report.tasks;
-    tasks.insert(tasks.begin(), boundary_tasks_.begin(), boundary_tasks_.end());
+    tasks.insert(tasks.begin(), shared_.times().begin(), shared_.times().end());
     measure(assembler);
     name_edges();
     return std::move(share_);
@@ -102,7 +103,7 @@ class Run {
   void build(const CadModel& model) {
     result_.report.stage_seconds.push_back({stage_name(Stage::read), model.read_seconds});
     begin(Stage::topology);
-    model_ = build_model(*model.shape, options_, result_.report.target_length, model.report, progress_);
+    model_ = build_model(*model.shape, options_, result_.report.target_length, model.report, progress_, shared_);
     result_.report.model = model_.report;
     result_.report.notes = model_.notes;
     for (const Face& face : model_.faces) {
@@ -127,7 +128,7 @@ class Run {
     for (const std::string& note : size_.local->notes()) result_.report.notes.push_back(note);
     begin(Stage::boundary);
     layouts = plan_layouts(model_, size_, progress_);
-    std::vector<int> counts = choose_counts(model_, size_, progress_, options_.elements == Elements::all_quad);
+    std::vector<int> counts = choose_counts(model_, size_, progress_, shared_, options_.elements == Elements::all_quad);
     settle_counts(model_, layouts, counts);
     return counts;
   }
@@ -137,29 +138,30 @@ class Run {
     std::vector<FaceLayout> layouts;
     std::vector<int> counts = count_intervals(layouts);
     for (int round = 0;; ++round) {
-      nodes_ = divide_edges(model_, size_, counts, progress_);
+      nodes_ = divide_edges(model_, size_, counts, shared_);
       regions_ = build_regions(model_, size_, layouts, nodes_);
-      if (round == most_refinements || !refine_crossings(counts, round)) break;
+      if (round == most_refinements || !refine_crossings(counts)) break;
     }
     begin(Stage::regions);
   }
 
   // Doubles the counts of crossing edges, keeping their parity. Whether anything crossed.
-  bool refine_crossings(std::vector<int>& counts, int round) {
-    std::vector<std::array<int, 2>> crossing(regions_.size(), {-1, -1});
-    const int queue = Ranks::most_queues - 1 - round;
-    const std::vector<DoneTask> done = run_tasks(
-        options_.threads, costs(), [&] { return ranks_.take(queue); },
-        [&](int i) {
-          progress_.check();
-          if (auto edges = find_crossing(regions_[i])) crossing[i] = *edges;
-        });
-    for (const DoneTask& task : done) boundary_tasks_.push_back({Stage::boundary, task.seconds});
+  bool refine_crossings(std::vector<int>& counts) {
+    constexpr double node_cost = 2;  // microseconds
+    std::vector<double> task_costs;
+    for (const Region& region : regions_) {
+      double nodes = 0;
+      for (const auto& loop : region.loops) nodes += static_cast<double>(loop.size());
+      task_costs.push_back(region.laid ? 0 : node_cost * nodes);
+    }
+    using Pair = std::array<int, 2>;
+    const std::vector<Pair> crossing = shared_.run<Pair>(Stage::boundary, task_costs, [&](int i) {
+      return find_crossing(regions_[static_cast<std::size_t>(i)]).value_or(Pair{-1, -1});
+    });
     std::vector<long> times_found(counts.size(), 0);
-    for (const auto& pair : crossing)
+    for (const Pair& pair : crossing)
       for (int e : pair)
         if (e >= 0 && counts[e] < 100000) ++times_found[e];
-    ranks_.add_up(times_found);
     bool is_refined = false;
     for (std::size_t e = 0; e < counts.size(); ++e) {
       if (times_found[e] == 0) continue;
@@ -272,7 +274,7 @@ class Run {
   SizeField size_;
   EdgeNodes nodes_;
   std::vector<Region> regions_;
-  std::vector<TaskTime> boundary_tasks_;
+  SharedTasks shared_;
   MeshShare share_;
   MeshResult& result_ = share_.result;
 };

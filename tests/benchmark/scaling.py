@@ -11,9 +11,9 @@ exit code is 1 when a run fails or the same mesh has two checksums; no time is j
 Floor: a point and its derivatives on the surface, once for every node of the mesh (paver_benchmarks, floor/...).
 
 Simulated: this machine runs few ranks at once, the others are worked out from one process's report. With N ranks
-- what each rank repeats counts in full: read, topology, sizing, and what is left of boundary, regions and paving
+- what each rank repeats counts in full: read, sizing, and what is left of topology, boundary, regions and paving
   without their tasks; so does the start of the processes (wall time less all stages);
-- tasks are those measured: searches for crossing divisions, then regions and coarse meshes of large ones, then pieces
+- tasks are those measured: of topology (areas, volumes), of boundary (edges, crossing divisions), then regions and coarse meshes of large ones, then pieces
   of these, dearest first as the queues have them. Each goes to the rank that is free first, and after each queue all
   wait for the last (list scheduling);
 - join, curving, quality and write each treat a rank's own elements only, so they take the share of the rank that has
@@ -160,9 +160,10 @@ def simulate(run, ranks):
     stages, tasks = run["report"]["stage_seconds"], run["report"]["tasks"]
     parts = {stage: stages.get(stage, 0) for stage in REPEATED[:5]}
     paving = sum(tasks.get("regions", [])) + sum(tasks.get("paving", []))
-    parts["boundary"] = max(0.0, parts["boundary"] - sum(tasks.get("boundary", [])))
+    for stage in ("topology", "boundary"):
+        parts[stage] = max(0.0, parts[stage] - sum(tasks.get(stage, [])))
+        parts[f"tasks of {stage}"] = schedule(tasks.get(stage, []), ranks)[0]
     parts["rest of paving"] = max(0.0, stages.get("paving", 0) - paving)
-    parts["crossings"] = schedule(tasks.get("boundary", []), ranks)[0]
     parts["regions, coarse meshes"], of_regions = schedule(tasks.get("regions", []), ranks)
     parts["pieces"], of_pieces = schedule(tasks.get("paving", []), ranks)
     load = [a + b for a, b in zip(of_regions, of_pieces)]

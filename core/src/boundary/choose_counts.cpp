@@ -20,12 +20,15 @@ constexpr double most_by_turn = 4096;            // intervals on one edge that i
 constexpr double full_turn = 6.283185307179586;  // a closed edge that turns so far is round
 constexpr double rounding_slack = 1e-6;          // equal edges that come out at a half must not part by rounding errors
 constexpr double largest_change = 0.2;           // of the wish, for the sake of ties and parity
+constexpr double table_cost = 50;                // microseconds: the metric of an edge
 constexpr double turn_slack = 1e-3;              // radians
 
 int least_for_shape(const Edge& edge, double turn) {
   if (edge.start != edge.end) return 1;
   return turn >= full_turn - turn_slack ? 4 : 3;
 }
+
+bool is_divided(const Edge& edge) { return !edge.is_degenerate && edge.curve && !edge.faces.empty(); }
 
 EdgeCount count_for_edge(const Edge& edge, const SizeField& size) {
   EdgeMetric metric(edge, size);
@@ -88,15 +91,16 @@ void even_out_faces(const std::vector<std::vector<Loop>>& loops, TiedCounts& tie
 
 }  // namespace
 
-std::vector<int> choose_counts(const Model& model, const SizeField& size, Progress& progress, bool all_quad) {
+std::vector<int> choose_counts(const Model& model, const SizeField& size, Progress& progress, SharedTasks& tasks,
+                               bool all_quad) {
   progress.begin(Stage::boundary, static_cast<long>(model.edges.size()));
-  std::vector<EdgeCount> counts(model.edges.size());
-  for (std::size_t e = 0; e < counts.size(); ++e) {
-    const Edge& edge = model.edges[e];
-    bool is_divided = !edge.is_degenerate && edge.curve && !edge.faces.empty();
-    if (is_divided) counts[e] = count_for_edge(edge, size);
+  std::vector<double> costs;
+  for (const Edge& edge : model.edges) costs.push_back(is_divided(edge) ? table_cost : 0);
+  std::vector<EdgeCount> counts = tasks.run<EdgeCount>(Stage::boundary, costs, [&](int e) {
+    const Edge& edge = model.edges[static_cast<std::size_t>(e)];
     progress.advance();
-  }
+    return is_divided(edge) ? count_for_edge(edge, size) : EdgeCount{};
+  });
   divide_lenses(model, counts);
 
   std::vector<std::vector<Loop>> loops;

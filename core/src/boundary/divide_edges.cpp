@@ -30,70 +30,90 @@ std::vector<int> number_vertices(const Model& model, const std::vector<int>& cou
   return node_of_vertex;
 }
 
-class EdgeDivider {
- public:
-  EdgeDivider(const Model& model, const SizeField& size, EdgeNodes& result)
-      : model_(model), size_(size), result_(result) {}
+constexpr double table_cost = 50, node_cost = 2;  // microseconds
 
-  void divide(int edge_index, int count, const std::vector<int>& node_of_vertex) {
-    const Edge& edge = model_.edges[static_cast<std::size_t>(edge_index)];
-    const EdgeMetric metric(edge, size_);
-    const int start = node_of_vertex[static_cast<std::size_t>(edge.start)];
-    const int end = node_of_vertex[static_cast<std::size_t>(edge.end)];
-    EdgeDivision& division = result_.edges[static_cast<std::size_t>(edge_index)];
-    lower_target(start, metric.size_at_length(0));
-    lower_target(end, metric.size_at_length(metric.length()));
-
-    division.t.push_back(edge.t0);
-    division.x.push_back(result_.nodes[static_cast<std::size_t>(start)]);
-    division.node.push_back(start);
-    const std::vector<double> lengths = metric.node_lengths(count);
-    for (std::size_t i = 1; i < lengths.size(); ++i) {
-      bool is_last = i + 1 == lengths.size();
-      double here = lengths[i];
-      add_point(division, edge, metric.parameter_at_length(0.5 * (lengths[i - 1] + here)));
-      if (is_last) {
-        division.t.push_back(edge.t1);
-        division.x.push_back(result_.nodes[static_cast<std::size_t>(end)]);
-        division.node.push_back(end);
-      } else {
-        add_point(division, edge, metric.parameter_at_length(here));
-        division.node.push_back(static_cast<int>(result_.nodes.size()));
-        result_.nodes.push_back(division.x.back());
-        result_.node_edge.push_back(edge_index);
-        result_.node_target.push_back(metric.size_at_length(here));
-      }
-    }
-  }
-
- private:
-  static void add_point(EdgeDivision& division, const Edge& edge, double t) {
-    division.t.push_back(t);
-    division.x.push_back(edge.curve->point(t));
-  }
-
-  void lower_target(int node, double target) {
-    double& known = result_.node_target[static_cast<std::size_t>(node)];
-    known = std::min(known, target);
-  }
-
-  const Model& model_;
-  const SizeField& size_;
-  EdgeNodes& result_;
+/// What dividing an edge gives before nodes have numbers.
+struct Places {
+  std::vector<double> t;
+  std::vector<Vec3> x;         // as in EdgeDivision
+  std::vector<double> target;  // per node
 };
+
+template <class A>
+void fields(A& archive, Is<Places> auto& places) {
+  auto& [t, x, target] = places;
+  archive(t, x, target);
+}
+
+Places divide(const Model& model, const Edge& edge, const SizeField& size, int count) {
+  const EdgeMetric metric(edge, size);
+  const std::vector<double> lengths = metric.node_lengths(count);
+  Places places;
+  auto add = [&](double t, Vec3 x) {
+    places.t.push_back(t);
+    places.x.push_back(x);
+  };
+  auto add_on_curve = [&](double length) {
+    const double t = metric.parameter_at_length(length);
+    add(t, edge.curve->point(t));
+  };
+  add(edge.t0, model.vertices[static_cast<std::size_t>(edge.start)]);
+  places.target.push_back(metric.size_at_length(0));
+  for (std::size_t i = 1; i < lengths.size(); ++i) {
+    add_on_curve(0.5 * (lengths[i - 1] + lengths[i]));
+    if (i + 1 == lengths.size()) break;
+    add_on_curve(lengths[i]);
+    places.target.push_back(metric.size_at_length(lengths[i]));
+  }
+  add(edge.t1, model.vertices[static_cast<std::size_t>(edge.end)]);
+  places.target.push_back(metric.size_at_length(metric.length()));
+  return places;
+}
+
+/// Numbers the nodes of one more edge.
+void append(int edge, Places places, int start, int end, EdgeNodes& result) {
+  EdgeDivision& division = result.edges[static_cast<std::size_t>(edge)];
+  division.t = std::move(places.t);
+  division.x = std::move(places.x);
+  auto lower_target = [&](int node, double target) {
+    double& known = result.node_target[static_cast<std::size_t>(node)];
+    known = std::min(known, target);
+  };
+  lower_target(start, places.target.front());
+  lower_target(end, places.target.back());
+  division.node.push_back(start);
+  for (std::size_t i = 1; i + 1 < places.target.size(); ++i) {
+    division.node.push_back(static_cast<int>(result.nodes.size()));
+    result.nodes.push_back(division.x[2 * i]);
+    result.node_edge.push_back(edge);
+    result.node_target.push_back(places.target[i]);
+  }
+  division.node.push_back(end);
+}
 
 }  // namespace
 
-EdgeNodes divide_edges(const Model& model, const SizeField& size, const std::vector<int>& counts, Progress& progress) {
+EdgeNodes divide_edges(const Model& model, const SizeField& size, const std::vector<int>& counts, SharedTasks& tasks) {
   EdgeNodes result;
   result.edges.resize(model.edges.size());
   const std::vector<int> node_of_vertex = number_vertices(model, counts, result);
   result.node_target.assign(result.nodes.size(), size.h);
-  EdgeDivider divider(model, size, result);
+  std::vector<int> divided;
+  std::vector<double> costs;
   for (std::size_t e = 0; e < model.edges.size(); ++e) {
-    progress.check();
-    bool is_divided = counts[e] > 0 && !model.edges[e].is_degenerate && model.edges[e].curve;
-    if (is_divided) divider.divide(static_cast<int>(e), counts[e], node_of_vertex);
+    if (counts[e] <= 0 || model.edges[e].is_degenerate || !model.edges[e].curve) continue;
+    divided.push_back(static_cast<int>(e));
+    costs.push_back(table_cost + node_cost * counts[e]);
+  }
+  auto edge_at = [&](std::size_t i) -> const Edge& { return model.edges[static_cast<std::size_t>(divided[i])]; };
+  std::vector<Places> places = tasks.run<Places>(Stage::boundary, costs, [&](int task) {
+    auto i = static_cast<std::size_t>(task);
+    return divide(model, edge_at(i), size, counts[static_cast<std::size_t>(divided[i])]);
+  });
+  for (std::size_t i = 0; i < divided.size(); ++i) {
+    const Edge& edge = edge_at(i);
+    append(divided[i], std::move(places[i]), node_of_vertex[static_cast<std::size_t>(edge.start)],
+           node_of_vertex[static_cast<std::size_t>(edge.end)], result);
   }
   return result;
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/shared_tasks.h"
 #include "paver/progress.h"
 #include "sizing/size_field.h"
 #include "topology/model.h"
@@ -27,10 +28,11 @@ struct EdgeNodes {
 };
 
 /// Interval counts per edge: max(1, round(integral of ds/h)), at least 3 on an edge that closes on itself, no interval
-/// turning more than the limit; then parity.
-std::vector<int> choose_counts(const Model& model, const SizeField& size, Progress& progress, bool all_quad = false);
+/// turning more than the limit; then parity. Collective.
+std::vector<int> choose_counts(const Model& model, const SizeField& size, Progress& progress, SharedTasks& tasks,
+                               bool all_quad = false);
 
-/// Divides every edge into `counts[e]` intervals, equal in integral of ds/h on the exact curve.
-EdgeNodes divide_edges(const Model& model, const SizeField& size, const std::vector<int>& counts, Progress& progress);
+/// Divides every edge into `counts[e]` intervals, equal in integral of ds/h on the exact curve. Collective.
+EdgeNodes divide_edges(const Model& model, const SizeField& size, const std::vector<int>& counts, SharedTasks& tasks);
 
 }  // namespace paver

@@ -3,16 +3,19 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepGProp.hxx>
-#include <BRep_Builder.hxx>
+#include <BRepGProp_Domain.hxx>
+#include <BRepGProp_Face.hxx>
+#include <BRepGProp_Vinert.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -76,7 +79,7 @@ double box_diagonal(const TopTools_IndexedMapOfShape& faces) {
 
 }  // namespace
 
-Workpiece make_workpiece(const Shape& shape, Progress& progress) {
+Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& tasks) {
   Workpiece work;
   work.shape = shape.shape;
   TopTools_IndexedMapOfShape faces, solids;
@@ -88,11 +91,18 @@ Workpiece make_workpiece(const Shape& shape, Progress& progress) {
     for (TopExp_Explorer inner(solids(s), TopAbs_FACE); inner.More(); inner.Next())
       work.faces[static_cast<std::size_t>(faces.FindIndex(inner.Current()) - 1)].solid = s - 1;
   work.diagonal = box_diagonal(faces);
+  std::vector<double> costs;
   for (int i = 1; i <= faces.Extent(); ++i) {
     WorkFace& face = work.faces[static_cast<std::size_t>(i - 1)];
     face.face = TopoDS::Face(faces(i));
     face.origin = i - 1;
-    face.area = face_area(face.face);
+    costs.push_back(measuring_cost(face.face));
+  }
+  const std::vector<double> areas = tasks.run<double>(
+      Stage::topology, costs, [&](int i) { return face_area(work.faces[static_cast<std::size_t>(i)].face); });
+  for (std::size_t i = 0; i < work.faces.size(); ++i) {
+    WorkFace& face = work.faces[i];
+    face.area = areas[i];
     if (!std::isfinite(face.area)) {
       face.area = 0;
       face.fault = "its area cannot be computed";
@@ -187,19 +197,24 @@ double edge_length(const TopoDS_Edge& edge) {
   }
 }
 
-double enclosed_volume(const std::vector<TopoDS_Face>& faces) {
-  // The kernel measures from a point near the shape it is given, so all faces must go in at once.
-  BRep_Builder builder;
-  TopoDS_Compound body;
-  builder.MakeCompound(body);
-  for (const TopoDS_Face& face : faces) builder.Add(body, face);
+double volume_to(const TopoDS_Face& face, Vec3 apex) {
   try {
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(body, properties);
-    return properties.Mass();
+    BRepGProp_Face surface(face);
+    BRepGProp_Domain edges(face);
+    return BRepGProp_Vinert(surface, edges, to_point(apex)).Mass();
   } catch (const Standard_Failure&) {
-    return 0;
+    return std::numeric_limits<double>::quiet_NaN();
   }
+}
+
+double measuring_cost(const TopoDS_Face& face) {
+  constexpr double per_edge = 20, per_span = 10;
+  double edges = 0, spans = 0;
+  for (TopExp_Explorer parts(face, TopAbs_EDGE); parts.More(); parts.Next()) ++edges;
+  TopLoc_Location location;
+  auto spline = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face, location));
+  if (!spline.IsNull()) spans = (spline->NbUKnots() - 1.0) * (spline->NbVKnots() - 1.0);
+  return edges * (per_edge + per_span * spans);
 }
 
 std::string list_names(std::vector<std::string> names) {

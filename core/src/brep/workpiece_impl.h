@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/shared_tasks.h"
 #include "brep/shape_impl.h"
 #include "paver/progress.h"
 
@@ -39,8 +40,8 @@ struct Workpiece {
 inline constexpr long measure_units = 1, repair_units = 1, sew_units = 2;
 
 /// Faces, their solids and areas, and the diagonal. A face with less than 1e-10 diagonal^2 has no area.
-/// Credits measure_units per face.
-Workpiece make_workpiece(const Shape& shape, Progress& progress);
+/// Credits measure_units per face. Collective.
+Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& tasks);
 
 /// Makes shape and faces our own, so that they may be changed in place. Order of faces and edges stays.
 void copy_shape(Workpiece& work);
@@ -90,11 +91,15 @@ std::vector<DividedFace> divide_creases(Workpiece& work);
 /// Area in mm^2 whatever the orientation; NaN when the kernel cannot compute it.
 double face_area(const TopoDS_Face& face);
 
+/// Microseconds that its area or its share of a volume takes, as far as its edges and the spans of its surface tell.
+double measuring_cost(const TopoDS_Face& face);
+
 /// Length of an edge in mm; 0 for a pole.
 double edge_length(const TopoDS_Edge& edge);
 
-/// Volume inside faces that close, mm^3; negative when their normals look inwards; 0 when it cannot be computed.
-double enclosed_volume(const std::vector<TopoDS_Face>& faces);
+/// Volume between the face and `apex`, mm^3; negative where its normal looks at the apex. The sum over closed faces is
+/// what they enclose. NaN when the kernel cannot compute it.
+double volume_to(const TopoDS_Face& face, Vec3 apex);
 
 /// "Face12" for index 11.
 inline std::string face_name(int index) { return "Face" + std::to_string(index + 1); }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "parallel/tasks.h"
+#include "base/tasks.h"
 
 namespace paver {
 namespace {

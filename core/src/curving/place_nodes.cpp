@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "parallel/tasks.h"
+#include "base/tasks.h"
 
 namespace paver {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "base/tasks.h"
 #include "multilevel/multilevel.h"
-#include "parallel/tasks.h"
 #include "paver/options.h"
 #include "paver/ranks.h"
 #include "paver/result.h"

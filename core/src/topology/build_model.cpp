@@ -34,7 +34,8 @@ constexpr double gap_share = 1e-3;
 
 class ModelBuilder {
  public:
-  ModelBuilder(const Shape& shape, ModelReport report, Progress& progress) : shape_(shape), progress_(progress) {
+  ModelBuilder(const Shape& shape, ModelReport report, Progress& progress, SharedTasks& tasks)
+      : shape_(shape), progress_(progress), tasks_(tasks) {
     model_.report = std::move(report);
   }
 
@@ -42,7 +43,7 @@ class ModelBuilder {
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(shape_.shape, TopAbs_FACE, faces);
     progress_.begin(Stage::topology, (measure_units + repair_units + sew_units + loop_units) * faces.Extent());
-    work_ = make_workpiece(shape_, progress_);
+    work_ = make_workpiece(shape_, progress_, tasks_);
     repair(work_, progress_);
     sewn_ = sew(work_, options.sew_tolerance.value_or(-1), target_length, progress_);
     for (const DividedFace& face : divide_creases(work_)) note_divided(face);
@@ -56,7 +57,7 @@ class ModelBuilder {
     }
     list_parts(faces);
     mark_periodic_edges();
-    orient_faces(work_, model_);
+    orient_faces(work_, model_, tasks_);
     fill_report();
     add_notes();
     return std::move(model_);
@@ -253,6 +254,7 @@ class ModelBuilder {
 
   const Shape& shape_;
   Progress& progress_;
+  SharedTasks& tasks_;
   Workpiece work_;
   SewResult sewn_;
   Model model_;
@@ -264,10 +266,11 @@ class ModelBuilder {
 }  // namespace
 
 Model build_model(const Shape& shape, const Options& options, double target_length, ModelReport report,
-                  Progress& progress) {
+                  Progress& progress, SharedTasks& tasks) {
   QuietMessages quiet;
-  return guard_occt(ErrorCode::internal, "The topology of the model cannot be built",
-                    [&] { return ModelBuilder(shape, std::move(report), progress).build(options, target_length); });
+  return guard_occt(ErrorCode::internal, "The topology of the model cannot be built", [&] {
+    return ModelBuilder(shape, std::move(report), progress, tasks).build(options, target_length);
+  });
 }
 
 }  // namespace paver

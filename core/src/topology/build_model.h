@@ -1,14 +1,15 @@
 // Shape to Model: sews where faces come without shared edges, then lists faces, loops, edges and vertices.
 #pragma once
 
+#include "base/shared_tasks.h"
 #include "brep/read_shape.h"
 #include "paver/options.h"
 #include "topology/model.h"
 
 namespace paver {
 
-/// `target_length` in mm gives the default sewing tolerance.
+/// `target_length` in mm gives the default sewing tolerance. Collective.
 Model build_model(const Shape& shape, const Options& options, double target_length, ModelReport report,
-                  Progress& progress);
+                  Progress& progress, SharedTasks& tasks);
 
 }  // namespace paver

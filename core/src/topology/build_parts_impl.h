@@ -40,6 +40,7 @@ LoopResult build_loops(const TopoDS_Face& face, const Surface& surface, const Ed
                        const std::vector<Edge>& edges);
 
 /// Turns faces over until neighbours agree, and closed bodies until their normals look outwards. Adds notes.
-void orient_faces(const Workpiece& work, Model& model);
+/// Collective.
+void orient_faces(const Workpiece& work, Model& model, SharedTasks& tasks);
 
 }  // namespace paver

@@ -1,5 +1,6 @@
 // Orientation: faces that share an edge must run along it in opposite directions, and a closed body's normals must look
 // outwards. Files without topology say nothing about either, so neighbours are walked over edges of exactly two faces.
+#include <algorithm>
 #include <queue>
 
 #include "topology/build_parts_impl.h"
@@ -14,7 +15,8 @@ struct Side {
 
 class Orienter {
  public:
-  Orienter(const Workpiece& work, Model& model) : work_(work), model_(model), sides_(model.edges.size()) {
+  Orienter(const Workpiece& work, Model& model, SharedTasks& tasks)
+      : work_(work), model_(model), tasks_(tasks), sides_(model.edges.size()) {
     for (std::size_t f = 0; f < model.faces.size(); ++f) {
       for (const Loop& loop : model.faces[f].loops)
         for (const Coedge& c : loop.coedges)
@@ -87,14 +89,45 @@ class Orienter {
     return true;
   }
 
-  double volume(const std::vector<int>& members) const {
-    std::vector<TopoDS_Face> faces;
-    for (int f : members) {
-      auto i = static_cast<std::size_t>(f);
-      faces.push_back(work_.faces[i].face);
-      if (is_turned_[i]) faces.back().Reverse();
+  /// Near all of them: what the sum over the faces is off grows with the distance.
+  Vec3 middle_of(const std::vector<int>& members) const {
+    Vec3 sum{0, 0, 0};
+    double count = 0;
+    for (int f : members)
+      for (const Loop& loop : model_.faces[static_cast<std::size_t>(f)].loops)
+        for (const Coedge& c : loop.coedges) {
+          const Edge& edge = model_.edges[static_cast<std::size_t>(c.edge)];
+          sum += model_.vertices[static_cast<std::size_t>(edge.start)];
+          ++count;
+        }
+    return (1 / std::max(count, 1.0)) * sum;
+  }
+
+  /// Volumes inside closed bodies, of all their faces at once; NaN where the kernel cannot compute one.
+  std::vector<double> volumes(const std::vector<std::vector<int>>& bodies) {
+    struct Part {
+      TopoDS_Face face;
+      std::size_t body;
+      Vec3 apex;
+    };
+    std::vector<Part> parts;
+    std::vector<double> costs;
+    for (std::size_t body = 0; body < bodies.size(); ++body) {
+      const Vec3 apex = middle_of(bodies[body]);
+      for (int f : bodies[body]) {
+        auto i = static_cast<std::size_t>(f);
+        parts.push_back({work_.faces[i].face, body, apex});
+        if (is_turned_[i]) parts.back().face.Reverse();
+        costs.push_back(measuring_cost(parts.back().face));
+      }
     }
-    return enclosed_volume(faces);
+    const std::vector<double> shares = tasks_.run<double>(Stage::topology, costs, [&](int i) {
+      const Part& part = parts[static_cast<std::size_t>(i)];
+      return volume_to(part.face, part.apex);
+    });
+    std::vector<double> sums(bodies.size(), 0.0);
+    for (std::size_t i = 0; i < parts.size(); ++i) sums[parts[i].body] += shares[i];
+    return sums;
   }
 
   /// A solid's shells are judged together (those of cavities look inwards), other closed parts one by one.
@@ -114,8 +147,9 @@ class Orienter {
       if (solid >= 0) body_of_solid[static_cast<std::size_t>(solid)] = static_cast<int>(bodies.size());
       bodies.push_back(part);
     }
-    for (const auto& body : bodies)
-      if (volume(body) < 0) turn(body);
+    const std::vector<double> inside = volumes(bodies);
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      if (inside[i] < 0) turn(bodies[i]);
   }
 
   void apply() {
@@ -134,6 +168,7 @@ class Orienter {
 
   const Workpiece& work_;
   Model& model_;
+  SharedTasks& tasks_;
   std::vector<std::vector<Side>> sides_;  ///< per edge
   std::vector<int> part_;                 ///< per face: index of its part, -1 before
   std::vector<bool> is_turned_;
@@ -143,6 +178,6 @@ class Orienter {
 
 }  // namespace
 
-void orient_faces(const Workpiece& work, Model& model) { Orienter(work, model).run(); }
+void orient_faces(const Workpiece& work, Model& model, SharedTasks& tasks) { Orienter(work, model, tasks).run(); }
 
 }  // namespace paver

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "boundary/region_loops.h"
+#include "support/alone.h"
 #include "support/fake_model.h"
 
 namespace paver {
@@ -18,12 +19,14 @@ SizeField size_of(const Model& model, double h, double turn_limit = 0.7853981633
 
 std::vector<int> counts_of(const Model& model, double h) {
   Progress progress;
-  return choose_counts(model, size_of(model, h), progress);
+  test::Alone alone(progress);
+  return choose_counts(model, size_of(model, h), progress, alone);
 }
 
 EdgeNodes nodes_of(const Model& model, double h) {
   Progress progress;
-  return divide_edges(model, size_of(model, h), counts_of(model, h), progress);
+  test::Alone alone(progress);
+  return divide_edges(model, size_of(model, h), counts_of(model, h), alone);
 }
 
 int odd_loops(const Model& model, const std::vector<int>& counts) {
@@ -67,8 +70,9 @@ TEST(ChooseCounts, ASmallCircleKeepsFourIntervals) {
     EXPECT_EQ(counts[0], counts[2]);
   }
   Progress progress;
+  test::Alone alone(progress);
   Model tube = fake::tube(0.01, 1);
-  EXPECT_EQ(choose_counts(tube, size_of(tube, 1, 3.0), progress)[0], 4);
+  EXPECT_EQ(choose_counts(tube, size_of(tube, 1, 3.0), progress, alone)[0], 4);
 }
 
 TEST(ChooseCounts, NoIntervalOfAnEllipseTurnsMoreThanTheLimit) {
@@ -150,7 +154,8 @@ TEST(DivideEdges, EdgesWithACountOfZeroAreLeftOut) {
   std::vector<int> counts(12, 0);
   counts[4] = 3;
   Progress progress;
-  EdgeNodes nodes = divide_edges(box, size_of(box, 0.3), counts, progress);
+  test::Alone alone(progress);
+  EdgeNodes nodes = divide_edges(box, size_of(box, 0.3), counts, alone);
   EXPECT_EQ(nodes.nodes.size(), 4u);
   EXPECT_EQ(nodes.edges[4].node, (std::vector<int>{0, 2, 3, 1}));
 }

@@ -14,6 +14,7 @@
 
 #include "brep/shape_impl.h"
 #include "paver/options.h"
+#include "support/alone.h"
 #include "topology/build_model.h"
 
 namespace paver::test {
@@ -58,7 +59,8 @@ inline Shape as_shape(const TopoDS_Shape& shape) { return {shape, {}}; }
 
 inline Model model_of(const TopoDS_Shape& shape, const Options& options = {}, double target_length = 1) {
   Progress progress;
-  return build_model(as_shape(shape), options, target_length, {}, progress);
+  Alone alone(progress);
+  return build_model(as_shape(shape), options, target_length, {}, progress, alone);
 }
 
 }  // namespace paver::test

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "support/alone.h"
 #include "support/fake_model.h"
 
 namespace paver {
@@ -25,7 +26,8 @@ struct Wall {
     size.turn_limit = 2;
     size.faces.assign(1, FaceSize(100));
     Progress progress;
-    edges = divide_edges(model, size, {1, 2, 1, 2}, progress);
+    test::Alone alone(progress);
+    edges = divide_edges(model, size, {1, 2, 1, 2}, alone);
     region.face = 0;
     lay(mesh, {0, 1, 4, 5, 2, 3}, {{0, 1, 2, 3}, {3, 2, 4, 5}});
   }

@@ -11,6 +11,7 @@
 #include "paving/pave_region.h"
 #include "quality/jacobian.h"
 #include "regions/build_regions.h"
+#include "support/alone.h"
 #include "support/fake_model.h"
 
 namespace paver {
@@ -23,11 +24,12 @@ struct Meshed {
     options.size = h;
     options.max_turn = max_turn;
     Progress progress;
+    test::Alone alone(progress);
     SizeField size = build_size_field(model, options, progress);
     std::vector<FaceLayout> layouts = plan_layouts(model, size, progress);
-    std::vector<int> counts = choose_counts(model, size, progress);
+    std::vector<int> counts = choose_counts(model, size, progress, alone);
     settle_counts(model, layouts, counts);
-    edges = divide_edges(model, size, counts, progress);
+    edges = divide_edges(model, size, counts, alone);
     regions = build_regions(model, size, layouts, edges);
     for (const Region& region : regions) paved.push_back(pave_region(region, progress).mesh);
     std::vector<JoinPart> join;

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "support/alone.h"
 #include "support/fake_model.h"
 
 namespace paver {
@@ -32,7 +33,8 @@ Pair two_squares() {
   size.h = 0.5;
   size.faces.assign(2, FaceSize(0.5));
   Progress progress;
-  pair.edges = divide_edges(pair.model, size, std::vector<int>(7, 2), progress);
+  test::Alone alone(progress);
+  pair.edges = divide_edges(pair.model, size, std::vector<int>(7, 2), alone);
   return pair;
 }
 

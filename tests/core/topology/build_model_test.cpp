@@ -29,6 +29,7 @@
 #include <numbers>
 
 #include "core/brep/shape_files.h"
+#include "support/alone.h"
 
 namespace paver {
 namespace {
@@ -365,7 +366,8 @@ TEST(BuildModel, StopsWhenCancelled) {
   Progress progress;
   progress.cancel();
   Shape box = test::as_shape(BRepPrimAPI_MakeBox(1, 1, 1).Shape());
-  EXPECT_THROW(build_model(box, {}, 1, {}, progress), Error);
+  test::Alone alone(progress);
+  EXPECT_THROW(build_model(box, {}, 1, {}, progress, alone), Error);
 }
 
 }  // namespace

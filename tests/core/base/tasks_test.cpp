@@ -1,4 +1,4 @@
-#include "parallel/tasks.h"
+#include "base/tasks.h"
 
 #include <gtest/gtest.h>
 

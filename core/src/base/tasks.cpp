@@ -1,5 +1,5 @@
 // Dynamic queue of tasks, largest first: each thread takes the next one when it is done with the last.
-#include "parallel/tasks.h"
+#include "base/tasks.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
