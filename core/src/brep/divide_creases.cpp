@@ -64,8 +64,7 @@ struct Cuts {
 
 class CreaseFinder {
  public:
-  CreaseFinder(const TopoDS_Face& face, double diagonal)
-      : face_(face), surface_(face), inside_(face, Precision::PConfusion()) {
+  CreaseFinder(const TopoDS_Face& face, double diagonal) : face_(face), surface_(face) {
     least_normal_ = no_normal_share * diagonal * diagonal / (range(true) * range(false));
   }
 
@@ -179,7 +178,8 @@ class CreaseFinder {
       auto below = normal_at(is_u, value - aside(is_u), other), above = normal_at(is_u, value + aside(is_u), other);
       if (!is_jump(below, above)) continue;
       gp_Pnt2d uv = is_u ? gp_Pnt2d(value, other) : gp_Pnt2d(other, value);
-      if (inside_.Perform(uv) != TopAbs_OUT) return true;
+      if (!inside_) inside_.emplace(face_, Precision::PConfusion());  // dear, and few faces have anything to ask
+      if (inside_->Perform(uv) != TopAbs_OUT) return true;
     }
     return false;
   }
@@ -215,7 +215,7 @@ class CreaseFinder {
 
   const TopoDS_Face& face_;
   BRepAdaptor_Surface surface_;
-  BRepTopAdaptor_FClass2d inside_;
+  std::optional<BRepTopAdaptor_FClass2d> inside_;
   double least_normal_ = 0;
 };
 

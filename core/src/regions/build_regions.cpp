@@ -59,10 +59,11 @@ class RegionBuilder {
         LoopNode node;
         node.global = d.node[k];
         node.edge = c.edge;
-        node.p = region.chart->to_chart(c.pcurve->uv(d.t[2 * k]));
+        const Place place = place_at(c.pcurve->uv(d.t[2 * k]));
+        node.p = region.chart->to_chart(place.uv);
         node.x = nodes_.nodes[node.global];
-        node.h = target_at(c, d.t[2 * k], nodes_.node_target[node.global]);
-        node.angle = i == 0 ? angle_at(*before, c) : angle_inside(c, k);
+        node.h = target_at(c, d.t[2 * k], place, nodes_.node_target[node.global]);
+        node.angle = i == 0 ? angle_at(*before, c, place) : angle_inside(c, k, place);
         if (i > 0 && (node.angle < fold || node.angle > 2 * M_PI - fold)) node.angle = chart_angle(c, k, region);
         out.push_back(node);
       }
@@ -71,16 +72,27 @@ class RegionBuilder {
     if (!out.empty()) region.loops.push_back(std::move(out));
   }
 
+  struct Place {
+    Vec2 uv;
+    Vec3 normal;
+    bool has_normal = false;
+  };
+
+  Place place_at(Vec2 uv) const {
+    Vec3 x, xu, xv;
+    face_.surface->d1(uv, x, xu, xv);
+    const Vec3 normal = cross(xu, xv);
+    return {uv, normal, norm(normal) > 1e-6 * norm(xu) * norm(xv)};
+  }
+
   // An edge is divided finely where it turns. Where it turns within the face (a small hole in a plate) the face follows
   // with small elements; where it only turns with the face (the rim of a tube, a leading edge) long ones do.
-  double target_at(const Coedge& coedge, double t, double edge_target) const {
-    Vec2 uv = coedge.pcurve->uv(t);
-    Vec3 x, xu, xv, y, yt, ytt;
-    face_.surface->d1(uv, x, xu, xv);
+  double target_at(const Coedge& coedge, double t, const Place& place, double edge_target) const {
+    Vec3 y, yt, ytt;
     model_.edges[coedge.edge].curve->d2(t, y, yt, ytt);
     Vec3 tangent = unit(yt), bend = ytt - dot(ytt, tangent) * tangent;
-    double within = std::fabs(dot(bend, unit(cross(unit(cross(xu, xv)), tangent)))) / dot(yt, yt);
-    double target = std::min(size_.h, size_.faces[index_].at(uv, *face_.surface));
+    double within = std::fabs(dot(bend, unit(cross(unit(place.normal), tangent)))) / dot(yt, yt);
+    double target = std::min(size_.h, size_.faces[index_].at(place.uv, *face_.surface));
     if (!(within * target > size_.turn_limit)) return std::isfinite(within) ? target : std::min(target, edge_target);
     return std::min(target, std::max(edge_target, size_.longest_edge(within)));
   }
@@ -94,27 +106,24 @@ class RegionBuilder {
     return c.is_reversed ? -1 * unit(xt) : unit(xt);
   }
 
-  double interior_angle(Vec3 in, Vec3 out, Vec2 uv) const {
-    Vec3 x, xu, xv;
-    face_.surface->d1(uv, x, xu, xv);
-    Vec3 n = cross(xu, xv), back = -1 * in;
-    if (!(norm(n) > 1e-6 * norm(xu) * norm(xv)) || !(norm(in) > 0) || !(norm(out) > 0)) return -1;
-    double angle = std::atan2(dot(unit(n), cross(out, back)), dot(out, back));
+  static double interior_angle(Vec3 in, Vec3 out, const Place& place) {
+    Vec3 back = -1 * in;
+    if (!place.has_normal || !(norm(in) > 0) || !(norm(out) > 0)) return -1;
+    double angle = std::atan2(dot(unit(place.normal), cross(out, back)), dot(out, back));
     return angle < 0 ? angle + 2 * M_PI : angle;
   }
 
-  double angle_at(const Coedge& before, const Coedge& c) const {
+  double angle_at(const Coedge& before, const Coedge& c, const Place& place) const {
     int last = nodes_.edges[before.edge].intervals() - 1, n = nodes_.edges[c.edge].intervals();
     if (last < 0) return -1;
     Vec3 in = travel(before, before.is_reversed ? 0 : last, before.is_reversed ? 0 : 1);
     Vec3 out = travel(c, c.is_reversed ? n - 1 : 0, c.is_reversed ? 1 : 0);
-    return interior_angle(in, out, c.pcurve->uv(nodes_.edges[c.edge].t[c.is_reversed ? 2 * n : 0]));
+    return interior_angle(in, out, place);
   }
 
-  double angle_inside(const Coedge& c, int k) const {
+  double angle_inside(const Coedge& c, int k, const Place& place) const {
     Vec3 low = travel(c, k - 1, 1), high = travel(c, k, 0);
-    return interior_angle(c.is_reversed ? high : low, c.is_reversed ? low : high,
-                          c.pcurve->uv(nodes_.edges[c.edge].t[2 * k]));
+    return interior_angle(c.is_reversed ? high : low, c.is_reversed ? low : high, place);
   }
 
   // Where an edge folds back on itself in space (the flattened end of a body) only the chart tells the angle.
