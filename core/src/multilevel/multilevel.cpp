@@ -27,7 +27,7 @@ constexpr double fewest_coarse = 1500;  // elements that the coarse mesh should 
 constexpr double many_coarse = 6000;    // the same for ratios above the moderate one
 constexpr double fewest_coarser = 800;  // and for the mesh under a coarse one, whose lengths are evened out afterwards
 constexpr double evenness = 2.1;        // of coarse meshes: their irregular nodes are few among the fine ones
-constexpr int even_sweeps = 4, count_sweeps = 12, fine_sweeps = 2;
+constexpr int even_sweeps = 4, count_sweeps = 12, fine_sweeps = 1;
 constexpr double worst_goal = 0.74;
 constexpr double piece_elements = 4096;  // fine ones: enough pieces for many ranks, few nodes between them
 constexpr int whole = -1;                // for boundary_nodes: one piece

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "base/predicates.h"
 
@@ -24,14 +23,22 @@ class PlainChart : public Chart {
   Vec2 scale_;
 };
 
-double signed_area(const GridPatch& patch) {
+double signed_area(const GridPatch& patch, const std::vector<Vec2>& p) {
   double area = 0;
-  for (const auto& q : patch.quads) {
-    Vec2 a = patch.chart->to_chart(patch.uv[q[0]]), b = patch.chart->to_chart(patch.uv[q[1]]);
-    Vec2 c = patch.chart->to_chart(patch.uv[q[2]]), d = patch.chart->to_chart(patch.uv[q[3]]);
-    area += cross(c - a, d - b);
-  }
+  for (const auto& q : patch.quads) area += cross(p[q[2]] - p[q[0]], p[q[3]] - p[q[1]]);
   return area;
+}
+
+/// Per node: where the outline's side from it leads, or -1.
+std::vector<int> outline_sides(const GridPatch& patch) {
+  std::vector<std::array<int, 4>> ends(patch.node.size(), {-1, -1, -1, -1});  // of the sides that start at a node
+  for (const auto& q : patch.quads)
+    for (std::size_t k = 0; k < 4; ++k) *std::find(ends[q[k]].begin(), ends[q[k]].end() - 1, -1) = q[(k + 1) % 4];
+  std::vector<int> next(patch.node.size(), -1);
+  for (int from = 0; from < static_cast<int>(next.size()); ++from)
+    for (int to : ends[from])
+      if (to >= 0 && std::find(ends[to].begin(), ends[to].end(), from) == ends[to].end()) next[from] = to;
+  return next;
 }
 
 }  // namespace
@@ -66,26 +73,24 @@ bool is_good(const GridFigures& figures, double most_uneven, double most_turn) {
 }
 
 bool finish_patch(GridPatch& patch) {
-  if (signed_area(patch) < 0)
-    for (auto& q : patch.quads) std::swap(q[1], q[3]);
   std::vector<Vec2> p;
+  p.reserve(patch.uv.size());
   for (Vec2 uv : patch.uv) p.push_back(patch.chart->to_chart(uv));
-  std::vector<std::pair<int, int>> sides;
+  if (signed_area(patch, p) < 0)
+    for (auto& q : patch.quads) std::swap(q[1], q[3]);
   for (const auto& q : patch.quads)
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < 4; ++k)
       if (orientation(p[q[k]], p[q[(k + 1) % 4]], p[q[(k + 2) % 4]]) <= 0) return false;
-      sides.push_back({q[k], q[(k + 1) % 4]});
-    }
-  std::sort(sides.begin(), sides.end());
-  std::map<int, int> next;  // along the outline
-  for (auto [from, to] : sides)
-    if (!std::binary_search(sides.begin(), sides.end(), std::pair{to, from})) next[from] = to;
-  int node = next.begin()->first;
+  const std::vector<int> next = outline_sides(patch);
+  auto is_on_outline = [](int to) { return to >= 0; };
+  const int first = static_cast<int>(std::find_if(next.begin(), next.end(), is_on_outline) - next.begin());
+  int node = first;
   do {
     patch.outline.push_back(node);
-    node = next.at(node);
-  } while (node != patch.outline.front());
-  return patch.outline.size() == next.size();
+    node = next[node];
+  } while (node >= 0 && node != first);
+  return node == first &&
+         static_cast<long>(patch.outline.size()) == std::count_if(next.begin(), next.end(), is_on_outline);
 }
 
 }  // namespace paver

@@ -17,6 +17,7 @@ constexpr int coarsest = 10;         // quads along a patch where smoothing star
 constexpr int fewest = 7;            // across it: fewer do not show the shape
 constexpr int first_sweeps = 150;    // on the coarsest grid: long waves settle
 constexpr int least_sweeps = 2;      // of finer grids: they start smooth
+constexpr int seam_rows = 3;         // on either side of a patch's border, where large grids are smoothed
 constexpr int most_coarse = 4;       // quads along a cap: up to here finer grids are tried as well
 constexpr double most_turn = 2.1;    // radians across an element: beyond, it misses what the surface does there
 constexpr double most_uneven = 0.4;  // two polar charts are no better where lengths vary so much
@@ -46,9 +47,24 @@ class CubeGrid {
 
   /// From a coarser grid.
   void start_from(const CubeGrid& other) {
-    double scale_n = static_cast<double>(other.n_) / n_, scale_m = static_cast<double>(other.m_) / m_;
+    const double scale_n = static_cast<double>(other.n_) / n_, scale_m = static_cast<double>(other.m_) / m_;
+    std::vector<Vec2> places;  // of the other's sides
+    for (int i = 0; i <= 4 * other.n_; ++i)
+      for (int j = 0; j <= other.m_; ++j) places.push_back(other.unrolled(i, j));
+    auto place = [&](int i, int j) { return places[static_cast<std::size_t>(i) * (other.m_ + 1) + j]; };
     fill([&](int cap, double a, double b) { return other.cap_between(cap, a * scale_n, b * scale_n); },
-         [&](double i, double j) { return other.side_between(i * scale_n, j * scale_m); });
+         [&](double i, double j) { return interpolate(i * scale_n, j * scale_m, 4 * other.n_, other.m_, place); });
+  }
+
+  /// Patches are interpolated one by one, which leaves kinks between them: only these move from here on.
+  void hold_all_but_seams() {
+    auto is_inside = [](int at, int size) { return at % size >= seam_rows && at % size <= size - seam_rows; };
+    std::vector<char>& is_fixed = grid_.mesh.is_fixed;
+    for (int i = 0; i < 4 * n_; ++i)
+      for (int j = 0; j <= m_; ++j) is_fixed[side_node(i, j)] = is_inside(i, n_) && is_inside(j, m_);
+    for (int cap : {low_cap, high_cap})
+      for (int b = 1; b < n_; ++b)
+        for (int a = 1; a < n_; ++a) is_fixed[cap_node(cap, a, b)] = is_inside(a, n_) && is_inside(b, n_);
   }
 
   std::shared_ptr<const ClosedGrid> patches() const {
@@ -146,9 +162,6 @@ class CubeGrid {
   Vec2 cap_between(int cap, double a, double b) const {
     return interpolate(a, b, n_, n_, [&](int i, int j) { return cap_point(cap, i, j); });
   }
-  Vec2 side_between(double i, double j) const {
-    return interpolate(i, j, 4 * n_, m_, [&](int k, int l) { return unrolled(k, l); });
-  }
 
   static void add_quads(GridPatch& patch, int columns, int rows) {
     for (int j = 0; j < rows; ++j)
@@ -221,6 +234,7 @@ std::shared_ptr<const ClosedGrid> lay_cube(const ClosedFace& face, int n, int m,
     } else {
       grid->start();
     }
+    if (coarse && is_smooth_enough(grid->grid())) grid->hold_all_but_seams();
     smooth_grid(grid->grid(), face.surface, face.size, coarse ? finer_sweeps(grid->grid(), least_sweeps) : first_sweeps,
                 progress);
     coarse = std::move(grid);

@@ -175,13 +175,11 @@ GridFigures measure_grid(const GluedGrid& grid) {
   GridFigures figures;
   figures.mean_ratio = mean_ratio(grid);
   figures.worst = 2;
-  double outside = 0, squares = 0, cotangents = 0;
+  double outside = 0, squares = 0, cotangents = 0, least_cosine = 1;
   for (const Element& e : mesh.elements) {
     figures.worst = std::min(figures.worst, scaled_jacobian(mesh, e));
-    for (int k = 0; k < 2; ++k) {
-      double cosine = dot(mesh.normal(e.v[k]), mesh.normal(e.v[k + 2]));
-      figures.turn = std::max(figures.turn, std::acos(std::clamp(cosine, -1.0, 1.0)));
-    }
+    for (int k = 0; k < 2; ++k)
+      least_cosine = std::min(least_cosine, dot(mesh.normal(e.v[k]), mesh.normal(e.v[k + 2])));
     for (int k = 0; k < 4; ++k) {
       int a = e.v[k], b = e.v[(k + 1) % 4], c = e.v[(k + 3) % 4];
       Vec3 out = mesh.x[b] - mesh.x[a], back = mesh.x[c] - mesh.x[a];
@@ -192,12 +190,15 @@ GridFigures measure_grid(const GluedGrid& grid) {
       if (std::fabs(off) > 0.3) ++outside;
     }
   }
+  figures.turn = std::acos(std::max(-1.0, least_cosine));
   double sides = 4.0 * static_cast<double>(mesh.elements.size());
   figures.variation = std::sqrt(squares / sides);
   figures.outside = outside / sides;
   figures.energy = (0.5 * squares + angle_weight * cotangents) / static_cast<double>(mesh.node_count());
   return figures;
 }
+
+bool is_smooth_enough(const GluedGrid& grid) { return grid.mesh.node_count() > 50000; }
 
 int finer_sweeps(const GluedGrid& grid, int least) { return std::clamp(8000 / grid.mesh.node_count(), least, 40); }
 

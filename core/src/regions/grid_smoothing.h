@@ -45,6 +45,10 @@ GridFigures measure_grid(const GluedGrid& grid);
 /// of the squared cotangent.
 void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress);
 
+/// Whether a grid that was interpolated from a smoothed one of half as many rows is as smooth as that one: its rows are
+/// so fine that the surface hardly bends between two.
+bool is_smooth_enough(const GluedGrid& grid);
+
 /// Sweeps for a grid that was interpolated from a smoothed one of half as many rows: more for small ones, where they
 /// cost little and spare the finer ones work. At least `least`.
 int finer_sweeps(const GluedGrid& grid, int least);

@@ -5,7 +5,6 @@
 // lower energy wins; finer lattices, each started from the displacements of the one before; the patch.
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "regions/closed_grid_parts.h"
 
@@ -57,13 +56,15 @@ class TorusGrid {
     // Not the row chart, whose rows of different lengths bend large elements.
     FaceExtent extent = measure_extent(face_);
     patch.chart = make_plain_chart(box_uv(face_.box, {extent.round / face_.period, extent.tall / face_.other_period}));
-    std::map<std::array<int, 2>, int> known;
+    std::vector<int> known(static_cast<std::size_t>(lattice_.n + 2) * (lattice_.m + 2),
+                           -1);  // per place, from (-1, -1)
     each_quad([&](const auto& places) {
       std::array<int, 4> v;
       for (std::size_t k = 0; k < 4; ++k) {
-        auto [at, is_new] = known.try_emplace(places[k], static_cast<int>(patch.node.size()));
-        v[k] = at->second;
-        if (!is_new) continue;
+        int& at = known[static_cast<std::size_t>(places[k][1] + 1) * (lattice_.n + 2) + places[k][0] + 1];
+        v[k] = at < 0 ? static_cast<int>(patch.node.size()) : at;
+        if (at >= 0) continue;
+        at = v[k];
         patch.node.push_back(node(places[k][0], places[k][1]));
         patch.uv.push_back(box_uv(face_.box, unrolled(places[k][0], places[k][1])));
       }
@@ -173,7 +174,8 @@ std::shared_ptr<const ClosedGrid> make_torus_grid(const ClosedFace& face, const 
   for (std::size_t i = 1; i < levels.size(); ++i) {
     auto finer = std::make_unique<TorusGrid>(face, levels[i]);
     finer->start(grid.get());
-    smooth_grid(finer->grid(), face.surface, face.size, finer_sweeps(finer->grid(), least_sweeps), progress);
+    if (!is_smooth_enough(finer->grid()))
+      smooth_grid(finer->grid(), face.surface, face.size, finer_sweeps(finer->grid(), least_sweeps), progress);
     grid = std::move(finer);
   }
   return is_good(measure_grid(grid->grid()), most_uneven, M_PI) ? grid->patches() : nullptr;

@@ -155,6 +155,28 @@ TEST(TorusGrid, HasNoIrregularNodeAndAsManyElementsAsAsked) {
   }
 }
 
+// Most of these nodes stay where they were interpolated.
+TEST(ClosedGrid, LargeOnesAreAsEvenAsSmallOnes) {
+  auto sphere = evaluator(new Geom_SphericalSurface(gp_Ax3(), 10));
+  auto torus = evaluator(new Geom_ToroidalSurface(gp_Ax3(), 100, 20));
+  Ellipsoid flat(0.5), tall(2.0);
+  auto figures_at = [](const Surface& surface, double h, bool is_torus) {
+    FaceSize size(h);
+    auto grid = is_torus ? make_torus_grid(ring(surface, size), {}) : make_cube_grid(ball(surface, size), {});
+    return grid ? judge(*grid, surface) : Figures{};
+  };
+  for (auto [surface, h] :
+       {std::pair<const Surface*, double>{sphere.get(), 0.13}, {&flat, 0.01}, {&tall, 0.016}, {torus.get(), 1.1}}) {
+    const bool is_torus = surface == torus.get();
+    Figures large = figures_at(*surface, h, is_torus), small = figures_at(*surface, 2 * h, is_torus);
+    EXPECT_GT(large.quads, 50000);
+    EXPECT_LT(small.quads, 50000);
+    EXPECT_GT(large.worst, small.worst - 0.02);
+    EXPECT_GT(large.mean, small.mean - 0.002);
+    EXPECT_LT(large.variation, small.variation + 0.005);
+  }
+}
+
 TEST(TorusGrid, LeavesAFatTubeToPaving) {
   auto torus = evaluator(new Geom_ToroidalSurface(gp_Ax3(), 100, 90));
   FaceSize size(10);
