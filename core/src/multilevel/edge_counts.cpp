@@ -91,9 +91,17 @@ class Assignment {
       if (s >= 0) lacks_[s] -= counts.end[0];
   }
 
+  // Once the path to a state is gone.
+  Counts counts_at(int chord, int state) const {
+    Counts counts = counts_[chord];
+    for (int at = state; before_[at] >= 0; at = before_[at])
+      for (int k : {0, 1})
+        if (via_[at].chord == chord) counts.end[k] += via_[at].by[k];
+    return counts;
+  }
+
   // What the change costs; infinite where it is not possible.
-  double cost(const Move& move) const {
-    const Counts& now = counts_[move.chord];
+  double cost(const Move& move, const Counts& now) const {
     Counts then = now;
     for (int k : {0, 1}) then.end[k] += move.by[k];
     if (!is_possible(move.chord, then)) return INFINITY;
@@ -123,15 +131,13 @@ class Assignment {
     via_.assign(states, {});
     before_.assign(states, -1);
     best_ = INFINITY;
+    best_path_.clear();
     const int goal = lacks_[side] > 0 ? 1 : -1;
     cost_[state(side, goal)] = 0;
     for (std::size_t round = 0; round < states && relax(side); ++round) {
     }
-    if (best_ == INFINITY) return false;
-    std::vector<Move> path{last_};
-    for (int at = last_from_; before_[at] >= 0; at = before_[at]) path.push_back(via_[at]);
-    for (const Move& move : path) apply(move);
-    return true;
+    for (const Move& move : best_path_) apply(move);
+    return best_ < INFINITY;
   }
 
   bool relax(int source) {
@@ -154,11 +160,13 @@ class Assignment {
 
   // Side `to` gets `by`: the path ends there, or `to` must get rid of it again.
   bool reach(int from, const Move& move, int to, int by, int source) {
-    double reached = cost_[from] + cost(move);
+    double reached = cost_[from] + cost(move, counts_at(move.chord, from));
     if (!(reached < best_)) return false;
     int lack = to < 0 ? by : to == source ? lacks_[to] - by : lacks_[to];
     if (to < 0 || lack * by > 0) {
-      best_ = reached, last_ = move, last_from_ = from;
+      best_ = reached;
+      best_path_ = {move};
+      for (int k = from; before_[k] >= 0; k = before_[k]) best_path_.push_back(via_[k]);
       return true;
     }
     int at = state(to, -by);
@@ -178,7 +186,8 @@ class Assignment {
         if (chords_[c].side[k] != side) continue;
         Move move{static_cast<int>(c), {0, 0}};
         move.by[k] = lacks_[side] > 0 ? 1 : -1;
-        if (cost(move) < least) least = cost(move), best = move;
+        const double price = cost(move, counts_[c]);
+        if (price < least) least = price, best = move;
       }
     if (least == INFINITY) return false;
     apply(best);
@@ -194,8 +203,7 @@ class Assignment {
   std::vector<Move> via_;
   std::vector<int> before_;
   double best_ = 0;
-  Move last_;
-  int last_from_ = -1;
+  std::vector<Move> best_path_;
 };
 
 }  // namespace
