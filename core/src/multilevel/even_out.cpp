@@ -9,6 +9,10 @@
 namespace paver {
 namespace {
 
+// 0.07, as for closed faces, leaves lengths about as even (conesphere_gap: CV 0.057 rather than 0.058) and more skew
+// elements (mean scaled Jacobian 0.9947 rather than 0.9956); 0.14 skews fewer (0.9969) but has many more patches.
+constexpr double angle_weight = 0.085;
+
 bool is_positive(const RegionMesh& mesh, const Element& e) {
   for (int k = 0; k < 4; ++k)
     if (orientation(mesh.p[e.v[k]], mesh.p[e.v[(k + 1) % 4]], mesh.p[e.v[(k + 2) % 4]]) <= 0) return false;
@@ -17,6 +21,7 @@ bool is_positive(const RegionMesh& mesh, const Element& e) {
 
 GluedGrid as_grid(const Region& region, const RegionMesh& mesh, const std::vector<std::array<float, 4>>& wishes) {
   GluedGrid grid;
+  grid.angle_weight = angle_weight;
   grid.charts = {region.chart};
   grid.chart.assign(mesh.p.size(), 0);
   grid.mesh = mesh;

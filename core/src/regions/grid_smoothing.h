@@ -20,6 +20,10 @@ struct GluedGrid {
   /// Per quad and side from its corner k: the wished length by the target length; empty: 1.
   std::vector<std::array<float, 4>> wishes;
 
+  /// What right angles are worth against equal lengths. On the full sphere 0.1 costs 0.004 in the coefficient of
+  /// variation of the lengths and takes the mean scaled Jacobian from 0.986 to 0.991.
+  double angle_weight = 0.07;
+
   double wish(int quad, int side) const { return wishes.empty() ? 1 : wishes[quad][side]; }
 
   /// The new node's number.

@@ -53,7 +53,7 @@ TEST(PlanLevels, IsSoundAndRegular) {
   Figures figures = figures_of(paved);
   EXPECT_EQ(figures.triangles, 0);
   EXPECT_NEAR(static_cast<double>(figures.quads), region.area, 0.03 * region.area);
-  EXPECT_LT(4 * figures.irregular, direct.irregular);
+  EXPECT_LT(3.5 * static_cast<double>(figures.irregular), static_cast<double>(direct.irregular));
 }
 
 TEST(PlanLevels, SmallRegionsAreNotDividedUnasked) {
