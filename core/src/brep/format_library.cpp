@@ -1,13 +1,26 @@
-// Loads a library by its name: where that is searched for stands in the program (CMAKE_BUILD_RPATH).
 #include <dlfcn.h>
 
+#include <filesystem>
+
+#include "base/own_folders.h"
 #include "brep/format_library_impl.h"
 
 namespace paver {
+namespace {
+
+/// Where it is not beside us the system may know it.
+std::string path_of(const std::string& library) {
+  std::error_code ignored;
+  for (const auto& folder : own_folders())
+    if (std::filesystem::exists(folder / library, ignored)) return (folder / library).string();
+  return library;
+}
+
+}  // namespace
 
 FormatReader& format_library(const std::string& format, const FileSource& file) {
   const std::string name = "libpaver_" + format + ".so";
-  void* library = ::dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);  // stays: OpenCASCADE keeps tables of it
+  void* library = ::dlopen(path_of(name).c_str(), RTLD_NOW | RTLD_LOCAL);  // stays: OpenCASCADE keeps tables of it
   void* function = library ? ::dlsym(library, "paver_read_format") : nullptr;
   if (!function)
     throw Error(ErrorCode::internal, "'" + file.name + "' cannot be read without the library " + name + " (" +

@@ -1,7 +1,6 @@
 // Looks for the programs of a run, and prepares the variables by which Open MPI is told what it needs to know.
 #include "launch/programs.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -12,6 +11,7 @@
 #include <string_view>
 #include <thread>
 
+#include "base/own_folders.h"
 #include "paver/error.h"
 
 namespace paver {
@@ -48,14 +48,8 @@ std::optional<std::string> from_variable(const char* variable, int ranks) {
 
 /// Beside this library or program, or where the build folder has it from there.
 std::optional<std::string> beside_us(const char* name) {
-  Dl_info info{};
-  std::error_code ignored;
-  std::vector<fs::path> ours{fs::read_symlink("/proc/self/exe", ignored)};
-  if (::dladdr(reinterpret_cast<const void*>(&is_program), &info) && info.dli_fname)
-    ours.insert(ours.begin(), fs::weakly_canonical(info.dli_fname, ignored));
-  for (const fs::path& own : ours)
-    for (const fs::path& folder : {own.parent_path(), own.parent_path().parent_path() / "core"})
-      if (is_program(folder / name)) return (folder / name).string();
+  for (const fs::path& folder : own_folders())
+    if (is_program(folder / name)) return (folder / name).string();
   return std::nullopt;
 }
 

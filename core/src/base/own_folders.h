@@ -1,0 +1,12 @@
+// Where the other parts of an installation lie.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace paver {
+
+/// Folder of this library, folder of this program, and where the build folder has the core from either.
+std::vector<std::filesystem::path> own_folders();
+
+}  // namespace paver
