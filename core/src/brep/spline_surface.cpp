@@ -3,12 +3,10 @@
 
 #include <algorithm>
 
+#include "base/wide_registers.h"
+
 #pragma GCC diagnostic ignored "-Wpsabi"  // no function here passes vectors to another object file
-#define PAVER_IN_PLACE inline __attribute__((always_inline))
 #define PAVER_UNROLL _Pragma("GCC unroll 16")
-#if defined(__x86_64__) && defined(__GNUC__)
-#define PAVER_HAS_AVX2 1
-#endif
 
 namespace paver {
 namespace {
@@ -170,7 +168,7 @@ PAVER_IN_PLACE void SplineSurface::sum_poles(const SplineBasis::Values& bu, cons
   for (int k = 0; k < (order + 1) * (order + 2) / 2; ++k) sum[k].store(result[k]);
 }
 
-#if PAVER_HAS_AVX2
+#ifdef PAVER_HAS_AVX2
 template <int order>
 __attribute__((target("avx2"))) void SplineSurface::sum_poles_avx2(const SplineBasis::Values& bu,
                                                                    const SplineBasis::Values& bv,
@@ -185,9 +183,8 @@ void SplineSurface::evaluate(double u, double v, SurfaceJet& jet) const {
   net_->u.evaluate<order>(span_u_, u, bu);
   net_->v.evaluate<order>(span_v_, v, bv);
   Pole sum[6];
-#if PAVER_HAS_AVX2
-  static const bool has_avx2 = __builtin_cpu_supports("avx2");
-  if (has_avx2)
+#ifdef PAVER_HAS_AVX2
+  if (has_avx2())
     sum_poles_avx2<order>(bu, bv, sum);
   else
 #endif

@@ -1,21 +1,13 @@
 // STEP: reads the file, transfers all roots in millimetres, and takes the names of its faces along.
 #include <Interface_Check.hxx>
-#include <Interface_InterfaceModel.hxx>
 #include <Interface_ReportEntity.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
-#include <TCollection_HAsciiString.hxx>
-#include <TransferBRep.hxx>
-#include <Transfer_TransientProcess.hxx>
-#include <XSControl_TransferReader.hxx>
-#include <XSControl_WorkSession.hxx>
 #include <string_view>
 
-#include "brep/format_library_impl.h"
-#include "brep/readers_impl.h"
 #include "formats/exchange_settings_impl.h"
-#include "formats/face_labels_impl.h"
+#include "formats/transfer_impl.h"
 
 namespace paver {
 namespace {
@@ -52,16 +44,9 @@ void check_entities(const std::string& name, STEPControl_Reader& reader) {
   }
 }
 
-std::vector<std::string> face_labels(STEPControl_Reader& reader, const TopoDS_Shape& shape) {
-  FaceLabels labels;
-  Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
-  Handle(Interface_InterfaceModel) model = reader.Model();
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    Handle(StepShape_FaceSurface) face = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
-    if (face.IsNull() || face->Name().IsNull() || face->Name()->IsEmpty()) continue;
-    labels.add(TransferBRep::ShapeResult(process, face), face->Name()->ToCString());
-  }
-  return labels.in_face_order(shape);
+Handle(TCollection_HAsciiString) face_name(const Handle(Standard_Transient) & entity) {
+  Handle(StepShape_FaceSurface) face = Handle(StepShape_FaceSurface)::DownCast(entity);
+  return face.IsNull() ? Handle(TCollection_HAsciiString)() : face->Name();
 }
 
 }  // namespace
@@ -69,16 +54,10 @@ std::vector<std::string> face_labels(STEPControl_Reader& reader, const TopoDS_Sh
 extern "C" void paver_read_format(const FileSource& file, Shape& shape, ModelReport& report, Progress& progress) {
   STEPControl_Reader reader;
   MillimetreReading millimetres;
-  if (reader.ReadFile(file.path.c_str()) != IFSelect_RetDone)
-    throw Error(ErrorCode::damaged_file, "'" + file.name + "' is not readable STEP; export the model again.");
-  progress.check();
+  load_file(reader, file, "STEP", progress);
   check_entities(file.name, reader);
   report.unit = stated_unit(reader);
-  Handle(OcctProgress) indicator = new OcctProgress(progress, read_units);
-  reader.TransferRoots(indicator->Start());
-  indicator->finish();
-  shape.shape = reader.OneShape();
-  if (!shape.shape.IsNull()) shape.labels = face_labels(reader, shape.shape);
+  transfer(reader, shape, progress, face_name);
 }
 
 }  // namespace paver

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "base/wide_registers.h"
 #include "quality/jacobian.h"
 #include "quality/metrics.h"
 
 #pragma GCC diagnostic ignored "-Wpsabi"  // no function here passes vectors to another object file
-#define PAVER_IN_PLACE inline __attribute__((always_inline))
-#if defined(__x86_64__) && defined(__GNUC__)
-#define PAVER_HAS_AVX2
-#endif
 
 namespace paver {
 namespace {
@@ -161,12 +158,6 @@ __attribute__((target("avx2"))) void JacobianForm::measure_lanes_avx2(const Lane
 __attribute__((target("avx2"))) void JacobianForm::bound_lanes_avx2(const Lanes* x, Lanes& low) const {
   bound_wide<4>(x, 0, low);
 }
-namespace {
-bool has_avx2() {
-  static const bool has = __builtin_cpu_supports("avx2");
-  return has;
-}
-}  // namespace
 #endif
 
 void JacobianForm::measure_lanes(const Lanes* x, LaneFigures& figures) const {

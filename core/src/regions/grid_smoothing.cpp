@@ -17,6 +17,7 @@ constexpr double longest_step = 0.3;  // of the target length
 constexpr double flat_sine = 0.2;     // corners may not become flatter than this: behind it lie folded elements
 constexpr double least_area = 0.05;   // of the product of two sides: flatter corners count as if they were no flatter
 constexpr double damping = 1e-3;
+constexpr int fine_nodes = 50000;  // from here on sweeps changed neither lengths nor angles
 
 /// Energy about one node as a function of its position, with gradient and Gauss-Newton matrix in the tangent basis.
 class NodeEnergy {
@@ -195,7 +196,7 @@ GridFigures measure_grid(const GluedGrid& grid) {
   return figures;
 }
 
-bool is_smooth_enough(const GluedGrid& grid) { return grid.mesh.node_count() > 50000; }
+bool is_smooth_enough(const GluedGrid& grid) { return grid.mesh.node_count() > fine_nodes; }
 
 int finer_sweeps(const GluedGrid& grid, int least) { return std::clamp(8000 / grid.mesh.node_count(), least, 40); }
 

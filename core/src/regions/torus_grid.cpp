@@ -56,8 +56,7 @@ class TorusGrid {
     // Not the row chart, whose rows of different lengths bend large elements.
     FaceExtent extent = measure_extent(face_);
     patch.chart = make_plain_chart(box_uv(face_.box, {extent.round / face_.period, extent.tall / face_.other_period}));
-    std::vector<int> known(static_cast<std::size_t>(lattice_.n + 2) * (lattice_.m + 2),
-                           -1);  // per place, from (-1, -1)
+    std::vector<int> known(static_cast<std::size_t>(lattice_.n + 2) * (lattice_.m + 2), -1);  // from place (-1, -1) on
     each_quad([&](const auto& places) {
       std::array<int, 4> v;
       for (std::size_t k = 0; k < 4; ++k) {
