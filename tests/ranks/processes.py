@@ -103,7 +103,9 @@ class Run:
         return next(pid for pid, command in self.processes().items() if os.path.basename(command[0]) == "paver-watch")
 
     def mpirun(self):
-        return next(pid for pid, command in self.processes().items() if os.path.basename(command[0]) == "mpirun")
+        """From Open MPI 5 on it becomes another program."""
+        return next(pid for pid, command in self.processes().items()
+                    if os.path.basename(command[0]) in ("mpirun", "prterun"))
 
     def wait_for_paving(self):
         """Until all ranks run and have come to the longest stage."""
@@ -142,9 +144,11 @@ class Run:
 
 
 def by_hand(job, ranks=2, **more):
-    """Runs a job file as one would on a cluster."""
-    return subprocess.run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks), WORKER, str(job)],
+    """Runs a job file as one would on a cluster. Open MPI 5 puts zero bytes between lines."""
+    done = subprocess.run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks), WORKER, str(job)],
                           stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120, **more)
+    done.stdout, done.stderr = (text.replace("\0", "") for text in (done.stdout, done.stderr))
+    return done
 
 
 def write_job(path, **keys):

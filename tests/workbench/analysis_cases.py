@@ -29,7 +29,8 @@ class InAnalysis(unittest.TestCase):
         """(mesh, pressure) of an analysis that can be solved, the mesh not made yet."""
         document = self.document
         analysis = ObjectsFem.makeAnalysis(document, "Analysis")
-        solver = ObjectsFem.makeSolverCalculixCcxTools(document)
+        make = getattr(ObjectsFem, "makeSolverCalculixCcxTools", None) or ObjectsFem.makeSolverCalculiXCcxTools
+        solver = make(document)
         solver.WorkingDir = self.folder.name
         material = ObjectsFem.makeMaterialSolid(document)
         material.Material = {**material.Material, "Name": "Steel", "YoungsModulus": f"{YOUNG} MPa",

@@ -4,7 +4,7 @@ import signal
 import subprocess
 import time
 
-import freecad
+import freecad_program
 
 START = """import os, sys, tempfile, FreeCAD
 from paver_wb import child_process, mesh_object, meshing
@@ -47,7 +47,7 @@ def processes_of(folder):
 def test_child_goes_with_a_killed_freecad(home, tmp_path):
     macro, told = tmp_path / "start.FCMacro", tmp_path / "folder"
     macro.write_text(START)
-    parent = subprocess.Popen([freecad.program(), str(macro), "--", str(told)], stdin=subprocess.DEVNULL, cwd=home,
+    parent = subprocess.Popen([freecad_program.program(), str(macro), "--", str(told)], stdin=subprocess.DEVNULL, cwd=home,
                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                               env={**os.environ, "FREECAD_USER_HOME": home})
     try:

@@ -1,13 +1,13 @@
 """The commands and their dialogs, in FreeCAD's window; pictures end up in the build folder."""
 import re
 
-import freecad
+import freecad_program
 import pytest
 
 
 @pytest.mark.parametrize("case, count", [("Commands", 6), ("Dialogs", 4), ("Preferences", 2), ("Translations", 3), ("FileTasks", 8)])
 def test_all_cases_in_the_window(home, case, count):
-    done = freecad.run_window(["-t", "TestPaverGui." + case], home)
+    done = freecad_program.run_window(["-t", "TestPaverGui." + case], home)
     output = done.stdout + done.stderr
     assert done.returncode == 0, output[-8000:]
     assert int(re.search(r"Ran (\d+) tests", output).group(1)) >= count and "skipped" not in output

@@ -9,6 +9,7 @@ from display_cases import RADIUS, wait
 from paver_wb import mesh_object
 from paver_wb.gui.commands import view
 from paver_wb.gui.display import actions, colouring, fields, report
+from window import QTest
 
 
 class Marks(display_cases.InWindow):
@@ -99,7 +100,9 @@ class Marks(display_cases.InWindow):
         np.testing.assert_array_equal(fields.content(display.scene.points.point, np.float32, 3), whole)
 
 
-class Picking(display_cases.InWindow):
+class WithPlaces(display_cases.InWindow):
+    """Where elements are seen."""
+
     def place_of(self, display, element):
         return self.view.getPointOnScreen(self.mesh.Placement.multVec(FreeCAD.Vector(*self.middle(display, element))))
 
@@ -120,6 +123,8 @@ class Picking(display_cases.InWindow):
         return viewport, QtCore.QPoint(round((x + 0.5) * viewport.width() / width),
                                        round((height - 0.5 - y) * viewport.height() / height))
 
+
+class Picking(WithPlaces):
     def test_the_element_under_every_place(self):
         display = self.run_mesh()
         self.look()
@@ -163,7 +168,6 @@ class Picking(display_cases.InWindow):
         self.assertIsNone(self.view.getObjectInfo(place))
 
     def test_a_click_selects_highlights_and_reports(self):
-        from PySide2.QtTest import QTest
         self.mesh.Size, self.mesh.Frequency = 0, "9 GHz"
         display = self.run_mesh()
         self.look()

@@ -2,18 +2,18 @@
 import os
 import re
 
-import freecad
+import freecad_program
 import gui_test
 
 
 def test_all_cases_of_the_display(home, tmp_path):
     macro, document = tmp_path / "make.FCMacro", tmp_path / "made.FCStd"
     macro.write_text(gui_test.MAKE)
-    made = freecad.run([str(macro), "--", str(document)], home)
+    made = freecad_program.run([str(macro), "--", str(document)], home)
     assert made.returncode == 0, made.stdout + made.stderr
     pictures = os.path.join(os.environ["PAVER_BUILD"], "pictures", "display")
     os.makedirs(pictures, exist_ok=True)
-    done = freecad.run_window(["-t", "TestPaverDisplay"], home, PAVER_HEADLESS_DOCUMENT=str(document),
+    done = freecad_program.run_window(["-t", "TestPaverDisplay"], home, PAVER_HEADLESS_DOCUMENT=str(document),
                               PAVER_PICTURES=pictures)
     output = done.stdout + done.stderr
     assert done.returncode == 0, output[-8000:]

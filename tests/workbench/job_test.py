@@ -7,7 +7,7 @@ import shutil
 
 import pytest
 
-import freecad
+import freecad_program
 from repo import ROOT, text
 
 MACRO = os.path.join(ROOT, "Workbench", "mesh.FCMacro")
@@ -36,7 +36,7 @@ def job(home, tmp_path):
     def run(*arguments):
         report = tmp_path / "report.json"
         report.unlink(missing_ok=True)
-        done = freecad.run([MACRO, "--", *map(str, arguments), "--report", str(report)], home)
+        done = freecad_program.run([MACRO, "--", *map(str, arguments), "--report", str(report)], home)
         content = json.loads(report.read_text()) if report.exists() else None
         if content:
             assert content["exit_code"] == done.returncode
@@ -48,7 +48,7 @@ def job(home, tmp_path):
 def document(home, tmp_path):
     macro, path = tmp_path / "make.FCMacro", tmp_path / "made.FCStd"
     macro.write_text(DOCUMENT)
-    done = freecad.run([str(macro), "--", str(path)], home)
+    done = freecad_program.run([str(macro), "--", str(path)], home)
     assert done.returncode == 0, done.stdout + done.stderr
     return str(path)
 
@@ -131,13 +131,13 @@ def test_models_of_one_name_are_refused_before_any_work(job, models, tmp_path):
 
 
 def test_without_the_core(home, models, tmp_path):
-    done = freecad.run([MACRO, "--", models[0]], home, PAVER_BUILD=str(tmp_path))
+    done = freecad_program.run([MACRO, "--", models[0]], home, PAVER_BUILD=str(tmp_path))
     assert done.returncode == 1 and "run scripts/build paver_python" in done.stderr
 
 
 def test_without_a_linked_add_on(home, models):
     os.remove(os.path.join(home, "Mod", "Paver"))
-    done = freecad.run([MACRO, "--", models[0], "--size", "20"], home)
+    done = freecad_program.run([MACRO, "--", models[0], "--size", "20"], home)
     assert done.returncode == 0 and "quads" in done.stdout, done.stderr
 
 
@@ -154,7 +154,7 @@ def test_the_examples_of_the_page_run(home, document, tmp_path):
     for line in lines:
         words = shlex.split(line.replace("Body,Reflector", "Box,Ball"))
         words = [str(tmp_path / w) if w.endswith((".FCStd", ".step", ".json")) or w == "out" else w for w in words]
-        done = freecad.run([MACRO, *words[2:]], home)
+        done = freecad_program.run([MACRO, *words[2:]], home)
         assert done.returncode == 0, line + done.stdout + done.stderr
     assert {"wing.msh", "torus.inp", "report.json"} <= set(os.listdir(tmp_path / "out"))
     assert (tmp_path / "satellite-BallMesh.vtu").exists()

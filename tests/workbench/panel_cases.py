@@ -28,8 +28,7 @@ class PanelCase(unittest.TestCase):
         for dock in main.findChildren(QtGui.QDockWidget):
             if dock.objectName() in ("Python console", "Report view"):
                 dock.hide()
-            if dock.objectName() == "Combo View":
-                main.resizeDocks([dock], [PANEL_WIDTH], QtCore.Qt.Horizontal)
+        main.resizeDocks([window.task_dock()], [PANEL_WIDTH], QtCore.Qt.Horizontal)
 
     def tearDown(self):
         if FreeCADGui.Control.activeDialog():
@@ -231,7 +230,7 @@ class Panel(PanelCase):
 
     def test_no_text_is_clipped(self):
         main = FreeCADGui.getMainWindow()
-        dock, = [d for d in window.widgets(QtGui.QDockWidget) if d.objectName() == "Combo View"]
+        dock = window.task_dock()
         main.resizeDocks([dock], [100], QtCore.Qt.Horizontal)
         window.pause(50)
         self.open(self.add_mesh(frequency="9.375 GHz", divisions=12))

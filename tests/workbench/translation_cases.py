@@ -46,6 +46,7 @@ class Translations(WithCommands):
         self.assertGreater(count, 45)
         self.assertTrue(all(FreeCAD.Qt.translate("App::Property", group) != group for group in groups))
         self.assertEqual((mesh.Status, mesh.MeshStatus), ("Out of date", "Veraltet"))
+        window.tree_dock()
         FreeCADGui.Selection.clearSelection()
         FreeCADGui.Selection.addSelection(mesh)
         window.pause(500)

@@ -1,4 +1,5 @@
 """Cases that run inside FreeCAD's window: waiting, clicking, pictures. Imported in FreeCAD, with its Python."""
+import importlib
 import os
 import time
 
@@ -6,6 +7,9 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 LIMIT = 120  # seconds
+BINDING = QtCore.QObject.__module__.split(".")[0]  # PySide2 or PySide6: what FreeCAD's own PySide stands for
+shiboken = importlib.import_module("shiboken" + BINDING[-1])
+QTest = importlib.import_module(BINDING + ".QtTest").QTest  # FreeCAD's PySide has none
 
 
 def pause(milliseconds):
@@ -26,10 +30,9 @@ def wait(is_done, what=""):
 
 def widgets(kind, name=None):
     """Visible widgets of a kind. Qt deletes some that Python still has a name for."""
-    import shiboken2
     main = FreeCADGui.getMainWindow()
     found = main.findChildren(kind, name) if name else main.findChildren(kind)
-    return [w for w in found if shiboken2.isValid(w) and w.isVisible()]
+    return [w for w in found if shiboken.isValid(w) and w.isVisible()]
 
 
 def widget(name, kind=QtGui.QWidget):
@@ -37,24 +40,41 @@ def widget(name, kind=QtGui.QWidget):
     return next(iter(widgets(kind, name)), None)
 
 
+def dock(*names):
+    """The dock of the first name that FreeCAD's window has, shown: a new user's window may hide it."""
+    docks = {d.objectName(): d for d in FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget)}
+    found = next(docks[name] for name in names if name in docks)
+    found.show()
+    return found
+
+
+def task_dock():
+    """That of task panels; FreeCAD 0.20 has one for them and the tree."""
+    return dock("Combo View", "Tasks")
+
+
+def tree_dock():
+    """That of the tree and the property editor."""
+    return dock("Combo View", "Model")
+
+
 def click(button):
     """Clicks at the left, where a radio button has its circle."""
-    from PySide2 import QtTest  # FreeCAD's PySide has no QtTest
     if button is None or not button.isEnabled():
         raise AssertionError("the button is not there" if button is None else f"{button.text()} is disabled")
-    QtTest.QTest.mouseClick(button, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, QtCore.QPoint(8, button.height() // 2))
+    QTest.mouseClick(button, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, QtCore.QPoint(8, button.height() // 2))
 
 
 def double_click(thing):
     """Double click on an object of a document, in the tree."""
-    from PySide2 import QtTest
+    tree_dock()
     for tree in widgets(QtGui.QTreeWidget):
         for item in tree.findItems(thing.Label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive):
             tree.scrollToItem(item)
             pause(50)
             middle = tree.visualItemRect(item).center()
-            QtTest.QTest.mouseClick(tree.viewport(), QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, middle)
-            QtTest.QTest.mouseDClick(tree.viewport(), QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, middle)
+            QTest.mouseClick(tree.viewport(), QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, middle)
+            QTest.mouseDClick(tree.viewport(), QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, middle)
             return
     raise AssertionError(f"{thing.Label} is in no tree that is seen")
 
@@ -68,11 +88,10 @@ def click_standard(which):
 
 def type_into(field, text):
     """Replaces the text of a field, as from the keyboard."""
-    from PySide2 import QtTest
     field.setFocus()
     field.selectAll()
-    QtTest.QTest.keyClicks(field, text)
-    QtTest.QTest.keyClick(field, QtCore.Qt.Key_Return)
+    QTest.keyClicks(field, text)
+    QTest.keyClick(field, QtCore.Qt.Key_Return)
 
 
 def picture(name):

@@ -55,7 +55,9 @@ std::optional<std::string> beside_us(const char* name) {
 
 /// Whether a variable belongs to a run of MPI or to the batch system around it.
 bool is_of_a_run(std::string_view variable, bool is_in_a_run) {
-  if (variable.starts_with("OMPI_MCA_") && !is_in_a_run) return false;  // the user's own settings
+  if (!is_in_a_run)  // the user's own settings
+    for (std::string_view start : {"OMPI_MCA_", "PRTE_MCA_", "PMIX_MCA_"})
+      if (variable.starts_with(start)) return false;
   for (std::string_view start : {"OMPI_", "PMIX_", "PMI_", "PMI2_", "PRTE_", "SLURM_", "PBS_", "LSB_"})
     if (variable.starts_with(start)) return true;
   return false;
@@ -64,7 +66,8 @@ bool is_of_a_run(std::string_view variable, bool is_in_a_run) {
 /// Whether the user has told Open MPI where to run ranks: then it must see the cores of this machine.
 bool is_placed() {
   for (char** variable = environ; *variable; ++variable)
-    for (std::string_view start : {"OMPI_MCA_hwloc_", "OMPI_MCA_rmaps_", "HWLOC_"})
+    for (std::string_view start :
+         {"OMPI_MCA_hwloc_", "OMPI_MCA_rmaps_", "PRTE_MCA_hwloc_", "PRTE_MCA_rmaps_", "HWLOC_"})
       if (std::string_view(*variable).starts_with(start)) return true;
   return false;
 }
@@ -73,19 +76,24 @@ bool is_in_a_run() {
   return std::getenv("OMPI_COMM_WORLD_RANK") || std::getenv("PMIX_RANK") || std::getenv("PMI_RANK");
 }
 
-/// Settings of Open MPI. They count only where the user has set nothing else, but for the folders.
+/// Settings of Open MPI. They count only where the user has set nothing else, but for the folders. From version 5 on
+/// mpirun reads its own as PRTE_MCA_..., and "sm" is the component that was "vader".
 std::vector<std::pair<std::string, std::string>> settings(const RunFolder& folder, int ranks) {
   std::vector<std::pair<std::string, std::string>> list{
       {"TMPDIR", folder.path()},
       {"OMPI_MCA_orte_tmpdir_base", folder.path()},
       {"OMPI_MCA_btl_vader_backing_directory", folder.shared_memory()},
-      {"OMPI_MCA_plm", "isolated"},                          // this machine only, no remote shell
-      {"OMPI_MCA_rmaps_base_oversubscribe", "1"},            // more ranks than cores
-      {"OMPI_MCA_hwloc_base_binding_policy", "none"},        // ranks have threads
+      {"OMPI_MCA_btl_sm_backing_directory", folder.shared_memory()},
+      {"OMPI_MCA_plm", "isolated"},                // this machine only, no remote shell
+      {"OMPI_MCA_rmaps_base_oversubscribe", "1"},  // more ranks than cores
+      {"PRTE_MCA_rmaps_default_mapping_policy", "slot:oversubscribe"},
+      {"OMPI_MCA_hwloc_base_binding_policy", "none"},  // ranks have threads
+      {"PRTE_MCA_hwloc_default_binding_policy", "none"},
       {"OMPI_MCA_pml", "ob1"},                               // no search for networks, ...
       {"OMPI_MCA_btl", "self,vader"},                        // ... shared memory serves
       {"OMPI_MCA_btl_vader_single_copy_mechanism", "none"},  // containers forbid it, and it would not be faster here
-      {"OMPI_MCA_odls_base_sigkill_timeout", "1"}};
+      {"OMPI_MCA_odls_base_sigkill_timeout", "1"},
+      {"PRTE_MCA_odls_base_sigkill_timeout", "1"}};
   if (ranks > static_cast<int>(std::thread::hardware_concurrency()))
     list.emplace_back("OMPI_MCA_mpi_yield_when_idle", "1");
   if (!is_placed()) list.emplace_back("HWLOC_COMPONENTS", "no_os,stop");  // no look at caches, graphics, X servers, ...

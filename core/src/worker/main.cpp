@@ -2,6 +2,8 @@
 // core/docs/ranks.md has the contract.
 #include <fmt/format.h>
 #include <mpi.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -164,6 +166,15 @@ void wait_for_abort(const Progress& progress) {
     std::this_thread::sleep_for(interval);
 }
 
+/// Until mpirun has read what this rank has said: what it has not read when a rank aborts it may forget.
+void wait_for_reader(int descriptor) {
+  constexpr std::chrono::milliseconds interval(5);
+  constexpr int most_looks = 200;
+  int unread = 0;
+  for (int looks = 0; looks < most_looks && ::ioctl(descriptor, FIONREAD, &unread) == 0 && unread > 0; ++looks)
+    std::this_thread::sleep_for(interval);
+}
+
 /// Others may wait for this rank for ever: all must end. Of ranks that fail alike the first one says so.
 [[noreturn]] void end_all(const Error& error, const Progress& progress, MpiRanks& ranks,
                           std::optional<Reporter>& reporter) {
@@ -179,6 +190,7 @@ void wait_for_abort(const Progress& progress) {
   } else {
     fmt::print(stderr, "paver-worker: {}\n", error.what());
   }
+  for (int descriptor : {STDOUT_FILENO, STDERR_FILENO}) wait_for_reader(descriptor);
   MPI_Abort(MPI_COMM_WORLD, exit_code(error.code()));
   ::_exit(exit_code(error.code()));
 }

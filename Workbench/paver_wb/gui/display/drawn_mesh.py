@@ -134,12 +134,10 @@ class DrawnMesh:
         return (nodes.min(axis=0), nodes.max(axis=0)) if len(nodes) else (np.zeros(3), np.zeros(3))
 
     @property
-    def box_per_element(self):
-        """Surface of the box around the mesh over the mean area of an element."""
-        low, high = self.extent
-        a, b, c = high - low
+    def mean_area(self):
+        """Of the elements, mm^2; 0 without any."""
         area = float(self.stored.report.get("quality", {}).get("mesh_area") or self.quality.area.sum())
-        return 2 * float(a * b + b * c + c * a) * self.count / area if area > 0 else 0.0
+        return area / self.count if self.count else 0.0
 
     @cached_property
     def sag(self):

@@ -202,8 +202,8 @@ class MeshDisplay:
             outlines, on_model = mesh.element_outlines(np.arange(mesh.count), self.subdivision), np.zeros_like(on_model)
         self.scene.set_points(points, drawn.normals)
         self.scene.set_indices(drawn.triangle_indices, outlines, rows_as_indices(drawn.outlines[on_model]))
-        self.scene.set_edge_limits(0 if vobj.AlwaysAllEdges else mesh.box_per_element)
         low, high = mesh.extent
+        self.scene.edge_density.set_mesh(low, high, 0 if vobj.AlwaysAllEdges else mesh.mean_area)
         for panel in (self.bar, self.report_panel):
             panel.stand_in((low + high) / 2, float(np.linalg.norm(high - low)) or 1.0)
 

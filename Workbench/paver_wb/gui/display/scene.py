@@ -2,13 +2,13 @@
 import numpy as np
 from pivy import coin
 
+from paver_wb.gui.display.edge_density import EdgeDensity
 from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, line_style, put, separator,
                                          unlit, unpickable)
 
 EDGE_WIDTH, MODEL_EDGE_WIDTH = 1, 2
 DIMMED = 0.85  # colours where they are lit, as all lights together are brighter than one
 FILL_DIRECTIONS, FILL_INTENSITY = ((0.3, 0.2, -1), (-0.3, -0.2, 1), (1, -0.6, 0), (-1, 0.6, 0)), 0.16
-DARK_EDGES, ANY_EDGES = 80, 16  # pixels that an element needs for edges of the full colour, for fainter ones
 FAINT = 0.55  # of the elements' colour in edges that lie close together
 
 
@@ -26,11 +26,10 @@ class Scene:
                                coin.SoPolygonOffset(), self.points, self.normals, by_index(), self.face_set)
         self.edge_colour, self.faint_colour = colour_node((0, 0, 0)), colour_node((0.5, 0.5, 0.5))
         self.lines, self.model_lines = coin.SoIndexedLineSet(), coin.SoIndexedLineSet()
-        self.by_size = coin.SoLevelOfDetail()
-        put(self.by_size, put(coin.SoGroup(), self.edge_colour, self.lines),
-            put(coin.SoGroup(), self.faint_colour, self.lines), coin.SoGroup())
+        self.edge_density = EdgeDensity(put(coin.SoGroup(), self.edge_colour, self.lines),
+                                        put(coin.SoGroup(), self.faint_colour, self.lines))
         self.edges = separator(unpickable(), unlit(), self.edge_colour, self.points,
-                               separator(line_style(EDGE_WIDTH), self.by_size),
+                               separator(line_style(EDGE_WIDTH), *self.edge_density.nodes),
                                line_style(MODEL_EDGE_WIDTH), self.model_lines)
         self.edges_alone = separator(unpickable(), unlit(), self.edge_colour, self.points,
                                      separator(line_style(EDGE_WIDTH), self.lines),
@@ -49,14 +48,6 @@ class Scene:
                                (self.model_lines.coordIndex, model_edges)):
             if len(indices) or field.getNum():
                 fill(field, indices, INTEGERS)
-
-    def set_edge_limits(self, box_per_element):
-        """box_per_element: surface of the box around the mesh over the mean area of an element; 0: always draw all.
-
-        A box shows about a quarter of its surface, and Coin takes the rectangle around what it shows.
-        """
-        pixels = [limit * box_per_element / 2 for limit in (DARK_EDGES, ANY_EDGES)]
-        self.by_size.screenArea.setValues(0, 2, pixels if box_per_element else [0, 0])
 
     def set_colours(self, per_point):
         """per_point: (points,) packed colours as they shall be drawn."""
