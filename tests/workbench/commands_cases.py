@@ -25,6 +25,7 @@ def select(*things):
 
 class WithCommands(unittest.TestCase):
     def setUp(self):
+        window.clear()
         FreeCADGui.activateWorkbench("PaverWorkbench")
         FreeCADGui.getMainWindow().resize(1400, 900)
         self.lines = []  # of the Python console; a wrapper of its widget makes FreeCAD crash when it ends
@@ -92,12 +93,12 @@ class Commands(WithCommands):
         self.assertEqual(len(used), len(set(used)))
         self.assertGreaterEqual(len(used), 8)
         main = FreeCADGui.getMainWindow()
-        menus = {menu.title(): menu for menu in main.findChildren(QtGui.QMenu)}
+        menus = {menu.title(): menu for menu in window.all_widgets(QtGui.QMenu)}
         shown = [action for action in menus["&Paver"].actions() if not action.isSeparator()]
         self.assertEqual(len(shown), len(commands.COMMANDS) + 2)  # and the 3D view, the examples
         self.assertEqual(len(menus["Examples"].actions()), len(examples.names()))
         self.assertTrue(os.path.isfile(bench.Icon))
-        for menu in main.findChildren(QtGui.QMenu):  # some are of workbenches chosen before
+        for menu in window.all_widgets(QtGui.QMenu):  # some are of workbenches chosen before
             if menu.title() == "&Paver":
                 menu.popup(QtCore.QPoint(300, 150))
                 window.pause(300)
@@ -166,7 +167,7 @@ class Commands(WithCommands):
         self.assertIn("A mesh in four steps", page.toPlainText())
         self.assertIn("paver_wb.gui.help_page.show()", self.console())
         window.picture("commands_help")
-        FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "Paver_HelpPage").close()
+        window.dock("Paver_HelpPage").close()
 
     def test_examples_open_in_documents_of_their_own(self):
         FreeCADGui.runCommand("Paver_Example_torus")
@@ -268,7 +269,7 @@ class Dialogs(WithCommands):
         seen = []
 
         def close():
-            dialogs = FreeCADGui.getMainWindow().findChildren(QtGui.QFileDialog)
+            dialogs = window.all_widgets(QtGui.QFileDialog)
             seen.extend(d.windowTitle() for d in dialogs)
             for dialog in dialogs:
                 dialog.reject()

@@ -10,6 +10,7 @@ import numpy as np
 from pivy import coin
 from PySide import QtCore, QtGui
 
+import window
 from paver_wb import core, mesh_file, mesh_object, meshing
 from paver_wb.gui.display import colour_maps, colouring, drawn_mesh, fields, legend, mesh_display
 
@@ -28,6 +29,7 @@ class InWindow(unittest.TestCase):
     """A document with a sphere, not meshed yet."""
 
     def setUp(self):
+        window.clear()
         self.document = FreeCAD.newDocument("PaverDisplay")
         self.sphere = self.document.addObject("Part::Sphere", "Sphere")
         self.sphere.Radius = RADIUS

@@ -2,14 +2,14 @@
 import FreeCAD
 import FreeCADGui
 import numpy as np
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 import display_cases
+import window
 from display_cases import RADIUS, wait
 from paver_wb import mesh_object
 from paver_wb.gui.commands import view
 from paver_wb.gui.display import actions, colouring, fields, report
-from window import QTest
 
 
 class Marks(display_cases.InWindow):
@@ -117,8 +117,7 @@ class WithPlaces(display_cases.InWindow):
 
     def mouse_place(self, x, y):
         """On the widget, of a place of the view."""
-        views = FreeCADGui.getMainWindow().findChildren(QtGui.QGraphicsView)
-        viewport = next(view for view in views if view.isVisible()).viewport()
+        viewport = window.viewport()
         width, height = self.view.getSize()
         return viewport, QtCore.QPoint(round((x + 0.5) * viewport.width() / width),
                                        round((height - 0.5 - y) * viewport.height() / height))
@@ -174,14 +173,14 @@ class Picking(WithPlaces):
         element = int(self.facing(display)[3])
         viewport, place = self.mouse_place(*self.place_of(display, element))
         for step in (4, 2, 0):
-            QTest.mouseMove(viewport, place - QtCore.QPoint(step, step))
+            window.QTest.mouseMove(viewport, place - QtCore.QPoint(step, step))
             wait(150)
         self.assertEqual(display.hovered, element)
         message = FreeCADGui.getMainWindow().statusBar().currentMessage()
         info = actions.element(self.mesh, report.element_name(element))
         self.assertIn(report.line(info), message)
         self.assertIn("\u03bb", message)
-        QTest.mouseClick(viewport, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, place)
+        window.QTest.mouseClick(viewport, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, place)
         wait(200)
         selected, = FreeCADGui.Selection.getSelectionEx()
         self.assertEqual((selected.Object, selected.SubElementNames), (self.mesh, (report.element_name(element),)))

@@ -32,10 +32,10 @@ class Mouse(WithPlaces):
         super().tearDown()
 
     def screen(self, x, y):
-        """Of a place in the view, measured from its lower left corner."""
+        """Of a place in the view, measured from its lower left corner; in the screen's pixels, which may be finer than Qt's."""
         viewport, place = self.mouse_place(x, y)
-        at = viewport.mapToGlobal(place)
-        return at.x(), at.y()
+        at, ratio = viewport.mapToGlobal(place), viewport.devicePixelRatioF()
+        return round(at.x() * ratio), round(at.y() * ratio)
 
     def hover(self, element):
         at = self.screen(*self.place_of(self.shown, element))
@@ -58,12 +58,13 @@ class Mouse(WithPlaces):
         for mode in self.mesh.ViewObject.listDisplayModes():
             self.set(DisplayMode=mode)
             self.hover(element)
+            hovered = self.shown.hovered
             do("click", LEFT)
             selected = FreeCADGui.Selection.getSelectionEx()
             if mode in mesh_display.MODES:
                 self.assertEqual([(s.Object, s.SubElementNames) for s in selected],
                                  [(self.mesh, (report.element_name(element),))], mode)
-                self.assertEqual(self.shown.hovered, element, mode)
+                self.assertEqual(hovered, element, mode)
             do("mousemove", *self.screen(4, 4), "click", LEFT)
             self.assertEqual(FreeCADGui.Selection.getSelection(), [], mode)
         window.picture("mouse_modes")

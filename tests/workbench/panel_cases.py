@@ -20,12 +20,13 @@ class PanelCase(unittest.TestCase):
         FreeCADGui.activateWorkbench("PaverWorkbench")
         main = FreeCADGui.getMainWindow()
         main.resize(1560, 960)
+        window.clear()
         self.document = FreeCAD.newDocument("PaverPanel")
         self.box = self.document.addObject("Part::Box", "Box")
         self.document.recompute()
         FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
         FreeCADGui.SendMsgToActiveView("ViewFit")
-        for dock in main.findChildren(QtGui.QDockWidget):
+        for dock in window.all_widgets(QtGui.QDockWidget):
             if dock.objectName() in ("Python console", "Report view"):
                 dock.hide()
         main.resizeDocks([window.task_dock()], [PANEL_WIDTH], QtCore.Qt.Horizontal)
@@ -50,7 +51,7 @@ class PanelCase(unittest.TestCase):
 
     def button(self, which):
         """One of the panel's OK, Apply, Cancel."""
-        return next(box.button(which) for box in window.widgets(QtGui.QDialogButtonBox) if box.button(which))
+        return window.standard_button(which)
 
     def text(self, name):
         return window.widget("Paver_" + name).text()

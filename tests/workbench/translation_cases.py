@@ -75,9 +75,9 @@ class Translations(WithCommands):
         self.assertEqual(statistics.windowTitle(), f"Statistik von {mesh.Label}")
         page = window.widget("Paver_HelpPageText", QtGui.QTextBrowser)
         self.assertIn("Ein Netz in vier Schritten", page.toPlainText())
-        titles = [menu.title() for menu in FreeCADGui.getMainWindow().findChildren(QtGui.QMenu)]
+        titles = [menu.title() for menu in window.all_widgets(QtGui.QMenu)]
         self.assertIn("Beispiele", titles)
         window.picture("commands_german")
         check.close()
         statistics.close()
-        FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "Paver_HelpPage").close()
+        window.dock("Paver_HelpPage").close()

@@ -8,7 +8,6 @@ from PySide import QtCore, QtGui
 
 LIMIT = 120  # seconds
 BINDING = QtCore.QObject.__module__.split(".")[0]  # PySide2 or PySide6: what FreeCAD's own PySide stands for
-shiboken = importlib.import_module("shiboken" + BINDING[-1])
 QTest = importlib.import_module(BINDING + ".QtTest").QTest  # FreeCAD's PySide has none
 
 
@@ -28,11 +27,22 @@ def wait(is_done, what=""):
         pause(10)
 
 
+def all_widgets(kind, name=None):
+    """Those of a kind. Not by findChildren: what that gives stays known to Python after Qt has deleted it, and ends the
+    program where something else comes to lie at its place."""
+    return [w for w in QtGui.QApplication.allWidgets() if isinstance(w, kind) and name in (None, w.objectName())]
+
+
 def widgets(kind, name=None):
-    """Visible widgets of a kind. Qt deletes some that Python still has a name for."""
-    main = FreeCADGui.getMainWindow()
-    found = main.findChildren(kind, name) if name else main.findChildren(kind)
-    return [w for w in found if shiboken.isValid(w) and w.isVisible()]
+    """Visible widgets of a kind."""
+    return [w for w in all_widgets(kind, name) if w.isVisible()]
+
+
+def clear():
+    """Hides what FreeCAD 1.0 has over its window while it runs tests, and what keeps the mouse from it."""
+    for dialog in widgets(QtGui.QDialog):
+        if dialog.metaObject().className() == "TestGui::UnitTestDialog":
+            dialog.hide()
 
 
 def widget(name, kind=QtGui.QWidget):
@@ -42,7 +52,7 @@ def widget(name, kind=QtGui.QWidget):
 
 def dock(*names):
     """The dock of the first name that FreeCAD's window has, shown: a new user's window may hide it."""
-    docks = {d.objectName(): d for d in FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget)}
+    docks = {d.objectName(): d for d in all_widgets(QtGui.QDockWidget)}
     found = next(docks[name] for name in names if name in docks)
     found.show()
     return found
@@ -79,10 +89,28 @@ def double_click(thing):
     raise AssertionError(f"{thing.Label} is in no tree that is seen")
 
 
+def standard_button(which):
+    """That of the task panel, a QDialogButtonBox.StandardButton; None where no panel is."""
+    for box in widgets(QtGui.QDialogButtonBox):
+        button = box.button(which)
+        if button:
+            button.box = box  # Python forgets the button with the box
+            return button
+    return None
+
+
+def viewport():
+    """The widget that shows the 3D view."""
+    view = widgets(QtGui.QGraphicsView)[0]
+    shown = view.viewport()
+    shown.view = view  # Python forgets the one with the other
+    return shown
+
+
 def click_standard(which):
-    """Clicks a button of the task panel: a QDialogButtonBox.StandardButton."""
-    box = next(box for box in widgets(QtGui.QDialogButtonBox) if box.button(which))
-    box.button(which).click()
+    """Clicks a button of the task panel."""
+    wait(lambda: standard_button(which), "for the panel's buttons")  # which FreeCAD 1.0 shows a little later
+    standard_button(which).click()
     pause(50)
 
 

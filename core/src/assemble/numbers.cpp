@@ -10,6 +10,8 @@ struct PartRow {
   long part = 0, nodes = 0, quads = 0, triangles = 0, own_nodes = 0;
 };
 
+using Count = long PartRow::*;  ///< of what is numbered
+
 /// Things that several ranks may have: each belongs to the first that has it, and counts once.
 struct Shared {
   std::vector<int> owner;    ///< per thing: rank, -1 where none has it
@@ -47,7 +49,7 @@ class Numberer {
   }
 
   // Of each part's rows the first number, and what comes after the last.
-  static std::vector<long> firsts(const std::vector<PartRow>& rows, long PartRow::*count, long first) {
+  static std::vector<long> firsts(const std::vector<PartRow>& rows, Count count, long first) {
     std::vector<long> result{first};
     for (const PartRow& row : rows) result.push_back(result.back() + row.*count);
     return result;
@@ -68,7 +70,7 @@ std::vector<PartRow> gather_rows(const std::vector<PartRow>& mine, Ranks& ranks)
   return all;
 }
 
-void number_elements(const std::vector<PartRow>& mine, const std::vector<long>& first, long PartRow::*count,
+void number_elements(const std::vector<PartRow>& mine, const std::vector<long>& first, Count count,
                      std::vector<long>& numbers) {
   for (std::size_t i = 0; i < mine.size(); ++i)
     for (long k = 0; k < mine[i].*count; ++k) numbers.push_back(first[i] + k);

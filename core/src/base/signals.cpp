@@ -18,7 +18,7 @@ void handle_signal(int) {
 
 void cancel_on_signals(Progress& progress) {
   signalled.store(&progress);
-  struct sigaction action {};
+  struct sigaction action = {};
   action.sa_handler = handle_signal;
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;

@@ -16,8 +16,8 @@ int thread_count(int threads) { return threads > 0 ? threads : tbb::this_task_ar
 
 void run_tasks(int threads, const std::vector<double>& cost, const std::function<void(int)>& task) {
   std::atomic<long> next{0};
-  run_tasks(
-      threads, cost, [&] { return next.fetch_add(1); }, task);
+  auto take = [&] { return next.fetch_add(1); };
+  run_tasks(threads, cost, take, task);
 }
 
 std::vector<DoneTask> run_tasks(int threads, const std::vector<double>& cost, const std::function<long()>& take,

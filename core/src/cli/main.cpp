@@ -18,8 +18,8 @@ namespace {
 
 /// Prints one line, whatever the text holds.
 void complain(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  auto ends_line = [](char c) { return c == '\n' || c == '\r'; };
+  std::replace_if(text.begin(), text.end(), ends_line, ' ');
   fmt::print(stderr, "paver: {}\n", text);
 }
 

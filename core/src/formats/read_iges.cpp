@@ -33,7 +33,7 @@ Handle(TCollection_HAsciiString) face_name(const Handle(Standard_Transient) & en
 extern "C" void paver_read_format(const FileSource& file, Shape& shape, ModelReport& report, Progress& progress) {
   IGESControl_Reader reader;
   MillimetreReading millimetres;
-  load_file(reader, file, "IGES", progress);
+  check_loaded(reader.ReadFile(file.path.c_str()), file, "IGES", progress);
   Handle(IGESData_IGESModel) model = reader.IGESModel();
   if (!model.IsNull()) report.unit = stated_unit(model);
   reader.SetReadVisible(Standard_False);

@@ -4,6 +4,7 @@
 #include <STEPControl_Reader.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
+#include <fstream>
 #include <string_view>
 
 #include "formats/exchange_settings_impl.h"
@@ -54,7 +55,8 @@ Handle(TCollection_HAsciiString) face_name(const Handle(Standard_Transient) & en
 extern "C" void paver_read_format(const FileSource& file, Shape& shape, ModelReport& report, Progress& progress) {
   STEPControl_Reader reader;
   MillimetreReading millimetres;
-  load_file(reader, file, "STEP", progress);
+  std::ifstream content(file.path, std::ios::binary);  // OpenCASCADE 7.8 opens no path that is not UTF-8
+  check_loaded(reader.ReadStream(file.path.c_str(), content), file, "STEP", progress);
   check_entities(file.name, reader);
   report.unit = stated_unit(reader);
   transfer(reader, shape, progress, face_name);

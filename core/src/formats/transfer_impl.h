@@ -15,9 +15,10 @@
 
 namespace paver {
 
-/// Throws Error{damaged_file}, with the `format`'s name, when the file is not of it.
-inline void load_file(XSControl_Reader& reader, const FileSource& file, const std::string& format, Progress& progress) {
-  if (reader.ReadFile(file.path.c_str()) != IFSelect_RetDone)
+/// Throws Error{damaged_file}, with the `format`'s name, when what came of reading is not "done".
+inline void check_loaded(IFSelect_ReturnStatus status, const FileSource& file, const std::string& format,
+                         Progress& progress) {
+  if (status != IFSelect_RetDone)
     throw Error(ErrorCode::damaged_file, "'" + file.name + "' is not readable " + format + "; export the model again.");
   progress.check();
 }

@@ -58,7 +58,7 @@ void fail_to_write(const std::string& path, int error_number) {
 
 std::string writable_target(const std::string& path) {
   std::string target = followed(path).string();
-  struct stat found {};
+  struct stat found = {};
   if (::stat(target.c_str(), &found) != 0) return target;
   if (S_ISDIR(found.st_mode)) fail_to_write(path, EISDIR);
   if (!S_ISREG(found.st_mode)) {

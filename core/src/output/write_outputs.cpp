@@ -6,7 +6,6 @@
 #include <cctype>
 #include <chrono>
 #include <filesystem>
-#include <functional>
 #include <optional>
 
 #include "output/atomic_file_impl.h"
@@ -74,11 +73,11 @@ void add_stage_seconds(MeshResult& result, std::chrono::steady_clock::time_point
 }
 
 /// The mesh last: who waits for it finds the report, too.
-void commit_both(const OutputFiles& files, const std::function<void()>& commit_report,
-                 const std::function<void()>& commit_mesh) {
-  if (!files.report.empty()) commit_report();
+template <class MeshFile>
+void commit_both(const OutputFiles& files, std::optional<AtomicFile>& report, std::optional<MeshFile>& mesh) {
+  if (report) report->commit();
   try {
-    if (!files.mesh.empty()) commit_mesh();
+    if (mesh) mesh->commit();
   } catch (const Error&) {
     if (!files.report.empty()) std::filesystem::remove(files.report);
     throw;
@@ -112,8 +111,7 @@ void write_outputs(MeshResult& result, const OutputFiles& files, Progress& progr
     report->finish();
   }
   progress.advance();
-  commit_both(
-      files, [&] { report->commit(); }, [&] { mesh->commit(); });
+  commit_both(files, report, mesh);
 }
 
 void check_share_outputs(const OutputFiles& files) {
@@ -150,9 +148,7 @@ void write_share(MeshShare& share, const OutputFiles& files, Progress& progress,
     progress.advance();
   });
   do_together(ranks, [&] {
-    if (ranks.rank() == 0)
-      commit_both(
-          files, [&] { report->commit(); }, [&] { mesh->commit(); });
+    if (ranks.rank() == 0) commit_both(files, report, mesh);
   });
 }
 

@@ -40,7 +40,7 @@ void listen_to_signals() {
   sigset_t heard;
   sigemptyset(&heard);
   for (int number : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) {
-    struct sigaction action {};
+    struct sigaction action = {};
     action.sa_handler = number == SIGCHLD ? handle_child : handle_stop;
     ::sigaction(number, &action, nullptr);
     sigaddset(&heard, number);
