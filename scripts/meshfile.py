@@ -73,7 +73,13 @@ class Reader:
 
 def read(path):
     """The mesh in `path`. Raises ValueError when it is not a .msh file this reader knows."""
-    r = Reader(path)
+    try:
+        return parsed(Reader(path))
+    except (IndexError, OverflowError, struct.error) as error:
+        raise ValueError(f"its data are damaged ({error})") from None
+
+
+def parsed(r):
     mesh = Mesh()
     nodes, blocks, binary = None, [], False
     while r.at < len(r.data):
@@ -108,8 +114,15 @@ def read(path):
             r.words = None
             r.at = r.data.find(b"$End", r.at)
     if nodes is None:
-        raise ValueError("no $Nodes")
+        raise ValueError("it is no .msh file, it has no $Nodes")
     return assemble(mesh, nodes, blocks)
+
+
+def nodes_per(kind):
+    """Number of nodes of an element of Gmsh's type `kind`."""
+    if int(kind) not in TYPES:
+        raise ValueError(f"elements of Gmsh's type {kind} are not read, only surfaces of order 1 and 2")
+    return TYPES[int(kind)][2]
 
 
 def entities(r):
@@ -149,7 +162,7 @@ def elements4(r):
     count, total, _, _ = r.ints(4, "q")
     for _ in range(count):
         _, tag, kind = r.ints(3)
-        n, width = int(r.ints(1, "q")[0]), TYPES[int(kind)][2] + 1
+        n, width = int(r.ints(1, "q")[0]), nodes_per(kind) + 1
         blocks.append((int(kind), int(tag), None, r.ints(n * width, "q").reshape(n, width)[:, 1:]))
     if sum(len(b[3]) for b in blocks) != total:
         raise ValueError("the number of elements does not fit")
@@ -172,10 +185,10 @@ def elements2(r, count, binary):
     while done < count:
         if binary:
             kind, n, tags = (int(i) for i in r.ints(3))
-            table = r.ints(n * (1 + tags + TYPES[kind][2])).reshape(n, -1)[:, 1:]
+            table = r.ints(n * (1 + tags + nodes_per(kind))).reshape(n, -1)[:, 1:]
         else:
             _, kind, tags = (int(i) for i in r.ints(3))
-            table, n = r.ints(tags + TYPES[kind][2]).reshape(1, -1), 1
+            table, n = r.ints(tags + nodes_per(kind)).reshape(1, -1), 1
         for row in table:
             rows.setdefault((kind, int(row[1]), int(row[0])), []).append(row[tags:])
         done += n

@@ -1,13 +1,15 @@
 #!/usr/bin/python3
-"""Draws a .msh file as a picture: curved element edges, hidden surfaces removed, coloured by scaled Jacobian.
+"""Draws a .msh or .vtu file as a picture: curved element edges, hidden surfaces removed, coloured by scaled Jacobian.
 
-    scripts/render.py MESH.msh PICTURE.png [--view iso|x|y|z|-x|-y|-z|AZIMUTH,ELEVATION] [--size 1600x1200]
+    scripts/render.py MESH PICTURE.png [--view iso|x|y|z|-x|-y|-z|AZIMUTH,ELEVATION] [--size 1600x1200]
                       [--zoom 4] [--at X,Y,Z] [--title TEXT] [--no-edges]
 
-A planar mesh is looked at straight on unless --view says otherwise. Elements whose scaled Jacobian is not positive
-are magenta. --zoom enlarges about --at (default: the middle of the mesh).
+A planar mesh is looked at straight on unless --view says otherwise; angles are degrees. Elements whose scaled Jacobian
+is not positive are magenta. --zoom enlarges about --at (default: the middle of the mesh). Edges of the CAD model are
+drawn thicker; a .vtu file does not have them.
 """
 import argparse
+import math
 import os
 import sys
 
@@ -16,6 +18,10 @@ from PIL import Image, ImageDraw, ImageFont
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import meshfile  # noqa: E402
+
+WORKBENCH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Workbench")  # has a reader of .vtu
+VIEWS = {"iso": (-55, 28), "x": (0, 0), "y": (90, 0), "z": (-90, 90), "-x": (180, 0), "-y": (-90, 0), "-z": (-90, -90)}
+LARGEST = 20000     # pixels, each way
 
 OVERSAMPLE = 2      # pixels computed per pixel shown, each way
 PIECE = 12.0        # wished size of the flat pieces an element is drawn with, in computed pixels
@@ -128,19 +134,15 @@ def spread(first, count):
     return of, np.arange(len(of)) - start[of] + first[of]
 
 
-def view_axes(name, mesh):
-    """Rows: right, up, towards the eye."""
-    named = {"x": (0, 0), "-x": (180, 0), "y": (90, 0), "-y": (-90, 0), "z": (-90, 90), "-z": (-90, -90),
-             "iso": (-55, 28)}
-    normal = plane_normal(mesh.nodes) if name is None else None
+def view_axes(angles, mesh):
+    """Rows: right, up, towards the eye, which stands at (azimuth, elevation) in degrees."""
+    normal = plane_normal(mesh.nodes) if angles is None else None
     if normal is not None:
         eye = normal if normal[np.abs(normal).argmax()] > 0 else -normal
         angles = np.degrees([np.arctan2(eye[1], eye[0]), np.arcsin(np.clip(eye[2], -1, 1))])
         if abs(eye[2]) > 1 - 1e-9:
             angles[0] = -90
-    else:
-        angles = named.get(name or "iso") or [float(a) for a in name.split(",")]
-    a, e = np.radians(angles)
+    a, e = np.radians(VIEWS["iso"] if angles is None else angles)
     right = np.array([-np.sin(a), np.cos(a), 0])
     eye = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
     return np.array([right, np.cross(eye, right), eye])
@@ -289,25 +291,97 @@ def render(mesh, view=None, size=(1600, 1200), zoom=1.0, at=None, title="", edge
     return image
 
 
+def read(path):
+    """The mesh of a .msh or .vtu file; ValueError says why there is none."""
+    if not path.lower().endswith(".vtu"):
+        mesh = meshfile.read(path)
+        if len(mesh.quads) + len(mesh.triangles) == 0:
+            raise ValueError("it has no triangles and no quads")
+        return mesh
+    sys.path.append(WORKBENCH)
+    from paver_wb import raw_mesh, read_vtu
+    with open(path, "rb") as f:
+        found = raw_mesh.tables(read_vtu.read(f.read()))
+    return meshfile.Mesh(order=found.order, nodes=found.nodes, quads=found.quads, quad_tag=found.quad_faces,
+                         triangles=found.triangles, triangle_tag=found.triangle_faces,
+                         lines=np.zeros((0, found.order + 1), np.int64), line_tag=np.zeros(0, np.int64))
+
+
+def numbers(text, count):
+    """`count` finite numbers between commas, or None."""
+    try:
+        found = [float(part) for part in text.split(",")]
+    except ValueError:
+        return None
+    return found if len(found) == count and all(map(math.isfinite, found)) else None
+
+
+def view(text):
+    angles = VIEWS.get(text) or numbers(text, 2)
+    if angles is None:
+        raise argparse.ArgumentTypeError(f"there is no view '{text}'; there are {', '.join(VIEWS)} and AZIMUTH,ELEVATION"
+                                         " in degrees, e.g. 30,20.")
+    return angles
+
+
+def picture_size(text):
+    sides = text.split("x")
+    if len(sides) != 2 or not all(side.isdecimal() and 1 <= int(side) <= LARGEST for side in sides):
+        raise argparse.ArgumentTypeError(f"'{text}' is no size; write WIDTHxHEIGHT in pixels, each up to {LARGEST}, "
+                                         "e.g. 1600x1200.")
+    return int(sides[0]), int(sides[1])
+
+
+def point(text):
+    found = numbers(text, 3)
+    if found is None:
+        raise argparse.ArgumentTypeError(f"'{text}' is no point; write X,Y,Z in mm, e.g. 10,0,-2.5.")
+    return found
+
+
+def zoom(text):
+    found = numbers(text, 1)
+    if found is None or found[0] <= 0:
+        raise argparse.ArgumentTypeError(f"'{text}' is no enlargement; write a number above 0, e.g. 4.")
+    return found[0]
+
+
+class Parser(argparse.ArgumentParser):
+    def error(self, message):
+        self.exit(2, f"render: {message.rstrip('.')}.\n")
+
+
+def joined(arguments):
+    """--view -x as --view=-x: what begins with - would be an option."""
+    found = []
+    for argument in arguments:
+        if found and found[-1] in ("--view", "--at", "--zoom"):
+            found[-1] += "=" + argument
+        else:
+            found.append(argument)
+    return found
+
+
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("mesh")
     parser.add_argument("picture")
-    parser.add_argument("--view")
-    parser.add_argument("--size", default="1600x1200", type=lambda t: tuple(int(n) for n in t.split("x")))
-    parser.add_argument("--zoom", default=1.0, type=float)
-    parser.add_argument("--at", type=lambda t: [float(x) for x in t.split(",")])
+    parser.add_argument("--view", type=view)
+    parser.add_argument("--size", default="1600x1200", type=picture_size)
+    parser.add_argument("--zoom", default=1.0, type=zoom)
+    parser.add_argument("--at", type=point)
     parser.add_argument("--title")
     parser.add_argument("--no-edges", action="store_true")
-    a = parser.parse_args()
+    a = parser.parse_args(joined(sys.argv[1:]))
     title = os.path.basename(a.mesh) if a.title is None else a.title
+    path = a.mesh
     try:
-        mesh = meshfile.read(a.mesh)
-        if len(mesh.quads) + len(mesh.triangles) == 0:
-            raise ValueError("no quads or triangles in it")
-        render(mesh, a.view, a.size, a.zoom, a.at, title, not a.no_edges).save(a.picture)
+        mesh = read(a.mesh)
+        image = render(mesh, a.view, a.size, a.zoom, a.at, title, not a.no_edges)
+        path = a.picture
+        image.save(a.picture)
     except (OSError, ValueError) as error:
-        sys.exit(f"render: {a.mesh}: {error}")
+        sys.exit(f"render: {path}: {getattr(error, 'strerror', None) or error}.")
 
 
 if __name__ == "__main__":

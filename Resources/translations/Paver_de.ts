@@ -1067,12 +1067,16 @@
         <translation>; in einem eigenen Prozess</translation>
     </message>
     <message>
+        <source>The mesh has {} elements</source>
+        <translation>Das Netz hat {} Elemente</translation>
+    </message>
+    <message>
         <source>Mesh</source>
         <translation>Vernetzen</translation>
     </message>
     <message>
-        <source>What meshing with these options comes to, before it is done</source>
-        <translation>Was das Vernetzen mit diesen Optionen ergibt, im Voraus</translation>
+        <source>What meshing with these options comes to, or has come to</source>
+        <translation>Was das Vernetzen mit diesen Optionen ergibt oder ergeben hat</translation>
     </message>
     <message>
         <source>Whether the mesh fits the options and the shapes of its objects</source>

@@ -280,7 +280,9 @@ class MeshProxy(Stateless):
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {error}\n")
         part_from_original(obj)
         refill(obj)
-        attach_view(obj)
+        if attach_view(obj):
+            from paver_wb.gui import first_view
+            first_view.look_later(obj.Document)
 
 
 class Observer:
@@ -308,11 +310,15 @@ def meshes_of(document):
 
 
 def attach_view(obj):
-    """Gives the object its view provider, which a file that was saved without a window does not have."""
-    if FreeCAD.GuiUp:
-        from paver_wb.gui.view_provider import MeshViewProvider
-        if not isinstance(obj.ViewObject.Proxy, MeshViewProvider):
-            MeshViewProvider(obj.ViewObject)
+    """Gives the object its view provider, which a file that was saved without a window does not have. Returns whether
+    it had none."""
+    if not FreeCAD.GuiUp:
+        return False
+    from paver_wb.gui.view_provider import MeshViewProvider
+    if isinstance(obj.ViewObject.Proxy, MeshViewProvider):
+        return False
+    MeshViewProvider(obj.ViewObject)
+    return True
 
 
 def add(document, parts, name="PaverMesh", **options):

@@ -49,6 +49,9 @@ def newest_source(checkout):
 
 def load():
     """The compiled module. ImportError, or RuntimeWarning when the sources are newer, with one sentence each."""
+    if importlib.util.find_spec("numpy") is None:
+        raise ImportError(f"Paver needs NumPy, which {sys.executable or 'this Python'} does not have; install the package "
+                          "python3-numpy.")
     path = find()
     if not path.startswith(FOLDER + os.sep) and newest_source(CHECKOUT) > os.stat(path).st_mtime:
         warnings.warn(f"Paver's compiled module is older than its sources; {BUILD}.", RuntimeWarning, stacklevel=3)

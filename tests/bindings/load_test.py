@@ -21,8 +21,8 @@ def checkout(tmp_path):
     return tmp_path
 
 
-def load(checkout, **environment):
-    script = f"import sys; sys.path.insert(0, {str(checkout / 'bindings')!r}); import paver; print(paver.__version__)"
+def load(checkout, before="", **environment):
+    script = before + f"import sys; sys.path.insert(0, {str(checkout / 'bindings')!r}); import paver; print(paver.__version__)"
     clean = {k: v for k, v in os.environ.items() if k != "PAVER_BUILD"}
     return subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60,
                           env={**clean, "PYTHONDONTWRITEBYTECODE": "1", **environment})
@@ -32,6 +32,15 @@ def put_build(checkout, name=None):
     folder = checkout / "build" / "bindings"
     folder.mkdir(parents=True)
     return shutil.copy(_paver.__file__, folder / (name or os.path.basename(_paver.__file__)))
+
+
+def test_without_numpy_the_package_to_install_is_named(checkout):
+    put_build(checkout)
+    bare = "import sys; sys.path[:] = [p for p in sys.path if not p.endswith('-packages')]; "
+    done = load(checkout, bare)
+    assert done.returncode == 1
+    assert done.stderr.splitlines()[-1] == (f"ImportError: Paver needs NumPy, which {sys.executable} does not have; "
+                                            "install the package python3-numpy.")
 
 
 def test_a_missing_build_says_what_to_run(checkout):

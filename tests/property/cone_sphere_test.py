@@ -27,7 +27,8 @@ def check(job):
         faults.append(f"{run.report['quality']['inverted']} inverted elements")
     if runs.euler(run.mesh) != 2:
         faults.append(f"Euler characteristic {runs.euler(run.mesh)}, not 2")
-    if os.path.isdir(runs.SHARED):
+    faults += runs.off_model(runs.independent_figures(model, out, LENGTH / share), LENGTH / share)
+    if runs.has_judge():
         verdict = runs.judge(model, out, LENGTH / share)["verdict"]
         if not verdict["good"]:
             faults.append(f"quality.py: {[k for k, v in verdict.items() if v is False]}")

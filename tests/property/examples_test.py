@@ -1,4 +1,5 @@
-"""Every shipped example at order 1 and 2 keeps the invariants, and the report says what tools/quality.py says.
+"""Every shipped example at order 1 and 2 keeps the invariants, and the report says what independent programs say:
+figures.py of tests/support and, where the shared folder is there, its tools/quality.py.
 
     examples_test.py [NAME...]      default: all of Resources/examples
 """
@@ -18,25 +19,31 @@ MODELS = {"plate_rect_hole": (9, 0), "plate_circular_hole": (7, 0), "plate_nine_
 OPEN = ("plate_rect_hole", "plate_circular_hole", "plate_nine_holes", "disk_tiny_hole", "wavy_patch")
 
 
-def compare(report, verdict):
-    """Where the report and tools/quality.py differ, as sentences. Both read the same curved elements."""
-    ours, theirs = report["quality"], verdict
-    pairs = {
-        "quads": (ours["quads"], theirs["counts"]["quads"]),
-        "triangles": (ours["triangles"], theirs["counts"]["triangles"]),
-        "SJ min": (ours["sj"]["all"]["min"], theirs["shape"]["all"]["scaled_jacobian"]["min"]),
-        "SJ mean": (ours["sj"]["all"]["mean"], theirs["shape"]["all"]["scaled_jacobian"]["mean"]),
-        "SJ share < 0.3": (ours["sj"]["all"]["below_03"], theirs["shape"]["all"]["fraction_sj_below_0.3"]),
-        "irregular share": (ours["irregular_share"], theirs["valence"]["irregular_fraction_face_interior"] or 0),
-        "length mean": (ours["length_mean"], theirs["edges"]["chord"]["mean_rel"]),
-        "length CV": (ours["length_cv"], theirs["edges"]["chord"]["cov"]),
-        "mesh area": (ours["mesh_area"], theirs["area"]["mesh"]),
-        "CAD area": (ours["cad_area"], theirs["area"]["cad"]),
-        "inverted": (ours["inverted"], theirs["curved"]["invalid"]),
-        "border edges": (ours["border_edges"], theirs["topology"]["edges_on_one_element"]),
-    }
-    return [f"{name}: the report says {a:.7g}, quality.py {b:.7g}" for name, (a, b) in pairs.items()
-            if abs(a - b) > 1e-4 * max(abs(a), abs(b)) + 1e-9]
+def reported(report):
+    """Paver's own figures, under the names of figures.py."""
+    q = report["quality"]
+    return {"quads": q["quads"], "triangles": q["triangles"], "SJ min": q["sj"]["all"]["min"],
+            "SJ mean": q["sj"]["all"]["mean"], "SJ share < 0.3": q["sj"]["all"]["below_03"],
+            "irregular share": q["irregular_share"], "length mean": q["length_mean"], "length CV": q["length_cv"],
+            "mesh area": q["mesh_area"], "CAD area": q["cad_area"], "inverted": q["inverted"],
+            "border edges": q["border_edges"]}
+
+
+def judged(verdict):
+    """Those of tools/quality.py."""
+    sj, chord = verdict["shape"]["all"]["scaled_jacobian"], verdict["edges"]["chord"]
+    return {"quads": verdict["counts"]["quads"], "triangles": verdict["counts"]["triangles"], "SJ min": sj["min"],
+            "SJ mean": sj["mean"], "SJ share < 0.3": verdict["shape"]["all"]["fraction_sj_below_0.3"],
+            "irregular share": verdict["valence"]["irregular_fraction_face_interior"] or 0,
+            "length mean": chord["mean_rel"], "length CV": chord["cov"], "mesh area": verdict["area"]["mesh"],
+            "CAD area": verdict["area"]["cad"], "inverted": verdict["curved"]["invalid"],
+            "border edges": verdict["topology"]["edges_on_one_element"]}
+
+
+def differences(report, theirs, who):
+    """Where the report and another program differ, as sentences. Both read the same curved elements."""
+    return [f"{name}: the report says {ours:.7g}, {who} {theirs[name]:.7g}" for name, ours in reported(report).items()
+            if abs(ours - theirs[name]) > 1e-4 * max(abs(ours), abs(theirs[name])) + 1e-9]
 
 
 def check(job):
@@ -51,12 +58,14 @@ def check(job):
     faults = runs.conformity(run.mesh, name not in OPEN)
     if runs.euler(run.mesh) != euler:
         faults.append(f"Euler characteristic {runs.euler(run.mesh)}, not {euler}")
-    if os.path.isdir(runs.SHARED):
+    figures = runs.independent_figures(model, out, size)
+    faults += differences(run.report, figures, "figures.py") + runs.off_model(figures, size)
+    if runs.has_judge():
         verdict = runs.judge(model, out, size)
         if not verdict["verdict"]["good"]:
             faults.append(f"quality.py: {[k for k, v in verdict['verdict'].items() if v is False]}")
         if "counts" in verdict:
-            faults += compare(run.report, verdict)
+            faults += differences(run.report, judged(verdict), "quality.py")
     return f"{name} order {order}: {len(run.mesh.quads)} quads, {len(run.mesh.triangles)} triangles", faults
 
 
@@ -68,8 +77,6 @@ def main():
         for line, found in pool.map(check, [(m, order, folder) for m in models for order in (1, 2)]):
             print(f"{line}: {'; '.join(found) or 'good'}")
             faults += found
-    if not os.path.isdir(runs.SHARED):
-        print("quality.py is missing: the report was not compared with it")
     sys.exit(1 if faults else 0)
 
 

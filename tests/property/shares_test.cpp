@@ -7,12 +7,15 @@
 #include <filesystem>
 #include <set>
 
+#include "support/judge.h"
+
 namespace paver {
 namespace {
 
 TEST(SharesOfRealModels, AreTheSameOnThreeRanks) {
-  const std::filesystem::path folder = PAVER_SHARED "/cad";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the folder with real models is not here";
+  const std::filesystem::path folder = test::shared_folder() / "cad";
+  if (!std::filesystem::exists(folder))
+    GTEST_SKIP() << "needs real models, " << folder << " is missing: set PAVER_SHARED";
   std::set<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) files.insert(entry.path());
   int models = 0, mended = 0;

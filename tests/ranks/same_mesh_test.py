@@ -49,5 +49,5 @@ def test_examples(name, tmp_path):
 def test_cad_models(name, tmp_path):
     model = os.path.join(runs.SHARED, "cad", name)
     if not os.path.exists(model):
-        pytest.skip("set PAVER_SHARED to the folder with cad/")
+        pytest.skip(f"needs a real model, cad/{name} is missing: set PAVER_SHARED to the folder that has it")
     compare(model, str(tmp_path), CAD[name])

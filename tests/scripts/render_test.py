@@ -1,5 +1,6 @@
 """scripts/meshfile.py and scripts/render.py on hand-made meshes."""
 import os
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -58,6 +59,15 @@ $Elements
 $EndElements
 """
 
+# The mesh of ASCII22.
+VTU = """<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian"><UnstructuredGrid>
+<Piece NumberOfPoints="5" NumberOfCells="2">
+<Points><DataArray type="Float64" NumberOfComponents="3">0 0 0 2 0 0 2 2 0 0 2 0 3 1 0</DataArray></Points>
+<Cells><DataArray type="Int32" Name="connectivity">0 1 2 3 1 4 2</DataArray>
+<DataArray type="Int32" Name="offsets">4 7</DataArray><DataArray type="UInt8" Name="types">9 5</DataArray></Cells>
+</Piece></UnstructuredGrid></VTKFile>
+"""
+
 
 def read_text(text):
     with tempfile.TemporaryDirectory() as folder:
@@ -103,22 +113,90 @@ class Drawing(unittest.TestCase):
         nodes = [(x, y, 1) for x, y in square] + [(x, y, 0) for x, y in kite]
         mesh = quads(nodes, [[0, 1, 2, 3], [4, 5, 6, 7]])
         for view, hidden in (("z", True), ("-z", False)):
-            pixels = np.asarray(render.render(mesh, view, (200, 200), edges=False))
+            pixels = np.asarray(render.render(mesh, render.VIEWS[view], (200, 200), edges=False))
             magenta = ((pixels[..., 0] > 200) & (pixels[..., 1] < 30) & (pixels[..., 2] > 200)).sum()
             self.assertEqual(magenta == 0, hidden)
 
     def test_order_2_sides_are_drawn_curved(self):
         nodes = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (1, -0.5, 0), (2, 1, 0), (1, 2, 0), (0, 1, 0), (1, 1, 0)]
-        image = np.asarray(render.render(quads(nodes, [range(9)], 2), "z", (300, 300), edges=False)).astype(int)
+        image = np.asarray(render.render(quads(nodes, [range(9)], 2), render.VIEWS["z"], (300, 300), edges=False)).astype(int)
         blue = (image[..., 2] > image[..., 0] + 30)[:, :200]
         low = [np.flatnonzero(blue[:, x]).max() for x in (60, 140)]
         self.assertGreater(low[1] - low[0], 10)
 
     def test_a_large_element_is_filled_without_holes(self):
         mesh = quads([(0, 0, 0), (3, 0, 1), (3, 2, 0), (0, 2, 1)], [[0, 1, 2, 3]])
-        image = np.asarray(render.render(mesh, "z", (400, 300), edges=False)).astype(int)
+        image = np.asarray(render.render(mesh, render.VIEWS["z"], (400, 300), edges=False)).astype(int)
         row = np.flatnonzero((image[150] != 255).any(1) & (np.arange(400) < 350))
         self.assertEqual(len(row), row.max() - row.min() + 1)
+
+
+class Calls(unittest.TestCase):
+    """The program as it is called."""
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = scratch.name
+        self.mesh = self.file("a.msh", ASCII22)
+        self.picture = os.path.join(self.folder, "a.png")
+
+    def file(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w") as f:
+            f.write(text)
+        return path
+
+    def call(self, *arguments):
+        return subprocess.run([sys.executable, render.__file__, *arguments], stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True)
+
+    def drawn(self, mesh, *options):
+        """The picture of a mesh, as an array."""
+        done = self.call(mesh, self.picture, "--size", "200x150", "--title", "", *options)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with render.Image.open(self.picture) as image:
+            return np.asarray(image).astype(int)
+
+    def refused(self, says, *arguments):
+        done = self.call(*arguments)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertRegex(done.stderr, r"\Arender: [^\n]*\.\n\Z")
+        self.assertIn(says, done.stderr)
+        self.assertFalse(os.path.exists(self.picture))
+
+    def test_views_by_name_and_by_angles(self):
+        same = {"z": "-90,90", "-x": "180,0", "iso": "-55,28"}
+        for name, angles in same.items():
+            self.assertTrue((self.drawn(self.mesh, "--view", name) == self.drawn(self.mesh, "--view", angles)).all())
+        self.assertFalse((self.drawn(self.mesh, "--view", "iso") == self.drawn(self.mesh, "--view", "z")).all())
+        self.drawn(self.mesh, "--at", "-1,-2,-3", "--zoom", "2")
+
+    def test_bad_arguments_are_one_sentence(self):
+        paths = self.mesh, self.picture
+        for bad in ("top", "30", "1,2,3", "nan,0", "30,x", "--no-edges", ""):
+            self.refused(f"there is no view '{bad}'; there are iso, x, y, z, -x, -y, -z and AZIMUTH,ELEVATION", *paths,
+                         "--view", bad)
+        for bad in ("1600", "0x5", "ax5", "5x6x7", "100000x100000", "5.5x6"):
+            self.refused(f"'{bad}' is no size", *paths, "--size", bad)
+        for bad in ("1,2", "1,2,inf", "here"):
+            self.refused(f"'{bad}' is no point", *paths, "--at", bad)
+        for bad in ("0", "-1", "much"):
+            self.refused(f"'{bad}' is no enlargement", *paths, "--zoom", bad)
+
+    def test_bad_files_are_one_sentence(self):
+        self.refused("none.msh: No such file", os.path.join(self.folder, "none.msh"), self.picture)
+        self.refused("none.vtu: No such file", os.path.join(self.folder, "none.vtu"), self.picture)
+        self.refused("text.msh", self.file("text.msh", "solid\n"), self.picture)
+        self.refused("text.vtu", self.file("text.vtu", "solid\n"), self.picture)
+        self.refused("type 21", self.file("b.msh", ASCII22.replace("1 3 2 7 1 ", "1 21 2 7 1 ")), self.picture)
+        self.refused("c.msh", self.file("c.msh", ASCII22.replace("2 2 2 7 1 2 4 3\n", "")), self.picture)
+        self.refused("a.nonsense", self.mesh, os.path.join(self.folder, "a.nonsense"))
+        self.refused("no/a.png: No such file", self.mesh, os.path.join(self.folder, "no", "a.png"))
+
+    def test_vtu_is_drawn_as_msh(self):
+        vtu = self.file("a.vtu", VTU)
+        self.assertTrue((self.drawn(vtu) == self.drawn(self.mesh)).all())
 
 
 if __name__ == "__main__":

@@ -82,6 +82,10 @@ def examples():
     return sorted(p for p in glob.glob(os.path.join(EXAMPLES, "*")) if p.endswith((".step", ".brep")))
 
 
+def has_judge():
+    return os.path.exists(os.path.join(SHARED, "tools", "quality.py"))
+
+
 def judge(model, mesh, size):
     """What tools/quality.py of the shared folder says of a mesh file."""
     tool = need_shared("tools", "quality.py")
@@ -90,6 +94,25 @@ def judge(model, mesh, size):
     if done.returncode:
         return {"verdict": {"good": False, "error": done.stderr.strip()[-200:]}}
     return json.loads(done.stdout[done.stdout.index("{"):])  # some CAD readers print before it
+
+
+def independent_figures(model, mesh, size):
+    """What figures.py beside this file says of a mesh file; in a process of its own, Gmsh knows one model at a time."""
+    tool = os.path.join(os.path.dirname(os.path.abspath(__file__)), "figures.py")
+    done = subprocess.run(["/usr/bin/python3", tool, mesh, model, str(size)], stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, check=True)
+    return json.loads(done.stdout)
+
+
+def off_model(figures, size):
+    """Where nodes are not on the model or its faces not meshed, as sentences. Middle nodes leave the surface where an
+    element would fold on it."""
+    faults = [f"{what} up to {figures[what]:.3g} mm"
+              for what, share in (("corners off the model", 1e-6), ("nodes off the model", 0.1))
+              if figures[what] > share * size]
+    if figures["faces without elements"]:
+        faults.append(f"{figures['faces without elements']:.0f} faces have no elements")
+    return faults
 
 
 SEW = """

@@ -1,17 +1,19 @@
 """Drawings through undo, saving, copying and deleting; see display_cases.py."""
 import gc
 import os
+import re
 import tempfile
 import weakref
 
 import FreeCAD
 import FreeCADGui
+import numpy as np
 
 import display_cases
 import window
-from display_cases import is_coloured, share_of, wait
+from display_cases import is_coloured, wait
 from paver_wb import mesh_object, meshing
-from paver_wb.gui import run_thread
+from paver_wb.gui import first_view, run_thread
 from paver_wb.gui.display import actions, colouring, mesh_display, view_properties
 
 
@@ -100,20 +102,56 @@ class Life(display_cases.InWindow):
         self.assertEqual(self.mesh.ViewObject.getDocumentationOfProperty("ShowWorst"), documentation)
         self.assertEqual((self.display().subdivision, len(self.display().worst.elements)), (4, 3))
 
-    def test_a_document_made_without_a_window(self):
-        path = os.environ.get("PAVER_HEADLESS_DOCUMENT")
+    def open_headless(self, path=None):
+        """Opens the document that was made without a window, or another one; its view."""
+        path = path or os.environ.get("PAVER_HEADLESS_DOCUMENT")
         if not path:
             self.skipTest("no document from a FreeCAD without a window")
         document = FreeCAD.openDocument(path)
-        self.addCleanup(FreeCAD.closeDocument, document.Name)
+        name = document.Name
+        self.addCleanup(lambda: name in FreeCAD.listDocuments() and FreeCAD.closeDocument(name))
         self.mesh, = mesh_object.meshes_of(document)
-        wait(100)
+        self.view = FreeCADGui.getDocument(document.Name).ActiveView
+        return document
+
+    def test_a_document_made_without_a_window_is_seen_whole(self):
+        self.open_headless()
+        wait(500)
         self.assertEqual(self.mesh.ViewObject.DisplayMode, mesh_display.CURVED_EDGES)
         self.assertTrue(self.mesh.ViewObject.Visibility)
         self.expect_shown(self.display())
-        self.view = FreeCADGui.getDocument(document.Name).ActiveView
+        coloured = is_coloured(self.picture("headless"))
+        self.assertGreater(coloured.mean(), 0.1)
+        rim = np.concatenate([coloured[0], coloured[-1], coloured[:, -1]])  # the colour bar is at the left
+        self.assertFalse(rim.any(), "it ends within the picture")
+
+    def turn(self):
+        """Turns the camera at once: other ways may take FreeCAD a moment."""
+        self.view.setCamera(re.sub(r"orientation .*", "orientation 0.6 0 0.8 0.7", self.view.getCamera()))
+
+    def seen(self):
+        """Orientation and height of the camera."""
+        _, *axis, angle = first_view.camera_of(self.view)[1].split()
+        return [round(float(number), 3) for number in (*axis, angle, first_view.camera_of(self.view)[2].split()[1])]
+
+    def test_a_view_that_was_chosen_or_saved_stays(self):
+        document = self.open_headless()
+        self.turn()
+        wait(500)
+        self.assertEqual(self.seen()[:4], [0.6, 0, 0.8, 0.7], "chosen at once")
         self.look()
-        self.assertGreater(share_of(self.picture("headless"), is_coloured), 0.1)
+        wait(500)
+        self.turn()
+        seen = self.seen()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "seen.FCStd")
+            document.saveAs(path)
+            self.assertTrue(first_view.has_view(document))
+            FreeCAD.closeDocument(document.Name)
+            self.open_headless(path)
+            wait(500)
+        self.assertEqual(self.seen(), seen, "saved")
+        self.assertEqual(self.seen()[:4], [0.6, 0, 0.8, 0.7])
 
     def test_a_copy_has_a_drawing_of_its_own(self):
         self.run_mesh()

@@ -6,7 +6,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 import window
-from paver_wb import core, mesh_object
+from paver_wb import core, mesh_object, refinement
 from paver_wb.gui import run_control
 
 PANEL_WIDTH = 360
@@ -89,6 +89,39 @@ class Panel(PanelCase):
         self.assertEqual((rows["Elements"], rows["Quads"], rows["Watertight"]), (str(mesh.Quads),) * 2 + ("yes",))
         self.assertIn("2 mm", rows["Target length"])
         window.picture("panel_meshed")
+
+    def test_the_count_of_the_mesh_stands_where_the_prediction_was(self):
+        mesh = self.add_mesh()
+        self.open(mesh)
+
+        def wait_for(beginning):
+            window.wait(lambda: self.text("Prediction").startswith(beginning), f"for '{beginning}'")
+        wait_for("About ")
+        self.mesh_and_wait()
+        wait_for(f"The mesh has {mesh.Quads + mesh.Triangles} elements")
+        window.pause(500)
+        wait_for("The mesh has ")
+        window.picture("panel_count")
+        for change, back in ((lambda: window.type_into(window.widget("Paver_size"), "1.5 mm"),
+                              lambda: window.type_into(window.widget("Paver_size"), "2 mm")),
+                             (lambda: setattr(mesh, "Size", 3), lambda: setattr(mesh, "Size", 2)),
+                             (lambda: self.set_height(12), lambda: self.set_height(10))):
+            change()
+            wait_for("About ")
+            back()
+            wait_for("The mesh has ")
+        window.click(self.button(QtGui.QDialogButtonBox.Cancel))
+        self.open(mesh)
+        wait_for("The mesh has ")
+        refinement.make(mesh, ["Face1"], 1)
+        wait_for("About ")
+        self.document.undo()
+        wait_for("About ")
+        self.assertEqual(mesh.Status, "Not meshed")
+
+    def set_height(self, height):
+        self.box.Height = height
+        self.document.recompute()
 
     def test_double_click_in_the_tree_opens_it(self):
         mesh = self.add_mesh()

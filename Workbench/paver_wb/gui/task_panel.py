@@ -54,10 +54,14 @@ class TaskPanel:
     # Predicting
 
     def predict(self):
+        """Tells what the options come to: at once where the mesh has been made with them, else by a prediction."""
         fault = self.options.fault()
         if fault:
             self.predictor.drop()
             self.runner.prediction.setText(fault)
+        elif self.obj.Status == mesh_object.UP_TO_DATE and not self.options.changes():
+            self.predictor.drop()
+            self.runner.prediction.setText(task_panel_run.count_of_mesh(self.obj))
         else:
             self.runner.prediction.setText(translate("Paver", "Predicting..."))
             self.predictor.ask(self.options.changes())
@@ -262,7 +266,7 @@ class Observer:
         elif obj != panel.obj:
             return
         elif name == "Status" and panel.run is None:
-            panel.runner.show_status()
+            panel.predict()
         elif panel.options.show_property(name) or name in mesh_object.LINKS:
             panel.predict()
 

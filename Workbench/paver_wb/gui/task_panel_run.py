@@ -9,6 +9,7 @@ from paver_wb import mesh_object
 from paver_wb.gui import run_place, run_status
 from paver_wb.gui.paths import ICONS
 from paver_wb.gui.task_panel_options import with_labels
+from paver_wb.gui.task_panel_result import number
 
 translate = FreeCAD.Qt.translate
 LOG_LINES, LOG_HEIGHT = 200, 90
@@ -16,9 +17,9 @@ SCROLL_DELAY = 50  # ms
 FAULT_STYLE = "QFrame#Paver_Fault { border: 1px solid #c01c28; border-radius: 3px; }"
 
 
-def count_text(number):
+def count_text(count):
     """12 345 elements are shown as exactly as a prediction deserves: three digits."""
-    return f"{float(f'{number:.3g}'):,.0f}".replace(",", "\u202f")
+    return number(round(float(f"{count:.3g}")))
 
 
 def memory_text(mib):
@@ -34,6 +35,11 @@ def prediction_text(prediction, run_in, limit):
     is_heavy = run_in == mesh_object.AUTOMATIC and prediction.elements >= mesh_object.heavy_elements()
     return text + (translate("Paver", "; in a process of its own") if is_heavy or run_in == mesh_object.IN_PROCESS
                    else "")
+
+
+def count_of_mesh(obj):
+    """How much the run has come to."""
+    return translate("Paver", "The mesh has {} elements").format(number(obj.Quads + obj.Triangles))
 
 
 class RunBox(QtGui.QWidget):
@@ -56,7 +62,7 @@ class RunBox(QtGui.QWidget):
         for label in (self.status, self.prediction):
             label.setWordWrap(True)
             layout.addWidget(label)
-        self.prediction.setToolTip(translate("Paver", "What meshing with these options comes to, before it is done"))
+        self.prediction.setToolTip(translate("Paver", "What meshing with these options comes to, or has come to"))
         self.status.setToolTip(translate("Paver", "Whether the mesh fits the options and the shapes of its objects"))
         layout.addLayout(self.buttons())
         self.bar = QtGui.QProgressBar()

@@ -80,7 +80,7 @@ void check_command(int argc, const char* const* argv) {
   std::string command = argc > 1 ? argv[1] : "";
   if (command == "mesh" || command.starts_with('-')) return;
   throw Error(ErrorCode::bad_option,
-              fmt::format("{}; write 'paver mesh FILE -o OUT --size H', or 'paver --help' for all options.",
+              fmt::format("{}; write 'paver mesh FILE -o OUT --size H', or 'paver mesh --help' for all options.",
                           command.empty() ? "No command is given" : "There is no command '" + command + "'"));
 }
 
@@ -91,7 +91,7 @@ std::optional<int> read_arguments(int argc, const char* const* argv, Arguments& 
   CLI::App app("Paver cuts the surfaces of a CAD model into curved quadrilaterals and few triangles.", "paver");
   app.set_version_flag("--version", "paver " PAVER_VERSION);
   app.require_subcommand(1);
-  app.footer(footer);
+  app.footer(std::string("All options of a run: paver mesh --help\n\n") + footer);
   CLI::App& mesh = *app.add_subcommand("mesh", "Mesh a CAD file");
   mesh.footer(footer);
   mesh.add_option("file", arguments.input, "CAD file: STEP, IGES or BREP")->required()->type_name("FILE");

@@ -5,6 +5,7 @@ Complements tests/property/command_line_test.py, which looks at what meshing its
 import json
 import os
 import pty
+import re
 import resource
 import shutil
 import signal
@@ -45,7 +46,7 @@ class Contract(unittest.TestCase):
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_bad_usage_is_2(self):
-        self.refused(self.call(), USAGE, "paver mesh FILE")
+        self.refused(self.call(), USAGE, "paver mesh --help")
         self.refused(self.call("mash"), USAGE, "mash")
         self.refused(self.call("mesh", BOX), USAGE, "--output")
         self.refused(self.mesh("--size", "5", "--nonsense"), USAGE, "--nonsense")
@@ -60,6 +61,19 @@ class Contract(unittest.TestCase):
         self.refused(self.mesh("--size", "5", "--msh-version", "3"), USAGE, "3")
         self.refused(self.mesh("--size", "5", "--order", "two"), USAGE, "two")
         self.refused(self.call("mesh", BOX, "-o", os.path.join(self.folder, "out.stl"), "--size", 5), USAGE, ".msh")
+
+    def test_help_lists_every_option_of_the_readme(self):
+        with open(os.path.join(runs.ROOT, "README.md")) as f:
+            options = set(re.findall(r"^\| .*", f.read(), re.M))
+        options = {name for line in options for name in re.findall(r"`(-[-\w]+)", line.split(" | ")[0])}
+        self.assertGreater(len(options), 15)
+        mesh, whole = self.call("mesh", "--help"), self.call("--help")
+        self.assertEqual((mesh.returncode, mesh.stderr, whole.returncode, whole.stderr), (OK, "", OK, ""))
+        listed = set(re.findall(r"^ +(-.*?)(?=  |$| [A-Z])", mesh.stdout, re.M))
+        self.assertEqual(options - {name for line in listed for name in re.split(r"[, =]", line)}, set())
+        self.assertIn("paver mesh --help", whole.stdout)
+        for text in (mesh.stdout, whole.stdout):
+            self.assertIn("Exit codes:", text)
 
     def test_bad_input_is_3_and_too_many_elements_5(self):
         self.refused(self.call("mesh", "nowhere.step", "-o", self.out, "--size", 5), INPUT, "nowhere.step")

@@ -10,7 +10,8 @@
 namespace paver::fake {
 
 /// n x n cells of 10 mm on a wavy sheet; two faces, left and right of edge 4; edges 0 to 3 around them. Every fifth
-/// cell is two triangles. Nodes are moved at random by up to `noise` mm.
+/// cell is two triangles. Nodes are moved at random by up to `noise` mm. Coordinates are multiples of 2^-20 mm, so that
+/// the mesh is the same with every library of sines.
 class WavyMesh {
  public:
   WavyMesh(int order, int n, double noise) : p_(order), n_(n), width_(n * order + 1) {
@@ -38,6 +39,8 @@ class WavyMesh {
  private:
   int node(int i, int j) const { return j * width_ + i; }
 
+  static double rounded(double x) { return std::round(x * 1048576) / 1048576; }
+
   void add_nodes(double noise) {
     std::mt19937 random(7);  // its numbers are the same everywhere
     auto shift = [&] { return noise * (static_cast<double>(random()) / 2147483648.0 - 1); };
@@ -45,8 +48,8 @@ class WavyMesh {
     for (int j = 0; j < width_; ++j) {
       for (int i = 0; i < width_; ++i) {
         double x = step * i, y = step * j;
-        mesh_.nodes.push_back({x + 3 * std::sin(y / 9) + shift(), y + 2 * std::sin(x / 7) + shift(),
-                               8 * std::sin(x / 20) * std::cos(y / 30) + shift()});
+        mesh_.nodes.push_back({rounded(x + 3 * std::sin(y / 9) + shift()), rounded(y + 2 * std::sin(x / 7) + shift()),
+                               rounded(8 * std::sin(x / 20) * std::cos(y / 30) + shift())});
         int edge = j == 0 ? 0 : j == width_ - 1 ? 2 : i == width_ - 1 ? 1 : i == 0 ? 3 : i == n_ / 2 * p_ ? 4 : -1;
         mesh_.node_edge.push_back(edge);
       }

@@ -106,6 +106,10 @@ class MeshDisplay:
         self.reported = element
         self.changed(CHOSEN)
 
+    def is_pending(self):
+        """Whether what is to be shown is not drawn yet."""
+        return self.is_waiting or self.loading is not None
+
     def update_later(self):
         self.is_waiting = False
         try:
