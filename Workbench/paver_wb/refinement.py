@@ -323,7 +323,7 @@ class Numbers:
         from paver import _shapes
         if self.shapes is None:
             self.shapes = [_shapes.shape_of(source) for source in self.sources]
-            self.whole = Part.makeCompound(self.shapes)
+            self.whole = Part.Compound(self.shapes)
         wanted = getattr(self.shapes[number], KINDS[kind])[int(index) - 1]
         return next(f"{kind}{i}" for i, element in enumerate(getattr(self.whole, KINDS[kind]), 1)
                     if element.isSame(wanted))

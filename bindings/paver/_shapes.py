@@ -78,7 +78,7 @@ def source_of(thing, name):
         return binary(shape_of(thing)), name or label_of(thing)
     if isinstance(thing, (list, tuple)) and thing and all(is_shape(t) or is_object(t) for t in thing):
         import Part
-        compound = Part.makeCompound([shape_of(t) for t in thing])
+        compound = Part.Compound([shape_of(t) for t in thing])  # FreeCAD 1.0's makeCompound crashes in a plain Python
         return binary(compound), name or ", ".join(label_of(t) for t in thing)
     remedy = "pass a Part.Shape, an object of a FreeCAD document, a list of these, the path of a CAD file, or its bytes"
     raise TypeError(f"A {type(thing).__name__} cannot be meshed; {remedy}.")

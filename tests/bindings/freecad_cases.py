@@ -42,8 +42,8 @@ class Shapes(unittest.TestCase):
     def test_faces_and_edges_have_freecads_numbers(self):
         box, cone = Part.makeBox(10, 20, 30), Part.makeCone(4, 9, 12)
         box.Placement, cone.Placement = placed(1, 2, 3, 33), placed(40, -3, 0, 70)
-        for shape in (box, cone, Part.makeCompound([cone, box]), box.fuse(Part.makeCylinder(5, 60)),
-                      box.cut(Part.makeSphere(12)), Part.makeCompound([Part.makeLine((0, 0, 0), (9, 9, 99)), box])):
+        for shape in (box, cone, Part.Compound([cone, box]), box.fuse(Part.makeCylinder(5, 60)),
+                      box.cut(Part.makeSphere(12)), Part.Compound([Part.makeLine((0, 0, 0), (9, 9, 99)), box])):
             result = paver.mesh(shape, size=4)
             edges = self.expect_numbers_of(shape, result)
             followed = {i for i, edge in enumerate(shape.Edges) for face in shape.Faces
@@ -52,7 +52,7 @@ class Shapes(unittest.TestCase):
             self.assertLessEqual(followed, edges)
 
     def test_sewn_faces_keep_the_numbers_of_the_loose_ones(self):
-        loose = Part.makeCompound([face.copy() for face in Part.makeBox(10, 20, 30).Faces])
+        loose = Part.Compound([face.copy() for face in Part.makeBox(10, 20, 30).Faces])
         self.assertEqual(len(loose.Edges), 24)
         result = paver.mesh(loose, size=4)
         self.assertTrue(result.report["quality"]["watertight"])
@@ -102,13 +102,13 @@ class Shapes(unittest.TestCase):
         self.assertEqual(len(result.face_names), 11)
 
     def test_what_has_nothing_to_mesh_is_refused(self):
-        for shape in (Part.Shape(), Part.makeLine((0, 0, 0), (1, 1, 1)), Part.makeCompound([])):
+        for shape in (Part.Shape(), Part.makeLine((0, 0, 0), (1, 1, 1)), Part.Compound([])):
             with self.assertRaises(paver.InputError) as caught:
                 paver.mesh(shape, size=1)
             self.assertEqual(caught.exception.code, "no_faces")
 
     def test_a_face_that_fails_has_freecads_number(self):
-        shape = Part.makeCompound([Part.makePlane(1, 1), Part.Plane().toShape(), Part.makePlane(2, 2, Vector(5, 5, 5))])
+        shape = Part.Compound([Part.makePlane(1, 1), Part.Plane().toShape(), Part.makePlane(2, 2, Vector(5, 5, 5))])
         with self.assertRaises(paver.FaceError) as caught:
             paver.mesh(shape, size=0.3)
         self.assertEqual((caught.exception.face, caught.exception.faces), ("Face2", ("Face2",)))
