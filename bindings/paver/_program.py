@@ -1,6 +1,5 @@
 """The command line as a part of the package: python -m paver. It needs neither NumPy nor the compiled module."""
 import os
-import signal
 import sys
 
 from ._load import BUILD_FOLDER, FOLDER, IS_CHECKOUT, remedy
@@ -24,8 +23,6 @@ def find():
 def run(arguments):
     """Becomes the program, with its options and exit codes."""
     path = find()
-    for number in (signal.SIGPIPE, signal.SIGXFSZ):  # Python ignores them, and the program would go on doing so
-        signal.signal(number, signal.SIG_DFL)
     try:
         os.execv(path, [path, *arguments])
     except OSError as error:
