@@ -41,11 +41,16 @@ Generator: scripts/wheel.py
 Root-Is-Purelib: false
 Tag: {tag}
 """
-COMMAND = """#!python
+ENTRY_POINTS = """[console_scripts]
+paver = _paver_command:run
+"""
+COMMAND = """\"\"\"The command paver: python -m paver. No part of the package, which it would load with NumPy.\"\"\"
 import os
 import sys
 
-os.execv(sys.executable, [sys.executable, "-P", "-m", "paver", *sys.argv[1:]])
+
+def run():
+    os.execv(sys.executable, [sys.executable, "-P", "-m", "paver", *sys.argv[1:]])
 """
 BUNDLED = """# What this wheel brings along
 
@@ -179,9 +184,8 @@ def describe(tree, build, bundled):
     write(os.path.join(information, "WHEEL"), WHEEL.format(tag=tag()))
     os.makedirs(os.path.join(information, "licenses"))
     add_licences(os.path.join(information, "licenses"), bundled)
-    command = os.path.join(tree, f"paver-{version}.data", "scripts", "paver")
-    write(command, COMMAND)
-    os.chmod(command, 0o755)
+    write(os.path.join(information, "entry_points.txt"), ENTRY_POINTS)
+    write(os.path.join(tree, "_paver_command.py"), COMMAND)
 
 
 def main():

@@ -75,13 +75,13 @@ def wheel(tmp_path_factory):
 @pytest.fixture(scope="module")
 def bare(wheel, tmp_path_factory):
     """Without NumPy."""
-    return Place(tmp_path_factory.mktemp("bare") / "venv", wheel)
+    return Place(tmp_path_factory.mktemp("ohne zusätzliche Pakete") / "venv", wheel)
 
 
 @pytest.fixture(scope="module")
 def place(wheel, tmp_path_factory):
     """With the system's NumPy."""
-    return Place(tmp_path_factory.mktemp("with numpy") / "venv", wheel, "--system-site-packages")
+    return Place(tmp_path_factory.mktemp("mit zusätzlichen Paketen") / "venv", wheel, "--system-site-packages")
 
 
 @pytest.fixture(scope="module")
