@@ -16,7 +16,7 @@ import pytest
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.append(os.path.join(ROOT, "tests", "support"))
-import freecad  # noqa: E402
+import freecad_program  # noqa: E402
 
 BUILD = os.environ.get("PAVER_BUILD") or os.path.join(ROOT, "build")
 PROGRAM = os.environ.get("PAVER_PROGRAM") or os.path.join(BUILD, "core", "paver")
@@ -215,15 +215,15 @@ def test_another_opencascade_that_all_see_is_left_alone(place, expected, tmp_pat
 
 
 def test_inside_freecad(place, expected, tmp_path):
-    if not freecad.program():
+    if not freecad_program.program():
         (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)("FreeCAD is not installed")
     out, log, macro = tmp_path / "wing.msh", tmp_path / "symbols", tmp_path / "mesh.FCMacro"
     macro.write_text(f"import sys\nsys.path.insert(0, {place.packages!r})\nimport Part\nPart.read({WING!r})\n{mesh(out)}"
                      "assert paver.mesh(Part.makeSphere(30), size=5).quads.size > 0\n"
                      f"assert paver.__file__.startswith({place.packages!r})\nsys.exit(5)\n")
-    home = freecad.profile(tmp_path / "profile")
+    home = freecad_program.profile(tmp_path / "profile")
     shutil.rmtree(os.path.join(home, "Mod"))  # not the checkout's module
-    done = freecad.run([str(macro)], home, LD_DEBUG="bindings", LD_DEBUG_OUTPUT=str(log))
+    done = freecad_program.run([str(macro)], home, LD_DEBUG="bindings", LD_DEBUG_OUTPUT=str(log))
     assert done.returncode == 5, (done.stdout + done.stderr)[-3000:]
     assert content(out) == expected
     expect_own_symbols(place, log)
