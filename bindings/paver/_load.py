@@ -56,13 +56,14 @@ def newest_source(checkout):
 
 
 def search_order():
-    """Flags of the loader. A wheel's own OpenCASCADE goes before another one that the host has loaded for all to see;
-    not always, as it would go before a memory allocator that somebody put in, too."""
+    """Flags of the loader. A wheel's own OpenCASCADE and TBB go before others that the host has loaded for all to see;
+    not always, as the system's memory allocator would go before one that somebody put in, too."""
     if not os.path.isdir(LIBRARIES):
         return sys.getdlopenflags()
     import ctypes
-    has_another = hasattr(ctypes.CDLL(None), "_ZTI18Standard_Transient")
-    return os.RTLD_NOW | os.RTLD_LOCAL | (os.RTLD_DEEPBIND if has_another else 0)
+    seen_by_all = ctypes.CDLL(None)
+    has_others = any(hasattr(seen_by_all, name) for name in ("_ZTI18Standard_Transient", "TBB_runtime_interface_version"))
+    return os.RTLD_NOW | os.RTLD_LOCAL | (os.RTLD_DEEPBIND if has_others else 0)
 
 
 def load_file(path):
