@@ -9,7 +9,11 @@ once and meshed often, in any thread. All errors are Error.
 """
 import atexit as _atexit
 
-from . import _load
+from . import _load, _program
+
+if _program.is_asked():
+    import sys as _sys
+    _program.run(_sys.argv[1:])
 
 _paver = _load.load()
 

@@ -7,10 +7,19 @@ import warnings
 
 NAME = "paver._paver"
 FOLDER = os.path.dirname(os.path.abspath(os.path.realpath(__file__)))
+LIBRARIES = os.path.join(os.path.dirname(FOLDER), "paver.libs")  # what a wheel brings along
 CHECKOUT = os.path.dirname(os.path.dirname(FOLDER))
-BUILD = "run scripts/build paver_python in " + CHECKOUT
+IS_CHECKOUT = os.path.isdir(os.path.join(CHECKOUT, "core"))
+BUILD_FOLDER = os.environ.get("PAVER_BUILD") or os.path.join(CHECKOUT, "build")
 SOURCES = ("core/include", "core/src", "bindings/src")  # relative to the checkout
 NOT_LINKED = tuple(os.path.join("core", "src", name) for name in ("cli", "formats", "watch", "worker"))
+
+
+def remedy(target="paver_python"):
+    """What to do when something is missing."""
+    if IS_CHECKOUT:
+        return f"run scripts/build {target} in {CHECKOUT}"
+    return "install Paver again, as it was made for this system and this Python"
 
 
 def candidates(folder):
@@ -23,17 +32,16 @@ def candidates(folder):
 
 def find():
     """Path of the compiled module: beside the package where it is installed, else in the build folder."""
-    build = os.environ.get("PAVER_BUILD") or os.path.join(CHECKOUT, "build")
     foreign = []
-    for folder in (FOLDER, os.path.join(build, "bindings")):
+    for folder in (FOLDER, os.path.join(BUILD_FOLDER, "bindings")):
         mine, others = candidates(folder)
         if mine:
             return mine[0]
         foreign += others
     if foreign:
         raise ImportError(f"Paver's compiled module is for another Python than {sys.version.split()[0]} "
-                          f"({', '.join(foreign)}); {BUILD}, or use the Python it was built for.")
-    raise ImportError(f"Paver's compiled module is missing; {BUILD}.")
+                          f"({', '.join(foreign)}); {remedy()}, or use the Python it was built for.")
+    raise ImportError(f"Paver's compiled module is missing; {remedy()}.")
 
 
 def newest_source(checkout):
@@ -47,6 +55,38 @@ def newest_source(checkout):
     return newest
 
 
+def search_order():
+    """Flags of the loader. A wheel's own OpenCASCADE and TBB go before others that the host has loaded for all to see;
+    not always, as the system's memory allocator would go before one that somebody put in, too."""
+    if not os.path.isdir(LIBRARIES):
+        return sys.getdlopenflags()
+    import ctypes
+    seen_by_all = ctypes.CDLL(None)
+    has_others = any(hasattr(seen_by_all, name) for name in ("_ZTI18Standard_Transient", "TBB_runtime_interface_version"))
+    return os.RTLD_NOW | os.RTLD_LOCAL | (os.RTLD_DEEPBIND if has_others else 0)
+
+
+def load_file(path):
+    loader = importlib.machinery.ExtensionFileLoader(NAME, path)
+    flags = sys.getdlopenflags()
+    try:
+        sys.setdlopenflags(search_order())
+        module = importlib.util.module_from_spec(importlib.util.spec_from_file_location(NAME, path, loader=loader))
+        loader.exec_module(module)
+    finally:
+        sys.setdlopenflags(flags)
+    return module
+
+
+def check_numpy(module):
+    try:
+        import numpy
+    except ImportError:
+        raise ImportError("Paver's Python module needs NumPy; install it (package python3-numpy, or pip install numpy).") from None
+    if int(numpy.__version__.split(".")[0]) > 1 and not module.knows_numpy_2:
+        raise ImportError(f"Paver's compiled module needs NumPy 1, and this is NumPy {numpy.__version__}; install one below 2.")
+
+
 def load():
     """The compiled module. ImportError, or RuntimeWarning when the sources are newer, with one sentence each."""
     if importlib.util.find_spec("numpy") is None:
@@ -54,13 +94,12 @@ def load():
                           "python3-numpy.")
     path = find()
     if not path.startswith(FOLDER + os.sep) and newest_source(CHECKOUT) > os.stat(path).st_mtime:
-        warnings.warn(f"Paver's compiled module is older than its sources; {BUILD}.", RuntimeWarning, stacklevel=3)
-    loader = importlib.machinery.ExtensionFileLoader(NAME, path)
+        warnings.warn(f"Paver's compiled module is older than its sources; {remedy()}.", RuntimeWarning, stacklevel=3)
     try:
-        module = importlib.util.module_from_spec(importlib.util.spec_from_file_location(NAME, path, loader=loader))
-        loader.exec_module(module)
+        module = load_file(path)
     except ImportError as error:
-        raise ImportError(f"Paver's compiled module does not load ({error}); run scripts/setup in {CHECKOUT}, "
-                          f"then scripts/build paver_python.") from None
+        what = f"run scripts/setup in {CHECKOUT}, then scripts/build paver_python" if IS_CHECKOUT else remedy()
+        raise ImportError(f"Paver's compiled module does not load ({error}); {what}.") from None
+    check_numpy(module)
     sys.modules[NAME] = module
     return module

@@ -143,6 +143,9 @@ void raise_in_python(const Error& error) {
 }  // namespace
 }  // namespace paver::python
 
+/// pybind11 before 2.12 has the memory layout of NumPy 1 alone.
+constexpr bool knows_numpy_2 = PYBIND11_VERSION_HEX >= 0x020C0000;
+
 PYBIND11_MODULE(_paver, module) {
   using namespace paver::python;
   py::register_exception_translator([](std::exception_ptr pointer) {
@@ -153,6 +156,7 @@ PYBIND11_MODULE(_paver, module) {
     }
   });
   module.attr("version") = PAVER_VERSION;
+  module.attr("knows_numpy_2") = knows_numpy_2;
   py::class_<Source>(module, "Source")
       .def_static("of_file", &Source::of_file)
       .def_static("of_bytes", &Source::of_bytes);

@@ -15,8 +15,9 @@ std::vector<fs::path> own_folders() {
     ours.insert(ours.begin(), fs::weakly_canonical(info.dli_fname, ignored));
   std::vector<fs::path> folders;
   for (const fs::path& own : ours) {
-    const fs::path folder = own.parent_path(), above = folder.parent_path();
-    for (const fs::path& one : {folder, above / "core", above.parent_path() / "core"}) folders.push_back(one);
+    const fs::path folder = own.parent_path(), above = folder.parent_path(), top = above.parent_path();
+    for (const fs::path& one : {folder, above / "core", top / "core"}) folders.push_back(one);
+    for (const fs::path& one : {above / "lib" / "paver", top.parent_path() / "paver"}) folders.push_back(one);
   }
   return folders;
 }

@@ -1,6 +1,8 @@
 #include <dlfcn.h>
 
+#include <Standard_Transient.hxx>
 #include <filesystem>
+#include <typeinfo>
 
 #include "base/own_folders.h"
 #include "brep/format_library_impl.h"
@@ -16,11 +18,19 @@ std::string path_of(const std::string& library) {
   return library;
 }
 
+/// A host may have loaded another OpenCASCADE for all to see: what we load must take ours all the same.
+int search_order() {
+  void* everyone = ::dlopen(nullptr, RTLD_NOW);
+  const void* theirs = everyone ? ::dlsym(everyone, "_ZTI18Standard_Transient") : nullptr;
+  return theirs && theirs != &typeid(Standard_Transient) ? RTLD_DEEPBIND : 0;
+}
+
 }  // namespace
 
 FormatReader& format_library(const std::string& format, const FileSource& file) {
   const std::string name = "libpaver_" + format + ".so";
-  void* library = ::dlopen(path_of(name).c_str(), RTLD_NOW | RTLD_LOCAL);  // stays: OpenCASCADE keeps tables of it
+  // It stays: OpenCASCADE keeps tables of it.
+  void* library = ::dlopen(path_of(name).c_str(), RTLD_NOW | RTLD_LOCAL | search_order());
   void* function = library ? ::dlsym(library, "paver_read_format") : nullptr;
   if (!function)
     throw Error(ErrorCode::internal, "'" + file.name + "' cannot be read without the library " + name + " (" +

@@ -189,6 +189,20 @@ std::optional<Error> lost_rank(const std::string& output, int ranks, const Progr
   return Error(ErrorCode::internal, who + "; nothing was written, report it with the model.");
 }
 
+/// What the system says when it cannot start the ranks for want of a library.
+std::optional<Error> missing_library(const std::string& output, int ranks) {
+  constexpr std::string_view words = "error while loading shared libraries: ";
+  const std::size_t at = output.find(words);
+  if (at == std::string::npos) return std::nullopt;
+  const std::size_t start = at + words.size();
+  const std::string library = output.substr(start, output.find_first_of(":\n", start) - start);
+  return Error(ErrorCode::bad_option,
+               fmt::format("ranks is {}, but paver-worker does not start without the library {}; install Open MPI "
+                           "(package openmpi-bin) and start it with its own mpirun, or leave ranks out to mesh in this "
+                           "process.",
+                           ranks, library));
+}
+
 /// The first line of mpirun's output with two letters next to each other.
 std::string first_words(const std::string& output) {
   auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
@@ -205,6 +219,7 @@ std::string first_words(const std::string& output) {
   const std::optional<Error>& error = listener.error();
   if (error && error->code() != ErrorCode::cancelled) throw Error(*error);
   if (auto lost = lost_rank(child.last_output(), ranks, progress)) throw Error(*lost);
+  if (auto missing = missing_library(child.last_output(), ranks)) throw Error(*missing);
   int number = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status) - signal_exit_code;
   if (number == SIGKILL)
     throw Error(ErrorCode::internal,
