@@ -1,7 +1,9 @@
 """Finds and loads the compiled part of the package, and says in one sentence what to do when it cannot."""
 import importlib.machinery
 import importlib.util
+import mmap
 import os
+import re
 import sys
 import warnings
 
@@ -11,6 +13,31 @@ CHECKOUT = os.path.dirname(os.path.dirname(FOLDER))
 BUILD = "run scripts/build paver_python in " + CHECKOUT
 SOURCES = ("core/include", "core/src", "bindings/src")  # relative to the checkout
 NOT_LINKED = tuple(os.path.join("core", "src", name) for name in ("cli", "formats", "watch", "worker"))
+MARK = re.compile(rb"Paver's compiled module, version ([\w.+-]+)")  # in the compiled module
+
+
+def own_version():
+    """The version of the checkout; empty where the package is installed, which has its compiled part beside it."""
+    path = os.path.join(CHECKOUT, "package.xml")
+    if not os.path.isfile(path):
+        return ""
+    with open(path, encoding="utf-8") as file:
+        return re.search("<version>([^<]*)</version>", file.read()).group(1).strip()
+
+
+def marked_version(content):
+    """The version that a compiled module, as bytes, says it has; empty without one."""
+    found = MARK.search(content)
+    return found.group(1).decode() if found else ""
+
+
+def version_of(path):
+    """That of a file, which is not loaded for it: two versions in one process do not go together."""
+    with open(path, "rb") as file:
+        if os.fstat(file.fileno()).st_size == 0:
+            return ""
+        with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+            return marked_version(content)
 
 
 def candidates(folder):
@@ -21,15 +48,31 @@ def candidates(folder):
     return [os.path.join(folder, n) for n in mine], [n for n in found if n.endswith((".so", ".pyd")) and n not in mine]
 
 
+def build_folder():
+    return os.path.join(os.environ.get("PAVER_BUILD") or os.path.join(CHECKOUT, "build"), "bindings")
+
+
+def other_packages():
+    """Folders of packages of this name elsewhere on sys.path: an unpacked binary, what the system or pip has installed."""
+    folders = (os.path.join(path, "paver") for path in sys.path)
+    return [f for f in folders if os.path.isdir(f) and not os.path.samefile(f, FOLDER)]
+
+
 def find():
-    """Path of the compiled module: beside the package where it is installed, else in the build folder."""
-    build = os.environ.get("PAVER_BUILD") or os.path.join(CHECKOUT, "build")
-    foreign = []
-    for folder in (FOLDER, os.path.join(build, "bindings")):
-        mine, others = candidates(folder)
-        if mine:
-            return mine[0]
-        foreign += others
+    """Paths of compiled modules that fit, best first: beside the package where it is installed, in the build folder, in
+    another package of this name. ImportError, one sentence, without any."""
+    wanted, fitting, foreign, others = own_version(), [], [], []
+    for folder in (FOLDER, build_folder(), *other_packages()):
+        mine, not_mine = candidates(folder)
+        foreign += not_mine
+        for path in mine:
+            version = version_of(path) if wanted else ""
+            (others if version and version != wanted else fitting).append((path, version))
+    if fitting:
+        return [path for path, _ in fitting]
+    if others:
+        raise ImportError(f"Paver's compiled module {others[0][0]} has version {others[0][1]}, but its package in "
+                          f"{FOLDER} has version {wanted}; {BUILD}.")
     if foreign:
         raise ImportError(f"Paver's compiled module is for another Python than {sys.version.split()[0]} "
                           f"({', '.join(foreign)}); {BUILD}, or use the Python it was built for.")
@@ -47,17 +90,25 @@ def newest_source(checkout):
     return newest
 
 
+def load_file(path):
+    loader = importlib.machinery.ExtensionFileLoader(NAME, path)
+    module = importlib.util.module_from_spec(importlib.util.spec_from_file_location(NAME, path, loader=loader))
+    loader.exec_module(module)
+    return module
+
+
 def load():
     """The compiled module. ImportError, or RuntimeWarning when the sources are newer, with one sentence each."""
-    path = find()
-    if not path.startswith(FOLDER + os.sep) and newest_source(CHECKOUT) > os.stat(path).st_mtime:
-        warnings.warn(f"Paver's compiled module is older than its sources; {BUILD}.", RuntimeWarning, stacklevel=3)
-    loader = importlib.machinery.ExtensionFileLoader(NAME, path)
-    try:
-        module = importlib.util.module_from_spec(importlib.util.spec_from_file_location(NAME, path, loader=loader))
-        loader.exec_module(module)
-    except ImportError as error:
-        raise ImportError(f"Paver's compiled module does not load ({error}); run scripts/setup in {CHECKOUT}, "
-                          f"then scripts/build paver_python.") from None
-    sys.modules[NAME] = module
-    return module
+    faults = []
+    for path in find():
+        if os.path.dirname(path) == build_folder() and newest_source(CHECKOUT) > os.stat(path).st_mtime:
+            warnings.warn(f"Paver's compiled module is older than its sources; {BUILD}.", RuntimeWarning, stacklevel=3)
+        try:
+            module = load_file(path)
+        except ImportError as error:
+            faults.append(str(error))
+            continue
+        sys.modules[NAME] = module
+        return module
+    raise ImportError(f"Paver's compiled module does not load ({faults[0]}); run scripts/setup in {CHECKOUT}, "
+                      f"then scripts/build paver_python.")

@@ -94,8 +94,11 @@ def test_freecad_finds_the_package_through_init_py(tmp_path):
 import sys, types
 sys.path.insert(0, {str(tmp_path / 'Paver')!r})
 types_of_files = lambda *of: None
-exec(compile(open({os.path.join(ROOT, 'Init.py')!r}).read(), "Init.py", "exec"),
-     {{"FreeCAD": types.SimpleNamespace(__unit_test__=[], addImportType=types_of_files, addExportType=types_of_files)}})
+freecad = types.SimpleNamespace(__unit_test__=[], addImportType=types_of_files, addExportType=types_of_files,
+                                getUserAppDataDir=lambda: {str(tmp_path)!r})
+sys.modules["FreeCAD"] = freecad
+exec(compile(open({os.path.join(ROOT, 'Init.py')!r}).read(), "Init.py", "exec"), {{"FreeCAD": freecad}})
+assert sys.path[-1] == {str(tmp_path / "Paver" / "binary")!r}
 import paver
 print(paver.__file__)
 """
