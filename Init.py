@@ -13,10 +13,9 @@ def _add_folders():
     for folder in list(sys.path):
         added = [os.path.join(folder, "bindings"), os.path.join(folder, "Workbench")]
         if all(os.path.isfile(os.path.join(f, p, "__init__.py")) for f, p in zip(added, ("paver", "paver_wb"))):
-            sys.path[:0] = [f for f in added if f not in sys.path]
+            sys.path[:0] = added
             from paver_wb import core
-            if core.binary_folder() not in sys.path:
-                sys.path.append(core.binary_folder())
+            sys.path.insert(len(added), core.binary_folder())
             return
 
 

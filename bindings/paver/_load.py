@@ -10,7 +10,9 @@ import warnings
 NAME = "paver._paver"
 FOLDER = os.path.dirname(os.path.abspath(os.path.realpath(__file__)))
 CHECKOUT = os.path.dirname(os.path.dirname(FOLDER))
-BUILD = "run scripts/build paver_python in " + CHECKOUT
+SCRIPT = os.path.join(CHECKOUT, "scripts", "build")
+BASH = "bash " if os.path.exists(SCRIPT) and not os.access(SCRIPT, os.X_OK) else ""  # unpacked without permissions
+BUILD = f"run {BASH}scripts/build paver_python in {CHECKOUT}"
 SOURCES = ("core/include", "core/src", "bindings/src")  # relative to the checkout
 NOT_LINKED = tuple(os.path.join("core", "src", name) for name in ("cli", "formats", "watch", "worker"))
 MARK = re.compile(rb"Paver's compiled module, version ([\w.+-]+)")  # in the compiled module
@@ -110,5 +112,5 @@ def load():
             continue
         sys.modules[NAME] = module
         return module
-    raise ImportError(f"Paver's compiled module does not load ({faults[0]}); run scripts/setup in {CHECKOUT}, "
-                      f"then scripts/build paver_python.")
+    raise ImportError(f"Paver's compiled module does not load ({faults[0]}); run {BASH}scripts/setup in {CHECKOUT}, "
+                      f"then {BASH}scripts/build paver_python.")

@@ -23,7 +23,8 @@ namespace py = pybind11;
 namespace paver::python {
 namespace {
 
-/// Its end is the version. It stands in the file with this beginning for _load.py, which reads it there before it loads.
+/// Its end is the version. It stands in the file with this beginning for _load.py, which reads it there before it
+/// loads.
 constexpr char marked_version[] = "Paver's compiled module, version " PAVER_VERSION;
 
 /// A file or its content, read when it is first needed, once.

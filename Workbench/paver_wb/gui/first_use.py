@@ -33,7 +33,7 @@ def text_label(name):
 
 def what_is_wrong(problem):
     """The sentence of the core without what to do, which the dialog does itself."""
-    return problem.split("; run scripts/")[0] + "."
+    return problem.split("; run ")[0] + "."
 
 
 def row(*widgets):
@@ -71,8 +71,9 @@ class FirstUse(QtGui.QDialog):
         self.state = text_label("State")
         layout = QtGui.QVBoxLayout(self)
         layout.addWidget(self.state)
-        layout.addWidget(self.binary_box())
-        layout.addWidget(self.build_box(), 1)
+        self.boxes = [self.binary_box(), self.build_box()]
+        for box in self.boxes:
+            layout.addWidget(box)
         self.close_button = button("Close", translate("Paver", "Close"), self.close)
         layout.addLayout(row(None, self.close_button))
         self.look()
@@ -119,7 +120,9 @@ class FirstUse(QtGui.QDialog):
         problem = core.problem()
         self.state.setText(what_is_wrong(problem) + "\n\n" + translate(
             "Paver", "Nothing can be meshed without it. Use a binary, or build it here once.") if problem
-            else translate("Paver", "Paver is ready."))
+            else translate("Paver", "Paver is ready.") + "\n\n" + core.about()[0])
+        for box in self.boxes:
+            box.setVisible(bool(problem))
         self.wheel = binary.found() if problem else None
         self.wheel_text.setText(translate("Paver", "Found: {}").format(self.wheel) if self.wheel else translate(
             "Paver", "A binary is a file paver-{}-*.whl for the Python of this FreeCAD. There is none in FreeCAD's folders."
@@ -142,15 +145,18 @@ class FirstUse(QtGui.QDialog):
 
     def fit(self):
         """High enough for its sentences, which Qt does not see to."""
-        self.resize(max(WIDTH, self.width()), max(self.height(), self.layout().totalHeightForWidth(WIDTH)))
+        self.layout().activate()
+        self.resize(max(WIDTH, self.width()), self.layout().totalHeightForWidth(max(WIDTH, self.width())))
+
+    def is_busy(self):
+        return self.build is not None or self.unpacking is not None
 
     def allow(self, is_needed, may_build):
         """Enables what can be done now."""
-        is_busy = self.build is not None or self.unpacking is not None
         self.use.setVisible(self.wheel is not None)
         for widget in (self.use, self.choose_button, self.again):
-            widget.setEnabled(is_needed and not is_busy)
-        self.build_button.setEnabled(is_needed and may_build and not is_busy)
+            widget.setEnabled(is_needed and not self.is_busy())
+        self.build_button.setEnabled(is_needed and may_build and not self.is_busy())
         self.stop_button.setEnabled(self.build is not None)
         if not is_needed:
             self.close_button.setFocus()
@@ -228,7 +234,7 @@ def show():
     global _dialog
     if _dialog is None:
         _dialog = FirstUse(FreeCADGui.getMainWindow())
-    elif core_build.running() is None:
+    elif not (_dialog.isVisible() or _dialog.is_busy()):
         _dialog.look()
     _dialog.show()
     _dialog.raise_()
