@@ -7,7 +7,7 @@ import sys
 import time
 import zipfile
 
-import freecad
+import freecad_program
 import pytest
 
 import repo
@@ -125,7 +125,7 @@ def install(home, method, url):
     macro = os.path.join(home, "install.FCMacro")
     with open(macro, "w") as file:
         file.write(INSTALL)
-    done = freecad.run([macro, "--", method, str(url)], home)
+    done = freecad_program.run([macro, "--", method, str(url)], home)
     made = [line for line in done.stdout.splitlines() if line.startswith("made:")]
     assert made, done.stdout + done.stderr
     return made[0]
@@ -143,7 +143,7 @@ def test_the_addon_manager_installs_it(empty_home, source, method):
     assert install(empty_home, method, url) == "made: [] True main ['FEM', 'Part'] ['numpy']"
     script = os.path.join(empty_home, "Mod", "Paver", "scripts", "build")
     command = "scripts/build" if os.access(script, os.X_OK) else "bash scripts/build"
-    done = freecad.run(["-c", "from paver_wb import core; print('said:', core.problem(), flush=True)"], empty_home,
+    done = freecad_program.run(["-c", "from paver_wb import core; print('said:', core.problem(), flush=True)"], empty_home,
                        PAVER_BUILD="")
     said = done.stdout.split("said:")[1].split("\n")[0]
     assert f"is missing; run {command} paver_python in" in said and "binary.install(" in said, done.stdout
@@ -152,7 +152,7 @@ def test_the_addon_manager_installs_it(empty_home, source, method):
 
 @pytest.mark.parametrize("case, count", [("FirstUse", 7), ("FirstUseBinary", 1), ("FirstUseBuild", 1)])
 def test_first_use_in_the_window(installed, wheel, case, count):
-    done = freecad.run_window(["-t", "TestPaverGui." + case], installed, PAVER_BUILD="", PAVER_WHEEL=str(wheel))
+    done = freecad_program.run_window(["-t", "TestPaverGui." + case], installed, PAVER_BUILD="", PAVER_WHEEL=str(wheel))
     output = done.stdout + done.stderr
     assert done.returncode == 0, output[-8000:]
     assert int(re.search(r"Ran (\d+) tests?", output).group(1)) >= count and "skipped" not in output
@@ -162,7 +162,7 @@ def test_first_use_in_the_window(installed, wheel, case, count):
 def test_a_binary_is_found_without_a_window_and_at_the_next_start(installed, wheel):
     lines = ["from paver_wb import binary, core", f"binary.install({str(wheel)!r})", "print('made:', core.problem())"]
     for script in ("; ".join(lines), "import paver; print('made:', paver.mesh(__import__('Part').makeBox(1, 1, 1), size=1))"):
-        done = freecad.run(["-c", script + "; import sys; sys.stdout.flush()"], installed, PAVER_BUILD="")
+        done = freecad_program.run(["-c", script + "; import sys; sys.stdout.flush()"], installed, PAVER_BUILD="")
         assert "made:" in done.stdout and "Traceback" not in done.stderr, done.stdout + done.stderr
     assert "quads" in done.stdout.split("made:")[1], done.stdout
 
@@ -178,7 +178,7 @@ def is_alive(process):
 def test_a_build_ends_with_freecad(installed, tmp_path):
     macro = tmp_path / "close.FCMacro"
     macro.write_text(CLOSE)
-    done = freecad.run_window([str(macro)], installed, PAVER_BUILD="")
+    done = freecad_program.run_window([str(macro)], installed, PAVER_BUILD="")
     child = re.search(r"child: (\d+)", done.stdout)
     assert child, done.stdout + done.stderr
     end = time.monotonic() + 30
