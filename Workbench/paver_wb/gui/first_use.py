@@ -227,6 +227,8 @@ class FirstUse(QtGui.QDialog):
             FreeCAD.Console.PrintMessage("\n".join(core.about()) + "\n")
         self.show()
         self.raise_()
+        self.log.moveCursor(QtGui.QTextCursor.End)
+        self.log.ensureCursorVisible()
 
 
 def show():
