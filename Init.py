@@ -6,12 +6,16 @@ It is run as text, so it does not know its own path: the folder is the entry of 
 
 
 def _add_folders():
+    """Before all others, as the system may have a package `paver` of another version. Its compiled part is used where the
+    version is the same, and so is a binary in FreeCAD's folder for it."""
     import os
     import sys
     for folder in list(sys.path):
         added = [os.path.join(folder, "bindings"), os.path.join(folder, "Workbench")]
         if all(os.path.isfile(os.path.join(f, p, "__init__.py")) for f, p in zip(added, ("paver", "paver_wb"))):
-            sys.path.extend(f for f in added if f not in sys.path)
+            sys.path[:0] = added
+            from paver_wb import core
+            sys.path.insert(len(added), core.binary_folder())
             return
 
 

@@ -2,6 +2,7 @@
 import TestPaver  # noqa: F401, makes the folder of the cases known
 from commands_cases import *  # noqa: F401, F403
 from file_task_cases import *  # noqa: F401, F403
+from first_use_cases import *  # noqa: F401, F403
 from gui_cases import *  # noqa: F401, F403
 from panel_cases import *  # noqa: F401, F403
 from panel_run_cases import *  # noqa: F401, F403

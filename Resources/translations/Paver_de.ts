@@ -475,6 +475,10 @@
         <translation>Prüfung von {}</translation>
     </message>
     <message>
+        <source>Building Paver</source>
+        <translation>Paver wird kompiliert</translation>
+    </message>
+    <message>
         <source>Writing {}</source>
         <translation>{} wird geschrieben</translation>
     </message>
@@ -489,6 +493,94 @@
     <message>
         <source>The document was closed before '{}' was read.</source>
         <translation>Das Dokument wurde geschlossen, bevor „{}“ gelesen war.</translation>
+    </message>
+    <message>
+        <source>Set up Paver</source>
+        <translation>Paver einrichten</translation>
+    </message>
+    <message>
+        <source>Use a binary</source>
+        <translation>Eine Binärdatei verwenden</translation>
+    </message>
+    <message>
+        <source>Use it</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>Choose file...</source>
+        <translation>Datei wählen...</translation>
+    </message>
+    <message>
+        <source>Build it here</source>
+        <translation>Hier kompilieren</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Erneut prüfen</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Kompilieren</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Building. This window may be closed meanwhile.</source>
+        <translation>Paver wird kompiliert. Dieses Fenster kann inzwischen geschlossen werden.</translation>
+    </message>
+    <message>
+        <source>Choose a binary of Paver</source>
+        <translation>Binärdatei von Paver wählen</translation>
+    </message>
+    <message>
+        <source>The build was stopped; Build goes on where it was.</source>
+        <translation>Das Kompilieren wurde angehalten; Kompilieren macht dort weiter, wo es war.</translation>
+    </message>
+    <message>
+        <source>The build failed; the end of the log says why.</source>
+        <translation>Das Kompilieren ist fehlgeschlagen; das Ende des Protokolls sagt, warum.</translation>
+    </message>
+    <message>
+        <source>Nothing can be meshed without it. Use a binary, or build it here once.</source>
+        <translation>Ohne den kompilierten Kern kann nichts vernetzt werden. Verwenden Sie eine Binärdatei, oder kompilieren Sie ihn hier einmal.</translation>
+    </message>
+    <message>
+        <source>All that the build needs is installed. It takes some minutes, in which FreeCAD can be used.</source>
+        <translation>Alles, was zum Kompilieren nötig ist, ist installiert. Es dauert einige Minuten, in denen FreeCAD benutzt werden kann.</translation>
+    </message>
+    <message>
+        <source>Binaries of Paver</source>
+        <translation>Binärdateien von Paver</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Alle Dateien</translation>
+    </message>
+    <message>
+        <source>Unpacking {}</source>
+        <translation>{} wird entpackt</translation>
+    </message>
+    <message>
+        <source>Paver is ready.</source>
+        <translation>Paver ist bereit.</translation>
+    </message>
+    <message>
+        <source>Found: {}</source>
+        <translation>Gefunden: {}</translation>
+    </message>
+    <message>
+        <source>A binary is a file paver-{}-*.whl for the Python of this FreeCAD. There is none in FreeCAD's folders.</source>
+        <translation>Eine Binärdatei ist eine Datei paver-{}-*.whl für das Python dieses FreeCAD. In den Ordnern von FreeCAD liegt keine.</translation>
+    </message>
+    <message>
+        <source>Debian packages are missing for the build: {}. This command installs them, in a terminal:</source>
+        <translation>Zum Kompilieren fehlen Debian-Pakete: {}. Dieser Befehl installiert sie, in einem Terminal:</translation>
     </message>
     <message>
         <source>Help on Paver</source>
@@ -617,10 +709,6 @@
     <message>
         <source>Meshing of '{}' was stopped, as it was deleted.</source>
         <translation>Das Vernetzen von „{}“ wurde angehalten, weil es gelöscht wurde.</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Stops it; the document stays as it was</source>
@@ -1205,10 +1293,6 @@
     <message>
         <source>Meshes</source>
         <translation>Netze</translation>
-    </message>
-    <message>
-        <source>All files</source>
-        <translation>Alle Dateien</translation>
     </message>
     <message>
         <source>No mesh has what is selected. Select its mesh, too, or make one with Create mesh.</source>

@@ -43,9 +43,11 @@ def command(folder, main=MAIN):
 
 
 def environment():
-    """Of this process, and where the packages lie, which FreeCAD's window takes out of PYTHONPATH."""
+    """Of this process, and where the packages lie, which FreeCAD's window takes out of PYTHONPATH. The last one is that
+    of the compiled part, which may be another package of the name."""
+    paver = core.load()
     packages = [os.path.dirname(os.path.dirname(os.path.realpath(module.__file__)))
-                for module in (core.load(), sys.modules[__package__])]
+                for module in (paver, sys.modules[__package__], paver._paver)]
     return {**os.environ, "PYTHONPATH": os.pathsep.join(packages)}
 
 

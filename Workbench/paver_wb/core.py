@@ -1,16 +1,20 @@
-"""The compiled core, which may not be built: the workbench loads all the same and says what to run."""
+"""The compiled core, which may not be there: the workbench loads all the same and says what to do."""
+import os
+
+# Besides building, which the package itself tells about.
+BINARY = "with a binary of it, a file paver-*.whl, run in FreeCAD: from paver_wb import binary; binary.install(\"FILE\")"
 
 
 class CoreMissing(RuntimeError):
-    """The core is not built, or does not load. The text is one sentence that says what to run."""
+    """The core is not there, or does not load. The text is one sentence that says what to run."""
 
 
 def load():
-    """The module `paver`. CoreMissing when it cannot be loaded; tried again at every call, as it may be built later."""
+    """The module `paver`. CoreMissing when it cannot be loaded; tried again at every call, as it may come later."""
     try:
         import paver
     except ImportError as error:
-        raise CoreMissing(str(error)) from None
+        raise CoreMissing(f"{str(error).rstrip('.')}; or, {BINARY}.") from None
     return paver
 
 
@@ -21,6 +25,12 @@ def problem():
     except CoreMissing as error:
         return str(error)
     return ""
+
+
+def binary_folder():
+    """Where a binary is unpacked. Init.py puts it on sys.path; it may not exist."""
+    import FreeCAD
+    return os.path.join(FreeCAD.getUserAppDataDir(), "Paver", "binary")
 
 
 def about():

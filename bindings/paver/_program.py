@@ -2,7 +2,7 @@
 import os
 import sys
 
-from ._load import BUILD_FOLDER, FOLDER, IS_CHECKOUT, remedy
+from ._load import FOLDER, IS_CHECKOUT, build_folder, remedy
 
 PREFIX = os.path.normpath(os.path.join(FOLDER, "../../../.."))  # of lib/python3/dist-packages/paver
 
@@ -17,7 +17,7 @@ def find():
     beside = os.path.join(FOLDER, "paver")
     if os.path.isfile(beside):
         return beside
-    return os.path.join(BUILD_FOLDER, "core", "paver") if IS_CHECKOUT else os.path.join(PREFIX, "bin", "paver")
+    return os.path.join(build_folder(), "core", "paver") if IS_CHECKOUT else os.path.join(PREFIX, "bin", "paver")
 
 
 def run(arguments):

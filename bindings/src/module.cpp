@@ -23,6 +23,10 @@ namespace py = pybind11;
 namespace paver::python {
 namespace {
 
+/// Its end is the version. It stands in the file with this beginning for _load.py, which reads it there before it
+/// loads.
+constexpr char marked_version[] = "Paver's compiled module, version " PAVER_VERSION;
+
 /// A file or its content, read when it is first needed, once.
 class Source {
  public:
@@ -155,7 +159,7 @@ PYBIND11_MODULE(_paver, module) {
       raise_in_python(error);
     }
   });
-  module.attr("version") = PAVER_VERSION;
+  module.attr("version") = std::string(marked_version).substr(sizeof marked_version - sizeof PAVER_VERSION);
   module.attr("knows_numpy_2") = knows_numpy_2;
   py::class_<Source>(module, "Source")
       .def_static("of_file", &Source::of_file)

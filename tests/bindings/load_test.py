@@ -79,6 +79,43 @@ def test_a_stale_build_warns_and_a_fresh_one_does_not(checkout):
             f"{checkout}.") in stale.stderr
 
 
+def put_installed(folder, version=None):
+    """A package elsewhere, as pip or the system installs it; its compiled module says that it has the version."""
+    package = folder / "site" / "paver"
+    package.mkdir(parents=True)
+    (package / "__init__.py").write_text("raise ImportError('the wrong package')")
+    path = package / os.path.basename(_paver.__file__)
+    with open(_paver.__file__, "rb") as built:
+        path.write_bytes(built.read().replace(b"module, version " + paver.__version__.encode(),
+                                              b"module, version " + (version or paver.__version__).encode()))
+    return str(package.parent)
+
+
+def test_the_compiled_part_of_an_installed_package_is_used(checkout, tmp_path):
+    done = load(checkout, PYTHONPATH=put_installed(tmp_path))
+    assert (done.stdout.strip(), done.stderr) == (paver.__version__, "")
+
+
+def test_of_two_compiled_parts_the_one_of_the_same_version_is_used(checkout, tmp_path):
+    (checkout / "package.xml").write_text(f"<version>{paver.__version__}</version>")
+    os.makedirs(checkout / "build")
+    os.rename(os.path.join(put_installed(tmp_path / "old", "9.9.9"), "paver"), checkout / "build" / "bindings")
+    done = load(checkout, PYTHONPATH=put_installed(tmp_path))
+    assert (done.stdout.strip(), done.stderr) == (paver.__version__, "")
+
+
+def test_a_compiled_part_of_another_version_is_told_with_both(checkout, tmp_path):
+    (checkout / "package.xml").write_text(f"<version>{paver.__version__}</version>")
+    message = load(checkout, PYTHONPATH=put_installed(tmp_path, "9.9.9")).stderr.splitlines()[-1]
+    assert "has version 9.9.9, but its package" in message and f"has version {paver.__version__}; run" in message
+
+
+def test_one_that_does_not_load_keeps_no_other_back(checkout, tmp_path):
+    with open(put_build(checkout), "wb") as broken:
+        broken.write(b"no library")
+    assert load(checkout, PYTHONPATH=put_installed(tmp_path)).stdout.strip() == paver.__version__
+
+
 def test_another_build_folder_may_be_named(checkout):
     put_build(checkout)
     os.rename(checkout / "build", checkout / "elsewhere")
@@ -103,8 +140,11 @@ def test_freecad_finds_the_package_through_init_py(tmp_path):
 import sys, types
 sys.path.insert(0, {str(tmp_path / 'Paver')!r})
 types_of_files = lambda *of: None
-exec(compile(open({os.path.join(ROOT, 'Init.py')!r}).read(), "Init.py", "exec"),
-     {{"FreeCAD": types.SimpleNamespace(__unit_test__=[], addImportType=types_of_files, addExportType=types_of_files)}})
+freecad = types.SimpleNamespace(__unit_test__=[], addImportType=types_of_files, addExportType=types_of_files,
+                                getUserAppDataDir=lambda: {str(tmp_path)!r})
+sys.modules["FreeCAD"] = freecad
+exec(compile(open({os.path.join(ROOT, 'Init.py')!r}).read(), "Init.py", "exec"), {{"FreeCAD": freecad}})
+assert sys.path[2] == {str(tmp_path / "Paver" / "binary")!r}
 import paver
 print(paver.__file__)
 """

@@ -1,5 +1,6 @@
 """scripts/install links the checkout into a private user folder of FreeCAD, and takes it away again."""
 import os
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -18,8 +19,8 @@ class Install(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.home, self.link = folder.name, os.path.join(folder.name, "Mod", "Paver")
 
-    def install(self, *arguments, **environment):
-        done = subprocess.run([INSTALL, *arguments], capture_output=True, text=True, stdin=subprocess.DEVNULL,
+    def install(self, *arguments, script=(INSTALL,), **environment):
+        done = subprocess.run([*script, *arguments], capture_output=True, text=True, stdin=subprocess.DEVNULL,
                               timeout=120, env={**os.environ, "FREECAD_USER_HOME": self.home, **environment})
         return done.returncode, done.stdout, done.stderr
 
@@ -46,6 +47,26 @@ class Install(unittest.TestCase):
             code, _, errors = self.install(*arguments)
             self.assertEqual((code, "not a link" in errors), (1, True))
         self.assertTrue(os.path.isdir(os.path.join(self.link, "precious")))
+
+    def test_a_checkout_that_lies_there_is_taken_as_it_is(self):
+        """FreeCAD's Addon Manager copies it there; archives lose the permission to run."""
+        for name in repo.files():
+            if not name.startswith(("tests", "core", "Resources")):
+                os.makedirs(os.path.dirname(os.path.join(self.link, name)), exist_ok=True)
+                shutil.copyfile(os.path.join(repo.ROOT, name), os.path.join(self.link, name))
+        script = ["bash", os.path.join(self.link, "scripts", "install")]
+        build = os.environ.get("PAVER_BUILD") or os.path.join(repo.ROOT, "build")
+        code, output, errors = self.install("--link-only", script=script, PAVER_BUILD=build)
+        self.assertEqual(code, 0, output + errors)
+        self.assertIn(f"{self.link} is this checkout", output)
+        self.assertIn("\nPaver 0.", output)
+        code, _, errors = self.install("--remove", script=script)
+        self.assertEqual((code, "Addon Manager" in errors), (1, True))
+        self.assertTrue(os.path.isfile(script[1]))
+
+    def test_says_before_it_builds_that_freecad_is_missing(self):
+        code, output, errors = self.install(FREECAD_PROGRAM="no-such-program")
+        self.assertEqual((code, output, "no program no-such-program" in errors), (1, "", True))
 
     def test_another_checkout_is_replaced_but_not_removed(self):
         os.makedirs(os.path.dirname(self.link))

@@ -11,7 +11,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb import core, mesh_object, refinement
-from paver_wb.gui import (run_control, run_predict, task_panel_options, task_panel_result, task_panel_run,
+from paver_wb.gui import (first_use, run_control, run_predict, task_panel_options, task_panel_result, task_panel_run,
                           task_panel_sizes)
 from paver_wb.gui.paths import ICONS
 from paver_wb.gui.task_panel_steps import in_step, python_name
@@ -322,6 +322,7 @@ def set_edit(obj):
     problem = core.problem()
     if problem:
         FreeCAD.Console.PrintError(f"{obj.Label}: {problem}\n")
+        first_use.show()
     return not problem and show(obj, is_new)
 
 

@@ -3,6 +3,7 @@ import os
 
 import FreeCAD
 import FreeCADGui
+from PySide import QtCore
 
 from paver_wb import core
 from paver_wb.gui.paths import FORMS, ICONS, TRANSLATIONS
@@ -32,6 +33,11 @@ def load_what_takes_a_moment():
                                                                  "mesh objects need; install one that has it.") + "\n")
 
 
+def set_up():
+    from paver_wb.gui import first_use
+    first_use.show()
+
+
 class PaverWorkbench(FreeCADGui.Workbench):
     """Quad meshes of surfaces, by paving."""
 
@@ -56,6 +62,7 @@ class PaverWorkbench(FreeCADGui.Workbench):
         problem = core.problem()
         if problem:
             FreeCAD.Console.PrintError(problem + "\n")
+            QtCore.QTimer.singleShot(0, set_up)  # FreeCAD first shows the workbench
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

@@ -3,7 +3,8 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from paver_wb import mesh_object
+from paver_wb import core, mesh_object
+from paver_wb.gui import first_use
 from paver_wb.gui.complaint import complain
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -36,12 +37,16 @@ def do(line):
 
 
 def run(line):
-    """Runs a line of Python; whether it went well. An error is shown."""
+    """Runs a line of Python; whether it went well. An error is shown; where the core is missing, how to get it."""
     QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)  # large meshes take a second
     try:
         do(line)
     except Exception as error:
-        complain(str(error))
+        if core.problem():
+            FreeCAD.Console.PrintError(str(error) + "\n")
+            first_use.show()
+        else:
+            complain(str(error))
         return False
     finally:
         QtGui.QApplication.restoreOverrideCursor()

@@ -1,0 +1,252 @@
+"""The dialog of the first use: the add-on came without its compiled core, which is built here or taken from a binary."""
+import os
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from paver_wb import binary, core
+from paver_wb.gui import core_build, run_status
+
+LOG_LINES, WIDTH = 5000, 640  # pixels
+translate = FreeCAD.Qt.translate
+_dialog = None
+
+
+def button(name, text, action):
+    made = QtGui.QPushButton(text)
+    made.setObjectName("Paver_FirstUse" + name)
+    made.setAutoDefault(False)
+    made.clicked.connect(lambda _checked=False: action())
+    return made
+
+
+def text_label(name):
+    """For whole sentences, which users may copy."""
+    made = QtGui.QLabel()
+    made.setObjectName("Paver_FirstUse" + name)
+    made.setWordWrap(True)
+    made.setTextFormat(QtCore.Qt.PlainText)
+    made.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+    return made
+
+
+def what_is_wrong(problem):
+    """The sentence of the core without what to do, which the dialog does itself."""
+    return problem.split("; run ")[0] + "."
+
+
+def row(*widgets):
+    made = QtGui.QHBoxLayout()
+    for widget in widgets:
+        made.addWidget(widget) if widget else made.addStretch()
+    return made
+
+
+class Unpacking(QtCore.QThread):
+    """Unpacks a binary beside the window; `fault` is empty or says why it could not."""
+
+    done = QtCore.Signal()
+
+    def __init__(self, path):
+        super().__init__()
+        self.path, self.fault = path, ""
+        self.finished.connect(self.done, QtCore.Qt.QueuedConnection)
+
+    def run(self):
+        try:
+            binary.install(self.path)
+        except Exception as error:
+            self.fault = str(error) or type(error).__name__
+
+
+class FirstUse(QtGui.QDialog):
+    """Stays beside the window. A build goes on when it is closed, and the dialog comes again when that ends."""
+
+    def __init__(self, parent):
+        super().__init__(parent)
+        self.build, self.unpacking, self.wheel = None, None, None
+        self.setObjectName("Paver_FirstUse")
+        self.setWindowTitle(translate("Paver", "Set up Paver"))
+        self.state = text_label("State")
+        layout = QtGui.QVBoxLayout(self)
+        layout.addWidget(self.state)
+        self.boxes = [self.binary_box(), self.build_box()]
+        for box in self.boxes:
+            layout.addWidget(box)
+        self.close_button = button("Close", translate("Paver", "Close"), self.close)
+        layout.addLayout(row(None, self.close_button))
+        self.look()
+
+    def binary_box(self):
+        box = QtGui.QGroupBox(translate("Paver", "Use a binary"))
+        self.wheel_text = text_label("Wheel")
+        self.use = button("Use", translate("Paver", "Use it"), lambda: self.unpack(self.wheel))
+        self.choose_button = button("Choose", translate("Paver", "Choose file..."), self.choose)
+        layout = QtGui.QVBoxLayout(box)
+        layout.addWidget(self.wheel_text)
+        layout.addLayout(row(self.use, self.choose_button, None))
+        return box
+
+    def build_box(self):
+        box = QtGui.QGroupBox(translate("Paver", "Build it here"))
+        self.packages = text_label("Packages")
+        self.command = QtGui.QLineEdit()
+        self.command.setObjectName("Paver_FirstUseCommand")
+        self.command.setReadOnly(True)
+        self.copy_button = button("Copy", translate("Paver", "Copy"), self.copy)
+        self.again = button("Again", translate("Paver", "Look again"), self.look)
+        self.build_button = button("Build", translate("Paver", "Build"), self.begin)
+        self.stop_button = button("Stop", translate("Paver", "Stop"), self.stop)
+        self.bar, self.log = QtGui.QProgressBar(), QtGui.QPlainTextEdit()
+        self.bar.setObjectName("Paver_FirstUseBar")
+        self.log.setObjectName("Paver_FirstUseLog")
+        self.log.setReadOnly(True)
+        self.log.setMaximumBlockCount(LOG_LINES)
+        self.log.setLineWrapMode(QtGui.QPlainTextEdit.NoWrap)
+        self.log.setMinimumHeight(180)
+        self.bar.hide()
+        self.log.hide()
+        layout = QtGui.QVBoxLayout(box)
+        layout.addWidget(self.packages)
+        layout.addLayout(row(self.command, self.copy_button, self.again))
+        layout.addLayout(row(self.build_button, self.stop_button, None))
+        layout.addWidget(self.bar)
+        layout.addWidget(self.log, 1)
+        return box
+
+    def look(self):
+        """Looks for the core, for a binary and for missing packages, and shows what can be done."""
+        problem = core.problem()
+        self.state.setText(what_is_wrong(problem) + "\n\n" + translate(
+            "Paver", "Nothing can be meshed without it. Use a binary, or build it here once.") if problem
+            else translate("Paver", "Paver is ready.") + "\n\n" + core.about()[0])
+        for box in self.boxes:
+            box.setVisible(bool(problem))
+        self.wheel = binary.found() if problem else None
+        self.wheel_text.setText(translate("Paver", "Found: {}").format(self.wheel) if self.wheel else translate(
+            "Paver", "A binary is a file paver-{}-*.whl for the Python of this FreeCAD. There is none in FreeCAD's folders."
+        ).format(binary.own_version()))
+        missing, fault = [], ""
+        try:
+            missing = core_build.missing_packages()
+        except (OSError, ValueError) as error:
+            fault = str(error)
+        self.command.setText(core_build.command_for(missing))
+        self.command.setCursorPosition(0)
+        self.packages.setText(fault or (translate(
+            "Paver", "Debian packages are missing for the build: {}. This command installs them, in a terminal:").format(
+                ", ".join(missing)) if missing else translate(
+            "Paver", "All that the build needs is installed. It takes some minutes, in which FreeCAD can be used.")))
+        for widget in (self.command, self.copy_button, self.again):
+            widget.setVisible(bool(missing))
+        self.allow(bool(problem), not missing)
+        self.fit()
+
+    def fit(self):
+        """High enough for its sentences, which Qt does not see to."""
+        self.layout().activate()
+        self.resize(max(WIDTH, self.width()), self.layout().totalHeightForWidth(max(WIDTH, self.width())))
+
+    def is_busy(self):
+        return self.build is not None or self.unpacking is not None
+
+    def allow(self, is_needed, may_build):
+        """Enables what can be done now."""
+        self.use.setVisible(self.wheel is not None)
+        for widget in (self.use, self.choose_button, self.again):
+            widget.setEnabled(is_needed and not self.is_busy())
+        self.build_button.setEnabled(is_needed and may_build and not self.is_busy())
+        self.stop_button.setEnabled(self.build is not None)
+        if not is_needed:
+            self.close_button.setFocus()
+
+    def copy(self):
+        self.command.selectAll()
+        self.command.copy()
+
+    def begin(self):
+        self.build = core_build.Build()
+        self.build.said.connect(self.log.appendPlainText)
+        self.build.progressed.connect(self.show_progress)
+        self.build.ended.connect(self.take_build)
+        self.log.setPlainText("scripts/build paver_python")
+        self.log.show()
+        self.bar.setRange(0, 0)
+        self.bar.show()
+        self.state.setText(translate("Paver", "Building. This window may be closed meanwhile."))
+        self.allow(True, False)
+        run_status.watch(self.build)
+        self.fit()
+        self.build.begin()
+
+    def show_progress(self, _stage, _fraction):
+        self.bar.setRange(0, 100)
+        self.bar.setValue(self.build.percent())
+
+    def stop(self):
+        self.stop_button.setEnabled(False)
+        self.build.stop()
+
+    def take_build(self, outcome):
+        self.build = None
+        self.bar.hide()
+        text = {core_build.BUILT: "",
+                core_build.STOPPED: translate("Paver", "The build was stopped; Build goes on where it was."),
+                core_build.FAILED: translate("Paver", "The build failed; the end of the log says why.")}[outcome]
+        self.end(text)
+
+    def choose(self):
+        start = QtCore.QStandardPaths.writableLocation(QtCore.QStandardPaths.DownloadLocation)
+        path, _ = QtGui.QFileDialog.getOpenFileName(self, translate("Paver", "Choose a binary of Paver"), start,
+                                                    f"{translate('Paver', 'Binaries of Paver')} ({binary.NAMES});;"
+                                                    f"{translate('Paver', 'All files')} (*)")
+        if path:
+            self.unpack(path)
+
+    def unpack(self, path):
+        self.unpacking = Unpacking(path)
+        self.unpacking.done.connect(self.take_binary)
+        self.state.setText(translate("Paver", "Unpacking {}").format(os.path.basename(path)))
+        self.allow(True, False)
+        self.unpacking.start()
+
+    def take_binary(self):
+        fault, self.unpacking = self.unpacking.fault, None
+        self.end(fault)
+
+    def end(self, fault):
+        """After a try: what came of it, told here and in the report view."""
+        self.look()
+        problem = core.problem()
+        if problem:
+            self.state.setText(fault or what_is_wrong(problem))
+            self.fit()
+            FreeCAD.Console.PrintError((fault or problem) + "\n")
+        else:
+            FreeCAD.Console.PrintMessage("\n".join(core.about()) + "\n")
+        self.show()
+        self.raise_()
+        self.log.moveCursor(QtGui.QTextCursor.End)
+        self.log.ensureCursorVisible()
+
+
+def show():
+    """Shows the dialog, and gives it."""
+    global _dialog
+    if _dialog is None:
+        _dialog = FirstUse(FreeCADGui.getMainWindow())
+    elif not (_dialog.isVisible() or _dialog.is_busy()):
+        _dialog.look()
+    _dialog.show()
+    _dialog.raise_()
+    return _dialog
+
+
+def end_unpacking():
+    """For the end of the program: Qt ends it when a thread's object goes before the thread."""
+    if _dialog is not None and _dialog.unpacking is not None:
+        _dialog.unpacking.wait()
+
+
+QtCore.QCoreApplication.instance().aboutToQuit.connect(end_unpacking)
