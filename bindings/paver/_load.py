@@ -123,18 +123,19 @@ def load_file(path):
     return module
 
 
-def check_numpy_version(module):
-    import numpy
-    if int(numpy.__version__.split(".")[0]) > 1 and not module.knows_numpy_2:
-        raise ImportError(f"Paver's compiled module needs NumPy 1, and this is NumPy {numpy.__version__}; install one below 2.")
+def numpy_version():
+    """As NumPy tells it."""
+    try:
+        import numpy
+    except ImportError:
+        raise ImportError(f"Paver needs NumPy, which {sys.executable or 'this Python'} does not have; install it (package "
+                          "python3-numpy, or pip install numpy).") from None
+    return numpy.__version__
 
 
 def load():
     """The compiled module. ImportError, or RuntimeWarning when the sources are newer, with one sentence each."""
-    if importlib.util.find_spec("numpy") is None:
-        raise ImportError(f"Paver needs NumPy, which {sys.executable or 'this Python'} does not have; install the package "
-                          "python3-numpy.")
-    faults = []
+    numpy, faults = numpy_version(), []
     for path in find():
         if os.path.dirname(path) == os.path.join(build_folder(), "bindings") and newest_source(CHECKOUT) > os.stat(path).st_mtime:
             warnings.warn(f"Paver's compiled module is older than its sources; {remedy()}.", RuntimeWarning, stacklevel=3)
@@ -143,7 +144,8 @@ def load():
         except ImportError as error:
             faults.append(str(error))
             continue
-        check_numpy_version(module)
+        if int(numpy.split(".")[0]) > 1 and not module.knows_numpy_2:
+            raise ImportError(f"Paver's compiled module needs NumPy 1, and this is NumPy {numpy}; install one below 2.")
         sys.modules[NAME] = module
         return module
     what = f"run {BASH}scripts/setup in {CHECKOUT}, then {BASH}scripts/build paver_python" if IS_CHECKOUT else remedy()

@@ -40,7 +40,7 @@ def test_without_numpy_the_package_to_install_is_named(checkout):
     done = load(checkout, bare)
     assert done.returncode == 1
     assert done.stderr.splitlines()[-1] == (f"ImportError: Paver needs NumPy, which {sys.executable} does not have; "
-                                            "install the package python3-numpy.")
+                                            "install it (package python3-numpy, or pip install numpy).")
 
 
 def test_a_missing_build_says_what_to_run(checkout):

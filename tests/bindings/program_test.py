@@ -31,8 +31,8 @@ def test_it_needs_no_numpy_and_no_module(tmp_path):
     path = os.pathsep.join((str(tmp_path), BINDINGS))
     assert module("--version", PYTHONPATH=path).returncode == 0
     loaded = run([sys.executable, "-c", "import paver"], PYTHONPATH=path)
-    assert loaded.stderr.splitlines()[-1] == ("ImportError: Paver's Python module needs NumPy; install it (package "
-                                              "python3-numpy, or pip install numpy).")
+    assert loaded.stderr.splitlines()[-1] == (f"ImportError: Paver needs NumPy, which {sys.executable} does not have; "
+                                              "install it (package python3-numpy, or pip install numpy).")
 
 
 def test_a_missing_program_says_what_to_run(tmp_path):

@@ -165,8 +165,8 @@ def test_the_program_has_its_own_exit_codes(bare):
 def test_the_module_says_that_numpy_is_missing(bare):
     done = bare.python("-c", "import paver")
     assert done.returncode == 1
-    assert done.stderr.splitlines()[-1] == ("ImportError: Paver's Python module needs NumPy; install it (package "
-                                            "python3-numpy, or pip install numpy).")
+    assert done.stderr.splitlines()[-1] == (f"ImportError: Paver needs NumPy, which {bare.folder}/bin/python does not have; "
+                                            "install it (package python3-numpy, or pip install numpy).")
 
 
 def test_another_memory_layout_of_numpy_is_refused(bare, tmp_path):
