@@ -78,13 +78,12 @@ def load_file(path):
     return module
 
 
-def check_numpy(module):
+def numpy_version():
     try:
         import numpy
     except ImportError:
         raise ImportError("Paver's Python module needs NumPy; install it (package python3-numpy, or pip install numpy).") from None
-    if int(numpy.__version__.split(".")[0]) > 1 and not module.knows_numpy_2:
-        raise ImportError(f"Paver's compiled module needs NumPy 1, and this is NumPy {numpy.__version__}; install one below 2.")
+    return numpy.__version__
 
 
 def load():
@@ -92,11 +91,13 @@ def load():
     path = find()
     if not path.startswith(FOLDER + os.sep) and newest_source(CHECKOUT) > os.stat(path).st_mtime:
         warnings.warn(f"Paver's compiled module is older than its sources; {remedy()}.", RuntimeWarning, stacklevel=3)
+    numpy = numpy_version()
     try:
         module = load_file(path)
     except ImportError as error:
         what = f"run scripts/setup in {CHECKOUT}, then scripts/build paver_python" if IS_CHECKOUT else remedy()
         raise ImportError(f"Paver's compiled module does not load ({error}); {what}.") from None
-    check_numpy(module)
+    if int(numpy.split(".")[0]) > 1 and not module.knows_numpy_2:
+        raise ImportError(f"Paver's compiled module needs NumPy 1, and this is NumPy {numpy}; install one below 2.")
     sys.modules[NAME] = module
     return module
