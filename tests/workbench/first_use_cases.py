@@ -216,9 +216,11 @@ class FirstUseBinary(WithDialog):
 class FirstUseBuild(WithDialog):
     def test_what_is_built_here_works_at_once(self):
         with zipfile.ZipFile(WHEEL) as wheel:
-            wheel.extractall(os.path.join(self.folder, "wheel"))
+            wheel.extractall(self.folder)
+        libraries = os.path.join(self.folder, "paver.libs")  # which a binary may bring along
+        os.makedirs(libraries, exist_ok=True)
         self.replace_script("build", 'test "$*" = paver_python || exit 2\nmkdir -p build/bindings\necho "[1/2] a"\nsleep 1\n'
-                            f"cp {self.folder}/wheel/paver/*.so build/bindings\necho '[2/2] b'\n")
+                            f"cp -r {libraries} build\ncp {self.folder}/paver/*.so build/bindings\necho '[2/2] b'\n")
         window.click(self.button("Build"))
         window.wait(lambda: core_build.running() is None, "for the build")
         self.assertEqual(core.problem(), "")
