@@ -33,7 +33,7 @@ def text_label(name):
 
 def what_is_wrong(problem):
     """The sentence of the core without what to do, which the dialog does itself."""
-    return problem.split("; run ")[0] + "."
+    return problem.split(f"; or, {core.BINARY}")[0].split("; run ")[0] + "."
 
 
 def row(*widgets):
