@@ -5,7 +5,6 @@ import shutil
 import subprocess
 import sys
 import time
-import zipfile
 
 import freecad_program
 import pytest
@@ -98,18 +97,12 @@ def source(tmp_path_factory):
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory):
     """A binary, of what is built."""
-    sys.path.append(os.path.join(repo.ROOT, "bindings"))
-    import paver
-    built = os.path.dirname(paver._paver.__file__)
-    parts = [paver._paver.__file__] + [os.path.join(folder, name) for folder in (built, os.path.join(built, "../core"))
-                                       for name in ("libpaver_step.so", "libpaver_iges.so")]
-    path = tmp_path_factory.mktemp("wheel") / f"paver-{paver.__version__}-cp3-none-any.whl"
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as made:
-        package = os.path.dirname(paver.__file__)
-        for file in [os.path.join(package, name) for name in os.listdir(package) if name.endswith(".py")] + parts:
-            if os.path.exists(file):
-                made.write(file, "paver/" + os.path.basename(file))
-    return path
+    folder = tmp_path_factory.mktemp("wheel")
+    build = os.environ.get("PAVER_BUILD") or os.path.join(repo.ROOT, "build")
+    done = subprocess.run([sys.executable, os.path.join(repo.ROOT, "scripts", "wheel.py"), build, str(folder)],
+                          capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr
+    return next(folder.iterdir())
 
 
 @pytest.fixture
