@@ -144,7 +144,7 @@ def load():
         except ImportError as error:
             faults.append(str(error))
             continue
-        if int(numpy.split(".")[0]) > 1 and not module.knows_numpy_2:
+        if int(numpy.split(".")[0]) > 1 and not getattr(module, "knows_numpy_2", True):
             raise ImportError(f"Paver's compiled module needs NumPy 1, and this is NumPy {numpy}; install one below 2.")
         sys.modules[NAME] = module
         return module

@@ -9,7 +9,6 @@
 #include <BinTools.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
-#include <Interface_Static.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TopExp.hxx>
@@ -27,15 +26,27 @@ using test::write_text;
 
 class ReadShape : public testing::Test {
  protected:
-  std::string write_step(const char* unit = "MM") {
+  std::string write_step() {
     QuietMessages quiet;  // the writers talk a lot
     STEPControl_Controller::Init();
-    Interface_Static::SetCVal("write.step.unit", unit);  // a writer takes it when it is made
     STEPControl_Writer writer;
     writer.Transfer(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), STEPControl_AsIs);
     std::string path = folder_.file("box.step");
     writer.Write(path.c_str());
-    Interface_Static::SetCVal("write.step.unit", "MM");
+    return path;
+  }
+  /// The same numbers, in inches: versions of the writer differ in what they make of a unit.
+  std::string write_step_in_inches() {
+    const std::string path = write_step(), millimetre = "( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) );";
+    std::string text = test::read_text(path);
+    const std::size_t at = text.find(millimetre);
+    EXPECT_NE(at, std::string::npos);
+    text.replace(at, millimetre.size(),
+                 "( CONVERSION_BASED_UNIT('INCH',#9001) LENGTH_UNIT() NAMED_UNIT(#9002) );\n"
+                 "#9001 = LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#9003);\n"
+                 "#9002 = DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);\n#9003 = " +
+                     millimetre);
+    write_text(path, text);
     return path;
   }
   std::string write_iges() {
@@ -93,11 +104,10 @@ TEST_F(ReadShape, ReadsEveryFormatByContentWhateverTheEnding) {
 }
 
 TEST_F(ReadShape, ConvertsToMillimetresAndSaysTheUnitOfTheFile) {
-  write_step("INCH");
-  auto shape = read(folder_.file("box.step"));
+  auto shape = read(write_step_in_inches());
   EXPECT_EQ(report_.unit, "INCH");
   Model model = test::model_of(shape->shape);
-  EXPECT_NEAR(model.report.area, 2200, 1e-6);
+  EXPECT_NEAR(model.report.area, 2200 * 25.4 * 25.4, 1e-6);
   read(write_brep());
   EXPECT_EQ(report_.unit, "mm (as written)");
 }
