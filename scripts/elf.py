@@ -9,7 +9,10 @@ DYNAMIC_SYMBOLS = 11  # kind of a section
 
 def said(*command):
     """What a program prints; its own message when it fails."""
-    done = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
+    except FileNotFoundError:
+        raise SystemExit(f"wheel: there is no {command[0]}; run scripts/setup build package.") from None
     if done.returncode:
         raise SystemExit(f"wheel: {' '.join(command)} failed: {(done.stderr or done.stdout).strip()}")
     return done.stdout

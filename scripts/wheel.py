@@ -159,16 +159,17 @@ def add_licences(folder, bundled):
 
 
 def tag():
-    """cp311-cp311-manylinux_2_36_x86_64: this Python, and any Linux with a C library (and so a libstdc++) as new as here."""
+    """cp311-cp311-manylinux_2_36_x86_64: this Python, and any Linux with a C library as new as here; the libstdc++ must be, too."""
     python = f"cp{sys.version_info.major}{sys.version_info.minor}"
     libc = os.confstr("CS_GNU_LIBC_VERSION").split()[1].replace(".", "_")
     return f"{python}-{python}-manylinux_{libc}_{platform.machine()}"
 
 
-def numpy_wanted():
-    """pybind11 before 2.12 has the memory layout of NumPy 1 alone."""
-    text = elf.said("dpkg-query", "-W", "-f", "${Version}", "pybind11-dev")
-    return "numpy" if tuple(map(int, text.split(".")[:2])) >= (2, 12) else "numpy<2"
+def numpy_wanted(build):
+    """The module knows which memory layouts of NumPy it was compiled for."""
+    ask = "import sys; sys.path.insert(0, sys.argv[1]); import _paver; print(_paver.knows_numpy_2)"
+    knows = elf.said(sys.executable, "-c", ask, os.path.join(build, "bindings")).strip()
+    return "numpy" if knows == "True" else "numpy<2"
 
 
 def version_of(build):
@@ -180,7 +181,7 @@ def describe(tree, build, bundled):
     version = version_of(build)
     information = os.path.join(tree, f"paver-{version}.dist-info")
     python = f"{sys.version_info.major}.{sys.version_info.minor}"
-    write(os.path.join(information, "METADATA"), METADATA.format(version=version, python=python, numpy=numpy_wanted()))
+    write(os.path.join(information, "METADATA"), METADATA.format(version=version, python=python, numpy=numpy_wanted(build)))
     write(os.path.join(information, "WHEEL"), WHEEL.format(tag=tag()))
     os.makedirs(os.path.join(information, "licenses"))
     add_licences(os.path.join(information, "licenses"), bundled)

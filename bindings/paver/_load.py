@@ -52,7 +52,10 @@ def remedy(target="paver_python"):
 
 def candidates(folder):
     """Files in `folder` that hold the module for some Python; those for this one first."""
-    found = sorted(n for n in os.listdir(folder) if n.startswith("_paver.")) if os.path.isdir(folder) else []
+    try:
+        found = sorted(n for n in os.listdir(folder) if n.startswith("_paver."))
+    except OSError:  # it is not there, or not ours to look into
+        found = []
     suffixes = importlib.machinery.EXTENSION_SUFFIXES
     mine = [n for n in found if n[len("_paver"):] in suffixes]
     return [os.path.join(folder, n) for n in mine], [n for n in found if n.endswith((".so", ".pyd")) and n not in mine]
@@ -144,7 +147,7 @@ def load():
         except ImportError as error:
             faults.append(str(error))
             continue
-        if int(numpy.split(".")[0]) > 1 and not getattr(module, "knows_numpy_2", True):
+        if int(numpy.split(".")[0]) > 1 and not getattr(module, "knows_numpy_2", False):
             raise ImportError(f"Paver's compiled module needs NumPy 1, and this is NumPy {numpy}; install one below 2.")
         sys.modules[NAME] = module
         return module

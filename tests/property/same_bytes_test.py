@@ -7,6 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 import csv
 import hashlib
 import os
+import re
 import sys
 import tempfile
 
@@ -38,6 +39,10 @@ def digest(path, size, folder):
         return hashlib.sha256(file.read()).hexdigest()
 
 
+def is_digest(text):
+    return re.fullmatch("[0-9a-f]{64}", text) is not None
+
+
 def digests(table):
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(os.cpu_count()) as pool:
         return list(pool.map(lambda row: digest(path_of(row), row["size"], folder), table))
@@ -46,11 +51,14 @@ def digests(table):
 def record():
     table = rows()
     for row, made in zip(table, digests(table)):
+        if not is_digest(made):
+            sys.exit(f"{row['file']}: {made}")
         row["sha256"] = made
-    with open(TABLE, "w", newline="") as file:
+    with open(TABLE + ".new", "w", newline="") as file:
         writer = csv.DictWriter(file, FIELDS, lineterminator="\n")
         writer.writeheader()
         writer.writerows(table)
+    os.replace(TABLE + ".new", TABLE)
 
 
 def main(arguments):

@@ -196,11 +196,13 @@ std::optional<Error> missing_library(const std::string& output, int ranks) {
   if (at == std::string::npos) return std::nullopt;
   const std::size_t start = at + words.size();
   const std::string library = output.substr(start, output.find_first_of(":\n", start) - start);
+  const bool is_of_mpi = library.starts_with("libmpi") || library.starts_with("libopen-");
+  const char* remedy = is_of_mpi ? "install Open MPI (package openmpi-bin) and start it with its own mpirun"
+                                 : "install Paver again, as it was made for this system";
   return Error(ErrorCode::bad_option,
-               fmt::format("ranks is {}, but paver-worker does not start without the library {}; install Open MPI "
-                           "(package openmpi-bin) and start it with its own mpirun, or leave ranks out to mesh in this "
-                           "process.",
-                           ranks, library));
+               fmt::format("ranks is {}, but paver-worker does not start without the library {}; {}, or leave ranks "
+                           "out to mesh in this process.",
+                           ranks, library, remedy));
 }
 
 /// The first line of mpirun's output with two letters next to each other.
