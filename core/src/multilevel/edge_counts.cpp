@@ -165,7 +165,7 @@ class Assignment {
     int lack = to < 0 ? by : to == source ? lacks_[to] - by : lacks_[to];
     if (to < 0 || lack * by > 0) {
       best_ = reached;
-      best_path_ = {move};
+      best_path_.assign(1, move);
       for (int k = from; before_[k] >= 0; k = before_[k]) best_path_.push_back(via_[k]);
       return true;
     }
