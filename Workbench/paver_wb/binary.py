@@ -107,6 +107,8 @@ def try_out(folder, name):
                           timeout=TRY_OUT, cwd=folder, env={**os.environ, "PYTHONPATH": folder})
     if done.returncode:
         last = (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[-1]
+        if "needs NumPy" in last:  # it says itself what to do
+            raise ValueError(f"{name} does not load on this machine: {last.partition(': ')[2]}")
         raise ValueError(f"{name} does not load on this machine ({last}); build Paver here, or choose a file made for "
                          "it.")
 

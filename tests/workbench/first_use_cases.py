@@ -257,7 +257,11 @@ class FirstUse(WithDialog):
         self.refuse(damaged_wheel(path), "cannot be read", "that is whole")
         self.refuse(encrypted_wheel(path), "cannot be read", "encrypted", "that is whole")
         self.refuse(changed_wheel(path, change=lambda data: data.replace(b"libTKernel", b"libTKnever")),
-                    "does not load on this machine", "libTKnever")
+                    "does not load on this machine", "libTKnever", "build Paver here")
+        with zipfile.ZipFile(shutil.copy(WHEEL, path), "a") as wheel:
+            wheel.writestr("numpy.py", "raise ImportError")
+        self.refuse(path, "does not load on this machine: Paver needs NumPy", "install it (package python3-numpy")
+        self.assertNotIn("build Paver", self.state())
 
 
 class FirstUseBinary(WithDialog):
