@@ -6,8 +6,8 @@ It is run as text, so it does not know its own path: the folder is the entry of 
 
 
 def _add_folders():
-    """Before all others, as the system may have a package `paver` of another version. Its compiled part is used where the
-    version is the same, and so is a binary in FreeCAD's folder for it."""
+    """Before all others, as the system may have a package `paver` of another version. Its compiled part is used where
+    the version is the same, and so is a binary in FreeCAD's folder for it."""
     import os
     import sys
     for folder in list(sys.path):

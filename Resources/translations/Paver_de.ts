@@ -495,8 +495,16 @@
         <translation>Das Dokument wurde geschlossen, bevor „{}“ gelesen war.</translation>
     </message>
     <message>
+        <source>All that the build needs is installed. It takes some minutes, in which FreeCAD can be used.</source>
+        <translation>Alles, was zum Kompilieren nötig ist, ist installiert. Es dauert einige Minuten, in denen FreeCAD benutzt werden kann.</translation>
+    </message>
+    <message>
         <source>Set up Paver</source>
         <translation>Paver einrichten</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Erneut prüfen</translation>
     </message>
     <message>
         <source>Use a binary</source>
@@ -519,16 +527,16 @@
         <translation>Kopieren</translation>
     </message>
     <message>
-        <source>Look again</source>
-        <translation>Erneut prüfen</translation>
-    </message>
-    <message>
         <source>Build</source>
         <translation>Kompilieren</translation>
     </message>
     <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Nothing can be meshed until then.</source>
+        <translation>Bis dahin kann nichts vernetzt werden.</translation>
     </message>
     <message>
         <source>Building. This window may be closed meanwhile.</source>
@@ -539,6 +547,10 @@
         <translation>Binärdatei von Paver wählen</translation>
     </message>
     <message>
+        <source>Nothing can be meshed without it. Use a binary, or build it here once.</source>
+        <translation>Ohne den kompilierten Kern kann nichts vernetzt werden. Verwenden Sie eine Binärdatei, oder kompilieren Sie ihn hier einmal.</translation>
+    </message>
+    <message>
         <source>The build was stopped; Build goes on where it was.</source>
         <translation>Das Kompilieren wurde angehalten; Kompilieren macht dort weiter, wo es war.</translation>
     </message>
@@ -547,12 +559,8 @@
         <translation>Das Kompilieren ist fehlgeschlagen; das Ende des Protokolls sagt, warum.</translation>
     </message>
     <message>
-        <source>Nothing can be meshed without it. Use a binary, or build it here once.</source>
-        <translation>Ohne den kompilierten Kern kann nichts vernetzt werden. Verwenden Sie eine Binärdatei, oder kompilieren Sie ihn hier einmal.</translation>
-    </message>
-    <message>
-        <source>All that the build needs is installed. It takes some minutes, in which FreeCAD can be used.</source>
-        <translation>Alles, was zum Kompilieren nötig ist, ist installiert. Es dauert einige Minuten, in denen FreeCAD benutzt werden kann.</translation>
+        <source>A build here is for Python {} of the system, but this FreeCAD has Python {}. Use a binary for that one.</source>
+        <translation>Hier würde für Python {} des Systems kompiliert, aber dieses FreeCAD hat Python {}. Verwenden Sie eine Binärdatei für dieses.</translation>
     </message>
     <message>
         <source>Binaries of Paver</source>

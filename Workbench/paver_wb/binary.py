@@ -1,28 +1,33 @@
 """Binaries of the core: wheels, as scripts/package makes them, unpacked into a folder of the user's FreeCAD data."""
 import glob
 import importlib.machinery
+import lzma
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import sysconfig
 import tempfile
 import zipfile
+import zlib
 
 from paver_wb import child_process, core
 
 NAMES = "paver-*.whl"
 MODULE = re.compile(r"paver/_paver(\.[^/]*\.?(?:so|pyd))")
 TRY_OUT = 60  # seconds
+UNPACKING = "unpacking-"  # how folders begin that are not in their place yet
+# What a wheel raises that is damaged, cut off, encrypted or packed in a way that Python does not know.
+UNREADABLE = (OSError, EOFError, RuntimeError, UnicodeError, struct.error, lzma.LZMAError, zlib.error,
+              zipfile.BadZipFile)
 
 
 def loader():
     """The module that finds the compiled part; it is there without the core."""
-    try:
-        core.load()
-    except core.CoreMissing:
-        pass
+    if "paver._load" not in sys.modules:
+        core.problem()  # loads it
     return sys.modules["paver._load"]
 
 
@@ -34,22 +39,32 @@ def own_version():
     return loader().own_version()
 
 
+def said(error):
+    return str(error) or type(error).__name__
+
+
+def compiled(path):
+    """Endings of the compiled modules in a wheel, and the content of the one for this Python, None without it."""
+    with zipfile.ZipFile(path) as wheel:
+        names = {found.group(1): found.group() for found in map(MODULE.fullmatch, wheel.namelist()) if found}
+        mine = [ending for ending in importlib.machinery.EXTENSION_SUFFIXES if ending in names]
+        return sorted(names), wheel.read(names[mine[0]]) if mine else None
+
+
 def check(path):
     """ValueError, one sentence, where a file is no wheel of the add-on's version for the Python that runs this."""
     wanted = f"choose a file paver-{own_version()}-*.whl"
     name = os.path.basename(path)
     try:
-        with zipfile.ZipFile(path) as wheel:
-            modules = {found.group(1): found.group() for found in map(MODULE.fullmatch, wheel.namelist()) if found}
-            if not modules:
-                raise ValueError(f"{name} has no compiled module of Paver in it; {wanted}.")
-            mine = [ending for ending in importlib.machinery.EXTENSION_SUFFIXES if ending in modules]
-            if not mine:
-                raise ValueError(f"{name} is for another Python or another machine ({', '.join(sorted(modules))}) than "
-                                 f"this FreeCAD has ({sysconfig.get_config_var('EXT_SUFFIX')}); {wanted} for that one.")
-            version = loader().marked_version(wheel.read(modules[mine[0]]))
-    except (OSError, zipfile.BadZipFile) as error:
-        raise ValueError(f"{path} cannot be read as a wheel ({error}); {wanted}.") from None
+        endings, module = compiled(path)
+    except UNREADABLE as error:
+        raise ValueError(f"{path} cannot be read as a wheel ({said(error)}); {wanted} that is whole.") from None
+    if not endings:
+        raise ValueError(f"{name} has no compiled module of Paver in it; {wanted}.")
+    if module is None:
+        raise ValueError(f"{name} is for another Python or another machine ({', '.join(endings)}) than this FreeCAD "
+                         f"has ({sysconfig.get_config_var('EXT_SUFFIX')}); {wanted} for that one.")
+    version = loader().marked_version(module)
     if version != own_version():
         raise ValueError(f"{name} has version {version or 'unknown'} of Paver's core, but the add-on has version "
                          f"{own_version()}; {wanted}.")
@@ -91,17 +106,32 @@ def try_out(folder, name):
     done = subprocess.run([program, "-c", "import paver"], capture_output=True, text=True, stdin=subprocess.DEVNULL,
                           timeout=TRY_OUT, cwd=folder, env={**os.environ, "PYTHONPATH": folder})
     if done.returncode:
-        said = (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[-1]
-        raise ValueError(f"{name} does not load on this machine ({said}); build Paver here, or choose a file made for it.")
+        last = (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[-1]
+        if "needs NumPy" in last:  # it says itself what to do
+            raise ValueError(f"{name} does not load on this machine: {last.partition(': ')[2]}")
+        raise ValueError(f"{name} does not load on this machine ({last}); build Paver here, or choose a file made for "
+                         "it.")
 
 
 def put(made, folder):
-    """Puts an unpacked folder in the place of the one of before, if there is one."""
+    """Puts an unpacked folder in the place of the one of before, if there is one, which stays where that fails."""
     before = made + "-before"
-    if os.path.isdir(folder):
+    is_there = os.path.isdir(folder)
+    if is_there:
         os.rename(folder, before)
-    os.rename(made, folder)
+    try:
+        os.rename(made, folder)
+    except OSError:
+        if is_there:
+            os.rename(before, folder)
+        raise
     shutil.rmtree(before, ignore_errors=True)
+
+
+def remove_remains(above):
+    """Of a program that ended while it unpacked."""
+    for folder in glob.glob(os.path.join(glob.escape(above), UNPACKING + "*")):
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def install(path):
@@ -112,12 +142,14 @@ def install(path):
     made = None
     try:
         os.makedirs(above, exist_ok=True)
-        made = tempfile.mkdtemp(prefix="unpacking-", dir=above)
+        remove_remains(above)
+        made = tempfile.mkdtemp(prefix=UNPACKING, dir=above)
         unpack(path, made)
         try_out(made, os.path.basename(path))
         put(made, folder)
-    except (OSError, zipfile.BadZipFile, subprocess.TimeoutExpired) as error:
-        raise ValueError(f"{path} cannot be unpacked into {above} ({error}); check the file and the space there.") from None
+    except (*UNREADABLE, subprocess.TimeoutExpired) as error:
+        raise ValueError(f"{path} cannot be unpacked into {above} ({said(error)}); check the file and the space "
+                         "there.") from None
     finally:
         if made:
             shutil.rmtree(made, ignore_errors=True)

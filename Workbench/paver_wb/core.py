@@ -2,11 +2,16 @@
 import os
 
 # Besides building, which the package itself tells about.
-BINARY = "with a binary of it, a file paver-*.whl, run in FreeCAD: from paver_wb import binary; binary.install(\"FILE\")"
+BINARY = ("with a binary of it, a file paver-*.whl, run in FreeCAD: from paver_wb import binary; "
+          "binary.install(\"FILE\")")
 
 
 class CoreMissing(RuntimeError):
     """The core is not there, or does not load. The text is one sentence that says what to run."""
+
+
+class NumPyUnfit(CoreMissing):
+    """The core does not load as NumPy is missing or too new, which neither a build nor a binary changes."""
 
 
 def load():
@@ -14,17 +19,24 @@ def load():
     try:
         import paver
     except ImportError as error:
+        if error.name == "numpy":
+            raise NumPyUnfit(str(error)) from None
         raise CoreMissing(f"{str(error).rstrip('.')}; or, {BINARY}.") from None
     return paver
 
 
-def problem():
-    """Empty, or the sentence that says why nothing can be meshed and what to run."""
+def fault():
+    """The CoreMissing that says why nothing can be meshed, or None."""
     try:
         load()
     except CoreMissing as error:
-        return str(error)
-    return ""
+        return error
+    return None
+
+
+def problem():
+    """Empty, or the sentence that says why nothing can be meshed and what to run."""
+    return str(fault() or "")
 
 
 def binary_folder():

@@ -132,7 +132,7 @@ def numpy_version():
         import numpy
     except ImportError:
         raise ImportError(f"Paver needs NumPy, which {sys.executable or 'this Python'} does not have; install it (package "
-                          "python3-numpy, or pip install numpy).") from None
+                          "python3-numpy, or pip install numpy).", name="numpy") from None
     return numpy.__version__
 
 
@@ -148,7 +148,8 @@ def load():
             faults.append(str(error))
             continue
         if int(numpy.split(".")[0]) > 1 and not getattr(module, "knows_numpy_2", False):
-            raise ImportError(f"Paver's compiled module needs NumPy 1, and this is NumPy {numpy}; install one below 2.")
+            raise ImportError(f"Paver's compiled module needs NumPy 1, and this is NumPy {numpy}; install one below 2.",
+                              name="numpy")
         sys.modules[NAME] = module
         return module
     what = f"run {BASH}scripts/setup in {CHECKOUT}, then {BASH}scripts/build paver_python" if IS_CHECKOUT else remedy()

@@ -43,6 +43,18 @@ def test_without_numpy_the_package_to_install_is_named(checkout):
                                             "install it (package python3-numpy, or pip install numpy).")
 
 
+def test_what_numpy_causes_can_be_told_from_the_rest(checkout, tmp_path):
+    put_build(checkout)
+    (tmp_path / "numpy.py").write_text("__version__ = '2.0.1'\n")
+    name = "import sys; sys.excepthook = lambda kind, error, trace: print('name:', error.name); "
+    if not _paver.knows_numpy_2:
+        assert load(checkout, name, PYTHONPATH=str(tmp_path)).stdout.strip() == "name: numpy"
+    bare = "sys.path[:] = [p for p in sys.path if not p.endswith('-packages')]; "
+    assert load(checkout, name + bare).stdout.strip() == "name: numpy"
+    shutil.rmtree(checkout / "build")
+    assert load(checkout, name).stdout.strip() == "name: None"
+
+
 def test_a_missing_build_says_what_to_run(checkout):
     done = load(checkout)
     assert done.returncode == 1

@@ -16,9 +16,10 @@ import pytest
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.append(os.path.join(ROOT, "tests", "support"))
+import built_wheel  # noqa: E402
 import freecad_program  # noqa: E402
+from built_wheel import BUILD  # noqa: E402
 
-BUILD = os.environ.get("PAVER_BUILD") or os.path.join(ROOT, "build")
 PROGRAM = os.environ.get("PAVER_PROGRAM") or os.path.join(BUILD, "core", "paver")
 WING = os.path.join(ROOT, "Resources", "examples", "wing.step")
 SIZE = "20"
@@ -64,12 +65,7 @@ class Place:
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("ein Rad für alle")
-    done = subprocess.run([sys.executable, os.path.join(ROOT, "scripts", "wheel.py"), BUILD, str(folder)],
-                          capture_output=True, text=True, timeout=300)
-    assert done.returncode == 0, done.stderr
-    name, = os.listdir(folder)
-    return os.path.join(folder, name)
+    return built_wheel.make(tmp_path_factory.mktemp("ein Rad für alle"))
 
 
 @pytest.fixture(scope="module")

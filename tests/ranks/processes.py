@@ -8,6 +8,7 @@ import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 import runs  # noqa: E402
+from process import is_alive, process  # noqa: E402
 
 PROGRAM = runs.PROGRAM
 WORKER = os.path.join(os.path.dirname(PROGRAM), "paver-worker")
@@ -26,17 +27,6 @@ def wait_until(is_true, seconds=60):
         time.sleep(0.02)
 
 
-def process(pid):
-    """(parent, name, state) of a process, or None."""
-    try:
-        with open(f"/proc/{pid}/stat") as f:
-            text = f.read()
-    except OSError:
-        return None
-    name, rest = text[text.index("(") + 1:text.rindex(")")], text[text.rindex(")") + 2:].split()
-    return int(rest[1]), name, rest[0]
-
-
 def descendants(pid):
     """{pid: command line} of what a process has started, and they in turn."""
     everything = {int(name): process(name) for name in os.listdir("/proc") if name.isdigit()}
@@ -52,11 +42,6 @@ def descendants(pid):
             except OSError:
                 pass
     return found
-
-
-def is_alive(pid):
-    found = process(pid)
-    return found is not None and found[2] != "Z"
 
 
 class Run:

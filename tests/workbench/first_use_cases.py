@@ -1,17 +1,22 @@
-"""The add-on without its compiled core, in FreeCAD's window. first_use_test.py runs this in a copy of the add-on that it
-may change; each class in a FreeCAD of its own, as a core that is loaded stays."""
+"""The add-on without its compiled core, in FreeCAD's window. first_use_test.py runs this in a copy of the add-on that
+it may change; each class in a FreeCAD of its own, as a core that is loaded stays."""
 import os
+import shlex
 import shutil
+import sys
 import unittest
 import zipfile
+from unittest import mock
 
 import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
+sys.path.append(os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(__file__))), "support"))
 import window
 from paver_wb import binary, core, mesh_object
 from paver_wb.gui import core_build, first_use, run_control
+from process import is_alive
 
 WHEEL = os.environ.get("PAVER_WHEEL", "")  # a binary that fits
 STEPS = """echo "[1/3] first"
@@ -19,14 +24,6 @@ sleep 600 &
 echo $! > build.pid
 wait
 """
-
-
-def is_alive(process):
-    try:
-        with open(f"/proc/{process}/stat") as file:
-            return file.read().rsplit(")", 1)[1].split()[0] != "Z"
-    except OSError:
-        return False
 
 
 def write_script(name, text):
@@ -48,6 +45,35 @@ def changed_wheel(path, rename=lambda name: name, change=lambda data: data):
     with zipfile.ZipFile(WHEEL) as old, zipfile.ZipFile(path, "w") as new:
         for name in old.namelist():
             new.writestr(rename(name), change(old.read(name)))
+    return path
+
+
+def damaged_wheel(path):
+    """A copy of the wheel with other bytes in the middle of its compressed module."""
+    with zipfile.ZipFile(WHEEL) as wheel:
+        info = next(i for i in wheel.infolist() if i.filename.startswith("paver/_paver."))
+    with open(WHEEL, "rb") as file:
+        data = bytearray(file.read())
+    middle = info.header_offset + info.compress_size // 2
+    data[middle:middle + 1000] = bytes(byte ^ 0xff for byte in data[middle:middle + 1000])
+    with open(path, "wb") as file:
+        file.write(data)
+    return path
+
+
+def encrypted_wheel(path):
+    """A copy of the wheel that says that its files are encrypted."""
+    with zipfile.ZipFile(WHEEL) as wheel:
+        infos, start = wheel.infolist(), wheel.start_dir
+    with open(WHEEL, "rb") as file:
+        data = bytearray(file.read())
+    for info in infos:
+        start = data.index(b"PK\1\2", start)
+        data[start + 8] |= 1  # in the table of contents, and before the file
+        data[info.header_offset + 6] |= 1
+        start += 4
+    with open(path, "wb") as file:
+        file.write(data)
     return path
 
 
@@ -123,7 +149,7 @@ class FirstUse(WithDialog):
         window.click(self.button("Copy"))
         field = QtGui.QLineEdit()
         field.paste()
-        self.assertEqual(field.text(), "sudo apt-get install --no-install-recommends cmake libocct-foundation-dev")
+        self.assertEqual(field.text(), f"bash {shlex.quote(core_build.script('setup'))} build")
         write_script("setup", "exit 0\n")
         window.click(self.button("Again"))
         self.assertTrue(self.button("Build").isEnabled())
@@ -135,12 +161,52 @@ class FirstUse(WithDialog):
         self.assertIn("this is not Debian", window.widget("Paver_FirstUsePackages").text())
         self.assertTrue(self.button("Build").isEnabled())
 
-    def test_a_build_that_fails_shows_why(self):
-        self.replace_script("build", "echo '[1/2] first'\necho 'no such compiler' >&2\nexit 3\n")
+    def test_numpy_is_all_that_is_asked_for_where_it_is_missing(self):
+        with mock.patch.dict(sys.modules, {"numpy": None}):
+            self.dialog.look()
+            window.picture("first_use_numpy")
+            self.assertIn("needs NumPy", self.state())
+            self.assertIn("install it (package python3-numpy", self.state())
+            self.assertNotIn("binary", core.problem())
+            self.assertIsNone(self.button("Build") or self.button("Choose"))
+        window.click(self.button("Again"))
+        self.assertIn("is missing", self.state())
+        self.assertTrue(self.button("Build").isEnabled() and self.button("Choose").isEnabled())
+
+    def test_nothing_is_built_for_another_python(self):
+        with mock.patch.object(core_build, "PYTHON", os.path.join(self.folder, "python3")):
+            with open(core_build.PYTHON, "w") as file:
+                file.write("#!/bin/sh\necho 3.4\n")
+            os.chmod(core_build.PYTHON, 0o755)
+            self.addCleanup(core_build.built_for.cache_clear)
+            core_build.built_for.cache_clear()
+            self.dialog.look()
+        window.picture("first_use_python")
+        self.assertRegex(window.widget("Paver_FirstUsePackages").text(),
+                         rf"Python 3\.4 .* Python {core_build.own_python()}\.")
+        self.assertFalse(self.button("Build").isEnabled())
+        self.assertTrue(self.button("Choose").isEnabled())
+
+    def run_build(self, script):
+        """Its log."""
+        self.replace_script("build", script)
         window.click(self.button("Build"))
         window.wait(lambda: core_build.running() is None, "for the build")
+        return self.dialog.log.toPlainText()
+
+    def test_a_build_does_not_see_what_freecad_needs_for_itself(self):
+        with mock.patch.dict(os.environ, {name: "/nowhere" for name in core_build.OF_FREECAD}):
+            log = self.run_build(f"env | grep -E '^({'|'.join(core_build.OF_FREECAD)})='\necho all\nexit 1\n")
+        self.assertEqual(log.splitlines()[1:], ["all"])
+
+    def test_the_log_has_every_letter_and_the_last_line(self):
+        log = self.run_build("printf 'gr\\303'\nsleep 1\nprintf '\\274n\\nohne Ende \\303\\244'\nexit 1\n")
+        self.assertEqual(log.splitlines()[1:], ["grün", "ohne Ende ä"])
+
+    def test_a_build_that_fails_shows_why(self):
+        log = self.run_build("echo '[1/2] first'\necho 'no such compiler' >&2\nexit 3\n")
         self.assertIn("failed", self.state())
-        self.assertIn("no such compiler", self.dialog.log.toPlainText())
+        self.assertIn("no such compiler", log)
         self.assertTrue(self.button("Build").isEnabled())
 
     def test_a_build_is_stopped_with_all_its_processes_and_goes_on(self):
@@ -188,14 +254,21 @@ class FirstUse(WithDialog):
         with open(WHEEL, "rb") as file, open(path, "wb") as cut:
             cut.write(file.read()[:100000])
         self.refuse(path, "cannot be read")
+        self.refuse(damaged_wheel(path), "cannot be read", "that is whole")
+        self.refuse(encrypted_wheel(path), "cannot be read", "encrypted", "that is whole")
         self.refuse(changed_wheel(path, change=lambda data: data.replace(b"libTKernel", b"libTKnever")),
-                    "does not load on this machine", "libTKnever")
+                    "does not load on this machine", "libTKnever", "build Paver here")
+        with zipfile.ZipFile(shutil.copy(WHEEL, path), "a") as wheel:
+            wheel.writestr("numpy.py", "raise ImportError")
+        self.refuse(path, "does not load on this machine: Paver needs NumPy", "install it (package python3-numpy")
+        self.assertNotIn("build Paver", self.state())
 
 
 class FirstUseBinary(WithDialog):
     def test_a_binary_in_freecads_folder_is_offered_and_works_at_once(self):
         with open(os.path.join(FreeCAD.getUserAppDataDir(), "paver-0-other.whl"), "wb") as other:
             other.write(b"nothing")
+        damaged_wheel(os.path.join(FreeCAD.getUserAppDataDir(), "paver-0-damaged.whl"))
         shutil.copy(WHEEL, FreeCAD.getUserAppDataDir())
         self.dialog.look()
         window.picture("first_use_binary")
@@ -209,8 +282,28 @@ class FirstUseBinary(WithDialog):
         self.assertIn("ready", self.state())
         self.assertTrue(self.button("Build") is None and self.button("Choose") is None)
         self.mesh_everywhere()
-        binary.install(WHEEL)  # again, over that of before
-        self.assertEqual(os.listdir(os.path.dirname(core.binary_folder())), ["binary"])
+        self.replace_binary()
+
+    def replace_binary(self):
+        """Another one over that of before, which stays where that fails; what an end of FreeCAD left goes."""
+        above = os.path.dirname(core.binary_folder())
+        os.makedirs(os.path.join(above, "unpacking-of-yore", "paver"))
+        mark = os.path.join(core.binary_folder(), "of before")
+        open(mark, "w").close()
+        real = os.rename
+
+        def rename(old, new):
+            if new == core.binary_folder() and not old.endswith("-before"):
+                raise OSError("no such luck")
+            real(old, new)
+        with mock.patch("os.rename", rename):
+            with self.assertRaisesRegex(ValueError, "cannot be unpacked .*no such luck.*check"):
+                binary.install(WHEEL)
+        self.assertTrue(os.path.exists(mark))
+        self.assertEqual(os.listdir(above), ["binary"])
+        binary.install(WHEEL)
+        self.assertFalse(os.path.exists(mark))
+        self.assertEqual(os.listdir(above), ["binary"])
 
 
 class FirstUseBuild(WithDialog):
@@ -219,7 +312,8 @@ class FirstUseBuild(WithDialog):
             wheel.extractall(self.folder)
         libraries = os.path.join(self.folder, "paver.libs")  # which a binary may bring along
         os.makedirs(libraries, exist_ok=True)
-        self.replace_script("build", 'test "$*" = paver_python || exit 2\nmkdir -p build/bindings\necho "[1/2] a"\nsleep 1\n'
+        self.replace_script("build", 'test "$*" = paver_python || exit 2\nmkdir -p build/bindings\n'
+                            'echo "[1/2] a"\nsleep 1\n'
                             f"cp -r {libraries} build\ncp {self.folder}/paver/*.so build/bindings\necho '[2/2] b'\n")
         window.click(self.button("Build"))
         window.wait(lambda: core_build.running() is None, "for the build")

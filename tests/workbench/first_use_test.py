@@ -3,13 +3,14 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 import time
 
+import built_wheel
 import freecad_program
 import pytest
 
 import repo
+from process import is_alive
 
 # Installs from a repository or an archive, in FreeCAD, as the Addon Manager of its version does.
 INSTALL = """import os, sys, traceback
@@ -97,15 +98,7 @@ def source(tmp_path_factory):
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory):
     """A binary: the one that PAVER_WHEEL names, else of what is built."""
-    given = os.environ.get("PAVER_WHEEL")
-    if given:
-        return given
-    folder = tmp_path_factory.mktemp("wheel")
-    build = os.environ.get("PAVER_BUILD") or os.path.join(repo.ROOT, "build")
-    done = subprocess.run([sys.executable, os.path.join(repo.ROOT, "scripts", "wheel.py"), build, str(folder)],
-                          capture_output=True, text=True, timeout=300)
-    assert done.returncode == 0, done.stderr
-    return next(folder.iterdir())
+    return os.environ.get("PAVER_WHEEL") or built_wheel.make(tmp_path_factory.mktemp("wheel"))
 
 
 @pytest.fixture
@@ -146,7 +139,7 @@ def test_the_addon_manager_installs_it(empty_home, source, method):
     assert "Traceback" not in done.stdout + done.stderr
 
 
-@pytest.mark.parametrize("case, count", [("FirstUse", 7), ("FirstUseBinary", 1), ("FirstUseBuild", 1)])
+@pytest.mark.parametrize("case, count", [("FirstUse", 11), ("FirstUseBinary", 1), ("FirstUseBuild", 1)])
 def test_first_use_in_the_window(installed, wheel, case, count):
     done = freecad_program.run_window(["-t", "TestPaverGui." + case], installed, PAVER_BUILD="", PAVER_WHEEL=str(wheel))
     output = done.stdout + done.stderr
@@ -161,14 +154,6 @@ def test_a_binary_is_found_without_a_window_and_at_the_next_start(installed, whe
         done = freecad_program.run(["-c", script + "; import sys; sys.stdout.flush()"], installed, PAVER_BUILD="")
         assert "made:" in done.stdout and "Traceback" not in done.stderr, done.stdout + done.stderr
     assert "quads" in done.stdout.split("made:")[1], done.stdout
-
-
-def is_alive(process):
-    try:
-        with open(f"/proc/{process}/stat") as file:
-            return file.read().rsplit(")", 1)[1].split()[0] != "Z"
-    except OSError:
-        return False
 
 
 def test_a_build_ends_with_freecad(installed, tmp_path):

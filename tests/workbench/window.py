@@ -91,20 +91,14 @@ def double_click(thing):
 
 def standard_button(which):
     """That of the task panel, a QDialogButtonBox.StandardButton; None where no panel is."""
-    for box in widgets(QtGui.QDialogButtonBox):
-        button = box.button(which)
-        if button:
-            button.box = box  # Python forgets the button with the box
-            return button
-    return None
+    # Not what box.button() gives: Python forgets it, or even deletes it, with the box.
+    texts = [box.button(which).text() for box in widgets(QtGui.QDialogButtonBox) if box.button(which)]
+    return next((button for button in widgets(QtGui.QPushButton) if button.text() in texts), None)
 
 
 def viewport():
-    """The widget that shows the 3D view."""
-    view = widgets(QtGui.QGraphicsView)[0]
-    shown = view.viewport()
-    shown.view = view  # Python forgets the one with the other
-    return shown
+    """The widget that shows the 3D view. Not by the view's viewport(), which Python would delete with the view."""
+    return widgets(QtGui.QOpenGLWidget)[0]
 
 
 def click_standard(which):

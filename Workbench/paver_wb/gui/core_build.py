@@ -1,8 +1,12 @@
 """Building the core from the window: which packages are missing, and the build as a process that can be stopped."""
+import codecs
+import functools
 import os
 import re
+import shlex
 import signal
 import subprocess
+import sys
 import time
 
 import FreeCAD
@@ -13,6 +17,8 @@ from paver_wb import binary
 BUILT, FAILED, STOPPED = "built", "failed", "stopped"
 PATIENCE, LOOK = 3000, 50  # ms until processes that were asked to end are killed; between looks whether they have gone
 STEP = re.compile(r"^\[(\d+)/(\d+)\] ")  # how ninja begins a line
+PYTHON = "/usr/bin/python3"  # for which scripts/build builds
+OF_FREECAD = ("PYTHONHOME", "PYTHONPATH", "LD_LIBRARY_PATH")  # for itself, where it brings its own libraries
 translate = FreeCAD.Qt.translate
 _builds = []  # those that have not ended
 
@@ -21,18 +27,36 @@ def script(name):
     return os.path.join(binary.checkout(), "scripts", name)
 
 
+def said_by(*command):
+    """CompletedProcess of a program of the system's."""
+    return subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL,
+                          env={name: value for name, value in os.environ.items() if name not in OF_FREECAD})
+
+
+@functools.lru_cache(maxsize=None)
+def built_for():
+    """Version of the Python that a build is for, as "3.11"; empty without one."""
+    try:
+        return said_by(PYTHON, "-c", "import sys; print('{}.{}'.format(*sys.version_info))").stdout.strip()
+    except OSError:
+        return ""
+
+
+def own_python():
+    return "{}.{}".format(*sys.version_info)
+
+
 def missing_packages():
     """Debian packages that the build needs and that are not installed. ValueError where that cannot be told."""
-    done = subprocess.run(["bash", script("setup"), "--missing", "build"], capture_output=True, text=True,
-                          stdin=subprocess.DEVNULL)
+    done = said_by("bash", script("setup"), "--missing", "build")
     if done.returncode:
         raise ValueError(done.stderr.strip())
     return done.stdout.split()
 
 
-def command_for(packages):
+def command():
     """What installs them, in a terminal."""
-    return "sudo apt-get install --no-install-recommends " + " ".join(packages)
+    return f"bash {shlex.quote(script('setup'))} build"
 
 
 class Build(QtCore.QObject):
@@ -47,6 +71,7 @@ class Build(QtCore.QObject):
         super().__init__()
         self.outcome, self.fraction, self.is_stopped, self.rest = None, None, False, ""
         self.group = 0
+        self.decoder = codecs.getincrementaldecoder("utf-8")("replace")
         self.process = QtCore.QProcess()
         self.process.setProcessChannelMode(QtCore.QProcess.MergedChannels)
         self.process.setWorkingDirectory(binary.checkout())
@@ -55,7 +80,8 @@ class Build(QtCore.QObject):
         self.process.errorOccurred.connect(self.fail_to_start)
         variables = QtCore.QProcessEnvironment.systemEnvironment()
         variables.insert("NINJA_STATUS", "[%f/%t] ")
-        variables.remove("PAVER_BUILD")
+        for name in ("PAVER_BUILD", *OF_FREECAD):
+            variables.remove(name)
         self.process.setProcessEnvironment(variables)
 
     def begin(self):
@@ -73,8 +99,11 @@ class Build(QtCore.QObject):
 
     @QtCore.Slot()
     def read(self):
-        text = self.rest + bytes(self.process.readAll()).decode(errors="replace")
-        *lines, self.rest = text.split("\n")
+        self.tell(self.decoder.decode(bytes(self.process.readAll())))
+
+    def tell(self, text):
+        """Whole lines; the rest waits for its end."""
+        *lines, self.rest = (self.rest + text).split("\n")
         for line in lines:
             step = STEP.match(line)
             if step:
@@ -83,7 +112,8 @@ class Build(QtCore.QObject):
             self.said.emit(line)
 
     def stop(self):
-        """`ended` comes when no process of the build is left: another one at once would meet them in the build folder."""
+        """`ended` comes when no process of the build is left: another one at once would meet them in the build
+        folder."""
         self.is_stopped = True
         self.signal(signal.SIGTERM)
         QtCore.QTimer.singleShot(PATIENCE, lambda: self.signal(signal.SIGKILL))
@@ -112,6 +142,9 @@ class Build(QtCore.QObject):
     @QtCore.Slot(int, QtCore.QProcess.ExitStatus)
     def finish(self, code, status):
         self.read()
+        rest = self.rest + self.decoder.decode(b"", True)
+        if rest:
+            self.said.emit(rest)
         if not self.is_stopped:
             self.end(BUILT if code == 0 and status == QtCore.QProcess.NormalExit else FAILED)
 

@@ -1,4 +1,5 @@
-"""The dialog of the first use: the add-on came without its compiled core, which is built here or taken from a binary."""
+"""The dialog of the first use: the add-on came without its compiled core, which is built here or taken from a
+binary."""
 import os
 
 import FreeCAD
@@ -31,9 +32,11 @@ def text_label(name):
     return made
 
 
-def what_is_wrong(problem):
-    """The sentence of the core without what to do, which the dialog does itself."""
-    return problem.split(f"; or, {core.BINARY}")[0].split("; run ")[0] + "."
+def what_is_wrong(fault):
+    """The sentence of the core without what to do, where the dialog does it itself."""
+    if isinstance(fault, core.NumPyUnfit):
+        return str(fault)
+    return str(fault).split(f"; or, {core.BINARY}")[0].split("; run ")[0] + "."
 
 
 def row(*widgets):
@@ -74,8 +77,9 @@ class FirstUse(QtGui.QDialog):
         self.boxes = [self.binary_box(), self.build_box()]
         for box in self.boxes:
             layout.addWidget(box)
+        self.again = button("Again", translate("Paver", "Look again"), self.look)
         self.close_button = button("Close", translate("Paver", "Close"), self.close)
-        layout.addLayout(row(None, self.close_button))
+        layout.addLayout(row(None, self.again, self.close_button))
         self.look()
 
     def binary_box(self):
@@ -95,7 +99,6 @@ class FirstUse(QtGui.QDialog):
         self.command.setObjectName("Paver_FirstUseCommand")
         self.command.setReadOnly(True)
         self.copy_button = button("Copy", translate("Paver", "Copy"), self.copy)
-        self.again = button("Again", translate("Paver", "Look again"), self.look)
         self.build_button = button("Build", translate("Paver", "Build"), self.begin)
         self.stop_button = button("Stop", translate("Paver", "Stop"), self.stop)
         self.bar, self.log = QtGui.QProgressBar(), QtGui.QPlainTextEdit()
@@ -109,39 +112,61 @@ class FirstUse(QtGui.QDialog):
         self.log.hide()
         layout = QtGui.QVBoxLayout(box)
         layout.addWidget(self.packages)
-        layout.addLayout(row(self.command, self.copy_button, self.again))
+        layout.addLayout(row(self.command, self.copy_button))
         layout.addLayout(row(self.build_button, self.stop_button, None))
         layout.addWidget(self.bar)
         layout.addWidget(self.log, 1)
         return box
 
     def look(self):
-        """Looks for the core, for a binary and for missing packages, and shows what can be done."""
-        problem = core.problem()
-        self.state.setText(what_is_wrong(problem) + "\n\n" + translate(
-            "Paver", "Nothing can be meshed without it. Use a binary, or build it here once.") if problem
-            else translate("Paver", "Paver is ready.") + "\n\n" + core.about()[0])
+        """Looks for the core, for a binary and for what a build needs, and shows what can be done."""
+        self.fault, self.missing, self.may_build = core.fault(), [], False
+        is_of_numpy = isinstance(self.fault, core.NumPyUnfit)
+        if is_of_numpy:
+            more = translate("Paver", "Nothing can be meshed until then.")
+        elif self.fault:
+            more = translate("Paver", "Nothing can be meshed without it. Use a binary, or build it here once.")
+            self.look_for_binary()
+            self.look_for_build()
+        else:
+            more = core.about()[0]
+        self.state.setText((what_is_wrong(self.fault) if self.fault else translate("Paver", "Paver is ready."))
+                           + "\n\n" + more)
         for box in self.boxes:
-            box.setVisible(bool(problem))
-        self.wheel = binary.found() if problem else None
-        self.wheel_text.setText(translate("Paver", "Found: {}").format(self.wheel) if self.wheel else translate(
-            "Paver", "A binary is a file paver-{}-*.whl for the Python of this FreeCAD. There is none in FreeCAD's folders."
-        ).format(binary.own_version()))
-        missing, fault = [], ""
-        try:
-            missing = core_build.missing_packages()
-        except (OSError, ValueError) as error:
-            fault = str(error)
-        self.command.setText(core_build.command_for(missing))
-        self.command.setCursorPosition(0)
-        self.packages.setText(fault or (translate(
-            "Paver", "Debian packages are missing for the build: {}. This command installs them, in a terminal:").format(
-                ", ".join(missing)) if missing else translate(
-            "Paver", "All that the build needs is installed. It takes some minutes, in which FreeCAD can be used.")))
-        for widget in (self.command, self.copy_button, self.again):
-            widget.setVisible(bool(missing))
-        self.allow(bool(problem), not missing)
+            box.setVisible(self.fault is not None and not is_of_numpy)
+        self.again.setVisible(is_of_numpy or bool(self.missing))
+        self.allow()
         self.fit()
+
+    def look_for_binary(self):
+        self.wheel = binary.found()
+        self.wheel_text.setText(translate("Paver", "Found: {}").format(self.wheel) if self.wheel else translate(
+            "Paver",
+            "A binary is a file paver-{}-*.whl for the Python of this FreeCAD. There is none in FreeCAD's folders."
+        ).format(binary.own_version()))
+
+    def look_for_build(self):
+        """Whether a build here would fit, and which packages it lacks. It may be tried where that cannot be told."""
+        built, own = core_build.built_for(), core_build.own_python()
+        is_other = built not in ("", own)
+        text = translate("Paver", "All that the build needs is installed. It takes some minutes, in which FreeCAD can "
+                                  "be used.")
+        try:
+            self.missing = [] if is_other else core_build.missing_packages()
+        except (OSError, ValueError) as error:
+            text = str(error)
+        if is_other:
+            text = translate("Paver", "A build here is for Python {} of the system, but this FreeCAD has Python {}. "
+                                      "Use a binary for that one.").format(built, own)
+        elif self.missing:
+            text = translate("Paver", "Debian packages are missing for the build: {}. This command installs them, in a "
+                                      "terminal:").format(", ".join(self.missing))
+        self.packages.setText(text)
+        self.command.setText(core_build.command())
+        self.command.setCursorPosition(0)
+        for widget in (self.command, self.copy_button):
+            widget.setVisible(bool(self.missing))
+        self.may_build = not self.missing and not is_other
 
     def fit(self):
         """High enough for its sentences, which Qt does not see to."""
@@ -151,14 +176,14 @@ class FirstUse(QtGui.QDialog):
     def is_busy(self):
         return self.build is not None or self.unpacking is not None
 
-    def allow(self, is_needed, may_build):
+    def allow(self):
         """Enables what can be done now."""
         self.use.setVisible(self.wheel is not None)
         for widget in (self.use, self.choose_button, self.again):
-            widget.setEnabled(is_needed and not self.is_busy())
-        self.build_button.setEnabled(is_needed and may_build and not self.is_busy())
+            widget.setEnabled(not self.is_busy())
+        self.build_button.setEnabled(self.may_build and not self.is_busy())
         self.stop_button.setEnabled(self.build is not None)
-        if not is_needed:
+        if not self.fault:
             self.close_button.setFocus()
 
     def copy(self):
@@ -175,7 +200,7 @@ class FirstUse(QtGui.QDialog):
         self.bar.setRange(0, 0)
         self.bar.show()
         self.state.setText(translate("Paver", "Building. This window may be closed meanwhile."))
-        self.allow(True, False)
+        self.allow()
         run_status.watch(self.build)
         self.fit()
         self.build.begin()
@@ -208,7 +233,7 @@ class FirstUse(QtGui.QDialog):
         self.unpacking = Unpacking(path)
         self.unpacking.done.connect(self.take_binary)
         self.state.setText(translate("Paver", "Unpacking {}").format(os.path.basename(path)))
-        self.allow(True, False)
+        self.allow()
         self.unpacking.start()
 
     def take_binary(self):
@@ -218,11 +243,10 @@ class FirstUse(QtGui.QDialog):
     def end(self, fault):
         """After a try: what came of it, told here and in the report view."""
         self.look()
-        problem = core.problem()
-        if problem:
-            self.state.setText(fault or what_is_wrong(problem))
+        if self.fault:
+            self.state.setText(fault or what_is_wrong(self.fault))
             self.fit()
-            FreeCAD.Console.PrintError((fault or problem) + "\n")
+            FreeCAD.Console.PrintError((fault or str(self.fault)) + "\n")
         else:
             FreeCAD.Console.PrintMessage("\n".join(core.about()) + "\n")
         self.show()
