@@ -250,8 +250,8 @@ def test_without_open_mpi_one_sentence_says_what_to_install(bare, tmp_path):
     shutil.copy(os.path.join(bare.packages, "paver", "paver-worker"), worker)
     name, = (n for n in needed(worker) if n.startswith("libmpi"))
     subprocess.run(["patchelf", "--set-rpath", os.path.join(bare.packages, "paver.libs"), worker], check=True)
-    subprocess.run(["patchelf", "--replace-needed", name, "libnone.so.40", worker], check=True)
+    subprocess.run(["patchelf", "--replace-needed", name, "libmpi-none.so.40", worker], check=True)
     done = run(*command, PATH="/usr/bin:/bin", HOME=str(tmp_path), PAVER_WORKER=worker)
     assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
-    assert "without the library libnone.so.40; install Open MPI (package openmpi-bin)" in done.stderr
+    assert "without the library libmpi-none.so.40; install Open MPI (package openmpi-bin)" in done.stderr
     assert not os.path.exists(tmp_path / "out.msh")
