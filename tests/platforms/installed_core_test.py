@@ -22,9 +22,8 @@ def show():
         FreeCADGui.activateWorkbench("PaverWorkbench")
         window.pause(1000)
         assert window.widget("Paver_FirstUse") is None
-        document = examples.open_model("torus.step")
-        source = document.Objects[0]
-        mesh = mesh_object.add(document, source, size=8)
+        source = examples.open_model("torus.step")
+        mesh = mesh_object.add(source.Document, source, size=8)
         run = run_control.start(mesh)
         window.wait(lambda: mesh.Quads > 0, "for the mesh")
         source.ViewObject.Visibility = False
