@@ -11,7 +11,7 @@ package=$(realpath "$1")
 export PAVER_WHEEL=$(realpath "$2") CI=true LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive PYTHONDONTWRITEBYTECODE=1
 
 apt-get update -q </dev/null >/dev/null
-apt-get install -y --no-install-recommends freecad python3-numpy python3-pyside2.qttest python3-pytest xvfb xauth git \
+apt-get install -y --no-install-recommends freecad python3-numpy python3-pyside2.qttest python3-pytest xvfb xauth git python3-git \
   </dev/null >/dev/null
 # Not for a compiler: Debian 12's FreeCAD brings one along.
 [ ! -e "$root/build" ] && ! command -v cmake || fail "there is a build, or the means for one; this is no bare system."
