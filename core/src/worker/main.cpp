@@ -187,7 +187,7 @@ void wait_for_reader(int descriptor) {
     reporter->failed(error);
     if (is_cancelled) reporter->end_process(exit_code(error.code()));
     reporter->remove_temporaries();
-  } else {
+  } else if (!is_cancelled || ranks.rank() == 0) {  // all ranks are cancelled; one says so
     fmt::print(stderr, "paver-worker: {}\n", error.what());
   }
   for (int descriptor : {STDOUT_FILENO, STDERR_FILENO}) wait_for_reader(descriptor);
