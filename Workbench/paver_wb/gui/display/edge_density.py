@@ -3,11 +3,9 @@
 Coin's own node for that, SoLevelOfDetail, asks every action for what only drawing has: a click in FreeCAD's view, which is
 an action of FreeCAD's, ends the program.
 """
-import weakref
-
 from pivy import coin
 
-from paver_wb.gui.display.fields import put
+from paver_wb.gui.display.fields import callback, put
 
 DARK, FAINT, NONE = 0, 1, -1  # children of the switch
 FULL_COLOUR, ANY_COLOUR = 120, 20  # pixels of area that a mean element has at least
@@ -19,12 +17,10 @@ class EdgeDensity:
     def __init__(self, dark, faint):
         """dark, faint: the nodes to draw for edges of the full colour, and for faint ones."""
         self.low, self.high, self.area = (0.0,) * 3, (0.0,) * 3, 0.0
-        self.switch, self.before = coin.SoSwitch(), coin.SoCallback()
+        self.switch = coin.SoSwitch()
         put(self.switch, dark, faint)
         self.switch.whichChild = DARK
-        me = weakref.ref(self)  # Coin never lets go of what it is to call
-        self.before.setCallback(lambda _, action: me() and me().called(action), None)
-        self.nodes = self.before, self.switch
+        self.nodes = callback(self), self.switch
 
     def set_mesh(self, low, high, area):
         """low, high: the corners of the box around the mesh; area: mean of its elements, mm^2; 0: always draw all."""

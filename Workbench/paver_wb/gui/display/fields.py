@@ -1,5 +1,6 @@
 """Coin fields filled from NumPy arrays by one copy of memory, and small nodes."""
 import ctypes
+import weakref
 
 import numpy as np
 from pivy import coin
@@ -40,6 +41,13 @@ def put(group, *nodes):
 
 def separator(*nodes):
     return put(coin.SoSeparator(), *nodes)
+
+
+def callback(owner):
+    """A node by which each action that comes past has owner.called(action) called."""
+    node, me = coin.SoCallback(), weakref.ref(owner)  # Coin never lets go of what it is to call
+    node.setCallback(lambda _, action: me() and me().called(action), None)
+    return node
 
 
 def unpickable():

@@ -1,9 +1,8 @@
 """The element under the mouse, by a search tree of the core: Coin's own picking takes half a second for a million
 triangles, and FreeCAD picks at every move of the mouse."""
-import weakref
-
 from pivy import coin
 
+from paver_wb.gui.display.fields import callback
 from paver_wb.gui.display.report import element_name
 
 
@@ -12,9 +11,7 @@ class Picker:
 
     def __init__(self, hits):
         """hits(origin, direction): [(element, point)], nearest first; a function that holds nothing."""
-        self.hits, self.node = hits, coin.SoCallback()
-        me = weakref.ref(self)  # Coin never lets go of what it is to call
-        self.node.setCallback(lambda _, action: me() and me().called(action), None)
+        self.hits, self.node = hits, callback(self)
 
     def called(self, action):
         if not action.isOfType(coin.SoRayPickAction.getClassTypeId()):
