@@ -10,6 +10,7 @@ translate = FreeCAD.Qt.translate
 GOOD, NOTE, WARNING, ERROR = "good", "note", "warning", "error"
 POOR = 0.3  # scaled Jacobian
 LONGEST = 1.6  # of the target length
+MOST_CONTACTS = 3  # are named
 
 
 class Finding(NamedTuple):
@@ -33,7 +34,7 @@ def of_document(obj):
 def of_mesh(mesh):
     """[Finding] of a StoredMesh; looks at no document, so any thread may ask."""
     figures = statistics.of_mesh(mesh)
-    return [validity(figures), shape(figures), *borders(mesh, figures), triangles(figures), *lengths(mesh, figures)]
+    return [validity(figures), shape(figures), *parts(mesh), *borders(mesh, figures), triangles(figures), *lengths(mesh, figures)]
 
 
 def in_order(findings):
@@ -104,6 +105,23 @@ def borders(mesh, figures):
             len(free)), with_edges(mesh, free)))
     else:
         findings.append(Finding(GOOD, translate("Paver", "The mesh has no free edge.")))
+    return findings
+
+
+def parts(mesh):
+    """What touches what, and how many meshes come of it. None of documents that were saved before this was known."""
+    contacts, components = mesh.report["model"].get("contacts", []), mesh.report.get("components", [])
+    findings = []
+    if contacts:
+        named = ", ".join(" \u2013 ".join(contact["parts"]) for contact in contacts[:MOST_CONTACTS])
+        more = "" if len(contacts) <= MOST_CONTACTS else " \u2026"
+        findings.append(Finding(NOTE, translate("Paver", "{} pairs of parts touch: {}.").format(len(contacts), named + more)))
+    for pair in mesh.report["model"].get("unconnected", []):
+        findings.append(Finding(ERROR, translate("Paver", "{} touch but could not be connected; repair or fuse them.").format(
+            " \u2013 ".join(pair))))
+    if len(components) > 1:
+        findings.append(Finding(WARNING, translate("Paver", "There are {} separate meshes, which share no node: {}.").format(
+            len(components), "; ".join(names[0] for names in components[:MOST_CONTACTS]))))
     return findings
 
 

@@ -18,6 +18,8 @@ ARRAYS = {"nodes": "<f8", "quads": "<i4", "triangles": "<i4", "quad_faces": "<i4
           "lines": "<i4", "line_edges": "<i4"}
 OPTIONAL = {"node_targets": "<f8"}  # arrays that older files and imported meshes do not have
 
+NAMES = ("order", "face_names", "edge_names", "report")
+
 
 class StoredMesh(NamedTuple):
     """Fields as those of paver.Result; face_names are those of the groups."""
@@ -34,6 +36,7 @@ class StoredMesh(NamedTuple):
     edge_names: list
     report: dict
     node_targets: object = None
+    edge_groups: tuple = ()
 
 
 class DamagedMesh(ValueError):
@@ -45,7 +48,7 @@ def of_result(result, face_names):
     arrays = {name: getattr(result, name) for name in ARRAYS}
     arrays.update({name: getattr(result, name, None) for name in OPTIONAL})
     return StoredMesh(order=result.order, face_names=list(face_names), edge_names=list(result.edge_names),
-                      report=result.report, **arrays)
+                      edge_groups=list(result.edge_groups), report=result.report, **arrays)
 
 
 def padding(size):
@@ -73,7 +76,7 @@ def unpack(part, kind, shape, packed):
 
 def write(mesh, path):
     """Writes a StoredMesh to `path`."""
-    head = {name: getattr(mesh, name) for name in ("order", "face_names", "edge_names", "report")}
+    head = {name: getattr(mesh, name) for name in (*NAMES, "edge_groups")}
     head["arrays"], blocks, offset = {}, [], 0
     for name, kind in {**ARRAYS, **OPTIONAL}.items():
         if name in OPTIONAL and getattr(mesh, name) is None:
@@ -118,4 +121,5 @@ def read(path):
                   for name in [*ARRAYS, *(name for name in OPTIONAL if name in head["arrays"])]}
     except (ValueError, KeyError, TypeError, struct.error) as error:
         raise DamagedMesh(f"The mesh kept in the document is damaged ({error}); mesh the object again.") from None
-    return StoredMesh(**arrays, **{name: head[name] for name in ("order", "face_names", "edge_names", "report")})
+    # Files of earlier versions have no groups of edges.
+    return StoredMesh(**arrays, **{name: head[name] for name in NAMES}, edge_groups=head.get("edge_groups", ()))

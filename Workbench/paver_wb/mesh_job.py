@@ -5,6 +5,9 @@ from typing import NamedTuple
 from paver_wb import core, mesh_file
 
 
+BOTH = " + "  # between names of faces, in the name of what they have in common
+
+
 class Job(NamedTuple):
     """What a run needs.
 
@@ -34,19 +37,20 @@ class Place(NamedTuple):
 
 
 def face_names(sources, result):
-    """Names of groups: "Face3" of a single source, "Box_Face3" where several are meshed together."""
+    """Names of groups: "Face3" of a single source, "Box_Face3" where several are meshed together; "Box_Face3 + Rod_Face1"
+    for what these have in common."""
     if len(sources) < 2:
         return result.face_names
-    names = list(result.face_names)
+    own = {}
     for source, part in reversed(list(zip(sources, result.parts))):  # the first one names what several share
         for number, face in enumerate(part.faces):
-            names[face] = f"{source}_Face{number + 1}"
-    return names
+            own[f"Face{face + 1}"] = f"{source}_Face{number + 1}"
+    return [BOTH.join(own.get(face, face) for face in name.split(BOTH)) for name in result.face_names]
 
 
 def place_of(model, error):
     """Where in the sources an error is; None when it names neither a face nor an edge of them."""
-    for kind, name in (("Face", error.face), ("Edge", error.edge)):
+    for kind, name in (("Face", error.face and error.face.split(BOTH)[0]), ("Edge", error.edge)):
         if not name or not name[len(kind):].isdigit():
             continue
         number = int(name[len(kind):]) - 1
@@ -69,6 +73,7 @@ def failures(job, mesh):
 
 def place_of_name(sources, name):
     """(number of the source, "Face3") of a name that face_names made."""
+    name = name.split(BOTH)[0]
     for number, source in enumerate(sources):
         element = name[len(source) + 1:]
         if len(sources) > 1 and name.startswith(source + "_Face") and element[4:].isdigit():

@@ -25,5 +25,6 @@ OPTIONS = [
     tip("Mesh large faces at K times the target length first and divide that mesh: off, auto, 4 to 8 [auto]"),
     tip("Threads to work on; 0: all cores [0]"),
     tip("Processes that share the work, by MPI; 0: without MPI [0]"),
-    tip("Largest gap between faces that is sewn; 0: never sew [from the target length]. Negative: automatic"),
+    tip("Parts that touch: imprint: share faces and edges; union: only the outer skin is left; none: as drawn [imprint]"),
+    tip("Largest gap between faces or parts that is closed; 0: never sew [chosen by what it closes]. Negative: automatic"),
 ]

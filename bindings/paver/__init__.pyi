@@ -77,7 +77,7 @@ class SurfaceMesh:
                  quad_faces: NDArray[np.int32], triangle_faces: NDArray[np.int32], lines: NDArray[np.int32],
                  line_edges: NDArray[np.int32]) -> None: ...
     def write(self, path: Path, *, face_names: Sequence[str] = (), edge_names: Sequence[str] = (),
-              msh_version: Literal["4.1", "2.2"] = "4.1", ascii: bool = False, progress: Optional[Progress] = None,
+              edge_groups: Sequence[str] = (), msh_version: Literal["4.1", "2.2"] = "4.1", ascii: bool = False, progress: Optional[Progress] = None,
               cancel: Optional[threading.Event] = None) -> None: ...
     def quality(self) -> ElementQuality: ...
     def tessellate(self, subdivision: int = 2, apart: bool = False) -> Tessellation: ...
@@ -118,6 +118,8 @@ class Result:
     @property
     def face_names(self) -> list[str]: ...
     @property
+    def edge_groups(self) -> list[str]: ...
+    @property
     def edge_names(self) -> list[str]: ...
     @property
     def report(self) -> dict[str, Any]: ...
@@ -139,7 +141,8 @@ def mesh(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Fr
          max_elements: Optional[int] = None, order: Optional[int] = None,
          elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
          multilevel: Optional[Literal["off", "auto", "4", "5", "6", "7", "8"]] = None,
-         threads: Optional[int] = None, ranks: Optional[int] = None, sew_tolerance: Optional[Length] = None,
+         threads: Optional[int] = None, ranks: Optional[int] = None,
+         connect: Optional[Literal["imprint", "union", "none"]] = None, sew_tolerance: Optional[Length] = None,
          output: Optional[Path] = None, report: Optional[Path] = None, msh_version: Literal["4.1", "2.2"] = "4.1",
          ascii: bool = False, quiet: bool = True, partial: bool = False, progress: Optional[Progress] = None,
          cancel: Optional[threading.Event] = None, name: Optional[str] = None) -> Result: ...
@@ -149,7 +152,8 @@ def predict(shape: Source, *, size: Optional[Length] = None, frequency: Optional
             max_elements: Optional[int] = None, order: Optional[int] = None,
             elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
             multilevel: Optional[Literal["off", "auto", "4", "5", "6", "7", "8"]] = None,
-            threads: Optional[int] = None, ranks: Optional[int] = None, sew_tolerance: Optional[Length] = None,
+            threads: Optional[int] = None, ranks: Optional[int] = None,
+            connect: Optional[Literal["imprint", "union", "none"]] = None, sew_tolerance: Optional[Length] = None,
             progress: Optional[Progress] = None, cancel: Optional[threading.Event] = None,
             name: Optional[str] = None) -> Prediction: ...
 def options() -> list[dict[str, Any]]: ...

@@ -41,7 +41,10 @@ class Result:
     node_edges = of_data("node_edges", "(n,) int32: an edge each node lies on, or -1.")
     node_targets = of_data("node_targets", "(n,) float64: target length at each corner node, mm; 0 at the others.")
     face_names = of_data("face_names", 'Name of each face in the file, else "Face12".')
-    edge_names = of_data("edge_names", '"Edge7", or "Added1" for edges that Paver added.')
+    edge_names = of_data("edge_names", """"Edge7"; "Added1" for edges that Paver added; "Junction1" for pieces of an edge
+        where more than two faces meet, if its other pieces are ordinary.""")
+    edge_groups = of_data("edge_groups", """Group of each edge in mesh files: "Junctions" where more than two faces
+        meet, the name of a wire ("Wire1"), else empty.""")
 
     @property
     def report(self):

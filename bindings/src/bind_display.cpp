@@ -65,14 +65,15 @@ class BareMesh {
 
   const SurfaceMesh& mesh() const { return mesh_; }
 
-  /// As a result with these names of faces and edges is written, without a report.
+  /// As a result with these names of faces, edges and their groups is written, without a report.
   void write(const OutputFiles& files, std::vector<std::string> face_names, std::vector<std::string> edge_names,
-             const py::object& poll) const {
+             std::vector<std::string> edge_groups, const py::object& poll) const {
     run_job(poll, [&](Progress& progress) {
       MeshResult result;
       result.mesh = mesh_;
       result.face_names = std::move(face_names);
       result.edge_names = std::move(edge_names);
+      result.edge_groups = std::move(edge_groups);
       write_outputs(result, files, progress);
     });
   }
@@ -163,8 +164,8 @@ void bind_display(py::module_& module) {
                     const Integers&, const Integers&>())
       .def("write",
            [](const BareMesh& mesh, const FileArguments& files, std::vector<std::string> face_names,
-              std::vector<std::string> edge_names, const py::object& poll) {
-             mesh.write(output_files(files), std::move(face_names), std::move(edge_names), poll);
+              std::vector<std::string> edge_names, std::vector<std::string> edge_groups, const py::object& poll) {
+             mesh.write(output_files(files), std::move(face_names), std::move(edge_names), std::move(edge_groups), poll);
            })
       .def("quality", [](BareMesh& mesh) { return quality_arrays(mesh.quality()); })
       .def("tessellate", [](const BareMesh& mesh, int subdivision, bool apart) {

@@ -84,6 +84,7 @@ void bind_arrays(py::class_<MeshData>& data) {
                 {static_cast<py::ssize_t>(d.mesh().further_edges.size()), 2});
   });
   data.def_property_readonly("face_names", [](Data d) { return names(d.result().face_names); });
+  data.def_property_readonly("edge_groups", [](Data d) { return names(d.result().edge_groups); });
   data.def_property_readonly("edge_names", [](Data d) { return names(d.result().edge_names); });
 }
 

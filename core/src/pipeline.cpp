@@ -22,6 +22,8 @@
 #include "quality/report.h"
 #include "regions/build_regions.h"
 #include "topology/build_model.h"
+#include "topology/edge_entities.h"
+#include "topology/components.h"
 
 namespace paver {
 namespace {
@@ -59,7 +61,7 @@ class Run {
     std::vector<double> elements = predict_elements(model_, size_, counts, options_.elements);
     Prediction prediction;
     prediction.target_length = result_.report.target_length;
-    prediction.face_elements.assign(static_cast<std::size_t>(result_.report.model.faces), 0);
+    prediction.face_elements.assign(static_cast<std::size_t>(model_.read_faces) + model_.common.size(), 0);
     for (std::size_t i = 0; i < model_.faces.size(); ++i) {
       prediction.face_elements[static_cast<std::size_t>(model_.faces[i].origin)] += elements[i];
       prediction.elements += elements[i];
@@ -103,7 +105,7 @@ class Run {
   void build(const CadModel& model) {
     result_.report.stage_seconds.push_back({stage_name(Stage::read), model.read_seconds});
     begin(Stage::topology);
-    model_ = build_model(*model.shape, options_, result_.report.target_length, model.report, progress_, shared_);
+    model_ = build_model(*model.shape, options_, model.report, progress_, shared_);
     result_.report.model = model_.report;
     result_.report.notes = model_.notes;
     for (const Face& face : model_.faces) {
@@ -111,6 +113,10 @@ class Run {
       report.name = face.name;
       report.cad_area = face.area;
       if (!face.has_area) report.status = FaceStatus::no_area;
+      if (face.is_common) report.status = FaceStatus::common;
+      if (face.is_dropped) report.status = FaceStatus::dropped;
+      for (int part : face.front) report.front.push_back(model_.parts[part]);
+      for (int part : face.back) report.back.push_back(model_.parts[part]);
       if (face.has_area && !face.fault.empty()) {
         report.status = FaceStatus::failed;
         report.stage = "topology";
@@ -201,13 +207,15 @@ class Run {
   // A face has failed when one of its pieces has, and has no area when none of them has.
   static void add_piece(FaceReport& face, const FaceReport& piece) {
     bool is_worse = piece.status == FaceStatus::failed && face.status != FaceStatus::failed;
-    bool is_first_area = piece.status == FaceStatus::meshed && face.status == FaceStatus::no_area;
+    bool is_first_area = piece.status == FaceStatus::meshed && face.status != FaceStatus::failed &&
+                         face.status != FaceStatus::meshed;
     if (is_worse || is_first_area) {
       face.status = piece.status;
       face.stage = piece.stage;
       face.reason = piece.reason;
       face.where = piece.where;
     }
+    if (face.front != piece.front || face.back != piece.back) face.front.clear(), face.back.clear();
     face.cad_area += piece.cad_area;
     face.closed_by_triangulation += piece.closed_by_triangulation;
   }
@@ -223,6 +231,8 @@ class Run {
                          ? measure_quality(result_.mesh, report.target_length, is_periodic, report.faces, progress_)
                          : measure_quality(share_, report.target_length, is_periodic, report.faces, progress_, ranks_);
     report.quality.chord_error = largest(chord);
+    measure_wires();
+    report.components = find_components(model_, report.faces);
     if (options_.elements == Elements::all_quad) note_triangles();
     end_stage();
     rusage usage{};
@@ -246,23 +256,22 @@ class Run {
 
   // Lines and nodes get the edges of the shape as read; in the model's own list there are pieces of these and others.
   void name_edges() {
-    std::vector<int> number;
-    auto& names = result_.edge_names;
-    for (int e = 0; e < model_.read_edges; ++e) names.push_back("Edge" + std::to_string(e + 1));
-    for (const Edge& edge : model_.edges) {
-      number.push_back(edge.origins.empty() ? static_cast<int>(names.size()) : edge.origins.front());
-      if (edge.origins.empty()) names.push_back(edge.name);
-    }
+    const EdgeEntities entities = list_edge_entities(model_);
+    result_.edge_names = entities.names;
+    result_.edge_groups = entities.groups;
     SurfaceMesh& mesh = result_.mesh;
     for (std::size_t line = 0; line < mesh.line_edge.size(); ++line) {
       int edge = mesh.line_edge[line];
-      mesh.line_edge[line] = number[edge];
-      const std::vector<int>& origins = model_.edges[edge].origins;
-      for (std::size_t i = 1; i < origins.size(); ++i)
-        mesh.further_edges.push_back({static_cast<int>(line), origins[i]});
+      mesh.line_edge[line] = entities.of_edge[edge];
+      for (int origin : model_.edges[edge].origins)
+        if (origin != mesh.line_edge[line]) mesh.further_edges.push_back({static_cast<int>(line), origin});
     }
     for (int& edge : mesh.node_edge)
-      if (edge >= 0) edge = number[edge];
+      if (edge >= 0) edge = entities.of_edge[edge];
+  }
+
+  void measure_wires() {
+    for (int edge : result_.mesh.line_edge) result_.report.quality.wire_lines += model_.edges[edge].faces.empty();
   }
 
   const Options& options_;

@@ -137,7 +137,7 @@ void bench_floor(benchmark::State& state, const Case& c) {
   auto shape = paver::read_shape(c.path(), report, progress);
   paver::SingleRank alone;
   paver::SharedTasks tasks(1, progress, alone);
-  paver::Model model = paver::build_model(*shape, c.options(), *c.options().size, report, progress, tasks);
+  paver::Model model = paver::build_model(*shape, c.options(), report, progress, tasks);
   double per_area = static_cast<double>(result.mesh.nodes.size()) / c.area;
   for (auto _ : state) {
     for (const paver::Face& face : model.faces) {

@@ -86,11 +86,11 @@ def has_judge():
     return os.path.exists(os.path.join(SHARED, "tools", "quality.py"))
 
 
-def judge(model, mesh, size):
+def judge(model, mesh, size, *options):
     """What tools/quality.py of the shared folder says of a mesh file."""
     tool = need_shared("tools", "quality.py")
     done = subprocess.run(["/usr/bin/python3", tool, mesh, "--cad", model, "--size", str(size), "--samples", "20000",
-                           "--cad-samples", "10000"], stdin=subprocess.DEVNULL, capture_output=True, text=True)
+                           "--cad-samples", "10000", *options], stdin=subprocess.DEVNULL, capture_output=True, text=True)
     if done.returncode:
         return {"verdict": {"good": False, "error": done.stderr.strip()[-200:]}}
     return json.loads(done.stdout[done.stdout.index("{"):])  # some CAD readers print before it

@@ -22,7 +22,8 @@ def labels():
             "gradation": translate("Paver", "Gradation"), "max_elements": translate("Paver", "Most elements"),
             "order": translate("Paver", "Order"), "elements": translate("Paver", "Elements"),
             "multilevel": translate("Paver", "Coarse mesh first"), "threads": translate("Paver", "Threads"),
-            "ranks": translate("Paver", "MPI processes"), "sew_tolerance": translate("Paver", "Sew gaps up to")}
+            "ranks": translate("Paver", "MPI processes"), "sew_tolerance": translate("Paver", "Sew gaps up to"),
+            "connect": translate("Paver", "Parts that touch")}
 
 
 def with_labels(text):

@@ -17,6 +17,16 @@ enum class Elements {
 /// "quad-dominant", "all-quad" or "all-triangle".
 const char* elements_name(Elements elements);
 
+/// What becomes of parts that touch or cross.
+enum class Connect {
+  imprint,  ///< they share faces, edges and vertices: one mesh
+  united,   ///< as imprint, and what lies between or inside solids is left out: the outer skin
+  none,     ///< as drawn
+};
+
+/// "imprint", "union" or "none".
+const char* connect_name(Connect connect);
+
 /// Target length for one part of the model: there and, growing by the gradation, around it.
 struct LocalSize {
   std::string part;            ///< "Face3", "Edge5", "Vertex2" or "Solid1", numbered as FreeCAD does
@@ -45,6 +55,7 @@ struct Options {
   double gradation = 0.6;               ///< largest growth of h per unit of length, 0.05 to 2
   long max_elements = 2'000'000;        ///< stop before meshing when more are predicted
   std::optional<double> sew_tolerance;  ///< mm, >= 0 (0: never sew); default from the target length
+  Connect connect = Connect::imprint;
   std::vector<LocalSize> local;         ///< target lengths of parts of the model; the least counts
 
   double turn_limit() const { return max_turn ? *max_turn : 0.7853981633974483; }

@@ -37,10 +37,17 @@ struct SurfaceMesh {
   std::size_t triangle_count() const { return triangle_face.size(); }
 };
 
-enum class FaceStatus { meshed, no_area, failed };
+enum class FaceStatus {
+  meshed,
+  no_area,
+  failed,
+  common,   ///< all of it is common with other faces: what they have in common is an entry of its own
+  dropped,  ///< left out, as it lies between or inside solids of a union
+};
 
 struct FaceReport {
-  std::string name;  ///< "Face12"
+  std::string name;                      ///< "Face12"; "Face3 + Face9" for what these have in common
+  std::vector<std::string> front, back;  ///< solids in front of it, where its normal looks, and behind it
   FaceStatus status = FaceStatus::meshed;
   std::string stage, reason;  ///< when not meshed: where it stopped and why
   std::optional<Vec3> where;  ///< when failed: a point near the trouble, where one is known
@@ -59,6 +66,7 @@ struct ScaledJacobianStats {
 /// Figures of the whole mesh; definitions as in core/docs/quality.md.
 struct QualityReport {
   long quads = 0, triangles = 0, nodes = 0;
+  long wire_lines = 0;                           ///< line elements of wires
   ScaledJacobianStats sj_quads, sj_triangles, sj_all;  ///< straight-sided
   double irregular_share =
       0;  ///< nodes inside faces (off B-rep edges, periodic edges do not count) with other than 4 edges
@@ -74,6 +82,20 @@ struct QualityReport {
   bool watertight = false;
 };
 
+enum class ContactKind { face, edge, point, crossing };
+
+/// "face", "edge", "point" or "crossing".
+const char* contact_name(ContactKind kind);
+
+/// Where two parts of the input touch or cross.
+struct Contact {
+  std::array<std::string, 2> parts;  ///< "Solid1", "Sheet2", "Wire1"
+  ContactKind kind = ContactKind::point;
+  std::vector<std::string> faces;  ///< of both parts, that have a share in it: "Face3"
+  double size = 0;                 ///< mm^2 of common faces, mm of common edges, number of common points
+  double gap = 0;                  ///< largest that was closed, mm
+};
+
 /// What reading and topology found.
 struct ModelReport {
   std::string file, format, unit;  ///< unit the file states, e.g. "INCH"; lengths are millimetres all the same
@@ -84,6 +106,8 @@ struct ModelReport {
   double diagonal = 0;                                               ///< of the bounding box, mm
   double area = 0;                                                   ///< mm^2
   std::vector<std::string> free_edge_names, nonmanifold_edge_names;  ///< "Edge7"
+  std::vector<Contact> contacts;
+  std::vector<std::array<std::string, 2>> unconnected;  ///< pairs of parts that touch and could not be connected
 };
 
 /// How long one piece of work that may run on any thread or rank took; those of one stage in the order of the queue.
@@ -95,11 +119,12 @@ struct TaskTime {
 
 struct RunReport {
   ModelReport model;
+  std::vector<std::vector<std::string>> components;  ///< separate meshes, each by the parts it is of
   double target_length = 0;  ///< mm
   int order = 2, threads = 1;
   Elements elements = Elements::quad_dominant;
   QualityReport quality;
-  std::vector<FaceReport> faces;
+  std::vector<FaceReport> faces;  ///< the faces as read, then what several of them have in common
   std::vector<std::string> notes;                             ///< one sentence each
   std::vector<std::pair<std::string, double>> stage_seconds;  ///< wall time per stage, in order
   std::vector<TaskTime> tasks;                                ///< those done by this process
@@ -110,8 +135,14 @@ struct MeshResult {
   SurfaceMesh mesh;
   RunReport report;
   std::vector<std::string> face_names;  ///< per B-rep face: its name in the file, else "Face12"
-  std::vector<std::string> edge_names;  ///< per B-rep edge: "Edge7", and "Added1" for those that dividing added
+  /// Per B-rep edge: "Edge7"; "Added1" for those that dividing and connecting added, "Junction1" for pieces of an edge
+  /// that are junctions where other pieces are not.
+  std::vector<std::string> edge_names;
+  std::vector<std::string> edge_groups;  ///< per B-rep edge: "Junctions", the wire it is of ("Wire1"), or empty
 };
+
+/// Whether there are neither elements nor lines of wires.
+bool is_empty(const MeshResult& result);
 
 /// Why a result is not all that was asked for: Error{face_failed} that names the faces and reasons, Error{no_faces}
 /// when no face has an area, nothing when every face with an area is meshed.

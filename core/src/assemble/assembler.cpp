@@ -230,12 +230,12 @@ void Assembler::note_invalid(const Invalid& invalid) {
   ranks_.add_up({&straightened_, 1});
   if (straightened_ > 0)
     report_.notes.push_back(fmt::format("{} curved elements were straightened to keep them valid.", straightened_));
-  std::map<int, long> count;
+  std::map<std::string, long> count;
   for (std::size_t face = 0; face < invalid.size(); ++face)
-    if (invalid[face] > 0) count[model_.faces[face].origin] += invalid[face];
-  for (auto [face, n] : count)
+    if (invalid[face] > 0) count[model_.faces[face].name] += invalid[face];
+  for (const auto& [face, n] : count)
     report_.notes.push_back(fmt::format(
-        "Face{} has {} elements that could not be made valid; use a smaller size or max-turn.", face + 1, n));
+        "{} has {} elements that could not be made valid; use a smaller size or max-turn.", face, n));
 }
 
 double Assembler::chord_error() const { return paver::chord_error(mesh_, model_, parts_, options_.threads); }

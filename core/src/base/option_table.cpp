@@ -37,6 +37,17 @@ std::vector<std::string> element_choices() {
   return names;
 }
 
+const std::vector<Connect>& ways_to_connect() {
+  static const std::vector<Connect> ways{Connect::imprint, Connect::united, Connect::none};
+  return ways;
+}
+
+std::vector<std::string> connect_choices() {
+  std::vector<std::string> names;
+  for (Connect way : ways_to_connect()) names.emplace_back(connect_name(way));
+  return names;
+}
+
 /// Choices of multilevel; from the third on the numbers from 4.
 std::vector<std::string> level_choices() { return {"off", "auto", "4", "5", "6", "7", "8"}; }
 
@@ -139,10 +150,14 @@ std::vector<Entry> other_entries(const Options& d) {
         "",
         {}},
        [](Options& o, const Value& v) { o.ranks = static_cast<int>(v.number); }},
+      {{"connect", OptionKind::choice, "HOW",
+        "Parts that touch: imprint: share faces and edges; union: only the outer skin is left; none: as drawn",
+        connect_name(d.connect), "", "", connect_choices()},
+       [](Options& o, const Value& v) { o.connect = ways_to_connect()[static_cast<std::size_t>(v.index)]; }},
       {{"sew_tolerance",
         OptionKind::length,
         "T",
-        "Largest gap between faces that is sewn; 0: never sew [from the target length]",
+        "Largest gap between faces or parts that is closed; 0: never sew [chosen by what it closes]",
         "",
         "",
         "",

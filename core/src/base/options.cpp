@@ -83,6 +83,18 @@ const char* elements_name(Elements elements) {
   return "quad-dominant";
 }
 
+const char* connect_name(Connect connect) {
+  switch (connect) {
+    case Connect::united:
+      return "union";
+    case Connect::none:
+      return "none";
+    case Connect::imprint:
+      break;
+  }
+  return "imprint";
+}
+
 void check(const Options& options) {
   check_target(options);
   check_range("order", options.order, 1, 2);

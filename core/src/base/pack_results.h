@@ -7,25 +7,32 @@
 namespace paver {
 
 template <class A>
+void fields(A& archive, Is<Contact> auto& contact) {
+  auto& [parts, kind, faces, size, gap] = contact;
+  archive(parts, kind, faces, size, gap);
+}
+
+template <class A>
 void fields(A& archive, Is<ModelReport> auto& model) {
   auto& [file, format, unit, solids, shells, faces, edges, vertices, free_edges, nonmanifold_edges, sewn_edges,
-         sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names] = model;
+         sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names, contacts, unconnected] = model;
   archive(file, format, unit, solids, shells, faces, edges, vertices, free_edges, nonmanifold_edges, sewn_edges,
-          sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names);
+          sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names, contacts, unconnected);
 }
 
 template <class A>
 void fields(A& archive, Is<FaceReport> auto& face) {
-  auto& [name, status, stage, reason, where, quads, triangles, worst_sj, cad_area, mesh_area, closed_by_triangulation] =
-      face;
-  archive(name, status, stage, reason, where, quads, triangles, worst_sj, cad_area, mesh_area, closed_by_triangulation);
+  auto& [name, front, back, status, stage, reason, where, quads, triangles, worst_sj, cad_area, mesh_area,
+         closed_by_triangulation] = face;
+  archive(name, front, back, status, stage, reason, where, quads, triangles, worst_sj, cad_area, mesh_area,
+          closed_by_triangulation);
 }
 
 template <class A>
 void fields(A& archive, Is<RunReport> auto& run) {
-  auto& [model, target_length, order, threads, elements, quality, faces, notes, stage_seconds, tasks, peak_memory_mib] =
-      run;
-  archive(model, target_length, order, threads, elements, quality, faces, notes, stage_seconds, tasks, peak_memory_mib);
+  auto& [model, components, target_length, order, threads, elements, quality, faces, notes, stage_seconds, tasks,
+         peak_memory_mib] = run;
+  archive(model, components, target_length, order, threads, elements, quality, faces, notes, stage_seconds, tasks, peak_memory_mib);
 }
 
 template <class A>
@@ -38,8 +45,8 @@ void fields(A& archive, Is<SurfaceMesh> auto& mesh) {
 
 template <class A>
 void fields(A& archive, Is<MeshResult> auto& result) {
-  auto& [mesh, report, face_names, edge_names] = result;
-  archive(mesh, report, face_names, edge_names);
+  auto& [mesh, report, face_names, edge_names, edge_groups] = result;
+  archive(mesh, report, face_names, edge_names, edge_groups);
 }
 
 template <class A>

@@ -61,6 +61,10 @@ class Packer {
     put(pair.first);
     put(pair.second);
   }
+  template <class T, std::size_t n>
+  void put(const std::array<T, n>& values) {
+    for (const T& value : values) put(value);
+  }
   template <class T>
   void put(const std::optional<T>& value) {
     put(value.has_value());
@@ -111,6 +115,10 @@ class Unpacker {
   void get(std::pair<A, B>& pair) {
     get(pair.first);
     get(pair.second);
+  }
+  template <class T, std::size_t n>
+  void get(std::array<T, n>& values) {
+    for (T& value : values) get(value);
   }
   template <class T>
   void get(std::optional<T>& value) {

@@ -28,7 +28,7 @@ int least_for_shape(const Edge& edge, double turn) {
   return turn >= full_turn - turn_slack ? 4 : 3;
 }
 
-bool is_divided(const Edge& edge) { return !edge.is_degenerate && edge.curve && !edge.faces.empty(); }
+bool is_divided(const Edge& edge) { return !edge.is_degenerate && edge.curve; }
 
 EdgeCount count_for_edge(const Edge& edge, const SizeField& size) {
   EdgeMetric metric(edge, size);

@@ -53,7 +53,6 @@ constexpr int strip_samples = 8;
 constexpr double area_share = 1e-2;
 constexpr double area_accuracy = 1e-5;
 /// Pieces below this share of the diagonal squared have no area.
-constexpr double no_area_share = 1e-10;
 
 /// Where to cut a face. `creases` counts those inside and the periodic edges that are creases.
 struct Cuts {

@@ -45,12 +45,15 @@ std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, P
   });
   progress.check();
 
-  TopTools_IndexedMapOfShape faces;
-  if (!shape->shape.IsNull()) TopExp::MapShapes(shape->shape, TopAbs_FACE, faces);
-  if (faces.IsEmpty())
+  TopTools_IndexedMapOfShape faces, edges;
+  if (!shape->shape.IsNull()) {
+    TopExp::MapShapes(shape->shape, TopAbs_FACE, faces);
+    TopExp::MapShapes(shape->shape, TopAbs_EDGE, edges);
+  }
+  if (faces.IsEmpty() && edges.IsEmpty())
     throw Error(ErrorCode::no_faces, "'" + file.name +
-                                         "' has no faces, so there is nothing to mesh; "
-                                         "export surfaces or solids, not curves or meshes.");
+                                         "' has no faces and no wires, so there is nothing to mesh; "
+                                         "export surfaces, solids or curves, not meshes.");
   shape->labels.resize(static_cast<std::size_t>(faces.Extent()));
   return shape;
 }

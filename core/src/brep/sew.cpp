@@ -1,39 +1,44 @@
 // Sewing: edges of one face only that coincide with such an edge of another face become one common edge.
-// Solids are sewn each by itself: solids that touch stay apart, as they were drawn. Faces without a free edge keep
-// their edges as they are, so sharing in the input is never undone. Faces keep their order and number.
+// Solids are sewn each by itself, and so are the faces without one. Faces without a free edge keep their edges as they
+// are, so sharing in the input is never undone. Faces keep their order and number.
+//
+// The tolerance is chosen by what it closes. First what fits as drawn is sewn. Where free edges stay that have other
+// free edges along them, the gap between these is tried; it counts when it closes the group, or most of what was open,
+// and when nothing collapses: no face is lost, none comes to lie on another one.
+#include <BOPTools_AlgoTools3D.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <IntTools_Context.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
+#include "brep/evaluators_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/workpiece_impl.h"
 
 namespace paver {
 namespace {
 
-// The default tolerance is the least of three:
-// so little of an element that nobody sees it;
-constexpr double length_share = 0.01;
-// what files without topology need: in the models at hand parts that fit do so within 1e-8 of the diagonal, and
-// from 1e-4 on thin open slits (tips, trailing edges) are closed that are meant to be open;
-constexpr double diagonal_share = 1e-5;
-// never so much that an edge collapses, unless it is a sliver anyhow.
+// Files whose parts fit do so within 1e-8 of the diagonal; two sheets 5e-6 of it apart are drawn so.
+constexpr double fitting_share = 1e-7;
+// No gap is larger, of the diagonal.
+constexpr double gap_share = 3e-3;
+// Never so much that an edge collapses, unless it is a sliver anyhow.
 constexpr double edge_share = 0.25;
 constexpr double sliver_share = 1e-6;  // of the diagonal
-
-double default_tolerance(const EdgeUses& uses, double target_length, double diagonal) {
-  double tolerance = std::min(length_share * target_length, diagonal_share * diagonal);
-  for (int i = 1; i <= uses.edges.Extent(); ++i) {
-    if (!uses.is_free(i)) continue;
-    double length = edge_length(TopoDS::Edge(uses.edges(i)));
-    if (length > sliver_share * diagonal) tolerance = std::min(tolerance, edge_share * length);
-  }
-  return tolerance;
-}
+// Corners are farther apart than edges are.
+constexpr double corner_factor = 1.6;
+// An open group counts as sewn when no more than this share of its free edges is left.
+constexpr double open_share = 1.0 / 3;
 
 long free_count(const EdgeUses& uses) {
   long count = 0;
@@ -63,63 +68,189 @@ std::map<int, std::vector<int>> groups_to_sew(const Workpiece& work, const EdgeU
   return groups;
 }
 
-/// Edges that sewing replaced keep the numbers of those they stand for.
-void note_replaced_edges(Workpiece& work, const std::vector<TopoDS_Face>& faces, const BRepBuilderAPI_Sewing& sewing) {
-  TopTools_IndexedMapOfShape edges;
-  for (const TopoDS_Face& face : faces) TopExp::MapShapes(face, TopAbs_EDGE, edges);
-  for (int i = 1; i <= edges.Extent(); ++i) {
-    TopoDS_Shape image = sewing.ModifiedSubShape(edges(i));
-    if (!image.IsNull() && !image.IsSame(edges(i))) add_edge_origins(work, image, edge_origins(work, edges(i)));
-  }
-}
+/// A group after sewing.
+struct Sewn {
+  std::vector<TopoDS_Face> faces;  ///< in the order of the group; null: lost
+  std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> edges;  ///< edge and what took its place
+  double tolerance = 0;
+  EdgeUses uses;
+  long free = 0;
+  bool has_lost = false;
+};
 
-void sew_group(Workpiece& work, const std::vector<int>& group, SewResult& result, Progress& progress) {
-  BRepBuilderAPI_Sewing sewing(result.tolerance);
-  std::vector<TopoDS_Face> before;
-  for (int i : group) before.push_back(work.faces[static_cast<std::size_t>(i)].face);
-  for (const TopoDS_Face& face : before) sewing.Add(face);
-  Handle(OcctProgress) indicator = new OcctProgress(progress, sew_units * static_cast<long>(group.size()));
-  sewing.Perform(indicator->Start());
-  indicator->finish();
-  note_replaced_edges(work, before, sewing);
-  for (int i : group) {
-    WorkFace& face = work.faces[static_cast<std::size_t>(i)];
-    TopoDS_Shape image = sewing.IsModified(face.face) ? sewing.Modified(face.face) : face.face;
-    if (!image.IsNull() && image.ShapeType() == TopAbs_FACE) {
-      face.face = TopoDS::Face(image);
+class GroupSewer {
+ public:
+  GroupSewer(const Workpiece& work, const std::vector<int>& group, Progress& progress)
+      : work_(work), group_(group), progress_(progress) {
+    std::vector<WorkFace> faces;
+    for (int i : group) faces.push_back(work.faces[static_cast<std::size_t>(i)]);
+    uses_ = count_uses(faces);
+    free_ = free_count(uses_);
+    most_ = gap_share * work.diagonal;
+    for (int i = 1; i <= uses_.edges.Extent(); ++i) {
+      double length = edge_length(TopoDS::Edge(uses_.edges(i)));
+      if (length > sliver_share * work.diagonal) most_ = std::min(most_, edge_share * length);
+    }
+  }
+
+  /// Sewn at this tolerance, whatever comes of it.
+  Sewn sew_at(double tolerance) {
+    Sewn sewn;
+    sewn.tolerance = tolerance;
+    BRepBuilderAPI_Sewing sewing(tolerance);
+    for (int i : group_) sewing.Add(work_.faces[static_cast<std::size_t>(i)].face);
+    Handle(OcctProgress) indicator = new OcctProgress(progress_, 0);
+    sewing.Perform(indicator->Start());
+    progress_.check();
+    std::vector<WorkFace> after;
+    for (int i : group_) {
+      const TopoDS_Face& face = work_.faces[static_cast<std::size_t>(i)].face;
+      TopoDS_Shape image = sewing.IsModified(face) ? sewing.Modified(face) : TopoDS_Shape(face);
+      bool is_face = !image.IsNull() && image.ShapeType() == TopAbs_FACE;
+      sewn.has_lost |= !is_face;
+      sewn.faces.push_back(is_face ? TopoDS::Face(image) : TopoDS_Face());
+      if (is_face) after.emplace_back().face = sewn.faces.back();
+    }
+    for (int i = 1; i <= uses_.edges.Extent(); ++i) {
+      TopoDS_Shape image = sewing.ModifiedSubShape(uses_.edges(i));
+      if (!image.IsNull() && !image.IsSame(uses_.edges(i))) sewn.edges.push_back({uses_.edges(i), image});
+    }
+    sewn.uses = count_uses(after);
+    sewn.free = free_count(sewn.uses);
+    return sewn;
+  }
+
+  /// Sewn at the tolerance that fits.
+  Sewn sew_well() {
+    Sewn best = sew_at(std::min(fitting_share * work_.diagonal, most_));
+    if (best.free == 0) return best;
+    std::vector<double> gaps = gaps_between(best.uses);
+    std::sort(gaps.begin(), gaps.end());
+    const std::size_t enough = gaps.size() - static_cast<std::size_t>(open_share * static_cast<double>(gaps.size()));
+    for (double gap : {gaps.back(), gaps[enough - 1]}) {
+      double tolerance = corner_factor * gap;
+      if (!(tolerance <= most_) || tolerance <= best.tolerance) continue;
+      Sewn wider = sew_at(tolerance);
+      bool is_sewn = wider.free == 0 || static_cast<double>(wider.free) <= open_share * static_cast<double>(best.free);
+      if (is_sewn && !wider.has_lost && !collapses(wider)) return wider;
+    }
+    return best;
+  }
+
+  long free_before() const { return free_; }
+
+ private:
+  struct Polyline {
+    std::vector<Vec3> points;
+    Bnd_Box box;
+  };
+
+  static Polyline polyline(const TopoDS_Edge& edge) {
+    constexpr int pieces = 32;
+    Polyline line;
+    auto curve = make_curve(edge);
+    double t0 = 0, t1 = 0;
+    BRep_Tool::Range(edge, t0, t1);
+    for (int i = 0; curve && i <= pieces; ++i) {
+      line.points.push_back(curve->point(t0 + (t1 - t0) * i / pieces));
+      line.box.Add(to_point(line.points.back()));
+    }
+    return line;
+  }
+
+  static double distance(Vec3 x, Vec3 a, Vec3 b) {
+    Vec3 side = b - a;
+    double square = dot(side, side);
+    double share = square > 0 ? std::clamp(dot(x - a, side) / square, 0.0, 1.0) : 0;
+    return norm(x - (a + share * side));
+  }
+
+  /// Per free edge, how far it is from other free edges all along; infinite where that is no gap.
+  std::vector<double> gaps_between(const EdgeUses& uses) const {
+    std::vector<Polyline> lines;
+    for (int i = 1; i <= uses.edges.Extent(); ++i)
+      if (uses.is_free(i)) lines.push_back(polyline(TopoDS::Edge(uses.edges(i))));
+    for (Polyline& line : lines) line.box.Enlarge(most_);
+    std::vector<double> gaps;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      double gap = 0;
+      for (std::size_t k = 1; k < lines[i].points.size(); k += 6)
+        gap = std::max(gap, nearest(lines, i, lines[i].points[k], gap));
+      gaps.push_back(gap);
+    }
+    return gaps;
+  }
+
+  /// To other lines than line `own`; what comes below `enough` need not be exact.
+  static double nearest(const std::vector<Polyline>& lines, std::size_t own, Vec3 x, double enough) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 0; j < lines.size(); ++j) {
+      if (j == own || lines[j].box.IsOut(to_point(x))) continue;
+      const std::vector<Vec3>& points = lines[j].points;
+      for (std::size_t k = 1; k < points.size() && least > enough; ++k)
+        least = std::min(least, distance(x, points[k - 1], points[k]));
+    }
+    return least;
+  }
+
+  /// Whether a face lies on another one, as near as what was sewn: two sheets that face each other are no body.
+  bool collapses(const Sewn& sewn) const {
+    std::vector<Bnd_Box> boxes;
+    for (const TopoDS_Face& face : sewn.faces) {
+      BRepBndLib::Add(face, boxes.emplace_back(), Standard_False);
+      boxes.back().Enlarge(2 * sewn.tolerance);
+    }
+    Handle(IntTools_Context) context = new IntTools_Context;
+    for (std::size_t i = 0; i < sewn.faces.size(); ++i) {
+      gp_Pnt point;
+      gp_Pnt2d uv;
+      if (BOPTools_AlgoTools3D::PointInFace(sewn.faces[i], point, uv, context) != 0) continue;
+      for (std::size_t j = 0; j < sewn.faces.size(); ++j) {
+        if (j == i || boxes[j].IsOut(point)) continue;
+        BRepExtrema_DistShapeShape extrema(BRepBuilderAPI_MakeVertex(point).Vertex(), sewn.faces[j]);
+        if (extrema.IsDone() && extrema.NbSolution() > 0 && extrema.Value() <= 2 * sewn.tolerance) return true;
+      }
+    }
+    return false;
+  }
+
+  const Workpiece& work_;
+  const std::vector<int>& group_;
+  Progress& progress_;
+  EdgeUses uses_;
+  long free_ = 0;
+  double most_ = 0;  ///< tolerance
+};
+
+void put(Workpiece& work, const std::vector<int>& group, const Sewn& sewn, SewResult& result) {
+  for (const auto& [edge, image] : sewn.edges) add_edge_origins(work, image, edge_origins(work, edge));
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    WorkFace& face = work.faces[static_cast<std::size_t>(group[k])];
+    if (!sewn.faces[k].IsNull()) {
+      face.face = sewn.faces[k];
       continue;
     }
     face.has_area = false;
-    result.lost_faces.push_back(i);
+    result.lost_faces.push_back(group[k]);
   }
+  result.tolerance = std::max(result.tolerance, sewn.tolerance);
 }
 
 }  // namespace
 
-SewResult sew(Workpiece& work, double tolerance, double target_length, Progress& progress) {
+SewResult sew(Workpiece& work, std::optional<double> tolerance, Progress& progress) {
   SewResult result;
-  EdgeUses uses = count_uses(work.faces);
-  result.free_before = result.free_after = free_count(uses);
+  result.free_before = result.free_after = free_count(count_uses(work.faces));
   long units = sew_units * static_cast<long>(work.faces.size());
-  if (result.free_before == 0 || tolerance == 0) {
-    progress.advance(units);
-    return result;
-  }
-  result.tolerance = tolerance > 0 ? tolerance : default_tolerance(uses, target_length, work.diagonal);
-  copy_shape(work);
-  auto as_read = work.faces;
-  for (const auto& [solid, group] : groups_to_sew(work, count_uses(work.faces))) {
-    sew_group(work, group, result, progress);
-    units -= sew_units * static_cast<long>(group.size());
-  }
-  result.free_after = free_count(count_uses(work.faces));
-  if (result.free_after < result.free_before) {
-    work.is_rebuilt = true;
-  } else {
-    // Nothing fitted: keep the faces as they were, and with them the names of their edges.
-    work.faces = as_read;
-    work.replaced_edges.Clear();
-    result = {0, result.free_before, result.free_before, {}};
+  if (result.free_before > 0 && tolerance != 0) {
+    copy_shape(work);
+    for (const auto& [solid, group] : groups_to_sew(work, count_uses(work.faces))) {
+      GroupSewer sewer(work, group, progress);
+      Sewn sewn = tolerance ? sewer.sew_at(*tolerance) : sewer.sew_well();
+      if (sewn.free < sewer.free_before()) put(work, group, sewn, result);
+    }
+    result.free_after = free_count(count_uses(work.faces));
+    work.is_rebuilt |= result.tolerance > 0;
   }
   progress.advance(units);
   return result;

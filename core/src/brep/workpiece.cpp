@@ -27,8 +27,6 @@
 namespace paver {
 namespace {
 
-/// A face below this share of the diagonal squared has no area.
-constexpr double no_area_share = 1e-10;
 constexpr std::size_t listed_names = 10;
 /// Points per direction for the bounding box; multiples of 4 meet the extremes of spheres and circles.
 constexpr int surface_samples = 32, edge_samples = 64;
@@ -56,11 +54,9 @@ void add_edge_points(const TopoDS_Edge& edge, Bnd_Box& box) {
 
 /// From points: the kernel's quick box holds the poles of B-splines, far outside of trimmed faces, and its exact one
 /// takes longer than everything else here together.
-double box_diagonal(const TopTools_IndexedMapOfShape& faces) {
+double box_diagonal(const TopTools_IndexedMapOfShape& faces, const TopTools_IndexedMapOfShape& edges) {
   Bnd_Box box;
-  TopTools_IndexedMapOfShape edges;
   for (int i = 1; i <= faces.Extent(); ++i) {
-    TopExp::MapShapes(faces(i), TopAbs_EDGE, edges);
     try {
       add_surface_points(TopoDS::Face(faces(i)), box);
     } catch (const Standard_Failure&) {
@@ -86,11 +82,12 @@ Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& ta
   TopExp::MapShapes(shape.shape, TopAbs_FACE, faces);
   TopExp::MapShapes(shape.shape, TopAbs_SOLID, solids);
   TopExp::MapShapes(shape.shape, TopAbs_EDGE, work.read_edges);
+  work.read_faces = faces.Extent();
   work.faces.resize(static_cast<std::size_t>(faces.Extent()));
   for (int s = solids.Extent(); s >= 1; --s)  // backwards: a face of two solids counts to the first
     for (TopExp_Explorer inner(solids(s), TopAbs_FACE); inner.More(); inner.Next())
       work.faces[static_cast<std::size_t>(faces.FindIndex(inner.Current()) - 1)].solid = s - 1;
-  work.diagonal = box_diagonal(faces);
+  work.diagonal = box_diagonal(faces, work.read_edges);
   std::vector<double> costs;
   for (int i = 1; i <= faces.Extent(); ++i) {
     WorkFace& face = work.faces[static_cast<std::size_t>(i - 1)];
@@ -133,6 +130,7 @@ TopTools_IndexedMapOfShape edge_map(const Workpiece& work) {
   TopTools_IndexedMapOfShape edges;
   if (!work.is_rebuilt) return work.read_edges;
   for (const WorkFace& face : work.faces) TopExp::MapShapes(face.face, TopAbs_EDGE, edges);
+  for (const WorkWire& wire : work.wires) edges.Add(wire.edge);
   return edges;
 }
 

@@ -7,6 +7,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,18 +17,47 @@
 
 namespace paver {
 
+/// A part that has a face, and on which side.
+struct FaceUse {
+  int part = -1;
+  bool is_opposed = false;  ///< the part's own outward side is the other one
+};
+
 struct WorkFace {
   TopoDS_Face face;  ///< current image, with the orientation it has in the shape
-  int origin = -1;   ///< index of the face of the shape as read that it is, or is a piece of
-  int solid = -1;    ///< index of the solid it belongs to, -1: none
-  double area = 0;   ///< mm^2
+  /// Index of the face of the shape as read that it is, or is a piece of; beyond these an entry of Workpiece::common.
+  int origin = -1;
+  int solid = -1;              ///< index of the solid it belongs to, -1: none
+  std::vector<FaceUse> uses;   ///< known from list_parts() on; the first one's side is the face's
+  std::vector<int> inside_of;  ///< parts that it lies inside of, both sides; rising
+  double area = 0;             ///< mm^2
   bool has_area = true;
-  std::string fault;  ///< not empty: cannot be meshed, and why
+  bool is_common = false;   ///< stands for a face all of which is common with others: they have an entry of their own
+  bool is_dropped = false;  ///< left out since it lies inside the union of parts
+  std::string fault;        ///< not empty: cannot be meshed, and why
+};
+
+/// An object of the input: a solid, faces that hang together without one, or edges that bound no face likewise.
+struct WorkPart {
+  std::string name;  ///< "Solid2", "Sheet1", "Wire1"
+  int solid = -1;    ///< index of the solid of the shape as read
+};
+
+/// An edge that bounds no face.
+struct WorkWire {
+  TopoDS_Edge edge;
+  int part = -1;
 };
 
 struct Workpiece {
   TopoDS_Shape shape;
-  std::vector<WorkFace> faces;  ///< in the order of TopExp::MapShapes of the shape as read, pieces of one in a row
+  /// In the order of TopExp::MapShapes of the shape as read, pieces of one in a row; what several faces have in common
+  /// comes last.
+  std::vector<WorkFace> faces;
+  int read_faces = 0;                    ///< of the shape as read
+  std::vector<std::vector<int>> common;  ///< per set of faces with pieces in common: their indices, rising
+  std::vector<WorkWire> wires;
+  std::vector<WorkPart> parts;  ///< known from list_parts() on
   double diagonal = 0;          ///< of the bounding box, mm
   bool is_copied = false;       ///< shape and faces are our own, to be changed in place
   bool is_rebuilt = false;      ///< faces are no longer those of `shape`: edges are listed over the faces instead
@@ -35,6 +65,9 @@ struct Workpiece {
   /// Edges that took the place of others, when sewn or divided: the 0-based edges as read that they lie on, rising.
   NCollection_DataMap<TopoDS_Shape, std::vector<int>, TopTools_ShapeMapHasher> replaced_edges;
 };
+
+/// A face below this share of the diagonal squared has no area.
+inline constexpr double no_area_share = 1e-10;
 
 /// Progress units that the functions below credit per face.
 inline constexpr long measure_units = 1, repair_units = 1, sew_units = 2;
@@ -75,9 +108,9 @@ struct SewResult {
   std::vector<int> lost_faces;  ///< indices of faces that sewing dropped as smaller than the tolerance
 };
 
-/// Makes coinciding free edges common, solid by solid and among the faces without a solid. `tolerance` < 0: default
-/// from the target length. Credits sew_units per face.
-SewResult sew(Workpiece& work, double tolerance, double target_length, Progress& progress);
+/// Makes coinciding free edges common, solid by solid and among the faces without a solid. Without `tolerance` (mm, 0:
+/// never sew) what is drawn to fit, and larger gaps as far as that closes what is open. Credits sew_units per face.
+SewResult sew(Workpiece& work, std::optional<double> tolerance, Progress& progress);
 
 struct DividedFace {
   int face = -1;    ///< index before dividing

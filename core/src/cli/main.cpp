@@ -40,7 +40,7 @@ MeshResult mesh_and_write(const Arguments& arguments, Progress& progress) {
                     {temporary_name(arguments.files.mesh), temporary_name(arguments.files.report)});
   MeshResult result = mesh_file(arguments.input, arguments.options, progress);
   OutputFiles files = arguments.files;
-  if (result.mesh.quad_count() + result.mesh.triangle_count() == 0) files.mesh.clear();
+  if (is_empty(result)) files.mesh.clear();
   write_outputs(result, files, progress);
   progress.begin(Stage::done);
   return result;

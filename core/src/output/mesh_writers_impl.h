@@ -6,17 +6,18 @@
 
 namespace paver {
 
-/// Gmsh 4.1: a curve entity per B-rep edge, a surface entity per B-rep face, a physical group per face name.
+/// Gmsh 4.1: a curve entity per B-rep edge, a surface entity per B-rep face, a physical group per face name and
+/// per group of edges.
 void write_msh4(const MeshResult& result, bool is_ascii, AtomicFile& file);
 
-/// Gmsh 2.2: the same numbers as element tags (physical group, entity); lines are in no physical group (0).
+/// Gmsh 2.2: the same numbers as element tags (physical group, entity); lines in no physical group have 0.
 void write_msh2(const MeshResult& result, bool is_ascii, AtomicFile& file);
 
 /// VTK unstructured grid: surface elements, Lagrange cells from order 2 on; cell data "face" (Face12: 12) and "sj".
 void write_vtu(const MeshResult& result, bool is_ascii, AtomicFile& file);
 
 /// The $PhysicalNames section of both Gmsh formats, empty when there are no groups.
-struct FaceGroups;
-void write_physical_names(const FaceGroups& groups, ByteSink& sink);
+struct Groups;
+void write_physical_names(const Groups& groups, ByteSink& sink);
 
 }  // namespace paver

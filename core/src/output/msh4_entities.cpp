@@ -47,7 +47,10 @@ void write_msh4_beginning(const Msh4Entities& entities, bool is_ascii, ByteSink&
   for (std::size_t edge = 0; edge < entities.curves.size(); ++edge) {
     if (entities.curves[edge].is_empty()) continue;
     write_entity(entities.curves[edge], edge, out);
-    out.count(0), out.count(0);  // physical groups, end points
+    const int group = entities.groups.of_line(static_cast<int>(edge));
+    out.count(group > 0);
+    if (group > 0) out.integer(group);
+    out.count(0);  // end points
     out.end_line();
   }
   for (std::size_t face = 0; face < entities.surfaces.size(); ++face) {

@@ -60,7 +60,7 @@ void add_boxes(const SurfaceMesh& mesh, const std::vector<int>& table, const std
 /// Curves and surfaces of the file.
 struct Msh4Entities {
   std::vector<Box> curves, surfaces;  ///< per edge, per face; empty: no such entity
-  FaceGroups groups;
+  Groups groups;
   std::vector<std::vector<int>> face_edges;
 };
 

@@ -1,4 +1,4 @@
-// Numbers a mesh for files: which nodes are written, on which curve or surface each one lies, groups by face name.
+// Numbers a mesh for files: which nodes are written, on which curve or surface each one lies, groups by name.
 #include <algorithm>
 #include <array>
 #include <unordered_map>
@@ -76,16 +76,25 @@ Grouping group_rows(const std::vector<int>& group_of, int groups) {
   return result;
 }
 
-FaceGroups group_faces(const MeshResult& result, const std::vector<char>& has_elements) {
-  FaceGroups groups;
-  std::unordered_map<std::string, int> numbers;
-  groups.of_face.assign(has_elements.size(), 0);
-  for (std::size_t face = 0; face < has_elements.size(); ++face) {
-    if (!has_elements[face]) continue;
-    std::string name = name_of_face(result, face);
-    auto [at, is_new] = numbers.emplace(name, static_cast<int>(groups.names.size()) + 1);
-    if (is_new) groups.names.push_back(name);
-    groups.of_face[face] = at->second;
+Groups find_groups(const MeshResult& result, const std::vector<char>& has_elements) {
+  Groups groups;
+  auto number = [](std::unordered_map<std::string, int>& numbers, const std::string& name, std::size_t before,
+                   std::vector<std::string>& names) {
+    auto [at, is_new] = numbers.emplace(name, static_cast<int>(before + names.size()) + 1);
+    if (is_new) names.push_back(name);
+    return at->second;
+  };
+  std::unordered_map<std::string, int> of_faces, of_edges;
+  for (std::size_t face = 0; face < has_elements.size(); ++face)
+    groups.of_face.push_back(
+        has_elements[face] ? number(of_faces, name_of_face(result, face), 0, groups.face_names) : 0);
+  std::vector<char> has_lines(result.edge_groups.size(), 0);
+  for (int edge : result.mesh.line_edge)
+    if (edge < static_cast<int>(has_lines.size())) has_lines[edge] = 1;
+  for (std::size_t edge = 0; edge < has_lines.size(); ++edge) {
+    const std::string name = quotable(result.edge_groups[edge]);
+    bool is_in_one = has_lines[edge] && !name.empty();
+    groups.of_edge.push_back(is_in_one ? number(of_edges, name, groups.face_names.size(), groups.edge_names) : 0);
   }
   return groups;
 }
@@ -148,7 +157,7 @@ Numbering::Numbering(const MeshResult& result) {
   }
   std::vector<char> has_any;
   for (std::size_t f = 0; f < static_cast<std::size_t>(faces); ++f) has_any.push_back(has_elements(f));
-  groups = group_faces(result, has_any);
+  groups = find_groups(result, has_any);
   face_edges = edges_of_faces(mesh, curve, faces);
 }
 

@@ -20,12 +20,15 @@ struct Grouping {
 /// `group_of`: per row its group, from 0 to groups - 1; -1 leaves it out.
 Grouping group_rows(const std::vector<int>& group_of, int groups);
 
-/// Physical groups: faces of one name share one.
-struct FaceGroups {
-  std::vector<int> of_face;        ///< number of the group, or 0 when the face has no elements
-  std::vector<std::string> names;  ///< of group 1, 2, ...
+/// Physical groups: faces of one name share one, and so do edges; numbers of edges' groups follow those of faces.
+struct Groups {
+  std::vector<int> of_face;  ///< number of the group, or 0 when the face has no elements
+  std::vector<int> of_edge;  ///< number of the group, or 0 when the edge is in none
+  std::vector<std::string> face_names, edge_names;  ///< of group 1, 2, ...
+
+  int of_line(int edge) const { return edge < static_cast<int>(of_edge.size()) ? of_edge[edge] : 0; }
 };
-FaceGroups group_faces(const MeshResult& result, const std::vector<char>& has_elements);
+Groups find_groups(const MeshResult& result, const std::vector<char>& has_elements);
 
 /// Number of faces to file elements under: those with elements here and those with names.
 int face_count(const MeshResult& result);
@@ -47,7 +50,7 @@ struct Numbering {
   Grouping lines;                            ///< by edge
   Grouping curve_nodes;                      ///< by edge: nodes on lines
   Grouping surface_nodes;                    ///< by face: the others
-  FaceGroups groups;                         ///< physical groups
+  Groups groups;                             ///< physical groups
   std::vector<std::vector<int>> face_edges;  ///< per face: edges whose lines are sides of its elements, rising
 
   bool has_elements(std::size_t face) const { return quads.size(face) + triangles.size(face) > 0; }

@@ -61,6 +61,7 @@ void add_share(const MeshShare& share, MeshResult& whole) {
   whole.report = share.result.report;
   whole.face_names = share.result.face_names;
   whole.edge_names = share.result.edge_names;
+  whole.edge_groups = share.result.edge_groups;
   resize(share, mesh);
   place(part.nodes, share.node_number, mesh.nodes);
   place(part.node_edge, share.node_number, mesh.node_edge);

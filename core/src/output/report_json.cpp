@@ -20,8 +20,23 @@ const char* status_name(FaceStatus status) {
       return "no_area";
     case FaceStatus::failed:
       return "failed";
+    case FaceStatus::common:
+      return "common";
+    case FaceStatus::dropped:
+      return "dropped";
   }
   return "failed";
+}
+
+Json contacts_json(const std::vector<Contact>& contacts) {
+  Json json = Json::array();
+  for (const Contact& contact : contacts)
+    json.push_back({{"parts", contact.parts},
+                    {"kind", contact_name(contact.kind)},
+                    {"faces", contact.faces},
+                    {"size", contact.size},
+                    {"gap", contact.gap}});
+  return json;
 }
 
 Json model_json(const ModelReport& m) {
@@ -40,7 +55,9 @@ Json model_json(const ModelReport& m) {
           {"free_edges", m.free_edges},
           {"free_edge_names", m.free_edge_names},
           {"nonmanifold_edges", m.nonmanifold_edges},
-          {"nonmanifold_edge_names", m.nonmanifold_edge_names}};
+          {"nonmanifold_edge_names", m.nonmanifold_edge_names},
+          {"contacts", contacts_json(m.contacts)},
+          {"unconnected", m.unconnected}};
 }
 
 Json sj_json(const ScaledJacobianStats& sj) { return {{"min", sj.min}, {"mean", sj.mean}, {"below_03", sj.below_03}}; }
@@ -49,6 +66,7 @@ Json quality_json(const QualityReport& q) {
   return {{"quads", q.quads},
           {"triangles", q.triangles},
           {"nodes", q.nodes},
+          {"wire_lines", q.wire_lines},
           {"sj", {{"quads", sj_json(q.sj_quads)}, {"triangles", sj_json(q.sj_triangles)}, {"all", sj_json(q.sj_all)}}},
           {"irregular_share", q.irregular_share},
           {"irregular_nodes", q.irregular_nodes},
@@ -71,6 +89,8 @@ Json face_json(const FaceReport& face, const std::string& label) {
   bool has_elements = face.quads + face.triangles > 0;
   Json json = {{"name", face.name},
                {"label", label},
+               {"front", face.front},
+               {"back", face.back},
                {"status", status_name(face.status)},
                {"stage", face.stage},
                {"reason", face.reason},
@@ -97,6 +117,7 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
                {"elements", elements_name(run.elements)},
                {"threads", run.threads},
                {"model", model_json(run.model)},
+               {"components", run.components},
                {"quality", quality_json(run.quality)},
                {"faces", Json::array()},
                {"notes", run.notes},

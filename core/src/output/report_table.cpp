@@ -9,7 +9,7 @@
 namespace paver {
 namespace {
 
-constexpr std::size_t most_faces = 10, most_notes = 20;
+constexpr std::size_t most_faces = 10, most_notes = 20, most_contacts = 3;
 constexpr double poor_face_sj = 0.3;
 
 /// Lines "name   text", the names in one column.
@@ -43,6 +43,26 @@ void add_model(const RunReport& run, Text& text) {
   }
 }
 
+/// What touches what, and how many meshes come of it.
+void add_contacts(const RunReport& run, Text& text) {
+  const std::vector<Contact>& contacts = run.model.contacts;
+  if (!contacts.empty()) {
+    std::string list;
+    for (std::size_t i = 0; i < std::min(contacts.size(), most_contacts); ++i)
+      list += fmt::format("{}{} and {} ({})", i ? ", " : "", contacts[i].parts[0], contacts[i].parts[1],
+                          contact_name(contacts[i].kind));
+    if (contacts.size() > most_contacts) list += fmt::format(" and {} more", contacts.size() - most_contacts);
+    text.line("contacts", "{}", list);
+  }
+  if (run.components.size() < 2) return;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(run.components.size(), most_contacts); ++i)
+    list += fmt::format("{}{}{}", i ? "; " : "", run.components[i].front(),
+                        run.components[i].size() > 1 ? fmt::format(" with {} more", run.components[i].size() - 1) : "");
+  if (run.components.size() > most_contacts) list += fmt::format(" and {} more", run.components.size() - most_contacts);
+  text.line("separate", "{} meshes that share no node: {}", run.components.size(), list);
+}
+
 void add_quality(const RunReport& run, Text& text) {
   const QualityReport& q = run.quality;
   text.line("target", "{:.6g} mm, order {}, {} thread{}", run.target_length, run.order, run.threads,
@@ -50,6 +70,7 @@ void add_quality(const RunReport& run, Text& text) {
   text.line("mesh", "{} quad{}, {} triangle{}, {} nodes, {}", q.quads, plural(q.quads), q.triangles,
             plural(q.triangles), q.nodes,
             q.watertight ? "watertight" : fmt::format("{} border edge{}", q.border_edges, plural(q.border_edges)));
+  if (q.wire_lines > 0) text.line("wires", "{} line element{}", q.wire_lines, plural(q.wire_lines));
   text.line("SJ", "min {:.3f}, mean {:.3f}, below 0.3: {:.2f} %", q.sj_all.min, q.sj_all.mean, 100 * q.sj_all.below_03);
   text.line("curved", "{} inverted, {} undecided, Jacobian at least {:.3f} of its mean", q.inverted, q.undecided,
             q.min_jacobian_ratio);
@@ -103,6 +124,7 @@ void add_costs(const RunReport& run, Text& text) {
 std::string report_table(const RunReport& report) {
   Text text;
   add_model(report, text);
+  add_contacts(report, text);
   add_quality(report, text);
   add_faces(report.faces, text);
   add_costs(report, text);

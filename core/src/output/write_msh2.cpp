@@ -17,9 +17,12 @@ struct Table {
   int type, stride;
   const std::vector<int>& nodes;
   const std::vector<int>& entity_of;  ///< 0-based face or edge
-  const std::vector<int>* group_of;   ///< per entity, or null: in no group
+  const std::vector<int>& group_of;   ///< per entity; entities beyond its end are in no group
 
-  int group(std::size_t row) const { return group_of ? (*group_of)[entity_of[row]] : 0; }
+  int group(std::size_t row) const {
+    const auto entity = static_cast<std::size_t>(entity_of[row]);
+    return entity < group_of.size() ? group_of[entity] : 0;
+  }
 };
 
 void write_nodes(const SurfaceMesh& mesh, const Numbering& numbering, bool is_ascii, AtomicFile& file) {
@@ -69,11 +72,13 @@ void write_table(const Table& table, const Numbering& numbering, bool is_ascii, 
 
 }  // namespace
 
-void write_physical_names(const FaceGroups& groups, ByteSink& sink) {
-  if (groups.names.empty()) return;
-  sink.write(fmt::format("$PhysicalNames\n{}\n", groups.names.size()));
+void write_physical_names(const Groups& groups, ByteSink& sink) {
+  const std::size_t count = groups.face_names.size() + groups.edge_names.size();
+  if (count == 0) return;
+  sink.write(fmt::format("$PhysicalNames\n{}\n", count));
   int number = 0;
-  for (const std::string& name : groups.names) sink.write(fmt::format("2 {} \"{}\"\n", ++number, name));
+  for (const std::string& name : groups.face_names) sink.write(fmt::format("2 {} \"{}\"\n", ++number, name));
+  for (const std::string& name : groups.edge_names) sink.write(fmt::format("1 {} \"{}\"\n", ++number, name));
   sink.write("$EndPhysicalNames\n");
 }
 
@@ -90,8 +95,8 @@ void write_msh2(const MeshResult& result, bool is_ascii, AtomicFile& file) {
   write_nodes(mesh, numbering, is_ascii, file);
   file.write(fmt::format("$Elements\n{}\n", mesh.line_edge.size() + mesh.triangle_count() + mesh.quad_count()));
   int number = 0;
-  const std::vector<int>* groups = &numbering.groups.of_face;
-  write_table({gmsh_line_type(mesh.order), mesh.order + 1, mesh.lines, mesh.line_edge, nullptr}, numbering, is_ascii,
+  const std::vector<int>&groups = numbering.groups.of_face, &line_groups = numbering.groups.of_edge;
+  write_table({gmsh_line_type(mesh.order), mesh.order + 1, mesh.lines, mesh.line_edge, line_groups}, numbering, is_ascii,
               number, file);
   write_table({gmsh_triangle_type(mesh.order), mesh.nodes_per_triangle(), mesh.triangles, mesh.triangle_face, groups},
               numbering, is_ascii, number, file);

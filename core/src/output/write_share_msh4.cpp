@@ -173,7 +173,7 @@ class Msh4Share : public ShareWriter {
     std::vector<char> has_elements(n);
     for (std::size_t face = 0; face < n; ++face)
       has_elements[face] = triangles_.rows.size[face] + quads_.rows.size[face] > 0;
-    entities.groups = group_faces(share_.result, has_elements);
+    entities.groups = find_groups(share_.result, has_elements);
     return entities;
   }
 

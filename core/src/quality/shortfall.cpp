@@ -1,6 +1,8 @@
 // Whether a result is all that was asked for, in one sentence.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "paver/result.h"
 
 namespace paver {
@@ -24,13 +26,26 @@ std::string failed_faces(const std::vector<FaceReport>& faces, std::size_t& coun
   return text;
 }
 
+std::string unconnected_parts(const std::vector<std::array<std::string, 2>>& pairs) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(pairs.size(), most_named_faces); ++i)
+    text += fmt::format("{}{} and {}", i ? ", " : "", pairs[i][0], pairs[i][1]);
+  if (pairs.size() > most_named_faces) text += fmt::format(" and {} more pairs", pairs.size() - most_named_faces);
+  return fmt::format(
+      "Parts that touch could not be connected and are meshed as drawn: {}; repair or fuse them in the CAD program.", text);
+}
+
 }  // namespace
+
+bool is_empty(const MeshResult& result) {
+  const QualityReport& quality = result.report.quality;  // of a result without its mesh, too
+  return result.mesh.quad_count() + result.mesh.triangle_count() == 0 &&
+         quality.quads + quality.triangles + quality.wire_lines == 0;
+}
 
 std::optional<Error> shortfall(const MeshResult& result) {
   const std::vector<FaceReport>& faces = result.report.faces;
-  const QualityReport& quality = result.report.quality;  // of a result without its mesh, too
-  bool is_empty =
-      result.mesh.quad_count() + result.mesh.triangle_count() == 0 && quality.quads + quality.triangles == 0;
+  const bool has_mesh = !is_empty(result);
   std::size_t failed = 0;
   int first = -1;
   std::string names = failed_faces(faces, failed, first);
@@ -38,10 +53,12 @@ std::optional<Error> shortfall(const MeshResult& result) {
     const FaceReport& face = faces[static_cast<std::size_t>(first)];
     return Error(ErrorCode::face_failed,
                  fmt::format("{} of {} faces could not be meshed, {}: {}.", failed, faces.size(),
-                             is_empty ? "there is no mesh" : "the mesh of the others is delivered", names),
+                             has_mesh ? "the mesh of the others is delivered" : "there is no mesh", names),
                  {face.stage, first, -1, face.where});
   }
-  if (is_empty) return Error(ErrorCode::no_faces, "None of the faces has an area, so there is no mesh.");
+  const auto& unconnected = result.report.model.unconnected;
+  if (!unconnected.empty()) return Error(ErrorCode::face_failed, unconnected_parts(unconnected), {"topology", -1, -1, {}});
+  if (!has_mesh) return Error(ErrorCode::no_faces, "None of the faces has an area, so there is no mesh.");
   return std::nullopt;
 }
 

@@ -32,6 +32,7 @@ class RegionBuilder {
     region.chart = is_polar ? make_polar_chart(*region.surface, layout_.box, layout_.period)
                             : make_row_chart(*region.surface, layout_.box);
     for (const Loop& loop : loops) add_loop(loop, region);
+    for (const InnerPoint& point : face_.points) add_point(point, region);
     if (is_polar && (layout_.box.low_pole || layout_.box.high_pole)) add_fan(layout_.box, region);
     regions.push_back(std::move(region));
   }
@@ -50,6 +51,7 @@ class RegionBuilder {
 
   void add_loop(const Loop& loop, Region& region) const {
     std::vector<LoopNode> out;
+    std::vector<char> is_slit;  // per facet
     const Coedge* before = &loop.coedges.back();
     for (const Coedge& c : loop.coedges) {
       const EdgeDivision& d = nodes_.edges[c.edge];
@@ -66,10 +68,37 @@ class RegionBuilder {
         node.angle = i == 0 ? angle_at(*before, c, place) : angle_inside(c, k, place);
         if (i > 0 && (node.angle < fold || node.angle > 2 * M_PI - fold)) node.angle = chart_angle(c, k, region);
         out.push_back(node);
+        is_slit.push_back(c.is_slit);
       }
       if (n > 0) before = &c;
     }
-    if (!out.empty()) region.loops.push_back(std::move(out));
+    if (out.empty()) return;
+    open_slits(is_slit, out);
+    region.loops.push_back(std::move(out));
+  }
+
+  // The two sides of a slit lie on one line: nodes on them are moved apart in the chart, by so little that it is no
+  // matter, so that the loop is simple there. They stay where they are in space.
+  static void open_slits(const std::vector<char>& is_slit, std::vector<LoopNode>& loop) {
+    constexpr double opening = 1e-6;  // of a facet
+    const std::size_t count = loop.size();
+    std::vector<Vec2> moved;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t last = (i + count - 1) % count, next = (i + 1) % count;
+      moved.push_back(loop[i].p);
+      if (!is_slit[i] && !is_slit[last]) continue;
+      if (loop[next].global == loop[last].global && is_slit[i] && is_slit[last]) {
+        loop[i].angle = 2 * M_PI;  // the slit's end
+        continue;
+      }
+      Vec2 ahead = loop[next].p - loop[i].p, back = loop[last].p - loop[i].p;
+      double angle = std::atan2(cross(ahead, back), dot(ahead, back));
+      if (angle <= 0) angle += 2 * M_PI;
+      double reach = opening * std::min(norm(ahead), norm(back)) / norm(ahead);
+      double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle);
+      moved.back() = loop[i].p + reach * Vec2{c * ahead.x - s * ahead.y, s * ahead.x + c * ahead.y};
+    }
+    for (std::size_t i = 0; i < count; ++i) loop[i].p = moved[i];
   }
 
   struct Place {
@@ -281,6 +310,50 @@ class RegionBuilder {
       area += cross(fan.ring[i].p, fan.ring[(i + 1) % fan.ring.size()].p);
     if (area < 0) std::reverse(fan.ring.begin() + 1, fan.ring.end());
     region.fans.push_back(std::move(fan));
+  }
+
+  // A node inside the face, the end of a wire: four quads about it in advance.
+  void add_point(const InnerPoint& point, Region& region) const {
+    constexpr int quads = 4;
+    Fan fan;
+    fan.centre.global = node_of_vertex(point.vertex);
+    if (fan.centre.global < 0) return;
+    fan.centre.x = nodes_.nodes[fan.centre.global];
+    fan.centre.p = region.chart->to_chart(point.uv);
+    fan.centre.h = std::min(size_.h, size_.faces[index_].at(point.uv, *face_.surface));
+    double room = nearest_loop(region, fan.centre.x);
+    for (const Fan& other : region.fans) room = std::min(room, 0.5 * norm(other.centre.x - fan.centre.x));
+    double side = std::min(fan.centre.h, 0.4 * room);
+    Vec3 x, xp, xq;
+    region.evaluate(fan.centre.p, x, xp, xq);
+    Vec3 across = unit(xp), up = unit(cross(cross(xp, xq), xp));
+    for (int i = 0; i < 2 * quads; ++i) {
+      double angle = M_PI * i / quads, reach = i % 2 ? M_SQRT2 * side : side;
+      Vec3 way = reach * (std::cos(angle) * across + std::sin(angle) * up);
+      LoopNode node;
+      node.p = region.chart->walk(fan.centre.p, step_along(xp, xq, way));
+      node.x = region.point(node.p);
+      node.h = std::max(side, 0.3 * fan.centre.h);
+      fan.ring.push_back(node);
+    }
+    region.fans.push_back(std::move(fan));
+  }
+
+  /// Chart displacement whose image is the tangent vector `way`.
+  static Vec2 step_along(Vec3 xp, Vec3 xq, Vec3 way) {
+    double pp = dot(xp, xp), pq = dot(xp, xq), qq = dot(xq, xq), p = dot(xp, way), q = dot(xq, way);
+    double det = pp * qq - pq * pq;
+    return {(qq * p - pq * q) / det, (pp * q - pq * p) / det};
+  }
+
+  int node_of_vertex(int vertex) const {
+    for (std::size_t e = 0; e < model_.edges.size(); ++e) {
+      const std::vector<int>& node = nodes_.edges[e].node;
+      if (node.empty()) continue;
+      if (model_.edges[e].start == vertex) return node.front();
+      if (model_.edges[e].end == vertex) return node.back();
+    }
+    return -1;
   }
 
   // A long body closed by a pole, with a rim of few nodes: rows need something to start from.

@@ -186,17 +186,32 @@ std::vector<FaceLayout> plan_layouts(const Model& model, const SizeField& size, 
   return layouts;
 }
 
+namespace {
+
+/// An edge alone inside a face: a slit of one interval has no node to open it at.
+bool is_lone_slit(const Loop& loop) {
+  return loop.coedges.size() == 2 && loop.coedges[0].is_slit && loop.coedges[0].edge == loop.coedges[1].edge;
+}
+
+}  // namespace
+
 void settle_counts(const Model& model, const std::vector<FaceLayout>& layouts, std::vector<int>& counts) {
   std::vector<bool> is_needed(model.edges.size(), false), is_cut(model.edges.size(), false);
+  std::vector<int> least(model.edges.size(), 0);
   for (std::size_t f = 0; f < model.faces.size(); ++f)
-    for (std::size_t l = 0; l < layouts[f].dropped.size(); ++l)
+    for (std::size_t l = 0; l < layouts[f].dropped.size(); ++l) {
+      const Loop& loop = model.faces[f].loops[l];
+      if (is_lone_slit(loop)) least[loop.coedges[0].edge] = 2;
       for (std::size_t c = 0; c < layouts[f].dropped[l].size(); ++c) {
-        int e = model.faces[f].loops[l].coedges[c].edge;
+        int e = loop.coedges[c].edge;
         if (!layouts[f].dropped[l][c]) is_needed[e] = true;
         if (!layouts[f].dropped[l][c] && model.edges[e].is_periodic) is_cut[e] = true;
       }
+    }
   for (std::size_t e = 0; e < counts.size(); ++e) {
-    if (!is_needed[e]) counts[e] = 0;
+    bool is_wire = model.edges[e].faces.empty() && model.edges[e].curve;
+    if (!is_needed[e] && !is_wire) counts[e] = 0;
+    counts[e] = std::max(counts[e], least[e]);
     if (is_cut[e] && model.edges[e].start == model.edges[e].end) counts[e] += counts[e] % 2;
   }
 }

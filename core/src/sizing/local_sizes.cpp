@@ -25,6 +25,13 @@ constexpr double piece_share = 2;                       // of the length asked f
   throw Error(ErrorCode::bad_option, fmt::format("local names {}, but the model has {}.", local.part, has));
 }
 
+/// Whether an entry of the report is the face as read, or what it has in common with others.
+bool is_of(const Model& model, int entry, int face) {
+  if (entry < model.read_faces) return entry == face;
+  const std::vector<int>& faces = model.common[static_cast<std::size_t>(entry - model.read_faces)];
+  return std::find(faces.begin(), faces.end(), face) != faces.end();
+}
+
 double& entry(std::vector<double>& list, int index) { return list[static_cast<std::size_t>(index)]; }
 
 }  // namespace
@@ -64,12 +71,12 @@ void LocalSizes::put(const Model& model, const LocalSize& local, double length) 
   };
   auto put_on_face = [&](int origin) {
     for (std::size_t f = 0; f < model.faces.size(); ++f)
-      if (model.faces[f].origin == origin) of_face_[f] = std::min(of_face_[f], length);
+      if (is_of(model, model.faces[f].origin, origin)) of_face_[f] = std::min(of_face_[f], length);
   };
   least_ = std::min(least_, length);
   switch (part.kind) {
     case PartKind::face:
-      check_index("Face", static_cast<std::size_t>(model.report.faces));
+      check_index("Face", static_cast<std::size_t>(model.read_faces));
       return put_on_face(part.index);
     case PartKind::edge:
       check_index("Edge", of_edge_.size());

@@ -70,10 +70,10 @@ class EdgeBuilder {
     for (const WorkFace& face : work_.faces) {
       if (!face.has_area) continue;
       for (TopExp_Explorer edges(face.face, TopAbs_EDGE); edges.More(); edges.Next()) {
-        auto orientation = edges.Current().Orientation();
-        if (orientation == TopAbs_FORWARD || orientation == TopAbs_REVERSED) used.Add(edges.Current());
+        if (edges.Current().Orientation() != TopAbs_EXTERNAL) used.Add(edges.Current());
       }
     }
+    for (const WorkWire& wire : work_.wires) used.Add(wire.edge);
     return used;
   }
 
@@ -130,6 +130,9 @@ class EdgeBuilder {
       edge.start = numbered(edge.start);
       edge.end = numbered(edge.end);
     }
+    index_.vertex_map = vertices_;
+    index_.vertex.push_back(-1);
+    for (int id : vertex_ids_) index_.vertex.push_back(numbered(id));
   }
 
   const Workpiece& work_;

@@ -40,6 +40,7 @@ class LoopBuilder {
     for (Loop& loop : result_.loops) fill_poles(loop.coedges);
     measure_gaps();
     turn_loops();
+    if (!inner_.empty()) result_.skipped_edges += add_slits(surface_, edges_, inner_, result_.loops);
     return std::move(result_);
   }
 
@@ -52,9 +53,12 @@ class LoopBuilder {
     return c.pcurve->uv(edge(c).t0 + s * (edge(c).t1 - edge(c).t0));
   }
 
-  /// Nothing for edges inside the face; a fault for edges without curve or image.
+  static bool is_border(const TopoDS_Edge& shape) {
+    return shape.Orientation() == TopAbs_FORWARD || shape.Orientation() == TopAbs_REVERSED;
+  }
+
+  /// Nothing for edges that are not the model's; a fault for edges without curve or image.
   std::optional<Coedge> make_coedge(const TopoDS_Edge& shape) {
-    if (shape.Orientation() != TopAbs_FORWARD && shape.Orientation() != TopAbs_REVERSED) return std::nullopt;
     Coedge c;
     c.edge = index_.find(shape);
     if (c.edge < 0) return std::nullopt;
@@ -70,10 +74,13 @@ class LoopBuilder {
     Chain all;
     for (TopoDS_Iterator parts(wire); parts.More(); parts.Next()) {
       if (parts.Value().ShapeType() != TopAbs_EDGE) continue;
-      auto c = make_coedge(TopoDS::Edge(parts.Value()));
+      const TopoDS_Edge& edge_shape = TopoDS::Edge(parts.Value());
+      auto c = make_coedge(edge_shape);
       if (!result_.fault.empty()) return;
-      if (c) {
+      if (c && is_border(edge_shape)) {
         all.push_back(std::move(*c));
+      } else if (c && !edge(*c).is_degenerate) {
+        inner_.push_back(std::move(*c));
       } else {
         ++result_.skipped_edges;
       }
@@ -98,6 +105,7 @@ class LoopBuilder {
   Chain explore(const TopoDS_Wire& wire) {
     Chain result;
     for (BRepTools_WireExplorer explorer(wire, face_); explorer.More(); explorer.Next()) {
+      if (!is_border(explorer.Current())) continue;
       if (auto c = make_coedge(explorer.Current())) result.push_back(std::move(*c));
     }
     return result;
@@ -246,6 +254,7 @@ class LoopBuilder {
   const std::vector<Edge>& edges_;
   LoopResult result_;
   std::string open_name_;
+  std::vector<Coedge> inner_;  ///< inside the face
 };
 
 }  // namespace

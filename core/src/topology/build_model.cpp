@@ -1,13 +1,17 @@
-// Shape to Model, in order: measure, repair, sew, divide along creases, number edges and vertices, chain loops, orient
+// Shape to Model, in order: measure, repair, sew, connect, divide along creases, number edges and vertices, chain loops, orient
 // faces, report. A face that cannot be used is data: it keeps its place and name, with has_area = false or a fault.
 #include "topology/build_model.h"
 
 #include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <ShapeAnalysis_Surface.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <algorithm>
 
+#include "brep/connect_impl.h"
 #include "brep/evaluators_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/workpiece_impl.h"
@@ -29,6 +33,8 @@ constexpr double noted_share = 1e-6;
 /// A multiple of 4: images fitted by polynomials are worst at kinks, which sit at quarters and halves more than
 /// elsewhere.
 constexpr int deviation_samples = 64;
+/// Gap between parts that is closed, of the diagonal: what rounding in files and in placements leaves, and no more.
+constexpr double contact_share = 1e-7;
 /// Gap between images, over the face's extent in (u, v), that is worth a note.
 constexpr double gap_share = 1e-3;
 
@@ -39,13 +45,16 @@ class ModelBuilder {
     model_.report = std::move(report);
   }
 
-  Model build(const Options& options, double target_length) {
+  Model build(const Options& options) {
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(shape_.shape, TopAbs_FACE, faces);
-    progress_.begin(Stage::topology, (measure_units + repair_units + sew_units + loop_units) * faces.Extent());
+    progress_.begin(Stage::topology, (measure_units + repair_units + sew_units + connect_units + loop_units) * faces.Extent());
     work_ = make_workpiece(shape_, progress_, tasks_);
     repair(work_, progress_);
-    sewn_ = sew(work_, options.sew_tolerance.value_or(-1), target_length, progress_);
+    sewn_ = sew(work_, options.sew_tolerance, progress_);
+    list_parts(work_, shape_.shape);
+    connected_ = connect(work_, options.connect, contact_tolerance(options), progress_);
+    progress_.advance(connect_units * faces.Extent());
     for (const DividedFace& face : divide_creases(work_)) note_divided(face);
     EdgeIndex index = build_edges(work_, model_);
     model_.read_edges = work_.read_edges.Extent();
@@ -55,17 +64,23 @@ class ModelBuilder {
       bool is_last_piece = i + 1 == work_.faces.size() || work_.faces[i + 1].origin != work_.faces[i].origin;
       if (is_last_piece) progress_.advance(loop_units);
     }
-    list_parts(faces);
+    list_named(faces);
     mark_periodic_edges();
     orient_faces(work_, model_, tasks_);
+    fill_parts(index);
     fill_report();
     add_notes();
     return std::move(model_);
   }
 
  private:
+  /// Far less than what is sewn: parts that lie so near have been put there.
+  double contact_tolerance(const Options& options) const {
+    return options.sew_tolerance.value_or(contact_share * work_.diagonal);
+  }
+
   // What users may name besides faces and edges.
-  void list_parts(const TopTools_IndexedMapOfShape& faces) {
+  void list_named(const TopTools_IndexedMapOfShape& faces) {
     TopTools_IndexedMapOfShape vertices, solids;
     TopExp::MapShapes(shape_.shape, TopAbs_VERTEX, vertices);
     TopExp::MapShapes(shape_.shape, TopAbs_SOLID, solids);
@@ -81,7 +96,7 @@ class ModelBuilder {
   }
 
   void note_divided(const DividedFace& face) {
-    model_.notes.push_back(face_name(face.face) + " was divided along " + std::to_string(face.creases) +
+    model_.notes.push_back(entry_name(work_, face.face) + " was divided along " + std::to_string(face.creases) +
                            (face.creases == 1 ? " crease." : " creases."));
   }
 
@@ -96,8 +111,10 @@ class ModelBuilder {
   void add_face(int i, const EdgeIndex& index) {
     const WorkFace& work = work_.faces[static_cast<std::size_t>(i)];
     Face face;
-    face.name = face_name(work.origin);
+    face.name = entry_name(work_, work.origin);
     face.origin = work.origin;
+    face.is_common = work.is_common;
+    face.is_dropped = work.is_dropped;
     auto origin = static_cast<std::size_t>(work.origin);
     if (origin < shape_.labels.size()) face.label = shape_.labels[origin];
     face.area = work.area;
@@ -114,10 +131,11 @@ class ModelBuilder {
   void note_uses(int i, const EdgeIndex& index) {
     for (TopExp_Explorer edges(work_.faces[static_cast<std::size_t>(i)].face, TopAbs_EDGE); edges.More();
          edges.Next()) {
-      auto orientation = edges.Current().Orientation();
-      if (orientation != TopAbs_FORWARD && orientation != TopAbs_REVERSED) continue;
       int edge = index.find(edges.Current());
-      if (edge >= 0) model_.edges[static_cast<std::size_t>(edge)].faces.push_back(i);
+      if (edge < 0 || edges.Current().Orientation() == TopAbs_EXTERNAL) continue;
+      std::vector<int>& users = model_.edges[static_cast<std::size_t>(edge)].faces;
+      bool is_inside = edges.Current().Orientation() == TopAbs_INTERNAL;
+      users.insert(users.end(), is_inside ? 2 : 1, i);
     }
   }
 
@@ -132,6 +150,7 @@ class ModelBuilder {
       LoopResult result = build_loops(forward, *face.surface, index, model_.edges);
       face.fault = result.fault;
       face.loops = std::move(result.loops);
+      note_points(face, shape, index);
       if (result.skipped_edges > 0) inner_edges_.push_back(face.name);
       if (result.turned_loops > 0) turned_loops_.push_back(face.name);
       if (result.largest_gap > gap_share) gaps_.push_back(face.name);
@@ -142,6 +161,20 @@ class ModelBuilder {
       face.fault = "the CAD kernel cannot evaluate it (" + failure_text(failure) + "); repair it in the CAD program";
     }
     if (!face.fault.empty()) face.loops.clear();
+  }
+
+  /// Where wires end.
+  static void note_points(Face& face, const TopoDS_Face& shape, const EdgeIndex& index) {
+    for (TopoDS_Iterator parts(shape); parts.More(); parts.Next()) {
+      if (parts.Value().ShapeType() != TopAbs_VERTEX) continue;
+      int position = index.vertex_map.FindIndex(parts.Value());
+      if (position == 0) continue;
+      TopLoc_Location location;
+      Handle(Geom_Surface) surface = BRep_Tool::Surface(shape, location);
+      gp_Pnt at = BRep_Tool::Pnt(TopoDS::Vertex(parts.Value())).Transformed(location.Transformation().Inverted());
+      gp_Pnt2d uv = ShapeAnalysis_Surface(surface).ValueOfUV(at, Precision::Confusion());
+      face.points.push_back({index.vertex[static_cast<std::size_t>(position)], {uv.X(), uv.Y()}});
+    }
   }
 
   /// Twice the tolerance of the face's own periodic edges: so far apart its ends may be and still be joined.
@@ -200,6 +233,29 @@ class ModelBuilder {
       std::sort(faces.begin(), faces.end());
       edge.is_periodic = std::adjacent_find(faces.begin(), faces.end()) != faces.end();
     }
+    for (const Face& face : model_.faces)
+      for (const Loop& loop : face.loops)
+        for (const Coedge& c : loop.coedges)
+          if (c.is_slit) model_.edges[static_cast<std::size_t>(c.edge)].is_periodic = false;
+  }
+
+  void fill_parts(const EdgeIndex& index) {
+    model_.read_faces = work_.read_faces;
+    model_.common = work_.common;
+    for (const WorkPart& part : work_.parts) model_.parts.push_back(part.name);
+    for (const WorkFace& face : work_.faces) {
+      std::vector<int>& parts = model_.face_parts.emplace_back();
+      for (const FaceUse& use : face.uses) parts.push_back(use.part);
+    }
+    model_.edge_part.assign(model_.edges.size(), -1);
+    for (const WorkWire& wire : work_.wires) {
+      int edge = index.find(wire.edge);
+      if (edge >= 0) model_.edge_part[static_cast<std::size_t>(edge)] = wire.part;
+    }
+    model_.report.contacts = connected_.contacts;
+    for (auto [a, b] : connected_.failed)
+      model_.report.unconnected.push_back(
+          {model_.parts[static_cast<std::size_t>(a)], model_.parts[static_cast<std::size_t>(b)]});
   }
 
   void fill_report() {
@@ -211,7 +267,7 @@ class ModelBuilder {
     };
     report.solids = count(TopAbs_SOLID);
     report.shells = count(TopAbs_SHELL);
-    report.faces = model_.faces.empty() ? 0 : model_.faces.back().origin + 1;  // pieces do not count
+    report.faces = work_.read_faces;
     report.edges = static_cast<long>(model_.edges.size());
     report.vertices = static_cast<long>(model_.vertices.size());
     report.diagonal = work_.diagonal;
@@ -233,14 +289,14 @@ class ModelBuilder {
   void add_notes() {
     std::vector<std::string> flat, faulty, lost;
     for (const Face& face : model_.faces) {
-      if (!face.has_area) flat.push_back(face.name);
+      if (!face.has_area && !face.is_common && !face.is_dropped) flat.push_back(face.name);
       if (!face.fault.empty()) faulty.push_back(face.name);
     }
     for (int i : sewn_.lost_faces) lost.push_back(face_name(i));
     note("Left out because they have no area", flat);
     note("Left out because they are smaller than the sewing tolerance", lost);
     note("Cannot be meshed (reasons in the report of faces)", faulty);
-    note("Edges inside a face that bound nothing were ignored", inner_edges_);
+    note("Edges inside a face that end at a pole were ignored", inner_edges_);
     note("Loops that ran the wrong way around were turned", turned_loops_);
     note("Images of consecutive edges in the surface's parameters do not meet", gaps_);
     std::sort(deviating_.begin(), deviating_.end());
@@ -257,6 +313,7 @@ class ModelBuilder {
   SharedTasks& tasks_;
   Workpiece work_;
   SewResult sewn_;
+  ConnectResult connected_;
   Model model_;
   std::vector<std::string> inner_edges_, turned_loops_, gaps_, deviating_;
   std::vector<double> tolerances_;  ///< per edge of the model
@@ -265,11 +322,11 @@ class ModelBuilder {
 
 }  // namespace
 
-Model build_model(const Shape& shape, const Options& options, double target_length, ModelReport report,
-                  Progress& progress, SharedTasks& tasks) {
+Model build_model(const Shape& shape, const Options& options, ModelReport report, Progress& progress,
+                  SharedTasks& tasks) {
   QuietMessages quiet;
   return guard_occt(ErrorCode::internal, "The topology of the model cannot be built", [&] {
-    return ModelBuilder(shape, std::move(report), progress, tasks).build(options, target_length);
+    return ModelBuilder(shape, std::move(report), progress, tasks).build(options);
   });
 }
 

@@ -1,4 +1,4 @@
-// Shape to Model: sews where faces come without shared edges, then lists faces, loops, edges and vertices.
+// Shape to Model: sews where faces come without shared edges, connects parts that touch, then lists faces, loops, edges and vertices.
 #pragma once
 
 #include "base/shared_tasks.h"
@@ -8,8 +8,8 @@
 
 namespace paver {
 
-/// `target_length` in mm gives the default sewing tolerance. Collective.
-Model build_model(const Shape& shape, const Options& options, double target_length, ModelReport report,
-                  Progress& progress, SharedTasks& tasks);
+/// Collective.
+Model build_model(const Shape& shape, const Options& options, ModelReport report, Progress& progress,
+                  SharedTasks& tasks);
 
 }  // namespace paver

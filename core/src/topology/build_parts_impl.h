@@ -15,6 +15,8 @@ namespace paver {
 struct EdgeIndex {
   TopTools_IndexedMapOfShape map;  ///< all edges, in the order of the model
   std::vector<int> edge;           ///< per position: index in Model::edges, -1 where no face uses it
+  TopTools_IndexedMapOfShape vertex_map;  ///< all vertices
+  std::vector<int> vertex;                ///< per position from 1: index in Model::vertices
 
   /// -1: not in the model.
   int find(const TopoDS_Shape& shape) const {
@@ -38,6 +40,11 @@ struct LoopResult {
 /// Loops of a face. `face` must be FORWARD.
 LoopResult build_loops(const TopoDS_Face& face, const Surface& surface, const EdgeIndex& index,
                        const std::vector<Edge>& edges);
+
+/// Links edges inside a face into its loops, each walked on both sides. Gives how many could not be linked: those that
+/// end at a pole.
+int add_slits(const Surface& surface, const std::vector<Edge>& edges, const std::vector<Coedge>& inner,
+              std::vector<Loop>& loops);
 
 /// Turns faces over until neighbours agree, and closed bodies until their normals look outwards. Adds notes.
 /// Collective.

@@ -1,5 +1,6 @@
-// Orientation: faces that share an edge must run along it in opposite directions, and a closed body's normals must look
-// outwards. Files without topology say nothing about either, so neighbours are walked over edges of exactly two faces.
+// Orientation: faces of a part that share an edge must run along it in opposite directions, and a closed body's normals
+// must look outwards. Files without topology say nothing about either, so neighbours are walked over edges of exactly
+// two of the part's faces.
 #include <algorithm>
 #include <queue>
 
@@ -8,9 +9,15 @@
 namespace paver {
 namespace {
 
+/// A face as one of the parts that have it sees it.
+struct Use {
+  int face = -1, part = -1;
+  bool is_opposed = false;  ///< the part's own side is not the face's
+};
+
 struct Side {
-  int face = -1;
-  bool is_reversed = false;  ///< runs against the edge, the face's own reversal included
+  int use = -1;
+  bool is_reversed = false;  ///< runs against the edge, the face's own reversal and the use's side included
 };
 
 class Orienter {
@@ -18,71 +25,92 @@ class Orienter {
   Orienter(const Workpiece& work, Model& model, SharedTasks& tasks)
       : work_(work), model_(model), tasks_(tasks), sides_(model.edges.size()) {
     for (std::size_t f = 0; f < model.faces.size(); ++f) {
-      for (const Loop& loop : model.faces[f].loops)
-        for (const Coedge& c : loop.coedges)
-          sides_[static_cast<std::size_t>(c.edge)].push_back(
-              {static_cast<int>(f), c.is_reversed != model.faces[f].is_reversed});
+      first_use_.push_back(static_cast<int>(uses_.size()));
+      for (const FaceUse& use : work.faces[f].uses) add_use({static_cast<int>(f), use.part, use.is_opposed});
     }
-    part_.assign(model.faces.size(), -1);
-    is_turned_.assign(model.faces.size(), false);
+    group_.assign(uses_.size(), -1);
+    is_turned_.assign(uses_.size(), false);
   }
 
   void run() {
-    for (std::size_t f = 0; f < model_.faces.size(); ++f) {
-      if (part_[f] < 0 && !model_.faces[f].loops.empty()) walk(static_cast<int>(f));
+    for (std::size_t u = 0; u < uses_.size(); ++u) {
+      if (group_[u] < 0 && !loops_of(static_cast<int>(u)).empty()) walk(static_cast<int>(u));
     }
     look_outwards();
     apply();
   }
 
  private:
-  /// Faces that hang together, made to agree with each other; the majority stays as it is.
+  void add_use(const Use& use) {
+    const Face& face = model_.faces[static_cast<std::size_t>(use.face)];
+    for (const Loop& loop : face.loops)
+      for (const Coedge& c : loop.coedges) {
+        bool is_reversed = c.is_reversed != (face.is_reversed != use.is_opposed);
+        sides_[static_cast<std::size_t>(c.edge)].push_back({static_cast<int>(uses_.size()), is_reversed});
+      }
+    uses_.push_back(use);
+  }
+
+  const Use& use(int u) const { return uses_[static_cast<std::size_t>(u)]; }
+  const std::vector<Loop>& loops_of(int u) const {
+    return model_.faces[static_cast<std::size_t>(use(u).face)].loops;
+  }
+
+  /// Those of one part.
+  std::vector<Side> sides_of(int edge, int part) const {
+    std::vector<Side> own;
+    for (const Side& side : sides_[static_cast<std::size_t>(edge)])
+      if (use(side.use).part == part) own.push_back(side);
+    return own;
+  }
+
+  /// Faces of a part that hang together, made to agree with each other; the majority stays as it is.
   void walk(int seed) {
-    int part = static_cast<int>(parts_.size());
+    int group = static_cast<int>(groups_.size());
     std::vector<int> members;
     std::queue<int> open;
-    auto enter = [&](int face, bool is_turned) {
-      part_[static_cast<std::size_t>(face)] = part;
-      is_turned_[static_cast<std::size_t>(face)] = is_turned;
-      open.push(face);
-      members.push_back(face);
+    auto enter = [&](int u, bool is_turned) {
+      group_[static_cast<std::size_t>(u)] = group;
+      is_turned_[static_cast<std::size_t>(u)] = is_turned;
+      open.push(u);
+      members.push_back(u);
     };
     enter(seed, false);
     for (; !open.empty(); open.pop()) {
-      int face = open.front();
-      for (const Loop& loop : model_.faces[static_cast<std::size_t>(face)].loops)
-        for (const Coedge& c : loop.coedges) cross_edge(c.edge, face, enter);
+      int u = open.front();
+      for (const Loop& loop : loops_of(u))
+        for (const Coedge& c : loop.coedges) cross_edge(c.edge, u, enter);
     }
     std::size_t turned = 0;
-    for (int f : members) turned += is_turned_[static_cast<std::size_t>(f)];
+    for (int u : members) turned += is_turned_[static_cast<std::size_t>(u)];
     if (2 * turned > members.size()) turn(members);
-    parts_.push_back(std::move(members));
+    groups_.push_back(std::move(members));
   }
 
   template <class Enter>
-  void cross_edge(int edge, int face, Enter&& enter) {
-    const auto& sides = sides_[static_cast<std::size_t>(edge)];
-    if (sides.size() != 2 || sides[0].face == sides[1].face) return;
-    const Side& here = sides[0].face == face ? sides[0] : sides[1];
-    const Side& there = sides[0].face == face ? sides[1] : sides[0];
-    auto other = static_cast<std::size_t>(there.face);
-    bool is_turned = is_turned_[static_cast<std::size_t>(face)] != (here.is_reversed == there.is_reversed);
-    if (part_[other] < 0) {
-      enter(there.face, is_turned);
+  void cross_edge(int edge, int u, Enter&& enter) {
+    const std::vector<Side> sides = sides_of(edge, use(u).part);
+    if (sides.size() != 2 || sides[0].use == sides[1].use) return;
+    const Side& here = sides[0].use == u ? sides[0] : sides[1];
+    const Side& there = sides[0].use == u ? sides[1] : sides[0];
+    auto other = static_cast<std::size_t>(there.use);
+    bool is_turned = is_turned_[static_cast<std::size_t>(u)] != (here.is_reversed == there.is_reversed);
+    if (group_[other] < 0) {
+      enter(there.use, is_turned);
     } else if (is_turned_[other] != is_turned) {
       is_one_sided_ = true;
     }
   }
 
   void turn(const std::vector<int>& members) {
-    for (int f : members) is_turned_[static_cast<std::size_t>(f)] = !is_turned_[static_cast<std::size_t>(f)];
+    for (int u : members) is_turned_[static_cast<std::size_t>(u)] = !is_turned_[static_cast<std::size_t>(u)];
   }
 
   bool is_closed(const std::vector<int>& members) const {
-    for (int f : members)
-      for (const Loop& loop : model_.faces[static_cast<std::size_t>(f)].loops)
+    for (int u : members)
+      for (const Loop& loop : loops_of(u))
         for (const Coedge& c : loop.coedges) {
-          if (sides_[static_cast<std::size_t>(c.edge)].size() != 2 &&
+          if (sides_of(c.edge, use(u).part).size() != 2 &&
               !model_.edges[static_cast<std::size_t>(c.edge)].is_degenerate)
             return false;
         }
@@ -93,8 +121,8 @@ class Orienter {
   Vec3 middle_of(const std::vector<int>& members) const {
     Vec3 sum{0, 0, 0};
     double count = 0;
-    for (int f : members)
-      for (const Loop& loop : model_.faces[static_cast<std::size_t>(f)].loops)
+    for (int u : members)
+      for (const Loop& loop : loops_of(u))
         for (const Coedge& c : loop.coedges) {
           const Edge& edge = model_.edges[static_cast<std::size_t>(c.edge)];
           sum += model_.vertices[static_cast<std::size_t>(edge.start)];
@@ -105,28 +133,27 @@ class Orienter {
 
   /// Volumes inside closed bodies, of all their faces at once; NaN where the kernel cannot compute one.
   std::vector<double> volumes(const std::vector<std::vector<int>>& bodies) {
-    struct Part {
+    struct Wall {
       TopoDS_Face face;
       std::size_t body;
       Vec3 apex;
     };
-    std::vector<Part> parts;
+    std::vector<Wall> walls;
     std::vector<double> costs;
     for (std::size_t body = 0; body < bodies.size(); ++body) {
       const Vec3 apex = middle_of(bodies[body]);
-      for (int f : bodies[body]) {
-        auto i = static_cast<std::size_t>(f);
-        parts.push_back({work_.faces[i].face, body, apex});
-        if (is_turned_[i]) parts.back().face.Reverse();
-        costs.push_back(measuring_cost(parts.back().face));
+      for (int u : bodies[body]) {
+        walls.push_back({work_.faces[static_cast<std::size_t>(use(u).face)].face, body, apex});
+        if (is_turned_[static_cast<std::size_t>(u)] != use(u).is_opposed) walls.back().face.Reverse();
+        costs.push_back(measuring_cost(walls.back().face));
       }
     }
     const std::vector<double> shares = tasks_.run<double>(Stage::topology, costs, [&](int i) {
-      const Part& part = parts[static_cast<std::size_t>(i)];
-      return volume_to(part.face, part.apex);
+      const Wall& wall = walls[static_cast<std::size_t>(i)];
+      return volume_to(wall.face, wall.apex);
     });
     std::vector<double> sums(bodies.size(), 0.0);
-    for (std::size_t i = 0; i < parts.size(); ++i) sums[parts[i].body] += shares[i];
+    for (std::size_t i = 0; i < walls.size(); ++i) sums[walls[i].body] += shares[i];
     return sums;
   }
 
@@ -134,30 +161,41 @@ class Orienter {
   void look_outwards() {
     std::vector<std::vector<int>> bodies;
     std::vector<int> body_of_solid;
-    for (const auto& part : parts_) {
-      if (!is_closed(part)) continue;
-      int solid = work_.faces[static_cast<std::size_t>(part[0])].solid;
+    for (const auto& group : groups_) {
+      if (!is_closed(group)) continue;
+      int solid = work_.parts[static_cast<std::size_t>(use(group[0]).part)].solid;
       if (solid >= static_cast<int>(body_of_solid.size()))
         body_of_solid.resize(static_cast<std::size_t>(solid) + 1, -1);
       if (solid >= 0 && body_of_solid[static_cast<std::size_t>(solid)] >= 0) {
         auto& body = bodies[static_cast<std::size_t>(body_of_solid[static_cast<std::size_t>(solid)])];
-        body.insert(body.end(), part.begin(), part.end());
+        body.insert(body.end(), group.begin(), group.end());
         continue;
       }
       if (solid >= 0) body_of_solid[static_cast<std::size_t>(solid)] = static_cast<int>(bodies.size());
-      bodies.push_back(part);
+      bodies.push_back(group);
     }
     const std::vector<double> inside = volumes(bodies);
     for (std::size_t i = 0; i < bodies.size(); ++i)
       if (inside[i] < 0) turn(bodies[i]);
   }
 
+  /// A face turns with the first part that has it; to the others it shows its other side then.
   void apply() {
     std::vector<std::string> turned;
     for (std::size_t f = 0; f < model_.faces.size(); ++f) {
-      if (!is_turned_[f]) continue;
-      model_.faces[f].is_reversed = !model_.faces[f].is_reversed;
-      turned.push_back(model_.faces[f].name);
+      Face& face = model_.faces[f];
+      const auto& uses = work_.faces[f].uses;
+      const auto first = static_cast<std::size_t>(first_use_[f]);
+      for (std::size_t k = 0; k < uses.size(); ++k) {
+        bool is_opposed = uses[k].is_opposed != (is_turned_[first + k] != is_turned_[first]);
+        if (work_.parts[static_cast<std::size_t>(uses[k].part)].solid >= 0)
+          (is_opposed ? face.front : face.back).push_back(uses[k].part);
+      }
+      for (std::vector<int>* side : {&face.front, &face.back})
+        side->insert(side->end(), work_.faces[f].inside_of.begin(), work_.faces[f].inside_of.end());
+      if (uses.empty() || !is_turned_[first]) continue;
+      face.is_reversed = !face.is_reversed;
+      turned.push_back(face.name);
     }
     if (!turned.empty())
       model_.notes.push_back("Turned over so that normals agree and look outwards: " + list_names(turned) + ".");
@@ -169,10 +207,12 @@ class Orienter {
   const Workpiece& work_;
   Model& model_;
   SharedTasks& tasks_;
+  std::vector<Use> uses_;
+  std::vector<int> first_use_;            ///< per face
   std::vector<std::vector<Side>> sides_;  ///< per edge
-  std::vector<int> part_;                 ///< per face: index of its part, -1 before
-  std::vector<bool> is_turned_;
-  std::vector<std::vector<int>> parts_;
+  std::vector<int> group_;                ///< per use: index of its group, -1 before
+  std::vector<bool> is_turned_;           ///< per use
+  std::vector<std::vector<int>> groups_;  ///< uses that hang together
   bool is_one_sided_ = false;
 };
 

@@ -57,10 +57,10 @@ inline TopoDS_Compound compound(std::initializer_list<TopoDS_Shape> parts) {
 
 inline Shape as_shape(const TopoDS_Shape& shape) { return {shape, {}}; }
 
-inline Model model_of(const TopoDS_Shape& shape, const Options& options = {}, double target_length = 1) {
+inline Model model_of(const TopoDS_Shape& shape, const Options& options = {}) {
   Progress progress;
   Alone alone(progress);
-  return build_model(as_shape(shape), options, target_length, {}, progress, alone);
+  return build_model(as_shape(shape), options, {}, progress, alone);
 }
 
 }  // namespace paver::test

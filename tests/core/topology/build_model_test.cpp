@@ -367,7 +367,7 @@ TEST(BuildModel, StopsWhenCancelled) {
   progress.cancel();
   Shape box = test::as_shape(BRepPrimAPI_MakeBox(1, 1, 1).Shape());
   test::Alone alone(progress);
-  EXPECT_THROW(build_model(box, {}, 1, {}, progress, alone), Error);
+  EXPECT_THROW(build_model(box, {}, {}, progress, alone), Error);
 }
 
 }  // namespace

@@ -1,0 +1,239 @@
+// Connecting, in order: which parts may touch, clusters of them fused, faces replaced by their images, what lies inside
+// others found, contacts listed.
+#include <BOPTools_AlgoTools.hxx>
+#include <BRepBndLib.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <IntTools_Context.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "brep/connect_impl.h"
+#include "brep/occt_impl.h"
+
+namespace paver {
+namespace {
+
+using Pair = std::array<int, 2>;
+
+/// Clusters of parts that pairs hang together; those of one part are left out.
+std::vector<std::vector<int>> clusters_of(const std::vector<Pair>& pairs, std::size_t parts) {
+  std::vector<int> root(parts);
+  std::iota(root.begin(), root.end(), 0);
+  auto find = [&](int i) {
+    while (root[static_cast<std::size_t>(i)] != i) i = root[static_cast<std::size_t>(i)];
+    return i;
+  };
+  for (auto [a, b] : pairs) {
+    int one = find(a), other = find(b);
+    root[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
+  }
+  std::map<int, std::vector<int>> members;
+  for (std::size_t i = 0; i < parts; ++i) members[find(static_cast<int>(i))].push_back(static_cast<int>(i));
+  std::vector<std::vector<int>> clusters;
+  for (auto& [first, list] : members)
+    if (list.size() > 1) clusters.push_back(std::move(list));
+  return clusters;
+}
+
+class Connector {
+ public:
+  Connector(Workpiece& work, double tolerance, Progress& progress)
+      : work_(work), tolerance_(tolerance), progress_(progress), pairs_(find_near_parts(work, tolerance)) {}
+
+  /// Whether anything was fused.
+  bool run() {
+    for (const std::vector<int>& cluster : clusters_of(pairs_, work_.parts.size())) connect_cluster(cluster);
+    if (fusions_.empty()) return false;
+    replace_faces();
+    return true;
+  }
+
+  std::vector<Pair> failed;
+
+ private:
+  /// Where all together cannot be fused, the part with most pairs that cannot is left out, and again.
+  void connect_cluster(std::vector<int> parts) {
+    while (parts.size() > 1) {
+      if (auto fusion = fuse(work_, parts, tolerance_, progress_)) {
+        fusions_.push_back(std::move(*fusion));
+        return;
+      }
+      int left_out = find_worst(parts);
+      for (auto [a, b] : pairs_)
+        if ((a == left_out && contains(parts, b)) || (b == left_out && contains(parts, a))) failed.push_back({a, b});
+      std::erase(parts, left_out);
+    }
+  }
+
+  static bool contains(const std::vector<int>& parts, int part) {
+    return std::find(parts.begin(), parts.end(), part) != parts.end();
+  }
+
+  int find_worst(const std::vector<int>& parts) {
+    std::map<int, int> failures;
+    for (auto [a, b] : pairs_) {
+      if (!contains(parts, a) || !contains(parts, b)) continue;
+      bool fails = parts.size() == 2 || !fuse(work_, {a, b}, tolerance_, progress_);
+      failures[a] += fails, failures[b] += fails;
+    }
+    int worst = parts.back();
+    for (int part : parts)
+      if (failures[part] > failures[worst]) worst = part;
+    return worst;
+  }
+
+  void replace_faces() {
+    std::vector<std::vector<WorkFace>> pieces(work_.faces.size());
+    std::vector<char> is_fused(work_.faces.size(), 0);
+    std::map<std::vector<int>, std::vector<WorkFace>> common;
+    for (const Fusion& fusion : fusions_)
+      for (const Fusion::Image& image : fusion.images) {
+        for (int f : image.of) is_fused[static_cast<std::size_t>(f)] = 1;
+        WorkFace piece = piece_of(image);
+        if (image.of.size() == 1) {
+          pieces[static_cast<std::size_t>(image.of[0])].push_back(std::move(piece));
+        } else {
+          common[image.of].push_back(std::move(piece));
+        }
+      }
+    std::vector<WorkFace> faces;
+    for (std::size_t f = 0; f < work_.faces.size(); ++f) {
+      if (!is_fused[f]) pieces[f].push_back(work_.faces[f]);
+      // A face that is common as a whole keeps its place in the report.
+      if (pieces[f].empty()) pieces[f].push_back(placeholder(work_.faces[f]));
+      std::move(pieces[f].begin(), pieces[f].end(), std::back_inserter(faces));
+    }
+    for (auto& [of, list] : common) {
+      std::vector<int>& origins = work_.common.emplace_back();
+      for (int f : of) origins.push_back(work_.faces[static_cast<std::size_t>(f)].origin);
+      for (WorkFace& piece : list) {
+        piece.origin = work_.read_faces + static_cast<int>(work_.common.size()) - 1;
+        faces.push_back(std::move(piece));
+      }
+    }
+    note_edges();
+    work_.faces = std::move(faces);
+    work_.is_rebuilt = true;
+  }
+
+  static WorkFace placeholder(const WorkFace& face) {
+    WorkFace gone = face;
+    gone.area = 0;
+    gone.has_area = false;
+    gone.is_common = true;
+    return gone;
+  }
+
+  /// As the first of its faces, on whose side it is; what the others' uses say is turned where they look elsewhere.
+  WorkFace piece_of(const Fusion::Image& image) {
+    WorkFace piece = work_.faces[static_cast<std::size_t>(image.of[0])];
+    piece.face = oriented_as(image.face, piece.face);
+    piece.area = face_area(piece.face);
+    piece.has_area = piece.area > no_area_share * work_.diagonal * work_.diagonal;
+    for (std::size_t i = 1; i < image.of.size(); ++i) {
+      const WorkFace& other = work_.faces[static_cast<std::size_t>(image.of[i])];
+      bool is_opposed = oriented_as(image.face, other.face).Orientation() != piece.face.Orientation();
+      for (const FaceUse& use : other.uses) piece.uses.push_back({use.part, use.is_opposed != is_opposed});
+    }
+    return piece;
+  }
+
+  TopoDS_Face oriented_as(const TopoDS_Face& image, const TopoDS_Face& face) {
+    bool is_turned = BOPTools_AlgoTools::IsSplitToReverse(image, face, context_);
+    return is_turned ? TopoDS::Face(image.Reversed()) : image;
+  }
+
+  void note_edges() {
+    for (const Fusion& fusion : fusions_)
+      for (const auto& [edge, image] : fusion.edges) {
+        add_edge_origins(work_, image, edge_origins(work_, edge));
+        for (WorkWire& wire : work_.wires)
+          if (wire.edge.IsSame(edge)) new_wires_.push_back({TopoDS::Edge(image.Oriented(TopAbs_FORWARD)), wire.part});
+      }
+    auto is_replaced = [&](const WorkWire& wire) {
+      return std::any_of(fusions_.begin(), fusions_.end(), [&](const Fusion& fusion) {
+        return std::any_of(fusion.edges.begin(), fusion.edges.end(),
+                           [&](const auto& pair) { return pair.first.IsSame(wire.edge); });
+      });
+    };
+    std::erase_if(work_.wires, is_replaced);
+    std::move(new_wires_.begin(), new_wires_.end(), std::back_inserter(work_.wires));
+  }
+
+  Workpiece& work_;
+  double tolerance_;
+  Progress& progress_;
+  std::vector<Pair> pairs_;
+  std::vector<Fusion> fusions_;
+  std::vector<WorkWire> new_wires_;
+  Handle(IntTools_Context) context_ = new IntTools_Context;
+};
+
+void drop_inside(Workpiece& work) {
+  for (WorkFace& face : work.faces) {
+    bool has_front = !face.inside_of.empty(), has_back = has_front;
+    for (const FaceUse& use : face.uses) {
+      if (work.parts[static_cast<std::size_t>(use.part)].solid < 0) continue;
+      (use.is_opposed ? has_front : has_back) = true;
+    }
+    if (!has_front || !has_back || !face.has_area) continue;
+    face.is_dropped = true;
+    face.has_area = false;
+    face.area = 0;
+  }
+}
+
+}  // namespace
+
+std::vector<Pair> find_near_parts(const Workpiece& work, double tolerance) {
+  struct Boxed {
+    int part;
+    Bnd_Box box;
+  };
+  std::vector<Bnd_Box> whole(work.parts.size());
+  std::vector<std::vector<Bnd_Box>> boxes(work.parts.size());
+  auto add = [&](const TopoDS_Shape& shape, int part) {
+    Bnd_Box box;
+    BRepBndLib::Add(shape, box, Standard_False);
+    box.Enlarge(0.5 * tolerance);
+    whole[static_cast<std::size_t>(part)].Add(box);
+    boxes[static_cast<std::size_t>(part)].push_back(box);
+  };
+  for (const WorkFace& face : work.faces)
+    if (face.has_area && face.fault.empty())
+      for (const FaceUse& use : face.uses) add(face.face, use.part);
+  for (const WorkWire& wire : work.wires) add(wire.edge, wire.part);
+  auto touch = [&](std::size_t a, std::size_t b) {
+    if (whole[a].IsVoid() || whole[b].IsVoid() || whole[a].IsOut(whole[b])) return false;
+    for (const Bnd_Box& one : boxes[a])
+      if (!one.IsOut(whole[b]))
+        for (const Bnd_Box& other : boxes[b])
+          if (!one.IsOut(other)) return true;
+    return false;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t a = 0; a < work.parts.size(); ++a)
+    for (std::size_t b = a + 1; b < work.parts.size(); ++b)
+      if (touch(a, b)) pairs.push_back({static_cast<int>(a), static_cast<int>(b)});
+  return pairs;
+}
+
+ConnectResult connect(Workpiece& work, Connect how, double tolerance, Progress& progress) {
+  ConnectResult result;
+  if (work.parts.size() < 2) return result;
+  Workpiece fused = work;
+  Connector connector(fused, tolerance, progress);
+  bool is_fused = connector.run();
+  if (is_fused) result.contacts = find_contacts(fused);
+  if (how == Connect::none) return result;
+  result.failed = std::move(connector.failed);
+  find_insides(fused);
+  if (how == Connect::united) drop_inside(fused);
+  work = std::move(fused);
+  return result;
+}
+
+}  // namespace paver

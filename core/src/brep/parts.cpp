@@ -1,0 +1,123 @@
+// The parts of the input: which faces and edges belong together, and who else has them.
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <numeric>
+
+#include "brep/connect_impl.h"
+
+namespace paver {
+namespace {
+
+/// Numbers that belong together; the least one stands for all.
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int find(int i) {
+    while (at(i) != i) i = at(i) = at(at(i));
+    return i;
+  }
+  void merge(int a, int b) {
+    a = find(a), b = find(b);
+    at(std::max(a, b)) = std::min(a, b);
+  }
+
+ private:
+  int& at(int i) { return parent_[static_cast<std::size_t>(i)]; }
+  std::vector<int> parent_;
+};
+
+class PartLister {
+ public:
+  PartLister(Workpiece& work, const TopoDS_Shape& as_read) : work_(work), as_read_(as_read) {}
+
+  void run() {
+    add_solids();
+    add_sheets();
+    add_wires();
+  }
+
+ private:
+  int add_part(const std::string& name, int solid) {
+    work_.parts.push_back({name, solid});
+    return static_cast<int>(work_.parts.size()) - 1;
+  }
+
+  void add_solids() {
+    TopTools_IndexedMapOfShape faces, solids;
+    TopExp::MapShapes(as_read_, TopAbs_FACE, faces);
+    TopExp::MapShapes(as_read_, TopAbs_SOLID, solids);
+    for (int s = 1; s <= solids.Extent(); ++s) {
+      int part = add_part("Solid" + std::to_string(s), s - 1);
+      for (TopExp_Explorer inner(solids(s), TopAbs_FACE); inner.More(); inner.Next()) {
+        int index = faces.FindIndex(inner.Current());
+        bool is_opposed = inner.Current().Orientation() != faces(index).Orientation();
+        work_.faces[static_cast<std::size_t>(index - 1)].uses.push_back({part, is_opposed});
+      }
+    }
+  }
+
+  void add_sheets() {
+    Groups groups(work_.faces.size());
+    TopTools_IndexedMapOfShape edges;
+    std::vector<int> first_face{-1};
+    for (std::size_t f = 0; f < work_.faces.size(); ++f) {
+      if (!work_.faces[f].uses.empty()) continue;
+      for (TopExp_Explorer inner(work_.faces[f].face, TopAbs_EDGE); inner.More(); inner.Next()) {
+        auto index = static_cast<std::size_t>(edges.Add(inner.Current()));
+        if (index == first_face.size()) first_face.push_back(static_cast<int>(f));
+        groups.merge(first_face[index], static_cast<int>(f));
+      }
+    }
+    int sheets = 0;
+    std::vector<int> part_of(work_.faces.size(), -1);
+    for (std::size_t f = 0; f < work_.faces.size(); ++f) {
+      if (!work_.faces[f].uses.empty()) continue;
+      int& part = part_of[static_cast<std::size_t>(groups.find(static_cast<int>(f)))];
+      if (part < 0) part = add_part("Sheet" + std::to_string(++sheets), -1);
+      work_.faces[f].uses.push_back({part, false});
+    }
+  }
+
+  void add_wires() {
+    TopTools_IndexedMapOfShape edges, vertices;
+    for (TopExp_Explorer free(work_.shape, TopAbs_EDGE, TopAbs_FACE); free.More(); free.Next()) edges.Add(free.Current());
+    TopTools_IndexedMapOfShape bounding;
+    for (const WorkFace& face : work_.faces) TopExp::MapShapes(face.face, TopAbs_EDGE, bounding);
+    for (int i = 1; i <= edges.Extent(); ++i)
+      if (!bounding.Contains(edges(i))) work_.wires.push_back({TopoDS::Edge(edges(i).Oriented(TopAbs_FORWARD)), -1});
+    Groups groups(work_.wires.size());
+    std::vector<int> first_wire{-1};
+    for (std::size_t w = 0; w < work_.wires.size(); ++w)
+      for (TopExp_Explorer ends(work_.wires[w].edge, TopAbs_VERTEX); ends.More(); ends.Next()) {
+        auto index = static_cast<std::size_t>(vertices.Add(ends.Current()));
+        if (index == first_wire.size()) first_wire.push_back(static_cast<int>(w));
+        groups.merge(first_wire[index], static_cast<int>(w));
+      }
+    int wires = 0;
+    for (std::size_t w = 0; w < work_.wires.size(); ++w) {
+      auto root = static_cast<std::size_t>(groups.find(static_cast<int>(w)));
+      if (root == w) work_.wires[w].part = add_part("Wire" + std::to_string(++wires), -1);
+      work_.wires[w].part = work_.wires[root].part;
+    }
+  }
+
+  Workpiece& work_;
+  const TopoDS_Shape& as_read_;
+};
+
+}  // namespace
+
+void list_parts(Workpiece& work, const TopoDS_Shape& as_read) { PartLister(work, as_read).run(); }
+
+std::string entry_name(const Workpiece& work, int origin) {
+  if (origin < work.read_faces) return face_name(origin);
+  std::string name;
+  for (int face : work.common[static_cast<std::size_t>(origin - work.read_faces)])
+    name += (name.empty() ? "" : " + ") + face_name(face);
+  return name;
+}
+
+}  // namespace paver

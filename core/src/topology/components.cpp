@@ -1,0 +1,85 @@
+// In: model, reports of faces. Out: parts by component. Faces and wires that share a vertex share its node.
+#include "topology/components.h"
+
+#include <map>
+#include <numeric>
+
+namespace paver {
+namespace {
+
+class Components {
+ public:
+  Components(const Model& model, const std::vector<FaceReport>& entries)
+      : model_(model), entries_(entries), root_(model.vertices.size() + model.faces.size() + model.edges.size()) {
+    std::iota(root_.begin(), root_.end(), 0);
+  }
+
+  std::vector<std::vector<std::string>> run() {
+    for (std::size_t f = 0; f < model_.faces.size(); ++f)
+      if (is_meshed(f)) add_face(f);
+    for (std::size_t e = 0; e < model_.edges.size(); ++e)
+      if (is_wire(e)) add_ends(model_.edges[e], edge_item(e));
+    std::map<int, std::vector<char>> parts;  // per component: whether it has each part
+    auto note = [&](int item, int part) {
+      std::vector<char>& has = parts[find(item)];
+      has.resize(model_.parts.size(), 0);
+      has[static_cast<std::size_t>(part)] = 1;
+    };
+    for (std::size_t f = 0; f < model_.faces.size(); ++f)
+      if (is_meshed(f))
+        for (int part : model_.face_parts[f]) note(face_item(f), part);
+    for (std::size_t e = 0; e < model_.edges.size(); ++e)
+      if (is_wire(e)) note(edge_item(e), model_.edge_part[e]);
+    std::vector<std::vector<std::string>> components;
+    for (const auto& [root, has] : parts) {
+      std::vector<std::string>& names = components.emplace_back();
+      for (std::size_t p = 0; p < has.size(); ++p)
+        if (has[p]) names.push_back(model_.parts[p]);
+    }
+    return components;
+  }
+
+ private:
+  bool is_meshed(std::size_t f) const {
+    const Face& face = model_.faces[f];
+    return face.has_area && entries_[static_cast<std::size_t>(face.origin)].status == FaceStatus::meshed;
+  }
+  bool is_wire(std::size_t e) const { return model_.edges[e].faces.empty() && model_.edge_part[e] >= 0; }
+  // Faces and wires come first, in the order of the model, so that the least item of a component tells its place.
+  int face_item(std::size_t f) const { return static_cast<int>(f); }
+  int edge_item(std::size_t e) const { return static_cast<int>(model_.faces.size() + e); }
+  int vertex_item(int v) const { return static_cast<int>(model_.faces.size() + model_.edges.size()) + v; }
+
+  void add_face(std::size_t f) {
+    for (const Loop& loop : model_.faces[f].loops)
+      for (const Coedge& c : loop.coedges) add_ends(model_.edges[static_cast<std::size_t>(c.edge)], face_item(f));
+    for (const InnerPoint& point : model_.faces[f].points) merge(vertex_item(point.vertex), face_item(f));
+  }
+
+  void add_ends(const Edge& edge, int item) {
+    merge(vertex_item(edge.start), item);
+    merge(vertex_item(edge.end), item);
+  }
+
+  int find(int i) {
+    auto at = [&](int j) -> int& { return root_[static_cast<std::size_t>(j)]; };
+    while (at(i) != i) i = at(i) = at(at(i));
+    return i;
+  }
+  void merge(int a, int b) {
+    a = find(a), b = find(b);
+    root_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  }
+
+  const Model& model_;
+  const std::vector<FaceReport>& entries_;
+  std::vector<int> root_;
+};
+
+}  // namespace
+
+std::vector<std::vector<std::string>> find_components(const Model& model, const std::vector<FaceReport>& entries) {
+  return Components(model, entries).run();
+}
+
+}  // namespace paver

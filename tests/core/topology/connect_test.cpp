@@ -1,0 +1,182 @@
+// Parts that touch: what they share, who is on which side, what is told of it.
+#include "brep/connect_impl.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <algorithm>
+#include <gp_Ax2.hxx>
+#include <gp_Pln.hxx>
+
+#include "core/brep/shape_files.h"
+#include "support/report_of.h"
+
+namespace paver {
+namespace {
+
+using test::compound;
+using test::model_of;
+using test::report_of;
+
+TopoDS_Shape box(double x, double y, double z, double dx, double dy, double dz) {
+  return BRepPrimAPI_MakeBox(gp_Pnt(x, y, z), dx, dy, dz).Shape();
+}
+
+/// Upright sheet in the plane y = `y`.
+TopoDS_Shape fin(double y, double x0, double x1, double z0, double z1) {
+  return BRepBuilderAPI_MakeFace(gp_Pln(gp_Ax3(gp_Pnt(0, y, 0), gp_Dir(0, 1, 0), gp_Dir(1, 0, 0))), x0, x1, -z1, -z0)
+      .Shape();
+}
+
+TopoDS_Shape sheet(double z, double x0, double x1, double y0, double y1) {
+  return BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, z), gp_Dir(0, 0, 1)), x0, x1, y0, y1).Shape();
+}
+
+TopoDS_Shape wire(gp_Pnt a, gp_Pnt b) { return BRepBuilderAPI_MakeEdge(a, b).Shape(); }
+
+long faces_with_area(const Model& model) {
+  return std::count_if(model.faces.begin(), model.faces.end(), [](const Face& face) { return face.has_area; });
+}
+
+long junctions(const Model& model) {
+  return std::count_if(model.edges.begin(), model.edges.end(),
+                       [](const Edge& edge) { return edge.faces.size() > 2 && !edge.is_degenerate; });
+}
+
+long free_edges(const Model& model) {
+  return std::count_if(model.edges.begin(), model.edges.end(),
+                       [](const Edge& edge) { return edge.faces.size() == 1 && !edge.is_degenerate; });
+}
+
+Options with(Connect connect) {
+  Options options;
+  options.connect = connect;
+  return options;
+}
+
+struct Case {
+  const char* name;
+  TopoDS_Shape shape;
+  long faces, junctions, free;
+  std::vector<ContactKind> contacts;
+  std::size_t components;
+};
+
+std::vector<Case> cases() {
+  using enum ContactKind;
+  TopoDS_Shape cube = box(0, 0, 0, 50, 50, 50), plate = box(-100, -100, -10, 200, 200, 10);
+  TopoDS_Shape floor = sheet(0, 0, 100, 0, 100);
+  return {
+      {"same face", compound({cube, box(50, 0, 0, 50, 50, 50)}), 11, 4, 0, {face}, 1},
+      {"part of a face", compound({cube, box(50, 10, 15, 30, 20, 20)}), 12, 4, 0, {face}, 1},
+      {"shifted", compound({cube, box(50, 25, 0, 50, 50, 50)}), 13, 4, 0, {face}, 1},
+      {"edge only", compound({cube, box(50, 50, 0, 50, 50, 50)}), 12, 1, 0, {edge}, 1},
+      {"corner only", compound({cube, box(50, 50, 50, 50, 50, 50)}), 12, 0, 0, {point}, 1},
+      {"crossing", compound({cube, box(25, 25, 25, 50, 50, 50)}), 18, 6, 0, {crossing}, 1},
+      {"one in the other", compound({cube, box(15, 15, 15, 20, 20, 20)}), 12, 0, 0, {}, 2},
+      {"apart", compound({cube, box(60, 0, 0, 50, 50, 50)}), 12, 0, 0, {}, 2},
+      {"rod on a plate", compound({plate, BRepPrimAPI_MakeCylinder(3, 60).Shape()}), 9, 1, 0, {face}, 1},
+      {"fin on a sheet", compound({floor, fin(50, 20, 80, 0, 30)}), 2, 1, 7, {edge}, 1},
+      {"fin at the rim", compound({floor, fin(50, 20, 100, 0, 30)}), 2, 1, 8, {edge}, 1},
+      {"fin across", compound({floor, fin(50, 0, 100, 0, 30)}), 3, 1, 9, {edge}, 1},
+      {"sheets crossing", compound({floor, fin(50, 20, 80, -30, 30)}), 3, 1, 8, {crossing}, 1},
+      {"fins crossing on a sheet",
+       compound({floor, fin(50, 20, 80, 0, 30),
+                 BRepBuilderAPI_MakeFace(gp_Pln(gp_Ax3(gp_Pnt(50, 0, 0), gp_Dir(1, 0, 0), gp_Dir(0, 1, 0))), 20, 80, 0, 30)
+                     .Shape()}),
+       5, 5, 16, {edge, edge, crossing}, 1},
+      {"patch on a board", compound({box(0, 0, 0, 40, 20, 3), sheet(3, 5, 15, 5, 15)}), 7, 0, 0, {face}, 1},
+      {"wire on a sheet", compound({floor, wire({50, 50, 0}, {50, 50, 40})}), 1, 0, 4, {point}, 1},
+      {"wire in a sheet", compound({floor, wire({20, 50, 0}, {80, 50, 0})}), 1, 0, 4, {edge}, 1},
+  };
+}
+
+TEST(Connect, SharesWhatPartsHaveInCommon) {
+  for (const Case& c : cases()) {
+    SCOPED_TRACE(c.name);
+    const Model model = model_of(c.shape);
+    EXPECT_EQ(faces_with_area(model), c.faces);
+    EXPECT_EQ(junctions(model), c.junctions);
+    EXPECT_EQ(free_edges(model), c.free);
+    std::vector<ContactKind> kinds;
+    for (const Contact& contact : model.report.contacts) kinds.push_back(contact.kind);
+    EXPECT_EQ(kinds, c.contacts);
+    EXPECT_TRUE(model.report.unconnected.empty());
+    for (const Face& face : model.faces) EXPECT_EQ(face.fault, "") << face.name;
+  }
+}
+
+TEST(Connect, MeshesAreOnePieceWithoutCracks) {
+  for (const Case& c : cases()) {
+    SCOPED_TRACE(c.name);
+    const RunReport report = report_of(c.shape, 7);
+    EXPECT_EQ(report.components.size(), c.components);
+    EXPECT_EQ(report.quality.inverted + report.quality.undecided, 0);
+    EXPECT_NEAR(report.quality.mesh_area, report.quality.cad_area, 1e-3 * report.quality.cad_area);
+    EXPECT_EQ(report.quality.nonmanifold_edges > 0, c.junctions > 0);
+    EXPECT_EQ(report.quality.border_edges > 0, c.free > 0);
+    for (const FaceReport& face : report.faces) EXPECT_NE(face.status, FaceStatus::failed) << face.name << face.reason;
+  }
+}
+
+TEST(Connect, ACommonFaceKnowsBothSidesAndNames) {
+  const Model model = model_of(compound({box(0, 0, 0, 50, 50, 50), box(50, 10, 15, 30, 20, 20)}));
+  const Face& common = model.faces.back();
+  EXPECT_EQ(common.name, "Face2 + Face7");  // x = 50 of the first box, of the second
+  ASSERT_EQ(common.back.size(), 1u);
+  ASSERT_EQ(common.front.size(), 1u);
+  EXPECT_EQ(model.parts[static_cast<std::size_t>(common.back[0])], "Solid1");
+  EXPECT_EQ(model.parts[static_cast<std::size_t>(common.front[0])], "Solid2");
+  EXPECT_NEAR(common.area, 400, 1e-6);
+  ASSERT_EQ(model.report.contacts.size(), 1u);
+  EXPECT_EQ(model.report.contacts[0].faces, (std::vector<std::string>{"Face2", "Face7"}));
+  EXPECT_NEAR(model.report.contacts[0].size, 400, 1e-6);
+  EXPECT_EQ(model.report.contacts[0].gap, 0);
+}
+
+TEST(Connect, SidesFollowAPartThatIsInsideOut) {
+  const TopoDS_Shape second = box(50, 10, 15, 30, 20, 20).Reversed();
+  const Model model = model_of(compound({box(0, 0, 0, 50, 50, 50), second}));
+  const Face& common = model.faces.back();
+  ASSERT_EQ(common.front.size() + common.back.size(), 2u);
+  EXPECT_EQ(model.parts[static_cast<std::size_t>(common.back.at(0))], "Solid1");
+  EXPECT_EQ(model.parts[static_cast<std::size_t>(common.front.at(0))], "Solid2");
+}
+
+TEST(Connect, WhatLiesInsideIsKnownAndAUnionDropsIt) {
+  const TopoDS_Shape crossing = compound({box(0, 0, 0, 50, 50, 50), box(25, 25, 25, 50, 50, 50)});
+  const Model both = model_of(crossing);
+  long inside = std::count_if(both.faces.begin(), both.faces.end(),
+                              [](const Face& face) { return !face.front.empty() && !face.back.empty(); });
+  EXPECT_EQ(inside, 6);
+  const Model skin = model_of(crossing, with(Connect::united));
+  EXPECT_EQ(faces_with_area(skin), 12);
+  EXPECT_EQ(junctions(skin), 0);
+  EXPECT_EQ(free_edges(skin), 0);
+  const Model outer = model_of(compound({box(0, 0, 0, 50, 50, 50), box(15, 15, 15, 20, 20, 20)}), with(Connect::united));
+  EXPECT_EQ(faces_with_area(outer), 6);
+  const Model foot = model_of(compound({box(-100, -100, -10, 200, 200, 10), BRepPrimAPI_MakeCylinder(3, 60).Shape()}),
+                              with(Connect::united));
+  EXPECT_EQ(faces_with_area(foot), 8);
+  EXPECT_EQ(junctions(foot), 0);
+}
+
+TEST(Connect, NoneLeavesPartsAsDrawnAndReportsContacts) {
+  const Model model = model_of(compound({box(0, 0, 0, 50, 50, 50), box(50, 0, 0, 50, 50, 50)}), with(Connect::none));
+  EXPECT_EQ(model.faces.size(), 12u);
+  EXPECT_EQ(junctions(model), 0);
+  ASSERT_EQ(model.report.contacts.size(), 1u);
+  EXPECT_EQ(model.report.contacts[0].kind, ContactKind::face);
+}
+
+TEST(Connect, AWireAloneIsMeshed) {
+  const RunReport report = report_of(compound({wire({0, 0, 0}, {0, 0, 60}), wire({0, 0, 60}, {40, 0, 80})}), 10);
+  EXPECT_EQ(report.quality.wire_lines, 6 + 4);
+  EXPECT_EQ(report.quality.quads + report.quality.triangles, 0);
+}
+
+}  // namespace
+}  // namespace paver
