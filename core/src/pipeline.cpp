@@ -20,7 +20,7 @@
 #include "paver/mesher.h"
 #include "paver/ranks.h"
 #include "quality/report.h"
-#include "regions/build_regions.h"
+#include "regions/divide_loops.h"
 #include "topology/build_model.h"
 #include "topology/edge_entities.h"
 #include "topology/components.h"
@@ -28,7 +28,6 @@
 namespace paver {
 namespace {
 
-constexpr int most_refinements = 12;  // rounds of dividing edges whose divisions cross
 constexpr const char* kernel_failure = "The CAD kernel failed at this model; report it with the model";
 
 class Run {
@@ -139,42 +138,21 @@ class Run {
     return counts;
   }
 
-  // Boundary nodes and regions; edges whose divisions cross in a chart are divided further until they do not.
+  // Boundary nodes and regions; faces whose loops cross are none of them.
   void divide() {
     std::vector<FaceLayout> layouts;
-    std::vector<int> counts = count_intervals(layouts);
-    for (int round = 0;; ++round) {
-      nodes_ = divide_edges(model_, size_, counts, shared_);
-      regions_ = build_regions(model_, size_, layouts, nodes_);
-      if (round == most_refinements || !refine_crossings(counts)) break;
+    const std::vector<int> counts = count_intervals(layouts);
+    DividedLoops divided = divide_loops(model_, size_, layouts, counts, shared_);
+    nodes_ = std::move(divided.nodes);
+    regions_ = std::move(divided.regions);
+    for (const CrossingFace& failure : divided.failures) {
+      FaceReport& report = result_.report.faces[failure.face];
+      report.status = FaceStatus::failed;
+      report.stage = stage_name(Stage::regions);
+      report.reason = failure.reason;
+      report.where = failure.where;
     }
     begin(Stage::regions);
-  }
-
-  // Doubles the counts of crossing edges, keeping their parity. Whether anything crossed.
-  bool refine_crossings(std::vector<int>& counts) {
-    constexpr double node_cost = 2;  // microseconds
-    std::vector<double> task_costs;
-    for (const Region& region : regions_) {
-      double nodes = 0;
-      for (const auto& loop : region.loops) nodes += static_cast<double>(loop.size());
-      task_costs.push_back(region.laid ? 0 : node_cost * nodes);
-    }
-    using Pair = std::array<int, 2>;
-    const std::vector<Pair> crossing = shared_.run<Pair>(Stage::boundary, task_costs, [&](int i) {
-      return find_crossing(regions_[static_cast<std::size_t>(i)]).value_or(Pair{-1, -1});
-    });
-    std::vector<long> times_found(counts.size(), 0);
-    for (const Pair& pair : crossing)
-      for (int e : pair)
-        if (e >= 0 && counts[e] < 100000) ++times_found[e];
-    bool is_refined = false;
-    for (std::size_t e = 0; e < counts.size(); ++e) {
-      if (times_found[e] == 0) continue;
-      counts[e] = 2 * counts[e] + counts[e] % 2;
-      is_refined = true;
-    }
-    return is_refined;
   }
 
   std::vector<double> costs() const {

@@ -139,6 +139,24 @@ Assembler::Invalid Assembler::join_and_curve() {
   return curve();
 }
 
+// Of faces that failed nothing stays: what no other face uses would hang in the mesh.
+BoundaryUse Assembler::boundary_use() const {
+  BoundaryUse use{std::vector<char>(nodes_.nodes.size(), 0), std::vector<char>(nodes_.edges.size(), 0)};
+  for (const Region& region : regions_) {
+    if (report_.faces[region.face].status != FaceStatus::meshed) continue;
+    for (const auto& loop : region.loops)
+      for (const LoopNode& node : loop) {
+        use.nodes[node.global] = 1;
+        if (node.edge >= 0) use.edges[node.edge] = 1;
+      }
+    for (const Fan& fan : region.fans) use.nodes[fan.centre.global] = 1;
+    if (!region.laid) continue;
+    for (int global : region.laid->global)
+      if (global >= 0) use.nodes[global] = 1;
+  }
+  return use;
+}
+
 void Assembler::join() {
   while (true) {
     std::vector<JoinPart> parts;
@@ -149,7 +167,7 @@ void Assembler::join() {
     }
     std::vector<RegionFailure> failures;
     try {
-      joined_ = join_regions(model_, nodes_, parts, paver_.outline_nodes());
+      joined_ = join_regions(model_, nodes_, boundary_use(), parts, paver_.outline_nodes());
     } catch (const Error& error) {
       if (error.code() != ErrorCode::face_failed) throw;
       auto is_of = [&](const Region& region) { return region.face == error.where().face; };

@@ -44,6 +44,7 @@ class Assembler {
   RepairResult straighten();
   Invalid join_and_curve();
   void join();
+  BoundaryUse boundary_use() const;
   Invalid curve();
   Invalid count_invalid();
   void note_invalid(const Invalid& invalid);

@@ -91,7 +91,7 @@ void Assembler::number() {
   const std::vector<PartRow> all = gather_rows(mine, ranks_);
   const Shared outlines(joined_.outline, static_cast<std::size_t>(paver_.outline_nodes()), ranks_);
   Numberer numberer(share, ranks_);
-  const long boundary = static_cast<long>(nodes_.nodes.size());
+  const long boundary = joined_.boundary_nodes;
   numberer.add_common(0, boundary);
   numberer.add_shared(boundary, joined_.outline, outlines);
   std::vector<long> first = Numberer::firsts(all, &PartRow::nodes, boundary + outlines.count);

@@ -21,29 +21,21 @@ void add_element(SurfaceMesh& mesh, const Element& e, const std::vector<int>& no
   (n == 4 ? mesh.quad_face : mesh.triangle_face).push_back(index);
 }
 
-void add_lines(const EdgeNodes& edges, SurfaceMesh& mesh) {
-  for (std::size_t e = 0; e < edges.edges.size(); ++e) {
-    const EdgeDivision& d = edges.edges[e];
-    for (int i = 0; i < d.intervals(); ++i) {
-      mesh.lines.push_back(d.node[i]);
-      mesh.lines.push_back(d.node[i + 1]);
-      mesh.line_edge.push_back(static_cast<int>(e));
-    }
-  }
-}
-
 class Joiner {
  public:
-  Joiner(const Model& model, const EdgeNodes& edges, const std::vector<JoinPart>& parts, int outlines)
-      : model_(model), edges_(edges), parts_(parts), outline_node_(static_cast<std::size_t>(outlines), -1) {}
+  Joiner(const Model& model, const EdgeNodes& edges, const BoundaryUse& use, const std::vector<JoinPart>& parts,
+         int outlines)
+      : model_(model),
+        edges_(edges),
+        use_(use),
+        parts_(parts),
+        boundary_node_(edges.nodes.size(), -1),
+        outline_node_(static_cast<std::size_t>(outlines), -1) {}
 
   JoinedMesh run() {
-    SurfaceMesh& mesh = joined_.mesh;
-    mesh.nodes = edges_.nodes;
-    mesh.node_edge = edges_.node_edge;
-    mesh.node_target = edges_.node_target;
-    add_lines(edges_, mesh);
     reserve();
+    add_boundary();
+    add_lines();
     add_outlines();
     joined_.node_of.resize(parts_.size());
     joined_.sizes.resize(parts_.size());
@@ -63,6 +55,30 @@ class Joiner {
     mesh.nodes.reserve(nodes), mesh.node_edge.reserve(nodes), mesh.node_target.reserve(nodes);
     mesh.quads.reserve(4 * elements), mesh.quad_face.reserve(elements);
     joined_.quad_source.reserve(elements);
+  }
+
+  void add_boundary() {
+    SurfaceMesh& mesh = joined_.mesh;
+    for (std::size_t i = 0; i < boundary(); ++i) {
+      if (!use_.nodes[i]) continue;
+      boundary_node_[i] = static_cast<int>(mesh.nodes.size());
+      mesh.nodes.push_back(edges_.nodes[i]);
+      mesh.node_edge.push_back(edges_.node_edge[i]);
+      mesh.node_target.push_back(edges_.node_target[i]);
+    }
+    joined_.boundary_nodes = static_cast<long>(mesh.nodes.size());
+  }
+
+  void add_lines() {
+    SurfaceMesh& mesh = joined_.mesh;
+    for (std::size_t e = 0; e < edges_.edges.size(); ++e) {
+      const EdgeDivision& d = edges_.edges[e];
+      for (int i = 0; use_.edges[e] && i < d.intervals(); ++i) {
+        mesh.lines.push_back(boundary_node_[d.node[i]]);
+        mesh.lines.push_back(boundary_node_[d.node[i + 1]]);
+        mesh.line_edge.push_back(static_cast<int>(e));
+      }
+    }
   }
 
   int add_node(const RegionMesh& region, int i) {
@@ -108,7 +124,8 @@ class Joiner {
       if (global < 0)
         node_of[v] = add_node(region, v);
       else
-        node_of[v] = global < static_cast<int>(boundary()) ? global : outline_node_[outline_of(part, v)];
+        node_of[v] =
+            global < static_cast<int>(boundary()) ? boundary_node_[global] : outline_node_[outline_of(part, v)];
     }
     for (std::size_t e = 0; e < region.elements.size(); ++e) {
       const Element& element = region.elements[e];
@@ -122,15 +139,18 @@ class Joiner {
 
   const Model& model_;
   const EdgeNodes& edges_;
+  const BoundaryUse& use_;
   const std::vector<JoinPart>& parts_;
-  std::vector<int> outline_node_;  // per outline node: its node in the mesh
+  std::vector<int> boundary_node_;  // per node of the boundary stage: its node in the mesh
+  std::vector<int> outline_node_;   // per outline node: its node in the mesh
   JoinedMesh joined_;
 };
 
 }  // namespace
 
-JoinedMesh join_regions(const Model& model, const EdgeNodes& edges, const std::vector<JoinPart>& parts, int outlines) {
-  return Joiner(model, edges, parts, outlines).run();
+JoinedMesh join_regions(const Model& model, const EdgeNodes& edges, const BoundaryUse& use,
+                        const std::vector<JoinPart>& parts, int outlines) {
+  return Joiner(model, edges, use, parts, outlines).run();
 }
 
 }  // namespace paver

@@ -31,14 +31,21 @@ struct JoinedMesh {
   /// Per quad: its part, and its element there.
   std::vector<std::array<int, 2>> quad_source;
   std::vector<PartSizes> sizes;  ///< per part
+  long boundary_nodes = 0;       ///< nodes of the boundary stage in `mesh`, its first ones
   std::vector<int> outline;      ///< the outline nodes in `mesh`, rising: they follow those of the boundary stage
 };
 
-/// Nodes: those of the boundary stage first, the outline nodes (`outlines` of all regions) that are used, then each
-/// part's own in order. Elements of reversed faces are turned, so all run counter-clockwise against the outward normal.
-/// Throws Error{face_failed} naming the face when an element would use a node twice.
-JoinedMesh join_regions(const Model& model, const EdgeNodes& edges, const std::vector<JoinPart>& parts,
-                        int outlines = 0);
+/// What of the boundary stage belongs to a mesh.
+struct BoundaryUse {
+  std::vector<char> nodes, edges;  ///< per node, per edge
+};
+
+/// Nodes: those of the boundary stage that are in `use` first, the outline nodes (`outlines` of all regions) that are
+/// used, then each part's own in order. Lines: of the edges in `use`. Elements of reversed faces are turned, so all run
+/// counter-clockwise against the outward normal. Throws Error{face_failed} naming the face when an element would use a
+/// node twice.
+JoinedMesh join_regions(const Model& model, const EdgeNodes& edges, const BoundaryUse& use,
+                        const std::vector<JoinPart>& parts, int outlines = 0);
 
 /// A node's number among all shared ones: boundary stage, then outlines. `global` >= 0.
 inline int shared_node(int global, int outline, std::size_t boundary_nodes) {

@@ -24,6 +24,7 @@ constexpr int most_rings = 4, most_elements = 60;
 constexpr double most_excess = 14;  // energy and spread together that a fill may lack as it is laid
 constexpr int most_hexagons = 24;   // divisions tried for one pair of triangles
 constexpr int sweeps = 13;
+constexpr std::size_t most_growth = 40;  // elements made, by those there are; on all models at hand up to 5
 // Even lengths may cost energy: a change as dear as this is tried where a likely share of the spread about it would pay
 // for it, and where it brings the number of elements nearer to what the area wants.
 constexpr double dearest = 2.5, dearest_turn = 0.5, likely_share = 0.25, least_fall = 0.1, least_fit = 0.05;
@@ -42,7 +43,13 @@ constexpr Demand mending_demand{-100, 0.45, 0.4, 0.1};
 class CleanUp {
  public:
   CleanUp(Front& front, const Progress& progress)
-      : mesh_(front.mesh), progress_(progress), edit_(front), moves_(edit_), cavity_(edit_), pairs_(edit_) {}
+      : mesh_(front.mesh),
+        progress_(progress),
+        edit_(front),
+        moves_(edit_),
+        cavity_(edit_),
+        pairs_(edit_),
+        most_made_(1000 + most_growth * front.mesh.elements.size()) {}
 
   void run() {
     push_all();
@@ -125,12 +132,13 @@ class CleanUp {
 
   template <class Improve>
   void work(Improve improve_node) {
-    std::size_t most = 20 * mesh_.p.size() + 100;
+    const std::size_t most = 20 * mesh_.p.size() + 100;
     for (std::size_t i = 0; i < list_.size(); ++i) {
       if (i % 256 == 0) progress_.check();
       int node = list_[i];
       waits_[node] = 0;
-      if (i < most && mesh_.star[node].size() > 0 && improve_node(node)) push(node);
+      if (i < most && mesh_.elements.size() < most_made_ && mesh_.star[node].size() > 0 && improve_node(node))
+        push(node);
     }
     list_.clear();
   }
@@ -245,6 +253,7 @@ class CleanUp {
   std::vector<int> list_;
   std::vector<char> waits_;                // per node: on the list
   std::vector<char> is_stuck_;             // per node: no elementary change helped since the last edit there
+  const std::size_t most_made_;            // elements, those replaced among them
   std::unordered_set<std::size_t> tried_;  // outlines whose fill was taken or was not good
 };
 

@@ -87,8 +87,8 @@ bool Cavity::trace_outline() {
   do {
     loop_.push_back(a);
     a = std::max(rim_[a].next[0], rim_[a].next[1]);
-  } while (a != first);
-  return static_cast<int>(loop_.size()) == sides_;
+  } while (a != first && static_cast<int>(loop_.size()) < sides_);
+  return a == first && static_cast<int>(loop_.size()) == sides_;
 }
 
 // What each outline node costs as a corner and as a flat node, and how many

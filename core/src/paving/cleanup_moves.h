@@ -32,8 +32,9 @@ class Moves {
         if (find_pair(e, node, k) && each_division(wanted, visit)) return;
     }
     if (!collect_ring(node)) return;
-    for (int from = 0, n = static_cast<int>(ring_.size()); from < n; ++from)
-      for (int count = 2; find_opening(node, from, count); ++count) {
+    const int n = static_cast<int>(ring_.size()), step = n <= most_openings ? 1 : n / few_openings;
+    for (int from = 0; from < n; from += step)
+      for (int count = 1 + step; find_opening(node, from, count); count += step) {
         if (!wanted(gain_, std::span<const int>(taken_), count + 1)) continue;
         make_opening(node);
         if (visit(change_, gain_)) return;
@@ -77,6 +78,8 @@ class Moves {
   void make_opening(int node);
 
   static constexpr int hexagon_divisions = 7;
+  // Of the openings of a node with very many elements, which are as many as their square, only some are tried.
+  static constexpr int most_openings = 40, few_openings = 10;
   MeshEdit& edit_;
   RegionMesh& mesh_;
   Change change_;

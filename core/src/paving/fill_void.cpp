@@ -22,18 +22,29 @@ class VoidFiller {
       bool is_changed = false;
       for (int f : open_)
         if (front_.facets[f].is_alive && advance(f)) is_changed = true;
-      bool is_over = static_cast<long>(front_.mesh.elements.size()) > budget_;
-      if (!is_changed || is_over) close_smallest(is_over);
+      check_budget();
+      if (!is_changed) close_smallest();
     }
   }
 
  private:
-  // More than any sound run needs: paving ends even where it would go on for ever.
+  // More than any sound run needs: rows before short facets, and the area in the least squares that curvature, or a
+  // length given for a part of the face, asks for. On all models at hand paving makes a quarter of it at most.
   long most_elements() const {
     double least = std::min(region_.h, region_.size.least());
-    for (double h : front_.mesh.h) least = std::min(least, std::max(h, 0.02 * region_.h));
-    return 1000 + 40 * static_cast<long>(front_.facets.size()) +
+    if (region_.size.is_graded())
+      for (double h : front_.mesh.h) least = std::min(least, std::max(h, 0.02 * region_.h));
+    return 10000 + 100 * static_cast<long>(front_.facets.size()) +
            static_cast<long>(std::min(8 * region_.area / (least * least), 1e12));
+  }
+
+  void check_budget() const {
+    if (static_cast<long>(front_.mesh.elements.size()) <= budget_) return;
+    const Vec3 x = front_.mesh.x[front_.facets[open_.back()].a];
+    throw Error(ErrorCode::face_failed,
+                "paving makes many times the elements that its area asks for and would not end; repair the face in the "
+                "CAD model or use another size",
+                {"paving", region_.face, -1, x});
   }
 
   // Odd loops get their one triangle, then all loops are coloured.
@@ -137,13 +148,10 @@ class VoidFiller {
     close_seams(front_, near_);
   }
 
-  // Nothing moves any more: the smallest loop (or all, when far too many elements were made) is closed as it is.
-  void close_smallest(bool all) {
-    for (int f : open_) {
-      if (!front_.facets[f].is_alive) continue;
-      close_by_triangulation(front_, f);
-      if (!all) return;
-    }
+  // Nothing moves any more: the smallest loop is closed as it is.
+  void close_smallest() {
+    auto alive = std::find_if(open_.begin(), open_.end(), [&](int f) { return front_.facets[f].is_alive; });
+    if (alive != open_.end()) close_by_triangulation(front_, *alive);
   }
 
   const Region& region_;

@@ -8,6 +8,7 @@
 #include "base/predicates.h"
 #include "mesh/spatial_order.h"
 #include "paving/tips.h"
+#include "regions/crossing_facets.h"
 
 namespace paver {
 
@@ -75,24 +76,14 @@ std::optional<Crossing> Front::start_at(const std::vector<std::vector<int>>& loo
 std::optional<Crossing> Front::start(std::optional<double> sharpest_tip) {
   // About as many as a uniform mesh has: growing by doubling would take half as much memory again.
   mesh.reserve(static_cast<std::size_t>(std::min(1.1 * region.area / (region.h * region.h), 5e7)));
-  // Loops that touch in a vertex share one node; the two sides of a cut do not.
-  std::map<int, std::vector<int>> made;
-  std::vector<std::vector<int>> loops;
-  for (const auto& loop : region.loops) {
-    std::vector<int> nodes;
-    for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
-      int node = -1;
-      for (int other : made[loop[i].global])
-        if (norm(mesh.p[other] - loop[i].p) <= 1e-9 * norm(loop[(i + 1) % n].p - loop[i].p)) node = other;
-      if (node < 0) {
-        node = add_boundary_node(loop, i);
-        made[loop[i].global].push_back(node);
-      }
-      nodes.push_back(node);
-    }
+  std::vector<std::vector<int>> loops = number_loop_nodes(region).of_loop;
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    const std::vector<LoopNode>& loop = region.loops[l];
+    const std::vector<int>& nodes = loops[l];
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      if (nodes[i] == mesh.node_count()) add_boundary_node(loop, i);
     for (std::size_t i = 0, n = loop.size(); i < n; ++i)
       boundary.push_back({nodes[i], nodes[(i + 1) % n], loop[i].edge});
-    loops.push_back(std::move(nodes));
   }
   const std::vector<Vec2> places = mesh.p;
   for (std::size_t l = 0; l < loops.size(); ++l) {

@@ -14,19 +14,6 @@
 
 namespace paver {
 
-std::optional<std::array<int, 2>> find_crossing(const Region& region) {
-  if (region.laid) return std::nullopt;
-  RegionMesh mesh;
-  Front front(region, mesh);
-  auto crossing = front.start();
-  if (!crossing) return std::nullopt;
-  std::vector<int> edge_of_facet;
-  for (const auto& loop : region.loops)
-    for (const LoopNode& node : loop) edge_of_facet.push_back(node.edge);
-  auto edge = [&](int f) { return f >= 0 && f < static_cast<int>(edge_of_facet.size()) ? edge_of_facet[f] : -1; };
-  return std::array<int, 2>{edge(crossing->facet), edge(crossing->other)};
-}
-
 namespace {
 
 /// One way of paving: smaller elements resolve what turned out too coarse, the other rule for rows takes other ways.
@@ -70,9 +57,10 @@ PavedRegion pave_whole(const Region& region, const Attempt& attempt, const Progr
   Front front(region, paved.mesh);
   if (auto crossing = front.start(elements == Elements::all_quad ? 0 : sharpest_tip)) {
     const Vec3 x = front.mesh.x[front.facets[crossing->facet].a];
-    throw Error(ErrorCode::face_failed,
-                "its boundary, divided at this target length, crosses or touches itself; use a smaller size",
-                {"paving", region.face, -1, x});
+    throw Error(
+        ErrorCode::face_failed,
+        "its loops cross, touch or run the wrong way round; repair the face in the CAD model or use a smaller size",
+        {"paving", region.face, -1, x});
   }
   paved.counts = pave_front(front, attempt, progress, elements);
   return paved;

@@ -1,9 +1,6 @@
 // Paves one region: loops in, quads out.
 #pragma once
 
-#include <array>
-#include <optional>
-
 #include "mesh/region_mesh.h"
 #include "paver/options.h"
 #include "paver/progress.h"
@@ -16,9 +13,6 @@ struct PavedRegion {
   RegionMesh mesh;
   PavingCounts counts;
 };
-
-/// The B-rep edges (one may be -1) whose divisions cross or touch in the region's chart, or nothing.
-std::optional<std::array<int, 2>> find_crossing(const Region& region);
 
 /// Self-contained and deterministic. Tries again in other ways, and finer, while an element is unsound, and gives the
 /// best. Throws Error{face_failed} with a point when the region's loops cross in the chart, Error{cancelled} on cancel.

@@ -76,7 +76,8 @@ Location VoidTriangulation::walk(int start, int node, Vec2 target) const {
   Vec2 o = at(node);
   int k = corner_of(t, node);
   int u = triangles_[t].v[(k + 1) % 3], w = triangles_[t].v[(k + 2) % 3];
-  while (true) {  // the line from o to target passes between u (right) and w (left), out of t opposite corner k
+  // The line from o to target passes between u (right) and w (left), out of t opposite corner k.
+  for (int left = triangle_count(); left > 0; --left) {
     const auto& v = triangles_[t].v;
     double side[3];
     bool is_inside = true;
@@ -101,6 +102,7 @@ Location VoidTriangulation::walk(int start, int node, Vec2 target) const {
     (z_is_left ? w : u) = z;
     t = next;
   }
+  return {};
 }
 
 bool VoidTriangulation::insert(int node, const Location& where) {
@@ -267,7 +269,7 @@ bool VoidTriangulation::recover(int start, int a, int b) {
     }
     int j = side_between(next, u, w);
     int z = triangles_[next].v[j];
-    if (static_cast<int>(crossed_.size()) > most_crossed_) return false;
+    if (static_cast<int>(crossed_.size()) > std::min(most_crossed_, triangle_count())) return false;
     crossed_.push_back(next);
     t = next;
     if (z == b) break;
@@ -487,8 +489,10 @@ std::optional<Crossing> VoidTriangulation::build(const std::vector<std::pair<int
   legalise(all);
   spoiled_.clear();
   most_crossed_ = 64;
-  for (int f = 0; f < count; ++f)
-    if (facet_side_[f].triangle < 0 || !triangles_[facet_side_[f].triangle].is_alive) return Crossing{f, -1};
+  for (int f = 0; f < count; ++f) {  // another facet may have taken its side
+    const auto [t, corner] = facet_side_[f];
+    if (t < 0 || !triangles_[t].is_alive || triangles_[t].n[corner] != facet_code(f)) return Crossing{f, -1};
+  }
   return std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "support/alone.h"
+#include "support/boundary_use.h"
 #include "support/fake_model.h"
 
 namespace paver {
@@ -44,7 +45,7 @@ struct Wall {
   OrderTwoMesh raised(const std::vector<const RegionMesh*>& meshes) const {
     std::vector<JoinPart> join;
     for (std::size_t i = 0; i < meshes.size(); ++i) join.push_back({static_cast<int>(i), meshes[i]});
-    JoinedMesh joined = join_regions(model, edges, join);
+    JoinedMesh joined = join_regions(model, edges, test::all_of(edges), join);
     std::vector<Region> regions(meshes.size());
     std::vector<CurvingPart> parts;
     for (std::size_t i = 0; i < meshes.size(); ++i) {

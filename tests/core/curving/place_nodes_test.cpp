@@ -12,6 +12,7 @@
 #include "quality/jacobian.h"
 #include "regions/build_regions.h"
 #include "support/alone.h"
+#include "support/boundary_use.h"
 #include "support/fake_model.h"
 
 namespace paver {
@@ -34,7 +35,7 @@ struct Meshed {
     for (const Region& region : regions) paved.push_back(pave_region(region, progress).mesh);
     std::vector<JoinPart> join;
     for (std::size_t i = 0; i < regions.size(); ++i) join.push_back({regions[i].face, &paved[i]});
-    joined = join_regions(model, edges, join);
+    joined = join_regions(model, edges, test::all_of(edges), join);
     for (std::size_t i = 0; i < regions.size(); ++i) parts.push_back({&regions[i], &paved[i], &joined.node_of[i]});
   }
   SurfaceMesh curved(int threads = 1, const Progress& progress = Progress()) const {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "support/alone.h"
+#include "support/boundary_use.h"
 #include "support/fake_model.h"
 
 namespace paver {
@@ -65,7 +66,7 @@ RegionMesh four_quads(const EdgeNodes& edges, Vec3 at, bool is_turned) {
 TEST(JoinRegions, NeighboursShareTheNodesOfTheirEdge) {
   Pair pair = two_squares();
   RegionMesh left = four_quads(pair.edges, {0, 0, 0}, false), right = four_quads(pair.edges, {1, 0, 0}, true);
-  JoinedMesh joined = join_regions(pair.model, pair.edges, {{0, &left}, {1, &right}});
+  JoinedMesh joined = join_regions(pair.model, pair.edges, test::all_of(pair.edges), {{0, &left}, {1, &right}});
   const SurfaceMesh& mesh = joined.mesh;
   EXPECT_EQ(mesh.nodes.size(), 15u);  // 6 vertices, 7 on edges, 2 inside
   EXPECT_EQ(mesh.node_edge.size(), 15u);
@@ -86,7 +87,7 @@ TEST(JoinRegions, NeighboursShareTheNodesOfTheirEdge) {
 TEST(JoinRegions, ElementsRunCounterClockwiseAgainstTheOutwardNormal) {
   Pair pair = two_squares();
   RegionMesh left = four_quads(pair.edges, {0, 0, 0}, false), right = four_quads(pair.edges, {1, 0, 0}, true);
-  SurfaceMesh mesh = join_regions(pair.model, pair.edges, {{0, &left}, {1, &right}}).mesh;
+  SurfaceMesh mesh = join_regions(pair.model, pair.edges, test::all_of(pair.edges), {{0, &left}, {1, &right}}).mesh;
   for (std::size_t q = 0; q < mesh.quad_count(); ++q) {
     auto x = [&](std::size_t k) { return mesh.nodes[static_cast<std::size_t>(mesh.quads[4 * q + k])]; };
     EXPECT_GT(cross(x(1) - x(0), x(3) - x(0)).z, 0) << q;
@@ -95,7 +96,7 @@ TEST(JoinRegions, ElementsRunCounterClockwiseAgainstTheOutwardNormal) {
 
 TEST(JoinRegions, LinesRunAlongEveryEdge) {
   Pair pair = two_squares();
-  SurfaceMesh mesh = join_regions(pair.model, pair.edges, {}).mesh;
+  SurfaceMesh mesh = join_regions(pair.model, pair.edges, test::all_of(pair.edges), {}).mesh;
   ASSERT_EQ(mesh.line_edge, (std::vector<int>{0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6}));
   for (std::size_t e = 0; e < 7; ++e) {
     EXPECT_EQ(mesh.lines[4 * e], pair.model.edges[e].start);
@@ -104,10 +105,31 @@ TEST(JoinRegions, LinesRunAlongEveryEdge) {
   }
 }
 
+TEST(JoinRegions, WhatNoFaceUsesIsLeftOut) {
+  Pair pair = two_squares();
+  RegionMesh right = four_quads(pair.edges, {1, 0, 0}, true);
+  BoundaryUse use{std::vector<char>(pair.edges.nodes.size(), 0), {0, 1, 0, 0, 1, 1, 1}};
+  for (int global : right.global)
+    if (global >= 0) use.nodes[static_cast<std::size_t>(global)] = 1;
+  JoinedMesh joined = join_regions(pair.model, pair.edges, use, {{0, nullptr}, {1, &right}});
+  const SurfaceMesh& mesh = joined.mesh;
+  EXPECT_EQ(joined.boundary_nodes, 8);
+  EXPECT_EQ(mesh.nodes.size(), 9u);
+  EXPECT_EQ(mesh.node_edge.size(), 9u);
+  EXPECT_EQ(mesh.node_target.size(), 9u);
+  EXPECT_EQ(mesh.line_edge, (std::vector<int>{1, 1, 4, 4, 5, 5, 6, 6}));
+  std::vector<char> is_used(9, 0);
+  for (int node : mesh.quads) is_used.at(static_cast<std::size_t>(node)) = 1;
+  EXPECT_EQ(is_used, std::vector<char>(9, 1));
+  for (int node : mesh.lines) EXPECT_GE(mesh.nodes.at(static_cast<std::size_t>(node)).x, 1);
+  for (std::size_t i = 1; i < 10; ++i)
+    EXPECT_EQ(norm(mesh.nodes[static_cast<std::size_t>(joined.node_of[1][i])] - right.x[i]), 0) << i;
+}
+
 TEST(JoinRegions, FailedRegionsLeaveTheOthersWhole) {
   Pair pair = two_squares();
   RegionMesh right = four_quads(pair.edges, {1, 0, 0}, true);
-  JoinedMesh joined = join_regions(pair.model, pair.edges, {{0, nullptr}, {1, &right}});
+  JoinedMesh joined = join_regions(pair.model, pair.edges, test::all_of(pair.edges), {{0, nullptr}, {1, &right}});
   EXPECT_EQ(joined.mesh.quad_face, (std::vector<int>{1, 1, 1, 1}));
   EXPECT_EQ(joined.quad_source, (std::vector<std::array<int, 2>>{{1, 0}, {1, 1}, {1, 2}, {1, 3}}));
   ASSERT_EQ(joined.node_of.size(), 2u);
@@ -125,7 +147,7 @@ TEST(JoinRegions, DeadElementsAndTrianglesAreTakenAsTheyAre) {
   left.remove_element(0);
   left.add_element({v[0], v[1], v[2], -1});
   left.add_element({v[0], v[2], v[3], -1});
-  SurfaceMesh mesh = join_regions(pair.model, pair.edges, {{0, &left}}).mesh;
+  SurfaceMesh mesh = join_regions(pair.model, pair.edges, test::all_of(pair.edges), {{0, &left}}).mesh;
   EXPECT_EQ(mesh.quad_count(), 3u);
   EXPECT_EQ(mesh.triangle_face, (std::vector<int>{0, 0}));
 }
@@ -135,7 +157,7 @@ TEST(JoinRegions, AnElementThatWouldUseANodeTwiceNamesItsFace) {
   RegionMesh left = four_quads(pair.edges, {0, 0, 0}, false);
   left.global[2] = left.global[1];  // as when both sides of a periodic edge end in one element
   try {
-    join_regions(pair.model, pair.edges, {{0, &left}});
+    join_regions(pair.model, pair.edges, test::all_of(pair.edges), {{0, &left}});
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::face_failed);

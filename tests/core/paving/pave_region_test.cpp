@@ -287,7 +287,6 @@ TEST(PaveRegion, GivesTheSameMeshTwice) {
 
 TEST(PaveRegion, CrossingLoopsAreAFaceThatFailed) {
   Region region = planar_region({divided(box(8, 8), 1), reversed(divided(box(4, 4, {6, 2}), 1))}, 1);
-  EXPECT_TRUE(find_crossing(region));
   try {
     pave_region(region, Progress());
     FAIL() << "no error";
@@ -296,6 +295,29 @@ TEST(PaveRegion, CrossingLoopsAreAFaceThatFailed) {
     EXPECT_EQ(error.where().stage, "paving");
     EXPECT_TRUE(error.where().point);
   }
+}
+
+TEST(PaveRegion, FarMoreElementsThanTheAreaAsksForAreAFaceThatFailed) {
+  Region region = planar_region({divided(box(500, 500), 1)}, 1);
+  region.area = 1;  // as if it were small
+  try {
+    pave_region(region, Progress());
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::face_failed);
+    EXPECT_EQ(error.where().stage, "paving");
+    EXPECT_TRUE(error.where().point);
+  }
+}
+
+TEST(PaveRegion, ASideDividedFarFinerThanTheOthersEnds) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < 400; ++i) points.push_back({0.025 * i, 0});
+  for (int i = 0; i < 10; ++i) points.push_back({10, 1.0 * i});
+  for (int i = 0; i < 10; ++i) points.push_back({10 - 1.0 * i, 10});
+  for (int i = 0; i < 10; ++i) points.push_back({0, 10 - 1.0 * i});
+  Paved paved = expect_paved({points}, 1);
+  EXPECT_LT(paved.quads + paved.triangles, 20000);
 }
 
 TEST(PaveRegion, StopsWhenCancelled) {

@@ -1,0 +1,195 @@
+// In: region. Out: pairs of facets.
+// Steps: nodes; a tree of boxes about the facets, halved along the longer side; pairs of boxes that meet, down to pairs
+// of facets; these by exact orientation tests.
+#include "regions/crossing_facets.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "base/predicates.h"
+
+namespace paver {
+namespace {
+
+constexpr double one_node = 1e-9;  // of the facet: the same node of the boundary stage this near is one node
+
+struct Box {
+  Vec2 lo{1e300, 1e300}, hi{-1e300, -1e300};
+  void add(Vec2 p) {
+    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
+    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
+  }
+  bool meets(const Box& b) const { return lo.x <= b.hi.x && b.lo.x <= hi.x && lo.y <= b.hi.y && b.lo.y <= hi.y; }
+};
+
+struct Segment {
+  LoopFacet facet;
+  int a, b;  // nodes
+  int edge;
+  Box box;
+  Vec2 middle() const { return 0.5 * (box.lo + box.hi); }
+};
+
+bool comes_before(const Segment& s, const Segment& t) {
+  return std::tie(s.facet.loop, s.facet.place) < std::tie(t.facet.loop, t.facet.place);
+}
+
+class FacetTree {
+ public:
+  FacetTree(const Region& region, std::size_t most) : most_(most) {
+    LoopNodes nodes = number_loop_nodes(region);
+    at_ = std::move(nodes.at);
+    for (std::size_t l = 0; l < region.loops.size(); ++l)
+      add_loop(static_cast<int>(l), nodes.of_loop[l], &region.loops[l]);
+    for (const Fan& fan : region.fans) add_ring(fan);
+    if (!segments_.empty()) build(0, segments_.size());
+  }
+
+  std::vector<std::array<LoopFacet, 2>> pairs() {
+    if (!boxes_.empty()) visit_within(0);
+    auto key = [](const std::array<LoopFacet, 2>& p) { return std::tie(p[0].loop, p[0].place, p[1].loop, p[1].place); };
+    std::sort(found_.begin(), found_.end(), [&](const auto& p, const auto& q) { return key(p) < key(q); });
+    if (found_.size() > most_) found_.resize(most_);
+    return std::move(found_);
+  }
+
+ private:
+  struct Node {
+    Box box;
+    std::size_t first, last;  // of segments_
+    int low = -1, high = -1;  // halves; -1 at a leaf
+  };
+  static constexpr std::size_t leaf_size = 4;
+
+  void add_loop(int loop, const std::vector<int>& nodes, const std::vector<LoopNode>* edges) {
+    for (std::size_t i = 0, n = nodes.size(); i < n; ++i) {
+      Segment s{{loop, static_cast<int>(i)}, nodes[i], nodes[(i + 1) % n], edges ? (*edges)[i].edge : -1, {}};
+      s.box.add(at_[s.a]);
+      s.box.add(at_[s.b]);
+      segments_.push_back(s);
+    }
+    ++loops_;
+  }
+
+  void add_ring(const Fan& fan) {
+    std::vector<int> nodes;
+    for (const LoopNode& node : fan.ring) {
+      nodes.push_back(static_cast<int>(at_.size()));
+      at_.push_back(node.p);
+    }
+    add_loop(loops_, nodes, nullptr);
+  }
+
+  int build(std::size_t first, std::size_t last) {
+    const int here = static_cast<int>(boxes_.size());
+    boxes_.push_back({{}, first, last, -1, -1});
+    Box box;
+    for (std::size_t i = first; i < last; ++i) box.add(segments_[i].box.lo), box.add(segments_[i].box.hi);
+    boxes_[here].box = box;
+    auto begin = segments_.begin();
+    if (last - first <= leaf_size) {
+      std::sort(begin + static_cast<long>(first), begin + static_cast<long>(last), comes_before);
+      return here;
+    }
+    const bool is_wide = box.hi.x - box.lo.x > box.hi.y - box.lo.y;
+    auto before = [&](const Segment& s, const Segment& t) {
+      const double p = is_wide ? s.middle().x : s.middle().y, q = is_wide ? t.middle().x : t.middle().y;
+      return p < q || (p == q && comes_before(s, t));
+    };
+    const std::size_t middle = first + (last - first) / 2;
+    std::nth_element(begin + static_cast<long>(first), begin + static_cast<long>(middle),
+                     begin + static_cast<long>(last), before);
+    const int low = build(first, middle), high = build(middle, last);
+    boxes_[here].low = low, boxes_[here].high = high;
+    return here;
+  }
+
+  void visit_within(int node) {
+    const Node& n = boxes_[node];
+    if (n.low < 0) {
+      for (std::size_t i = n.first; i < n.last; ++i)
+        for (std::size_t j = n.first; j < i; ++j) test(segments_[i], segments_[j]);
+      return;
+    }
+    visit_within(n.low);
+    visit_within(n.high);
+    visit_between(n.low, n.high);
+  }
+
+  void visit_between(int one, int other) {
+    const Node &a = boxes_[one], &b = boxes_[other];
+    if (!a.box.meets(b.box) || found_.size() >= most_) return;
+    if (a.low < 0 && b.low < 0) {
+      for (std::size_t i = a.first; i < a.last; ++i)
+        for (std::size_t j = b.first; j < b.last; ++j) test(segments_[i], segments_[j]);
+    } else if (b.low < 0 || (a.low >= 0 && a.last - a.first >= b.last - b.first)) {
+      visit_between(a.low, other);
+      visit_between(a.high, other);
+    } else {
+      visit_between(one, b.low);
+      visit_between(one, b.high);
+    }
+  }
+
+  void test(const Segment& s, const Segment& t) {
+    if (!s.box.meets(t.box) || !has_trouble(s, t)) return;
+    found_.push_back(comes_before(s, t) ? std::array{s.facet, t.facet} : std::array{t.facet, s.facet});
+  }
+
+  bool has_trouble(const Segment& s, const Segment& t) const {
+    if (s.a == t.a && s.b == t.b) return true;
+    if (s.a == t.b && s.b == t.a) return s.edge != t.edge;
+    if (s.a == t.a) return overlaps(s.a, s.b, t.b);
+    if (s.a == t.b) return overlaps(s.a, s.b, t.a);
+    if (s.b == t.a) return overlaps(s.b, s.a, t.b);
+    if (s.b == t.b) return overlaps(s.b, s.a, t.a);
+    auto side = [&](int a, int b, int c) {
+      const double area = orientation(at_[a], at_[b], at_[c]);
+      return area > 0 ? 1 : (area < 0 ? -1 : 0);
+    };
+    // In line with each other their boxes, which meet, tell.
+    return side(s.a, s.b, t.a) * side(s.a, s.b, t.b) <= 0 && side(t.a, t.b, s.a) * side(t.a, t.b, s.b) <= 0;
+  }
+
+  // Facets from one node to two others lie on one another.
+  bool overlaps(int node, int one, int other) const {
+    const Vec2 o = at_[node];
+    return orientation(o, at_[one], at_[other]) == 0 && dot(at_[one] - o, at_[other] - o) > 0;
+  }
+
+  const std::size_t most_;
+  std::vector<Vec2> at_;
+  std::vector<Segment> segments_;
+  std::vector<Node> boxes_;
+  std::vector<std::array<LoopFacet, 2>> found_;
+  int loops_ = 0;
+};
+
+}  // namespace
+
+LoopNodes number_loop_nodes(const Region& region) {
+  LoopNodes nodes;
+  std::map<int, std::vector<int>> made;
+  for (const auto& loop : region.loops) {
+    std::vector<int>& numbers = nodes.of_loop.emplace_back();
+    for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
+      int node = -1;
+      for (int other : made[loop[i].global])
+        if (norm(nodes.at[other] - loop[i].p) <= one_node * norm(loop[(i + 1) % n].p - loop[i].p)) node = other;
+      if (node < 0) {
+        node = static_cast<int>(nodes.at.size());
+        nodes.at.push_back(loop[i].p);
+        made[loop[i].global].push_back(node);
+      }
+      numbers.push_back(node);
+    }
+  }
+  return nodes;
+}
+
+std::vector<std::array<LoopFacet, 2>> crossing_facets(const Region& region, std::size_t most) {
+  return FacetTree(region, most).pairs();
+}
+
+}  // namespace paver

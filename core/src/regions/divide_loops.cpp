@@ -1,0 +1,233 @@
+// In: model, layouts, interval counts. Out: nodes, regions, faces that failed.
+// Steps, round by round: divide; of each region the facets that cross; where their curves keep apart the edge that
+// bulges more is to have twice as many intervals; where they do not the face fails, and what it asked for is forgotten.
+#include "regions/divide_loops.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "regions/build_regions.h"
+#include "regions/crossing_facets.h"
+#include "regions/curves_apart.h"
+
+namespace paver {
+namespace {
+
+constexpr int most_doublings = 6;         // of one edge: beyond, elements would be slivers a thousand times as long
+constexpr int most_intervals = 100000;    // of an edge that is divided further
+constexpr int most_rounds = 24;           // doublings of several edges one after another
+constexpr std::size_t most_pairs = 1000;  // of one region and round
+
+/// Two facets of one region that cross.
+struct Crossing {
+  int edge = -1;  ///< to be divided further where the curves keep apart
+  int other = -1;
+  Meeting::Kind kind = Meeting::Kind::apart;
+  Vec3 where;
+};
+
+/// What the facets of one region are pieces of.
+class FacetCurves {
+ public:
+  FacetCurves(const Model& model, const EdgeNodes& nodes, const Region& region)
+      : model_(model), nodes_(nodes), region_(region), numbers_(number_loop_nodes(region)) {}
+
+  Crossing judge(const std::array<LoopFacet, 2>& pair) const {
+    const PlaneCurve one = curve(pair[0]), other = curve(pair[1]);
+    const bool is_first = one.bulge(0, 1) >= other.bulge(0, 1);
+    Crossing result;
+    result.edge = edge(pair[is_first ? 0 : 1]);
+    result.other = edge(pair[is_first ? 1 : 0]);
+    const Meeting meeting = find_meeting(one, other, shared_ends(pair));
+    result.kind = meeting.kind;
+    const bool is_apart = meeting.kind == Meeting::Kind::apart;
+    result.where = region_.point(is_apart ? nearest_point(one.start, one.end, other.start, other.end) : meeting.at);
+    if (result.edge < 0) {  // nothing that could be divided
+      std::swap(result.edge, result.other);
+      result.kind = Meeting::Kind::meet;
+    }
+    return result;
+  }
+
+ private:
+  bool is_in_ring(LoopFacet f) const { return f.loop >= static_cast<int>(region_.loops.size()); }
+  const std::vector<LoopNode>& nodes_of(LoopFacet f) const {
+    const std::size_t loops = region_.loops.size(), loop = static_cast<std::size_t>(f.loop);
+    return is_in_ring(f) ? region_.fans[loop - loops].ring : region_.loops[loop];
+  }
+  const LoopNode& node(LoopFacet f, int end) const {
+    const auto& nodes = nodes_of(f);
+    return nodes[(static_cast<std::size_t>(f.place) + static_cast<std::size_t>(end)) % nodes.size()];
+  }
+  int edge(LoopFacet f) const { return is_in_ring(f) ? -1 : node(f, 0).edge; }
+
+  std::vector<SharedEnd> shared_ends(const std::array<LoopFacet, 2>& pair) const {
+    std::vector<SharedEnd> shared;
+    if (is_in_ring(pair[0]) || is_in_ring(pair[1])) return shared;
+    auto number = [&](LoopFacet f, int end) {
+      const std::vector<int>& loop = numbers_.of_loop[static_cast<std::size_t>(f.loop)];
+      return loop[(static_cast<std::size_t>(f.place) + static_cast<std::size_t>(end)) % loop.size()];
+    };
+    for (int i : {0, 1})
+      for (int j : {0, 1})
+        if (number(pair[0], i) == number(pair[1], j))
+          shared.push_back({static_cast<double>(i), static_cast<double>(j)});
+    return shared;
+  }
+
+  PlaneCurve curve(LoopFacet f) const {
+    const LoopNode &a = node(f, 0), &b = node(f, 1);
+    PlaneCurve result{a.p, b.p, nullptr};
+    if (edge(f) < 0) return result;
+    const EdgeDivision& division = nodes_.edges[static_cast<std::size_t>(a.edge)];
+    for (const Loop& loop : model_.faces[static_cast<std::size_t>(region_.face)].loops)
+      for (const Coedge& coedge : loop.coedges) {
+        if (coedge.edge != a.edge) continue;
+        for (int k = 0; k < division.intervals(); ++k) {
+          const int from = coedge.is_reversed ? k + 1 : k, to = coedge.is_reversed ? k : k + 1;
+          if (division.node[static_cast<std::size_t>(from)] != a.global) continue;
+          if (division.node[static_cast<std::size_t>(to)] != b.global) continue;
+          const double s = division.t[2 * static_cast<std::size_t>(from)],
+                       t = division.t[2 * static_cast<std::size_t>(to)];
+          const Chart& chart = *region_.chart;
+          if (!(chart.to_chart(coedge.pcurve->uv(s)) == a.p)) continue;
+          result.at = [&chart, &image = *coedge.pcurve, s, t](double share) {
+            return chart.to_chart(image.uv(s + share * (t - s)));
+          };
+          return result;
+        }
+      }
+    return result;
+  }
+
+  const Model& model_;
+  const EdgeNodes& nodes_;
+  const Region& region_;
+  const LoopNodes numbers_;
+};
+
+/// One for each edge that is to be divided, or the one whose curves do not keep apart.
+std::vector<Crossing> find_crossings(const Model& model, const EdgeNodes& nodes, const Region& region) {
+  std::vector<Crossing> result;
+  if (region.laid) return result;
+  const auto pairs = crossing_facets(region, most_pairs);
+  if (pairs.empty()) return result;
+  const FacetCurves curves(model, nodes, region);
+  for (const auto& pair : pairs) {
+    const Crossing crossing = curves.judge(pair);
+    if (crossing.kind != Meeting::Kind::apart) return {crossing};
+    auto is_known = [&](const Crossing& known) { return known.edge == crossing.edge; };
+    if (std::none_of(result.begin(), result.end(), is_known)) result.push_back(crossing);
+  }
+  return result;
+}
+
+class LoopDivider {
+ public:
+  LoopDivider(const Model& model, const SizeField& size, const std::vector<FaceLayout>& layouts,
+              const std::vector<int>& counts, SharedTasks& tasks)
+      : model_(model), size_(size), layouts_(layouts), counts_(counts), tasks_(tasks) {}
+
+  DividedLoops run() {
+    for (int round = 0;; ++round) {
+      divide();
+      if (round == most_rounds || !part_crossings(round + 1 == most_rounds)) return std::move(result_);
+    }
+  }
+
+ private:
+  void divide() {
+    std::vector<int> counts = counts_;
+    for (std::size_t e = 0; e < counts.size(); ++e)
+      counts[e] = count(static_cast<int>(e), doublings(static_cast<int>(e)));
+    result_.nodes = divide_edges(model_, size_, counts, tasks_);
+    result_.regions = build_regions(model_, size_, layouts_, result_.nodes);
+    std::erase_if(result_.regions, [&](const Region& region) { return has_failed_.contains(region.face); });
+  }
+
+  // What faces that did not fail ask for.
+  int doublings(int edge) const {
+    int most = 0;
+    for (int face : model_.edges[static_cast<std::size_t>(edge)].faces)
+      if (auto asked = asked_.find({face, edge}); asked != asked_.end() && !has_failed_.contains(face))
+        most = std::max(most, asked->second);
+    return most;
+  }
+
+  // An odd count stays odd.
+  int count(int edge, int times) const {
+    int result = counts_[static_cast<std::size_t>(edge)];
+    for (int i = 0; i < times; ++i) result = 2 * result + result % 2;
+    return result;
+  }
+
+  // Whether there were any.
+  bool part_crossings(bool is_last) {
+    constexpr double node_cost = 1;  // microseconds
+    std::vector<double> costs;
+    for (const Region& region : result_.regions) {
+      double nodes = 0;
+      for (const auto& loop : region.loops) nodes += static_cast<double>(loop.size());
+      costs.push_back(region.laid ? 0 : node_cost * nodes);
+    }
+    const auto found = tasks_.run<std::vector<Crossing>>(Stage::boundary, costs, [&](int i) {
+      return find_crossings(model_, result_.nodes, result_.regions[static_cast<std::size_t>(i)]);
+    });
+    std::map<std::pair<int, int>, int> asked = asked_;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const int face = result_.regions[i].face;
+      for (const Crossing& crossing : found[i]) {
+        const int times = doublings(crossing.edge) + 1;
+        if (crossing.kind == Meeting::Kind::meet) {
+          fail(face, crossing, "cross or touch; repair the face in the CAD model");
+        } else if (crossing.kind == Meeting::Kind::near || is_last || times > most_doublings ||
+                   count(crossing.edge, times) > most_intervals) {
+          fail(face, crossing,
+               "come too near to each other for this target length; use a smaller size there or remove the narrow gap");
+        } else {
+          asked[{face, crossing.edge}] = times;
+        }
+      }
+    }
+    asked_ = std::move(asked);
+    for (const CrossingFace& failure : result_.failures) has_failed_.insert(failure.face);
+    return std::any_of(found.begin(), found.end(), [](const auto& list) { return !list.empty(); });
+  }
+
+  void fail(int face, const Crossing& crossing, const char* what) {
+    for (const CrossingFace& known : result_.failures)
+      if (known.face == face) return;
+    result_.failures.push_back({face, fmt::format("{} {}", names(crossing), what), crossing.where});
+  }
+
+  std::string names(const Crossing& crossing) const {
+    if (crossing.edge < 0) return "its own cuts";
+    const std::string& name = model_.edges[static_cast<std::size_t>(crossing.edge)].name;
+    if (crossing.other < 0) return fmt::format("its edge {} and its periodic edge", name);
+    if (crossing.other == crossing.edge) return fmt::format("two pieces of its edge {}", name);
+    const std::string& other = model_.edges[static_cast<std::size_t>(crossing.other)].name;
+    return fmt::format("its edges {} and {}", name, other);
+  }
+
+  const Model& model_;
+  const SizeField& size_;
+  const std::vector<FaceLayout>& layouts_;
+  const std::vector<int>& counts_;
+  SharedTasks& tasks_;
+  DividedLoops result_;
+  std::map<std::pair<int, int>, int> asked_;  // by face and edge: doublings
+  std::set<int> has_failed_;
+};
+
+}  // namespace
+
+DividedLoops divide_loops(const Model& model, const SizeField& size, const std::vector<FaceLayout>& layouts,
+                          const std::vector<int>& counts, SharedTasks& tasks) {
+  return LoopDivider(model, size, layouts, counts, tasks).run();
+}
+
+}  // namespace paver
