@@ -226,6 +226,7 @@ void Assembler::take_over(const RepairResult& repaired) {
   moved_ = std::move(moved);
 }
 
+// A fold may bring other faults along; what becomes of a face is decided by its folds as long as it has any.
 Assembler::Faults Assembler::check() {
   begin_(Stage::quality);
   MeshFaults folded;
@@ -245,7 +246,10 @@ Assembler::Faults Assembler::check() {
   for (const FaceReport& face : report_.faces) checked.is_meshed.push_back(face.status == FaceStatus::meshed);
   check_ = check_mesh(checked, std::move(folded), options_.threads, progress_, ranks_);
   Faults faults;
-  for (std::size_t f = 0; f < model_.faces.size(); ++f) faults.push_back(check_->faults.count(static_cast<int>(f)));
+  for (int face = 0; face < static_cast<int>(model_.faces.size()); ++face) {
+    const long folds = check_->faults.count(face, FaultKind::folded);
+    faults.push_back(folds > 0 ? folds : check_->faults.count(face));
+  }
   return faults;
 }
 

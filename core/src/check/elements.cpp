@@ -131,15 +131,20 @@ class PartElementCheck {
   }
 
   void check_centre(Vec3 blend) {
-    const Vec3 x = node(8);
-    const double length = norm(node(2) - node(0));
     Vec3 normal;
-    Vec2 guess;
+    for (int k = 0; k < 4; ++k) normal += normals_[static_cast<std::size_t>(c_[k])];
+    const double length = norm(node(2) - node(0));
+    if (!is_near(node(8) - blend, normal, length)) check_distance(v_[8], guess_centre(), length);
+  }
+
+  /// As the centre of the sides' middles, in the chart.
+  Vec2 guess_centre() const {
+    Vec2 place;
     for (int k = 0; k < 4; ++k) {
-      normal += normals_[static_cast<std::size_t>(c_[k])];
-      guess = guess + 0.25 * region_.p[c_[k]];
+      const Vec3 off = node(4 + k) - 0.5 * (node(k) + node(next(k)));
+      place = place + 0.5 * guess_middle(region_, c_[k], c_[next(k)], off) - 0.25 * region_.p[c_[k]];
     }
-    if (!is_near(x - blend, normal, length)) check_distance(v_[8], guess, length);
+    return place;
   }
 
   /// Near what the corners let expect, and along the surface from there.
