@@ -44,10 +44,13 @@ class Run {
     Assembler assembler(
         model_, nodes_, regions_, paver, options_, progress_, ranks_, [this](Stage stage) { begin(stage); }, share_);
     assembler.run();
+    measure();
+    while (assembler.drop_faulty()) measure();
+    assembler.note_mending();
     if (is_numbered) assembler.number();
     auto& tasks = result_.report.tasks;
     tasks.insert(tasks.begin(), shared_.times().begin(), shared_.times().end());
-    measure(assembler);
+    finish(assembler);
     name_edges();
     return std::move(share_);
   }
@@ -184,6 +187,10 @@ class Run {
 
   // A face has failed when one of its pieces has, and has no area when none of them has.
   static void add_piece(FaceReport& face, const FaceReport& piece) {
+    if (piece.quads + piece.triangles > 0) face.worst_sj = std::min(face.worst_sj, piece.worst_sj);
+    face.quads += piece.quads;
+    face.triangles += piece.triangles;
+    face.mesh_area += piece.mesh_area;
     bool is_worse = piece.status == FaceStatus::failed && face.status != FaceStatus::failed;
     bool is_first_area = piece.status == FaceStatus::meshed && face.status != FaceStatus::failed &&
                          face.status != FaceStatus::meshed;
@@ -198,17 +205,20 @@ class Run {
     face.closed_by_triangulation += piece.closed_by_triangulation;
   }
 
-  void measure(const Assembler& assembler) {
+  void measure() {
     begin(Stage::quality);
-    double chord = assembler.chord_error();  // by piece, as the regions are
-    merge_pieces();
     std::vector<bool> is_periodic;
     for (const Edge& edge : model_.edges) is_periodic.push_back(edge.is_periodic);
     RunReport& report = result_.report;
     report.quality = ranks_.count() == 1
                          ? measure_quality(result_.mesh, report.target_length, is_periodic, report.faces, progress_)
                          : measure_quality(share_, report.target_length, is_periodic, report.faces, progress_, ranks_);
-    report.quality.chord_error = largest(chord);
+  }
+
+  void finish(const Assembler& assembler) {
+    RunReport& report = result_.report;
+    report.quality.chord_error = largest(assembler.chord_error());
+    merge_pieces();
     measure_wires();
     report.components = find_components(model_, report.faces);
     if (options_.elements == Elements::all_quad) note_triangles();
@@ -249,7 +259,7 @@ class Run {
   }
 
   void measure_wires() {
-    for (int edge : result_.mesh.line_edge) result_.report.quality.wire_lines += model_.edges[edge].faces.empty();
+    for (int edge : result_.mesh.line_edge) result_.report.quality.wire_lines += model_.edges[edge].is_wire();
   }
 
   const Options& options_;

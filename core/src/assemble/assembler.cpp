@@ -18,8 +18,8 @@ namespace {
 constexpr int most_splits = 3;        // rounds of splitting quads that stay invalid
 constexpr int rings_of_mending = 12;  // farther than straighten_at_edges() reaches
 
-bool has_any(const std::vector<long>& invalid) {
-  return std::any_of(invalid.begin(), invalid.end(), [](long n) { return n > 0; });
+bool has_any(const std::vector<long>& faults) {
+  return std::any_of(faults.begin(), faults.end(), [](long n) { return n > 0; });
 }
 
 long sum(const std::vector<long>& counts) { return std::accumulate(counts.begin(), counts.end(), 0L); }
@@ -50,16 +50,36 @@ void Assembler::run() {
   ranks_.add_up(closed);
   for (std::size_t r = 0; r < regions_.size(); ++r)
     report_.faces[regions_[r].face].closed_by_triangulation += closed[r];
-  Invalid invalid = join_and_curve();
+  Faults faults = join_and_curve();
   int next = 1;
   for (int last : {1, further_attempts}) {
-    for (; next <= last && has_any(invalid); ++next) invalid = pave_invalid(std::move(invalid), next);
-    invalid = split_invalid(std::move(invalid));
-    if (options_.order > 1) straighten_last(invalid);
-    if (!has_any(invalid)) break;
+    for (; next <= last && has_any(faults); ++next) faults = pave_faulty(std::move(faults), next);
+    faults = split_invalid(std::move(faults));
+    straighten_last(faults);
+    if (!has_any(faults)) break;
   }
-  note_invalid(invalid);
   report_.tasks = paver_.times();
+}
+
+bool Assembler::drop_faulty() {
+  if (report_.quality.inverted + report_.quality.undecided > 0) {
+    find_invalid();
+    check();
+  }
+  check_areas(model_, report_.faces, *check_);
+  const MeshFaults faults = check_->faults;
+  for (int f : faults.faces()) {
+    FaceReport& face = report_.faces[static_cast<std::size_t>(f)];
+    face.status = FaceStatus::failed;
+    face.stage = stage_name(Stage::quality);
+    face.reason = faults.reason(f);
+    face.where = faults.where(f);
+    face.worst_sj = 1;
+  }
+  if (faults.empty()) return false;
+  Faults left = join_and_curve();
+  straighten_last(left);
+  return true;
 }
 
 void Assembler::fail(const std::vector<RegionFailure>& failures) {
@@ -73,11 +93,11 @@ void Assembler::fail(const std::vector<RegionFailure>& failures) {
   }
 }
 
-// Paves the faces with invalid elements in another way and keeps it where it leaves fewer.
-Assembler::Invalid Assembler::pave_invalid(Invalid invalid, int attempt) {
+// Paves the faces with faults in another way and keeps it where it leaves fewer.
+Assembler::Faults Assembler::pave_faulty(Faults faults, int attempt) {
   const std::vector<Part> before = paver_.parts();
   std::vector<char> is_kept(regions_.size(), 1);
-  for (std::size_t r = 0; r < regions_.size(); ++r) is_kept[r] = invalid[regions_[r].face] > 0;
+  for (std::size_t r = 0; r < regions_.size(); ++r) is_kept[r] = faults[regions_[r].face] > 0;
   for (const RegionFailure& failure : paver_.pave_again(is_kept, attempt)) {
     for (std::size_t r = 0; r < regions_.size(); ++r)
       if (regions_[r].face == regions_[failure.region].face) is_kept[r] = 0;
@@ -92,11 +112,11 @@ Assembler::Invalid Assembler::pave_invalid(Invalid invalid, int attempt) {
     paver_.put(std::move(parts));
   };
   put_back();
-  Invalid now = join_and_curve();
+  Faults now = join_and_curve();
   bool is_reverted = false;
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const int face = regions_[r].face;
-    if (!is_kept[r] || now[face] < invalid[face]) continue;
+    if (!is_kept[r] || now[face] < faults[face]) continue;
     is_kept[r] = 0;
     is_reverted = true;
   }
@@ -105,8 +125,8 @@ Assembler::Invalid Assembler::pave_invalid(Invalid invalid, int attempt) {
   return join_and_curve();
 }
 
-// Invalid quads become two triangles each, as long as that leaves fewer invalid elements.
-Assembler::Invalid Assembler::split_invalid(Invalid invalid) {
+// Invalid quads become two triangles each, as long as that leaves fewer faults.
+Assembler::Faults Assembler::split_invalid(Faults faults) {
   for (int round = 0; round < most_splits; ++round) {
     long quads = static_cast<long>(invalid_quads_.size());
     ranks_.add_up({&quads, 1});
@@ -122,21 +142,22 @@ Assembler::Invalid Assembler::split_invalid(Invalid invalid) {
     }
     for (auto& [part, copy] : changed) parts[part].paved = std::move(copy);
     paver_.put(std::move(parts));
-    Invalid now = join_and_curve();
-    if (sum(now) >= sum(invalid)) {
+    Faults now = join_and_curve();
+    if (sum(now) >= sum(faults)) {
       paver_.put(before);
       return join_and_curve();
     }
-    invalid = std::move(now);
+    faults = std::move(now);
   }
-  return invalid;
+  return faults;
 }
 
-Assembler::Invalid Assembler::join_and_curve() {
+Assembler::Faults Assembler::join_and_curve() {
   begin_(Stage::join);
   join();
   begin_(Stage::curving);
-  return curve();
+  curve();
+  return check();
 }
 
 // Of faces that failed nothing stays: what no other face uses would hang in the mesh.
@@ -153,6 +174,11 @@ BoundaryUse Assembler::boundary_use() const {
     if (!region.laid) continue;
     for (int global : region.laid->global)
       if (global >= 0) use.nodes[global] = 1;
+  }
+  for (std::size_t e = 0; e < nodes_.edges.size(); ++e) {
+    if (!model_.edges[e].is_wire()) continue;
+    use.edges[e] = 1;
+    for (int node : nodes_.edges[e].node) use.nodes[node] = 1;
   }
   return use;
 }
@@ -188,14 +214,14 @@ void Assembler::join() {
   }
 }
 
-// Raises the order; gives the number of elements per face whose Jacobian is not proven positive.
-Assembler::Invalid Assembler::curve() {
-  straightened_ = 0;
+// Raises the order and finds the elements whose Jacobian is not proven positive, as far as they cannot be mended.
+void Assembler::curve() {
+  straightened_ = 0, off_edge_ = 0;
+  moved_.clear();
   if (options_.order == 1) {
     mesh_ = std::move(joined_.mesh);
-    invalid_quads_ = find_invalid(mesh_, true);
-    invalid_triangles_.clear();
-    return count_invalid();
+    find_invalid();
+    return;
   }
   std::vector<CutSide> outlines;
   for (std::size_t r = 0; r < regions_.size(); ++r)
@@ -204,32 +230,62 @@ Assembler::Invalid Assembler::curve() {
   cuts_.emplace(regions_, std::move(outlines));
   curved_ = curve_elements(joined_, nodes_, model_, *cuts_, parts_, options_.threads, progress_);
   mesh_ = std::move(curved_.mesh);
-  RepairResult repaired =
-      repair_elements(mesh_, is_valid, find_invalid(mesh_, true), find_invalid(mesh_, false), curved_.first_inside);
+  find_invalid();
+  RepairResult repaired = repair_elements(mesh_, is_valid, invalid_quads_, invalid_triangles_, curved_.first_inside);
   straightened_ = repaired.recentred + repaired.straightened;
+  take_over(repaired);
+}
+
+void Assembler::find_invalid() {
+  invalid_quads_ = paver::find_invalid(mesh_, true);
+  invalid_triangles_ = paver::find_invalid(mesh_, false);
+}
+
+void Assembler::take_over(const RepairResult& repaired) {
   invalid_quads_ = repaired.invalid_quads;
   invalid_triangles_ = repaired.invalid_triangles;
-  return count_invalid();
+  std::vector<int> moved;
+  std::set_union(moved_.begin(), moved_.end(), repaired.moved.begin(), repaired.moved.end(), std::back_inserter(moved));
+  moved_ = std::move(moved);
 }
 
-Assembler::Invalid Assembler::count_invalid() {
-  Invalid invalid(model_.faces.size(), 0);
-  for (int q : invalid_quads_) ++invalid[mesh_.quad_face[q]];
-  for (int t : invalid_triangles_) ++invalid[mesh_.triangle_face[t]];
-  ranks_.add_up(invalid);
-  return invalid;
+// A fold may bring other faults along; what becomes of a face is decided by its folds as long as it has any.
+Assembler::Faults Assembler::check() {
+  begin_(Stage::quality);
+  MeshFaults folded;
+  auto add = [&](bool is_quad, int element) {
+    const int* v = is_quad ? &mesh_.quads[static_cast<std::size_t>(mesh_.nodes_per_quad() * element)]
+                           : &mesh_.triangles[static_cast<std::size_t>(mesh_.nodes_per_triangle() * element)];
+    folded.add((is_quad ? mesh_.quad_face : mesh_.triangle_face)[static_cast<std::size_t>(element)], FaultKind::folded,
+               0.5 * (mesh_.nodes[v[0]] + mesh_.nodes[v[2]]));
+  };
+  for (int quad : invalid_quads_) add(true, quad);
+  for (int triangle : invalid_triangles_) add(false, triangle);
+  static const std::vector<long> as_here;
+  const bool is_alone = ranks_.count() == 1;
+  if (!is_alone) number();
+  CheckedMesh checked{model_, nodes_, mesh_, parts_, joined_.sizes, is_alone ? as_here : share_.node_number, moved_};
+  checked.shared_nodes = static_cast<int>(nodes_.nodes.size() + joined_.outline.size());
+  for (const FaceReport& face : report_.faces) checked.is_meshed.push_back(face.status == FaceStatus::meshed);
+  check_ = check_mesh(checked, std::move(folded), options_.threads, progress_, ranks_);
+  Faults faults;
+  for (int face = 0; face < static_cast<int>(model_.faces.size()); ++face) {
+    const long folds = check_->faults.count(face, FaultKind::folded);
+    faults.push_back(folds > 0 ? folds : check_->faults.count(face));
+  }
+  return faults;
 }
 
-void Assembler::straighten_last(Invalid& invalid) {
-  if (!has_any(invalid)) return;
+void Assembler::straighten_last(Faults& faults) {
+  long invalid = static_cast<long>(invalid_quads_.size() + invalid_triangles_.size());
+  ranks_.add_up({&invalid, 1});
+  if (options_.order == 1 || invalid == 0) return;
   const RepairResult last = straighten();
   if (last.recentred + last.straightened == 0) return;
   if (ranks_.rank() == 0) straightened_ += last.recentred + last.straightened;
-  report_.notes.push_back(fmt::format(
-      "To keep elements valid sides were straightened along B-rep edges, up to {:.3g} mm off.", last.off_edge));
-  invalid_quads_ = last.invalid_quads;
-  invalid_triangles_ = last.invalid_triangles;
-  invalid = count_invalid();
+  off_edge_ = last.off_edge;
+  take_over(last);
+  faults = check();
 }
 
 // Sides on B-rep edges have neighbours on other ranks: all mend the same neighbourhood, each keeps what is its own.
@@ -239,21 +295,19 @@ RepairResult Assembler::straighten() {
   Neighbourhood about = gather_neighbourhood(share_, invalid_quads_, invalid_triangles_, rings_of_mending, ranks_);
   RepairResult result = straighten_at_edges(about.mesh, is_valid, about.invalid_quads, about.invalid_triangles);
   put_nodes_back(about, share_);
+  result.moved = rows_here(result.moved, about.node_number, share_.node_number);
   result.invalid_quads = rows_here(result.invalid_quads, about.quad_number, share_.quad_number);
   result.invalid_triangles = rows_here(result.invalid_triangles, about.triangle_number, share_.triangle_number);
   return result;
 }
 
-void Assembler::note_invalid(const Invalid& invalid) {
+void Assembler::note_mending() {
+  if (off_edge_ > 0)
+    report_.notes.push_back(fmt::format(
+        "To keep elements valid sides were straightened along B-rep edges, up to {:.3g} mm off.", off_edge_));
   ranks_.add_up({&straightened_, 1});
   if (straightened_ > 0)
     report_.notes.push_back(fmt::format("{} curved elements were straightened to keep them valid.", straightened_));
-  std::map<std::string, long> count;
-  for (std::size_t face = 0; face < invalid.size(); ++face)
-    if (invalid[face] > 0) count[model_.faces[face].name] += invalid[face];
-  for (const auto& [face, n] : count)
-    report_.notes.push_back(fmt::format(
-        "{} has {} elements that could not be made valid; use a smaller size or max-turn.", face, n));
 }
 
 double Assembler::chord_error() const { return paver::chord_error(mesh_, model_, parts_, options_.threads); }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "boundary/edge_nodes.h"
+#include "check/check_mesh.h"
 #include "curving/place_nodes.h"
 #include "curving/repair.h"
 #include "join/cuts.h"
@@ -25,9 +26,14 @@ class Assembler {
             const Options& options, Progress& progress, Ranks& ranks, std::function<void(Stage)> begin,
             MeshShare& share);
 
-  /// Paves all, joins and curves: fills in the share's mesh. Faces with invalid elements are paved with other rows,
-  /// then mended element by element; where that is not enough they are paved finer and mended again.
+  /// Paves all, joins and curves: fills in the share's mesh. Faces with faults are paved with other rows, then mended
+  /// element by element; where that is not enough they are paved finer and mended again.
   void run();
+  /// After run(), and after the report has the figures of the mesh that it gave, for each of the model's faces. Faces
+  /// that have faults all the same fail, and the mesh is made again without them; false when there are none.
+  bool drop_faulty();
+  /// When nothing is left to do to the mesh: notes what was done to mend it.
+  void note_mending();
   /// Fills in the share's numbers.
   void number();
 
@@ -35,19 +41,20 @@ class Assembler {
   double chord_error() const;
 
  private:
-  using Invalid = std::vector<long>;  // per face, over all ranks
+  using Faults = std::vector<long>;  // number per face, over all ranks
 
   void fail(const std::vector<RegionFailure>& failures);
-  Invalid pave_invalid(Invalid invalid, int attempt);
-  Invalid split_invalid(Invalid invalid);
-  void straighten_last(Invalid& invalid);
+  Faults pave_faulty(Faults faults, int attempt);
+  Faults split_invalid(Faults faults);
+  void straighten_last(Faults& faults);
   RepairResult straighten();
-  Invalid join_and_curve();
+  Faults join_and_curve();
   void join();
   BoundaryUse boundary_use() const;
-  Invalid curve();
-  Invalid count_invalid();
-  void note_invalid(const Invalid& invalid);
+  void curve();
+  void find_invalid();
+  void take_over(const RepairResult& repaired);
+  Faults check();
 
   const Model& model_;
   const EdgeNodes& nodes_;
@@ -65,7 +72,10 @@ class Assembler {
   std::optional<Cuts> cuts_;
   CurvedMesh curved_;  // its mesh is mesh_
   std::vector<int> invalid_quads_, invalid_triangles_;
+  std::vector<int> moved_;  // nodes that mending moved, rising
+  std::optional<MeshCheck> check_;
   long straightened_ = 0;
+  double off_edge_ = 0;
 };
 
 }  // namespace paver

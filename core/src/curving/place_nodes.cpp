@@ -7,20 +7,12 @@
 #include <cmath>
 
 #include "base/tasks.h"
+#include "curving/near_surface.h"
 
 namespace paver {
 namespace {
 
 constexpr double settled = 1e-4;  // of `scale`: a step along the surface that is not worth an evaluation
-
-/// Step in the chart whose image comes nearest to r, by the derivatives there; false where these are parallel.
-bool pull_back(Vec3 xp, Vec3 xq, Vec3 r, Vec2& step) {
-  const double a = dot(xp, xp), b = dot(xp, xq), c = dot(xq, xq), det = a * c - b * b;
-  if (!(det > 1e-12 * a * c)) return false;
-  const double s = dot(r, xp), t = dot(r, xq);
-  step = {(c * s - b * t) / det, (a * t - b * s) / det};
-  return true;
-}
 
 /// Moves p by Gauss-Newton in the chart to where the surface is nearest to `target`, up to `settled` times `scale`, or
 /// to the nearest on the way where that does not settle. Gives the point there.
@@ -40,29 +32,6 @@ Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
   return nearest;
 }
 
-/// Distance from `target` to the surface near p, the target of an element as large as `scale`. Ends where the surface
-/// turns too little on the rest of the way to the foot to matter: that way then counts by Pythagoras. Where the
-/// distance is not above `known`, any bound that is not either.
-double distance_to_surface(const Region& region, Vec2 p, Vec3 target, double scale, double known) {
-  constexpr int most_steps = 6;
-  constexpr double most_turn = 1e-4;  // of the distance, as far as the surface turns by one on the scale
-  double best = INFINITY;
-  for (int i = 0; i <= most_steps; ++i) {
-    Vec3 x, xp, xq;
-    region.evaluate(p, x, xp, xq);
-    Vec3 r = target - x;
-    double d = norm(r);
-    if (!(d < best)) break;
-    best = d;
-    Vec2 step;
-    if (d <= known || !pull_back(xp, xq, r, step)) break;
-    double along = norm(step.x * xp + step.y * xq);
-    if (along * along <= most_turn * scale * d) return std::sqrt(std::max(d * d - along * along, 0.0));
-    p = p + step;
-  }
-  return best;
-}
-
 std::vector<double> sizes(const std::vector<CurvingPart>& parts) {
   std::vector<double> cost;
   for (const CurvingPart& part : parts) cost.push_back(part.mesh ? static_cast<double>(part.mesh->elements.size()) : 0);
@@ -71,46 +40,6 @@ std::vector<double> sizes(const std::vector<CurvingPart>& parts) {
 
 Vec3 side_middle(const Region& region, Vec2& p, Vec3 a, Vec3 b) {
   return nearest_point(region, p, 0.5 * (a + b), norm(b - a));
-}
-
-/// The cubic through two nodes of a mesh that has the surface's derivatives at both.
-struct SideCubic {
-  Vec3 a, b;         ///< nodes
-  Vec3 first, last;  ///< derivatives there, by a parameter from 0 to 1
-
-  SideCubic(const RegionMesh& mesh, int v, int w) : a(mesh.x[v]), b(mesh.x[w]) {
-    const Vec2 way = mesh.p[w] - mesh.p[v];
-    first = way.x * mesh.xp[v] + way.y * mesh.xq[v];
-    last = way.x * mesh.xp[w] + way.y * mesh.xq[w];
-  }
-  /// Not where the derivatives differ much: across a crease, at an apex.
-  bool is_smooth() const {
-    constexpr double most_turn = 0.5;  // of the chord
-    const Vec3 turn = last - first, chord = b - a;
-    return dot(turn, turn) <= most_turn * most_turn * dot(chord, chord);
-  }
-  Vec3 at(double s) const {
-    const double r = 1 - s;
-    return r * r * ((1 + 2 * s) * a + s * first) + s * s * ((3 - 2 * s) * b - r * last);
-  }
-};
-
-bool is_short(Vec2 step, Vec2 way) {
-  constexpr double most_step = 0.25;
-  return dot(step, step) <= most_step * most_step * dot(way, way);
-}
-
-/// About where the surface is nearest to a point that lies `off` the middle of the chord from node v to w. Just half
-/// way where the cubic does not tell.
-Vec2 guess_middle(const RegionMesh& mesh, int v, int w, Vec3 off) {
-  const Vec2 middle = 0.5 * (mesh.p[v] + mesh.p[w]);
-  const SideCubic cubic(mesh, v, w);
-  Vec2 step;
-  const bool is_found = cubic.is_smooth() &&
-                        pull_back(0.5 * (mesh.xp[v] + mesh.xp[w]), 0.5 * (mesh.xq[v] + mesh.xq[w]),
-                                  off + 0.125 * (cubic.last - cubic.first), step) &&
-                        is_short(step, mesh.p[w] - mesh.p[v]);
-  return is_found ? middle + step : middle;
 }
 
 /// Per side inside the part: its middle's place in the chart.

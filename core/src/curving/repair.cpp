@@ -42,6 +42,8 @@ class Repairer {
     for (const Element& element : invalid) {
       (element.is_quad ? result_.invalid_quads : result_.invalid_triangles).push_back(element.index);
     }
+    std::sort(result_.moved.begin(), result_.moved.end());
+    result_.moved.erase(std::unique(result_.moved.begin(), result_.moved.end()), result_.moved.end());
     return std::move(result_);
   }
 
@@ -81,16 +83,22 @@ class Repairer {
       recentre(element);
       if (is_valid(element)) {
         ++result_.recentred;
+        note_moved();
         return true;
       }
       roll_back(0);
     }
     if (!straighten(element, 0)) return false;
     ++result_.straightened;
+    note_moved();
     for (const Moved& entry : moved_)
       if (mesh_.node_edge[static_cast<std::size_t>(entry.node)] >= 0)
         result_.off_edge = std::max(result_.off_edge, norm(position(entry.node) - entry.from));
     return true;
+  }
+
+  void note_moved() {
+    for (const Moved& entry : moved_) result_.moved.push_back(entry.node);
   }
 
   bool is_kept(int middle) const {

@@ -5,7 +5,8 @@
 //    a---b---c    ->    | \     |       the triangle a b c has no height; its side a c would lie on the edge
 //    (a c b)            a--b----c
 //
-// Every outcome is judged as a whole, by its worst element, and must be positive in the chart.
+// Every outcome is judged as a whole, by its worst element, and must be positive in the chart. It may have no side that
+// other elements have already: two quads that share two sides are not both cut from the one end of these to the other.
 #include "mesh/flat_elements.h"
 
 #include <algorithm>
@@ -37,29 +38,39 @@ double value(const RegionMesh& mesh, const Corners& corners) {
   return scaled_jacobian(mesh, element);
 }
 
+/// Whether elements other than `gone` have a side between two nodes.
+bool is_side(const RegionMesh& mesh, int a, int b, std::initializer_list<int> gone) {
+  return std::any_of(mesh.star[a].begin(), mesh.star[a].end(), [&](int e) {
+    const Element& element = mesh.elements[e];
+    return std::find(gone.begin(), gone.end(), e) == gone.end() && (element.after(a) == b || element.before(a) == b);
+  });
+}
+
 void try_filling(const RegionMesh& mesh, const std::vector<Corners>& elements, Filling& best) {
   double worst = 1;
   for (const Corners& corners : elements) worst = std::min(worst, value(mesh, corners));
   if (worst > best.worst + as_good) best = {worst, elements};
 }
 
-Filling two_triangles(const RegionMesh& mesh, const Corners& v) {
+Filling two_triangles(const RegionMesh& mesh, const Corners& v, std::initializer_list<int> gone) {
   Filling best;
   const int least = static_cast<int>(std::min_element(v.begin(), v.end()) - v.begin()) % 2;
   for (int i : {least, 1 - least}) {
     int a = v[i], b = v[i + 1], c = v[i + 2], d = v[(i + 3) % 4];
-    try_filling(mesh, {{a, b, c, -1}, {a, c, d, -1}}, best);
+    if (!is_side(mesh, a, c, gone)) try_filling(mesh, {{a, b, c, -1}, {a, c, d, -1}}, best);
   }
   return best;
 }
 
 /// An outline of five nodes: a triangle and a quad.
-Filling triangle_and_quad(const RegionMesh& mesh, const std::array<int, 5>& v) {
+Filling triangle_and_quad(const RegionMesh& mesh, const std::array<int, 5>& v, std::initializer_list<int> gone) {
   Filling best;
-  for (int i = 0; i < 5; ++i)
+  for (int i = 0; i < 5; ++i) {
+    if (is_side(mesh, v[i], v[(i + 2) % 5], gone)) continue;
     try_filling(mesh,
                 {{v[i], v[(i + 1) % 5], v[(i + 2) % 5], -1}, {v[i], v[(i + 2) % 5], v[(i + 3) % 5], v[(i + 4) % 5]}},
                 best);
+  }
   return best;
 }
 
@@ -76,7 +87,7 @@ void replace(RegionMesh& mesh, std::initializer_list<int> gone, const Filling& f
 }
 
 bool mend_quad(RegionMesh& mesh, int e, double least) {
-  Filling best = two_triangles(mesh, mesh.elements[e].v);
+  Filling best = two_triangles(mesh, mesh.elements[e].v, {e});
   if (!(best.worst > std::max(least, 0.0))) return false;
   replace(mesh, {e}, best);
   return true;
@@ -93,8 +104,8 @@ bool mend_triangle(RegionMesh& mesh, int e, double sj) {
   if (other < 0) return false;
   const Element& neighbour = mesh.elements[other];
   int d = neighbour.after(a), f = neighbour.before(c);
-  Filling best =
-      neighbour.corners() == 3 ? two_triangles(mesh, {c, b, a, d}) : triangle_and_quad(mesh, {c, b, a, d, f});
+  Filling best = neighbour.corners() == 3 ? two_triangles(mesh, {c, b, a, d}, {e, other})
+                                          : triangle_and_quad(mesh, {c, b, a, d, f}, {e, other});
   if (!(best.worst > std::max(std::min(sj, scaled_jacobian(mesh, neighbour)), 0.0))) return false;
   replace(mesh, {e, other}, best);
   return true;

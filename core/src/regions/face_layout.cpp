@@ -209,8 +209,7 @@ void settle_counts(const Model& model, const std::vector<FaceLayout>& layouts, s
       }
     }
   for (std::size_t e = 0; e < counts.size(); ++e) {
-    bool is_wire = model.edges[e].faces.empty() && model.edges[e].curve;
-    if (!is_needed[e] && !is_wire) counts[e] = 0;
+    if (!is_needed[e] && !model.edges[e].is_wire()) counts[e] = 0;
     counts[e] = std::max(counts[e], least[e]);
     if (is_cut[e] && model.edges[e].start == model.edges[e].end) counts[e] += counts[e] % 2;
   }

@@ -44,7 +44,7 @@ class Components {
     const Face& face = model_.faces[f];
     return face.has_area && entries_[static_cast<std::size_t>(face.origin)].status == FaceStatus::meshed;
   }
-  bool is_wire(std::size_t e) const { return model_.edges[e].faces.empty() && model_.edge_part[e] >= 0; }
+  bool is_wire(std::size_t e) const { return model_.edges[e].is_wire(); }
   // Faces and wires come first, in the order of the model, so that the least item of a component tells its place.
   int face_item(std::size_t f) const { return static_cast<int>(f); }
   int edge_item(std::size_t e) const { return static_cast<int>(model_.faces.size() + e); }

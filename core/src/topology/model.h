@@ -34,6 +34,7 @@ struct Edge {
   bool is_periodic = false;    ///< used twice by one face, a period apart (that face's own parametric seam)
   std::shared_ptr<const Curve> curve;
   std::vector<int> faces;  ///< every face that uses it, a face twice where it has the face on both sides; none: a wire
+  bool is_wire() const { return faces.empty() && curve; }
 };
 
 /// Vertex inside a face that must be a node.

@@ -1,0 +1,31 @@
+// How far the area of a mesh may be from that of its face.
+#pragma once
+
+#include <vector>
+
+#include "paver/ranks.h"
+#include "quality/exact_sum.h"
+#include "topology/model.h"
+
+namespace paver {
+
+/// Per face of the model; sums that do not depend on the order of their terms. mm^2.
+class AreaSlack {
+ public:
+  explicit AreaSlack(const Model& model);
+
+  void add(int face, double area) { faces_[static_cast<std::size_t>(face)].add(area); }
+  void add(int face, const ExactSum& sum) { faces_[static_cast<std::size_t>(face)].add(sum); }
+  /// A sum of a face's to add to and then to add here.
+  ExactSum none(int face) const { return units_[static_cast<std::size_t>(face)]; }
+  /// Collective: the sums of all ranks.
+  void unite(Ranks& ranks);
+
+  /// Whether a mesh of this area can be one of the face.
+  bool allows(const Face& face, int index, double mesh_area) const;
+
+ private:
+  std::vector<ExactSum> faces_, units_;
+};
+
+}  // namespace paver

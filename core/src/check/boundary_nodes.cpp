@@ -1,0 +1,92 @@
+#include "check/boundary_nodes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "check/vector_area.h"
+
+namespace paver {
+namespace {
+
+constexpr double off_curve = 1e-6;  // of the chord
+
+/// One interval of an edge, with the mesh's line on it.
+class Interval {
+ public:
+  Interval(const CheckedMesh& checked, int edge, int interval, std::size_t line)
+      : edge_(checked.model.edges[static_cast<std::size_t>(edge)]) {
+    const EdgeDivision& division = checked.edges.edges[static_cast<std::size_t>(edge)];
+    const std::size_t stride = static_cast<std::size_t>(checked.mesh.order) + 1,
+                      first = 2 * static_cast<std::size_t>(interval);
+    const int* v = &checked.mesh.lines[line * stride];
+    is_curved_ = checked.mesh.order > 1;
+    a_ = checked.mesh.nodes[v[0]], b_ = checked.mesh.nodes[v[1]], m_ = checked.mesh.nodes[v[is_curved_ ? 2 : 0]];
+    std::copy_n(division.t.begin() + static_cast<long>(first), 3, t_);
+    is_first_ = interval == 0, is_last_ = interval + 1 == division.intervals();
+    const std::vector<Vec3>& vertices = checked.model.vertices;
+    start_ = is_first_ ? vertices[static_cast<std::size_t>(edge_.start)] : edge_.curve->point(t_[0]);
+    end_ = is_last_ ? vertices[static_cast<std::size_t>(edge_.end)] : edge_.curve->point(t_[2]);
+    middle_ = edge_.curve->point(t_[1]);
+  }
+
+  Vec3 where() const { return 0.5 * (a_ + b_); }
+
+  long nodes_off() const {
+    const double most = off_curve * norm(b_ - a_);
+    return !(norm(a_ - start_) <= most) + (is_last_ && !(norm(b_ - end_) <= most)) +
+           (is_curved_ && !(distance_to_way() <= most));
+  }
+
+  /// Between the mesh's line and the curve.
+  double area() const {
+    const Vec3 o = a_, m = middle_ - o, b = b_ - o;
+    const Vec3 first = edge_.curve->point(0.5 * (t_[0] + t_[1])) - o,
+               second = edge_.curve->point(0.5 * (t_[1] + t_[2])) - o;
+    const Vec3 exact = swept({}, first, m) + swept(m, second, b);
+    return 0.5 * norm(exact - (is_curved_ ? swept({}, m_ - o, b) : Vec3{}));
+  }
+
+  /// Between the curve and its image on a face.
+  double area_off(const Face& face, const ParameterCurve& image) const {
+    return norm(face.surface->point(image.uv(t_[1])) - middle_) * norm(b_ - a_);
+  }
+
+ private:
+  /// Of the middle node from the way between the curve's middle and the chord's.
+  double distance_to_way() const {
+    const Vec3 way = where() - middle_, off = m_ - middle_;
+    const double length2 = dot(way, way), s = length2 > 0 ? std::clamp(dot(off, way) / length2, 0.0, 1.0) : 0;
+    return norm(off - s * way);
+  }
+
+  const Edge& edge_;
+  bool is_curved_, is_first_, is_last_;
+  Vec3 a_, b_, m_;             ///< of the mesh: ends and middle
+  Vec3 start_, end_, middle_;  ///< where they should be
+  double t_[3];
+};
+
+}  // namespace
+
+void check_boundary_nodes(const CheckedMesh& checked, const Ranks& ranks, MeshFaults& faults, AreaSlack& slack) {
+  const std::vector<int>& line_edge = checked.mesh.line_edge;
+  for (std::size_t f = 0; f < checked.model.faces.size(); ++f) {
+    if (!checked.is_meshed[f] || static_cast<int>(f) % ranks.count() != ranks.rank()) continue;
+    const Face& face = checked.model.faces[f];
+    for (const Loop& loop : face.loops) {
+      for (const Coedge& coedge : loop.coedges) {
+        auto [first, last] = std::equal_range(line_edge.begin(), line_edge.end(), coedge.edge);
+        for (auto line = first; line != last; ++line) {
+          const Interval interval(checked, coedge.edge, static_cast<int>(line - first),
+                                  static_cast<std::size_t>(line - line_edge.begin()));
+          for (long n = interval.nodes_off(); n > 0; --n)
+            faults.add(static_cast<int>(f), FaultKind::off_edge, interval.where());
+          slack.add(static_cast<int>(f), interval.area());
+          if (coedge.pcurve) slack.add(static_cast<int>(f), interval.area_off(face, *coedge.pcurve));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace paver

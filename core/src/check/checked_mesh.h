@@ -1,0 +1,43 @@
+// The mesh of a run with all that tells what it should be.
+#pragma once
+
+#include <vector>
+
+#include "boundary/edge_nodes.h"
+#include "check/area_slack.h"
+#include "check/mesh_faults.h"
+#include "curving/order2.h"
+#include "join/join.h"
+#include "paver/progress.h"
+#include "topology/model.h"
+
+namespace paver {
+
+/// References are kept. What one rank holds: `mesh` is what the parts that are here were joined to.
+struct CheckedMesh {
+  const Model& model;
+  const EdgeNodes& edges;
+  const SurfaceMesh& mesh;
+  const std::vector<CurvingPart>& parts;
+  const std::vector<PartSizes>& sizes;   ///< per part: what of the mesh is its
+  const std::vector<long>& node_number;  ///< in the whole mesh; empty: all of it is here
+  const std::vector<int>& moved;         ///< middles and centres that were moved to mend elements, rising
+  int shared_nodes = 0;                  ///< corner nodes before this one may be used by several parts
+  std::vector<char> is_meshed{};         ///< per face of the model: its elements are in the mesh
+
+  long number(int node) const { return node_number.empty() ? node : node_number[static_cast<std::size_t>(node)]; }
+  /// Middle between two nodes.
+  Vec3 middle(int a, int b) const { return 0.5 * (mesh.nodes[a] + mesh.nodes[b]); }
+};
+
+/// Where the tables of a part begin in the mesh.
+struct PartPlace {
+  int node = 0;  ///< corner nodes of its own
+  std::size_t quad = 0, triangle = 0;
+};
+std::vector<PartPlace> places_of(const CheckedMesh& checked);
+
+/// What taking part i as a task costs.
+std::vector<double> costs_of(const CheckedMesh& checked);
+
+}  // namespace paver

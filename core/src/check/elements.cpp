@@ -1,0 +1,199 @@
+// Part by part, with what the part knows of its nodes: places in the chart and derivatives there. What these say of an
+// element comes first; the surface is asked where that leaves a doubt.
+#include "check/elements.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "base/tasks.h"
+#include "check/vector_area.h"
+#include "curving/near_surface.h"
+
+namespace paver {
+namespace {
+
+constexpr double off_corner = 1e-6;  // of the target length; corners are placed on the surface itself
+constexpr double off_inner = 1e-4;   // of the chord or diagonal
+constexpr double doubtful = 0.5;     // cosine between an element's normal and the mean of its corners'
+constexpr double most_turned = 0.1;  // cosine: more turn costs no more area
+
+class PartElementCheck {
+ public:
+  PartElementCheck(const CheckedMesh& checked, std::size_t part, const PartPlace& place, MeshFaults& faults,
+                   ExactSum& slack)
+      : checked_(checked),
+        mesh_(checked.mesh),
+        part_(checked.parts[part]),
+        region_(*part_.mesh),
+        place_(place),
+        is_reversed_(checked.model.faces[static_cast<std::size_t>(part_.region->face)].is_reversed),
+        faults_(faults),
+        slack_(slack) {}
+
+  void run() {
+    check_corners();
+    std::size_t quad = place_.quad, triangle = place_.triangle;
+    for (const Element& element : region_.elements) {
+      if (!element.is_alive()) continue;
+      const bool is_quad = element.corners() == 4;
+      const std::size_t stride =
+          static_cast<std::size_t>(is_quad ? mesh_.nodes_per_quad() : mesh_.nodes_per_triangle());
+      v_ = is_quad ? &mesh_.quads[stride * quad++] : &mesh_.triangles[stride * triangle++];
+      n_ = element.corners();
+      for (int k = 0; k < n_; ++k) c_[k] = element.v[is_reversed_ ? (n_ - k) % n_ : k];
+      check_element();
+    }
+  }
+
+ private:
+  int face() const { return part_.region->face; }
+  int next(int k) const { return k + 1 < n_ ? k + 1 : 0; }
+  Vec3 node(int k) const { return mesh_.nodes[static_cast<std::size_t>(v_[k])]; }
+  Vec3 outward(Vec3 normal) const { return is_reversed_ ? -1 * normal : normal; }
+
+  void check_corners() {
+    normals_.resize(region_.p.size());
+    for (int v = 0; v < region_.node_count(); ++v) {
+      if (region_.star[v].size() == 0) continue;
+      normals_[static_cast<std::size_t>(v)] = outward(region_.normal(v));
+      if (region_.global[v] >= 0) continue;
+      const Vec3 x = mesh_.nodes[static_cast<std::size_t>((*part_.node_of)[v])];
+      if (!(norm(part_.region->point(region_.p[v]) - x) <= off_corner * region_.h[v]))
+        faults_.add(face(), FaultKind::off_surface, x);
+    }
+  }
+
+  void check_element() {
+    const Vec3 origin = node(0);
+    Vec3 area;
+    is_moved_ = false;
+    for (int k = 0; k < n_; ++k) {
+      const Vec3 a = node(k) - origin, b = node(next(k)) - origin;
+      area += mesh_.order == 1 ? swept(a, b) : swept(a, node(n_ + k) - origin, b);
+    }
+    if (mesh_.order > 1) check_inner_nodes();
+    check_direction(unit(area));
+    slack_.add(area_slack(area));
+  }
+
+  void check_direction(Vec3 normal) {
+    Vec3 mean;
+    for (int k = 0; k < n_; ++k) mean += normals_[static_cast<std::size_t>(c_[k])];
+    const double along = dot(normal, unit(mean));
+    if (along >= doubtful) return;
+    if (!(along > 0) || !(dot(normal, normal_at_centre()) > 0))
+      faults_.add(face(), FaultKind::turned, 0.5 * (node(0) + node(2)));
+  }
+
+  Vec3 normal_at_centre() const {
+    Vec2 p;
+    for (int k = 0; k < n_; ++k) p = p + (1.0 / n_) * region_.p[c_[k]];
+    Vec3 x, xp, xq;
+    part_.region->evaluate(p, x, xp, xq);
+    return outward(cross(xp, xq));
+  }
+
+  // A surface that turns by no more than to the corners has at most 1 / cosine times the area under it; an element of
+  // order 2 follows it so that only the square of that is left.
+  double area_slack(Vec3 area) const {
+    const double size = norm(area);
+    double least = 1;
+    for (int k = 0; k < n_; ++k)
+      if (const Vec3 normal = normals_[static_cast<std::size_t>(c_[k])]; dot(normal, normal) > 0)
+        least = std::min(least, dot(area, normal) / size);
+    const double turn = 1 / std::max(least, most_turned) - 1;
+    return 0.5 * size * turn * (mesh_.order == 1 || is_moved_ ? 1 : std::min(turn, 1.0));
+  }
+
+  void check_inner_nodes() {
+    Vec3 blend = -0.25 * (node(0) + node(1) + node(2) + (n_ == 4 ? node(3) : Vec3{}));
+    for (int k = 0; k < n_; ++k) {
+      const SideCubic side(region_, c_[k], c_[next(k)]);
+      if (n_ == 4) blend += 0.5 * side.at(0.5);
+      // A side inside is looked at with one of its two elements.
+      if (v_[k] < v_[next(k)] && mesh_.node_edge[static_cast<std::size_t>(v_[n_ + k])] < 0) check_middle(k, side);
+    }
+    if (n_ == 4) check_centre(blend);
+    for (int k = n_; k < (n_ == 4 ? 9 : 6); ++k) is_moved_ = is_moved_ || is_moved(v_[k]);
+  }
+
+  bool is_moved(int node) const {
+    return !checked_.moved.empty() && std::binary_search(checked_.moved.begin(), checked_.moved.end(), node);
+  }
+
+  void check_middle(int k, const SideCubic& side) {
+    const Vec3 x = node(n_ + k);
+    const double length = norm(side.b - side.a);
+    const Vec3 normal = normals_[static_cast<std::size_t>(c_[k])] + normals_[static_cast<std::size_t>(c_[next(k)])];
+    if (is_near(x - side.at(0.5), normal, length)) return;
+    const Vec2 guess = guess_middle(region_, c_[k], c_[next(k)], x - 0.5 * (side.a + side.b));
+    check_distance(v_[n_ + k], guess, length);
+  }
+
+  void check_centre(Vec3 blend) {
+    Vec3 normal;
+    for (int k = 0; k < 4; ++k) normal += normals_[static_cast<std::size_t>(c_[k])];
+    const double length = norm(node(2) - node(0));
+    if (!is_near(node(8) - blend, normal, length)) check_distance(v_[8], guess_centre(), length);
+  }
+
+  /// As the centre of the sides' middles, in the chart.
+  Vec2 guess_centre() const {
+    Vec2 place;
+    for (int k = 0; k < 4; ++k) {
+      const Vec3 off = node(4 + k) - 0.5 * (node(k) + node(next(k)));
+      place = place + 0.5 * guess_middle(region_, c_[k], c_[next(k)], off) - 0.25 * region_.p[c_[k]];
+    }
+    return place;
+  }
+
+  /// Near what the corners let expect, and along the surface from there.
+  static bool is_near(Vec3 off, Vec3 normal, double length) {
+    constexpr double most_along = 0.25;
+    const double across = dot(off, normal);
+    return across * across <= off_inner * off_inner * length * length * dot(normal, normal) &&
+           dot(off, off) <= most_along * most_along * length * length;
+  }
+
+  void check_distance(int node, Vec2 guess, double length) {
+    const Vec3 x = mesh_.nodes[static_cast<std::size_t>(node)];
+    const double most = off_inner * length;
+    if (distance_to_surface(*part_.region, guess, x, length, most) <= most || is_moved(node)) return;
+    faults_.add(face(), FaultKind::off_surface, x);
+  }
+
+  const CheckedMesh& checked_;
+  const SurfaceMesh& mesh_;
+  const CurvingPart& part_;
+  const RegionMesh& region_;
+  const PartPlace place_;
+  const bool is_reversed_;
+  MeshFaults& faults_;
+  ExactSum& slack_;
+  std::vector<Vec3> normals_;  // per node of the part, zero where it has none
+  // The element that is looked at: nodes in the mesh, corners in the part, whether a node was moved to mend it.
+  const int* v_ = nullptr;
+  int n_ = 0;
+  std::array<int, 4> c_{};
+  bool is_moved_ = false;
+};
+
+}  // namespace
+
+void check_elements(const CheckedMesh& checked, int threads, const Progress& progress, MeshFaults& faults,
+                    AreaSlack& slack) {
+  const std::vector<PartPlace> places = places_of(checked);
+  std::mutex mutex;
+  run_tasks(threads, costs_of(checked), [&](int i) {
+    progress.check();
+    if (!checked.parts[static_cast<std::size_t>(i)].mesh) return;
+    MeshFaults found;
+    ExactSum sum = slack.none(checked.parts[static_cast<std::size_t>(i)].region->face);
+    PartElementCheck(checked, static_cast<std::size_t>(i), places[static_cast<std::size_t>(i)], found, sum).run();
+    std::lock_guard lock(mutex);
+    faults.add(found);
+    slack.add(checked.parts[static_cast<std::size_t>(i)].region->face, sum);
+  });
+}
+
+}  // namespace paver

@@ -1,0 +1,54 @@
+// Where the surface is near points that are nearly on it: from what a part's mesh knows of its nodes.
+#pragma once
+
+#include "regions/region.h"
+
+namespace paver {
+
+/// Step in the chart whose image comes nearest to r, by the derivatives there; false where these are parallel.
+inline bool pull_back(Vec3 xp, Vec3 xq, Vec3 r, Vec2& step) {
+  const double a = dot(xp, xp), b = dot(xp, xq), c = dot(xq, xq), det = a * c - b * b;
+  if (!(det > 1e-12 * a * c)) return false;
+  const double s = dot(r, xp), t = dot(r, xq);
+  step = {(c * s - b * t) / det, (a * t - b * s) / det};
+  return true;
+}
+
+/// Whether a step is not long against the way from a node to another.
+inline bool is_short(Vec2 step, Vec2 way) {
+  constexpr double most_step = 0.25;
+  return dot(step, step) <= most_step * most_step * dot(way, way);
+}
+
+/// The cubic through two nodes of a mesh that has the surface's derivatives at both.
+struct SideCubic {
+  Vec3 a, b;         ///< nodes
+  Vec3 first, last;  ///< derivatives there, by a parameter from 0 to 1
+
+  SideCubic(const RegionMesh& mesh, int v, int w) : a(mesh.x[v]), b(mesh.x[w]) {
+    const Vec2 way = mesh.p[w] - mesh.p[v];
+    first = way.x * mesh.xp[v] + way.y * mesh.xq[v];
+    last = way.x * mesh.xp[w] + way.y * mesh.xq[w];
+  }
+  /// Not where the derivatives differ much: across a crease, at an apex.
+  bool is_smooth() const {
+    constexpr double most_turn = 0.5;  // of the chord
+    const Vec3 turn = last - first, chord = b - a;
+    return dot(turn, turn) <= most_turn * most_turn * dot(chord, chord);
+  }
+  Vec3 at(double s) const {
+    const double r = 1 - s;
+    return r * r * ((1 + 2 * s) * a + s * first) + s * s * ((3 - 2 * s) * b - r * last);
+  }
+};
+
+/// About where the surface is nearest to a point that lies `off` the middle of the chord from node v to w. Just half
+/// way where the cubic does not tell.
+Vec2 guess_middle(const RegionMesh& mesh, int v, int w, Vec3 off);
+
+/// Distance from `target` to the surface near p, the target of an element as large as `scale`. Ends where the surface
+/// turns too little on the rest of the way to the foot to matter: that way then counts by Pythagoras. Where the
+/// distance is not above `known`, any bound that is not either.
+double distance_to_surface(const Region& region, Vec2 p, Vec3 target, double scale, double known);
+
+}  // namespace paver
