@@ -42,6 +42,7 @@ class Fuser {
     progress.check();
     if (builder.HasErrors()) return std::nullopt;
     Fusion fusion;
+    images_.Clear();
     for (std::size_t f = 0; f < work_.faces.size(); ++f)
       if (is_member(work_.faces[f]) && !add_images(static_cast<int>(f), builder, tolerance, fusion))
         return std::nullopt;
