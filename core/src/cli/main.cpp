@@ -2,26 +2,18 @@
 // it failed, one sentence on stderr. The contract: core/docs/quality.md lists the report, --help the rest.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
 
 #include "arguments.h"
+#include "guard.h"
 #include "paver/launch.h"
 #include "paver/mesher.h"
-#include "paver/signals.h"
 #include "terminal.h"
 
 namespace paver {
 namespace {
-
-/// Prints one line, whatever the text holds.
-void complain(std::string text) {
-  auto ends_line = [](char c) { return c == '\n' || c == '\r'; };
-  std::replace_if(text.begin(), text.end(), ends_line, ' ');
-  fmt::print(stderr, "paver: {}\n", text);
-}
 
 MeshResult mesh_in_other_processes(const Arguments& arguments, Progress& progress) {
   // Longer than those processes take to end once they are told to.
@@ -60,12 +52,10 @@ int mesh(const Arguments& arguments, Progress& progress) {
 }
 
 int run(int argc, const char* const* argv) {
-  static Progress progress;
   try {
     Arguments arguments;
     if (auto finished = read_arguments(argc, argv, arguments)) return *finished;
-    cancel_on_signals(progress);
-    return mesh(arguments, progress);
+    return mesh(arguments, guard_run(arguments));
   } catch (const Error& error) {
     complain(with_command_line_names(error.what()));
     return exit_code(error.code());
