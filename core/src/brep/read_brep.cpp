@@ -7,7 +7,6 @@
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
 #include <BinTools_ShapeSet.hxx>
-#include <fstream>
 #include <sstream>
 
 #include "brep/brep_text.h"
@@ -63,8 +62,7 @@ void check_text(const FileSource& file, std::string_view text) {
 void read_brep(const FileSource& file, bool is_binary, Shape& shape, ModelReport& report, Progress& progress) {
   report.unit = "mm (as written)";
   Handle(OcctProgress) indicator = new OcctProgress(progress, read_units);
-  std::stringstream in;
-  in << std::ifstream(file.path, std::ios::binary).rdbuf();
+  std::istringstream in(content_of(file));
   if (!is_binary) check_text(file, in.view());
   // The readers loop for ever or crash on values they could not read: the stream itself must stop them.
   in.exceptions(std::ios::failbit | std::ios::badbit);

@@ -78,6 +78,7 @@ Progress& guard_run(const Arguments& arguments) {
     ::close(ends[0]);
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (::getppid() != us) progress->cancel();
+    allow_breakdown();
     return *progress;
   }
   ::close(ends[1]);

@@ -3,14 +3,18 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
+#include <string_view>
 
 #include "arguments.h"
 #include "guard.h"
+#include "paver/breakdown.h"
 #include "paver/launch.h"
 #include "paver/mesher.h"
 #include "terminal.h"
+#include "trial.h"
 
 namespace paver {
 namespace {
@@ -72,4 +76,9 @@ int run(int argc, const char* const* argv) {
 }  // namespace
 }  // namespace paver
 
-int main(int argc, char** argv) { return paver::run(argc, argv); }
+int main(int argc, char** argv) {
+  constexpr int with_trial = 4;
+  if (argc == with_trial && std::string_view(argv[1]) == paver::trial_command)
+    return paver::try_file(argv[2], std::strtol(argv[3], nullptr, 10));
+  return paver::run(argc, argv);
+}

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <signal.h>
 
+#include <atomic>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
@@ -14,6 +15,8 @@ namespace {
 
 /// A hundred times what OpenCASCADE takes for sound files.
 constexpr double base_seconds = 20, seconds_per_byte = 60e-6;
+
+std::atomic<bool> is_watched{false};
 
 bool is_of_kernel(Stage stage) { return stage == Stage::read || stage == Stage::topology; }
 
@@ -47,6 +50,10 @@ Error breakdown(const std::string& name, Stage stage, int signal) {
                                                "choose a larger target length or fewer threads.");
   return Error(ErrorCode::internal, what + "; nothing was written, report it with the model.");
 }
+
+void allow_breakdown() { is_watched.store(true); }
+
+bool may_break_down() { return is_watched.load(); }
 
 bool is_hung(pid_t process, Stage stage, const std::string& path) {
   if (!is_of_kernel(stage)) return false;
