@@ -407,7 +407,7 @@ class Checker {
     }
     on_surface();
     text_.reals(2);
-    if (version_ == 2) text_.reals(is_periodic ? 8 : 4);
+    if (version_ == 2) text_.reals(4);
   }
 
   void face() {

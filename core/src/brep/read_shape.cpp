@@ -5,10 +5,10 @@
 #include <TopAbs_ShapeEnum.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <mutex>
-#include <sstream>
 
 #include "brep/file_format.h"
 #include "brep/format_library_impl.h"
@@ -32,9 +32,12 @@ std::unique_lock<std::timed_mutex> wait_for_readers(const Progress& progress) {
 }  // namespace
 
 std::string content_of(const FileSource& file) {
-  std::ostringstream content;
-  content << std::ifstream(file.path, std::ios::binary).rdbuf();
-  return std::move(content).str();
+  std::ifstream in(file.path, std::ios::binary | std::ios::ate);
+  std::string content(static_cast<std::size_t>(std::max<std::streamoff>(0, in.tellg())), '\0');
+  in.seekg(0);
+  in.read(content.data(), static_cast<std::streamsize>(content.size()));
+  content.resize(static_cast<std::size_t>(in.gcount()));
+  return content;
 }
 
 std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, Progress& progress) {
