@@ -15,6 +15,7 @@
 #include "brep/iges_text.h"
 #include "brep/readers_impl.h"
 #include "brep/shape_impl.h"
+#include "brep/step_text.h"
 #include "brep/trial.h"
 
 namespace paver {
@@ -55,7 +56,8 @@ std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, P
       read_brep(file, format == FileFormat::binary_brep, *shape, report, progress);
       return;
     }
-    if (format == FileFormat::iges && !fault_of_iges(content_of(file)).empty()) trial.run();
+    const std::string content = content_of(file);
+    if (format == FileFormat::iges ? !fault_of_iges(content).empty() : !is_step_whole(content)) trial.run();
     auto lock = wait_for_readers(progress);
     format_library(format == FileFormat::step ? "step" : "iges", file)(
         file, [&] { trial.run(); }, *shape, report, progress);
