@@ -41,9 +41,9 @@ void check_share_outputs(const OutputFiles& files);
 /// writes the report. An Error on one rank is thrown on all, and nothing is left.
 void write_share(MeshShare& share, const OutputFiles& files, Progress& progress, Ranks& ranks);
 
-/// The temporary name that write_outputs, and write_share on rank 0, use for `path` in this process; to remove it when
-/// the process must end.
-std::string temporary_name(const std::string& path);
+/// The temporary name that write_outputs, and write_share on rank 0, use for `path` in this process or, where it is
+/// named, another; to remove it when that must end.
+std::string temporary_name(const std::string& path, long process = 0);
 
 /// A result as bytes, for another process of the same build.
 std::string pack_result(const MeshResult& result);

@@ -17,7 +17,9 @@ std::vector<fs::path> own_folders() {
   for (const fs::path& own : ours) {
     const fs::path folder = own.parent_path(), above = folder.parent_path(), top = above.parent_path();
     for (const fs::path& one : {folder, above / "core", top / "core"}) folders.push_back(one);
-    for (const fs::path& one : {above / "lib" / "paver", top.parent_path() / "paver"}) folders.push_back(one);
+    for (const fs::path& one :
+         {above / "lib" / "paver", top.parent_path() / "paver", top.parent_path().parent_path() / "bin"})
+      folders.push_back(one);
   }
   return folders;
 }

@@ -7,7 +7,7 @@
 namespace paver {
 
 /// Folder of this library, folder of this program, and where the build folder has the core from either, or an
-/// installation: lib/paver, from bin/paver or lib/python3/dist-packages/paver/.
+/// installation: lib/paver and bin, from bin/paver or lib/python3/dist-packages/paver/.
 std::vector<std::filesystem::path> own_folders();
 
 }  // namespace paver

@@ -39,7 +39,7 @@ CadModel read_file(const std::string& path, Progress& progress, const std::strin
 
 CadModel read_bytes(std::span<const char> bytes, const std::string& name, Progress& progress) {
   MemoryFile file(bytes);
-  return read({file.path(), name}, progress);
+  return read({file.path(), name, true}, progress);
 }
 
 std::string file_content(const std::string& path, const std::string& name) {

@@ -7,8 +7,9 @@
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
 #include <BinTools_ShapeSet.hxx>
-#include <fstream>
+#include <sstream>
 
+#include "brep/brep_text.h"
 #include "brep/readers_impl.h"
 
 namespace paver {
@@ -49,12 +50,20 @@ TopoDS_Shape read_binary(std::istream& in, const Message_ProgressRange& range) {
   return shape;
 }
 
+void check_text(const FileSource& file, std::string_view text) {
+  const std::string fault = fault_of_brep(text);
+  if (!fault.empty())
+    throw Error(ErrorCode::damaged_file,
+                "'" + file.name + "' is cut off or damaged (" + fault + "); copy or export it again.");
+}
+
 }  // namespace
 
 void read_brep(const FileSource& file, bool is_binary, Shape& shape, ModelReport& report, Progress& progress) {
   report.unit = "mm (as written)";
   Handle(OcctProgress) indicator = new OcctProgress(progress, read_units);
-  std::ifstream in(file.path, std::ios::binary);
+  std::istringstream in(content_of(file));
+  if (!is_binary) check_text(file, in.view());
   // The readers loop for ever or crash on values they could not read: the stream itself must stop them.
   in.exceptions(std::ios::failbit | std::ios::badbit);
   try {

@@ -5,13 +5,18 @@
 #include <TopAbs_ShapeEnum.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <mutex>
 
 #include "brep/file_format.h"
 #include "brep/format_library_impl.h"
+#include "brep/iges_text.h"
 #include "brep/readers_impl.h"
 #include "brep/shape_impl.h"
+#include "brep/step_text.h"
+#include "brep/trial.h"
 
 namespace paver {
 
@@ -27,6 +32,15 @@ std::unique_lock<std::timed_mutex> wait_for_readers(const Progress& progress) {
 
 }  // namespace
 
+std::string content_of(const FileSource& file) {
+  std::ifstream in(file.path, std::ios::binary | std::ios::ate);
+  std::string content(static_cast<std::size_t>(std::max<std::streamoff>(0, in.tellg())), '\0');
+  in.seekg(0);
+  in.read(content.data(), static_cast<std::streamsize>(content.size()));
+  content.resize(static_cast<std::size_t>(in.gcount()));
+  return content;
+}
+
 std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, Progress& progress) {
   progress.begin(Stage::read, read_units);
   FileFormat format = find_format(file.path, file.name);
@@ -34,14 +48,19 @@ std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, P
   report.format = format_name(format);
 
   auto shape = std::make_shared<Shape>();
+  Trial trial(file, progress);
   QuietMessages quiet;
   guard_occt(ErrorCode::damaged_file, "'" + file.name + "' could not be read; export the model again", [&] {
     if (format == FileFormat::brep || format == FileFormat::binary_brep) {
+      if (format == FileFormat::binary_brep && !file.is_handed_over) trial.run();
       read_brep(file, format == FileFormat::binary_brep, *shape, report, progress);
       return;
     }
+    const std::string content = content_of(file);
+    if (format == FileFormat::iges ? !fault_of_iges(content).empty() : !is_step_whole(content)) trial.run();
     auto lock = wait_for_readers(progress);
-    format_library(format == FileFormat::step ? "step" : "iges", file)(file, *shape, report, progress);
+    format_library(format == FileFormat::step ? "step" : "iges", file)(
+        file, [&] { trial.run(); }, *shape, report, progress);
   });
   progress.check();
 

@@ -15,7 +15,11 @@ struct Shape;
 /// What to open, and what to call it in messages and in the report.
 struct FileSource {
   std::string path, name;
+  bool is_handed_over = false;  ///< content of a process that has the shape itself, not of a file that may be damaged
 };
+
+/// All bytes of a file, as far as they can be read.
+std::string content_of(const FileSource& file);
 
 /// Reads STEP, IGES or BREP; the format is decided by content, not by the file's ending.
 /// Fills file, format, unit of `report`. Throws file_missing, not_a_cad_file, damaged_file, no_faces.

@@ -2,26 +2,22 @@
 // it failed, one sentence on stderr. The contract: core/docs/quality.md lists the report, --help the rest.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
+#include <string_view>
 
 #include "arguments.h"
+#include "guard.h"
+#include "paver/breakdown.h"
 #include "paver/launch.h"
 #include "paver/mesher.h"
-#include "paver/signals.h"
 #include "terminal.h"
+#include "trial.h"
 
 namespace paver {
 namespace {
-
-/// Prints one line, whatever the text holds.
-void complain(std::string text) {
-  auto ends_line = [](char c) { return c == '\n' || c == '\r'; };
-  std::replace_if(text.begin(), text.end(), ends_line, ' ');
-  fmt::print(stderr, "paver: {}\n", text);
-}
 
 MeshResult mesh_in_other_processes(const Arguments& arguments, Progress& progress) {
   // Longer than those processes take to end once they are told to.
@@ -60,12 +56,10 @@ int mesh(const Arguments& arguments, Progress& progress) {
 }
 
 int run(int argc, const char* const* argv) {
-  static Progress progress;
   try {
     Arguments arguments;
     if (auto finished = read_arguments(argc, argv, arguments)) return *finished;
-    cancel_on_signals(progress);
-    return mesh(arguments, progress);
+    return mesh(arguments, guard_run(arguments));
   } catch (const Error& error) {
     complain(with_command_line_names(error.what()));
     return exit_code(error.code());
@@ -82,4 +76,9 @@ int run(int argc, const char* const* argv) {
 }  // namespace
 }  // namespace paver
 
-int main(int argc, char** argv) { return paver::run(argc, argv); }
+int main(int argc, char** argv) {
+  constexpr int with_trial = 4;
+  if (argc == with_trial && std::string_view(argv[1]) == paver::trial_command)
+    return paver::try_file(argv[2], std::strtol(argv[3], nullptr, 10));
+  return paver::run(argc, argv);
+}

@@ -30,12 +30,14 @@ Handle(TCollection_HAsciiString) face_name(const Handle(Standard_Transient) & en
 
 }  // namespace
 
-extern "C" void paver_read_format(const FileSource& file, Shape& shape, ModelReport& report, Progress& progress) {
+extern "C" void paver_read_format(const FileSource& file, const Doubt& doubt, Shape& shape, ModelReport& report,
+                                  Progress& progress) {
   IGESControl_Reader reader;
   MillimetreReading millimetres;
   check_loaded(reader.ReadFile(file.path.c_str()), file, "IGES", progress);
   Handle(IGESData_IGESModel) model = reader.IGESModel();
   if (!model.IsNull()) report.unit = stated_unit(model);
+  if (has_fails(model)) doubt();
   reader.SetReadVisible(Standard_False);
   transfer(reader, shape, progress, face_name);
 }

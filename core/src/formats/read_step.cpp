@@ -52,12 +52,14 @@ Handle(TCollection_HAsciiString) face_name(const Handle(Standard_Transient) & en
 
 }  // namespace
 
-extern "C" void paver_read_format(const FileSource& file, Shape& shape, ModelReport& report, Progress& progress) {
+extern "C" void paver_read_format(const FileSource& file, const Doubt& doubt, Shape& shape, ModelReport& report,
+                                  Progress& progress) {
   STEPControl_Reader reader;
   MillimetreReading millimetres;
   std::ifstream content(file.path, std::ios::binary);  // OpenCASCADE 7.8 opens no path that is not UTF-8
   check_loaded(reader.ReadStream(file.path.c_str(), content), file, "STEP", progress);
   check_entities(file.name, reader);
+  if (has_fails(reader.Model())) doubt();
   report.unit = stated_unit(reader);
   transfer(reader, shape, progress, face_name);
 }

@@ -1,13 +1,16 @@
 // What reading STEP and IGES has in common.
 #pragma once
 
+#include <Interface_Check.hxx>
 #include <Interface_InterfaceModel.hxx>
+#include <Interface_ReportEntity.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_Reader.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <cstring>
 
 #include "brep/format_library_impl.h"
 #include "brep/readers_impl.h"
@@ -21,6 +24,18 @@ inline void check_loaded(IFSelect_ReturnStatus status, const FileSource& file, c
   if (status != IFSelect_RetDone)
     throw Error(ErrorCode::damaged_file, "'" + file.name + "' is not readable " + format + "; export the model again.");
   progress.check();
+}
+
+/// Whether some entity is not as the format wants it, as the reader has found. Names may be missing: some writers leave
+/// them out.
+inline bool has_fails(const Handle(Interface_InterfaceModel) & model) {
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    if (!model->IsReportEntity(i)) continue;
+    Handle(Interface_Check) check = model->ReportEntity(i)->Check();
+    for (int k = 1; k <= check->NbFails(); ++k)
+      if (!std::strstr(check->CFail(k), "(name)")) return true;
+  }
+  return false;
 }
 
 /// Transfers all roots. `name_of(entity)`: what the file calls a face, null for other entities and where it has no

@@ -24,10 +24,11 @@
 #include <string_view>
 #include <thread>
 
-#include "launch/child.h"
+#include "base/child.h"
 #include "launch/events.h"
 #include "launch/programs.h"
 #include "launch/run_folder.h"
+#include "paver/breakdown.h"
 
 namespace paver {
 namespace {
@@ -173,11 +174,16 @@ std::optional<int> number_after(std::string_view words, std::string_view& text) 
 }
 
 /// What mpirun says when a rank ended by a signal.
-std::optional<Error> lost_rank(const std::string& output, int ranks, const Progress& progress) {
+std::optional<Error> lost_rank(const std::string& name, const std::string& output, int ranks,
+                               const Progress& progress) {
   const std::string line = on_one_line(output);
   std::string_view rest = line;
   const std::optional<int> rank = number_after("process rank ", rest), signal = number_after("exited on signal ", rest);
   if (!rank || !signal) return std::nullopt;
+  if (progress.stage() == Stage::read || progress.stage() == Stage::topology) {
+    Error broken = breakdown(name, progress.stage(), *signal);
+    if (broken.code() == ErrorCode::damaged_file) return broken;
+  }
   constexpr int killed = 9;
   std::string who = fmt::format("Rank {} of {} was ended by signal {} ({}) in stage {}", *rank, ranks, *signal,
                                 ::strsignal(*signal), stage_name(progress.stage()));
@@ -216,11 +222,12 @@ std::string first_words(const std::string& output) {
   return "it says nothing";
 }
 
-[[noreturn]] void fail(const Child& child, int status, int ranks, const Listener& listener, const Progress& progress) {
+[[noreturn]] void fail(const std::string& name, const Child& child, int status, int ranks, const Listener& listener,
+                       const Progress& progress) {
   if (progress.is_cancelled()) progress.check();
   const std::optional<Error>& error = listener.error();
   if (error && error->code() != ErrorCode::cancelled) throw Error(*error);
-  if (auto lost = lost_rank(child.last_output(), ranks, progress)) throw Error(*lost);
+  if (auto lost = lost_rank(name, child.last_output(), ranks, progress)) throw Error(*lost);
   if (auto missing = missing_library(child.last_output(), ranks)) throw Error(*missing);
   int number = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status) - signal_exit_code;
   if (number == SIGKILL)
@@ -257,7 +264,7 @@ RanksResult mesh_in_ranks(const Job& job, int ranks, Progress& progress, std::sp
   std::optional<MeshResult> result;
   if (listener.busy()) result = take_result(folder, ranks, job.returns_mesh);
   int status = wait_for_end(child);
-  if (!result) fail(child, status, ranks, listener, progress);
+  if (!result) fail(job.name.empty() ? job.input : job.name, child, status, ranks, listener, progress);
   return {*std::move(result), *listener.busy()};
 }
 

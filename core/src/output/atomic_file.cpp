@@ -47,9 +47,10 @@ void synchronise_folder(const fs::path& file) {
 
 }  // namespace
 
-std::string temporary_name(const std::string& path) {
+std::string temporary_name(const std::string& path, long process) {
   fs::path target = followed(path);
-  return (target.parent_path() / fmt::format(".{}.{}.part", target.filename().string(), ::getpid())).string();
+  const long owner = process != 0 ? process : ::getpid();
+  return (target.parent_path() / fmt::format(".{}.{}.part", target.filename().string(), owner)).string();
 }
 
 void fail_to_write(const std::string& path, int error_number) {

@@ -16,6 +16,7 @@
 
 #include "base/packing.h"
 #include "base/run_files.h"
+#include "paver/breakdown.h"
 #include "paver/launch.h"
 #include "paver/mesher.h"
 #include "worker/mpi_ranks.h"
@@ -197,6 +198,7 @@ void wait_for_reader(int descriptor) {
 
 int run_rank(const std::string& path, int argc, char** argv) {
   static Progress progress;
+  allow_breakdown();  // whoever started the run says so
   int provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
   listen_to_signals(progress);

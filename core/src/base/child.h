@@ -1,6 +1,7 @@
 // A program that runs beside this process until it ends or is stopped.
 #pragma once
 
+#include <signal.h>
 #include <sys/types.h>
 
 #include <optional>
@@ -24,7 +25,9 @@ class Child {
   void poke();
   /// Closes its stdin, by which it knows that it must end.
   void stop();
-  void kill();
+  /// A signal to it and to all that it has started.
+  void kill(int signal = SIGKILL);
+  pid_t process() const { return pid_; }
   /// Where its output comes, to wait for with poll().
   int output() const { return output_; }
   /// Takes what has come and keeps the last part; false when the child has closed its output.

@@ -1,5 +1,5 @@
 // Starting and watching one program with posix_spawn.
-#include "launch/child.h"
+#include "base/child.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -102,8 +102,8 @@ void Child::stop() {
   input_ = -1;
 }
 
-void Child::kill() {
-  if (!status()) ::kill(-pid_, SIGKILL);
+void Child::kill(int signal) {
+  if (!status()) ::kill(-pid_, signal);
 }
 
 bool Child::read_output() {

@@ -1,0 +1,65 @@
+// What may go wrong in orderly ways is left to the process that asks: it will meet the same.
+#include "trial.h"
+
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <new>
+
+#include "paver/breakdown.h"
+#include "paver/mesher.h"
+
+namespace paver {
+namespace {
+
+/// Half of what the machine has: the system must not come to choose which process is to die.
+void limit_memory() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_AS, &limit) != 0) return;
+  const auto half = static_cast<rlim_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) / 2;
+  limit.rlim_cur = std::min(limit.rlim_cur, half);
+  ::setrlimit(RLIMIT_AS, &limit);
+}
+
+void no_core_file() {
+  const rlimit none{};
+  ::setrlimit(RLIMIT_CORE, &none);
+}
+
+int read_and_build(const char* path) {
+  Progress progress;
+  Options options;
+  options.size = 1;
+  try {
+    CadModel model = read_file(path, progress);
+    std::puts(stage_name(Stage::topology));
+    std::fflush(stdout);
+    predict(model, options, progress);
+  } catch (const Error& error) {
+    return error.code() == ErrorCode::out_of_memory ? out_of_memory_exit_code : 0;
+  } catch (const std::bad_alloc&) {
+    return out_of_memory_exit_code;
+  } catch (...) {
+    return 0;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int try_file(const char* path, long asking) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != asking) return 0;
+  allow_breakdown();
+  limit_memory();
+  no_core_file();
+  const int code = read_and_build(path);
+  std::fflush(nullptr);
+  ::_exit(code);
+}
+
+}  // namespace paver
