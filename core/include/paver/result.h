@@ -113,8 +113,8 @@ struct MeshResult {
   std::vector<std::string> edge_names;  ///< per B-rep edge: "Edge7", and "Added1" for those that dividing added
 };
 
-/// The verdict: what keeps the mesh from being sound, one sentence each; none: it is. A sound mesh has every face with an
-/// area, and all of its elements, sides and nodes have passed the checks of core/docs/quality.md.
+/// The verdict: what keeps the mesh from being sound, one sentence each; none: it is. A sound mesh has every face with
+/// an area, and all of its elements, sides and nodes have passed the checks of core/docs/quality.md.
 std::vector<std::string> faults(const RunReport& report);
 
 /// Why a result is not all that was asked for: Error{face_failed} that names the faces and reasons, Error{no_faces}

@@ -95,12 +95,15 @@ class PartElementCheck {
     return cross(node(1) - node(0) + 4 * (node(4) - node(5)), node(2) - node(0) + 4 * (node(4) - node(3)));
   }
 
-  /// Under the middle of the corners.
-  Vec3 surface_normal() const {
+  Vec2 middle_of_corners() const {
     Vec2 p;
     for (int k = 0; k < n_; ++k) p = p + (1.0 / n_) * region_.p[c_[k]];
+    return p;
+  }
+
+  Vec3 surface_normal() const {
     Vec3 x, xp, xq;
-    part_.region->evaluate(p, x, xp, xq);
+    part_.region->evaluate(middle_of_corners(), x, xp, xq);
     return outward(cross(xp, xq));
   }
 
@@ -167,10 +170,14 @@ class PartElementCheck {
            dot(off, off) <= most_along * most_along * length * length;
   }
 
+  /// From the corners, too: where the surface bends much the way from the guess may lead elsewhere.
   void check_distance(int node, Vec2 guess, double length) {
     const Vec3 x = mesh_.nodes[static_cast<std::size_t>(node)];
     const double most = off_inner * length;
-    if (distance_to_surface(*part_.region, guess, x, length, most) <= most || is_moved(node)) return;
+    auto is_found_from = [&](Vec2 start) { return distance_to_surface(*part_.region, start, x, length, most) <= most; };
+    if (is_moved(node) || is_found_from(guess) || is_found_from(middle_of_corners())) return;
+    for (int k = 0; k < n_; ++k)
+      if (is_found_from(region_.p[c_[k]])) return;
     faults_.add(face(), FaultKind::off_surface, x);
   }
 
