@@ -144,6 +144,10 @@ struct MeshResult {
 /// Whether there are neither elements nor lines of wires.
 bool is_empty(const MeshResult& result);
 
+/// The verdict: what keeps the mesh from being sound, one sentence each; none: it is. A sound mesh has every face with
+/// an area, and all of its elements, sides and nodes have passed the checks of core/docs/quality.md.
+std::vector<std::string> faults(const RunReport& report);
+
 /// Why a result is not all that was asked for: Error{face_failed} that names the faces and reasons, Error{no_faces}
 /// when no face has an area, nothing when every face with an area is meshed.
 std::optional<Error> shortfall(const MeshResult& result);

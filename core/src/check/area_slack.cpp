@@ -5,7 +5,8 @@
 namespace paver {
 namespace {
 
-constexpr double cad_share = 1e-3;  // of a face's area: how well it is known
+constexpr double cad_share =
+    0.05;  // of a face's area: how well the CAD kernel knows it, which integrates across creases
 
 }  // namespace
 

@@ -12,10 +12,12 @@
 namespace paver {
 namespace {
 
-constexpr double off_corner = 1e-6;  // of the target length; corners are placed on the surface itself
-constexpr double off_inner = 1e-4;   // of the chord or diagonal
-constexpr double doubtful = 0.5;     // cosine between an element's normal and the mean of its corners'
-constexpr double most_turned = 0.1;  // cosine: more turn costs no more area
+constexpr double off_corner = 1e-6;   // of the target length; corners are placed on the surface itself
+constexpr double off_inner = 1e-4;    // of the chord or diagonal
+constexpr double doubtful = 0.5;      // cosine between an element's normal and the mean of its corners'
+constexpr double most_turned = 0.5;   // cosine: more turn costs no more area
+constexpr double chords_share = 1.5;  // of 1 / cosine - 1, what chords cost of an area; 1.25 of a sphere's
+constexpr double curved_share = 0.5;  // of its square, what is left at order 2
 
 class PartElementCheck {
  public:
@@ -77,24 +79,35 @@ class PartElementCheck {
   }
 
   void check_direction(Vec3 normal) {
-    Vec3 mean;
-    for (int k = 0; k < n_; ++k) mean += normals_[static_cast<std::size_t>(c_[k])];
-    const double along = dot(normal, unit(mean));
-    if (along >= doubtful) return;
-    if (!(along > 0) || !(dot(normal, normal_at_centre()) > 0))
+    Vec3 corners;
+    for (int k = 0; k < n_; ++k) corners += normals_[static_cast<std::size_t>(c_[k])];
+    corners = unit(corners);
+    const Vec3 centre = mesh_.order == 1 ? normal : unit(centre_normal());
+    const double along = dot(normal, corners), centre_along = dot(centre, corners);
+    if (along >= doubtful && centre_along >= doubtful) return;
+    if (!(along > 0) || !(dot(centre, surface_normal()) > 0))
       faults_.add(face(), FaultKind::turned, 0.5 * (node(0) + node(2)));
   }
 
-  Vec3 normal_at_centre() const {
+  /// Of a curved element, at its centre.
+  Vec3 centre_normal() const {
+    if (n_ == 4) return cross(node(5) - node(7), node(6) - node(4));
+    return cross(node(1) - node(0) + 4 * (node(4) - node(5)), node(2) - node(0) + 4 * (node(4) - node(3)));
+  }
+
+  Vec2 middle_of_corners() const {
     Vec2 p;
     for (int k = 0; k < n_; ++k) p = p + (1.0 / n_) * region_.p[c_[k]];
+    return p;
+  }
+
+  Vec3 surface_normal() const {
     Vec3 x, xp, xq;
-    part_.region->evaluate(p, x, xp, xq);
+    part_.region->evaluate(middle_of_corners(), x, xp, xq);
     return outward(cross(xp, xq));
   }
 
-  // A surface that turns by no more than to the corners has at most 1 / cosine times the area under it; an element of
-  // order 2 follows it so that only the square of that is left.
+  // What the surface turns by from the element's normal to that at a corner makes it larger than the chords.
   double area_slack(Vec3 area) const {
     const double size = norm(area);
     double least = 1;
@@ -102,14 +115,14 @@ class PartElementCheck {
       if (const Vec3 normal = normals_[static_cast<std::size_t>(c_[k])]; dot(normal, normal) > 0)
         least = std::min(least, dot(area, normal) / size);
     const double turn = 1 / std::max(least, most_turned) - 1;
-    return 0.5 * size * turn * (mesh_.order == 1 || is_moved_ ? 1 : std::min(turn, 1.0));
+    return 0.5 * size * (mesh_.order == 1 || is_moved_ ? chords_share * turn : curved_share * turn * turn);
   }
 
   void check_inner_nodes() {
     Vec3 blend = -0.25 * (node(0) + node(1) + node(2) + (n_ == 4 ? node(3) : Vec3{}));
     for (int k = 0; k < n_; ++k) {
       const SideCubic side(region_, c_[k], c_[next(k)]);
-      if (n_ == 4) blend += 0.5 * side.at(0.5);
+      if (n_ == 4) blend += 0.5 * middle_of(side);
       // A side inside is looked at with one of its two elements.
       if (v_[k] < v_[next(k)] && mesh_.node_edge[static_cast<std::size_t>(v_[n_ + k])] < 0) check_middle(k, side);
     }
@@ -121,11 +134,13 @@ class PartElementCheck {
     return !checked_.moved.empty() && std::binary_search(checked_.moved.begin(), checked_.moved.end(), node);
   }
 
+  static Vec3 middle_of(const SideCubic& side) { return 0.5 * (side.a + side.b) + 0.125 * (side.first - side.last); }
+
   void check_middle(int k, const SideCubic& side) {
     const Vec3 x = node(n_ + k);
     const double length = norm(side.b - side.a);
     const Vec3 normal = normals_[static_cast<std::size_t>(c_[k])] + normals_[static_cast<std::size_t>(c_[next(k)])];
-    if (is_near(x - side.at(0.5), normal, length)) return;
+    if (is_near(x - middle_of(side), normal, length)) return;
     const Vec2 guess = guess_middle(region_, c_[k], c_[next(k)], x - 0.5 * (side.a + side.b));
     check_distance(v_[n_ + k], guess, length);
   }
@@ -155,10 +170,14 @@ class PartElementCheck {
            dot(off, off) <= most_along * most_along * length * length;
   }
 
+  /// From the corners, too: where the surface bends much the way from the guess may lead elsewhere.
   void check_distance(int node, Vec2 guess, double length) {
     const Vec3 x = mesh_.nodes[static_cast<std::size_t>(node)];
     const double most = off_inner * length;
-    if (distance_to_surface(*part_.region, guess, x, length, most) <= most || is_moved(node)) return;
+    auto is_found_from = [&](Vec2 start) { return distance_to_surface(*part_.region, start, x, length, most) <= most; };
+    if (is_moved(node) || is_found_from(guess) || is_found_from(middle_of_corners())) return;
+    for (int k = 0; k < n_; ++k)
+      if (is_found_from(region_.p[c_[k]])) return;
     faults_.add(face(), FaultKind::off_surface, x);
   }
 

@@ -5,8 +5,7 @@
 
 namespace paver {
 
-/// Of this rank: faults, and what the turn of each element may cost of its face's area. Elements run against their face
-/// where their own mean normal does against the surface's, be it at their centre or the mean of their corners.
+/// Of this rank: faults, and what the turn of each element may cost of its face's area.
 void check_elements(const CheckedMesh& checked, int threads, const Progress& progress, MeshFaults& faults,
                     AreaSlack& slack);
 

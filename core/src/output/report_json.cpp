@@ -110,6 +110,7 @@ std::string report_json(const MeshResult& result) { return report_json(result, c
 
 std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
   const RunReport& run = result.report;
+  const std::vector<std::string> found = faults(run);
   Json json = {{"report_version", report_version},
                {"length_unit", "mm"},
                {"target_length", run.target_length},
@@ -118,6 +119,8 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
                {"threads", run.threads},
                {"model", model_json(run.model)},
                {"components", run.components},
+               {"verdict", found.empty() ? "sound" : "faulty"},
+               {"faults", found},
                {"quality", quality_json(run.quality)},
                {"faces", Json::array()},
                {"notes", run.notes},

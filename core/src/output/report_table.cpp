@@ -83,6 +83,16 @@ void add_quality(const RunReport& run, Text& text) {
   }
 }
 
+void add_verdict(const RunReport& run, Text& text) {
+  const std::vector<std::string> found = faults(run);
+  if (found.empty()) {
+    text.line("verdict", "the mesh is sound");
+  } else {
+    text.line("verdict", "the mesh is faulty: {}{}", found.front(),
+              found.size() > 1 ? fmt::format(" And {} more.", found.size() - 1) : "");
+  }
+}
+
 std::vector<const FaceReport*> faces_to_list(const std::vector<FaceReport>& faces) {
   std::vector<const FaceReport*> listed;
   for (const FaceReport& face : faces) {
@@ -126,6 +136,7 @@ std::string report_table(const RunReport& report) {
   add_model(report, text);
   add_contacts(report, text);
   add_quality(report, text);
+  add_verdict(report, text);
   add_faces(report.faces, text);
   add_costs(report, text);
   for (std::size_t i = 0; i < std::min(report.notes.size(), most_notes); ++i) {

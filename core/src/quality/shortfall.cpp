@@ -10,6 +10,11 @@ namespace {
 
 constexpr std::size_t most_named_faces = 10;
 
+std::string without_stop(std::string sentence) {
+  while (sentence.ends_with('.')) sentence.pop_back();
+  return sentence;
+}
+
 /// "Face3 (paving: no room), Face9 (...)"; counts the failed faces and notes the first one.
 std::string failed_faces(const std::vector<FaceReport>& faces, std::size_t& count, int& first) {
   std::string text;
@@ -18,9 +23,7 @@ std::string failed_faces(const std::vector<FaceReport>& faces, std::size_t& coun
     if (face.status != FaceStatus::failed) continue;
     if (++count == 1) first = static_cast<int>(i);
     if (count > most_named_faces) continue;
-    std::string reason = face.reason;
-    while (reason.ends_with('.')) reason.pop_back();
-    text += fmt::format("{}{} ({}: {})", text.empty() ? "" : ", ", face.name, face.stage, reason);
+    text += fmt::format("{}{} ({}: {})", text.empty() ? "" : ", ", face.name, face.stage, without_stop(face.reason));
   }
   if (count > most_named_faces) text += fmt::format(" and {} more", count - most_named_faces);
   return text;
@@ -35,12 +38,27 @@ std::string unconnected_parts(const std::vector<std::array<std::string, 2>>& pai
       "Parts that touch could not be connected and are meshed as drawn: {}; repair or fuse them in the CAD program.", text);
 }
 
+constexpr const char* no_mesh = "None of the faces has an area, so there is no mesh.";
+
 }  // namespace
 
 bool is_empty(const MeshResult& result) {
   const QualityReport& quality = result.report.quality;  // of a result without its mesh, too
   return result.mesh.quad_count() + result.mesh.triangle_count() == 0 &&
          quality.quads + quality.triangles + quality.wire_lines == 0;
+}
+
+std::vector<std::string> faults(const RunReport& report) {
+  std::vector<std::string> sentences;
+  for (const FaceReport& face : report.faces)
+    if (face.status == FaceStatus::failed)
+      sentences.push_back(fmt::format("{} failed ({}): {}.", face.name, face.stage, without_stop(face.reason)));
+  const QualityReport& quality = report.quality;
+  if (sentences.empty() && quality.quads + quality.triangles + quality.wire_lines == 0) sentences.push_back(no_mesh);
+  if (!report.model.unconnected.empty()) sentences.push_back(unconnected_parts(report.model.unconnected));
+  if (const long folded = quality.inverted + quality.undecided; folded > 0)
+    sentences.push_back(fmt::format("Elements that fold or may fold: {}; use a smaller size.", folded));
+  return sentences;
 }
 
 std::optional<Error> shortfall(const MeshResult& result) {
@@ -58,7 +76,7 @@ std::optional<Error> shortfall(const MeshResult& result) {
   }
   const auto& unconnected = result.report.model.unconnected;
   if (!unconnected.empty()) return Error(ErrorCode::face_failed, unconnected_parts(unconnected), {"topology", -1, -1, {}});
-  if (!has_mesh) return Error(ErrorCode::no_faces, "None of the faces has an area, so there is no mesh.");
+  if (!has_mesh) return Error(ErrorCode::no_faces, no_mesh);
   return std::nullopt;
 }
 

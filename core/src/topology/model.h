@@ -14,8 +14,8 @@ namespace paver {
 struct Coedge {
   int edge = -1;
   bool is_reversed = false;                      ///< runs from the edge's t1 to t0
-  bool is_slit = false;                          ///< lies inside the face, which another coedge has on the other side
   std::shared_ptr<const ParameterCurve> pcurve;  ///< over the edge's own t in [t0, t1], whatever is_reversed says
+  bool is_slit = false;  ///< lies inside the face, which has another coedge for the other side
 };
 
 /// Closed chain: the end vertex of each coedge is the start vertex of the next.

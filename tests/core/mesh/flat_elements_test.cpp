@@ -57,6 +57,17 @@ TEST(FlatElements, QuadsThatMayNotBeSplitStay) {
   EXPECT_EQ(alive(mesh).size(), 1U);
 }
 
+// Both would best be cut from 0 to 2.
+TEST(FlatElements, OfTwoQuadsThatShareTwoSidesOneIsCutAcrossThese) {
+  RegionMesh mesh = flat_mesh({{0, 0}, {2, -1}, {4, 0}, {2, 0.1}, {2, 3}});
+  mesh.add_element({0, 1, 2, 3});
+  mesh.add_element({0, 3, 2, 4});
+  split_all_quads(mesh);
+  ASSERT_EQ(alive(mesh).size(), 4U);
+  EXPECT_TRUE(has_side(mesh, 1, 3) || has_side(mesh, 3, 4));
+  EXPECT_DOUBLE_EQ(area(mesh), 8);
+}
+
 TEST(FlatElements, EveryQuadIsSplitAlongItsBetterDiagonal) {
   RegionMesh mesh = flat_mesh({{0, 0}, {1, 0}, {1.2, 1}, {0, 1}, {2, 0}, {2.2, 1}, {-1, 0.5}});
   mesh.add_element({0, 1, 2, 3});

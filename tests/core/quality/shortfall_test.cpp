@@ -39,5 +39,29 @@ TEST(Shortfall, ListsTenFaces) {
   EXPECT_NE(text.find(" and 2 more."), std::string::npos) << text;
 }
 
+TEST(Faults, AreNoneOfAMeshWhoseFacesAreAllThere) {
+  RunReport report;
+  report.faces.resize(2);
+  report.faces[1].status = FaceStatus::no_area;
+  EXPECT_EQ(faults(report).size(), 1u);  // no mesh
+  report.quality.quads = 3;
+  EXPECT_TRUE(faults(report).empty());
+  report.quality.undecided = 1;
+  EXPECT_EQ(faults(report).size(), 1u);
+}
+
+TEST(Faults, NameEachFaceThatFailed) {
+  RunReport report;
+  report.faces.resize(3);
+  for (int i : {0, 2}) {
+    FaceReport& face = report.faces[static_cast<std::size_t>(i)];
+    face.name = "Face" + std::to_string(i + 1), face.status = FaceStatus::failed, face.stage = "quality";
+    face.reason = "an element folds; use a smaller size";
+  }
+  EXPECT_EQ(faults(report),
+            (std::vector<std::string>{"Face1 failed (quality): an element folds; use a smaller size.",
+                                      "Face3 failed (quality): an element folds; use a smaller size."}));
+}
+
 }  // namespace
 }  // namespace paver

@@ -1,0 +1,113 @@
+// A model that went through all stages up to its mesh, which tests then break.
+#pragma once
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "check/check_mesh.h"
+#include "curving/place_nodes.h"
+#include "paving/pave_region.h"
+#include "quality/report.h"
+#include "regions/build_regions.h"
+#include "support/alone.h"
+#include "support/fake_model.h"
+#include "support/thread_ranks.h"
+
+namespace paver::fake {
+
+/// Two rectangles that meet at a right angle along edge 1, 4 by 3 and 3 by 2; the second is reversed.
+inline Model angle() {
+  Builder builder;
+  for (Vec3 corner : {Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{4, 3, 0}, Vec3{0, 3, 0}, Vec3{4, 3, 2}, Vec3{4, 0, 2}})
+    builder.vertex(corner);
+  for (int i = 0; i < 4; ++i) builder.line(i, (i + 1) % 4);
+  const int up = builder.line(2, 4), back = builder.line(4, 5), down = builder.line(5, 1);
+  builder.face(std::make_shared<Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}), 12,
+               {{builder.use(0, false, {0, 0}, {4, 0}), builder.use(1, false, {4, 0}, {4, 3}),
+                 builder.use(2, false, {4, 3}, {0, 3}), builder.use(3, false, {0, 3}, {0, 0})}});
+  builder.face(std::make_shared<Plane>(Vec3{4, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}), 6,
+               {{builder.use(1, false, {0, 0}, {3, 0}), builder.use(up, false, {3, 0}, {3, 2}),
+                 builder.use(back, false, {3, 2}, {0, 2}), builder.use(down, false, {0, 2}, {0, 0})}});
+  Model model = builder.take();
+  model.faces[1].is_reversed = true;
+  return model;
+}
+
+/// Each region is one part; of several ranks each has every so many of them. `mesh` may be changed at will as long as
+/// the tables keep their lengths.
+class CheckedModel {
+ public:
+  CheckedModel(Model m, double h, int order, int rank = 0, int ranks = 1) : model(std::move(m)) {
+    Options options;
+    options.size = h;
+    Progress progress;
+    test::Alone alone(progress);
+    SizeField size = build_size_field(model, options, progress);
+    std::vector<FaceLayout> layouts = plan_layouts(model, size, progress);
+    std::vector<int> counts = choose_counts(model, size, progress, alone);
+    settle_counts(model, layouts, counts);
+    edges = divide_edges(model, size, counts, alone);
+    regions = build_regions(model, size, layouts, edges);
+    for (const Region& region : regions) paved.push_back(pave_region(region, progress).mesh);
+    is_meshed.assign(model.faces.size(), 1);
+    join(rank, ranks);
+    mesh = joined.mesh;
+    if (order == 2) mesh = curve_elements(joined, edges, model, Cuts(regions, {}), parts, 1, progress).mesh;
+    figures.resize(model.faces.size());
+  }
+
+  /// With the areas that the mesh has now.
+  MeshFaults check(Ranks& ranks) {
+    const CheckedMesh checked{model, edges, mesh, parts, joined.sizes, numbers, moved, boundary(), is_meshed};
+    MeshCheck check = check_mesh(checked, {}, 1, Progress(), ranks);
+    if (ranks.count() == 1) {
+      measure_quality(mesh, 1, std::vector<bool>(model.edges.size()), figures, Progress());
+      check_areas(model, figures, check);
+    }
+    return check.faults;
+  }
+  MeshFaults check() {
+    SingleRank alone;
+    return check(alone);
+  }
+
+  /// A quad of the face without nodes on its boundary; throws where there is none here.
+  int* inner_quad(int face) {
+    for (std::size_t q = 0; q < mesh.quad_count(); ++q) {
+      int* v = &mesh.quads[q * static_cast<std::size_t>(mesh.nodes_per_quad())];
+      if (mesh.quad_face[q] == face && *std::min_element(v, v + 4) >= boundary()) return v;
+    }
+    throw std::runtime_error("no such quad");
+  }
+  int boundary() const { return static_cast<int>(edges.nodes.size()); }
+  bool has(int face) const { return std::count(mesh.quad_face.begin(), mesh.quad_face.end(), face) > 0; }
+
+  Model model;
+  EdgeNodes edges;
+  std::vector<Region> regions;
+  std::vector<RegionMesh> paved;
+  JoinedMesh joined;
+  std::vector<CurvingPart> parts;
+  std::vector<int> moved;
+  std::vector<char> is_meshed;
+  std::vector<long> numbers;  // of nodes in the whole mesh of order 1; on one rank none
+  std::vector<FaceReport> figures;
+  SurfaceMesh mesh;
+
+ private:
+  void join(int rank, int ranks) {
+    std::vector<JoinPart> join;
+    for (std::size_t i = 0; i < regions.size(); ++i)
+      join.push_back({regions[i].face, static_cast<int>(i) % ranks == rank ? &paved[i] : nullptr});
+    joined = join_regions(model, edges, join);
+    for (int v = 0; ranks > 1 && v < boundary(); ++v) numbers.push_back(v);
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      parts.push_back({&regions[i], join[i].mesh, &joined.node_of[i]});
+      for (long v = 0; ranks > 1 && v < joined.sizes[i].nodes; ++v)
+        numbers.push_back(boundary() + 1000 * static_cast<long>(i) + v);
+    }
+  }
+};
+
+}  // namespace paver::fake
