@@ -152,8 +152,12 @@
         <translation>Prozesse, die sich die Arbeit teilen, über MPI; 0: ohne MPI [0]</translation>
     </message>
     <message>
-        <source>Largest gap between faces that is sewn; 0: never sew [from the target length]. Negative: automatic</source>
-        <translation>Größte Lücke zwischen Flächen, die geschlossen wird; 0: nie [aus der Ziellänge]. Negativ: automatisch</translation>
+        <source>Parts that touch: imprint: share faces and edges; union: only the outer skin is left; none: as drawn [imprint]</source>
+        <translation>Teile, die sich berühren: imprint: gemeinsame Flächen und Kanten; union: nur die äußere Haut bleibt; none: wie gezeichnet [imprint]</translation>
+    </message>
+    <message>
+        <source>Largest gap between faces or parts that is closed; 0: never sew [chosen by what it closes]. Negative: automatic</source>
+        <translation>Größte Lücke zwischen Flächen oder Teilen, die geschlossen wird; 0: nie [danach gewählt, was sie schließt]. Negativ: automatisch</translation>
     </message>
     <message>
         <source>Refinement</source>
@@ -429,6 +433,18 @@
     <message>
         <source>{} mesh edges are free: the surface is open there.</source>
         <translation>{} Netzkanten sind frei: Dort ist die Oberfläche offen.</translation>
+    </message>
+    <message>
+        <source>{} pairs of parts touch: {}.</source>
+        <translation>{} Paare von Teilen berühren sich: {}.</translation>
+    </message>
+    <message>
+        <source>{} touch but could not be connected; repair or fuse them.</source>
+        <translation>{} berühren sich, ließen sich aber nicht verbinden; bitte reparieren oder vereinigen.</translation>
+    </message>
+    <message>
+        <source>There are {} separate meshes, which share no node: {}.</source>
+        <translation>Es sind {} getrennte Netze ohne gemeinsame Knoten: {}.</translation>
     </message>
     <message>
         <source>No edge is longer than {} of the target length.</source>
@@ -1003,6 +1019,10 @@
         <translation>Lücken schließen bis</translation>
     </message>
     <message>
+        <source>Parts that touch</source>
+        <translation>Teile, die sich berühren</translation>
+    </message>
+    <message>
         <source>Options</source>
         <translation>Optionen</translation>
     </message>
@@ -1111,6 +1131,14 @@
         <translation>Ob jede Netzkante in genau zwei Elementen liegt</translation>
     </message>
     <message>
+        <source>Contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>Pairs of parts that touch or cross, and how many meshes share no node</source>
+        <translation>Paare von Teilen, die sich berühren oder kreuzen, und wie viele Netze keinen Knoten teilen</translation>
+    </message>
+    <message>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
@@ -1141,6 +1169,10 @@
     <message>
         <source>Nothing is meshed yet.</source>
         <translation>Noch ist nichts vernetzt.</translation>
+    </message>
+    <message>
+        <source>{}; separate meshes: {}</source>
+        <translation>{}; getrennte Netze: {}</translation>
     </message>
     <message>
         <source>no, {} free edges</source>

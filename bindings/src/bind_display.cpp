@@ -165,7 +165,8 @@ void bind_display(py::module_& module) {
       .def("write",
            [](const BareMesh& mesh, const FileArguments& files, std::vector<std::string> face_names,
               std::vector<std::string> edge_names, std::vector<std::string> edge_groups, const py::object& poll) {
-             mesh.write(output_files(files), std::move(face_names), std::move(edge_names), std::move(edge_groups), poll);
+             mesh.write(output_files(files), std::move(face_names), std::move(edge_names), std::move(edge_groups),
+                        poll);
            })
       .def("quality", [](BareMesh& mesh) { return quality_arrays(mesh.quality()); })
       .def("tessellate", [](const BareMesh& mesh, int subdivision, bool apart) {

@@ -22,8 +22,8 @@
 #include "quality/report.h"
 #include "regions/divide_loops.h"
 #include "topology/build_model.h"
-#include "topology/edge_entities.h"
 #include "topology/components.h"
+#include "topology/edge_entities.h"
 
 namespace paver {
 namespace {
@@ -192,8 +192,8 @@ class Run {
     face.triangles += piece.triangles;
     face.mesh_area += piece.mesh_area;
     bool is_worse = piece.status == FaceStatus::failed && face.status != FaceStatus::failed;
-    bool is_first_area = piece.status == FaceStatus::meshed && face.status != FaceStatus::failed &&
-                         face.status != FaceStatus::meshed;
+    bool is_first_area =
+        piece.status == FaceStatus::meshed && face.status != FaceStatus::failed && face.status != FaceStatus::meshed;
     if (is_worse || is_first_area) {
       face.status = piece.status;
       face.stage = piece.stage;

@@ -188,8 +188,11 @@ def coinciding(mesh, closed):
     return sum(is_fault(g) for g in groups.values())
 
 
-def conformity(mesh, closed):
-    """Every edge in two elements with opposite direction, or on a B-rep edge where the CAD is open; no loose nodes."""
+def conformity(mesh, closed, junctions=False):
+    """Every edge in two elements with opposite direction, or on a B-rep edge where the CAD is open; no loose nodes.
+
+    junctions: there are B-rep edges where more than two faces meet.
+    """
     if not np.isfinite(mesh.nodes).all():
         return ["a coordinate is not a number"]
     faults = []
@@ -200,14 +203,16 @@ def conformity(mesh, closed):
     edges, number, uses = np.unique(keys, axis=0, return_inverse=True, return_counts=True)
     lines = edge_keys(mesh, mesh.lines[:, :2], mesh.lines[:, 2] if mesh.order == 2 else None)
     on_line = in_rows(edges, lines)
-    if closed and (uses != 2).any():
+    is_meeting = junctions & on_line & (uses > 2)
+    if closed and ((uses != 2) & ~is_meeting).any():
         faults.append(f"{(uses == 1).sum()} open edges and {(uses > 2).sum()} edges of more than two elements")
     if ((uses != 2) & ~on_line).any():
         faults.append(f"{((uses != 2) & ~on_line).sum()} edges inside faces have not two elements")
     if not in_rows(lines, edges).all():
         faults.append("a piece of a B-rep edge is no edge of an element")
     same = np.concatenate([number[:, None], sides[:, :1], tags[:, None]], 1)[:, :2 if closed else 3]
-    if len(np.unique(same, axis=0)) != len(sides):
+    same = same[~is_meeting[number.ravel()]]
+    if len(np.unique(same, axis=0)) != len(same):
         faults.append("two elements run through one edge in the same direction")
     used = np.unique(np.concatenate([mesh.quads.ravel(), mesh.triangles.ravel()]))
     if len(used) != len(mesh.nodes):

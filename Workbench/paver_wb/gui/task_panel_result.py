@@ -10,10 +10,12 @@ translate = FreeCAD.Qt.translate
 
 
 def edge_lengths(mesh):
-    """(edges,) straight lengths of all element edges, each once, mm."""
+    """(edges,) straight lengths of all element edges, each once, mm; of the lines where there are only wires."""
     pairs = np.concatenate([np.stack([rows[:, i], rows[:, (i + 1) % sides]], axis=1)
                             for rows, sides in ((np.asarray(mesh.quads), 4), (np.asarray(mesh.triangles), 3))
                             for i in range(sides)]).astype(np.int64)
+    if not len(pairs):
+        pairs = np.asarray(mesh.lines)[:, :2].astype(np.int64)
     pairs.sort(axis=1)
     keys = np.unique(pairs[:, 0] * len(mesh.nodes) + pairs[:, 1])
     ends = np.stack([keys // len(mesh.nodes), keys % len(mesh.nodes)])
@@ -49,7 +51,17 @@ def figures(mesh):
             "Paver", "no, {} free edges").format(number(quality["border_edges"])),
          translate("Paver", "Whether every mesh edge lies in exactly two elements")),
     ]
-    return rows + times(report)
+    return rows + parts(report) + times(report)
+
+
+def parts(report):
+    """A row for what touches and how many meshes come of it; none for a single part."""
+    contacts, meshes = report["model"].get("contacts", []), report.get("components", [])
+    if not contacts and len(meshes) < 2:
+        return []
+    return [(translate("Paver", "Contacts"), translate("Paver", "{}; separate meshes: {}").format(
+        number(len(contacts)), number(len(meshes))),
+        translate("Paver", "Pairs of parts that touch or cross, and how many meshes share no node"))]
 
 
 def times(report):

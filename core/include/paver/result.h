@@ -66,7 +66,7 @@ struct ScaledJacobianStats {
 /// Figures of the whole mesh; definitions as in core/docs/quality.md.
 struct QualityReport {
   long quads = 0, triangles = 0, nodes = 0;
-  long wire_lines = 0;                           ///< line elements of wires
+  long wire_lines = 0;                                 ///< line elements of wires
   ScaledJacobianStats sj_quads, sj_triangles, sj_all;  ///< straight-sided
   double irregular_share =
       0;  ///< nodes inside faces (off B-rep edges, periodic edges do not count) with other than 4 edges
@@ -120,12 +120,12 @@ struct TaskTime {
 struct RunReport {
   ModelReport model;
   std::vector<std::vector<std::string>> components;  ///< separate meshes, each by the parts it is of
-  double target_length = 0;  ///< mm
+  double target_length = 0;                          ///< mm
   int order = 2, threads = 1;
   Elements elements = Elements::quad_dominant;
   QualityReport quality;
-  std::vector<FaceReport> faces;  ///< the faces as read, then what several of them have in common
-  std::vector<std::string> notes;                             ///< one sentence each
+  std::vector<FaceReport> faces;   ///< the faces as read, then what several of them have in common
+  std::vector<std::string> notes;  ///< one sentence each
   std::vector<std::pair<std::string, double>> stage_seconds;  ///< wall time per stage, in order
   std::vector<TaskTime> tasks;                                ///< those done by this process
   double peak_memory_mib = 0;

@@ -32,7 +32,8 @@ template <class A>
 void fields(A& archive, Is<RunReport> auto& run) {
   auto& [model, components, target_length, order, threads, elements, quality, faces, notes, stage_seconds, tasks,
          peak_memory_mib] = run;
-  archive(model, components, target_length, order, threads, elements, quality, faces, notes, stage_seconds, tasks, peak_memory_mib);
+  archive(model, components, target_length, order, threads, elements, quality, faces, notes, stage_seconds, tasks,
+          peak_memory_mib);
 }
 
 template <class A>

@@ -1,9 +1,7 @@
 // Connecting, in order: which parts may touch, clusters of them fused, faces replaced by their images, what lies inside
 // others found, contacts listed.
 #include <BOPTools_AlgoTools.hxx>
-#include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <IntTools_Context.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
@@ -41,7 +39,11 @@ std::vector<std::vector<int>> clusters_of(const std::vector<Pair>& pairs, std::s
 class Connector {
  public:
   Connector(Workpiece& work, double tolerance, Progress& progress)
-      : work_(work), tolerance_(tolerance), progress_(progress), pairs_(find_near_parts(work, tolerance)) {}
+      : work_(work), tolerance_(tolerance), progress_(progress) {
+    NearParts near = find_near_parts(work, tolerance);
+    pairs_ = std::move(near.pairs);
+    failed = std::move(near.free_form);
+  }
 
   /// Whether anything was fused.
   bool run() {
@@ -54,35 +56,45 @@ class Connector {
   std::vector<Pair> failed;
 
  private:
-  /// Where all together cannot be fused, the part with most pairs that cannot is left out, and again.
+  /// Where all together cannot be fused, the parts that cannot be in pairs are left out, the one with most such pairs
+  /// first; where that does not help, all stay as they are. So there are two tries and each pair's.
   void connect_cluster(std::vector<int> parts) {
-    while (parts.size() > 1) {
-      if (auto fusion = fuse(work_, parts, tolerance_, progress_)) {
-        fusions_.push_back(std::move(*fusion));
-        return;
-      }
-      int left_out = find_worst(parts);
-      for (auto [a, b] : pairs_)
-        if ((a == left_out && contains(parts, b)) || (b == left_out && contains(parts, a))) failed.push_back({a, b});
-      std::erase(parts, left_out);
+    if (try_to_fuse(parts)) return;
+    std::vector<Pair> pairs = pairs_among(parts), bad;
+    if (pairs.size() > 1)
+      std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(bad), [&](Pair pair) {
+        return !fuse(work_, {pair[0], pair[1]}, tolerance_, progress_);
+      });
+    while (!bad.empty()) {
+      const int worst = most_frequent(bad);
+      std::erase(parts, worst);
+      std::erase_if(bad, [&](Pair pair) { return pair[0] == worst || pair[1] == worst; });
     }
+    if (pairs_among(parts).size() == pairs.size() || !try_to_fuse(parts)) parts.clear();
+    const std::vector<Pair> connected = pairs_among(parts);
+    for (Pair pair : pairs)
+      if (std::find(connected.begin(), connected.end(), pair) == connected.end()) failed.push_back(pair);
   }
 
-  static bool contains(const std::vector<int>& parts, int part) {
-    return std::find(parts.begin(), parts.end(), part) != parts.end();
+  bool try_to_fuse(const std::vector<int>& parts) {
+    auto fusion = fuse(work_, parts, tolerance_, progress_);
+    if (fusion) fusions_.push_back(std::move(*fusion));
+    return fusion.has_value();
   }
 
-  int find_worst(const std::vector<int>& parts) {
-    std::map<int, int> failures;
-    for (auto [a, b] : pairs_) {
-      if (!contains(parts, a) || !contains(parts, b)) continue;
-      bool fails = parts.size() == 2 || !fuse(work_, {a, b}, tolerance_, progress_);
-      failures[a] += fails, failures[b] += fails;
-    }
-    int worst = parts.back();
-    for (int part : parts)
-      if (failures[part] > failures[worst]) worst = part;
-    return worst;
+  std::vector<Pair> pairs_among(const std::vector<int>& parts) const {
+    auto has = [&](int part) { return std::find(parts.begin(), parts.end(), part) != parts.end(); };
+    std::vector<Pair> pairs;
+    for (Pair pair : pairs_)
+      if (has(pair[0]) && has(pair[1])) pairs.push_back(pair);
+    return pairs;
+  }
+
+  static int most_frequent(const std::vector<Pair>& pairs) {
+    std::map<int, int> count;
+    for (Pair pair : pairs) ++count[pair[0]], ++count[pair[1]];
+    auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
+    return std::max_element(count.begin(), count.end(), less)->first;
   }
 
   void replace_faces() {
@@ -187,39 +199,6 @@ void drop_inside(Workpiece& work) {
 }
 
 }  // namespace
-
-std::vector<Pair> find_near_parts(const Workpiece& work, double tolerance) {
-  struct Boxed {
-    int part;
-    Bnd_Box box;
-  };
-  std::vector<Bnd_Box> whole(work.parts.size());
-  std::vector<std::vector<Bnd_Box>> boxes(work.parts.size());
-  auto add = [&](const TopoDS_Shape& shape, int part) {
-    Bnd_Box box;
-    BRepBndLib::Add(shape, box, Standard_False);
-    box.Enlarge(0.5 * tolerance);
-    whole[static_cast<std::size_t>(part)].Add(box);
-    boxes[static_cast<std::size_t>(part)].push_back(box);
-  };
-  for (const WorkFace& face : work.faces)
-    if (face.has_area && face.fault.empty())
-      for (const FaceUse& use : face.uses) add(face.face, use.part);
-  for (const WorkWire& wire : work.wires) add(wire.edge, wire.part);
-  auto touch = [&](std::size_t a, std::size_t b) {
-    if (whole[a].IsVoid() || whole[b].IsVoid() || whole[a].IsOut(whole[b])) return false;
-    for (const Bnd_Box& one : boxes[a])
-      if (!one.IsOut(whole[b]))
-        for (const Bnd_Box& other : boxes[b])
-          if (!one.IsOut(other)) return true;
-    return false;
-  };
-  std::vector<Pair> pairs;
-  for (std::size_t a = 0; a < work.parts.size(); ++a)
-    for (std::size_t b = a + 1; b < work.parts.size(); ++b)
-      if (touch(a, b)) pairs.push_back({static_cast<int>(a), static_cast<int>(b)});
-  return pairs;
-}
 
 ConnectResult connect(Workpiece& work, Connect how, double tolerance, Progress& progress) {
   ConnectResult result;

@@ -1,6 +1,8 @@
 // Parts that touch are made to share faces, edges and vertices.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,7 +40,7 @@ struct Fusion {
     TopoDS_Face face;
     std::vector<int> of;  ///< indices of the work's faces that it is a piece of, rising
   };
-  std::vector<Image> images;  ///< in the order of the first face each is a piece of
+  std::vector<Image> images;                                 ///< in the order of the first face each is a piece of
   std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> edges;  ///< edge and one of its images, where these differ
 };
 
@@ -46,10 +48,17 @@ struct Fusion {
 /// Whether it works is checked: every face has images that cover it.
 std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress);
 
-/// Pairs of parts that may touch within `tolerance`, by the boxes of their faces and wires.
-std::vector<std::array<int, 2>> find_near_parts(const Workpiece& work, double tolerance);
+struct NearParts {
+  std::vector<std::array<int, 2>> pairs;
+  /// Pairs whose free-form faces may touch or cross where at least one part is no solid: for these the kernel's fuse
+  /// takes minutes or has no end, so it is not tried.
+  std::vector<std::array<int, 2>> free_form;
+};
 
-/// Contacts between connected parts. `as_read`: the work before.
+/// Parts that may touch within `tolerance`, by boxes of small pieces of their faces and wires.
+NearParts find_near_parts(const Workpiece& work, double tolerance);
+
+/// Contacts between connected parts.
 std::vector<Contact> find_contacts(const Workpiece& work);
 
 /// Notes for every face which solids it lies inside of, among those whose boxes hold it.

@@ -52,8 +52,7 @@ class Fuser {
 
  private:
   bool is_member(const WorkFace& face) const {
-    return is_usable(face) &&
-           std::any_of(parts_.begin(), parts_.end(), [&](int part) { return has_part(face, part); });
+    return is_usable(face) && std::any_of(parts_.begin(), parts_.end(), [&](int part) { return has_part(face, part); });
   }
 
   TopoDS_Shape argument(int part) {
@@ -103,8 +102,7 @@ class Fuser {
 
 }  // namespace
 
-std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance,
-                           Progress& progress) {
+std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress) {
   Fuser fuser(work, parts);
   for (double factor : gap_factors) {
     try {

@@ -83,7 +83,8 @@ class PartLister {
 
   void add_wires() {
     TopTools_IndexedMapOfShape edges, vertices;
-    for (TopExp_Explorer free(work_.shape, TopAbs_EDGE, TopAbs_FACE); free.More(); free.Next()) edges.Add(free.Current());
+    for (TopExp_Explorer free(work_.shape, TopAbs_EDGE, TopAbs_FACE); free.More(); free.Next())
+      edges.Add(free.Current());
     TopTools_IndexedMapOfShape bounding;
     for (const WorkFace& face : work_.faces) TopExp::MapShapes(face.face, TopAbs_EDGE, bounding);
     for (int i = 1; i <= edges.Extent(); ++i)

@@ -70,7 +70,7 @@ std::map<int, std::vector<int>> groups_to_sew(const Workpiece& work, const EdgeU
 
 /// A group after sewing.
 struct Sewn {
-  std::vector<TopoDS_Face> faces;  ///< in the order of the group; null: lost
+  std::vector<TopoDS_Face> faces;                            ///< in the order of the group; null: lost
   std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> edges;  ///< edge and what took its place
   double tolerance = 0;
   EdgeUses uses;

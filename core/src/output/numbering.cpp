@@ -86,8 +86,8 @@ Groups find_groups(const MeshResult& result, const std::vector<char>& has_elemen
   };
   std::unordered_map<std::string, int> of_faces, of_edges;
   for (std::size_t face = 0; face < has_elements.size(); ++face)
-    groups.of_face.push_back(
-        has_elements[face] ? number(of_faces, name_of_face(result, face), 0, groups.face_names) : 0);
+    groups.of_face.push_back(has_elements[face] ? number(of_faces, name_of_face(result, face), 0, groups.face_names)
+                                                : 0);
   std::vector<char> has_lines(result.edge_groups.size(), 0);
   for (int edge : result.mesh.line_edge)
     if (edge < static_cast<int>(has_lines.size())) has_lines[edge] = 1;

@@ -96,8 +96,8 @@ void write_msh2(const MeshResult& result, bool is_ascii, AtomicFile& file) {
   file.write(fmt::format("$Elements\n{}\n", mesh.line_edge.size() + mesh.triangle_count() + mesh.quad_count()));
   int number = 0;
   const std::vector<int>&groups = numbering.groups.of_face, &line_groups = numbering.groups.of_edge;
-  write_table({gmsh_line_type(mesh.order), mesh.order + 1, mesh.lines, mesh.line_edge, line_groups}, numbering, is_ascii,
-              number, file);
+  write_table({gmsh_line_type(mesh.order), mesh.order + 1, mesh.lines, mesh.line_edge, line_groups}, numbering,
+              is_ascii, number, file);
   write_table({gmsh_triangle_type(mesh.order), mesh.nodes_per_triangle(), mesh.triangles, mesh.triangle_face, groups},
               numbering, is_ascii, number, file);
   write_table({gmsh_quad_type(mesh.order), mesh.nodes_per_quad(), mesh.quads, mesh.quad_face, groups}, numbering,

@@ -35,7 +35,8 @@ std::string unconnected_parts(const std::vector<std::array<std::string, 2>>& pai
     text += fmt::format("{}{} and {}", i ? ", " : "", pairs[i][0], pairs[i][1]);
   if (pairs.size() > most_named_faces) text += fmt::format(" and {} more pairs", pairs.size() - most_named_faces);
   return fmt::format(
-      "Parts that touch could not be connected and are meshed as drawn: {}; repair or fuse them in the CAD program.", text);
+      "Parts that touch could not be connected and are meshed as drawn: {}; repair or fuse them in the CAD program.",
+      text);
 }
 
 constexpr const char* no_mesh = "None of the faces has an area, so there is no mesh.";
@@ -75,7 +76,8 @@ std::optional<Error> shortfall(const MeshResult& result) {
                  {face.stage, first, -1, face.where});
   }
   const auto& unconnected = result.report.model.unconnected;
-  if (!unconnected.empty()) return Error(ErrorCode::face_failed, unconnected_parts(unconnected), {"topology", -1, -1, {}});
+  if (!unconnected.empty())
+    return Error(ErrorCode::face_failed, unconnected_parts(unconnected), {"topology", -1, -1, {}});
   if (!has_mesh) return Error(ErrorCode::no_faces, no_mesh);
   return std::nullopt;
 }

@@ -1,5 +1,6 @@
-// Shape to Model, in order: measure, repair, sew, connect, divide along creases, number edges and vertices, chain loops, orient
-// faces, report. A face that cannot be used is data: it keeps its place and name, with has_area = false or a fault.
+// Shape to Model, in order: measure, repair, sew, connect, divide along creases, number edges and vertices, chain
+// loops, orient faces, report. A face that cannot be used is data: it keeps its place and name, with has_area = false
+// or a fault.
 #include "topology/build_model.h"
 
 #include <BRep_Tool.hxx>
@@ -48,7 +49,8 @@ class ModelBuilder {
   Model build(const Options& options) {
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(shape_.shape, TopAbs_FACE, faces);
-    progress_.begin(Stage::topology, (measure_units + repair_units + sew_units + connect_units + loop_units) * faces.Extent());
+    progress_.begin(Stage::topology,
+                    (measure_units + repair_units + sew_units + connect_units + loop_units) * faces.Extent());
     work_ = make_workpiece(shape_, progress_, tasks_);
     repair(work_, progress_);
     sewn_ = sew(work_, options.sew_tolerance, progress_);
@@ -325,9 +327,8 @@ class ModelBuilder {
 Model build_model(const Shape& shape, const Options& options, ModelReport report, Progress& progress,
                   SharedTasks& tasks) {
   QuietMessages quiet;
-  return guard_occt(ErrorCode::internal, "The topology of the model cannot be built", [&] {
-    return ModelBuilder(shape, std::move(report), progress, tasks).build(options);
-  });
+  return guard_occt(ErrorCode::internal, "The topology of the model cannot be built",
+                    [&] { return ModelBuilder(shape, std::move(report), progress, tasks).build(options); });
 }
 
 }  // namespace paver

@@ -1,4 +1,5 @@
-// Shape to Model: sews where faces come without shared edges, connects parts that touch, then lists faces, loops, edges and vertices.
+// Shape to Model: sews where faces come without shared edges, connects parts that touch, then lists faces, loops, edges
+// and vertices.
 #pragma once
 
 #include "base/shared_tasks.h"

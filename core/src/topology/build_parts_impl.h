@@ -13,8 +13,8 @@ namespace paver {
 
 /// Which model edge an OpenCASCADE edge is.
 struct EdgeIndex {
-  TopTools_IndexedMapOfShape map;  ///< all edges, in the order of the model
-  std::vector<int> edge;           ///< per position: index in Model::edges, -1 where no face uses it
+  TopTools_IndexedMapOfShape map;         ///< all edges, in the order of the model
+  std::vector<int> edge;                  ///< per position: index in Model::edges, -1 where no face uses it
   TopTools_IndexedMapOfShape vertex_map;  ///< all vertices
   std::vector<int> vertex;                ///< per position from 1: index in Model::vertices
 

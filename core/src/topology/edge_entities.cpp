@@ -28,8 +28,7 @@ EdgeEntities list_edge_entities(const Model& model) {
   for (std::size_t e = 0; e < model.edges.size(); ++e) {
     std::string& group = result.groups[static_cast<std::size_t>(result.of_edge[e])];
     if (is_junction(model.edges[e])) group = junctions;
-    if (model.edges[e].is_wire())
-      group = model.parts[static_cast<std::size_t>(model.edge_part[e])];
+    if (model.edges[e].is_wire()) group = model.parts[static_cast<std::size_t>(model.edge_part[e])];
   }
   return result;
 }

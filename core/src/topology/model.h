@@ -15,7 +15,7 @@ struct Coedge {
   int edge = -1;
   bool is_reversed = false;                      ///< runs from the edge's t1 to t0
   std::shared_ptr<const ParameterCurve> pcurve;  ///< over the edge's own t in [t0, t1], whatever is_reversed says
-  bool is_slit = false;  ///< lies inside the face, which has another coedge for the other side
+  bool is_slit = false;                          ///< lies inside the face, which has another coedge for the other side
 };
 
 /// Closed chain: the end vertex of each coedge is the start vertex of the next.
@@ -48,13 +48,13 @@ struct Face {
   int origin = -1;    ///< 0-based entry of the report that it is, or is a piece of; pieces stand in a row
   std::string label;  ///< name given in the file, or empty
   std::shared_ptr<const Surface> surface;
-  bool is_reversed = false;  ///< outward normal is -(xu x xv)
-  double area = 0;           ///< mm^2
-  bool has_area = true;      ///< false: left out with a note, has no loops
-  bool is_common = false;    ///< no face but a place in the report: all of it is common with others
-  bool is_dropped = false;   ///< left out since it lies inside the union of parts
+  bool is_reversed = false;      ///< outward normal is -(xu x xv)
+  double area = 0;               ///< mm^2
+  bool has_area = true;          ///< false: left out with a note, has no loops
+  bool is_common = false;        ///< no face but a place in the report: all of it is common with others
+  bool is_dropped = false;       ///< left out since it lies inside the union of parts
   std::vector<int> front, back;  ///< parts that are solids in front of it (where its normal looks) and behind it
-  std::string fault;         ///< not empty: cannot be meshed, and why (e.g. an edge without a curve on the face)
+  std::string fault;             ///< not empty: cannot be meshed, and why (e.g. an edge without a curve on the face)
   std::vector<Loop> loops;
   std::vector<InnerPoint> points;
 };
@@ -63,12 +63,13 @@ struct Model {
   std::vector<Vec3> vertices;
   std::vector<Edge> edges;
   std::vector<Face> faces;
-  /// Names of solids ("Solid2"), of faces that hang together without one ("Sheet1"), of edges that bound no face ("Wire1").
+  /// Names of solids ("Solid2"), of faces that hang together without one ("Sheet1"), of edges that bound no face
+  /// ("Wire1").
   std::vector<std::string> parts;
-  std::vector<std::vector<int>> face_parts;  ///< per face: the parts that have it
-  std::vector<int> edge_part;                ///< per edge: the part that it is a wire of, or -1
-  int read_faces = 0;                        ///< of the shape as read: the first entries of the report
-  std::vector<std::vector<int>> common;      ///< per further entry: the faces as read that have it in common, rising
+  std::vector<std::vector<int>> face_parts;   ///< per face: the parts that have it
+  std::vector<int> edge_part;                 ///< per edge: the part that it is a wire of, or -1
+  int read_faces = 0;                         ///< of the shape as read: the first entries of the report
+  std::vector<std::vector<int>> common;       ///< per further entry: the faces as read that have it in common, rising
   int read_edges = 0;                         ///< edges of the shape as read, used or not
   std::vector<Vec3> read_vertices;            ///< of the shape as read
   std::vector<std::vector<int>> solid_faces;  ///< per solid of the shape as read: its faces, as Face::origin

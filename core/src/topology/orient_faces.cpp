@@ -52,9 +52,7 @@ class Orienter {
   }
 
   const Use& use(int u) const { return uses_[static_cast<std::size_t>(u)]; }
-  const std::vector<Loop>& loops_of(int u) const {
-    return model_.faces[static_cast<std::size_t>(use(u).face)].loops;
-  }
+  const std::vector<Loop>& loops_of(int u) const { return model_.faces[static_cast<std::size_t>(use(u).face)].loops; }
 
   /// Those of one part.
   std::vector<Side> sides_of(int edge, int part) const {

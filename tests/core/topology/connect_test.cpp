@@ -1,6 +1,4 @@
 // Parts that touch: what they share, who is on which side, what is told of it.
-#include "brep/connect_impl.h"
-
 #include <gtest/gtest.h>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -11,6 +9,7 @@
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 
+#include "brep/connect_impl.h"
 #include "core/brep/shape_files.h"
 #include "support/report_of.h"
 
@@ -84,10 +83,15 @@ std::vector<Case> cases() {
       {"fin across", compound({floor, fin(50, 0, 100, 0, 30)}), 3, 1, 9, {edge}, 1},
       {"sheets crossing", compound({floor, fin(50, 20, 80, -30, 30)}), 3, 1, 8, {crossing}, 1},
       {"fins crossing on a sheet",
-       compound({floor, fin(50, 20, 80, 0, 30),
-                 BRepBuilderAPI_MakeFace(gp_Pln(gp_Ax3(gp_Pnt(50, 0, 0), gp_Dir(1, 0, 0), gp_Dir(0, 1, 0))), 20, 80, 0, 30)
-                     .Shape()}),
-       5, 5, 16, {edge, edge, crossing}, 1},
+       compound(
+           {floor, fin(50, 20, 80, 0, 30),
+            BRepBuilderAPI_MakeFace(gp_Pln(gp_Ax3(gp_Pnt(50, 0, 0), gp_Dir(1, 0, 0), gp_Dir(0, 1, 0))), 20, 80, 0, 30)
+                .Shape()}),
+       5,
+       5,
+       16,
+       {edge, edge, crossing},
+       1},
       {"patch on a board", compound({box(0, 0, 0, 40, 20, 3), sheet(3, 5, 15, 5, 15)}), 7, 0, 0, {face}, 1},
       {"wire on a sheet", compound({floor, wire({50, 50, 0}, {50, 50, 40})}), 1, 0, 4, {point}, 1},
       {"wire in a sheet", compound({floor, wire({20, 50, 0}, {80, 50, 0})}), 1, 0, 4, {edge}, 1},
@@ -156,7 +160,8 @@ TEST(Connect, WhatLiesInsideIsKnownAndAUnionDropsIt) {
   EXPECT_EQ(faces_with_area(skin), 12);
   EXPECT_EQ(junctions(skin), 0);
   EXPECT_EQ(free_edges(skin), 0);
-  const Model outer = model_of(compound({box(0, 0, 0, 50, 50, 50), box(15, 15, 15, 20, 20, 20)}), with(Connect::united));
+  const Model outer =
+      model_of(compound({box(0, 0, 0, 50, 50, 50), box(15, 15, 15, 20, 20, 20)}), with(Connect::united));
   EXPECT_EQ(faces_with_area(outer), 6);
   const Model foot = model_of(compound({box(-100, -100, -10, 200, 200, 10), BRepPrimAPI_MakeCylinder(3, 60).Shape()}),
                               with(Connect::united));

@@ -1,0 +1,128 @@
+// Which parts may touch: boxes of parts, then of faces, then of the cells of a grid over each bent face, so that a face
+// within the bulge of another one is not taken for touching it.
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepTools.hxx>
+#include <Bnd_Box.hxx>
+#include <TopoDS.hxx>
+
+#include "brep/connect_impl.h"
+#include "brep/occt_impl.h"
+
+namespace paver {
+namespace {
+
+constexpr int cells = 16;         // per direction
+constexpr double sag_factor = 2;  // what a cell's box grows by, of how far its middle is from its corners' mean
+
+bool is_free_form(const BRepAdaptor_Surface& surface) {
+  const GeomAbs_SurfaceType kind = surface.GetType();
+  return kind == GeomAbs_BSplineSurface || kind == GeomAbs_BezierSurface || kind == GeomAbs_OffsetSurface ||
+         kind == GeomAbs_OtherSurface || kind == GeomAbs_SurfaceOfExtrusion || kind == GeomAbs_SurfaceOfRevolution;
+}
+
+/// A face or wire of a part.
+class Piece {
+ public:
+  Piece(const TopoDS_Shape& shape, double margin) : shape_(shape), margin_(margin) {
+    BRepBndLib::Add(shape, box_, Standard_False);
+    box_.Enlarge(margin);
+    if (shape.ShapeType() != TopAbs_FACE) return;
+    BRepAdaptor_Surface surface(TopoDS::Face(shape), Standard_False);
+    is_flat_ = surface.GetType() == GeomAbs_Plane;
+    is_free_form_ = paver::is_free_form(surface);
+  }
+
+  const Bnd_Box& box() const { return box_; }
+  bool is_free_form() const { return is_free_form_; }
+
+  bool may_touch(Piece& other) {
+    if (box_.IsOut(other.box_)) return false;
+    for (const Bnd_Box& one : fine_boxes())
+      if (!one.IsOut(other.box_))
+        for (const Bnd_Box& two : other.fine_boxes())
+          if (!one.IsOut(two)) return true;
+    return false;
+  }
+
+ private:
+  const std::vector<Bnd_Box>& fine_boxes() {
+    if (!fine_.empty()) return fine_;
+    if (is_flat_ || shape_.ShapeType() != TopAbs_FACE) {
+      fine_.push_back(box_);
+    } else {
+      add_cells();
+    }
+    return fine_;
+  }
+
+  void add_cells() {
+    const TopoDS_Face face = TopoDS::Face(shape_);
+    BRepAdaptor_Surface surface(face, Standard_False);
+    double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+    BRepTools::UVBounds(face, u0, u1, v0, v1);
+    auto at = [&](double i, double j) { return surface.Value(u0 + (u1 - u0) * i / cells, v0 + (v1 - v0) * j / cells); };
+    for (int i = 0; i < cells; ++i)
+      for (int j = 0; j < cells; ++j) {
+        Bnd_Box& box = fine_.emplace_back();
+        gp_XYZ mean(0, 0, 0);
+        for (double di : {0.0, 0.5, 1.0})
+          for (double dj : {0.0, 0.5, 1.0}) {
+            gp_Pnt point = at(i + di, j + dj);
+            box.Add(point);
+            if (di != 0.5 && dj != 0.5) mean += 0.25 * point.XYZ();
+          }
+        box.Enlarge(margin_ + sag_factor * (at(i + 0.5, j + 0.5).XYZ() - mean).Modulus());
+      }
+  }
+
+  TopoDS_Shape shape_;
+  double margin_;
+  Bnd_Box box_;
+  bool is_flat_ = false, is_free_form_ = false;
+  std::vector<Bnd_Box> fine_;
+};
+
+enum class Nearness { apart, near, free_form };
+
+}  // namespace
+
+NearParts find_near_parts(const Workpiece& work, double tolerance) {
+  std::vector<Bnd_Box> whole(work.parts.size());
+  std::vector<std::vector<Piece>> pieces(work.parts.size());
+  auto add = [&](const TopoDS_Shape& shape, int part) {
+    pieces[static_cast<std::size_t>(part)].emplace_back(shape, 0.5 * tolerance);
+    whole[static_cast<std::size_t>(part)].Add(pieces[static_cast<std::size_t>(part)].back().box());
+  };
+  for (const WorkFace& face : work.faces)
+    if (face.has_area && face.fault.empty())
+      for (const FaceUse& use : face.uses) add(face.face, use.part);
+  for (const WorkWire& wire : work.wires) add(wire.edge, wire.part);
+  auto nearness = [&](std::size_t a, std::size_t b) {
+    if (whole[a].IsVoid() || whole[b].IsVoid() || whole[a].IsOut(whole[b])) return Nearness::apart;
+    const bool are_solids = work.parts[a].solid >= 0 && work.parts[b].solid >= 0;
+    Nearness found = Nearness::apart;
+    for (Piece& one : pieces[a]) {
+      if (one.box().IsOut(whole[b])) continue;
+      for (Piece& two : pieces[b]) {
+        const bool is_hard = !are_solids && one.is_free_form() && two.is_free_form();
+        if (found == Nearness::near && !is_hard) continue;
+        if (!one.may_touch(two)) continue;
+        if (is_hard) return Nearness::free_form;
+        found = Nearness::near;
+      }
+    }
+    return found;
+  };
+  NearParts near;
+  for (std::size_t a = 0; a < work.parts.size(); ++a)
+    for (std::size_t b = a + 1; b < work.parts.size(); ++b) {
+      const Nearness found = nearness(a, b);
+      if (found == Nearness::apart) continue;
+      (found == Nearness::near ? near.pairs : near.free_form).push_back({static_cast<int>(a), static_cast<int>(b)});
+    }
+  return near;
+}
+
+}  // namespace paver
