@@ -11,6 +11,7 @@
 #include "quality/report.h"
 #include "regions/build_regions.h"
 #include "support/alone.h"
+#include "support/boundary_use.h"
 #include "support/fake_model.h"
 #include "support/thread_ranks.h"
 
@@ -100,7 +101,7 @@ class CheckedModel {
     std::vector<JoinPart> join;
     for (std::size_t i = 0; i < regions.size(); ++i)
       join.push_back({regions[i].face, static_cast<int>(i) % ranks == rank ? &paved[i] : nullptr});
-    joined = join_regions(model, edges, join);
+    joined = join_regions(model, edges, test::all_of(edges), join);
     for (int v = 0; ranks > 1 && v < boundary(); ++v) numbers.push_back(v);
     for (std::size_t i = 0; i < regions.size(); ++i) {
       parts.push_back({&regions[i], join[i].mesh, &joined.node_of[i]});
