@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BinTools.hxx>
 #include <IGESControl_Controller.hxx>
@@ -174,10 +174,10 @@ TEST_F(ReadShape, NamesTheDamagedEntityOfAStepFile) {
   expect_error(path, ErrorCode::damaged_file, "entity #");
 }
 
-TEST_F(ReadShape, RefusesFilesWithoutFaces) {
-  std::string path = folder_.file("wire.brep");
-  BRepTools::Write(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Edge(), path.c_str());
-  expect_error(path, ErrorCode::no_faces, "has no faces");
+TEST_F(ReadShape, RefusesFilesWithoutFacesAndWires) {
+  std::string path = folder_.file("point.brep");
+  BRepTools::Write(BRepBuilderAPI_MakeVertex(gp_Pnt(0, 0, 0)).Vertex(), path.c_str());
+  expect_error(path, ErrorCode::no_faces, "has no faces and no wires");
 }
 
 TEST_F(ReadShape, StopsWhenCancelled) {

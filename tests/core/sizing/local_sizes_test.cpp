@@ -35,7 +35,7 @@ Model numbered_box(double a, double b, double c) {
   for (std::size_t e = 0; e < model.edges.size(); ++e) model.edges[e].origins = {static_cast<int>(e)};
   model.read_edges = static_cast<int>(model.edges.size());
   model.read_vertices = model.vertices;
-  model.report.faces = static_cast<long>(model.faces.size());
+  model.read_faces = static_cast<int>(model.faces.size());
   model.solid_faces = {{0, 1, 2, 3, 4, 5}};
   return model;
 }

@@ -210,6 +210,7 @@ TEST(BuildModel, SewsLooseFacesAndTurnsThemOutwards) {
 TEST(BuildModel, DoesNotSewWhenToldSo) {
   Options options;
   options.sew_tolerance = 0;
+  options.connect = Connect::none;
   Model model = model_of(loose_faces(BRepPrimAPI_MakeBox(1, 2, 3).Shape()), options);
   EXPECT_EQ(model.report.free_edges, 24);
   EXPECT_EQ(model.report.free_edge_names.size(), 24u);
@@ -232,10 +233,12 @@ TEST(BuildModel, ClosesAGapWithinTheToleranceOnly) {
   EXPECT_EQ(open.report.free_edges, 8);
 }
 
-TEST(BuildModel, LeavesTouchingSolidsApart) {
+TEST(BuildModel, LeavesTouchingSolidsApartWhenToldSo) {
   TopoDS_Compound pair =
       compound({BRepPrimAPI_MakeBox(1, 1, 1).Shape(), BRepPrimAPI_MakeBox(gp_Pnt(1, 0, 0), 1, 1, 1).Shape()});
-  Model model = model_of(pair);
+  Options options;
+  options.connect = Connect::none;
+  Model model = model_of(pair, options);
   EXPECT_EQ(model.faces.size(), 12u);
   EXPECT_EQ(model.edges.size(), 24u);
   EXPECT_EQ(model.report.solids, 2);

@@ -63,12 +63,14 @@ TEST(EdgeOrigins, AreThePositionsInTheShape) {
     EXPECT_EQ(model.edges[e].origins, std::vector<int>{static_cast<int>(e)});
 }
 
-TEST(EdgeOrigins, SkipEdgesWithoutFaces) {
+TEST(EdgeOrigins, EdgesWithoutFacesAreWires) {
   TopoDS_Shape wire = BRepBuilderAPI_MakeEdge(gp_Pnt(5, 5, 5), gp_Pnt(9, 9, 9)).Shape();
   Model model = model_of(compound({wire, square(0, 1, 0, 1)}));
-  ASSERT_EQ(model.edges.size(), 4u);
+  ASSERT_EQ(model.edges.size(), 5u);
   EXPECT_EQ(model.read_edges, 5);
-  EXPECT_EQ(model.edges[0].name, "Edge2") << "Edge1 is the one that no face uses";
+  EXPECT_TRUE(model.edges[0].is_wire());
+  EXPECT_FALSE(model.edges[1].is_wire());
+  EXPECT_EQ(model.parts, (std::vector<std::string>{"Sheet1", "Wire1"}));
 }
 
 TEST(EdgeOrigins, SewnEdgesKnowBothNumbers) {
@@ -132,7 +134,7 @@ TEST(EdgeOrigins, LinesOfAMeshLieOnTheEdgesTheyName) {
   };
   for (std::size_t line = 0; line < result.mesh.line_edge.size(); ++line) expect_on(line, result.mesh.line_edge[line]);
   for (auto [line, edge] : result.mesh.further_edges) expect_on(static_cast<std::size_t>(line), edge);
-  EXPECT_EQ(lines[0], 0);
+  EXPECT_EQ(lines[0], 28) << "a wire of its own";
   for (std::size_t edge = 1; edge < 13; ++edge) EXPECT_GE(lines[edge], 4) << edge;
   EXPECT_EQ(std::count(lines.begin(), lines.end(), 8), 2) << "both long edges, one of them sewn to two short ones";
 }
