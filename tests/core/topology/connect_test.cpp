@@ -81,7 +81,7 @@ std::vector<Case> cases() {
       {"fin on a sheet", compound({floor, fin(50, 20, 80, 0, 30)}), 2, 1, 7, {edge}, 1},
       {"fin at the rim", compound({floor, fin(50, 20, 100, 0, 30)}), 2, 1, 8, {edge}, 1},
       {"fin across", compound({floor, fin(50, 0, 100, 0, 30)}), 3, 1, 9, {edge}, 1},
-      {"sheets crossing", compound({floor, fin(50, 20, 80, -30, 30)}), 3, 1, 8, {crossing}, 1},
+      {"sheets crossing", compound({floor, fin(50, 20, 80, -30, 30)}), 3, 1, 10, {crossing}, 1},
       {"fins crossing on a sheet",
        compound(
            {floor, fin(50, 20, 80, 0, 30),
@@ -89,7 +89,7 @@ std::vector<Case> cases() {
                 .Shape()}),
        5,
        5,
-       16,
+       12,
        {edge, edge, crossing},
        1},
       {"patch on a board", compound({box(0, 0, 0, 40, 20, 3), sheet(3, 5, 15, 5, 15)}), 7, 0, 0, {face}, 1},
