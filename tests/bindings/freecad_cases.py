@@ -102,7 +102,7 @@ class Shapes(unittest.TestCase):
         self.assertEqual(len(result.face_names), 11)
 
     def test_what_has_nothing_to_mesh_is_refused(self):
-        for shape in (Part.Shape(), Part.makeLine((0, 0, 0), (1, 1, 1)), Part.Compound([])):
+        for shape in (Part.Shape(), Part.Vertex(0, 0, 0), Part.Compound([])):
             with self.assertRaises(paver.InputError) as caught:
                 paver.mesh(shape, size=1)
             self.assertEqual(caught.exception.code, "no_faces")
@@ -180,9 +180,9 @@ class Documents(unittest.TestCase):
         box = self.add("Part::Box", placed(0, 0, 0), Length=10, Width=20, Height=30)
         ball = self.add("Part::Sphere", placed(50, 0, 0), Radius=9)
         self.document.recompute()
-        model = paver.Model([ball, box, Part.makeCone(3, 5, 7)])
+        model = paver.Model([ball, box, Part.makeCone(3, 5, 7, Vector(0, -50, 0))])
         result = paver.mesh(model, size=4)
-        for part, shape in zip(result.parts, (ball.Shape, box.Shape, Part.makeCone(3, 5, 7))):
+        for part, shape in zip(result.parts, (ball.Shape, box.Shape, Part.makeCone(3, 5, 7, Vector(0, -50, 0)))):
             self.assertEqual((len(part.faces), len(part.edges)), (len(shape.Faces), len(shape.Edges)))
             for number, face in zip(part.faces, shape.Faces):
                 report = result.report["faces"][number]

@@ -129,7 +129,7 @@ class Runs(PanelCase):
             self.mesh_and_wait()
             chosen, = FreeCADGui.Selection.getSelectionEx()
             self.assertEqual((chosen.Object, chosen.SubElementNames), (bad, (name,)))
-            self.assertIn("use a smaller size", self.text("FaultText"))
+            self.assertIn("repair the face in the CAD model", self.text("FaultText"))
             self.assertEqual(self.text("ShowPlace"), "Show Face2")
             FreeCADGui.Selection.clearSelection()
             window.click(window.widget("Paver_ShowPlace"))

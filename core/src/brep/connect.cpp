@@ -47,7 +47,9 @@ class Connector {
 
   /// Whether anything was fused.
   bool run() {
-    for (const std::vector<int>& cluster : clusters_of(pairs_, work_.parts.size())) connect_cluster(cluster);
+    const std::vector<std::vector<int>> clusters = clusters_of(pairs_, work_.parts.size());
+    if (!clusters.empty()) copy_shape(work_);
+    for (const std::vector<int>& cluster : clusters) connect_cluster(cluster);
     if (fusions_.empty()) return false;
     replace_faces();
     return true;
@@ -129,6 +131,8 @@ class Connector {
     note_edges();
     work_.faces = std::move(faces);
     work_.is_rebuilt = true;
+    Progress silent;
+    repair(work_, silent);  // the kernel leaves some new edges without an image on a face
   }
 
   static WorkFace placeholder(const WorkFace& face) {
