@@ -5,6 +5,8 @@ thicknesses are found faster so. Without such a group a pressure is left out of 
 """
 import re
 
+from paver_wb.mesh_file import BOTH
+
 
 def analyses_of(obj):
     return [thing for thing in obj.InList if thing.isDerivedFrom("Fem::FemAnalysis")]
@@ -12,12 +14,13 @@ def analyses_of(obj):
 
 def face_numbers(names, source, subelements, is_alone):
     """Numbers, from 0, of the faces of a mesh that one entry of References means, of the source of that name; an entry
-    without any elements means all."""
+    without any elements means all. What two faces have in common is of both."""
     prefix = "" if is_alone else source + "_"
     wanted = [prefix + sub for sub in subelements if re.fullmatch(r"Face\d+", sub)]
     is_whole = not any(subelements)
     pattern = re.compile(re.escape(prefix) + r"Face\d+")
-    return {i for i, name in enumerate(names) if name in wanted or is_whole and pattern.fullmatch(name)}
+    return {i for i, name in enumerate(names)
+            if any(one in wanted or is_whole and pattern.fullmatch(one) for one in name.split(BOTH))}
 
 
 def references(obj, sources):

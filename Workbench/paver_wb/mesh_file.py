@@ -18,6 +18,7 @@ ARRAYS = {"nodes": "<f8", "quads": "<i4", "triangles": "<i4", "quad_faces": "<i4
           "lines": "<i4", "line_edges": "<i4"}
 OPTIONAL = {"node_targets": "<f8"}  # arrays that older files and imported meshes do not have
 
+BOTH = " + "  # between names of faces, in the name of what they have in common
 NAMES = ("order", "face_names", "edge_names", "report")
 
 

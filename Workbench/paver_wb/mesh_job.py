@@ -3,9 +3,7 @@ in a process without FreeCAD."""
 from typing import NamedTuple
 
 from paver_wb import core, mesh_file
-
-
-BOTH = " + "  # between names of faces, in the name of what they have in common
+from paver_wb.mesh_file import BOTH
 
 
 class Job(NamedTuple):

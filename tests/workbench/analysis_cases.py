@@ -97,6 +97,19 @@ class Strip(InAnalysis):
         self.assertEqual(sizes[pressure.Name + "_Faces"],
                          sizes["Box_Face2"] + sizes["Box_Face3"] + sizes["Plane_Face1"])
 
+    def test_what_two_objects_have_in_common_is_in_the_groups_of_both(self):
+        box = self.document.addObject("Part::Box", "Box")  # stands on the plane
+        box.Length = box.Width = box.Height = 1
+        self.document.recompute()
+        mesh, pressure = self.add_analysis(size=1)
+        mesh.MoreParts = [box]
+        pressure.References = [(self.plane, "Face1")]
+        meshing.mesh(mesh)
+        sizes = self.group_sizes(mesh)
+        common = [name for name in sizes if " + " in name]
+        self.assertEqual(len(common), 1, sizes)
+        self.assertEqual(sizes[pressure.Name + "_Faces"], sizes["Plane_Face1"] + sizes[common[0]])
+
     def test_groups_are_there_again_in_a_reopened_document(self):
         mesh, _ = self.add_analysis(size=10)
         meshing.mesh(mesh)
