@@ -23,6 +23,7 @@ VALUES = {
     "multilevel": ("auto", "auto", {}, False),
     "threads": ("1", 1, {}, False),
     "ranks": ("0", 0, {}, False),
+    "connect": ("union", "union", {}, False),
     "sew_tolerance": ("20 um", 0.02, {}, False),
 }
 FILE_OPTIONS = {"output", "report", "msh_version", "ascii", "quiet"}
