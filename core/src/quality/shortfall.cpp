@@ -35,7 +35,8 @@ std::string unconnected_parts(const std::vector<std::array<std::string, 2>>& pai
     text += fmt::format("{}{} and {}", i ? ", " : "", pairs[i][0], pairs[i][1]);
   if (pairs.size() > most_named_faces) text += fmt::format(" and {} more pairs", pairs.size() - most_named_faces);
   return fmt::format(
-      "Parts that touch could not be connected and are meshed as drawn: {}; repair or fuse them in the CAD program.",
+      "Parts that touch, or come near it, could not be connected and are meshed as drawn: {}; fuse them in the CAD "
+      "program, or say connect none where they are to stay apart.",
       text);
 }
 

@@ -30,6 +30,16 @@ TEST(Shortfall, IsNoFacesWhenNoneHasAnArea) {
   EXPECT_EQ(shortfall(result).value().code(), ErrorCode::no_faces);
 }
 
+TEST(Shortfall, NamesPartsThatAreNotConnected) {
+  MeshResult result = fake::WavyMesh(1, 4, 0).result();
+  result.report.model.unconnected = {{"Solid1", "Sheet2"}, {"Sheet1", "Sheet2"}};
+  auto error = shortfall(result);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(exit_code(error->code()), 4);
+  EXPECT_NE(std::string(error->what()).find("Solid1 and Sheet2, Sheet1 and Sheet2;"), std::string::npos);
+  EXPECT_EQ(faults(result.report).size(), 1u);
+}
+
 TEST(Shortfall, ListsTenFaces) {
   MeshResult result;
   result.report.faces.resize(12);
