@@ -32,6 +32,7 @@ TEST(Shortfall, IsNoFacesWhenNoneHasAnArea) {
 
 TEST(Shortfall, NamesPartsThatAreNotConnected) {
   MeshResult result = fake::WavyMesh(1, 4, 0).result();
+  result.report.quality.quads = 3;
   result.report.model.unconnected = {{"Solid1", "Sheet2"}, {"Sheet1", "Sheet2"}};
   auto error = shortfall(result);
   ASSERT_TRUE(error);
