@@ -31,21 +31,16 @@ const std::vector<Elements>& kinds_of_elements() {
   return kinds;
 }
 
-std::vector<std::string> element_choices() {
+template <class T>
+std::vector<std::string> names_of(const std::vector<T>& choices, const char* (*name)(T)) {
   std::vector<std::string> names;
-  for (Elements kind : kinds_of_elements()) names.emplace_back(elements_name(kind));
+  for (T choice : choices) names.emplace_back(name(choice));
   return names;
 }
 
 const std::vector<Connect>& ways_to_connect() {
   static const std::vector<Connect> ways{Connect::imprint, Connect::united, Connect::none};
   return ways;
-}
-
-std::vector<std::string> connect_choices() {
-  std::vector<std::string> names;
-  for (Connect way : ways_to_connect()) names.emplace_back(connect_name(way));
-  return names;
 }
 
 /// Choices of multilevel; from the third on the numbers from 4.
@@ -133,7 +128,7 @@ std::vector<Entry> other_entries(const Options& d) {
        [](Options& o, const Value& v) { o.order = static_cast<int>(v.number); }},
       {{"elements", OptionKind::choice, "KIND",
         "quad-dominant; all-quad: triangles only where nothing else is possible; all-triangle",
-        elements_name(d.elements), "", "", element_choices()},
+        elements_name(d.elements), "", "", names_of(kinds_of_elements(), elements_name)},
        [](Options& o, const Value& v) { o.elements = kinds_of_elements()[static_cast<std::size_t>(v.index)]; }},
       {{"multilevel", OptionKind::choice, "K",
         "Mesh large faces at K times the target length first and divide that mesh: off, auto, 4 to 8",
@@ -152,7 +147,7 @@ std::vector<Entry> other_entries(const Options& d) {
        [](Options& o, const Value& v) { o.ranks = static_cast<int>(v.number); }},
       {{"connect", OptionKind::choice, "HOW",
         "Parts that touch: imprint: share faces and edges; union: only the outer skin is left; none: as drawn",
-        connect_name(d.connect), "", "", connect_choices()},
+        connect_name(d.connect), "", "", names_of(ways_to_connect(), connect_name)},
        [](Options& o, const Value& v) { o.connect = ways_to_connect()[static_cast<std::size_t>(v.index)]; }},
       {{"sew_tolerance",
         OptionKind::length,

@@ -1,13 +1,12 @@
 // Connecting, in order: which parts may touch, clusters of them fused, faces replaced by their images, what lies inside
 // others found, contacts listed.
 #include <BOPTools_AlgoTools.hxx>
-#include <BRep_Tool.hxx>
 #include <IntTools_Context.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <map>
-#include <numeric>
 
+#include "base/union_find.h"
 #include "brep/connect_impl.h"
 #include "brep/occt_impl.h"
 
@@ -18,18 +17,10 @@ using Pair = std::array<int, 2>;
 
 /// Clusters of parts that pairs hang together; those of one part are left out.
 std::vector<std::vector<int>> clusters_of(const std::vector<Pair>& pairs, std::size_t parts) {
-  std::vector<int> root(parts);
-  std::iota(root.begin(), root.end(), 0);
-  auto find = [&](int i) {
-    while (root[static_cast<std::size_t>(i)] != i) i = root[static_cast<std::size_t>(i)];
-    return i;
-  };
-  for (auto [a, b] : pairs) {
-    int one = find(a), other = find(b);
-    root[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
-  }
+  UnionFind together(parts);
+  for (auto [a, b] : pairs) together.merge(a, b);
   std::map<int, std::vector<int>> members;
-  for (std::size_t i = 0; i < parts; ++i) members[find(static_cast<int>(i))].push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < parts; ++i) members[together.find(static_cast<int>(i))].push_back(static_cast<int>(i));
   std::vector<std::vector<int>> clusters;
   for (auto& [first, list] : members)
     if (list.size() > 1) clusters.push_back(std::move(list));

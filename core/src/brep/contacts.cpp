@@ -3,7 +3,6 @@
 #include <BOPTools_AlgoTools3D.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <IntTools_Context.hxx>
@@ -16,8 +15,6 @@
 #include <set>
 
 #include "brep/connect_impl.h"
-#include "brep/evaluators_impl.h"
-#include "brep/occt_impl.h"
 
 namespace paver {
 namespace {
@@ -180,14 +177,13 @@ class InsideFinder {
  private:
   void look_inside(int part) {
     const TopoDS_Shape solid = solids()(work_.parts[static_cast<std::size_t>(part)].solid + 1);
+    if (boxes_.empty()) measure_faces();
     Bnd_Box box;
     BRepBndLib::Add(solid, box, Standard_False);
     std::unique_ptr<BRepClass3d_SolidClassifier> classifier;
-    for (WorkFace& face : work_.faces) {
-      if (!face.has_area || !face.fault.empty() || bounds(face, part)) continue;
-      Bnd_Box own;
-      BRepBndLib::Add(face.face, own, Standard_False);
-      if (box.IsOut(own)) continue;
+    for (std::size_t f = 0; f < work_.faces.size(); ++f) {
+      WorkFace& face = work_.faces[f];
+      if (!face.is_usable() || face.has_part(part) || box.IsOut(boxes_[f])) continue;
       gp_Pnt point;
       gp_Pnt2d uv;
       if (BOPTools_AlgoTools3D::PointInFace(face.face, point, uv, context_) != 0 || box.IsOut(point)) continue;
@@ -197,8 +193,11 @@ class InsideFinder {
     }
   }
 
-  static bool bounds(const WorkFace& face, int part) {
-    return std::any_of(face.uses.begin(), face.uses.end(), [&](const FaceUse& use) { return use.part == part; });
+  void measure_faces() {
+    for (const WorkFace& face : work_.faces) {
+      boxes_.emplace_back();
+      if (face.is_usable()) BRepBndLib::Add(face.face, boxes_.back(), Standard_False);
+    }
   }
 
   const TopTools_IndexedMapOfShape& solids() {
@@ -207,6 +206,7 @@ class InsideFinder {
   }
 
   Workpiece& work_;
+  std::vector<Bnd_Box> boxes_;  ///< per face
   TopTools_IndexedMapOfShape solids_;
   Handle(IntTools_Context) context_ = new IntTools_Context;
 };

@@ -19,12 +19,6 @@ constexpr double gap_factors[] = {1, 0, 10};
 /// Images may differ from their face by this share of its area.
 constexpr double area_share = 1e-3;
 
-bool is_usable(const WorkFace& face) { return face.has_area && face.fault.empty(); }
-
-bool has_part(const WorkFace& face, int part) {
-  return std::any_of(face.uses.begin(), face.uses.end(), [&](const FaceUse& use) { return use.part == part; });
-}
-
 class Fuser {
  public:
   Fuser(const Workpiece& work, const std::vector<int>& parts) : work_(work), parts_(parts) {
@@ -52,7 +46,7 @@ class Fuser {
 
  private:
   bool is_member(const WorkFace& face) const {
-    return is_usable(face) && std::any_of(parts_.begin(), parts_.end(), [&](int part) { return has_part(face, part); });
+    return face.is_usable() && std::any_of(parts_.begin(), parts_.end(), [&](int part) { return face.has_part(part); });
   }
 
   TopoDS_Shape argument(int part) {
@@ -60,7 +54,7 @@ class Fuser {
     TopoDS_Compound compound;
     builder.MakeCompound(compound);
     for (const WorkFace& face : work_.faces)
-      if (is_usable(face) && has_part(face, part)) builder.Add(compound, face.face);
+      if (face.is_usable() && face.has_part(part)) builder.Add(compound, face.face);
     for (const WorkWire& wire : work_.wires)
       if (wire.part == part) builder.Add(compound, wire.edge);
     return compound;

@@ -1,6 +1,5 @@
 // Which parts may touch: boxes of parts, then of faces, then of the cells of a grid over each bent face, so that a face
 // within the bulge of another one is not taken for touching it.
-#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepTools.hxx>
@@ -8,7 +7,6 @@
 #include <TopoDS.hxx>
 
 #include "brep/connect_impl.h"
-#include "brep/occt_impl.h"
 
 namespace paver {
 namespace {
@@ -96,7 +94,7 @@ NearParts find_near_parts(const Workpiece& work, double tolerance) {
     whole[static_cast<std::size_t>(part)].Add(pieces[static_cast<std::size_t>(part)].back().box());
   };
   for (const WorkFace& face : work.faces)
-    if (face.has_area && face.fault.empty())
+    if (face.is_usable())
       for (const FaceUse& use : face.uses) add(face.face, use.part);
   for (const WorkWire& wire : work.wires) add(wire.edge, wire.part);
   auto nearness = [&](std::size_t a, std::size_t b) {

@@ -4,30 +4,12 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
-#include <numeric>
 
+#include "base/union_find.h"
 #include "brep/connect_impl.h"
 
 namespace paver {
 namespace {
-
-/// Numbers that belong together; the least one stands for all.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    while (at(i) != i) i = at(i) = at(at(i));
-    return i;
-  }
-  void merge(int a, int b) {
-    a = find(a), b = find(b);
-    at(std::max(a, b)) = std::min(a, b);
-  }
-
- private:
-  int& at(int i) { return parent_[static_cast<std::size_t>(i)]; }
-  std::vector<int> parent_;
-};
 
 class PartLister {
  public:
@@ -60,7 +42,7 @@ class PartLister {
   }
 
   void add_sheets() {
-    Groups groups(work_.faces.size());
+    UnionFind groups(work_.faces.size());
     TopTools_IndexedMapOfShape edges;
     std::vector<int> first_face{-1};
     for (std::size_t f = 0; f < work_.faces.size(); ++f) {
@@ -89,7 +71,7 @@ class PartLister {
     for (const WorkFace& face : work_.faces) TopExp::MapShapes(face.face, TopAbs_EDGE, bounding);
     for (int i = 1; i <= edges.Extent(); ++i)
       if (!bounding.Contains(edges(i))) work_.wires.push_back({TopoDS::Edge(edges(i).Oriented(TopAbs_FORWARD)), -1});
-    Groups groups(work_.wires.size());
+    UnionFind groups(work_.wires.size());
     std::vector<int> first_wire{-1};
     for (std::size_t w = 0; w < work_.wires.size(); ++w)
       for (TopExp_Explorer ends(work_.wires[w].edge, TopAbs_VERTEX); ends.More(); ends.Next()) {

@@ -147,7 +147,7 @@ void repair(Workpiece& work, Progress& progress) {
   for (std::size_t i = 0; i < work.faces.size(); ++i) {
     progress.advance(repair_units);
     WorkFace& face = work.faces[i];
-    if (!face.has_area || !face.fault.empty()) continue;
+    if (!face.is_usable()) continue;
     auto failure = attempt([&] {
       if (!needs_repair(face.face, work.diagonal)) return;
       copy_shape(work);

@@ -60,7 +60,7 @@ std::map<int, std::vector<int>> groups_to_sew(const Workpiece& work, const EdgeU
   std::map<int, bool> is_open;
   for (std::size_t i = 0; i < work.faces.size(); ++i) {
     const WorkFace& face = work.faces[i];
-    if (!face.has_area || !face.fault.empty()) continue;
+    if (!face.is_usable()) continue;
     groups[face.solid].push_back(static_cast<int>(i));
     if (has_free_edge(face.face, uses)) is_open[face.solid] = true;
   }
@@ -240,11 +240,13 @@ void put(Workpiece& work, const std::vector<int>& group, const Sewn& sewn, SewRe
 
 SewResult sew(Workpiece& work, std::optional<double> tolerance, Progress& progress) {
   SewResult result;
-  result.free_before = result.free_after = free_count(count_uses(work.faces));
+  const EdgeUses uses = count_uses(work.faces);
+  result.free_before = result.free_after = free_count(uses);
   long units = sew_units * static_cast<long>(work.faces.size());
   if (result.free_before > 0 && tolerance != 0) {
+    const std::map<int, std::vector<int>> groups = groups_to_sew(work, uses);
     copy_shape(work);
-    for (const auto& [solid, group] : groups_to_sew(work, count_uses(work.faces))) {
+    for (const auto& [solid, group] : groups) {
       GroupSewer sewer(work, group, progress);
       Sewn sewn = tolerance ? sewer.sew_at(*tolerance) : sewer.sew_well();
       if (sewn.free < sewer.free_before()) put(work, group, sewn, result);

@@ -7,6 +7,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,11 @@ struct WorkFace {
   bool is_common = false;   ///< stands for a face all of which is common with others: they have an entry of their own
   bool is_dropped = false;  ///< left out since it lies inside the union of parts
   std::string fault;        ///< not empty: cannot be meshed, and why
+
+  bool is_usable() const { return has_area && fault.empty(); }
+  bool has_part(int part) const {
+    return std::any_of(uses.begin(), uses.end(), [&](const FaceUse& use) { return use.part == part; });
+  }
 };
 
 /// An object of the input: a solid, faces that hang together without one, or edges that bound no face likewise.

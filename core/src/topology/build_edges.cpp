@@ -8,8 +8,8 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <cmath>
-#include <numeric>
 
+#include "base/union_find.h"
 #include "brep/evaluators_impl.h"
 #include "brep/occt_impl.h"
 #include "topology/build_parts_impl.h"
@@ -19,28 +19,6 @@ namespace {
 
 /// An edge below this share of the diagonal is a point.
 constexpr double point_share = 1e-7;
-
-/// Which vertices are one; small, so paths are not compressed beyond halving.
-class VertexMerger {
- public:
-  int add() {
-    parent_.push_back(static_cast<int>(parent_.size()));
-    return parent_.back();
-  }
-  int find(int v) {
-    while (at(v) != v) v = at(v) = at(at(v));
-    return v;
-  }
-  void merge(int a, int b) {
-    a = find(a);
-    b = find(b);
-    at(std::max(a, b)) = std::min(a, b);
-  }
-
- private:
-  int& at(int v) { return parent_[static_cast<std::size_t>(v)]; }
-  std::vector<int> parent_;
-};
 
 /// Edges and vertices in the making.
 class EdgeBuilder {
@@ -141,7 +119,7 @@ class EdgeBuilder {
   TopTools_IndexedMapOfShape vertices_;
   std::vector<int> vertex_ids_;
   std::vector<Vec3> points_;
-  VertexMerger merger_;
+  UnionFind merger_;  ///< which vertices are one
   int added_ = 0;
 };
 

@@ -2,7 +2,8 @@
 #include "topology/components.h"
 
 #include <map>
-#include <numeric>
+
+#include "base/union_find.h"
 
 namespace paver {
 namespace {
@@ -10,9 +11,7 @@ namespace {
 class Components {
  public:
   Components(const Model& model, const std::vector<FaceReport>& entries)
-      : model_(model), entries_(entries), root_(model.vertices.size() + model.faces.size() + model.edges.size()) {
-    std::iota(root_.begin(), root_.end(), 0);
-  }
+      : model_(model), entries_(entries), together_(model.vertices.size() + model.faces.size() + model.edges.size()) {}
 
   std::vector<std::vector<std::string>> run() {
     for (std::size_t f = 0; f < model_.faces.size(); ++f)
@@ -21,7 +20,7 @@ class Components {
       if (is_wire(e)) add_ends(model_.edges[e], edge_item(e));
     std::map<int, std::vector<char>> parts;  // per component: whether it has each part
     auto note = [&](int item, int part) {
-      std::vector<char>& has = parts[find(item)];
+      std::vector<char>& has = parts[together_.find(item)];
       has.resize(model_.parts.size(), 0);
       has[static_cast<std::size_t>(part)] = 1;
     };
@@ -53,27 +52,17 @@ class Components {
   void add_face(std::size_t f) {
     for (const Loop& loop : model_.faces[f].loops)
       for (const Coedge& c : loop.coedges) add_ends(model_.edges[static_cast<std::size_t>(c.edge)], face_item(f));
-    for (const InnerPoint& point : model_.faces[f].points) merge(vertex_item(point.vertex), face_item(f));
+    for (const InnerPoint& point : model_.faces[f].points) together_.merge(vertex_item(point.vertex), face_item(f));
   }
 
   void add_ends(const Edge& edge, int item) {
-    merge(vertex_item(edge.start), item);
-    merge(vertex_item(edge.end), item);
-  }
-
-  int find(int i) {
-    auto at = [&](int j) -> int& { return root_[static_cast<std::size_t>(j)]; };
-    while (at(i) != i) i = at(i) = at(at(i));
-    return i;
-  }
-  void merge(int a, int b) {
-    a = find(a), b = find(b);
-    root_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    together_.merge(vertex_item(edge.start), item);
+    together_.merge(vertex_item(edge.end), item);
   }
 
   const Model& model_;
   const std::vector<FaceReport>& entries_;
-  std::vector<int> root_;
+  UnionFind together_;
 };
 
 }  // namespace

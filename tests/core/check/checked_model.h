@@ -7,12 +7,10 @@
 
 #include "check/check_mesh.h"
 #include "curving/place_nodes.h"
-#include "paving/pave_region.h"
 #include "quality/report.h"
-#include "regions/build_regions.h"
-#include "support/alone.h"
 #include "support/boundary_use.h"
 #include "support/fake_model.h"
+#include "support/paved_model.h"
 #include "support/thread_ranks.h"
 
 namespace paver::fake {
@@ -37,24 +35,13 @@ inline Model angle() {
 
 /// Each region is one part; of several ranks each has every so many of them. `mesh` may be changed at will as long as
 /// the tables keep their lengths.
-class CheckedModel {
+class CheckedModel : public test::PavedModel {
  public:
-  CheckedModel(Model m, double h, int order, int rank = 0, int ranks = 1) : model(std::move(m)) {
-    Options options;
-    options.size = h;
-    Progress progress;
-    test::Alone alone(progress);
-    SizeField size = build_size_field(model, options, progress);
-    std::vector<FaceLayout> layouts = plan_layouts(model, size, progress);
-    std::vector<int> counts = choose_counts(model, size, progress, alone);
-    settle_counts(model, layouts, counts);
-    edges = divide_edges(model, size, counts, alone);
-    regions = build_regions(model, size, layouts, edges);
-    for (const Region& region : regions) paved.push_back(pave_region(region, progress).mesh);
+  CheckedModel(Model m, double h, int order, int rank = 0, int ranks = 1) : PavedModel(std::move(m), options_of(h)) {
     is_meshed.assign(model.faces.size(), 1);
     join(rank, ranks);
     mesh = joined.mesh;
-    if (order == 2) mesh = curve_elements(joined, edges, model, Cuts(regions, {}), parts, 1, progress).mesh;
+    if (order == 2) mesh = curve_elements(joined, edges, model, Cuts(regions, {}), parts, 1, Progress()).mesh;
     figures.resize(model.faces.size());
   }
 
@@ -84,10 +71,6 @@ class CheckedModel {
   int boundary() const { return static_cast<int>(edges.nodes.size()); }
   bool has(int face) const { return std::count(mesh.quad_face.begin(), mesh.quad_face.end(), face) > 0; }
 
-  Model model;
-  EdgeNodes edges;
-  std::vector<Region> regions;
-  std::vector<RegionMesh> paved;
   JoinedMesh joined;
   std::vector<CurvingPart> parts;
   std::vector<int> moved;
@@ -97,6 +80,12 @@ class CheckedModel {
   SurfaceMesh mesh;
 
  private:
+  static Options options_of(double h) {
+    Options options;
+    options.size = h;
+    return options;
+  }
+
   void join(int rank, int ranks) {
     std::vector<JoinPart> join;
     for (std::size_t i = 0; i < regions.size(); ++i)

@@ -7,46 +7,33 @@
 #include <cmath>
 #include <functional>
 
-#include "boundary/edge_nodes.h"
-#include "paving/pave_region.h"
 #include "quality/jacobian.h"
-#include "regions/build_regions.h"
-#include "support/alone.h"
 #include "support/boundary_use.h"
 #include "support/fake_model.h"
+#include "support/paved_model.h"
 
 namespace paver {
 namespace {
 
 /// A model meshed up to its straight elements.
-struct Meshed {
-  Meshed(Model m, double h, double max_turn) : model(std::move(m)) {
-    Options options;
-    options.size = h;
-    options.max_turn = max_turn;
-    Progress progress;
-    test::Alone alone(progress);
-    SizeField size = build_size_field(model, options, progress);
-    std::vector<FaceLayout> layouts = plan_layouts(model, size, progress);
-    std::vector<int> counts = choose_counts(model, size, progress, alone);
-    settle_counts(model, layouts, counts);
-    edges = divide_edges(model, size, counts, alone);
-    regions = build_regions(model, size, layouts, edges);
-    for (const Region& region : regions) paved.push_back(pave_region(region, progress).mesh);
+struct Meshed : test::PavedModel {
+  Meshed(Model m, double h, double max_turn) : PavedModel(std::move(m), options_of(h, max_turn)) {
     std::vector<JoinPart> join;
     for (std::size_t i = 0; i < regions.size(); ++i) join.push_back({regions[i].face, &paved[i]});
     joined = join_regions(model, edges, test::all_of(edges), join);
     for (std::size_t i = 0; i < regions.size(); ++i) parts.push_back({&regions[i], &paved[i], &joined.node_of[i]});
+  }
+  static Options options_of(double h, double max_turn) {
+    Options options;
+    options.size = h;
+    options.max_turn = max_turn;
+    return options;
   }
   SurfaceMesh curved(int threads = 1, const Progress& progress = Progress()) const {
     return curve_elements(joined, edges, model, Cuts(regions, {}), parts, threads, progress).mesh;
   }
   double chord_error_of(const SurfaceMesh& mesh) const { return chord_error(mesh, model, parts, 1); }
 
-  Model model;
-  EdgeNodes edges;
-  std::vector<Region> regions;
-  std::vector<RegionMesh> paved;
   JoinedMesh joined;
   std::vector<CurvingPart> parts;
 };
