@@ -6,6 +6,7 @@
 #include <signal.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
@@ -15,6 +16,9 @@ namespace {
 
 /// A hundred times what OpenCASCADE takes for sound files.
 constexpr double base_seconds = 20, seconds_per_byte = 60e-6;
+
+/// Stands before the code and before the sentence of a refusal; the kernel prints text only.
+constexpr char mark = '\x1e';
 
 std::atomic<bool> is_watched{false};
 
@@ -54,6 +58,18 @@ Error breakdown(const std::string& name, Stage stage, int signal) {
 void allow_breakdown() { is_watched.store(true); }
 
 bool may_break_down() { return is_watched.load(); }
+
+std::string refusal_text(const Error& error) {
+  return fmt::format("{0}{1}{0}{2}", mark, static_cast<int>(error.code()), error.what());
+}
+
+std::optional<Error> refusal_in(const std::string& output) {
+  const auto code = output.find(mark);
+  if (code == std::string::npos) return std::nullopt;
+  const auto sentence = output.find(mark, code + 1);
+  if (sentence == std::string::npos) return std::nullopt;
+  return Error(static_cast<ErrorCode>(std::atoi(output.c_str() + code + 1)), output.substr(sentence + 1));
+}
 
 bool is_hung(pid_t process, Stage stage, const std::string& path) {
   if (!is_of_kernel(stage)) return false;

@@ -61,7 +61,7 @@ int wait_for(Child& child, const std::string& path, Stage& stage, const Progress
 void Trial::run() {
   if (has_run_ || may_break_down()) return;
   has_run_ = true;
-  Child child({program(file_), trial_command, path_for_others(file_.path), std::to_string(::getpid())},
+  Child child({program(file_), trial_command, path_for_others(file_.path), file_.name, std::to_string(::getpid())},
               own_environment());
   Stage stage = Stage::read;
   const int status = wait_for(child, file_.path, stage, progress_);
@@ -69,6 +69,7 @@ void Trial::run() {
   if (WEXITSTATUS(status) == out_of_memory_exit_code)
     throw Error(ErrorCode::out_of_memory,
                 "'" + file_.name + "' takes more memory than there is; export the model again, it may be damaged.");
+  if (auto refusal = refusal_in(child.last_output())) throw *refusal;
 }
 
 }  // namespace paver

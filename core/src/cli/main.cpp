@@ -77,8 +77,8 @@ int run(int argc, const char* const* argv) {
 }  // namespace paver
 
 int main(int argc, char** argv) {
-  constexpr int with_trial = 4;
+  constexpr int with_trial = 5;
   if (argc == with_trial && std::string_view(argv[1]) == paver::trial_command)
-    return paver::try_file(argv[2], std::strtol(argv[3], nullptr, 10));
+    return paver::try_file(argv[2], argv[3], std::strtol(argv[4], nullptr, 10));
   return paver::run(argc, argv);
 }

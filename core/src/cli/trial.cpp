@@ -1,4 +1,4 @@
-// What may go wrong in orderly ways is left to the process that asks: it will meet the same.
+// What goes wrong in orderly ways behind the reading is left to the process that asks: it will meet the same.
 #include "trial.h"
 
 #include <signal.h>
@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <new>
+#include <optional>
 
 #include "paver/breakdown.h"
 #include "paver/mesher.h"
@@ -30,15 +31,27 @@ void no_core_file() {
   ::setrlimit(RLIMIT_CORE, &none);
 }
 
-int read_and_build(const char* path) {
+/// Nothing where the file is refused, and the reason is said.
+std::optional<CadModel> read(const char* path, const char* name, Progress& progress) {
+  try {
+    return read_file(path, progress, name);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::out_of_memory) throw;
+    std::fputs(refusal_text(error).c_str(), stdout);
+    return std::nullopt;
+  }
+}
+
+int read_and_build(const char* path, const char* name) {
   Progress progress;
   Options options;
   options.size = 1;
   try {
-    CadModel model = read_file(path, progress);
+    auto model = read(path, name, progress);
+    if (!model) return 0;
     std::puts(stage_name(Stage::topology));
     std::fflush(stdout);
-    predict(model, options, progress);
+    predict(*model, options, progress);
   } catch (const Error& error) {
     return error.code() == ErrorCode::out_of_memory ? out_of_memory_exit_code : 0;
   } catch (const std::bad_alloc&) {
@@ -51,13 +64,13 @@ int read_and_build(const char* path) {
 
 }  // namespace
 
-int try_file(const char* path, long asking) {
+int try_file(const char* path, const char* name, long asking) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != asking) return 0;
   allow_breakdown();
   limit_memory();
   no_core_file();
-  const int code = read_and_build(path);
+  const int code = read_and_build(path, name);
   std::fflush(nullptr);
   ::_exit(code);
 }
