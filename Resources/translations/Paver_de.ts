@@ -443,6 +443,10 @@
         <translation>{} berühren sich, ließen sich aber nicht verbinden; bitte reparieren oder vereinigen.</translation>
     </message>
     <message>
+        <source>{} come within {} mm of each other and share no node.</source>
+        <translation>{} kommen einander auf {} mm nahe und haben keinen Knoten gemeinsam.</translation>
+    </message>
+    <message>
         <source>There are {} separate meshes, which share no node: {}.</source>
         <translation>Es sind {} getrennte Netze ohne gemeinsame Knoten: {}.</translation>
     </message>

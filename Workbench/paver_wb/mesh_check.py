@@ -119,6 +119,9 @@ def parts(mesh):
     for pair in mesh.report["model"].get("unconnected", []):
         findings.append(Finding(ERROR, translate("Paver", "{} touch but could not be connected; repair or fuse them.").format(
             " \u2013 ".join(pair))))
+    for gap in mesh.report.get("gaps", []):
+        findings.append(Finding(WARNING, translate("Paver", "{} come within {} mm of each other and share no node.").format(
+            " \u2013 ".join(gap["parts"]), f"{gap['distance']:.3g}")))
     if len(components) > 1:
         findings.append(Finding(WARNING, translate("Paver", "There are {} separate meshes, which share no node: {}.").format(
             len(components), "; ".join(names[0] for names in components[:MOST_CONTACTS]))))

@@ -16,6 +16,7 @@
 #include "boundary/edge_nodes.h"
 #include "boundary/prediction.h"
 #include "brep/occt_impl.h"
+#include "check/gaps.h"
 #include "parallel/pave_parts.h"
 #include "paver/mesher.h"
 #include "paver/ranks.h"
@@ -218,6 +219,11 @@ class Run {
   void finish(const Assembler& assembler) {
     RunReport& report = result_.report;
     report.quality.chord_error = largest(assembler.chord_error());
+    report.gaps = find_gaps(result_.mesh, model_, ranks_);
+    std::erase_if(report.gaps, [&](const Gap& gap) {
+      const auto& named = report.model.unconnected;
+      return std::find(named.begin(), named.end(), gap.parts) != named.end();
+    });
     merge_pieces();
     measure_wires();
     report.components = find_components(model_, report.faces);

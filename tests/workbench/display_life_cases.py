@@ -120,10 +120,12 @@ class Life(display_cases.InWindow):
         self.assertEqual(self.mesh.ViewObject.DisplayMode, mesh_display.CURVED_EDGES)
         self.assertTrue(self.mesh.ViewObject.Visibility)
         self.expect_shown(self.display())
+        window.wait(self.is_seen_whole, "for the view to show the mesh whole")
+
+    def is_seen_whole(self):
         coloured = is_coloured(self.picture("headless"))
-        self.assertGreater(coloured.mean(), 0.1)
         rim = np.concatenate([coloured[0], coloured[-1], coloured[:, -1]])  # the colour bar is at the left
-        self.assertFalse(rim.any(), "it ends within the picture")
+        return coloured.mean() > 0.1 and not rim.any()
 
     def turn(self):
         """Turns the camera at once: other ways may take FreeCAD a moment."""

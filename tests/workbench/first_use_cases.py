@@ -170,7 +170,7 @@ class FirstUse(WithDialog):
             self.assertNotIn("binary", core.problem())
             self.assertIsNone(self.button("Build") or self.button("Choose"))
         window.click(self.button("Again"))
-        self.assertIn("is missing", self.state())
+        window.wait(lambda: "is missing" in self.state(), "for the dialog to look again")
         self.assertTrue(self.button("Build").isEnabled() and self.button("Choose").isEnabled())
 
     def test_nothing_is_built_for_another_python(self):

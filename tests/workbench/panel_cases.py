@@ -5,6 +5,11 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+try:
+    import shiboken2 as shiboken
+except ImportError:
+    import shiboken6 as shiboken
+
 import window
 from paver_wb import core, mesh_object, refinement
 from paver_wb.gui import run_control
@@ -261,6 +266,18 @@ class Panel(PanelCase):
         shown = [w for w in window.widgets(QtGui.QWidget) if w.objectName().startswith("Paver_")]
         self.assertGreater(len(shown), 15)
         self.assertEqual([w.objectName() for w in shown if not w.toolTip()], [])
+        for which in (QtGui.QDialogButtonBox.Ok, QtGui.QDialogButtonBox.Apply, QtGui.QDialogButtonBox.Cancel):
+            self.assertNotEqual(self.button(which).toolTip(), "")
+
+    def test_python_knows_no_box_that_is_gone(self):
+        mesh = self.add_mesh()
+        for _ in range(2):
+            self.open(mesh)
+            window.click(self.button(QtGui.QDialogButtonBox.Cancel))
+            window.wait(lambda: not window.widget("Paver_MeshButton"), "for the panel to go")
+            window.pause(200)
+        known = [w for w in shiboken.getAllValidWrappers() if isinstance(w, QtGui.QDialogButtonBox)]
+        self.assertLessEqual(len(known), len(window.all_widgets(QtGui.QDialogButtonBox)))
 
     def test_no_text_is_clipped(self):
         main = FreeCADGui.getMainWindow()

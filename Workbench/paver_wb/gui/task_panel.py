@@ -22,6 +22,10 @@ _open = None  # the panel on screen
 _new = None  # the mesh object that the next panel is made with
 
 
+def button_set():
+    return QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Apply | QtGui.QDialogButtonBox.Cancel
+
+
 class TaskPanel:
     """What FreeCAD calls, and what ties the parts together. is_new: the object was made for this panel."""
 
@@ -169,16 +173,19 @@ class TaskPanel:
     # What FreeCAD calls
 
     def getStandardButtons(self):
-        buttons = QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Apply | QtGui.QDialogButtonBox.Cancel
-        return getattr(buttons, "value", None) or int(buttons)
+        return getattr(button_set(), "value", None) or int(button_set())
 
-    def modifyStandardButtons(self, box):
+    def open(self):
+        # Not in modifyStandardButtons(): FreeCAD hands out a box there that Python never learns the end of, and takes
+        # whatever comes to lie at its place for it.
         tips = {QtGui.QDialogButtonBox.Ok: translate("Paver", "Applies the options and closes; a run goes on"),
                 QtGui.QDialogButtonBox.Apply: translate("Paver", "Puts the options into the mesh object; does not mesh"),
                 QtGui.QDialogButtonBox.Cancel: translate("Paver", "Drops changes that were not applied, stops a run and "
                                                          "closes")}
-        for button, tip in tips.items():
-            box.button(button).setToolTip(tip)
+        for box in QtGui.QApplication.allWidgets():
+            if isinstance(box, QtGui.QDialogButtonBox) and box.standardButtons() == button_set():
+                for button, tip in tips.items():
+                    box.button(button).setToolTip(tip)
 
     def clicked(self, button):
         apply = QtGui.QDialogButtonBox.Apply  # which Qt 6 does not take for equal to its number

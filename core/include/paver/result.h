@@ -96,6 +96,13 @@ struct Contact {
   double gap = 0;                  ///< largest that was closed, mm
 };
 
+/// Two parts that come within a hundredth of the target length of each other and share no node.
+struct Gap {
+  std::array<std::string, 2> parts;
+  double distance = 0;  ///< least, mm
+  Vec3 where;           ///< on one of them
+};
+
 /// What reading and topology found.
 struct ModelReport {
   std::string file, format, unit;  ///< unit the file states, e.g. "INCH"; lengths are millimetres all the same
@@ -120,6 +127,7 @@ struct TaskTime {
 struct RunReport {
   ModelReport model;
   std::vector<std::vector<std::string>> components;  ///< separate meshes, each by the parts it is of
+  std::vector<Gap> gaps;                             ///< not of parts that are named as unconnected
   double target_length = 0;                          ///< mm
   int order = 2, threads = 1;
   Elements elements = Elements::quad_dominant;
@@ -144,9 +152,15 @@ struct MeshResult {
 /// Whether there are neither elements nor lines of wires.
 bool is_empty(const MeshResult& result);
 
-/// The verdict: what keeps the mesh from being sound, one sentence each; none: it is. A sound mesh has every face with
-/// an area, and all of its elements, sides and nodes have passed the checks of core/docs/quality.md.
+/// What is wrong with the mesh, one sentence each. Without any, every face with an area is meshed and all elements,
+/// sides and nodes have passed the checks of core/docs/quality.md.
 std::vector<std::string> faults(const RunReport& report);
+
+/// What keeps a mesh without faults from being called sound, one sentence each: parts that all but touch.
+std::vector<std::string> doubts(const RunReport& report);
+
+/// "faulty", "doubtful" or "sound".
+const char* verdict(const RunReport& report);
 
 /// Why a result is not all that was asked for: Error{face_failed} that names the faces and reasons, Error{no_faces}
 /// when no face has an area, nothing when every face with an area is meshed.

@@ -13,6 +13,12 @@ void fields(A& archive, Is<Contact> auto& contact) {
 }
 
 template <class A>
+void fields(A& archive, Is<Gap> auto& gap) {
+  auto& [parts, distance, where] = gap;
+  archive(parts, distance, where);
+}
+
+template <class A>
 void fields(A& archive, Is<ModelReport> auto& model) {
   auto& [file, format, unit, solids, shells, faces, edges, vertices, free_edges, nonmanifold_edges, sewn_edges,
          sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names, contacts, unconnected] = model;
@@ -30,9 +36,9 @@ void fields(A& archive, Is<FaceReport> auto& face) {
 
 template <class A>
 void fields(A& archive, Is<RunReport> auto& run) {
-  auto& [model, components, target_length, order, threads, elements, quality, faces, notes, stage_seconds, tasks,
+  auto& [model, components, gaps, target_length, order, threads, elements, quality, faces, notes, stage_seconds, tasks,
          peak_memory_mib] = run;
-  archive(model, components, target_length, order, threads, elements, quality, faces, notes, stage_seconds, tasks,
+  archive(model, components, gaps, target_length, order, threads, elements, quality, faces, notes, stage_seconds, tasks,
           peak_memory_mib);
 }
 

@@ -110,7 +110,6 @@ std::string report_json(const MeshResult& result) { return report_json(result, c
 
 std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
   const RunReport& run = result.report;
-  const std::vector<std::string> found = faults(run);
   Json json = {{"report_version", report_version},
                {"length_unit", "mm"},
                {"target_length", run.target_length},
@@ -119,8 +118,10 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
                {"threads", run.threads},
                {"model", model_json(run.model)},
                {"components", run.components},
-               {"verdict", found.empty() ? "sound" : "faulty"},
-               {"faults", found},
+               {"gaps", Json::array()},
+               {"verdict", verdict(run)},
+               {"faults", faults(run)},
+               {"doubts", doubts(run)},
                {"quality", quality_json(run.quality)},
                {"faces", Json::array()},
                {"notes", run.notes},
@@ -128,6 +129,9 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
                {"tasks", Json::object()},
                {"peak_memory_mib", run.peak_memory_mib},
                {"checksum", fmt::format("{:016x}", mesh_checksum)}};
+  for (const Gap& gap : run.gaps)
+    json["gaps"].push_back(
+        {{"parts", gap.parts}, {"distance", gap.distance}, {"where", {gap.where.x, gap.where.y, gap.where.z}}});
   for (std::size_t i = 0; i < run.faces.size(); ++i) {
     const std::string& label = i < result.face_names.size() ? result.face_names[i] : run.faces[i].name;
     json["faces"].push_back(face_json(run.faces[i], label));

@@ -84,11 +84,13 @@ void add_quality(const RunReport& run, Text& text) {
 }
 
 void add_verdict(const RunReport& run, Text& text) {
-  const std::vector<std::string> found = faults(run);
+  std::vector<std::string> found = faults(run);
+  const std::vector<std::string> doubtful = doubts(run);
+  found.insert(found.end(), doubtful.begin(), doubtful.end());
   if (found.empty()) {
     text.line("verdict", "the mesh is sound");
   } else {
-    text.line("verdict", "the mesh is faulty: {}{}", found.front(),
+    text.line("verdict", "the mesh is {}: {}{}", verdict(run), found.front(),
               found.size() > 1 ? fmt::format(" And {} more.", found.size() - 1) : "");
   }
 }

@@ -63,6 +63,21 @@ std::vector<std::string> faults(const RunReport& report) {
   return sentences;
 }
 
+std::vector<std::string> doubts(const RunReport& report) {
+  std::vector<std::string> sentences;
+  for (const Gap& gap : report.gaps)
+    sentences.push_back(fmt::format(
+        "{} and {} come within {:.3g} mm of each other at ({:.6g}, {:.6g}, {:.6g}) and share no node; where "
+        "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
+        gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
+  return sentences;
+}
+
+const char* verdict(const RunReport& report) {
+  if (!faults(report).empty()) return "faulty";
+  return doubts(report).empty() ? "sound" : "doubtful";
+}
+
 std::optional<Error> shortfall(const MeshResult& result) {
   const std::vector<FaceReport>& faces = result.report.faces;
   const bool has_mesh = !is_empty(result);

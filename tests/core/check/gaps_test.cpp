@@ -1,0 +1,63 @@
+// Parts that all but touch, told by their meshes.
+#include "check/gaps.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <gp_Ax2.hxx>
+
+#include "core/brep/shape_files.h"
+#include "support/report_of.h"
+
+namespace paver {
+namespace {
+
+using test::compound;
+using test::report_of;
+
+TopoDS_Shape box(double x, double y, double z, double dx, double dy, double dz) {
+  return BRepPrimAPI_MakeBox(gp_Pnt(x, y, z), dx, dy, dz).Shape();
+}
+
+TEST(Gaps, PartsWithinAHundredthOfTheTargetLengthAreNamed) {
+  const RunReport report = report_of(compound({box(0, 0, 0, 4, 4, 1), box(1, 1, 1.008, 2, 2, 1)}), 1);
+  ASSERT_EQ(report.gaps.size(), 1u);
+  EXPECT_EQ(report.gaps[0].parts, (std::array<std::string, 2>{"Solid1", "Solid2"}));
+  EXPECT_NEAR(report.gaps[0].distance, 0.008, 1e-9);
+  EXPECT_STREQ(verdict(report), "doubtful");
+  EXPECT_TRUE(faults(report).empty());
+}
+
+TEST(Gaps, WiderOnesAndPartsThatTouchAreNot) {
+  EXPECT_TRUE(report_of(compound({box(0, 0, 0, 4, 4, 1), box(1, 1, 1.012, 2, 2, 1)}), 1).gaps.empty());
+  const RunReport report = report_of(compound({box(0, 0, 0, 4, 4, 1), box(1, 1, 1, 2, 2, 1)}), 1);
+  EXPECT_TRUE(report.gaps.empty());
+  EXPECT_STREQ(verdict(report), "sound");
+}
+
+TEST(Gaps, ACylinderBesideABoxIsNearAlongALineBetweenNodes) {
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(6.009, 2, 0), gp_Dir(0, 0, 1)), 2, 3).Shape();
+  const RunReport report = report_of(compound({box(0, 0, 0, 4, 4, 3), cylinder}), 1);
+  ASSERT_EQ(report.gaps.size(), 1u);
+  EXPECT_NEAR(report.gaps[0].distance, 0.009, 1e-3);
+}
+
+TEST(Gaps, WiresThatPassEachOtherAreNear) {
+  const TopoDS_Shape a = BRepBuilderAPI_MakeEdge(gp_Pnt(-3.3, 0, 0), gp_Pnt(4, 0, 0));
+  const TopoDS_Shape b = BRepBuilderAPI_MakeEdge(gp_Pnt(0, -3.2, 0.004), gp_Pnt(0, 4, 0.004));
+  const RunReport report = report_of(compound({a, b}), 1);
+  ASSERT_EQ(report.gaps.size(), 1u);
+  EXPECT_NEAR(report.gaps[0].distance, 0.004, 1e-9);
+}
+
+// A slab thinner than the gap that is told: what is above it and what is below it have the slab between them.
+TEST(Gaps, TheTwoSidesOfASlabAreNone) {
+  const RunReport report =
+      report_of(compound({box(0, 0, 0, 2, 2, 1), box(0, 0, 1, 2, 2, 0.006), box(0, 0, 1.006, 2, 2, 1)}), 1);
+  EXPECT_TRUE(report.gaps.empty());
+}
+
+}  // namespace
+}  // namespace paver
