@@ -169,8 +169,8 @@ class FirstUse(WithDialog):
             self.assertIn("install it (package python3-numpy", self.state())
             self.assertNotIn("binary", core.problem())
             self.assertIsNone(self.button("Build") or self.button("Choose"))
-        window.click(self.button("Again"))
-        window.wait(lambda: "is missing" in self.state(), "for the dialog to look again")
+        self.button("Again").click()  # a mouse event does not reach it here in FreeCAD 1.0
+        self.assertIn("is missing", self.state())
         self.assertTrue(self.button("Build").isEnabled() and self.button("Choose").isEnabled())
 
     def test_nothing_is_built_for_another_python(self):

@@ -61,28 +61,46 @@ std::vector<Link> kept_links(const Model& model, int face, const std::vector<std
   return links;
 }
 
+// Per last link of an open chain: the first one.
+std::vector<int> chain_heads(const std::vector<Link>& links) {
+  std::vector<int> head(links.size(), -1);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (links[i].has_previous) continue;
+    std::size_t last = i;
+    while (links[last].next >= 0) last = static_cast<std::size_t>(links[last].next);
+    head[last] = static_cast<int>(i);
+  }
+  return head;
+}
+
+// Where the chain that starts at `head` and ends in link i goes on: at its own start where that is the same vertex, as
+// a circle's is, whoever else starts there; else at the next start there.
+int find_next(const std::vector<Link>& links, int i, int head) {
+  const int n = static_cast<int>(links.size());
+  const int end = links[static_cast<std::size_t>(i)].to;
+  if (links[static_cast<std::size_t>(head)].from == end) return head;
+  int any = -1;
+  for (int step = 1; step <= n; ++step) {
+    const int j = (i + step) % n;
+    const Link& candidate = links[static_cast<std::size_t>(j)];
+    if (candidate.has_previous) continue;
+    if (candidate.from == end) return j;
+    if (any < 0) any = j;
+  }
+  // There are as many open starts as open ends, so `any` exists; a face whose chain is broken stays a closed list.
+  return any;
+}
+
 // Joins the ends left open by what was dropped.
 void join_open_ends(std::vector<Link>& links) {
-  const int n = static_cast<int>(links.size());
-  for (int i = 0; i < n; ++i) {
-    Link& link = links[static_cast<std::size_t>(i)];
-    if (link.next >= 0) continue;
-    if (link.from == link.to && !link.has_previous) {  // a circle: closed by itself, whoever else starts at its vertex
-      link.next = i;
-      link.has_previous = true;
-      continue;
-    }
-    int any = -1;
-    for (int step = 1; step <= n && link.next < 0; ++step) {
-      int j = (i + step) % n;
-      const Link& candidate = links[static_cast<std::size_t>(j)];
-      if (candidate.has_previous) continue;
-      if (any < 0) any = j;
-      if (candidate.from == link.to) link.next = j;
-    }
-    // There are as many open starts as open ends, so `any` exists; a face whose chain is broken stays a closed list.
-    if (link.next < 0) link.next = any;
-    links[static_cast<std::size_t>(link.next)].has_previous = true;
+  std::vector<int> heads = chain_heads(links);
+  for (int i = 0; i < static_cast<int>(links.size()); ++i) {
+    if (links[static_cast<std::size_t>(i)].next >= 0) continue;
+    const int head = heads[static_cast<std::size_t>(i)], next = find_next(links, i, head);
+    links[static_cast<std::size_t>(i)].next = next;
+    links[static_cast<std::size_t>(next)].has_previous = true;
+    auto it = std::find(heads.begin(), heads.end(), next);
+    if (next != head && it != heads.end()) *it = head;
   }
 }
 

@@ -56,6 +56,22 @@ TEST(LinkedLoops, AHoleCutByThePeriodicEdgeBecomesOneLoop) {
   EXPECT_EQ(edges_of(linked_loops(model, 0, false)), (Edges{{bottom}, {left, right}, {top}}));
 }
 
+// As a torus has whose other periodic edge is cut by a hole: two rings of two edges each, all through one vertex.
+TEST(LinkedLoops, RingsThroughOneVertexStayApart) {
+  fake::Builder builder;
+  const double full = 2 * fake::pi;
+  int here = builder.vertex({1, 0, 0}), there = builder.vertex({-1, 0, 0}), beyond = builder.vertex({-1, 0, 1});
+  int periodic = builder.line(here, here);
+  int a1 = builder.line(here, there), a2 = builder.line(there, here);
+  int b1 = builder.line(here, beyond), b2 = builder.line(beyond, here);
+  builder.face(std::make_shared<fake::Cylinder>(1), 1,
+               {{builder.use(periodic, true, {0, 0}, {0, 1}), builder.use(a1, false, {0, 0}, {3, 0}),
+                 builder.use(a2, false, {3, 0}, {full, 0}), builder.use(periodic, false, {full, 0}, {full, 1}),
+                 builder.use(b1, false, {full, 1}, {3, 1}), builder.use(b2, false, {3, 1}, {0, 1})}});
+  Model model = builder.take();
+  EXPECT_EQ(edges_of(linked_loops(model, 0, false)), (Edges{{a1, a2}, {b1, b2}}));
+}
+
 TEST(LinkedLoops, ASlitInAPlaneStays) {
   fake::Builder builder;
   int a = builder.vertex({0, 0, 0}), b = builder.vertex({2, 0, 0}), c = builder.vertex({0, 2, 0});
