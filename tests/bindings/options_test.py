@@ -25,8 +25,9 @@ VALUES = {
     "ranks": ("0", 0, {}, False),
     "connect": ("union", "union", {}, False),
     "sew_tolerance": ("20 um", 0.02, {}, False),
+    "strict": ("on", True, {}, False),
 }
-FILE_OPTIONS = {"output", "report", "msh_version", "ascii", "quiet"}
+FILE_OPTIONS = {"output", "report", "repaired", "msh_version", "ascii", "quiet"}
 
 
 def command_line_options(program):
@@ -71,7 +72,7 @@ def test_every_option_reaches_the_core_and_means_what_the_command_line_means(nam
     base = {k: v for k, v in {"size": 12, **needs}.items() if v is not None}
     as_text, as_value = (paver.mesh(model, **{**base, name: v}) for v in (text, value))
     out = tmp_path / "mesh.msh"
-    arguments = [a for k, v in {**base, name: text}.items() for a in ("--" + k.replace("_", "-"), str(v))]
+    arguments = [a for k, v in {**base, name: text}.items() for a in ("--" + k.replace("_", "-"), *([] if k == "strict" else [str(v)]))]
     subprocess.run([program, "mesh", model, "-o", out, "--report", tmp_path / "r.json", "--quiet", *arguments],
                    check=True, stdin=subprocess.DEVNULL)
     as_text.write(tmp_path / "python.msh")
