@@ -155,6 +155,8 @@ def put(obj, options):
     for name, value in options.items():
         if table[name]["kind"] in ("number", "integer") and isinstance(value, str):
             value = number_of(name, table[name]["kind"], value)
+        if table[name]["kind"] == "flag":
+            value = plain(table[name], value)
         if table[name]["kind"] == "local":
             value = None if value is None else texts_of(value)
         try:

@@ -1,5 +1,6 @@
 """Every option of the command line is an argument, and means the same."""
 import inspect
+import os
 import re
 import subprocess
 
@@ -152,3 +153,24 @@ def test_predictions_come_near(example):
     assert prediction.target_length == result.report["target_length"]
     assert len(prediction.face_elements) == len(result.face_names)
     assert prediction.memory_mib > 0
+
+
+def loose_box():
+    return os.path.join(os.path.dirname(__file__), "..", "property", "loose_box.brep")
+
+
+def test_strict_refuses_a_model_that_needs_repairs():
+    with pytest.raises(paver.InputError, match="not clean.*24 sewn edges"):
+        paver.mesh(loose_box(), size=20, strict=True)
+    assert paver.mesh(loose_box(), size=20, strict=False).report["model"]["repairs"][0]["count"] == 24
+    with pytest.raises(paver.OptionError, match="^strict is 'perhaps'"):
+        paver.mesh(loose_box(), size=20, strict="perhaps")
+
+
+def test_the_repaired_model_is_written(tmp_path):
+    whole = tmp_path / "whole.brep"
+    paver.mesh(loose_box(), size=20, repaired=whole)
+    model = paver.mesh(whole, size=20, strict=True).report["model"]
+    assert (model["solids"], model["faces"], model["repairs"]) == (1, 6, [])
+    with pytest.raises(paver.OptionError, match="end in .brep"):
+        paver.mesh(loose_box(), size=20, repaired=tmp_path / "whole.step")
