@@ -41,7 +41,7 @@ constexpr double join_share = 3e-3;
 constexpr double edge_share = 0.25;
 /// Precision of the kernel's repairs, of the diagonal; and how far it may raise tolerances.
 constexpr double exact_share = 1e-7, coarse_share = 1e-4;
-/// Edges must keep their lengths, and faces whose area was known theirs, up to this share.
+/// The border of a face must keep its length up to this share; its area is often unknown while its images are wrong.
 constexpr double same_share = 1e-4;
 
 TopoDS_Face forward(const TopoDS_Face& face) { return TopoDS::Face(face.Oriented(TopAbs_FORWARD)); }
