@@ -160,6 +160,10 @@
         <translation>Größte Lücke zwischen Flächen oder Teilen, die geschlossen wird; 0: nie [danach gewählt, was sie schließt]. Negativ: automatisch</translation>
     </message>
     <message>
+        <source>Refuse models that are not clean, naming what is wrong, instead of repairing them [off]</source>
+        <translation>Unsaubere Modelle ablehnen und die Fehler nennen, statt sie zu reparieren [aus]</translation>
+    </message>
+    <message>
         <source>Refinement</source>
         <translation>Verfeinerung</translation>
     </message>
@@ -391,6 +395,42 @@
         <translation>Alle Elemente sind nachweislich nicht gefaltet, gekrümmt wie sie sind.</translation>
     </message>
     <message>
+        <source>edges sewn</source>
+        <translation>Kanten vernäht</translation>
+    </message>
+    <message>
+        <source>open loops closed</source>
+        <translation>offene Ränder geschlossen</translation>
+    </message>
+    <message>
+        <source>loops turned</source>
+        <translation>Ränder umgedreht</translation>
+    </message>
+    <message>
+        <source>curves put on their surface</source>
+        <translation>Kurven auf ihre Fläche gelegt</translation>
+    </message>
+    <message>
+        <source>missing periodic edges added</source>
+        <translation>fehlende periodische Kanten ergänzt</translation>
+    </message>
+    <message>
+        <source>missing poles added</source>
+        <translation>fehlende Pole ergänzt</translation>
+    </message>
+    <message>
+        <source>missing borders added</source>
+        <translation>fehlende Ränder ergänzt</translation>
+    </message>
+    <message>
+        <source>faces turned over</source>
+        <translation>Flächen umgedreht</translation>
+    </message>
+    <message>
+        <source>faces dropped that lie on others</source>
+        <translation>Flächen entfernt, die auf anderen liegen</translation>
+    </message>
+    <message>
         <source>The mesh fits its options and shapes.</source>
         <translation>Das Netz passt zu seinen Optionen und Formen.</translation>
     </message>
@@ -421,6 +461,10 @@
     <message>
         <source>{} elements have a scaled Jacobian below {}; the least is {}.</source>
         <translation>{} Elemente haben eine skalierte Jacobi-Determinante unter {}; die kleinste ist {}.</translation>
+    </message>
+    <message>
+        <source>The model was repaired: {}.</source>
+        <translation>Das Modell wurde repariert: {}.</translation>
     </message>
     <message>
         <source>{} edges are longer than {} of the target length.</source>
@@ -951,6 +995,10 @@
         <translation>Selbsttätig</translation>
     </message>
     <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
         <source>1 (straight)</source>
         <translation>1 (gerade)</translation>
     </message>
@@ -1025,6 +1073,10 @@
     <message>
         <source>Parts that touch</source>
         <translation>Teile, die sich berühren</translation>
+    </message>
+    <message>
+        <source>Clean models only</source>
+        <translation>Nur saubere Modelle</translation>
     </message>
     <message>
         <source>Options</source>

@@ -34,7 +34,7 @@ def of_document(obj):
 def of_mesh(mesh):
     """[Finding] of a StoredMesh; looks at no document, so any thread may ask."""
     figures = statistics.of_mesh(mesh)
-    return [validity(figures), shape(figures), *parts(mesh), *borders(mesh, figures), triangles(figures), *lengths(mesh, figures)]
+    return [validity(figures), shape(figures), *repairs(mesh), *parts(mesh), *borders(mesh, figures), triangles(figures), *lengths(mesh, figures)]
 
 
 def in_order(findings):
@@ -106,6 +106,26 @@ def borders(mesh, figures):
     else:
         findings.append(Finding(GOOD, translate("Paver", "The mesh has no free edge.")))
     return findings
+
+
+def repair_names():
+    """{kind in the report: what users read}."""
+    return {"sewn edges": translate("Paver", "edges sewn"), "closed loops": translate("Paver", "open loops closed"),
+            "turned loops": translate("Paver", "loops turned"), "images": translate("Paver", "curves put on their surface"),
+            "periodic edges": translate("Paver", "missing periodic edges added"),
+            "poles": translate("Paver", "missing poles added"), "borders": translate("Paver", "missing borders added"),
+            "turned faces": translate("Paver", "faces turned over"),
+            "dropped faces": translate("Paver", "faces dropped that lie on others")}
+
+
+def repairs(mesh):
+    """What was repaired in the model. Nothing of documents that were saved before this was known."""
+    made = mesh.report["model"].get("repairs", [])
+    if not made:
+        return []
+    names = repair_names()
+    listed = ", ".join(f"{repair['count']} {names.get(repair['kind'], repair['kind'])}" for repair in made)
+    return [Finding(NOTE, translate("Paver", "The model was repaired: {}.").format(listed))]
 
 
 def parts(mesh):

@@ -6,9 +6,10 @@ from paver_wb.property_texts import tip
 
 GROUP = tip("Mesh options")
 TYPES = {"length": "App::PropertyLength", "frequency": "App::PropertyFrequency", "angle": "App::PropertyAngle",
-         "number": "App::PropertyFloat", "integer": "App::PropertyInteger", "choice": "App::PropertyEnumeration", "local": "App::PropertyStringList"}
+         "number": "App::PropertyFloat", "integer": "App::PropertyInteger", "choice": "App::PropertyEnumeration",
+         "flag": "App::PropertyBool", "local": "App::PropertyStringList"}
 RANKS = "ranks"
-WITHOUT_EFFECT = {"threads", "max_elements", RANKS}  # on a mesh that was made
+WITHOUT_EFFECT = {"threads", "max_elements", "strict", RANKS}  # on a mesh that was made
 
 
 def property_name(option):
@@ -40,6 +41,8 @@ def initial(info):
         return []
     if not has_default(info):
         return -1 if info["may_be_zero"] else 0
+    if info["kind"] == "flag":
+        return info["default"] == "on"
     return {"integer": int, "choice": str}.get(info["kind"], float)(info["default"])
 
 
@@ -112,6 +115,10 @@ def plain(info, value):
         return initial(info) if has_default(info) else None
     if info["kind"] == "local":
         return texts_of(value) or None
+    if info["kind"] == "flag":
+        if value not in (True, False, "on", "off"):
+            raise ValueError(f"{info['name']} is {value!r}; it is: {info['help']}.")
+        return value in (True, "on")
     if info["kind"] in ("number", "integer", "choice"):
         cast = {"integer": int, "number": float, "choice": str}[info["kind"]]
         return cast(number_of(info["name"], info["kind"], value) if isinstance(value, str) and cast != str else value)
@@ -148,6 +155,8 @@ def put(obj, options):
     for name, value in options.items():
         if table[name]["kind"] in ("number", "integer") and isinstance(value, str):
             value = number_of(name, table[name]["kind"], value)
+        if table[name]["kind"] == "flag":
+            value = plain(table[name], value)
         if table[name]["kind"] == "local":
             value = None if value is None else texts_of(value)
         try:

@@ -27,4 +27,5 @@ OPTIONS = [
     tip("Processes that share the work, by MPI; 0: without MPI [0]"),
     tip("Parts that touch: imprint: share faces and edges; union: only the outer skin is left; none: as drawn [imprint]"),
     tip("Largest gap between faces or parts that is closed; 0: never sew [chosen by what it closes]. Negative: automatic"),
+    tip("Refuse models that are not clean, naming what is wrong, instead of repairing them [off]"),
 ]

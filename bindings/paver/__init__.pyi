@@ -143,7 +143,8 @@ def mesh(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Fr
          multilevel: Optional[Literal["off", "auto", "4", "5", "6", "7", "8"]] = None,
          threads: Optional[int] = None, ranks: Optional[int] = None,
          connect: Optional[Literal["imprint", "union", "none"]] = None, sew_tolerance: Optional[Length] = None,
-         output: Optional[Path] = None, report: Optional[Path] = None, msh_version: Literal["4.1", "2.2"] = "4.1",
+         strict: Optional[bool] = None, output: Optional[Path] = None, report: Optional[Path] = None,
+         repaired: Optional[Path] = None, msh_version: Literal["4.1", "2.2"] = "4.1",
          ascii: bool = False, quiet: bool = True, partial: bool = False, progress: Optional[Progress] = None,
          cancel: Optional[threading.Event] = None, name: Optional[str] = None) -> Result: ...
 def predict(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Frequency] = None,
@@ -154,6 +155,6 @@ def predict(shape: Source, *, size: Optional[Length] = None, frequency: Optional
             multilevel: Optional[Literal["off", "auto", "4", "5", "6", "7", "8"]] = None,
             threads: Optional[int] = None, ranks: Optional[int] = None,
             connect: Optional[Literal["imprint", "union", "none"]] = None, sew_tolerance: Optional[Length] = None,
-            progress: Optional[Progress] = None, cancel: Optional[threading.Event] = None,
+            strict: Optional[bool] = None, progress: Optional[Progress] = None, cancel: Optional[threading.Event] = None,
             name: Optional[str] = None) -> Prediction: ...
 def options() -> list[dict[str, Any]]: ...

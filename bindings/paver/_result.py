@@ -86,12 +86,15 @@ class Result:
         msh_version: "4.1" or "2.2"; ascii: text instead of binary. OptionError for another ending and for the path of
         the model itself, OutputError when a file cannot be written.
         """
-        files = file_arguments(self._model, path, report, msh_version, ascii)
+        self._write(file_arguments(self._model, path, report, msh_version, ascii), progress, cancel)
+
+    def _write(self, files, progress, cancel):
         self._data.write(files, poll_of(progress, cancel))
         self._report = None
 
 
-def file_arguments(model, path, report, msh_version, is_ascii):
+def file_arguments(model, path, report, msh_version, is_ascii, repaired=None, repaired_text=b""):
     """As the compiled module wants them."""
     names = [os.fsencode(name) if name is not None else b"" for name in (path, report)]
-    return (*names, str(msh_version), bool(is_ascii), os.fsencode(model.path))
+    return (*names, str(msh_version), bool(is_ascii), os.fsencode(model.path),
+            os.fsencode(repaired) if repaired is not None else b"", repaired_text)

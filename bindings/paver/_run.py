@@ -41,6 +41,8 @@ def text_of(name, kind, value):
     """The text of an option's value, which the core reads as it reads the command line."""
     if isinstance(value, str):
         return value
+    if kind == "flag" and isinstance(value, bool):
+        return "on" if value else "off"
     if hasattr(value, "getValueAs"):  # FreeCAD.Units.Quantity
         return text_of_quantity(kind, value)
     if isinstance(value, numbers.Integral) and not isinstance(value, bool):
@@ -87,12 +89,13 @@ def require_faces(result, is_partial):
             raise
 
 
-def mesh(shape, *, output=None, report=None, msh_version="4.1", ascii=False, quiet=True, partial=False, progress=None,
+def mesh(shape, *, output=None, report=None, repaired=None, msh_version="4.1", ascii=False, quiet=True, partial=False, progress=None,
          cancel=None, name=None, **options):
     """Meshes `shape` and gives a Result. Arguments are those of the command line, by the same names.
 
     shape: a Model, or what Model takes: a Part.Shape, an object of a FreeCAD document, a list of these, a path, bytes.
     output, report, msh_version, ascii: files to write, as Result.write does; checked before the work.
+    repaired: file (.brep) for the model as it is meshed: repaired, sewn, connected.
     quiet: False prints the stages and the report's table.
     partial: True gives the mesh of the other faces where some cannot be meshed; else FaceError, which has it too.
     progress: called before the work and then up to 20 times a second as progress(stage, fraction), in the calling
@@ -105,12 +108,14 @@ def mesh(shape, *, output=None, report=None, msh_version="4.1", ascii=False, qui
     """
     given = given_options(options)
     model = as_model(shape, name)
-    _paver.check_outputs(file_arguments(model, output, report, msh_version, ascii))
+    _paver.check_outputs(file_arguments(model, output, report, msh_version, ascii, repaired))
     poll = poll_of(progress if quiet else printed(progress), cancel)
+    brep = b"" if repaired is None else _paver.repaired(model._source, given, poll)
     result = Result(_paver.mesh(model._source, given, poll), model)
-    if output is not None or report is not None:
+    if any(path is not None for path in (output, report, repaired)):
         is_empty = len(result.quads) + len(result.triangles) == 0
-        result.write(None if is_empty else output, report=report, msh_version=msh_version, ascii=ascii, cancel=cancel)
+        files = file_arguments(model, None if is_empty else output, report, msh_version, ascii, repaired, brep)
+        result._write(files, None, cancel)
     if not quiet:
         print(result.table, end="")
     require_faces(result, partial)
@@ -130,7 +135,7 @@ def predict(shape, *, progress=None, cancel=None, name=None, **options):
 def options():
     """The options of mesh() and predict(), in order.
 
-    Dicts with `name`, `kind` (length, frequency, angle, number, integer, choice, local), `letter` (stands for the value in
+    Dicts with `name`, `kind` (length, frequency, angle, number, integer, choice, flag, local), `letter` (stands for the value in
     help texts), `help`, `default` (text, maybe empty), `needs`, `excludes` (another option's name, or empty), `choices`,
     `may_be_zero` (without a default: 0 is a value of its own, which a form must not use for "none").
     """

@@ -63,7 +63,7 @@ class SurfaceMesh:
         face_names, edge_names: of the faces and edges by number, for groups; without them "Face1", "Edge1".
         edge_groups: by number the group that an edge is in, or an empty text.
         """
-        files = (os.fsencode(path), b"", str(msh_version), bool(ascii), b"")
+        files = (os.fsencode(path), b"", str(msh_version), bool(ascii), b"", b"", b"")
         self._data.write(files, list(face_names), list(edge_names), list(edge_groups), poll_of(progress, cancel))
 
     def quality(self):

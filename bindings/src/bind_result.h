@@ -14,8 +14,9 @@ namespace paver::python {
 /// The classes MeshData and its arrays.
 void bind_result(pybind11::module_& module);
 
-/// What Python passes: paths of mesh and report, "4.1" or "2.2", whether as text, path of the model.
-using FileArguments = std::tuple<std::string, std::string, std::string, bool, std::string>;
+/// What Python passes: paths of mesh and report, "4.1" or "2.2", whether as text, path of the model; path and text of
+/// the repaired model.
+using FileArguments = std::tuple<std::string, std::string, std::string, bool, std::string, std::string, std::string>;
 
 /// Throws bad_option for another version.
 OutputFiles output_files(const FileArguments& arguments);

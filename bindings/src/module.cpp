@@ -95,6 +95,14 @@ py::dict predict(Source& source, const std::vector<GivenOption>& given, const py
   return result;
 }
 
+py::bytes repaired(Source& source, const std::vector<GivenOption>& given, const py::object& poll) {
+  Options options = read_options(given);
+  check(options);
+  std::string text;
+  run_job(poll, [&](Progress& progress) { text = repaired_model(source.model(progress), options, progress); });
+  return text;
+}
+
 py::list parts(Source& source, const py::object& poll) {
   std::vector<ModelPart> found;
   run_job(poll, [&](Progress& progress) { found = model_parts(source.model(progress)); });
@@ -168,6 +176,7 @@ PYBIND11_MODULE(_paver, module) {
   bind_display(module);
   module.def("mesh", mesh);
   module.def("predict", predict);
+  module.def("repaired", repaired);
   module.def("parts", parts);
   module.def("options", options);
   module.def("error_codes", error_codes);

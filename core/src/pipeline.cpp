@@ -56,6 +56,13 @@ class Run {
     return std::move(share_);
   }
 
+  std::string repaired(const CadModel& model) {
+    std::string brep;
+    check(options_);
+    build_model(*model.shape, options_, model.report, progress_, shared_, &brep);
+    return brep;
+  }
+
   Prediction predict(const CadModel& model) {
     start();
     build(model);
@@ -308,6 +315,11 @@ MeshResult mesh_model(const CadModel& model, const Options& options, Progress& p
 MeshResult mesh_file(const std::string& path, const Options& options, Progress& progress) {
   check(options);
   return mesh_model(read_file(path, progress), options, progress);
+}
+
+std::string repaired_model(const CadModel& model, const Options& options, Progress& progress) {
+  SingleRank alone;
+  return guard_occt(ErrorCode::internal, kernel_failure, [&] { return Run(options, progress, alone).repaired(model); });
 }
 
 Prediction predict(const CadModel& model, const Options& options, Progress& progress) {

@@ -1,5 +1,6 @@
 """Every option of the command line is an argument, and means the same."""
 import inspect
+import os
 import re
 import subprocess
 
@@ -25,8 +26,9 @@ VALUES = {
     "ranks": ("0", 0, {}, False),
     "connect": ("union", "union", {}, False),
     "sew_tolerance": ("20 um", 0.02, {}, False),
+    "strict": ("on", True, {}, False),
 }
-FILE_OPTIONS = {"output", "report", "msh_version", "ascii", "quiet"}
+FILE_OPTIONS = {"output", "report", "repaired", "msh_version", "ascii", "quiet"}
 
 
 def command_line_options(program):
@@ -71,7 +73,7 @@ def test_every_option_reaches_the_core_and_means_what_the_command_line_means(nam
     base = {k: v for k, v in {"size": 12, **needs}.items() if v is not None}
     as_text, as_value = (paver.mesh(model, **{**base, name: v}) for v in (text, value))
     out = tmp_path / "mesh.msh"
-    arguments = [a for k, v in {**base, name: text}.items() for a in ("--" + k.replace("_", "-"), str(v))]
+    arguments = [a for k, v in {**base, name: text}.items() for a in ("--" + k.replace("_", "-"), *([] if k == "strict" else [str(v)]))]
     subprocess.run([program, "mesh", model, "-o", out, "--report", tmp_path / "r.json", "--quiet", *arguments],
                    check=True, stdin=subprocess.DEVNULL)
     as_text.write(tmp_path / "python.msh")
@@ -151,3 +153,24 @@ def test_predictions_come_near(example):
     assert prediction.target_length == result.report["target_length"]
     assert len(prediction.face_elements) == len(result.face_names)
     assert prediction.memory_mib > 0
+
+
+def loose_box():
+    return os.path.join(os.path.dirname(__file__), "..", "property", "loose_box.brep")
+
+
+def test_strict_refuses_a_model_that_needs_repairs():
+    with pytest.raises(paver.InputError, match="not clean.*24 sewn edges"):
+        paver.mesh(loose_box(), size=20, strict=True)
+    assert paver.mesh(loose_box(), size=20, strict=False).report["model"]["repairs"][0]["count"] == 24
+    with pytest.raises(paver.OptionError, match="^strict is 'perhaps'"):
+        paver.mesh(loose_box(), size=20, strict="perhaps")
+
+
+def test_the_repaired_model_is_written(tmp_path):
+    whole = tmp_path / "whole.brep"
+    paver.mesh(loose_box(), size=20, repaired=whole)
+    model = paver.mesh(whole, size=20, strict=True).report["model"]
+    assert (model["solids"], model["faces"], model["repairs"]) == (1, 6, [])
+    with pytest.raises(paver.OptionError, match="end in .brep"):
+        paver.mesh(loose_box(), size=20, repaired=tmp_path / "whole.step")

@@ -173,6 +173,33 @@ class CommandLine(unittest.TestCase):
                 self.assertNotIn("terminate", error)
                 self.assertEqual(os.listdir(self.folder), [])
 
+    def loose_box(self):
+        """The box of the examples as six faces that share nothing."""
+        return os.path.join(runs.ROOT, "tests", "property", "loose_box.brep")
+
+    def test_strict_refuses_what_would_be_repaired(self):
+        self.refused("mesh", self.loose_box(), "-o", self.out, "--size", 20, "--strict", says="not clean.*24 sewn edges.*;")
+        code, _, error = call("mesh", BOX, "-o", self.out, "--size", 20, "--strict")
+        self.assertEqual((code, error), (0, ""))
+
+    def test_a_repaired_model_is_clean(self):
+        repaired, report = os.path.join(self.folder, "whole.brep"), os.path.join(self.folder, "report.json")
+        code, _, error = call("mesh", self.loose_box(), "-o", self.out, "--size", 20, "--repaired", repaired, "--report", report)
+        self.assertEqual((code, error), (0, ""))
+        with open(report) as f:
+            first = json.load(f)
+        self.assertIn("sewn edges", [repair["kind"] for repair in first["model"]["repairs"]])
+        code, _, error = call("mesh", repaired, "-o", self.out, "--size", 20, "--strict", "--report", report)
+        self.assertEqual((code, error), (0, ""))
+        with open(report) as f:
+            again = json.load(f)
+        self.assertEqual((again["model"]["solids"], again["model"]["faces"], again["model"]["repairs"]), (1, 6, []))
+        self.assertEqual(again["quality"]["quads"], first["quality"]["quads"])
+
+    def test_a_bad_name_for_the_repaired_model_is_refused(self):
+        self.refused("mesh", BOX, "-o", self.out, "--size", 20, "--repaired", os.path.join(self.folder, "a.step"), says=r"end in \.brep")
+        self.refused("mesh", BOX, "-o", self.out, "--size", 20, "--repaired", os.path.join(self.folder, "no", "a.brep"), says="a.brep")
+
     def test_output_formats(self):
         for name in ("out.msh", "out.vtu"):
             with self.subTest(name=name):

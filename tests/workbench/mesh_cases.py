@@ -92,6 +92,16 @@ class Properties(InDocument):
         properties.put(obj, {"frequency": 1e9})
         self.assertEqual((obj.Size.Value, obj.Frequency.Value), (0, 1e9))
 
+    def test_a_flag_is_a_property_that_is_on_or_off(self):
+        obj = mesh_object.add(self.document, self.box)
+        self.assertIs(obj.Strict, False)
+        for value, kept in ((True, True), ("off", False), ("on", True), (None, False)):
+            properties.put(obj, {"strict": value})
+            self.assertIs(obj.Strict, kept)
+            self.assertIs(properties.given(obj)["strict"], kept)
+        with self.assertRaisesRegex(ValueError, "^strict is 'perhaps'"):
+            properties.put(obj, {"strict": "perhaps"})
+
     def test_ranks_are_kept_and_refused_where_the_core_has_none(self):
         obj = mesh_object.add(self.document, self.box, size=5)
         self.assertEqual(obj.Ranks, 0)

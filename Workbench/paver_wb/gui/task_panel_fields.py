@@ -192,6 +192,8 @@ def field_for(info):
             labels = [translate("Paver", "{} times as long").format(label) if label.isdigit() else label
                       for label in labels]
         return ChoiceField(info["choices"], labels)
+    if info["kind"] == "flag":
+        return ChoiceField([False, True], [translate("Paver", "No"), translate("Paver", "Yes")])
     if info["name"] == "order":
         return ChoiceField([1, 2], [translate("Paver", "1 (straight)"), translate("Paver", "2 (curved)")])
     if info["kind"] in UNITS:

@@ -23,7 +23,7 @@ def labels():
             "order": translate("Paver", "Order"), "elements": translate("Paver", "Elements"),
             "multilevel": translate("Paver", "Coarse mesh first"), "threads": translate("Paver", "Threads"),
             "ranks": translate("Paver", "MPI processes"), "sew_tolerance": translate("Paver", "Sew gaps up to"),
-            "connect": translate("Paver", "Parts that touch")}
+            "connect": translate("Paver", "Parts that touch"), "strict": translate("Paver", "Clean models only")}
 
 
 def with_labels(text):

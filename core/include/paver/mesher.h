@@ -52,6 +52,9 @@ MeshResult mesh_model(const CadModel& model, const Options& options, Progress& p
 /// read_file and mesh_model; bad options are found before the file is read.
 MeshResult mesh_file(const std::string& path, const Options& options, Progress& progress);
 
+/// The model as mesh_model meshes it with these options, repaired, sewn and connected, as the text of a BREP file.
+std::string repaired_model(const CadModel& model, const Options& options, Progress& progress);
+
 /// What one rank holds of a mesh: the elements that it made, with all nodes they use, all lines of the whole mesh, and
 /// their nodes. Each table of `result.mesh` is a subsequence of the whole mesh's: numbers here rise and tell which.
 struct MeshShare {

@@ -18,10 +18,11 @@ enum class OptionKind {
   number,
   integer,
   choice,  ///< one of OptionInfo::choices
+  flag,    ///< "on" or "off"; on the command line "on" where it is named
   local,   ///< parts of the model with their lengths; may be given repeatedly
 };
 
-/// "length", "frequency", "angle", "number", "integer", "choice", "local".
+/// "length", "frequency", "angle", "number", "integer", "choice", "flag", "local".
 const char* kind_name(OptionKind kind);
 
 struct OptionInfo {

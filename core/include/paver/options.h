@@ -56,6 +56,7 @@ struct Options {
   long max_elements = 2'000'000;        ///< stop before meshing when more are predicted
   std::optional<double> sew_tolerance;  ///< mm, >= 0 (0: never sew); default from the target length
   Connect connect = Connect::imprint;
+  bool strict = false;           ///< a model that needs repairs, or has faces that cannot be meshed, is refused
   std::vector<LocalSize> local;  ///< target lengths of parts of the model; the least counts
 
   double turn_limit() const { return max_turn ? *max_turn : 0.7853981633974483; }

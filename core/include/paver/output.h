@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "paver/mesher.h"
 #include "paver/progress.h"
@@ -20,9 +21,14 @@ struct OutputFiles {
   MshVersion msh_version = MshVersion::v4_1;  ///< for .msh
   bool is_ascii = false;                      ///< text instead of binary
   std::string input{};                        ///< path of the model: never written over; empty: it came from no file
+  std::string repaired{};                     ///< path of the model as meshed (.brep); empty: none
+  std::string repaired_text{};                ///< what to write there: repaired_model()
+
+  /// Of all files that there are to write.
+  std::vector<std::string> paths() const;
 };
 
-/// Throws Error{bad_option} for a mesh file name with another ending, two equal paths or the model's own path, and
+/// Throws Error{bad_option} for a file name with another ending, two equal paths or the model's own path, and
 /// Error{unwritable_output} when a file could not be created in its folder. Leaves nothing behind. Call it before the
 /// work.
 void check_outputs(const OutputFiles& files);

@@ -103,6 +103,29 @@ struct Gap {
   Vec3 where;           ///< on one of them
 };
 
+/// What was repaired in a model that is not clean.
+enum class RepairKind {
+  sewn_edge,      ///< edges made common
+  closed_loop,    ///< faces with open loops whose ends were joined
+  turned_loop,    ///< loops that ran the wrong way round
+  image,          ///< missing or wrong images of edges in a surface's parameters
+  periodic_edge,  ///< missing periodic edges
+  pole,           ///< missing poles, and edges wrongly flagged as poles
+  border,         ///< missing borders of faces that are whole surfaces
+  turned_face,    ///< faces turned over so that they agree and look outwards
+  dropped_face,   ///< left out, as they lie on another one
+};
+
+/// "sewn edges", "closed loops" and so on.
+const char* repair_name(RepairKind kind);
+
+struct Repair {
+  RepairKind kind = RepairKind::sewn_edge;
+  long count = 0;
+  double distance = 0;             ///< largest by which anything was off or was moved, mm
+  std::vector<std::string> faces;  ///< "Face3", where it is one face's
+};
+
 /// What reading and topology found.
 struct ModelReport {
   std::string file, format, unit;  ///< unit the file states, e.g. "INCH"; lengths are millimetres all the same
@@ -115,6 +138,7 @@ struct ModelReport {
   std::vector<std::string> free_edge_names, nonmanifold_edge_names;  ///< "Edge7"
   std::vector<Contact> contacts;
   std::vector<std::array<std::string, 2>> unconnected;  ///< pairs of parts that touch and could not be connected
+  std::vector<Repair> repairs;                          ///< in the order of RepairKind, those that occurred
 };
 
 /// How long one piece of work that may run on any thread or rank took; those of one stage in the order of the queue.

@@ -38,6 +38,8 @@ std::vector<std::string> names_of(const std::vector<T>& choices, const char* (*n
   return names;
 }
 
+constexpr const char* flag_texts[] = {"off", "on"};
+
 const std::vector<Connect>& ways_to_connect() {
   static const std::vector<Connect> ways{Connect::imprint, Connect::united, Connect::none};
   return ways;
@@ -159,6 +161,15 @@ std::vector<Entry> other_entries(const Options& d) {
         {},
         true},
        [](Options& o, const Value& v) { o.sew_tolerance = v.number; }},
+      {{"strict",
+        OptionKind::flag,
+        "ON",
+        "Refuse models that are not clean, naming what is wrong, instead of repairing them",
+        flag_texts[d.strict],
+        "",
+        "",
+        {}},
+       [](Options& o, const Value& v) { o.strict = v.index != 0; }},
   };
 }
 
@@ -194,6 +205,8 @@ std::string examples_of(const OptionInfo& info) {
       return "2, a whole number";
     case OptionKind::local:
       return "Face3=2mm, Edge5,Vertex2=0.5mm or Solid1=eps-r:4";
+    case OptionKind::flag:
+      return "on or off";
     case OptionKind::choice:
       break;
   }
@@ -220,6 +233,9 @@ std::optional<Value> read_value(const OptionInfo& info, const std::string& text)
       return number(parse_integer(text));
     case OptionKind::local:
       if (auto local = parse_local(text)) return Value{0, 0, *std::move(local)};
+      return std::nullopt;
+    case OptionKind::flag:
+      if (text == flag_texts[0] || text == flag_texts[1]) return Value{0, text == flag_texts[1], {}};
       return std::nullopt;
     case OptionKind::choice:
       break;
@@ -263,6 +279,8 @@ const char* kind_name(OptionKind kind) {
       return "integer";
     case OptionKind::local:
       return "local";
+    case OptionKind::flag:
+      return "flag";
     case OptionKind::choice:
       break;
   }

@@ -19,11 +19,18 @@ void fields(A& archive, Is<Gap> auto& gap) {
 }
 
 template <class A>
+void fields(A& archive, Is<Repair> auto& repair) {
+  auto& [kind, count, distance, faces] = repair;
+  archive(kind, count, distance, faces);
+}
+
+template <class A>
 void fields(A& archive, Is<ModelReport> auto& model) {
   auto& [file, format, unit, solids, shells, faces, edges, vertices, free_edges, nonmanifold_edges, sewn_edges,
-         sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names, contacts, unconnected] = model;
+         sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names, contacts, unconnected, repairs] =
+      model;
   archive(file, format, unit, solids, shells, faces, edges, vertices, free_edges, nonmanifold_edges, sewn_edges,
-          sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names, contacts, unconnected);
+          sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names, contacts, unconnected, repairs);
 }
 
 template <class A>

@@ -123,7 +123,10 @@ class Connector {
     work_.faces = std::move(faces);
     work_.is_rebuilt = true;
     Progress silent;
-    repair(work_, silent);  // the kernel leaves some new edges without an image on a face
+    std::vector<Repair> repairs = work_.repairs;
+    repair(work_,
+           silent);  // the kernel leaves some new edges without an image on a face, which is no fault of the file
+    work_.repairs = std::move(repairs);
   }
 
   static WorkFace placeholder(const WorkFace& face) {

@@ -5,6 +5,7 @@
 #include <Geom_Surface.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <array>
 #include <gp_Trsf.hxx>
 #include <memory>
 
@@ -31,6 +32,14 @@ std::shared_ptr<const ParameterCurve> make_parameter_curve(const TopoDS_Edge& ed
 /// than their curves. Null when the surface cannot be evaluated.
 std::shared_ptr<const ParameterCurve> make_projected_image(const TopoDS_Face& face, std::shared_ptr<const Curve> curve,
                                                            const ParameterCurve& rough, double t0, double t1);
+
+/// The image with its ends at the feet of the vertices `ends`, where those are more than `allowed` off and the feet are
+/// nearer by half: for vertices that lie beside their edges. `off`: the larger of these distances, where it grows. Null
+/// where there is nothing to change.
+std::shared_ptr<const ParameterCurve> make_image_with_ends(const TopoDS_Face& face,
+                                                           std::shared_ptr<const ParameterCurve> image, double t0,
+                                                           double t1, const std::array<Vec3, 2>& ends, double allowed,
+                                                           double& off);
 
 /// Straight line from `a` at t0 to `b` at t1: stands in for the missing image of a pole.
 std::shared_ptr<const ParameterCurve> make_straight_parameter_curve(Vec2 a, Vec2 b, double t0, double t1);

@@ -46,7 +46,7 @@ class PartLister {
     TopTools_IndexedMapOfShape edges;
     std::vector<int> first_face{-1};
     for (std::size_t f = 0; f < work_.faces.size(); ++f) {
-      if (!work_.faces[f].uses.empty()) continue;
+      if (!work_.faces[f].uses.empty() || work_.faces[f].is_dropped) continue;
       for (TopExp_Explorer inner(work_.faces[f].face, TopAbs_EDGE); inner.More(); inner.Next()) {
         auto index = static_cast<std::size_t>(edges.Add(inner.Current()));
         if (index == first_face.size()) first_face.push_back(static_cast<int>(f));
@@ -56,7 +56,7 @@ class PartLister {
     int sheets = 0;
     std::vector<int> part_of(work_.faces.size(), -1);
     for (std::size_t f = 0; f < work_.faces.size(); ++f) {
-      if (!work_.faces[f].uses.empty()) continue;
+      if (!work_.faces[f].uses.empty() || work_.faces[f].is_dropped) continue;
       int& part = part_of[static_cast<std::size_t>(groups.find(static_cast<int>(f)))];
       if (part < 0) part = add_part("Sheet" + std::to_string(++sheets), -1);
       work_.faces[f].uses.push_back({part, false});

@@ -157,7 +157,43 @@ class ProjectedImage : public ParameterCurve {
   std::vector<Vec2> table_;
 };
 
+/// Another image, but for its ends.
+class ImageWithEnds : public ParameterCurve {
+ public:
+  ImageWithEnds(std::shared_ptr<const ParameterCurve> image, double t0, double t1, Vec2 start, Vec2 end)
+      : image_(std::move(image)), t0_(t0), t1_(t1), start_(start), end_(end) {}
+  Vec2 uv(double t) const override { return t <= t0_ ? start_ : t >= t1_ ? end_ : image_->uv(t); }
+
+ private:
+  std::shared_ptr<const ParameterCurve> image_;
+  double t0_, t1_;
+  Vec2 start_, end_;
+};
+
 }  // namespace
+
+std::shared_ptr<const ParameterCurve> make_image_with_ends(const TopoDS_Face& face,
+                                                           std::shared_ptr<const ParameterCurve> image, double t0,
+                                                           double t1, const std::array<Vec3, 2>& ends, double allowed,
+                                                           double& off) {
+  try {
+    const FootFinder finder(face);
+    std::array<Vec2, 2> uv{image->uv(t0), image->uv(t1)};
+    bool is_changed = false;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double distance = norm(ends[i] - finder.point(uv[i]));
+      if (distance <= allowed) continue;
+      const Foot foot = finder.find(ends[i], uv[i], table_steps);
+      if (!(foot.distance2 < 0.25 * distance * distance)) continue;
+      uv[i] = foot.uv;
+      off = std::max(off, distance);
+      is_changed = true;
+    }
+    return is_changed ? std::make_shared<ImageWithEnds>(std::move(image), t0, t1, uv[0], uv[1]) : nullptr;
+  } catch (const Standard_Failure&) {
+    return nullptr;
+  }
+}
 
 std::shared_ptr<const ParameterCurve> make_projected_image(const TopoDS_Face& face, std::shared_ptr<const Curve> curve,
                                                            const ParameterCurve& rough, double t0, double t1) {

@@ -92,6 +92,7 @@ void add_natural_bounds(WorkFace& face, Workpiece& work) {
   face.face = TopoDS::Face(maker.Face().Moved(location).Oriented(face.face.Orientation()));
   face.area = face_area(face.face);
   if (!std::isfinite(face.area)) face.fault = "its area cannot be computed";
+  work.note_repair(RepairKind::border, 1, 0, face_name(face.origin));
   work.is_rebuilt = true;
 }
 
@@ -118,13 +119,19 @@ void add_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   }
 }
 
-void repair_edges(WorkFace& face, double diagonal) {
+void repair_edges(WorkFace& face, Workpiece& work) {
   TopoDS_Face plain = forward(face.face);
   for (TopExp_Explorer edges(plain, TopAbs_EDGE); edges.More(); edges.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
-    if (is_false_pole(edge, plain, diagonal)) add_curve(edge, plain);
+    if (is_false_pole(edge, plain, work.diagonal)) {
+      add_curve(edge, plain);
+      work.note_repair(RepairKind::pole, 1, 0, face_name(face.origin));
+    }
     if (is_pole(edge)) continue;
-    if (!has_image(edge, plain)) add_image(edge, plain);
+    if (!has_image(edge, plain)) {
+      add_image(edge, plain);
+      work.note_repair(RepairKind::image, 1, 0, face_name(face.origin));
+    }
     if (!has_image(edge, plain)) {
       face.fault = "an edge has no curve in its surface and none can be made; repair it in the CAD program";
       return;
@@ -154,7 +161,7 @@ void repair(Workpiece& work, Progress& progress) {
       if (!has_loops(face.face)) {
         add_natural_bounds(face, work);
       } else {
-        repair_edges(face, work.diagonal);
+        repair_edges(face, work);
       }
     });
     if (failure) face.fault = *failure;

@@ -4,7 +4,8 @@
 //
 // The tolerance is chosen by what it closes. First what fits as drawn is sewn. Where free edges stay that have other
 // free edges along them, the gap between these is tried; it counts when it closes the group, or most of what was open,
-// and when nothing collapses: no face is lost, none comes to lie on another one.
+// and when nothing collapses: no face is lost, none comes to lie on another one. Ends of edges may lie farther apart
+// than the edges do, which leaves short pieces between them: what makes these vanish, too, is better.
 #include <BOPTools_AlgoTools3D.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
@@ -37,6 +38,8 @@ constexpr double edge_share = 0.25;
 constexpr double sliver_share = 1e-6;  // of the diagonal
 // Corners are farther apart than edges are.
 constexpr double corner_factor = 1.6;
+// Edges below this many tolerances may be what is left between two ends.
+constexpr double short_factor = 6;
 // An open group counts as sewn when no more than this share of its free edges is left.
 constexpr double open_share = 1.0 / 3;
 
@@ -132,7 +135,7 @@ class GroupSewer {
       if (!(tolerance <= most_) || tolerance <= best.tolerance) continue;
       Sewn wider = sew_at(tolerance);
       bool is_sewn = wider.free == 0 || static_cast<double>(wider.free) <= open_share * static_cast<double>(best.free);
-      if (is_sewn && !wider.has_lost && !collapses(wider)) return wider;
+      if (is_sewn && !wider.has_lost && !collapses(wider)) return without_short_pieces(std::move(wider));
     }
     return best;
   }
@@ -141,6 +144,8 @@ class GroupSewer {
 
  private:
   struct Polyline {
+    std::shared_ptr<const Curve> curve;
+    std::vector<double> t;
     std::vector<Vec3> points;
     Bnd_Box box;
   };
@@ -148,14 +153,43 @@ class GroupSewer {
   static Polyline polyline(const TopoDS_Edge& edge) {
     constexpr int pieces = 32;
     Polyline line;
-    auto curve = make_curve(edge);
+    line.curve = make_curve(edge);
     double t0 = 0, t1 = 0;
     BRep_Tool::Range(edge, t0, t1);
-    for (int i = 0; curve && i <= pieces; ++i) {
-      line.points.push_back(curve->point(t0 + (t1 - t0) * i / pieces));
+    for (int i = 0; line.curve && i <= pieces; ++i) {
+      line.t.push_back(t0 + (t1 - t0) * i / pieces);
+      line.points.push_back(line.curve->point(line.t.back()));
       line.box.Add(to_point(line.points.back()));
     }
     return line;
+  }
+
+  /// To the curve near piece k: chords cut corners by more than gaps are wide.
+  static double refined(const Polyline& line, std::size_t k, Vec3 x) {
+    constexpr int steps = 4;
+    const double low = line.t[std::max<std::size_t>(k, 2) - 2], high = line.t[std::min(k + 1, line.t.size() - 1)];
+    double t = 0.5 * (line.t[k - 1] + line.t[k]), least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= steps; ++i) {
+      Vec3 y, yt;
+      line.curve->d1(t, y, yt);
+      least = std::min(least, norm(x - y));
+      if (!(dot(yt, yt) > 0)) break;
+      t = std::clamp(t + dot(x - y, yt) / dot(yt, yt), low, high);
+    }
+    return least;
+  }
+
+  Sewn without_short_pieces(Sewn sewn) {
+    double longest = 0;
+    for (int i = 1; i <= sewn.uses.edges.Extent(); ++i) {
+      const double length = edge_length(TopoDS::Edge(sewn.uses.edges(i)));
+      if (length < short_factor * sewn.tolerance) longest = std::max(longest, length);
+    }
+    const double tolerance = corner_factor * longest;
+    if (!(tolerance > sewn.tolerance && tolerance <= most_)) return sewn;
+    Sewn wider = sew_at(tolerance);
+    const bool has_fewer = wider.free <= sewn.free && wider.uses.edges.Extent() < sewn.uses.edges.Extent();
+    return has_fewer && !wider.has_lost && !collapses(wider) ? wider : sewn;
   }
 
   static double distance(Vec3 x, Vec3 a, Vec3 b) {
@@ -187,8 +221,14 @@ class GroupSewer {
     for (std::size_t j = 0; j < lines.size(); ++j) {
       if (j == own || lines[j].box.IsOut(to_point(x))) continue;
       const std::vector<Vec3>& points = lines[j].points;
-      for (std::size_t k = 1; k < points.size() && least > enough; ++k)
-        least = std::min(least, distance(x, points[k - 1], points[k]));
+      std::size_t nearest = 0;
+      double chord = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 1; k < points.size(); ++k) {
+        const double now = distance(x, points[k - 1], points[k]);
+        if (now < chord) chord = now, nearest = k;
+      }
+      if (nearest > 0) least = std::min(least, refined(lines[j], nearest, x));
+      if (least <= enough) break;
     }
     return least;
   }

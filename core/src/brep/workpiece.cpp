@@ -75,6 +75,30 @@ double box_diagonal(const TopTools_IndexedMapOfShape& faces, const TopTools_Inde
 
 }  // namespace
 
+const char* repair_name(RepairKind kind) {
+  switch (kind) {
+    case RepairKind::sewn_edge:
+      return "sewn edges";
+    case RepairKind::closed_loop:
+      return "closed loops";
+    case RepairKind::turned_loop:
+      return "turned loops";
+    case RepairKind::image:
+      return "images";
+    case RepairKind::periodic_edge:
+      return "periodic edges";
+    case RepairKind::pole:
+      return "poles";
+    case RepairKind::border:
+      return "borders";
+    case RepairKind::turned_face:
+      return "turned faces";
+    case RepairKind::dropped_face:
+      break;
+  }
+  return "dropped faces";
+}
+
 Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& tasks) {
   Workpiece work;
   work.shape = shape.shape;
@@ -110,6 +134,15 @@ Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& ta
     progress.advance(measure_units);
   }
   return work;
+}
+
+void Workpiece::note_repair(RepairKind kind, long count, double distance, const std::string& face) {
+  if (count == 0) return;
+  auto at = std::find_if(repairs.begin(), repairs.end(), [&](const Repair& repair) { return repair.kind >= kind; });
+  if (at == repairs.end() || at->kind != kind) at = repairs.insert(at, {kind, 0, 0, {}});
+  at->count += count;
+  at->distance = std::max(at->distance, distance);
+  if (!face.empty() && (at->faces.empty() || at->faces.back() != face)) at->faces.push_back(face);
 }
 
 void copy_shape(Workpiece& work) {

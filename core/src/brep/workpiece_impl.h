@@ -8,6 +8,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "base/shared_tasks.h"
 #include "brep/shape_impl.h"
 #include "paver/progress.h"
+#include "paver/result.h"
 
 namespace paver {
 
@@ -70,6 +72,10 @@ struct Workpiece {
   TopTools_IndexedMapOfShape read_edges;  ///< of `shape`, in the order of the shape as read
   /// Edges that took the place of others, when sewn or divided: the 0-based edges as read that they lie on, rising.
   NCollection_DataMap<TopoDS_Shape, std::vector<int>, TopTools_ShapeMapHasher> replaced_edges;
+  std::vector<Repair> repairs;              ///< in the order of their kinds
+  std::vector<std::array<int, 2>> doubles;  ///< (face that was left out, face that it lies on)
+
+  void note_repair(RepairKind kind, long count, double distance, const std::string& face = {});
 };
 
 /// A face below this share of the diagonal squared has no area.

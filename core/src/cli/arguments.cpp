@@ -40,6 +40,11 @@ struct Texts {
 /// The options of a run, in the order of the table.
 void add_options(CLI::App& mesh, Texts& texts) {
   for (const OptionInfo& info : option_table()) {
+    if (info.kind == OptionKind::flag) {
+      mesh.add_flag_callback(
+          command_line_name(info.name), [&list = texts.options[info.name]] { list = {"on"}; }, info.help);
+      continue;
+    }
     CLI::Option* option = mesh.add_option(command_line_name(info.name), texts.options[info.name], info.help);
     option->type_name(info.letter)->allow_extra_args(false);
     if (info.kind == OptionKind::local) {
@@ -53,6 +58,8 @@ void add_options(CLI::App& mesh, Texts& texts) {
 
 void add_output_options(CLI::App& mesh, Arguments& arguments, Texts& texts) {
   mesh.add_option("--report", arguments.files.report, "Write a report with all figures (JSON)")->type_name("FILE");
+  mesh.add_option("--repaired", arguments.files.repaired, "Write the model as meshed: repaired, sewn, connected (BREP)")
+      ->type_name("FILE");
   mesh.add_option("--msh-version", texts.msh_version, "Version of a .msh file, 4.1 or 2.2")
       ->type_name("V")
       ->check(CLI::IsMember({"4.1", "2.2"}))

@@ -33,8 +33,7 @@ Progress* make_shared_progress() {
 }
 
 void remove_temporaries(const Arguments& arguments, pid_t child) {
-  for (const std::string& path : {arguments.files.mesh, arguments.files.report})
-    if (!path.empty()) ::unlink(temporary_name(path, child).c_str());
+  for (const std::string& path : arguments.files.paths()) ::unlink(temporary_name(path, child).c_str());
 }
 
 /// How it ended, as waitpid() says. `end` is a pipe that closes when the child ends.

@@ -32,10 +32,13 @@ MeshResult mesh_in_other_processes(const Arguments& arguments, Progress& progres
 }
 
 MeshResult mesh_and_write(const Arguments& arguments, Progress& progress) {
-  Terminal terminal(progress, arguments.is_quiet,
-                    {temporary_name(arguments.files.mesh), temporary_name(arguments.files.report)});
-  MeshResult result = mesh_file(arguments.input, arguments.options, progress);
+  std::vector<std::string> temporaries;
+  for (const std::string& path : arguments.files.paths()) temporaries.push_back(temporary_name(path));
+  Terminal terminal(progress, arguments.is_quiet, temporaries);
+  const CadModel model = read_file(arguments.input, progress);
   OutputFiles files = arguments.files;
+  if (!files.repaired.empty()) files.repaired_text = repaired_model(model, arguments.options, progress);
+  MeshResult result = mesh_model(model, arguments.options, progress);
   if (is_empty(result)) files.mesh.clear();
   write_outputs(result, files, progress);
   progress.begin(Stage::done);

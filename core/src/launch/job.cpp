@@ -49,9 +49,9 @@ bool read_key(const std::string& key, const Json& value, const std::string& path
     job.files.msh_version = version_of(text_of(value), path);
     return true;
   }
-  const std::pair<const char*, std::string*> texts[] = {{"input", &job.input},     {"name", &job.name},
-                                                        {"mesh", &job.files.mesh}, {"report", &job.files.report},
-                                                        {"events", &job.events},   {"folder", &job.folder}};
+  const std::pair<const char*, std::string*> texts[] = {
+      {"input", &job.input},   {"name", &job.name},     {"mesh", &job.files.mesh},        {"report", &job.files.report},
+      {"events", &job.events}, {"folder", &job.folder}, {"repaired", &job.files.repaired}};
   for (auto [name, text] : texts) {
     if (key != name) continue;
     *text = value.get<std::string>();
@@ -78,12 +78,17 @@ std::string job_text(const Job& job) {
     if (!options.contains(name)) options[name] = Json::array();
     options[name].push_back(text);
   }
-  Json json = {
-      {"input", job.input},          {"name", job.name},
-      {"options", options},          {"mesh", job.files.mesh},
-      {"report", job.files.report},  {"msh_version", job.files.msh_version == MshVersion::v2_2 ? "2.2" : "4.1"},
-      {"ascii", job.files.is_ascii}, {"events", job.events},
-      {"folder", job.folder},        {"returns_mesh", job.returns_mesh}};
+  Json json = {{"input", job.input},
+               {"name", job.name},
+               {"options", options},
+               {"mesh", job.files.mesh},
+               {"report", job.files.report},
+               {"msh_version", job.files.msh_version == MshVersion::v2_2 ? "2.2" : "4.1"},
+               {"ascii", job.files.is_ascii},
+               {"events", job.events},
+               {"folder", job.folder},
+               {"returns_mesh", job.returns_mesh},
+               {"repaired", job.files.repaired}};
   try {
     return json.dump(1) + "\n";
   } catch (const Json::exception&) {

@@ -39,6 +39,16 @@ Json contacts_json(const std::vector<Contact>& contacts) {
   return json;
 }
 
+Json repairs_json(const std::vector<Repair>& repairs) {
+  Json json = Json::array();
+  for (const Repair& repair : repairs)
+    json.push_back({{"kind", repair_name(repair.kind)},
+                    {"count", repair.count},
+                    {"distance", repair.distance},
+                    {"faces", repair.faces}});
+  return json;
+}
+
 Json model_json(const ModelReport& m) {
   return {{"file", m.file},
           {"format", m.format},
@@ -57,7 +67,8 @@ Json model_json(const ModelReport& m) {
           {"nonmanifold_edges", m.nonmanifold_edges},
           {"nonmanifold_edge_names", m.nonmanifold_edge_names},
           {"contacts", contacts_json(m.contacts)},
-          {"unconnected", m.unconnected}};
+          {"unconnected", m.unconnected},
+          {"repairs", repairs_json(m.repairs)}};
 }
 
 Json sj_json(const ScaledJacobianStats& sj) { return {{"min", sj.min}, {"mean", sj.mean}, {"below_03", sj.below_03}}; }

@@ -29,6 +29,17 @@ class Text {
 
 const char* plural(long n) { return n == 1 ? "" : "s"; }
 
+/// "3 closed loops (0.001 mm), 2 poles"; sewing has a line of its own.
+std::string repairs(const ModelReport& model) {
+  std::string list;
+  for (const Repair& repair : model.repairs) {
+    if (repair.kind == RepairKind::sewn_edge) continue;
+    list += fmt::format("{}{} {}", list.empty() ? "" : ", ", repair.count, repair_name(repair.kind));
+    if (repair.distance > 0) list += fmt::format(" ({:.3g} mm)", repair.distance);
+  }
+  return list;
+}
+
 void add_model(const RunReport& run, Text& text) {
   const ModelReport& m = run.model;
   text.line("model", "{} ({}{}), {} solid{}, {} face{}, {} edge{}, diagonal {:.6g} mm", m.file, m.format,
@@ -38,6 +49,7 @@ void add_model(const RunReport& run, Text& text) {
     text.line("sewing", "{} edge{} made common, tolerance {:.3g} mm", m.sewn_edges, plural(m.sewn_edges),
               m.sew_tolerance);
   }
+  if (std::string list = repairs(m); !list.empty()) text.line("repairs", "{}", list);
   if (m.free_edges + m.nonmanifold_edges > 0) {
     text.line("edges", "{} on one face only, {} on more than two", m.free_edges, m.nonmanifold_edges);
   }

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include "output/atomic_file_impl.h"
@@ -45,12 +46,18 @@ void check_names(const OutputFiles& files) {
     throw Error(ErrorCode::bad_option,
                 fmt::format("The name of the mesh file '{}' must end in .msh or .vtu.", files.mesh));
   }
-  if (!files.mesh.empty() && !files.report.empty() && is_same_file(files.mesh, files.report)) {
-    throw Error(ErrorCode::bad_option, fmt::format("Mesh and report have the same file name '{}'.", files.mesh));
+  if (!files.repaired.empty() && ending(files.repaired) != ".brep" && ending(files.repaired) != ".brp") {
+    throw Error(ErrorCode::bad_option,
+                fmt::format("The name of the repaired model '{}' must end in .brep.", files.repaired));
   }
-  for (const std::string& output : {files.mesh, files.report}) {
+  const std::vector<std::string> outputs = files.paths();
+  for (std::size_t i = 1; i < outputs.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (is_same_file(outputs[i], outputs[k]))
+        throw Error(ErrorCode::bad_option, fmt::format("Two outputs have the same file name '{}'.", outputs[i]));
+  for (const std::string& output : outputs) {
     std::error_code ignored;
-    if (!output.empty() && !files.input.empty() && std::filesystem::equivalent(files.input, output, ignored)) {
+    if (!files.input.empty() && std::filesystem::equivalent(files.input, output, ignored)) {
       throw Error(ErrorCode::bad_option,
                   fmt::format("'{}' is the input, which is not written over; choose another name.", output));
     }
@@ -72,32 +79,58 @@ void add_stage_seconds(MeshResult& result, std::chrono::steady_clock::time_point
   result.report.stage_seconds.emplace_back(stage_name(Stage::write), seconds.count());
 }
 
-/// The mesh last: who waits for it finds the report, too.
+/// The files beside the mesh, whole under their temporary names.
+std::vector<std::unique_ptr<AtomicFile>> write_texts(const OutputFiles& files, const std::string& report,
+                                                     Progress& progress) {
+  std::vector<std::unique_ptr<AtomicFile>> written;
+  auto write = [&](const std::string& path, const std::string& text) {
+    if (path.empty()) return;
+    written.push_back(std::make_unique<AtomicFile>(path, &progress));
+    written.back()->write(text);
+    written.back()->finish();
+  };
+  write(files.repaired, files.repaired_text);
+  write(files.report, report);
+  return written;
+}
+
+/// The mesh last: who waits for it finds the others, too.
 template <class MeshFile>
-void commit_both(const OutputFiles& files, std::optional<AtomicFile>& report, std::optional<MeshFile>& mesh) {
-  if (report) report->commit();
+void commit_all(const OutputFiles& files, std::vector<std::unique_ptr<AtomicFile>>& texts,
+                std::optional<MeshFile>& mesh) {
+  std::vector<std::string> paths{files.repaired, files.report}, committed;
+  std::erase(paths, "");
   try {
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      texts[i]->commit();
+      committed.push_back(paths[i]);
+    }
     if (mesh) mesh->commit();
   } catch (const Error&) {
-    if (!files.report.empty()) std::filesystem::remove(files.report);
+    for (const std::string& path : committed) std::filesystem::remove(path);
     throw;
   }
 }
 
 }  // namespace
 
+std::vector<std::string> OutputFiles::paths() const {
+  std::vector<std::string> list;
+  for (const std::string& path : {mesh, report, repaired})
+    if (!path.empty()) list.push_back(path);
+  return list;
+}
+
 void check_outputs(const OutputFiles& files) {
   check_names(files);
-  for (const std::string& path : {files.mesh, files.report}) {
-    if (!path.empty()) AtomicFile trial(path);  // created and removed again: the only sure test
-  }
+  for (const std::string& path : files.paths()) AtomicFile trial(path);  // created and removed: the only sure test
 }
 
 void write_outputs(MeshResult& result, const OutputFiles& files, Progress& progress) {
   check_names(files);
   progress.begin(Stage::write, 2);
   auto start = std::chrono::steady_clock::now();
-  std::optional<AtomicFile> mesh, report;
+  std::optional<AtomicFile> mesh;
   if (!files.mesh.empty()) {
     mesh.emplace(files.mesh, &progress);
     write_mesh(result, files, *mesh);
@@ -105,13 +138,9 @@ void write_outputs(MeshResult& result, const OutputFiles& files, Progress& progr
   }
   progress.advance();
   add_stage_seconds(result, start);
-  if (!files.report.empty()) {
-    report.emplace(files.report, &progress);
-    report->write(report_json(result));
-    report->finish();
-  }
+  auto texts = write_texts(files, files.report.empty() ? std::string() : report_json(result), progress);
   progress.advance();
-  commit_both(files, report, mesh);
+  commit_all(files, texts, mesh);
 }
 
 void check_share_outputs(const OutputFiles& files) {
@@ -127,7 +156,7 @@ void write_share(MeshShare& share, const OutputFiles& files, Progress& progress,
   });
   auto start = std::chrono::steady_clock::now();
   std::optional<SharedFile> mesh;
-  std::optional<AtomicFile> report;
+  std::vector<std::unique_ptr<AtomicFile>> texts;
   if (!files.mesh.empty()) {
     auto writer = is_vtu(files) ? vtu_share_writer(share, ranks) : msh4_share_writer(share, ranks);
     mesh.emplace(files.mesh, writer->file_bytes(), progress, ranks);
@@ -140,15 +169,12 @@ void write_share(MeshShare& share, const OutputFiles& files, Progress& progress,
   std::uint64_t sum = files.report.empty() ? 0 : checksum(share, ranks);
   do_together(ranks, [&] {
     progress.advance();
-    if (ranks.rank() == 0 && !files.report.empty()) {
-      report.emplace(files.report, &progress);
-      report->write(report_json(share.result, sum));
-      report->finish();
-    }
+    if (ranks.rank() == 0)
+      texts = write_texts(files, files.report.empty() ? std::string() : report_json(share.result, sum), progress);
     progress.advance();
   });
   do_together(ranks, [&] {
-    if (ranks.rank() == 0) commit_both(files, report, mesh);
+    if (ranks.rank() == 0) commit_all(files, texts, mesh);
   });
 }
 

@@ -1,6 +1,6 @@
-// Shape to Model, in order: measure, repair, sew, connect, divide along creases, number edges and vertices, chain
-// loops, orient faces, report. A face that cannot be used is data: it keeps its place and name, with has_area = false
-// or a fault.
+// Shape to Model, in order: measure, repair, drop doubles, mend, sew, connect, divide along creases, number edges and
+// vertices, chain loops, orient faces, report. A face that cannot be used is data: it keeps its place and name, with
+// has_area = false or a fault.
 #include "topology/build_model.h"
 
 #include <BRep_Tool.hxx>
@@ -11,9 +11,11 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
+#include <map>
 
 #include "brep/connect_impl.h"
 #include "brep/evaluators_impl.h"
+#include "brep/mend_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/workpiece_impl.h"
 #include "topology/build_parts_impl.h"
@@ -46,17 +48,20 @@ class ModelBuilder {
     model_.report = std::move(report);
   }
 
-  Model build(const Options& options) {
+  Model build(const Options& options, std::string* brep) {
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(shape_.shape, TopAbs_FACE, faces);
     progress_.begin(Stage::topology,
                     (measure_units + repair_units + sew_units + connect_units + loop_units) * faces.Extent());
     work_ = make_workpiece(shape_, progress_, tasks_);
     repair(work_, progress_);
+    drop_doubles(work_);
+    mend_faces(work_, progress_);
     sewn_ = sew(work_, options.sew_tolerance, progress_);
     list_parts(work_, shape_.shape);
     connected_ = connect(work_, options.connect, contact_tolerance(options), progress_);
     progress_.advance(connect_units * faces.Extent());
+    const Workpiece whole = brep ? work_ : Workpiece();
     for (const DividedFace& face : divide_creases(work_)) note_divided(face);
     EdgeIndex index = build_edges(work_, model_);
     model_.read_edges = work_.read_edges.Extent();
@@ -68,10 +73,13 @@ class ModelBuilder {
     }
     list_named(faces);
     mark_periodic_edges();
-    orient_faces(work_, model_, tasks_);
+    for (const std::string& face : orient_faces(work_, model_, tasks_))
+      work_.note_repair(RepairKind::turned_face, 1, 0, face);
     fill_parts(index);
     fill_report();
     add_notes();
+    if (options.strict) refuse_faults();
+    if (brep) *brep = repaired_brep(whole, reversals(whole));
     return std::move(model_);
   }
 
@@ -155,6 +163,7 @@ class ModelBuilder {
       note_points(face, shape, index);
       if (result.skipped_edges > 0) inner_edges_.push_back(face.name);
       if (result.turned_loops > 0) turned_loops_.push_back(face.name);
+      work_.note_repair(RepairKind::turned_loop, result.turned_loops, 0, face.name);
       if (result.largest_gap > gap_share) gaps_.push_back(face.name);
       if (face.fault.empty()) check_images(face, forward);
     } catch (const Error& error) {
@@ -219,14 +228,30 @@ class ModelBuilder {
           double better = projected ? deviation(edge, *projected, *face.surface) : worst;
           if (better < 0.5 * worst) {
             c.pcurve = projected;
+            // Images of what connecting made are the kernel's, not the file's.
+            if (connected_.contacts.empty()) work_.note_repair(RepairKind::image, 1, worst, face.name);
             worst = better;
           }
         }
+        fit_ends(c, edge, face.name, shape);
         if (worst <= std::max(noted_share * work_.diagonal, sewn_.tolerance)) continue;
         largest_deviation_ = std::max(largest_deviation_, worst);
         deviating_.push_back(edge.name);
       }
     }
+  }
+
+  /// Nodes at the ends of edges lie in the vertices: their images must lie there, too, or elements turn over that are
+  /// sound in the chart.
+  void fit_ends(Coedge& c, const Edge& edge, const std::string& face, const TopoDS_Face& shape) {
+    const std::array<Vec3, 2> ends{model_.vertices[static_cast<std::size_t>(edge.start)],
+                                   model_.vertices[static_cast<std::size_t>(edge.end)]};
+    double off = 0;
+    const double allowed = std::max(coarse_share * work_.diagonal, allowed_deviation(c.edge));
+    auto fitted = make_image_with_ends(shape, c.pcurve, edge.t0, edge.t1, ends, allowed, off);
+    if (!fitted) return;
+    c.pcurve = fitted;
+    if (connected_.contacts.empty()) work_.note_repair(RepairKind::image, 1, off, face);
   }
 
   void mark_periodic_edges() {
@@ -277,6 +302,8 @@ class ModelBuilder {
     for (const Face& face : model_.faces) report.area += face.area;
     report.sew_tolerance = sewn_.tolerance;
     report.sewn_edges = sewn_.free_before - sewn_.free_after;
+    work_.note_repair(RepairKind::sewn_edge, report.sewn_edges, sewn_.tolerance);
+    report.repairs = work_.repairs;
     for (const Edge& edge : model_.edges) {
       if (edge.faces.size() == 1 && !edge.is_degenerate) {
         ++report.free_edges;
@@ -288,6 +315,32 @@ class ModelBuilder {
     }
   }
 
+  /// Per face of the work before it was divided.
+  std::vector<char> reversals(const Workpiece& whole) const {
+    std::map<int, char> of_origin;
+    for (const Face& face : model_.faces) of_origin.emplace(face.origin, face.is_reversed);
+    std::vector<char> list;
+    for (const WorkFace& face : whole.faces) list.push_back(of_origin[face.origin]);
+    return list;
+  }
+
+  /// What is not as it should be, in one sentence; nothing of it is meshed.
+  void refuse_faults() const {
+    std::string faults;
+    auto add = [&](const std::string& fault) { faults += (faults.empty() ? "" : ", ") + fault; };
+    for (const Face& face : model_.faces)
+      if (!face.fault.empty()) add(face.name + " (" + face.fault.substr(0, face.fault.find(';')) + ")");
+    for (const Repair& repair : model_.report.repairs)
+      add(std::to_string(repair.count) + " " + repair_name(repair.kind) +
+          (repair.faces.empty() ? "" : " (" + list_names(repair.faces) + ")"));
+    for (const auto& pair : model_.report.unconnected) add(pair[0] + " and " + pair[1] + " touch and stay apart");
+    if (faults.empty()) return;
+    throw Error(ErrorCode::damaged_file,
+                "'" + model_.report.file + "' is not clean, and strict is on: " + faults +
+                    "; repair it in the CAD program, or mesh it without strict, which repairs what it can.",
+                {"topology", -1, -1, {}});
+  }
+
   void add_notes() {
     std::vector<std::string> flat, faulty, lost;
     for (const Face& face : model_.faces) {
@@ -295,6 +348,9 @@ class ModelBuilder {
       if (!face.fault.empty()) faulty.push_back(face.name);
     }
     for (int i : sewn_.lost_faces) lost.push_back(face_name(i));
+    std::vector<std::string> doubles;
+    for (auto [dropped, kept] : work_.doubles) doubles.push_back(face_name(dropped) + " on " + face_name(kept));
+    note("Left out because they lie on another face", doubles);
     note("Left out because they have no area", flat);
     note("Left out because they are smaller than the sewing tolerance", lost);
     note("Cannot be meshed (reasons in the report of faces)", faulty);
@@ -325,10 +381,10 @@ class ModelBuilder {
 }  // namespace
 
 Model build_model(const Shape& shape, const Options& options, ModelReport report, Progress& progress,
-                  SharedTasks& tasks) {
+                  SharedTasks& tasks, std::string* brep) {
   QuietMessages quiet;
   return guard_occt(ErrorCode::internal, "The topology of the model cannot be built",
-                    [&] { return ModelBuilder(shape, std::move(report), progress, tasks).build(options); });
+                    [&] { return ModelBuilder(shape, std::move(report), progress, tasks).build(options, brep); });
 }
 
 }  // namespace paver

@@ -2,6 +2,8 @@
 // and vertices.
 #pragma once
 
+#include <string>
+
 #include "base/shared_tasks.h"
 #include "brep/read_shape.h"
 #include "paver/options.h"
@@ -9,8 +11,9 @@
 
 namespace paver {
 
-/// Collective.
+/// `brep`: gets the model as meshed, as the text of a BREP file. Throws damaged_file for a model that strict options
+/// refuse. Collective.
 Model build_model(const Shape& shape, const Options& options, ModelReport report, Progress& progress,
-                  SharedTasks& tasks);
+                  SharedTasks& tasks, std::string* brep = nullptr);
 
 }  // namespace paver

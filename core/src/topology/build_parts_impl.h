@@ -46,8 +46,12 @@ LoopResult build_loops(const TopoDS_Face& face, const Surface& surface, const Ed
 int add_slits(const Surface& surface, const std::vector<Edge>& edges, const std::vector<Coedge>& inner,
               std::vector<Loop>& loops);
 
+/// The faces with an area as BREP text, part by part: closed ones as solids, others as shells, then the wires.
+/// `is_reversed`: per face of the work, what orienting made of it.
+std::string repaired_brep(const Workpiece& work, const std::vector<char>& is_reversed);
+
 /// Turns faces over until neighbours agree, and closed bodies until their normals look outwards. Adds notes.
-/// Collective.
-void orient_faces(const Workpiece& work, Model& model, SharedTasks& tasks);
+/// Gives the names of those that were turned. Collective.
+std::vector<std::string> orient_faces(const Workpiece& work, Model& model, SharedTasks& tasks);
 
 }  // namespace paver

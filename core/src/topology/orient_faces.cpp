@@ -32,12 +32,12 @@ class Orienter {
     is_turned_.assign(uses_.size(), false);
   }
 
-  void run() {
+  std::vector<std::string> run() {
     for (std::size_t u = 0; u < uses_.size(); ++u) {
       if (group_[u] < 0 && !loops_of(static_cast<int>(u)).empty()) walk(static_cast<int>(u));
     }
     look_outwards();
-    apply();
+    return apply();
   }
 
  private:
@@ -178,7 +178,7 @@ class Orienter {
   }
 
   /// A face turns with the first part that has it; to the others it shows its other side then.
-  void apply() {
+  std::vector<std::string> apply() {
     std::vector<std::string> turned;
     for (std::size_t f = 0; f < model_.faces.size(); ++f) {
       Face& face = model_.faces[f];
@@ -200,6 +200,7 @@ class Orienter {
     if (is_one_sided_)
       model_.notes.push_back(
           "The faces form a one-sided surface (like a Moebius strip): their normals cannot all agree.");
+    return turned;
   }
 
   const Workpiece& work_;
@@ -216,6 +217,8 @@ class Orienter {
 
 }  // namespace
 
-void orient_faces(const Workpiece& work, Model& model, SharedTasks& tasks) { Orienter(work, model, tasks).run(); }
+std::vector<std::string> orient_faces(const Workpiece& work, Model& model, SharedTasks& tasks) {
+  return Orienter(work, model, tasks).run();
+}
 
 }  // namespace paver

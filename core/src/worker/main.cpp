@@ -78,8 +78,7 @@ std::vector<std::string> prepare_outputs(const Job& job, MpiRanks& ranks) {
   std::string names = from_rank_0(ranks, [&] {
     check_share_outputs(job.files);
     std::string list;
-    for (const std::string& path : {job.files.mesh, job.files.report})
-      if (!path.empty()) list += temporary_name(path) + "\n";
+    for (const std::string& path : job.files.paths()) list += temporary_name(path) + "\n";
     if (!job.folder.empty()) write_file(job.folder + "/" + temporaries_file, list);
     return list;
   });
@@ -125,8 +124,9 @@ int run_job(const std::string& path, MpiRanks& ranks, Progress& progress, std::o
   reporter->started(ranks.count(), options.threads);
   const std::string& name = job.name.empty() ? job.input : job.name;
   CadModel model = read_bytes(from_rank_0(ranks, [&] { return file_content(job.input, name); }), name, progress);
-  MeshShare share = mesh_share(model, options, progress, ranks);
   OutputFiles files = job.files;
+  if (!files.repaired.empty()) files.repaired_text = repaired_model(model, options, progress);
+  MeshShare share = mesh_share(model, options, progress, ranks);
   if (share.quads + share.triangles == 0) files.mesh.clear();
   write_share(share, files, progress, ranks);
   hand_back(job, share, ranks);

@@ -35,7 +35,8 @@ TEST(ReadOptions, PutsEveryValueInItsField) {
                             {"threads", "3"},
                             {"local", "Face3=2mm"},
                             {"local", "Edge1,Edge2=0.5"},
-                            {"sew_tolerance", "10um"}});
+                            {"sew_tolerance", "10um"},
+                            {"strict", "on"}});
   EXPECT_FALSE(o.size);
   EXPECT_EQ(o.frequency, 3e9);
   EXPECT_EQ(o.divisions, 8);
@@ -53,6 +54,8 @@ TEST(ReadOptions, PutsEveryValueInItsField) {
   ASSERT_EQ(o.local.size(), 3u);
   EXPECT_EQ(o.local[2].part, "Edge2");
   EXPECT_DOUBLE_EQ(o.sew_tolerance.value(), 0.01);
+  EXPECT_TRUE(o.strict);
+  EXPECT_NE(refusal({{"strict", "perhaps"}}), "");
   EXPECT_EQ(read_options({{"size", "2cm"}}).size, 20);
 }
 
@@ -70,6 +73,7 @@ TEST(ReadOptions, DefaultsInTheTableAreThoseOfOptions) {
     EXPECT_EQ(again.max_elements, defaults.max_elements) << info.name;
     EXPECT_EQ(again.eps_r, defaults.eps_r) << info.name;
     EXPECT_EQ(again.mu_r, defaults.mu_r) << info.name;
+    EXPECT_EQ(again.strict, defaults.strict) << info.name;
   }
   EXPECT_EQ(read.gradation, defaults.gradation);
 }

@@ -1,0 +1,103 @@
+// The model as it is meshed, as a shape: what the report calls repaired and connected, for other programs.
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+#include <map>
+#include <sstream>
+
+#include "base/union_find.h"
+#include "topology/build_parts_impl.h"
+
+namespace paver {
+namespace {
+
+struct Shell {
+  TopoDS_Shell shell;
+  TopTools_IndexedMapOfShape edges;
+  std::vector<int> uses{0};  ///< at index of `edges`
+
+  void add(const TopoDS_Face& face) {
+    BRep_Builder().Add(shell, face);
+    for (TopExp_Explorer parts(face, TopAbs_EDGE); parts.More(); parts.Next()) {
+      const auto index = static_cast<std::size_t>(edges.Add(parts.Current()));
+      if (index == uses.size()) uses.push_back(0);
+      ++uses[index];
+    }
+  }
+  bool is_closed() const {
+    for (int i = 1; i <= edges.Extent(); ++i)
+      if (uses[static_cast<std::size_t>(i)] != 2 && !BRep_Tool::Degenerated(TopoDS::Edge(edges(i)))) return false;
+    return true;
+  }
+};
+
+/// Of faces that hang together by edges.
+std::vector<Shell> shells_of(const std::vector<TopoDS_Face>& faces) {
+  UnionFind together(faces.size());
+  TopTools_IndexedMapOfShape edges;
+  std::vector<int> first{-1};
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (TopExp_Explorer parts(faces[f], TopAbs_EDGE); parts.More(); parts.Next()) {
+      const auto index = static_cast<std::size_t>(edges.Add(parts.Current()));
+      if (index == first.size()) first.push_back(static_cast<int>(f));
+      together.merge(first[index], static_cast<int>(f));
+    }
+  std::map<int, Shell> shells;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    Shell& shell = shells[together.find(static_cast<int>(f))];
+    if (shell.shell.IsNull()) BRep_Builder().MakeShell(shell.shell);
+    shell.add(faces[f]);
+  }
+  std::vector<Shell> list;
+  for (auto& [root, shell] : shells) list.push_back(std::move(shell));
+  return list;
+}
+
+void add_part(const std::vector<TopoDS_Face>& faces, TopoDS_Compound& whole) {
+  BRep_Builder builder;
+  std::vector<Shell> shells = shells_of(faces);
+  TopoDS_Solid solid;
+  for (Shell& shell : shells) {
+    const bool is_closed = shell.is_closed();
+    shell.shell.Closed(is_closed);
+    if (!is_closed) {
+      builder.Add(whole, shell.shell);
+      continue;
+    }
+    if (solid.IsNull()) builder.MakeSolid(solid);
+    builder.Add(solid, shell.shell);
+  }
+  if (!solid.IsNull()) builder.Add(whole, solid);
+}
+
+}  // namespace
+
+std::string repaired_brep(const Workpiece& work, const std::vector<char>& is_reversed) {
+  BRep_Builder builder;
+  TopoDS_Compound whole;
+  builder.MakeCompound(whole);
+  std::vector<std::vector<TopoDS_Face>> faces(work.parts.size());
+  for (std::size_t f = 0; f < work.faces.size(); ++f) {
+    const WorkFace& face = work.faces[f];
+    if (!face.has_area) continue;
+    if (face.uses.empty()) builder.Add(whole, face.face);
+    for (const FaceUse& use : face.uses) {
+      const bool is_turned = (is_reversed[f] != 0) != use.is_opposed;
+      const TopoDS_Shape side = face.face.Oriented(is_turned ? TopAbs_REVERSED : TopAbs_FORWARD);
+      faces[static_cast<std::size_t>(use.part)].push_back(TopoDS::Face(side));
+    }
+  }
+  for (const auto& part : faces)
+    if (!part.empty()) add_part(part, whole);
+  for (const WorkWire& wire : work.wires) builder.Add(whole, wire.edge);
+  std::ostringstream text;
+  BRepTools::Write(whole, text);
+  return std::move(text).str();
+}
+
+}  // namespace paver

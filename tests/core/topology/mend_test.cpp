@@ -1,0 +1,62 @@
+// Shapes with faults of all kinds are meshed as the clean ones, and the report says what was repaired.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/faulty_shapes.h"
+#include "support/report_of.h"
+
+namespace paver {
+namespace {
+
+constexpr double size = 6;
+
+class Mend : public testing::TestWithParam<test::FaultyShape> {};
+
+TEST_P(Mend, MakesItWhole) {
+  const test::FaultyShape& faulty = GetParam();
+  const RunReport report = test::report_of(faulty.shape(), size);
+  EXPECT_TRUE(report.quality.watertight);
+  EXPECT_TRUE(faults(report).empty()) << faults(report).front();
+  EXPECT_EQ(report.quality.nonmanifold_edges, 0);
+  EXPECT_NEAR(report.quality.mesh_area, faulty.area(), 1e-3 * faulty.area());
+  std::vector<std::string> kinds;
+  for (const Repair& repair : report.model.repairs) {
+    kinds.push_back(repair_name(repair.kind));
+    EXPECT_GT(repair.count, 0);
+    EXPECT_GE(repair.distance, 0);
+  }
+  EXPECT_EQ(kinds, faulty.repairs);
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, Mend, testing::ValuesIn(test::faulty_shapes()),
+                         [](const auto& given) { return given.param.name; });
+
+TEST(Mend, LeavesLoopsOpenThatMissAnEdge) {
+  const RunReport report = test::report_of(test::without_an_edge(test::slotted_tube()), size);
+  const auto failed = std::count_if(report.faces.begin(), report.faces.end(),
+                                    [](const FaceReport& face) { return face.status == FaceStatus::failed; });
+  EXPECT_EQ(failed, 1);
+  EXPECT_TRUE(report.model.repairs.empty());
+}
+
+TEST(Mend, PutsImagesWhereTheVerticesAre) {
+  const RunReport report = test::report_of(test::plate_with_corners_aside(0.7), 0.4);
+  EXPECT_TRUE(faults(report).empty()) << faults(report).front();
+  EXPECT_EQ(report.quality.inverted, 0);
+  EXPECT_GT(report.quality.sj_all.min, 0);
+  ASSERT_EQ(report.model.repairs.size(), 1u);
+  EXPECT_EQ(report.model.repairs[0].kind, RepairKind::image);
+  EXPECT_NEAR(report.model.repairs[0].distance, 0.7 * std::sqrt(2), 1e-6);
+}
+
+TEST(Mend, KeepsFacesThatLieSideBySide) {
+  // Both halves have the same border and area.
+  const RunReport report = test::report_of(test::lens(), size);
+  EXPECT_TRUE(report.quality.watertight);
+  EXPECT_TRUE(report.model.repairs.empty());
+}
+
+}  // namespace
+}  // namespace paver
