@@ -43,11 +43,12 @@ class Outcome:
 
 
 def make(seed, folder):
-    """(path, parts, components, diagonal) of an assembly: every other one is a BREP file."""
-    path = os.path.join(folder, f"{seed}.{'step' if seed % 2 else 'brep'}")
-    done = subprocess.run([GENERATOR, str(seed), path], capture_output=True, text=True, check=True)
+    """(path, path without wires, parts, components, diagonal) of an assembly: every other one is a BREP file."""
+    ending = "step" if seed % 2 else "brep"
+    path, faces = (os.path.join(folder, f"{seed}{what}.{ending}") for what in ("", "_faces"))
+    done = subprocess.run([GENERATOR, str(seed), path, faces], capture_output=True, text=True, check=True)
     parts, components, diagonal = done.stdout.splitlines()[-1].split()
-    return path, int(parts), int(components), float(diagonal)
+    return path, faces, int(parts), int(components), float(diagonal)
 
 
 def pieces(mesh):
@@ -81,13 +82,14 @@ def faults_of(run, components):
 
 
 def judged(path, out, size):
+    """The judge knows elements only: it is given the model without its wires."""
     verdict = runs.judge(path, out, size, "--fuse")["verdict"]
     if verdict["good"]:
         return []
     return [f"quality.py: {verdict.get('error') or [k for k, v in verdict.items() if v is False and k != 'good']}"]
 
 
-def outcome_of(run, path, out, components, size):
+def outcome_of(run, faces, out, components, size):
     """(kind, why) of one run."""
     if run.code == 4 and run.report:
         pairs = run.report["model"]["unconnected"]
@@ -99,17 +101,17 @@ def outcome_of(run, path, out, components, size):
         return ENDED, f"exit code {run.code}: {run.output.strip()[-300:]}"
     faults = faults_of(run, components)
     if runs.has_judge():
-        faults += judged(path, out, size)
+        faults += judged(faces, out, size)
     return (WRONG, "; ".join(faults)) if faults else (GOOD, "")
 
 
 def check(seed, keep=None):
     """Outcome of one assembly."""
     with tempfile.TemporaryDirectory() as folder:
-        path, parts, components, diagonal = make(seed, folder)
+        path, faces, parts, components, diagonal = make(seed, folder)
         out, size = os.path.join(folder, f"{seed}.msh"), diagonal / DIVISIONS
         run = runs.paver(path, out, "--size", size, "--max-elements", ELEMENTS, "--threads", 1, limit=MOST_SECONDS)
-        kind, why = outcome_of(run, path, out, components, size)
+        kind, why = outcome_of(run, faces, out, components, size)
         if keep and kind != GOOD:
             for name in os.listdir(folder):
                 shutil.copy(os.path.join(folder, name), keep)

@@ -1,7 +1,7 @@
 // Writes a random assembly of parts that touch, cross or keep apart:  paver_random_assembly SEED OUT.brep|OUT.step
-// The same seed gives the same model everywhere: numbers are drawn as integers, rotations are of whole quaternions.
-// Prints how many parts it has, how many sets of parts that hang together by touching (by distances of the kernel,
-// which nothing is fused for), and its diagonal in mm.
+// [OUT2] The same seed gives the same model everywhere: numbers are drawn as integers, rotations are of whole
+// quaternions. Prints how many parts it has, how many sets of parts that hang together by touching (by distances of the
+// kernel, which nothing is fused for), and its diagonal in mm.
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -29,6 +29,7 @@
 #include <gp_Circ.hxx>
 #include <gp_Quaternion.hxx>
 #include <gp_Trsf.hxx>
+#include <iostream>
 #include <random>
 #include <set>
 #include <string>
@@ -471,6 +472,11 @@ double diagonal_of(const std::vector<TopoDS_Shape>& parts) {
   return std::sqrt(box.SquareExtent());
 }
 
+std::vector<TopoDS_Shape> without_wires(std::vector<TopoDS_Shape> parts) {
+  std::erase_if(parts, [](const TopoDS_Shape& part) { return part.ShapeType() == TopAbs_WIRE; });
+  return parts;
+}
+
 void write(const std::vector<TopoDS_Shape>& parts, const std::string& path) {
   if (path.ends_with(".brep")) {
     TopoDS_Compound compound;
@@ -488,13 +494,15 @@ void write(const std::vector<TopoDS_Shape>& parts, const std::string& path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::fprintf(stderr, "usage: paver_random_assembly SEED OUT.brep|OUT.step\n");
+  if (argc != 3 && argc != 4) {
+    std::fprintf(stderr, "usage: paver_random_assembly SEED OUT.brep|OUT.step [OUT2]\n");
     return 2;
   }
   try {
     const std::vector<TopoDS_Shape> parts = Assembly(std::stoull(argv[1])).build();
     write(parts, argv[2]);
+    if (argc == 4) write(without_wires(parts), argv[3]);
+    std::cout << std::flush;  // the STEP writer's own words; ours are the last line
     std::printf("%zu %d %.6g\n", parts.size(), count_components(parts), diagonal_of(parts));
   } catch (const Standard_Failure& failure) {
     std::fprintf(stderr, "paver_random_assembly: %s\n", failure.GetMessageString());
