@@ -134,18 +134,26 @@ class Connector {
     return gone;
   }
 
-  /// As the first of its faces, on whose side it is; what the others' uses say is turned where they look elsewhere.
+  /// As the first of its faces that bounds a solid, else the first, on whose side it is; what the others' uses say is
+  /// turned where they look elsewhere.
   WorkFace piece_of(const Fusion::Image& image) {
-    WorkFace piece = work_.faces[static_cast<std::size_t>(image.of[0])];
+    std::vector<int> of = image.of;
+    std::stable_partition(of.begin(), of.end(), [&](int f) { return is_of_solid(f); });
+    WorkFace piece = work_.faces[static_cast<std::size_t>(of[0])];
     piece.face = oriented_as(image.face, piece.face);
     piece.area = face_area(piece.face);
     piece.has_area = piece.area > no_area_share * work_.diagonal * work_.diagonal;
-    for (std::size_t i = 1; i < image.of.size(); ++i) {
-      const WorkFace& other = work_.faces[static_cast<std::size_t>(image.of[i])];
+    for (std::size_t i = 1; i < of.size(); ++i) {
+      const WorkFace& other = work_.faces[static_cast<std::size_t>(of[i])];
       bool is_opposed = oriented_as(image.face, other.face).Orientation() != piece.face.Orientation();
       for (const FaceUse& use : other.uses) piece.uses.push_back({use.part, use.is_opposed != is_opposed});
     }
     return piece;
+  }
+
+  bool is_of_solid(int face) const {
+    const FaceUse& first = work_.faces[static_cast<std::size_t>(face)].uses.front();
+    return work_.parts[static_cast<std::size_t>(first.part)].solid >= 0;
   }
 
   TopoDS_Face oriented_as(const TopoDS_Face& image, const TopoDS_Face& face) {

@@ -119,7 +119,7 @@ struct SewResult {
 SewResult sew(Workpiece& work, std::optional<double> tolerance, Progress& progress);
 
 struct DividedFace {
-  int face = -1;    ///< index before dividing
+  int origin = -1;  ///< WorkFace::origin
   int creases = 0;  ///< along which it was divided
 };
 

@@ -46,6 +46,9 @@ LoopResult build_loops(const TopoDS_Face& face, const Surface& surface, const Ed
 int add_slits(const Surface& surface, const std::vector<Edge>& edges, const std::vector<Coedge>& inner,
               std::vector<Loop>& loops);
 
+/// Adds to Face::points the vertices on periodic edges that others have as well.
+void add_periodic_points(Model& model);
+
 /// Turns faces over until neighbours agree, and closed bodies until their normals look outwards. Adds notes.
 /// Collective.
 void orient_faces(const Workpiece& work, Model& model, SharedTasks& tasks);
