@@ -134,6 +134,11 @@ TEST(ConnectRound, SheetsThatMeetFaceTheSameWay) {
   expect_one_piece("overlapping", compound({sheet(0, 0, 20, 0, 20), sheet(0, 10, 30, 5, 30, false)}));
 }
 
+TEST(ConnectRound, SheetsSewnAtAnEdgeAreConnectedWhereTheyOverlapToo) {
+  expect_one_piece("one over the other", compound({sheet(0, 0, 20, 0, 20), sheet(0, 0, 20, 0, 10)}));
+  expect_one_piece("the other way up", compound({sheet(0, 0, 20, 0, 20), sheet(0, 0, 20, 0, 10, false)}));
+}
+
 TEST(ConnectRound, WhatASolidAndASheetHaveInCommonFacesOutOfTheSolid) {
   for (bool is_up : {true, false})
     for (bool is_first : {true, false}) {
