@@ -89,7 +89,7 @@ def judged(path, out, size):
     return [f"quality.py: {verdict.get('error') or [k for k, v in verdict.items() if v is False and k != 'good']}"]
 
 
-def outcome_of(run, faces, out, components, size):
+def outcome_of(run, faces, out, components, size, has_judge):
     """(kind, why) of one run."""
     if run.code == 4 and run.report:
         pairs = run.report["model"]["unconnected"]
@@ -100,18 +100,18 @@ def outcome_of(run, faces, out, components, size):
     if run.code != 0 or run.mesh is None:
         return ENDED, f"exit code {run.code}: {run.output.strip()[-300:]}"
     faults = faults_of(run, components)
-    if runs.has_judge():
+    if has_judge:
         faults += judged(faces, out, size)
     return (WRONG, "; ".join(faults)) if faults else (GOOD, "")
 
 
-def check(seed, keep=None):
+def check(seed, keep=None, has_judge=runs.has_judge()):
     """Outcome of one assembly."""
     with tempfile.TemporaryDirectory() as folder:
         path, faces, parts, components, diagonal = make(seed, folder)
         out, size = os.path.join(folder, f"{seed}.msh"), diagonal / DIVISIONS
         run = runs.paver(path, out, "--size", size, "--max-elements", ELEMENTS, "--threads", 1, limit=MOST_SECONDS)
-        kind, why = outcome_of(run, faces, out, components, size)
+        kind, why = outcome_of(run, faces, out, components, size, has_judge)
         if keep and kind != GOOD:
             for name in os.listdir(folder):
                 shutil.copy(os.path.join(folder, name), keep)
