@@ -132,6 +132,15 @@ std::vector<std::vector<bool>> periodic_coedges(const Model& model, int face) {
   return result;
 }
 
+std::vector<std::vector<bool>> own_periodic_coedges(const Model& model, int face) {
+  std::vector<std::vector<bool>> result = periodic_coedges(model, face);
+  const Face& whole = model.faces[static_cast<std::size_t>(face)];
+  for (std::size_t l = 0; l < result.size(); ++l)
+    for (std::size_t c = 0; c < result[l].size(); ++c)
+      if (result[l][c] && has_other_user(model, whole.loops[l].coedges[c].edge, face)) result[l][c] = false;
+  return result;
+}
+
 std::vector<Loop> linked_loops(const Model& model, int face, bool keep_periodic) {
   std::vector<Loop> loops;
   if (keep_periodic) {
@@ -140,7 +149,7 @@ std::vector<Loop> linked_loops(const Model& model, int face, bool keep_periodic)
     }
     return loops;
   }
-  return linked_loops(model, face, periodic_coedges(model, face));
+  return linked_loops(model, face, own_periodic_coedges(model, face));
 }
 
 std::vector<Loop> linked_loops(const Model& model, int face, const std::vector<std::vector<bool>>& dropped) {

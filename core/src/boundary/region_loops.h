@@ -7,15 +7,19 @@
 
 namespace paver {
 
-/// Per loop and coedge of `face`: true where the coedge is one side of the face's own periodic edge, that is where the
-/// face uses the edge twice and the two uses lie apart in (u, v) on a surface that is closed there.
+/// Per loop and coedge of `face`: true where the coedge is one side of a periodic edge, that is where the face uses the
+/// edge twice and the two uses lie apart in (u, v) on a surface that is closed there.
 /// (A slit, used twice at the same (u, v), is boundary and stays.)
 std::vector<std::vector<bool>> periodic_coedges(const Model& model, int face);
 
+/// The same without edges that other faces or wires have as well: these must keep their nodes.
+std::vector<std::vector<bool>> own_periodic_coedges(const Model& model, int face);
+
 /// The loops of `face` (0-based). `keep_periodic` true: as the face has them, with both uses of every periodic edge
-/// and with degenerate edges. False: without both, what remains chained anew by vertices (circle, periodic edge,
-/// circle, periodic edge gives two circles; a hole cut by the periodic edge becomes one loop). Loops without coedges
-/// vanish. Deterministic; coedges keep their direction, their loop starts with its first coedge in face order.
+/// and with degenerate edges. False: without its own ones and these, what remains chained anew by vertices (circle,
+/// periodic edge, circle, periodic edge gives two circles; a hole cut by the periodic edge becomes one loop). Loops
+/// without coedges vanish. Deterministic; coedges keep their direction, their loop starts with its first coedge in face
+/// order.
 std::vector<Loop> linked_loops(const Model& model, int face, bool keep_periodic);
 
 /// The same, leaving out degenerate edges and the coedges marked in `dropped` (per loop and coedge).

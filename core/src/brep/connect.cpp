@@ -15,15 +15,16 @@ namespace {
 
 using Pair = std::array<int, 2>;
 
-/// Clusters of parts that pairs hang together; those of one part are left out.
-std::vector<std::vector<int>> clusters_of(const std::vector<Pair>& pairs, std::size_t parts) {
-  UnionFind together(parts);
+/// Clusters of parts that pairs hang together; those of one part are left out but for loose sheets.
+std::vector<std::vector<int>> clusters_of(const std::vector<Pair>& pairs, const std::vector<WorkPart>& parts) {
+  UnionFind together(parts.size());
   for (auto [a, b] : pairs) together.merge(a, b);
   std::map<int, std::vector<int>> members;
-  for (std::size_t i = 0; i < parts; ++i) members[together.find(static_cast<int>(i))].push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    members[together.find(static_cast<int>(i))].push_back(static_cast<int>(i));
   std::vector<std::vector<int>> clusters;
   for (auto& [first, list] : members)
-    if (list.size() > 1) clusters.push_back(std::move(list));
+    if (list.size() > 1 || parts[static_cast<std::size_t>(list[0])].is_loose) clusters.push_back(std::move(list));
   return clusters;
 }
 
@@ -38,7 +39,7 @@ class Connector {
 
   /// Whether anything was fused.
   bool run() {
-    const std::vector<std::vector<int>> clusters = clusters_of(pairs_, work_.parts.size());
+    const std::vector<std::vector<int>> clusters = clusters_of(pairs_, work_.parts);
     if (!clusters.empty()) copy_shape(work_);
     for (const std::vector<int>& cluster : clusters) connect_cluster(cluster);
     if (fusions_.empty()) return false;
@@ -53,6 +54,8 @@ class Connector {
   /// first; where that does not help, all stay as they are. So there are two tries and each pair's.
   void connect_cluster(std::vector<int> parts) {
     if (try_to_fuse(parts)) return;
+    for (int part : parts)
+      if (work_.parts[static_cast<std::size_t>(part)].is_loose) failed.push_back({part, part});
     std::vector<Pair> pairs = pairs_among(parts), bad;
     if (pairs.size() > 1)
       std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(bad), [&](Pair pair) {
@@ -137,18 +140,27 @@ class Connector {
     return gone;
   }
 
-  /// As the first of its faces, on whose side it is; what the others' uses say is turned where they look elsewhere.
+  /// As the first of its faces that bounds a solid, else the first, on whose side it is; what the others' uses say is
+  /// turned where they look elsewhere.
   WorkFace piece_of(const Fusion::Image& image) {
-    WorkFace piece = work_.faces[static_cast<std::size_t>(image.of[0])];
+    std::vector<int> of = image.of;
+    std::stable_partition(of.begin(), of.end(), [&](int f) { return is_of_solid(f); });
+    WorkFace piece = work_.faces[static_cast<std::size_t>(of[0])];
     piece.face = oriented_as(image.face, piece.face);
     piece.area = face_area(piece.face);
     piece.has_area = piece.area > no_area_share * work_.diagonal * work_.diagonal;
-    for (std::size_t i = 1; i < image.of.size(); ++i) {
-      const WorkFace& other = work_.faces[static_cast<std::size_t>(image.of[i])];
+    for (std::size_t i = 1; i < of.size(); ++i) {
+      const WorkFace& other = work_.faces[static_cast<std::size_t>(of[i])];
       bool is_opposed = oriented_as(image.face, other.face).Orientation() != piece.face.Orientation();
-      for (const FaceUse& use : other.uses) piece.uses.push_back({use.part, use.is_opposed != is_opposed});
+      for (const FaceUse& use : other.uses)
+        if (!piece.has_part(use.part)) piece.uses.push_back({use.part, use.is_opposed != is_opposed});
     }
     return piece;
+  }
+
+  bool is_of_solid(int face) const {
+    const FaceUse& first = work_.faces[static_cast<std::size_t>(face)].uses.front();
+    return work_.parts[static_cast<std::size_t>(first.part)].solid >= 0;
   }
 
   TopoDS_Face oriented_as(const TopoDS_Face& image, const TopoDS_Face& face) {
@@ -200,7 +212,8 @@ void drop_inside(Workpiece& work) {
 
 ConnectResult connect(Workpiece& work, Connect how, double tolerance, Progress& progress) {
   ConnectResult result;
-  if (work.parts.size() < 2) return result;
+  find_loose_sheets(work, tolerance);
+  if (work.parts.size() < 2 && (work.parts.empty() || !work.parts[0].is_loose)) return result;
   Workpiece fused = work;
   Connector connector(fused, tolerance, progress);
   bool is_fused = connector.run();

@@ -55,6 +55,9 @@ struct NearParts {
   std::vector<std::array<int, 2>> free_form;
 };
 
+/// Marks sheets sewn of several whose faces touch elsewhere than along the seams: WorkPart::is_loose.
+void find_loose_sheets(Workpiece& work, double tolerance);
+
 /// Parts that may touch within `tolerance`, by boxes of small pieces of their faces and wires.
 NearParts find_near_parts(const Workpiece& work, double tolerance);
 

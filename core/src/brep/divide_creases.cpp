@@ -187,10 +187,18 @@ class CreaseFinder {
   bool has_sharp_closure(bool is_u) const {
     for (TopExp_Explorer edges(face_, TopAbs_EDGE); edges.More(); edges.Next()) {
       const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
-      if (!BRep_Tool::Degenerated(edge) && BRep_Tool::IsClosed(edge, face_) && is_sharp_closure(edge, is_u))
+      if (!BRep_Tool::Degenerated(edge) && BRep_Tool::IsClosed(edge, face_) && is_used_twice(edge) &&
+          is_sharp_closure(edge, is_u))
         return true;
     }
     return false;
+  }
+
+  /// A piece of a face that goes round keeps both images of the periodic edge, but has it on one side only.
+  bool is_used_twice(const TopoDS_Edge& edge) const {
+    int uses = 0;
+    for (TopExp_Explorer edges(face_, TopAbs_EDGE); edges.More(); edges.Next()) uses += edges.Current().IsSame(edge);
+    return uses == 2;
   }
 
   bool is_sharp_closure(const TopoDS_Edge& edge, bool is_u) const {
@@ -245,7 +253,7 @@ class CreaseDivider {
     std::vector<DividedFace> divided;
     for (std::size_t i = 0; i < cuts.size(); ++i)
       if (cuts[i].creases > 0 && divide(work_.faces[i], cuts[i]))
-        divided.push_back({static_cast<int>(i), cuts[i].creases});
+        divided.push_back({work_.faces[i].origin, cuts[i].creases});
     if (divided.empty()) return {};
     replace_faces();
     note_divided_edges(edges);

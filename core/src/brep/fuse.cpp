@@ -22,7 +22,7 @@ constexpr double area_share = 1e-3;
 class Fuser {
  public:
   Fuser(const Workpiece& work, const std::vector<int>& parts) : work_(work), parts_(parts) {
-    for (int part : parts) arguments_.Append(argument(part));
+    for (int part : parts) add_arguments(part);
   }
 
   std::optional<Fusion> run(double tolerance, Progress& progress) {
@@ -47,6 +47,16 @@ class Fuser {
  private:
   bool is_member(const WorkFace& face) const {
     return face.is_usable() && std::any_of(parts_.begin(), parts_.end(), [&](int part) { return face.has_part(part); });
+  }
+
+  /// One argument: the kernel looks for nothing between the faces of one.
+  void add_arguments(int part) {
+    if (!work_.parts[static_cast<std::size_t>(part)].is_loose) {
+      arguments_.Append(argument(part));
+      return;
+    }
+    for (const WorkFace& face : work_.faces)
+      if (face.is_usable() && face.has_part(part)) arguments_.Append(face.face);
   }
 
   TopoDS_Shape argument(int part) {

@@ -1,6 +1,7 @@
 // Which parts may touch: boxes of parts, then of faces, then of the cells of a grid over each bent face, so that a face
 // within the bulge of another one is not taken for touching it.
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepTools.hxx>
 #include <Bnd_Box.hxx>
@@ -11,7 +12,9 @@
 namespace paver {
 namespace {
 
-constexpr int cells = 16;         // per direction
+constexpr int cells = 16;  // per direction
+/// Pairs of faces of a sewn sheet that are looked at closely; files of more loose faces are skins drawn to fit.
+constexpr int most_tries = 200;
 constexpr double sag_factor = 2;  // what a cell's box grows by, of how far its middle is from its corners' mean
 
 bool is_free_form(const BRepAdaptor_Surface& surface) {
@@ -84,7 +87,50 @@ class Piece {
 
 enum class Nearness { apart, near, free_form };
 
+/// Whether two faces have more in common than the edges and vertices they share.
+bool changes_when_fused(const TopoDS_Face& one, const TopoDS_Face& two, double tolerance) {
+  try {
+    BRepAlgoAPI_BuilderAlgo builder;
+    TopTools_ListOfShape arguments;
+    arguments.Append(one);
+    arguments.Append(two);
+    builder.SetArguments(arguments);
+    builder.SetNonDestructive(Standard_True);
+    builder.SetRunParallel(Standard_False);
+    builder.SetFuzzyValue(tolerance);
+    builder.Build();
+    return !builder.HasErrors() && builder.HasModified();
+  } catch (const Standard_Failure&) {
+    return false;
+  }
+}
+
+/// Whether a sheet sewn of several has faces of different ones that touch elsewhere than along the seams.
+bool is_loose(const Workpiece& work, int part, double tolerance) {
+  std::vector<const WorkFace*> faces;
+  for (const WorkFace& face : work.faces)
+    if (face.is_usable() && face.has_part(part)) faces.push_back(&face);
+  auto is_sewn = [&](const WorkFace* face) { return face->read_sheet != faces[0]->read_sheet; };
+  if (std::none_of(faces.begin(), faces.end(), is_sewn)) return false;
+  std::vector<Piece> pieces;
+  for (const WorkFace* face : faces) pieces.emplace_back(face->face, 0.5 * tolerance);
+  int tries = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    for (std::size_t j = i + 1; j < faces.size(); ++j) {
+      if (faces[i]->read_sheet == faces[j]->read_sheet || !pieces[i].may_touch(pieces[j])) continue;
+      if (pieces[i].is_free_form() && pieces[j].is_free_form()) continue;
+      if (++tries > most_tries) return false;
+      if (changes_when_fused(faces[i]->face, faces[j]->face, tolerance)) return true;
+    }
+  return false;
+}
+
 }  // namespace
+
+void find_loose_sheets(Workpiece& work, double tolerance) {
+  for (std::size_t p = 0; p < work.parts.size(); ++p)
+    if (work.parts[p].solid < 0) work.parts[p].is_loose = is_loose(work, static_cast<int>(p), tolerance);
+}
 
 NearParts find_near_parts(const Workpiece& work, double tolerance) {
   std::vector<Bnd_Box> whole(work.parts.size());

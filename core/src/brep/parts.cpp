@@ -17,6 +17,7 @@ class PartLister {
 
   void run() {
     add_solids();
+    find_read_sheets();
     add_sheets();
     add_wires();
   }
@@ -39,6 +40,20 @@ class PartLister {
         work_.faces[static_cast<std::size_t>(index - 1)].uses.push_back({part, is_opposed});
       }
     }
+  }
+
+  void find_read_sheets() {
+    TopTools_IndexedMapOfShape faces, edges;
+    TopExp::MapShapes(as_read_, TopAbs_FACE, faces);
+    UnionFind groups(work_.faces.size());
+    std::vector<int> first_face{-1};
+    for (int f = 0; f < faces.Extent(); ++f)
+      for (TopExp_Explorer inner(faces(f + 1), TopAbs_EDGE); inner.More(); inner.Next()) {
+        auto index = static_cast<std::size_t>(edges.Add(inner.Current()));
+        if (index == first_face.size()) first_face.push_back(f);
+        groups.merge(first_face[index], f);
+      }
+    for (std::size_t f = 0; f < work_.faces.size(); ++f) work_.faces[f].read_sheet = groups.find(static_cast<int>(f));
   }
 
   void add_sheets() {

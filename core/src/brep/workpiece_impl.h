@@ -31,6 +31,7 @@ struct WorkFace {
   /// Index of the face of the shape as read that it is, or is a piece of; beyond these an entry of Workpiece::common.
   int origin = -1;
   int solid = -1;              ///< index of the solid it belongs to, -1: none
+  int read_sheet = -1;         ///< faces of the shape as read that share edges there have the same; by list_parts()
   std::vector<FaceUse> uses;   ///< known from list_parts() on; the first one's side is the face's
   std::vector<int> inside_of;  ///< parts that it lies inside of, both sides; rising
   double area = 0;             ///< mm^2
@@ -47,8 +48,9 @@ struct WorkFace {
 
 /// An object of the input: a solid, faces that hang together without one, or edges that bound no face likewise.
 struct WorkPart {
-  std::string name;  ///< "Solid2", "Sheet1", "Wire1"
-  int solid = -1;    ///< index of the solid of the shape as read
+  std::string name;       ///< "Solid2", "Sheet1", "Wire1"
+  int solid = -1;         ///< index of the solid of the shape as read
+  bool is_loose = false;  ///< a sheet sewn of several whose faces touch elsewhere than at the edges they share
 };
 
 /// An edge that bounds no face.
@@ -125,7 +127,7 @@ struct SewResult {
 SewResult sew(Workpiece& work, std::optional<double> tolerance, Progress& progress);
 
 struct DividedFace {
-  int face = -1;    ///< index before dividing
+  int origin = -1;  ///< WorkFace::origin
   int creases = 0;  ///< along which it was divided
 };
 

@@ -68,13 +68,17 @@ class RegionBuilder {
         node.angle = i == 0 ? angle_at(*before, c, place) : angle_inside(c, k, place);
         if (i > 0 && (node.angle < fold || node.angle > 2 * M_PI - fold)) node.angle = chart_angle(c, k, region);
         out.push_back(node);
-        is_slit.push_back(c.is_slit);
+        is_slit.push_back(c.is_slit || is_slit_of_layout(c.edge));
       }
       if (n > 0) before = &c;
     }
     if (out.empty()) return;
     open_slits(is_slit, out);
     region.loops.push_back(std::move(out));
+  }
+
+  bool is_slit_of_layout(int edge) const {
+    return std::find(layout_.slits.begin(), layout_.slits.end(), edge) != layout_.slits.end();
   }
 
   // The two sides of a slit lie on one line: nodes on them are moved apart in the chart, by so little that it is no
@@ -234,6 +238,10 @@ class RegionBuilder {
     }
     a.loops.push_back(std::move(backward));
     b.loops.push_back(std::move(forward));
+    for (const InnerPoint& point : face_.points) {
+      double meridian = layout_.box.is_swapped ? point.uv.x : point.uv.y;
+      add_point(point, meridian < layout_.cut ? a : b);
+    }
     add_fan(low, a);
     add_fan(high, b);
     regions.push_back(std::move(a));
@@ -321,8 +329,9 @@ class RegionBuilder {
     fan.centre.x = nodes_.nodes[fan.centre.global];
     fan.centre.p = region.chart->to_chart(point.uv);
     fan.centre.h = std::min(size_.h, size_.faces[index_].at(point.uv, *face_.surface));
-    double room = nearest_loop(region, fan.centre.x);
-    for (const Fan& other : region.fans) room = std::min(room, 0.5 * norm(other.centre.x - fan.centre.x));
+    double room = nearest_facet(region, fan.centre.x);
+    for (const InnerPoint& other : face_.points)
+      if (other.vertex != point.vertex) room = std::min(room, 0.5 * norm(model_.vertices[other.vertex] - fan.centre.x));
     double side = std::min(fan.centre.h, 0.4 * room);
     Vec3 x, xp, xq;
     region.evaluate(fan.centre.p, x, xp, xq);
@@ -367,6 +376,18 @@ class RegionBuilder {
     double nearest = 1e300;
     for (const auto& loop : region.loops)
       for (const LoopNode& node : loop) nearest = std::min(nearest, norm(node.x - apex));
+    return nearest;
+  }
+
+  static double nearest_facet(const Region& region, Vec3 at) {
+    double nearest = 1e300;
+    for (const auto& loop : region.loops)
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec3 from = loop[i].x, along = loop[(i + 1) % loop.size()].x - from;
+        const double share =
+            dot(along, along) > 0 ? std::clamp(dot(at - from, along) / dot(along, along), 0.0, 1.0) : 0;
+        nearest = std::min(nearest, norm(from + share * along - at));
+      }
     return nearest;
   }
 

@@ -4,6 +4,7 @@
 #include "regions/crossing_facets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -12,7 +13,8 @@
 namespace paver {
 namespace {
 
-constexpr double one_node = 1e-9;  // of the facet: the same node of the boundary stage this near is one node
+constexpr double no_angle = 1e-10;  // radians, between facets from one node
+constexpr double one_node = 1e-9;   // of the facet: the same node of the boundary stage this near is one node
 
 struct Box {
   Vec2 lo{1e300, 1e300}, hi{-1e300, -1e300};
@@ -152,10 +154,11 @@ class FacetTree {
     return side(s.a, s.b, t.a) * side(s.a, s.b, t.b) <= 0 && side(t.a, t.b, s.a) * side(t.a, t.b, s.b) <= 0;
   }
 
-  // Facets from one node to two others lie on one another.
+  // Facets from one node to two others lie on one another, or so nearly that an element between them has no area. The
+  // sides of a slit are farther apart.
   bool overlaps(int node, int one, int other) const {
-    const Vec2 o = at_[node];
-    return orientation(o, at_[one], at_[other]) == 0 && dot(at_[one] - o, at_[other] - o) > 0;
+    const Vec2 o = at_[node], a = at_[one] - o, b = at_[other] - o;
+    return std::abs(orientation(o, at_[one], at_[other])) <= no_angle * norm(a) * norm(b) && dot(a, b) > 0;
   }
 
   const std::size_t most_;

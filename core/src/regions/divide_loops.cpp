@@ -181,11 +181,13 @@ class LoopDivider {
     for (std::size_t i = 0; i < found.size(); ++i) {
       const int face = result_.regions[i].face;
       for (const Crossing& crossing : found[i]) {
-        const int times = doublings(crossing.edge) + 1;
         if (crossing.kind == Meeting::Kind::meet) {
           fail(face, crossing, "cross or touch; repair the face in the CAD model");
-        } else if (crossing.kind == Meeting::Kind::near || is_last || times > most_doublings ||
-                   count(crossing.edge, times) > most_intervals) {
+          continue;
+        }
+        const int times = doublings(crossing.edge) + 1;
+        if (crossing.kind == Meeting::Kind::near || is_last || times > most_doublings ||
+            count(crossing.edge, times) > most_intervals) {
           fail(face, crossing,
                "come too near to each other for this target length; use a smaller size there or remove the narrow gap");
         } else {

@@ -28,7 +28,8 @@ class LayoutPlanner {
  public:
   LayoutPlanner(const Model& model, const SizeField& size, int face, const Progress& progress)
       : model_(model), face_(model.faces[face]), index_(face), size_(size), progress_(progress) {
-    layout_.dropped = periodic_coedges(model, face);
+    layout_.dropped = own_periodic_coedges(model, face);
+    periodic_ = periodic_coedges(model, face);
   }
 
   FaceLayout run() {
@@ -44,8 +45,8 @@ class LayoutPlanner {
     if ((goes_round_u || goes_round_v) && layout_.period > 0 && !lay_grid()) choose_polar();
     if (layout_.kind == LayoutKind::row) {
       for (auto& loop : layout_.dropped) loop.assign(loop.size(), false);
-    } else if (layout_.kind == LayoutKind::polar && goes_round_u && goes_round_v) {
-      keep_second_direction();
+    } else if (layout_.kind == LayoutKind::polar || layout_.kind == LayoutKind::two_polar) {
+      settle_periodic(goes_round_u && goes_round_v);
     }
     return layout_;
   }
@@ -60,7 +61,7 @@ class LayoutPlanner {
           Vec2 uv = image(model_, coedge, i / 16.0);
           u_.add(uv.x), v_.add(uv.y);
         }
-        if (!layout_.dropped[l][c]) continue;
+        if (!periodic_[l][c]) continue;
         Vec2 gap = gap_to_twin(coedge);
         if (period.x > 0 && std::fabs(gap.x) > 0.25 * period.x) wraps_u_ = true;
         if (period.y > 0 && std::fabs(gap.y) > 0.25 * period.y) wraps_v_ = true;
@@ -94,6 +95,7 @@ class LayoutPlanner {
   // A face without border: all its edges are its own periodic ones or poles.
   bool lay_grid() {
     if (size_.faces[index_].is_graded()) return false;  // grids have one length
+    if (!face_.points.empty()) return false;
     if (!linked_loops(model_, index_, layout_.dropped).empty()) return false;
     for (const Loop& loop : face_.loops)
       for (const Coedge& c : loop.coedges)
@@ -128,7 +130,7 @@ class LayoutPlanner {
     }
   }
 
-  // The widest stretch of the meridian that no other loop reaches into, cut in its middle.
+  // The widest stretch of the meridian that no other loop or point reaches into, cut in its middle.
   bool find_cut() {
     const ParameterBox& box = layout_.box;
     std::vector<std::pair<double, double>> taken{{box.lo.y, box.lo.y}, {box.hi.y, box.hi.y}};
@@ -143,6 +145,10 @@ class LayoutPlanner {
         }
         taken.push_back({r.lo, r.hi});
       }
+    for (const InnerPoint& point : face_.points) {
+      const double at = box.is_swapped ? point.uv.x : point.uv.y;
+      taken.push_back({at, at});
+    }
     std::sort(taken.begin(), taken.end());
     double reach = box.lo.y, best = 0;
     for (auto [lo, hi] : taken) {
@@ -152,17 +158,23 @@ class LayoutPlanner {
     return best > 0.1 * (box.hi.y - box.lo.y);
   }
 
-  // A torus goes round twice: what wraps the second direction stays as a cut.
-  void keep_second_direction() {
-    Vec2 period = face_.surface->period();
+  // A torus goes round twice: what wraps the second direction stays as a cut. What others have stays as a slit.
+  void settle_periodic(bool goes_round_twice) {
     for (std::size_t l = 0; l < face_.loops.size(); ++l)
       for (std::size_t c = 0; c < face_.loops[l].coedges.size(); ++c) {
-        if (!layout_.dropped[l][c]) continue;
-        Vec2 gap = gap_to_twin(face_.loops[l].coedges[c]);
-        bool along_round =
-            layout_.box.is_swapped ? std::fabs(gap.y) > 0.25 * period.y : std::fabs(gap.x) > 0.25 * period.x;
-        if (!along_round) layout_.dropped[l][c] = false;
+        if (!periodic_[l][c]) continue;
+        const Coedge& coedge = face_.loops[l].coedges[c];
+        if (goes_round_twice && !is_along_round(coedge)) {
+          layout_.dropped[l][c] = false;
+        } else if (!layout_.dropped[l][c]) {
+          layout_.slits.push_back(coedge.edge);
+        }
       }
+  }
+
+  bool is_along_round(const Coedge& coedge) const {
+    Vec2 period = face_.surface->period(), gap = gap_to_twin(coedge);
+    return layout_.box.is_swapped ? std::fabs(gap.y) > 0.25 * period.y : std::fabs(gap.x) > 0.25 * period.x;
   }
 
   const Model& model_;
@@ -171,6 +183,7 @@ class LayoutPlanner {
   const SizeField& size_;
   const Progress& progress_;
   FaceLayout layout_;
+  std::vector<std::vector<bool>> periodic_;  // per loop and coedge
   Range u_, v_;
   bool wraps_u_ = false, wraps_v_ = false;
   bool u_low_ = false, u_high_ = false, v_low_ = false, v_high_ = false;
@@ -198,6 +211,8 @@ bool is_lone_slit(const Loop& loop) {
 void settle_counts(const Model& model, const std::vector<FaceLayout>& layouts, std::vector<int>& counts) {
   std::vector<bool> is_needed(model.edges.size(), false), is_cut(model.edges.size(), false);
   std::vector<int> least(model.edges.size(), 0);
+  for (const FaceLayout& layout : layouts)
+    for (int e : layout.slits) least[e] = 2;
   for (std::size_t f = 0; f < model.faces.size(); ++f)
     for (std::size_t l = 0; l < layouts[f].dropped.size(); ++l) {
       const Loop& loop = model.faces[f].loops[l];

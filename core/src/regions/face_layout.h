@@ -23,6 +23,7 @@ struct FaceLayout {
   double cut = 0;                          ///< two_polar: where (along the meridian)
   std::shared_ptr<const ClosedGrid> grid;  ///< closed: the mesh of the whole face
   std::vector<std::vector<bool>> dropped;  ///< per loop and coedge: periodic edge that disappears
+  std::vector<int> slits;                  ///< periodic edges that others have: both sides lie on one line of the chart
 };
 
 /// One layout per face, from topology; grids of closed faces from their target length.

@@ -72,10 +72,11 @@ class ModelBuilder {
       if (is_last_piece) progress_.advance(loop_units);
     }
     list_named(faces);
+    fill_parts(index);
     mark_periodic_edges();
+    add_periodic_points(model_);
     for (const std::string& face : orient_faces(work_, model_, tasks_))
       work_.note_repair(RepairKind::turned_face, 1, 0, face);
-    fill_parts(index);
     fill_report();
     add_notes();
     if (options.strict) refuse_faults();
@@ -106,7 +107,7 @@ class ModelBuilder {
   }
 
   void note_divided(const DividedFace& face) {
-    model_.notes.push_back(entry_name(work_, face.face) + " was divided along " + std::to_string(face.creases) +
+    model_.notes.push_back(entry_name(work_, face.origin) + " was divided along " + std::to_string(face.creases) +
                            (face.creases == 1 ? " crease." : " creases."));
   }
 
@@ -180,11 +181,15 @@ class ModelBuilder {
       if (parts.Value().ShapeType() != TopAbs_VERTEX) continue;
       int position = index.vertex_map.FindIndex(parts.Value());
       if (position == 0) continue;
+      const int vertex = index.vertex[static_cast<std::size_t>(position)];
+      auto is_same = [&](const InnerPoint& point) { return point.vertex == vertex; };
+      // What several faces have in common has the vertex from each of them.
+      if (std::any_of(face.points.begin(), face.points.end(), is_same)) continue;
       TopLoc_Location location;
       Handle(Geom_Surface) surface = BRep_Tool::Surface(shape, location);
       gp_Pnt at = BRep_Tool::Pnt(TopoDS::Vertex(parts.Value())).Transformed(location.Transformation().Inverted());
       gp_Pnt2d uv = ShapeAnalysis_Surface(surface).ValueOfUV(at, Precision::Confusion());
-      face.points.push_back({index.vertex[static_cast<std::size_t>(position)], {uv.X(), uv.Y()}});
+      face.points.push_back({vertex, {uv.X(), uv.Y()}});
     }
   }
 
@@ -255,10 +260,10 @@ class ModelBuilder {
   }
 
   void mark_periodic_edges() {
-    for (Edge& edge : model_.edges) {
-      auto faces = edge.faces;
-      std::sort(faces.begin(), faces.end());
-      edge.is_periodic = std::adjacent_find(faces.begin(), faces.end()) != faces.end();
+    for (std::size_t e = 0; e < model_.edges.size(); ++e) {
+      Edge& edge = model_.edges[e];
+      edge.is_periodic = edge.faces.size() == 2 && edge.faces[0] == edge.faces[1] &&
+                         !has_other_user(model_, static_cast<int>(e), edge.faces[0]);
     }
     for (const Face& face : model_.faces)
       for (const Loop& loop : face.loops)

@@ -31,7 +31,7 @@ struct Edge {
   double t0 = 0, t1 = 0;     ///< t0 < t1
   double length = 0;         ///< mm
   bool is_degenerate = false;  ///< a pole: no length, curve is null
-  bool is_periodic = false;    ///< used twice by one face, a period apart (that face's own parametric seam)
+  bool is_periodic = false;    ///< used twice by one face, a period apart, and by nothing else: its parametric seam
   std::shared_ptr<const Curve> curve;
   std::vector<int> faces;  ///< every face that uses it, a face twice where it has the face on both sides; none: a wire
   bool is_wire() const { return faces.empty() && curve; }
@@ -76,5 +76,8 @@ struct Model {
   ModelReport report;
   std::vector<std::string> notes;
 };
+
+/// Whether another face uses the edge, or a wire lies on it.
+bool has_other_user(const Model& model, int edge, int face);
 
 }  // namespace paver

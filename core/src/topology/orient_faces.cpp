@@ -3,6 +3,7 @@
 // two of the part's faces.
 #include <algorithm>
 #include <queue>
+#include <set>
 
 #include "topology/build_parts_impl.h"
 
@@ -36,11 +37,18 @@ class Orienter {
     for (std::size_t u = 0; u < uses_.size(); ++u) {
       if (group_[u] < 0 && !loops_of(static_cast<int>(u)).empty()) walk(static_cast<int>(u));
     }
+    align_sheets();
     look_outwards();
     return apply();
   }
 
  private:
+  /// Two groups of sheets agree as they are, or one of them must be turned.
+  struct Link {
+    int group = -1;
+    bool is_turned = false;
+  };
+
   void add_use(const Use& use) {
     const Face& face = model_.faces[static_cast<std::size_t>(use.face)];
     for (const Loop& loop : face.loops)
@@ -98,6 +106,57 @@ class Orienter {
     } else if (is_turned_[other] != is_turned) {
       is_one_sided_ = true;
     }
+  }
+
+  /// Sheets that share faces, or edges that nothing else has, are made to agree with the first of them.
+  void align_sheets() {
+    const std::vector<std::vector<Link>> links = sheet_links();
+    std::vector<bool> is_done(groups_.size(), false);
+    for (std::size_t first = 0; first < groups_.size(); ++first) {
+      std::queue<std::size_t> open;
+      if (!is_done[first]) open.push(first);
+      is_done[first] = true;
+      for (; !open.empty(); open.pop())
+        for (const Link& link : links[open.front()]) {
+          const auto other = static_cast<std::size_t>(link.group);
+          if (is_done[other]) continue;
+          is_done[other] = true;
+          // What was turned since the links were taken counts as well.
+          if (link.is_turned != is_group_turned(open.front())) turn(groups_[other]), turned_groups_.insert(other);
+          open.push(other);
+        }
+    }
+  }
+
+  bool is_group_turned(std::size_t group) const { return turned_groups_.count(group) > 0; }
+
+  /// Per group, in the order of faces and edges.
+  std::vector<std::vector<Link>> sheet_links() const {
+    std::vector<std::vector<Link>> links(groups_.size());
+    auto link = [&](int a, int b, bool is_turned) {
+      const int one = group_[static_cast<std::size_t>(a)], two = group_[static_cast<std::size_t>(b)];
+      if (one < 0 || two < 0 || one == two) return;
+      links[static_cast<std::size_t>(one)].push_back({two, is_turned});
+      links[static_cast<std::size_t>(two)].push_back({one, is_turned});
+    };
+    auto is_turned = [&](int u) { return is_turned_[static_cast<std::size_t>(u)]; };
+    for (std::size_t u = 1; u < uses_.size(); ++u) {
+      const int here = static_cast<int>(u), first = first_use_[static_cast<std::size_t>(uses_[u].face)];
+      if (here == first || !is_of_sheets(uses_[u].face)) continue;
+      link(first, here, (is_turned(here) != use(here).is_opposed) != (is_turned(first) != use(first).is_opposed));
+    }
+    for (const std::vector<Side>& sides : sides_) {
+      if (sides.size() != 2 || !is_of_sheets(use(sides[0].use).face) || !is_of_sheets(use(sides[1].use).face)) continue;
+      link(sides[0].use, sides[1].use,
+           (sides[0].is_reversed != is_turned(sides[0].use)) == (sides[1].is_reversed != is_turned(sides[1].use)));
+    }
+    return links;
+  }
+
+  bool is_of_sheets(int face) const {
+    const auto& uses = work_.faces[static_cast<std::size_t>(face)].uses;
+    return std::none_of(uses.begin(), uses.end(),
+                        [&](const FaceUse& use) { return work_.parts[static_cast<std::size_t>(use.part)].solid >= 0; });
   }
 
   void turn(const std::vector<int>& members) {
@@ -212,6 +271,7 @@ class Orienter {
   std::vector<int> group_;                ///< per use: index of its group, -1 before
   std::vector<bool> is_turned_;           ///< per use
   std::vector<std::vector<int>> groups_;  ///< uses that hang together
+  std::set<std::size_t> turned_groups_;   ///< by align_sheets()
   bool is_one_sided_ = false;
 };
 

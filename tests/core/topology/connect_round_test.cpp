@@ -1,0 +1,161 @@
+// Parts that touch faces that go round, on their periodic edge and beside it; which way sheets face; what hangs
+// together is looked for in the mesh itself.
+#include <gtest/gtest.h>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepTools.hxx>
+#include <algorithm>
+#include <gp_Ax2.hxx>
+#include <gp_Pln.hxx>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/union_find.h"
+#include "core/brep/shape_files.h"
+#include "paver/mesher.h"
+
+namespace paver {
+namespace {
+
+using test::compound;
+
+MeshResult mesh_of(const TopoDS_Shape& shape, double size) {
+  test::TemporaryFolder folder;
+  const std::string path = folder.file("model.brep");
+  BRepTools::Write(shape, path.c_str());
+  Options options;
+  options.size = size;
+  Progress progress;
+  return mesh_file(path, options, progress);
+}
+
+template <class F>
+void for_rows(const SurfaceMesh& mesh, F&& f) {
+  for (std::size_t i = 0; i < mesh.quad_count(); ++i)
+    f(&mesh.quads[i * static_cast<std::size_t>(mesh.nodes_per_quad())], 4);
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i)
+    f(&mesh.triangles[i * static_cast<std::size_t>(mesh.nodes_per_triangle())], 3);
+}
+
+/// Meshes that share no node, lines included.
+std::size_t pieces(const SurfaceMesh& mesh) {
+  UnionFind together(mesh.nodes.size());
+  std::set<int> used;
+  auto add = [&](const int* row, int corners) {
+    for (int k = 0; k < corners; ++k) together.merge(row[0], row[k]), used.insert(row[k]);
+  };
+  for_rows(mesh, add);
+  const auto step = static_cast<std::size_t>(mesh.order + 1);
+  for (std::size_t i = 0; i < mesh.lines.size(); i += step) add(&mesh.lines[i], 2);
+  std::set<int> roots;
+  for (int node : used) roots.insert(together.find(node));
+  return roots.size();
+}
+
+/// Sides of two elements that both run through it the same way.
+int same_way(const SurfaceMesh& mesh) {
+  std::map<std::pair<int, int>, std::vector<bool>> sides;
+  for_rows(mesh, [&](const int* row, int corners) {
+    for (int k = 0; k < corners; ++k) {
+      const int a = row[k], b = row[(k + 1) % corners];
+      sides[std::minmax(a, b)].push_back(a < b);
+    }
+  });
+  return static_cast<int>(std::count_if(sides.begin(), sides.end(), [](const auto& side) {
+    return side.second.size() == 2 && side.second[0] == side.second[1];
+  }));
+}
+
+/// Its periodic edge is the line y = 0, x > 0 of its own place.
+TopoDS_Shape rod(double x, double y, double z, double radius, double height) {
+  return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, z), gp_Dir(0, 0, 1), gp_Dir(1, 0, 0)), radius, height).Shape();
+}
+
+TopoDS_Shape sheet(double z, double x0, double x1, double y0, double y1, bool is_up = true) {
+  return BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, z), gp_Dir(0, 0, 1)), x0, x1, y0, y1)
+      .Shape()
+      .Oriented(is_up ? TopAbs_FORWARD : TopAbs_REVERSED);
+}
+
+/// In the plane y = 0.
+TopoDS_Shape fin(double x0, double x1, double z0, double z1) {
+  return BRepBuilderAPI_MakeFace(gp_Pln(gp_Ax3(gp_Pnt(0, 0, 0), gp_Dir(0, 1, 0), gp_Dir(1, 0, 0))), x0, x1, -z1, -z0)
+      .Shape();
+}
+
+TopoDS_Shape wire(gp_Pnt a, gp_Pnt b) { return BRepBuilderAPI_MakeEdge(a, b).Shape(); }
+
+TopoDS_Shape box(double x, double y, double z, double dx, double dy, double dz) {
+  return BRepPrimAPI_MakeBox(gp_Pnt(x, y, z), dx, dy, dz).Shape();
+}
+
+void expect_one_piece(const char* name, const TopoDS_Shape& shape) {
+  SCOPED_TRACE(name);
+  const MeshResult result = mesh_of(shape, 4);
+  for (const FaceReport& face : result.report.faces)
+    EXPECT_NE(face.status, FaceStatus::failed) << face.name << ": " << face.reason;
+  EXPECT_TRUE(result.report.model.unconnected.empty());
+  EXPECT_EQ(result.report.components.size(), 1u);
+  EXPECT_EQ(pieces(result.mesh), 1u);
+  EXPECT_EQ(same_way(result.mesh), 0);
+  EXPECT_NEAR(result.report.quality.mesh_area, result.report.quality.cad_area, 2e-3 * result.report.quality.cad_area);
+}
+
+TEST(ConnectRound, APeriodicEdgeKeepsTheNodesThatOthersNeed) {
+  expect_one_piece("rods side by side", compound({rod(0, 0, 0, 10, 20), rod(15, 0, 0, 5, 20)}));
+  expect_one_piece("the other one's edge", compound({rod(0, 0, 0, 10, 20), rod(-15, 0, 0, 5, 20)}));
+  expect_one_piece("over a part of the edge", compound({rod(0, 0, 0, 10, 30), rod(15, 0, 10, 5, 10)}));
+  expect_one_piece("a rod in a rod", compound({rod(0, 0, 0, 10, 20), rod(5, 0, 0, 5, 20)}));
+  expect_one_piece("fin along the edge", compound({rod(0, 0, 0, 10, 20), fin(10, 20, 0, 20)}));
+  expect_one_piece("fin on a part of it", compound({rod(0, 0, 0, 10, 30), fin(10, 20, 8, 16)}));
+  expect_one_piece("fin off the edge", compound({rod(0, 0, 0, 10, 30), fin(-20, -10, 8, 16)}));
+  expect_one_piece("wire on the edge", compound({rod(0, 0, 0, 10, 30), wire({10, 0, 5}, {10, 0, 21})}));
+}
+
+TEST(ConnectRound, AVertexOnAPeriodicEdgeIsANodeWhereOthersHaveIt) {
+  expect_one_piece("wire to the edge", compound({rod(0, 0, 0, 10, 30), wire({10, 0, 12}, {25, 0, 12})}));
+  expect_one_piece("wire off the edge", compound({rod(0, 0, 0, 10, 30), wire({-10, 0, 12}, {-25, 0, 12})}));
+  expect_one_piece("wire to a sphere", compound({BRepPrimAPI_MakeSphere(10).Shape(), wire({10, 0, 0}, {25, 0, 0})}));
+}
+
+TEST(ConnectRound, APieceOfAFaceThatGoesRoundHasNoCrease) {
+  const MeshResult result = mesh_of(compound({rod(0, 0, 0, 10, 20), fin(-20, 20, 0, 20)}), 4);
+  for (const std::string& note : result.report.notes) EXPECT_EQ(note.find("crease"), std::string::npos) << note;
+  expect_one_piece("fin through a rod", compound({rod(0, 0, 0, 10, 20), fin(-20, 20, 0, 20)}));
+}
+
+TEST(ConnectRound, SheetsThatMeetFaceTheSameWay) {
+  expect_one_piece("side by side", compound({sheet(0, 0, 20, 0, 20), sheet(0, 20, 40, 5, 30, false)}));
+  expect_one_piece("overlapping", compound({sheet(0, 0, 20, 0, 20), sheet(0, 10, 30, 5, 30, false)}));
+}
+
+TEST(ConnectRound, SheetsSewnAtAnEdgeAreConnectedWhereTheyOverlapToo) {
+  expect_one_piece("one over the other", compound({sheet(0, 0, 20, 0, 20), sheet(0, 0, 20, 0, 10)}));
+  expect_one_piece("the other way up", compound({sheet(0, 0, 20, 0, 20), sheet(0, 0, 20, 0, 10, false)}));
+}
+
+TEST(ConnectRound, WhatASolidAndASheetHaveInCommonFacesOutOfTheSolid) {
+  for (bool is_up : {true, false})
+    for (bool is_first : {true, false}) {
+      const TopoDS_Shape patch = sheet(0, 5, 35, 5, 15, is_up), block = box(0, 0, -10, 20, 20, 10);
+      expect_one_piece("patch over a rim", is_first ? compound({patch, block}) : compound({block, patch}));
+    }
+}
+
+TEST(ConnectRound, AWireEndsOnWhatSeveralFacesHaveInCommon) {
+  expect_one_piece("wire on a patch on a box",
+                   compound({box(0, 0, -10, 20, 20, 10), sheet(0, 4, 16, 4, 16), wire({10, 10, 0}, {10, 10, 30})}));
+}
+
+TEST(ConnectRound, WiresMayEndNearEachOtherAndNearAnEdge) {
+  expect_one_piece("three wires", compound({sheet(0, 0, 40, 0, 40), wire({20, 20, 0}, {20, 20, 30}),
+                                            wire({20.5, 20, 0}, {20.5, 20, 30}), wire({20, 0.3, 0}, {20, 0.3, 30})}));
+}
+
+}  // namespace
+}  // namespace paver
