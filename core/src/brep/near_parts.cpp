@@ -4,7 +4,10 @@
 #include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
 
 #include "brep/connect_impl.h"
@@ -105,13 +108,23 @@ bool changes_when_fused(const TopoDS_Face& one, const TopoDS_Face& two, double t
   }
 }
 
-/// Whether a sheet sewn of several has faces of different ones that touch elsewhere than along the seams.
+/// Whether each edge of some faces is in two of them, or twice in one.
+bool are_closed(const std::vector<const WorkFace*>& faces) {
+  TopTools_IndexedDataMapOfShapeListOfShape uses;
+  for (const WorkFace* face : faces) TopExp::MapShapesAndAncestors(face->face, TopAbs_EDGE, TopAbs_FACE, uses);
+  for (int e = 1; e <= uses.Extent(); ++e)
+    if (!BRep_Tool::Degenerated(TopoDS::Edge(uses.FindKey(e))) && uses(e).Extent() < 2) return false;
+  return true;
+}
+
+/// Whether a sheet sewn of several has faces of different ones that touch elsewhere than along the seams. Closed skins
+/// are drawn to fit: there the kernel would find no more than what sewing closed.
 bool is_loose(const Workpiece& work, int part, double tolerance) {
   std::vector<const WorkFace*> faces;
   for (const WorkFace& face : work.faces)
     if (face.is_usable() && face.has_part(part)) faces.push_back(&face);
   auto is_sewn = [&](const WorkFace* face) { return face->read_sheet != faces[0]->read_sheet; };
-  if (std::none_of(faces.begin(), faces.end(), is_sewn)) return false;
+  if (std::none_of(faces.begin(), faces.end(), is_sewn) || are_closed(faces)) return false;
   std::vector<Piece> pieces;
   for (const WorkFace* face : faces) pieces.emplace_back(face->face, 0.5 * tolerance);
   int tries = 0;
