@@ -5,7 +5,6 @@
 A file passes when the program ends by itself within 60 seconds of processor time and 8 GiB, says one sentence unless all
 is well, and leaves a whole mesh or none. --keep: copies of files on which the CAD kernel broke down, and of those that fail.
 """
-import argparse
 import collections
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -120,12 +119,7 @@ def has_module():
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("first", type=int)
-    parser.add_argument("count", type=int)
-    parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--keep")
-    given = parser.parse_args()
+    given = runs.seed_arguments(__doc__)
     numbers, known = range(given.first, given.first + given.count), sizes()
     table, faults = collections.Counter(), 0
 

@@ -6,7 +6,6 @@ The target length is a twentieth of the diagonal. An assembly is good when the r
 has as many pieces as the parts have that touch, no two nodes are in one place, no node hangs in an element's side, and the
 judge, where it is there, finds the mesh conforming. --keep: models and meshes of those that are not good.
 """
-import argparse
 import collections
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -119,15 +118,8 @@ def check(seed, keep=None, has_judge=runs.has_judge()):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("first", type=int)
-    parser.add_argument("count", type=int)
-    parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--keep")
-    given = parser.parse_args()
+    given = runs.seed_arguments(__doc__)
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    if given.keep:
-        os.makedirs(given.keep, exist_ok=True)
     table, slow = collections.Counter(), 0
     with ThreadPoolExecutor(given.jobs) as pool:
         for outcome in pool.map(lambda seed: check(seed, given.keep), range(given.first, given.first + given.count)):

@@ -5,7 +5,6 @@
 A seed chooses the model, its format, the target length (a 5th to a 200th of the diagonal) and the elements. --keep: models
 and meshes of the seeds that are not good.
 """
-import argparse
 import collections
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -106,12 +105,7 @@ def run(seed, keep=None):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("first", type=int)
-    parser.add_argument("count", type=int)
-    parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--keep")
-    given = parser.parse_args()
+    given = runs.seed_arguments(__doc__)
     runs.need_shared("tools", "quality.py")
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     table = collections.Counter()

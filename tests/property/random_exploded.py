@@ -2,7 +2,6 @@
 
     random_exploded.py FIRST COUNT [--jobs N] [--keep FOLDER]      seeds FIRST to FIRST + COUNT - 1
 """
-import argparse
 from concurrent.futures import ThreadPoolExecutor
 import json
 import os
@@ -49,22 +48,16 @@ def check(seed, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("first", type=int)
-    parser.add_argument("count", type=int)
-    parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--keep", help="folder for the models and meshes")
-    options = parser.parse_args()
+    given = runs.seed_arguments(__doc__)
     if not os.path.exists(GENERATOR):
         repo.skip(f"{GENERATOR} is missing: scripts/build paver_random_exploded")
     failed = 0
-    with tempfile.TemporaryDirectory() as own, ThreadPoolExecutor(options.jobs) as pool:
-        folder = options.keep or own
-        os.makedirs(folder, exist_ok=True)
-        for line, faults in pool.map(lambda seed: check(seed, folder), range(options.first, options.first + options.count)):
+    with tempfile.TemporaryDirectory() as own, ThreadPoolExecutor(given.jobs) as pool:
+        folder = given.keep or own
+        for line, faults in pool.map(lambda seed: check(seed, folder), range(given.first, given.first + given.count)):
             failed += bool(faults)
             print(line + "".join(f"\n  {fault}" for fault in faults), flush=True)
-    print(f"{options.count - failed} of {options.count} are whole")
+    print(f"{given.count - failed} of {given.count} are whole")
     sys.exit(failed > 0)
 
 

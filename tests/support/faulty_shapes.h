@@ -3,6 +3,7 @@
 
 #include <TopoDS_Shape.hxx>
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,7 @@ struct FaultyShape {
   std::vector<std::string> repairs;  ///< kinds that it takes
   TopoDS_Shape shape() const { return damage(clean()); }
   double area() const;  ///< of the clean shape
+  friend void PrintTo(const FaultyShape& shape, std::ostream* out) { *out << shape.name; }
 };
 
 /// All of these that can be made whole.

@@ -1,4 +1,5 @@
 """Runs Paver's command line and checks the meshes it writes, for tests and scripts/measure."""
+import argparse
 import csv
 from dataclasses import dataclass
 import glob
@@ -60,6 +61,19 @@ def paver(model, out, *options, limit=300):
     if os.path.exists(out):
         mesh = meshfile.read(out)
     return Run(code, output, seconds, loaded, mesh)
+
+
+def seed_arguments(about):
+    """first, count, jobs and keep, as scripts that go through many seeds take them; the folder to keep things in is made."""
+    parser = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("first", type=int)
+    parser.add_argument("count", type=int)
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--keep")
+    given = parser.parse_args()
+    if given.keep:
+        os.makedirs(given.keep, exist_ok=True)
+    return given
 
 
 def survey():

@@ -127,8 +127,8 @@ class Connector {
     work_.is_rebuilt = true;
     Progress silent;
     std::vector<Repair> repairs = work_.repairs;
-    repair(work_,
-           silent);  // the kernel leaves some new edges without an image on a face, which is no fault of the file
+    // The kernel leaves some new edges without an image on a face, which is no fault of the file.
+    repair(work_, silent);
     work_.repairs = std::move(repairs);
   }
 

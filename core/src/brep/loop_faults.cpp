@@ -64,17 +64,12 @@ class LoopExaminer {
   void add_loop(const TopoDS_Shape& wire) {
     std::vector<End> starts, ends;
     Extent box;
-    for (TopoDS_Iterator parts(wire); parts.More(); parts.Next()) {
-      if (parts.Value().ShapeType() != TopAbs_EDGE) continue;
-      const TopoDS_Edge& edge = TopoDS::Edge(parts.Value());
-      if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED) continue;
-      const TopoDS_Vertex first = TopExp::FirstVertex(edge, Standard_True),
-                          last = TopExp::LastVertex(edge, Standard_True);
-      if (first.IsNull() || last.IsNull()) return;
+    auto add = [&](const TopoDS_Edge& edge, const TopoDS_Vertex& first, const TopoDS_Vertex& last) {
       starts.push_back({vertices_.Add(first), {}});
       ends.push_back({vertices_.Add(last), {}});
       if (!is_flat_) add_image(edge, starts.back(), ends.back(), box);
-    }
+    };
+    if (!visit_border(wire, add)) return;
     compare(starts, ends, jump_share * box.size());
   }
 

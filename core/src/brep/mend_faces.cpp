@@ -97,17 +97,12 @@ class LoopCloser {
   void add_loop(const TopoDS_Shape& wire) {
     std::map<int, int> balance;  // starts less ends
     double shortest = std::numeric_limits<double>::infinity();
-    for (TopoDS_Iterator parts(wire); parts.More(); parts.Next()) {
-      if (parts.Value().ShapeType() != TopAbs_EDGE) continue;
-      const TopoDS_Edge& edge = TopoDS::Edge(parts.Value());
-      if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED) continue;
-      const TopoDS_Vertex first = TopExp::FirstVertex(edge, Standard_True),
-                          last = TopExp::LastVertex(edge, Standard_True);
-      if (first.IsNull() || last.IsNull()) return;
+    auto add = [&](const TopoDS_Edge& edge, const TopoDS_Vertex& first, const TopoDS_Vertex& last) {
       ++balance[number(first)];
       --balance[number(last)];
       if (!first.IsSame(last)) shortest = std::min(shortest, edge_length(edge));
-    }
+    };
+    if (!visit_border(wire, add)) return;
     const double most = std::min(join_share * work_.diagonal, edge_share * shortest);
     std::vector<Link> links = links_between(balance, most);
     const auto joined = close(balance, links);

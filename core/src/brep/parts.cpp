@@ -11,6 +11,27 @@
 namespace paver {
 namespace {
 
+/// Items that hang together by the edges, or vertices, of their shapes.
+class Hanging {
+ public:
+  Hanging(std::size_t items, TopAbs_ShapeEnum by) : by_(by), groups_(items) {}
+  void add(std::size_t item, const TopoDS_Shape& shape) {
+    for (TopExp_Explorer inner(shape, by_); inner.More(); inner.Next()) {
+      const auto index = static_cast<std::size_t>(joints_.Add(inner.Current()));
+      if (index == first_item_.size()) first_item_.push_back(static_cast<int>(item));
+      groups_.merge(first_item_[index], static_cast<int>(item));
+    }
+  }
+  /// The first item of the group.
+  int group_of(std::size_t item) { return groups_.find(static_cast<int>(item)); }
+
+ private:
+  TopAbs_ShapeEnum by_;
+  UnionFind groups_;
+  TopTools_IndexedMapOfShape joints_;
+  std::vector<int> first_item_{-1};
+};
+
 class PartLister {
  public:
   PartLister(Workpiece& work, const TopoDS_Shape& as_read) : work_(work), as_read_(as_read) {}
@@ -43,60 +64,42 @@ class PartLister {
   }
 
   void find_read_sheets() {
-    TopTools_IndexedMapOfShape faces, edges;
+    TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(as_read_, TopAbs_FACE, faces);
-    UnionFind groups(work_.faces.size());
-    std::vector<int> first_face{-1};
-    for (int f = 0; f < faces.Extent(); ++f)
-      for (TopExp_Explorer inner(faces(f + 1), TopAbs_EDGE); inner.More(); inner.Next()) {
-        auto index = static_cast<std::size_t>(edges.Add(inner.Current()));
-        if (index == first_face.size()) first_face.push_back(f);
-        groups.merge(first_face[index], f);
-      }
-    for (std::size_t f = 0; f < work_.faces.size(); ++f) work_.faces[f].read_sheet = groups.find(static_cast<int>(f));
+    Hanging sheets(work_.faces.size(), TopAbs_EDGE);
+    for (int f = 0; f < faces.Extent(); ++f) sheets.add(static_cast<std::size_t>(f), faces(f + 1));
+    for (std::size_t f = 0; f < work_.faces.size(); ++f) work_.faces[f].read_sheet = sheets.group_of(f);
   }
 
+  static bool is_of_sheet(const WorkFace& face) { return face.uses.empty() && !face.is_dropped; }
+
   void add_sheets() {
-    UnionFind groups(work_.faces.size());
-    TopTools_IndexedMapOfShape edges;
-    std::vector<int> first_face{-1};
-    for (std::size_t f = 0; f < work_.faces.size(); ++f) {
-      if (!work_.faces[f].uses.empty() || work_.faces[f].is_dropped) continue;
-      for (TopExp_Explorer inner(work_.faces[f].face, TopAbs_EDGE); inner.More(); inner.Next()) {
-        auto index = static_cast<std::size_t>(edges.Add(inner.Current()));
-        if (index == first_face.size()) first_face.push_back(static_cast<int>(f));
-        groups.merge(first_face[index], static_cast<int>(f));
-      }
-    }
+    Hanging groups(work_.faces.size(), TopAbs_EDGE);
+    for (std::size_t f = 0; f < work_.faces.size(); ++f)
+      if (is_of_sheet(work_.faces[f])) groups.add(f, work_.faces[f].face);
     int sheets = 0;
     std::vector<int> part_of(work_.faces.size(), -1);
     for (std::size_t f = 0; f < work_.faces.size(); ++f) {
-      if (!work_.faces[f].uses.empty() || work_.faces[f].is_dropped) continue;
-      int& part = part_of[static_cast<std::size_t>(groups.find(static_cast<int>(f)))];
+      if (!is_of_sheet(work_.faces[f])) continue;
+      int& part = part_of[static_cast<std::size_t>(groups.group_of(f))];
       if (part < 0) part = add_part("Sheet" + std::to_string(++sheets), -1);
       work_.faces[f].uses.push_back({part, false});
     }
   }
 
   void add_wires() {
-    TopTools_IndexedMapOfShape edges, vertices;
+    TopTools_IndexedMapOfShape edges;
     for (TopExp_Explorer free(work_.shape, TopAbs_EDGE, TopAbs_FACE); free.More(); free.Next())
       edges.Add(free.Current());
     TopTools_IndexedMapOfShape bounding;
     for (const WorkFace& face : work_.faces) TopExp::MapShapes(face.face, TopAbs_EDGE, bounding);
     for (int i = 1; i <= edges.Extent(); ++i)
       if (!bounding.Contains(edges(i))) work_.wires.push_back({TopoDS::Edge(edges(i).Oriented(TopAbs_FORWARD)), -1});
-    UnionFind groups(work_.wires.size());
-    std::vector<int> first_wire{-1};
-    for (std::size_t w = 0; w < work_.wires.size(); ++w)
-      for (TopExp_Explorer ends(work_.wires[w].edge, TopAbs_VERTEX); ends.More(); ends.Next()) {
-        auto index = static_cast<std::size_t>(vertices.Add(ends.Current()));
-        if (index == first_wire.size()) first_wire.push_back(static_cast<int>(w));
-        groups.merge(first_wire[index], static_cast<int>(w));
-      }
+    Hanging groups(work_.wires.size(), TopAbs_VERTEX);
+    for (std::size_t w = 0; w < work_.wires.size(); ++w) groups.add(w, work_.wires[w].edge);
     int wires = 0;
     for (std::size_t w = 0; w < work_.wires.size(); ++w) {
-      auto root = static_cast<std::size_t>(groups.find(static_cast<int>(w)));
+      const auto root = static_cast<std::size_t>(groups.group_of(w));
       if (root == w) work_.wires[w].part = add_part("Wire" + std::to_string(++wires), -1);
       work_.wires[w].part = work_.wires[root].part;
     }
