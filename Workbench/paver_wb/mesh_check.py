@@ -139,6 +139,8 @@ def parts(mesh):
     for pair in mesh.report["model"].get("unconnected", []):
         findings.append(Finding(ERROR, translate("Paver", "{} touch but could not be connected; repair or fuse them.").format(
             " \u2013 ".join(pair))))
+    for solid in mesh.report["model"].get("one_sided", []):
+        findings.append(Finding(ERROR, translate("Paver", "The faces of {} cannot all look outwards; repair the solid.").format(solid)))
     for gap in mesh.report.get("gaps", []):
         findings.append(Finding(WARNING, translate("Paver", "{} come within {} mm of each other and share no node.").format(
             " \u2013 ".join(gap["parts"]), f"{gap['distance']:.3g}")))

@@ -1,12 +1,16 @@
-// Prints the largest distance of points from a model, by OpenCASCADE's own search:  paver_farthest
-// MODEL.brep|MODEL.step Standard input: three coordinates per point. For models whose parametrisation the judge cannot
-// follow.
+// Distances from a model by OpenCASCADE's own search, and points of it, for models whose parametrisation the judge
+// cannot follow:  paver_farthest MODEL.brep|MODEL.step Standard input: three coordinates per point. Prints "farthest"
+// and the largest distance of one of them from the model, then points all over the model's faces, one per line.
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Poly_Triangulation.hxx>
 #include <STEPControl_Reader.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -30,6 +34,19 @@ TopoDS_Shape read(const std::string& path) {
   return shape;
 }
 
+/// Nodes of OpenCASCADE's triangles: on the faces, inside their loops.
+void print_points(const TopoDS_Shape& faces) {
+  const BRepMesh_IncrementalMesh triangles(faces, 1e-3, true, 0.1);
+  for (TopExp_Explorer each(faces, TopAbs_FACE); each.More(); each.Next()) {
+    TopLoc_Location location;
+    const auto found = BRep_Tool::Triangulation(TopoDS::Face(each.Current()), location);
+    for (int i = 1; !found.IsNull() && i <= found->NbNodes(); ++i) {
+      const gp_Pnt x = found->Node(i).Transformed(location);
+      std::printf("%.17g %.17g %.17g\n", x.X(), x.Y(), x.Z());
+    }
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -48,5 +65,6 @@ int main(int argc, char** argv) {
     farthest = std::max(farthest, search.Value());
   }
   std::printf("farthest %.17g\n", farthest);
+  print_points(faces);
   return 0;
 }

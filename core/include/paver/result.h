@@ -138,6 +138,7 @@ struct ModelReport {
   std::vector<std::string> free_edge_names, nonmanifold_edge_names;  ///< "Edge7"
   std::vector<Contact> contacts;
   std::vector<std::array<std::string, 2>> unconnected;  ///< pairs of parts that touch and could not be connected
+  std::vector<std::string> one_sided;                   ///< solids whose faces have no side in common that is outside
   std::vector<Repair> repairs;                          ///< in the order of RepairKind, those that occurred
 };
 

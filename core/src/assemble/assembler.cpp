@@ -265,6 +265,7 @@ Assembler::Faults Assembler::check() {
   const bool is_alone = ranks_.count() == 1;
   if (!is_alone) number();
   CheckedMesh checked{model_, nodes_, mesh_, parts_, joined_.sizes, is_alone ? as_here : share_.node_number, moved_};
+  checked.target_length = target_length(options_);
   checked.shared_nodes = static_cast<int>(joined_.boundary_nodes) + static_cast<int>(joined_.outline.size());
   for (const FaceReport& face : report_.faces) checked.is_meshed.push_back(face.status == FaceStatus::meshed);
   check_ = check_mesh(checked, std::move(folded), options_.threads, progress_, ranks_);

@@ -27,10 +27,11 @@ void fields(A& archive, Is<Repair> auto& repair) {
 template <class A>
 void fields(A& archive, Is<ModelReport> auto& model) {
   auto& [file, format, unit, solids, shells, faces, edges, vertices, free_edges, nonmanifold_edges, sewn_edges,
-         sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names, contacts, unconnected, repairs] =
-      model;
+         sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names, contacts, unconnected, one_sided,
+         repairs] = model;
   archive(file, format, unit, solids, shells, faces, edges, vertices, free_edges, nonmanifold_edges, sewn_edges,
-          sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names, contacts, unconnected, repairs);
+          sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names, contacts, unconnected, one_sided,
+          repairs);
 }
 
 template <class A>

@@ -212,9 +212,9 @@ class CreaseFinder {
       bool is_around_u = std::abs(a.X() - b.X()) > 0.5 * range(true);
       bool is_around_v = std::abs(a.Y() - b.Y()) > 0.5 * range(false);
       if (is_u ? !is_around_u : !is_around_v) continue;
-      double other = is_u ? a.Y() : a.X();
-      auto low = normal_at(is_u, first(is_u) + aside(is_u), other),
-           high = normal_at(is_u, last(is_u) - aside(is_u), other);
+      if (is_u ? b.X() < a.X() : b.Y() < a.Y()) std::swap(a, b);
+      auto low = is_u ? normal_at(is_u, a.X() + aside(is_u), a.Y()) : normal_at(is_u, a.Y() + aside(is_u), a.X()),
+           high = is_u ? normal_at(is_u, b.X() - aside(is_u), b.Y()) : normal_at(is_u, b.Y() - aside(is_u), b.X());
       if (is_jump(low, high)) return true;
     }
     return false;

@@ -8,7 +8,8 @@
 namespace paver {
 namespace {
 
-constexpr double off_curve = 1e-6;  // of the chord
+constexpr double off_curve = 1e-6;   // of the chord
+constexpr double most_moved = 0.1;  // of the target length: how far off its curve mending may leave a middle
 
 /// One interval of an edge, with the mesh's line on it.
 class Interval {
@@ -20,6 +21,7 @@ class Interval {
                       first = 2 * static_cast<std::size_t>(interval);
     const int* v = &checked.mesh.lines[line * stride];
     is_curved_ = checked.mesh.order > 1;
+    target_length_ = checked.target_length;
     a_ = checked.mesh.nodes[v[0]], b_ = checked.mesh.nodes[v[1]], m_ = checked.mesh.nodes[v[is_curved_ ? 2 : 0]];
     std::copy_n(division.t.begin() + static_cast<long>(first), 3, t_);
     is_first_ = interval == 0, is_last_ = interval + 1 == division.intervals();
@@ -36,6 +38,8 @@ class Interval {
     return !(norm(a_ - start_) <= most) + (is_last_ && !(norm(b_ - end_) <= most)) +
            (is_curved_ && !(distance_to_way() <= most));
   }
+
+  bool is_far() const { return is_curved_ && !(norm(m_ - middle_) <= most_moved * target_length_); }
 
   /// Between the mesh's line and the curve.
   double area() const {
@@ -64,6 +68,7 @@ class Interval {
   Vec3 a_, b_, m_;             ///< of the mesh: ends and middle
   Vec3 start_, end_, middle_;  ///< where they should be
   double t_[3];
+  double target_length_;
 };
 
 }  // namespace
@@ -81,6 +86,7 @@ void check_boundary_nodes(const CheckedMesh& checked, const Ranks& ranks, MeshFa
                                   static_cast<std::size_t>(line - line_edge.begin()));
           for (long n = interval.nodes_off(); n > 0; --n)
             faults.add(static_cast<int>(f), FaultKind::off_edge, interval.where());
+          if (interval.is_far()) faults.add(static_cast<int>(f), FaultKind::chord, interval.where());
           slack.add(static_cast<int>(f), interval.area());
           if (coedge.pcurve) slack.add(static_cast<int>(f), interval.area_off(face, *coedge.pcurve));
         }

@@ -1,6 +1,7 @@
 // The mesh of a run with all that tells what it should be.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "boundary/edge_nodes.h"
@@ -24,6 +25,7 @@ struct CheckedMesh {
   const std::vector<int>& moved;         ///< middles and centres that were moved to mend elements, rising
   int shared_nodes = 0;                  ///< corner nodes before this one may be used by several parts
   std::vector<char> is_meshed{};         ///< per face of the model: its elements are in the mesh
+  double target_length = INFINITY;
 
   long number(int node) const { return node_number.empty() ? node : node_number[static_cast<std::size_t>(node)]; }
   /// Middle between two nodes.

@@ -18,6 +18,11 @@ constexpr double doubtful = 0.5;      // cosine between an element's normal and 
 constexpr double most_turned = 0.5;   // cosine: more turn costs no more area
 constexpr double chords_share = 1.5;  // of 1 / cosine - 1, what chords cost of an area; 1.25 of a sphere's
 constexpr double curved_share = 0.5;  // of its square, what is left at order 2
+// What sides of order 1, and what was moved to mend, may be off the surface, of the target length of the face. At the
+// limit of 45 degrees per side a sphere's sides are 0.1 off, the centres of its quads 0.2.
+constexpr double most_off_side = 0.15;
+constexpr double most_off_centre = 0.225;
+constexpr double most_off_moved = 0.1;
 
 class PartElementCheck {
  public:
@@ -73,9 +78,13 @@ class PartElementCheck {
       const Vec3 a = node(k) - origin, b = node(next(k)) - origin;
       area += mesh_.order == 1 ? swept(a, b) : swept(a, node(n_ + k) - origin, b);
     }
-    if (mesh_.order > 1) check_inner_nodes();
+    least_along_ = least_along(unit(area));
+    if (mesh_.order > 1)
+      check_inner_nodes();
+    else
+      check_chords();
     check_direction(unit(area));
-    slack_.add(area_slack(area));
+    slack_.add(area_slack(norm(area)));
   }
 
   void check_direction(Vec3 normal) {
@@ -107,15 +116,41 @@ class PartElementCheck {
     return outward(cross(xp, xq));
   }
 
-  // What the surface turns by from the element's normal to that at a corner makes it larger than the chords.
-  double area_slack(Vec3 area) const {
-    const double size = norm(area);
+  /// Cosine of the largest angle from the element's normal to the surface's at a corner.
+  double least_along(Vec3 normal) const {
     double least = 1;
     for (int k = 0; k < n_; ++k)
-      if (const Vec3 normal = normals_[static_cast<std::size_t>(c_[k])]; dot(normal, normal) > 0)
-        least = std::min(least, dot(area, normal) / size);
-    const double turn = 1 / std::max(least, most_turned) - 1;
+      if (const Vec3 at = normals_[static_cast<std::size_t>(c_[k])]; dot(at, at) > 0)
+        least = std::min(least, dot(normal, at));
+    return least;
+  }
+
+  // What the surface turns by from the element's normal to that at a corner makes it larger than the chords.
+  double area_slack(double size) const {
+    const double turn = 1 / std::max(least_along_, most_turned) - 1;
     return 0.5 * size * (mesh_.order == 1 || is_moved_ ? chords_share * turn : curved_share * turn * turn);
+  }
+
+  /// At order 1. Sides between nodes of the boundary are as far off as the division of edges lets them be.
+  void check_chords() {
+    constexpr double flat = 0.966;  // cosine of 15 degrees: a side of two target lengths is less than most_off_side off
+    if (least_along_ >= flat) return;
+    const double h = part_.region->h;
+    Vec3 centre;
+    Vec2 place;
+    for (int k = 0; k < n_; ++k) {
+      const int a = c_[k], b = c_[next(k)];
+      centre += (1.0 / n_) * node(k);
+      place = place + (1.0 / n_) * region_.p[a];
+      if (v_[k] > v_[next(k)] || (region_.global[a] >= 0 && region_.global[b] >= 0)) continue;
+      const SideCubic side(region_, a, b);
+      const Vec3 x = 0.5 * (side.a + side.b);
+      if (side.is_smooth() && norm(middle_of(side) - x) <= 0.5 * most_off_side * h) continue;
+      if (!is_near_surface(x, guess_middle(region_, a, b, {}), norm(side.b - side.a), most_off_side * h))
+        faults_.add(face(), FaultKind::chord, x);
+    }
+    if (!is_near_surface(centre, place, norm(node(2) - node(0)), most_off_centre * h))
+      faults_.add(face(), FaultKind::chord, centre);
   }
 
   void check_inner_nodes() {
@@ -170,15 +205,20 @@ class PartElementCheck {
            dot(off, off) <= most_along * most_along * length * length;
   }
 
-  /// From the corners, too: where the surface bends much the way from the guess may lead elsewhere.
   void check_distance(int node, Vec2 guess, double length) {
     const Vec3 x = mesh_.nodes[static_cast<std::size_t>(node)];
-    const double most = off_inner * length;
+    if (is_moved(node)) {
+      if (!is_near_surface(x, guess, length, most_off_moved * part_.region->h)) faults_.add(face(), FaultKind::chord, x);
+    } else if (!is_near_surface(x, guess, length, off_inner * length)) {
+      faults_.add(face(), FaultKind::off_surface, x);
+    }
+  }
+
+  /// Looks from the corners, too: where the surface bends much the way from the guess may lead elsewhere.
+  bool is_near_surface(Vec3 x, Vec2 guess, double length, double most) const {
     auto is_found_from = [&](Vec2 start) { return distance_to_surface(*part_.region, start, x, length, most) <= most; };
-    if (is_moved(node) || is_found_from(guess) || is_found_from(middle_of_corners())) return;
-    for (int k = 0; k < n_; ++k)
-      if (is_found_from(region_.p[c_[k]])) return;
-    faults_.add(face(), FaultKind::off_surface, x);
+    if (is_found_from(guess) || is_found_from(middle_of_corners())) return true;
+    return std::any_of(c_.begin(), c_.begin() + n_, [&](int corner) { return is_found_from(region_.p[corner]); });
   }
 
   const CheckedMesh& checked_;
@@ -195,6 +235,7 @@ class PartElementCheck {
   int n_ = 0;
   std::array<int, 4> c_{};
   bool is_moved_ = false;
+  double least_along_ = 1;  // see least_along()
 };
 
 }  // namespace

@@ -80,6 +80,8 @@ std::string MeshFaults::reason(int face) const {
       return counted("a node lies", "nodes lie") + " off the B-rep edge; repair the edge in the CAD model";
     case FaultKind::off_surface:
       return counted("a node lies", "nodes lie") + " off its surface" + remedy;
+    case FaultKind::chord:
+      return counted("an element cuts", "elements cut") + " far across a bend of it" + remedy;
     case FaultKind::area:
       return std::string("its elements do not cover its area") + remedy;
   }

@@ -21,6 +21,7 @@ enum class FaultKind {
   shared,        ///< mesh edge with elements of more faces than meet there
   off_edge,      ///< node that is not on its B-rep edge
   off_surface,   ///< node that is not on the face
+  chord,         ///< side or centre farther from the face than chords may be
   area,          ///< elements do not cover the face
 };
 

@@ -68,6 +68,7 @@ Json model_json(const ModelReport& m) {
           {"nonmanifold_edge_names", m.nonmanifold_edge_names},
           {"contacts", contacts_json(m.contacts)},
           {"unconnected", m.unconnected},
+          {"one_sided", m.one_sided},
           {"repairs", repairs_json(m.repairs)}};
 }
 

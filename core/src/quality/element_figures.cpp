@@ -75,7 +75,7 @@ std::vector<int> find_invalid(const SurfaceMesh& mesh, bool is_quad) {
       elements.gather(first, end);
       elements.form.bound_lanes(elements.x, low);
       for (std::size_t lane = 0; lane < std::min(Gatherer::lanes, end - first); ++lane)
-        if (!(low.of[lane] > 0) && !elements.form.is_valid(elements.nodes(first + lane).data()))
+        if (!(low.of[lane] > JacobianForm::flat_ratio) && !elements.form.is_valid(elements.nodes(first + lane).data()))
           found[b].push_back(static_cast<int>(first + lane));
     }
   });

@@ -2,7 +2,8 @@
 //
 //   1. control points x, relative to the first node; mean of x_u x x_v gives the normal n and the mean of det
 //   2. x is projected along n: det = 2-D cross product of the projected x_u and x_v, divided by its mean
-//   3. all coefficients positive: valid; a value at a corner or on the lattice not positive: invalid
+//   3. all coefficients positive (above what rounding may hide): valid; a value at a corner or on the lattice not
+//      positive: invalid
 //   4. else split in four and look again; 8 levels, then undecided
 // The steps and limits follow core/docs/quality.md, "Curved elements". Source: [Johnen13].
 #include "quality/jacobian.h"
@@ -79,12 +80,12 @@ void JacobianForm::split(const Coefficients& c, int level, Split& state) const {
       for (int k = 0; k < count_; ++k) value += row[k] * c[k];
       quarter[i] = value;
     }
-    if (least_of(quarter.data(), corners_) <= 0) {
+    if (least_of(quarter.data(), corners_) <= flat_ratio) {
       state.is_invalid = true;
       return;
     }
     double low = least(quarter.data(), count_);
-    bool is_doubtful = low <= 0 || (state.is_close && low < poor_ratio && level < close_levels);
+    bool is_doubtful = low <= flat_ratio || (state.is_close && low < poor_ratio && level < close_levels);
     if (is_doubtful && level < most_levels - 1) {
       split(quarter, level + 1, state);
       if (state.is_invalid) return;
@@ -98,13 +99,13 @@ JacobianBound JacobianForm::bound(const Vec3* x, bool is_close) const {
   Coefficients c;
   if (!coefficients(x, c)) return {Validity::invalid, 0};
   double low = least(c.data(), count_);
-  if (low >= poor_ratio || (low > 0 && !is_close)) return {Validity::valid, low};
+  if (low >= poor_ratio || (low > flat_ratio && !is_close)) return {Validity::valid, low};
   double corner = least_of(c.data(), corners_);
-  double sampled = low > 0 ? low : std::min(corner, least_sample(c));
-  if (sampled > 0) {
+  double sampled = low > flat_ratio ? low : std::min(corner, least_sample(c));
+  if (sampled > flat_ratio) {
     Split state{is_close};
     split(c, 0, state);
-    if (!state.is_invalid) return {state.low > 0 ? Validity::valid : Validity::undecided, state.low};
+    if (!state.is_invalid) return {state.low > flat_ratio ? Validity::valid : Validity::undecided, state.low};
   }
   return {Validity::invalid, std::min(sampled, 0.0)};
 }

@@ -49,10 +49,12 @@ class JacobianForm {
   /// Scaled Jacobian, area and lowest coefficient of several elements at once, bit for bit those of one alone.
   /// `x`: three per node: x, y, z.
   void measure_lanes(const Lanes* x, LaneFigures& figures) const;
-  /// Of these the lowest coefficient alone: an element is valid where it is positive.
+  /// Of these the lowest coefficient alone: an element is valid where it is above flat_ratio.
   void bound_lanes(const Lanes* x, Lanes& low) const;
 
   static constexpr double poor_ratio = 0.5;  ///< lower bounds below it are worked out more closely
+  static constexpr double flat_ratio =
+      1e-9;  ///< det over its mean that is not proven positive: rounding may hide a fold
 
   /// Area of the curved element by Gauss quadrature with p + 2 points per direction, in units of x squared.
   double area(const Vec3* x) const;

@@ -1,5 +1,6 @@
 // Whether a result is all that was asked for, in one sentence.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -40,6 +41,13 @@ std::string unconnected_parts(const std::vector<std::array<std::string, 2>>& pai
       text);
 }
 
+std::string one_sided_solids(const std::vector<std::string>& solids) {
+  return fmt::format(
+      "The normals of the faces of {} cannot all look outwards: their loops contradict each other; repair the solid in "
+      "the CAD program.",
+      fmt::join(solids, ", "));
+}
+
 constexpr const char* no_mesh = "None of the faces has an area, so there is no mesh.";
 
 }  // namespace
@@ -58,6 +66,7 @@ std::vector<std::string> faults(const RunReport& report) {
   const QualityReport& quality = report.quality;
   if (sentences.empty() && quality.quads + quality.triangles + quality.wire_lines == 0) sentences.push_back(no_mesh);
   if (!report.model.unconnected.empty()) sentences.push_back(unconnected_parts(report.model.unconnected));
+  if (!report.model.one_sided.empty()) sentences.push_back(one_sided_solids(report.model.one_sided));
   if (const long folded = quality.inverted + quality.undecided; folded > 0)
     sentences.push_back(fmt::format("Elements that fold or may fold: {}; use a smaller size.", folded));
   return sentences;
@@ -94,6 +103,8 @@ std::optional<Error> shortfall(const MeshResult& result) {
   const auto& unconnected = result.report.model.unconnected;
   if (!unconnected.empty())
     return Error(ErrorCode::face_failed, unconnected_parts(unconnected), {"topology", -1, -1, {}});
+  const auto& one_sided = result.report.model.one_sided;
+  if (!one_sided.empty()) return Error(ErrorCode::face_failed, one_sided_solids(one_sided), {"topology", -1, -1, {}});
   if (!has_mesh) return Error(ErrorCode::no_faces, no_mesh);
   return std::nullopt;
 }

@@ -20,11 +20,13 @@ namespace {
 constexpr int grid_size = 17;            // samples per direction: enough for a B-spline of about 8 spans
 constexpr double smallest_share = 0.25;  // of H inside faces: a tiny fillet must not explode the count
 constexpr double one_way_turn = 2.5;
+constexpr double chord_turn = 1.25;                   // the same for sides as long as h that are straight
 constexpr double short_turn_limit = 75 * M_PI / 180;  // decision turn-of-short-edges
 constexpr double degenerate_area = 1e-9;  // of the largest |xu x xv| on the face: such a point counts as a pole
 
 struct CurvatureSample {
   double area = 0;       // |xu x xv|
+  double larger = 0;     // of the principal curvatures
   double curvature = 0;  // the one that limits h, see limiting_curvature(); NaN where it has none
 };
 
@@ -48,8 +50,9 @@ CurvatureSample sample_curvature(const Surface& surface, Vec2 uv) {
   double across = (vv - 2 * shear * uv_part + shear * shear * uu) * square / (sample.area * sample.area);
   double half = 0.5 * (along - across);
   double mean = 0.5 * std::abs(along + across), spread = std::sqrt(half * half + mixed * mixed);
-  sample.curvature = limiting_curvature(mean + spread, std::abs(mean - spread));
-  if (!std::isfinite(sample.area)) sample = {0, std::numeric_limits<double>::quiet_NaN()};
+  sample.larger = mean + spread;
+  sample.curvature = limiting_curvature(sample.larger, std::abs(mean - spread));
+  if (!std::isfinite(sample.area)) sample = {0, 0, std::numeric_limits<double>::quiet_NaN()};
   return sample;
 }
 
@@ -58,8 +61,11 @@ struct SampledFace {
   double mean_density = 0;  // area-weighted mean of 1 / h^2
 };
 
-double limited_size(double curvature, double h, double turn_limit) {
-  double limited = curvature > 0 ? turn_limit / curvature : h;
+// A straight side lies about length x turn / 8 off the surface, which is what counts (decision turn-of-short-edges).
+double limited_size(const CurvatureSample& sample, double h, double turn_limit, bool is_straight) {
+  double limited = sample.curvature > 0 ? turn_limit / sample.curvature : h;
+  if (is_straight && sample.larger > 0)
+    limited = std::min(limited, std::sqrt(chord_turn * turn_limit / sample.larger * h));
   return std::clamp(limited, smallest_share * h, h);
 }
 
@@ -81,7 +87,7 @@ void fill_degenerate(std::vector<double>& sizes, double h) {
   }
 }
 
-SampledFace sample_face(const Model& model, const Face& face, double h, double turn_limit) {
+SampledFace sample_face(const Model& model, const Face& face, double h, double turn_limit, bool is_straight) {
   SampledFace flat{FaceSize(h), 1 / (h * h)};
   if (!face.surface || face.surface->kind() == SurfaceKind::plane) return flat;
   SampleBox box = sample_box(model, face);
@@ -101,7 +107,7 @@ SampledFace sample_face(const Model& model, const Face& face, double h, double t
   for (const CurvatureSample& sample : samples) {
     bool is_degenerate = !std::isfinite(sample.curvature) || sample.area <= degenerate_area * largest_area;
     sizes.push_back(is_degenerate ? std::numeric_limits<double>::quiet_NaN()
-                                  : limited_size(sample.curvature, h, turn_limit));
+                                  : limited_size(sample, h, turn_limit, is_straight));
   }
   fill_degenerate(sizes, h);
 
@@ -206,8 +212,8 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
     const Face& face = model.faces[f];
     bool is_meshed = face.has_area && face.fault.empty();
-    SampledFace sampled =
-        is_meshed ? sample_face(model, face, field.face_h[f], field.turn_limit) : SampledFace{FaceSize(field.h), 0};
+    SampledFace sampled = is_meshed ? sample_face(model, face, field.face_h[f], field.turn_limit, options.order == 1)
+                                    : SampledFace{FaceSize(field.h), 0};
     field.perimeter.push_back(perimeter(model, face) / field.face_h[f]);
     if (is_meshed && !field.local->is_empty()) {
       sampled.size.set_local(field.local);

@@ -339,6 +339,7 @@ class ModelBuilder {
       add(std::to_string(repair.count) + " " + repair_name(repair.kind) +
           (repair.faces.empty() ? "" : " (" + list_names(repair.faces) + ")"));
     for (const auto& pair : model_.report.unconnected) add(pair[0] + " and " + pair[1] + " touch and stay apart");
+    for (const std::string& part : model_.report.one_sided) add(part + " has no outside");
     if (faults.empty()) return;
     throw Error(ErrorCode::damaged_file,
                 "'" + model_.report.file + "' is not clean, and strict is on: " + faults +

@@ -104,7 +104,7 @@ class Orienter {
     if (group_[other] < 0) {
       enter(there.use, is_turned);
     } else if (is_turned_[other] != is_turned) {
-      is_one_sided_ = true;
+      one_sided_.insert(use(u).part);
     }
   }
 
@@ -256,9 +256,14 @@ class Orienter {
     }
     if (!turned.empty())
       model_.notes.push_back("Turned over so that normals agree and look outwards: " + list_names(turned) + ".");
-    if (is_one_sided_)
-      model_.notes.push_back(
-          "The faces form a one-sided surface (like a Moebius strip): their normals cannot all agree.");
+    for (int part : one_sided_) {
+      const WorkPart& known = work_.parts[static_cast<std::size_t>(part)];
+      if (known.solid >= 0)
+        model_.report.one_sided.push_back(known.name);
+      else
+        model_.notes.push_back("The faces of " + known.name +
+                               " form a one-sided surface (like a Moebius strip): their normals cannot all agree.");
+    }
     return turned;
   }
 
@@ -272,7 +277,7 @@ class Orienter {
   std::vector<bool> is_turned_;           ///< per use
   std::vector<std::vector<int>> groups_;  ///< uses that hang together
   std::set<std::size_t> turned_groups_;   ///< by align_sheets()
-  bool is_one_sided_ = false;
+  std::set<int> one_sided_;               ///< parts
 };
 
 }  // namespace

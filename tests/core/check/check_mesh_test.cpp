@@ -148,6 +148,42 @@ TEST(CheckMesh, FindsMiddlesAndCentresOffTheSurfaceUnlessMendingMovedThem) {
   }
 }
 
+TEST(CheckMesh, FindsWhatMendingMovedTooFar) {
+  for (int k : {4, 8}) {
+    CheckedModel model(fake::ball(3), 1, 2);
+    const int node = model.inner_quad(0)[k];
+    model.moved = {node};
+    Vec3& x = model.mesh.nodes[static_cast<std::size_t>(node)];
+    const Vec3 on = x;
+    for (double off : {0.09, 0.11}) {
+      x = (1 - off / 3) * on;
+      EXPECT_EQ(model.check().count(0, FaultKind::chord), off > 0.1) << k;
+    }
+  }
+}
+
+TEST(CheckMesh, FindsStraightElementsThatCutAcrossABend) {
+  // Where a size of their own is not asked for: by the turn these are too long.
+  CheckedModel model(fake::ball(3), 3, 1);
+  EXPECT_EQ(model.check().count(0, FaultKind::chord), 0);
+  for (Region& region : model.regions) region.h = 1;
+  EXPECT_GT(model.check().count(0, FaultKind::chord), 0);
+}
+
+TEST(CheckMesh, FindsMiddlesFarOffTheirEdge) {
+  CheckedModel model(fake::tube(4, 10), 1, 2);
+  model.target_length = 1;
+  for (std::size_t line = 0; line < model.mesh.line_edge.size(); ++line) {
+    const int* v = &model.mesh.lines[3 * line];
+    Vec3& middle = model.mesh.nodes[static_cast<std::size_t>(v[2])];
+    middle =
+        0.5 * (model.mesh.nodes[static_cast<std::size_t>(v[0])] + model.mesh.nodes[static_cast<std::size_t>(v[1])]);
+  }
+  EXPECT_EQ(model.check().count(0, FaultKind::chord), 0);  // an element's chord is 0.03 off
+  model.target_length = 0.1;
+  EXPECT_GT(model.check().count(0, FaultKind::chord), 0);
+}
+
 TEST(CheckMesh, FindsAFaceThatIsNotCovered) {
   for (int order : {1, 2}) {
     CheckedModel model(fake::angle(), 0.5, order);

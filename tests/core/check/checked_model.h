@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -47,7 +48,8 @@ class CheckedModel : public test::PavedModel {
 
   /// With the areas that the mesh has now.
   MeshFaults check(Ranks& ranks) {
-    const CheckedMesh checked{model, edges, mesh, parts, joined.sizes, numbers, moved, boundary(), is_meshed};
+    const CheckedMesh checked{model,   edges, mesh,       parts,     joined.sizes,
+                              numbers, moved, boundary(), is_meshed, target_length};
     MeshCheck check = check_mesh(checked, {}, 1, Progress(), ranks);
     if (ranks.count() == 1) {
       measure_quality(mesh, 1, std::vector<bool>(model.edges.size()), figures, Progress());
@@ -78,6 +80,7 @@ class CheckedModel : public test::PavedModel {
   std::vector<long> numbers;  // of nodes in the whole mesh of order 1; on one rank none
   std::vector<FaceReport> figures;
   SurfaceMesh mesh;
+  double target_length = INFINITY;
 
  private:
   static Options options_of(double h) {

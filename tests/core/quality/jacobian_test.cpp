@@ -112,6 +112,14 @@ TEST(JacobianForm, DecidesWhereAMiddleNodeFoldsASide) {
   EXPECT_FALSE(form.is_valid(square_with_middle_at(0.76).data()));
 }
 
+TEST(JacobianForm, ACornerOfHalfATurnIsInvalidWhicheverWayItIsRounded) {
+  const JacobianForm& form = jacobian_form(ElementShape::quad, 1);
+  for (double off : {-1e-14, 0.0, 1e-14, 1e-7}) {
+    const std::array<Vec3, 4> x{Vec3{0, 0, 0}, {1, -off, 0}, {2, 0, 0}, {0, 1, 0}};
+    EXPECT_EQ(form.is_valid(x.data()), off > 1e-8) << off;
+  }
+}
+
 TEST(JacobianForm, SplitsUntilTheSignIsCertainThoughACoefficientIsNegative) {
   // On the side, x_u is quadratic and everywhere positive, but its middle coefficient is not.
   auto x = element(ElementShape::quad, 2, [](double u, double v) { return Vec3{u, v, 0}; });

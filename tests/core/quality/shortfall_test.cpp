@@ -30,6 +30,16 @@ TEST(Shortfall, IsNoFacesWhenNoneHasAnArea) {
   EXPECT_EQ(shortfall(result).value().code(), ErrorCode::no_faces);
 }
 
+TEST(Shortfall, NamesSolidsWithoutAnOutside) {
+  MeshResult result = fake::WavyMesh(1, 4, 0).result();
+  result.report.model.one_sided = {"Solid2"};
+  auto error = shortfall(result);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(exit_code(error->code()), 4);
+  EXPECT_NE(std::string(error->what()).find("of Solid2 cannot"), std::string::npos);
+  EXPECT_STREQ(verdict(result.report), "faulty");
+}
+
 TEST(Shortfall, NamesPartsThatAreNotConnected) {
   MeshResult result = fake::WavyMesh(1, 4, 0).result();
   result.report.quality.quads = 3;
