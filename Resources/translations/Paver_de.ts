@@ -487,6 +487,10 @@
         <translation>{} berühren sich, ließen sich aber nicht verbinden; bitte reparieren oder vereinigen.</translation>
     </message>
     <message>
+        <source>The faces of {} cannot all look outwards; repair the solid.</source>
+        <translation>Die Flächen von {} können nicht alle nach außen zeigen; bitte den Körper reparieren.</translation>
+    </message>
+    <message>
         <source>{} come within {} mm of each other and share no node.</source>
         <translation>{} kommen einander auf {} mm nahe und haben keinen Knoten gemeinsam.</translation>
     </message>

@@ -3,7 +3,7 @@ import os
 import tempfile
 from contextlib import contextmanager
 
-from paver_wb import child_process, core, fem_mesh, mesh_object, statistics
+from paver_wb import child_process, core, fem_mesh, mesh_file, mesh_object, statistics
 
 # ending: what it is; in the order in which they are offered
 OWN = {"msh": "Gmsh", "vtu": "VTK"}
@@ -46,8 +46,8 @@ def write_own(mesh, path, msh_version="4.1", ascii=False, progress=None, cancel=
     """Writes a StoredMesh to .msh or .vtu, in any thread. NotWritten; paver.Cancelled when it is stopped."""
     paver = core.load()
     try:
-        statistics.surface_mesh(mesh).write(path, face_names=mesh.face_names, edge_names=mesh.edge_names, edge_groups=mesh.edge_groups,
-                                            msh_version=msh_version, ascii=ascii, progress=progress, cancel=cancel)
+        statistics.surface_mesh(mesh).write(path, face_names=mesh_file.labels(mesh), edge_names=mesh.edge_names,
+                                            edge_groups=mesh.edge_groups, msh_version=msh_version, ascii=ascii, progress=progress, cancel=cancel)
     except paver.Cancelled:
         raise
     except paver.Error as error:

@@ -44,6 +44,12 @@ class DamagedMesh(ValueError):
     """A stored mesh cannot be read. The text is one sentence."""
 
 
+def labels(mesh):
+    """Names of a mesh's faces for people: "Ground plane/Face3". Documents of before these were known have group names."""
+    return [name if face["label"] == face["name"] else face["label"]
+            for face, name in zip(mesh.report["faces"], mesh.face_names)]
+
+
 def of_result(result, face_names):
     """StoredMesh of a paver.Result."""
     arrays = {name: getattr(result, name) for name in ARRAYS}

@@ -9,7 +9,8 @@ from paver_wb.mesh_file import BOTH
 class Job(NamedTuple):
     """What a run needs.
 
-    shape: FreeCAD's binary stream of all that is meshed, each where it stands; name: of it, in messages.
+    shape: FreeCAD's binary stream of all that is meshed, each where it stands; name: of it, in messages; labels: of its
+        faces, "Ground plane/Face3", none of a single object.
     options: as paver.mesh takes them.
     sources: names of the objects in the shape, in its order.
     digest: of the shape; decisive: text that is equal for equal options.
@@ -17,6 +18,7 @@ class Job(NamedTuple):
 
     shape: bytes
     name: str
+    labels: list
     options: dict
     sources: tuple
     digest: str
@@ -24,7 +26,7 @@ class Job(NamedTuple):
 
     def model(self):
         """A paver.Model of the shape."""
-        return core.load().Model(self.shape, self.name)
+        return core.load().Model(self.shape, self.name, self.labels)
 
 
 class Place(NamedTuple):
@@ -37,13 +39,14 @@ class Place(NamedTuple):
 def face_names(sources, result):
     """Names of groups: "Face3" of a single source, "Box_Face3" where several are meshed together; "Box_Face3 + Rod_Face1"
     for what these have in common."""
+    names = [face["name"] for face in result.report["faces"]]
     if len(sources) < 2:
-        return result.face_names
+        return names
     own = {}
     for source, part in reversed(list(zip(sources, result.parts))):  # the first one names what several share
         for number, face in enumerate(part.faces):
             own[f"Face{face + 1}"] = f"{source}_Face{number + 1}"
-    return [BOTH.join(own.get(face, face) for face in name.split(BOTH)) for name in result.face_names]
+    return [BOTH.join(own.get(face, face) for face in name.split(BOTH)) for name in names]
 
 
 def place_of(model, error):

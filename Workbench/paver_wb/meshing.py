@@ -1,7 +1,7 @@
 """Meshing of a mesh object, as it is asked for by commands, scripts and jobs."""
 from contextlib import contextmanager
 
-from paver_wb import core, fem_mesh, mesh_job, mesh_object, properties, refinement, source_shapes
+from paver_wb import core, fem_mesh, mesh_file, mesh_job, mesh_object, properties, refinement, source_shapes
 from paver_wb.mesh_job import Job
 
 
@@ -33,9 +33,9 @@ def prepare(obj, **changes):
         raise paver.InputError(f"'{obj.Label}' has no object to mesh; set its property Part.", "no_faces",
                                "set its property Part")
     properties.check_ranks(obj)
-    shape, name = _shapes.source_of(parts, None)
+    shape, name, labels = _shapes.source_of(parts, None)
     decisive = properties.decisive(obj, properties.merged(obj, changes))
-    return Job(shape, name, options_of(obj, changes), tuple(part.Name for part in parts),
+    return Job(shape, name, labels, options_of(obj, changes), tuple(part.Name for part in parts),
                source_shapes.digest_of(shape), decisive)
 
 
@@ -64,7 +64,7 @@ def show_results(obj, mesh):
     obj.TargetLength = mesh.report["target_length"]
     obj.WorstScaledJacobian = quality["sj"]["all"]["min"]
     obj.Watertight = quality["watertight"]
-    obj.FailedFaces = [f"{mesh.face_names[i]}: {face['reason']}" for i, face in enumerate(mesh.report["faces"])
+    obj.FailedFaces = [f"{label}: {face['reason']}" for label, face in zip(mesh_file.labels(mesh), mesh.report["faces"])
                        if face["status"] == "failed"]
 
 

@@ -23,19 +23,20 @@ class Model:
 
     `shape` is a Part.Shape, an object of a FreeCAD document (taken where it stands, with all placements; App::Part and
     links too), a list of these, the path of a STEP, IGES or BREP file, or the content of one as bytes. `name` stands
-    for it in messages and in the report. `path` is that of a file, else empty.
+    for it in messages and in the report. `path` is that of a file, else empty. Faces of several objects, or of an
+    App::Part, are called by the labels of these, "Board/Face3"; `labels` gives other names, in the order of the faces.
 
     FreeCAD's objects are looked at here and now; after that the model may be used in any thread. Files are read when
     first needed, and what was read is kept.
     """
 
-    def __init__(self, shape, name=None):
-        source, self.name = _shapes.source_of(shape, name)
+    def __init__(self, shape, name=None, labels=None):
+        source, self.name, own = _shapes.source_of(shape, name)
         self.path = source if isinstance(source, str) else ""
         if self.path:
             self._source = _paver.Source.of_file(os.fsencode(source), os.fsencode(self.name))
         else:
-            self._source = _paver.Source.of_bytes(source, os.fsencode(self.name))
+            self._source = _paver.Source.of_bytes(source, os.fsencode(self.name), own if labels is None else labels)
 
     def __repr__(self):
         return f"<paver.Model {self.name!r}>"

@@ -5,6 +5,7 @@ Shapes travel as FreeCAD's own binary stream, which keeps every coordinate bit f
 import os
 import tempfile
 
+from . import _face_labels
 from ._errors import InputError
 
 
@@ -68,17 +69,19 @@ def binary(shape):
 
 
 def source_of(thing, name):
-    """(path or bytes, name) of whatever may be meshed."""
+    """(path or bytes, name, labels of faces) of whatever may be meshed."""
     if isinstance(thing, (str, os.PathLike)):
         path = os.fsdecode(os.fspath(thing))
-        return path, name or path
+        return path, name or path, []
     if isinstance(thing, (bytes, bytearray, memoryview)):
-        return thing, name or "bytes"
+        return thing, name or "bytes", []
     if is_shape(thing) or is_object(thing):
-        return binary(shape_of(thing)), name or label_of(thing)
+        shape = shape_of(thing)
+        return binary(shape), name or label_of(thing), _face_labels.of([thing], [shape], shape)
     if isinstance(thing, (list, tuple)) and thing and all(is_shape(t) or is_object(t) for t in thing):
         import Part
-        compound = Part.Compound([shape_of(t) for t in thing])  # FreeCAD 1.0's makeCompound crashes in a plain Python
-        return binary(compound), name or ", ".join(label_of(t) for t in thing)
+        shapes = [shape_of(t) for t in thing]
+        compound = Part.Compound(shapes)  # FreeCAD 1.0's makeCompound crashes in a plain Python
+        return binary(compound), name or ", ".join(label_of(t) for t in thing), _face_labels.of(thing, shapes, compound)
     remedy = "pass a Part.Shape, an object of a FreeCAD document, a list of these, the path of a CAD file, or its bytes"
     raise TypeError(f"A {type(thing).__name__} cannot be meshed; {remedy}.")

@@ -36,19 +36,22 @@ class Source {
     source->name_ = name;
     return source;
   }
-  static std::unique_ptr<Source> of_bytes(const py::buffer& content, const std::string& name) {
+  /// `labels`: names for the faces, as read_bytes() takes them.
+  static std::unique_ptr<Source> of_bytes(const py::buffer& content, const std::string& name,
+                                          const std::vector<std::string>& labels) {
     auto source = std::make_unique<Source>();
     py::buffer_info info = content.request();
     const char* bytes = static_cast<const char*>(info.ptr);
     source->bytes_.emplace(bytes, bytes + info.size * info.itemsize);
     source->name_ = name;
+    source->labels_ = labels;
     return source;
   }
 
   CadModel model(Progress& progress) {
     std::unique_lock lock(mutex_, std::defer_lock);
     while (!lock.try_lock_for(std::chrono::milliseconds(20))) progress.check();
-    if (!model_) model_ = bytes_ ? read_bytes(*bytes_, name_, progress) : read_file(path_, progress, name_);
+    if (!model_) model_ = bytes_ ? read_bytes(*bytes_, name_, progress, labels_) : read_file(path_, progress, name_);
     return *model_;
   }
 
@@ -57,6 +60,7 @@ class Source {
     Job job;
     job.input = path_;
     job.name = name_;
+    job.labels = labels_;
     job.options = given;
     job.returns_mesh = true;
     return paver::mesh_in_ranks(job, ranks, progress, bytes_ ? std::span<const char>(*bytes_) : std::span<const char>())
@@ -65,6 +69,7 @@ class Source {
 
  private:
   std::string path_, name_;
+  std::vector<std::string> labels_;
   std::optional<std::vector<char>> bytes_;
   std::timed_mutex mutex_;
   std::optional<CadModel> model_;

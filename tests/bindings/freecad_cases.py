@@ -190,6 +190,61 @@ class Documents(unittest.TestCase):
                 for node in result.quads[result.quad_faces == number][:3].ravel():
                     self.assertLess(distance(result.nodes[node], face), 1e-7)
 
+    def add_antenna(self):
+        """A rod on a board in an App::Part."""
+        part = self.add("App::Part", placed(0, 0, 50))
+        board = self.add("Part::Box", placed(0, 0, 0), part, Label="Ground plane", Length=40, Width=30, Height=2)
+        rod = self.add("Part::Cylinder", FreeCAD.Placement(Vector(20, 15, 2), Rotation()), part, Label="Rod", Radius=3,
+                       Height=20)
+        self.document.recompute()
+        return part, board, rod
+
+    BOARD = [f"Ground plane/Face{i}" for i in range(1, 7)]
+    ROD = [f"Rod/Face{i}" for i in range(1, 4)]
+    ANTENNA = BOARD + ROD + ["Ground plane/Face6 + Rod/Face2"]
+
+    def test_faces_are_called_by_the_object_they_are_of(self):
+        part, board, rod = self.add_antenna()
+        for ranks in (0, 2):
+            result = paver.mesh(part, size=5, ranks=ranks)
+            self.assertEqual(result.face_names, self.ANTENNA)
+            self.assertEqual([face["label"] for face in result.report["faces"]], self.ANTENNA)
+            self.assertEqual(result.report["components"], [["Ground plane", "Rod"]])
+            self.assertEqual([contact["parts"] for contact in result.report["model"]["contacts"]], [["Ground plane", "Rod"]])
+        self.assertEqual(paver.mesh([board, rod], size=5).face_names, self.ANTENNA)
+        self.assertEqual(paver.mesh(board, size=5).face_names, [f"Face{i}" for i in range(1, 7)])
+        shapes = paver.mesh([board.Shape, rod.Shape], size=5)
+        self.assertEqual(shapes.report["faces"][7]["label"], "Shape2/Face2")
+
+    def test_hidden_members_of_a_part_are_left_out_and_those_of_parts_inside_are_not(self):
+        part, board, rod = self.add_antenna()
+        inner = self.add("App::Part", placed(0, 0, 0), part)
+        self.add("Part::Box", placed(100, 0, 0), inner, Label="Load")
+        self.add("Part::Box", placed(200, 0, 0), part, Label="Hidden").Visibility = False
+        link = self.add("App::Link", FreeCAD.Placement(Vector(0, 0, 500), Rotation()), LinkedObject=part, Label="Copy")
+        self.document.recompute()
+        load = [f"Load/Face{i}" for i in range(1, 7)]
+        self.assertEqual(paver.mesh(part, size=5).face_names, self.BOARD + self.ROD + load + self.ANTENNA[-1:])
+        names = paver.mesh([part, link], size=5).face_names
+        self.assertEqual(names[0], "Part/Ground plane/Face1")
+        self.assertEqual(names[15 + 9], "Copy/Part001/Load/Face1")
+
+    @unittest.skipUnless(importlib.util.find_spec("Import"), "exporting STEP needs FreeCAD's own program")
+    def test_objects_of_a_step_file_keep_their_names(self):
+        import Import
+        part, board, rod = self.add_antenna()
+        link = self.add("App::Link", placed(0, 0, 500, 7), LinkedObject=rod)
+        self.document.recompute()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "antenna.step")
+            Import.export([part, link], path)
+            result = paver.mesh(path, size=5)
+            Import.export([board], path)
+            self.assertEqual(paver.mesh(path, size=5).face_names[0], "Face1")
+        self.assertEqual(result.face_names, self.BOARD + [f"Rod:1/Face{i}" for i in (1, 2, 3)] +
+                         [f"Rod:2/Face{i}" for i in (1, 2, 3)] + ["Ground plane/Face6 + Rod:1/Face2"])
+        self.assertEqual(result.report["components"], [["Ground plane", "Rod:1"], ["Rod:2"]])
+
     def test_a_model_is_meshed_in_another_thread(self):
         box = self.add("Part::Box", placed(1, 2, 3, 30), Length=10, Width=20, Height=30)
         self.document.recompute()

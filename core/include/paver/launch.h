@@ -16,6 +16,7 @@ namespace paver {
 struct Job {
   std::string input;                 ///< CAD file
   std::string name;                  ///< stands for the file in messages and in the report; empty: its path
+  std::vector<std::string> labels;   ///< of faces, as read_bytes() takes them
   std::vector<GivenOption> options;  ///< as for read_options(); the number of ranks is not looked for there
   OutputFiles files;
   std::string events;  ///< where rank 0 says how far it is: "-": stdout, a path: that pipe; empty: lines for a terminal

@@ -29,8 +29,10 @@ struct CadModel {
 /// no_faces, cancelled}.
 CadModel read_file(const std::string& path, Progress& progress, const std::string& name = {});
 
-/// The same from the content of such a file.
-CadModel read_bytes(std::span<const char> bytes, const std::string& name, Progress& progress);
+/// The same from the content of such a file. `labels`: names for its faces, in their order, empty text where one has
+/// none; an empty list: those that the content gives them.
+CadModel read_bytes(std::span<const char> bytes, const std::string& name, Progress& progress,
+                    const std::vector<std::string>& labels = {});
 
 /// The content of a file that read_file would look at, for read_bytes in other processes. Throws
 /// Error{file_missing, not_a_cad_file, damaged_file}.

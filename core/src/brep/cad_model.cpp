@@ -2,6 +2,7 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <sstream>
@@ -14,10 +15,12 @@
 namespace paver {
 namespace {
 
-CadModel read(const FileSource& file, Progress& progress) {
+CadModel read(const FileSource& file, Progress& progress, const std::vector<std::string>& labels = {}) {
   auto start = std::chrono::steady_clock::now();
   CadModel model;
-  model.shape = read_shape(file, model.report, progress);
+  std::shared_ptr<Shape> shape = read_shape(file, model.report, progress);
+  for (std::size_t f = 0; f < std::min(labels.size(), shape->labels.size()); ++f) shape->labels[f] = labels[f];
+  model.shape = std::move(shape);
   model.read_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return model;
 }
@@ -37,9 +40,10 @@ CadModel read_file(const std::string& path, Progress& progress, const std::strin
   return read({path, name.empty() ? path : name}, progress);
 }
 
-CadModel read_bytes(std::span<const char> bytes, const std::string& name, Progress& progress) {
+CadModel read_bytes(std::span<const char> bytes, const std::string& name, Progress& progress,
+                    const std::vector<std::string>& labels) {
   MemoryFile file(bytes);
-  return read({file.path(), name, true}, progress);
+  return read({file.path(), name, true}, progress, labels);
 }
 
 std::string file_content(const std::string& path, const std::string& name) {

@@ -57,10 +57,8 @@ class Connector {
     for (int part : parts)
       if (work_.parts[static_cast<std::size_t>(part)].is_loose) failed.push_back({part, part});
     std::vector<Pair> pairs = pairs_among(parts), bad;
-    if (pairs.size() > 1)
-      std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(bad), [&](Pair pair) {
-        return !fuse(work_, {pair[0], pair[1]}, tolerance_, progress_);
-      });
+    for (const Pair& pair : pairs)
+      if (pairs.size() > 1 && !fuse(work_, {pair[0], pair[1]}, tolerance_, progress_)) bad.push_back(pair);
     while (!bad.empty()) {
       const int worst = most_frequent(bad);
       std::erase(parts, worst);

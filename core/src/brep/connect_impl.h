@@ -17,6 +17,10 @@ namespace paver {
 /// wires. Edges that faces share hang them together.
 void list_parts(Workpiece& work, const TopoDS_Shape& as_read);
 
+/// Parts are called as the object that all their faces are labelled with ("Board/Face3"), where no other part is of it.
+/// `labels`: of the faces as read.
+void name_parts(Workpiece& work, const std::vector<std::string>& labels);
+
 /// "Face12" of a face as read, "Face3 + Face9" of what these have in common.
 std::string entry_name(const Workpiece& work, int origin);
 

@@ -46,8 +46,8 @@ long integer(std::string_view text) {
 double real(std::string_view text) {
   std::string number(without_blanks(text));
   if (number.empty()) return 0;
-  std::replace_if(
-      number.begin(), number.end(), [](char c) { return c == 'D' || c == 'd'; }, 'e');
+  for (char& c : number)
+    if (c == 'D' || c == 'd') c = 'e';
   if (number.find_first_not_of("+-.0123456789eE") != std::string::npos) throw Fault{"a number is missing"};
   char* end = nullptr;
   const double value = std::strtod(number.c_str(), &end);

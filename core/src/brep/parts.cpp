@@ -4,6 +4,8 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <map>
+#include <set>
 
 #include "base/union_find.h"
 #include "brep/connect_impl.h"
@@ -112,6 +114,25 @@ class PartLister {
 }  // namespace
 
 void list_parts(Workpiece& work, const TopoDS_Shape& as_read) { PartLister(work, as_read).run(); }
+
+void name_parts(Workpiece& work, const std::vector<std::string>& labels) {
+  std::vector<std::set<std::string>> objects_of(work.parts.size());
+  std::map<std::string, std::set<int>> parts_of;
+  for (const WorkFace& face : work.faces) {
+    const std::string& label = labels[static_cast<std::size_t>(face.origin)];
+    const std::size_t end = label.rfind('/');
+    const std::string object = end == std::string::npos ? "" : label.substr(0, end);
+    for (const FaceUse& use : face.uses) {
+      objects_of[static_cast<std::size_t>(use.part)].insert(object);
+      parts_of[object].insert(use.part);
+    }
+  }
+  for (std::size_t part = 0; part < work.parts.size(); ++part) {
+    if (objects_of[part].size() != 1) continue;
+    const std::string& object = *objects_of[part].begin();
+    if (!object.empty() && parts_of[object].size() == 1) work.parts[part].name = object;
+  }
+}
 
 std::string entry_name(const Workpiece& work, int origin) {
   if (origin < work.read_faces) return face_name(origin);

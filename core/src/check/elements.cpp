@@ -208,17 +208,27 @@ class PartElementCheck {
   void check_distance(int node, Vec2 guess, double length) {
     const Vec3 x = mesh_.nodes[static_cast<std::size_t>(node)];
     if (is_moved(node)) {
-      if (!is_near_surface(x, guess, length, most_off_moved * part_.region->h)) faults_.add(face(), FaultKind::chord, x);
+      if (!is_near_surface(x, guess, length, most_off_moved * part_.region->h))
+        faults_.add(face(), FaultKind::chord, x);
     } else if (!is_near_surface(x, guess, length, off_inner * length)) {
       faults_.add(face(), FaultKind::off_surface, x);
     }
   }
 
-  /// Looks from the corners, too: where the surface bends much the way from the guess may lead elsewhere.
+  /// Looks from all over the element, too: where the surface bends much the way from the guess may lead elsewhere.
   bool is_near_surface(Vec3 x, Vec2 guess, double length, double most) const {
     auto is_found_from = [&](Vec2 start) { return distance_to_surface(*part_.region, start, x, length, most) <= most; };
     if (is_found_from(guess) || is_found_from(middle_of_corners())) return true;
-    return std::any_of(c_.begin(), c_.begin() + n_, [&](int corner) { return is_found_from(region_.p[corner]); });
+    for (double s : {0.0, 0.25, 0.5, 0.75, 1.0})
+      for (double t : {0.0, 0.25, 0.5, 0.75, 1.0})
+        if (is_found_from(place(s, t))) return true;
+    return false;
+  }
+
+  /// In the chart, bilinear between the corners.
+  Vec2 place(double s, double t) const {
+    auto p = [&](int k) { return region_.p[c_[static_cast<std::size_t>(std::min(k, n_ - 1))]]; };
+    return (1 - t) * ((1 - s) * p(0) + s * p(1)) + t * ((1 - s) * p(3) + s * p(2));
   }
 
   const CheckedMesh& checked_;

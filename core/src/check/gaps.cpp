@@ -239,8 +239,9 @@ class GapSearch {
   std::pair<std::vector<int>, std::vector<int>> halves(std::vector<int> all) const {
     const Box box = box_of(all);
     const Vec3 size = box.hi - box.lo;
-    double Vec3::*axis = size.x >= size.y && size.x >= size.z ? &Vec3::x : size.y >= size.z ? &Vec3::y : &Vec3::z;
-    auto place = [&](int i) { return std::pair(boxes_[i].lo.*axis + boxes_[i].hi.*axis, i); };
+    const bool is_x = size.x >= size.y && size.x >= size.z, is_y = !is_x && size.y >= size.z;
+    auto along = [&](Vec3 x) { return is_x ? x.x : is_y ? x.y : x.z; };
+    auto place = [&](int i) { return std::pair(along(boxes_[i].lo + boxes_[i].hi), i); };
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
     std::nth_element(all.begin(), middle, all.end(), [&](int i, int j) { return place(i) < place(j); });
     return {{all.begin(), middle}, {middle, all.end()}};

@@ -1,13 +1,17 @@
-// STEP: reads the file, transfers all roots in millimetres, and takes the names of its faces along.
+// STEP: reads the file, transfers all roots in millimetres, and takes the names of its objects and faces along.
 #include <Interface_Check.hxx>
 #include <Interface_ReportEntity.hxx>
 #include <STEPControl_Reader.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepBasic_ProductDefinitionFormation.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <fstream>
 #include <string_view>
 
 #include "formats/exchange_settings_impl.h"
+#include "formats/object_labels_impl.h"
 #include "formats/transfer_impl.h"
 
 namespace paver {
@@ -50,6 +54,27 @@ Handle(TCollection_HAsciiString) face_name(const Handle(Standard_Transient) & en
   return face.IsNull() ? Handle(TCollection_HAsciiString)() : face->Name();
 }
 
+/// Of a part, as its writer calls it; empty where it only says who wrote it.
+std::string product_name(const Handle(StepBasic_ProductDefinition) & definition) {
+  if (definition->Formation().IsNull() || definition->Formation()->OfProduct().IsNull()) return "";
+  Handle(StepBasic_Product) product = definition->Formation()->OfProduct();
+  for (Handle(TCollection_HAsciiString) text : {product->Name(), product->Id()})
+    if (!text.IsNull() && !text->IsEmpty())
+      return text->String().StartsWith("Open CASCADE STEP translator") ? "" : text->ToCString();
+  return "";
+}
+
+void label_objects(STEPControl_Reader& reader, Shape& shape) {
+  ObjectLabels objects;
+  Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
+  Handle(Interface_InterfaceModel) model = reader.Model();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    auto definition = Handle(StepBasic_ProductDefinition)::DownCast(model->Value(i));
+    if (!definition.IsNull()) objects.add(TransferBRep::ShapeResult(process, definition), product_name(definition));
+  }
+  objects.give_to(shape.shape, shape.labels);
+}
+
 }  // namespace
 
 extern "C" void paver_read_format(const FileSource& file, const Doubt& doubt, Shape& shape, ModelReport& report,
@@ -62,6 +87,7 @@ extern "C" void paver_read_format(const FileSource& file, const Doubt& doubt, Sh
   if (has_fails(reader.Model())) doubt();
   report.unit = stated_unit(reader);
   transfer(reader, shape, progress, face_name);
+  if (!shape.shape.IsNull()) label_objects(reader, shape);
 }
 
 }  // namespace paver

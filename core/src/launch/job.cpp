@@ -41,6 +41,10 @@ bool read_key(const std::string& key, const Json& value, const std::string& path
     for (const auto& [name, given] : value.items()) add_option(name, given, job.options);
     return true;
   }
+  if (key == "labels") {
+    job.labels = value.get<std::vector<std::string>>();
+    return true;
+  }
   if (key == "ascii" || key == "returns_mesh") {
     (key == "ascii" ? job.files.is_ascii : job.returns_mesh) = value.get<bool>();
     return true;
@@ -80,6 +84,7 @@ std::string job_text(const Job& job) {
   }
   Json json = {{"input", job.input},
                {"name", job.name},
+               {"labels", job.labels},
                {"options", options},
                {"mesh", job.files.mesh},
                {"report", job.files.report},

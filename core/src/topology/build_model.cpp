@@ -59,6 +59,7 @@ class ModelBuilder {
     mend_faces(work_, progress_);
     sewn_ = sew(work_, options.sew_tolerance, progress_);
     list_parts(work_, shape_.shape);
+    name_parts(work_, shape_.labels);
     connected_ = connect(work_, options.connect, contact_tolerance(options), progress_);
     progress_.advance(connect_units * faces.Extent());
     const Workpiece whole = brep ? work_ : Workpiece();
@@ -119,6 +120,19 @@ class ModelBuilder {
     }
   }
 
+  /// Of a face as read, or of all that have it in common; empty where none of them has one.
+  std::string label_of(int origin) const {
+    if (origin < work_.read_faces) return shape_.labels[static_cast<std::size_t>(origin)];
+    std::string label;
+    bool has_label = false;
+    for (int face : work_.common[static_cast<std::size_t>(origin - work_.read_faces)]) {
+      const std::string& own = shape_.labels[static_cast<std::size_t>(face)];
+      has_label = has_label || !own.empty();
+      label += (label.empty() ? "" : " + ") + (own.empty() ? face_name(face) : own);
+    }
+    return has_label ? label : "";
+  }
+
   void add_face(int i, const EdgeIndex& index) {
     const WorkFace& work = work_.faces[static_cast<std::size_t>(i)];
     Face face;
@@ -126,8 +140,7 @@ class ModelBuilder {
     face.origin = work.origin;
     face.is_common = work.is_common;
     face.is_dropped = work.is_dropped;
-    auto origin = static_cast<std::size_t>(work.origin);
-    if (origin < shape_.labels.size()) face.label = shape_.labels[origin];
+    face.label = label_of(work.origin);
     face.area = work.area;
     face.has_area = work.has_area;
     face.fault = work.fault;

@@ -123,7 +123,8 @@ int run_job(const std::string& path, MpiRanks& ranks, Progress& progress, std::o
   reporter->set_temporaries(prepare_outputs(job, ranks));
   reporter->started(ranks.count(), options.threads);
   const std::string& name = job.name.empty() ? job.input : job.name;
-  CadModel model = read_bytes(from_rank_0(ranks, [&] { return file_content(job.input, name); }), name, progress);
+  CadModel model =
+      read_bytes(from_rank_0(ranks, [&] { return file_content(job.input, name); }), name, progress, job.labels);
   OutputFiles files = job.files;
   if (!files.repaired.empty()) files.repaired_text = repaired_model(model, options, progress);
   MeshShare share = mesh_share(model, options, progress, ranks);

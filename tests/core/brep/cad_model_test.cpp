@@ -101,6 +101,24 @@ TEST(ReadBytes, ReadsExamplesLikeTheirFiles) {
   }
 }
 
+TEST(ReadBytes, TakesLabelsForFacesAndCallsPartsByThem) {
+  const TopoDS_Shape boxes = compound({BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 9, 9, 9).Shape(),
+                                       BRepPrimAPI_MakeBox(gp_Pnt(9, 0, 0), 9, 9, 9).Shape(),
+                                       BRepPrimAPI_MakeBox(gp_Pnt(0, 50, 0), 9, 9, 9).Shape()});
+  std::vector<std::string> labels(18);
+  for (std::size_t f = 0; f < 12; ++f) labels[f] = (f < 6 ? "A b/Face" : "C/Face") + std::to_string(f % 6 + 1);
+  Progress progress;
+  Options options;
+  options.size = 5;
+  const MeshResult result = mesh_model(read_bytes(text(boxes), "boxes", progress, labels), options, progress);
+  EXPECT_EQ(result.face_names[7], "C/Face2");
+  EXPECT_EQ(result.face_names[17], "Face18");
+  EXPECT_EQ(result.face_names[18], "A b/Face2 + C/Face1");
+  EXPECT_EQ(result.report.faces[18].name, "Face2 + Face7");
+  EXPECT_EQ(result.report.components, (std::vector<std::vector<std::string>>{{"A b", "C"}, {"Solid3"}}));
+  EXPECT_EQ(result.report.faces[7].back, std::vector<std::string>{"C"});
+}
+
 TEST(ReadBytes, NeverCrashesOnDamagedBinaryShapes) {
   std::string good = freecad_binary(moved(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), 4));
   auto code_of = [](const std::string& bytes) {

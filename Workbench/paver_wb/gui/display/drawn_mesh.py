@@ -53,7 +53,7 @@ class DrawnMesh:
     def __init__(self, stored):
         """stored: a StoredMesh."""
         self.stored, self.cut = stored, (0, None)
-        self.order, self.face_names = stored.order, stored.face_names
+        self.order, self.face_names = stored.order, mesh_file.labels(stored)
         self.quad_count, self.triangle_count = len(stored.quads), len(stored.triangles)
         self.count = self.quad_count + self.triangle_count
         self.target = float(stored.report.get("target_length") or 0)
