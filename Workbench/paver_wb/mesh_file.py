@@ -45,9 +45,10 @@ class DamagedMesh(ValueError):
 
 
 def labels(mesh):
-    """Names of a mesh's faces for people: "Ground plane/Face3". Documents of before these were known have group names."""
-    return [name if face["label"] == face["name"] else face["label"]
-            for face, name in zip(mesh.report["faces"], mesh.face_names)]
+    """Names of a mesh's faces for people: "Ground plane/Face3". Those of groups where the report has none: of meshes that
+    were read, and in documents of before these were known."""
+    given = [face.get("label", face["name"]) for face in mesh.report["faces"]]
+    return [name if label == face["name"] else label for name, label, face in zip(mesh.face_names, given, mesh.report["faces"])]
 
 
 def of_result(result, face_names):

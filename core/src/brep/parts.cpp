@@ -116,6 +116,7 @@ class PartLister {
 void list_parts(Workpiece& work, const TopoDS_Shape& as_read) { PartLister(work, as_read).run(); }
 
 void name_parts(Workpiece& work, const std::vector<std::string>& labels) {
+  if (labels.empty()) return;
   std::vector<std::set<std::string>> objects_of(work.parts.size());
   std::map<std::string, std::set<int>> parts_of;
   for (const WorkFace& face : work.faces) {

@@ -39,7 +39,11 @@ class Interval {
            (is_curved_ && !(distance_to_way() <= most));
   }
 
-  bool is_far() const { return is_curved_ && !(norm(m_ - middle_) <= most_moved * target_length_); }
+  /// Where the curve does not end at its vertex the middle may be between.
+  bool is_far() const {
+    const double aside = norm(start_ - edge_.curve->point(t_[0])) + norm(end_ - edge_.curve->point(t_[2]));
+    return is_curved_ && !(norm(m_ - middle_) <= most_moved * target_length_ + 0.5 * aside);
+  }
 
   /// Between the mesh's line and the curve.
   double area() const {

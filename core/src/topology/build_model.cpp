@@ -122,6 +122,7 @@ class ModelBuilder {
 
   /// Of a face as read, or of all that have it in common; empty where none of them has one.
   std::string label_of(int origin) const {
+    if (shape_.labels.empty()) return "";
     if (origin < work_.read_faces) return shape_.labels[static_cast<std::size_t>(origin)];
     std::string label;
     bool has_label = false;
