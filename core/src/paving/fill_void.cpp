@@ -47,9 +47,13 @@ class VoidFiller {
                 {"paving", region_.face, -1, x});
   }
 
-  // Odd loops get their one triangle, then all loops are coloured.
+  // Odd loops get their one triangle, then all loops are coloured. A triangle may join its loop with another that has
+  // nodes in common with it, so a loop is known by its first facet that is left.
   void make_even() {
-    for (int f : front_.start_loops) {
+    std::vector<char> is_done(front_.facets.size(), 0);
+    for (std::size_t first = 0; first < is_done.size(); ++first) {
+      int f = static_cast<int>(first);
+      if (is_done[first] || !front_.facets[f].is_alive) continue;
       front_.collect_loop(f, loop_, 1 << 30);
       if (loop_.size() % 2 == 1) {
         const std::vector<int> loop = loop_;
@@ -57,8 +61,12 @@ class VoidFiller {
         // One of the loop's own facets is left, or the one just made; none where it was filled.
         auto left = std::find_if(loop.begin(), loop.end(), [&](int g) { return front_.facets[g].is_alive; });
         f = left != loop.end() ? *left : front_.newest_facet();
+        if (f < 0 || !front_.facets[f].is_alive) continue;
+        front_.collect_loop(f, loop_, 1 << 30);
       }
-      if (f >= 0 && front_.facets[f].is_alive) front_.colour_loop(f);
+      for (int g : loop_)
+        if (static_cast<std::size_t>(g) < is_done.size()) is_done[static_cast<std::size_t>(g)] = 1;
+      front_.colour_loop(f);
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "boundary/region_loops.h"
 #include "regions/pole.h"
@@ -31,7 +32,9 @@ class RegionBuilder {
     bool is_polar = region.goes_round = layout_.kind == LayoutKind::polar;
     region.chart = is_polar ? make_polar_chart(*region.surface, layout_.box, layout_.period)
                             : make_row_chart(*region.surface, layout_.box);
-    for (const Loop& loop : loops) add_loop(loop, region);
+    Slits slits;
+    for (const Loop& loop : loops) add_loop(loop, region, slits);
+    settle_loops(slits, region);
     for (const InnerPoint& point : face_.points) add_point(point, region);
     if (is_polar && (layout_.box.low_pole || layout_.box.high_pole)) add_fan(layout_.box, region);
     regions.push_back(std::move(region));
@@ -49,9 +52,11 @@ class RegionBuilder {
     return region;
   }
 
-  void add_loop(const Loop& loop, Region& region) const {
+  using Slits = std::vector<std::vector<char>>;  // per loop and facet: whether it is on a slit
+
+  void add_loop(const Loop& loop, Region& region, Slits& slits) const {
     std::vector<LoopNode> out;
-    std::vector<char> is_slit;  // per facet
+    std::vector<char> is_slit;
     const Coedge* before = &loop.coedges.back();
     for (const Coedge& c : loop.coedges) {
       const EdgeDivision& d = nodes_.edges[c.edge];
@@ -73,12 +78,40 @@ class RegionBuilder {
       if (n > 0) before = &c;
     }
     if (out.empty()) return;
-    open_slits(is_slit, out);
     region.loops.push_back(std::move(out));
+    slits.push_back(std::move(is_slit));
+  }
+
+  static void settle_loops(const Slits& slits, Region& region) {
+    unite_places(slits, region.loops);
+    for (std::size_t l = 0; l < slits.size(); ++l) open_slits(slits[l], region.loops[l]);
+    choose_sides(slits, region.loops);
   }
 
   bool is_slit_of_layout(int edge) const {
     return std::find(layout_.slits.begin(), layout_.slits.end(), edge) != layout_.slits.end();
+  }
+
+  // Loops, and parts of one, that meet at a vertex have it at one place: their edges' images end near each other only,
+  // which is enough for them to cross there. Slits begin where the others meet.
+  static void unite_places(const Slits& is_slit, std::vector<std::vector<LoopNode>>& loops) {
+    constexpr double near = 1e-3;  // of a facet
+    std::unordered_map<int, std::vector<Vec2>> places;
+    for (bool slits : {false, true}) {
+      for (std::size_t l = 0; l < loops.size(); ++l) {
+        for (std::size_t i = 0, n = loops[l].size(); i < n; ++i) {
+          if (static_cast<bool>(is_slit[l][i]) != slits) continue;
+          LoopNode& node = loops[l][i];
+          const double facet = norm(loops[l][(i + 1) % n].p - node.p);
+          std::vector<Vec2>& known = places[node.global];
+          auto is_near = [&](Vec2 place) { return norm(place - node.p) < near * facet; };
+          if (auto at = std::find_if(known.begin(), known.end(), is_near); at != known.end())
+            node.p = *at;
+          else
+            known.push_back(node.p);
+        }
+      }
+    }
   }
 
   // The two sides of a slit lie on one line: nodes on them are moved apart in the chart, by so little that it is no
@@ -103,6 +136,40 @@ class RegionBuilder {
       moved.back() = loop[i].p + reach * Vec2{c * ahead.x - s * ahead.y, s * ahead.x + c * ahead.y};
     }
     for (std::size_t i = 0; i < count; ++i) loop[i].p = moved[i];
+  }
+
+  // Counter-clockwise, from 0 to 2 pi.
+  static double turn(Vec2 from, Vec2 to) {
+    const double angle = std::atan2(cross(from, to), dot(from, to));
+    return angle < 0 ? angle + 2 * M_PI : angle;
+  }
+
+  // A loop that meets a slit on its way has the vertex on the side where it lies.
+  static void choose_sides(const Slits& is_slit, std::vector<std::vector<LoopNode>>& loops) {
+    constexpr double near = 1e-3;  // of a facet
+    struct Side {
+      Vec2 place, ahead;
+      double angle;  // of the sector that begins there
+    };
+    std::unordered_map<int, std::vector<Side>> sides;
+    auto visit = [&](bool slits, auto&& look) {
+      for (std::size_t l = 0; l < is_slit.size(); ++l)
+        for (std::size_t i = 0, n = loops[l].size(); i < n; ++i) {
+          const std::size_t last = (i + n - 1) % n;
+          if (static_cast<bool>(is_slit[l][i]) == slits && static_cast<bool>(is_slit[l][last]) == slits)
+            look(loops[l][i], loops[l][(i + 1) % n].p - loops[l][i].p, loops[l][last].p - loops[l][i].p);
+        }
+    };
+    visit(true, [&](const LoopNode& node, Vec2 ahead, Vec2 back) {
+      sides[node.global].push_back({node.p, ahead, turn(ahead, back)});
+    });
+    if (sides.empty()) return;
+    visit(false, [&](LoopNode& node, Vec2 ahead, Vec2) {
+      auto found = sides.find(node.global);
+      if (found == sides.end()) return;
+      for (const Side& side : found->second)
+        if (norm(side.place - node.p) < near * norm(ahead) && turn(side.ahead, ahead) < side.angle) node.p = side.place;
+    });
   }
 
   struct Place {
@@ -222,10 +289,13 @@ class RegionBuilder {
     a.goes_round = b.goes_round = true;
     a.chart = make_polar_chart(*a.surface, low, layout_.period);
     b.chart = make_polar_chart(*b.surface, high, layout_.period);
+    Slits slits_a, slits_b;
     for (const Loop& loop : loops) {
       bool is_low = meridian_of(loop) < layout_.cut;
-      add_loop(loop, is_low ? a : b);
+      add_loop(loop, is_low ? a : b, is_low ? slits_a : slits_b);
     }
+    settle_loops(slits_a, a);
+    settle_loops(slits_b, b);
     std::vector<LoopNode> ring = cut_nodes();
     for (LoopNode& node : ring) node.p = b.chart->to_chart(uv_[&node - ring.data()]);
     // The ring runs along the period: it has the high side on its left unless the box is swapped.

@@ -80,6 +80,7 @@ class FacetCurves {
   }
 
   PlaneCurve curve(LoopFacet f) const {
+    constexpr double moved = 1e-3;  // of the chord: more than nodes are moved to open slits
     const LoopNode &a = node(f, 0), &b = node(f, 1);
     PlaneCurve result{a.p, b.p, nullptr};
     if (edge(f) < 0) return result;
@@ -94,7 +95,7 @@ class FacetCurves {
           const double s = division.t[2 * static_cast<std::size_t>(from)],
                        t = division.t[2 * static_cast<std::size_t>(to)];
           const Chart& chart = *region_.chart;
-          if (!(chart.to_chart(coedge.pcurve->uv(s)) == a.p)) continue;
+          if (norm(chart.to_chart(coedge.pcurve->uv(s)) - a.p) > moved * norm(b.p - a.p)) continue;  // the other side's
           result.at = [&chart, &image = *coedge.pcurve, s, t](double share) {
             return chart.to_chart(image.uv(s + share * (t - s)));
           };
