@@ -7,8 +7,9 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import random_assemblies  # noqa: E402
 
-# Rods on their periodic edges, sheets that overlap where they are sewn, wires on several faces, circles that touch.
-SEEDS = (8, 10, 17, 18, 46, 54, 67, 71)
+# Rods on their periodic edges, sheets that overlap where they are sewn, wires on several faces, circles that touch; slits
+# that begin at a rim, loops that meet slits and each other.
+SEEDS = (8, 10, 17, 18, 46, 54, 67, 71, 97, 146, 148, 198, 230)
 
 
 class RandomAssemblies(unittest.TestCase):

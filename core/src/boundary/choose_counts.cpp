@@ -56,6 +56,12 @@ EdgeCount count_for_edge(const Edge& edge, const SizeField& size) {
   return result;
 }
 
+void want_two(EdgeCount& edge) {
+  if (edge.count == 0) return;
+  edge.minimum = std::max(edge.minimum, 2);
+  edge.count = std::max(edge.count, 2);
+}
+
 // Edges between the same two vertices would fall onto one another as single intervals: all but the shortest get two.
 void divide_lenses(const Model& model, std::vector<EdgeCount>& counts) {
   std::map<std::pair<int, int>, std::vector<int>> between;
@@ -70,12 +76,21 @@ void divide_lenses(const Model& model, std::vector<EdgeCount>& counts) {
       return counts[static_cast<std::size_t>(a)].wish < counts[static_cast<std::size_t>(b)].wish;
     });
     edges.erase(shortest);
-    for (int e : edges) {
-      EdgeCount& edge = counts[static_cast<std::size_t>(e)];
-      edge.minimum = std::max(edge.minimum, 2);
-      edge.count = std::max(edge.count, 2);
-    }
+    for (int e : edges) want_two(counts[static_cast<std::size_t>(e)]);
   }
+}
+
+// The two sides of a slit that meets no other edge, or just periodic ones, would be one mesh edge, and no loop.
+void divide_lone_slits(const Model& model, std::vector<EdgeCount>& counts) {
+  auto is_periodic = [&](const Coedge& c) { return model.edges[static_cast<std::size_t>(c.edge)].is_periodic; };
+  for (const Face& face : model.faces)
+    for (const Loop& loop : face.loops)
+      for (std::size_t i = 0, n = loop.coedges.size(); i < n; ++i) {
+        const Coedge &there = loop.coedges[i], &back = loop.coedges[(i + 1) % n];
+        if (!there.is_slit || there.edge != back.edge) continue;
+        if (n == 2 || (is_periodic(loop.coedges[(i + n - 1) % n]) && is_periodic(loop.coedges[(i + 2) % n])))
+          want_two(counts[static_cast<std::size_t>(there.edge)]);
+      }
 }
 
 /// Two odd loops of one face are even together; a face that stays odd may have a short edge split.
@@ -102,6 +117,7 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
     return is_divided(edge) ? count_for_edge(edge, size) : EdgeCount{};
   });
   divide_lenses(model, counts);
+  divide_lone_slits(model, counts);
 
   std::vector<std::vector<Loop>> loops;
   std::vector<std::vector<int>> loop_edges;

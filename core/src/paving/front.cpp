@@ -45,7 +45,6 @@ void Front::add_start_loop(const std::vector<int>& nodes) {
   for (int i = 0; i < count; ++i)
     facets.push_back(
         {nodes[i], nodes[(i + 1) % count], base + (i + 1) % count, base + (i + count - 1) % count, 0, true});
-  start_loops.push_back(base);
 }
 
 int Front::add_boundary_node(const std::vector<LoopNode>& loop, std::size_t i) {

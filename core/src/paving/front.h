@@ -49,7 +49,6 @@ class Front {
   VoidTriangulation empty;  ///< the void
   std::vector<Facet> facets;
   std::vector<BoundaryFacet> boundary;  ///< all loops the region came with, facet after facet
-  std::vector<int> start_loops;         ///< one facet of each loop that paving starts with
   PavingCounts counts;
   double misfit_weight = 1;  ///< weight of the fit to the sides at its ends in the choice of a row
 

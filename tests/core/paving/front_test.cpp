@@ -59,13 +59,12 @@ std::vector<Vec2> rectangle(double width, double height, Vec2 at = {0, 0}) {
 
 TEST(Front, StartsWithTheRegionsLoops) {
   Fixture t({rectangle(4, 4), reversed(rectangle(1, 1, {1, 2}))});
-  EXPECT_EQ(t.front.start_loops.size(), 2u);
-  EXPECT_EQ(t.loop_size(t.front.start_loops[0]), 16);
-  EXPECT_EQ(t.loop_size(t.front.start_loops[1]), 4);
+  EXPECT_EQ(t.loop_size(0), 16);
+  EXPECT_EQ(t.loop_size(16), 4);
   EXPECT_EQ(t.live_facets(), 20);
   EXPECT_NEAR(t.front.angle_after(0), M_PI, 1e-12);
   EXPECT_NEAR(t.front.angle_after(15), M_PI / 2, 1e-12);
-  EXPECT_NEAR(t.front.angle_after(t.front.start_loops[1]), 1.5 * M_PI, 1e-12);
+  EXPECT_NEAR(t.front.angle_after(16), 1.5 * M_PI, 1e-12);
 }
 
 TEST(Front, ReportsLoopsThatCross) {
@@ -101,8 +100,8 @@ TEST(Front, AnElementAcrossSplitsTheLoop) {
 
 TEST(Front, AnElementBetweenTwoLoopsJoinsThem) {
   Fixture t({rectangle(6, 6), reversed(rectangle(2, 2, {2, 2}))});
-  t.front.colour_loop(t.front.start_loops[0]);
-  t.front.colour_loop(t.front.start_loops[1]);
+  t.front.colour_loop(0);
+  t.front.colour_loop(24);
   int f = t.facet_at({2, 0});
   EXPECT_FALSE(t.front.is_alone(f, 24));
   ASSERT_TRUE(t.front.form_element(f, t.node_at({3, 2}), t.node_at({2, 2}), 1));
@@ -125,7 +124,7 @@ TEST(Front, ANodeMayStandInSeveralSectors) {
 TEST(Front, ColoursForbidWhatWouldLeaveOddLoops) {
   Fixture t({rectangle(6, 2)});
   int f = t.facet_at({2, 0}), c = t.node_at({3, 2}), d = t.node_at({2, 2});
-  t.front.colour_loop(t.front.start_loops[0]);
+  t.front.colour_loop(0);
   EXPECT_FALSE(t.front.may_connect(t.node_at({2, 0}), d));
   EXPECT_TRUE(t.front.may_connect(t.node_at({2, 0}), t.node_at({3, 2})));
   EXPECT_FALSE(t.front.form_element(f, c, d, 1));
@@ -139,8 +138,8 @@ TEST(Front, ColoursForbidWhatWouldLeaveOddLoops) {
 
 TEST(Front, JoinedLoopsShareTheirColours) {
   Fixture t({rectangle(6, 6), reversed(rectangle(2, 2, {2, 2}))});
-  t.front.colour_loop(t.front.start_loops[0]);
-  t.front.colour_loop(t.front.start_loops[1]);
+  t.front.colour_loop(0);
+  t.front.colour_loop(24);
   int far = t.node_at({3, 6});
   EXPECT_TRUE(t.front.may_connect(t.node_at({3, 4}), far));  // different loops: anything goes
   EXPECT_TRUE(t.front.may_connect(t.node_at({2, 4}), far));

@@ -123,6 +123,12 @@ TEST(ConnectRound, AVertexOnAPeriodicEdgeIsANodeWhereOthersHaveIt) {
   expect_one_piece("wire to a sphere", compound({BRepPrimAPI_MakeSphere(10).Shape(), wire({10, 0, 0}, {25, 0, 0})}));
 }
 
+TEST(ConnectRound, SlitsShorterThanAnElementAreLoops) {
+  expect_one_piece("inside a sheet", compound({sheet(0, -20, 20, -20, 20), fin(-1, 1, 0, 5)}));
+  expect_one_piece("from the periodic edge", compound({rod(0, 0, 0, 10, 30), sheet(12, 0, 30, 0, 2.6)}));
+  expect_one_piece("on both sides of it", compound({rod(0, 0, 0, 10, 30), sheet(12, 0, 30, -2.6, 2.6)}));
+}
+
 TEST(ConnectRound, APieceOfAFaceThatGoesRoundHasNoCrease) {
   const MeshResult result = mesh_of(compound({rod(0, 0, 0, 10, 20), fin(-20, 20, 0, 20)}), 4);
   for (const std::string& note : result.report.notes) EXPECT_EQ(note.find("crease"), std::string::npos) << note;
