@@ -8,8 +8,8 @@
 namespace paver {
 namespace {
 
-constexpr double off_curve = 1e-6;  // of the chord
-constexpr double most_moved = 0.1;  // of the target length: how far off its curve mending may leave a middle
+constexpr double off_curve = 1e-6;   // of the chord
+constexpr double most_moved = 0.12;  // of the target length: how far off its curve mending may leave a middle
 
 /// One interval of an edge, with the mesh's line on it.
 class Interval {
