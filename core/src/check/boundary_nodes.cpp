@@ -8,8 +8,7 @@
 namespace paver {
 namespace {
 
-constexpr double off_curve = 1e-6;   // of the chord
-constexpr double most_moved = 0.12;  // of the target length: how far off its curve mending may leave a middle
+constexpr double off_curve = 1e-6;  // of the chord
 
 /// One interval of an edge, with the mesh's line on it.
 class Interval {
@@ -42,7 +41,7 @@ class Interval {
   /// Where the curve does not end at its vertex the middle may be between.
   bool is_far() const {
     const double aside = norm(start_ - edge_.curve->point(t_[0])) + norm(end_ - edge_.curve->point(t_[2]));
-    return is_curved_ && !(norm(m_ - middle_) <= most_moved * target_length_ + 0.5 * aside);
+    return is_curved_ && !(norm(m_ - middle_) <= most_off_moved * target_length_ + 0.5 * aside);
   }
 
   /// Between the mesh's line and the curve.

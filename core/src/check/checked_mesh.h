@@ -14,6 +14,10 @@
 
 namespace paver {
 
+/// How far off surface or curve mending may leave a node, of the target length: a quarter is too much, and between
+/// nodes it is more.
+constexpr double most_off_moved = 0.12;
+
 /// References are kept. What one rank holds: `mesh` is what the parts that are here were joined to.
 struct CheckedMesh {
   const Model& model;

@@ -19,12 +19,10 @@ constexpr double doubtful = 0.5;      // cosine between an element's normal and 
 constexpr double most_turned = 0.5;   // cosine: more turn costs no more area
 constexpr double chords_share = 1.5;  // of 1 / cosine - 1, what chords cost of an area; 1.25 of a sphere's
 constexpr double curved_share = 0.5;  // of its square, what is left at order 2
-// What sides of order 1 may be off the surface, of the target length of the face, and what was moved to mend: a quarter
-// is too much, and between nodes it is more. At the limit of 45 degrees per side a sphere's sides are 0.1 off, the
-// centres of its quads 0.2.
+// What sides of order 1 may be off the surface, of the target length of the face. At the limit of 45 degrees per side a
+// sphere's sides are 0.1 off, the centres of its quads 0.2.
 constexpr double most_off_side = 0.15;
 constexpr double most_off_centre = 0.225;
-constexpr double most_off_moved = 0.12;
 
 class PartElementCheck {
  public:
@@ -139,11 +137,9 @@ class PartElementCheck {
     if (least_along_ >= flat) return;
     const double h = part_.region->h;
     Vec3 centre;
-    Vec2 place;
     for (int k = 0; k < n_; ++k) {
       const int a = c_[k], b = c_[next(k)];
       centre += (1.0 / n_) * node(k);
-      place = place + (1.0 / n_) * region_.p[a];
       if (v_[k] > v_[next(k)] || (region_.global[a] >= 0 && region_.global[b] >= 0)) continue;
       const SideCubic side(region_, a, b);
       const Vec3 x = 0.5 * (side.a + side.b);
@@ -151,7 +147,7 @@ class PartElementCheck {
       if (!is_near_surface(x, guess_middle(region_, a, b, {}), norm(side.b - side.a), most_off_side * h))
         faults_.add(face(), FaultKind::chord, x);
     }
-    if (!is_near_surface(centre, place, norm(node(2) - node(0)), most_off_centre * h))
+    if (!is_near_surface(centre, middle_of_corners(), norm(node(2) - node(0)), most_off_centre * h))
       faults_.add(face(), FaultKind::chord, centre);
   }
 

@@ -52,9 +52,8 @@ class JacobianForm {
   /// Of these the lowest coefficient alone: an element is valid where it is above flat_ratio.
   void bound_lanes(const Lanes* x, Lanes& low) const;
 
-  static constexpr double poor_ratio = 0.5;  ///< lower bounds below it are worked out more closely
-  static constexpr double flat_ratio =
-      1e-9;  ///< det over its mean that is not proven positive: rounding may hide a fold
+  static constexpr double poor_ratio = 0.5;   ///< lower bounds below it are worked out more closely
+  static constexpr double flat_ratio = 1e-9;  ///< det over its mean; below, rounding may hide a fold
 
   /// Area of the curved element by Gauss quadrature with p + 2 points per direction, in units of x squared.
   double area(const Vec3* x) const;

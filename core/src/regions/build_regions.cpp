@@ -52,6 +52,7 @@ class RegionBuilder {
     return region;
   }
 
+  static constexpr double near = 1e-3;           // of a facet: images of edges at one vertex
   using Slits = std::vector<std::vector<char>>;  // per loop and facet: whether it is on a slit
 
   void add_loop(const Loop& loop, Region& region, Slits& slits) const {
@@ -95,7 +96,6 @@ class RegionBuilder {
   // Loops, and parts of one, that meet at a vertex have it at one place: their edges' images end near each other only,
   // which is enough for them to cross there. Slits begin where the others meet.
   static void unite_places(const Slits& is_slit, std::vector<std::vector<LoopNode>>& loops) {
-    constexpr double near = 1e-3;  // of a facet
     std::unordered_map<int, std::vector<Vec2>> places;
     for (bool slits : {false, true}) {
       for (std::size_t l = 0; l < loops.size(); ++l) {
@@ -146,7 +146,6 @@ class RegionBuilder {
 
   // A loop that meets a slit on its way has the vertex on the side where it lies.
   static void choose_sides(const Slits& is_slit, std::vector<std::vector<LoopNode>>& loops) {
-    constexpr double near = 1e-3;  // of a facet
     struct Side {
       Vec2 place, ahead;
       double angle;  // of the sector that begins there
@@ -232,9 +231,7 @@ class RegionBuilder {
     auto chart = [&](double t) { return region.chart->to_chart(c.pcurve->uv(t)); };
     double t = d.t[2 * k];
     Vec2 p = chart(t), low = chart(t + 0.01 * (d.t[2 * k - 2] - t)), high = chart(t + 0.01 * (d.t[2 * k + 2] - t));
-    Vec2 out = (c.is_reversed ? low : high) - p, back = (c.is_reversed ? high : low) - p;
-    double angle = std::atan2(cross(out, back), dot(out, back));
-    return angle < 0 ? angle + 2 * M_PI : angle;
+    return turn((c.is_reversed ? low : high) - p, (c.is_reversed ? high : low) - p);
   }
 
   Vec2 parameters(double along, double meridian) const {
