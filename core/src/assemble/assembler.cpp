@@ -9,6 +9,7 @@
 
 #include "assemble/neighbourhood.h"
 #include "mesh/flat_elements.h"
+#include "paving/inner_sides.h"
 #include "quality/element_figures.h"
 #include "quality/jacobian.h"
 
@@ -53,8 +54,8 @@ void Assembler::run() {
   Faults faults = join_and_curve();
   int next = 1;
   for (int last : {1, further_attempts}) {
-    for (; next <= last && has_any(faults); ++next) faults = pave_faulty(std::move(faults), next);
-    faults = split_invalid(std::move(faults));
+    for (; next <= last && has_any(faults); ++next) faults = pave_faulty(faults, next);
+    faults = split_invalid(divide_shared(faults));
     straighten_last(faults);
     if (!has_any(faults)) break;
   }
@@ -94,7 +95,7 @@ void Assembler::fail(const std::vector<RegionFailure>& failures) {
 }
 
 // Paves the faces with faults in another way and keeps it where it leaves fewer.
-Assembler::Faults Assembler::pave_faulty(Faults faults, int attempt) {
+Assembler::Faults Assembler::pave_faulty(const Faults& faults, int attempt) {
   const std::vector<Part> before = paver_.parts();
   std::vector<char> is_kept(regions_.size(), 1);
   for (std::size_t r = 0; r < regions_.size(); ++r) is_kept[r] = faults[regions_[r].face] > 0;
@@ -102,6 +103,50 @@ Assembler::Faults Assembler::pave_faulty(Faults faults, int attempt) {
     for (std::size_t r = 0; r < regions_.size(); ++r)
       if (regions_[r].face == regions_[failure.region].face) is_kept[r] = 0;
   }
+  return keep_better(before, std::move(is_kept), faults);
+}
+
+// Several faces have sides between the same two nodes of their boundaries: those inside a face get a node.
+Assembler::Faults Assembler::divide_shared(const Faults& faults) {
+  if (options_.elements == Elements::all_quad || check_->faults.sides().empty()) return faults;
+  const std::vector<Part> before = paver_.parts();
+  std::vector<Part> parts = before;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto sides = faulty_sides(i);
+    if (sides.empty()) continue;
+    auto copy = std::make_shared<PavedRegion>(*parts[i].paved);
+    divide_inner_sides(regions_[parts[i].region], sides, copy->mesh);
+    parts[i].paved = std::move(copy);
+  }
+  std::vector<char> is_kept(regions_.size(), 0);
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    for (const FaultySide& side : check_->faults.sides()) is_kept[r] |= side.face == regions_[r].face;
+  paver_.put(std::move(parts));
+  return keep_better(before, std::move(is_kept), faults);
+}
+
+// Of the part on this rank, by its own nodes: in the same order whichever rank found them.
+std::vector<std::pair<int, int>> Assembler::faulty_sides(std::size_t part) const {
+  std::vector<std::pair<int, int>> sides;
+  const int face = regions_[paver_.parts()[part].region].face;
+  const std::vector<int>& node_of = joined_.node_of[part];
+  auto own = [&](long number) {
+    for (std::size_t i = 0; i < node_of.size(); ++i)
+      if (node_of[i] >= 0 && number_of(node_of[i]) == number) return static_cast<int>(i);
+    return -1;
+  };
+  for (const FaultySide& side : check_->faults.sides()) {
+    if (side.face != face || node_of.empty()) continue;
+    const int a = own(side.low), b = own(side.high);
+    if (a >= 0 && b >= 0) sides.push_back(std::minmax({a, b}));
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+// Of the regions that are marked, and were changed, those of faces that have fewer faults stay changed.
+Assembler::Faults Assembler::keep_better(const std::vector<Part>& before, std::vector<char> is_kept,
+                                         const Faults& faults) {
   auto put_back = [&] {
     std::vector<Part> parts;
     for (const Part& part : paver_.parts())

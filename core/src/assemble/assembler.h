@@ -44,7 +44,14 @@ class Assembler {
   using Faults = std::vector<long>;  // number per face, over all ranks
 
   void fail(const std::vector<RegionFailure>& failures);
-  Faults pave_faulty(Faults faults, int attempt);
+  Faults pave_faulty(const Faults& faults, int attempt);
+  Faults divide_shared(const Faults& faults);
+  std::vector<std::pair<int, int>> faulty_sides(std::size_t part) const;
+  /// In the whole mesh, of a node of the mesh here.
+  long number_of(int node) const {
+    return ranks_.count() == 1 ? node : share_.node_number[static_cast<std::size_t>(node)];
+  }
+  Faults keep_better(const std::vector<Part>& before, std::vector<char> is_kept, const Faults& faults);
   Faults split_invalid(Faults faults);
   void straighten_last(Faults& faults);
   RepairResult straighten();

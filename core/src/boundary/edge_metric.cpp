@@ -182,14 +182,28 @@ void EdgeMetric::refine_between(const Row& a, const Row& b, const Edge& edge, co
   refine_between(middle, b, edge, size, fine);
 }
 
+// By what the curve turns nearby, where that is far less than its curvature says: a bend of a curve of intersection
+// that ends on another may be all rounding.
+double EdgeMetric::length_at_bend(double s, double by_curvature, const SizeField& size) const {
+  constexpr double about = 4;  // less than what nearby intervals turn, were the curvature the same there
+  auto may_span = [&](double width) {
+    const double from = std::max(0.0, s - 0.5 * width), to = std::min(length(), s + 0.5 * width);
+    return size.may_turn(turn_at_length(to, KinkSide::behind) - turn_at_length(from, KinkSide::before), to - from);
+  };
+  double width = about * by_curvature;
+  if (!may_span(width)) return by_curvature;
+  while (width < length() && may_span(2 * width)) width *= 2;
+  return width / about;
+}
+
 void EdgeMetric::set_sizes(const Edge& edge, const SizeField& size) {
   const bool is_closed = edge.start == edge.end;
-  const double least_by_curvature = length() / most_by_curvature;
+  const double least = length() / most_by_curvature;
   for (Row& row : rows_) {
     double bend = curvature(*curve_, row.t);
     row.pace = 1 / std::max(norm(velocity(*curve_, row.t)), standstill * top_speed_);
     row.h = size.given_at(edge, curve_->point(row.t));
-    if (bend > 0) row.h = std::min(row.h, std::max(size.longest_edge(bend), least_by_curvature));
+    if (bend > 0) row.h = std::min(row.h, length_at_bend(row.s, std::max(size.longest_edge(bend), least), size));
   }
   // A second round carries the size through the point where a closed edge meets itself.
   for (int round = 0; round < (is_closed ? 2 : 1); ++round) {

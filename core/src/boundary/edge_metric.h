@@ -58,6 +58,7 @@ class EdgeMetric {
   void refine_between(const Row& a, const Row& b, const Edge& edge, const SizeField& size,
                       std::vector<Row>& fine) const;
   void set_sizes(const Edge& edge, const SizeField& size);
+  double length_at_bend(double s, double by_curvature, const SizeField& size) const;
   double quadrature(double a, double b) const;
   std::vector<int> share_intervals(const std::vector<Row>& ends, int n) const;
   enum class KinkSide { before, behind };

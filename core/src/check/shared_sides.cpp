@@ -133,6 +133,7 @@ class SideGroup {
     for (const User& user : users_) {
       if (uses <= allowed) break;
       faults_.add(user.face, FaultKind::shared, there_[0].where);
+      faults_.note({user.face, there_[0].low, there_[0].high});
       uses -= user.uses;
     }
   }
@@ -168,9 +169,13 @@ void check_elements(std::vector<SharedElement> elements, MeshFaults& faults) {
     return std::tie(a.corners, a.face, a.where.x, a.where.y, a.where.z) <
            std::tie(b.corners, b.face, b.where.x, b.where.y, b.where.z);
   });
-  for (std::size_t i = 1; i < elements.size(); ++i)
-    if (elements[i].corners == elements[i - 1].corners)
-      faults.add(elements[i].face, FaultKind::same_element, elements[i].where);
+  for (std::size_t i = 1; i < elements.size(); ++i) {
+    if (elements[i].corners != elements[i - 1].corners) continue;
+    faults.add(elements[i].face, FaultKind::same_element, elements[i].where);
+    for (std::size_t high = 1; high < 4; ++high)
+      for (std::size_t low = 0; low < high; ++low)
+        faults.note({elements[i].face, elements[i].corners[low], elements[i].corners[high]});
+  }
 }
 
 }  // namespace

@@ -11,8 +11,6 @@
 
 #include <algorithm>
 
-#include "base/predicates.h"
-
 namespace paver {
 namespace {
 
@@ -29,13 +27,10 @@ struct Filling {
   std::vector<Corners> elements;
 };
 
-/// -1 where a corner does not turn left in the chart.
+/// -1 where it is not positive.
 double value(const RegionMesh& mesh, const Corners& corners) {
   const Element element{corners};
-  const int n = element.corners();
-  for (int i = 0; i < n; ++i)
-    if (orientation(mesh.p[corners[i]], mesh.p[corners[(i + 1) % n]], mesh.p[corners[(i + 2) % n]]) <= 0) return -1;
-  return scaled_jacobian(mesh, element);
+  return is_positive(mesh, element) ? scaled_jacobian(mesh, element) : -1;
 }
 
 /// Whether elements other than `gone` have a side between two nodes.

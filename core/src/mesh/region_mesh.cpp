@@ -1,6 +1,8 @@
 // Connectivity edits of a region's mesh and the scaled Jacobian of one element.
 #include "mesh/region_mesh.h"
 
+#include "base/predicates.h"
+
 namespace paver {
 
 void RegionMesh::reserve(std::size_t count) {
@@ -94,6 +96,23 @@ struct Sides {
 };
 
 }  // namespace
+
+bool faces_surface(const RegionMesh& mesh, const Element& e) {
+  const int n = e.corners();
+  int fixed = 0;
+  for (int i = 0; i < n; ++i) fixed += mesh.is_fixed[e.v[i]];
+  if (fixed < 2) return true;
+  Vec3 normal{};
+  for (int i = 0; i < n; ++i) normal += mesh.normal(e.v[i]);
+  return dot(Sides(mesh, e).area, normal) >= 0;
+}
+
+bool is_positive(const RegionMesh& mesh, const Element& e) {
+  const int n = e.corners();
+  for (int i = 0; i < (n == 3 ? 1 : 4); ++i)
+    if (orientation(mesh.p[e.v[i]], mesh.p[e.v[(i + 1) % n]], mesh.p[e.v[(i + 2) % n]]) <= 0) return false;
+  return faces_surface(mesh, e);
+}
 
 bool has_jacobian(const RegionMesh& mesh, const Element& e, double bound) {
   const Sides s(mesh, e);

@@ -113,6 +113,13 @@ struct RegionMesh {
   Vec2 pull_back(int node, Vec3 v) const;
 };
 
+/// Whether an element does not face away from the surface, as far as it has two fixed corners: a chart that bends
+/// straight lines has room between a chord of the boundary and its curve, where there is no surface.
+bool faces_surface(const RegionMesh& mesh, const Element& e);
+
+/// Whether all corners turn left in the chart and it faces the surface.
+bool is_positive(const RegionMesh& mesh, const Element& e);
+
 /// Whether the scaled Jacobian is at least `bound`, positive; takes no root.
 bool has_jacobian(const RegionMesh& mesh, const Element& e, double bound);
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "base/predicates.h"
 #include "regions/grid_smoothing.h"
 
 namespace paver {
@@ -12,12 +11,6 @@ namespace {
 // 0.07, as for closed faces, leaves lengths about as even (conesphere_gap: CV 0.057 rather than 0.058) and more skew
 // elements (mean scaled Jacobian 0.9947 rather than 0.9956); 0.14 skews fewer (0.9969) but has many more patches.
 constexpr double angle_weight = 0.085;
-
-bool is_positive(const RegionMesh& mesh, const Element& e) {
-  for (int k = 0; k < 4; ++k)
-    if (orientation(mesh.p[e.v[k]], mesh.p[e.v[(k + 1) % 4]], mesh.p[e.v[(k + 2) % 4]]) <= 0) return false;
-  return true;
-}
 
 GluedGrid as_grid(const Region& region, const RegionMesh& mesh, const std::vector<std::array<float, 4>>& wishes) {
   GluedGrid grid;

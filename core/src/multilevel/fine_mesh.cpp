@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/predicates.h"
-
 namespace paver {
 namespace {
 
@@ -217,9 +215,8 @@ bool FineMesh::lay_grid(const Row& bottom, const Row& right, const Row& top, con
 }
 
 bool FineMesh::add_quad(const std::array<int, 4>& v) {
-  for (int k = 0; k < 4; ++k)
-    if (orientation(fine_.p[v[k]], fine_.p[v[(k + 1) % 4]], fine_.p[v[(k + 2) % 4]]) <= 0) return false;
-  if (!has_jacobian(fine_, Element{v}, least_jacobian)) return false;
+  const Element quad{v};
+  if (!is_positive(fine_, quad) || !has_jacobian(fine_, quad, least_jacobian)) return false;
   fine_.add_element(v);
   return true;
 }

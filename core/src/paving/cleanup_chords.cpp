@@ -13,8 +13,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "base/predicates.h"
-
 namespace paver {
 namespace {
 
@@ -184,13 +182,10 @@ class ChordRemover {
     if (worst > best.worst) best = {worst, elements};
   }
 
-  /// -1 where a corner does not turn left in the chart.
+  /// -1 where it is not positive.
   double value(const Corners& corners) const {
     const Element element{corners};
-    for (int i = 0, n = element.corners(); i < n; ++i)
-      if (orientation(mesh_.p[corners[i]], mesh_.p[corners[(i + 1) % n]], mesh_.p[corners[(i + 2) % n]]) <= 0)
-        return -1;
-    return scaled_jacobian(mesh_, element);
+    return is_positive(mesh_, element) ? scaled_jacobian(mesh_, element) : -1;
   }
 
   Front& front_;

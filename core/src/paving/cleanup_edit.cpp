@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "base/predicates.h"
 #include "paving/cleanup_smooth.h"
 
 namespace paver {
@@ -30,13 +29,6 @@ double ideal_elements(double angle) {
     if (quarter < border - tie) return n;
     if (quarter < border + tie) return n + 0.5;
   }
-}
-
-bool is_positive(const RegionMesh& mesh, const Element& e) {
-  int n = e.corners();
-  for (int i = 0; i < (n == 3 ? 1 : 4); ++i)
-    if (orientation(mesh.p[e.v[i]], mesh.p[e.v[(i + 1) % n]], mesh.p[e.v[(i + 2) % n]]) <= 0) return false;
-  return true;
 }
 
 double area_in_targets(const RegionMesh& mesh, const Element& e) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "paving/facing.h"
+
 namespace paver {
 namespace {
 
@@ -34,8 +36,9 @@ bool move_if_better(Front& front, int node, Vec2 p, Merit& best) {
   front.region.evaluate(p, x, xp, xq);
   mesh.x[node] = x;
   Merit now = merit(mesh, node);
+  const bool is_facing = faces_surface(front, node);
   mesh.x[node] = old;
-  if (now.value() < best.value() + 1e-4 || now.worst < std::min(best.worst, good_jacobian)) return false;
+  if (!is_facing || now.value() < best.value() + 1e-4 || now.worst < std::min(best.worst, good_jacobian)) return false;
   best = now;
   front.set_position(node, p, x, xp, xq);
   return true;

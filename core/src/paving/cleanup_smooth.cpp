@@ -7,21 +7,12 @@
 
 #include <algorithm>
 
-#include "base/predicates.h"
-
 namespace paver {
 namespace {
 
 // With momentum a dozen sweeps even out lengths as thirty over-relaxed ones or sixty plain ones do.
 constexpr double over_relaxation = 1.3, momentum = 0.7;
 constexpr double still = 0.004;  // step by the scale of the mesh below which a node rests
-
-bool is_positive(const RegionMesh& mesh, const Element& e) {
-  int n = e.corners();
-  for (int i = 0; i < (n == 3 ? 1 : 4); ++i)
-    if (orientation(mesh.p[e.v[i]], mesh.p[e.v[(i + 1) % n]], mesh.p[e.v[(i + 2) % n]]) <= 0) return false;
-  return true;
-}
 
 }  // namespace
 

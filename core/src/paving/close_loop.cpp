@@ -11,12 +11,10 @@ namespace {
 constexpr double good_enough = 0.45;  // worst value a pattern of a loop of 6 or 8 must reach while rows could go on
 constexpr double fair_quad = 0.2;     // pairs of triangles merge above this scaled Jacobian
 
-/// Scaled Jacobian less a penalty for new sides far from the target length; -1 where not convex in the chart.
+/// -1 where it is not positive.
 double value(const RegionMesh& mesh, int a, int b, int c, int d) {
-  const int v[4] = {a, b, c, d};
-  for (int i = 0; i < 4; ++i)
-    if (orientation(mesh.p[v[i]], mesh.p[v[(i + 1) % 4]], mesh.p[v[(i + 2) % 4]]) <= 0) return -1;
-  return scaled_jacobian(mesh, {{a, b, c, d}});
+  const Element quad{{a, b, c, d}};
+  return is_positive(mesh, quad) ? scaled_jacobian(mesh, quad) : -1;
 }
 
 double length_penalty(const RegionMesh& mesh, int a, int b) {
@@ -198,6 +196,7 @@ void insert_triangle(Front& front, const std::vector<int>& loop) {
     if (where.kind != Location::Kind::inside && where.kind != Location::Kind::on_side) continue;
     int apex = front.add_node(p);
     front.mesh.h[apex] = std::min(mesh.h[apex], norm(side));
+    if (!faces_surface(mesh, {{a, b, apex, -1}})) continue;
     if (front.empty.insert(apex, where) && front.form_element(f, apex, -1, front.facets[f].level)) {
       ++front.counts.triangles;
       return;

@@ -3,18 +3,8 @@
 
 #include <algorithm>
 
-#include "base/predicates.h"
-
 namespace paver {
-namespace {
-
-bool is_convex(const RegionMesh& mesh, const int (&v)[4]) {
-  for (int i = 0; i < 4; ++i)
-    if (orientation(mesh.p[v[i]], mesh.p[v[(i + 1) % 4]], mesh.p[v[(i + 2) % 4]]) <= 0) return false;
-  return true;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 bool lay_quad(Front& front, int f, const Wish* left, const Wish* right, int level, std::vector<int>& new_nodes) {
   const Facet facet = front.facets[f];
@@ -34,9 +24,9 @@ bool lay_quad(Front& front, int f, const Wish* left, const Wish* right, int leve
   };
   bool is_laid = false;
   if (c.node >= 0 && c.node != d.node) {
-    const int corners[4] = {a, b, c.node, d.node};
-    bool is_fit = is_convex(front.mesh, corners) &&
-                  scaled_jacobian(front.mesh, {{a, b, c.node, d.node}}) > (d.is_new || c.is_new ? 0.05 : 1e-3);
+    const Element quad{{a, b, c.node, d.node}};
+    bool is_fit =
+        is_positive(front.mesh, quad) && scaled_jacobian(front.mesh, quad) > (d.is_new || c.is_new ? 0.05 : 1e-3);
     if (is_fit && put(d, a)) {
       if (put(c, b)) {
         is_laid = front.form_element(f, c.node, d.node, level);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/predicates.h"
+#include "paving/facing.h"
 
 namespace paver {
 namespace {
@@ -150,6 +151,7 @@ Granted grant(Front& front, const Wish& wish, int start, int avoid_a, int avoid_
   }
   NodePlace at{p, {}, {}, {}};
   front.region.evaluate(p, at.x, at.xp, at.xq);
+  if (is_beyond_facet(front, where.triangle, at)) return {};
   double nearest;
   int node = near_node(front, wish, where.triangle, p, at.x, avoid_a, avoid_b, nearest);
   if (node >= 0) return {node, false};

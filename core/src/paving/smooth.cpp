@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "paving/facing.h"
+
 namespace paver {
 namespace {
 
@@ -56,11 +58,12 @@ bool smooth_node(Front& front, int node) {
     Vec2 p = front.region.chart->walk(old.p, mesh.pull_back(node, share * step));
     if (!front.can_move(node, p)) continue;
     front.slide(node, p, scale);
-    if (is_good_about(mesh, node)) return true;
+    const bool is_facing = faces_surface(front, node);
+    if (is_facing && is_good_about(mesh, node)) return true;
     double after = worst_about(mesh, node);
     mesh.put(node, old);
     if (before < -1) before = worst_about(mesh, node);
-    if (after < before) continue;
+    if (!is_facing || after < before) continue;
     front.slide(node, p, scale);
     return true;
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "base/predicates.h"
@@ -169,6 +170,22 @@ class FacetTree {
   int loops_ = 0;
 };
 
+// By how many facets a ray from p meets, and the one nearest to p.
+std::optional<LoopFacet> facet_that_cuts_off(const Region& region, Vec2 p) {
+  bool is_inside = false;
+  double least = INFINITY;
+  LoopFacet nearest;
+  for (std::size_t l = 0; l < region.loops.size(); ++l)
+    for (std::size_t i = 0, n = region.loops[l].size(); i < n; ++i) {
+      const Vec2 a = region.loops[l][i].p, b = region.loops[l][(i + 1) % n].p, along = b - a;
+      if ((a.y > p.y) != (b.y > p.y) && (orientation(a, b, p) > 0) == (b.y > a.y)) is_inside = !is_inside;
+      const double length2 = dot(along, along);
+      const double away = norm(a + (length2 > 0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0) * along - p);
+      if (away < least) least = away, nearest = {static_cast<int>(l), static_cast<int>(i)};
+    }
+  return is_inside || nearest.loop < 0 ? std::nullopt : std::optional(nearest);
+}
+
 }  // namespace
 
 LoopNodes number_loop_nodes(const Region& region) {
@@ -192,7 +209,11 @@ LoopNodes number_loop_nodes(const Region& region) {
 }
 
 std::vector<std::array<LoopFacet, 2>> crossing_facets(const Region& region, std::size_t most) {
-  return FacetTree(region, most).pairs();
+  auto pairs = FacetTree(region, most).pairs();
+  for (std::size_t f = 0; f < region.fans.size() && pairs.size() < most; ++f)
+    if (auto facet = facet_that_cuts_off(region, region.fans[f].centre.p))
+      pairs.push_back({*facet, {static_cast<int>(region.loops.size() + f), 0}});
+  return pairs;
 }
 
 }  // namespace paver

@@ -21,7 +21,8 @@ struct LoopFacet {
   int loop = -1, place = -1;
 };
 
-/// Pairs that have more in common than a node that they share, by their order in the loops, and at most `most` of them.
+/// Pairs that have more in common than a node that they share, by their order in the loops, and at most `most` of them;
+/// then a facet with the first one of a fan, where it cuts the fan's centre off from the region.
 /// Two facets on one edge that run against each other between the same nodes are a slit and are no such pair.
 std::vector<std::array<LoopFacet, 2>> crossing_facets(const Region& region, std::size_t most);
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/fake_model.h"
 
 namespace paver {
@@ -46,6 +48,37 @@ TEST(EdgeMetric, ArcLengthOfAnEllipseIsThatOfTheCompleteEllipticIntegral) {
   EdgeMetric metric(edge, size_of(0.1));
   EXPECT_NEAR(metric.length(), 9.688448220547675, 1e-7);
   EXPECT_NEAR(metric.parameter_at_length(0.25 * metric.length()), 0.5 * fake::pi, 1e-8);
+}
+
+/// From (0, 0) along the x axis to x = 1, where it turns by `angle` within about 1e-4.
+class Hook : public Curve {
+ public:
+  explicit Hook(double angle) : slope_(std::tan(angle)) {}
+  Vec3 point(double t) const override { return {t, slope_ * width * std::log1p(std::exp(share(t))), 0}; }
+  void d1(double t, Vec3& x, Vec3& xt) const override {
+    x = point(t);
+    xt = {1, slope_ / (1 + std::exp(-share(t))), 0};
+  }
+  void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override {
+    d1(t, x, xt);
+    const double rise = 1 / (1 + std::exp(-share(t)));
+    xtt = {0, slope_ * rise * (1 - rise) / width, 0};
+  }
+
+ private:
+  static constexpr double width = 1e-5;
+  static double share(double t) { return (t - 1) / width + 8; }
+  double slope_;
+};
+
+// Curves of intersection end so, by rounding.
+TEST(EdgeMetric, ABendThatTurnsLittleInAllDoesNotMakeSmallIntervals) {
+  constexpr double limit = 0.8;
+  auto weight = [&](double angle) {
+    return EdgeMetric(edge_on(std::make_shared<Hook>(angle), 0, 1, false), size_of(0.25, limit)).weight();
+  };
+  EXPECT_NEAR(weight(0.5 * limit), 4, 0.01);
+  EXPECT_GT(weight(1.5 * limit), 8);
 }
 
 TEST(EdgeMetric, TellsHowManyIntervalsTheTurnNeeds) {

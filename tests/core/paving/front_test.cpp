@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "paving/facing.h"
+#include "regions/chart.h"
 #include "support/fake_model.h"
 #include "support/planar_region.h"
 #include "support/validate.h"
@@ -221,6 +223,36 @@ TEST(Front, SlidesStayNearTheSurfaceAndEndOnIt) {
   front.end_slides();
   EXPECT_LT(off(), 1e-12);
   EXPECT_EQ(mesh.p[0], (Vec2{0.2, 0.3}));
+}
+
+// Round a cylinder the chart is polar: between a chord of the upper rim and the rim lies what is above the cylinder.
+TEST(Front, TellsWhatLiesBeyondAFacetInAChartThatBendsLines) {
+  constexpr int facets = 6;
+  Region region;
+  region.surface = std::make_shared<fake::Cylinder>(2);
+  region.chart = make_polar_chart(*region.surface, {{0, 0}, {2 * fake::pi, 5}}, 2 * fake::pi);
+  region.goes_round = true;
+  for (double height : {0.0, 5.0}) {
+    std::vector<LoopNode>& loop = region.loops.emplace_back();
+    for (int i = 0; i < facets; ++i) {
+      const Vec2 uv{2 * fake::pi / facets * (height > 0 ? -i : i), height};
+      loop.push_back({static_cast<int>(region.loops.size()) * facets + i - facets, 0, region.chart->to_chart(uv),
+                      region.surface->point(uv), 2});
+    }
+  }
+  RegionMesh mesh;
+  Front front(region, mesh);
+  ASSERT_FALSE(front.start());
+  auto is_beyond = [&](double height) {
+    const Vec2 p = region.chart->to_chart({-fake::pi / facets, height});
+    const Location where = front.empty.walk(front.empty.facet_side(facets).triangle, facets, p);
+    EXPECT_NE(where.kind, Location::Kind::blocked);
+    NodePlace at{p, {}, {}, {}};
+    region.evaluate(p, at.x, at.xp, at.xq);
+    return is_beyond_facet(front, where.triangle, at);
+  };
+  EXPECT_TRUE(is_beyond(5.1));
+  EXPECT_FALSE(is_beyond(4.9));
 }
 
 TEST(Front, GivesAwayTheVoidOfOneLoop) {

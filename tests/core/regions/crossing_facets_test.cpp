@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "support/planar_region.h"
@@ -48,6 +49,25 @@ TEST(CrossingFacets, LoopsInOnePlaceAreFound) {
   region = test::planar_region({square, test::reversed(square)}, 1);
   for (LoopNode& node : region.loops[1]) node.edge = 1;
   EXPECT_EQ(crossing_facets(region, all).size(), 4u);
+}
+
+TEST(CrossingFacets, AFacetThatCutsAPointOffIsFound) {
+  const Points coarse = test::circle({0, 0}, 4, 6);
+  for (double reach : {3.4, 3.5}) {  // the chords are 3.464 from the middle
+    Region region = test::planar_region({coarse}, 1);
+    const Vec2 at = reach * Vec2{std::cos(M_PI / 2), std::sin(M_PI / 2)};
+    Fan& fan = region.fans.emplace_back();
+    fan.centre.p = at;
+    for (Vec2 p : test::circle(at, 0.01, 8)) {
+      fan.ring.emplace_back();
+      fan.ring.back().p = p;
+    }
+    const auto found = crossing_facets(region, all);
+    ASSERT_EQ(found.size(), reach > 3.464 ? 1u : 0u);
+    if (found.empty()) continue;
+    EXPECT_EQ(found[0][0].place, 1);
+    EXPECT_EQ(found[0][1].loop, 1);
+  }
 }
 
 TEST(CrossingFacets, AreThoseOfAllPairs) {

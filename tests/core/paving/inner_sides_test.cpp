@@ -1,0 +1,69 @@
+#include "paving/inner_sides.h"
+
+#include <gtest/gtest.h>
+
+#include "support/planar_region.h"
+
+namespace paver {
+namespace {
+
+/// Two quads in a rectangle of six nodes; 1 and 4 are the ends of the side between them.
+///
+///    5---4---3
+///    |   |   |
+///    0---1---2
+struct TwoQuads {
+  TwoQuads() : region(test::planar_region({{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}}}, 1)) {
+    for (const LoopNode& node : region.loops[0]) {
+      const int i = mesh.add_node(node.p, node.x, {1, 0, 0}, {0, 1, 0}, 1);
+      mesh.is_fixed[i] = 1, mesh.global[i] = node.global;
+    }
+    mesh.add_element({0, 1, 4, 5});
+    mesh.add_element({1, 2, 3, 4});
+  }
+  double area() const {
+    double sum = 0;
+    for (const Element& e : mesh.elements)
+      for (int k = 0; e.is_alive() && k < e.corners(); ++k)
+        sum += 0.5 * cross(mesh.p[e.v[k]], mesh.p[e.v[(k + 1) % e.corners()]]);
+    return sum;
+  }
+  long alive() const {
+    long count = 0;
+    for (const Element& e : mesh.elements) count += e.is_alive();
+    return count;
+  }
+  Region region;
+  RegionMesh mesh;
+};
+
+TEST(DivideInnerSides, PutsANodeInTheMiddleAndDividesBothElements) {
+  TwoQuads t;
+  divide_inner_sides(t.region, {{1, 4}}, t.mesh);
+  ASSERT_EQ(t.mesh.node_count(), 7);
+  EXPECT_EQ(t.mesh.p[6], (Vec2{1, 0.5}));
+  EXPECT_EQ(t.mesh.global[6], -1);
+  EXPECT_EQ(t.alive(), 4);
+  EXPECT_DOUBLE_EQ(t.area(), 2);
+  for (const Element& e : t.mesh.elements) EXPECT_TRUE(!e.is_alive() || is_positive(t.mesh, e));
+}
+
+TEST(DivideInnerSides, LeavesTheBoundaryAndWhatIsNoSide) {
+  TwoQuads t;
+  divide_inner_sides(t.region, {{0, 1}, {0, 4}, {2, 3}}, t.mesh);
+  EXPECT_EQ(t.mesh.node_count(), 6);
+  EXPECT_EQ(t.alive(), 2);
+}
+
+TEST(DivideInnerSides, DividesTriangles) {
+  TwoQuads t;
+  t.mesh.remove_element(0);
+  t.mesh.add_element({0, 1, 4, -1});
+  t.mesh.add_element({0, 4, 5, -1});
+  divide_inner_sides(t.region, {{0, 4}}, t.mesh);
+  EXPECT_EQ(t.alive(), 5);
+  EXPECT_DOUBLE_EQ(t.area(), 2);
+}
+
+}  // namespace
+}  // namespace paver
