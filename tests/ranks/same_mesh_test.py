@@ -17,9 +17,9 @@ CAD = {"nist_ctc_01.brep": ("--size", "20"), "truncated_cone.igs": ("--size", "3
        "sliced_cylinder.step": ("--size", "10"), "nacelle.stp": ("--size", "60")}
 
 
-def mesh(model, folder, name, *options):
+def mesh(model, folder, name, *options, ending=".msh"):
     """(bytes of the mesh, report less what differs from run to run)."""
-    out, report = os.path.join(folder, name + ".msh"), os.path.join(folder, name + ".json")
+    out, report = os.path.join(folder, name + ending), os.path.join(folder, name + ".json")
     done = subprocess.run([PROGRAM, "mesh", model, "-o", out, "--report", report, "--quiet", *options],
                           stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
@@ -32,10 +32,10 @@ def mesh(model, folder, name, *options):
         return f.read(), figures
 
 
-def compare(model, folder, options):
-    expected = mesh(model, folder, "one", *options)
+def compare(model, folder, options, ending=".msh"):
+    expected = mesh(model, folder, "one", *options, ending=ending)
     for ranks, threads in ((1, 2), (2, 1), (3, 2), (5, 1)):
-        found = mesh(model, folder, "several", *options, "--ranks", str(ranks), "--threads", str(threads))
+        found = mesh(model, folder, "several", *options, "--ranks", str(ranks), "--threads", str(threads), ending=ending)
         assert found[1] == expected[1], (ranks, threads)
         assert found[0] == expected[0], (ranks, threads)
 
@@ -51,3 +51,8 @@ def test_cad_models(name, tmp_path):
     if not os.path.exists(model):
         pytest.skip(f"needs a real model, cad/{name} is missing: set PAVER_SHARED to the folder that has it")
     compare(model, str(tmp_path), CAD[name])
+
+
+@pytest.mark.parametrize("ending", (".msh", ".vtu"))
+def test_a_model_of_wires_only(ending, tmp_path):
+    compare(os.path.join(os.path.dirname(__file__), "wire.brep"), str(tmp_path), ("--size", "4"), ending)

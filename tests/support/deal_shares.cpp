@@ -63,6 +63,7 @@ class Dealer {
     share.result.report = whole_.report;
     share.result.face_names = whole_.face_names;
     share.result.edge_names = whole_.edge_names;
+    share.result.edge_groups = whole_.edge_groups;
     share.nodes = static_cast<long>(from.nodes.size());
     share.quads = static_cast<long>(from.quad_count());
     share.triangles = static_cast<long>(from.triangle_count());

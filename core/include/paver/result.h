@@ -164,6 +164,9 @@ struct RunReport {
   double peak_memory_mib = 0;
 };
 
+/// The group of edges where more than two faces meet.
+inline constexpr const char* junctions = "Junctions";
+
 struct MeshResult {
   SurfaceMesh mesh;
   RunReport report;
@@ -171,7 +174,7 @@ struct MeshResult {
   /// Per B-rep edge: "Edge7"; "Added1" for those that dividing and connecting added, "Junction1" for pieces of an edge
   /// that are junctions where other pieces are not.
   std::vector<std::string> edge_names;
-  std::vector<std::string> edge_groups;  ///< per B-rep edge: "Junctions", the wire it is of ("Wire1"), or empty
+  std::vector<std::string> edge_groups;  ///< per B-rep edge: `junctions`, the wire it is of ("Wire1"), or empty
 };
 
 /// Whether there are neither elements nor lines of wires.

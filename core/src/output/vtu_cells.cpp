@@ -12,7 +12,8 @@
 namespace paver {
 namespace {
 
-constexpr std::uint8_t vtk_triangle = 5, vtk_quad = 9, vtk_lagrange_triangle = 69, vtk_lagrange_quad = 70;
+constexpr std::uint8_t vtk_triangle = 5, vtk_quad = 9, vtk_lagrange_triangle = 69, vtk_lagrange_quad = 70, vtk_line = 3,
+                       vtk_lagrange_curve = 68;
 
 long nodes_per_quad(int p) { return static_cast<long>(p + 1) * (p + 1); }
 long nodes_per_triangle(int p) { return static_cast<long>(p + 1) * (p + 2) / 2; }
@@ -60,7 +61,11 @@ long VtuSize::entry_bytes(VtuArray array) const {
 
 long VtuSize::entries(VtuArray array) const {
   if (array == VtuArray::points) return points;
-  return entries_before(array, false, triangles);
+  return entries_before_line(array, lines);
+}
+
+long VtuSize::entries_before_line(VtuArray array, long number) const {
+  return entries_before(array, false, triangles) + number * (array == VtuArray::connectivity ? order + 1 : 1);
 }
 
 long VtuSize::entries_before(VtuArray array, bool is_quad, long number) const {
@@ -150,6 +155,32 @@ void VtuCells::write_connectivity(std::size_t begin, std::size_t end, ByteSink& 
       sink.write(wide.data(), stride * sizeof(std::int64_t));
     } else {
       sink.write(narrow.data(), stride * sizeof(std::int32_t));
+    }
+  }
+}
+
+VtuLines::VtuLines(const MeshResult& result)
+    : mesh_(result.mesh), stride_(static_cast<std::size_t>(result.mesh.order) + 1) {
+  for (std::size_t line = 0; line < mesh_.line_edge.size(); ++line) {
+    const auto edge = static_cast<std::size_t>(mesh_.line_edge[line]);
+    if (edge >= result.edge_groups.size()) continue;
+    if (const std::string& group = result.edge_groups[edge]; !group.empty() && group != junctions)
+      lines_.push_back(line);
+  }
+}
+
+void VtuLines::write(VtuArray array, const VtuSize& size, const std::vector<long>& point, ByteSink& sink) const {
+  long at = size.entries_before_line(VtuArray::connectivity, 0);
+  for (std::size_t line : lines_) {
+    if (array == VtuArray::face) sink.write_packed<std::int32_t>(-1 - mesh_.line_edge[line]);
+    if (array == VtuArray::sj) sink.write_packed(1.0);
+    if (array == VtuArray::offsets) sink.write_packed<std::int64_t>(at += static_cast<long>(stride_));
+    if (array == VtuArray::types) sink.write_packed(size.order == 1 ? vtk_line : vtk_lagrange_curve);
+    if (array != VtuArray::connectivity) continue;
+    for (std::size_t k = 0; k < stride_; ++k) {
+      const long number = point[static_cast<std::size_t>(mesh_.lines[line * stride_ + k])] - 1;
+      if (size.has_wide_points()) sink.write_packed<std::int64_t>(number);
+      if (!size.has_wide_points()) sink.write_packed(static_cast<std::int32_t>(number));
     }
   }
 }

@@ -12,7 +12,7 @@
 
 namespace paver {
 
-/// The arrays of the file, in its order. Cells are quads, then triangles.
+/// The arrays of the file, in its order. Cells are quads, then triangles, then lines of wires.
 enum class VtuArray { face, sj, points, connectivity, offsets, types };
 inline constexpr std::array vtu_arrays{VtuArray::face,         VtuArray::sj,      VtuArray::points,
                                        VtuArray::connectivity, VtuArray::offsets, VtuArray::types};
@@ -20,14 +20,16 @@ inline constexpr std::array vtu_arrays{VtuArray::face,         VtuArray::sj,    
 /// Sizes of the whole file.
 struct VtuSize {
   int order = 1;
-  long points = 0, quads = 0, triangles = 0;
+  long points = 0, quads = 0, triangles = 0, lines = 0;
 
-  long cells() const { return quads + triangles; }
+  long cells() const { return quads + triangles + lines; }
   bool has_wide_points() const;  ///< point numbers take 64 bits
   long entry_bytes(VtuArray array) const;
   long entries(VtuArray array) const;
   /// Entries of a cell array before those of an element, `number` being its place among the elements of its kind.
   long entries_before(VtuArray array, bool is_quad, long number) const;
+  /// The same of a line.
+  long entries_before_line(VtuArray array, long number) const;
   long bytes(VtuArray array) const { return entries(array) * entry_bytes(array); }
 };
 
@@ -62,6 +64,28 @@ class VtuCells {
   const std::vector<long>& point_;
   const std::vector<int>&table_, &face_of_;
   std::vector<int> positions_;  // per VTK position: the position in Gmsh's order
+};
+
+/// Lines of wires as cells.
+class VtuLines {
+ public:
+  /// Which of the mesh's lines those are.
+  explicit VtuLines(const MeshResult& result);
+
+  long count() const { return static_cast<long>(lines_.size()); }
+  /// Marks the nodes in a list, one entry per node.
+  template <class T>
+  void mark_nodes(std::vector<T>& nodes) const {
+    for (std::size_t line : lines_)
+      for (std::size_t k = 0; k < stride_; ++k) nodes[static_cast<std::size_t>(mesh_.lines[line * stride_ + k])] = 1;
+  }
+  /// Cell data, connectivity, offsets or types of all.
+  void write(VtuArray array, const VtuSize& size, const std::vector<long>& point, ByteSink& sink) const;
+
+ private:
+  const SurfaceMesh& mesh_;
+  std::size_t stride_;
+  std::vector<std::size_t> lines_;
 };
 
 }  // namespace paver

@@ -1,5 +1,5 @@
 // VTK unstructured grid, appended raw, by several ranks. An element's number in the whole is its place in every array,
-// a node's tag its place among the points.
+// a node's tag its place among the points. All ranks hold the lines, the first one writes them.
 #include "output/share_numbering_impl.h"
 #include "output/share_writers_impl.h"
 #include "output/vtu_impl.h"
@@ -26,12 +26,14 @@ std::vector<Stretch> stretches_of(const std::vector<long>& number) {
 
 class VtuShare : public ShareWriter {
  public:
-  VtuShare(const MeshShare& share, Ranks& ranks) : share_(share), mesh_(share.result.mesh), rank_(ranks.rank()) {
+  VtuShare(const MeshShare& share, Ranks& ranks)
+      : share_(share), mesh_(share.result.mesh), lines_(share.result), rank_(ranks.rank()) {
     std::vector<char> is_used(mesh_.nodes.size(), 0);
     std::vector<int> face = faces_of_nodes(share, is_used, ranks);
     for (std::size_t node = 0; node < face.size(); ++node) is_used[node] = face[node] >= 0;
+    lines_.mark_nodes(is_used);
     tags_ = number_nodes(share, is_used, ranks);
-    size_ = {mesh_.order, tags_.count, share.quads, share.triangles};
+    size_ = {mesh_.order, tags_.count, share.quads, share.triangles, lines_.count()};
     beginning_ = vtu_beginning(size_);
     end_ = static_cast<long>(beginning_.size());
     for (VtuArray array : vtu_arrays) {
@@ -55,6 +57,9 @@ class VtuShare : public ShareWriter {
       }
       write_cells(array, true, file);
       write_cells(array, false, file);
+      if (rank_ > 0) continue;
+      file.seek(at(array, size_.entries_before_line(array, 0)));
+      lines_.write(array, size_, tags_.of_node, file);
     }
     if (rank_ == 0) {
       file.seek(end_);
@@ -85,6 +90,7 @@ class VtuShare : public ShareWriter {
 
   const MeshShare& share_;
   const SurfaceMesh& mesh_;
+  const VtuLines lines_;
   const int rank_;
   NodeTags tags_;
   VtuSize size_;

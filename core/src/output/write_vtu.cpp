@@ -1,5 +1,5 @@
-// VTK unstructured grid (.vtu), arrays appended raw or as text. Surface elements only, lines are left out. Points are
-// the nodes that elements use, in their order.
+// VTK unstructured grid (.vtu), arrays appended raw or as text. Of the lines only those of wires. Points are the nodes
+// that elements and these use, in their order.
 #include <fmt/format.h>
 
 #include <cstring>
@@ -14,12 +14,13 @@ namespace {
 
 class VtuFile {
  public:
-  VtuFile(const SurfaceMesh& mesh, AtomicFile& file)
-      : mesh_(mesh),
+  VtuFile(const MeshResult& result, AtomicFile& file)
+      : mesh_(result.mesh),
         file_(file),
+        lines_(result),
         point_(number_points()),
-        quads_(mesh, true, size_, point_),
-        triangles_(mesh, false, size_, point_) {}
+        quads_(mesh_, true, size_, point_),
+        triangles_(mesh_, false, size_, point_) {}
 
   void write_binary() {
     file_.write(vtu_beginning(size_));
@@ -40,15 +41,17 @@ class VtuFile {
   }
 
  private:
-  /// Per node its number, from 1; 0: no element uses it.
+  /// Per node its number, from 1; 0: no cell uses it.
   std::vector<long> number_points() {
     std::vector<long> number(mesh_.nodes.size(), 0);
     for (const std::vector<int>* table : {&mesh_.quads, &mesh_.triangles})
       for (int node : *table) number[static_cast<std::size_t>(node)] = 1;
+    lines_.mark_nodes(number);
     long points = 0;
     for (long& value : number)
       if (value) value = ++points;
-    size_ = {mesh_.order, points, static_cast<long>(mesh_.quad_count()), static_cast<long>(mesh_.triangle_count())};
+    size_ = {mesh_.order, points, static_cast<long>(mesh_.quad_count()), static_cast<long>(mesh_.triangle_count()),
+             lines_.count()};
     return number;
   }
 
@@ -60,6 +63,7 @@ class VtuFile {
     }
     quads_.write(array, 0, quads_.count(), 0, sink);
     triangles_.write(array, 0, triangles_.count(), 0, sink);
+    lines_.write(array, size_, point_, sink);
   }
 
   void write_as_text(VtuArray array) {
@@ -93,6 +97,7 @@ class VtuFile {
 
   const SurfaceMesh& mesh_;
   AtomicFile& file_;
+  const VtuLines lines_;
   VtuSize size_;
   std::vector<long> point_;
   VtuCells quads_, triangles_;
@@ -102,7 +107,7 @@ class VtuFile {
 
 void write_vtu(const MeshResult& result, bool is_ascii, AtomicFile& file) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double), "points are written as they lie in memory");
-  VtuFile vtu(result.mesh, file);
+  VtuFile vtu(result, file);
   is_ascii ? vtu.write_ascii() : vtu.write_binary();
 }
 

@@ -1,10 +1,10 @@
 // In: model. Out: entity of every edge, names and groups of the entities.
 #include "topology/edge_entities.h"
 
+#include "paver/result.h"
+
 namespace paver {
 namespace {
-
-constexpr const char* junctions = "Junctions";
 
 bool is_junction(const Edge& edge) { return edge.faces.size() > 2 && !edge.is_degenerate; }
 

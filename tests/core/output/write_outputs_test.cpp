@@ -9,7 +9,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "core/quality/wavy_mesh.h"
 #include "paver/output.h"
@@ -134,6 +136,38 @@ TEST_P(EveryFormat, IsReadByGmsh) {
 }
 
 using WriteOutputs = Writing;
+
+/// The values of an array of a .vtu in text.
+std::vector<double> values(const std::string& file, const std::string& name) {
+  const std::size_t declared = file.find("Name=\"" + name + "\""), begin = file.find('>', declared) + 1;
+  std::istringstream text(file.substr(begin, file.find('<', begin) - begin));
+  return {std::istream_iterator<double>(text), {}};
+}
+
+TEST_F(WriteOutputs, PutsTheLinesOfWiresBehindTheElementsOfAVtu) {
+  for (int order : {1, 2}) {
+    MeshResult result = fake::WavyMesh(order, 10, 0).result();
+    result.edge_groups = {"", "", junctions, "", "Wire1"};
+    write(result, {path("a.vtu"), "", MshVersion::v4_1, true});
+    const std::string file = content(path("a.vtu"));
+    const std::vector<double> types = values(file, "types"), faces = values(file, "face");
+    const std::size_t elements = result.mesh.quad_count() + result.mesh.triangle_count(), lines = 10;
+    ASSERT_EQ(types.size(), elements + lines);
+    ASSERT_EQ(faces.size(), types.size());
+    for (std::size_t i = 0; i < types.size(); ++i) {
+      EXPECT_EQ(types[i] == (order == 1 ? 3 : 68), i >= elements);
+      EXPECT_EQ(faces[i] == -5, i >= elements);
+    }
+    const std::vector<double> nodes = values(file, "connectivity"), points = values(file, "Points");
+    EXPECT_EQ(values(file, "offsets").back(), nodes.size());
+    const std::size_t row = result.mesh.lines.size() - static_cast<std::size_t>(order + 1);
+    ASSERT_EQ(result.mesh.line_edge.back(), 4);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(order + 1); ++k) {
+      const auto point = static_cast<std::size_t>(nodes[nodes.size() - static_cast<std::size_t>(order + 1) + k]);
+      EXPECT_EQ(points[3 * point], result.mesh.nodes[static_cast<std::size_t>(result.mesh.lines[row + k])].x);
+    }
+  }
+}
 
 TEST_F(WriteOutputs, GivesFacesOfOneNameOneGroup) {
   MeshResult result = fake::WavyMesh(1, 4, 0).result();

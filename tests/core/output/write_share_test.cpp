@@ -84,6 +84,8 @@ TEST_F(WriteShare, LeavesOutNodesThatNothingUses) {
   mesh.quads.resize(half * 9), mesh.quad_face.resize(half);
   mesh.triangles.clear(), mesh.triangle_face.clear();
   expect_same_bytes(whole, "half of the elements");
+  whole.edge_groups = {"", "Wire1", junctions, "", "Wire1"};
+  expect_same_bytes(whole, "half of the elements and wires");
   mesh.lines.clear(), mesh.line_edge.clear();
   expect_same_bytes(whole, "no lines");
   mesh.quads.clear(), mesh.quad_face.clear();
