@@ -11,7 +11,7 @@ from freecad_test import LIBRARIES, need
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 import runs  # noqa: E402
 
-OWN = ("rod on a plate", "fin on a sheet", "patch on a board", "wire on a sheet", "boxes that cross")
+OWN = ("rod on a plate", "fin on a sheet", "patch on a board", "wire on a sheet", "point on a sheet", "boxes that cross")
 SHARED = [path for path in sorted(glob.glob(os.path.join(runs.SHARED, "contact", "*.step")))
           if os.path.basename(path) != "face_crosses_itself.step"]
 
@@ -36,6 +36,7 @@ def members_of(FreeCAD, Part, name):
             "fin on a sheet": lambda: [sheet, Part.makePlane(10, 20, at(15, 15, 0), at(0, 1, 0))],
             "patch on a board": lambda: [plate, Part.makePlane(10, 8, at(10, 10, 2))],
             "wire on a sheet": lambda: [sheet, Part.makeLine(at(20, 15, 0), at(20, 15, 25))],
+            "point on a sheet": lambda: [sheet, Part.Vertex(at(23, 11, 0))],
             "boxes that cross": lambda: [plate, Part.makeBox(20, 20, 20, at(30, 20, 1))]}[name]()
 
 

@@ -1,4 +1,4 @@
-// A whole run on a shape, for tests that look at its report.
+// A whole run on a shape, for tests that look at its mesh or report.
 #pragma once
 
 #include <BRepTools.hxx>
@@ -9,14 +9,16 @@
 
 namespace paver::test {
 
-inline RunReport report_of(const TopoDS_Shape& shape, double size) {
+inline MeshResult mesh_of(const TopoDS_Shape& shape, double size) {
   TemporaryFolder folder;
   std::string path = folder.file("model.brep");
   BRepTools::Write(shape, path.c_str());
   Options options;
   options.size = size;
   Progress progress;
-  return mesh_file(path, options, progress).report;
+  return mesh_file(path, options, progress);
 }
+
+inline RunReport report_of(const TopoDS_Shape& shape, double size) { return mesh_of(shape, size).report; }
 
 }  // namespace paver::test

@@ -89,7 +89,7 @@ const char* contact_name(ContactKind kind);
 
 /// Where two parts of the input touch or cross.
 struct Contact {
-  std::array<std::string, 2> parts;  ///< "Solid1", "Sheet2", "Wire1"
+  std::array<std::string, 2> parts;  ///< "Solid1", "Sheet2", "Wire1", "Point1"
   ContactKind kind = ContactKind::point;
   std::vector<std::string> faces;  ///< of both parts, that have a share in it: "Face3"
   double size = 0;                 ///< mm^2 of common faces, mm of common edges, number of common points

@@ -121,6 +121,7 @@ class Connector {
       }
     }
     note_edges();
+    move_points();
     work_.faces = std::move(faces);
     work_.is_rebuilt = true;
     Progress silent;
@@ -181,6 +182,13 @@ class Connector {
     };
     std::erase_if(work_.wires, is_replaced);
     std::move(new_wires_.begin(), new_wires_.end(), std::back_inserter(work_.wires));
+  }
+
+  void move_points() {
+    for (const Fusion& fusion : fusions_)
+      for (const auto& [vertex, image] : fusion.points)
+        for (WorkPoint& point : work_.points)
+          if (point.vertex.IsSame(vertex)) point.vertex = TopoDS::Vertex(image.Oriented(TopAbs_FORWARD));
   }
 
   Workpiece& work_;

@@ -13,8 +13,8 @@
 
 namespace paver {
 
-/// Fills in the parts, and which faces and wires they have: solids in the order of the shape as read, then sheets, then
-/// wires. Edges that faces share hang them together.
+/// Fills in the parts, and which faces, wires and points they have: solids in the order of the shape as read, then
+/// sheets, wires, points. Edges that faces share hang them together.
 void list_parts(Workpiece& work, const TopoDS_Shape& as_read);
 
 /// Parts are called as the object that all their faces are labelled with ("Board/Face3"), where no other part is of it.
@@ -30,11 +30,11 @@ struct ConnectResult {
   std::vector<std::array<int, 2>> failed;
 };
 
-/// Fuses parts whose faces or wires may touch: what they have in common exists once afterwards, in `work.common`, and
-/// edges that lie in other parts' faces divide these or stay inside them. Parts that come nowhere near each other cost
-/// nothing. With Connect::none the contacts are found and the work stays as it is; with Connect::united what lies
-/// within the union of the solids is dropped. Parts that cannot be fused stay as they are and are named.
-/// `tolerance`: largest gap that is closed, mm. Credits connect_units per face.
+/// Fuses parts whose faces, wires or points may touch: what they have in common exists once afterwards, in
+/// `work.common`, and edges that lie in other parts' faces divide these or stay inside them. Parts that come nowhere
+/// near each other cost nothing. With Connect::none the contacts are found and the work stays as it is; with
+/// Connect::united what lies within the union of the solids is dropped. Parts that cannot be fused stay as they are and
+/// are named. `tolerance`: largest gap that is closed, mm. Credits connect_units per face.
 ConnectResult connect(Workpiece& work, Connect how, double tolerance, Progress& progress);
 inline constexpr long connect_units = 2;
 
@@ -44,8 +44,9 @@ struct Fusion {
     TopoDS_Face face;
     std::vector<int> of;  ///< indices of the work's faces that it is a piece of, rising
   };
-  std::vector<Image> images;                                 ///< in the order of the first face each is a piece of
-  std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> edges;  ///< edge and one of its images, where these differ
+  std::vector<Image> images;                                  ///< in the order of the first face each is a piece of
+  std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> edges;   ///< edge and one of its images, where these differ
+  std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> points;  ///< point and its image, where these differ
 };
 
 /// Fuses these parts of the work at one of several tolerances, `tolerance` first; nothing when none of them works.
@@ -62,7 +63,7 @@ struct NearParts {
 /// Marks sheets sewn of several whose faces touch elsewhere than along the seams: WorkPart::is_loose.
 void find_loose_sheets(Workpiece& work, double tolerance);
 
-/// Parts that may touch within `tolerance`, by boxes of small pieces of their faces and wires.
+/// Parts that may touch within `tolerance`, by boxes of small pieces of their faces, wires and points.
 NearParts find_near_parts(const Workpiece& work, double tolerance);
 
 /// Contacts between connected parts.

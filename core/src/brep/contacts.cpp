@@ -82,6 +82,7 @@ class ContactFinder {
       meet_at(work_.faces[f].face, parts, static_cast<int>(f));
     }
     for (const WorkWire& wire : work_.wires) meet_at(wire.edge, {wire.part}, -1);
+    for (const WorkPoint& point : work_.points) meet_at(point.vertex, {point.part}, -1);
     at_edge_.resize(static_cast<std::size_t>(edges_.Extent()) + 1);
     at_vertex_.resize(static_cast<std::size_t>(vertices_.Extent()) + 1);
   }

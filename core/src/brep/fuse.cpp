@@ -41,6 +41,8 @@ class Fuser {
       if (is_member(work_.faces[f]) && !add_images(static_cast<int>(f), builder, tolerance, fusion))
         return std::nullopt;
     add_edges(builder, fusion);
+    for (const WorkPoint& point : work_.points)
+      for (const TopoDS_Shape& image : builder.Modified(point.vertex)) fusion.points.push_back({point.vertex, image});
     return fusion;
   }
 
@@ -67,6 +69,8 @@ class Fuser {
       if (face.is_usable() && face.has_part(part)) builder.Add(compound, face.face);
     for (const WorkWire& wire : work_.wires)
       if (wire.part == part) builder.Add(compound, wire.edge);
+    for (const WorkPoint& point : work_.points)
+      if (point.part == part) builder.Add(compound, point.vertex);
     return compound;
   }
 

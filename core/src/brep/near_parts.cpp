@@ -26,7 +26,7 @@ bool is_free_form(const BRepAdaptor_Surface& surface) {
          kind == GeomAbs_OtherSurface || kind == GeomAbs_SurfaceOfExtrusion || kind == GeomAbs_SurfaceOfRevolution;
 }
 
-/// A face or wire of a part.
+/// A face, wire or point of a part.
 class Piece {
  public:
   Piece(const TopoDS_Shape& shape, double margin) : shape_(shape), margin_(margin) {
@@ -156,6 +156,7 @@ NearParts find_near_parts(const Workpiece& work, double tolerance) {
     if (face.is_usable())
       for (const FaceUse& use : face.uses) add(face.face, use.part);
   for (const WorkWire& wire : work.wires) add(wire.edge, wire.part);
+  for (const WorkPoint& point : work.points) add(point.vertex, point.part);
   auto nearness = [&](std::size_t a, std::size_t b) {
     if (whole[a].IsVoid() || whole[b].IsVoid() || whole[a].IsOut(whole[b])) return Nearness::apart;
     const bool are_solids = work.parts[a].solid >= 0 && work.parts[b].solid >= 0;

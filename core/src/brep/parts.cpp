@@ -43,6 +43,7 @@ class PartLister {
     find_read_sheets();
     add_sheets();
     add_wires();
+    add_points();
   }
 
  private:
@@ -104,6 +105,18 @@ class PartLister {
       const auto root = static_cast<std::size_t>(groups.group_of(w));
       if (root == w) work_.wires[w].part = add_part("Wire" + std::to_string(++wires), -1);
       work_.wires[w].part = work_.wires[root].part;
+    }
+  }
+
+  void add_points() {
+    TopTools_IndexedMapOfShape vertices, used;
+    for (const WorkFace& face : work_.faces) TopExp::MapShapes(face.face, TopAbs_VERTEX, used);
+    for (const WorkWire& wire : work_.wires) TopExp::MapShapes(wire.edge, TopAbs_VERTEX, used);
+    for (TopExp_Explorer free(work_.shape, TopAbs_VERTEX, TopAbs_EDGE); free.More(); free.Next())
+      if (!used.Contains(free.Current())) vertices.Add(free.Current());
+    for (int i = 1; i <= vertices.Extent(); ++i) {
+      const TopoDS_Vertex vertex = TopoDS::Vertex(vertices(i).Oriented(TopAbs_FORWARD));
+      work_.points.push_back({vertex, add_part("Point" + std::to_string(i), -1)});
     }
   }
 

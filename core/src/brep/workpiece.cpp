@@ -157,6 +157,7 @@ void copy_shape(Workpiece& work) {
   TopExp::MapShapes(work.shape, TopAbs_EDGE, work.read_edges);
   for (int i = 1; i <= faces.Extent(); ++i) work.faces[static_cast<std::size_t>(i - 1)].face = TopoDS::Face(faces(i));
   for (WorkWire& wire : work.wires) wire.edge = TopoDS::Edge(copy.ModifiedShape(wire.edge));
+  for (WorkPoint& point : work.points) point.vertex = TopoDS::Vertex(copy.ModifiedShape(point.vertex));
   work.is_copied = true;
 }
 

@@ -7,6 +7,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -46,9 +47,10 @@ struct WorkFace {
   }
 };
 
-/// An object of the input: a solid, faces that hang together without one, or edges that bound no face likewise.
+/// An object of the input: a solid, faces that hang together without one, edges that bound no face likewise, or a
+/// vertex that ends no edge.
 struct WorkPart {
-  std::string name;       ///< "Solid2", "Sheet1", "Wire1"
+  std::string name;       ///< "Solid2", "Sheet1", "Wire1", "Point1"
   int solid = -1;         ///< index of the solid of the shape as read
   bool is_loose = false;  ///< a sheet sewn of several whose faces touch elsewhere than at the edges they share
 };
@@ -56,6 +58,12 @@ struct WorkPart {
 /// An edge that bounds no face.
 struct WorkWire {
   TopoDS_Edge edge;
+  int part = -1;
+};
+
+/// A vertex that ends no edge.
+struct WorkPoint {
+  TopoDS_Vertex vertex;
   int part = -1;
 };
 
@@ -67,6 +75,7 @@ struct Workpiece {
   int read_faces = 0;                    ///< of the shape as read
   std::vector<std::vector<int>> common;  ///< per set of faces with pieces in common: their indices, rising
   std::vector<WorkWire> wires;
+  std::vector<WorkPoint> points;
   std::vector<WorkPart> parts;  ///< known from list_parts() on
   double diagonal = 0;          ///< of the bounding box, mm
   bool is_copied = false;       ///< shape and faces are our own, to be changed in place

@@ -387,15 +387,15 @@ class RegionBuilder {
     region.fans.push_back(std::move(fan));
   }
 
-  // A node inside the face, the end of a wire: four quads about it in advance.
-  void add_point(const InnerPoint& point, Region& region) const {
+  // A node inside the face, a point or the end of a wire: four quads about it in advance.
+  void add_point(const InnerPoint& point, Region& region) {
     constexpr int quads = 4;
     Fan fan;
-    fan.centre.global = node_of_vertex(point.vertex);
-    if (fan.centre.global < 0) return;
-    fan.centre.x = nodes_.nodes[fan.centre.global];
     fan.centre.p = region.chart->to_chart(point.uv);
     fan.centre.h = std::min(size_.h, size_.faces[index_].at(point.uv, *face_.surface));
+    fan.centre.global = node_of_vertex(point.vertex);
+    if (fan.centre.global < 0) fan.centre.global = append(model_.vertices[point.vertex], fan.centre.h);
+    fan.centre.x = nodes_.nodes[fan.centre.global];
     double room = nearest_facet(region, fan.centre.x);
     for (const InnerPoint& other : face_.points)
       if (other.vertex != point.vertex) room = std::min(room, 0.5 * norm(model_.vertices[other.vertex] - fan.centre.x));

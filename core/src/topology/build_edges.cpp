@@ -34,6 +34,7 @@ class EdgeBuilder {
       index_.edge[static_cast<std::size_t>(position)] = static_cast<int>(model_.edges.size());
       add_edge(TopoDS::Edge(index_.map(position).Oriented(TopAbs_FORWARD)));
     }
+    for (const WorkPoint& point : work_.points) add_point(point.vertex);
     number_vertices();
     return std::move(index_);
   }
@@ -85,6 +86,10 @@ class EdgeBuilder {
       points_.push_back(edge.curve ? edge.curve->point(t) : Vec3{});
       return merger_.add();
     }
+    return add_point(shape);
+  }
+
+  int add_point(const TopoDS_Vertex& shape) {
     int position = vertices_.FindIndex(shape);
     if (position > 0) return vertex_ids_[static_cast<std::size_t>(position - 1)];
     vertices_.Add(shape);

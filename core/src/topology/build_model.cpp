@@ -189,7 +189,7 @@ class ModelBuilder {
     if (!face.fault.empty()) face.loops.clear();
   }
 
-  /// Where wires end.
+  /// Points, and where wires end.
   static void note_points(Face& face, const TopoDS_Face& shape, const EdgeIndex& index) {
     for (TopoDS_Iterator parts(shape); parts.More(); parts.Next()) {
       if (parts.Value().ShapeType() != TopAbs_VERTEX) continue;
@@ -298,6 +298,10 @@ class ModelBuilder {
       int edge = index.find(wire.edge);
       if (edge >= 0) model_.edge_part[static_cast<std::size_t>(edge)] = wire.part;
     }
+    for (const WorkPoint& point : work_.points) {
+      const int position = index.vertex_map.FindIndex(point.vertex);
+      model_.points.push_back({point.part, index.vertex[static_cast<std::size_t>(position)]});
+    }
     model_.report.contacts = connected_.contacts;
     for (auto [a, b] : connected_.failed)
       model_.report.unconnected.push_back(
@@ -368,6 +372,7 @@ class ModelBuilder {
       if (!face.fault.empty()) faulty.push_back(face.name);
     }
     for (int i : sewn_.lost_faces) lost.push_back(face_name(i));
+    note("On no face and on no edge, so that they are no nodes", points_apart());
     std::vector<std::string> doubles;
     for (auto [dropped, kept] : work_.doubles) doubles.push_back(face_name(dropped) + " on " + face_name(kept));
     note("Left out because they lie on another face", doubles);
@@ -380,6 +385,21 @@ class ModelBuilder {
     std::sort(deviating_.begin(), deviating_.end());
     deviating_.erase(std::unique(deviating_.begin(), deviating_.end()), deviating_.end());
     note("Curves lie up to " + std::to_string(largest_deviation_) + " mm off their faces", deviating_);
+  }
+
+  /// Points that nothing of the model has.
+  std::vector<std::string> points_apart() const {
+    std::vector<char> is_used(model_.vertices.size(), 0);
+    for (const Edge& edge : model_.edges)
+      if (!edge.faces.empty() || edge.is_wire())
+        for (int vertex : {edge.start, edge.end}) is_used[static_cast<std::size_t>(vertex)] = 1;
+    for (const Face& face : model_.faces)
+      for (const InnerPoint& point : face.points) is_used[static_cast<std::size_t>(point.vertex)] = 1;
+    std::vector<std::string> names;
+    for (const PartPoint& point : model_.points)
+      if (!is_used[static_cast<std::size_t>(point.vertex)])
+        names.push_back(model_.parts[static_cast<std::size_t>(point.part)]);
+    return names;
   }
 
   void note(const std::string& text, const std::vector<std::string>& names) {

@@ -25,8 +25,8 @@ struct EdgeIndex {
   }
 };
 
-/// Fills model.edges and model.vertices with what the faces use. Edges shorter than 1e-7 diagonal become degenerate and
-/// their two vertices one.
+/// Fills model.edges and model.vertices with what the faces and wires use, and with the points. Edges shorter than 1e-7
+/// diagonal become degenerate and their two vertices one.
 EdgeIndex build_edges(const Workpiece& work, Model& model);
 
 struct LoopResult {
@@ -46,8 +46,8 @@ LoopResult build_loops(const TopoDS_Face& face, const Surface& surface, const Ed
 int add_slits(const Surface& surface, const std::vector<Edge>& edges, const std::vector<Coedge>& inner,
               std::vector<Loop>& loops);
 
-/// The faces with an area as BREP text, part by part: closed ones as solids, others as shells, then the wires.
-/// `is_reversed`: per face of the work, what orienting made of it.
+/// The faces with an area as BREP text, part by part: closed ones as solids, others as shells, then the wires and
+/// points. `is_reversed`: per face of the work, what orienting made of it.
 std::string repaired_brep(const Workpiece& work, const std::vector<char>& is_reversed);
 
 /// Adds to Face::points the vertices on periodic edges that others have as well.

@@ -1,4 +1,4 @@
-// In: model, reports of faces. Out: parts by component. Faces and wires that share a vertex share its node.
+// In: model, reports of faces. Out: parts by component. Faces, wires and points that share a vertex share its node.
 #include "topology/components.h"
 
 #include <map>
@@ -29,6 +29,8 @@ class Components {
         for (int part : model_.face_parts[f]) note(face_item(f), part);
     for (std::size_t e = 0; e < model_.edges.size(); ++e)
       if (is_wire(e)) note(edge_item(e), model_.edge_part[e]);
+    for (const PartPoint& point : model_.points)
+      if (parts.contains(together_.find(vertex_item(point.vertex)))) note(vertex_item(point.vertex), point.part);
     std::vector<std::vector<std::string>> components;
     for (const auto& [root, has] : parts) {
       std::vector<std::string>& names = components.emplace_back();

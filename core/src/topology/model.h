@@ -43,6 +43,11 @@ struct InnerPoint {
   Vec2 uv;
 };
 
+/// A part that is a vertex.
+struct PartPoint {
+  int part = -1, vertex = -1;
+};
+
 struct Face {
   std::string name;   ///< "Face12", "Face3 + Face9" where common to these; pieces of a face keep its name
   int origin = -1;    ///< 0-based entry of the report that it is, or is a piece of; pieces stand in a row
@@ -64,10 +69,11 @@ struct Model {
   std::vector<Edge> edges;
   std::vector<Face> faces;
   /// Names of solids ("Solid2"), of faces that hang together without one ("Sheet1"), of edges that bound no face
-  /// ("Wire1").
+  /// ("Wire1"), of vertices that end no edge ("Point1").
   std::vector<std::string> parts;
   std::vector<std::vector<int>> face_parts;   ///< per face: the parts that have it
   std::vector<int> edge_part;                 ///< per edge: the part that it is a wire of, or -1
+  std::vector<PartPoint> points;              ///< parts that are vertices
   int read_faces = 0;                         ///< of the shape as read: the first entries of the report
   std::vector<std::vector<int>> common;       ///< per further entry: the faces as read that have it in common, rising
   int read_edges = 0;                         ///< edges of the shape as read, used or not

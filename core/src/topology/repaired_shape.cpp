@@ -95,6 +95,7 @@ std::string repaired_brep(const Workpiece& work, const std::vector<char>& is_rev
   for (const auto& part : faces)
     if (!part.empty()) add_part(part, whole);
   for (const WorkWire& wire : work.wires) builder.Add(whole, wire.edge);
+  for (const WorkPoint& point : work.points) builder.Add(whole, point.vertex);
   std::ostringstream text;
   BRepTools::Write(whole, text);
   return std::move(text).str();

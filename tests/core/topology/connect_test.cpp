@@ -3,6 +3,7 @@
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <algorithm>
@@ -17,6 +18,7 @@ namespace paver {
 namespace {
 
 using test::compound;
+using test::mesh_of;
 using test::model_of;
 using test::report_of;
 
@@ -35,6 +37,8 @@ TopoDS_Shape sheet(double z, double x0, double x1, double y0, double y1) {
 }
 
 TopoDS_Shape wire(gp_Pnt a, gp_Pnt b) { return BRepBuilderAPI_MakeEdge(a, b).Shape(); }
+
+TopoDS_Shape point(gp_Pnt at) { return BRepBuilderAPI_MakeVertex(at).Shape(); }
 
 long faces_with_area(const Model& model) {
   return std::count_if(model.faces.begin(), model.faces.end(), [](const Face& face) { return face.has_area; });
@@ -175,6 +179,41 @@ TEST(Connect, NoneLeavesPartsAsDrawnAndReportsContacts) {
   EXPECT_EQ(junctions(model), 0);
   ASSERT_EQ(model.report.contacts.size(), 1u);
   EXPECT_EQ(model.report.contacts[0].kind, ContactKind::face);
+}
+
+bool has_node(const SurfaceMesh& mesh, Vec3 at) {
+  return std::any_of(mesh.nodes.begin(), mesh.nodes.end(), [&](Vec3 node) { return norm(node - at) < 1e-9; });
+}
+
+TEST(Connect, APointIsANodeInAFaceOnAnEdgeAndOnAWire) {
+  for (gp_Pnt at : {gp_Pnt(41, 33, 0), gp_Pnt(41, 0, 0), gp_Pnt(100, 100, 0), gp_Pnt(50, 50, 13)}) {
+    SCOPED_TRACE(at.X() + at.Z());
+    const auto result = mesh_of(compound({sheet(0, 0, 100, 0, 100), wire({50, 50, 0}, {50, 50, 40}), point(at)}), 10);
+    EXPECT_TRUE(has_node(result.mesh, {at.X(), at.Y(), at.Z()}));
+    EXPECT_EQ(result.report.components, (std::vector<std::vector<std::string>>{{"Sheet1", "Wire1", "Point1"}}));
+    const auto& contacts = result.report.model.contacts;
+    ASSERT_EQ(contacts.size(), 2u);
+    EXPECT_EQ(contacts[1].kind, ContactKind::point);
+    EXPECT_EQ(contacts[1].parts[1], "Point1");
+    EXPECT_STREQ(verdict(result.report), "sound");
+  }
+}
+
+TEST(Connect, APointOfSeveralFacesIsOneNode) {
+  const auto result = mesh_of(
+      compound({box(0, 0, 0, 50, 50, 50), box(50, 10, 10, 50, 50, 50), point({50, 30, 30}), point({50, 30, 30})}), 10);
+  EXPECT_TRUE(has_node(result.mesh, {50, 30, 30}));
+  EXPECT_EQ(result.report.quality.border_edges, 0);
+  EXPECT_EQ(result.report.components.size(), 1u);
+  EXPECT_EQ(result.report.components[0].size(), 4u);
+}
+
+TEST(Connect, APointApartIsNamedAndNoNode) {
+  const auto result = mesh_of(compound({sheet(0, 0, 100, 0, 100), point({50, 50, 5})}), 10);
+  EXPECT_FALSE(has_node(result.mesh, {50, 50, 5}));
+  EXPECT_EQ(result.report.components, (std::vector<std::vector<std::string>>{{"Sheet1"}}));
+  EXPECT_EQ(result.report.notes,
+            std::vector<std::string>{"On no face and on no edge, so that they are no nodes: Point1."});
 }
 
 TEST(Connect, AWireAloneIsMeshed) {
