@@ -24,6 +24,10 @@
         <translation>Verfeinerungen: Ziellängen von Flächen, Kanten, Punkte und Körpern</translation>
     </message>
     <message>
+        <source>Radius of the wires, for solvers and scripts: the mesh does not depend on it; 0: not given</source>
+        <translation>Radius der Drähte, für Löser und Skripte: das Netz hängt nicht von ihm ab; 0: nicht angegeben</translation>
+    </message>
+    <message>
         <source>Where the window's commands mesh; own process: FreeCAD survives a crash; automatic: there from HeavyElements of the preferences on</source>
         <translation>Wo die Befehle des Fensters vernetzen; Own process: FreeCAD übersteht einen Absturz; Automatic: dort ab HeavyElements der Einstellungen</translation>
     </message>
@@ -46,6 +50,10 @@
     <message>
         <source>Number of triangles</source>
         <translation>Zahl der Dreiecke</translation>
+    </message>
+    <message>
+        <source>Number of line elements of wires</source>
+        <translation>Zahl der Linienelemente von Drähten</translation>
     </message>
     <message>
         <source>Number of nodes</source>
@@ -1189,6 +1197,14 @@
     <message>
         <source>Whether every mesh edge lies in exactly two elements</source>
         <translation>Ob jede Netzkante in genau zwei Elementen liegt</translation>
+    </message>
+    <message>
+        <source>Lines of wires</source>
+        <translation>Linien von Drähten</translation>
+    </message>
+    <message>
+        <source>Line elements of edges that bound no face</source>
+        <translation>Linienelemente von Kanten, die keine Fläche begrenzen</translation>
     </message>
     <message>
         <source>Contacts</source>

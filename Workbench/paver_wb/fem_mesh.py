@@ -1,13 +1,16 @@
-"""FreeCAD's FemMesh of a stored mesh: tri3, tri6, quad4 and quad8, with a group of faces for each B-rep face.
+"""FreeCAD's FemMesh of a stored mesh: tri3, tri6, quad4 and quad8 with a group of faces for each B-rep face, seg2 and seg3
+with a group of edges for each wire.
 
-FreeCAD has no quad9: the node in the middle is left out. Elements have the numbers 1, 2, ..., quads first, as in Paver;
-nodes are numbered without gaps. Elements go through a VTU file with raw data, the fastest way in: one call for each
-element from Python takes about five times as long, and UNV more.
+FreeCAD has no quad9: the node in the middle is left out. Elements have the numbers 1, 2, ..., quads first, as in Paver, lines
+last; nodes are numbered without gaps. Faces go through a VTU file with raw data, the fastest way in: one call for each
+element from Python takes about five times as long, and UNV more. FreeCAD reads no lines from it; of those there are few.
 """
 import os
 import tempfile
 
 import numpy as np
+
+from paver_wb import mesh_file
 
 VTK_TYPES = {("quad", 1): (9, 4), ("quad", 2): (23, 8), ("triangle", 1): (5, 3), ("triangle", 2): (22, 6)}
 
@@ -25,13 +28,16 @@ def serendipity(mesh):
 
 
 def numbered(mesh):
-    """(points, quads, triangles) with only the nodes that the elements use."""
-    quads, triangles = serendipity(mesh)
+    """(points, quads, triangles, {wire: lines}) with only the nodes that these use."""
+    (quads, triangles), wires = serendipity(mesh), mesh_file.wires(mesh)
     is_used = np.zeros(len(mesh.nodes), dtype=bool)
     is_used[quads.ravel()] = True
     is_used[triangles.ravel()] = True
+    for lines in wires.values():
+        is_used[lines.ravel()] = True
     number = np.cumsum(is_used) - 1
-    return np.asarray(mesh.nodes)[is_used], number[quads], number[triangles]
+    return (np.asarray(mesh.nodes)[is_used], number[quads], number[triangles],
+            {name: number[lines] for name, lines in wires.items()})
 
 
 def write_vtu(path, points, blocks):
@@ -77,6 +83,15 @@ def add_groups(fem, mesh, groups):
             fem.addGroupElements(fem.addGroup(name, "Face"), members.tolist())
 
 
+def add_wires(fem, wires, first):
+    """A group for each of `wires`, {name: rows of nodes}; the lines are elements from the number `first` on."""
+    for name, lines in wires.items():
+        for number, nodes in enumerate((lines + 1).tolist(), first):
+            fem.addEdge(nodes, number)
+        fem.addGroupElements(fem.addGroup(name, "Edge"), list(range(first, first + len(lines))))
+        first += len(lines)
+
+
 def write(mesh, groups, path):
     """Writes a StoredMesh in a format of FreeCAD's, by the ending of `path`; `groups` as in of_mesh."""
     of_mesh(mesh, groups).write(path)
@@ -88,19 +103,31 @@ def empty():
 
 
 def of_mesh(mesh, groups):
-    """Fem.FemMesh of a StoredMesh, with `groups`, {name: numbers of faces}, besides one for each face.
+    """Fem.FemMesh of a StoredMesh, with `groups`, {name: numbers of faces}, besides one for each face and wire.
 
     NoFemMesh for orders that FreeCAD does not have.
     """
-    import Fem
-    points, quads, triangles = numbered(mesh)
+    points, quads, triangles, wires = numbered(mesh)
     blocks = [(VTK_TYPES[kind, mesh.order][0], rows) for kind, rows in (("quad", quads), ("triangle", triangles))
               if len(rows)]
-    if not blocks:
-        return empty()
+    fem = of_faces(points, blocks) if blocks else of_points(points)
+    add_groups(fem, mesh, groups)
+    add_wires(fem, wires, len(quads) + len(triangles) + 1)
+    return fem
+
+
+def of_faces(points, blocks):
+    """A FemMesh without groups; blocks as write_vtu takes them."""
+    import Fem
     with tempfile.TemporaryDirectory(prefix="paver", dir=memory_folder()) as folder:
         path = os.path.join(folder, "mesh.vtu")
         write_vtu(path, points, blocks)
-        fem = Fem.read(path)
-    add_groups(fem, mesh, groups)
+        return Fem.read(path)
+
+
+def of_points(points):
+    """A FemMesh of nodes without elements."""
+    fem = empty()
+    for number, point in enumerate(points.tolist(), 1):
+        fem.addNode(*point, number)
     return fem

@@ -18,6 +18,7 @@ ARRAYS = {"nodes": "<f8", "quads": "<i4", "triangles": "<i4", "quad_faces": "<i4
           "lines": "<i4", "line_edges": "<i4"}
 OPTIONAL = {"node_targets": "<f8"}  # arrays that older files and imported meshes do not have
 
+JUNCTIONS = "Junctions"  # the group of edges where more than two faces meet
 BOTH = " + "  # between names of faces, in the name of what they have in common
 NAMES = ("order", "face_names", "edge_names", "report")
 
@@ -49,6 +50,14 @@ def labels(mesh):
     were read, and in documents of before these were known."""
     given = [face.get("label", face["name"]) for face in mesh.report["faces"]]
     return [name if label == face["name"] else label for name, label, face in zip(mesh.face_names, given, mesh.report["faces"])]
+
+
+def wires(mesh):
+    """{name: (n, p + 1) rows of nodes} of a mesh's lines that are on no face, by wire."""
+    groups = np.array([*mesh.edge_groups, ""], dtype=object)  # the last one is that of no edge
+    of_line = groups[np.minimum(mesh.line_edges, len(groups) - 1)] if len(mesh.line_edges) else groups[:0]
+    names = dict.fromkeys(name for name in of_line.tolist() if name not in ("", JUNCTIONS))
+    return {name: mesh.lines[of_line == name] for name in names}
 
 
 def of_result(result, face_names):

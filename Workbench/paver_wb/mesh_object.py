@@ -33,6 +33,8 @@ PROPERTIES = {
                   "stands"), ()),
     REFINEMENTS: ("App::PropertyLinkListGlobal", INPUT, tip("Refinements: target lengths of faces, edges, vertices and "
                   "solids"), ()),
+    "WireRadius": ("App::PropertyLength", INPUT, tip("Radius of the wires, for solvers and scripts: the mesh does not depend "
+                   "on it; 0: not given"), ()),
     "RunIn": ("App::PropertyEnumeration", INPUT, tip("Where the window's commands mesh; own process: FreeCAD survives a "
               "crash; automatic: there from HeavyElements of the preferences on"), ()),
     RANKS: ("App::PropertyInteger", INPUT, tip("Processes that share the work, by MPI; 0: without MPI"), ()),
@@ -42,6 +44,7 @@ PROPERTIES = {
             ("ReadOnly",)),
     "Quads": ("App::PropertyInteger", RESULT, tip("Number of quads"), ("ReadOnly",)),
     "Triangles": ("App::PropertyInteger", RESULT, tip("Number of triangles"), ("ReadOnly",)),
+    "Lines": ("App::PropertyInteger", RESULT, tip("Number of line elements of wires"), ("ReadOnly",)),
     "Nodes": ("App::PropertyInteger", RESULT, tip("Number of nodes"), ("ReadOnly",)),
     "TargetLength": ("App::PropertyLength", RESULT, tip("Target length of the element edges"), ("ReadOnly",)),
     "WorstScaledJacobian": ("App::PropertyFloat", RESULT, tip("Smallest scaled Jacobian of all elements"), ("ReadOnly",)),

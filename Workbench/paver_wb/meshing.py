@@ -61,6 +61,7 @@ def show_results(obj, mesh):
     """The properties that tell about the mesh."""
     quality = mesh.report["quality"]
     obj.Quads, obj.Triangles, obj.Nodes = len(mesh.quads), len(mesh.triangles), len(mesh.nodes)
+    obj.Lines = sum(map(len, mesh_file.wires(mesh).values()))
     obj.TargetLength = mesh.report["target_length"]
     obj.WorstScaledJacobian = quality["sj"]["all"]["min"]
     obj.Watertight = quality["watertight"]

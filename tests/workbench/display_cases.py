@@ -7,6 +7,7 @@ import unittest
 import FreeCAD
 import FreeCADGui
 import numpy as np
+import Part
 from pivy import coin
 from PySide import QtCore, QtGui
 
@@ -166,6 +167,43 @@ class Modes(InWindow):
         wait()
         self.assertIsNone(display.mesh)
         self.assertEqual(len(self.triangles_drawn(display)), 0)
+
+
+class Wires(InWindow):
+    """Lines on no face."""
+
+    def wire(self):
+        arc = self.document.addObject("Part::Feature", "Arc")
+        arc.Shape = Part.Arc(*[FreeCAD.Vector(*at) for at in ((0, 0, 0), (20, 0, 20), (40, 0, 0))]).toShape()
+        return arc
+
+    def test_they_are_drawn_in_all_modes_besides_faces(self):
+        plate = self.document.addObject("Part::Feature", "Plate")
+        plate.Shape = Part.makePlane(60, 30, FreeCAD.Vector(-10, -15, 0))
+        self.mesh = self.add(plate, size=5)
+        self.mesh.MoreParts = [self.wire()]
+        display = self.run_mesh()
+        points = fields.content(display.scene.wire_points.point, np.float32, 3)
+        self.assertEqual(len(points), 9 * self.mesh.Lines)
+        np.testing.assert_allclose(np.linalg.norm(points - (20, 0, 0), axis=1), 20, rtol=1e-3)
+        self.assertEqual(display.scene.wire_dots.numPoints.getValue(), 2 * self.mesh.Lines)
+        self.set(ColourBar=False, EdgeColour=(1.0, 0.0, 0.0))
+        self.look()
+        for mode in mesh_display.MODES:
+            self.set(DisplayMode=mode)
+            picture = self.picture("wire_" + mode.replace(" + ", "_").replace(" ", "_").lower())
+            is_wire = (picture[:, :, 0] > 200) & (picture[:, :, 1:].max(axis=2) < 40)
+            self.assertGreater(is_wire.mean(), 0.002)
+
+    def test_a_wire_alone(self):
+        self.mesh = self.add(self.wire(), size=5)
+        display = self.run_mesh()
+        self.assertEqual((self.mesh.Quads, self.mesh.Triangles, self.mesh.Lines), (0, 0, 13))
+        self.assertEqual((self.mesh.FemMesh.EdgeCount, self.mesh.FemMesh.FaceCount), (13, 0))
+        self.look()
+        self.assertGreater((self.picture("wire_alone").max(axis=2) < 60).mean(), 0.001)
+        display.clear()
+        self.assertEqual(display.scene.wire_dots.numPoints.getValue(), 0)
 
 
 class Colours(InWindow):

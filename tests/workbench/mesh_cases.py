@@ -59,6 +59,14 @@ class InDocument(unittest.TestCase):
             np.testing.assert_array_equal(points, stored.nodes[row])
         faces = np.concatenate([stored.quad_faces, stored.triangle_faces])
         groups = {fem.getGroupName(g): set(fem.getGroupElements(g)) for g in fem.Groups}
+        number = len(faces)
+        for name, lines in mesh_file.wires(stored).items():
+            members = range(number + 1, number + 1 + len(lines))
+            for member, row in zip(members, lines):
+                points = [tuple(fem.getNodeById(n)) for n in fem.getElementNodes(member)]
+                np.testing.assert_array_equal(points, stored.nodes[row])
+            self.assertEqual(groups.pop(name), set(members))
+            number += len(lines)
         self.assertEqual(groups, {stored.face_names[f]: set(np.flatnonzero(faces == f) + 1) for f in set(faces)})
 
 
@@ -166,6 +174,27 @@ class Meshing(InDocument):
             self.assertEqual((obj.Status, obj.Watertight, obj.FailedFaces), ("Up to date", True, []))
             self.assertEqual(obj.WorstScaledJacobian, result.report["quality"]["sj"]["all"]["min"])
             self.assertEqual(obj.TargetLength.Value, result.report["target_length"])
+
+    def test_wires_are_lines_with_a_group(self):
+        self.box.Length = 10
+        wire = self.document.addObject("Part::Feature", "Wire")
+        wire.Shape = Part.makeLine(FreeCAD.Vector(5, 5, 10), FreeCAD.Vector(5, 5, 40))
+        self.document.recompute()
+        for parts, order in (([self.box, wire], 2), ([wire], 1)):
+            obj = mesh_object.add(self.document, parts, size=5, order=order)
+            meshing.mesh(obj)
+            self.expect_fem_mesh(obj)
+            self.assertEqual(obj.FemMesh.EdgeCount, obj.Lines)
+            self.assertGreater(obj.Lines, 5)
+
+    def test_the_radius_of_wires_leaves_the_mesh_as_it_is(self):
+        obj = mesh_object.add(self.document, self.box, size=5)
+        meshing.mesh(obj)
+        obj.WireRadius = 0.5
+        self.document.recompute()
+        self.assertEqual(obj.Status, "Up to date")
+        self.reopen()
+        self.assertEqual([mesh.WireRadius.Value for mesh in mesh_object.meshes_of(self.document)], [0.5])
 
     def test_the_first_mesh_hides_its_model(self):
         obj = mesh_object.add(self.document, self.box, size=5)

@@ -3,6 +3,7 @@ import FreeCAD
 import numpy as np
 from PySide import QtCore, QtGui
 
+from paver_wb import mesh_file
 from paver_wb.gui import run_status, run_thread
 from paver_wb.gui.task_panel_fields import quantity_text
 
@@ -51,7 +52,16 @@ def figures(mesh):
             "Paver", "no, {} free edges").format(number(quality["border_edges"])),
          translate("Paver", "Whether every mesh edge lies in exactly two elements")),
     ]
-    return rows + parts(report) + times(report)
+    return rows + wires(mesh) + parts(report) + times(report)
+
+
+def wires(mesh):
+    """A row for lines of wires; none without them."""
+    lines = mesh_file.wires(mesh)
+    if not lines:
+        return []
+    return [(translate("Paver", "Lines of wires"), number(sum(map(len, lines.values()))),
+             translate("Paver", "Line elements of edges that bound no face"))]
 
 
 def parts(report):
@@ -109,7 +119,6 @@ class ResultBox(QtGui.QWidget):
             return
 
         def work():
-            from paver_wb import mesh_file
             return figures(mesh or mesh_file.read(path))
         self.thread = run_thread.Background(work)
         self.thread.done.connect(self.show_figures)

@@ -165,6 +165,13 @@ class DrawnMesh:
             self.cut = (subdivision, self.core_mesh.tessellate(subdivision, apart=True))
         return self.cut[1]
 
+    @cached_property
+    def wire_lines(self):
+        """(lines, n + 1, 3): points along each line of a wire, by the polynomial through its nodes."""
+        rows = list(mesh_file.wires(self.stored).values())
+        nodes = self.stored.nodes[np.concatenate(rows)] if rows else np.zeros((0, self.order + 1, 3))
+        return np.einsum("sk,lkx->lsx", line_shapes(self.order, MOST_SUBDIVISION if self.order > 1 else 1), nodes)
+
     def prepare(self, subdivision):
         """Makes what every drawing needs, so that it can be done in a thread; subdivision 0: the one that fits."""
         self.tessellation(subdivision or self.fitting_subdivision())
@@ -213,6 +220,14 @@ class DrawnMesh:
             centres = cells.mean(axis=1, keepdims=True)
             cells[:] = centres + np.float32(factor) * (cells - centres)
         return made
+
+
+def line_shapes(order, n):
+    """(n + 1, order + 1): what each node of a line (ends, then inner ones) weighs at n + 1 even places of it."""
+    at = np.concatenate([[0, 1], np.arange(1, order) / order])
+    others = at[None, :].repeat(order + 1, axis=0)[~np.eye(order + 1, dtype=bool)].reshape(order + 1, order)
+    places = np.linspace(0, 1, n + 1)[:, None, None]
+    return np.prod((places - others) / (at[:, None] - others), axis=2)
 
 
 def quad_ring(n):

@@ -68,7 +68,9 @@ def colour_node(rgb):
     return node
 
 
-def line_style(width):
+def line_style(width, point_size=0):
     style = coin.SoDrawStyle()
     style.lineWidth = width
+    if point_size:
+        style.pointSize = point_size
     return style

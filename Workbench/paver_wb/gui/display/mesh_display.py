@@ -41,7 +41,7 @@ class MeshDisplay:
         self.bar, self.report_panel = ViewPanel(top=True), ViewPanel(top=False)
         self.modes = {}
         _displays.add(self)
-        shared = [self.marks, self.picker.node, self.report_panel.switch]
+        shared = [self.scene.wires, self.marks, self.picker.node, self.report_panel.switch]
         for name, nodes in ((CURVED, [self.scene.faces, self.bar.switch]),
                             (CURVED_EDGES, [self.scene.faces, self.scene.edges, self.bar.switch]),
                             (EDGES, [self.scene.edges_alone])):
@@ -190,6 +190,7 @@ class MeshDisplay:
         self.labels.show([], [])
         self.scene.set_points(empty, empty)
         self.scene.set_colours(np.zeros(0, np.uint32))
+        self.scene.set_wires(np.zeros((0, 2, 3)))
         for panel in (self.bar, self.report_panel):
             panel.show(None)
 
@@ -206,6 +207,7 @@ class MeshDisplay:
             outlines, on_model = mesh.element_outlines(np.arange(mesh.count), self.subdivision), np.zeros_like(on_model)
         self.scene.set_points(points, drawn.normals)
         self.scene.set_indices(drawn.triangle_indices, outlines, rows_as_indices(drawn.outlines[on_model]))
+        self.scene.set_wires(mesh.wire_lines)
         low, high = mesh.extent
         self.scene.edge_density.set_mesh(low, high, 0 if vobj.AlwaysAllEdges else mesh.mean_area)
         for panel in (self.bar, self.report_panel):

@@ -1,4 +1,4 @@
-"""Coin nodes of a mesh: faces with true normals and a colour per element, element edges, edges of the model."""
+"""Coin nodes of a mesh: faces with true normals and a colour per element, element edges, edges of the model, wires."""
 import numpy as np
 from pivy import coin
 
@@ -6,14 +6,15 @@ from paver_wb.gui.display.edge_density import EdgeDensity
 from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, line_style, put, separator,
                                          unlit, unpickable)
 
-EDGE_WIDTH, MODEL_EDGE_WIDTH = 1, 2
+EDGE_WIDTH, MODEL_EDGE_WIDTH, WIRE_WIDTH, WIRE_NODE = 1, 2, 3, 7
 DIMMED = 0.85  # colours where they are lit, as all lights together are brighter than one
 FILL_DIRECTIONS, FILL_INTENSITY = ((0.3, 0.2, -1), (-0.3, -0.2, 1), (1, -0.6, 0), (-1, 0.6, 0)), 0.16
 FAINT = 0.55  # of the elements' colour in edges that lie close together
 
 
 class Scene:
-    """`faces`, `edges`, or `edges_alone`, which do not fade, are the groups to put into display modes; `points` and `normals` serve the marks too.
+    """`faces`, `edges`, or `edges_alone`, which do not fade, and `wires` are the groups to put into display modes; `points`
+    and `normals` serve the marks too.
 
     Coin sends arrays straight to the graphics card only where points, normals and colours have the same indices: so
     elements share no points, and each point has the colour of its element.
@@ -22,8 +23,8 @@ class Scene:
     def __init__(self):
         self.points, self.normals, self.packed = coin.SoCoordinate3(), coin.SoNormal(), coin.SoPackedColor()
         self.light, self.binding, self.face_set = coin.SoLightModel(), coin.SoMaterialBinding(), coin.SoIndexedFaceSet()
-        self.faces = separator(unpickable(), *fill_lights(), both_sides(), self.light, soft_material(), self.packed, self.binding,
-                               coin.SoPolygonOffset(), self.points, self.normals, by_index(), self.face_set)
+        self.faces = separator(unpickable(), *fill_lights(), both_sides(), self.light, soft_material(), self.packed,
+                               self.binding, coin.SoPolygonOffset(), self.points, self.normals, by_index(), self.face_set)
         self.edge_colour, self.faint_colour = colour_node((0, 0, 0)), colour_node((0.5, 0.5, 0.5))
         self.lines, self.model_lines = coin.SoIndexedLineSet(), coin.SoIndexedLineSet()
         self.edge_density = EdgeDensity(put(coin.SoGroup(), self.edge_colour, self.lines),
@@ -34,6 +35,22 @@ class Scene:
         self.edges_alone = separator(unpickable(), unlit(), self.edge_colour, self.points,
                                      separator(line_style(EDGE_WIDTH), self.lines),
                                      line_style(MODEL_EDGE_WIDTH), self.model_lines)
+
+        self.wire_points, self.wire_nodes = coin.SoCoordinate3(), coin.SoCoordinate3()
+        self.wire_lines, self.wire_dots = coin.SoIndexedLineSet(), coin.SoPointSet()
+        self.wires = separator(unpickable(), unlit(), self.edge_colour, line_style(WIRE_WIDTH, WIRE_NODE), self.wire_points,
+                               self.wire_lines, self.wire_nodes, self.wire_dots)
+        self.set_wires(np.zeros((0, 2, 3)))
+
+    def set_wires(self, lines):
+        """lines: (n, k, 3) points along each line of a wire; dots show where one ends."""
+        count = len(lines)
+        self.wire_dots.numPoints = 0
+        fill(self.wire_lines.coordIndex, np.zeros(0, np.int32), INTEGERS)
+        fill(self.wire_points.point, lines.reshape(-1, 3), FLOATS)
+        fill(self.wire_nodes.point, lines[:, [0, -1]].reshape(-1, 3), FLOATS)
+        fill(self.wire_lines.coordIndex, rows_as_indices(np.arange(lines[..., 0].size).reshape(lines.shape[:2])), INTEGERS)
+        self.wire_dots.numPoints = 2 * count
 
     def set_points(self, points, normals):
         """Nothing is drawn from here on until set_indices."""
