@@ -9,7 +9,7 @@ from PySide import QtCore, QtGui
 
 import window
 from paver_wb import examples, mesh_object, meshing, preferences, refinement, statistics
-from paver_wb.gui import commands, run_task, run_thread, statistics_panel
+from paver_wb.gui import commands, first_view, run_task, run_thread, statistics_panel
 from paver_wb.gui.commands import files, view
 
 NEEDS_NOTHING = ["Paver_Import", "Paver_Preferences", "Paver_Help", "Paver_About"]
@@ -35,8 +35,7 @@ class WithCommands(unittest.TestCase):
         self.document = FreeCAD.newDocument("PaverCommands")
         self.box = self.document.addObject("Part::Box", "Box")
         self.document.recompute()
-        FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
-        FreeCADGui.SendMsgToActiveView("ViewFit")
+        first_view.show_all(FreeCADGui.ActiveDocument.ActiveView)
 
     def tearDown(self):
         if FreeCADGui.Control.activeDialog():

@@ -13,6 +13,7 @@ from PySide import QtCore, QtGui
 
 import window
 from paver_wb import core, mesh_file, mesh_object, meshing
+from paver_wb.gui import first_view
 from paver_wb.gui.display import colour_maps, colouring, drawn_mesh, fields, legend, mesh_display
 
 RADIUS = 10
@@ -63,8 +64,7 @@ class InWindow(unittest.TestCase):
         return self.display()
 
     def look(self):
-        self.view.viewIsometric()
-        self.view.fitAll()
+        first_view.show_all(self.view)
         wait(100)
 
     def picture(self, name, size=(900, 700), background="White"):

@@ -12,7 +12,7 @@ except ImportError:
 
 import window
 from paver_wb import core, mesh_object, refinement
-from paver_wb.gui import run_control
+from paver_wb.gui import first_view, run_control
 
 PANEL_WIDTH = 360
 LONG = {"size": 0.03, "max_elements": 3000000}  # a run that takes a while
@@ -29,8 +29,7 @@ class PanelCase(unittest.TestCase):
         self.document = FreeCAD.newDocument("PaverPanel")
         self.box = self.document.addObject("Part::Box", "Box")
         self.document.recompute()
-        FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
-        FreeCADGui.SendMsgToActiveView("ViewFit")
+        first_view.show_all(FreeCADGui.ActiveDocument.ActiveView)
         for dock in window.all_widgets(QtGui.QDockWidget):
             if dock.objectName() in ("Python console", "Report view"):
                 dock.hide()

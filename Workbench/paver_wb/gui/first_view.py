@@ -1,4 +1,5 @@
 """The first look at a document that was made without a window: it keeps no view of its own."""
+import re
 import zipfile
 
 import FreeCAD
@@ -7,6 +8,7 @@ from PySide import QtCore
 
 from paver_wb import mesh_object
 
+CORNER = "orientation 0.74290609 0.30772209 0.59447289 1.2170947"  # FreeCAD's isometric view
 AGAIN = 50  # ms, while a mesh is being read beside the window
 _waiting = set()  # names of documents
 
@@ -57,5 +59,11 @@ def look(name, camera):
         return
     _waiting.discard(name)
     if view and camera_of(view) == camera:
-        view.viewIsometric()
-        view.fitAll()
+        show_all(view)
+
+
+def show_all(view):
+    """All of the document, from a corner and at once: FreeCAD 1.0's viewIsometric turns by and by, and what is fitted
+    meanwhile does not fit in the end."""
+    view.setCamera(re.sub("orientation .*", CORNER, view.getCamera()))
+    view.fitAll()

@@ -6,6 +6,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from paver_wb import examples, export_mesh, import_mesh
+from paver_wb.gui import first_view
 from paver_wb.gui.commands.common import QT_TRANSLATE_NOOP, python_name, resources, run, target_mesh, translate
 from paver_wb.gui.commands.look import OnMeshed
 from paver_wb.gui.file_tasks import FOLDER, parameters
@@ -85,8 +86,7 @@ class Example:
     def Activated(self):
         FreeCADGui.addModule("paver_wb.examples")
         if run(f"paver_wb.examples.open_model({self.name!r})"):
-            FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
-            FreeCADGui.SendMsgToActiveView("ViewFit")
+            first_view.show_all(FreeCADGui.ActiveDocument.ActiveView)
 
 
 def example_commands():
