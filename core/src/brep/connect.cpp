@@ -51,9 +51,10 @@ class Connector {
 
  private:
   /// Where all together cannot be fused, the parts that cannot be in pairs are left out, the one with most such pairs
-  /// first; where that does not help, all stay as they are. So there are two tries and each pair's.
+  /// first; where that does not help, all stay as they are. So there are two tries and each pair's. Before that the points
+  /// are left out.
   void connect_cluster(std::vector<int> parts) {
-    if (try_to_fuse(parts)) return;
+    if (try_to_fuse(parts) || (leave_points(parts) && (parts.size() < 2 || try_to_fuse(parts)))) return;
     for (int part : parts)
       if (work_.parts[static_cast<std::size_t>(part)].is_loose) failed.push_back({part, part});
     std::vector<Pair> pairs = pairs_among(parts), bad;
@@ -68,6 +69,16 @@ class Connector {
     const std::vector<Pair> connected = pairs_among(parts);
     for (Pair pair : pairs)
       if (std::find(connected.begin(), connected.end(), pair) == connected.end()) failed.push_back(pair);
+  }
+
+  /// Points shall not cost the others their connection, nor a try each. Whether there were any.
+  bool leave_points(std::vector<int>& parts) {
+    auto is_point = [&](int part) {
+      return std::any_of(work_.points.begin(), work_.points.end(), [&](const auto& point) { return point.part == part; });
+    };
+    for (const Pair& pair : pairs_among(parts))
+      if (is_point(pair[0]) || is_point(pair[1])) failed.push_back(pair);
+    return std::erase_if(parts, is_point) > 0;
   }
 
   bool try_to_fuse(const std::vector<int>& parts) {
@@ -223,7 +234,9 @@ ConnectResult connect(Workpiece& work, Connect how, double tolerance, Progress& 
   Workpiece fused = work;
   Connector connector(fused, tolerance, progress);
   bool is_fused = connector.run();
-  if (is_fused) result.contacts = find_contacts(fused);
+  const bool has_ends =
+      std::any_of(work.points.begin(), work.points.end(), [](const WorkPoint& point) { return point.is_end; });
+  if (is_fused || has_ends) result.contacts = find_contacts(fused);
   if (how == Connect::none) return result;
   result.failed = std::move(connector.failed);
   find_insides(fused);

@@ -70,7 +70,7 @@ class Fuser {
     for (const WorkWire& wire : work_.wires)
       if (wire.part == part) builder.Add(compound, wire.edge);
     for (const WorkPoint& point : work_.points)
-      if (point.part == part) builder.Add(compound, point.vertex);
+      if (point.part == part && !point.is_end) builder.Add(compound, point.vertex);
     return compound;
   }
 

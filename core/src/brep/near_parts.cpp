@@ -156,7 +156,8 @@ NearParts find_near_parts(const Workpiece& work, double tolerance) {
     if (face.is_usable())
       for (const FaceUse& use : face.uses) add(face.face, use.part);
   for (const WorkWire& wire : work.wires) add(wire.edge, wire.part);
-  for (const WorkPoint& point : work.points) add(point.vertex, point.part);
+  for (const WorkPoint& point : work.points)
+    if (!point.is_end) add(point.vertex, point.part);
   auto nearness = [&](std::size_t a, std::size_t b) {
     if (whole[a].IsVoid() || whole[b].IsVoid() || whole[a].IsOut(whole[b])) return Nearness::apart;
     const bool are_solids = work.parts[a].solid >= 0 && work.parts[b].solid >= 0;

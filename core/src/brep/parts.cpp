@@ -1,4 +1,6 @@
 // The parts of the input: which faces and edges belong together, and who else has them.
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -109,15 +111,29 @@ class PartLister {
   }
 
   void add_points() {
-    TopTools_IndexedMapOfShape vertices, used;
-    for (const WorkFace& face : work_.faces) TopExp::MapShapes(face.face, TopAbs_VERTEX, used);
-    for (const WorkWire& wire : work_.wires) TopExp::MapShapes(wire.edge, TopAbs_VERTEX, used);
+    TopTools_IndexedMapOfShape ends, points;
+    for (const WorkFace& face : work_.faces) TopExp::MapShapes(face.face, TopAbs_VERTEX, ends);
+    for (const WorkWire& wire : work_.wires) TopExp::MapShapes(wire.edge, TopAbs_VERTEX, ends);
     for (TopExp_Explorer free(work_.shape, TopAbs_VERTEX, TopAbs_EDGE); free.More(); free.Next())
-      if (!used.Contains(free.Current())) vertices.Add(free.Current());
-    for (int i = 1; i <= vertices.Extent(); ++i) {
-      const TopoDS_Vertex vertex = TopoDS::Vertex(vertices(i).Oriented(TopAbs_FORWARD));
-      work_.points.push_back({vertex, add_part("Point" + std::to_string(i), -1)});
+      if (!ends.Contains(free.Current())) points.Add(free.Current());
+    if (points.Extent() > most_points) {
+      work_.left_points = points.Extent();
+      return;
     }
+    for (int i = 1; i <= points.Extent(); ++i) {
+      const TopoDS_Vertex vertex = TopoDS::Vertex(points(i).Oriented(TopAbs_FORWARD)), end = end_at(vertex, ends);
+      const int part = add_part("Point" + std::to_string(i), -1);
+      work_.points.push_back({end.IsNull() ? vertex : end, part, !end.IsNull()});
+    }
+  }
+
+  /// The vertex of an edge that is at the same place, or none.
+  static TopoDS_Vertex end_at(const TopoDS_Vertex& point, const TopTools_IndexedMapOfShape& ends) {
+    for (int i = 1; i <= ends.Extent(); ++i) {
+      const TopoDS_Vertex end = TopoDS::Vertex(ends(i).Oriented(TopAbs_FORWARD));
+      if (BRep_Tool::Pnt(end).Distance(BRep_Tool::Pnt(point)) <= Precision::Confusion()) return end;
+    }
+    return {};
   }
 
   Workpiece& work_;

@@ -65,6 +65,7 @@ struct WorkWire {
 struct WorkPoint {
   TopoDS_Vertex vertex;
   int part = -1;
+  bool is_end = false;  ///< it is where an edge ends: `vertex` is that edge's
 };
 
 struct Workpiece {
@@ -76,6 +77,7 @@ struct Workpiece {
   std::vector<std::vector<int>> common;  ///< per set of faces with pieces in common: their indices, rising
   std::vector<WorkWire> wires;
   std::vector<WorkPoint> points;
+  int left_points = 0;  ///< left out: more than most_points
   std::vector<WorkPart> parts;  ///< known from list_parts() on
   double diagonal = 0;          ///< of the bounding box, mm
   bool is_copied = false;       ///< shape and faces are our own, to be changed in place
@@ -91,6 +93,9 @@ struct Workpiece {
 
 /// A face below this share of the diagonal squared has no area.
 inline constexpr double no_area_share = 1e-10;
+
+/// Points taken for parts: files with more have them from drawing.
+inline constexpr int most_points = 100;
 
 /// Progress units that the functions below credit per face.
 inline constexpr long measure_units = 1, repair_units = 1, sew_units = 2;

@@ -373,6 +373,9 @@ class ModelBuilder {
     }
     for (int i : sewn_.lost_faces) lost.push_back(face_name(i));
     note("On no face and on no edge, so that they are no nodes", points_apart());
+    if (work_.left_points > 0)
+      model_.notes.push_back(std::to_string(work_.left_points) + " points were left out: more than " +
+                             std::to_string(most_points) + " are not taken for parts.");
     std::vector<std::string> doubles;
     for (auto [dropped, kept] : work_.doubles) doubles.push_back(face_name(dropped) + " on " + face_name(kept));
     note("Left out because they lie on another face", doubles);

@@ -6,6 +6,7 @@
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
 #include <algorithm>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
@@ -206,6 +207,23 @@ TEST(Connect, APointOfSeveralFacesIsOneNode) {
   EXPECT_EQ(result.report.quality.border_edges, 0);
   EXPECT_EQ(result.report.components.size(), 1u);
   EXPECT_EQ(result.report.components[0].size(), 4u);
+}
+
+TEST(Connect, APointWhereAnEdgeEndsCostsNoFuse) {
+  const auto result = mesh_of(compound({box(0, 0, 0, 50, 50, 50), point({50, 50, 50})}), 10);
+  EXPECT_EQ(result.report.components, (std::vector<std::vector<std::string>>{{"Solid1", "Point1"}}));
+  ASSERT_EQ(result.report.model.contacts.size(), 1u);
+  EXPECT_EQ(result.report.model.contacts[0].kind, ContactKind::point);
+  EXPECT_EQ(result.report.model.vertices, 8);
+}
+
+TEST(Connect, PointsFromDrawingAreLeftOut) {
+  TopoDS_Compound shape = compound({box(0, 0, 0, 50, 50, 50)});
+  for (int i = 0; i < 101; ++i) BRep_Builder().Add(shape, point({50, 20, 0.3 * i}));
+  const auto result = mesh_of(shape, 10);
+  EXPECT_EQ(result.report.notes,
+            std::vector<std::string>{"101 points were left out: more than 100 are not taken for parts."});
+  EXPECT_TRUE(result.report.quality.watertight);
 }
 
 TEST(Connect, APointApartIsNamedAndNoNode) {
