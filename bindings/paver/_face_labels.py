@@ -1,27 +1,52 @@
-"""Names of faces that say which object they are of: "Board/Face3", as FreeCAD counts the faces of that object.
+"""Names of faces, loose edges and vertices that say which object they are of: "Board/Face3", as FreeCAD counts the faces
+of that object.
 
 FreeCAD makes an App::Part's shape of those of its visible members, in their order; a link's is that of what it links to.
 """
 
 
 def of(things, shapes, whole):
-    """Labels of the faces of `whole`, which is made of the `shapes` of shapes and objects; none of a single object."""
+    """Labels of the faces of `whole`, which is made of the `shapes` of shapes and objects, then of its loose edges and
+    vertices; none of a single object."""
     leaves = [leaf for number, (thing, shape) in enumerate(zip(things, shapes), 1)
               for leaf in leaves_of(thing, shape, label_of(thing, number))]
     if len(leaves) < 2:
         return []
     names = [path[-1] for path, _ in leaves]
-    labels = [label for (path, shape), name in zip(leaves, names)
-              for label in numbered(name if names.count(name) == 1 else "/".join(path), shape)]
-    return labels if len(labels) == len(whole.Faces) else matched(labels, leaves, whole)
+    names = [name if names.count(name) == 1 else "/".join(path) for (path, _), name in zip(leaves, names)]
+    shapes = [shape for _, shape in leaves]
+    labels = [label for name, shape in zip(names, shapes) for label in numbered(name, "Face", shape.Faces)]
+    if len(labels) != len(whole.Faces):
+        labels = matched(labels, leaves, whole)
+    for kind, loose in (("Edge", loose_edges), ("Vertex", loose_vertices)):
+        further = [label for name, shape in zip(names, shapes) for label in numbered(name, kind, loose(shape))]
+        labels += further if len(further) == len(loose(whole)) else [""] * len(loose(whole))
+    return labels
 
 
 def label_of(thing, number):
     return getattr(thing, "Label", f"Shape{number}")
 
 
-def numbered(name, shape):
-    return [f"{name}/Face{i}" for i in range(1, len(shape.Faces) + 1)]
+def numbered(name, kind, elements):
+    return [f"{name}/{kind}{i}" for i in range(1, len(elements) + 1)]
+
+
+def loose_edges(shape):
+    """Those that bound no face."""
+    return without(shape.Edges, [edge for face in shape.Faces for edge in face.Edges])
+
+
+def loose_vertices(shape):
+    """Those that end no edge."""
+    return without(shape.Vertexes, [vertex for edge in shape.Edges for vertex in edge.Vertexes])
+
+
+def without(elements, others):
+    known = {}
+    for other in others:
+        known.setdefault(other.hashCode(), []).append(other)
+    return [one for one in elements if not any(map(one.isSame, known.get(one.hashCode(), ())))]
 
 
 def leaves_of(thing, shape, *path):

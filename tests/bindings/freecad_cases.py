@@ -216,6 +216,18 @@ class Documents(unittest.TestCase):
         shapes = paver.mesh([board.Shape, rod.Shape], size=5)
         self.assertEqual(shapes.report["faces"][7]["label"], "Shape2/Face2")
 
+    def test_wires_and_points_are_called_by_their_object_too(self):
+        board = self.add("Part::Box", placed(0, 0, 0), Label="Board", Length=40, Width=30, Height=2)
+        wire, feed = (self.add("Part::Feature", FreeCAD.Placement(), Label=label) for label in ("Monopole", "Feed"))
+        wire.Shape = Part.makeLine(Vector(20, 15, 2), Vector(20, 15, 30))
+        feed.Shape = Part.Vertex(Vector(10, 15, 2))
+        self.document.recompute()
+        for ranks in (0, 2):
+            result = paver.mesh([board, wire, feed], size=5, ranks=ranks)
+            self.assertEqual(result.report["components"], [["Board", "Monopole", "Feed"]])
+            self.assertEqual(set(result.edge_groups), {"", "Monopole"})
+            self.assertLess(min(np.linalg.norm(result.nodes - (10, 15, 2), axis=1)), 1e-9)
+
     def test_hidden_members_of_a_part_are_left_out_and_those_of_parts_inside_are_not(self):
         part, board, rod = self.add_antenna()
         inner = self.add("App::Part", placed(0, 0, 0), part)

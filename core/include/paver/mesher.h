@@ -29,8 +29,9 @@ struct CadModel {
 /// no_faces, cancelled}.
 CadModel read_file(const std::string& path, Progress& progress, const std::string& name = {});
 
-/// The same from the content of such a file. `labels`: names for its faces, in their order, empty text where one has
-/// none; an empty list: those that the content gives them.
+/// The same from the content of such a file. `labels`: names for its faces, in their order, then for edges that bound
+/// no face and for vertices that end no edge, empty text where one has none; an empty list: those that the content
+/// gives them.
 CadModel read_bytes(std::span<const char> bytes, const std::string& name, Progress& progress,
                     const std::vector<std::string>& labels = {});
 

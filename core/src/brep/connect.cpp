@@ -51,8 +51,8 @@ class Connector {
 
  private:
   /// Where all together cannot be fused, the parts that cannot be in pairs are left out, the one with most such pairs
-  /// first; where that does not help, all stay as they are. So there are two tries and each pair's. Before that the points
-  /// are left out.
+  /// first; where that does not help, all stay as they are. So there are two tries and each pair's. Before that the
+  /// points are left out.
   void connect_cluster(std::vector<int> parts) {
     if (try_to_fuse(parts) || (leave_points(parts) && (parts.size() < 2 || try_to_fuse(parts)))) return;
     for (int part : parts)
@@ -74,7 +74,8 @@ class Connector {
   /// Points shall not cost the others their connection, nor a try each. Whether there were any.
   bool leave_points(std::vector<int>& parts) {
     auto is_point = [&](int part) {
-      return std::any_of(work_.points.begin(), work_.points.end(), [&](const auto& point) { return point.part == part; });
+      return std::any_of(work_.points.begin(), work_.points.end(),
+                         [&](const auto& point) { return point.part == part; });
     };
     for (const Pair& pair : pairs_among(parts))
       if (is_point(pair[0]) || is_point(pair[1])) failed.push_back(pair);
@@ -183,7 +184,8 @@ class Connector {
       for (const auto& [edge, image] : fusion.edges) {
         add_edge_origins(work_, image, edge_origins(work_, edge));
         for (WorkWire& wire : work_.wires)
-          if (wire.edge.IsSame(edge)) new_wires_.push_back({TopoDS::Edge(image.Oriented(TopAbs_FORWARD)), wire.part});
+          if (wire.edge.IsSame(edge))
+            new_wires_.push_back({TopoDS::Edge(image.Oriented(TopAbs_FORWARD)), wire.part, wire.origin});
       }
     auto is_replaced = [&](const WorkWire& wire) {
       return std::any_of(fusions_.begin(), fusions_.end(), [&](const Fusion& fusion) {

@@ -17,8 +17,8 @@ namespace paver {
 /// sheets, wires, points. Edges that faces share hang them together.
 void list_parts(Workpiece& work, const TopoDS_Shape& as_read);
 
-/// Parts are called as the object that all their faces are labelled with ("Board/Face3"), where no other part is of it.
-/// `labels`: of the faces as read.
+/// Parts are called as the object that all they have is labelled with ("Board/Face3"), where no other part is of it.
+/// `labels`: of the shape as read (Shape::labels).
 void name_parts(Workpiece& work, const std::vector<std::string>& labels);
 
 /// "Face12" of a face as read, "Face3 + Face9" of what these have in common.

@@ -38,7 +38,7 @@ class Hanging {
 
 class PartLister {
  public:
-  PartLister(Workpiece& work, const TopoDS_Shape& as_read) : work_(work), as_read_(as_read) {}
+  PartLister(Workpiece& work, const TopoDS_Shape& as_read) : work_(work), as_read_(as_read), loose_(work.shape) {}
 
   void run() {
     add_solids();
@@ -93,13 +93,11 @@ class PartLister {
   }
 
   void add_wires() {
-    TopTools_IndexedMapOfShape edges;
-    for (TopExp_Explorer free(work_.shape, TopAbs_EDGE, TopAbs_FACE); free.More(); free.Next())
-      edges.Add(free.Current());
     TopTools_IndexedMapOfShape bounding;
     for (const WorkFace& face : work_.faces) TopExp::MapShapes(face.face, TopAbs_EDGE, bounding);
-    for (int i = 1; i <= edges.Extent(); ++i)
-      if (!bounding.Contains(edges(i))) work_.wires.push_back({TopoDS::Edge(edges(i).Oriented(TopAbs_FORWARD)), -1});
+    for (int i = 1; i <= loose_.edges.Extent(); ++i)
+      if (!bounding.Contains(loose_.edges(i)))
+        work_.wires.push_back({TopoDS::Edge(loose_.edges(i).Oriented(TopAbs_FORWARD)), -1, i - 1});
     Hanging groups(work_.wires.size(), TopAbs_VERTEX);
     for (std::size_t w = 0; w < work_.wires.size(); ++w) groups.add(w, work_.wires[w].edge);
     int wires = 0;
@@ -111,19 +109,18 @@ class PartLister {
   }
 
   void add_points() {
-    TopTools_IndexedMapOfShape ends, points;
-    for (const WorkFace& face : work_.faces) TopExp::MapShapes(face.face, TopAbs_VERTEX, ends);
-    for (const WorkWire& wire : work_.wires) TopExp::MapShapes(wire.edge, TopAbs_VERTEX, ends);
-    for (TopExp_Explorer free(work_.shape, TopAbs_VERTEX, TopAbs_EDGE); free.More(); free.Next())
-      if (!ends.Contains(free.Current())) points.Add(free.Current());
-    if (points.Extent() > most_points) {
-      work_.left_points = points.Extent();
+    if (loose_.vertices.Extent() > most_points) {
+      work_.left_points = loose_.vertices.Extent();
       return;
     }
-    for (int i = 1; i <= points.Extent(); ++i) {
-      const TopoDS_Vertex vertex = TopoDS::Vertex(points(i).Oriented(TopAbs_FORWARD)), end = end_at(vertex, ends);
+    TopTools_IndexedMapOfShape ends;
+    for (const WorkFace& face : work_.faces) TopExp::MapShapes(face.face, TopAbs_VERTEX, ends);
+    for (const WorkWire& wire : work_.wires) TopExp::MapShapes(wire.edge, TopAbs_VERTEX, ends);
+    for (int i = 1; i <= loose_.vertices.Extent(); ++i) {
+      const TopoDS_Vertex vertex = TopoDS::Vertex(loose_.vertices(i).Oriented(TopAbs_FORWARD));
+      const TopoDS_Vertex end = end_at(vertex, ends);
       const int part = add_part("Point" + std::to_string(i), -1);
-      work_.points.push_back({end.IsNull() ? vertex : end, part, !end.IsNull()});
+      work_.points.push_back({end.IsNull() ? vertex : end, part, i - 1, !end.IsNull()});
     }
   }
 
@@ -138,6 +135,7 @@ class PartLister {
 
   Workpiece& work_;
   const TopoDS_Shape& as_read_;
+  const LooseShapes loose_;
 };
 
 }  // namespace
@@ -145,18 +143,21 @@ class PartLister {
 void list_parts(Workpiece& work, const TopoDS_Shape& as_read) { PartLister(work, as_read).run(); }
 
 void name_parts(Workpiece& work, const std::vector<std::string>& labels) {
-  if (labels.empty()) return;
   std::vector<std::set<std::string>> objects_of(work.parts.size());
   std::map<std::string, std::set<int>> parts_of;
-  for (const WorkFace& face : work.faces) {
-    const std::string& label = labels[static_cast<std::size_t>(face.origin)];
-    const std::size_t end = label.rfind('/');
-    const std::string object = end == std::string::npos ? "" : label.substr(0, end);
-    for (const FaceUse& use : face.uses) {
-      objects_of[static_cast<std::size_t>(use.part)].insert(object);
-      parts_of[object].insert(use.part);
-    }
-  }
+  auto note = [&](int part, std::size_t place) {
+    if (place >= labels.size()) return;
+    const std::size_t end = labels[place].rfind('/');
+    const std::string object = end == std::string::npos ? "" : labels[place].substr(0, end);
+    objects_of[static_cast<std::size_t>(part)].insert(object);
+    parts_of[object].insert(part);
+  };
+  const std::size_t faces = static_cast<std::size_t>(work.read_faces);
+  const std::size_t edges = static_cast<std::size_t>(LooseShapes(work.shape).edges.Extent());
+  for (const WorkFace& face : work.faces)
+    for (const FaceUse& use : face.uses) note(use.part, static_cast<std::size_t>(face.origin));
+  for (const WorkWire& wire : work.wires) note(wire.part, faces + static_cast<std::size_t>(wire.origin));
+  for (const WorkPoint& point : work.points) note(point.part, faces + edges + static_cast<std::size_t>(point.origin));
   for (std::size_t part = 0; part < work.parts.size(); ++part) {
     if (objects_of[part].size() != 1) continue;
     const std::string& object = *objects_of[part].begin();

@@ -4,6 +4,7 @@
 
 #include <TopAbs_ShapeEnum.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
 #include <chrono>
@@ -31,6 +32,11 @@ std::unique_lock<std::timed_mutex> wait_for_readers(const Progress& progress) {
 }
 
 }  // namespace
+
+LooseShapes::LooseShapes(const TopoDS_Shape& shape) {
+  for (TopExp_Explorer free(shape, TopAbs_EDGE, TopAbs_FACE); free.More(); free.Next()) edges.Add(free.Current());
+  for (TopExp_Explorer free(shape, TopAbs_VERTEX, TopAbs_EDGE); free.More(); free.Next()) vertices.Add(free.Current());
+}
 
 std::string content_of(const FileSource& file) {
   std::ifstream in(file.path, std::ios::binary | std::ios::ate);
@@ -73,7 +79,8 @@ std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, P
     throw Error(ErrorCode::no_faces, "'" + file.name +
                                          "' has no faces and no wires, so there is nothing to mesh; "
                                          "export surfaces, solids or curves, not meshes.");
-  shape->labels.resize(static_cast<std::size_t>(faces.Extent()));
+  const LooseShapes loose(shape->shape);
+  shape->labels.resize(static_cast<std::size_t>(faces.Extent() + loose.edges.Extent() + loose.vertices.Extent()));
   return shape;
 }
 

@@ -1,6 +1,7 @@
 // What a Shape holds; for the files that may see OpenCASCADE.
 #pragma once
 
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 #include <string>
 #include <vector>
@@ -11,9 +12,15 @@ namespace paver {
 
 struct Shape {
   TopoDS_Shape shape;
-  /// Name the file gives to each face, in the order of TopExp::MapShapes(shape, TopAbs_FACE); empty text where none.
-  /// Of a shape that was not read: no names at all.
+  /// Name the file gives to each face, in the order of TopExp::MapShapes(shape, TopAbs_FACE), then to what is loose:
+  /// edges, vertices; empty text where none. Of a shape that was not read: no names at all.
   std::vector<std::string> labels;
+};
+
+/// Edges that bound no face and vertices that end no edge, in the order of TopExp.
+struct LooseShapes {
+  explicit LooseShapes(const TopoDS_Shape& shape);
+  TopTools_IndexedMapOfShape edges, vertices;
 };
 
 }  // namespace paver

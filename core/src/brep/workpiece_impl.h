@@ -59,12 +59,14 @@ struct WorkPart {
 struct WorkWire {
   TopoDS_Edge edge;
   int part = -1;
+  int origin = -1;  ///< index in LooseShapes::edges of the shape as read
 };
 
 /// A vertex that ends no edge.
 struct WorkPoint {
   TopoDS_Vertex vertex;
   int part = -1;
+  int origin = -1;      ///< index in LooseShapes::vertices of the shape as read
   bool is_end = false;  ///< it is where an edge ends: `vertex` is that edge's
 };
 
@@ -77,7 +79,7 @@ struct Workpiece {
   std::vector<std::vector<int>> common;  ///< per set of faces with pieces in common: their indices, rising
   std::vector<WorkWire> wires;
   std::vector<WorkPoint> points;
-  int left_points = 0;  ///< left out: more than most_points
+  int left_points = 0;          ///< left out: more than most_points
   std::vector<WorkPart> parts;  ///< known from list_parts() on
   double diagonal = 0;          ///< of the bounding box, mm
   bool is_copied = false;       ///< shape and faces are our own, to be changed in place
