@@ -57,6 +57,17 @@ TEST(RegularShapes, FrustaThatNarrowMoreKeepTheirLengths) {
     }
 }
 
+TEST(RegularShapes, BentRodsAreMeshedAtAnySize) {
+  for (double degrees : {60.0, 202.5, 310.0})
+    for (double size : {20.0, 16.0, 13.0, 12.0, 9.0}) {
+      SCOPED_TRACE(testing::Message() << degrees << " at " << size);
+      RunReport report = report_of(BRepPrimAPI_MakeTorus(59.4, 23.7, degrees * M_PI / 180).Solid(), size);
+      EXPECT_TRUE(report.quality.watertight);
+      EXPECT_LE(report.quality.triangles, 2);
+      EXPECT_GT(report.quality.sj_all.min, 0.3);
+    }
+}
+
 TEST(RegularShapes, Cylinders) {
   for (double size : sizes) {
     RunReport report = report_of(bent_face(BRepPrimAPI_MakeCylinder(50, 90).Solid()), size);

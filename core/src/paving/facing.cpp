@@ -19,6 +19,8 @@ bool is_beyond_facet(const Front& front, int t, const NodePlace& at) {
   for (int i = 0; i < 3; ++i) {
     const int a = triangle.v[(i + 1) % 3], b = triangle.v[(i + 2) % 3];
     if (!is_facet(triangle.n[i]) || !mesh.is_fixed[a] || !mesh.is_fixed[b]) continue;
+    // Farther away the surface may have turned: sides say nothing there.
+    if (norm(at.x - 0.5 * (mesh.x[a] + mesh.x[b])) > norm(mesh.x[b] - mesh.x[a])) continue;
     const Vec3 normal = mesh.normal(a) + mesh.normal(b) + unit(cross(at.xp, at.xq));
     if (dot(cross(mesh.x[b] - mesh.x[a], at.x - mesh.x[a]), normal) < 0) return true;
   }
