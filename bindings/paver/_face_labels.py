@@ -12,15 +12,16 @@ def of(things, shapes, whole):
               for leaf in leaves_of(thing, shape, label_of(thing, number))]
     if len(leaves) < 2:
         return []
-    names = [path[-1] for path, _ in leaves]
-    names = [name if names.count(name) == 1 else "/".join(path) for (path, _), name in zip(leaves, names)]
+    own = [path[-1] for path, _ in leaves]
+    names = [path[-1] if own.count(path[-1]) == 1 else "/".join(path) for path, _ in leaves]
     shapes = [shape for _, shape in leaves]
     labels = [label for name, shape in zip(names, shapes) for label in numbered(name, "Face", shape.Faces)]
     if len(labels) != len(whole.Faces):
         labels = matched(labels, leaves, whole)
     for kind, loose in (("Edge", loose_edges), ("Vertex", loose_vertices)):
         further = [label for name, shape in zip(names, shapes) for label in numbered(name, kind, loose(shape))]
-        labels += further if len(further) == len(loose(whole)) else [""] * len(loose(whole))
+        wanted = len(loose(whole))
+        labels += further if len(further) == wanted else [""] * wanted
     return labels
 
 
