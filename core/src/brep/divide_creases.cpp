@@ -52,7 +52,9 @@ constexpr int strip_samples = 8;
 /// parts in a thousand off.
 constexpr double area_share = 1e-2;
 constexpr double area_accuracy = 1e-5;
-/// Pieces below this share of the diagonal squared have no area.
+/// Images of edges that lie further off than this many ranges of the surface are damage: the kernel would cut them at
+/// every period on the way, without end.
+constexpr double most_turns = 8;
 
 /// Where to cut a face. `creases` counts those inside and the periodic edges that are creases.
 struct Cuts {
@@ -289,6 +291,7 @@ class CreaseDivider {
         context_->Replace(current[0], grid.cells);
         return true;
       }
+      if (!has_near_images(current[0])) return false;
       double area = exact_area(current[0]);
       // A trial first: the kernel records divided edges even where it fails.
       Handle(ShapeBuild_ReShape) trial = new ShapeBuild_ReShape;
@@ -298,6 +301,23 @@ class CreaseDivider {
     } catch (const Standard_Failure&) {
       return false;
     }
+  }
+
+  static bool has_near_images(const TopoDS_Face& face) {
+    TopLoc_Location location;
+    double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+    BRep_Tool::Surface(face, location)->Bounds(u0, u1, v0, v1);
+    const double far_u = most_turns * (u1 - u0), far_v = most_turns * (v1 - v0);
+    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
+      double t0 = 0, t1 = 0;
+      Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(TopoDS::Edge(edges.Current()), face, t0, t1);
+      if (image.IsNull()) continue;
+      for (double t : {t0, 0.5 * (t0 + t1), t1}) {
+        const gp_Pnt2d uv = image->Value(t);
+        if (std::abs(uv.X() - u0) > far_u || std::abs(uv.Y() - v0) > far_v) return false;
+      }
+    }
+    return true;
   }
 
   static TopoDS_Shape compose(const TopoDS_Face& face, const Cuts& cuts, const Handle(ShapeBuild_ReShape) & context) {

@@ -2,6 +2,8 @@
 // Exceptions and messages of OpenCASCADE end here: a failure is an Error, nothing is printed.
 #include "brep/read_shape.h"
 
+#include <fmt/format.h>
+
 #include <TopAbs_ShapeEnum.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -29,6 +31,15 @@ std::unique_lock<std::timed_mutex> wait_for_readers(const Progress& progress) {
   std::unique_lock lock(busy, std::defer_lock);
   while (!lock.try_lock_for(std::chrono::milliseconds(20))) progress.check();
   return lock;
+}
+
+bool is_doubtful_step(std::string_view content, const FileSource& file) {
+  const StepNames names = find_step_names(content);
+  if (names.doubled != 0 && !names.has_scopes)
+    throw Error(ErrorCode::damaged_file, fmt::format("'{}' is damaged at entity #{} (there is more than one of it); "
+                                                     "export the model again.",
+                                                     file.name, names.doubled));
+  return names.doubled != 0 || !names.is_whole;
 }
 
 }  // namespace
@@ -63,7 +74,7 @@ std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, P
       return;
     }
     const std::string content = content_of(file);
-    if (format == FileFormat::iges ? !fault_of_iges(content).empty() : !is_step_whole(content)) trial.run();
+    if (format == FileFormat::iges ? !fault_of_iges(content).empty() : is_doubtful_step(content, file)) trial.run();
     auto lock = wait_for_readers(progress);
     format_library(format == FileFormat::step ? "step" : "iges", file)(
         file, [&] { trial.run(); }, *shape, report, progress);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdint>
 #include <vector>
 
 namespace paver {
@@ -24,17 +23,20 @@ std::vector<std::uint64_t> sorted(std::vector<std::uint64_t> numbers) {
 
 }  // namespace
 
-bool is_step_whole(std::string_view text) {
+StepNames find_step_names(std::string_view text) {
+  StepNames names;
   std::vector<std::uint64_t> defined, used;
-  for (std::size_t at = 0; (at = text.find_first_of("#'/", at)) < text.size();) {
+  for (std::size_t at = 0; (at = text.find_first_of("#'/&", at)) < text.size();) {
     if (const std::size_t behind = behind_text(text, at); behind != at) {
       at = behind;
       continue;
     }
+    names.has_scopes |= text.substr(at).starts_with("&SCOPE");
     if (text[at++] != '#') continue;
     std::uint64_t number = 0;
     auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), number);
-    if (error != std::errc()) return false;
+    names.is_whole &= error == std::errc();
+    if (error != std::errc()) continue;
     at = static_cast<std::size_t>(end - text.data());
     const std::size_t next = text.find_first_not_of(" \t\r\n", at);
     (next != std::string_view::npos && text[next] == '=' ? defined : used).push_back(number);
@@ -42,8 +44,10 @@ bool is_step_whole(std::string_view text) {
   defined = sorted(std::move(defined));
   used = sorted(std::move(used));
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  return std::adjacent_find(defined.begin(), defined.end()) == defined.end() &&
-         std::includes(defined.begin(), defined.end(), used.begin(), used.end());
+  if (const auto twice = std::adjacent_find(defined.begin(), defined.end()); twice != defined.end())
+    names.doubled = *twice;
+  names.is_whole &= std::includes(defined.begin(), defined.end(), used.begin(), used.end());
+  return names;
 }
 
 }  // namespace paver

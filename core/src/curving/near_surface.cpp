@@ -16,6 +16,23 @@ Vec2 guess_middle(const RegionMesh& mesh, int v, int w, Vec3 off) {
   return is_found ? middle + step : middle;
 }
 
+Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
+  constexpr double settled = 1e-4;  // of `scale`: a step along the surface that is not worth an evaluation
+  Vec3 nearest, x, xp, xq;
+  Vec2 at = p, step;
+  double best = INFINITY;
+  for (int i = 0; i < 7; ++i) {
+    region.evaluate(at, x, xp, xq);
+    const Vec3 r = target - x;
+    const double d = norm(r);
+    if (i > 0 && !(d <= best * (1 + 1e-12))) break;
+    nearest = x, best = d, p = at;
+    if (!pull_back(xp, xq, r, step) || norm(step.x * xp + step.y * xq) <= settled * scale) break;
+    at = at + step;
+  }
+  return nearest;
+}
+
 double distance_to_surface(const Region& region, Vec2 p, Vec3 target, double scale, double known) {
   constexpr int most_steps = 6;
   constexpr double most_turn = 1e-4;  // of the distance, as far as the surface turns by one on the scale

@@ -46,6 +46,10 @@ struct SideCubic {
 /// way where the cubic does not tell.
 Vec2 guess_middle(const RegionMesh& mesh, int v, int w, Vec3 off);
 
+/// Moves p by Gauss-Newton in the chart to where the surface is nearest to `target`, up to 1e-4 of `scale`, or to the
+/// nearest on the way where that does not settle. Gives the point there.
+Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale);
+
 /// Distance from `target` to the surface near p, the target of an element as large as `scale`. Ends where the surface
 /// turns too little on the rest of the way to the foot to matter: that way then counts by Pythagoras. Where the
 /// distance is not above `known`, any bound that is not either.

@@ -12,26 +12,6 @@
 namespace paver {
 namespace {
 
-constexpr double settled = 1e-4;  // of `scale`: a step along the surface that is not worth an evaluation
-
-/// Moves p by Gauss-Newton in the chart to where the surface is nearest to `target`, up to `settled` times `scale`, or
-/// to the nearest on the way where that does not settle. Gives the point there.
-Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
-  Vec3 nearest, x, xp, xq;
-  Vec2 at = p, step;
-  double best = INFINITY;
-  for (int i = 0; i < 7; ++i) {
-    region.evaluate(at, x, xp, xq);
-    const Vec3 r = target - x;
-    const double d = norm(r);
-    if (i > 0 && !(d <= best * (1 + 1e-12))) break;
-    nearest = x, best = d, p = at;
-    if (!pull_back(xp, xq, r, step) || norm(step.x * xp + step.y * xq) <= settled * scale) break;
-    at = at + step;
-  }
-  return nearest;
-}
-
 std::vector<double> sizes(const std::vector<CurvingPart>& parts) {
   std::vector<double> cost;
   for (const CurvingPart& part : parts) cost.push_back(part.mesh ? static_cast<double>(part.mesh->elements.size()) : 0);

@@ -103,6 +103,9 @@ class LayoutPlanner {
           if (user != index_) return false;
     const ParameterBox& box = layout_.box;
     Vec2 period = face_.surface->period();
+    // Damaged images lie anywhere.
+    constexpr double most_periods = 1.5;
+    if (box.hi.x - box.lo.x > most_periods * layout_.period) return false;
     ClosedFace face{*face_.surface, size_.faces[index_], box, layout_.period, 0, size_.turn_limit};
     if (box.low_pole && box.high_pole) {
       for (bool is_low : {true, false})
@@ -110,6 +113,7 @@ class LayoutPlanner {
       layout_.grid = make_cube_grid(face, progress_);
     } else if (wraps_u_ && wraps_v_ && !box.low_pole && !box.high_pole) {
       face.other_period = box.is_swapped ? period.x : period.y;
+      if (box.hi.y - box.lo.y > most_periods * face.other_period) return false;
       layout_.grid = make_torus_grid(face, progress_);
     }
     if (layout_.grid) layout_.kind = LayoutKind::closed;

@@ -174,6 +174,16 @@ TEST_F(ReadShape, NamesTheDamagedEntityOfAStepFile) {
   expect_error(path, ErrorCode::damaged_file, "entity #");
 }
 
+// The kernel's reader would look for others in memory that it has not set.
+TEST_F(ReadShape, RefusesAStepFileWithAnEntityTwice) {
+  std::string path = write_step(), text = read_text(path);
+  const std::size_t at = text.find("#7 =");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, 4, "#1 =");
+  write_text(path, text);
+  expect_error(path, ErrorCode::damaged_file, "entity #1 (");
+}
+
 TEST_F(ReadShape, RefusesFilesWithoutFacesAndWires) {
   std::string path = folder_.file("point.brep");
   BRepTools::Write(BRepBuilderAPI_MakeVertex(gp_Pnt(0, 0, 0)).Vertex(), path.c_str());

@@ -3,11 +3,17 @@
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Line.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
 #include <algorithm>
 #include <set>
 #include <vector>
@@ -176,6 +182,22 @@ TEST(DivideCreases, NeighboursWithoutCreasesTakeOverDividedEdges) {
   EXPECT_EQ(shared_count(model), 1 + 2);
   EXPECT_EQ(model.faces[2].loops[0].coedges.size(), 5u);
   expect_pieces(model);
+}
+
+// The kernel would cut them at every period on the way.
+TEST(DivideCreases, ImagesFarAwayAreLeftAlone) {
+  const TopoDS_Face torus = TopoDS::Face(TopExp_Explorer(BRepPrimAPI_MakeTorus(3, 1).Shape(), TopAbs_FACE).Current());
+  for (TopExp_Explorer edges(torus, TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
+    TopLoc_Location location;
+    const Handle(Geom_Surface) surface = BRep_Tool::Surface(torus, location);
+    double t0 = 0, t1 = 0;
+    const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, torus, t0, t1);
+    if (std::abs(image->Value(t1).X() - image->Value(t0).X()) < 1) continue;
+    const Handle(Geom2d_Curve) far = new Geom2d_Line({1e20, 2 * M_PI}, {1, 0});
+    BRep_Builder().UpdateEdge(edge, new Geom2d_Line({0, 0}, {1, 0}), far, surface, location, 1e-7);
+  }
+  EXPECT_EQ(crease_count(model_of(torus)), 0);
 }
 
 }  // namespace
