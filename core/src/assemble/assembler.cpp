@@ -4,30 +4,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <numeric>
+#include <iterator>
 
 #include "assemble/neighbourhood.h"
-#include "mesh/flat_elements.h"
+#include "base/bytes.h"
 #include "paving/inner_sides.h"
 #include "quality/element_figures.h"
 #include "quality/jacobian.h"
+#include "repair/mend_region.h"
 
 namespace paver {
 namespace {
 
-constexpr int most_splits = 3;        // rounds of splitting quads that stay invalid
+constexpr int most_rounds = 4;        // of mending: what divided sides of one face leave of another
 constexpr int rings_of_mending = 12;  // farther than straighten_at_edges() reaches
-
-bool has_any(const std::vector<long>& faults) {
-  return std::any_of(faults.begin(), faults.end(), [](long n) { return n > 0; });
-}
-
-long sum(const std::vector<long>& counts) { return std::accumulate(counts.begin(), counts.end(), 0L); }
 
 }  // namespace
 
-Assembler::Assembler(const Model& model, const EdgeNodes& nodes, const std::vector<Region>& regions, PartPaver& paver,
+Assembler::Assembler(const Model& model, EdgeNodes& nodes, const std::vector<Region>& regions, PartPaver& paver,
                      const Options& options, Progress& progress, Ranks& ranks, std::function<void(Stage)> begin,
                      MeshShare& share)
     : model_(model),
@@ -52,13 +46,9 @@ void Assembler::run() {
   for (std::size_t r = 0; r < regions_.size(); ++r)
     report_.faces[regions_[r].face].closed_by_triangulation += closed[r];
   Faults faults = join_and_curve();
-  int next = 1;
-  for (int last : {1, further_attempts}) {
-    for (; next <= last && has_any(faults); ++next) faults = pave_faulty(faults, next);
-    faults = split_invalid(divide_shared(faults));
-    straighten_last(faults);
-    if (!has_any(faults)) break;
-  }
+  for (int round = 0; round < most_rounds && mend_parts(); ++round) faults = join_and_curve();
+  faults = divide_shared(faults);
+  straighten_last(faults);
   report_.tasks = paver_.times();
 }
 
@@ -94,16 +84,69 @@ void Assembler::fail(const std::vector<RegionFailure>& failures) {
   }
 }
 
-// Paves the faces with faults in another way and keeps it where it leaves fewer.
-Assembler::Faults Assembler::pave_faulty(const Faults& faults, int attempt) {
-  const std::vector<Part> before = paver_.parts();
-  std::vector<char> is_kept(regions_.size(), 1);
-  for (std::size_t r = 0; r < regions_.size(); ++r) is_kept[r] = faults[regions_[r].face] > 0;
-  for (const RegionFailure& failure : paver_.pave_again(is_kept, attempt)) {
-    for (std::size_t r = 0; r < regions_.size(); ++r)
-      if (regions_[r].face == regions_[failure.region].face) is_kept[r] = 0;
+// Bad elements are mended where they are, part by part; sides on B-rep edges of those that are left are divided on all
+// faces. False when there is nothing to mend, or nothing could be done.
+bool Assembler::mend_parts() {
+  std::vector<PartElement> bad = check_->turned;
+  for (int q : folded_quads_) bad.push_back({joined_.quad_source[q][0], joined_.quad_source[q][1]});
+  for (int t : folded_triangles_) bad.push_back({joined_.triangle_source[t][0], joined_.triangle_source[t][1]});
+  std::sort(bad.begin(), bad.end());
+  bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
+  std::erase_if(bad, [&](const PartElement& one) { return hopeless_.contains(one); });
+  std::vector<Part> parts = paver_.parts();
+  std::vector<SideToDivide> sides;
+  long changes = 0;
+  for (auto first = bad.begin(); first != bad.end();) {
+    const int part = first->part;
+    const auto last = std::find_if(first, bad.end(), [&](const PartElement& one) { return one.part != part; });
+    std::vector<int> elements;
+    std::transform(first, last, std::back_inserter(elements), [](const PartElement& one) { return one.element; });
+    first = last;
+    auto copy = std::make_shared<PavedRegion>(*parts[part].paved);
+    const Mended mended = mend_region(regions_[parts[part].region], nodes_, options_.order, options_.elements,
+                                      std::move(elements), copy->mesh);
+    sides.insert(sides.end(), mended.sides.begin(), mended.sides.end());
+    for (int e : mended.left) hopeless_.insert({part, e});
+    repairs_[0] += mended.moved, repairs_[1] += mended.refilled, repairs_[2] += mended.divided;
+    if (!mended.has_changed()) continue;
+    ++changes;
+    parts[part].paved = std::move(copy);
   }
-  return keep_better(before, std::move(is_kept), faults);
+  paver_.put(std::move(parts));
+  changes += divide_sides(sides);
+  ranks_.add_up({&changes, 1});
+  return changes > 0;
+}
+
+// Those that any rank asks for, on all; the number of them.
+long Assembler::divide_sides(const std::vector<SideToDivide>& sides) {
+  std::vector<SideToDivide> all;
+  for (const std::string& bytes : ranks_.gather(bytes_of(sides)))
+    for (const SideToDivide& side : from_bytes<SideToDivide>(bytes)) all.push_back(side);
+  const std::vector<DividedSide> divided = divide_intervals(model_, std::move(all), nodes_);
+  if (ranks_.rank() == 0) repairs_[3] += static_cast<long>(divided.size());
+  if (divided.empty()) return 0;
+  paver_.add_boundary_nodes(static_cast<int>(divided.size()));
+  std::vector<Part> parts = paver_.parts();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Part& part = parts[i];
+    const Region& region = regions_[part.region];
+    if (!part.paved || !has_any_edge(region, divided)) continue;
+    std::erase_if(hopeless_, [&](const PartElement& one) { return one.part == static_cast<int>(i); });
+    auto copy = std::make_shared<PavedRegion>(*part.paved);
+    divide_boundary_sides(region, nodes_, divided, options_.order, kinds_of(options_.elements), copy->mesh);
+    part.paved = std::move(copy);
+  }
+  paver_.put(std::move(parts));
+  return static_cast<long>(divided.size());
+}
+
+bool Assembler::has_any_edge(const Region& region, const std::vector<DividedSide>& sides) const {
+  for (const auto& loop : region.loops)
+    for (const LoopNode& node : loop)
+      for (const DividedSide& side : sides)
+        if (node.edge >= 0 && node.edge == nodes_.node_edge[static_cast<std::size_t>(side.node)]) return true;
+  return false;
 }
 
 // Several faces have sides between the same two nodes of their boundaries: those inside a face get a node.
@@ -170,33 +213,6 @@ Assembler::Faults Assembler::keep_better(const std::vector<Part>& before, std::v
   return join_and_curve();
 }
 
-// Invalid quads become two triangles each, as long as that leaves fewer faults.
-Assembler::Faults Assembler::split_invalid(Faults faults) {
-  for (int round = 0; round < most_splits; ++round) {
-    long quads = static_cast<long>(invalid_quads_.size());
-    ranks_.add_up({&quads, 1});
-    if (quads == 0) break;
-    const std::vector<Part> before = paver_.parts();
-    std::vector<Part> parts = before;
-    std::map<int, std::shared_ptr<PavedRegion>> changed;
-    for (int q : invalid_quads_) {
-      auto [part, element] = joined_.quad_source[q];
-      std::shared_ptr<PavedRegion>& copy = changed[part];
-      if (!copy) copy = std::make_shared<PavedRegion>(*parts[part].paved);
-      split_quad(copy->mesh, element);
-    }
-    for (auto& [part, copy] : changed) parts[part].paved = std::move(copy);
-    paver_.put(std::move(parts));
-    Faults now = join_and_curve();
-    if (sum(now) >= sum(faults)) {
-      paver_.put(before);
-      return join_and_curve();
-    }
-    faults = std::move(now);
-  }
-  return faults;
-}
-
 Assembler::Faults Assembler::join_and_curve() {
   begin_(Stage::join);
   join();
@@ -221,9 +237,9 @@ BoundaryUse Assembler::boundary_use() const {
       if (global >= 0) use.nodes[global] = 1;
   }
   for (std::size_t e = 0; e < nodes_.edges.size(); ++e) {
-    if (!model_.edges[e].is_wire()) continue;
-    use.edges[e] = 1;
-    for (int node : nodes_.edges[e].node) use.nodes[node] = 1;
+    if (model_.edges[e].is_wire()) use.edges[e] = 1;
+    if (use.edges[e])
+      for (int node : nodes_.edges[e].node) use.nodes[node] = 1;
   }
   return use;
 }
@@ -266,6 +282,7 @@ void Assembler::curve() {
   if (options_.order == 1) {
     mesh_ = std::move(joined_.mesh);
     find_invalid();
+    folded_quads_ = invalid_quads_, folded_triangles_ = invalid_triangles_;
     return;
   }
   std::vector<CutSide> outlines;
@@ -276,6 +293,7 @@ void Assembler::curve() {
   curved_ = curve_elements(joined_, nodes_, model_, *cuts_, parts_, options_.threads, progress_);
   mesh_ = std::move(curved_.mesh);
   find_invalid();
+  folded_quads_ = invalid_quads_, folded_triangles_ = invalid_triangles_;
   RepairResult repaired = repair_elements(mesh_, is_valid, invalid_quads_, invalid_triangles_, curved_.first_inside);
   straightened_ = repaired.recentred + repaired.straightened;
   take_over(repaired);
@@ -348,6 +366,13 @@ RepairResult Assembler::straighten() {
 }
 
 void Assembler::note_mending() {
+  ranks_.add_up(repairs_);
+  if (std::any_of(repairs_.begin(), repairs_.end(), [](long count) { return count > 0; }))
+    report_.notes.push_back(
+        fmt::format("Repaired, where elements folded or missed the surface: {} by moving nodes, {} by other elements, "
+                    "{} nodes added "
+                    "inside faces, {} on B-rep edges.",
+                    repairs_[0], repairs_[1], repairs_[2], repairs_[3]));
   if (off_edge_ > 0)
     report_.notes.push_back(fmt::format(
         "To keep elements valid sides were straightened along B-rep edges, up to {:.3g} mm off.", off_edge_));

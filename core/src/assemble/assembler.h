@@ -2,8 +2,10 @@
 // share that its own parts make.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "boundary/edge_nodes.h"
@@ -14,6 +16,7 @@
 #include "join/join.h"
 #include "parallel/pave_parts.h"
 #include "paver/mesher.h"
+#include "repair/divide_sides.h"
 #include "topology/model.h"
 
 namespace paver {
@@ -22,12 +25,12 @@ namespace paver {
 class Assembler {
  public:
   /// `begin`: told which stage begins. Failures and notes go to the share's report, whose faces are those of the model.
-  Assembler(const Model& model, const EdgeNodes& nodes, const std::vector<Region>& regions, PartPaver& paver,
+  Assembler(const Model& model, EdgeNodes& nodes, const std::vector<Region>& regions, PartPaver& paver,
             const Options& options, Progress& progress, Ranks& ranks, std::function<void(Stage)> begin,
             MeshShare& share);
 
-  /// Paves all, joins and curves: fills in the share's mesh. Faces with faults are paved with other rows, then mended
-  /// element by element; where that is not enough they are paved finer and mended again.
+  /// Paves all, joins and curves: fills in the share's mesh. Elements that are not as they should be are mended.
+  /// Divides edges in `nodes` for that.
   void run();
   /// After run(), and after the report has the figures of the mesh that it gave, for each of the model's faces. Faces
   /// that have faults all the same fail, and the mesh is made again without them; false when there are none.
@@ -44,7 +47,9 @@ class Assembler {
   using Faults = std::vector<long>;  // number per face, over all ranks
 
   void fail(const std::vector<RegionFailure>& failures);
-  Faults pave_faulty(const Faults& faults, int attempt);
+  bool mend_parts();
+  long divide_sides(const std::vector<SideToDivide>& sides);
+  bool has_any_edge(const Region& region, const std::vector<DividedSide>& sides) const;
   Faults divide_shared(const Faults& faults);
   std::vector<std::pair<int, int>> faulty_sides(std::size_t part) const;
   /// In the whole mesh, of a node of the mesh here.
@@ -52,7 +57,6 @@ class Assembler {
     return ranks_.count() == 1 ? node : share_.node_number[static_cast<std::size_t>(node)];
   }
   Faults keep_better(const std::vector<Part>& before, std::vector<char> is_kept, const Faults& faults);
-  Faults split_invalid(Faults faults);
   void straighten_last(Faults& faults);
   RepairResult straighten();
   Faults join_and_curve();
@@ -64,7 +68,7 @@ class Assembler {
   Faults check();
 
   const Model& model_;
-  const EdgeNodes& nodes_;
+  EdgeNodes& nodes_;
   const std::vector<Region>& regions_;
   PartPaver& paver_;
   const Options& options_;
@@ -79,8 +83,11 @@ class Assembler {
   std::optional<Cuts> cuts_;
   CurvedMesh curved_;  // its mesh is mesh_
   std::vector<int> invalid_quads_, invalid_triangles_;
-  std::vector<int> moved_;  // nodes that mending moved, rising
+  std::vector<int> folded_quads_, folded_triangles_;  // as curved first
+  std::vector<int> moved_;                            // nodes that mending moved, rising
   std::optional<MeshCheck> check_;
+  std::set<PartElement> hopeless_;  // bad elements that were not to be mended as the part is
+  std::array<long, 4> repairs_{};   // by moves, by filling anew, nodes inside, nodes on edges
   long straightened_ = 0;
   double off_edge_ = 0;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <compare>
 #include <vector>
 
 #include "boundary/edge_nodes.h"
@@ -17,6 +18,14 @@ namespace paver {
 /// How far off surface or curve mending may leave a node, of the target length: a quarter is too much, and between
 /// nodes it is more.
 constexpr double most_off_moved = 0.12;
+
+/// What sides inside faces and centres may be off the surface at order 1, of the target length of the face. At the
+/// limit of 45 degrees per side a sphere's sides are 0.1 off, the centres of its quads 0.2.
+constexpr double most_off_side = 0.15;
+constexpr double most_off_centre = 0.225;
+/// Cosine of 15 degrees, from an element's normal to the surface's at a corner: up to there a side of two target
+/// lengths is less than most_off_side off.
+constexpr double nearly_flat = 0.966;
 
 /// References are kept. What one rank holds: `mesh` is what the parts that are here were joined to.
 struct CheckedMesh {
@@ -34,6 +43,12 @@ struct CheckedMesh {
   long number(int node) const { return node_number.empty() ? node : node_number[static_cast<std::size_t>(node)]; }
   /// Middle between two nodes.
   Vec3 middle(int a, int b) const { return 0.5 * (mesh.nodes[a] + mesh.nodes[b]); }
+};
+
+/// An element of a part's mesh.
+struct PartElement {
+  int part = -1, element = -1;
+  auto operator<=>(const PartElement&) const = default;
 };
 
 /// Where the tables of a part begin in the mesh.

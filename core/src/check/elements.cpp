@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "base/tasks.h"
+#include "check/deviation.h"
 #include "check/vector_area.h"
 #include "curving/closest_point.h"
 #include "curving/near_surface.h"
@@ -19,15 +20,11 @@ constexpr double doubtful = 0.5;      // cosine between an element's normal and 
 constexpr double most_turned = 0.5;   // cosine: more turn costs no more area
 constexpr double chords_share = 1.5;  // of 1 / cosine - 1, what chords cost of an area; 1.25 of a sphere's
 constexpr double curved_share = 0.5;  // of its square, what is left at order 2
-// What sides of order 1 may be off the surface, of the target length of the face. At the limit of 45 degrees per side a
-// sphere's sides are 0.1 off, the centres of its quads 0.2.
-constexpr double most_off_side = 0.15;
-constexpr double most_off_centre = 0.225;
 
 class PartElementCheck {
  public:
   PartElementCheck(const CheckedMesh& checked, std::size_t part, const PartPlace& place, MeshFaults& faults,
-                   ExactSum& slack)
+                   ExactSum& slack, std::vector<int>& turned)
       : checked_(checked),
         mesh_(checked.mesh),
         part_(checked.parts[part]),
@@ -35,12 +32,14 @@ class PartElementCheck {
         place_(place),
         is_reversed_(checked.model.faces[static_cast<std::size_t>(part_.region->face)].is_reversed),
         faults_(faults),
-        slack_(slack) {}
+        slack_(slack),
+        turned_(turned) {}
 
   void run() {
     check_corners();
     std::size_t quad = place_.quad, triangle = place_.triangle;
-    for (const Element& element : region_.elements) {
+    for (std::size_t e = 0; e < region_.elements.size(); ++e) {
+      const Element& element = region_.elements[e];
       if (!element.is_alive()) continue;
       const bool is_quad = element.corners() == 4;
       const std::size_t stride =
@@ -49,6 +48,7 @@ class PartElementCheck {
       n_ = element.corners();
       for (int k = 0; k < n_; ++k) c_[k] = element.v[is_reversed_ ? (n_ - k) % n_ : k];
       check_element();
+      if (is_turned_ || misses_surface()) turned_.push_back(static_cast<int>(e));
     }
   }
 
@@ -73,7 +73,7 @@ class PartElementCheck {
   void check_element() {
     const Vec3 origin = node(0);
     Vec3 area;
-    is_moved_ = false;
+    is_moved_ = is_turned_ = false;
     for (int k = 0; k < n_; ++k) {
       const Vec3 a = node(k) - origin, b = node(next(k)) - origin;
       area += mesh_.order == 1 ? swept(a, b) : swept(a, node(n_ + k) - origin, b);
@@ -94,8 +94,21 @@ class PartElementCheck {
     const Vec3 centre = mesh_.order == 1 ? normal : unit(centre_normal());
     const double along = dot(normal, corners), centre_along = dot(centre, corners);
     if (along >= doubtful && centre_along >= doubtful) return;
-    if (!(along > 0) || !(dot(centre, surface_normal()) > 0))
-      faults_.add(face(), FaultKind::turned, 0.5 * (node(0) + node(2)));
+    if (along > 0 && dot(centre, surface_normal()) > 0) return;
+    is_turned_ = true;
+    faults_.add(face(), FaultKind::turned, 0.5 * (node(0) + node(2)));
+  }
+
+  /// Looked at where the surface turns much on the element.
+  bool misses_surface() const {
+    constexpr double much = 0.7;  // cosine
+    if (mesh_.order == 1 || least_along_ >= much) return false;
+    ElementPatch patch{n_, mesh_.order, {}};
+    std::array<Vec2, 4> places;
+    for (int k = 0; k < patch.node_count(); ++k) patch.nodes[static_cast<std::size_t>(k)] = node(k);
+    for (int k = 0; k < n_; ++k) places[static_cast<std::size_t>(k)] = region_.p[c_[k]];
+    const double most = most_off_moved * part_.region->h;
+    return deviation(*part_.region, patch, places, most) > most;
   }
 
   /// Of a curved element, at its centre.
@@ -133,8 +146,7 @@ class PartElementCheck {
 
   /// At order 1. Sides between nodes of the boundary are as far off as the division of edges lets them be.
   void check_chords() {
-    constexpr double flat = 0.966;  // cosine of 15 degrees: a side of two target lengths is less than most_off_side off
-    if (least_along_ >= flat) return;
+    if (least_along_ >= nearly_flat) return;
     const double h = part_.region->h;
     Vec3 centre;
     for (int k = 0; k < n_; ++k) {
@@ -144,11 +156,15 @@ class PartElementCheck {
       const SideCubic side(region_, a, b);
       const Vec3 x = 0.5 * (side.a + side.b);
       if (side.is_smooth() && norm(middle_of(side) - x) <= 0.5 * most_off_side * h) continue;
-      if (!is_near_surface(x, guess_middle(region_, a, b, {}), norm(side.b - side.a), most_off_side * h))
-        faults_.add(face(), FaultKind::chord, x);
+      if (!is_near_surface(x, guess_middle(*part_.region, region_, a, b, {}), norm(side.b - side.a), most_off_side * h))
+        add_chord(x);
     }
-    if (!is_near_surface(centre, middle_of_corners(), norm(node(2) - node(0)), most_off_centre * h))
-      faults_.add(face(), FaultKind::chord, centre);
+    if (!is_near_surface(centre, middle_of_corners(), norm(node(2) - node(0)), most_off_centre * h)) add_chord(centre);
+  }
+
+  void add_chord(Vec3 x) {
+    faults_.add(face(), FaultKind::chord, x);
+    is_turned_ = true;
   }
 
   void check_inner_nodes() {
@@ -174,7 +190,7 @@ class PartElementCheck {
     const double length = norm(side.b - side.a);
     const Vec3 normal = normals_[static_cast<std::size_t>(c_[k])] + normals_[static_cast<std::size_t>(c_[next(k)])];
     if (is_near(x - middle_of(side), normal, length)) return;
-    const Vec2 guess = guess_middle(region_, c_[k], c_[next(k)], x - 0.5 * (side.a + side.b));
+    const Vec2 guess = guess_middle(*part_.region, region_, c_[k], c_[next(k)], x - 0.5 * (side.a + side.b));
     check_distance(v_[n_ + k], guess, length);
   }
 
@@ -187,12 +203,11 @@ class PartElementCheck {
 
   /// As the centre of the sides' middles, in the chart.
   Vec2 guess_centre() const {
-    Vec2 place;
-    for (int k = 0; k < 4; ++k) {
-      const Vec3 off = node(4 + k) - 0.5 * (node(k) + node(next(k)));
-      place = place + 0.5 * guess_middle(region_, c_[k], c_[next(k)], off) - 0.25 * region_.p[c_[k]];
-    }
-    return place;
+    std::array<Vec2, 4> middles;
+    for (int k = 0; k < 4; ++k)
+      middles[k] =
+          guess_middle(*part_.region, region_, c_[k], c_[next(k)], node(4 + k) - 0.5 * (node(k) + node(next(k))));
+    return paver::guess_centre(*part_.region, region_, c_, middles);
   }
 
   /// Near what the corners let expect, and along the surface from there.
@@ -243,19 +258,20 @@ class PartElementCheck {
   const bool is_reversed_;
   MeshFaults& faults_;
   ExactSum& slack_;
+  std::vector<int>& turned_;   // elements
   std::vector<Vec3> normals_;  // per node of the part, zero where it has none
   // The element that is looked at: nodes in the mesh, corners in the part, whether a node was moved to mend it.
   const int* v_ = nullptr;
   int n_ = 0;
   std::array<int, 4> c_{};
-  bool is_moved_ = false;
+  bool is_moved_ = false, is_turned_ = false;
   double least_along_ = 1;  // see least_along()
 };
 
 }  // namespace
 
 void check_elements(const CheckedMesh& checked, int threads, const Progress& progress, MeshFaults& faults,
-                    AreaSlack& slack) {
+                    AreaSlack& slack, std::vector<PartElement>& turned) {
   const std::vector<PartPlace> places = places_of(checked);
   std::mutex mutex;
   run_tasks(threads, costs_of(checked), [&](int i) {
@@ -263,11 +279,15 @@ void check_elements(const CheckedMesh& checked, int threads, const Progress& pro
     if (!checked.parts[static_cast<std::size_t>(i)].mesh) return;
     MeshFaults found;
     ExactSum sum = slack.none(checked.parts[static_cast<std::size_t>(i)].region->face);
-    PartElementCheck(checked, static_cast<std::size_t>(i), places[static_cast<std::size_t>(i)], found, sum).run();
+    std::vector<int> elements;
+    PartElementCheck(checked, static_cast<std::size_t>(i), places[static_cast<std::size_t>(i)], found, sum, elements)
+        .run();
     std::lock_guard lock(mutex);
+    for (int e : elements) turned.push_back({i, e});
     faults.add(found);
     slack.add(checked.parts[static_cast<std::size_t>(i)].region->face, sum);
   });
+  std::sort(turned.begin(), turned.end());
 }
 
 }  // namespace paver

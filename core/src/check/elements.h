@@ -5,8 +5,9 @@
 
 namespace paver {
 
-/// Of this rank: faults, and what the turn of each element may cost of its face's area.
+/// Of this rank: faults, what the turn of each element may cost of its face's area, and, rising, the elements that run
+/// against the surface or are farther from it than mending may leave a node.
 void check_elements(const CheckedMesh& checked, int threads, const Progress& progress, MeshFaults& faults,
-                    AreaSlack& slack);
+                    AreaSlack& slack, std::vector<PartElement>& turned);
 
 }  // namespace paver

@@ -42,9 +42,18 @@ struct SideCubic {
   }
 };
 
+/// Half of the chart's walk from p to q.
+inline Vec2 half_way(const Region& region, Vec2 p, Vec2 q) {
+  return region.chart->walk(p, 0.5 * region.chart->step_to(p, q));
+}
+
 /// About where the surface is nearest to a point that lies `off` the middle of the chord from node v to w. Just half
 /// way where the cubic does not tell.
-Vec2 guess_middle(const RegionMesh& mesh, int v, int w, Vec3 off);
+Vec2 guess_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec3 off);
+
+/// The same for the centre of a quad: corners, and the places of the middles of its sides.
+Vec2 guess_centre(const Region& region, const RegionMesh& mesh, const std::array<int, 4>& corners,
+                  const std::array<Vec2, 4>& middles);
 
 /// Moves p by Gauss-Newton in the chart to where the surface is nearest to `target`, up to 1e-4 of `scale`, or to the
 /// nearest on the way where that does not settle. Gives the point there.

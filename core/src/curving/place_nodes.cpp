@@ -29,7 +29,7 @@ std::vector<Vec2> place_sides(const CurvingPart& part, const std::vector<std::ar
   std::vector<Vec2> places(sides.size());
   for (std::size_t k = 0; k < sides.size(); ++k) {
     auto [v, w] = sides[k];
-    places[k] = guess_middle(*part.mesh, v, w, {});
+    places[k] = guess_middle(*part.region, *part.mesh, v, w, {});
     mesh.nodes[first + static_cast<int>(k)] =
         side_middle(*part.region, places[k], mesh.nodes[node_of[v]], mesh.nodes[node_of[w]]);
   }
@@ -81,27 +81,21 @@ class CentrePlacer {
       Vec3 blend = blended_centre(mesh_, static_cast<int>(quad));
       const int* v = &mesh_.quads[9 * quad];
       const double across = norm(mesh_.nodes[v[2]] - mesh_.nodes[v[0]]);
-      Vec2 place = blended_place(e);
+      Vec2 place = guess_centre(*part_.region, *part_.mesh, elements[e].v,
+                                {middle_place(e, 0), middle_place(e, 1), middle_place(e, 2), middle_place(e, 3)});
       mesh_.nodes[v[8]] = nearest_point(*part_.region, place, blend, across);
       ++quad;
     }
   }
 
  private:
-  // As blended_centre(), in the chart.
-  Vec2 blended_place(std::size_t e) const {
-    Vec2 middles;
-    for (int k = 0; k < 4; ++k) middles = middles + middle_place(e, k);
-    return 0.5 * middles - mean_place(*part_.mesh, part_.mesh->elements[e]);
-  }
-
   Vec2 middle_place(std::size_t e, int k) const {
     const int side = sides_.of_element[e][k];
     if (side >= 0) return places_[static_cast<std::size_t>(side)];
     auto [v, w] = sides_.border[static_cast<std::size_t>(-1 - side)];
     auto position = [&](int node) { return mesh_.nodes[(*part_.node_of)[node]]; };
     const Vec3 middle = mesh_.nodes[border_node_[static_cast<std::size_t>(-1 - side)]];
-    return guess_middle(*part_.mesh, v, w, middle - 0.5 * (position(v) + position(w)));
+    return guess_middle(*part_.region, *part_.mesh, v, w, middle - 0.5 * (position(v) + position(w)));
   }
 
   const CurvingPart& part_;

@@ -131,7 +131,8 @@ class Joiner {
       const Element& element = region.elements[e];
       if (!element.is_alive()) continue;
       add_element(mesh, element, node_of, model_.faces[part.face], part.face);
-      if (element.corners() == 4) joined_.quad_source.push_back({static_cast<int>(i), static_cast<int>(e)});
+      (element.corners() == 4 ? joined_.quad_source : joined_.triangle_source)
+          .push_back({static_cast<int>(i), static_cast<int>(e)});
     }
     joined_.sizes[i] = {static_cast<long>(mesh.nodes.size()) - nodes, static_cast<long>(mesh.quad_count()) - quads,
                         static_cast<long>(mesh.triangle_count()) - triangles};

@@ -43,6 +43,12 @@ void RegionMesh::remove_element(int e) {
   elements[e].v = {-1, -1, -1, -1};
 }
 
+void RegionMesh::restore_element(int e, const std::array<int, 4>& corners) {
+  elements[e].v = corners;
+  for (int v : corners)
+    if (v >= 0) star[v].add(e);
+}
+
 void RegionMesh::replace_node(int e, int from, int to) {
   elements[e].v[elements[e].corner_of(from)] = to;
   star[from].remove(e);

@@ -103,6 +103,8 @@ struct RegionMesh {
   /// The new element's number.
   int add_element(const std::array<int, 4>& corners);
   void remove_element(int e);
+  /// Takes back its removal.
+  void restore_element(int e, const std::array<int, 4>& corners);
   void replace_node(int e, int from, int to);
   /// Number of distinct mesh edges at a node.
   int valence(int node) const;

@@ -129,7 +129,7 @@ PavedRegion pave_coarse(const Region& region, int multilevel, const Progress& pr
     if (error.code() != ErrorCode::face_failed) throw;
   }
   if (auto disc = lay_disc(region, progress)) return {std::move(*disc), {}};
-  return pave_region_again(region, 0, progress, elements);
+  return pave_region_once(region, progress, elements);
 }
 
 std::optional<LevelPlan> plan_level(const Region& region, int multilevel, int ratio, const Progress& progress,

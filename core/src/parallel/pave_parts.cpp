@@ -64,12 +64,6 @@ std::vector<RegionFailure> PartPaver::pave() {
   return failures;
 }
 
-std::vector<RegionFailure> PartPaver::pave_again(const std::vector<char>& is_wanted, int attempt) {
-  return pave_whole(is_wanted, [&](const Region& region) {
-    return pave_region_again(region, attempt, progress_, options_.elements);
-  });
-}
-
 // Small regions are paved while others make the coarse meshes of large ones.
 std::vector<RegionFailure> PartPaver::pave_regions() {
   std::vector<int> all(regions_.size());
@@ -203,12 +197,24 @@ void PartPaver::put(std::vector<Part> parts) {
   number_outlines();
 }
 
+// Outline nodes are numbered behind those of the boundary stage.
+void PartPaver::add_boundary_nodes(int more) {
+  for (Part& part : parts_) {
+    if (part.piece < 0 || !part.paved) continue;
+    auto copy = std::make_shared<PavedRegion>(*part.paved);
+    for (int& global : copy->mesh.global)
+      if (global >= boundary_nodes_ + added_) global += more;
+    part.paved = std::move(copy);
+  }
+  added_ += more;
+}
+
 std::vector<std::array<int, 2>> PartPaver::outline_sides(int region) const {
   if (!is_in_pieces_[region]) return {};
   std::vector<std::array<int, 2>> sides = plans_[region]->outline_sides;
   for (auto& side : sides)
     for (int& node : side)
-      if (node >= boundary_nodes_) node += first_outline_[region];
+      if (node >= boundary_nodes_) node += first_outline_[region] + added_;
   return sides;
 }
 

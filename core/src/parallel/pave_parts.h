@@ -46,13 +46,13 @@ class PartPaver {
 
   /// Paves all regions, large ones in pieces. Failures are the same on all ranks, by region.
   std::vector<RegionFailure> pave();
-  /// Paves the regions marked 1 another way (pave_region_again), whole.
-  std::vector<RegionFailure> pave_again(const std::vector<char>& is_wanted, int attempt);
 
   /// In the order of the regions and their pieces.
   const std::vector<Part>& parts() const { return parts_; }
   /// Other meshes for the same parts, or parts as they were.
   void put(std::vector<Part> parts);
+  /// The boundary stage has `more` nodes than before.
+  void add_boundary_nodes(int more);
   /// Outline nodes of a region's pieces start at this number.
   int outline_of(int region) const { return first_outline_[region]; }
   int outline_nodes() const { return first_outline_.back(); }
@@ -83,6 +83,7 @@ class PartPaver {
   std::vector<Part> parts_;
   std::vector<TaskTime> times_;
   int queue_ = 0;
+  int added_ = 0;                                // nodes of the boundary stage
   std::vector<std::optional<LevelPlan>> plans_;  // per region
   std::vector<char> is_in_pieces_;               // per region
   std::vector<int> first_outline_;               // per region, and the number of all

@@ -16,12 +16,13 @@ namespace paver {
 
 namespace {
 
-/// One way of paving: smaller elements resolve what turned out too coarse, the other rule for rows takes other ways.
+/// One way of paving: the other rule for rows takes other ways, and so do sizes that grow more slowly from row to row.
 struct Attempt {
   double size;
   double misfit_weight;
+  double gradation = 1;  ///< of the region's
 };
-constexpr Attempt attempts[] = {{1, 1}, {1, 0}, {0.5, 1}, {0.25, 1}};
+constexpr Attempt attempts[] = {{1, 1}, {1, 0}, {1, 1, 0.5}, {1, 1, 0.25}};
 // Where no triangle is wanted: a slightly other size already takes other ways.
 constexpr Attempt all_quad_attempts[] = {{1, 1}, {1, 0}, {0.95, 1}, {1.05, 1}, {0.9, 1}, {0.8, 1}, {0.5, 1}, {0.25, 1}};
 constexpr double sharpest_tip = 6 * M_PI / 180;  // sharper corners take a triangle, unless none is wanted
@@ -34,6 +35,15 @@ Region scaled(const Region& region, double size) {
   for (auto& loop : finer.loops)
     for (LoopNode& node : loop) node.h *= size;
   return finer;
+}
+
+/// Whether the target length differs along the boundary, or from there to the inside.
+bool grows(const Region& region) {
+  constexpr double least_growth = 1.5;
+  double low = region.h, high = region.h;
+  for (const auto& loop : region.loops)
+    for (const LoopNode& node : loop) low = std::min(low, node.h), high = std::max(high, node.h);
+  return high > least_growth * low;
 }
 
 /// Pairs of triangles that clean-up could not join; an odd one is what the region's boundary asks for.
@@ -96,12 +106,13 @@ PavedRegion pave_once(const Region& region, const Attempt& attempt, const Progre
 
 }  // namespace
 
-const int further_attempts = static_cast<int>(std::size(attempts)) - 1;
-
 namespace {
 
 PavedRegion pave_in_way(const Region& region, const Attempt& way, const Progress& progress, Elements elements) {
-  return pave_once(way.size == 1 ? region : scaled(region, way.size), way, progress, elements);
+  if (way.size == 1 && way.gradation == 1) return pave_once(region, way, progress, elements);
+  Region other = scaled(region, way.size);
+  other.gradation *= way.gradation;
+  return pave_once(other, way, progress, elements);
 }
 
 PavedRegion finish(PavedRegion paved, Elements elements) {
@@ -112,8 +123,8 @@ PavedRegion finish(PavedRegion paved, Elements elements) {
 
 }  // namespace
 
-PavedRegion pave_region_again(const Region& region, int attempt, const Progress& progress, Elements elements) {
-  return finish(pave_in_way(region, attempts[attempt], progress, elements), elements);
+PavedRegion pave_region_once(const Region& region, const Progress& progress, Elements elements) {
+  return finish(pave_in_way(region, attempts[0], progress, elements), elements);
 }
 
 PavedRegion pave_region(const Region& region, const Progress& progress, Elements elements) {
@@ -132,6 +143,7 @@ PavedRegion pave_region(const Region& region, const Progress& progress, Elements
         fewest.off_surface + pairs == 0 && fewest.flat <= few_flat * static_cast<double>(best.mesh.elements.size());
     bool is_first = best.mesh.elements.empty();
     if (!is_first && (fewest.sum() + pairs == 0 || (way.size != 1 && is_good_enough))) break;
+    if (way.gradation != 1 && !grows(region)) break;
     PavedRegion paved = pave_in_way(region, way, progress, elements);
     Faults faults = count_faults(paved.mesh);
     long left = all_quad ? pairs_left(paved.mesh) : 0;

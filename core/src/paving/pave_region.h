@@ -14,13 +14,12 @@ struct PavedRegion {
   PavingCounts counts;
 };
 
-/// Self-contained and deterministic. Tries again in other ways, and finer, while an element is unsound, and gives the
-/// best. Throws Error{face_failed} with a point when the region's loops cross in the chart, Error{cancelled} on cancel.
+/// Self-contained and deterministic. Tries again by other rules while an element is unsound, and gives the best. Throws
+/// Error{face_failed} with a point when the region's loops cross in the chart, Error{cancelled} on cancel.
 PavedRegion pave_region(const Region& region, const Progress& progress, Elements elements = Elements::quad_dominant);
 
-/// Paves in the one way `attempt`: 0 the first, 1 to further_attempts for a face that later turned out badly.
-PavedRegion pave_region_again(const Region& region, int attempt, const Progress& progress,
-                              Elements elements = Elements::quad_dominant);
-extern const int further_attempts;
+/// In the first way only, whatever comes out.
+PavedRegion pave_region_once(const Region& region, const Progress& progress,
+                             Elements elements = Elements::quad_dominant);
 
 }  // namespace paver

@@ -102,6 +102,7 @@ class PolarChart : public Chart {
     least_ = 1e300;
     for (double r : radius_)
       if (r > 0) least_ = std::min(least_, 1e-9 * r);
+    has_apex_ = has_apex(table);
     sign_ = rises_ == box.is_swapped ? 1 : -1;  // keeps the chart's orientation that of (u, v)
   }
 
@@ -109,14 +110,13 @@ class PolarChart : public Chart {
   bool is_usable() const { return span_ < 150 && std::isfinite(span_) && span_ > 0; }
 
   // Without a pole the chart is the exponential of (phi, meridian): in complex numbers p exp(step / p).
-  Vec2 walk(Vec2 p, Vec2 step) const override {
-    if (box_.low_pole || box_.high_pole) return p + step;
-    double square = dot(p, p), grow = dot(step, p) / square, turn = cross(p, step) / square;
-    double scale = std::exp(std::clamp(grow, -50.0, 50.0)), c = std::cos(turn), s = std::sin(turn);
-    return scale * Vec2{c * p.x - s * p.y, s * p.x + c * p.y};
+  bool bends() const override { return !box_.low_pole && !box_.high_pole; }
+  Vec2 walk(Vec2 p, Vec2 step) const override { return bends() ? turned(p, step) : p + step; }
+  Vec2 approach(Vec2 p, Vec2 step) const override {
+    return (bends() || has_apex_) && dot(p, p) > 0 ? turned(p, step) : p + step;
   }
   Vec2 step_to(Vec2 p, Vec2 q) const override {
-    if (box_.low_pole || box_.high_pole) return q - p;
+    if (!bends()) return q - p;
     double grow = 0.5 * std::log(dot(q, q) / dot(p, p)), turn = std::atan2(cross(p, q), dot(p, q));
     return {grow * p.x - turn * p.y, grow * p.y + turn * p.x};
   }
@@ -151,6 +151,18 @@ class PolarChart : public Chart {
   }
 
  private:
+  static Vec2 turned(Vec2 p, Vec2 step) {
+    double square = dot(p, p), grow = dot(step, p) / square, turn = cross(p, step) / square;
+    double scale = std::exp(std::clamp(grow, -50.0, 50.0)), c = std::cos(turn), s = std::sin(turn);
+    return scale * Vec2{c * p.x - s * p.y, s * p.x + c * p.y};
+  }
+  /// Whether the surface about a pole is sharper than a disc: log R rises faster than that of the distance.
+  bool has_apex(const MeridianTable& table) const {
+    constexpr double sharp = 1.2;
+    const int i = box_.low_pole ? 1 : cells_ - 1;
+    const double distance = step_ * table.height(box_.low_pole ? 0 : cells_ - 1), width = table.width(i);
+    return (box_.low_pole || box_.high_pole) && cells_ > 1 && turn_ * distance > sharp * width;
+  }
   double radius_at(Cell c) const {
     double r0 = radius_[c.i], r1 = radius_[c.i + 1];
     if (r0 > 0 && r1 > 0) return r0 * std::exp(c.t * log_ratio_[c.i]);
@@ -165,7 +177,7 @@ class PolarChart : public Chart {
   ParameterBox box_;
   double turn_, lo_, step_, span_ = 0, least_ = 0;  // nearer to the pole than least_ is at it
   int cells_;
-  bool rises_ = false;
+  bool rises_ = false, has_apex_ = false;
   double sign_ = 1;
   std::vector<double> radius_;
   std::vector<double> log_ratio_;  // per cell: of its radii, 0 at a pole

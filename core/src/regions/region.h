@@ -21,6 +21,11 @@ class Chart {
   /// End of the walk that starts at p with the chart displacement `step`; to first order p + step. Charts that bend
   /// long straight walks on the surface follow them here.
   virtual Vec2 walk(Vec2 p, Vec2 step) const { return p + step; }
+  /// Where a step of a search leads: as walk(), but never across an apex, about which the chart is a power of the
+  /// distance.
+  virtual Vec2 approach(Vec2 p, Vec2 step) const { return walk(p, step); }
+  /// Whether walk() is more than p + step.
+  virtual bool bends() const { return false; }
   /// The step of the walk from p to q: walk(p, step_to(p, q)) == q.
   virtual Vec2 step_to(Vec2 p, Vec2 q) const { return q - p; }
 };

@@ -1,0 +1,162 @@
+#include "repair/curved_element.h"
+
+#include <algorithm>
+
+#include "check/checked_mesh.h"
+#include "check/deviation.h"
+#include "curving/near_surface.h"
+#include "quality/jacobian.h"
+
+namespace paver {
+namespace {
+
+constexpr double folded = -0.5;        // value of an element that faces away or has a node twice
+constexpr double least_height = 0.01;  // scaled Jacobian: flatter ones are not curved to be judged
+constexpr double steep = 0.7;          // cosine between its normal and the surface's at a corner: may miss the surface
+constexpr double cusp_sine = 0.05;     // between two edges
+constexpr double value_of_cusp = 0.05;
+constexpr double doubtful = 0.5;  // cosine between an element's normal and the mean of its corners'
+
+}  // namespace
+
+BoundarySides::BoundarySides(const Region& region, const EdgeNodes& edges) {
+  std::vector<int> bounding;
+  for (const auto& loop : region.loops)
+    for (const LoopNode& node : loop)
+      if (node.edge >= 0) bounding.push_back(node.edge);
+  std::sort(bounding.begin(), bounding.end());
+  bounding.erase(std::unique(bounding.begin(), bounding.end()), bounding.end());
+  for (int edge : bounding) {
+    const EdgeDivision& division = edges.edges[static_cast<std::size_t>(edge)];
+    for (int i = 0; i < division.intervals(); ++i)
+      sides_.try_emplace(std::minmax(division.node[i], division.node[i + 1]),
+                         BoundarySide{edge, i, division.x[2 * static_cast<std::size_t>(i) + 1]});
+  }
+}
+
+const BoundarySide* BoundarySides::find(int a, int b) const {
+  if (a < 0 || b < 0) return nullptr;
+  const auto at = sides_.find(std::minmax(a, b));
+  return at == sides_.end() ? nullptr : &at->second;
+}
+
+bool ElementJudge::has_node_twice(const Corners& v, int n) const {
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < i; ++j)
+      if (v[i] == v[j] || (mesh_.global[v[i]] >= 0 && mesh_.global[v[i]] == mesh_.global[v[j]])) return true;
+  return false;
+}
+
+double ElementJudge::least_along(const Corners& v, int n) const {
+  Vec3 area, normals;
+  Vec2 centre;
+  for (int k = 0; k < n; ++k) {
+    area += cross(mesh_.x[v[k]] - mesh_.x[v[0]], mesh_.x[v[(k + 1) % n]] - mesh_.x[v[0]]);
+    normals += mesh_.normal(v[k]);
+    centre = centre + (1.0 / n) * mesh_.p[v[k]];
+  }
+  area = unit(area);
+  double least = 1;
+  for (int k = 0; k < n; ++k) least = std::min(least, dot(area, mesh_.normal(v[k])));
+  const double along = dot(area, unit(normals));
+  if (along >= doubtful) return std::max(least, 0.0);
+  Vec3 x, xp, xq;
+  region_.evaluate(centre, x, xp, xq);
+  return along > 0 && dot(area, cross(xp, xq)) > 0 ? std::max(least, 0.0) : -1;
+}
+
+// As the check that follows measures it, by what it allows.
+double ElementJudge::off_surface(const Corners& v, int n, const std::array<Vec3, 9>& x) const {
+  if (order_ == 1) return chords_off(v, n);
+  std::array<Vec2, 4> places;
+  for (int k = 0; k < n; ++k) places[static_cast<std::size_t>(k)] = mesh_.p[v[static_cast<std::size_t>(k)]];
+  return deviation(region_, {n, order_, x}, places, 0.5 * most_off_moved * region_.h) / (most_off_moved * region_.h);
+}
+
+std::array<Vec3, 9> ElementJudge::curved(const Corners& v, int n) const {
+  std::array<Vec3, 9> x;
+  std::array<Vec2, 4> places;
+  for (int k = 0; k < n; ++k) x[k] = mesh_.x[v[k]];
+  for (int k = 0; k < n; ++k) {
+    const int a = v[k], b = v[(k + 1) % n];
+    if (const BoundarySide* side = sides_.find(mesh_.global[a], mesh_.global[b])) {
+      x[n + k] = side->middle;
+      places[k] = guess_middle(region_, mesh_, a, b, side->middle - 0.5 * (mesh_.x[a] + mesh_.x[b]));
+    } else {
+      places[k] = guess_middle(region_, mesh_, a, b, {});
+      x[n + k] = nearest_point(region_, places[k], 0.5 * (mesh_.x[a] + mesh_.x[b]), norm(mesh_.x[b] - mesh_.x[a]));
+    }
+  }
+  if (n == 3) return x;
+  Vec2 place = guess_centre(region_, mesh_, v, places);
+  Vec3 blend;
+  for (int k = 0; k < 4; ++k) blend += 0.5 * x[4 + k] - 0.25 * x[k];
+  x[8] = nearest_point(region_, place, blend, norm(x[2] - x[0]));
+  return x;
+}
+
+double ElementJudge::chords_off(const Corners& v, int n) const {
+  Vec2 place;
+  Vec3 centre;
+  double most = 0;
+  auto add = [&](Vec2 p, Vec3 target, double scale, double allowed) {
+    most = std::max(most, distance_to_surface(region_, p, target, scale, most * allowed) / allowed);
+  };
+  for (int k = 0; k < n; ++k) {
+    const int a = v[k], b = v[(k + 1) % n];
+    place = place + (1.0 / n) * mesh_.p[a];
+    centre += (1.0 / n) * mesh_.x[a];
+    if (mesh_.global[a] >= 0 && mesh_.global[b] >= 0) continue;
+    add(guess_middle(region_, mesh_, a, b, {}), 0.5 * (mesh_.x[a] + mesh_.x[b]), norm(mesh_.x[b] - mesh_.x[a]),
+        most_off_side * region_.h);
+  }
+  add(place, centre, norm(mesh_.x[v[2]] - mesh_.x[v[0]]), most_off_centre * region_.h);
+  return most;
+}
+
+// Where two edges touch each other without an angle no element is valid unless it leaves them.
+bool ElementJudge::is_valid_cusp(const Corners& v, int n, std::array<Vec3, 9> x) const {
+  if (order_ == 1) return false;
+  const double most = most_off_moved * region_.h;
+  bool has_cusp = false;
+  for (int k = 0; k < n; ++k) {
+    const int next = (k + 1) % n, last = (k + n - 1) % n;
+    if (!sides_.find(mesh_.global[v[k]], mesh_.global[v[next]]) ||
+        !sides_.find(mesh_.global[v[last]], mesh_.global[v[k]]))
+      continue;
+    const Vec3 out = unit(4 * x[n + k] - 3 * x[k] - x[next]), back = unit(4 * x[n + last] - 3 * x[k] - x[last]);
+    if (norm(cross(out, back)) > cusp_sine || dot(out, back) < 0) continue;
+    has_cusp = true;
+    for (auto [side, a, b] : {std::array{n + k, k, next}, std::array{n + last, last, k}}) {
+      const Vec3 middle = 0.5 * (x[a] + x[b]);
+      if (norm(x[side] - middle) > most) return false;
+      x[side] = middle;
+    }
+  }
+  if (!has_cusp) return false;
+  if (n == 4) {
+    x[8] = {};
+    for (int k = 0; k < 4; ++k) x[8] += 0.5 * x[4 + k] - 0.25 * x[k];
+  }
+  return jacobian_form(n == 4 ? ElementShape::quad : ElementShape::triangle, order_).is_valid(x.data());
+}
+
+double ElementJudge::value(const Corners& v) const {
+  const Element element{v};
+  const int n = element.corners();
+  if (has_node_twice(v, n) || !is_positive(mesh_, element)) return folded;
+  const double along = least_along(v, n);
+  if (along < 0) return folded;
+  const double sj = scaled_jacobian(mesh_, element);
+  if (sj < least_height) return std::min(sj, 0.0);
+  const std::array<Vec3, 9> x =
+      order_ == 1 ? std::array<Vec3, 9>{mesh_.x[v[0]], mesh_.x[v[1]], mesh_.x[v[2]], mesh_.x[v[n - 1]]} : curved(v, n);
+  const ElementShape shape = n == 4 ? ElementShape::quad : ElementShape::triangle;
+  const JacobianBound bound = jacobian_form(shape, order_).bound(x.data());
+  if (bound.validity != Validity::valid)
+    return is_valid_cusp(v, n, x) ? value_of_cusp : std::clamp(bound.ratio, -1.0, 0.0) - 1e-3;
+  const double off = along < (order_ == 1 ? nearly_flat : steep) ? off_surface(v, n, x) : 0;
+  return off > 1 ? std::max(1 - off, -1.0) : std::min(sj, bound.ratio);
+}
+
+}  // namespace paver

@@ -1,0 +1,65 @@
+// Elements of one part as they will be: curved, judged one by one, before anything is joined.
+#pragma once
+
+#include <array>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "boundary/edge_nodes.h"
+#include "regions/region.h"
+
+namespace paver {
+
+using Corners = std::array<int, 4>;  ///< as Element::v
+
+/// An interval of a B-rep edge.
+struct BoundarySide {
+  int edge = -1, interval = -1;
+  Vec3 middle;
+};
+
+/// The sides on B-rep edges that bound a region, by their nodes' numbers in the boundary stage.
+class BoundarySides {
+ public:
+  BoundarySides(const Region& region, const EdgeNodes& edges);
+  /// Null for sides inside the face.
+  const BoundarySide* find(int a, int b) const;
+
+ private:
+  std::map<std::pair<int, int>, BoundarySide> sides_;
+};
+
+/// Judges elements between nodes of a part's mesh, whether they are in it or not. References are kept.
+class ElementJudge {
+ public:
+  ElementJudge(const Region& region, const RegionMesh& mesh, const BoundarySides& sides, int order)
+      : region_(region), mesh_(mesh), sides_(sides), order_(order) {}
+
+  /// From 1, as good as can be, down to 0: the lesser of scaled Jacobian and of the lower bound of the curved Jacobian
+  /// over its mean. Negative where it is folded, turned over, farther off the surface than may be, or has a node of the
+  /// boundary twice.
+  double value(const Corners& v) const;
+  int order() const { return order_; }
+  double value(int element) const { return value(mesh_.elements[element].v); }
+
+ private:
+  bool has_node_twice(const Corners& v, int n) const;
+  /// Cosine between the element's normal and that of the surface at the corner where it is least; below 0 where the
+  /// element runs against the surface.
+  double least_along(const Corners& v, int n) const;
+  /// By what there may be.
+  double off_surface(const Corners& v, int n, const std::array<Vec3, 9>& x) const;
+  double chords_off(const Corners& v, int n) const;
+  /// Whether it is valid once its sides on two edges that touch without an angle are straight.
+  bool is_valid_cusp(const Corners& v, int n, std::array<Vec3, 9> x) const;
+  /// Nodes of order 2 as curving places them, in Gmsh's order.
+  std::array<Vec3, 9> curved(const Corners& v, int n) const;
+
+  const Region& region_;
+  const RegionMesh& mesh_;
+  const BoundarySides& sides_;
+  const int order_;
+};
+
+}  // namespace paver

@@ -1,0 +1,144 @@
+#include "repair/divide_sides.h"
+
+#include <algorithm>
+#include <map>
+
+#include "curving/near_surface.h"
+
+namespace paver {
+namespace {
+
+/// Where chords from both ends of a piece of curve are as long as each other.
+double middle_of(const Curve& curve, double t0, double t1) {
+  constexpr int bisections = 40;
+  const Vec3 a = curve.point(t0), b = curve.point(t1);
+  double low = t0, high = t1;
+  for (int i = 0; i < bisections; ++i) {
+    const double t = 0.5 * (low + high);
+    const Vec3 x = curve.point(t);
+    (norm(x - a) < norm(b - x) ? low : high) = t;
+  }
+  return 0.5 * (low + high);
+}
+
+/// The interval's middle becomes a node.
+void divide(const Curve& curve, std::size_t interval, int node, EdgeDivision& division) {
+  auto t = division.t.begin() + static_cast<long>(2 * interval);
+  const double first = middle_of(curve, t[0], t[1]), second = middle_of(curve, t[1], t[2]);
+  const auto at = static_cast<long>(2 * interval + 1);
+  division.t.insert(division.t.begin() + at + 1, second);
+  division.t.insert(division.t.begin() + at, first);
+  division.x.insert(division.x.begin() + at + 1, curve.point(second));
+  division.x.insert(division.x.begin() + at, curve.point(first));
+  division.node.insert(division.node.begin() + static_cast<long>(interval) + 1, node);
+}
+
+class RegionDivider {
+ public:
+  RegionDivider(const Region& region, const EdgeNodes& nodes, int order, ElementKinds kinds, RegionMesh& mesh)
+      : region_(region),
+        nodes_(nodes),
+        mesh_(mesh),
+        sides_(region, nodes),
+        judge_(region, mesh, sides_, order),
+        kinds_(kinds) {
+    for (int v = 0; v < mesh.node_count(); ++v)
+      if (mesh.global[v] >= 0 && mesh.star[v].size() > 0) copies_[mesh.global[v]].push_back(v);
+  }
+
+  void run(const DividedSide& side) {
+    const std::vector<int> as = copies_[side.a], bs = copies_[side.b];
+    for (int a : as)
+      for (int b : bs) divide(a, b, side.node);
+  }
+
+ private:
+  int element_with(int a, int b) const {
+    for (int e : mesh_.star[a])
+      if (mesh_.elements[e].after(a) == b) return e;
+    return -1;
+  }
+
+  void divide(int a, int b, int global) {
+    const int left = element_with(a, b), right = element_with(b, a);
+    if (left < 0 && right < 0) return;
+    const int middle = add_node(a, b, global);
+    if (left >= 0) insert(left, a, middle);
+    if (right >= 0) insert(right, b, middle);
+  }
+
+  int add_node(int a, int b, int global) {
+    const Vec3 at = nodes_.nodes[static_cast<std::size_t>(global)];
+    Vec2 p = half_way(region_, mesh_.p[a], mesh_.p[b]);
+    Vec3 x, xp, xq;
+    nearest_point(region_, p, at, norm(mesh_.x[b] - mesh_.x[a]));
+    region_.evaluate(p, x, xp, xq);
+    const int node = mesh_.add_node(p, at, xp, xq, 0.5 * (mesh_.h[a] + mesh_.h[b]));
+    mesh_.is_fixed[node] = 1;
+    mesh_.global[node] = global;
+    copies_[global].push_back(node);
+    return node;
+  }
+
+  void insert(int e, int after, int middle) {
+    std::vector<int> outline;
+    const Element element = mesh_.elements[e];
+    for (int k = 0; k < element.corners(); ++k) {
+      outline.push_back(element.v[k]);
+      if (element.v[k] == after) outline.push_back(middle);
+    }
+    Filling filling = fill_outline(
+        outline, kinds_, [&](const Corners& v) { return judge_.value(v); }, [](int, int) { return false; });
+    if (filling.elements.empty()) filling.elements = fan_at(outline, middle);
+    mesh_.remove_element(e);
+    for (const Corners& corners : filling.elements) mesh_.add_element(corners);
+  }
+
+  /// Whatever they are worth: the other faces at the side have the node as well.
+  static std::vector<Corners> fan_at(std::vector<int> outline, int middle) {
+    std::rotate(outline.begin(), std::find(outline.begin(), outline.end(), middle), outline.end());
+    if (outline.size() == 4)
+      return {{outline[0], outline[1], outline[2], -1}, {outline[0], outline[2], outline[3], -1}};
+    return {{outline[0], outline[1], outline[2], -1}, {outline[0], outline[2], outline[3], outline[4]}};
+  }
+
+  const Region& region_;
+  const EdgeNodes& nodes_;
+  RegionMesh& mesh_;
+  const BoundarySides sides_;
+  const ElementJudge judge_;
+  const ElementKinds kinds_;
+  std::map<int, std::vector<int>> copies_;  // of a node of the boundary stage
+};
+
+}  // namespace
+
+std::vector<DividedSide> divide_intervals(const Model& model, std::vector<SideToDivide> sides, EdgeNodes& nodes) {
+  for (SideToDivide& side : sides)
+    if (side.a > side.b) std::swap(side.a, side.b);
+  std::sort(sides.begin(), sides.end());
+  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+  std::vector<DividedSide> divided;
+  for (const SideToDivide& side : sides) {
+    EdgeDivision& division = nodes.edges[static_cast<std::size_t>(side.edge)];
+    for (int i = 0; i < division.intervals(); ++i) {
+      if (std::minmax(division.node[i], division.node[i + 1]) != std::minmax(side.a, side.b)) continue;
+      const int node = static_cast<int>(nodes.nodes.size());
+      nodes.nodes.push_back(division.x[2 * static_cast<std::size_t>(i) + 1]);
+      nodes.node_edge.push_back(side.edge);
+      nodes.node_target.push_back(0.5 * (nodes.node_target[side.a] + nodes.node_target[side.b]));
+      divide(*model.edges[static_cast<std::size_t>(side.edge)].curve, static_cast<std::size_t>(i), node, division);
+      divided.push_back({side.a, side.b, node});
+      break;
+    }
+  }
+  return divided;
+}
+
+void divide_boundary_sides(const Region& region, const EdgeNodes& nodes, const std::vector<DividedSide>& sides,
+                           int order, ElementKinds kinds, RegionMesh& mesh) {
+  RegionDivider divider(region, nodes, order, kinds, mesh);
+  for (const DividedSide& side : sides) divider.run(side);
+}
+
+}  // namespace paver

@@ -1,0 +1,213 @@
+// Steps: the bad elements in order, new ones that are still bad behind them. For each: moves, then fillings of the
+// element alone, with one neighbour, with two, of stars and the whole ring, without and with a node inside; then nodes
+// on its sides.
+#include "repair/mend_region.h"
+
+#include <algorithm>
+#include <deque>
+#include <optional>
+
+#include "repair/divide_inside.h"
+#include "repair/move_corners.h"
+#include "repair/patch.h"
+
+namespace paver {
+namespace {
+
+constexpr int steps_per_element = 12, least_steps = 24;
+constexpr double least_bend = 0.01;  // of the chord: below, a side counts as straight
+constexpr double fair = 0.2;         // value from which on an element needs no more mending
+constexpr double as_good = 1e-9;     // merits nearer than this are equal, the first is taken
+
+class Mender {
+ public:
+  Mender(const Region& region, const BoundarySides& sides, int order, Elements elements, RegionMesh& mesh)
+      : region_(region), mesh_(mesh), sides_(sides), judge_(region, mesh, sides, order), kinds_(kinds_of(elements)) {}
+
+  Mended run(const std::vector<int>& bad) {
+    std::deque<int> queue(bad.begin(), bad.end());
+    std::vector<int> left;
+    for (long steps = least_steps + steps_per_element * static_cast<long>(bad.size()); steps > 0 && !queue.empty();
+         --steps) {
+      const int e = queue.front();
+      queue.pop_front();
+      if (!is_bad(e)) continue;
+      const std::size_t made = mesh_.elements.size();
+      if (!mend(e)) left.push_back(e);
+      for (std::size_t i = made; i < mesh_.elements.size(); ++i)
+        if (is_bad(static_cast<int>(i))) queue.push_back(static_cast<int>(i));
+    }
+    left.insert(left.end(), queue.begin(), queue.end());
+    for (int e : left) {
+      if (!is_bad(e)) continue;
+      mended_.left.push_back(e);
+      if (kinds_.triangles) ask_for_side(e);
+    }
+    return mended_;
+  }
+
+ private:
+  /// A change of connectivity: elements that go, and what comes.
+  struct Candidate {
+    ElementSet gone;
+    Filling filling;
+    std::optional<Vec2> node;  ///< place of a new node, the next of the mesh
+    double merit = -10;
+  };
+
+  bool is_bad(int e) const { return mesh_.elements[e].is_alive() && judge_.value(e) <= 0; }
+
+  bool mend(int e) {
+    if (move_corners(region_, judge_, e, fair, mesh_)) {
+      ++mended_.moved;
+      return true;
+    }
+    Candidate best;
+    const ElementSet about = neighbours_of(mesh_, e);
+    try_set({e}, best);
+    for (int f : about) try_set({e, f}, best);
+    for (std::size_t i = 0; i < about.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) try_set({e, about[i], about[j]}, best);
+      for (int g : neighbours_of(mesh_, about[i]))
+        if (g != e) try_set({e, about[i], g}, best);
+    }
+    for (int v : mesh_.elements[e].v)
+      if (v >= 0) try_set({mesh_.star[v].begin(), mesh_.star[v].end()}, best);
+    try_set(with(about, e), best);
+    try_set(ring_about(mesh_, e), best);
+    if (best.filling.worst < fair) {
+      if (const int nodes = divide_bend(region_, judge_, e, kinds_, mesh_)) {
+        mended_.divided += nodes;
+        return true;
+      }
+      try_sides(e, best);
+    }
+    if (best.gone.empty()) return false;
+    carry_out(best);
+    return true;
+  }
+
+  static ElementSet with(ElementSet set, int e) {
+    set.push_back(e);
+    return set;
+  }
+
+  void try_set(const ElementSet& set, Candidate& best) {
+    const PatchOutline outline = outline_of(mesh_, set, most_outline);
+    if (outline.loop.empty()) return;
+    auto value = [&](const Corners& v) { return judge_.value(v); };
+    std::vector<int> fixed;
+    for (int v : outline.inside)
+      if (mesh_.is_fixed[v]) fixed.push_back(v);
+    if (fixed.size() > 1) return;
+    if (fixed.size() == 1) {
+      consider({set, fill_about(fixed[0], outline.loop, kinds_, value), {}}, best);
+      return;
+    }
+    consider(
+        {set,
+         fill_outline(outline.loop, kinds_, value, [&](int a, int b) { return is_side_outside(mesh_, set, a, b); }),
+         {}},
+        best);
+    if (best.filling.worst >= fair || outline.loop.size() < 4) return;
+    Vec2 p;
+    double h = 0;
+    for (int v : outline.loop) {
+      p = p + (1.0 / static_cast<double>(outline.loop.size())) * mesh_.p[v];
+      h += mesh_.h[v] / static_cast<double>(outline.loop.size());
+    }
+    const int node = add_node(p, h);
+    consider({set, fill_about(node, outline.loop, kinds_, value), p}, best);
+    mesh_.drop_last_node();
+  }
+
+  int add_node(Vec2 p, double h) {
+    Vec3 x, xp, xq;
+    region_.evaluate(p, x, xp, xq);
+    return mesh_.add_node(p, x, xp, xq, h);
+  }
+
+  /// A node on one side inside, both elements there filled anew.
+  void try_sides(int e, Candidate& best) {
+    const Element element = mesh_.elements[e];
+    for (int k = 0, n = element.corners(); k < n; ++k) {
+      const int a = element.v[k], b = element.v[(k + 1) % n], other = across(mesh_, a, b);
+      if (other < 0 || norm(mesh_.x[b] - mesh_.x[a]) < shortest_side * std::min(mesh_.h[a], mesh_.h[b])) continue;
+      const int node = add_node_between(region_, a, b, mesh_);
+      Filling here = fill_with(e, a, b, node, {e, other}), there = fill_with(other, a, b, node, {e, other});
+      if (here.worst > 0 && there.worst > 0) {
+        here.worst = std::min(here.worst, there.worst);
+        here.triangles += there.triangles;
+        here.elements.insert(here.elements.end(), there.elements.begin(), there.elements.end());
+        consider({{e, other}, std::move(here), mesh_.p[node]}, best);
+      }
+      mesh_.drop_last_node();
+    }
+  }
+
+  Filling fill_with(int e, int a, int b, int node, const ElementSet& set) const {
+    const std::vector<int> outline = with_nodes_between(
+        mesh_.elements[e], [&](int v, int w) { return std::minmax(v, w) == std::minmax(a, b) ? node : -1; });
+    return fill_outline(
+        outline, kinds_, [&](const Corners& v) { return judge_.value(v); },
+        [&](int v, int w) { return is_side_outside(mesh_, set, v, w); });
+  }
+
+  void consider(Candidate candidate, Candidate& best) const {
+    if (candidate.filling.worst <= 0) return;
+    const auto triangles = std::count_if(candidate.gone.begin(), candidate.gone.end(),
+                                         [&](int e) { return mesh_.elements[e].corners() == 3; });
+    const int more = candidate.filling.triangles - static_cast<int>(triangles);
+    candidate.merit = merit(candidate.filling.worst, more);
+    if (candidate.merit > best.merit + as_good) best = std::move(candidate);
+  }
+
+  void carry_out(const Candidate& best) {
+    if (best.node) {
+      double h = 0;
+      int count = 0;
+      for (int e : best.gone)
+        for (int v : mesh_.elements[e].v)
+          if (v >= 0) h += mesh_.h[v], ++count;
+      add_node(*best.node, h / count);
+    }
+    for (int e : best.gone) mesh_.remove_element(e);
+    for (const Corners& corners : best.filling.elements) mesh_.add_element(corners);
+    ++(best.node ? mended_.divided : mended_.refilled);
+  }
+
+  /// Of its sides on B-rep edges the one that bends most, or the longest where none bends.
+  void ask_for_side(int e) {
+    const Element& element = mesh_.elements[e];
+    SideToDivide asked;
+    double most = -1;
+    for (int k = 0, n = element.corners(); k < n; ++k) {
+      const int v = element.v[k], w = element.v[(k + 1) % n], a = mesh_.global[v], b = mesh_.global[w];
+      const BoundarySide* side = sides_.find(a, b);
+      const double length = norm(mesh_.x[w] - mesh_.x[v]);
+      if (!side || length < shortest_side * std::min(mesh_.h[v], mesh_.h[w])) continue;
+      const double bend = norm(side->middle - 0.5 * (mesh_.x[v] + mesh_.x[w])) / length;
+      const double weight = bend > least_bend ? 1 + bend : length / (length + mesh_.h[v]);
+      if (weight > most) most = weight, asked = {side->edge, a, b};
+    }
+    if (asked.edge >= 0) mended_.sides.push_back(asked);
+  }
+
+  const Region& region_;
+  RegionMesh& mesh_;
+  const BoundarySides& sides_;
+  const ElementJudge judge_;
+  const ElementKinds kinds_;
+  Mended mended_;
+};
+
+}  // namespace
+
+Mended mend_region(const Region& region, const EdgeNodes& edges, int order, Elements elements, std::vector<int> bad,
+                   RegionMesh& mesh) {
+  std::sort(bad.begin(), bad.end());
+  const BoundarySides sides(region, edges);
+  return Mender(region, sides, order, elements, mesh).run(bad);
+}
+
+}  // namespace paver

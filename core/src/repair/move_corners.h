@@ -1,0 +1,11 @@
+// Free nodes of a bad element go where the worst element about them is best.
+#pragma once
+
+#include "repair/curved_element.h"
+
+namespace paver {
+
+/// All back, and false, where that does not make every element about the nodes worth `least`.
+bool move_corners(const Region& region, const ElementJudge& judge, int element, double least, RegionMesh& mesh);
+
+}  // namespace paver

@@ -1,0 +1,147 @@
+// Small meshes with one fault each; what comes of them must be valid, and nothing else may have changed.
+#include "repair/mend_region.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "curving/near_surface.h"
+#include "repair/divide_inside.h"
+#include "repair/patch.h"
+#include "support/fake_model.h"
+#include "support/planar_region.h"
+
+namespace paver {
+namespace {
+
+/// A plane square of 4 by 4 quads, nodes in rows of five; `edges` has no interval.
+struct Square {
+  Square() : region(test::planar_region({test::divided({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 1)}, 1)) {
+    for (int j = 0; j < 5; ++j)
+      for (int i = 0; i < 5; ++i) {
+        const int v = mesh.add_node({1.0 * i, 1.0 * j}, {1.0 * i, 1.0 * j, 0}, {1, 0, 0}, {0, 1, 0}, 1);
+        mesh.is_fixed[v] = i % 4 == 0 || j % 4 == 0;
+      }
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 4; ++i) mesh.add_element({5 * j + i, 5 * j + i + 1, 5 * j + i + 6, 5 * j + i + 5});
+    for (auto& loop : region.loops)
+      for (LoopNode& node : loop) node.edge = -1;
+  }
+  void put(int v, Vec2 p) { mesh.p[v] = p, mesh.x[v] = {p.x, p.y, 0}; }
+  double area() const {
+    double sum = 0;
+    for (const Element& e : mesh.elements)
+      for (int k = 0; e.is_alive() && k < e.corners(); ++k)
+        sum += 0.5 * cross(mesh.p[e.v[k]], mesh.p[e.v[(k + 1) % e.corners()]]);
+    return sum;
+  }
+  std::vector<int> bad() const {
+    const BoundarySides sides(region, edges);
+    const ElementJudge judge(region, mesh, sides, 2);
+    std::vector<int> found;
+    for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e)
+      if (mesh.elements[e].is_alive() && judge.value(e) <= 0) found.push_back(e);
+    return found;
+  }
+  Mended mend(Elements elements = Elements::quad_dominant) {
+    return mend_region(region, edges, 2, elements, bad(), mesh);
+  }
+
+  Region region;
+  RegionMesh mesh;
+  EdgeNodes edges;
+};
+
+TEST(MendRegion, LeavesAGoodMeshAlone) {
+  Square square;
+  EXPECT_TRUE(square.bad().empty());
+  EXPECT_FALSE(square.mend().has_changed());
+}
+
+TEST(MendRegion, MovesANodeThatFoldsElements) {
+  Square square;
+  square.put(12, {2.75, 2.75});
+  ASSERT_FALSE(square.bad().empty());
+  const Mended mended = square.mend();
+  EXPECT_TRUE(square.bad().empty());
+  EXPECT_TRUE(mended.left.empty());
+  EXPECT_EQ(mended.refilled + mended.divided, 0);
+  EXPECT_EQ(square.mesh.elements.size(), 16U);
+  EXPECT_NEAR(square.area(), 16, 1e-9);
+  for (int v : {0, 4, 20, 24}) EXPECT_EQ(square.mesh.star[v].size(), 1);
+}
+
+TEST(MendRegion, FillsAnewWhatNoMoveMends) {
+  Square square;
+  for (int v = 0; v < 25; ++v) square.mesh.is_fixed[v] = 1;
+  square.put(6, {2.3, 1.9});
+  square.mesh.is_fixed[6] = 0;
+  square.mesh.is_fixed[7] = 1;
+  square.put(7, {1.2, 0.6});
+  ASSERT_FALSE(square.bad().empty());
+  square.mend();
+  EXPECT_TRUE(square.bad().empty());
+  EXPECT_NEAR(square.area(), 16, 1e-9);
+}
+
+TEST(MendRegion, MakesNoTrianglesWhereNoneAreWanted) {
+  Square square;
+  for (int v = 0; v < 25; ++v) square.mesh.is_fixed[v] = 1;
+  square.put(12, {3.4, 3.3});
+  square.mend(Elements::all_quad);
+  for (const Element& e : square.mesh.elements) EXPECT_TRUE(!e.is_alive() || e.corners() == 4);
+}
+
+TEST(MendRegion, IsTheSameEveryTime) {
+  Square one, two;
+  one.put(12, {3.4, 3.3}), two.put(12, {3.4, 3.3});
+  one.mend(), two.mend();
+  EXPECT_EQ(one.mesh.p, two.mesh.p);
+  ASSERT_EQ(one.mesh.elements.size(), two.mesh.elements.size());
+  for (std::size_t e = 0; e < one.mesh.elements.size(); ++e) EXPECT_EQ(one.mesh.elements[e].v, two.mesh.elements[e].v);
+}
+
+TEST(DivideIntervals, MakesTheMiddleANode) {
+  fake::Line line({0, 0, 0}, {4, 0, 0});
+  Model model;
+  model.edges.emplace_back();
+  model.edges[0].curve = std::make_shared<fake::Line>(line);
+  EdgeNodes nodes;
+  nodes.nodes = {{0, 0, 0}, {2, 0, 0}, {4, 0, 0}};
+  nodes.node_edge = {0, 0, 0};
+  nodes.node_target = {2, 2, 4};
+  nodes.edges.push_back({{0, 0.25, 0.5, 0.75, 1}, {}, {0, 1, 2}});
+  for (double t : nodes.edges[0].t) nodes.edges[0].x.push_back(line.point(t));
+  const auto divided = divide_intervals(model, {{0, 2, 1}, {0, 1, 2}}, nodes);
+  ASSERT_EQ(divided.size(), 1U);
+  EXPECT_EQ(divided[0].node, 3);
+  EXPECT_EQ(nodes.edges[0].node, (std::vector<int>{0, 1, 3, 2}));
+  EXPECT_EQ(nodes.edges[0].intervals(), 3);
+  EXPECT_EQ(nodes.nodes[3], (Vec3{3, 0, 0}));
+  EXPECT_DOUBLE_EQ(nodes.node_target[3], 3);
+  for (std::size_t i = 0; i < nodes.edges[0].t.size(); ++i) {
+    EXPECT_EQ(nodes.edges[0].x[i], line.point(nodes.edges[0].t[i]));
+    if (i > 0) {
+      EXPECT_LT(nodes.edges[0].t[i - 1], nodes.edges[0].t[i]);
+    }
+  }
+  EXPECT_NEAR(nodes.edges[0].x[3].x, 2.5, 1e-9);
+}
+
+TEST(DivideBoundarySides, GivesTheElementThereTheNode) {
+  Square square;
+  for (int i = 0; i < 5; ++i) square.mesh.global[i] = i;
+  square.edges.nodes.assign(6, {});
+  square.edges.nodes[5] = {1.5, 0, 0};
+  divide_boundary_sides(square.region, square.edges, {{2, 1, 5}}, 2, {}, square.mesh);
+  ASSERT_EQ(square.mesh.node_count(), 26);
+  EXPECT_EQ(square.mesh.global[25], 5);
+  EXPECT_TRUE(square.mesh.is_fixed[25]);
+  EXPECT_EQ(across(square.mesh, 2, 1), -1);
+  EXPECT_NEAR(square.area(), 16, 1e-9);
+  EXPECT_TRUE(square.bad().empty());
+}
+
+}  // namespace
+}  // namespace paver
