@@ -143,7 +143,7 @@ PavedRegion pave_region(const Region& region, const Progress& progress, Elements
         fewest.off_surface + pairs == 0 && fewest.flat <= few_flat * static_cast<double>(best.mesh.elements.size());
     bool is_first = best.mesh.elements.empty();
     if (!is_first && (fewest.sum() + pairs == 0 || (way.size != 1 && is_good_enough))) break;
-    if (way.gradation != 1 && !grows(region)) break;
+    if (way.gradation != 1 && (fewest.off_surface == 0 || !grows(region))) break;
     PavedRegion paved = pave_in_way(region, way, progress, elements);
     Faults faults = count_faults(paved.mesh);
     long left = all_quad ? pairs_left(paved.mesh) : 0;
