@@ -88,8 +88,8 @@ void Assembler::fail(const std::vector<RegionFailure>& failures) {
 // faces. False when there is nothing to mend, or nothing could be done.
 bool Assembler::mend_parts() {
   std::vector<PartElement> bad = check_->turned;
-  for (int q : folded_quads_) bad.push_back({joined_.quad_source[q][0], joined_.quad_source[q][1]});
-  for (int t : folded_triangles_) bad.push_back({joined_.triangle_source[t][0], joined_.triangle_source[t][1]});
+  for (int q : invalid_quads_) bad.push_back({joined_.quad_source[q][0], joined_.quad_source[q][1]});
+  for (int t : invalid_triangles_) bad.push_back({joined_.triangle_source[t][0], joined_.triangle_source[t][1]});
   std::sort(bad.begin(), bad.end());
   bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
   std::erase_if(bad, [&](const PartElement& one) { return hopeless_.contains(one); });
@@ -275,14 +275,13 @@ void Assembler::join() {
   }
 }
 
-// Raises the order and finds the elements whose Jacobian is not proven positive, as far as they cannot be mended.
+// Raises the order and finds the elements whose Jacobian is not proven positive.
 void Assembler::curve() {
   straightened_ = 0, off_edge_ = 0;
   moved_.clear();
   if (options_.order == 1) {
     mesh_ = std::move(joined_.mesh);
     find_invalid();
-    folded_quads_ = invalid_quads_, folded_triangles_ = invalid_triangles_;
     return;
   }
   std::vector<CutSide> outlines;
@@ -293,10 +292,6 @@ void Assembler::curve() {
   curved_ = curve_elements(joined_, nodes_, model_, *cuts_, parts_, options_.threads, progress_);
   mesh_ = std::move(curved_.mesh);
   find_invalid();
-  folded_quads_ = invalid_quads_, folded_triangles_ = invalid_triangles_;
-  RepairResult repaired = repair_elements(mesh_, is_valid, invalid_quads_, invalid_triangles_, curved_.first_inside);
-  straightened_ = repaired.recentred + repaired.straightened;
-  take_over(repaired);
 }
 
 void Assembler::find_invalid() {
@@ -340,15 +335,24 @@ Assembler::Faults Assembler::check() {
   return faults;
 }
 
+// What no repair made valid: inside parts first, then along B-rep edges.
 void Assembler::straighten_last(Faults& faults) {
-  long invalid = static_cast<long>(invalid_quads_.size() + invalid_triangles_.size());
-  ranks_.add_up({&invalid, 1});
-  if (options_.order == 1 || invalid == 0) return;
-  const RepairResult last = straighten();
-  if (last.recentred + last.straightened == 0) return;
-  if (ranks_.rank() == 0) straightened_ += last.recentred + last.straightened;
-  off_edge_ = last.off_edge;
-  take_over(last);
+  auto count = [this] {
+    long invalid = static_cast<long>(invalid_quads_.size() + invalid_triangles_.size());
+    ranks_.add_up({&invalid, 1});
+    return invalid;
+  };
+  if (options_.order == 1 || count() == 0) return;
+  const RepairResult inside =
+      repair_elements(mesh_, is_valid, invalid_quads_, invalid_triangles_, curved_.first_inside);
+  straightened_ += inside.recentred + inside.straightened;
+  take_over(inside);
+  if (count() > 0) {
+    const RepairResult last = straighten();
+    if (ranks_.rank() == 0) straightened_ += last.recentred + last.straightened;
+    off_edge_ = last.off_edge;
+    take_over(last);
+  }
   faults = check();
 }
 

@@ -83,8 +83,7 @@ class Assembler {
   std::optional<Cuts> cuts_;
   CurvedMesh curved_;  // its mesh is mesh_
   std::vector<int> invalid_quads_, invalid_triangles_;
-  std::vector<int> folded_quads_, folded_triangles_;  // as curved first
-  std::vector<int> moved_;                            // nodes that mending moved, rising
+  std::vector<int> moved_;  // nodes that mending moved, rising
   std::optional<MeshCheck> check_;
   std::set<PartElement> hopeless_;  // bad elements that were not to be mended as the part is
   std::array<long, 4> repairs_{};   // by moves, by filling anew, nodes inside, nodes on edges

@@ -80,11 +80,17 @@ class CleanUp {
       if (!element.is_alive() || scaled_jacobian(mesh_, element) >= poor_jacobian) continue;
       progress_.check();
       --left;
-      for (int i = 0; i < element.corners() && mesh_.elements[e].is_alive(); ++i) mend_about(element.v[i]);
+      for (int i = 0; i < element.corners() && mesh_.elements[e].is_alive(); ++i) mend_once(element.v[i]);
     }
   }
 
  private:
+  // Not again where nothing has changed since: neighbours that are poor, too, have the node as well.
+  void mend_once(int node) {
+    if (mended_at_.size() <= static_cast<std::size_t>(node)) mended_at_.resize(mesh_.p.size(), -1);
+    if (mended_at_[node] != taken_ && !mend_about(node)) mended_at_[node] = taken_;
+  }
+
   bool mend_about(int node) {
     bool is_done = false;
     auto is_cheap = [](double gain, std::span<const int>, int) { return gain <= most_energy; };
@@ -148,6 +154,7 @@ class CleanUp {
     if (!edit_.settle(demand)) return false;
     const std::vector<int> nodes = edit_.touched();
     edit_.commit();
+    ++taken_;
     for (int v : nodes) {
       push(v);
       is_stuck_[v] = 0;
@@ -251,8 +258,10 @@ class CleanUp {
   std::vector<Change> pool_;
   std::vector<std::pair<double, int>> found_;
   std::vector<int> list_;
-  std::vector<char> waits_;                // per node: on the list
-  std::vector<char> is_stuck_;             // per node: no elementary change helped since the last edit there
+  std::vector<char> waits_;      // per node: on the list
+  std::vector<char> is_stuck_;   // per node: no elementary change helped since the last edit there
+  std::vector<long> mended_at_;  // per node: how often something was taken when mending it failed
+  long taken_ = 0;
   const std::size_t most_made_;            // elements, those replaced among them
   std::unordered_set<std::size_t> tried_;  // outlines whose fill was taken or was not good
 };
