@@ -88,4 +88,12 @@ double chart_area(const Region& region) {
   return static_cast<double>(area);
 }
 
+double chart_area(const RegionMesh& mesh) {
+  double sum = 0;
+  for (const Element& e : mesh.elements)
+    for (int k = 0; e.is_alive() && k < e.corners(); ++k)
+      sum += 0.5 * cross(mesh.p[e.v[k]], mesh.p[e.v[(k + 1) % e.corners()]]);
+  return sum;
+}
+
 }  // namespace paver::test

@@ -22,5 +22,7 @@ Region planar_region(const std::vector<std::vector<Vec2>>& loops, double h);
 
 /// Area inside the region's loops, in the chart.
 double chart_area(const Region& region);
+/// Of the mesh's elements.
+double chart_area(const RegionMesh& mesh);
 
 }  // namespace paver::test

@@ -19,6 +19,13 @@ namespace {
 constexpr int most_rounds = 4;        // of mending: what divided sides of one face leave of another
 constexpr int rings_of_mending = 12;  // farther than straighten_at_edges() reaches
 
+bool has_any_edge(const Region& region, const std::set<int>& edges) {
+  for (const auto& loop : region.loops)
+    for (const LoopNode& node : loop)
+      if (edges.contains(node.edge)) return true;
+  return false;
+}
+
 }  // namespace
 
 Assembler::Assembler(const Model& model, EdgeNodes& nodes, const std::vector<Region>& regions, PartPaver& paver,
@@ -127,11 +134,13 @@ long Assembler::divide_sides(const std::vector<SideToDivide>& sides) {
   if (ranks_.rank() == 0) repairs_[3] += static_cast<long>(divided.size());
   if (divided.empty()) return 0;
   paver_.add_boundary_nodes(static_cast<int>(divided.size()));
+  std::set<int> edges;
+  for (const DividedSide& side : divided) edges.insert(nodes_.node_edge[static_cast<std::size_t>(side.node)]);
   std::vector<Part> parts = paver_.parts();
   for (std::size_t i = 0; i < parts.size(); ++i) {
     Part& part = parts[i];
     const Region& region = regions_[part.region];
-    if (!part.paved || !has_any_edge(region, divided)) continue;
+    if (!part.paved || !has_any_edge(region, edges)) continue;
     std::erase_if(hopeless_, [&](const PartElement& one) { return one.part == static_cast<int>(i); });
     auto copy = std::make_shared<PavedRegion>(*part.paved);
     divide_boundary_sides(region, nodes_, divided, options_.order, kinds_of(options_.elements), copy->mesh);
@@ -139,14 +148,6 @@ long Assembler::divide_sides(const std::vector<SideToDivide>& sides) {
   }
   paver_.put(std::move(parts));
   return static_cast<long>(divided.size());
-}
-
-bool Assembler::has_any_edge(const Region& region, const std::vector<DividedSide>& sides) const {
-  for (const auto& loop : region.loops)
-    for (const LoopNode& node : loop)
-      for (const DividedSide& side : sides)
-        if (node.edge >= 0 && node.edge == nodes_.node_edge[static_cast<std::size_t>(side.node)]) return true;
-  return false;
 }
 
 // Several faces have sides between the same two nodes of their boundaries: those inside a face get a node.
@@ -374,8 +375,7 @@ void Assembler::note_mending() {
   if (std::any_of(repairs_.begin(), repairs_.end(), [](long count) { return count > 0; }))
     report_.notes.push_back(
         fmt::format("Repaired, where elements folded or missed the surface: {} by moving nodes, {} by other elements, "
-                    "{} nodes added "
-                    "inside faces, {} on B-rep edges.",
+                    "{} nodes added inside faces, {} on B-rep edges.",
                     repairs_[0], repairs_[1], repairs_[2], repairs_[3]));
   if (off_edge_ > 0)
     report_.notes.push_back(fmt::format(

@@ -49,7 +49,6 @@ class Assembler {
   void fail(const std::vector<RegionFailure>& failures);
   bool mend_parts();
   long divide_sides(const std::vector<SideToDivide>& sides);
-  bool has_any_edge(const Region& region, const std::vector<DividedSide>& sides) const;
   Faults divide_shared(const Faults& faults);
   std::vector<std::pair<int, int>> faulty_sides(std::size_t part) const;
   /// In the whole mesh, of a node of the mesh here.

@@ -6,9 +6,8 @@
 
 namespace paver {
 
-/// Largest distance from the surface, mm, of points at a quarter from its sides; at order 1 of its centre and the
-/// middles of its sides as well. `places`: of its corners in the chart. Where the distance is not above `known`, any
-/// bound that is not either.
+/// Largest distance from the surface, mm, of points at a quarter from its sides. `places`: of its corners in the
+/// chart. Where the distance is not above `known`, any bound that is not either.
 double deviation(const Region& region, const ElementPatch& element, const std::array<Vec2, 4>& places, double known);
 
 }  // namespace paver

@@ -58,9 +58,7 @@ std::vector<RegionFailure> PartPaver::pave() {
   std::vector<char> is_whole(regions_.size(), 0);
   for (const RegionFailure& failure : lay_pieces()) is_whole[failure.region] = 1;
   if (std::count(is_whole.begin(), is_whole.end(), 1) == 0) return failures;
-  for (const RegionFailure& failure :
-       pave_whole(is_whole, [this](const Region& region) { return pave_region(region, progress_, options_.elements); }))
-    failures.push_back(failure);
+  for (const RegionFailure& failure : pave_whole(is_whole)) failures.push_back(failure);
   return failures;
 }
 
@@ -102,8 +100,7 @@ std::vector<RegionFailure> PartPaver::lay_pieces() {
   });
 }
 
-std::vector<RegionFailure> PartPaver::pave_whole(const std::vector<char>& is_wanted,
-                                                 const std::function<PavedRegion(const Region&)>& pave) {
+std::vector<RegionFailure> PartPaver::pave_whole(const std::vector<char>& is_wanted) {
   replace(is_wanted);
   std::vector<int> which, region_of;
   std::vector<double> costs;
@@ -114,8 +111,10 @@ std::vector<RegionFailure> PartPaver::pave_whole(const std::vector<char>& is_wan
     region_of.push_back(region);
     costs.push_back(costs_[region]);
   }
-  return run(Stage::regions, region_of, costs,
-             [&](int k) { parts_[which[k]].paved = std::make_shared<PavedRegion>(pave(regions_[region_of[k]])); });
+  return run(Stage::regions, region_of, costs, [&](int k) {
+    parts_[which[k]].paved =
+        std::make_shared<PavedRegion>(pave_region(regions_[region_of[k]], progress_, options_.elements));
+  });
 }
 
 // Failures are the same on all ranks, by region.

@@ -67,8 +67,7 @@ class PartPaver {
                                  const std::function<void(int)>& task);
   std::vector<RegionFailure> pave_regions();
   std::vector<RegionFailure> lay_pieces();
-  std::vector<RegionFailure> pave_whole(const std::vector<char>& is_wanted,
-                                        const std::function<PavedRegion(const Region&)>& pave);
+  std::vector<RegionFailure> pave_whole(const std::vector<char>& is_wanted);
   void exchange_plans();
   void advance(double cost);
   void replace(const std::vector<char>& is_whole);

@@ -104,10 +104,6 @@ PavedRegion pave_once(const Region& region, const Attempt& attempt, const Progre
   return pave_whole(region, attempt, progress, elements);
 }
 
-}  // namespace
-
-namespace {
-
 PavedRegion pave_in_way(const Region& region, const Attempt& way, const Progress& progress, Elements elements) {
   if (way.size == 1 && way.gradation == 1) return pave_once(region, way, progress, elements);
   Region other = scaled(region, way.size);

@@ -30,7 +30,7 @@ BoundarySides::BoundarySides(const Region& region, const EdgeNodes& edges) {
     const EdgeDivision& division = edges.edges[static_cast<std::size_t>(edge)];
     for (int i = 0; i < division.intervals(); ++i)
       sides_.try_emplace(std::minmax(division.node[i], division.node[i + 1]),
-                         BoundarySide{edge, i, division.x[2 * static_cast<std::size_t>(i) + 1]});
+                         BoundarySide{edge, division.x[2 * static_cast<std::size_t>(i) + 1]});
   }
 }
 

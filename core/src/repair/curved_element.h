@@ -15,7 +15,7 @@ using Corners = std::array<int, 4>;  ///< as Element::v
 
 /// An interval of a B-rep edge.
 struct BoundarySide {
-  int edge = -1, interval = -1;
+  int edge = -1;
   Vec3 middle;
 };
 

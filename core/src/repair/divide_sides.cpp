@@ -4,6 +4,7 @@
 #include <map>
 
 #include "curving/near_surface.h"
+#include "repair/patch.h"
 
 namespace paver {
 namespace {
@@ -53,18 +54,12 @@ class RegionDivider {
   }
 
  private:
-  int element_with(int a, int b) const {
-    for (int e : mesh_.star[a])
-      if (mesh_.elements[e].after(a) == b) return e;
-    return -1;
-  }
-
   void divide(int a, int b, int global) {
-    const int left = element_with(a, b), right = element_with(b, a);
+    const int left = across(mesh_, b, a), right = across(mesh_, a, b);
     if (left < 0 && right < 0) return;
     const int middle = add_node(a, b, global);
-    if (left >= 0) insert(left, a, middle);
-    if (right >= 0) insert(right, b, middle);
+    for (int e : {left, right})
+      if (e >= 0) insert(e, a, b, middle);
   }
 
   int add_node(int a, int b, int global) {
@@ -80,13 +75,9 @@ class RegionDivider {
     return node;
   }
 
-  void insert(int e, int after, int middle) {
-    std::vector<int> outline;
-    const Element element = mesh_.elements[e];
-    for (int k = 0; k < element.corners(); ++k) {
-      outline.push_back(element.v[k]);
-      if (element.v[k] == after) outline.push_back(middle);
-    }
+  void insert(int e, int a, int b, int middle) {
+    const std::vector<int> outline = with_nodes_between(
+        mesh_.elements[e], [&](int v, int w) { return std::minmax(v, w) == std::minmax(a, b) ? middle : -1; });
     Filling filling = fill_outline(
         outline, kinds_, [&](const Corners& v) { return judge_.value(v); }, [](int, int) { return false; });
     if (filling.elements.empty()) filling.elements = fan_at(outline, middle);

@@ -17,10 +17,10 @@ struct Mended {
   bool has_changed() const { return moved + refilled + divided > 0; }
 };
 
-/// `bad`: elements of the mesh that are not valid when curved to `order`. Each is
-/// mended in the first way that makes all elements about it valid, or failing that by the one that gains most: free
-/// corners move; a few elements about it are filled anew; a side inside gets a node. Fixed nodes stay, and what is
-/// farther away is not touched. Takes at most a bounded number of steps per bad element.
+/// `bad`: elements of the mesh that are not valid when curved to `order`. Each is mended in the first way that makes
+/// all elements about it valid, or failing that by the one that gains most: free corners move; a few elements about it
+/// are filled anew; a side inside gets a node. Fixed nodes stay, and what is farther away is not touched. Takes at most
+/// a bounded number of steps per bad element.
 Mended mend_region(const Region& region, const EdgeNodes& edges, int order, Elements elements, std::vector<int> bad,
                    RegionMesh& mesh);
 

@@ -31,8 +31,7 @@ double merit(double worst, int triangles);
 constexpr double good_enough = 0.2;
 
 /// Values as ElementJudge::value; `is_taken`: whether a side between two nodes is there already outside.
-/// Of at most `most_outline` nodes, counter-clockwise; nothing where no division has positive elements only, or only
-/// such that are worth less than `least`.
+/// Of at most `most_outline` nodes, counter-clockwise; nothing where no division has elements of positive value only.
 Filling fill_outline(std::span<const int> outline, ElementKinds kinds,
                      const std::function<double(const Corners&)>& value, const std::function<bool(int, int)>& is_taken);
 constexpr int most_outline = 10;

@@ -21,13 +21,6 @@ struct TwoQuads {
     mesh.add_element({0, 1, 4, 5});
     mesh.add_element({1, 2, 3, 4});
   }
-  double area() const {
-    double sum = 0;
-    for (const Element& e : mesh.elements)
-      for (int k = 0; e.is_alive() && k < e.corners(); ++k)
-        sum += 0.5 * cross(mesh.p[e.v[k]], mesh.p[e.v[(k + 1) % e.corners()]]);
-    return sum;
-  }
   long alive() const {
     long count = 0;
     for (const Element& e : mesh.elements) count += e.is_alive();
@@ -44,7 +37,7 @@ TEST(DivideInnerSides, PutsANodeInTheMiddleAndDividesBothElements) {
   EXPECT_EQ(t.mesh.p[6], (Vec2{1, 0.5}));
   EXPECT_EQ(t.mesh.global[6], -1);
   EXPECT_EQ(t.alive(), 4);
-  EXPECT_DOUBLE_EQ(t.area(), 2);
+  EXPECT_DOUBLE_EQ(test::chart_area(t.mesh), 2);
   for (const Element& e : t.mesh.elements) EXPECT_TRUE(!e.is_alive() || is_positive(t.mesh, e));
 }
 
@@ -62,7 +55,7 @@ TEST(DivideInnerSides, DividesTriangles) {
   t.mesh.add_element({0, 4, 5, -1});
   divide_inner_sides(t.region, {{0, 4}}, t.mesh);
   EXPECT_EQ(t.alive(), 5);
-  EXPECT_DOUBLE_EQ(t.area(), 2);
+  EXPECT_DOUBLE_EQ(test::chart_area(t.mesh), 2);
 }
 
 }  // namespace

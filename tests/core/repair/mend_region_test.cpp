@@ -29,13 +29,6 @@ struct Square {
       for (LoopNode& node : loop) node.edge = -1;
   }
   void put(int v, Vec2 p) { mesh.p[v] = p, mesh.x[v] = {p.x, p.y, 0}; }
-  double area() const {
-    double sum = 0;
-    for (const Element& e : mesh.elements)
-      for (int k = 0; e.is_alive() && k < e.corners(); ++k)
-        sum += 0.5 * cross(mesh.p[e.v[k]], mesh.p[e.v[(k + 1) % e.corners()]]);
-    return sum;
-  }
   std::vector<int> bad() const {
     const BoundarySides sides(region, edges);
     const ElementJudge judge(region, mesh, sides, 2);
@@ -68,7 +61,7 @@ TEST(MendRegion, MovesANodeThatFoldsElements) {
   EXPECT_TRUE(mended.left.empty());
   EXPECT_EQ(mended.refilled + mended.divided, 0);
   EXPECT_EQ(square.mesh.elements.size(), 16U);
-  EXPECT_NEAR(square.area(), 16, 1e-9);
+  EXPECT_NEAR(test::chart_area(square.mesh), 16, 1e-9);
   for (int v : {0, 4, 20, 24}) EXPECT_EQ(square.mesh.star[v].size(), 1);
 }
 
@@ -82,7 +75,7 @@ TEST(MendRegion, FillsAnewWhatNoMoveMends) {
   ASSERT_FALSE(square.bad().empty());
   square.mend();
   EXPECT_TRUE(square.bad().empty());
-  EXPECT_NEAR(square.area(), 16, 1e-9);
+  EXPECT_NEAR(test::chart_area(square.mesh), 16, 1e-9);
 }
 
 TEST(MendRegion, MakesNoTrianglesWhereNoneAreWanted) {
@@ -139,7 +132,7 @@ TEST(DivideBoundarySides, GivesTheElementThereTheNode) {
   EXPECT_EQ(square.mesh.global[25], 5);
   EXPECT_TRUE(square.mesh.is_fixed[25]);
   EXPECT_EQ(across(square.mesh, 2, 1), -1);
-  EXPECT_NEAR(square.area(), 16, 1e-9);
+  EXPECT_NEAR(test::chart_area(square.mesh), 16, 1e-9);
   EXPECT_TRUE(square.bad().empty());
 }
 
