@@ -119,6 +119,11 @@ bool Assembler::mend_parts() {
     ++changes;
     parts[part].paved = std::move(copy);
   }
+  if (options_.elements != Elements::all_quad)
+    for (const Part& part : parts)
+      if (part.paved)
+        std::ranges::move(sides_beside_nodes(regions_[part.region], nodes_, part.paved->mesh),
+                          std::back_inserter(sides));
   paver_.put(std::move(parts));
   changes += divide_sides(sides);
   ranks_.add_up({&changes, 1});

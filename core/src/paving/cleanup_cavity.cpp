@@ -144,21 +144,20 @@ bool Cavity::has_fixed_inside() const {
   return false;
 }
 
-// Spoke lengths for three or five corners; for four only whether opposite sides
-// agree.
+// Also finds the lengths of the trial's spokes, for three or five corners; for four only whether opposite sides agree.
 bool Cavity::is_fillable(const std::vector<int>& corners) {
   int k = static_cast<int>(corners.size()), n = static_cast<int>(loop_.size());
   auto side = [&](int i) { return (corners[(i + 1) % k] - corners[i % k] + n) % n; };
   if (k == 4) return side(0) == side(2) && side(1) == side(3) && side(0) < 64 && side(1) < 64;
   if (k != 3 && k != 5) return false;
-  spokes_.assign(k, 0);
+  trial_spokes_.assign(k, 0);
   int twice = 0;
   for (int step = 0; step < k; ++step) twice = side(2 * step + 1) - twice;
   if (twice % 2 != 0) return false;
   int length = twice / 2;
   for (int step = 0; step < k; ++step) {
     if (length < 1 || length > 62) return false;
-    spokes_[(2 * step) % k] = length;
+    trial_spokes_[(2 * step) % k] = length;
     length = side(2 * step + 1) - length;
   }
   return true;
@@ -186,6 +185,7 @@ double Cavity::best_corners(double limit) {
     if (!is_fillable(trial_)) return;
     best = cost;
     corners_ = trial_;
+    spokes_ = trial_spokes_;
   };
   consider(-1, -1);
   for (int i = 0; i < n; ++i) {

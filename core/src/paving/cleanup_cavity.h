@@ -61,8 +61,9 @@ class Cavity {
   double energy_ = 0;     // of all nodes and triangles
   std::vector<int> loop_, wanted_;
   std::vector<double> as_flat_, as_corner_;
-  std::vector<int> corners_, trial_, spokes_, grid_;
-  std::vector<Vec3> fresh_x_;  // of the fill's new nodes, blended like their chart places
+  std::vector<int> corners_, spokes_, grid_;
+  std::vector<int> trial_, trial_spokes_;  // of the corners looked at; spokes_ belong to corners_
+  std::vector<Vec3> fresh_x_;              // of the fill's new nodes, blended like their chart places
 };
 
 }  // namespace paver

@@ -1,9 +1,12 @@
 #include "repair/divide_sides.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 
 #include "curving/near_surface.h"
+#include "repair/divide_inside.h"
 #include "repair/patch.h"
 
 namespace paver {
@@ -102,7 +105,35 @@ class RegionDivider {
   std::map<int, std::vector<int>> copies_;  // of a node of the boundary stage
 };
 
+/// Distance from p to the segment a b by its length, INFINITY next to its ends.
+double distance_beside(Vec3 p, Vec3 a, Vec3 b) {
+  constexpr double margin = 0.05;  // of the segment
+  const Vec3 along = b - a;
+  const double square = dot(along, along), t = square > 0 ? dot(p - a, along) / square : 0;
+  return t < margin || t > 1 - margin ? INFINITY : norm(p - a - t * along) / std::sqrt(square);
+}
+
 }  // namespace
+
+std::vector<SideToDivide> sides_beside_nodes(const Region& region, const EdgeNodes& edges, const RegionMesh& mesh) {
+  constexpr double least = 0.02, most = 0.1;  // of the side: what is nearer, a few divisions do not put right
+  std::vector<SideToDivide> found;
+  std::optional<BoundarySides> sides;
+  for (const Element& e : mesh.elements) {
+    auto is_inside = [&](int v) { return mesh.global[v] < 0; };
+    if (!e.is_alive() || e.corners() == 4 || std::any_of(e.v.begin(), e.v.begin() + 3, is_inside)) continue;
+    for (int k = 0; k < 3; ++k) {
+      const int a = e.v[k], b = e.v[(k + 1) % 3], beside = e.v[(k + 2) % 3];
+      const double away = distance_beside(mesh.x[beside], mesh.x[a], mesh.x[b]);
+      const double shortest = shortest_side * std::min(mesh.h[a], mesh.h[b]);
+      if (away < least || away > most || norm(mesh.x[b] - mesh.x[a]) < shortest) continue;
+      if (!sides) sides.emplace(region, edges);
+      if (const BoundarySide* side = sides->find(mesh.global[a], mesh.global[b]))
+        found.push_back({side->edge, mesh.global[a], mesh.global[b]});
+    }
+  }
+  return found;
+}
 
 std::vector<DividedSide> divide_intervals(const Model& model, std::vector<SideToDivide> sides, EdgeNodes& nodes) {
   for (SideToDivide& side : sides)

@@ -19,6 +19,10 @@ struct DividedSide {
   int node = -1;  ///< of the boundary stage, new
 };
 
+/// Sides on B-rep edges of flat triangles whose third corner is a node of the boundary, too, nearer to the side than a
+/// tenth of its length: there a node hangs in the side but for its name.
+std::vector<SideToDivide> sides_beside_nodes(const Region& region, const EdgeNodes& edges, const RegionMesh& mesh);
+
 /// Divides the intervals in their middle by arc length. New nodes follow those that there are, in the order of `sides`;
 /// each interval is divided once.
 std::vector<DividedSide> divide_intervals(const Model& model, std::vector<SideToDivide> sides, EdgeNodes& nodes);

@@ -176,7 +176,7 @@ class Mender {
     ++(best.node ? mended_.divided : mended_.refilled);
   }
 
-  /// Of its sides on B-rep edges the one that bends most, or the longest where none bends.
+  /// Of its sides on B-rep edges the one that leaves its chord farthest, or the longest where none bends.
   void ask_for_side(int e) {
     const Element& element = mesh_.elements[e];
     SideToDivide asked;
@@ -186,8 +186,8 @@ class Mender {
       const BoundarySide* side = sides_.find(a, b);
       const double length = norm(mesh_.x[w] - mesh_.x[v]);
       if (!side || length < shortest_side * std::min(mesh_.h[v], mesh_.h[w])) continue;
-      const double bend = norm(side->middle - 0.5 * (mesh_.x[v] + mesh_.x[w])) / length;
-      const double weight = bend > least_bend ? 1 + bend : length / (length + mesh_.h[v]);
+      const double sagitta = norm(side->middle - 0.5 * (mesh_.x[v] + mesh_.x[w]));
+      const double weight = sagitta > least_bend * length ? 1 + sagitta / mesh_.h[v] : length / (length + mesh_.h[v]);
       if (weight > most) most = weight, asked = {side->edge, a, b};
     }
     if (asked.edge >= 0) mended_.sides.push_back(asked);

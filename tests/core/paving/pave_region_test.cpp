@@ -329,5 +329,24 @@ TEST(PaveRegion, StopsWhenCancelled) {
   }
 }
 
+// One of many like it where a cavity was filled by the spokes of other corners, which left a hole.
+TEST(PaveRegion, ANotchedPlateOfUnevenSidesIsWhole) {
+  expect_paved({{{0, 0},
+                 {14.5, 0},
+                 {29, 0},
+                 {29, 7.25},
+                 {29, 14.5},
+                 {29, 21.75},
+                 {29, 29},
+                 {0, 29},
+                 {0, 20.25},
+                 {4, 20.125},
+                 {3, 20.09375},
+                 {2, 20.0625},
+                 {1, 20.03125},
+                 {0, 20}}},
+               10);
+}
+
 }  // namespace
 }  // namespace paver
