@@ -827,6 +827,10 @@
         <translation>Pflastern</translation>
     </message>
     <message>
+        <source>Repairing elements</source>
+        <translation>Elemente ausbessern</translation>
+    </message>
+    <message>
         <source>Joining meshes</source>
         <translation>Netze verbinden</translation>
     </message>

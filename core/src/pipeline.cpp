@@ -1,10 +1,11 @@
 // The whole job: one call per stage, every arrow one value.
-// read -> topology -> sizing -> boundary nodes -> regions -> paving -> join -> curving -> quality
+// read -> topology -> sizing -> boundary nodes -> regions -> paving -> repair -> join -> curving -> quality
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <limits>
 #include <numeric>
@@ -22,6 +23,7 @@
 #include "paver/ranks.h"
 #include "quality/report.h"
 #include "regions/divide_loops.h"
+#include "repair/repair_parts.h"
 #include "topology/build_model.h"
 #include "topology/components.h"
 #include "topology/edge_entities.h"
@@ -42,15 +44,19 @@ class Run {
     build(model);
     divide();
     PartPaver paver(regions_, costs(), static_cast<int>(nodes_.nodes.size()), options_, progress_, ranks_);
+    pave(paver);
+    begin(Stage::repair);
+    result_.report.element_repairs = repair_parts(model_, regions_, options_, nodes_, paver, progress_, ranks_);
+    note_repairs();
     Assembler assembler(
         model_, nodes_, regions_, paver, options_, progress_, ranks_, [this](Stage stage) { begin(stage); }, share_);
     assembler.run();
     measure();
     while (assembler.drop_faulty()) measure();
-    assembler.note_mending();
+    assembler.note_straightened();
     if (is_numbered) assembler.number();
-    auto& tasks = result_.report.tasks;
-    tasks.insert(tasks.begin(), shared_.times().begin(), shared_.times().end());
+    result_.report.tasks = shared_.times();
+    result_.report.tasks.insert(result_.report.tasks.end(), paver.times().begin(), paver.times().end());
     finish(assembler);
     name_edges();
     return std::move(share_);
@@ -84,7 +90,12 @@ class Run {
   using Clock = std::chrono::steady_clock;
 
   void begin(Stage stage, long total = 1) {
+    if (stage == stage_) return;
     end_stage();
+    auto& runs = result_.report.stage_runs;
+    auto known = std::find_if(runs.begin(), runs.end(), [&](const auto& s) { return s.first == stage_name(stage); });
+    if (known == runs.end()) known = runs.insert(known, {stage_name(stage), 0});
+    ++known->second;
     progress_.begin(stage, total);
     stage_ = stage;
     started_ = Clock::now();
@@ -173,6 +184,27 @@ class Run {
       cost.push_back(area / (region.h * region.h));
     }
     return cost;
+  }
+
+  void pave(PartPaver& paver) {
+    begin(Stage::paving);
+    report_failures(paver.pave(), regions_, result_.report);
+    std::vector<long> closed(regions_.size(), 0);
+    for (const Part& part : paver.parts())
+      if (part.paved) closed[part.region] += part.paved->counts.closed_by_triangulation;
+    ranks_.add_up(closed);
+    for (std::size_t r = 0; r < regions_.size(); ++r)
+      result_.report.faces[regions_[r].face].closed_by_triangulation += closed[r];
+  }
+
+  void note_repairs() {
+    std::array<long, 4> counts{};
+    for (const ElementRepair& repair : result_.report.element_repairs) ++counts[static_cast<std::size_t>(repair.kind)];
+    if (result_.report.element_repairs.empty()) return;
+    result_.report.notes.push_back(
+        fmt::format("Repaired, where elements folded or missed the surface: {} by moving nodes, {} by other elements, "
+                    "{} with nodes inside faces, {} with nodes on B-rep edges.",
+                    counts[0], counts[1], counts[2], counts[3]));
   }
 
   // Faces divided along creases become one again: in the mesh, in the reports and in the names.

@@ -52,8 +52,8 @@ const std::vector<Case> cases{
     {"conesphere_gap", 58592, 530000},
     {"wind_generator", 215630200, 441409},
 };
-const std::vector<std::string> stages{"read",   "topology", "sizing",  "boundary", "regions",
-                                      "paving", "join",     "curving", "quality"};
+const std::vector<std::string> stages{"read",   "topology", "sizing", "boundary", "regions",
+                                      "paving", "repair",   "join",   "curving",  "quality"};
 
 /// Makes the peak memory of the process start anew, where the system allows it.
 void reset_peak_memory() {

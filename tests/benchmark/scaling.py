@@ -41,7 +41,7 @@ BENCHMARKS = os.path.join(os.path.dirname(os.path.dirname(PROGRAM)), "tests", "b
 # mm^2, to choose a target length.
 AREA = {"box": 24800, "wind_generator": 215630200, "conesphere_gap": 58592, "wavy_patch": 46900}
 REPEATED = ("read", "topology", "sizing", "boundary", "regions", "paving")
-SHARED_OUT = ("join", "curving", "quality", "write")
+SHARED_OUT = ("repair", "join", "curving", "quality", "write")
 faults = []
 
 

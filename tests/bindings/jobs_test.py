@@ -10,7 +10,7 @@ import pytest
 import paver
 from conftest import BINDINGS
 
-STAGES = ["read", "topology", "sizing", "boundary", "regions", "paving", "join", "curving", "quality", "write", "done"]
+STAGES = ["read", "topology", "sizing", "boundary", "regions", "paving", "repair", "join", "curving", "quality", "write", "done"]
 LONG = {"size": 0.5, "max_elements": 100_000_000}  # of the plate: minutes
 
 

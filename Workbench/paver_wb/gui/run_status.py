@@ -8,8 +8,8 @@ BAR_WIDTH, LABEL_WIDTH = 160, 220
 _box = None
 
 # Share of each stage in the time of a common run, in percent: a bar that never goes back needs some.
-SHARES = (("read", 8), ("topology", 2), ("sizing", 2), ("boundary", 12), ("regions", 4), ("paving", 52), ("join", 3),
-          ("curving", 9), ("quality", 4), ("write", 2), ("drawing", 2))
+SHARES = (("read", 8), ("topology", 2), ("sizing", 2), ("boundary", 12), ("regions", 4), ("paving", 48), ("repair", 4),
+          ("join", 3), ("curving", 9), ("quality", 4), ("write", 2), ("drawing", 2))
 
 
 def percent(stage, fraction):
@@ -27,9 +27,10 @@ def stage_text(stage):
     return {"": translate("Paver", "Starting"), "read": translate("Paver", "Reading the shape"),
             "topology": translate("Paver", "Joining faces"), "sizing": translate("Paver", "Sizes"),
             "boundary": translate("Paver", "Dividing edges"), "regions": translate("Paver", "Regions"),
-            "paving": translate("Paver", "Paving"), "join": translate("Paver", "Joining meshes"),
-            "curving": translate("Paver", "Curving"), "quality": translate("Paver", "Measuring quality"),
-            "write": translate("Paver", "Storing"), "drawing": translate("Paver", "Drawing")}.get(stage, stage)
+            "paving": translate("Paver", "Paving"), "repair": translate("Paver", "Repairing elements"),
+            "join": translate("Paver", "Joining meshes"), "curving": translate("Paver", "Curving"),
+            "quality": translate("Paver", "Measuring quality"), "write": translate("Paver", "Storing"),
+            "drawing": translate("Paver", "Drawing")}.get(stage, stage)
 
 
 class Box(QtGui.QWidget):

@@ -8,7 +8,7 @@
 namespace paver {
 
 /// The stages of one run, in order.
-enum class Stage { read, topology, sizing, boundary, regions, paving, join, curving, quality, write, done };
+enum class Stage { read, topology, sizing, boundary, regions, paving, repair, join, curving, quality, write, done };
 
 /// Name as printed, e.g. "paving".
 const char* stage_name(Stage stage);

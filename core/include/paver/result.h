@@ -149,6 +149,23 @@ struct TaskTime {
   double seconds = 0;  ///< wall time
 };
 
+/// How an element that would fold, or miss its surface, was mended where it was.
+enum class ElementRepairKind {
+  moved,         ///< its free corners
+  refilled,      ///< other elements about it
+  divided,       ///< nodes on sides inside the face
+  divided_edge,  ///< a node on a side on a B-rep edge
+};
+
+/// "moved", "refilled", "divided" or "divided edge".
+const char* element_repair_name(ElementRepairKind kind);
+
+struct ElementRepair {
+  ElementRepairKind kind = ElementRepairKind::moved;
+  std::string entity;  ///< "Face3"; of a divided edge "Edge7"
+  Vec3 where;
+};
+
 struct RunReport {
   ModelReport model;
   std::vector<std::vector<std::string>> components;  ///< separate meshes, each by the parts it is of
@@ -157,9 +174,11 @@ struct RunReport {
   int order = 2, threads = 1;
   Elements elements = Elements::quad_dominant;
   QualityReport quality;
-  std::vector<FaceReport> faces;   ///< the faces as read, then what several of them have in common
-  std::vector<std::string> notes;  ///< one sentence each
+  std::vector<FaceReport> faces;  ///< the faces as read, then what several of them have in common
+  std::vector<ElementRepair> element_repairs;
+  std::vector<std::string> notes;                             ///< one sentence each
   std::vector<std::pair<std::string, double>> stage_seconds;  ///< wall time per stage, in order
+  std::vector<std::pair<std::string, long>> stage_runs;       ///< how often each began, in order
   std::vector<TaskTime> tasks;                                ///< those done by this process
   double peak_memory_mib = 0;
 };

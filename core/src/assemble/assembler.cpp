@@ -1,4 +1,4 @@
-// Which faces are mended, and which way is kept, follows from counts over all ranks.
+// What is straightened follows from counts over all ranks.
 #include "assemble/assembler.h"
 
 #include <fmt/format.h>
@@ -8,27 +8,17 @@
 
 #include "assemble/neighbourhood.h"
 #include "base/bytes.h"
-#include "paving/inner_sides.h"
 #include "quality/element_figures.h"
 #include "quality/jacobian.h"
-#include "repair/mend_region.h"
 
 namespace paver {
 namespace {
 
-constexpr int most_rounds = 4;        // of mending: what divided sides of one face leave of another
 constexpr int rings_of_mending = 12;  // farther than straighten_at_edges() reaches
-
-bool has_any_edge(const Region& region, const std::set<int>& edges) {
-  for (const auto& loop : region.loops)
-    for (const LoopNode& node : loop)
-      if (edges.contains(node.edge)) return true;
-  return false;
-}
 
 }  // namespace
 
-Assembler::Assembler(const Model& model, EdgeNodes& nodes, const std::vector<Region>& regions, PartPaver& paver,
+Assembler::Assembler(const Model& model, const EdgeNodes& nodes, const std::vector<Region>& regions, PartPaver& paver,
                      const Options& options, Progress& progress, Ranks& ranks, std::function<void(Stage)> begin,
                      MeshShare& share)
     : model_(model),
@@ -44,19 +34,8 @@ Assembler::Assembler(const Model& model, EdgeNodes& nodes, const std::vector<Reg
       mesh_(share.result.mesh) {}
 
 void Assembler::run() {
-  begin_(Stage::paving);
-  fail(paver_.pave());
-  std::vector<long> closed(regions_.size(), 0);
-  for (const Part& part : paver_.parts())
-    if (part.paved) closed[part.region] += part.paved->counts.closed_by_triangulation;
-  ranks_.add_up(closed);
-  for (std::size_t r = 0; r < regions_.size(); ++r)
-    report_.faces[regions_[r].face].closed_by_triangulation += closed[r];
-  Faults faults = join_and_curve();
-  for (int round = 0; round < most_rounds && mend_parts(); ++round) faults = join_and_curve();
-  faults = divide_shared(faults);
-  straighten_last(faults);
-  report_.tasks = paver_.times();
+  join_and_curve();
+  straighten_last();
 }
 
 bool Assembler::drop_faulty() {
@@ -75,156 +54,16 @@ bool Assembler::drop_faulty() {
     face.worst_sj = 1;
   }
   if (faults.empty()) return false;
-  Faults left = join_and_curve();
-  straighten_last(left);
+  run();
   return true;
 }
 
-void Assembler::fail(const std::vector<RegionFailure>& failures) {
-  for (const RegionFailure& failure : failures) {
-    FaceReport& face = report_.faces[regions_[failure.region].face];
-    if (face.status == FaceStatus::failed) continue;
-    face.status = FaceStatus::failed;
-    face.stage = failure.stage;
-    face.reason = failure.reason;
-    face.where = failure.where;
-  }
-}
-
-// Bad elements are mended where they are, part by part; sides on B-rep edges of those that are left are divided on all
-// faces. False when there is nothing to mend, or nothing could be done.
-bool Assembler::mend_parts() {
-  std::vector<PartElement> bad = check_->turned;
-  for (int q : invalid_quads_) bad.push_back({joined_.quad_source[q][0], joined_.quad_source[q][1]});
-  for (int t : invalid_triangles_) bad.push_back({joined_.triangle_source[t][0], joined_.triangle_source[t][1]});
-  std::sort(bad.begin(), bad.end());
-  bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
-  std::erase_if(bad, [&](const PartElement& one) { return hopeless_.contains(one); });
-  std::vector<Part> parts = paver_.parts();
-  std::vector<SideToDivide> sides;
-  long changes = 0;
-  for (auto first = bad.begin(); first != bad.end();) {
-    const int part = first->part;
-    const auto last = std::find_if(first, bad.end(), [&](const PartElement& one) { return one.part != part; });
-    std::vector<int> elements;
-    std::transform(first, last, std::back_inserter(elements), [](const PartElement& one) { return one.element; });
-    first = last;
-    auto copy = std::make_shared<PavedRegion>(*parts[part].paved);
-    const Mended mended = mend_region(regions_[parts[part].region], nodes_, options_.order, options_.elements,
-                                      std::move(elements), copy->mesh);
-    sides.insert(sides.end(), mended.sides.begin(), mended.sides.end());
-    for (int e : mended.left) hopeless_.insert({part, e});
-    repairs_[0] += mended.moved, repairs_[1] += mended.refilled, repairs_[2] += mended.divided;
-    if (!mended.has_changed()) continue;
-    ++changes;
-    parts[part].paved = std::move(copy);
-  }
-  if (options_.elements != Elements::all_quad)
-    for (const Part& part : parts)
-      if (part.paved)
-        std::ranges::move(sides_beside_nodes(regions_[part.region], nodes_, part.paved->mesh),
-                          std::back_inserter(sides));
-  paver_.put(std::move(parts));
-  changes += divide_sides(sides);
-  ranks_.add_up({&changes, 1});
-  return changes > 0;
-}
-
-// Those that any rank asks for, on all; the number of them.
-long Assembler::divide_sides(const std::vector<SideToDivide>& sides) {
-  std::vector<SideToDivide> all;
-  for (const std::string& bytes : ranks_.gather(bytes_of(sides)))
-    for (const SideToDivide& side : from_bytes<SideToDivide>(bytes)) all.push_back(side);
-  const std::vector<DividedSide> divided = divide_intervals(model_, std::move(all), nodes_);
-  if (ranks_.rank() == 0) repairs_[3] += static_cast<long>(divided.size());
-  if (divided.empty()) return 0;
-  paver_.add_boundary_nodes(static_cast<int>(divided.size()));
-  std::set<int> edges;
-  for (const DividedSide& side : divided) edges.insert(nodes_.node_edge[static_cast<std::size_t>(side.node)]);
-  std::vector<Part> parts = paver_.parts();
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    Part& part = parts[i];
-    const Region& region = regions_[part.region];
-    if (!part.paved || !has_any_edge(region, edges)) continue;
-    std::erase_if(hopeless_, [&](const PartElement& one) { return one.part == static_cast<int>(i); });
-    auto copy = std::make_shared<PavedRegion>(*part.paved);
-    divide_boundary_sides(region, nodes_, divided, options_.order, kinds_of(options_.elements), copy->mesh);
-    part.paved = std::move(copy);
-  }
-  paver_.put(std::move(parts));
-  return static_cast<long>(divided.size());
-}
-
-// Several faces have sides between the same two nodes of their boundaries: those inside a face get a node.
-Assembler::Faults Assembler::divide_shared(const Faults& faults) {
-  if (options_.elements == Elements::all_quad || check_->faults.sides().empty()) return faults;
-  const std::vector<Part> before = paver_.parts();
-  std::vector<Part> parts = before;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const auto sides = faulty_sides(i);
-    if (sides.empty()) continue;
-    auto copy = std::make_shared<PavedRegion>(*parts[i].paved);
-    divide_inner_sides(regions_[parts[i].region], sides, copy->mesh);
-    parts[i].paved = std::move(copy);
-  }
-  std::vector<char> is_kept(regions_.size(), 0);
-  for (std::size_t r = 0; r < regions_.size(); ++r)
-    for (const FaultySide& side : check_->faults.sides()) is_kept[r] |= side.face == regions_[r].face;
-  paver_.put(std::move(parts));
-  return keep_better(before, std::move(is_kept), faults);
-}
-
-// Of the part on this rank, by its own nodes: in the same order whichever rank found them.
-std::vector<std::pair<int, int>> Assembler::faulty_sides(std::size_t part) const {
-  std::vector<std::pair<int, int>> sides;
-  const int face = regions_[paver_.parts()[part].region].face;
-  const std::vector<int>& node_of = joined_.node_of[part];
-  auto own = [&](long number) {
-    for (std::size_t i = 0; i < node_of.size(); ++i)
-      if (node_of[i] >= 0 && number_of(node_of[i]) == number) return static_cast<int>(i);
-    return -1;
-  };
-  for (const FaultySide& side : check_->faults.sides()) {
-    if (side.face != face || node_of.empty()) continue;
-    const int a = own(side.low), b = own(side.high);
-    if (a >= 0 && b >= 0) sides.push_back(std::minmax({a, b}));
-  }
-  std::sort(sides.begin(), sides.end());
-  return sides;
-}
-
-// Of the regions that are marked, and were changed, those of faces that have fewer faults stay changed.
-Assembler::Faults Assembler::keep_better(const std::vector<Part>& before, std::vector<char> is_kept,
-                                         const Faults& faults) {
-  auto put_back = [&] {
-    std::vector<Part> parts;
-    for (const Part& part : paver_.parts())
-      if (is_kept[part.region]) parts.push_back(part);
-    for (const Part& part : before)
-      if (!is_kept[part.region]) parts.push_back(part);
-    std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.region < b.region; });
-    paver_.put(std::move(parts));
-  };
-  put_back();
-  Faults now = join_and_curve();
-  bool is_reverted = false;
-  for (std::size_t r = 0; r < regions_.size(); ++r) {
-    const int face = regions_[r].face;
-    if (!is_kept[r] || now[face] < faults[face]) continue;
-    is_kept[r] = 0;
-    is_reverted = true;
-  }
-  if (!is_reverted) return now;
-  put_back();
-  return join_and_curve();
-}
-
-Assembler::Faults Assembler::join_and_curve() {
+void Assembler::join_and_curve() {
   begin_(Stage::join);
   join();
   begin_(Stage::curving);
   curve();
-  return check();
+  check();
 }
 
 // Of faces that failed nothing stays: what no other face uses would hang in the mesh.
@@ -270,7 +109,7 @@ void Assembler::join() {
     }
     failures = gather_failures(failures, ranks_);
     if (failures.empty()) break;
-    fail(failures);
+    report_failures(failures, regions_, report_);
   }
   parts_.clear();
   for (std::size_t i = 0; i < paver_.parts().size(); ++i) {
@@ -313,8 +152,7 @@ void Assembler::take_over(const RepairResult& repaired) {
   moved_ = std::move(moved);
 }
 
-// A fold may bring other faults along; what becomes of a face is decided by its folds as long as it has any.
-Assembler::Faults Assembler::check() {
+void Assembler::check() {
   begin_(Stage::quality);
   MeshFaults folded;
   auto add = [&](bool is_quad, int element) {
@@ -333,16 +171,10 @@ Assembler::Faults Assembler::check() {
   checked.shared_nodes = static_cast<int>(joined_.boundary_nodes) + static_cast<int>(joined_.outline.size());
   for (const FaceReport& face : report_.faces) checked.is_meshed.push_back(face.status == FaceStatus::meshed);
   check_ = check_mesh(checked, std::move(folded), options_.threads, progress_, ranks_);
-  Faults faults;
-  for (int face = 0; face < static_cast<int>(model_.faces.size()); ++face) {
-    const long folds = check_->faults.count(face, FaultKind::folded);
-    faults.push_back(folds > 0 ? folds : check_->faults.count(face));
-  }
-  return faults;
 }
 
 // What no repair made valid: inside parts first, then along B-rep edges.
-void Assembler::straighten_last(Faults& faults) {
+void Assembler::straighten_last() {
   auto count = [this] {
     long invalid = static_cast<long>(invalid_quads_.size() + invalid_triangles_.size());
     ranks_.add_up({&invalid, 1});
@@ -359,7 +191,7 @@ void Assembler::straighten_last(Faults& faults) {
     off_edge_ = last.off_edge;
     take_over(last);
   }
-  faults = check();
+  check();
 }
 
 // Sides on B-rep edges have neighbours on other ranks: all mend the same neighbourhood, each keeps what is its own.
@@ -375,13 +207,7 @@ RepairResult Assembler::straighten() {
   return result;
 }
 
-void Assembler::note_mending() {
-  ranks_.add_up(repairs_);
-  if (std::any_of(repairs_.begin(), repairs_.end(), [](long count) { return count > 0; }))
-    report_.notes.push_back(
-        fmt::format("Repaired, where elements folded or missed the surface: {} by moving nodes, {} by other elements, "
-                    "{} nodes added inside faces, {} on B-rep edges.",
-                    repairs_[0], repairs_[1], repairs_[2], repairs_[3]));
+void Assembler::note_straightened() {
   if (off_edge_ > 0)
     report_.notes.push_back(fmt::format(
         "To keep elements valid sides were straightened along B-rep edges, up to {:.3g} mm off.", off_edge_));

@@ -43,11 +43,17 @@ void fields(A& archive, Is<FaceReport> auto& face) {
 }
 
 template <class A>
+void fields(A& archive, Is<ElementRepair> auto& repair) {
+  auto& [kind, entity, where] = repair;
+  archive(kind, entity, where);
+}
+
+template <class A>
 void fields(A& archive, Is<RunReport> auto& run) {
-  auto& [model, components, gaps, target_length, order, threads, elements, quality, faces, notes, stage_seconds, tasks,
-         peak_memory_mib] = run;
-  archive(model, components, gaps, target_length, order, threads, elements, quality, faces, notes, stage_seconds, tasks,
-          peak_memory_mib);
+  auto& [model, components, gaps, target_length, order, threads, elements, quality, faces, element_repairs, notes,
+         stage_seconds, stage_runs, tasks, peak_memory_mib] = run;
+  archive(model, components, gaps, target_length, order, threads, elements, quality, faces, element_repairs, notes,
+          stage_seconds, stage_runs, tasks, peak_memory_mib);
 }
 
 template <class A>

@@ -17,6 +17,8 @@ const char* stage_name(Stage stage) {
       return "regions";
     case Stage::paving:
       return "paving";
+    case Stage::repair:
+      return "repair";
     case Stage::join:
       return "join";
     case Stage::curving:

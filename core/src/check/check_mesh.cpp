@@ -8,8 +8,8 @@ namespace paver {
 
 MeshCheck check_mesh(const CheckedMesh& checked, MeshFaults folded, int threads, const Progress& progress,
                      Ranks& ranks) {
-  MeshCheck check{std::move(folded), AreaSlack(checked.model), {}};
-  check_elements(checked, threads, progress, check.faults, check.slack, check.turned);
+  MeshCheck check{std::move(folded), AreaSlack(checked.model)};
+  check_elements(checked, threads, progress, check.faults, check.slack);
   check_boundary_nodes(checked, ranks, check.faults, check.slack);
   check_sides(checked, threads, progress, ranks, check.faults);
   check.faults.unite(ranks);

@@ -6,9 +6,8 @@
 namespace paver {
 
 struct MeshCheck {
-  MeshFaults faults;                ///< of all ranks
-  AreaSlack slack;                  ///< how far the faces' areas may be off, for check_areas()
-  std::vector<PartElement> turned;  ///< elements here that run against the surface or miss it
+  MeshFaults faults;  ///< of all ranks
+  AreaSlack slack;    ///< how far the faces' areas may be off, for check_areas()
 };
 
 /// Collective. `folded`: the elements of this rank whose Jacobian is not proven positive; all else is found here.

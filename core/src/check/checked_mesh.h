@@ -45,12 +45,6 @@ struct CheckedMesh {
   Vec3 middle(int a, int b) const { return 0.5 * (mesh.nodes[a] + mesh.nodes[b]); }
 };
 
-/// An element of a part's mesh.
-struct PartElement {
-  int part = -1, element = -1;
-  auto operator<=>(const PartElement&) const = default;
-};
-
 /// Where the tables of a part begin in the mesh.
 struct PartPlace {
   int node = 0;  ///< corner nodes of its own

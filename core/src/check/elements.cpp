@@ -6,7 +6,6 @@
 #include <mutex>
 
 #include "base/tasks.h"
-#include "check/deviation.h"
 #include "check/vector_area.h"
 #include "curving/closest_point.h"
 #include "curving/near_surface.h"
@@ -24,7 +23,7 @@ constexpr double curved_share = 0.5;  // of its square, what is left at order 2
 class PartElementCheck {
  public:
   PartElementCheck(const CheckedMesh& checked, std::size_t part, const PartPlace& place, MeshFaults& faults,
-                   ExactSum& slack, std::vector<int>& turned)
+                   ExactSum& slack)
       : checked_(checked),
         mesh_(checked.mesh),
         part_(checked.parts[part]),
@@ -32,14 +31,12 @@ class PartElementCheck {
         place_(place),
         is_reversed_(checked.model.faces[static_cast<std::size_t>(part_.region->face)].is_reversed),
         faults_(faults),
-        slack_(slack),
-        turned_(turned) {}
+        slack_(slack) {}
 
   void run() {
     check_corners();
     std::size_t quad = place_.quad, triangle = place_.triangle;
-    for (std::size_t e = 0; e < region_.elements.size(); ++e) {
-      const Element& element = region_.elements[e];
+    for (const Element& element : region_.elements) {
       if (!element.is_alive()) continue;
       const bool is_quad = element.corners() == 4;
       const std::size_t stride =
@@ -48,7 +45,6 @@ class PartElementCheck {
       n_ = element.corners();
       for (int k = 0; k < n_; ++k) c_[k] = element.v[is_reversed_ ? (n_ - k) % n_ : k];
       check_element();
-      if (is_turned_ || misses_surface()) turned_.push_back(static_cast<int>(e));
     }
   }
 
@@ -73,7 +69,7 @@ class PartElementCheck {
   void check_element() {
     const Vec3 origin = node(0);
     Vec3 area;
-    is_moved_ = is_turned_ = false;
+    is_moved_ = false;
     for (int k = 0; k < n_; ++k) {
       const Vec3 a = node(k) - origin, b = node(next(k)) - origin;
       area += mesh_.order == 1 ? swept(a, b) : swept(a, node(n_ + k) - origin, b);
@@ -95,20 +91,7 @@ class PartElementCheck {
     const double along = dot(normal, corners), centre_along = dot(centre, corners);
     if (along >= doubtful && centre_along >= doubtful) return;
     if (along > 0 && dot(centre, surface_normal()) > 0) return;
-    is_turned_ = true;
     faults_.add(face(), FaultKind::turned, 0.5 * (node(0) + node(2)));
-  }
-
-  /// Looked at where the surface turns much on the element.
-  bool misses_surface() const {
-    constexpr double much = 0.7;  // cosine
-    if (mesh_.order == 1 || least_along_ >= much) return false;
-    ElementPatch patch{n_, mesh_.order, {}};
-    std::array<Vec2, 4> places;
-    for (int k = 0; k < patch.node_count(); ++k) patch.nodes[static_cast<std::size_t>(k)] = node(k);
-    for (int k = 0; k < n_; ++k) places[static_cast<std::size_t>(k)] = region_.p[c_[k]];
-    const double most = most_off_moved * part_.region->h;
-    return deviation(*part_.region, patch, places, most) > most;
   }
 
   /// Of a curved element, at its centre.
@@ -162,10 +145,7 @@ class PartElementCheck {
     if (!is_near_surface(centre, middle_of_corners(), norm(node(2) - node(0)), most_off_centre * h)) add_chord(centre);
   }
 
-  void add_chord(Vec3 x) {
-    faults_.add(face(), FaultKind::chord, x);
-    is_turned_ = true;
-  }
+  void add_chord(Vec3 x) { faults_.add(face(), FaultKind::chord, x); }
 
   void check_inner_nodes() {
     Vec3 blend = -0.25 * (node(0) + node(1) + node(2) + (n_ == 4 ? node(3) : Vec3{}));
@@ -258,20 +238,19 @@ class PartElementCheck {
   const bool is_reversed_;
   MeshFaults& faults_;
   ExactSum& slack_;
-  std::vector<int>& turned_;   // elements
   std::vector<Vec3> normals_;  // per node of the part, zero where it has none
   // The element that is looked at: nodes in the mesh, corners in the part, whether a node was moved to mend it.
   const int* v_ = nullptr;
   int n_ = 0;
   std::array<int, 4> c_{};
-  bool is_moved_ = false, is_turned_ = false;
+  bool is_moved_ = false;
   double least_along_ = 1;  // see least_along()
 };
 
 }  // namespace
 
 void check_elements(const CheckedMesh& checked, int threads, const Progress& progress, MeshFaults& faults,
-                    AreaSlack& slack, std::vector<PartElement>& turned) {
+                    AreaSlack& slack) {
   const std::vector<PartPlace> places = places_of(checked);
   std::mutex mutex;
   run_tasks(threads, costs_of(checked), [&](int i) {
@@ -279,15 +258,11 @@ void check_elements(const CheckedMesh& checked, int threads, const Progress& pro
     if (!checked.parts[static_cast<std::size_t>(i)].mesh) return;
     MeshFaults found;
     ExactSum sum = slack.none(checked.parts[static_cast<std::size_t>(i)].region->face);
-    std::vector<int> elements;
-    PartElementCheck(checked, static_cast<std::size_t>(i), places[static_cast<std::size_t>(i)], found, sum, elements)
-        .run();
+    PartElementCheck(checked, static_cast<std::size_t>(i), places[static_cast<std::size_t>(i)], found, sum).run();
     std::lock_guard lock(mutex);
-    for (int e : elements) turned.push_back({i, e});
     faults.add(found);
     slack.add(checked.parts[static_cast<std::size_t>(i)].region->face, sum);
   });
-  std::sort(turned.begin(), turned.end());
 }
 
 }  // namespace paver

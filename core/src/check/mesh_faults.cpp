@@ -21,7 +21,6 @@ void MeshFaults::add(Key key, const Entry& entry) {
 
 void MeshFaults::add(const MeshFaults& other) {
   for (const auto& [key, entry] : other.entries_) add(key, entry);
-  sides_.insert(sides_.end(), other.sides_.begin(), other.sides_.end());
 }
 
 void MeshFaults::unite(Ranks& ranks) {
@@ -35,10 +34,6 @@ void MeshFaults::unite(Ranks& ranks) {
   entries_.clear();
   for (const std::string& bytes : ranks.gather(bytes_of(mine)))
     for (const Row& row : from_bytes<Row>(bytes)) add({row.face, row.kind}, row.entry);
-  const std::string sides(bytes_of(sides_));
-  sides_.clear();
-  for (const std::string& bytes : ranks.gather(sides))
-    for (const FaultySide& side : from_bytes<FaultySide>(bytes)) note(side);
 }
 
 std::vector<int> MeshFaults::faces() const {

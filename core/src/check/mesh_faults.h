@@ -25,23 +25,14 @@ enum class FaultKind {
   area,          ///< elements do not cover the face
 };
 
-/// A side that a face has, and others between the same two nodes; numbers in the whole mesh.
-struct FaultySide {
-  int face = -1;
-  long low = -1, high = -1;
-};
-
 /// Faults of faces, counted. Any number of these brought together give the same, in any order.
 class MeshFaults {
  public:
   void add(int face, FaultKind kind, Vec3 where) { add({face, kind}, {1, where}); }
   void add(const MeshFaults& other);
-  /// Besides counting it: a side because of which faces have faults.
-  void note(const FaultySide& side) { sides_.push_back(side); }
   /// Collective: those of all ranks, on all.
   void unite(Ranks& ranks);
 
-  const std::vector<FaultySide>& sides() const { return sides_; }
   bool empty() const { return entries_.empty(); }
   /// Those that have a fault, rising.
   std::vector<int> faces() const;
@@ -65,7 +56,6 @@ class MeshFaults {
   const Entries::value_type& gravest(int face) const { return *entries_.lower_bound({face, FaultKind::folded}); }
 
   Entries entries_;
-  std::vector<FaultySide> sides_;
 };
 
 }  // namespace paver

@@ -133,7 +133,6 @@ class SideGroup {
     for (const User& user : users_) {
       if (uses <= allowed) break;
       faults_.add(user.face, FaultKind::shared, there_[0].where);
-      faults_.note({user.face, there_[0].low, there_[0].high});
       uses -= user.uses;
     }
   }
@@ -172,9 +171,6 @@ void check_elements(std::vector<SharedElement> elements, MeshFaults& faults) {
   for (std::size_t i = 1; i < elements.size(); ++i) {
     if (elements[i].corners != elements[i - 1].corners) continue;
     faults.add(elements[i].face, FaultKind::same_element, elements[i].where);
-    for (std::size_t high = 1; high < 4; ++high)
-      for (std::size_t low = 0; low < high; ++low)
-        faults.note({elements[i].face, elements[i].corners[low], elements[i].corners[high]});
   }
 }
 

@@ -54,7 +54,6 @@ class Joiner {
     SurfaceMesh& mesh = joined_.mesh;
     mesh.nodes.reserve(nodes), mesh.node_edge.reserve(nodes), mesh.node_target.reserve(nodes);
     mesh.quads.reserve(4 * elements), mesh.quad_face.reserve(elements);
-    joined_.quad_source.reserve(elements);
   }
 
   void add_boundary() {
@@ -127,13 +126,8 @@ class Joiner {
         node_of[v] =
             global < static_cast<int>(boundary()) ? boundary_node_[global] : outline_node_[outline_of(part, v)];
     }
-    for (std::size_t e = 0; e < region.elements.size(); ++e) {
-      const Element& element = region.elements[e];
-      if (!element.is_alive()) continue;
-      add_element(mesh, element, node_of, model_.faces[part.face], part.face);
-      (element.corners() == 4 ? joined_.quad_source : joined_.triangle_source)
-          .push_back({static_cast<int>(i), static_cast<int>(e)});
-    }
+    for (const Element& element : region.elements)
+      if (element.is_alive()) add_element(mesh, element, node_of, model_.faces[part.face], part.face);
     joined_.sizes[i] = {static_cast<long>(mesh.nodes.size()) - nodes, static_cast<long>(mesh.quad_count()) - quads,
                         static_cast<long>(mesh.triangle_count()) - triangles};
   }

@@ -28,8 +28,6 @@ struct JoinedMesh {
   SurfaceMesh mesh;
   /// Per part and region node: its node in `mesh`, -1 where the region does not use it.
   std::vector<std::vector<int>> node_of;
-  /// Per quad, per triangle: its part, and its element there.
-  std::vector<std::array<int, 2>> quad_source, triangle_source;
   std::vector<PartSizes> sizes;  ///< per part
   long boundary_nodes = 0;       ///< nodes of the boundary stage in `mesh`, its first ones
   std::vector<int> outline;      ///< the outline nodes in `mesh`, rising: they follow those of the boundary stage

@@ -136,8 +136,10 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
                {"doubts", doubts(run)},
                {"quality", quality_json(run.quality)},
                {"faces", Json::array()},
+               {"element_repairs", Json::array()},
                {"notes", run.notes},
                {"stage_seconds", Json::object()},
+               {"stage_runs", Json::object()},
                {"tasks", Json::object()},
                {"peak_memory_mib", run.peak_memory_mib},
                {"checksum", fmt::format("{:016x}", mesh_checksum)}};
@@ -148,6 +150,10 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
     const std::string& label = i < result.face_names.size() ? result.face_names[i] : run.faces[i].name;
     json["faces"].push_back(face_json(run.faces[i], label));
   }
+  for (const auto& [kind, entity, where] : run.element_repairs)
+    json["element_repairs"].push_back(
+        {{"kind", element_repair_name(kind)}, {"entity", entity}, {"where", {where.x, where.y, where.z}}});
+  for (const auto& [stage, runs] : run.stage_runs) json["stage_runs"][stage] = runs;
   for (const auto& [stage, seconds] : run.stage_seconds) json["stage_seconds"][stage] = seconds;
   for (const TaskTime& task : run.tasks) json["tasks"][stage_name(task.stage)].push_back(task.seconds);
   // Names from CAD files may not be UTF-8: replace what is not, rather than fail.

@@ -42,6 +42,18 @@ std::vector<RegionFailure> gather_failures(const std::vector<RegionFailure>& min
   return all;
 }
 
+void report_failures(const std::vector<RegionFailure>& failures, const std::vector<Region>& regions,
+                     RunReport& report) {
+  for (const RegionFailure& failure : failures) {
+    FaceReport& face = report.faces[static_cast<std::size_t>(regions[static_cast<std::size_t>(failure.region)].face)];
+    if (face.status == FaceStatus::failed) continue;
+    face.status = FaceStatus::failed;
+    face.stage = failure.stage;
+    face.reason = failure.reason;
+    face.where = failure.where;
+  }
+}
+
 PartPaver::PartPaver(const std::vector<Region>& regions, std::vector<double> costs, int boundary_nodes,
                      const Options& options, Progress& progress, Ranks& ranks)
     : regions_(regions),

@@ -37,6 +37,9 @@ struct RegionFailure {
 /// Collective: those of all ranks, by region.
 std::vector<RegionFailure> gather_failures(const std::vector<RegionFailure>& mine, Ranks& ranks);
 
+/// Their faces failed; of several the first counts.
+void report_failures(const std::vector<RegionFailure>& failures, const std::vector<Region>& regions, RunReport& report);
+
 /// References are kept. Every member is collective.
 class PartPaver {
  public:

@@ -11,7 +11,7 @@ namespace paver {
 namespace {
 
 constexpr double folded = -0.5;        // value of an element that faces away or has a node twice
-constexpr double least_height = 0.01;  // scaled Jacobian: flatter ones are not curved to be judged
+constexpr double least_height = 1e-6;  // scaled Jacobian: flatter ones are not curved to be judged
 constexpr double steep = 0.7;          // cosine between its normal and the surface's at a corner: may miss the surface
 constexpr double cusp_sine = 0.05;     // between two edges
 constexpr double value_of_cusp = 0.05;

@@ -40,8 +40,12 @@ class ElementJudge {
   /// over its mean. Negative where it is folded, turned over, farther off the surface than may be, or has a node of the
   /// boundary twice.
   double value(const Corners& v) const;
-  int order() const { return order_; }
   double value(int element) const { return value(mesh_.elements[element].v); }
+
+  const Region& region() const { return region_; }
+  const RegionMesh& mesh() const { return mesh_; }
+  const BoundarySides& sides() const { return sides_; }
+  int order() const { return order_; }
 
  private:
   bool has_node_twice(const Corners& v, int n) const;

@@ -15,8 +15,8 @@ constexpr std::size_t most_elements = 40;
 
 class BendDivider {
  public:
-  BendDivider(const Region& region, const ElementJudge& judge, ElementKinds kinds, RegionMesh& mesh)
-      : region_(region), judge_(judge), kinds_(kinds), mesh_(mesh) {}
+  BendDivider(const ElementJudge& judge, ElementKinds kinds, RegionMesh& mesh)
+      : judge_(judge), kinds_(kinds), mesh_(mesh) {}
 
   int run(int element) {
     collect(element);
@@ -56,7 +56,7 @@ class BendDivider {
             dot(mesh_.normal(a), mesh_.normal(b)) > (judge_.order() == 1 ? bend_of_chords : bend) ||
             norm(mesh_.x[b] - mesh_.x[a]) < shortest_side * std::min(mesh_.h[a], mesh_.h[b]))
           continue;
-        nodes_[std::minmax(a, b)] = add_node_between(region_, a, b, mesh_);
+        nodes_[std::minmax(a, b)] = add_node_between(judge_.region(), a, b, mesh_);
         touched_.push_back(e);
         touched_.push_back(other);
       }
@@ -83,7 +83,6 @@ class BendDivider {
     for (const Corners& corners : filling.elements) mesh_.add_element(corners);
   }
 
-  const Region& region_;
   const ElementJudge& judge_;
   const ElementKinds kinds_;
   RegionMesh& mesh_;
@@ -116,8 +115,8 @@ int add_node_between(const Region& region, int a, int b, RegionMesh& mesh) {
   return mesh.add_node(p, x, xp, xq, 0.5 * (mesh.h[a] + mesh.h[b]));
 }
 
-int divide_bend(const Region& region, const ElementJudge& judge, int element, ElementKinds kinds, RegionMesh& mesh) {
-  return BendDivider(region, judge, kinds, mesh).run(element);
+int divide_bend(const ElementJudge& judge, int element, ElementKinds kinds, RegionMesh& mesh) {
+  return BendDivider(judge, kinds, mesh).run(element);
 }
 
 }  // namespace paver

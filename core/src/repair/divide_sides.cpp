@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 #include "curving/near_surface.h"
 #include "repair/divide_inside.h"
@@ -39,13 +38,8 @@ void divide(const Curve& curve, std::size_t interval, int node, EdgeDivision& di
 
 class RegionDivider {
  public:
-  RegionDivider(const Region& region, const EdgeNodes& nodes, int order, ElementKinds kinds, RegionMesh& mesh)
-      : region_(region),
-        nodes_(nodes),
-        mesh_(mesh),
-        sides_(region, nodes),
-        judge_(region, mesh, sides_, order),
-        kinds_(kinds) {
+  RegionDivider(const ElementJudge& judge, const EdgeNodes& nodes, ElementKinds kinds, RegionMesh& mesh)
+      : region_(judge.region()), nodes_(nodes), mesh_(mesh), judge_(judge), kinds_(kinds) {
     for (int v = 0; v < mesh.node_count(); ++v)
       if (mesh.global[v] >= 0 && mesh.star[v].size() > 0) copies_[mesh.global[v]].push_back(v);
   }
@@ -99,8 +93,7 @@ class RegionDivider {
   const Region& region_;
   const EdgeNodes& nodes_;
   RegionMesh& mesh_;
-  const BoundarySides sides_;
-  const ElementJudge judge_;
+  const ElementJudge& judge_;
   const ElementKinds kinds_;
   std::map<int, std::vector<int>> copies_;  // of a node of the boundary stage
 };
@@ -115,10 +108,10 @@ double distance_beside(Vec3 p, Vec3 a, Vec3 b) {
 
 }  // namespace
 
-std::vector<SideToDivide> sides_beside_nodes(const Region& region, const EdgeNodes& edges, const RegionMesh& mesh) {
+std::vector<SideToDivide> sides_beside_nodes(const ElementJudge& judge) {
   constexpr double least = 0.02, most = 0.1;  // of the side: what is nearer, a few divisions do not put right
+  const RegionMesh& mesh = judge.mesh();
   std::vector<SideToDivide> found;
-  std::optional<BoundarySides> sides;
   for (const Element& e : mesh.elements) {
     auto is_inside = [&](int v) { return mesh.global[v] < 0; };
     if (!e.is_alive() || e.corners() == 4 || std::any_of(e.v.begin(), e.v.begin() + 3, is_inside)) continue;
@@ -127,8 +120,7 @@ std::vector<SideToDivide> sides_beside_nodes(const Region& region, const EdgeNod
       const double away = distance_beside(mesh.x[beside], mesh.x[a], mesh.x[b]);
       const double shortest = shortest_side * std::min(mesh.h[a], mesh.h[b]);
       if (away < least || away > most || norm(mesh.x[b] - mesh.x[a]) < shortest) continue;
-      if (!sides) sides.emplace(region, edges);
-      if (const BoundarySide* side = sides->find(mesh.global[a], mesh.global[b]))
+      if (const BoundarySide* side = judge.sides().find(mesh.global[a], mesh.global[b]))
         found.push_back({side->edge, mesh.global[a], mesh.global[b]});
     }
   }
@@ -157,9 +149,9 @@ std::vector<DividedSide> divide_intervals(const Model& model, std::vector<SideTo
   return divided;
 }
 
-void divide_boundary_sides(const Region& region, const EdgeNodes& nodes, const std::vector<DividedSide>& sides,
-                           int order, ElementKinds kinds, RegionMesh& mesh) {
-  RegionDivider divider(region, nodes, order, kinds, mesh);
+void divide_boundary_sides(const ElementJudge& judge, const EdgeNodes& nodes, const std::vector<DividedSide>& sides,
+                           ElementKinds kinds, RegionMesh& mesh) {
+  RegionDivider divider(judge, nodes, kinds, mesh);
   for (const DividedSide& side : sides) divider.run(side);
 }
 

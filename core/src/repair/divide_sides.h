@@ -21,15 +21,15 @@ struct DividedSide {
 
 /// Sides on B-rep edges of flat triangles whose third corner is a node of the boundary, too, nearer to the side than a
 /// tenth of its length: there a node hangs in the side but for its name.
-std::vector<SideToDivide> sides_beside_nodes(const Region& region, const EdgeNodes& edges, const RegionMesh& mesh);
+std::vector<SideToDivide> sides_beside_nodes(const ElementJudge& judge);
 
 /// Divides the intervals in their middle by arc length. New nodes follow those that there are, in the order of `sides`;
 /// each interval is divided once.
 std::vector<DividedSide> divide_intervals(const Model& model, std::vector<SideToDivide> sides, EdgeNodes& nodes);
 
-/// The elements at these sides of a region's mesh get the node, too: a triangle becomes two, a quad a triangle and a
-/// quad, or three triangles where that is better.
-void divide_boundary_sides(const Region& region, const EdgeNodes& nodes, const std::vector<DividedSide>& sides,
-                           int order, ElementKinds kinds, RegionMesh& mesh);
+/// The elements at these sides of the judge's mesh, `mesh`, get the node, too: a triangle becomes two, a quad a
+/// triangle and a quad, or three triangles where that is better.
+void divide_boundary_sides(const ElementJudge& judge, const EdgeNodes& nodes, const std::vector<DividedSide>& sides,
+                           ElementKinds kinds, RegionMesh& mesh);
 
 }  // namespace paver

@@ -21,8 +21,8 @@ constexpr double as_good = 1e-9;     // merits nearer than this are equal, the f
 
 class Mender {
  public:
-  Mender(const Region& region, const BoundarySides& sides, int order, Elements elements, RegionMesh& mesh)
-      : region_(region), mesh_(mesh), sides_(sides), judge_(region, mesh, sides, order), kinds_(kinds_of(elements)) {}
+  Mender(const ElementJudge& judge, ElementKinds kinds, RegionMesh& mesh)
+      : region_(judge.region()), mesh_(mesh), judge_(judge), kinds_(kinds) {}
 
   Mended run(const std::vector<int>& bad) {
     std::deque<int> queue(bad.begin(), bad.end());
@@ -58,8 +58,9 @@ class Mender {
   bool is_bad(int e) const { return mesh_.elements[e].is_alive() && judge_.value(e) <= 0; }
 
   bool mend(int e) {
-    if (move_corners(region_, judge_, e, fair, mesh_)) {
-      ++mended_.moved;
+    const Vec3 where = middle(e);
+    if (move_corners(judge_, e, fair, mesh_)) {
+      note(ElementRepairKind::moved, where);
       return true;
     }
     Candidate best;
@@ -76,15 +77,25 @@ class Mender {
     try_set(with(about, e), best);
     try_set(ring_about(mesh_, e), best);
     if (best.filling.worst < fair) {
-      if (const int nodes = divide_bend(region_, judge_, e, kinds_, mesh_)) {
-        mended_.divided += nodes;
+      if (divide_bend(judge_, e, kinds_, mesh_) > 0) {
+        note(ElementRepairKind::divided, where);
         return true;
       }
       try_sides(e, best);
     }
     if (best.gone.empty()) return false;
     carry_out(best);
+    note(best.node ? ElementRepairKind::divided : ElementRepairKind::refilled, where);
     return true;
+  }
+
+  void note(ElementRepairKind kind, Vec3 where) { mended_.places.push_back({kind, where}); }
+
+  Vec3 middle(int e) const {
+    Vec3 sum;
+    const Element& element = mesh_.elements[e];
+    for (int k = 0; k < element.corners(); ++k) sum += (1.0 / element.corners()) * mesh_.x[element.v[k]];
+    return sum;
   }
 
   static ElementSet with(ElementSet set, int e) {
@@ -173,7 +184,6 @@ class Mender {
     }
     for (int e : best.gone) mesh_.remove_element(e);
     for (const Corners& corners : best.filling.elements) mesh_.add_element(corners);
-    ++(best.node ? mended_.divided : mended_.refilled);
   }
 
   /// Of its sides on B-rep edges the one that leaves its chord farthest, or the longest where none bends.
@@ -183,7 +193,7 @@ class Mender {
     double most = -1;
     for (int k = 0, n = element.corners(); k < n; ++k) {
       const int v = element.v[k], w = element.v[(k + 1) % n], a = mesh_.global[v], b = mesh_.global[w];
-      const BoundarySide* side = sides_.find(a, b);
+      const BoundarySide* side = judge_.sides().find(a, b);
       const double length = norm(mesh_.x[w] - mesh_.x[v]);
       if (!side || length < shortest_side * std::min(mesh_.h[v], mesh_.h[w])) continue;
       const double sagitta = norm(side->middle - 0.5 * (mesh_.x[v] + mesh_.x[w]));
@@ -195,19 +205,16 @@ class Mender {
 
   const Region& region_;
   RegionMesh& mesh_;
-  const BoundarySides& sides_;
-  const ElementJudge judge_;
+  const ElementJudge& judge_;
   const ElementKinds kinds_;
   Mended mended_;
 };
 
 }  // namespace
 
-Mended mend_region(const Region& region, const EdgeNodes& edges, int order, Elements elements, std::vector<int> bad,
-                   RegionMesh& mesh) {
+Mended mend_region(const ElementJudge& judge, ElementKinds kinds, std::vector<int> bad, RegionMesh& mesh) {
   std::sort(bad.begin(), bad.end());
-  const BoundarySides sides(region, edges);
-  return Mender(region, sides, order, elements, mesh).run(bad);
+  return Mender(judge, kinds, mesh).run(bad);
 }
 
 }  // namespace paver

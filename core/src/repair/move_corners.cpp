@@ -13,8 +13,7 @@ constexpr double shrink = 0.6;      // of the step per round
 
 class CornerMover {
  public:
-  CornerMover(const Region& region, const ElementJudge& judge, RegionMesh& mesh)
-      : region_(region), judge_(judge), mesh_(mesh) {}
+  CornerMover(const ElementJudge& judge, RegionMesh& mesh) : region_(judge.region()), judge_(judge), mesh_(mesh) {}
 
   double worst_at(int node) const {
     double worst = 1;
@@ -49,13 +48,13 @@ class CornerMover {
 
 }  // namespace
 
-bool move_corners(const Region& region, const ElementJudge& judge, int element, double least, RegionMesh& mesh) {
+bool move_corners(const ElementJudge& judge, int element, double least, RegionMesh& mesh) {
   std::vector<int> nodes;
   for (int v : mesh.elements[element].v)
     if (v >= 0 && !mesh.is_fixed[v]) nodes.push_back(v);
   std::vector<NodePlace> places;
   for (int v : nodes) places.push_back(mesh.place(v));
-  CornerMover mover(region, judge, mesh);
+  CornerMover mover(judge, mesh);
   double step = first_step;
   for (int round = 0; round < rounds; ++round, step *= shrink)
     for (int v : nodes) mover.move(v, step);

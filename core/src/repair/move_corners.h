@@ -6,6 +6,6 @@
 namespace paver {
 
 /// All back, and false, where that does not make every element about the nodes worth `least`.
-bool move_corners(const Region& region, const ElementJudge& judge, int element, double least, RegionMesh& mesh);
+bool move_corners(const ElementJudge& judge, int element, double least, RegionMesh& mesh);
 
 }  // namespace paver

@@ -131,7 +131,6 @@ TEST(JoinRegions, FailedRegionsLeaveTheOthersWhole) {
   RegionMesh right = four_quads(pair.edges, {1, 0, 0}, true);
   JoinedMesh joined = join_regions(pair.model, pair.edges, test::all_of(pair.edges), {{0, nullptr}, {1, &right}});
   EXPECT_EQ(joined.mesh.quad_face, (std::vector<int>{1, 1, 1, 1}));
-  EXPECT_EQ(joined.quad_source, (std::vector<std::array<int, 2>>{{1, 0}, {1, 1}, {1, 2}, {1, 3}}));
   ASSERT_EQ(joined.node_of.size(), 2u);
   EXPECT_TRUE(joined.node_of[0].empty());
   ASSERT_EQ(joined.node_of[1].size(), 10u);

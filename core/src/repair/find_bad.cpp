@@ -1,0 +1,48 @@
+#include "repair/find_bad.h"
+
+#include <algorithm>
+
+namespace paver {
+namespace {
+
+// Where all three hold, a curved side leaves its chord by less than a tenth of it, and no two sides of a corner meet.
+constexpr double least_along = 0.94;    // cosine, from the element's normal to the surface's at its corners
+constexpr double least_jacobian = 0.4;  // scaled
+constexpr double most_bulge = 0.1;      // of its chord, of a side on a B-rep edge
+
+bool is_flat(const RegionMesh& mesh, const Element& e, int n) {
+  Vec3 area;
+  for (int k = 1; k + 1 < n; ++k) area += cross(mesh.x[e.v[k]] - mesh.x[e.v[0]], mesh.x[e.v[k + 1]] - mesh.x[e.v[0]]);
+  area = unit(area);
+  return std::all_of(e.v.begin(), e.v.begin() + n, [&](int v) { return dot(area, mesh.normal(v)) > least_along; });
+}
+
+bool has_flat_sides(const RegionMesh& mesh, const Element& e, int n, const BoundarySides& sides) {
+  for (int k = 0; k < n; ++k) {
+    const int a = e.v[k], b = e.v[(k + 1) % n];
+    if (mesh.global[a] < 0 || mesh.global[b] < 0) continue;
+    if (mesh.global[a] == mesh.global[b]) return false;
+    const BoundarySide* side = sides.find(mesh.global[a], mesh.global[b]);
+    const Vec3 chord = mesh.x[b] - mesh.x[a];
+    if (side && norm(side->middle - mesh.x[a] - 0.5 * chord) > most_bulge * norm(chord)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<int> find_bad(const ElementJudge& judge) {
+  const RegionMesh& mesh = judge.mesh();
+  std::vector<int> bad;
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    const Element& e = mesh.elements[i];
+    if (!e.is_alive()) continue;
+    const int n = e.corners();
+    const bool is_plain = has_jacobian(mesh, e, least_jacobian) && is_flat(mesh, e, n) && is_positive(mesh, e) &&
+                          has_flat_sides(mesh, e, n, judge.sides());
+    if (!is_plain && judge.value(e.v) <= 0) bad.push_back(static_cast<int>(i));
+  }
+  return bad;
+}
+
+}  // namespace paver

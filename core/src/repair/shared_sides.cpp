@@ -1,0 +1,117 @@
+#include "repair/shared_sides.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+
+#include "repair/patch.h"
+
+namespace paver {
+namespace {
+
+using Corners = std::array<int, 4>;
+
+/// Intervals of the edges that bound regions, by their nodes.
+std::set<std::pair<int, int>> intervals_of(std::span<const Region> regions, const EdgeNodes& nodes) {
+  std::set<int> edges;
+  for (const Region& region : regions)
+    for (const auto& loop : region.loops)
+      for (const LoopNode& node : loop)
+        if (node.edge >= 0) edges.insert(node.edge);
+  std::set<std::pair<int, int>> intervals;
+  for (int edge : edges) {
+    const std::vector<int>& along = nodes.edges[static_cast<std::size_t>(edge)].node;
+    for (std::size_t i = 1; i < along.size(); ++i) intervals.insert(std::minmax(along[i - 1], along[i]));
+  }
+  return intervals;
+}
+
+class SideDivider {
+ public:
+  SideDivider(const Region& region, RegionMesh& mesh) : region_(region), mesh_(mesh) {}
+
+  void divide(int a, int b) {
+    const int e = across(mesh_, b, a), other = across(mesh_, a, b);
+    if (e >= 0 && other >= 0) divide(e, other, a, b);
+  }
+
+  std::vector<Vec3> take_made() { return std::move(made_); }
+
+ private:
+  void divide(int e, int other, int a, int b) {
+    const Vec2 p = 0.5 * (mesh_.p[a] + mesh_.p[b]);
+    Vec3 x, xp, xq;
+    region_.evaluate(p, x, xp, xq);
+    const int middle = mesh_.add_node(p, x, xp, xq, 0.5 * (mesh_.h[a] + mesh_.h[b]));
+    const auto here = best_of(mesh_.elements[e], a, b, middle), there = best_of(mesh_.elements[other], b, a, middle);
+    if (!here || !there) {
+      mesh_.drop_last_node();
+      return;
+    }
+    mesh_.remove_element(e);
+    mesh_.remove_element(other);
+    for (const auto& elements : {*here, *there})
+      for (const Corners& corners : elements) mesh_.add_element(corners);
+    made_.push_back(x);
+  }
+
+  /// The element with a node between its corners a and b: the better of two ways, if one has positive elements only.
+  std::optional<std::array<Corners, 2>> best_of(const Element& e, int a, int b, int middle) const {
+    std::optional<std::array<Corners, 2>> best;
+    double most = 0;
+    const int c = e.after(b), d = e.before(a);
+    std::array<std::array<Corners, 2>, 2> ways{
+        {{{{a, middle, d, -1}, {middle, b, c, d}}}, {{{middle, b, c, -1}, {a, middle, c, d}}}}};
+    if (e.corners() == 3)
+      ways = {{{{{a, middle, c, -1}, {middle, b, c, -1}}}, {{{a, middle, c, -1}, {middle, b, c, -1}}}}};
+    for (const auto& way : ways) {
+      double worst = 1;
+      for (const Corners& corners : way)
+        worst = std::min(worst, is_positive(mesh_, {corners}) ? scaled_jacobian(mesh_, {corners}) : -1);
+      if (worst > most) most = worst, best = way;
+    }
+    return best;
+  }
+
+  const Region& region_;
+  RegionMesh& mesh_;
+  std::vector<Vec3> made_;
+};
+
+}  // namespace
+
+std::vector<InnerSide> inner_sides(const RegionMesh& mesh, int part, int boundary_nodes) {
+  std::vector<InnerSide> sides;
+  auto is_shared = [&](int v) { return mesh.global[v] >= 0 && mesh.global[v] < boundary_nodes; };
+  for (const Element& e : mesh.elements) {
+    if (!e.is_alive()) continue;
+    for (int k = 0, n = e.corners(); k < n; ++k) {
+      const int a = e.v[k], b = e.v[(k + 1) % n];
+      if (!is_shared(a) || !is_shared(b) || mesh.global[a] >= mesh.global[b] || across(mesh, a, b) < 0) continue;
+      sides.push_back({mesh.global[a], mesh.global[b], part, a, b});
+    }
+  }
+  return sides;
+}
+
+std::vector<InnerSide> sides_to_part(std::vector<InnerSide> all, std::span<const Region> regions,
+                                     const EdgeNodes& nodes) {
+  std::vector<InnerSide> found;
+  if (all.empty()) return found;
+  std::sort(all.begin(), all.end());
+  const std::set<std::pair<int, int>> intervals = intervals_of(regions, nodes);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool is_first = i == 0 || all[i - 1].low != all[i].low || all[i - 1].high != all[i].high;
+    if (!is_first || intervals.contains({all[i].low, all[i].high})) found.push_back(all[i]);
+  }
+  return found;
+}
+
+std::vector<Vec3> divide_inner_sides(const Region& region, std::span<const InnerSide> sides, RegionMesh& mesh) {
+  SideDivider divider(region, mesh);
+  for (const InnerSide& side : sides) divider.divide(side.a, side.b);
+  return divider.take_made();
+}
+
+}  // namespace paver
