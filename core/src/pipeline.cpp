@@ -11,7 +11,7 @@
 #include <numeric>
 
 #include "assemble/assembler.h"
-#include "base/bytes.h"
+#include "base/gather.h"
 #include "base/shared_tasks.h"
 #include "base/tasks.h"
 #include "boundary/edge_nodes.h"
@@ -73,7 +73,7 @@ class Run {
     start();
     build(model);
     std::vector<FaceLayout> layouts;
-    std::vector<int> counts = count_intervals(layouts);
+    const std::vector<int> counts = count_intervals(Grids::assumed, layouts);
     std::vector<double> elements = predict_elements(model_, size_, counts, options_.elements);
     Prediction prediction;
     prediction.target_length = result_.report.target_length;
@@ -149,12 +149,12 @@ class Run {
   }
 
   // Sizing, and the number of intervals of every edge.
-  std::vector<int> count_intervals(std::vector<FaceLayout>& layouts) {
+  std::vector<int> count_intervals(Grids grids, std::vector<FaceLayout>& layouts) {
     begin(Stage::sizing);
     size_ = build_size_field(model_, options_, progress_);
     for (const std::string& note : size_.local->notes()) result_.report.notes.push_back(note);
     begin(Stage::boundary);
-    layouts = plan_layouts(model_, size_, progress_);
+    layouts = plan_layouts(model_, size_, grids, progress_);
     std::vector<int> counts = choose_counts(model_, size_, progress_, shared_, options_.elements == Elements::all_quad);
     settle_counts(model_, layouts, counts);
     return counts;
@@ -163,7 +163,7 @@ class Run {
   // Boundary nodes and regions; faces whose loops cross are none of them.
   void divide() {
     std::vector<FaceLayout> layouts;
-    const std::vector<int> counts = count_intervals(layouts);
+    const std::vector<int> counts = count_intervals(Grids::made, layouts);
     DividedLoops divided = divide_loops(model_, size_, layouts, counts, shared_);
     nodes_ = std::move(divided.nodes);
     regions_ = std::move(divided.regions);
@@ -201,10 +201,10 @@ class Run {
     std::array<long, 4> counts{};
     for (const ElementRepair& repair : result_.report.element_repairs) ++counts[static_cast<std::size_t>(repair.kind)];
     if (result_.report.element_repairs.empty()) return;
-    result_.report.notes.push_back(
-        fmt::format("Repaired, where elements folded or missed the surface: {} by moving nodes, {} by other elements, "
-                    "{} with nodes inside faces, {} with nodes on B-rep edges.",
-                    counts[0], counts[1], counts[2], counts[3]));
+    result_.report.notes.push_back(fmt::format(
+        "Repaired, where elements folded, missed the surface or were poor: {} by moving nodes, {} by other elements, "
+        "{} with nodes inside faces, {} with nodes on B-rep edges.",
+        counts[0], counts[1], counts[2], counts[3]));
   }
 
   // Faces divided along creases become one again: in the mesh, in the reports and in the names.
@@ -257,7 +257,7 @@ class Run {
 
   void finish(const Assembler& assembler) {
     RunReport& report = result_.report;
-    report.quality.chord_error = largest(assembler.chord_error());
+    report.quality.chord_error = greatest(assembler.chord_error(), ranks_);
     report.gaps = find_gaps(result_.mesh, model_, ranks_);
     std::erase_if(report.gaps, [&](const Gap& gap) {
       const auto& named = report.model.unconnected;
@@ -271,13 +271,6 @@ class Run {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     report.peak_memory_mib = static_cast<double>(usage.ru_maxrss) / 1024;
-  }
-
-  // Over all ranks.
-  double largest(double value) {
-    for (const std::string& bytes : ranks_.gather(bytes_of(std::vector<double>{value})))
-      value = std::max(value, from_bytes<double>(bytes).front());
-    return value;
   }
 
   void note_triangles() {

@@ -173,7 +173,7 @@ void add_figures(const RegionMesh& mesh, Figures& sum) {
   for (int i = 0; i < mesh.node_count(); ++i) {
     if (mesh.is_fixed[i] || mesh.star[i].size() == 0) continue;
     ++sum.interior;
-    if (mesh.valence(i) != 4) ++sum.irregular;
+    if (mesh.star[i].size() != 4) ++sum.irregular;
   }
 }
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <map>
 
-#include "base/bytes.h"
+#include "base/gather.h"
 
 namespace paver {
 namespace {
@@ -81,9 +81,8 @@ class Gatherer {
     std::vector<long> mine;
     for (std::size_t v = 0; v < is_marked_.size(); ++v)
       if (is_marked_[v] && share_.is_shared_node[v]) mine.push_back(share_.node_number[v]);
-    for (const std::string& bytes : ranks_.gather(bytes_of(mine)))
-      for (long number : from_bytes<long>(bytes))
-        if (int v = here(number); v >= 0) is_marked_[v] = 1;
+    for (long number : gather_all(mine, ranks_))
+      if (int v = here(number); v >= 0) is_marked_[v] = 1;
   }
 
   int here(long number) const {
@@ -108,10 +107,7 @@ class Gatherer {
         add_node(table.row(e)[k]);
       }
     }
-    for (const std::string& bytes : ranks_.gather(bytes_of(mine))) {
-      const auto rows = from_bytes<ElementRow>(bytes);
-      all.insert(all.end(), rows.begin(), rows.end());
-    }
+    all = gather_all(mine, ranks_);
     std::sort(all.begin(), all.end(), [](const ElementRow& a, const ElementRow& b) { return a.number < b.number; });
     for (const ElementRow& row : all) {
       if (row.is_invalid) invalid.push_back(static_cast<int>(face.size()));
@@ -125,11 +121,7 @@ class Gatherer {
   void add_node(int v) { mine_.push_back({share_.node_number[v], mesh_.nodes[v], mesh_.node_edge[v]}); }
 
   void add_nodes() {
-    std::vector<NodeRow> all;
-    for (const std::string& bytes : ranks_.gather(bytes_of(mine_))) {
-      const auto rows = from_bytes<NodeRow>(bytes);
-      all.insert(all.end(), rows.begin(), rows.end());
-    }
+    std::vector<NodeRow> all = gather_all(mine_, ranks_);
     std::stable_sort(all.begin(), all.end(), [](const NodeRow& a, const NodeRow& b) { return a.number < b.number; });
     SurfaceMesh& mesh = result_.mesh;
     mesh.order = mesh_.order;

@@ -1,7 +1,7 @@
 // Numbers of a share in the whole mesh. Nodes of the whole, in this order: boundary stage, outlines, each part's own;
 // at order 2 the middles of the lines, of the cuts, then each part's middles and centres. Elements: part by part.
 #include "assemble/assembler.h"
-#include "base/bytes.h"
+#include "base/gather.h"
 
 namespace paver {
 namespace {
@@ -65,8 +65,7 @@ std::vector<PartRow> gather_rows(const std::vector<PartRow>& mine, Ranks& ranks)
   std::vector<PartRow> here;
   for (const PartRow& row : mine)
     if (row.nodes + row.quads + row.triangles > 0) here.push_back(row);
-  for (const std::string& bytes : ranks.gather(bytes_of(here)))
-    for (const PartRow& row : from_bytes<PartRow>(bytes)) all[static_cast<std::size_t>(row.part)] = row;
+  for (const PartRow& row : gather_all(here, ranks)) all[static_cast<std::size_t>(row.part)] = row;
   return all;
 }
 

@@ -7,7 +7,6 @@
 
 #include "base/tasks.h"
 #include "check/vector_area.h"
-#include "curving/closest_point.h"
 #include "curving/near_surface.h"
 
 namespace paver {
@@ -208,19 +207,14 @@ class PartElementCheck {
     }
   }
 
-  /// Looks from all over the element, too, and not in the chart: where the surface bends much, or the chart, as at an
-  /// apex, the way from the guess may lead elsewhere.
+  /// Looks from all over the element, too: where the surface bends much, or the chart, as at an apex, the way from the
+  /// guess may lead elsewhere.
   bool is_near_surface(Vec3 x, Vec2 guess, double length, double most) const {
     auto is_found_from = [&](Vec2 start) { return distance_to_surface(*part_.region, start, x, length, most) <= most; };
     if (is_found_from(guess) || is_found_from(middle_of_corners())) return true;
     for (double s : {0.0, 0.25, 0.5, 0.75, 1.0})
-      for (double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        Vec2 uv, uv_x, uv_y;
-        Vec3 foot;
-        part_.region->chart->to_uv(place(s, t), uv, uv_x, uv_y);
-        closest_on_surface(*part_.region->surface, uv, x, foot);
-        if (norm(foot - x) <= most) return true;
-      }
+      for (double t : {0.0, 0.25, 0.5, 0.75, 1.0})
+        if (is_found_from(place(s, t))) return true;
     return false;
   }
 

@@ -11,7 +11,7 @@
 #include <span>
 #include <tuple>
 
-#include "base/bytes.h"
+#include "base/gather.h"
 #include "check/element_patch.h"
 
 namespace paver {
@@ -191,8 +191,7 @@ class GapSearch {
       });
       if (is_near) mine.push_back(piece);
     });
-    for (const std::string& bytes : ranks_.gather(bytes_of(mine)))
-      for (const Piece& piece : from_bytes<Piece>(bytes)) pieces_.push_back(piece);
+    pieces_ = gather_all(mine, ranks_);
     std::sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) { return a.key() < b.key(); });
     auto is_same = [](const Piece& a, const Piece& b) { return a.key() == b.key(); };
     pieces_.erase(std::unique(pieces_.begin(), pieces_.end(), is_same), pieces_.end());

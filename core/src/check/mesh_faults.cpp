@@ -4,7 +4,7 @@
 
 #include <tuple>
 
-#include "base/bytes.h"
+#include "base/gather.h"
 
 namespace paver {
 namespace {
@@ -32,8 +32,7 @@ void MeshFaults::unite(Ranks& ranks) {
   std::vector<Row> mine;
   for (const auto& [key, entry] : entries_) mine.push_back({key.first, key.second, entry});
   entries_.clear();
-  for (const std::string& bytes : ranks.gather(bytes_of(mine)))
-    for (const Row& row : from_bytes<Row>(bytes)) add({row.face, row.kind}, row.entry);
+  for (const Row& row : gather_all(mine, ranks)) add({row.face, row.kind}, row.entry);
 }
 
 std::vector<int> MeshFaults::faces() const {

@@ -4,7 +4,7 @@
 #include <span>
 #include <tuple>
 
-#include "base/bytes.h"
+#include "base/gather.h"
 #include "check/sides_impl.h"
 
 namespace paver {
@@ -70,9 +70,8 @@ template <class T, class Lowest>
 std::vector<T> exchange(const std::vector<T>& mine, Ranks& ranks, Lowest lowest) {
   if (ranks.count() == 1) return mine;
   std::vector<T> own;
-  for (const std::string& bytes : ranks.gather(bytes_of(mine)))
-    for (const T& one : from_bytes<T>(bytes))
-      if (lowest(one) % ranks.count() == ranks.rank()) own.push_back(one);
+  for (const T& one : gather_all(mine, ranks))
+    if (lowest(one) % ranks.count() == ranks.rank()) own.push_back(one);
   return own;
 }
 

@@ -55,18 +55,6 @@ void RegionMesh::replace_node(int e, int from, int to) {
   star[to].add(e);
 }
 
-int RegionMesh::valence(int node) const {
-  // Each edge is entered by one element and left by another, but on the border.
-  int count = star[node].size();
-  for (int e : star[node]) {
-    int last = elements[e].before(node);
-    bool is_shared = false;
-    for (int g : star[node]) is_shared |= elements[g].after(node) == last;
-    if (!is_shared) ++count;
-  }
-  return count;
-}
-
 double RegionMesh::scale_at(int node) const {
   double least = h[node] * h[node];
   for (int e : star[node]) {

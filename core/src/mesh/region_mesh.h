@@ -106,8 +106,6 @@ struct RegionMesh {
   /// Takes back its removal.
   void restore_element(int e, const std::array<int, 4>& corners);
   void replace_node(int e, int from, int to);
-  /// Number of distinct mesh edges at a node.
-  int valence(int node) const;
   /// Scale of the mesh at a node: its target length or, where that is shorter, its shortest side.
   double scale_at(int node) const;
   Vec3 normal(int node) const { return unit(cross(xp[node], xq[node])); }

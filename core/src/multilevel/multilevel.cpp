@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/flat_elements.h"
+#include "mesh/split_quads.h"
 #include "multilevel/coarse_net.h"
 #include "multilevel/edge_counts.h"
 #include "multilevel/even_out.h"
@@ -194,7 +194,6 @@ PavedRegion lay_piece(const Region& region, const Region& part, const LevelPlan&
   if (count_faults(result.mesh).sum() > 0)
     throw Error(ErrorCode::face_failed, "a piece of the coarse mesh cannot be divided",
                 {"paving", region.face, -1, {}});
-  mend_flat_elements(result.mesh, elements != Elements::all_quad);
   if (elements == Elements::all_triangle) split_all_quads(result.mesh);
   return result;
 }

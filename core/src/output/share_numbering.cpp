@@ -65,11 +65,7 @@ PlacedRows place_rows(const std::vector<int>& group_of, int groups, const std::v
   for (const PlacedRun& run : placed.runs) {
     if (is_common(run.group)) records.push_back({run.group, first_number(run), static_cast<long>(run.end - run.begin)});
   }
-  std::vector<RunRecord> all;
-  for (const std::string& bytes : ranks.gather(bytes_of(records))) {
-    std::vector<RunRecord> theirs = records_of<RunRecord>(bytes);
-    all.insert(all.end(), theirs.begin(), theirs.end());
-  }
+  std::vector<RunRecord> all = gather_all(records, ranks);
   std::sort(all.begin(), all.end());
   long position = 0;
   auto next = all.begin();
@@ -96,11 +92,7 @@ NodeTags number_nodes(const MeshShare& share, const std::vector<char>& is_writte
     if (own.empty() || own.back().first + own.back().count != number[i]) own.push_back({0, number[i], 0});
     ++own.back().count;
   }
-  std::vector<RunRecord> all;
-  for (const std::string& bytes : ranks.gather(bytes_of(own))) {
-    std::vector<RunRecord> theirs = records_of<RunRecord>(bytes);
-    all.insert(all.end(), theirs.begin(), theirs.end());
-  }
+  std::vector<RunRecord> all = gather_all(own, ranks);
   std::sort(all.begin(), all.end());
   NodeTags tags;
   tags.of_node.assign(number.size(), 0);
@@ -143,11 +135,7 @@ std::vector<int> faces_of_nodes(const MeshShare& share, const std::vector<char>&
     list.resize(kept);
   };
   reduce(records);
-  std::vector<Record> all;
-  for (const std::string& bytes : ranks.gather(bytes_of(records))) {
-    std::vector<Record> theirs = records_of<Record>(bytes);
-    all.insert(all.end(), theirs.begin(), theirs.end());
-  }
+  std::vector<Record> all = gather_all(records, ranks);
   reduce(all);
   auto at = all.begin();
   for (std::size_t node = 0; node < face.size(); ++node) {
@@ -156,12 +144,6 @@ std::vector<int> faces_of_nodes(const MeshShare& share, const std::vector<char>&
     if (at != all.end() && at->number == share.node_number[node]) face[node] = static_cast<int>(at->face);
   }
   return face;
-}
-
-long greatest(long value, Ranks& ranks) {
-  for (const std::string& theirs : ranks.gather({reinterpret_cast<const char*>(&value), sizeof value}))
-    value = std::max(value, records_of<long>(theirs)[0]);
-  return value;
 }
 
 }  // namespace paver

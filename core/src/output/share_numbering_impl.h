@@ -1,9 +1,7 @@
 // How the parts of a mesh that several ranks hold are numbered and placed in one file.
 #pragma once
 
-#include <cstring>
-#include <string_view>
-
+#include "base/gather.h"
 #include "output/numbering_impl.h"
 #include "paver/mesher.h"
 
@@ -40,20 +38,5 @@ NodeTags number_nodes(const MeshShare& share, const std::vector<char>& is_writte
 /// Collective. Per node of this rank: the face of the last element, of all ranks, that uses it (triangles before
 /// quads); -1: none, or the node is left out. `leaves_out`: per node, the same on all ranks that hold it.
 std::vector<int> faces_of_nodes(const MeshShare& share, const std::vector<char>& leaves_out, Ranks& ranks);
-
-/// The greatest value that any rank gives. Collective.
-long greatest(long value, Ranks& ranks);
-
-/// Records between ranks.
-template <class T>
-std::string_view bytes_of(const std::vector<T>& records) {
-  return {reinterpret_cast<const char*>(records.data()), records.size() * sizeof(T)};
-}
-template <class T>
-std::vector<T> records_of(std::string_view bytes) {
-  std::vector<T> records(bytes.size() / sizeof(T));
-  if (!records.empty()) std::memcpy(records.data(), bytes.data(), bytes.size());
-  return records;
-}
 
 }  // namespace paver

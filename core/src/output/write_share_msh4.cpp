@@ -156,16 +156,12 @@ class Msh4Share : public ShareWriter {
       if (!own[face].is_empty()) boxes.push_back({number, own[face].low, own[face].high});
       for (int edge : entities.face_edges[face]) sides.push_back({number, edge});
     }
-    for (const std::string& bytes : ranks.gather(bytes_of(boxes))) {
-      for (const BoxRecord& box : records_of<BoxRecord>(bytes)) {
-        entities.surfaces[static_cast<std::size_t>(box.face)].add(box.low);
-        entities.surfaces[static_cast<std::size_t>(box.face)].add(box.high);
-      }
+    for (const BoxRecord& box : gather_all(boxes, ranks)) {
+      entities.surfaces[static_cast<std::size_t>(box.face)].add(box.low);
+      entities.surfaces[static_cast<std::size_t>(box.face)].add(box.high);
     }
-    for (const std::string& bytes : ranks.gather(bytes_of(sides))) {
-      for (const EdgeRecord& side : records_of<EdgeRecord>(bytes))
-        entities.face_edges[static_cast<std::size_t>(side.face)].push_back(static_cast<int>(side.edge));
-    }
+    for (const EdgeRecord& side : gather_all(sides, ranks))
+      entities.face_edges[static_cast<std::size_t>(side.face)].push_back(static_cast<int>(side.edge));
     for (std::vector<int>& list : entities.face_edges) {
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());

@@ -26,7 +26,7 @@ struct BoundaryFacet {
 
 /// How often paving fell back on something else; goes to the face's report.
 struct PavingCounts {
-  long seams = 0, transition_seams = 0, wedges = 0, tucks = 0, joins = 0, triangles = 0, closed_by_triangulation = 0;
+  long seams = 0, transition_seams = 0, wedges = 0, tucks = 0, triangles = 0, closed_by_triangulation = 0;
 };
 
 class Front {

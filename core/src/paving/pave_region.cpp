@@ -1,10 +1,9 @@
-// Ways of paving one region, tried until one leaves no fault.
+// Paves a region; where no triangle is wanted in several ways, until one leaves none and no fault.
 #include "paving/pave_region.h"
 
 #include <algorithm>
-#include <span>
 
-#include "mesh/flat_elements.h"
+#include "mesh/split_quads.h"
 #include "paving/cleanup.h"
 #include "paving/cleanup_chords.h"
 #include "paving/faults.h"
@@ -16,14 +15,11 @@ namespace paver {
 
 namespace {
 
-/// One way of paving: the other rule for rows takes other ways, and so do sizes that grow more slowly from row to row.
+/// One way of paving: the other rule for rows takes other ways, and so does a slightly other size.
 struct Attempt {
-  double size;
-  double misfit_weight;
-  double gradation = 1;  ///< of the region's
+  double size = 1;
+  double misfit_weight = 1;
 };
-constexpr Attempt attempts[] = {{1, 1}, {1, 0}, {1, 1, 0.5}, {1, 1, 0.25}};
-// Where no triangle is wanted: a slightly other size already takes other ways.
 constexpr Attempt all_quad_attempts[] = {{1, 1}, {1, 0}, {0.95, 1}, {1.05, 1}, {0.9, 1}, {0.8, 1}, {0.5, 1}, {0.25, 1}};
 constexpr double sharpest_tip = 6 * M_PI / 180;  // sharper corners take a triangle, unless none is wanted
 constexpr double few_flat = 0.01;                // of the elements: not worth four times as many
@@ -35,15 +31,6 @@ Region scaled(const Region& region, double size) {
   for (auto& loop : finer.loops)
     for (LoopNode& node : loop) node.h *= size;
   return finer;
-}
-
-/// Whether the target length differs along the boundary, or from there to the inside.
-bool grows(const Region& region) {
-  constexpr double least_growth = 1.5;
-  double low = region.h, high = region.h;
-  for (const auto& loop : region.loops)
-    for (const LoopNode& node : loop) low = std::min(low, node.h), high = std::max(high, node.h);
-  return high > least_growth * low;
 }
 
 /// Pairs of triangles that clean-up could not join; an odd one is what the region's boundary asks for.
@@ -105,22 +92,34 @@ PavedRegion pave_once(const Region& region, const Attempt& attempt, const Progre
 }
 
 PavedRegion pave_in_way(const Region& region, const Attempt& way, const Progress& progress, Elements elements) {
-  if (way.size == 1 && way.gradation == 1) return pave_once(region, way, progress, elements);
-  Region other = scaled(region, way.size);
-  other.gradation *= way.gradation;
-  return pave_once(other, way, progress, elements);
+  return way.size == 1 ? pave_once(region, way, progress, elements)
+                       : pave_once(scaled(region, way.size), way, progress, elements);
 }
 
-PavedRegion finish(PavedRegion paved, Elements elements) {
-  mend_flat_elements(paved.mesh, elements != Elements::all_quad);
-  if (elements == Elements::all_triangle) split_all_quads(paved.mesh);
-  return paved;
+PavedRegion pave_without_triangles(const Region& region, const Progress& progress) {
+  PavedRegion best;
+  Faults fewest;
+  long pairs = 0;
+  for (const Attempt& way : all_quad_attempts) {
+    const bool is_first = best.mesh.elements.empty();
+    const bool is_good_enough =
+        fewest.off_surface + pairs == 0 && fewest.flat <= few_flat * static_cast<double>(best.mesh.elements.size());
+    if (!is_first && (fewest.sum() + pairs == 0 || (way.size != 1 && is_good_enough))) break;
+    PavedRegion paved = pave_in_way(region, way, progress, Elements::all_quad);
+    const Faults faults = count_faults(paved.mesh);
+    const long left = pairs_left(paved.mesh);
+    if (!is_first && faults.sum() + left >= fewest.sum() + pairs) continue;
+    best = std::move(paved), fewest = faults, pairs = left;
+  }
+  return best;
 }
 
 }  // namespace
 
 PavedRegion pave_region_once(const Region& region, const Progress& progress, Elements elements) {
-  return finish(pave_in_way(region, attempts[0], progress, elements), elements);
+  PavedRegion paved = pave_once(region, {}, progress, elements);
+  if (elements == Elements::all_triangle) split_all_quads(paved.mesh);
+  return paved;
 }
 
 PavedRegion pave_region(const Region& region, const Progress& progress, Elements elements) {
@@ -130,23 +129,8 @@ PavedRegion pave_region(const Region& region, const Progress& progress, Elements
   };
   if (region.laid) return as_laid(*region.laid);
   if (auto disc = lay_disc(region, progress)) return as_laid(std::move(*disc));
-  PavedRegion best;
-  Faults fewest{1, 0};
-  long pairs = 0;
-  const bool all_quad = elements == Elements::all_quad;
-  for (const Attempt& way : all_quad ? std::span<const Attempt>(all_quad_attempts) : attempts) {
-    bool is_good_enough =
-        fewest.off_surface + pairs == 0 && fewest.flat <= few_flat * static_cast<double>(best.mesh.elements.size());
-    bool is_first = best.mesh.elements.empty();
-    if (!is_first && (fewest.sum() + pairs == 0 || (way.size != 1 && is_good_enough))) break;
-    if (way.gradation != 1 && (fewest.off_surface == 0 || !grows(region))) break;
-    PavedRegion paved = pave_in_way(region, way, progress, elements);
-    Faults faults = count_faults(paved.mesh);
-    long left = all_quad ? pairs_left(paved.mesh) : 0;
-    if (!is_first && faults.sum() + left >= fewest.sum() + pairs) continue;
-    best = std::move(paved), fewest = faults, pairs = left;
-  }
-  return finish(std::move(best), elements);
+  if (elements == Elements::all_quad) return pave_without_triangles(region, progress);
+  return pave_region_once(region, progress, elements);
 }
 
 }  // namespace paver

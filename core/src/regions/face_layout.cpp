@@ -26,8 +26,8 @@ Vec2 image(const Model& model, const Coedge& c, double share) {
 
 class LayoutPlanner {
  public:
-  LayoutPlanner(const Model& model, const SizeField& size, int face, const Progress& progress)
-      : model_(model), face_(model.faces[face]), index_(face), size_(size), progress_(progress) {
+  LayoutPlanner(const Model& model, const SizeField& size, int face, Grids grids, const Progress& progress)
+      : model_(model), face_(model.faces[face]), index_(face), size_(size), grids_(grids), progress_(progress) {
     layout_.dropped = own_periodic_coedges(model, face);
     periodic_ = periodic_coedges(model, face);
   }
@@ -110,14 +110,19 @@ class LayoutPlanner {
     if (box.low_pole && box.high_pole) {
       for (bool is_low : {true, false})
         if (measure_pole(*face_.surface, box, layout_.period, is_low).is_sharp()) return false;
-      layout_.grid = make_cube_grid(face, progress_);
+      lay([&] { return make_cube_grid(face, progress_); });
     } else if (wraps_u_ && wraps_v_ && !box.low_pole && !box.high_pole) {
       face.other_period = box.is_swapped ? period.x : period.y;
       if (box.hi.y - box.lo.y > most_periods * face.other_period) return false;
-      layout_.grid = make_torus_grid(face, progress_);
+      lay([&] { return make_torus_grid(face, progress_); });
     }
-    if (layout_.grid) layout_.kind = LayoutKind::closed;
-    return layout_.grid != nullptr;
+    return layout_.kind == LayoutKind::closed;
+  }
+
+  template <class Make>
+  void lay(Make make) {
+    if (grids_ == Grids::made) layout_.grid = make();
+    if (layout_.grid || grids_ == Grids::assumed) layout_.kind = LayoutKind::closed;
   }
 
   void choose_polar() {
@@ -185,6 +190,7 @@ class LayoutPlanner {
   const Face& face_;
   int index_;
   const SizeField& size_;
+  const Grids grids_;
   const Progress& progress_;
   FaceLayout layout_;
   std::vector<std::vector<bool>> periodic_;  // per loop and coedge
@@ -195,11 +201,11 @@ class LayoutPlanner {
 
 }  // namespace
 
-std::vector<FaceLayout> plan_layouts(const Model& model, const SizeField& size, const Progress& progress) {
+std::vector<FaceLayout> plan_layouts(const Model& model, const SizeField& size, Grids grids, const Progress& progress) {
   std::vector<FaceLayout> layouts(model.faces.size());
   for (std::size_t f = 0; f < model.faces.size(); ++f)
     if (model.faces[f].has_area && model.faces[f].fault.empty())
-      layouts[f] = LayoutPlanner(model, size, static_cast<int>(f), progress).run();
+      layouts[f] = LayoutPlanner(model, size, static_cast<int>(f), grids, progress).run();
   return layouts;
 }
 

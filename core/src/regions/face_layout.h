@@ -26,8 +26,11 @@ struct FaceLayout {
   std::vector<int> slits;                  ///< periodic edges that others have: both sides lie on one line of the chart
 };
 
+/// Whether closed faces get their grids, or are taken to have one: that is all that counts of intervals depend on.
+enum class Grids { made, assumed };
+
 /// One layout per face, from topology; grids of closed faces from their target length.
-std::vector<FaceLayout> plan_layouts(const Model& model, const SizeField& size, const Progress& progress);
+std::vector<FaceLayout> plan_layouts(const Model& model, const SizeField& size, Grids grids, const Progress& progress);
 
 /// Edges that no region needs get no intervals; closed edges that stay as cuts get an even number.
 void settle_counts(const Model& model, const std::vector<FaceLayout>& layouts, std::vector<int>& counts);

@@ -10,10 +10,9 @@
 namespace paver {
 namespace {
 
-constexpr double folded = -0.5;        // value of an element that faces away or has a node twice
-constexpr double least_height = 1e-6;  // scaled Jacobian: flatter ones are not curved to be judged
-constexpr double steep = 0.7;          // cosine between its normal and the surface's at a corner: may miss the surface
-constexpr double cusp_sine = 0.05;     // between two edges
+constexpr double folded = -0.5;     // value of an element that faces away or has a node twice
+constexpr double steep = 0.7;       // cosine between its normal and the surface's at a corner: may miss the surface
+constexpr double cusp_sine = 0.05;  // between two edges
 constexpr double value_of_cusp = 0.05;
 constexpr double doubtful = 0.5;  // cosine between an element's normal and the mean of its corners'
 
@@ -141,7 +140,7 @@ bool ElementJudge::is_valid_cusp(const Corners& v, int n, std::array<Vec3, 9> x)
   return jacobian_form(n == 4 ? ElementShape::quad : ElementShape::triangle, order_).is_valid(x.data());
 }
 
-double ElementJudge::value(const Corners& v) const {
+double ElementJudge::value(const Corners& v, double floor) const {
   const Element element{v};
   const int n = element.corners();
   if (has_node_twice(v, n) || !is_positive(mesh_, element)) return folded;
@@ -149,6 +148,7 @@ double ElementJudge::value(const Corners& v) const {
   if (along < 0) return folded;
   const double sj = scaled_jacobian(mesh_, element);
   if (sj < least_height) return std::min(sj, 0.0);
+  if (sj <= floor) return sj;
   const std::array<Vec3, 9> x =
       order_ == 1 ? std::array<Vec3, 9>{mesh_.x[v[0]], mesh_.x[v[1]], mesh_.x[v[2]], mesh_.x[v[n - 1]]} : curved(v, n);
   const ElementShape shape = n == 4 ? ElementShape::quad : ElementShape::triangle;

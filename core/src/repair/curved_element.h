@@ -38,8 +38,8 @@ class ElementJudge {
 
   /// From 1, as good as can be, down to 0: the lesser of scaled Jacobian and of the lower bound of the curved Jacobian
   /// over its mean. Negative where it is folded, turned over, farther off the surface than may be, or has a node of the
-  /// boundary twice.
-  double value(const Corners& v) const;
+  /// boundary twice. Elements of a scaled Jacobian up to `floor` are not looked at any further: theirs is the value.
+  double value(const Corners& v, double floor = -1) const;
   double value(int element) const { return value(mesh_.elements[element].v); }
 
   const Region& region() const { return region_; }
@@ -48,6 +48,8 @@ class ElementJudge {
   int order() const { return order_; }
 
  private:
+  static constexpr double least_height = 1e-6;  // scaled Jacobian: flatter ones are not curved to be judged
+
   bool has_node_twice(const Corners& v, int n) const;
   /// Cosine between the element's normal and that of the surface at the corner where it is least; below 0 where the
   /// element runs against the surface.

@@ -110,6 +110,7 @@ double distance_beside(Vec3 p, Vec3 a, Vec3 b) {
 
 std::vector<SideToDivide> sides_beside_nodes(const ElementJudge& judge) {
   constexpr double least = 0.02, most = 0.1;  // of the side: what is nearer, a few divisions do not put right
+  constexpr double straight = 0.02;           // of the side: bent ones may fold what is made of the elements there
   const RegionMesh& mesh = judge.mesh();
   std::vector<SideToDivide> found;
   for (const Element& e : mesh.elements) {
@@ -120,7 +121,9 @@ std::vector<SideToDivide> sides_beside_nodes(const ElementJudge& judge) {
       const double away = distance_beside(mesh.x[beside], mesh.x[a], mesh.x[b]);
       const double shortest = shortest_side * std::min(mesh.h[a], mesh.h[b]);
       if (away < least || away > most || norm(mesh.x[b] - mesh.x[a]) < shortest) continue;
-      if (const BoundarySide* side = judge.sides().find(mesh.global[a], mesh.global[b]))
+      const BoundarySide* side = judge.sides().find(mesh.global[a], mesh.global[b]);
+      const Vec3 chord = mesh.x[b] - mesh.x[a];
+      if (side && norm(side->middle - mesh.x[a] - 0.5 * chord) < straight * norm(chord))
         found.push_back({side->edge, mesh.global[a], mesh.global[b]});
     }
   }

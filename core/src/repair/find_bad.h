@@ -1,12 +1,13 @@
-// Elements of a part's mesh that are not valid once they are curved.
+// Elements of a part's mesh that are not valid once they are curved, or poor.
 #pragma once
 
 #include "repair/curved_element.h"
 
 namespace paver {
 
-/// Rising. Elements that plainly are valid are not curved for it: those of well-shaped corners along whose sides and
-/// across which the surface hardly turns.
+/// Those worth less than `poor`, rising. Elements that plainly are valid are not curved for it: those of well-shaped
+/// corners along whose sides and across which the surface hardly turns.
+constexpr double poor = 0.1;
 std::vector<int> find_bad(const ElementJudge& judge);
 
 }  // namespace paver

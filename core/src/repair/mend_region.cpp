@@ -18,6 +18,7 @@ constexpr int steps_per_element = 12, least_steps = 24;
 constexpr double least_bend = 0.01;  // of the chord: below, a side counts as straight
 constexpr double fair = 0.2;         // value from which on an element needs no more mending
 constexpr double as_good = 1e-9;     // merits nearer than this are equal, the first is taken
+constexpr double least_gain = 0.05;  // of value, of an element that is valid
 
 class Mender {
  public:
@@ -31,7 +32,7 @@ class Mender {
          --steps) {
       const int e = queue.front();
       queue.pop_front();
-      if (!is_bad(e)) continue;
+      if (!mesh_.elements[e].is_alive()) continue;
       const std::size_t made = mesh_.elements.size();
       if (!mend(e)) left.push_back(e);
       for (std::size_t i = made; i < mesh_.elements.size(); ++i)
@@ -58,6 +59,8 @@ class Mender {
   bool is_bad(int e) const { return mesh_.elements[e].is_alive() && judge_.value(e) <= 0; }
 
   bool mend(int e) {
+    const double now = judge_.value(e);
+    floor_ = now > 0 ? now + least_gain : 0;
     const Vec3 where = middle(e);
     if (move_corners(judge_, e, fair, mesh_)) {
       note(ElementRepairKind::moved, where);
@@ -76,7 +79,7 @@ class Mender {
       if (v >= 0) try_set({mesh_.star[v].begin(), mesh_.star[v].end()}, best);
     try_set(with(about, e), best);
     try_set(ring_about(mesh_, e), best);
-    if (best.filling.worst < fair) {
+    if (now <= 0 && best.filling.worst < fair) {
       if (divide_bend(judge_, e, kinds_, mesh_) > 0) {
         note(ElementRepairKind::divided, where);
         return true;
@@ -106,7 +109,7 @@ class Mender {
   void try_set(const ElementSet& set, Candidate& best) {
     const PatchOutline outline = outline_of(mesh_, set, most_outline);
     if (outline.loop.empty()) return;
-    auto value = [&](const Corners& v) { return judge_.value(v); };
+    auto value = [&](const Corners& v) { return judge_.value(v, floor_); };
     std::vector<int> fixed;
     for (int v : outline.inside)
       if (mesh_.is_fixed[v]) fixed.push_back(v);
@@ -165,7 +168,7 @@ class Mender {
   }
 
   void consider(Candidate candidate, Candidate& best) const {
-    if (candidate.filling.worst <= 0) return;
+    if (candidate.filling.worst <= floor_) return;
     const auto triangles = std::count_if(candidate.gone.begin(), candidate.gone.end(),
                                          [&](int e) { return mesh_.elements[e].corners() == 3; });
     const int more = candidate.filling.triangles - static_cast<int>(triangles);
@@ -207,6 +210,7 @@ class Mender {
   RegionMesh& mesh_;
   const ElementJudge& judge_;
   const ElementKinds kinds_;
+  double floor_ = 0;  // value that what comes must exceed
   Mended mended_;
 };
 

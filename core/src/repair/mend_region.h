@@ -20,10 +20,10 @@ struct Mended {
   std::vector<SideToDivide> sides;  ///< of these, on B-rep edges, one each: with a node there they may be mended
 };
 
-/// `bad`: elements of the judge's mesh, `mesh`, that are not valid when curved. Each is mended in the first way that
-/// makes all elements about it valid, or failing that by the one that gains most: free corners move; a few elements
-/// about it are filled anew; a side inside gets a node. Fixed nodes stay, and what is farther away is not touched.
-/// Takes at most a bounded number of steps per bad element.
+/// `bad`: elements of the judge's mesh, `mesh`, that are not valid when curved, or poor. Each is mended in the first
+/// way that makes all elements about it fair, or failing that by the one that gains most: free corners move; a few
+/// elements about it are filled anew; of those that are not valid a side inside gets a node. Fixed nodes stay, and what
+/// is farther away is not touched. Takes at most a bounded number of steps per bad element.
 Mended mend_region(const ElementJudge& judge, ElementKinds kinds, std::vector<int> bad, RegionMesh& mesh);
 
 }  // namespace paver

@@ -7,7 +7,7 @@
 namespace paver {
 namespace {
 
-constexpr int rounds = 7, directions = 8;
+constexpr int rounds = 7, vain_rounds = 2, directions = 8;
 constexpr double first_step = 0.5;  // of the scale of the mesh at the node
 constexpr double shrink = 0.6;      // of the step per round
 
@@ -15,13 +15,18 @@ class CornerMover {
  public:
   CornerMover(const ElementJudge& judge, RegionMesh& mesh) : region_(judge.region()), judge_(judge), mesh_(mesh) {}
 
-  double worst_at(int node) const {
+  /// Looks no further once it is at most `enough`.
+  double worst_at(int node, double enough = -2) const {
     double worst = 1;
-    for (int e : mesh_.star[node]) worst = std::min(worst, judge_.value(e));
+    for (int e : mesh_.star[node]) {
+      worst = std::min(worst, judge_.value(mesh_.elements[e].v, enough));
+      if (worst <= enough) break;
+    }
     return worst;
   }
 
-  void move(int v, double share) {
+  /// Whether it found a better place.
+  bool move(int v, double share) {
     const NodePlace from = mesh_.place(v);
     const Vec3 t = unit(from.xp), s = unit(cross(mesh_.normal(v), from.xp));
     const double length = share * mesh_.scale_at(v);
@@ -34,10 +39,11 @@ class CornerMover {
       place.p = region_.chart->walk(from.p, step);
       region_.evaluate(place.p, place.x, place.xp, place.xq);
       mesh_.put(v, place);
-      if (const double value = worst_at(v); value > best) best = value, at = place;
+      if (const double value = worst_at(v, best); value > best) best = value, at = place;
       mesh_.put(v, from);
     }
     mesh_.put(v, at);
+    return at.p != from.p;
   }
 
  private:
@@ -56,8 +62,12 @@ bool move_corners(const ElementJudge& judge, int element, double least, RegionMe
   for (int v : nodes) places.push_back(mesh.place(v));
   CornerMover mover(judge, mesh);
   double step = first_step;
-  for (int round = 0; round < rounds; ++round, step *= shrink)
-    for (int v : nodes) mover.move(v, step);
+  int vain = 0;
+  for (int round = 0; round < rounds && vain < vain_rounds; ++round, step *= shrink) {
+    bool has_moved = false;
+    for (int v : nodes) has_moved |= mover.move(v, step);
+    vain = has_moved ? 0 : vain + 1;
+  }
   auto is_good = [&](int v) { return mover.worst_at(v) >= least; };
   if (judge.value(element) >= least && std::all_of(nodes.begin(), nodes.end(), is_good)) return true;
   for (std::size_t i = 0; i < nodes.size(); ++i) mesh.put(nodes[i], places[i]);

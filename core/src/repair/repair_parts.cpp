@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-#include "base/bytes.h"
+#include "base/gather.h"
 #include "base/tasks.h"
 #include "repair/divide_sides.h"
 #include "repair/find_bad.h"
@@ -105,15 +105,6 @@ class PartRepairer {
       std::ranges::move(sides_beside_nodes({place, mesh, sides, options_.order}), std::back_inserter(found.sides));
   }
 
-  // Of all ranks, on all.
-  template <class T>
-  std::vector<T> gather(const std::vector<T>& mine) {
-    std::vector<T> all;
-    for (const std::string& bytes : ranks_.gather(bytes_of(mine)))
-      std::ranges::copy(from_bytes<T>(bytes), std::back_inserter(all));
-    return all;
-  }
-
   // Only on the rank that has the part.
   template <class Change>
   auto change(std::size_t part, Change change) {
@@ -128,7 +119,7 @@ class PartRepairer {
     std::vector<InnerSide> mine;
     for (const PartFindings& found : findings_) mine.insert(mine.end(), found.inner.begin(), found.inner.end());
     std::map<int, std::vector<InnerSide>> of_part;
-    for (const InnerSide& side : sides_to_part(gather(mine), regions_, nodes_))
+    for (const InnerSide& side : sides_to_part(gather_all(mine, ranks_), regions_, nodes_))
       if (parts_[static_cast<std::size_t>(side.part)].paved) of_part[side.part].push_back(side);
     for (const auto& [part, sides] : of_part) {
       const auto i = static_cast<std::size_t>(part);
@@ -141,7 +132,7 @@ class PartRepairer {
   void divide_edges() {
     std::vector<SideToDivide> mine;
     for (const PartFindings& found : findings_) mine.insert(mine.end(), found.sides.begin(), found.sides.end());
-    const std::vector<DividedSide> divided = divide_intervals(model_, gather(mine), nodes_);
+    const std::vector<DividedSide> divided = divide_intervals(model_, gather_all(mine, ranks_), nodes_);
     if (divided.empty()) return;
     paver_.put(std::move(parts_));
     paver_.add_boundary_nodes(static_cast<int>(divided.size()));
@@ -168,7 +159,7 @@ class PartRepairer {
   }
 
   std::vector<ElementRepair> all_places() {
-    std::vector<RepairedPlace> all = gather(places_);
+    std::vector<RepairedPlace> all = gather_all(places_, ranks_);
     auto key = [](const RepairedPlace& p) { return std::tie(p.kind, p.entity, p.where.x, p.where.y, p.where.z); };
     std::sort(all.begin(), all.end(), [&](const auto& p, const auto& q) { return key(p) < key(q); });
     std::vector<ElementRepair> repairs;

@@ -65,20 +65,6 @@ TEST(RegionMesh, KnowsNeighboursInAnElement) {
   EXPECT_FALSE(Element{}.is_alive());
 }
 
-TEST(RegionMesh, ValenceCountsEdgesAlsoOnTheBorder) {
-  RegionMesh mesh = grid(3);
-  EXPECT_EQ(mesh.valence(0), 2);
-  EXPECT_EQ(mesh.valence(1), 3);
-  EXPECT_EQ(mesh.valence(4), 4);
-  mesh.remove_element(0);
-  EXPECT_EQ(mesh.valence(0), 0);
-  EXPECT_EQ(mesh.valence(4), 4);  // three quads have four edges at their common corner
-  mesh.remove_element(1);
-  mesh.remove_element(2);
-  EXPECT_EQ(mesh.valence(4), 2);
-  expect_consistent(mesh);
-}
-
 TEST(RegionMesh, EditsKeepStarsInStep) {
   RegionMesh mesh = grid(4);
   mesh.replace_node(4, 5, 0);

@@ -41,7 +41,7 @@ Region ellipse(double a, double b, int n, double h) {
 std::map<int, int> interior_valences(const RegionMesh& mesh) {
   std::map<int, int> found;
   for (int i = 0; i < mesh.node_count(); ++i)
-    if (mesh.global[static_cast<std::size_t>(i)] < 0) ++found[mesh.valence(i)];
+    if (mesh.global[static_cast<std::size_t>(i)] < 0) ++found[mesh.star[i].size()];
   return found;
 }
 

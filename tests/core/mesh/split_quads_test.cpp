@@ -1,4 +1,4 @@
-#include "mesh/flat_elements.h"
+#include "mesh/split_quads.h"
 
 #include <gtest/gtest.h>
 
@@ -40,25 +40,8 @@ bool has_side(const RegionMesh& mesh, int a, int b) {
   return false;
 }
 
-TEST(FlatElements, AQuadWithAFlatCornerBecomesTwoTriangles) {
-  RegionMesh mesh = flat_mesh({{0, 0}, {1, 0}, {2, 0}, {1, 0.5}});
-  mesh.add_element({0, 1, 2, 3});
-  EXPECT_EQ(mend_flat_elements(mesh), 1);
-  ASSERT_EQ(alive(mesh).size(), 2U);
-  EXPECT_TRUE(has_side(mesh, 1, 3));
-  EXPECT_DOUBLE_EQ(area(mesh), 0.5);
-  EXPECT_GT(worst(mesh), 0.4);
-}
-
-TEST(FlatElements, QuadsThatMayNotBeSplitStay) {
-  RegionMesh mesh = flat_mesh({{0, 0}, {1, 0}, {2, 0}, {1, 0.5}});
-  mesh.add_element({0, 1, 2, 3});
-  EXPECT_EQ(mend_flat_elements(mesh, false), 0);
-  EXPECT_EQ(alive(mesh).size(), 1U);
-}
-
 // Both would best be cut from 0 to 2.
-TEST(FlatElements, OfTwoQuadsThatShareTwoSidesOneIsCutAcrossThese) {
+TEST(SplitQuads, OfTwoQuadsThatShareTwoSidesOneIsCutAcrossThese) {
   RegionMesh mesh = flat_mesh({{0, 0}, {2, -1}, {4, 0}, {2, 0.1}, {2, 3}});
   mesh.add_element({0, 1, 2, 3});
   mesh.add_element({0, 3, 2, 4});
@@ -68,7 +51,7 @@ TEST(FlatElements, OfTwoQuadsThatShareTwoSidesOneIsCutAcrossThese) {
   EXPECT_DOUBLE_EQ(area(mesh), 8);
 }
 
-TEST(FlatElements, EveryQuadIsSplitAlongItsBetterDiagonal) {
+TEST(SplitQuads, EveryQuadIsSplitAlongItsBetterDiagonal) {
   RegionMesh mesh = flat_mesh({{0, 0}, {1, 0}, {1.2, 1}, {0, 1}, {2, 0}, {2.2, 1}, {-1, 0.5}});
   mesh.add_element({0, 1, 2, 3});
   mesh.add_element({1, 4, 5, 2});
@@ -82,7 +65,7 @@ TEST(FlatElements, EveryQuadIsSplitAlongItsBetterDiagonal) {
   EXPECT_DOUBLE_EQ(area(mesh), before);
 }
 
-TEST(FlatElements, OfEquallyGoodDiagonalsTheOneAtTheFirstNodeIsTaken) {
+TEST(SplitQuads, OfEquallyGoodDiagonalsTheOneAtTheFirstNodeIsTaken) {
   for (int turn = 0; turn < 4; ++turn) {
     RegionMesh mesh = flat_mesh({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     mesh.add_element({turn, (turn + 1) % 4, (turn + 2) % 4, (turn + 3) % 4});
@@ -91,54 +74,22 @@ TEST(FlatElements, OfEquallyGoodDiagonalsTheOneAtTheFirstNodeIsTaken) {
   }
 }
 
-TEST(FlatElements, AQuadWithAReflexCornerIsCutThere) {
+TEST(SplitQuads, AQuadWithAReflexCornerIsCutThere) {
   RegionMesh mesh = flat_mesh({{0, 0}, {1, 0.2}, {2, 0}, {1, 1}});
   mesh.add_element({0, 1, 2, 3});
   ASSERT_LT(worst(mesh), 0);
-  EXPECT_EQ(mend_flat_elements(mesh), 1);
+  split_all_quads(mesh);
   EXPECT_TRUE(has_side(mesh, 1, 3));
 }
 
-TEST(FlatElements, ATriangleWithoutHeightIsDissolvedInItsQuad) {
-  RegionMesh mesh = flat_mesh({{0, 0}, {1, 0}, {2, 1e-4}, {2, 1}, {0, 1}});
-  mesh.add_element({0, 1, 2, -1});
-  mesh.add_element({0, 2, 3, 4});
-  double before = area(mesh);
-  EXPECT_EQ(mend_flat_elements(mesh), 1);
-  EXPECT_EQ(alive(mesh).size(), 2U);
-  EXPECT_FALSE(has_side(mesh, 0, 2)) << "would lie on the edge";
-  EXPECT_DOUBLE_EQ(area(mesh), before);
-  EXPECT_GT(worst(mesh), 0.3);
-}
-
-TEST(FlatElements, ATriangleWithoutHeightIsDissolvedInItsTriangle) {
-  RegionMesh mesh = flat_mesh({{0, 0}, {1, 0}, {2, 0}, {1, 1}});
-  mesh.add_element({1, 2, 0, -1});
-  mesh.add_element({3, 0, 2, -1});
-  // A flat triangle has no area, so it cannot have been laid in the chart; it can in space.
-  mesh.p[1].y = -0.1;
-  EXPECT_EQ(mend_flat_elements(mesh), 1);
-  EXPECT_TRUE(has_side(mesh, 1, 3));
-  EXPECT_FALSE(has_side(mesh, 0, 2));
-}
-
-TEST(FlatElements, SoundElementsAndThoseWithoutANeighbourStay) {
-  RegionMesh mesh = flat_mesh({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, -1e-3}});
-  mesh.add_element({0, 1, 2, 3});
-  EXPECT_EQ(mend_flat_elements(mesh), 0);
-  RegionMesh alone = flat_mesh({{0, 0}, {1, -1e-3}, {2, 0}});
-  alone.add_element({0, 1, 2, -1});
-  EXPECT_EQ(mend_flat_elements(alone), 0);
-}
-
-TEST(FlatElements, AQuadThatIsNotPositiveOnEitherDiagonalIsNotSplit) {
+TEST(SplitQuads, AQuadThatIsNotPositiveOnEitherDiagonalIsNotSplit) {
   RegionMesh mesh = flat_mesh({{0, 0}, {1, 1}, {1, 0}, {0, 1}});  // crossed
   mesh.add_element({0, 1, 2, 3});
-  EXPECT_FALSE(split_quad(mesh, 0));
+  split_all_quads(mesh);
   EXPECT_EQ(alive(mesh).size(), 1U);
   RegionMesh square = flat_mesh({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   square.add_element({0, 1, 2, 3});
-  EXPECT_TRUE(split_quad(square, 0));
+  split_all_quads(square);
   EXPECT_EQ(alive(square).size(), 2U);
 }
 
