@@ -198,13 +198,14 @@ class Run {
   }
 
   void note_repairs() {
-    std::array<long, 4> counts{};
+    constexpr std::array ways{"by moving nodes", "by other elements", "with nodes inside faces",
+                              "with nodes on B-rep edges"};
+    std::array<long, ways.size()> counts{};
     for (const ElementRepair& repair : result_.report.element_repairs) ++counts[static_cast<std::size_t>(repair.kind)];
-    if (result_.report.element_repairs.empty()) return;
-    result_.report.notes.push_back(fmt::format(
-        "Repaired, where elements folded, missed the surface or were poor: {} by moving nodes, {} by other elements, "
-        "{} with nodes inside faces, {} with nodes on B-rep edges.",
-        counts[0], counts[1], counts[2], counts[3]));
+    std::string list;
+    for (std::size_t i = 0; i < ways.size(); ++i)
+      if (counts[i] > 0) list += fmt::format("{}{} {}", list.empty() ? "" : ", ", counts[i], ways[i]);
+    if (!list.empty()) result_.report.notes.push_back(fmt::format("Elements repaired, places: {}.", list));
   }
 
   // Faces divided along creases become one again: in the mesh, in the reports and in the names.
