@@ -1,4 +1,5 @@
-// Paves a region; where no triangle is wanted in several ways, until one leaves none and no fault.
+// Paves a region; where rows tangle once more with lengths that grow half as fast; where no triangle is wanted in
+// several ways, until one leaves none and no fault.
 #include "paving/pave_region.h"
 
 #include <algorithm>
@@ -31,6 +32,23 @@ Region scaled(const Region& region, double size) {
   for (auto& loop : finer.loops)
     for (LoopNode& node : loop) node.h *= size;
   return finer;
+}
+
+/// Whether the target length differs along the boundary, or from there to the inside.
+bool grows(const Region& region) {
+  constexpr double least_growth = 1.5;
+  double low = region.h, high = region.h;
+  for (const auto& loop : region.loops)
+    for (const LoopNode& node : loop) low = std::min(low, node.h), high = std::max(high, node.h);
+  return high > least_growth * low;
+}
+
+/// Elements off the surface, or of a shape that paving leaves only where rows run into each other.
+long count_tangled(const RegionMesh& mesh) {
+  constexpr double sound = 0.2;  // scaled Jacobian
+  return count_faults(mesh).off_surface +
+         std::count_if(mesh.elements.begin(), mesh.elements.end(),
+                       [&](const Element& e) { return e.is_alive() && !has_jacobian(mesh, e, sound); });
 }
 
 /// Pairs of triangles that clean-up could not join; an odd one is what the region's boundary asks for.
@@ -130,7 +148,14 @@ PavedRegion pave_region(const Region& region, const Progress& progress, Elements
   if (region.laid) return as_laid(*region.laid);
   if (auto disc = lay_disc(region, progress)) return as_laid(std::move(*disc));
   if (elements == Elements::all_quad) return pave_without_triangles(region, progress);
-  return pave_region_once(region, progress, elements);
+  PavedRegion paved = pave_region_once(region, progress, elements);
+  if (!grows(region)) return paved;
+  const long tangled = count_tangled(paved.mesh);
+  if (tangled == 0) return paved;
+  Region slower = region;  // rows that grow fast tangle on round faces
+  slower.gradation *= 0.5;
+  PavedRegion other = pave_region_once(slower, progress, elements);
+  return count_tangled(other.mesh) < tangled ? other : paved;
 }
 
 }  // namespace paver
