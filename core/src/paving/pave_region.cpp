@@ -43,13 +43,20 @@ bool grows(const Region& region) {
   return high > least_growth * low;
 }
 
-/// Elements off the surface, or of a shape that paving leaves only where rows run into each other.
-long count_tangled(const RegionMesh& mesh) {
-  constexpr double sound = 0.2;  // scaled Jacobian
-  return count_faults(mesh).off_surface +
-         std::count_if(mesh.elements.begin(), mesh.elements.end(),
-                       [&](const Element& e) { return e.is_alive() && !has_jacobian(mesh, e, sound); });
-}
+/// How much rows ran into each other.
+struct Tangle {
+  long off_surface = 0;  ///< elements
+  double worst = 1;      ///< scaled Jacobian
+
+  explicit Tangle(const RegionMesh& mesh) : off_surface(count_faults(mesh).off_surface) {
+    for (const Element& e : mesh.elements)
+      if (e.is_alive() && !has_jacobian(mesh, e, worst)) worst = scaled_jacobian(mesh, e);
+  }
+  bool is_bad() const { return off_surface > 0 || worst < 0.2; }
+  bool is_less_than(const Tangle& other) const {
+    return off_surface != other.off_surface ? off_surface < other.off_surface : worst > other.worst;
+  }
+};
 
 /// Pairs of triangles that clean-up could not join; an odd one is what the region's boundary asks for.
 long pairs_left(const RegionMesh& mesh) {
@@ -132,12 +139,15 @@ PavedRegion pave_without_triangles(const Region& region, const Progress& progres
   return best;
 }
 
+PavedRegion finish(PavedRegion paved, Elements elements) {
+  if (elements == Elements::all_triangle) split_all_quads(paved.mesh);
+  return paved;
+}
+
 }  // namespace
 
 PavedRegion pave_region_once(const Region& region, const Progress& progress, Elements elements) {
-  PavedRegion paved = pave_once(region, {}, progress, elements);
-  if (elements == Elements::all_triangle) split_all_quads(paved.mesh);
-  return paved;
+  return finish(pave_once(region, {}, progress, elements), elements);
 }
 
 PavedRegion pave_region(const Region& region, const Progress& progress, Elements elements) {
@@ -148,14 +158,21 @@ PavedRegion pave_region(const Region& region, const Progress& progress, Elements
   if (region.laid) return as_laid(*region.laid);
   if (auto disc = lay_disc(region, progress)) return as_laid(std::move(*disc));
   if (elements == Elements::all_quad) return pave_without_triangles(region, progress);
-  PavedRegion paved = pave_region_once(region, progress, elements);
-  if (!grows(region)) return paved;
-  const long tangled = count_tangled(paved.mesh);
-  if (tangled == 0) return paved;
-  Region slower = region;  // rows that grow fast tangle on round faces
-  slower.gradation *= 0.5;
-  PavedRegion other = pave_region_once(slower, progress, elements);
-  return count_tangled(other.mesh) < tangled ? other : paved;
+  PavedRegion best = pave_region_once(region, progress, elements);
+  Tangle least(best.mesh);
+  auto try_way = [&](const Region& other, const Attempt& way) {
+    if (!least.is_bad()) return;
+    PavedRegion paved = finish(pave_once(other, way, progress, elements), elements);
+    const Tangle tangle(paved.mesh);
+    if (tangle.is_less_than(least)) best = std::move(paved), least = tangle;
+  };
+  if (least.off_surface == 0) try_way(region, {1, 0});
+  if (grows(region)) {
+    Region slower = region;  // rows that converge cannot give up nodes as fast
+    slower.gradation *= 0.5;
+    try_way(slower, {});
+  }
+  return best;
 }
 
 }  // namespace paver

@@ -40,7 +40,7 @@ std::vector<int> find_bad(const ElementJudge& judge) {
     const int n = e.corners();
     const bool is_plain = has_jacobian(mesh, e, least_jacobian) && is_flat(mesh, e, n) && is_positive(mesh, e) &&
                           has_flat_sides(mesh, e, n, judge.sides());
-    if (!is_plain && judge.value(e.v) < poor) bad.push_back(static_cast<int>(i));
+    if (!is_plain && (!has_jacobian(mesh, e, poor) || judge.value(e.v) <= 0)) bad.push_back(static_cast<int>(i));
   }
   return bad;
 }
