@@ -89,13 +89,17 @@ class Run {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// Its entry in a list by stages, zero at first.
+  template <class T>
+  static T& of_stage(std::vector<std::pair<std::string, T>>& list, Stage stage) {
+    auto known = std::find_if(list.begin(), list.end(), [&](const auto& s) { return s.first == stage_name(stage); });
+    return known != list.end() ? known->second : list.emplace_back(stage_name(stage), T()).second;
+  }
+
   void begin(Stage stage, long total = 1) {
     if (stage == stage_) return;
     end_stage();
-    auto& runs = result_.report.stage_runs;
-    auto known = std::find_if(runs.begin(), runs.end(), [&](const auto& s) { return s.first == stage_name(stage); });
-    if (known == runs.end()) known = runs.insert(known, {stage_name(stage), 0});
-    ++known->second;
+    ++of_stage(result_.report.stage_runs, stage);
     progress_.begin(stage, total);
     stage_ = stage;
     started_ = Clock::now();
@@ -103,14 +107,7 @@ class Run {
 
   void end_stage() {
     if (stage_ == Stage::done) return;
-    double seconds = std::chrono::duration<double>(Clock::now() - started_).count();
-    auto& list = result_.report.stage_seconds;
-    auto known = std::find_if(list.begin(), list.end(), [&](const auto& s) { return s.first == stage_name(stage_); });
-    if (known != list.end()) {
-      known->second += seconds;
-    } else {
-      list.push_back({stage_name(stage_), seconds});
-    }
+    of_stage(result_.report.stage_seconds, stage_) += std::chrono::duration<double>(Clock::now() - started_).count();
     stage_ = Stage::done;
   }
 

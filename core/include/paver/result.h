@@ -149,7 +149,7 @@ struct TaskTime {
   double seconds = 0;  ///< wall time
 };
 
-/// How an element that would fold, or miss its surface, was mended where it was.
+/// How an element that would fold or miss its surface, or was poor, was mended where it was.
 enum class ElementRepairKind {
   moved,         ///< its free corners
   refilled,      ///< other elements about it

@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include "assemble/neighbourhood.h"
-#include "base/bytes.h"
 #include "quality/element_figures.h"
 #include "quality/jacobian.h"
 

@@ -39,10 +39,6 @@ class Assembler {
   double chord_error() const;
 
  private:
-  /// In the whole mesh, of a node of the mesh here.
-  long number_of(int node) const {
-    return ranks_.count() == 1 ? node : share_.node_number[static_cast<std::size_t>(node)];
-  }
   void straighten_last();
   RepairResult straighten();
   void join_and_curve();

@@ -151,12 +151,8 @@ PavedRegion pave_region_once(const Region& region, const Progress& progress, Ele
 }
 
 PavedRegion pave_region(const Region& region, const Progress& progress, Elements elements) {
-  auto as_laid = [&](RegionMesh mesh) {
-    if (elements == Elements::all_triangle) split_all_quads(mesh);
-    return PavedRegion{std::move(mesh), {}};
-  };
-  if (region.laid) return as_laid(*region.laid);
-  if (auto disc = lay_disc(region, progress)) return as_laid(std::move(*disc));
+  if (region.laid) return finish({*region.laid, {}}, elements);
+  if (auto disc = lay_disc(region, progress)) return finish({std::move(*disc), {}}, elements);
   if (elements == Elements::all_quad) return pave_without_triangles(region, progress);
   PavedRegion best = pave_region_once(region, progress, elements);
   Tangle least(best.mesh);

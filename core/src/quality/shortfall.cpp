@@ -82,20 +82,6 @@ std::vector<std::string> doubts(const RunReport& report) {
   return sentences;
 }
 
-const char* element_repair_name(ElementRepairKind kind) {
-  switch (kind) {
-    case ElementRepairKind::moved:
-      return "moved";
-    case ElementRepairKind::refilled:
-      return "refilled";
-    case ElementRepairKind::divided:
-      return "divided";
-    case ElementRepairKind::divided_edge:
-      return "divided edge";
-  }
-  return "unknown";
-}
-
 const char* verdict(const RunReport& report) {
   if (!faults(report).empty()) return "faulty";
   return doubts(report).empty() ? "sound" : "doubtful";

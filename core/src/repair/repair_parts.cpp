@@ -100,9 +100,9 @@ class PartRepairer {
       found.sides = std::move(mended.sides);
     }
     const RegionMesh& mesh = parts_[i].paved->mesh;
+    if (!kinds_.triangles) return;
     found.inner = inner_sides(mesh, static_cast<int>(i), static_cast<int>(nodes_.nodes.size()));
-    if (kinds_.triangles)
-      std::ranges::move(sides_beside_nodes({place, mesh, sides, options_.order}), std::back_inserter(found.sides));
+    std::ranges::move(sides_beside_nodes({place, mesh, sides, options_.order}), std::back_inserter(found.sides));
   }
 
   // Only on the rank that has the part.
@@ -186,6 +186,20 @@ class PartRepairer {
 };
 
 }  // namespace
+
+const char* element_repair_name(ElementRepairKind kind) {
+  switch (kind) {
+    case ElementRepairKind::moved:
+      return "moved";
+    case ElementRepairKind::refilled:
+      return "refilled";
+    case ElementRepairKind::divided:
+      return "divided";
+    case ElementRepairKind::divided_edge:
+      return "divided edge";
+  }
+  return "unknown";
+}
 
 std::vector<ElementRepair> repair_parts(const Model& model, const std::vector<Region>& regions, const Options& options,
                                         EdgeNodes& nodes, PartPaver& paver, const Progress& progress, Ranks& ranks) {
