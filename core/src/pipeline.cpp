@@ -73,7 +73,7 @@ class Run {
     start();
     build(model);
     std::vector<FaceLayout> layouts;
-    const std::vector<int> counts = count_intervals(Grids::assumed, layouts);
+    const std::vector<int> counts = count_intervals(ClosedLayouts::assumed, layouts);
     std::vector<double> elements = predict_elements(model_, size_, counts, options_.elements);
     Prediction prediction;
     prediction.target_length = result_.report.target_length;
@@ -146,12 +146,12 @@ class Run {
   }
 
   // Sizing, and the number of intervals of every edge.
-  std::vector<int> count_intervals(Grids grids, std::vector<FaceLayout>& layouts) {
+  std::vector<int> count_intervals(ClosedLayouts closed, std::vector<FaceLayout>& layouts) {
     begin(Stage::sizing);
     size_ = build_size_field(model_, options_, progress_);
     for (const std::string& note : size_.local->notes()) result_.report.notes.push_back(note);
     begin(Stage::boundary);
-    layouts = plan_layouts(model_, size_, grids, progress_);
+    layouts = plan_layouts(model_, size_, closed, progress_);
     std::vector<int> counts = choose_counts(model_, size_, progress_, shared_, options_.elements == Elements::all_quad);
     settle_counts(model_, layouts, counts);
     return counts;
@@ -160,7 +160,7 @@ class Run {
   // Boundary nodes and regions; faces whose loops cross are none of them.
   void divide() {
     std::vector<FaceLayout> layouts;
-    const std::vector<int> counts = count_intervals(Grids::made, layouts);
+    const std::vector<int> counts = count_intervals(ClosedLayouts::made, layouts);
     DividedLoops divided = divide_loops(model_, size_, layouts, counts, shared_);
     nodes_ = std::move(divided.nodes);
     regions_ = std::move(divided.regions);
@@ -174,12 +174,13 @@ class Run {
     begin(Stage::regions);
   }
 
+  // About the elements to be paved.
   std::vector<double> costs() const {
+    constexpr double filling = 0.08;  // an element of a structured layout, where one that is paved costs 1
     std::vector<double> cost;
-    for (const Region& region : regions_) {
-      double area = model_.faces[region.face].area;
-      cost.push_back(area / (region.h * region.h));
-    }
+    for (const Region& region : regions_)
+      cost.push_back(region.fill ? filling * static_cast<double>(region.fill->quads())
+                                 : model_.faces[region.face].area / (region.h * region.h));
     return cost;
   }
 

@@ -16,7 +16,7 @@ struct PavedModel {
     Progress progress;
     Alone alone(progress);
     SizeField size = build_size_field(model, options, progress);
-    std::vector<FaceLayout> layouts = plan_layouts(model, size, Grids::made, progress);
+    std::vector<FaceLayout> layouts = plan_layouts(model, size, ClosedLayouts::made, progress);
     std::vector<int> counts = choose_counts(model, size, progress, alone);
     settle_counts(model, layouts, counts);
     edges = divide_edges(model, size, counts, alone);

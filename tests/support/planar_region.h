@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "mesh/region_mesh.h"
 #include "regions/region.h"
 
 namespace paver::test {

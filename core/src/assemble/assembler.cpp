@@ -76,9 +76,6 @@ BoundaryUse Assembler::boundary_use() const {
         if (node.edge >= 0) use.edges[node.edge] = 1;
       }
     for (const Fan& fan : region.fans) use.nodes[fan.centre.global] = 1;
-    if (!region.laid) continue;
-    for (int global : region.laid->global)
-      if (global >= 0) use.nodes[global] = 1;
   }
   for (std::size_t e = 0; e < nodes_.edges.size(); ++e) {
     if (model_.edges[e].is_wire()) use.edges[e] = 1;

@@ -1,6 +1,7 @@
 // Where the surface is near points that are nearly on it: from what a part's mesh knows of its nodes.
 #pragma once
 
+#include "mesh/region_mesh.h"
 #include "regions/region.h"
 
 namespace paver {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "regions/grid_smoothing.h"
+#include "structured/grid_smoothing.h"
 
 namespace paver {
 namespace {

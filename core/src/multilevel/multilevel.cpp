@@ -16,8 +16,8 @@
 #include "multilevel/subdivide.h"
 #include "paving/cleanup_optimise.h"
 #include "paving/cleanup_smooth.h"
+#include "paving/disc_grid.h"
 #include "paving/faults.h"
-#include "regions/disc_grid.h"
 
 namespace paver {
 namespace {
@@ -162,7 +162,7 @@ void smooth(Front& front, const std::vector<int>& rests, const Progress& progres
 
 std::optional<LevelPlan> plan_levels(const Region& region, int multilevel, int boundary_nodes, const Progress& progress,
                                      Elements elements) {
-  const int first = region.laid || multilevel == 0 ? 0 : ratio_for(region, multilevel);
+  const int first = region.fill || multilevel == 0 ? 0 : ratio_for(region, multilevel);
   if (first == 0) return std::nullopt;
   const Elements quads = elements == Elements::all_triangle ? Elements::quad_dominant : elements;
   for (int ratio = first; ratio > 0; ratio = ratio > least_ratio ? std::max(least_ratio, ratio / 2) : 0) {

@@ -42,13 +42,14 @@ constexpr Demand mending_demand{-100, 0.45, 0.4, 0.1};
 
 class CleanUp {
  public:
-  CleanUp(Front& front, const Progress& progress)
+  CleanUp(Front& front, const Progress& progress, int first_node)
       : mesh_(front.mesh),
         progress_(progress),
         edit_(front),
         moves_(edit_),
         cavity_(edit_),
         pairs_(edit_),
+        first_node_(first_node),
         most_made_(1000 + most_growth * front.mesh.elements.size()) {}
 
   void run() {
@@ -127,7 +128,15 @@ class CleanUp {
   }
 
   void push_all() {
-    for (int i = 0; i < mesh_.node_count(); ++i) push(i);
+    for (int i = 0; i < mesh_.node_count(); ++i)
+      if (i >= first_node_ || is_beside_new(i)) push(i);
+  }
+
+  bool is_beside_new(int node) const {
+    for (int e : mesh_.star[node])
+      for (int v : mesh_.elements[e].v)
+        if (v >= first_node_) return true;
+    return false;
   }
 
   bool is_at_triangle(int node) const {
@@ -262,15 +271,16 @@ class CleanUp {
   std::vector<char> is_stuck_;   // per node: no elementary change helped since the last edit there
   std::vector<long> mended_at_;  // per node: how often something was taken when mending it failed
   long taken_ = 0;
+  const int first_node_;
   const std::size_t most_made_;            // elements, those replaced among them
   std::unordered_set<std::size_t> tried_;  // outlines whose fill was taken or was not good
 };
 
 }  // namespace
 
-void clean_up(Front& front, const Progress& progress, bool all_quad) {
+void clean_up(Front& front, const Progress& progress, bool all_quad, int first_node) {
   front.end_void();
-  CleanUp clean(front, progress);
+  CleanUp clean(front, progress, first_node);
   clean.run();
   if (all_quad) clean.join_all_triangles();
   Sweeper sweeper(front);

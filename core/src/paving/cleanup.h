@@ -7,7 +7,8 @@
 
 namespace paver {
 
-/// With `all_quad` pairs of triangles become quads wherever those are positive, however poor.
-void clean_up(Front& front, const Progress& progress, bool all_quad = false);
+/// With `all_quad` pairs of triangles become quads wherever those are positive, however poor. `first_node`: those
+/// before it are cleaned up already; their elements change only from where newer nodes are.
+void clean_up(Front& front, const Progress& progress, bool all_quad = false, int first_node = 0);
 
 }  // namespace paver

@@ -7,10 +7,11 @@
 #include "mesh/split_quads.h"
 #include "paving/cleanup.h"
 #include "paving/cleanup_chords.h"
+#include "paving/disc_grid.h"
 #include "paving/faults.h"
 #include "paving/fill_void.h"
+#include "paving/lay_fill.h"
 #include "paving/small_holes.h"
-#include "regions/disc_grid.h"
 
 namespace paver {
 
@@ -23,6 +24,7 @@ struct Attempt {
 };
 constexpr Attempt all_quad_attempts[] = {{1, 1}, {1, 0}, {0.95, 1}, {1.05, 1}, {0.9, 1}, {0.8, 1}, {0.5, 1}, {0.25, 1}};
 constexpr double sharpest_tip = 6 * M_PI / 180;  // sharper corners take a triangle, unless none is wanted
+constexpr double gap_widths[] = {0.8, 1.2};      // of the target length: about small holes
 constexpr double few_flat = 0.01;                // of the elements: not worth four times as many
 
 Region scaled(const Region& region, double size) {
@@ -65,11 +67,12 @@ long pairs_left(const RegionMesh& mesh) {
          2;
 }
 
-/// Paves the void of a started front.
-PavingCounts pave_front(Front& front, const Attempt& attempt, const Progress& progress, Elements elements) {
+/// Paves the void of a started front; nodes before `first_node` belong to a mesh that is done.
+PavingCounts pave_front(Front& front, const Attempt& attempt, const Progress& progress, Elements elements,
+                        int first_node = 0) {
   front.misfit_weight = attempt.misfit_weight;
   fill_void(front, progress);
-  clean_up(front, progress, elements == Elements::all_quad);
+  clean_up(front, progress, elements == Elements::all_quad, first_node);
   remove_chords(front);
   return front.counts;
 }
@@ -103,12 +106,15 @@ std::optional<PavedRegion> pave_and_cut(const Region& region, const Attempt& att
     paved = pave_whole(whole, attempt, progress, elements);
   }
   const long pairs = pairs_left(paved.mesh);
-  Front front(region, paved.mesh);
-  front.counts = paved.counts;
-  if (!cut_holes(front, holes)) return std::nullopt;
-  paved.counts = pave_front(front, attempt, progress, elements);
-  if (pairs_left(paved.mesh) > pairs) return std::nullopt;
-  return paved;
+  for (double width : gap_widths) {
+    PavedRegion cut = paved;
+    Front front(region, cut.mesh);
+    front.counts = paved.counts;
+    if (!cut_holes(front, holes, width)) continue;
+    cut.counts = pave_front(front, attempt, progress, elements, paved.mesh.node_count());
+    if (pairs_left(cut.mesh) <= pairs) return cut;
+  }
+  return std::nullopt;
 }
 
 PavedRegion pave_once(const Region& region, const Attempt& attempt, const Progress& progress, Elements elements) {
@@ -151,7 +157,7 @@ PavedRegion pave_region_once(const Region& region, const Progress& progress, Ele
 }
 
 PavedRegion pave_region(const Region& region, const Progress& progress, Elements elements) {
-  if (region.laid) return finish({*region.laid, {}}, elements);
+  if (auto filled = lay_fill(region)) return finish({std::move(*filled), {}}, elements);
   if (auto disc = lay_disc(region, progress)) return finish({std::move(*disc), {}}, elements);
   if (elements == Elements::all_quad) return pave_without_triangles(region, progress);
   PavedRegion best = pave_region_once(region, progress, elements);

@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::size_t most_facets = 12;
 constexpr double clearance = 2.5;  // of the target length there, to other loops
-constexpr double reach = 0.8;      // of the target length: elements with a corner nearer to the hole go
 
 double chart_area(const std::vector<LoopNode>& loop) {
   double area = 0;
@@ -62,8 +61,13 @@ double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
 
 class Cutter {
  public:
-  Cutter(Front& front, const std::vector<LoopNode>& hole)
-      : front_(front), mesh_(front.mesh), hole_(hole), middle_(middle_of(hole)), radius_(radius_of(hole, middle_)) {}
+  Cutter(Front& front, const std::vector<LoopNode>& hole, double width)
+      : front_(front),
+        mesh_(front.mesh),
+        hole_(hole),
+        middle_(middle_of(hole)),
+        radius_(radius_of(hole, middle_)),
+        width_(width) {}
 
   /// Loops of the void; none where it would be no ring.
   std::vector<std::vector<int>> run() {
@@ -99,7 +103,7 @@ class Cutter {
   bool is_near(const Element& e) const {
     for (int k = 0; k < e.corners(); ++k) {
       Vec3 x = mesh_.x[e.v[k]];
-      double limit = reach * front_.region.size.given_at(middle_), away = norm(x - middle_);
+      double limit = width_ * front_.region.size.given_at(middle_), away = norm(x - middle_);
       if (away < radius_) return true;
       if (away < radius_ + limit && distance(x) < limit) return true;
     }
@@ -131,7 +135,7 @@ class Cutter {
   RegionMesh& mesh_;
   const std::vector<LoopNode>& hole_;
   Vec3 middle_;
-  double radius_;
+  double radius_, width_;
   std::vector<int> near_;
 };
 
@@ -155,10 +159,10 @@ Region without_holes(const Region& region, const std::vector<std::size_t>& holes
   return whole;
 }
 
-bool cut_holes(Front& front, const std::vector<std::size_t>& holes) {
+bool cut_holes(Front& front, const std::vector<std::size_t>& holes, double width) {
   std::vector<std::vector<int>> loops;
   for (std::size_t hole : holes) {
-    std::vector<std::vector<int>> of_hole = Cutter(front, front.region.loops[hole]).run();
+    std::vector<std::vector<int>> of_hole = Cutter(front, front.region.loops[hole], width).run();
     if (of_hole.empty()) return false;
     for (std::vector<int>& loop : of_hole) loops.push_back(std::move(loop));
   }

@@ -13,7 +13,8 @@ std::vector<std::size_t> small_holes(const Region& region);
 Region without_holes(const Region& region, const std::vector<std::size_t>& holes);
 
 /// Takes the elements about the holes out of the front's mesh, which is that of its region without them, adds their
-/// boundary nodes and starts the front with the void between. False where that void is not sound.
-bool cut_holes(Front& front, const std::vector<std::size_t>& holes);
+/// boundary nodes and starts the front with the void between: about `width` target lengths, at either side of a hole.
+/// False where that void is not sound.
+bool cut_holes(Front& front, const std::vector<std::size_t>& holes, double width);
 
 }  // namespace paver

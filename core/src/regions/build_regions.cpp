@@ -6,7 +6,7 @@
 #include <unordered_map>
 
 #include "boundary/region_loops.h"
-#include "regions/pole.h"
+#include "charts/pole.h"
 
 namespace paver {
 namespace {
@@ -20,7 +20,7 @@ class RegionBuilder {
 
   void run(std::vector<Region>& regions) {
     if (layout_.kind == LayoutKind::closed) {
-      lay_patches(regions);
+      add_fills(regions);
       return;
     }
     std::vector<Loop> loops = linked_loops(model_, index_, layout_.dropped);
@@ -245,36 +245,31 @@ class RegionBuilder {
     return layout_.box.is_swapped ? uv.x : uv.y;
   }
 
-  // One region per patch of the grid, its mesh laid. Nodes on cuts are shared.
-  void lay_patches(std::vector<Region>& regions) {
-    const ClosedGrid& grid = *layout_.grid;
-    std::vector<int> global(grid.h.size(), -1);
-    for (const GridPatch& patch : grid.patches)
-      for (int v : patch.outline) {
-        int node = patch.node[v];
-        if (global[node] < 0) global[node] = append(face_.surface->point(patch.uv[v]), grid.h[node]);
+  // Parts of its blocks, so many that they are tasks for many ranks. Nodes on cuts are shared.
+  void add_fills(std::vector<Region>& regions) {
+    constexpr double part_quads = 8192;
+    const ClosedLayout& closed = *layout_.closed;
+    const BlockNumbers numbers(closed.layout);
+    std::unordered_map<int, std::pair<int, Vec2>> known;  // by number in the layout: node and (u, v)
+    for (std::size_t b = 0; b < closed.blocks.size(); ++b)
+      for (const MappedFill& fill : divided(closed.blocks[b], part_quads)) {
+        Region region = make_region();
+        region.chart = closed.blocks[b]->chart;
+        region.fill = fill;
+        std::vector<LoopNode>& loop = region.loops.emplace_back();
+        for (const auto& [i, j] : fill.outline()) {
+          auto [at, is_new] = known.insert({numbers.node(b, i, j), {}});
+          auto& [node, uv] = at->second;
+          if (is_new) {
+            Vec2 uv_x, uv_y;
+            region.chart->to_uv(fill.block->place(i, j), uv, uv_x, uv_y);
+            node = append(face_.surface->point(uv), region.size.at(uv, *face_.surface));
+          }
+          const Vec2 here = nearest_image(uv, closed.layout.blocks[b].middle, closed.layout.period);
+          loop.push_back({node, -1, region.chart->to_chart(here), nodes_.nodes[node], nodes_.node_target[node], -1});
+        }
+        regions.push_back(std::move(region));
       }
-    for (const GridPatch& patch : grid.patches) {
-      Region region = make_region();
-      region.chart = patch.chart;
-      RegionMesh& mesh = region.laid.emplace();
-      for (std::size_t v = 0; v < patch.node.size(); ++v) {
-        Vec2 p = patch.chart->to_chart(patch.uv[v]);
-        Vec3 x, xp, xq;
-        region.evaluate(p, x, xp, xq);
-        int node = mesh.add_node(p, x, xp, xq, grid.h[patch.node[v]]);
-        mesh.global[node] = global[patch.node[v]];
-        mesh.is_fixed[node] = mesh.global[node] >= 0;
-      }
-      for (const auto& quad : patch.quads) mesh.add_element(quad);
-      std::vector<LoopNode>& loop = region.loops.emplace_back();
-      for (int v : patch.outline) {
-        int node = mesh.global[v];
-        mesh.x[v] = nodes_.nodes[node];
-        loop.push_back({node, -1, mesh.p[v], mesh.x[v], mesh.h[v], -1});
-      }
-      regions.push_back(std::move(region));
-    }
   }
 
   // Two regions with a common artificial loop of fixed nodes.

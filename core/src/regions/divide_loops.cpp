@@ -114,7 +114,7 @@ class FacetCurves {
 /// One for each edge that is to be divided, or the one whose curves do not keep apart.
 std::vector<Crossing> find_crossings(const Model& model, const EdgeNodes& nodes, const Region& region) {
   std::vector<Crossing> result;
-  if (region.laid) return result;
+  if (region.fill) return result;
   const auto pairs = crossing_facets(region, most_pairs);
   if (pairs.empty()) return result;
   const FacetCurves curves(model, nodes, region);
@@ -173,7 +173,7 @@ class LoopDivider {
     for (const Region& region : result_.regions) {
       double nodes = 0;
       for (const auto& loop : region.loops) nodes += static_cast<double>(loop.size());
-      costs.push_back(region.laid ? 0 : node_cost * nodes);
+      costs.push_back(region.fill ? 0 : node_cost * nodes);
     }
     const auto found = tasks_.run<std::vector<Crossing>>(Stage::boundary, costs, [&](int i) {
       return find_crossings(model_, result_.nodes, result_.regions[static_cast<std::size_t>(i)]);

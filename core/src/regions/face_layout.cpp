@@ -1,14 +1,14 @@
 // Chooses a chart per face. In: model. Out: layouts.
 // A face goes round when it uses an edge twice with a period between the two images. Polar charts need one direction
 // of going round; a second one (torus) stays as a cut. Two poles need a cut between them that meets no other loop.
-// A face without any border gets a regular grid where one fits.
+// A face without any border gets a structured layout where one fits.
 #include "regions/face_layout.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "boundary/region_loops.h"
-#include "regions/pole.h"
+#include "charts/pole.h"
 
 namespace paver {
 namespace {
@@ -26,8 +26,8 @@ Vec2 image(const Model& model, const Coedge& c, double share) {
 
 class LayoutPlanner {
  public:
-  LayoutPlanner(const Model& model, const SizeField& size, int face, Grids grids, const Progress& progress)
-      : model_(model), face_(model.faces[face]), index_(face), size_(size), grids_(grids), progress_(progress) {
+  LayoutPlanner(const Model& model, const SizeField& size, int face, ClosedLayouts closed, const Progress& progress)
+      : model_(model), face_(model.faces[face]), index_(face), size_(size), closed_(closed), progress_(progress) {
     layout_.dropped = own_periodic_coedges(model, face);
     periodic_ = periodic_coedges(model, face);
   }
@@ -42,7 +42,7 @@ class LayoutPlanner {
     if (is_swapped) layout_.box = {{v_.lo, u_.lo}, {v_.hi, u_.hi}, true, u_low_, u_high_};
     Vec2 period = face_.surface->period();
     layout_.period = is_swapped ? period.y : period.x;
-    if ((goes_round_u || goes_round_v) && layout_.period > 0 && !lay_grid()) choose_polar();
+    if ((goes_round_u || goes_round_v) && layout_.period > 0 && !lay_closed()) choose_polar();
     if (layout_.kind == LayoutKind::row) {
       for (auto& loop : layout_.dropped) loop.assign(loop.size(), false);
     } else if (layout_.kind == LayoutKind::polar || layout_.kind == LayoutKind::two_polar) {
@@ -93,8 +93,8 @@ class LayoutPlanner {
   }
 
   // A face without border: all its edges are its own periodic ones or poles.
-  bool lay_grid() {
-    if (size_.faces[index_].is_graded()) return false;  // grids have one length
+  bool lay_closed() {
+    if (size_.faces[index_].is_graded()) return false;  // layouts have one length
     if (!face_.points.empty()) return false;
     if (!linked_loops(model_, index_, layout_.dropped).empty()) return false;
     for (const Loop& loop : face_.loops)
@@ -110,19 +110,19 @@ class LayoutPlanner {
     if (box.low_pole && box.high_pole) {
       for (bool is_low : {true, false})
         if (measure_pole(*face_.surface, box, layout_.period, is_low).is_sharp()) return false;
-      lay([&] { return make_cube_grid(face, progress_); });
+      lay([&] { return lay_cube(face, progress_); });
     } else if (wraps_u_ && wraps_v_ && !box.low_pole && !box.high_pole) {
       face.other_period = box.is_swapped ? period.x : period.y;
       if (box.hi.y - box.lo.y > most_periods * face.other_period) return false;
-      lay([&] { return make_torus_grid(face, progress_); });
+      lay([&] { return lay_torus(face, progress_); });
     }
     return layout_.kind == LayoutKind::closed;
   }
 
   template <class Make>
   void lay(Make make) {
-    if (grids_ == Grids::made) layout_.grid = make();
-    if (layout_.grid || grids_ == Grids::assumed) layout_.kind = LayoutKind::closed;
+    if (closed_ == ClosedLayouts::made) layout_.closed = make();
+    if (layout_.closed || closed_ == ClosedLayouts::assumed) layout_.kind = LayoutKind::closed;
   }
 
   void choose_polar() {
@@ -190,7 +190,7 @@ class LayoutPlanner {
   const Face& face_;
   int index_;
   const SizeField& size_;
-  const Grids grids_;
+  const ClosedLayouts closed_;
   const Progress& progress_;
   FaceLayout layout_;
   std::vector<std::vector<bool>> periodic_;  // per loop and coedge
@@ -201,11 +201,12 @@ class LayoutPlanner {
 
 }  // namespace
 
-std::vector<FaceLayout> plan_layouts(const Model& model, const SizeField& size, Grids grids, const Progress& progress) {
+std::vector<FaceLayout> plan_layouts(const Model& model, const SizeField& size, ClosedLayouts closed,
+                                     const Progress& progress) {
   std::vector<FaceLayout> layouts(model.faces.size());
   for (std::size_t f = 0; f < model.faces.size(); ++f)
     if (model.faces[f].has_area && model.faces[f].fault.empty())
-      layouts[f] = LayoutPlanner(model, size, static_cast<int>(f), grids, progress).run();
+      layouts[f] = LayoutPlanner(model, size, static_cast<int>(f), closed, progress).run();
   return layouts;
 }
 

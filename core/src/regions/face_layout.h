@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "regions/chart.h"
-#include "regions/closed_grid.h"
+#include "charts/chart.h"
+#include "structured/closed_layout.h"
 #include "topology/model.h"
 
 namespace paver {
@@ -13,24 +13,25 @@ enum class LayoutKind {
   row,        ///< one region, row chart; periodic edges, if any, are cuts
   polar,      ///< one region that goes round: polar chart, periodic edge gone, a pole inside or none
   two_polar,  ///< goes round with a pole at either end: cut into two polar regions along a row
-  closed,     ///< no border at all: regions are the patches of a regular grid
+  closed,     ///< no border at all: regions are parts of a structured layout
 };
 
 struct FaceLayout {
   LayoutKind kind = LayoutKind::row;
   ParameterBox box;
-  double period = 0;                       ///< of the direction that goes round
-  double cut = 0;                          ///< two_polar: where (along the meridian)
-  std::shared_ptr<const ClosedGrid> grid;  ///< closed: the mesh of the whole face
-  std::vector<std::vector<bool>> dropped;  ///< per loop and coedge: periodic edge that disappears
-  std::vector<int> slits;                  ///< periodic edges that others have: both sides lie on one line of the chart
+  double period = 0;                           ///< of the direction that goes round
+  double cut = 0;                              ///< two_polar: where (along the meridian)
+  std::shared_ptr<const ClosedLayout> closed;  ///< of the whole face
+  std::vector<std::vector<bool>> dropped;      ///< per loop and coedge: periodic edge that disappears
+  std::vector<int> slits;  ///< periodic edges that others have: both sides lie on one line of the chart
 };
 
-/// Whether closed faces get their grids, or are taken to have one: that is all that counts of intervals depend on.
-enum class Grids { made, assumed };
+/// Whether closed faces get their layouts, or are taken to have one: that is all that counts of intervals depend on.
+enum class ClosedLayouts { made, assumed };
 
-/// One layout per face, from topology; grids of closed faces from their target length.
-std::vector<FaceLayout> plan_layouts(const Model& model, const SizeField& size, Grids grids, const Progress& progress);
+/// One layout per face, from topology; those of closed faces from their target length.
+std::vector<FaceLayout> plan_layouts(const Model& model, const SizeField& size, ClosedLayouts closed,
+                                     const Progress& progress);
 
 /// Edges that no region needs get no intervals; closed edges that stay as cuts get an even number.
 void settle_counts(const Model& model, const std::vector<FaceLayout>& layouts, std::vector<int>& counts);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "boundary/edge_nodes.h"
+#include "mesh/region_mesh.h"
 #include "regions/region.h"
 
 namespace paver {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "boundary/edge_nodes.h"
+#include "mesh/region_mesh.h"
 #include "regions/region.h"
 
 namespace paver {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "regions/chart.h"
+#include "charts/chart.h"
 #include "support/fake_model.h"
 
 namespace paver {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "charts/chart.h"
 #include "paving/facing.h"
-#include "regions/chart.h"
 #include "support/fake_model.h"
 #include "support/planar_region.h"
 #include "support/validate.h"

@@ -1,5 +1,5 @@
 // Smoothing of closed grids: the energy falls, nodes stay on the surface, squares of equal size stay where they are.
-#include "regions/grid_smoothing.h"
+#include "structured/grid_smoothing.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "regions/closed_grid_parts.h"
+#include "structured/closed_layout.h"
 
 namespace paver {
 namespace {

@@ -1,5 +1,5 @@
 // Poles: where a surface comes to a point, and where it only seems to.
-#include "regions/pole.h"
+#include "charts/pole.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Grids of closed faces: valences, soundness, evenness and counts on spheres, ellipsoids of revolution and tori.
-#include "regions/closed_grid.h"
+// Layouts of closed faces: valences, soundness, evenness and counts on spheres, ellipsoids of revolution and tori.
+#include "structured/closed_layout.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,6 @@
 
 #include "brep/evaluators_impl.h"
 #include "mesh/region_mesh.h"
-#include "regions/closed_grid_parts.h"
 
 namespace paver {
 namespace {
@@ -62,27 +61,39 @@ struct Figures {
   double worst = 2, mean = 0, variation = 0;
 };
 
-// From the patches alone: the glued grid must come out of them again.
-Figures judge(const ClosedGrid& grid, const Surface& surface) {
+Figures judge(const ClosedLayout& closed, const Surface& surface) {
   Figures figures;
+  const BlockNumbers numbers(closed.layout);
   std::set<std::pair<int, int>> sides;
   double sum = 0, squares = 0;
-  for (const GridPatch& patch : grid.patches) {
+  for (std::size_t b = 0; b < closed.blocks.size(); ++b) {
+    const MappedBlock& block = *closed.blocks[b];
+    const auto [m, n] = block.fine;
     RegionMesh mesh;
-    for (Vec2 uv : patch.uv) mesh.add_node(patch.chart->to_chart(uv), surface.point(uv), {}, {}, 1);
-    for (const auto& q : patch.quads) {
-      int e = mesh.add_element(q);
-      double sj = scaled_jacobian(mesh, mesh.elements[static_cast<std::size_t>(e)]);
-      figures.worst = std::min(figures.worst, sj);
-      figures.mean += sj;
-      ++figures.quads;
-      for (std::size_t k = 0; k < 4; ++k) {
-        int a = q[k], b = q[(k + 1) % 4];
-        if (!sides.insert(std::minmax(patch.node[a], patch.node[b])).second) continue;
-        double length = norm(mesh.x[a] - mesh.x[b]);
-        sum += length, squares += length * length;
+    std::vector<int> number;
+    for (int j = 0; j <= n; ++j)
+      for (int i = 0; i <= m; ++i) {
+        Vec2 uv, uv_x, uv_y;
+        const Vec2 p = block.place(i, j);
+        block.chart->to_uv(p, uv, uv_x, uv_y);
+        mesh.add_node(p, surface.point(uv), {}, {}, 1);
+        number.push_back(numbers.node(b, i, j));
       }
-    }
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < m; ++i) {
+        const int first = j * (m + 1) + i;
+        const std::array<int, 4> q{first, first + 1, first + m + 2, first + m + 1};
+        double sj = scaled_jacobian(mesh, mesh.elements[static_cast<std::size_t>(mesh.add_element(q))]);
+        figures.worst = std::min(figures.worst, sj);
+        figures.mean += sj;
+        ++figures.quads;
+        for (std::size_t k = 0; k < 4; ++k) {
+          const std::size_t from = static_cast<std::size_t>(q[k]), to = static_cast<std::size_t>(q[(k + 1) % 4]);
+          if (!sides.insert(std::minmax(number[from], number[to])).second) continue;
+          double length = norm(mesh.x[from] - mesh.x[to]);
+          sum += length, squares += length * length;
+        }
+      }
   }
   std::map<int, int> valence;
   for (auto [a, b] : sides) ++valence[a], ++valence[b];
@@ -93,15 +104,15 @@ Figures judge(const ClosedGrid& grid, const Surface& surface) {
   return figures;
 }
 
-TEST(CubeGrid, ASphereHasEightNodesOfValenceThreeAndNoOtherIrregularOne) {
+TEST(Cube, ASphereHasEightNodesOfValenceThreeAndNoOtherIrregularOne) {
   auto sphere = evaluator(new Geom_SphericalSurface(gp_Ax3(), 10));
   for (double h : {9.0, 5.0, 2.0, 1.12, 0.5}) {
     SCOPED_TRACE(h);
     FaceSize size(h);
-    auto grid = make_cube_grid(ball(*sphere, size), {});
+    auto grid = lay_cube(ball(*sphere, size), {});
     ASSERT_TRUE(grid);
-    ASSERT_EQ(grid->patches.size(), 6u);
-    for (const GridPatch& patch : grid->patches) EXPECT_EQ(patch.quads.size(), grid->patches[0].quads.size());
+    ASSERT_EQ(grid->blocks.size(), 6u);
+    for (const auto& block : grid->blocks) EXPECT_EQ(block->fine, grid->blocks[0]->fine);
     Figures figures = judge(*grid, *sphere);
     EXPECT_EQ(figures.valences[3], 8);
     EXPECT_EQ(figures.valences.size(), figures.quads > 6 ? 2u : 1u);
@@ -110,10 +121,10 @@ TEST(CubeGrid, ASphereHasEightNodesOfValenceThreeAndNoOtherIrregularOne) {
   }
 }
 
-TEST(CubeGrid, AFineSphereIsEvenAndHasAsManyElementsAsAsked) {
+TEST(Cube, AFineSphereIsEvenAndHasAsManyElementsAsAsked) {
   auto sphere = evaluator(new Geom_SphericalSurface(gp_Ax3(), 10));
   FaceSize size(1.121);
-  auto grid = make_cube_grid(ball(*sphere, size), {});
+  auto grid = lay_cube(ball(*sphere, size), {});
   ASSERT_TRUE(grid);
   Figures figures = judge(*grid, *sphere);
   EXPECT_EQ(figures.quads, 6 * 13 * 13);  // 1000 asked
@@ -121,15 +132,15 @@ TEST(CubeGrid, AFineSphereIsEvenAndHasAsManyElementsAsAsked) {
   EXPECT_GT(figures.mean, 0.985);
 }
 
-TEST(CubeGrid, LongAndFlatBodiesGetMoreOrFewerRowsBetweenTheirCaps) {
+TEST(Cube, LongAndFlatBodiesGetMoreOrFewerRowsBetweenTheirCaps) {
   for (double height : {0.5, 1.5, 2.0, 4.0}) {
     SCOPED_TRACE(height);
     Ellipsoid surface(height);
     FaceSize size(0.1);
-    auto grid = make_cube_grid(ball(surface, size), {});
+    auto grid = lay_cube(ball(surface, size), {});
     ASSERT_TRUE(grid);
-    std::size_t cap = grid->patches[0].quads.size(), side = grid->patches[2].quads.size();
-    EXPECT_EQ(side < cap, height < 1);
+    const std::array<int, 2> side = grid->blocks[0]->fine;
+    EXPECT_EQ(side[1] < side[0], height < 1);
     Figures figures = judge(*grid, surface);
     EXPECT_EQ(figures.valences[3], 8);
     EXPECT_LT(figures.variation, 0.12);
@@ -139,30 +150,56 @@ TEST(CubeGrid, LongAndFlatBodiesGetMoreOrFewerRowsBetweenTheirCaps) {
   }
 }
 
-TEST(TorusGrid, HasNoIrregularNodeAndAsManyElementsAsAsked) {
-  for (double minor : {5.0, 20.0, 35.0}) {
-    SCOPED_TRACE(minor);
-    auto torus = evaluator(new Geom_ToroidalSurface(gp_Ax3(), 100, minor));
-    FaceSize size(minor / 5);
-    auto grid = make_torus_grid(ring(*torus, size), {});
+TEST(Torus, AThinOneHasNoIrregularNode) {
+  auto torus = evaluator(new Geom_ToroidalSurface(gp_Ax3(), 100, 5));
+  FaceSize size(1);
+  auto grid = lay_torus(ring(*torus, size), {});
+  ASSERT_TRUE(grid);
+  Figures figures = judge(*grid, *torus);
+  EXPECT_EQ(figures.valences.size(), 1u);
+  EXPECT_NEAR(figures.quads / (4 * pi * pi * 100 * 5), 1, 0.05);
+  EXPECT_LT(figures.variation, 0.04);
+  EXPECT_GT(figures.worst, 0.98);
+}
+
+// Radii 100 and 35: the outer side is twice as long as the inner one.
+TEST(Torus, HasMoreColumnsOnItsOuterSide) {
+  auto torus = evaluator(new Geom_ToroidalSurface(gp_Ax3(), 100, 35));
+  for (double h : {12.0, 7.0, 3.0}) {
+    SCOPED_TRACE(h);
+    FaceSize size(h);
+    auto grid = lay_torus(ring(*torus, size), {});
     ASSERT_TRUE(grid);
     Figures figures = judge(*grid, *torus);
-    EXPECT_EQ(figures.valences.size(), 1u);
-    EXPECT_EQ(figures.valences.begin()->first, 4);
-    EXPECT_NEAR(figures.quads * minor * minor / 25 / (4 * pi * pi * 100 * minor), 1, 0.05);
-    EXPECT_LT(figures.variation, 0.115);
-    EXPECT_GT(figures.worst, 0.8);
+    const double cells = static_cast<double>(grid->blocks.size()) / 8;  // each has two nodes of either kind
+    EXPECT_EQ(figures.valences.size(), 3u);
+    EXPECT_EQ(figures.valences[3], 2 * cells);
+    EXPECT_EQ(figures.valences[5], 2 * cells);
+    EXPECT_NEAR(figures.quads * h * h / (4 * pi * pi * 100 * 35), 1, 0.05);
+    EXPECT_LT(figures.variation, 0.095);
+    EXPECT_GT(figures.mean, 0.97);
+    EXPECT_GT(figures.worst, 0.75);
   }
 }
 
+TEST(Torus, TheCoarsestHasAsManyQuadsAsTheTurnAsksFor) {
+  auto torus = evaluator(new Geom_ToroidalSurface(gp_Ax3(), 100, 35));
+  FaceSize size(1000);
+  auto grid = lay_torus(ring(*torus, size), {});
+  ASSERT_TRUE(grid);
+  Figures figures = judge(*grid, *torus);
+  EXPECT_EQ(figures.quads, 8 * 8);
+  EXPECT_EQ(figures.valences.size(), 1u);
+}
+
 // Most of these nodes stay where they were interpolated.
-TEST(ClosedGrid, LargeOnesAreAsEvenAsSmallOnes) {
+TEST(ClosedLayout, LargeOnesAreAsEvenAsSmallOnes) {
   auto sphere = evaluator(new Geom_SphericalSurface(gp_Ax3(), 10));
   auto torus = evaluator(new Geom_ToroidalSurface(gp_Ax3(), 100, 20));
   Ellipsoid flat(0.5), tall(2.0);
   auto figures_at = [](const Surface& surface, double h, bool is_torus) {
     FaceSize size(h);
-    auto grid = is_torus ? make_torus_grid(ring(surface, size), {}) : make_cube_grid(ball(surface, size), {});
+    auto grid = is_torus ? lay_torus(ring(surface, size), {}) : lay_cube(ball(surface, size), {});
     return grid ? judge(*grid, surface) : Figures{};
   };
   for (auto [surface, h] :
@@ -177,36 +214,18 @@ TEST(ClosedGrid, LargeOnesAreAsEvenAsSmallOnes) {
   }
 }
 
-TEST(TorusGrid, LeavesAFatTubeToPaving) {
+TEST(Torus, LeavesAFatTubeToPaving) {
   auto torus = evaluator(new Geom_ToroidalSurface(gp_Ax3(), 100, 90));
   FaceSize size(10);
-  EXPECT_FALSE(make_torus_grid(ring(*torus, size), {}));
+  EXPECT_FALSE(lay_torus(ring(*torus, size), {}));
 }
 
-TEST(ClosedGrid, OutlinesHoldTheCutNodesAndNothingElse) {
-  auto sphere = evaluator(new Geom_SphericalSurface(gp_Ax3(), 10));
-  auto torus = evaluator(new Geom_ToroidalSurface(gp_Ax3(), 10, 3));
-  FaceSize size(1);
-  for (const auto& grid : {make_cube_grid(ball(*sphere, size), {}), make_torus_grid(ring(*torus, size), {})}) {
-    ASSERT_TRUE(grid);
-    std::vector<int> uses(grid->h.size(), 0);
-    for (const GridPatch& patch : grid->patches)
-      for (int node : patch.node) ++uses[static_cast<std::size_t>(node)];
-    for (const GridPatch& patch : grid->patches) {
-      std::set<int> on_outline(patch.outline.begin(), patch.outline.end());
-      EXPECT_EQ(on_outline.size(), patch.outline.size());
-      for (std::size_t v = 0; v < patch.node.size(); ++v)
-        EXPECT_EQ(uses[static_cast<std::size_t>(patch.node[v])] > 1, on_outline.count(static_cast<int>(v)) > 0) << v;
-    }
-  }
-}
-
-TEST(ClosedGrid, StopsWhenCancelled) {
+TEST(ClosedLayout, StopsWhenCancelled) {
   auto sphere = evaluator(new Geom_SphericalSurface(gp_Ax3(), 10));
   FaceSize size(1);
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(make_cube_grid(ball(*sphere, size), progress), Error);
+  EXPECT_THROW(lay_cube(ball(*sphere, size), progress), Error);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Charts on every kind of surface that has one: there and back, derivatives, orientation.
-#include "regions/chart.h"
+#include "charts/chart.h"
 
 #include <gtest/gtest.h>
 

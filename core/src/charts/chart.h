@@ -4,9 +4,29 @@
 #include <memory>
 #include <vector>
 
-#include "regions/region.h"
+#include "brep/surface.h"
+#include "paver/vec.h"
 
 namespace paver {
+
+/// Injective map between a region's (u, v) and a plane in which orientation tests are exact.
+class Chart {
+ public:
+  virtual ~Chart() = default;
+  virtual Vec2 to_chart(Vec2 uv) const = 0;
+  /// (u, v) at chart point p and its derivatives by p.x and p.y.
+  virtual void to_uv(Vec2 p, Vec2& uv, Vec2& uv_x, Vec2& uv_y) const = 0;
+  /// End of the walk that starts at p with the chart displacement `step`; to first order p + step. Charts that bend
+  /// long straight walks on the surface follow them here.
+  virtual Vec2 walk(Vec2 p, Vec2 step) const { return p + step; }
+  /// Where a step of a search leads: as walk(), but never across an apex, about which the chart is a power of the
+  /// distance.
+  virtual Vec2 approach(Vec2 p, Vec2 step) const { return walk(p, step); }
+  /// Whether walk() is more than p + step.
+  virtual bool bends() const { return false; }
+  /// The step of the walk from p to q: walk(p, step_to(p, q)) == q.
+  virtual Vec2 step_to(Vec2 p, Vec2 q) const { return q - p; }
+};
 
 /// Box of a face's (u, v) and how its sides close.
 struct ParameterBox {

@@ -1,6 +1,6 @@
 // Row and polar charts. Both tabulate the surface's mean scale along v once; a chart need only be injective and
 // roughly faithful, because lengths and angles are always taken from the surface itself.
-#include "regions/chart.h"
+#include "charts/chart.h"
 
 #include <algorithm>
 #include <cmath>

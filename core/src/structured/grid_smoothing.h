@@ -5,9 +5,10 @@
 #include <memory>
 #include <vector>
 
+#include "charts/chart.h"
 #include "mesh/region_mesh.h"
 #include "paver/progress.h"
-#include "regions/region.h"
+#include "sizing/size_field.h"
 
 namespace paver {
 

@@ -1,13 +1,13 @@
 // Discs: four nodes of valence 3, boundary kept, paving where no grid fits.
-#include "regions/disc_grid.h"
+#include "paving/disc_grid.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 
-#include "regions/chart.h"
-#include "regions/grid_smoothing.h"
+#include "charts/chart.h"
+#include "structured/grid_smoothing.h"
 #include "support/fake_model.h"
 
 namespace paver {

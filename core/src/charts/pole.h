@@ -1,7 +1,7 @@
 // The surface about a pole: smooth, or the apex of a cone.
 #pragma once
 
-#include "regions/chart.h"
+#include "charts/chart.h"
 
 namespace paver {
 

@@ -1,5 +1,5 @@
 // Eight points about a pole, a thousandth of the meridian from it, and their normals.
-#include "regions/pole.h"
+#include "charts/pole.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Gauss-Newton steps of one node at a time, in its tangent plane and its own chart.
 // In and out: the grid. Each step is taken back when the energy about the node does not fall, so a sweep never makes a
 // grid worse. Sweeps move waves of a few edges only: long ones are settled on coarser grids before (closed_grid.cpp).
-#include "regions/grid_smoothing.h"
+#include "structured/grid_smoothing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -174,14 +174,16 @@ GridFigures measure_grid(const GluedGrid& grid) {
   figures.mean_ratio = mean_ratio(grid);
   figures.worst = 2;
   double outside = 0, squares = 0, cotangents = 0, least_cosine = 1;
-  for (const Element& e : mesh.elements) {
+  for (std::size_t q = 0; q < mesh.elements.size(); ++q) {
+    const Element& e = mesh.elements[q];
     figures.worst = std::min(figures.worst, scaled_jacobian(mesh, e));
     for (int k = 0; k < 2; ++k)
       least_cosine = std::min(least_cosine, dot(mesh.normal(e.v[k]), mesh.normal(e.v[k + 2])));
     for (int k = 0; k < 4; ++k) {
       int a = e.v[k], b = e.v[(k + 1) % 4], c = e.v[(k + 3) % 4];
       Vec3 out = mesh.x[b] - mesh.x[a], back = mesh.x[c] - mesh.x[a];
-      double off = 2 * norm(out) / (figures.mean_ratio * (mesh.h[a] + mesh.h[b])) - 1;
+      double off =
+          2 * norm(out) / (figures.mean_ratio * grid.wish(static_cast<int>(q), k) * (mesh.h[a] + mesh.h[b])) - 1;
       double cotangent = dot(out, back) / std::max(norm(cross(out, back)), least_area * norm(out) * norm(back));
       squares += off * off;
       cotangents += cotangent * cotangent;
@@ -198,7 +200,7 @@ GridFigures measure_grid(const GluedGrid& grid) {
 
 bool is_smooth_enough(const GluedGrid& grid) { return grid.mesh.node_count() > fine_nodes; }
 
-int finer_sweeps(const GluedGrid& grid, int least) { return std::clamp(8000 / grid.mesh.node_count(), least, 40); }
+int finer_sweeps(const GluedGrid& grid, int least) { return std::clamp(40000 / grid.mesh.node_count(), least, 40); }
 
 void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {

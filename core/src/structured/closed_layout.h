@@ -1,0 +1,71 @@
+// Structured layouts of faces without a border: a cube's six sides on a sphere, columns around a torus.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "paver/progress.h"
+#include "sizing/size_field.h"
+#include "structured/block_grid.h"
+#include "structured/mapped_fill.h"
+
+namespace paver {
+
+/// A closed face to be covered: `box` as its layout has it, `period` of the direction that goes round.
+struct ClosedFace {
+  const Surface& surface;
+  const FaceSize& size;
+  ParameterBox box;
+  double period = 0;        ///< of box.x
+  double other_period = 0;  ///< of box.y; 0 between two poles
+  double turn_limit = 0;    ///< radians per element edge
+
+  /// (u, v) of a place in the box, whose axes may be swapped.
+  Vec2 uv(Vec2 place) const { return box.is_swapped ? Vec2{place.y, place.x} : place; }
+  Vec2 periods() const { return uv({period, other_period}); }
+};
+
+/// The whole face, its blocks ready to be filled.
+struct ClosedLayout {
+  BlockLayout layout;
+  std::vector<std::shared_ptr<const MappedBlock>> blocks;
+};
+
+/// Six blocks, eight nodes of valence 3, all others of valence 4; for a face that goes round between two smooth poles.
+/// Null where elements would come out too uneven (long thin bodies).
+std::shared_ptr<const ClosedLayout> lay_cube(const ClosedFace& face, const Progress& progress);
+
+/// Columns around a face that goes round both ways: no irregular node where these are about equally wide everywhere,
+/// else more columns on the outer side than on the inner, with a few pairs of valence 3 and 5 between. Null where
+/// elements would come out too uneven.
+std::shared_ptr<const ClosedLayout> lay_torus(const ClosedFace& face, const Progress& progress);
+
+// What the two have in common.
+
+/// Chart of the parameters themselves, times `scale`, for nodes away from poles.
+std::shared_ptr<const Chart> make_plain_chart(Vec2 scale = {1, 1});
+
+/// Mean scales of a closed face.
+struct FaceExtent {
+  double elements = 0;         ///< integral of 1/h^2 over the area
+  double round = 0, tall = 0;  ///< mean length along box.x and along box.y, mm
+  double girth = 0;            ///< greatest length along box.x, mm
+};
+FaceExtent measure_extent(const ClosedFace& face);
+
+/// Whether the elements are sound, turn little with the surface and vary in length by no more than `most_uneven`.
+bool is_good(const GridFigures& figures, double most_uneven, double most_turn);
+
+/// Quads up to which a grid is smoothed itself: a finer one bends so little between the places of such a one that these
+/// do.
+constexpr long most_placed = 4000;
+
+/// A grid of the layout on the face, of about `most` quads where the layout has more.
+BlockGrid placed_grid(const ClosedFace& face, const BlockLayout& layout, const BlockGrid::Places& places, long most,
+                      const Progress& progress);
+
+/// Null where a quad is not positive in its block's chart.
+std::shared_ptr<const ClosedLayout> mapped(const BlockLayout& layout, const BlockGrid& grid);
+
+}  // namespace paver

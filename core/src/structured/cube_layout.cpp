@@ -1,0 +1,124 @@
+// A cube's six sides on a face that goes round between two poles.
+// In: face. Out: its layout: four sides of n x m quads, caps of n x n about the poles.
+// Steps: n and m from the area and the ratio of girth and meridian; the equi-angular cube on the sphere that has the
+// face's meridians as arcs; smoothing.
+// Corners 0 to 3 go round the low cap, 4 to 7 the high one; side k starts at corner k.
+#include <algorithm>
+#include <cmath>
+
+#include "structured/closed_layout.h"
+
+namespace paver {
+namespace {
+
+constexpr int most_coarse = 4;       // quads along a cap: up to here finer grids are tried as well
+constexpr double most_turn = 2.1;    // radians across an element: beyond, it misses what the surface does there
+constexpr double most_uneven = 0.4;  // two polar charts are no better where lengths vary so much
+constexpr std::size_t low_cap = 4, high_cap = 5;
+
+class Cube {
+ public:
+  Cube(const ClosedFace& face, int n, int m) : face_(face), n_(n), m_(m) {
+    MeridianTable table(face.surface, face.box, 64);
+    arc_.push_back(0);
+    for (int i = 0; i < table.cells(); ++i) arc_.push_back(arc_.back() + table.height(i));
+    layout_.period = face.periods();
+    for (int k = 0; k < 4; ++k) add_side(k);
+    ParameterBox low = face.box, high = face.box;
+    low.high_pole = high.low_pole = false;
+    layout_.blocks.push_back({{0, 1, 2, 3}, {n, n}, make_polar_chart(face.surface, low, face.period), {}});
+    layout_.blocks.push_back({{4, 5, 6, 7}, {n, n}, make_polar_chart(face.surface, high, face.period), {}});
+  }
+
+  bool is_possible() const { return layout_.blocks[low_cap].chart && layout_.blocks[high_cap].chart; }
+  const BlockLayout& layout() const { return layout_; }
+
+  /// Chart point on the equi-angular cube.
+  Vec2 place(std::size_t block, double s, double t) const {
+    s = std::tan((2 * s - 1) * M_PI / 4), t = std::tan((2 * t - 1) * M_PI / 4);
+    return layout_.blocks[block].chart->to_chart(block < low_cap ? on_side(static_cast<int>(block), s, t)
+                                                                 : on_cap(block == low_cap, s, t));
+  }
+
+ private:
+  void add_side(int k) {
+    ParameterBox box = face_.box;
+    box.low_pole = box.high_pole = false;
+    box.lo.x = face_.box.lo.x + 0.25 * k * face_.period;
+    box.hi.x = box.lo.x + 0.25 * face_.period;
+    const int next = (k + 1) % 4;
+    layout_.blocks.push_back(
+        {{k, next, 4 + next, 4 + k}, {n_, m_}, make_row_chart(face_.surface, box), face_.uv(0.5 * (box.lo + box.hi))});
+  }
+
+  Vec2 on_side(int k, double s, double t) const {
+    return at((k + 0.5) / 4 + std::atan(s) / (2 * M_PI), 0.5 + std::atan(t / std::sqrt(1 + s * s)) / M_PI);
+  }
+
+  Vec2 on_cap(bool is_low, double s, double t) const {
+    double share = std::atan(std::sqrt(s * s + t * t)) / M_PI, turns = (std::atan2(t, s) + 0.75 * M_PI) / (2 * M_PI);
+    return at(turns, is_low ? share : 1 - share);
+  }
+
+  // Where the caps' sides, an eighth of a great circle from the poles of the cube, lie by the counts of quads.
+  double stretched(double share) const {
+    double border = 0.5 * n_ / (n_ + m_);
+    if (share > 0.5) return 1 - stretched(1 - share);
+    return share < 0.25 ? 4 * border * share : border + (2 - 4 * border) * (share - 0.25);
+  }
+
+  // Parameters at `turns` of the way round and `share` of the cube's meridian.
+  Vec2 at(double turns, double share) const {
+    double wish = stretched(share) * arc_.back();
+    int last = static_cast<int>(arc_.size()) - 2;
+    int i = static_cast<int>(std::upper_bound(arc_.begin(), arc_.end(), wish) - arc_.begin()) - 1;
+    i = std::clamp(i, 0, last);
+    double step = (face_.box.hi.y - face_.box.lo.y) / (last + 1);
+    double y = face_.box.lo.y + step * (i + (wish - arc_[i]) / (arc_[i + 1] - arc_[i]));
+    return face_.uv({face_.box.lo.x + turns * face_.period, std::clamp(y, face_.box.lo.y, face_.box.hi.y)});
+  }
+
+  const ClosedFace& face_;
+  const int n_, m_;
+  std::vector<double> arc_;
+  BlockLayout layout_;
+};
+
+/// Quads along a cap and from cap to cap. On the sphere girth and meridians ask for equal numbers.
+std::pair<int, int> choose_counts(const ClosedFace& face) {
+  FaceExtent extent = measure_extent(face);
+  double ratio = 4 * extent.tall / extent.girth - 1;  // m / n
+  if (!(ratio > 0.2)) return {0, 0};
+  double exact = std::sqrt(extent.elements / (2 + 4 * ratio));
+  int least = static_cast<int>(std::ceil(0.5 * M_PI / face.turn_limit - 1e-9));
+  int n = std::max({1, least, static_cast<int>(std::lround(exact))});
+  double m = ratio * n;
+  if (std::fabs(m - n) > 0.5) m = (extent.elements - 2.0 * n * n) / (4.0 * n);
+  return {n, std::max({1, least, static_cast<int>(std::lround(m))})};
+}
+
+std::shared_ptr<const ClosedLayout> lay(const ClosedFace& face, int n, int m, double turn_limit,
+                                        const Progress& progress) {
+  const Cube cube(face, n, m);
+  if (!cube.is_possible()) return nullptr;
+  auto place = [&](std::size_t block, double s, double t) { return cube.place(block, s, t); };
+  const BlockGrid grid = placed_grid(face, cube.layout(), place, most_placed, progress);
+  return is_good(measure_grid(grid.grid()), most_uneven, turn_limit) ? mapped(cube.layout(), grid) : nullptr;
+}
+
+}  // namespace
+
+std::shared_ptr<const ClosedLayout> lay_cube(const ClosedFace& face, const Progress& progress) {
+  auto [n, m] = choose_counts(face);
+  if (n == 0) return nullptr;
+  // A few elements may be too few for the ends of a long body: then more, and at last as many as twice whatever they
+  // miss.
+  int most = n <= most_coarse ? 2 * n : n;
+  for (int finer = n; finer <= most; ++finer) {
+    double turn = finer > n && finer == most ? M_PI : most_turn;
+    if (auto layout = lay(face, finer, (m * finer + n - 1) / n, turn, progress)) return layout;
+  }
+  return nullptr;
+}
+
+}  // namespace paver

@@ -1,0 +1,41 @@
+// In: a block with coarse places. Out: fine places, by cubics through four by four coarse ones.
+#include "structured/mapped_fill.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "structured/interpolation.h"
+
+namespace paver {
+
+Vec2 MappedBlock::place(int i, int j) const {
+  const double s = static_cast<double>(static_cast<long>(i) * coarse[0]) / fine[0];
+  const double t = static_cast<double>(static_cast<long>(j) * coarse[1]) / fine[1];
+  return interpolate(s, t, coarse[0], coarse[1],
+                     [&](int k, int l) { return places[static_cast<std::size_t>(l) * (coarse[0] + 1) + k]; });
+}
+
+std::vector<std::array<int, 2>> MappedFill::outline() const {
+  std::vector<std::array<int, 2>> nodes;
+  for (int i = first[0]; i < last[0]; ++i) nodes.push_back({i, first[1]});
+  for (int j = first[1]; j < last[1]; ++j) nodes.push_back({last[0], j});
+  for (int i = last[0]; i > first[0]; --i) nodes.push_back({i, last[1]});
+  for (int j = last[1]; j > first[1]; --j) nodes.push_back({first[0], j});
+  if (block->is_clockwise) std::reverse(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+std::vector<MappedFill> divided(const std::shared_ptr<const MappedBlock>& block, double quads) {
+  const double side = std::sqrt(quads);
+  std::array<int, 2> parts{};
+  for (std::size_t k = 0; k < 2; ++k) parts[k] = std::max(1, static_cast<int>(std::lround(block->fine[k] / side)));
+  auto cut = [&](std::size_t k, int part) {
+    return static_cast<int>(static_cast<long>(block->fine[k]) * part / parts[k]);
+  };
+  std::vector<MappedFill> fills;
+  for (int j = 0; j < parts[1]; ++j)
+    for (int i = 0; i < parts[0]; ++i) fills.push_back({block, {cut(0, i), cut(1, j)}, {cut(0, i + 1), cut(1, j + 1)}});
+  return fills;
+}
+
+}  // namespace paver
