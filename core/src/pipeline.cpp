@@ -11,13 +11,13 @@
 #include <numeric>
 
 #include "assemble/assembler.h"
-#include "base/gather.h"
-#include "base/shared_tasks.h"
-#include "base/tasks.h"
+#include "base/tasks/gather.h"
+#include "base/tasks/shared_tasks.h"
+#include "base/tasks/tasks.h"
 #include "boundary/edge_nodes.h"
 #include "boundary/prediction.h"
 #include "brep/occt_impl.h"
-#include "check/gaps.h"
+#include "check/distance/gaps.h"
 #include "parallel/pave_parts.h"
 #include "paver/mesher.h"
 #include "paver/ranks.h"

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "brep/read_shape.h"
+#include "brep/reading/read_shape.h"
 #include "paver/mesher.h"
 #include "topology/build_model.h"
 

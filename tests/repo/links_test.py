@@ -1,4 +1,4 @@
-"""Links between the pages, and files and folders that pages name in code quotes, exist."""
+"""Links between the pages, files and folders that pages name in code quotes, and works that the code cites exist."""
 import os
 import re
 import sys
@@ -7,6 +7,8 @@ sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../support"))
 import repo  # noqa: E402
 
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
+CITATION = re.compile(r"\[([A-Z][a-z]+\d\d)[],]")
+REFERENCES = "core/docs/references.md"
 QUOTED = re.compile(r"`((?:core|scripts|tests|Resources|\.ci)/[\w./-]*)`")
 
 
@@ -20,6 +22,11 @@ def main():
             for target in targets:
                 if not os.path.exists(os.path.join(repo.ROOT, target)):
                     faults.append(f"{name}:{number}: {target} does not exist")
+    known = set(CITATION.findall(repo.text(REFERENCES)))
+    for name in repo.files(".h", ".cpp", ".py"):
+        for number, line in enumerate(repo.text(name).splitlines(), 1):
+            faults += [f"{name}:{number}: [{cited}] is not in {REFERENCES}" for cited in CITATION.findall(line)
+                       if cited not in known]
     repo.finish(faults)
 
 

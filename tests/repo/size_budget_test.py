@@ -1,5 +1,7 @@
-"""Files have at most 600 lines and functions at most 80 (C++ and Python); longest ones are printed."""
+"""Files have at most 600 lines, functions at most 80 (C++ and Python) and folders of the core at most 16 files; the
+longest functions are printed."""
 import ast
+import collections
 import os
 import re
 import sys
@@ -7,7 +9,7 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../support"))
 import repo  # noqa: E402
 
-FILE_LINES, FUNCTION_LINES = 600, 80
+FILE_LINES, FUNCTION_LINES, FOLDER_FILES = 600, 80, 16
 BLANKED = re.compile(r'//[^\n]*|/\*.*?\*/|R"\((?:.|\n)*?\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
 NOT_FUNCTIONS = re.compile(r"^\s*(?:\}?\s*else\b|if\b|for\b|while\b|switch\b|catch\b|do\b|namespace\b|class\b|struct\b"
                            r"|enum\b|union\b|extern\b|try\b|return\b|case\b)")
@@ -54,6 +56,9 @@ def main():
             longest.append((count, f"{name}:{at}"))
             if count > FUNCTION_LINES:
                 faults.append(f"{name}:{at}: function of {count} lines, at most {FUNCTION_LINES}")
+    folders = collections.Counter(map(os.path.dirname, repo.files(".h", ".cpp", under="core/src")))
+    faults += [f"{folder}: {count} files, at most {FOLDER_FILES}; divide it into rooms"
+               for folder, count in folders.items() if count > FOLDER_FILES]
     print("longest functions:", ", ".join(f"{where} ({count})" for count, where in sorted(longest)[:-6:-1]))
     repo.finish(faults)
 

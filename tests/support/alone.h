@@ -1,7 +1,7 @@
 // Stages that share their work between ranks, called by a process on its own.
 #pragma once
 
-#include "base/shared_tasks.h"
+#include "base/tasks/shared_tasks.h"
 
 namespace paver::test {
 

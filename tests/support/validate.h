@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "mesh/region_mesh.h"
-#include "paving/front.h"
-#include "paving/void_triangulation.h"
+#include "paving/front/front.h"
+#include "paving/front/void_triangulation.h"
 #include "regions/region.h"
 
 namespace paver::test {

@@ -8,7 +8,7 @@
 
 #include "assemble/neighbourhood.h"
 #include "quality/element_figures.h"
-#include "quality/jacobian.h"
+#include "quality/jacobian/jacobian.h"
 
 namespace paver {
 namespace {

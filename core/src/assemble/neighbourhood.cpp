@@ -6,7 +6,7 @@
 #include <cstring>
 #include <map>
 
-#include "base/gather.h"
+#include "base/tasks/gather.h"
 
 namespace paver {
 namespace {

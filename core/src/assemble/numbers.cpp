@@ -1,7 +1,7 @@
 // Numbers of a share in the whole mesh. Nodes of the whole, in this order: boundary stage, outlines, each part's own;
 // at order 2 the middles of the lines, of the cuts, then each part's middles and centres. Elements: part by part.
 #include "assemble/assembler.h"
-#include "base/gather.h"
+#include "base/tasks/gather.h"
 
 namespace paver {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/shared_tasks.h"
+#include "base/tasks/shared_tasks.h"
 #include "paver/progress.h"
 #include "sizing/size_field.h"
 #include "topology/model.h"

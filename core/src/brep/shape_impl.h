@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "brep/read_shape.h"
+#include "brep/reading/read_shape.h"
 
 namespace paver {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "brep/surface.h"
+#include "brep/surfaces/surface.h"
 #include "paver/vec.h"
 
 namespace paver {

@@ -2,7 +2,7 @@
 
 #include "check/boundary_nodes.h"
 #include "check/elements.h"
-#include "check/sides.h"
+#include "check/sides/sides.h"
 
 namespace paver {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "base/tasks.h"
+#include "base/tasks/tasks.h"
 #include "check/vector_area.h"
 #include "curving/near_surface.h"
 

@@ -4,7 +4,7 @@
 
 #include <tuple>
 
-#include "base/gather.h"
+#include "base/tasks/gather.h"
 
 namespace paver {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "base/tasks.h"
+#include "base/tasks/tasks.h"
 
 namespace paver {
 namespace {

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "base/tasks.h"
+#include "base/tasks/tasks.h"
 #include "curving/near_surface.h"
 
 namespace paver {

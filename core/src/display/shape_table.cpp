@@ -2,8 +2,8 @@
 // points.
 #include "display/shape_table.h"
 
-#include "quality/dense.h"
-#include "quality/lattice.h"
+#include "quality/jacobian/dense.h"
+#include "quality/jacobian/lattice.h"
 
 namespace paver {
 namespace {

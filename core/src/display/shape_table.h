@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "quality/jacobian.h"
+#include "quality/jacobian/jacobian.h"
 
 namespace paver {
 

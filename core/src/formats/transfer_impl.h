@@ -12,8 +12,8 @@
 #include <XSControl_WorkSession.hxx>
 #include <cstring>
 
-#include "brep/format_library_impl.h"
-#include "brep/readers_impl.h"
+#include "brep/reading/format_library_impl.h"
+#include "brep/reading/readers_impl.h"
 #include "formats/face_labels_impl.h"
 
 namespace paver {

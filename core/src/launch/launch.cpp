@@ -24,7 +24,7 @@
 #include <string_view>
 #include <thread>
 
-#include "base/child.h"
+#include "base/process/child.h"
 #include "launch/events.h"
 #include "launch/programs.h"
 #include "launch/run_folder.h"

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <thread>
 
-#include "base/own_folders.h"
+#include "base/process/own_folders.h"
 #include "paver/error.h"
 
 namespace paver {

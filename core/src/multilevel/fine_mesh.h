@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "multilevel/level_plan.h"
-#include "paving/front.h"
+#include "paving/front/front.h"
 
 namespace paver {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "multilevel/coarse_net.h"
-#include "paving/front.h"
+#include "multilevel/coarse/coarse_net.h"
+#include "paving/front/front.h"
 
 namespace paver {
 

@@ -8,14 +8,14 @@
 #include <cmath>
 
 #include "mesh/split_quads.h"
-#include "multilevel/coarse_net.h"
-#include "multilevel/edge_counts.h"
-#include "multilevel/even_out.h"
+#include "multilevel/coarse/coarse_net.h"
+#include "multilevel/coarse/edge_counts.h"
+#include "multilevel/coarse/even_out.h"
 #include "multilevel/fine_mesh.h"
 #include "multilevel/patches.h"
 #include "multilevel/subdivide.h"
-#include "paving/cleanup_optimise.h"
-#include "paving/cleanup_smooth.h"
+#include "paving/cleanup/raise_worst.h"
+#include "paving/cleanup/sweeper.h"
 #include "paving/disc_grid.h"
 #include "paving/faults.h"
 

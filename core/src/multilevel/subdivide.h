@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "multilevel/coarse_net.h"
+#include "multilevel/coarse/coarse_net.h"
 
 namespace paver {
 

@@ -12,7 +12,7 @@
 #include <cstdint>
 
 #include "paver/output.h"
-#include "quality/lattice.h"
+#include "quality/jacobian/lattice.h"
 
 namespace paver {
 namespace {

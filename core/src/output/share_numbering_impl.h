@@ -1,7 +1,7 @@
 // How the parts of a mesh that several ranks hold are numbered and placed in one file.
 #pragma once
 
-#include "base/gather.h"
+#include "base/tasks/gather.h"
 #include "output/numbering_impl.h"
 #include "paver/mesher.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "base/tasks.h"
+#include "base/tasks/tasks.h"
 #include "multilevel/multilevel.h"
 #include "paver/options.h"
 #include "paver/ranks.h"

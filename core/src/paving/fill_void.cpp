@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "paving/close_loop.h"
-#include "paving/row.h"
-#include "paving/seam.h"
-#include "paving/smooth.h"
+#include "paving/closing/close_loop.h"
+#include "paving/rows/row.h"
+#include "paving/rows/seam.h"
+#include "paving/rows/smooth.h"
 
 namespace paver {
 namespace {

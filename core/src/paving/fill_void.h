@@ -2,7 +2,7 @@
 #pragma once
 
 #include "paver/progress.h"
-#include "paving/front.h"
+#include "paving/front/front.h"
 
 namespace paver {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "mesh/split_quads.h"
-#include "paving/cleanup.h"
-#include "paving/cleanup_chords.h"
+#include "paving/cleanup/chords.h"
+#include "paving/cleanup/clean_up.h"
 #include "paving/disc_grid.h"
 #include "paving/faults.h"
 #include "paving/fill_void.h"

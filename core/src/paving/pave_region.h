@@ -4,7 +4,7 @@
 #include "mesh/region_mesh.h"
 #include "paver/options.h"
 #include "paver/progress.h"
-#include "paving/front.h"
+#include "paving/front/front.h"
 #include "regions/region.h"
 
 namespace paver {

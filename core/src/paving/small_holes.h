@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "paving/front.h"
+#include "paving/front/front.h"
 
 namespace paver {
 

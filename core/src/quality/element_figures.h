@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "paver/result.h"
-#include "quality/jacobian.h"
+#include "quality/jacobian/jacobian.h"
 
 namespace paver {
 

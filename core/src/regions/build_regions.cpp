@@ -11,6 +11,12 @@
 namespace paver {
 namespace {
 
+constexpr double end_share = 1e-3;  // of an interval: as near to its end tangents are taken
+constexpr double small = 0.01;      // of an interval: as far from a node its angle in the chart is measured
+constexpr double fan_radius = 0.8;  // of the target length: the quads about an apex
+constexpr double fan_room = 0.45, point_room = 0.4;  // of the distance to the nearest loop, about an apex and a point
+constexpr double wide_cone = 5.2;                    // radians about an apex: four quads, else three
+constexpr double least_side = 0.3;                   // of the fan's radius, or of the target length
 constexpr double fold = 0.26;  // radians (15 degrees): an edge that turns back by all but this is folded
 
 class RegionBuilder {
@@ -201,7 +207,7 @@ class RegionBuilder {
     const EdgeDivision& d = nodes_.edges[c.edge];
     double a = d.t[2 * i], b = d.t[2 * i + 2];
     Vec3 x, xt;
-    model_.edges[c.edge].curve->d1(a + (1e-3 + 0.998 * share) * (b - a), x, xt);
+    model_.edges[c.edge].curve->d1(a + (end_share + (1 - 2 * end_share) * share) * (b - a), x, xt);
     return c.is_reversed ? -1 * unit(xt) : unit(xt);
   }
 
@@ -230,7 +236,7 @@ class RegionBuilder {
     const EdgeDivision& d = nodes_.edges[c.edge];
     auto chart = [&](double t) { return region.chart->to_chart(c.pcurve->uv(t)); };
     double t = d.t[2 * k];
-    Vec2 p = chart(t), low = chart(t + 0.01 * (d.t[2 * k - 2] - t)), high = chart(t + 0.01 * (d.t[2 * k + 2] - t));
+    Vec2 p = chart(t), low = chart(t + small * (d.t[2 * k - 2] - t)), high = chart(t + small * (d.t[2 * k + 2] - t));
     return turn((c.is_reversed ? low : high) - p, (c.is_reversed ? high : low) - p);
   }
 
@@ -358,8 +364,8 @@ class RegionBuilder {
     double pole = box.low_pole ? box.lo.y : box.hi.y, inward = box.low_pole ? 1 : -1;
     double per_length = shape.small / shape.slant;  // meridian parameter per mm at the pole
     double room = nearest_loop(region, shape.apex);
-    double h = size_.faces[index_].given_at(shape.apex), radius = std::min(0.8 * h, 0.45 * room);
-    int quads = shape.cone_angle > 5.2 ? 4 : 3;
+    double h = size_.faces[index_].given_at(shape.apex), radius = std::min(fan_radius * h, fan_room * room);
+    int quads = shape.cone_angle > wide_cone ? 4 : 3;
     Fan fan;
     fan.centre.x = shape.apex;
     fan.centre.h = std::min(h, radius);
@@ -372,7 +378,7 @@ class RegionBuilder {
       Vec2 uv = parameters(box.lo.x + layout_.period * i / (2 * quads), pole + inward * per_length * reach);
       node.p = region.chart->to_chart(uv);
       node.x = region.surface->point(uv);
-      node.h = std::min(h, std::max(radius * 2 * half, 0.3 * radius));
+      node.h = std::min(h, std::max(radius * 2 * half, least_side * radius));
       fan.ring.push_back(node);
     }
     double area = 0;
@@ -394,7 +400,7 @@ class RegionBuilder {
     double room = nearest_facet(region, fan.centre.x);
     for (const InnerPoint& other : face_.points)
       if (other.vertex != point.vertex) room = std::min(room, 0.5 * norm(model_.vertices[other.vertex] - fan.centre.x));
-    double side = std::min(fan.centre.h, 0.4 * room);
+    double side = std::min(fan.centre.h, point_room * room);
     Vec3 x, xp, xq;
     region.evaluate(fan.centre.p, x, xp, xq);
     Vec3 across = unit(xp), up = unit(cross(cross(xp, xq), xp));
@@ -404,7 +410,7 @@ class RegionBuilder {
       LoopNode node;
       node.p = region.chart->walk(fan.centre.p, step_along(xp, xq, way));
       node.x = region.point(node.p);
-      node.h = std::max(side, 0.3 * fan.centre.h);
+      node.h = std::max(side, least_side * fan.centre.h);
       fan.ring.push_back(node);
     }
     region.fans.push_back(std::move(fan));

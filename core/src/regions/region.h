@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "brep/surface.h"
+#include "brep/surfaces/surface.h"
 #include "charts/chart.h"
 #include "sizing/size_field.h"
 #include "structured/mapped_fill.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "check/checked_mesh.h"
-#include "check/deviation.h"
+#include "check/distance/deviation.h"
 #include "curving/near_surface.h"
-#include "quality/jacobian.h"
+#include "quality/jacobian/jacobian.h"
 
 namespace paver {
 namespace {

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "curving/near_surface.h"
-#include "repair/divide_inside.h"
-#include "repair/patch.h"
+#include "repair/edits/divide_inside.h"
+#include "repair/edits/patch.h"
 
 namespace paver {
 namespace {

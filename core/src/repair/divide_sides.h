@@ -4,7 +4,7 @@
 #include <compare>
 
 #include "boundary/edge_nodes.h"
-#include "repair/refill.h"
+#include "repair/edits/refill.h"
 
 namespace paver {
 

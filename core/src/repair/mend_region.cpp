@@ -7,9 +7,9 @@
 #include <deque>
 #include <optional>
 
-#include "repair/divide_inside.h"
-#include "repair/move_corners.h"
-#include "repair/patch.h"
+#include "repair/edits/divide_inside.h"
+#include "repair/edits/move_corners.h"
+#include "repair/edits/patch.h"
 
 namespace paver {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "paver/result.h"
 #include "repair/divide_sides.h"
-#include "repair/refill.h"
+#include "repair/edits/refill.h"
 
 namespace paver {
 

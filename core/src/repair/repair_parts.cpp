@@ -9,8 +9,8 @@
 #include <set>
 #include <tuple>
 
-#include "base/gather.h"
-#include "base/tasks.h"
+#include "base/tasks/gather.h"
+#include "base/tasks/tasks.h"
 #include "repair/divide_sides.h"
 #include "repair/find_bad.h"
 #include "repair/mend_region.h"

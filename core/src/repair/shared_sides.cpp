@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-#include "repair/patch.h"
+#include "repair/edits/patch.h"
 
 namespace paver {
 namespace {

@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "base/union_find.h"
-#include "brep/evaluators_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/surfaces/evaluators_impl.h"
 #include "topology/build_parts_impl.h"
 
 namespace paver {

@@ -10,7 +10,7 @@
 #include <limits>
 #include <optional>
 
-#include "brep/evaluators_impl.h"
+#include "brep/surfaces/evaluators_impl.h"
 #include "topology/build_parts_impl.h"
 
 namespace paver {

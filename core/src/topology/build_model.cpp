@@ -13,11 +13,11 @@
 #include <algorithm>
 #include <map>
 
-#include "brep/connect_impl.h"
-#include "brep/evaluators_impl.h"
-#include "brep/mend_impl.h"
+#include "brep/connecting/connect_impl.h"
+#include "brep/connecting/workpiece_impl.h"
+#include "brep/mending/mend_impl.h"
 #include "brep/occt_impl.h"
-#include "brep/workpiece_impl.h"
+#include "brep/surfaces/evaluators_impl.h"
 #include "topology/build_parts_impl.h"
 
 namespace paver {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "base/shared_tasks.h"
-#include "brep/read_shape.h"
+#include "base/tasks/shared_tasks.h"
+#include "brep/reading/read_shape.h"
 #include "paver/options.h"
 #include "topology/model.h"
 

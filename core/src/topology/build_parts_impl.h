@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "brep/workpiece_impl.h"
+#include "brep/connecting/workpiece_impl.h"
 #include "topology/model.h"
 
 namespace paver {

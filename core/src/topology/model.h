@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "brep/surface.h"
+#include "brep/surfaces/surface.h"
 #include "paver/result.h"
 
 namespace paver {

@@ -16,7 +16,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "base/run_files.h"
+#include "base/process/run_files.h"
 
 namespace paver {
 namespace {

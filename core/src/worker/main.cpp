@@ -15,7 +15,7 @@
 #include <system_error>
 
 #include "base/packing.h"
-#include "base/run_files.h"
+#include "base/process/run_files.h"
 #include "paver/breakdown.h"
 #include "paver/launch.h"
 #include "paver/mesher.h"

@@ -1,4 +1,4 @@
-#include "base/shared_tasks.h"
+#include "base/tasks/shared_tasks.h"
 
 #include <gtest/gtest.h>
 

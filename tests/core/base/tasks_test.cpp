@@ -1,4 +1,4 @@
-#include "base/tasks.h"
+#include "base/tasks/tasks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What OpenCASCADE writes is sound in every version; each kind of damage that its reader follows blindly is found.
-#include "brep/brep_text.h"
+#include "brep/reading/brep_text.h"
 
 #include <gtest/gtest.h>
 

@@ -18,8 +18,8 @@
 #include <TopoDS.hxx>
 #include <numbers>
 
-#include "brep/evaluators_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/surfaces/evaluators_impl.h"
 
 namespace paver {
 namespace {

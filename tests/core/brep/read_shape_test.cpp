@@ -1,5 +1,5 @@
 // Reading: formats by content, units, names, and one clear error for every way a file can be wrong.
-#include "brep/read_shape.h"
+#include "brep/reading/read_shape.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // What the text of a STEP file says of its entities' names.
-#include "brep/step_text.h"
+#include "brep/reading/step_text.h"
 
 #include <gtest/gtest.h>
 

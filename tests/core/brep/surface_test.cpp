@@ -1,5 +1,5 @@
 // Surface evaluators against OpenCASCADE's own, with placements and left-handed axes.
-#include "brep/surface.h"
+#include "brep/surfaces/surface.h"
 
 #include <gtest/gtest.h>
 
@@ -30,8 +30,8 @@
 #include <thread>
 #include <vector>
 
-#include "brep/evaluators_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/surfaces/evaluators_impl.h"
 
 namespace paver {
 namespace {

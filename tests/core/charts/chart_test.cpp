@@ -14,7 +14,7 @@
 #include <random>
 #include <string>
 
-#include "brep/evaluators_impl.h"
+#include "brep/surfaces/evaluators_impl.h"
 #include "support/fake_model.h"
 
 namespace paver {

@@ -8,7 +8,7 @@
 #include <Geom_SphericalSurface.hxx>
 #include <numbers>
 
-#include "brep/evaluators_impl.h"
+#include "brep/surfaces/evaluators_impl.h"
 
 namespace paver {
 namespace {

@@ -1,4 +1,4 @@
-#include "check/element_patch.h"
+#include "check/distance/element_patch.h"
 
 #include <gtest/gtest.h>
 

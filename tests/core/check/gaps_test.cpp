@@ -1,5 +1,5 @@
 // Parts that all but touch, told by their meshes.
-#include "check/gaps.h"
+#include "check/distance/gaps.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Sides that fit two by two and are wrong all the same, made by hand.
-#include "check/sides.h"
+#include "check/sides/sides.h"
 
 #include <gtest/gtest.h>
 
-#include "check/sides_impl.h"
+#include "check/sides/sides_impl.h"
 #include "core/check/checked_model.h"
 #include "support/thread_ranks.h"
 

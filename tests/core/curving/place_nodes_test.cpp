@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "quality/jacobian.h"
+#include "quality/jacobian/jacobian.h"
 #include "support/boundary_use.h"
 #include "support/fake_model.h"
 #include "support/paved_model.h"

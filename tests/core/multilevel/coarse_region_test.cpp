@@ -1,5 +1,5 @@
 // Coarse loops, chords and counts on small regions.
-#include "multilevel/coarse_region.h"
+#include "multilevel/coarse/coarse_region.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <map>
 #include <numeric>
 
-#include "multilevel/coarse_net.h"
-#include "multilevel/edge_counts.h"
+#include "multilevel/coarse/coarse_net.h"
+#include "multilevel/coarse/edge_counts.h"
 #include "paving/pave_region.h"
 #include "support/planar_region.h"
 

@@ -1,5 +1,5 @@
 // Counts along chords that are made up: sides and what runs between them.
-#include "multilevel/edge_counts.h"
+#include "multilevel/coarse/edge_counts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Edits of the front on small squares: facets, void and mesh must agree after each.
-#include "paving/front.h"
+#include "paving/front/front.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "charts/chart.h"
-#include "paving/facing.h"
+#include "paving/front/facing.h"
 #include "support/fake_model.h"
 #include "support/planar_region.h"
 #include "support/validate.h"

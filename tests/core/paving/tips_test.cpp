@@ -1,4 +1,4 @@
-#include "paving/tips.h"
+#include "paving/closing/tips.h"
 
 #include <gtest/gtest.h>
 

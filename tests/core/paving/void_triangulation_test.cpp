@@ -1,4 +1,4 @@
-#include "paving/void_triangulation.h"
+#include "paving/front/void_triangulation.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "core/quality/wavy_mesh.h"
 #include "paver/quality.h"
-#include "quality/jacobian.h"
+#include "quality/jacobian/jacobian.h"
 #include "quality/metrics.h"
 #include "quality/report.h"
 

@@ -1,11 +1,11 @@
-#include "quality/jacobian.h"
+#include "quality/jacobian/jacobian.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <numbers>
 
-#include "quality/lattice.h"
+#include "quality/jacobian/lattice.h"
 
 namespace paver {
 namespace {

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "paver/result.h"
-#include "quality/lattice.h"
+#include "quality/jacobian/lattice.h"
 
 namespace paver::fake {
 

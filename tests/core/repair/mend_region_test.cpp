@@ -9,9 +9,9 @@
 #include <random>
 
 #include "curving/near_surface.h"
-#include "repair/divide_inside.h"
+#include "repair/edits/divide_inside.h"
+#include "repair/edits/patch.h"
 #include "repair/find_bad.h"
-#include "repair/patch.h"
 #include "support/fake_model.h"
 #include "support/planar_region.h"
 

@@ -1,11 +1,11 @@
 // Divisions of small outlines, with values that are made up or those of flat elements.
-#include "repair/refill.h"
+#include "repair/edits/refill.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "repair/patch.h"
+#include "repair/edits/patch.h"
 #include "support/planar_region.h"
 
 namespace paver {

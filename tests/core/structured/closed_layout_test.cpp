@@ -12,7 +12,7 @@
 #include <numbers>
 #include <set>
 
-#include "brep/evaluators_impl.h"
+#include "brep/surfaces/evaluators_impl.h"
 #include "mesh/region_mesh.h"
 
 namespace paver {

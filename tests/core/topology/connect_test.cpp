@@ -11,7 +11,7 @@
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 
-#include "brep/connect_impl.h"
+#include "brep/connecting/connect_impl.h"
 #include "core/brep/shape_files.h"
 #include "support/report_of.h"
 

@@ -1,0 +1,250 @@
+// Connecting, in order: which parts may touch, clusters of them fused, faces replaced by their images, what lies inside
+// others found, contacts listed.
+#include <BOPTools_AlgoTools.hxx>
+#include <IntTools_Context.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <map>
+
+#include "base/union_find.h"
+#include "brep/connecting/connect_impl.h"
+#include "brep/occt_impl.h"
+
+namespace paver {
+namespace {
+
+using Pair = std::array<int, 2>;
+
+/// Clusters of parts that pairs hang together; those of one part are left out but for loose sheets.
+std::vector<std::vector<int>> clusters_of(const std::vector<Pair>& pairs, const std::vector<WorkPart>& parts) {
+  UnionFind together(parts.size());
+  for (auto [a, b] : pairs) together.merge(a, b);
+  std::map<int, std::vector<int>> members;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    members[together.find(static_cast<int>(i))].push_back(static_cast<int>(i));
+  std::vector<std::vector<int>> clusters;
+  for (auto& [first, list] : members)
+    if (list.size() > 1 || parts[static_cast<std::size_t>(list[0])].is_loose) clusters.push_back(std::move(list));
+  return clusters;
+}
+
+class Connector {
+ public:
+  Connector(Workpiece& work, double tolerance, Progress& progress)
+      : work_(work), tolerance_(tolerance), progress_(progress) {
+    NearParts near = find_near_parts(work, tolerance);
+    pairs_ = std::move(near.pairs);
+    failed = std::move(near.free_form);
+  }
+
+  /// Whether anything was fused.
+  bool run() {
+    const std::vector<std::vector<int>> clusters = clusters_of(pairs_, work_.parts);
+    if (!clusters.empty()) copy_shape(work_);
+    for (const std::vector<int>& cluster : clusters) connect_cluster(cluster);
+    if (fusions_.empty()) return false;
+    replace_faces();
+    return true;
+  }
+
+  std::vector<Pair> failed;
+
+ private:
+  /// Where all together cannot be fused, the parts that cannot be in pairs are left out, the one with most such pairs
+  /// first; where that does not help, all stay as they are. So there are two tries and each pair's. Before that the
+  /// points are left out.
+  void connect_cluster(std::vector<int> parts) {
+    if (try_to_fuse(parts) || (leave_points(parts) && (parts.size() < 2 || try_to_fuse(parts)))) return;
+    for (int part : parts)
+      if (work_.parts[static_cast<std::size_t>(part)].is_loose) failed.push_back({part, part});
+    std::vector<Pair> pairs = pairs_among(parts), bad;
+    for (const Pair& pair : pairs)
+      if (pairs.size() > 1 && !fuse(work_, {pair[0], pair[1]}, tolerance_, progress_)) bad.push_back(pair);
+    while (!bad.empty()) {
+      const int worst = most_frequent(bad);
+      std::erase(parts, worst);
+      std::erase_if(bad, [&](Pair pair) { return pair[0] == worst || pair[1] == worst; });
+    }
+    if (pairs_among(parts).size() == pairs.size() || !try_to_fuse(parts)) parts.clear();
+    const std::vector<Pair> connected = pairs_among(parts);
+    for (Pair pair : pairs)
+      if (std::find(connected.begin(), connected.end(), pair) == connected.end()) failed.push_back(pair);
+  }
+
+  /// Points shall not cost the others their connection, nor a try each. Whether there were any.
+  bool leave_points(std::vector<int>& parts) {
+    auto is_point = [&](int part) {
+      return std::any_of(work_.points.begin(), work_.points.end(),
+                         [&](const auto& point) { return point.part == part; });
+    };
+    for (const Pair& pair : pairs_among(parts))
+      if (is_point(pair[0]) || is_point(pair[1])) failed.push_back(pair);
+    return std::erase_if(parts, is_point) > 0;
+  }
+
+  bool try_to_fuse(const std::vector<int>& parts) {
+    auto fusion = fuse(work_, parts, tolerance_, progress_);
+    if (fusion) fusions_.push_back(std::move(*fusion));
+    return fusion.has_value();
+  }
+
+  std::vector<Pair> pairs_among(const std::vector<int>& parts) const {
+    auto has = [&](int part) { return std::find(parts.begin(), parts.end(), part) != parts.end(); };
+    std::vector<Pair> pairs;
+    for (Pair pair : pairs_)
+      if (has(pair[0]) && has(pair[1])) pairs.push_back(pair);
+    return pairs;
+  }
+
+  static int most_frequent(const std::vector<Pair>& pairs) {
+    std::map<int, int> count;
+    for (Pair pair : pairs) ++count[pair[0]], ++count[pair[1]];
+    auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
+    return std::max_element(count.begin(), count.end(), less)->first;
+  }
+
+  void replace_faces() {
+    std::vector<std::vector<WorkFace>> pieces(work_.faces.size());
+    std::vector<char> is_fused(work_.faces.size(), 0);
+    std::map<std::vector<int>, std::vector<WorkFace>> common;
+    for (const Fusion& fusion : fusions_)
+      for (const Fusion::Image& image : fusion.images) {
+        for (int f : image.of) is_fused[static_cast<std::size_t>(f)] = 1;
+        WorkFace piece = piece_of(image);
+        if (image.of.size() == 1) {
+          pieces[static_cast<std::size_t>(image.of[0])].push_back(std::move(piece));
+        } else {
+          common[image.of].push_back(std::move(piece));
+        }
+      }
+    std::vector<WorkFace> faces;
+    for (std::size_t f = 0; f < work_.faces.size(); ++f) {
+      if (!is_fused[f]) pieces[f].push_back(work_.faces[f]);
+      // A face that is common as a whole keeps its place in the report.
+      if (pieces[f].empty()) pieces[f].push_back(placeholder(work_.faces[f]));
+      std::move(pieces[f].begin(), pieces[f].end(), std::back_inserter(faces));
+    }
+    for (auto& [of, list] : common) {
+      std::vector<int>& origins = work_.common.emplace_back();
+      for (int f : of) origins.push_back(work_.faces[static_cast<std::size_t>(f)].origin);
+      for (WorkFace& piece : list) {
+        piece.origin = work_.read_faces + static_cast<int>(work_.common.size()) - 1;
+        faces.push_back(std::move(piece));
+      }
+    }
+    note_edges();
+    move_points();
+    work_.faces = std::move(faces);
+    work_.is_rebuilt = true;
+    Progress silent;
+    std::vector<Repair> repairs = work_.repairs;
+    // The kernel leaves some new edges without an image on a face, which is no fault of the file.
+    repair(work_, silent);
+    work_.repairs = std::move(repairs);
+  }
+
+  static WorkFace placeholder(const WorkFace& face) {
+    WorkFace gone = face;
+    gone.area = 0;
+    gone.has_area = false;
+    gone.is_common = true;
+    return gone;
+  }
+
+  /// As the first of its faces that bounds a solid, else the first, on whose side it is; what the others' uses say is
+  /// turned where they look elsewhere.
+  WorkFace piece_of(const Fusion::Image& image) {
+    std::vector<int> of = image.of;
+    std::stable_partition(of.begin(), of.end(), [&](int f) { return is_of_solid(f); });
+    WorkFace piece = work_.faces[static_cast<std::size_t>(of[0])];
+    piece.face = oriented_as(image.face, piece.face);
+    piece.area = face_area(piece.face);
+    piece.has_area = piece.area > no_area_share * work_.diagonal * work_.diagonal;
+    for (std::size_t i = 1; i < of.size(); ++i) {
+      const WorkFace& other = work_.faces[static_cast<std::size_t>(of[i])];
+      bool is_opposed = oriented_as(image.face, other.face).Orientation() != piece.face.Orientation();
+      for (const FaceUse& use : other.uses)
+        if (!piece.has_part(use.part)) piece.uses.push_back({use.part, use.is_opposed != is_opposed});
+    }
+    return piece;
+  }
+
+  bool is_of_solid(int face) const {
+    const FaceUse& first = work_.faces[static_cast<std::size_t>(face)].uses.front();
+    return work_.parts[static_cast<std::size_t>(first.part)].solid >= 0;
+  }
+
+  TopoDS_Face oriented_as(const TopoDS_Face& image, const TopoDS_Face& face) {
+    bool is_turned = BOPTools_AlgoTools::IsSplitToReverse(image, face, context_);
+    return is_turned ? TopoDS::Face(image.Reversed()) : image;
+  }
+
+  void note_edges() {
+    for (const Fusion& fusion : fusions_)
+      for (const auto& [edge, image] : fusion.edges) {
+        add_edge_origins(work_, image, edge_origins(work_, edge));
+        for (WorkWire& wire : work_.wires)
+          if (wire.edge.IsSame(edge))
+            new_wires_.push_back({TopoDS::Edge(image.Oriented(TopAbs_FORWARD)), wire.part, wire.origin});
+      }
+    auto is_replaced = [&](const WorkWire& wire) {
+      return std::any_of(fusions_.begin(), fusions_.end(), [&](const Fusion& fusion) {
+        return std::any_of(fusion.edges.begin(), fusion.edges.end(),
+                           [&](const auto& pair) { return pair.first.IsSame(wire.edge); });
+      });
+    };
+    std::erase_if(work_.wires, is_replaced);
+    std::move(new_wires_.begin(), new_wires_.end(), std::back_inserter(work_.wires));
+  }
+
+  void move_points() {
+    for (const Fusion& fusion : fusions_)
+      for (const auto& [vertex, image] : fusion.points)
+        for (WorkPoint& point : work_.points)
+          if (point.vertex.IsSame(vertex)) point.vertex = TopoDS::Vertex(image.Oriented(TopAbs_FORWARD));
+  }
+
+  Workpiece& work_;
+  double tolerance_;
+  Progress& progress_;
+  std::vector<Pair> pairs_;
+  std::vector<Fusion> fusions_;
+  std::vector<WorkWire> new_wires_;
+  Handle(IntTools_Context) context_ = new IntTools_Context;
+};
+
+void drop_inside(Workpiece& work) {
+  for (WorkFace& face : work.faces) {
+    bool has_front = !face.inside_of.empty(), has_back = has_front;
+    for (const FaceUse& use : face.uses) {
+      if (work.parts[static_cast<std::size_t>(use.part)].solid < 0) continue;
+      (use.is_opposed ? has_front : has_back) = true;
+    }
+    if (!has_front || !has_back || !face.has_area) continue;
+    face.is_dropped = true;
+    face.has_area = false;
+    face.area = 0;
+  }
+}
+
+}  // namespace
+
+ConnectResult connect(Workpiece& work, Connect how, double tolerance, Progress& progress) {
+  ConnectResult result;
+  find_loose_sheets(work, tolerance);
+  if (work.parts.size() < 2 && (work.parts.empty() || !work.parts[0].is_loose)) return result;
+  Workpiece fused = work;
+  Connector connector(fused, tolerance, progress);
+  bool is_fused = connector.run();
+  const bool has_ends =
+      std::any_of(work.points.begin(), work.points.end(), [](const WorkPoint& point) { return point.is_end; });
+  if (is_fused || has_ends) result.contacts = find_contacts(fused);
+  if (how == Connect::none) return result;
+  result.failed = std::move(connector.failed);
+  find_insides(fused);
+  if (how == Connect::united) drop_inside(fused);
+  work = std::move(fused);
+  return result;
+}
+
+}  // namespace paver

@@ -1,0 +1,75 @@
+// Parts that touch are made to share faces, edges and vertices.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brep/connecting/workpiece_impl.h"
+#include "paver/options.h"
+#include "paver/progress.h"
+#include "paver/result.h"
+
+namespace paver {
+
+/// Fills in the parts, and which faces, wires and points they have: solids in the order of the shape as read, then
+/// sheets, wires, points. Edges that faces share hang them together.
+void list_parts(Workpiece& work, const TopoDS_Shape& as_read);
+
+/// Parts are called as the object that all they have is labelled with ("Board/Face3"), where no other part is of it.
+/// `labels`: of the shape as read (Shape::labels).
+void name_parts(Workpiece& work, const std::vector<std::string>& labels);
+
+/// "Face12" of a face as read, "Face3 + Face9" of what these have in common.
+std::string entry_name(const Workpiece& work, int origin);
+
+struct ConnectResult {
+  std::vector<Contact> contacts;
+  /// Pairs of parts that may touch but could not be connected.
+  std::vector<std::array<int, 2>> failed;
+};
+
+/// Fuses parts whose faces, wires or points may touch: what they have in common exists once afterwards, in
+/// `work.common`, and edges that lie in other parts' faces divide these or stay inside them. Parts that come nowhere
+/// near each other cost nothing. With Connect::none the contacts are found and the work stays as it is; with
+/// Connect::united what lies within the union of the solids is dropped. Parts that cannot be fused stay as they are and
+/// are named. `tolerance`: largest gap that is closed, mm. Credits connect_units per face.
+ConnectResult connect(Workpiece& work, Connect how, double tolerance, Progress& progress);
+inline constexpr long connect_units = 2;
+
+/// What a fusion of parts gives: images in the order of what they are images of.
+struct Fusion {
+  struct Image {
+    TopoDS_Face face;
+    std::vector<int> of;  ///< indices of the work's faces that it is a piece of, rising
+  };
+  std::vector<Image> images;                                  ///< in the order of the first face each is a piece of
+  std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> edges;   ///< edge and one of its images, where these differ
+  std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> points;  ///< point and its image, where these differ
+};
+
+/// Fuses these parts of the work at one of several tolerances, `tolerance` first; nothing when none of them works.
+/// Whether it works is checked: every face has images that cover it.
+std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress);
+
+struct NearParts {
+  std::vector<std::array<int, 2>> pairs;
+  /// Pairs whose free-form faces may touch or cross where at least one part is no solid: for these the kernel's fuse
+  /// takes minutes or has no end, so it is not tried.
+  std::vector<std::array<int, 2>> free_form;
+};
+
+/// Marks sheets sewn of several whose faces touch elsewhere than along the seams: WorkPart::is_loose.
+void find_loose_sheets(Workpiece& work, double tolerance);
+
+/// Parts that may touch within `tolerance`, by boxes of small pieces of their faces, wires and points.
+NearParts find_near_parts(const Workpiece& work, double tolerance);
+
+/// Contacts between connected parts.
+std::vector<Contact> find_contacts(const Workpiece& work);
+
+/// Notes for every face which solids it lies inside of, among those whose boxes hold it.
+void find_insides(Workpiece& work);
+
+}  // namespace paver

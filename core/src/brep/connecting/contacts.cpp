@@ -1,0 +1,235 @@
+// Contacts between connected parts, from what faces, edges and vertices have in common; and which faces lie inside
+// solids that they do not bound.
+#include <BOPTools_AlgoTools3D.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <IntTools_Context.hxx>
+#include <Precision.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "brep/connecting/connect_impl.h"
+
+namespace paver {
+namespace {
+
+using Pair = std::array<int, 2>;
+
+/// What meets at an edge or a vertex.
+struct Meeting {
+  std::set<int> parts;
+  std::vector<int> faces;  ///< of the work
+};
+
+class ContactFinder {
+ public:
+  explicit ContactFinder(const Workpiece& work) : work_(work) {}
+
+  std::vector<Contact> run() {
+    meet();
+    for (std::size_t f = 0; f < work_.faces.size(); ++f) add_face(static_cast<int>(f));
+    for (int i = 1; i <= edges_.Extent(); ++i) add_edge(i);
+    for (int i = 1; i <= vertices_.Extent(); ++i) add_vertex(i);
+    std::vector<Contact> contacts;
+    for (auto& [key, contact] : found_) {
+      std::sort(contact.faces.begin(), contact.faces.end());
+      contact.faces.erase(std::unique(contact.faces.begin(), contact.faces.end()), contact.faces.end());
+      Contact& made = contacts.emplace_back();
+      for (int k : {0, 1}) made.parts[k] = work_.parts[static_cast<std::size_t>(key.first[k])].name;
+      made.kind = key.second;
+      made.size = contact.size;
+      made.gap = contact.gap;
+      for (int face : contact.faces) made.faces.push_back(face_name(face));
+    }
+    return contacts;
+  }
+
+ private:
+  struct Found {
+    std::vector<int> faces;  ///< as read
+    double size = 0, gap = 0;
+  };
+
+  static Meeting& entry(std::vector<Meeting>& list, int index) {
+    if (static_cast<std::size_t>(index) >= list.size()) list.resize(static_cast<std::size_t>(index) + 1);
+    return list[static_cast<std::size_t>(index)];
+  }
+
+  void meet_at(const TopoDS_Shape& shape, const std::vector<int>& parts, int face) {
+    for (TopExp_Explorer inner(shape, TopAbs_EDGE); inner.More(); inner.Next()) {
+      Meeting& meeting = entry(at_edge_, edges_.Add(inner.Current()));
+      meeting.parts.insert(parts.begin(), parts.end());
+      if (face >= 0) meeting.faces.push_back(face);
+    }
+    for (TopExp_Explorer inner(shape, TopAbs_VERTEX); inner.More(); inner.Next()) {
+      Meeting& meeting = entry(at_vertex_, vertices_.Add(inner.Current()));
+      meeting.parts.insert(parts.begin(), parts.end());
+      if (face >= 0) meeting.faces.push_back(face);
+    }
+  }
+
+  void meet() {
+    for (std::size_t f = 0; f < work_.faces.size(); ++f) {
+      if (!work_.faces[f].has_area) continue;
+      std::vector<int> parts;
+      for (const FaceUse& use : work_.faces[f].uses) parts.push_back(use.part);
+      meet_at(work_.faces[f].face, parts, static_cast<int>(f));
+    }
+    for (const WorkWire& wire : work_.wires) meet_at(wire.edge, {wire.part}, -1);
+    for (const WorkPoint& point : work_.points) meet_at(point.vertex, {point.part}, -1);
+    at_edge_.resize(static_cast<std::size_t>(edges_.Extent()) + 1);
+    at_vertex_.resize(static_cast<std::size_t>(vertices_.Extent()) + 1);
+  }
+
+  template <class F>
+  static void for_pairs(const std::set<int>& parts, F&& f) {
+    for (auto a = parts.begin(); a != parts.end(); ++a)
+      for (auto b = std::next(a); b != parts.end(); ++b) f(Pair{*a, *b});
+  }
+
+  std::vector<int> faces_as_read(int f) const {
+    int origin = work_.faces[static_cast<std::size_t>(f)].origin;
+    if (origin < work_.read_faces) return {origin};
+    return work_.common[static_cast<std::size_t>(origin - work_.read_faces)];
+  }
+
+  Found& note(Pair pair, ContactKind kind, const std::vector<int>& faces, double size) {
+    Found& contact = found_[{pair, kind}];
+    contact.size += size;
+    for (int f : faces) {
+      std::vector<int> names = faces_as_read(f);
+      contact.faces.insert(contact.faces.end(), names.begin(), names.end());
+    }
+    return contact;
+  }
+
+  void add_face(int f) {
+    const WorkFace& face = work_.faces[static_cast<std::size_t>(f)];
+    std::set<int> parts;
+    for (const FaceUse& use : face.uses) parts.insert(use.part);
+    if (!face.has_area || parts.size() < 2) return;
+    for_pairs(parts, [&](Pair pair) {
+      Found& contact = note(pair, ContactKind::face, {f}, face.area);
+      contact.gap = std::max(contact.gap, gap_about(face.face));
+    });
+    for (TopExp_Explorer inner(face.face, TopAbs_EDGE); inner.More(); inner.Next())
+      for_pairs(parts, [&](Pair pair) { bordered_.insert({edges_.FindIndex(inner.Current()), pair}); });
+    for (TopExp_Explorer inner(face.face, TopAbs_VERTEX); inner.More(); inner.Next())
+      for_pairs(parts, [&](Pair pair) { touched_.insert({vertices_.FindIndex(inner.Current()), pair}); });
+  }
+
+  /// Edges that no face as read has been given are where parts cross.
+  void add_edge(int index) {
+    const Meeting& meeting = at_edge_[static_cast<std::size_t>(index)];
+    const TopoDS_Edge edge = TopoDS::Edge(edges_(index));
+    if (meeting.parts.size() < 2 || BRep_Tool::Degenerated(edge)) return;
+    ContactKind kind = edge_origins(work_, edge).empty() ? ContactKind::crossing : ContactKind::edge;
+    for_pairs(meeting.parts, [&](Pair pair) {
+      for (TopExp_Explorer ends(edge, TopAbs_VERTEX); ends.More(); ends.Next())
+        touched_.insert({vertices_.FindIndex(ends.Current()), pair});
+      if (bordered_.count({index, pair})) return;
+      Found& contact = note(pair, kind, meeting.faces, edge_length(edge));
+      if (kind != ContactKind::crossing) contact.gap = std::max(contact.gap, closed_gap(BRep_Tool::Tolerance(edge)));
+    });
+  }
+
+  void add_vertex(int index) {
+    const Meeting& meeting = at_vertex_[static_cast<std::size_t>(index)];
+    for_pairs(meeting.parts, [&](Pair pair) {
+      if (touched_.count({index, pair})) return;
+      Found& contact = note(pair, ContactKind::point, meeting.faces, 1);
+      contact.gap = std::max(contact.gap, closed_gap(BRep_Tool::Tolerance(TopoDS::Vertex(vertices_(index)))));
+    });
+  }
+
+  /// The kernel widens tolerances to the gaps that it closes; its own accuracy is no gap.
+  static double closed_gap(double tolerance) { return tolerance > 2 * Precision::Confusion() ? tolerance : 0; }
+
+  static double gap_about(const TopoDS_Face& face) {
+    double gap = 0;
+    for (TopExp_Explorer inner(face, TopAbs_EDGE); inner.More(); inner.Next())
+      gap = std::max(gap, closed_gap(BRep_Tool::Tolerance(TopoDS::Edge(inner.Current()))));
+    return gap;
+  }
+
+  const Workpiece& work_;
+  TopTools_IndexedMapOfShape edges_, vertices_;
+  std::vector<Meeting> at_edge_{1}, at_vertex_{1};  // from 1
+  std::map<std::pair<Pair, ContactKind>, Found> found_;
+  std::set<std::pair<int, Pair>> bordered_, touched_;  // edges of common faces; vertices of common edges and faces
+};
+
+/// Which solids hold points.
+class InsideFinder {
+ public:
+  explicit InsideFinder(Workpiece& work) : work_(work) {}
+
+  void run() {
+    for (std::size_t p = 0; p < work_.parts.size(); ++p)
+      if (work_.parts[p].solid >= 0) look_inside(static_cast<int>(p));
+  }
+
+ private:
+  void look_inside(int part) {
+    const TopoDS_Shape solid = solids()(work_.parts[static_cast<std::size_t>(part)].solid + 1);
+    if (boxes_.empty()) measure_faces();
+    Bnd_Box box;
+    BRepBndLib::Add(solid, box, Standard_False);
+    std::unique_ptr<BRepClass3d_SolidClassifier> classifier;
+    for (std::size_t f = 0; f < work_.faces.size(); ++f) {
+      WorkFace& face = work_.faces[f];
+      if (!face.is_usable() || face.has_part(part) || box.IsOut(boxes_[f])) continue;
+      gp_Pnt point;
+      gp_Pnt2d uv;
+      if (BOPTools_AlgoTools3D::PointInFace(face.face, point, uv, context_) != 0 || box.IsOut(point)) continue;
+      if (!classifier) classifier = std::make_unique<BRepClass3d_SolidClassifier>(solid);
+      classifier->Perform(point, Precision::Confusion());
+      if (classifier->State() == TopAbs_IN) face.inside_of.push_back(part);
+    }
+  }
+
+  void measure_faces() {
+    for (const WorkFace& face : work_.faces) {
+      boxes_.emplace_back();
+      if (face.is_usable()) BRepBndLib::Add(face.face, boxes_.back(), Standard_False);
+    }
+  }
+
+  const TopTools_IndexedMapOfShape& solids() {
+    if (solids_.IsEmpty()) TopExp::MapShapes(work_.shape, TopAbs_SOLID, solids_);
+    return solids_;
+  }
+
+  Workpiece& work_;
+  std::vector<Bnd_Box> boxes_;  ///< per face
+  TopTools_IndexedMapOfShape solids_;
+  Handle(IntTools_Context) context_ = new IntTools_Context;
+};
+
+}  // namespace
+
+std::vector<Contact> find_contacts(const Workpiece& work) { return ContactFinder(work).run(); }
+
+void find_insides(Workpiece& work) { InsideFinder(work).run(); }
+
+const char* contact_name(ContactKind kind) {
+  switch (kind) {
+    case ContactKind::face:
+      return "face";
+    case ContactKind::edge:
+      return "edge";
+    case ContactKind::point:
+      return "point";
+    case ContactKind::crossing:
+      break;
+  }
+  return "crossing";
+}
+
+}  // namespace paver

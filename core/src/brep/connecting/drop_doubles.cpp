@@ -1,0 +1,118 @@
+// Faces that were drawn twice, one on the other: the later one is left out, before anything is sewn to it. Only within
+// one solid, and among faces without one; what different parts have in common is connected instead.
+#include <BOPTools_AlgoTools3D.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
+#include <BRep_Tool.hxx>
+#include <IntTools_Context.hxx>
+#include <Precision.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "brep/mending/mend_impl.h"
+#include "brep/occt_impl.h"
+#include "brep/surfaces/evaluators_impl.h"
+
+namespace paver {
+namespace {
+
+/// Faces this near each other, of the diagonal, are one; two sheets 5e-6 of it apart are drawn so.
+constexpr double same_share = 1e-7;
+constexpr double same_area_share = 1e-6;
+constexpr int edge_samples = 6;
+
+/// What tells most faces apart at no cost.
+struct Outline {
+  int index = -1;
+  Vec3 low, high;  ///< of the ends and middles of its edges
+};
+
+class DoubleFinder {
+ public:
+  explicit DoubleFinder(Workpiece& work) : work_(work), tolerance_(same_share * work.diagonal) {}
+
+  void run() {
+    std::vector<Outline> outlines;
+    for (std::size_t i = 0; i < work_.faces.size(); ++i)
+      if (work_.faces[i].is_usable()) outlines.push_back(outline(static_cast<int>(i)));
+    std::stable_sort(outlines.begin(), outlines.end(),
+                     [](const Outline& a, const Outline& b) { return a.low.x < b.low.x; });
+    for (std::size_t i = 0; i < outlines.size(); ++i)
+      for (std::size_t j = i + 1; j < outlines.size() && outlines[j].low.x - outlines[i].low.x <= tolerance_; ++j)
+        compare(outlines[i], outlines[j]);
+  }
+
+ private:
+  WorkFace& face(int index) { return work_.faces[static_cast<std::size_t>(index)]; }
+
+  Outline outline(int index) {
+    constexpr double far = 1e300;
+    Outline made{index, {far, far, far}, {-far, -far, -far}};
+    for (TopExp_Explorer edges(face(index).face, TopAbs_EDGE); edges.More(); edges.Next())
+      for (double share : {0.0, 0.5, 1.0}) {
+        const auto x = point_of(TopoDS::Edge(edges.Current()), share);
+        if (!x) continue;
+        made.low = {std::min(made.low.x, x->x), std::min(made.low.y, x->y), std::min(made.low.z, x->z)};
+        made.high = {std::max(made.high.x, x->x), std::max(made.high.y, x->y), std::max(made.high.z, x->z)};
+      }
+    return made;
+  }
+
+  static std::optional<Vec3> point_of(const TopoDS_Edge& edge, double share) {
+    double t0 = 0, t1 = 0;
+    BRep_Tool::Range(edge, t0, t1);
+    const auto curve = BRep_Tool::Degenerated(edge) ? nullptr : make_curve(edge);
+    if (!curve || Precision::IsInfinite(t0) || Precision::IsInfinite(t1)) return std::nullopt;
+    return curve->point(t0 + share * (t1 - t0));
+  }
+
+  void compare(const Outline& a, const Outline& b) {
+    const WorkFace &one = face(std::min(a.index, b.index)), &two = face(std::max(a.index, b.index));
+    if (!one.has_area || !two.has_area || one.solid != two.solid) return;
+    if (std::abs(one.area - two.area) > same_area_share * one.area) return;
+    if (norm(a.low - b.low) > tolerance_ || norm(a.high - b.high) > tolerance_) return;
+    if (!lies_on(two.face, one.face) || !lies_on(one.face, two.face)) return;
+    WorkFace& dropped = face(std::max(a.index, b.index));
+    dropped.is_dropped = true;
+    dropped.has_area = false;
+    dropped.area = 0;
+    work_.note_repair(RepairKind::dropped_face, 1, tolerance_, face_name(dropped.origin));
+    work_.doubles.push_back({std::max(a.index, b.index), std::min(a.index, b.index)});
+  }
+
+  bool lies_on(const TopoDS_Face& face, const TopoDS_Face& other) {
+    gp_Pnt inside;
+    gp_Pnt2d uv;
+    if (BOPTools_AlgoTools3D::PointInFace(face, inside, uv, context_) != 0 || !is_near(inside, other)) return false;
+    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
+      for (int i = 0; i < edge_samples; ++i) {
+        const auto x = point_of(TopoDS::Edge(edges.Current()), (i + 0.5) / edge_samples);
+        if (x && !is_near(to_point(*x), other)) return false;
+      }
+    return true;
+  }
+
+  bool is_near(const gp_Pnt& point, const TopoDS_Face& face) const {
+    BRepExtrema_DistShapeShape extrema(BRepBuilderAPI_MakeVertex(point).Vertex(), face);
+    return extrema.IsDone() && extrema.NbSolution() > 0 && extrema.Value() <= tolerance_;
+  }
+
+  Workpiece& work_;
+  double tolerance_;
+  Handle(IntTools_Context) context_ = new IntTools_Context;
+};
+
+}  // namespace
+
+void drop_doubles(Workpiece& work) {
+  try {
+    DoubleFinder(work).run();
+  } catch (const Standard_Failure&) {
+    // Faces that the kernel cannot compare stay.
+  }
+}
+
+}  // namespace paver

@@ -1,0 +1,125 @@
+// The kernel's general fuse of several parts, with what every face and edge became.
+#include <BRepAlgoAPI_BuilderAlgo.hxx>
+#include <BRep_Builder.hxx>
+#include <TopExp.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <cmath>
+#include <optional>
+
+#include "brep/connecting/connect_impl.h"
+#include "brep/occt_impl.h"
+
+namespace paver {
+namespace {
+
+/// Gaps tried one after the other, as multiples of the tolerance that is asked for.
+constexpr double gap_factors[] = {1, 0, 10};
+/// Images may differ from their face by this share of its area.
+constexpr double area_share = 1e-3;
+
+class Fuser {
+ public:
+  Fuser(const Workpiece& work, const std::vector<int>& parts) : work_(work), parts_(parts) {
+    for (int part : parts) add_arguments(part);
+  }
+
+  std::optional<Fusion> run(double tolerance, Progress& progress) {
+    BRepAlgoAPI_BuilderAlgo builder;
+    builder.SetArguments(arguments_);
+    builder.SetNonDestructive(Standard_True);
+    builder.SetRunParallel(Standard_False);
+    builder.SetFuzzyValue(tolerance);
+    Handle(OcctProgress) indicator = new OcctProgress(progress, 0);
+    builder.Build(indicator->Start());
+    progress.check();
+    if (builder.HasErrors()) return std::nullopt;
+    Fusion fusion;
+    images_.Clear();
+    for (std::size_t f = 0; f < work_.faces.size(); ++f)
+      if (is_member(work_.faces[f]) && !add_images(static_cast<int>(f), builder, tolerance, fusion))
+        return std::nullopt;
+    add_edges(builder, fusion);
+    for (const WorkPoint& point : work_.points)
+      for (const TopoDS_Shape& image : builder.Modified(point.vertex)) fusion.points.push_back({point.vertex, image});
+    return fusion;
+  }
+
+ private:
+  bool is_member(const WorkFace& face) const {
+    return face.is_usable() && std::any_of(parts_.begin(), parts_.end(), [&](int part) { return face.has_part(part); });
+  }
+
+  /// One argument: the kernel looks for nothing between the faces of one.
+  void add_arguments(int part) {
+    if (!work_.parts[static_cast<std::size_t>(part)].is_loose) {
+      arguments_.Append(argument(part));
+      return;
+    }
+    for (const WorkFace& face : work_.faces)
+      if (face.is_usable() && face.has_part(part)) arguments_.Append(face.face);
+  }
+
+  TopoDS_Shape argument(int part) {
+    BRep_Builder builder;
+    TopoDS_Compound compound;
+    builder.MakeCompound(compound);
+    for (const WorkFace& face : work_.faces)
+      if (face.is_usable() && face.has_part(part)) builder.Add(compound, face.face);
+    for (const WorkWire& wire : work_.wires)
+      if (wire.part == part) builder.Add(compound, wire.edge);
+    for (const WorkPoint& point : work_.points)
+      if (point.part == part && !point.is_end) builder.Add(compound, point.vertex);
+    return compound;
+  }
+
+  bool add_images(int f, BRepAlgoAPI_BuilderAlgo& builder, double tolerance, Fusion& fusion) {
+    const WorkFace& face = work_.faces[static_cast<std::size_t>(f)];
+    TopTools_ListOfShape images = builder.Modified(face.face);
+    if (images.IsEmpty() && !builder.IsDeleted(face.face)) images.Append(face.face);
+    double area = 0, perimeter = 0;
+    for (const TopoDS_Shape& image : images) {
+      area += face_area(TopoDS::Face(image));
+      int index = images_.FindIndex(image);
+      if (index == 0) {
+        index = images_.Add(image);
+        fusion.images.push_back({TopoDS::Face(image), {}});
+      }
+      fusion.images[static_cast<std::size_t>(index - 1)].of.push_back(f);
+    }
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(face.face, TopAbs_EDGE, edges);
+    for (int i = 1; i <= edges.Extent(); ++i) perimeter += edge_length(TopoDS::Edge(edges(i)));
+    return std::abs(area - face.area) <= area_share * face.area + tolerance * perimeter;
+  }
+
+  void add_edges(BRepAlgoAPI_BuilderAlgo& builder, Fusion& fusion) const {
+    TopTools_IndexedMapOfShape edges;
+    for (const TopoDS_Shape& part : arguments_) TopExp::MapShapes(part, TopAbs_EDGE, edges);
+    for (int i = 1; i <= edges.Extent(); ++i)
+      for (const TopoDS_Shape& image : builder.Modified(edges(i)))
+        if (!image.IsSame(edges(i))) fusion.edges.push_back({edges(i), image});
+  }
+
+  const Workpiece& work_;
+  const std::vector<int>& parts_;
+  TopTools_ListOfShape arguments_;
+  TopTools_IndexedMapOfShape images_;
+};
+
+}  // namespace
+
+std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress) {
+  Fuser fuser(work, parts);
+  for (double factor : gap_factors) {
+    try {
+      if (auto fusion = fuser.run(factor * tolerance, progress)) return fusion;
+    } catch (const Standard_Failure&) {
+      progress.check();  // the next tolerance may do
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace paver

@@ -1,0 +1,261 @@
+// Faces of a shape with their measures, and small questions about faces and edges.
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepGProp.hxx>
+#include <BRepGProp_Domain.hxx>
+#include <BRepGProp_Face.hxx>
+#include <BRepGProp_Vinert.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Precision.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "brep/connecting/workpiece_impl.h"
+#include "brep/occt_impl.h"
+#include "brep/surfaces/evaluators_impl.h"
+
+namespace paver {
+namespace {
+
+constexpr std::size_t listed_names = 10;
+/// Points per direction for the bounding box; multiples of 4 meet the extremes of spheres and circles.
+constexpr int surface_samples = 32, edge_samples = 64;
+
+/// Points of the surface over the face's range; a plane lies within its edges.
+void add_surface_points(const TopoDS_Face& face, Bnd_Box& box) {
+  BRepAdaptor_Surface surface(face);
+  if (surface.GetType() == GeomAbs_Plane) return;
+  double u0 = surface.FirstUParameter(), u1 = surface.LastUParameter();
+  double v0 = surface.FirstVParameter(), v1 = surface.LastVParameter();
+  if (Precision::IsInfinite(u0) || Precision::IsInfinite(u1) || Precision::IsInfinite(v0) || Precision::IsInfinite(v1))
+    return;
+  for (int i = 0; i <= surface_samples; ++i)
+    for (int j = 0; j <= surface_samples; ++j)
+      box.Add(surface.Value(u0 + (u1 - u0) * i / surface_samples, v0 + (v1 - v0) * j / surface_samples));
+}
+
+void add_edge_points(const TopoDS_Edge& edge, Bnd_Box& box) {
+  if (BRep_Tool::Degenerated(edge)) return;
+  BRepAdaptor_Curve curve(edge);
+  double t0 = curve.FirstParameter(), t1 = curve.LastParameter();
+  if (Precision::IsInfinite(t0) || Precision::IsInfinite(t1)) return;
+  for (int i = 0; i <= edge_samples; ++i) box.Add(curve.Value(t0 + (t1 - t0) * i / edge_samples));
+}
+
+/// From points: the kernel's quick box holds the poles of B-splines, far outside of trimmed faces, and its exact one
+/// takes longer than everything else here together.
+double box_diagonal(const TopTools_IndexedMapOfShape& faces, const TopTools_IndexedMapOfShape& edges) {
+  Bnd_Box box;
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    try {
+      add_surface_points(TopoDS::Face(faces(i)), box);
+    } catch (const Standard_Failure&) {
+      // A face without a usable surface is reported later, as a fault.
+    }
+  }
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    try {
+      add_edge_points(TopoDS::Edge(edges(i)), box);
+    } catch (const Standard_Failure&) {
+      // An edge without any curve likewise.
+    }
+  }
+  return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
+}
+
+}  // namespace
+
+const char* repair_name(RepairKind kind) {
+  switch (kind) {
+    case RepairKind::sewn_edge:
+      return "sewn edges";
+    case RepairKind::closed_loop:
+      return "closed loops";
+    case RepairKind::turned_loop:
+      return "turned loops";
+    case RepairKind::image:
+      return "images";
+    case RepairKind::periodic_edge:
+      return "periodic edges";
+    case RepairKind::pole:
+      return "poles";
+    case RepairKind::border:
+      return "borders";
+    case RepairKind::turned_face:
+      return "turned faces";
+    case RepairKind::dropped_face:
+      break;
+  }
+  return "dropped faces";
+}
+
+Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& tasks) {
+  Workpiece work;
+  work.shape = shape.shape;
+  TopTools_IndexedMapOfShape faces, solids;
+  TopExp::MapShapes(shape.shape, TopAbs_FACE, faces);
+  TopExp::MapShapes(shape.shape, TopAbs_SOLID, solids);
+  TopExp::MapShapes(shape.shape, TopAbs_EDGE, work.read_edges);
+  work.read_faces = faces.Extent();
+  work.faces.resize(static_cast<std::size_t>(faces.Extent()));
+  for (int s = solids.Extent(); s >= 1; --s)  // backwards: a face of two solids counts to the first
+    for (TopExp_Explorer inner(solids(s), TopAbs_FACE); inner.More(); inner.Next())
+      work.faces[static_cast<std::size_t>(faces.FindIndex(inner.Current()) - 1)].solid = s - 1;
+  work.diagonal = box_diagonal(faces, work.read_edges);
+  std::vector<double> costs;
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    WorkFace& face = work.faces[static_cast<std::size_t>(i - 1)];
+    face.face = TopoDS::Face(faces(i));
+    face.origin = i - 1;
+    costs.push_back(measuring_cost(face.face));
+  }
+  const std::vector<double> areas = tasks.run<double>(
+      Stage::topology, costs, [&](int i) { return face_area(work.faces[static_cast<std::size_t>(i)].face); });
+  for (std::size_t i = 0; i < work.faces.size(); ++i) {
+    WorkFace& face = work.faces[i];
+    face.area = areas[i];
+    if (!std::isfinite(face.area)) {
+      face.area = 0;
+      face.fault = "its area cannot be computed";
+    }
+    // A face without loops gets its bounds, and with them its area, in repair().
+    bool has_loops = TopExp_Explorer(face.face, TopAbs_WIRE).More();
+    face.has_area = !face.fault.empty() || !has_loops || face.area > no_area_share * work.diagonal * work.diagonal;
+    progress.advance(measure_units);
+  }
+  return work;
+}
+
+void Workpiece::note_repair(RepairKind kind, long count, double distance, const std::string& face) {
+  if (count == 0) return;
+  auto at = std::find_if(repairs.begin(), repairs.end(), [&](const Repair& repair) { return repair.kind >= kind; });
+  if (at == repairs.end() || at->kind != kind) at = repairs.insert(at, {kind, 0, 0, {}});
+  at->count += count;
+  at->distance = std::max(at->distance, distance);
+  if (!face.empty() && (at->faces.empty() || at->faces.back() != face)) at->faces.push_back(face);
+}
+
+void copy_shape(Workpiece& work) {
+  if (work.is_copied) return;
+  BRepBuilderAPI_Copy copy(work.shape, Standard_False);
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(copy.Shape(), TopAbs_FACE, faces);
+  if (static_cast<std::size_t>(faces.Extent()) != work.faces.size())
+    throw Error(ErrorCode::internal, "The copy of the shape has another number of faces.", {"topology", -1, -1, {}});
+  work.shape = copy.Shape();
+  work.read_edges.Clear();
+  TopExp::MapShapes(work.shape, TopAbs_EDGE, work.read_edges);
+  for (int i = 1; i <= faces.Extent(); ++i) work.faces[static_cast<std::size_t>(i - 1)].face = TopoDS::Face(faces(i));
+  for (WorkWire& wire : work.wires) wire.edge = TopoDS::Edge(copy.ModifiedShape(wire.edge));
+  for (WorkPoint& point : work.points) point.vertex = TopoDS::Vertex(copy.ModifiedShape(point.vertex));
+  work.is_copied = true;
+}
+
+TopTools_IndexedMapOfShape edge_map(const Workpiece& work) {
+  TopTools_IndexedMapOfShape edges;
+  if (!work.is_rebuilt) return work.read_edges;
+  for (const WorkFace& face : work.faces) TopExp::MapShapes(face.face, TopAbs_EDGE, edges);
+  for (const WorkWire& wire : work.wires) edges.Add(wire.edge);
+  return edges;
+}
+
+std::vector<int> edge_origins(const Workpiece& work, const TopoDS_Shape& edge) {
+  if (const auto* origins = work.replaced_edges.Seek(edge)) return *origins;
+  int position = work.read_edges.FindIndex(edge);
+  return position > 0 ? std::vector<int>{position - 1} : std::vector<int>();
+}
+
+void add_edge_origins(Workpiece& work, const TopoDS_Shape& image, const std::vector<int>& origins) {
+  for (TopExp_Explorer edges(image, TopAbs_EDGE); edges.More(); edges.Next()) {
+    std::vector<int> all = edge_origins(work, edges.Current());
+    all.insert(all.end(), origins.begin(), origins.end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    work.replaced_edges.Bind(edges.Current(), all);
+  }
+}
+
+bool EdgeUses::is_free(int index) const {
+  return uses[static_cast<std::size_t>(index)] == 1 && !BRep_Tool::Degenerated(TopoDS::Edge(edges(index)));
+}
+
+EdgeUses count_uses(const std::vector<WorkFace>& faces) {
+  EdgeUses result;
+  result.uses.push_back(0);
+  for (const WorkFace& face : faces) {
+    if (!face.has_area) continue;
+    for (TopExp_Explorer edges(face.face, TopAbs_EDGE); edges.More(); edges.Next()) {
+      auto index = static_cast<std::size_t>(result.edges.Add(edges.Current()));
+      if (index == result.uses.size()) result.uses.push_back(0);
+      ++result.uses[index];
+    }
+  }
+  return result;
+}
+
+double face_area(const TopoDS_Face& face) {
+  try {
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(face, properties);
+    return std::abs(properties.Mass());
+  } catch (const Standard_Failure&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+double edge_length(const TopoDS_Edge& edge) {
+  if (BRep_Tool::Degenerated(edge)) return 0;
+  try {
+    return GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge));
+  } catch (const Standard_Failure&) {
+    // The integrator gives up on some curves; chords are near enough for what lengths are used for.
+    auto curve = make_curve(edge);
+    if (!curve) return 0;
+    double t0 = 0, t1 = 0, length = 0;
+    BRep_Tool::Range(edge, t0, t1);
+    constexpr int chords = 256;
+    for (int i = 0; i < chords; ++i)
+      length += norm(curve->point(t0 + (t1 - t0) * (i + 1) / chords) - curve->point(t0 + (t1 - t0) * i / chords));
+    return length;
+  }
+}
+
+double volume_to(const TopoDS_Face& face, Vec3 apex) {
+  try {
+    BRepGProp_Face surface(face);
+    BRepGProp_Domain edges(face);
+    return BRepGProp_Vinert(surface, edges, to_point(apex)).Mass();
+  } catch (const Standard_Failure&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+double measuring_cost(const TopoDS_Face& face) {
+  constexpr double per_edge = 20, per_span = 10;
+  double edges = 0, spans = 0;
+  for (TopExp_Explorer parts(face, TopAbs_EDGE); parts.More(); parts.Next()) ++edges;
+  TopLoc_Location location;
+  auto spline = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face, location));
+  if (!spline.IsNull()) spans = (spline->NbUKnots() - 1.0) * (spline->NbVKnots() - 1.0);
+  return edges * (per_edge + per_span * spans);
+}
+
+std::string list_names(std::vector<std::string> names) {
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), listed_names); ++i) text += (i ? ", " : "") + names[i];
+  if (names.size() > listed_names) text += " and " + std::to_string(names.size() - listed_names) + " more";
+  return text;
+}
+
+}  // namespace paver

@@ -1,0 +1,173 @@
+// A shape on its way to a Model: its faces in the order of the file, as repaired and sewn so far.
+#pragma once
+
+#include <NCollection_DataMap.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/tasks/shared_tasks.h"
+#include "brep/shape_impl.h"
+#include "paver/progress.h"
+#include "paver/result.h"
+
+namespace paver {
+
+/// A part that has a face, and on which side.
+struct FaceUse {
+  int part = -1;
+  bool is_opposed = false;  ///< the part's own outward side is the other one
+};
+
+struct WorkFace {
+  TopoDS_Face face;  ///< current image, with the orientation it has in the shape
+  /// Index of the face of the shape as read that it is, or is a piece of; beyond these an entry of Workpiece::common.
+  int origin = -1;
+  int solid = -1;              ///< index of the solid it belongs to, -1: none
+  int read_sheet = -1;         ///< faces of the shape as read that share edges there have the same; by list_parts()
+  std::vector<FaceUse> uses;   ///< known from list_parts() on; the first one's side is the face's
+  std::vector<int> inside_of;  ///< parts that it lies inside of, both sides; rising
+  double area = 0;             ///< mm^2
+  bool has_area = true;
+  bool is_common = false;   ///< stands for a face all of which is common with others: they have an entry of their own
+  bool is_dropped = false;  ///< left out since it lies inside the union of parts
+  std::string fault;        ///< not empty: cannot be meshed, and why
+
+  bool is_usable() const { return has_area && fault.empty(); }
+  bool has_part(int part) const {
+    return std::any_of(uses.begin(), uses.end(), [&](const FaceUse& use) { return use.part == part; });
+  }
+};
+
+/// An object of the input: a solid, faces that hang together without one, edges that bound no face likewise, or a
+/// vertex that ends no edge.
+struct WorkPart {
+  std::string name;       ///< "Solid2", "Sheet1", "Wire1", "Point1"
+  int solid = -1;         ///< index of the solid of the shape as read
+  bool is_loose = false;  ///< a sheet sewn of several whose faces touch elsewhere than at the edges they share
+};
+
+/// An edge that bounds no face.
+struct WorkWire {
+  TopoDS_Edge edge;
+  int part = -1;
+  int origin = -1;  ///< index in LooseShapes::edges of the shape as read
+};
+
+/// A vertex that ends no edge.
+struct WorkPoint {
+  TopoDS_Vertex vertex;
+  int part = -1;
+  int origin = -1;      ///< index in LooseShapes::vertices of the shape as read
+  bool is_end = false;  ///< it is where an edge ends: `vertex` is that edge's
+};
+
+struct Workpiece {
+  TopoDS_Shape shape;
+  /// In the order of TopExp::MapShapes of the shape as read, pieces of one in a row; what several faces have in common
+  /// comes last.
+  std::vector<WorkFace> faces;
+  int read_faces = 0;                    ///< of the shape as read
+  std::vector<std::vector<int>> common;  ///< per set of faces with pieces in common: their indices, rising
+  std::vector<WorkWire> wires;
+  std::vector<WorkPoint> points;
+  int left_points = 0;          ///< left out: more than most_points
+  std::vector<WorkPart> parts;  ///< known from list_parts() on
+  double diagonal = 0;          ///< of the bounding box, mm
+  bool is_copied = false;       ///< shape and faces are our own, to be changed in place
+  bool is_rebuilt = false;      ///< faces are no longer those of `shape`: edges are listed over the faces instead
+  TopTools_IndexedMapOfShape read_edges;  ///< of `shape`, in the order of the shape as read
+  /// Edges that took the place of others, when sewn or divided: the 0-based edges as read that they lie on, rising.
+  NCollection_DataMap<TopoDS_Shape, std::vector<int>, TopTools_ShapeMapHasher> replaced_edges;
+  std::vector<Repair> repairs;              ///< in the order of their kinds
+  std::vector<std::array<int, 2>> doubles;  ///< (face that was left out, face that it lies on)
+
+  void note_repair(RepairKind kind, long count, double distance, const std::string& face = {});
+};
+
+/// A face below this share of the diagonal squared has no area.
+inline constexpr double no_area_share = 1e-10;
+
+/// Points taken for parts: files with more have them from drawing.
+inline constexpr int most_points = 100;
+
+/// Progress units that the functions below credit per face.
+inline constexpr long measure_units = 1, repair_units = 1, sew_units = 2;
+
+/// Faces, their solids and areas, and the diagonal. A face with less than 1e-10 diagonal^2 has no area.
+/// Credits measure_units per face. Collective.
+Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& tasks);
+
+/// Makes shape and faces our own, so that they may be changed in place. Order of faces and edges stays.
+void copy_shape(Workpiece& work);
+
+/// Gives faces without loops their natural bounds, edges without an image on a face that image, and edges wrongly
+/// flagged as poles their curve. What fails becomes the face's fault. The input's own data stay as they are.
+/// Credits repair_units per face.
+void repair(Workpiece& work, Progress& progress);
+
+/// All edges, in the order in which the model lists them.
+TopTools_IndexedMapOfShape edge_map(const Workpiece& work);
+
+/// The 0-based edges of the shape as read that an edge is or lies on; none for an edge that was added.
+std::vector<int> edge_origins(const Workpiece& work, const TopoDS_Shape& edge);
+
+/// Notes that the edges of `image` lie on `origins`, besides what they are known to lie on.
+void add_edge_origins(Workpiece& work, const TopoDS_Shape& image, const std::vector<int>& origins);
+
+/// Uses of every edge of faces with area, and whether it is a free one.
+struct EdgeUses {
+  TopTools_IndexedMapOfShape edges;
+  std::vector<int> uses;  ///< at index of `edges` (from 1)
+  /// One face only, not a pole.
+  bool is_free(int index) const;
+};
+EdgeUses count_uses(const std::vector<WorkFace>& faces);
+
+struct SewResult {
+  double tolerance = 0;  ///< 0: nothing was sewn
+  long free_before = 0, free_after = 0;
+  std::vector<int> lost_faces;  ///< indices of faces that sewing dropped as smaller than the tolerance
+};
+
+/// Makes coinciding free edges common, solid by solid and among the faces without a solid. Without `tolerance` (mm, 0:
+/// never sew) what is drawn to fit, and larger gaps as far as that closes what is open. Credits sew_units per face.
+SewResult sew(Workpiece& work, std::optional<double> tolerance, Progress& progress);
+
+struct DividedFace {
+  int origin = -1;  ///< WorkFace::origin
+  int creases = 0;  ///< along which it was divided
+};
+
+/// Cuts faces along the iso-lines where their normal jumps, so that these become edges; faces afterwards are the
+/// pieces. Nothing changes where there is no such line.
+std::vector<DividedFace> divide_creases(Workpiece& work);
+
+/// Area in mm^2 whatever the orientation; NaN when the kernel cannot compute it.
+double face_area(const TopoDS_Face& face);
+
+/// Microseconds that its area or its share of a volume takes, as far as its edges and the spans of its surface tell.
+double measuring_cost(const TopoDS_Face& face);
+
+/// Length of an edge in mm; 0 for a pole.
+double edge_length(const TopoDS_Edge& edge);
+
+/// Volume between the face and `apex`, mm^3; negative where its normal looks at the apex. The sum over closed faces is
+/// what they enclose. NaN when the kernel cannot compute it.
+double volume_to(const TopoDS_Face& face, Vec3 apex);
+
+/// "Face12" for index 11.
+inline std::string face_name(int index) { return "Face" + std::to_string(index + 1); }
+
+/// "Face3, Face8, Face9 and 29 more"; a name that follows itself (pieces of a face) is listed once.
+std::string list_names(std::vector<std::string> names);
+
+}  // namespace paver

@@ -1,0 +1,395 @@
+// Divides faces along the creases of their surfaces: iso-lines where the surface is only C0 and its normal jumps.
+// Elements across a crease would fold, so each crease becomes an ordinary edge between two pieces.
+// 1. Find the creases: C0 parameters where the normal turns by more than crease_angle somewhere inside the face.
+// 2. A periodic edge that is a crease ends as an ordinary edge once the face has two pieces around it; where no crease
+//    lies inside, the face is cut half-way around.
+// 3. Divide by the kernel, with one memory of replaced edges: an edge shared with a neighbour is divided once.
+//    Rectangular faces go by our own grid, which also leaves out strips of the surface that are pressed flat onto a
+//    line (a trailing edge without thickness): the kernel's division fails at these.
+// 4. Faces take over the divided edges of their neighbours; every edge keeps the number of the one it came from.
+// A face that the kernel cannot divide stays whole.
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepGProp.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <Precision.hxx>
+#include <ShapeBuild_ReShape.hxx>
+#include <ShapeFix_ComposeShell.hxx>
+#include <ShapeUpgrade_SplitSurface.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColStd_HSequenceOfReal.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "brep/connecting/workpiece_impl.h"
+#include "brep/mending/divide_grid_impl.h"
+#include "brep/occt_impl.h"
+
+namespace paver {
+namespace {
+
+/// A turn of the normal by more than this is a crease; smaller ones do not hurt elements.
+constexpr double crease_angle = 15 * std::numbers::pi / 180;
+constexpr int crease_samples = 64;
+/// Normals at a crease are taken so far aside, as a share of the face's range.
+constexpr double aside_share = 1e-6;
+/// Creases nearer than this share of the range to the face's ends are its ends.
+constexpr double end_share = 1e-6;
+/// Local area, over the diagonal squared and per range in u and v, below which there is no normal.
+constexpr double no_normal_share = 1e-9;
+constexpr int strip_samples = 8;
+/// Pieces that the kernel makes must have the area of their face up to this share; measured across creases it is some
+/// parts in a thousand off.
+constexpr double area_share = 1e-2;
+constexpr double area_accuracy = 1e-5;
+/// Images of edges that lie further off than this many ranges of the surface are damage: the kernel would cut them at
+/// every period on the way, without end.
+constexpr double most_turns = 8;
+
+/// Where to cut a face. `creases` counts those inside and the periodic edges that are creases.
+struct Cuts {
+  std::vector<double> u, v;
+  std::array<std::vector<GridSpan>, 2> spans;  ///< between the cuts, in u and in v
+  int creases = 0;
+};
+
+class CreaseFinder {
+ public:
+  CreaseFinder(const TopoDS_Face& face, double diagonal) : face_(face), surface_(face) {
+    least_normal_ = no_normal_share * diagonal * diagonal / (range(true) * range(false));
+  }
+
+  Cuts find() {
+    Cuts cuts;
+    if (!is_finite()) return cuts;
+    cuts.u = inner_creases(true);
+    cuts.v = inner_creases(false);
+    cuts.creases = static_cast<int>(cuts.u.size() + cuts.v.size());
+    for (bool is_u : {true, false}) {
+      if (!has_sharp_closure(is_u)) continue;
+      ++cuts.creases;
+      std::vector<double>& values = is_u ? cuts.u : cuts.v;
+      if (values.empty()) values.push_back(first(is_u) + 0.5 * range(is_u));
+    }
+    cuts.spans = {spans(true, cuts.u), spans(false, cuts.v)};
+    return cuts;
+  }
+
+ private:
+  double first(bool is_u) const { return is_u ? surface_.FirstUParameter() : surface_.FirstVParameter(); }
+  double last(bool is_u) const { return is_u ? surface_.LastUParameter() : surface_.LastVParameter(); }
+  double range(bool is_u) const { return last(is_u) - first(is_u); }
+  double aside(bool is_u) const { return aside_share * range(is_u); }
+
+  bool is_finite() const {
+    for (bool is_u : {true, false})
+      if (Precision::IsInfinite(first(is_u)) || Precision::IsInfinite(last(is_u))) return false;
+    return true;
+  }
+
+  std::vector<GridSpan> spans(bool is_u, const std::vector<double>& values) const {
+    std::vector<GridSpan> result;
+    double low = first(is_u);
+    for (double value : values) {
+      result.push_back({low, value, is_flat_strip(is_u, low, value)});
+      low = value;
+    }
+    result.push_back({low, last(is_u), is_flat_strip(is_u, low, last(is_u))});
+    return result;
+  }
+
+  /// Nothing at poles.
+  std::optional<gp_Vec> normal(double u, double v) const {
+    gp_Pnt point;
+    gp_Vec xu, xv;
+    surface_.D1(u, v, point, xu, xv);
+    gp_Vec across = xu.Crossed(xv);
+    if (across.Magnitude() <= least_normal_) return std::nullopt;
+    return across;
+  }
+
+  std::optional<gp_Vec> normal_at(bool is_u, double along, double other) const {
+    return is_u ? normal(along, other) : normal(other, along);
+  }
+
+  static bool is_jump(const std::optional<gp_Vec>& a, const std::optional<gp_Vec>& b) {
+    return a && b && a->Angle(*b) > crease_angle;
+  }
+
+  std::vector<double> inner_creases(bool is_u) {
+    int count = is_u ? surface_.NbUIntervals(GeomAbs_C1) : surface_.NbVIntervals(GeomAbs_C1);
+    if (count < 2) return {};
+    TColStd_Array1OfReal ends(1, count + 1);
+    if (is_u) {
+      surface_.UIntervals(ends, GeomAbs_C1);
+    } else {
+      surface_.VIntervals(ends, GeomAbs_C1);
+    }
+    std::vector<bool> is_strip(static_cast<std::size_t>(count) + 1, false);
+    for (int i = 1; i <= count; ++i) is_strip[static_cast<std::size_t>(i)] = is_flat_strip(is_u, ends(i), ends(i + 1));
+    std::vector<double> creases;
+    for (int i = 2; i <= count; ++i) {
+      double margin = end_share * range(is_u);
+      bool is_inside = ends(i) > first(is_u) + margin && ends(i) < last(is_u) - margin;
+      bool is_strip_end = is_strip[static_cast<std::size_t>(i - 1)] != is_strip[static_cast<std::size_t>(i)];
+      if (is_inside && (is_strip_end || is_crease(is_u, ends(i)))) creases.push_back(ends(i));
+    }
+    if (!is_whole_strip(is_strip)) divide_between_strips(ends, is_strip, creases);
+    return creases;
+  }
+
+  static bool is_whole_strip(const std::vector<bool>& is_strip) {
+    return std::find(is_strip.begin() + 1, is_strip.end(), false) == is_strip.end();
+  }
+
+  /// A face closed by flat strips at both ends needs two pieces between them, for their common edge to be ordinary.
+  void divide_between_strips(const TColStd_Array1OfReal& ends, const std::vector<bool>& is_strip,
+                             std::vector<double>& creases) const {
+    if (creases.empty() || (!is_strip[1] && !is_strip.back())) return;
+    double low = is_strip[1] ? creases.front() : ends(1);
+    double high = is_strip.back() ? creases.back() : ends(ends.Upper());
+    bool is_divided = std::any_of(creases.begin(), creases.end(), [&](double c) { return c > low && c < high; });
+    if (!is_divided)
+      creases.insert(std::lower_bound(creases.begin(), creases.end(), 0.5 * (low + high)), 0.5 * (low + high));
+  }
+
+  bool is_flat_strip(bool is_u, double low, double high) const {
+    for (int i = 0; i < strip_samples; ++i) {
+      for (int j = 0; j < strip_samples; ++j) {
+        double along = low + (high - low) * (i + 0.5) / strip_samples;
+        if (normal_at(is_u, along, first(!is_u) + range(!is_u) * (j + 0.5) / strip_samples)) return false;
+      }
+    }
+    return true;
+  }
+
+  bool is_crease(bool is_u, double value) {
+    for (int i = 0; i < crease_samples; ++i) {
+      double other = first(!is_u) + range(!is_u) * (i + 0.5) / crease_samples;
+      auto below = normal_at(is_u, value - aside(is_u), other), above = normal_at(is_u, value + aside(is_u), other);
+      if (!is_jump(below, above)) continue;
+      gp_Pnt2d uv = is_u ? gp_Pnt2d(value, other) : gp_Pnt2d(other, value);
+      if (!inside_) inside_.emplace(face_, Precision::PConfusion());  // dear, and few faces have anything to ask
+      if (inside_->Perform(uv) != TopAbs_OUT) return true;
+    }
+    return false;
+  }
+
+  /// Whether the face closes on itself in this direction, along a periodic edge that is a crease.
+  bool has_sharp_closure(bool is_u) const {
+    for (TopExp_Explorer edges(face_, TopAbs_EDGE); edges.More(); edges.Next()) {
+      const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+      if (!BRep_Tool::Degenerated(edge) && BRep_Tool::IsClosed(edge, face_) && is_used_twice(edge) &&
+          is_sharp_closure(edge, is_u))
+        return true;
+    }
+    return false;
+  }
+
+  /// A piece of a face that goes round keeps both images of the periodic edge, but has it on one side only.
+  bool is_used_twice(const TopoDS_Edge& edge) const {
+    int uses = 0;
+    for (TopExp_Explorer edges(face_, TopAbs_EDGE); edges.More(); edges.Next()) uses += edges.Current().IsSame(edge);
+    return uses == 2;
+  }
+
+  bool is_sharp_closure(const TopoDS_Edge& edge, bool is_u) const {
+    double t0 = 0, t1 = 0;
+    Handle(Geom2d_Curve) one = BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)), face_, t0, t1);
+    Handle(Geom2d_Curve) two = BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)), face_, t0, t1);
+    if (one.IsNull() || two.IsNull()) return false;
+    for (int i = 0; i < crease_samples; ++i) {
+      double t = t0 + (t1 - t0) * (i + 0.5) / crease_samples;
+      gp_Pnt2d a = one->Value(t), b = two->Value(t);
+      bool is_around_u = std::abs(a.X() - b.X()) > 0.5 * range(true);
+      bool is_around_v = std::abs(a.Y() - b.Y()) > 0.5 * range(false);
+      if (is_u ? !is_around_u : !is_around_v) continue;
+      if (is_u ? b.X() < a.X() : b.Y() < a.Y()) std::swap(a, b);
+      auto low = is_u ? normal_at(is_u, a.X() + aside(is_u), a.Y()) : normal_at(is_u, a.Y() + aside(is_u), a.X()),
+           high = is_u ? normal_at(is_u, b.X() - aside(is_u), b.Y()) : normal_at(is_u, b.Y() - aside(is_u), b.X());
+      if (is_jump(low, high)) return true;
+    }
+    return false;
+  }
+
+  const TopoDS_Face& face_;
+  BRepAdaptor_Surface surface_;
+  std::optional<BRepTopAdaptor_FClass2d> inside_;
+  double least_normal_ = 0;
+};
+
+std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Face> faces;
+  if (shape.IsNull()) return faces;
+  for (TopExp_Explorer parts(shape, TopAbs_FACE); parts.More(); parts.Next())
+    faces.push_back(TopoDS::Face(parts.Current()));
+  return faces;
+}
+
+/// The kernel's usual rule is percents off on creased surfaces of high degree.
+double exact_area(const TopoDS_Face& face) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(face, properties, area_accuracy);
+  return std::abs(properties.Mass());
+}
+
+class CreaseDivider {
+ public:
+  explicit CreaseDivider(Workpiece& work) : work_(work), context_(new ShapeBuild_ReShape) {}
+
+  std::vector<DividedFace> run() {
+    std::vector<Cuts> cuts = find_cuts();
+    if (std::all_of(cuts.begin(), cuts.end(), [](const Cuts& c) { return c.creases == 0; })) return {};
+    copy_shape(work_);
+    TopTools_IndexedMapOfShape edges = edge_map(work_);
+    std::vector<DividedFace> divided;
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+      if (cuts[i].creases > 0 && divide(work_.faces[i], cuts[i]))
+        divided.push_back({work_.faces[i].origin, cuts[i].creases});
+    if (divided.empty()) return {};
+    replace_faces();
+    note_divided_edges(edges);
+    work_.is_rebuilt = true;
+    return divided;
+  }
+
+ private:
+  std::vector<Cuts> find_cuts() const {
+    std::vector<Cuts> cuts;
+    for (const WorkFace& face : work_.faces) {
+      cuts.emplace_back();
+      if (!face.has_area || !face.fault.empty()) continue;
+      try {
+        cuts.back() = CreaseFinder(TopoDS::Face(face.face.Oriented(TopAbs_FORWARD)), work_.diagonal).find();
+      } catch (const Standard_Failure&) {
+        // Surfaces that cannot be evaluated are reported later, as a fault.
+      }
+    }
+    return cuts;
+  }
+
+  /// False where the kernel fails; the face then stays whole.
+  bool divide(const WorkFace& work, const Cuts& cuts) {
+    TopoDS_Shape plain = work.face.Oriented(TopAbs_FORWARD);
+    try {
+      // Neighbours divided before may have divided edges of this face.
+      std::vector<TopoDS_Face> current = faces_of(context_->Apply(plain));
+      if (current.size() != 1) return false;
+      GridCells grid = divide_grid(current[0], cuts.spans, work_.diagonal);
+      if (faces_of(grid.cells).size() > 1) {
+        for (const auto& [edge, wire] : grid.divided_edges) context_->Replace(edge, wire);
+        context_->Replace(current[0], grid.cells);
+        return true;
+      }
+      if (!has_near_images(current[0])) return false;
+      double area = exact_area(current[0]);
+      // A trial first: the kernel records divided edges even where it fails.
+      Handle(ShapeBuild_ReShape) trial = new ShapeBuild_ReShape;
+      if (!is_sound(faces_of(compose(current[0], cuts, trial)), area)) return false;
+      context_->Replace(current[0], compose(current[0], cuts, context_));
+      return true;
+    } catch (const Standard_Failure&) {
+      return false;
+    }
+  }
+
+  static bool has_near_images(const TopoDS_Face& face) {
+    TopLoc_Location location;
+    double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+    BRep_Tool::Surface(face, location)->Bounds(u0, u1, v0, v1);
+    const double far_u = most_turns * (u1 - u0), far_v = most_turns * (v1 - v0);
+    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
+      double t0 = 0, t1 = 0;
+      Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(TopoDS::Edge(edges.Current()), face, t0, t1);
+      if (image.IsNull()) continue;
+      for (double t : {t0, 0.5 * (t0 + t1), t1}) {
+        const gp_Pnt2d uv = image->Value(t);
+        if (std::abs(uv.X() - u0) > far_u || std::abs(uv.Y() - v0) > far_v) return false;
+      }
+    }
+    return true;
+  }
+
+  static TopoDS_Shape compose(const TopoDS_Face& face, const Cuts& cuts, const Handle(ShapeBuild_ReShape) & context) {
+    TopLoc_Location location;
+    Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location);
+    double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+    BRepAdaptor_Surface bounds(face);
+    surface->Bounds(u0, u1, v0, v1);
+    if (Precision::IsInfinite(u0) || Precision::IsInfinite(u1))
+      u0 = bounds.FirstUParameter(), u1 = bounds.LastUParameter();
+    if (Precision::IsInfinite(v0) || Precision::IsInfinite(v1))
+      v0 = bounds.FirstVParameter(), v1 = bounds.LastVParameter();
+    ShapeUpgrade_SplitSurface splitter;
+    splitter.Init(surface, u0, u1, v0, v1);
+    splitter.SetUSplitValues(within(cuts.u, u0, u1));
+    splitter.SetVSplitValues(within(cuts.v, v0, v1));
+    splitter.Perform(Standard_True);
+    ShapeFix_ComposeShell composer;
+    composer.Init(splitter.ResSurfaces(), location, face, Precision::Confusion());
+    composer.SetContext(context);
+    return composer.Perform() ? composer.Result() : TopoDS_Shape();
+  }
+
+  /// Values of a periodic surface brought into its own period.
+  static Handle(TColStd_HSequenceOfReal) within(const std::vector<double>& values, double low, double high) {
+    std::vector<double> moved;
+    for (double value : values) moved.push_back(value - (high - low) * std::floor((value - low) / (high - low)));
+    std::sort(moved.begin(), moved.end());
+    Handle(TColStd_HSequenceOfReal) result = new TColStd_HSequenceOfReal;
+    for (double value : moved) result->Append(value);
+    return result;
+  }
+
+  static bool is_sound(const std::vector<TopoDS_Face>& pieces, double area) {
+    double sum = 0;
+    for (const TopoDS_Face& piece : pieces) sum += exact_area(piece);
+    return pieces.size() > 1 && std::abs(sum - area) <= area_share * area;
+  }
+
+  void replace_faces() {
+    std::vector<WorkFace> replaced;
+    for (WorkFace& face : work_.faces) {
+      bool is_reversed = face.face.Orientation() == TopAbs_REVERSED;
+      std::vector<TopoDS_Face> pieces = faces_of(context_->Apply(face.face.Oriented(TopAbs_FORWARD)));
+      for (TopoDS_Face& piece : pieces) {
+        WorkFace part = face;
+        if (is_reversed) piece.Reverse();
+        part.face = piece;
+        if (pieces.size() > 1) {
+          part.area = exact_area(piece);
+          part.has_area = part.area > no_area_share * work_.diagonal * work_.diagonal;
+        }
+        replaced.push_back(std::move(part));
+      }
+      if (pieces.empty()) replaced.push_back(face);
+    }
+    work_.faces = std::move(replaced);
+  }
+
+  void note_divided_edges(const TopTools_IndexedMapOfShape& edges) {
+    for (int i = 1; i <= edges.Extent(); ++i) {
+      TopoDS_Shape image = context_->Apply(edges(i).Oriented(TopAbs_FORWARD));
+      if (!image.IsNull() && !image.IsSame(edges(i))) add_edge_origins(work_, image, edge_origins(work_, edges(i)));
+    }
+  }
+
+  Workpiece& work_;
+  Handle(ShapeBuild_ReShape) context_;
+};
+
+}  // namespace
+
+std::vector<DividedFace> divide_creases(Workpiece& work) { return CreaseDivider(work).run(); }
+
+}  // namespace paver

@@ -1,0 +1,362 @@
+// Mending faces, in two steps, on a copy of the shape when there is anything to do.
+// 1. Open loops: ends that are no start are joined with the nearest start that is no end. Vertices are joined all over
+//    the model at once, so faces that share them go on sharing.
+// 2. Images that jump or are nowhere near their curve: wrong ones are removed, and the kernel adds images, periodic
+//    edges and poles. Each face is tried on a copy; what the trial makes better is done, in one memory of replaced
+//    edges for all faces.
+// Files of clean models have neither, and pay for the look at their loops only.
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepCheck_ListIteratorOfListOfStatus.hxx>
+#include <BRepCheck_Result.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Precision.hxx>
+#include <ShapeBuild_ReShape.hxx>
+#include <ShapeFix_Face.hxx>
+#include <ShapeFix_Wire.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "base/union_find.h"
+#include "brep/mending/mend_impl.h"
+#include "brep/occt_impl.h"
+
+namespace paver {
+namespace {
+
+/// No ends farther apart than this share of the diagonal are joined,
+constexpr double join_share = 3e-3;
+/// nor than this share of the shortest edge of the loop.
+constexpr double edge_share = 0.25;
+/// Precision of the kernel's repairs, of the diagonal; and how far it may raise tolerances.
+constexpr double exact_share = 1e-7, coarse_share = 1e-4;
+/// The border of a face must keep its length up to this share; its area is often unknown while its images are wrong.
+constexpr double same_share = 1e-4;
+
+TopoDS_Face forward(const TopoDS_Face& face) { return TopoDS::Face(face.Oriented(TopAbs_FORWARD)); }
+
+/// Puts what a memory of replacements made of faces and edges in their place.
+template <class Context>
+void take_over(Workpiece& work, Context& context) {
+  TopTools_IndexedMapOfShape before;
+  for (const WorkFace& face : work.faces) TopExp::MapShapes(face.face, TopAbs_EDGE, before);
+  for (WorkFace& face : work.faces) {
+    const TopoDS_Shape image = context.Apply(face.face);
+    if (!image.IsNull() && image.ShapeType() == TopAbs_FACE) face.face = TopoDS::Face(image);
+  }
+  for (int i = 1; i <= before.Extent(); ++i) {
+    const std::vector<int> origins = edge_origins(work, before(i));
+    const TopoDS_Shape image = context.Apply(before(i));
+    if (!image.IsNull() && !image.IsSame(before(i))) add_edge_origins(work, image, origins);
+  }
+  work.is_rebuilt = true;
+}
+
+/// Joins the ends of open loops.
+class LoopCloser {
+ public:
+  explicit LoopCloser(Workpiece& work) : work_(work) {}
+
+  void add_face(const WorkFace& work) {
+    const TopoDS_Face& face = work.face;
+    const long before = closed_;
+    for (TopoDS_Iterator parts(face); parts.More(); parts.Next())
+      if (parts.Value().ShapeType() == TopAbs_WIRE) add_loop(parts.Value());
+    if (closed_ > before) names_.push_back(face_name(work.origin));
+  }
+
+  void run() {
+    if (closed_ == 0) return;
+    std::map<int, std::vector<int>> clusters;
+    for (int i = 0; i < vertices_.Extent(); ++i) clusters[together_.find(i)].push_back(i);
+    BRepTools_ReShape context;
+    double reach = 0;
+    for (const auto& [root, cluster] : clusters)
+      if (cluster.size() > 1) reach = std::max(reach, join(cluster, context));
+    take_over(work_, context);
+    for (const std::string& name : names_) work_.note_repair(RepairKind::closed_loop, 1, reach, name);
+  }
+
+ private:
+  struct Link {
+    double distance;
+    int end, start;
+  };
+
+  void add_loop(const TopoDS_Shape& wire) {
+    std::map<int, int> balance;  // starts less ends
+    double shortest = std::numeric_limits<double>::infinity();
+    auto add = [&](const TopoDS_Edge& edge, const TopoDS_Vertex& first, const TopoDS_Vertex& last) {
+      ++balance[number(first)];
+      --balance[number(last)];
+      if (!first.IsSame(last)) shortest = std::min(shortest, edge_length(edge));
+    };
+    if (!visit_border(wire, add)) return;
+    const double most = std::min(join_share * work_.diagonal, edge_share * shortest);
+    std::vector<Link> links = links_between(balance, most);
+    const auto joined = close(balance, links);
+    const bool is_closed =
+        std::all_of(balance.begin(), balance.end(), [](const auto& entry) { return entry.second == 0; });
+    if (!is_closed || joined.empty()) return;
+    for (const Link& link : joined) together_.merge(link.end, link.start);
+    ++closed_;
+  }
+
+  std::vector<Link> links_between(const std::map<int, int>& balance, double most) const {
+    std::vector<Link> links;
+    for (const auto& [end, ends] : balance)
+      for (const auto& [start, starts] : balance) {
+        if (ends >= 0 || starts <= 0) continue;
+        const double distance = point(end).Distance(point(start));
+        if (distance <= most) links.push_back({distance, end, start});
+      }
+    std::stable_sort(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.distance < b.distance; });
+    return links;
+  }
+
+  /// The nearest first, each end and start once.
+  static std::vector<Link> close(std::map<int, int>& balance, const std::vector<Link>& links) {
+    std::vector<Link> joined;
+    for (const Link& link : links) {
+      if (balance[link.end] >= 0 || balance[link.start] <= 0) continue;
+      ++balance[link.end];
+      --balance[link.start];
+      joined.push_back(link);
+    }
+    return joined;
+  }
+
+  int number(const TopoDS_Vertex& vertex) {
+    const int index = vertices_.Add(vertex) - 1;
+    if (index == static_cast<int>(points_.size())) {
+      points_.push_back(BRep_Tool::Pnt(vertex));
+      together_.add();
+    }
+    return index;
+  }
+
+  const gp_Pnt& point(int vertex) const { return points_[static_cast<std::size_t>(vertex)]; }
+
+  /// One vertex in their middle, with a tolerance that holds them all; gives how far they were moved.
+  double join(const std::vector<int>& cluster, BRepTools_ReShape& context) const {
+    gp_XYZ sum(0, 0, 0);
+    for (int i : cluster) sum += point(i).XYZ();
+    const gp_Pnt middle(sum / static_cast<double>(cluster.size()));
+    double reach = 0, tolerance = 0;
+    for (int i : cluster) {
+      reach = std::max(reach, middle.Distance(point(i)));
+      tolerance =
+          std::max(tolerance, middle.Distance(point(i)) + BRep_Tool::Tolerance(TopoDS::Vertex(vertices_(i + 1))));
+    }
+    TopoDS_Vertex common;
+    BRep_Builder().MakeVertex(common, middle, tolerance);
+    for (int i : cluster) context.Replace(vertices_(i + 1).Oriented(TopAbs_FORWARD), common);
+    return reach;
+  }
+
+  Workpiece& work_;
+  TopTools_IndexedMapOfShape vertices_;
+  std::vector<gp_Pnt> points_;
+  UnionFind together_;
+  std::vector<std::string> names_;  ///< of the faces
+  long closed_ = 0;
+};
+
+/// Number of faults that the kernel finds in a face and its edges.
+long kernel_faults(const TopoDS_Face& face) {
+  const BRepCheck_Analyzer analyzer(face);
+  long count = 0;
+  auto add = [&](const TopoDS_Shape& shape) {
+    const Handle(BRepCheck_Result)& result = analyzer.Result(shape);
+    if (result.IsNull()) return;
+    for (BRepCheck_ListIteratorOfListOfStatus status(result->Status()); status.More(); status.Next())
+      count += status.Value() != BRepCheck_NoError;
+    for (result->InitContextIterator(); result->MoreShapeInContext(); result->NextShapeInContext())
+      for (BRepCheck_ListIteratorOfListOfStatus status(result->StatusOnShape()); status.More(); status.Next())
+        count += status.Value() != BRepCheck_NoError;
+  };
+  add(face);
+  for (TopAbs_ShapeEnum kind : {TopAbs_WIRE, TopAbs_EDGE}) {
+    TopTools_IndexedMapOfShape parts;
+    TopExp::MapShapes(face, kind, parts);
+    for (int i = 1; i <= parts.Extent(); ++i) add(parts(i));
+  }
+  return count;
+}
+
+/// What a face must keep, and what it may have more of.
+struct Figures {
+  double border = 0;  ///< length of its edges without periodic ones
+  int periodic = 0, poles = 0, vertices = 0;
+};
+
+Figures figures_of(const TopoDS_Face& face) {
+  Figures figures;
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(face, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges(i));
+    const bool is_pole = BRep_Tool::Degenerated(edge), is_periodic = !is_pole && BRep_Tool::IsClosed(edge, face);
+    figures.poles += is_pole;
+    figures.periodic += is_periodic;
+    if (!is_pole && !is_periodic) figures.border += edge_length(edge);
+  }
+  TopTools_IndexedMapOfShape vertices;
+  TopExp::MapShapes(face, TopAbs_VERTEX, vertices);
+  figures.vertices = vertices.Extent();
+  return figures;
+}
+
+/// How far the vertices of one face lie from those of another at most.
+double largest_move(const TopoDS_Face& before, const TopoDS_Face& after) {
+  TopTools_IndexedMapOfShape from, to;
+  TopExp::MapShapes(before, TopAbs_VERTEX, from);
+  TopExp::MapShapes(after, TopAbs_VERTEX, to);
+  double largest = 0;
+  for (int i = 1; i <= from.Extent(); ++i) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int j = 1; j <= to.Extent(); ++j)
+      nearest =
+          std::min(nearest, BRep_Tool::Pnt(TopoDS::Vertex(from(i))).Distance(BRep_Tool::Pnt(TopoDS::Vertex(to(j)))));
+    largest = std::max(largest, nearest);
+  }
+  return largest;
+}
+
+class FaceMender {
+ public:
+  explicit FaceMender(Workpiece& work) : work_(work) {}
+
+  /// Tries on a copy, and does it where that helps.
+  void mend(WorkFace& face, const LoopFaults& faults) {
+    const TopoDS_Face plain = forward(face.face);
+    const TopoDS_Face copy = TopoDS::Face(BRepBuilderAPI_Copy(plain).Shape());
+    const auto trial = fixed(copy, find_loop_faults(copy, work_.diagonal), new ShapeBuild_ReShape);
+    if (!trial || !is_better(plain, faults, *trial)) return;
+    const auto done = fixed(TopoDS::Face(context_->Apply(plain)), faults, context_);
+    if (!done) return;
+    const Figures before = figures_of(plain), after = figures_of(*done);
+    context_->Replace(plain, *done);
+    face.area = face_area(*done);
+    face.has_area = true;
+    is_mended_ = true;
+    note(before, after, faults, largest_move(plain, *done), face_name(face.origin));
+  }
+
+  void finish() {
+    if (is_mended_) take_over(work_, *context_);
+  }
+
+ private:
+  void note(const Figures& before, const Figures& after, const LoopFaults& faults, double move,
+            const std::string& face) {
+    const bool is_joined = after.vertices < before.vertices;
+    const bool is_extended = after.periodic > before.periodic || after.poles > before.poles;
+    const auto wrong = static_cast<long>(faults.wrong_images.size());
+    work_.note_repair(RepairKind::closed_loop, is_joined, move, face);
+    work_.note_repair(RepairKind::periodic_edge, std::max(0, after.periodic - before.periodic), 0, face);
+    work_.note_repair(RepairKind::pole, std::max(0, after.poles - before.poles), 0, face);
+    work_.note_repair(RepairKind::image, wrong > 0 || is_joined || is_extended ? wrong : faults.jumps, faults.off,
+                      face);
+  }
+
+  /// A face as the kernel makes it whole; nothing where it makes none, or several of it.
+  std::optional<TopoDS_Face> fixed(const TopoDS_Face& face, const LoopFaults& faults,
+                                   const Handle(ShapeBuild_ReShape) & context) const {
+    BRep_Builder builder;
+    for (const TopoDS_Edge& edge : faults.wrong_images)
+      builder.UpdateEdge(TopoDS::Edge(context->Apply(edge)), Handle(Geom2d_Curve)(), face, BRep_Tool::Tolerance(edge));
+    Handle(ShapeFix_Face) fixer = new ShapeFix_Face(face);
+    fixer->SetContext(context);
+    fixer->SetPrecision(exact_share * work_.diagonal);
+    fixer->SetMinTolerance(Precision::Confusion());
+    fixer->SetMaxTolerance(coarse_share * work_.diagonal);
+    fixer->FixOrientationMode() = 0;
+    fixer->FixAddNaturalBoundMode() = 0;
+    fixer->FixSmallAreaWireMode() = 0;
+    fixer->RemoveSmallAreaFaceMode() = 0;
+    fixer->FixIntersectingWiresMode() = 0;
+    fixer->FixLoopWiresMode() = 0;
+    fixer->FixSplitFaceMode() = 0;
+    fixer->FixMissingSeamMode() = 1;
+    fixer->FixPeriodicDegeneratedMode() = 1;
+    const Handle(ShapeFix_Wire) wires = fixer->FixWireTool();
+    wires->ModifyTopologyMode() = Standard_True;
+    wires->FixSelfIntersectionMode() = 0;
+    wires->FixSmallMode() = 0;
+    wires->FixLackingMode() = 0;
+    wires->FixNotchedEdgesMode() = 0;
+    wires->FixTailMode() = 0;
+    fixer->Perform();
+    const TopoDS_Shape result = fixer->Result();
+    if (result.IsNull()) return std::nullopt;
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(result, TopAbs_FACE, faces);
+    if (faces.Extent() != 1) return std::nullopt;
+    return forward(TopoDS::Face(faces(1)));
+  }
+
+  /// Fewer faults, none that the kernel sees more of; the same border.
+  bool is_better(const TopoDS_Face& before, const LoopFaults& faults, const TopoDS_Face& after) const {
+    if (find_loop_faults(after, work_.diagonal).count() >= faults.count()) return false;
+    if (kernel_faults(after) > kernel_faults(before)) return false;
+    if (largest_move(before, after) > join_share * work_.diagonal) return false;
+    const double border = figures_of(before).border, area = face_area(after);
+    return std::abs(figures_of(after).border - border) <= same_share * border && std::isfinite(area) &&
+           area > no_area_share * work_.diagonal * work_.diagonal;
+  }
+
+  Workpiece& work_;
+  Handle(ShapeBuild_ReShape) context_ = new ShapeBuild_ReShape;
+  bool is_mended_ = false;
+};
+
+/// Faces with such faults; those that come without an area may have them because of these.
+template <class Use>
+void for_faults(Workpiece& work, Use&& use) {
+  for (std::size_t i = 0; i < work.faces.size(); ++i) {
+    const WorkFace& face = work.faces[i];
+    if (!face.fault.empty() || face.is_dropped) continue;
+    try {
+      const LoopFaults faults = find_loop_faults(forward(face.face), work.diagonal);
+      if (faults.count() > 0) use(i, faults);
+    } catch (const Standard_Failure&) {
+      // What the kernel cannot evaluate is reported where it is used.
+    }
+  }
+}
+
+}  // namespace
+
+void mend_faces(Workpiece& work, Progress& progress) {
+  std::vector<std::size_t> open;
+  bool has_images = false;
+  for_faults(work, [&](std::size_t i, const LoopFaults& faults) {
+    if (faults.open > 0) open.push_back(i);
+    has_images |= faults.count() > faults.open;
+  });
+  if (open.empty() && !has_images) return;
+  copy_shape(work);
+  LoopCloser closer(work);
+  for (std::size_t i : open) closer.add_face(work.faces[i]);
+  closer.run();
+  FaceMender mender(work);
+  for_faults(work, [&](std::size_t i, const LoopFaults& faults) {
+    progress.check();
+    if (faults.open == 0) mender.mend(work.faces[i], faults);
+  });
+  mender.finish();
+}
+
+}  // namespace paver

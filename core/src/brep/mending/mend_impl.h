@@ -1,0 +1,51 @@
+// Faces that are faulty as drawn: what is wrong with their loops, and how they are made whole.
+#pragma once
+
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <vector>
+
+#include "brep/connecting/workpiece_impl.h"
+
+namespace paver {
+
+/// Visits the edges of a wire that bound the face, each with the vertices that it leads from and to, in the wire's
+/// order; false, without the rest, when one has none.
+template <class Visit>
+bool visit_border(const TopoDS_Shape& wire, Visit visit) {
+  for (TopoDS_Iterator parts(wire); parts.More(); parts.Next()) {
+    if (parts.Value().ShapeType() != TopAbs_EDGE) continue;
+    const TopoDS_Edge& edge = TopoDS::Edge(parts.Value());
+    if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED) continue;
+    const TopoDS_Vertex first = TopExp::FirstVertex(edge, Standard_True),
+                        last = TopExp::LastVertex(edge, Standard_True);
+    if (first.IsNull() || last.IsNull()) return false;
+    visit(edge, first, last);
+  }
+  return true;
+}
+
+/// What a loop needs and does not have. Planes are asked for their vertices alone: their images are made from curves.
+struct LoopFaults {
+  int open = 0;                           ///< ends of edges that are no start of another
+  int jumps = 0;                          ///< starts and ends in one vertex whose images lie apart
+  std::vector<TopoDS_Edge> wrong_images;  ///< that are nowhere near their curve
+  double off = 0;                         ///< how far these are, mm
+  long count() const { return open + jumps + static_cast<long>(wrong_images.size()); }
+};
+
+/// Of a FORWARD face. Takes a few evaluations per edge.
+LoopFaults find_loop_faults(const TopoDS_Face& face, double diagonal);
+
+/// Leaves out faces that lie on another one of the same solid, or of none, border on border.
+void drop_doubles(Workpiece& work);
+
+/// Closes open loops, and gives faces whose images jump or are wrong their periodic edges, poles and images; each face
+/// only where that makes it better, does not change what it covers and leaves its edges where they are.
+void mend_faces(Workpiece& work, Progress& progress);
+
+}  // namespace paver

@@ -1,0 +1,171 @@
+// Small repairs that later stages rely on, done on a copy when there is anything to do:
+// 1. a face without loops (a whole sphere or torus in some files) gets the natural bounds of its surface;
+// 2. an edge without an image in a face's (u, v) gets one, by projection;
+// 3. an edge flagged as a pole (of no length) that has length becomes an ordinary edge.
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepLib.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom_Surface.hxx>
+#include <Precision.hxx>
+#include <ShapeFix_Edge.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <gp.hxx>
+#include <optional>
+
+#include "brep/connecting/workpiece_impl.h"
+#include "brep/occt_impl.h"
+
+namespace paver {
+namespace {
+
+/// A pole reaches no farther than this share of the diagonal.
+constexpr double pole_share = 1e-6;
+/// Odd, so that a curve out and back is not met at its turning points' mirror images only.
+constexpr int pole_samples = 23;
+
+bool has_loops(const TopoDS_Face& face) { return TopExp_Explorer(face, TopAbs_WIRE).More(); }
+
+bool is_pole(const TopoDS_Edge& edge) { return BRep_Tool::Degenerated(edge); }
+
+bool has_image(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  double first = 0, last = 0;
+  return !BRep_Tool::CurveOnSurface(edge, face, first, last).IsNull();
+}
+
+/// A flagged pole whose image on the surface has length after all: readers compare only a few of its points, and a
+/// nose or tip pressed flat runs out and back through the same point.
+bool is_false_pole(const TopoDS_Edge& edge, const TopoDS_Face& face, double diagonal) {
+  if (!is_pole(edge)) return false;
+  double first = 0, last = 0;
+  Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, face, first, last);
+  if (image.IsNull()) return false;
+  BRepAdaptor_Surface surface(face, Standard_False);
+  auto at = [&](double share) {
+    gp_Pnt2d uv = image->Value(first + share * (last - first));
+    return surface.Value(uv.X(), uv.Y());
+  };
+  gp_Pnt start = at(0);
+  double reach = 0;
+  for (int i = 1; i <= pole_samples; ++i) reach = std::max(reach, start.Distance(at(double(i) / pole_samples)));
+  return reach > std::max(pole_share * diagonal, 2 * BRep_Tool::Tolerance(edge));
+}
+
+TopoDS_Face forward(const TopoDS_Face& face) { return TopoDS::Face(face.Oriented(TopAbs_FORWARD)); }
+
+bool needs_repair(const TopoDS_Face& face, double diagonal) {
+  if (!has_loops(face)) return true;
+  TopoDS_Face plain = forward(face);
+  for (TopExp_Explorer edges(plain, TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+    if (is_false_pole(edge, plain, diagonal)) return true;
+    if (!is_pole(edge) && !has_image(edge, plain)) return true;
+  }
+  return false;
+}
+
+void add_natural_bounds(WorkFace& face, Workpiece& work) {
+  TopLoc_Location location;
+  Handle(Geom_Surface) surface = BRep_Tool::Surface(face.face, location);
+  if (surface.IsNull()) {
+    face.fault = "it has no surface; export the model again";
+    return;
+  }
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  surface->Bounds(u0, u1, v0, v1);
+  if (Precision::IsInfinite(u0) || Precision::IsInfinite(u1) || Precision::IsInfinite(v0) ||
+      Precision::IsInfinite(v1)) {
+    face.fault = "it has no boundary and its surface is infinite; trim it in the CAD program";
+    return;
+  }
+  BRepBuilderAPI_MakeFace maker(surface, u0, u1, v0, v1, Precision::Confusion());
+  if (!maker.IsDone()) {
+    face.fault = "it has no boundary and none can be made; trim it in the CAD program";
+    return;
+  }
+  face.face = TopoDS::Face(maker.Face().Moved(location).Oriented(face.face.Orientation()));
+  face.area = face_area(face.face);
+  if (!std::isfinite(face.area)) face.fault = "its area cannot be computed";
+  work.note_repair(RepairKind::border, 1, 0, face_name(face.origin));
+  work.is_rebuilt = true;
+}
+
+void add_image(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  int uses = 0;
+  for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) uses += edges.Current().IsSame(edge);
+  ShapeFix_Edge().FixAddPCurve(edge, face, uses > 1);
+}
+
+/// Iso lines, as the borders of faces are, become exact curves; others are approximated.
+void add_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  double first = 0, last = 0;
+  Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, face, first, last);
+  TopLoc_Location location;
+  Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location);
+  BRep_Builder builder;
+  builder.Degenerated(edge, Standard_False);
+  auto line = Handle(Geom2d_Line)::DownCast(image);
+  if (!line.IsNull() && line->Direction().IsEqual(gp::DY2d(), Precision::Angular()) && line->Location().Y() == 0) {
+    builder.UpdateEdge(edge, surface->UIso(line->Location().X()), location, BRep_Tool::Tolerance(edge));
+    builder.Range(edge, first, last);
+  } else {
+    BRepLib::BuildCurve3d(edge);
+  }
+}
+
+void repair_edges(WorkFace& face, Workpiece& work) {
+  TopoDS_Face plain = forward(face.face);
+  for (TopExp_Explorer edges(plain, TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+    if (is_false_pole(edge, plain, work.diagonal)) {
+      add_curve(edge, plain);
+      work.note_repair(RepairKind::pole, 1, 0, face_name(face.origin));
+    }
+    if (is_pole(edge)) continue;
+    if (!has_image(edge, plain)) {
+      add_image(edge, plain);
+      work.note_repair(RepairKind::image, 1, 0, face_name(face.origin));
+    }
+    if (!has_image(edge, plain)) {
+      face.fault = "an edge has no curve in its surface and none can be made; repair it in the CAD program";
+      return;
+    }
+  }
+}
+
+std::optional<std::string> attempt(auto&& work_on_face) {
+  try {
+    work_on_face();
+    return std::nullopt;
+  } catch (const Standard_Failure& failure) {
+    return "the CAD kernel cannot repair it (" + failure_text(failure) + "); repair it in the CAD program";
+  }
+}
+
+}  // namespace
+
+void repair(Workpiece& work, Progress& progress) {
+  for (std::size_t i = 0; i < work.faces.size(); ++i) {
+    progress.advance(repair_units);
+    WorkFace& face = work.faces[i];
+    if (!face.is_usable()) continue;
+    auto failure = attempt([&] {
+      if (!needs_repair(face.face, work.diagonal)) return;
+      copy_shape(work);
+      if (!has_loops(face.face)) {
+        add_natural_bounds(face, work);
+      } else {
+        repair_edges(face, work);
+      }
+    });
+    if (failure) face.fault = *failure;
+  }
+}
+
+}  // namespace paver

@@ -1,0 +1,41 @@
+#include <dlfcn.h>
+
+#include <Standard_Transient.hxx>
+#include <filesystem>
+#include <typeinfo>
+
+#include "base/process/own_folders.h"
+#include "brep/reading/format_library_impl.h"
+
+namespace paver {
+namespace {
+
+/// Where it is not beside us the system may know it.
+std::string path_of(const std::string& library) {
+  std::error_code ignored;
+  for (const auto& folder : own_folders())
+    if (std::filesystem::exists(folder / library, ignored)) return (folder / library).string();
+  return library;
+}
+
+/// A host may have loaded another OpenCASCADE for all to see: what we load must take ours all the same.
+int search_order() {
+  void* everyone = ::dlopen(nullptr, RTLD_NOW);
+  const void* theirs = everyone ? ::dlsym(everyone, "_ZTI18Standard_Transient") : nullptr;
+  return theirs && theirs != &typeid(Standard_Transient) ? RTLD_DEEPBIND : 0;
+}
+
+}  // namespace
+
+FormatReader& format_library(const std::string& format, const FileSource& file) {
+  const std::string name = "libpaver_" + format + ".so";
+  // It stays: OpenCASCADE keeps tables of it.
+  void* library = ::dlopen(path_of(name).c_str(), RTLD_NOW | RTLD_LOCAL | search_order());
+  void* function = library ? ::dlsym(library, "paver_read_format") : nullptr;
+  if (!function)
+    throw Error(ErrorCode::internal, "'" + file.name + "' cannot be read without the library " + name + " (" +
+                                         ::dlerror() + "); put it beside the program or build Paver again.");
+  return *reinterpret_cast<FormatReader*>(function);
+}
+
+}  // namespace paver

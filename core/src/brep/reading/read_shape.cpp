@@ -1,0 +1,98 @@
+// Reads a CAD file into a shape: find the format, let OpenCASCADE read it, check that it has faces.
+// Exceptions and messages of OpenCASCADE end here: a failure is an Error, nothing is printed.
+#include "brep/reading/read_shape.h"
+
+#include <fmt/format.h>
+
+#include <TopAbs_ShapeEnum.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <mutex>
+
+#include "brep/connecting/trial.h"
+#include "brep/reading/file_format.h"
+#include "brep/reading/format_library_impl.h"
+#include "brep/reading/iges_text.h"
+#include "brep/reading/readers_impl.h"
+#include "brep/reading/step_text.h"
+#include "brep/shape_impl.h"
+
+namespace paver {
+
+namespace {
+
+/// The readers of STEP and IGES keep settings and tables for the whole process: one at a time.
+std::unique_lock<std::timed_mutex> wait_for_readers(const Progress& progress) {
+  static std::timed_mutex busy;
+  std::unique_lock lock(busy, std::defer_lock);
+  while (!lock.try_lock_for(std::chrono::milliseconds(20))) progress.check();
+  return lock;
+}
+
+bool is_doubtful_step(std::string_view content, const FileSource& file) {
+  const StepNames names = find_step_names(content);
+  if (names.doubled != 0 && !names.has_scopes)
+    throw Error(ErrorCode::damaged_file, fmt::format("'{}' is damaged at entity #{} (there is more than one of it); "
+                                                     "export the model again.",
+                                                     file.name, names.doubled));
+  return names.doubled != 0 || !names.is_whole;
+}
+
+}  // namespace
+
+LooseShapes::LooseShapes(const TopoDS_Shape& shape) {
+  for (TopExp_Explorer free(shape, TopAbs_EDGE, TopAbs_FACE); free.More(); free.Next()) edges.Add(free.Current());
+  for (TopExp_Explorer free(shape, TopAbs_VERTEX, TopAbs_EDGE); free.More(); free.Next()) vertices.Add(free.Current());
+}
+
+std::string content_of(const FileSource& file) {
+  std::ifstream in(file.path, std::ios::binary | std::ios::ate);
+  std::string content(static_cast<std::size_t>(std::max<std::streamoff>(0, in.tellg())), '\0');
+  in.seekg(0);
+  in.read(content.data(), static_cast<std::streamsize>(content.size()));
+  content.resize(static_cast<std::size_t>(in.gcount()));
+  return content;
+}
+
+std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, Progress& progress) {
+  progress.begin(Stage::read, read_units);
+  FileFormat format = find_format(file.path, file.name);
+  report.file = file.name;
+  report.format = format_name(format);
+
+  auto shape = std::make_shared<Shape>();
+  Trial trial(file, progress);
+  QuietMessages quiet;
+  guard_occt(ErrorCode::damaged_file, "'" + file.name + "' could not be read; export the model again", [&] {
+    if (format == FileFormat::brep || format == FileFormat::binary_brep) {
+      if (format == FileFormat::binary_brep && !file.is_handed_over) trial.run();
+      read_brep(file, format == FileFormat::binary_brep, *shape, report, progress);
+      return;
+    }
+    const std::string content = content_of(file);
+    if (format == FileFormat::iges ? !fault_of_iges(content).empty() : is_doubtful_step(content, file)) trial.run();
+    auto lock = wait_for_readers(progress);
+    format_library(format == FileFormat::step ? "step" : "iges", file)(
+        file, [&] { trial.run(); }, *shape, report, progress);
+  });
+  progress.check();
+
+  TopTools_IndexedMapOfShape faces, edges;
+  if (!shape->shape.IsNull()) {
+    TopExp::MapShapes(shape->shape, TopAbs_FACE, faces);
+    TopExp::MapShapes(shape->shape, TopAbs_EDGE, edges);
+  }
+  if (faces.IsEmpty() && edges.IsEmpty())
+    throw Error(ErrorCode::no_faces, "'" + file.name +
+                                         "' has no faces and no wires, so there is nothing to mesh; "
+                                         "export surfaces, solids or curves, not meshes.");
+  const LooseShapes loose(shape->shape);
+  shape->labels.resize(static_cast<std::size_t>(faces.Extent() + loose.edges.Extent() + loose.vertices.Extent()));
+  return shape;
+}
+
+}  // namespace paver

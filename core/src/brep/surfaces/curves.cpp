@@ -1,0 +1,191 @@
+// Curves of edges, in space and in the (u, v) of faces. They ask the geometry itself, never an adaptor: geometry has no
+// cache, so any number of threads may evaluate one object.
+#include <BRep_Tool.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
+#include <Geom_Curve.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <TopLoc_Location.hxx>
+#include <gp_Pnt2d.hxx>
+#include <gp_Vec2d.hxx>
+
+#include "brep/occt_impl.h"
+#include "brep/surfaces/evaluators_impl.h"
+
+namespace paver {
+namespace {
+
+[[noreturn]] void throw_no_value(double t, const Standard_Failure& failure) {
+  throw Error(ErrorCode::face_failed, "An edge's curve has no value at t = " + std::to_string(t) + " (" +
+                                          failure_text(failure) + "); repair the edge in the CAD program.");
+}
+
+class SpaceCurve : public Curve {
+ public:
+  SpaceCurve(Handle(Geom_Curve) curve, const gp_Trsf& placement)
+      : curve_(std::move(curve)), placement_(placement), is_placed_(placement.Form() != gp_Identity) {}
+
+  Vec3 point(double t) const override {
+    gp_Pnt x;
+    call(t, [&] { curve_->D0(t, x); });
+    if (is_placed_) x.Transform(placement_);
+    return to_vec(x);
+  }
+  void d1(double t, Vec3& x, Vec3& xt) const override {
+    gp_Pnt p;
+    gp_Vec d;
+    call(t, [&] { curve_->D1(t, p, d); });
+    if (is_placed_) {
+      p.Transform(placement_);
+      d.Transform(placement_);
+    }
+    x = to_vec(p);
+    xt = to_vec(d);
+  }
+  void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override {
+    gp_Pnt p;
+    gp_Vec d, dd;
+    call(t, [&] { curve_->D2(t, p, d, dd); });
+    if (is_placed_) {
+      p.Transform(placement_);
+      d.Transform(placement_);
+      dd.Transform(placement_);
+    }
+    x = to_vec(p);
+    xt = to_vec(d);
+    xtt = to_vec(dd);
+  }
+
+ private:
+  template <class F>
+  static void call(double t, F&& f) {
+    try {
+      f();
+    } catch (const Standard_Failure& failure) {
+      throw_no_value(t, failure);
+    }
+  }
+
+  Handle(Geom_Curve) curve_;
+  gp_Trsf placement_;
+  bool is_placed_;
+};
+
+/// An edge known only by its image on a surface.
+class CurveOnSurface : public Curve {
+ public:
+  CurveOnSurface(Handle(Geom2d_Curve) curve, Handle(Geom_Surface) surface, const gp_Trsf& placement)
+      : curve_(std::move(curve)), surface_(std::move(surface)), placement_(placement) {}
+
+  Vec3 point(double t) const override {
+    Vec3 x, xt, xtt;
+    evaluate(t, 0, x, xt, xtt);
+    return x;
+  }
+  void d1(double t, Vec3& x, Vec3& xt) const override {
+    Vec3 xtt;
+    evaluate(t, 1, x, xt, xtt);
+  }
+  void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override { evaluate(t, 2, x, xt, xtt); }
+
+ private:
+  void evaluate(double t, int order, Vec3& x, Vec3& xt, Vec3& xtt) const {
+    gp_Pnt2d uv;
+    gp_Vec2d d, dd;
+    gp_Pnt p;
+    gp_Vec u, v, uu, vv, w;
+    try {
+      curve_->D2(t, uv, d, dd);
+      if (order == 0) {
+        surface_->D0(uv.X(), uv.Y(), p);
+      } else if (order == 1) {
+        surface_->D1(uv.X(), uv.Y(), p, u, v);
+      } else {
+        surface_->D2(uv.X(), uv.Y(), p, u, v, uu, vv, w);
+      }
+    } catch (const Standard_Failure& failure) {
+      throw_no_value(t, failure);
+    }
+    gp_Vec first = d.X() * u + d.Y() * v;
+    gp_Vec second = d.X() * d.X() * uu + 2 * d.X() * d.Y() * w + d.Y() * d.Y() * vv + dd.X() * u + dd.Y() * v;
+    x = to_vec(p.Transformed(placement_));
+    xt = to_vec(first.Transformed(placement_));
+    xtt = to_vec(second.Transformed(placement_));
+  }
+
+  Handle(Geom2d_Curve) curve_;
+  Handle(Geom_Surface) surface_;
+  gp_Trsf placement_;
+};
+
+class PlaneCurve : public ParameterCurve {
+ public:
+  /// uv at t is curve(scale t + shift).
+  PlaneCurve(Handle(Geom2d_Curve) curve, double scale, double shift)
+      : curve_(std::move(curve)), scale_(scale), shift_(shift) {}
+
+  Vec2 uv(double t) const override {
+    gp_Pnt2d p;
+    try {
+      curve_->D0(scale_ * t + shift_, p);
+    } catch (const Standard_Failure& failure) {
+      throw_no_value(t, failure);
+    }
+    return {p.X(), p.Y()};
+  }
+
+ private:
+  Handle(Geom2d_Curve) curve_;
+  double scale_, shift_;
+};
+
+class StraightParameterCurve : public ParameterCurve {
+ public:
+  StraightParameterCurve(Vec2 a, Vec2 b, double t0, double t1) : a_(a), b_(b), t0_(t0), t1_(t1) {}
+  Vec2 uv(double t) const override {
+    double s = t1_ > t0_ ? (t - t0_) / (t1_ - t0_) : 0;
+    return (1 - s) * a_ + s * b_;
+  }
+
+ private:
+  Vec2 a_, b_;
+  double t0_, t1_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Curve> make_curve(const TopoDS_Edge& edge) {
+  TopLoc_Location location;
+  double first = 0, last = 0;
+  Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, first, last);
+  if (!curve.IsNull()) {
+    while (auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve)) curve = trimmed->BasisCurve();
+    return std::make_shared<SpaceCurve>(curve, location.Transformation());
+  }
+  Handle(Geom2d_Curve) image;
+  Handle(Geom_Surface) surface;
+  BRep_Tool::CurveOnSurface(edge, image, surface, location, first, last);
+  if (image.IsNull() || surface.IsNull()) return nullptr;
+  return std::make_shared<CurveOnSurface>(image, surface, location.Transformation());
+}
+
+std::shared_ptr<const ParameterCurve> make_parameter_curve(const TopoDS_Edge& edge, const TopoDS_Face& face, double t0,
+                                                           double t1) {
+  double first = 0, last = 0;
+  Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+  if (curve.IsNull()) return nullptr;
+  while (auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve)) curve = trimmed->BasisCurve();
+  // The range of the image should be the edge's; where it is not, map one onto the other.
+  constexpr double same_range = 1e-12;
+  double width = t1 - t0;
+  bool is_same = std::abs(first - t0) <= same_range * width && std::abs(last - t1) <= same_range * width;
+  double scale = is_same || width <= 0 ? 1 : (last - first) / width;
+  double shift = is_same ? 0 : first - scale * t0;
+  return std::make_shared<PlaneCurve>(curve, scale, shift);
+}
+
+std::shared_ptr<const ParameterCurve> make_straight_parameter_curve(Vec2 a, Vec2 b, double t0, double t1) {
+  return std::make_shared<StraightParameterCurve>(a, b, t0, t1);
+}
+
+}  // namespace paver

@@ -1,0 +1,47 @@
+// Makes the evaluators of surface.h from OpenCASCADE's faces and edges.
+#pragma once
+
+#include <Geom2d_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <array>
+#include <gp_Trsf.hxx>
+#include <memory>
+
+#include "brep/surfaces/surface.h"
+
+namespace paver {
+
+/// The surface under trims and within its location. Ends of a B-spline that lie within `closure_tolerance` (mm) of each
+/// other make it closed. Null when the face has no surface.
+std::unique_ptr<Surface> make_surface(const TopoDS_Face& face, double closure_tolerance);
+
+/// Closed form of plane, cylinder, cone, sphere and torus; null for other surfaces.
+std::unique_ptr<Surface> make_elementary_surface(const Handle(Geom_Surface) & surface, const gp_Trsf& placement);
+
+/// The edge's 3-D curve, or its image on a surface where it has only that; null when it has neither.
+std::shared_ptr<const Curve> make_curve(const TopoDS_Edge& edge);
+
+/// The edge's image in the face's (u, v), over the edge's own range t0..t1; of a periodic edge the image on the side
+/// that edge.Orientation() says. `face` must be FORWARD. Null when there is none.
+std::shared_ptr<const ParameterCurve> make_parameter_curve(const TopoDS_Edge& edge, const TopoDS_Face& face, double t0,
+                                                           double t1);
+
+/// Image by projection of `curve` onto the face, near the image `rough`: for files whose images run at another pace
+/// than their curves. Null when the surface cannot be evaluated.
+std::shared_ptr<const ParameterCurve> make_projected_image(const TopoDS_Face& face, std::shared_ptr<const Curve> curve,
+                                                           const ParameterCurve& rough, double t0, double t1);
+
+/// The image with its ends at the feet of the vertices `ends`, where those are more than `allowed` off and the feet are
+/// nearer by half: for vertices that lie beside their edges. `off`: the larger of these distances, where it grows. Null
+/// where there is nothing to change.
+std::shared_ptr<const ParameterCurve> make_image_with_ends(const TopoDS_Face& face,
+                                                           std::shared_ptr<const ParameterCurve> image, double t0,
+                                                           double t1, const std::array<Vec3, 2>& ends, double allowed,
+                                                           double& off);
+
+/// Straight line from `a` at t0 to `b` at t1: stands in for the missing image of a pole.
+std::shared_ptr<const ParameterCurve> make_straight_parameter_curve(Vec2 a, Vec2 b, double t0, double t1);
+
+}  // namespace paver

@@ -1,0 +1,207 @@
+// Image of an edge on a face by projection of the edge's curve, for files whose own images run at another pace than
+// the curve or leave it. A table of projected points, walked from the start so that it stays on the right side of a
+// periodic surface, gives the guess; a few Gauss-Newton steps give the foot of the perpendicular.
+#include <BRep_Tool.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_Surface.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TopLoc_Location.hxx>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "brep/occt_impl.h"
+#include "brep/surfaces/evaluators_impl.h"
+
+namespace paver {
+namespace {
+
+constexpr int table_intervals = 128;
+constexpr int table_steps = 30, query_steps = 6;
+constexpr int halvings = 8;
+
+struct Foot {
+  Vec2 uv;
+  double distance2 = 0;
+};
+
+/// Nearest point on a surface from a good guess. Has no cache: safe from several threads.
+class FootFinder {
+ public:
+  explicit FootFinder(const TopoDS_Face& face) {
+    TopLoc_Location location;
+    surface_ = BRep_Tool::Surface(face, location);
+    while (auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface_))
+      surface_ = trimmed->BasisSurface();
+    placement_ = location.Transformation();
+    surface_->Bounds(lo_.x, hi_.x, lo_.y, hi_.y);
+    is_bounded_u_ = !surface_->IsUPeriodic() && !Precision::IsInfinite(lo_.x) && !Precision::IsInfinite(hi_.x);
+    is_bounded_v_ = !surface_->IsVPeriodic() && !Precision::IsInfinite(lo_.y) && !Precision::IsInfinite(hi_.y);
+  }
+
+  Foot find(Vec3 x, Vec2 guess, int steps) const {
+    Foot foot{clamped(guess), 0};
+    Vec3 s, su, sv;
+    evaluate(foot.uv, s, su, sv);
+    foot.distance2 = dot(x - s, x - s);
+    for (int i = 0; i < steps && foot.distance2 > 0; ++i) {
+      double a = dot(su, su), b = dot(su, sv), c = dot(sv, sv), determinant = a * c - b * b;
+      Vec2 gradient{dot(x - s, su), dot(x - s, sv)};
+      // Where the surface has no tangent plane, move along the one direction there is.
+      Vec2 step = determinant > 1e-14 * a * c
+                      ? (1 / determinant) * Vec2{c * gradient.x - b * gradient.y, a * gradient.y - b * gradient.x}
+                      : Vec2{a > c ? gradient.x / a : 0, a <= c && c > 0 ? gradient.y / c : 0};
+      if (!improve(x, step, foot, s, su, sv)) break;
+    }
+    return foot;
+  }
+
+  Vec3 point(Vec2 uv) const {
+    Vec3 s, su, sv;
+    evaluate(uv, s, su, sv);
+    return s;
+  }
+
+ private:
+  bool improve(Vec3 x, Vec2 step, Foot& foot, Vec3& s, Vec3& su, Vec3& sv) const {
+    for (int h = 0; h < halvings; ++h, step = 0.5 * step) {
+      Vec2 uv = clamped(foot.uv + step);
+      Vec3 p, pu, pv;
+      evaluate(uv, p, pu, pv);
+      double distance2 = dot(x - p, x - p);
+      if (distance2 >= foot.distance2) continue;
+      foot = {uv, distance2};
+      s = p;
+      su = pu;
+      sv = pv;
+      return true;
+    }
+    return false;
+  }
+
+  Vec2 clamped(Vec2 uv) const {
+    if (is_bounded_u_) uv.x = std::clamp(uv.x, lo_.x, hi_.x);
+    if (is_bounded_v_) uv.y = std::clamp(uv.y, lo_.y, hi_.y);
+    return uv;
+  }
+
+  void evaluate(Vec2 uv, Vec3& s, Vec3& su, Vec3& sv) const {
+    gp_Pnt p;
+    gp_Vec u, v;
+    surface_->D1(uv.x, uv.y, p, u, v);
+    s = to_vec(p.Transformed(placement_));
+    su = to_vec(u.Transformed(placement_));
+    sv = to_vec(v.Transformed(placement_));
+  }
+
+  Handle(Geom_Surface) surface_;
+  gp_Trsf placement_;
+  Vec2 lo_, hi_;
+  bool is_bounded_u_ = false, is_bounded_v_ = false;
+};
+
+class ProjectedImage : public ParameterCurve {
+ public:
+  ProjectedImage(const TopoDS_Face& face, std::shared_ptr<const Curve> curve, const ParameterCurve& rough, double t0,
+                 double t1)
+      : finder_(face), curve_(std::move(curve)), t0_(t0), t1_(t1) {
+    for (int i = 0; i <= table_intervals; ++i) {
+      double t = t0 + (t1 - t0) * i / table_intervals;
+      Vec3 x = curve_->point(t);
+      Foot foot = finder_.find(x, rough.uv(t), table_steps);
+      if (i > 0) {
+        Foot walked = finder_.find(x, table_.back(), table_steps);
+        if (walked.distance2 <= foot.distance2) foot = walked;
+      }
+      table_.push_back(foot.uv);
+    }
+    keep_end(rough, 0);
+    keep_end(rough, table_intervals);
+  }
+
+  Vec2 uv(double t) const override {
+    double s = std::clamp((t - t0_) / (t1_ - t0_), 0.0, 1.0) * table_intervals;
+    auto i = std::min(static_cast<std::size_t>(s), static_cast<std::size_t>(table_intervals - 1));
+    double share = s - static_cast<double>(i);
+    if (share == 0 || share == 1) return share == 0 ? table_[i] : table_[i + 1];
+    Vec2 guess = (1 - share) * table_[i] + share * table_[i + 1];
+    try {
+      return finder_.find(curve_->point(t), guess, query_steps).uv;
+    } catch (const Standard_Failure&) {
+      return guess;
+    }
+  }
+
+ private:
+  /// Where the image as given ends in the same point, it does so exactly: at poles many (u, v) would do, but only one
+  /// meets the neighbour.
+  void keep_end(const ParameterCurve& rough, int i) {
+    double t = i == 0 ? t0_ : t1_;
+    Vec2 uv = rough.uv(t);
+    auto& entry = table_[static_cast<std::size_t>(i)];
+    double reach = 1e-6 * (curve_length() + 1e-300);
+    if (norm(finder_.point(uv) - finder_.point(entry)) <= reach) entry = uv;
+  }
+
+  double curve_length() const {
+    double length = 0;
+    for (int i = 0; i < 16; ++i)
+      length += norm(curve_->point(t0_ + (t1_ - t0_) * (i + 1) / 16) - curve_->point(t0_ + (t1_ - t0_) * i / 16));
+    return length;
+  }
+
+  FootFinder finder_;
+  std::shared_ptr<const Curve> curve_;
+  double t0_, t1_;
+  std::vector<Vec2> table_;
+};
+
+/// Another image, but for its ends.
+class ImageWithEnds : public ParameterCurve {
+ public:
+  ImageWithEnds(std::shared_ptr<const ParameterCurve> image, double t0, double t1, Vec2 start, Vec2 end)
+      : image_(std::move(image)), t0_(t0), t1_(t1), start_(start), end_(end) {}
+  Vec2 uv(double t) const override { return t <= t0_ ? start_ : t >= t1_ ? end_ : image_->uv(t); }
+
+ private:
+  std::shared_ptr<const ParameterCurve> image_;
+  double t0_, t1_;
+  Vec2 start_, end_;
+};
+
+}  // namespace
+
+std::shared_ptr<const ParameterCurve> make_image_with_ends(const TopoDS_Face& face,
+                                                           std::shared_ptr<const ParameterCurve> image, double t0,
+                                                           double t1, const std::array<Vec3, 2>& ends, double allowed,
+                                                           double& off) {
+  try {
+    const FootFinder finder(face);
+    std::array<Vec2, 2> uv{image->uv(t0), image->uv(t1)};
+    bool is_changed = false;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double distance = norm(ends[i] - finder.point(uv[i]));
+      if (distance <= allowed) continue;
+      const Foot foot = finder.find(ends[i], uv[i], table_steps);
+      if (!(foot.distance2 < 0.25 * distance * distance)) continue;
+      uv[i] = foot.uv;
+      off = std::max(off, distance);
+      is_changed = true;
+    }
+    return is_changed ? std::make_shared<ImageWithEnds>(std::move(image), t0, t1, uv[0], uv[1]) : nullptr;
+  } catch (const Standard_Failure&) {
+    return nullptr;
+  }
+}
+
+std::shared_ptr<const ParameterCurve> make_projected_image(const TopoDS_Face& face, std::shared_ptr<const Curve> curve,
+                                                           const ParameterCurve& rough, double t0, double t1) {
+  try {
+    return std::make_shared<ProjectedImage>(face, std::move(curve), rough, t0, t1);
+  } catch (const Standard_Failure&) {
+    return nullptr;
+  }
+}
+
+}  // namespace paver

@@ -1,0 +1,186 @@
+// All ranks get the lists of all; each answers for the sides and elements whose lowest node leaves its own rank over.
+// Steps: what the loops of the faces ask for; side by side, what each face does with it; then all faces together.
+#include <algorithm>
+#include <span>
+#include <tuple>
+
+#include "base/tasks/gather.h"
+#include "check/sides/sides_impl.h"
+
+namespace paver {
+namespace {
+
+/// What a face's loop asks of its elements: one side like this.
+struct WantedSide {
+  SharedSide side;
+  int edge = -1;
+};
+
+auto ends(const SharedSide& side) { return std::tie(side.low, side.high); }
+auto key(const SharedSide& side) { return std::tie(side.low, side.high, side.face, side.direction, side.middle); }
+
+/// The edges' intervals as the loops of the meshed faces run along them. Edges that only one face has, twice, need not
+/// be followed by its elements.
+class WantedSides {
+ public:
+  WantedSides(const CheckedMesh& checked, Ranks& ranks) : checked_(checked), ranks_(ranks) {}
+
+  std::vector<WantedSide> run() {
+    for (std::size_t f = 0; f < checked_.model.faces.size(); ++f) {
+      if (!checked_.is_meshed[f]) continue;
+      for (const Loop& loop : checked_.model.faces[f].loops)
+        for (const Coedge& coedge : loop.coedges)
+          if (is_wanted(coedge.edge)) add(static_cast<int>(f), coedge);
+    }
+    std::sort(wanted_.begin(), wanted_.end(),
+              [](const WantedSide& a, const WantedSide& b) { return key(a.side) < key(b.side); });
+    return std::move(wanted_);
+  }
+
+ private:
+  bool is_wanted(int edge) const {
+    const std::vector<int>& faces = checked_.model.edges[static_cast<std::size_t>(edge)].faces;
+    const bool is_of_one = std::all_of(faces.begin(), faces.end(), [&](int face) { return face == faces.front(); });
+    return faces.size() == 1 || !is_of_one;
+  }
+
+  void add(int face, const Coedge& coedge) {
+    const SurfaceMesh& mesh = checked_.mesh;
+    const bool is_backward = coedge.is_reversed != checked_.model.faces[static_cast<std::size_t>(face)].is_reversed;
+    const std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
+    auto [first, last] = std::equal_range(mesh.line_edge.begin(), mesh.line_edge.end(), coedge.edge);
+    for (auto line = first; line != last; ++line) {
+      const int* v = &mesh.lines[static_cast<std::size_t>(line - mesh.line_edge.begin()) * stride];
+      const long from = checked_.number(v[is_backward ? 1 : 0]), to = checked_.number(v[is_backward ? 0 : 1]);
+      if (std::min(from, to) % ranks_.count() != ranks_.rank()) continue;
+      const long middle = mesh.order == 1 ? -1 : checked_.number(v[2]);
+      wanted_.push_back(
+          {{std::min(from, to), std::max(from, to), middle, face, from < to ? 1 : -1, checked_.middle(v[0], v[1])},
+           coedge.edge});
+    }
+  }
+
+  const CheckedMesh& checked_;
+  Ranks& ranks_;
+  std::vector<WantedSide> wanted_;
+};
+
+/// Those of all ranks that this one answers for.
+template <class T, class Lowest>
+std::vector<T> exchange(const std::vector<T>& mine, Ranks& ranks, Lowest lowest) {
+  if (ranks.count() == 1) return mine;
+  std::vector<T> own;
+  for (const T& one : gather_all(mine, ranks))
+    if (lowest(one) % ranks.count() == ranks.rank()) own.push_back(one);
+  return own;
+}
+
+/// Sides between the same two nodes: what is there and what is asked for, both in order.
+class SideGroup {
+ public:
+  SideGroup(const CheckedMesh& checked, std::span<const SharedSide> there, std::span<const WantedSide> wanted,
+            MeshFaults& faults)
+      : checked_(checked), there_(there), wanted_(wanted), faults_(faults) {}
+
+  void check() {
+    std::size_t t = 0, w = 0;
+    while (t < there_.size() || w < wanted_.size()) {
+      const int face = t == there_.size()    ? wanted_[w].side.face
+                       : w == wanted_.size() ? there_[t].face
+                                             : std::min(there_[t].face, wanted_[w].side.face);
+      const std::size_t first_there = t, first_wanted = w;
+      while (t < there_.size() && there_[t].face == face) ++t;
+      while (w < wanted_.size() && wanted_[w].side.face == face) ++w;
+      check_face(face, there_.subspan(first_there, t - first_there), wanted_.subspan(first_wanted, w - first_wanted));
+    }
+    check_faces();
+  }
+
+ private:
+  struct User {
+    int face;
+    long uses;
+    bool is_at_boundary;
+  };
+
+  void check_face(int face, std::span<const SharedSide> there, std::span<const WantedSide> wanted) {
+    users_.push_back({face, static_cast<long>(there.size()), !wanted.empty()});
+    if (wanted.empty()) {
+      const bool is_pair =
+          there.size() == 2 && there[0].direction != there[1].direction && there[0].middle == there[1].middle;
+      if (!is_pair) faults_.add(face, FaultKind::side, there[0].where);
+      return;
+    }
+    const bool is_as_wanted =
+        std::equal(there.begin(), there.end(), wanted.begin(), wanted.end(),
+                   [](const SharedSide& a, const WantedSide& b) { return key(a) == key(b.side); });
+    if (!is_as_wanted) faults_.add(face, FaultKind::boundary, wanted[0].side.where);
+  }
+
+  // Too many elements: first those of faces that have no business there, then of those that have most.
+  void check_faces() {
+    long allowed = 2, uses = 0;
+    if (!wanted_.empty()) allowed = 1;
+    for (const WantedSide& side : wanted_)
+      allowed =
+          std::max(allowed, static_cast<long>(checked_.model.edges[static_cast<std::size_t>(side.edge)].faces.size()));
+    for (const User& user : users_) uses += user.uses;
+    if (uses <= allowed) return;
+    std::sort(users_.begin(), users_.end(), [](const User& a, const User& b) {
+      return std::tuple(a.is_at_boundary, -a.uses, -a.face) < std::tuple(b.is_at_boundary, -b.uses, -b.face);
+    });
+    for (const User& user : users_) {
+      if (uses <= allowed) break;
+      faults_.add(user.face, FaultKind::shared, there_[0].where);
+      uses -= user.uses;
+    }
+  }
+
+  const CheckedMesh& checked_;
+  std::span<const SharedSide> there_;
+  std::span<const WantedSide> wanted_;
+  MeshFaults& faults_;
+  std::vector<User> users_;
+};
+
+void check_sides(const CheckedMesh& checked, std::span<const SharedSide> there, std::span<const WantedSide> wanted,
+                 MeshFaults& faults) {
+  std::size_t t = 0, w = 0;
+  while (t < there.size() || w < wanted.size()) {
+    const SharedSide& first =
+        t == there.size() ? wanted[w].side
+        : w == wanted.size()
+            ? there[t]
+            : std::min(there[t], wanted[w].side, [](const auto& a, const auto& b) { return ends(a) < ends(b); });
+    const std::size_t first_there = t, first_wanted = w;
+    while (t < there.size() && ends(there[t]) == ends(first)) ++t;
+    while (w < wanted.size() && ends(wanted[w].side) == ends(first)) ++w;
+    SideGroup(checked, there.subspan(first_there, t - first_there), wanted.subspan(first_wanted, w - first_wanted),
+              faults)
+        .check();
+  }
+}
+
+// Of elements with the same corners the first face's stay.
+void check_elements(std::vector<SharedElement> elements, MeshFaults& faults) {
+  std::sort(elements.begin(), elements.end(), [](const SharedElement& a, const SharedElement& b) {
+    return std::tie(a.corners, a.face, a.where.x, a.where.y, a.where.z) <
+           std::tie(b.corners, b.face, b.where.x, b.where.y, b.where.z);
+  });
+  for (std::size_t i = 1; i < elements.size(); ++i) {
+    if (elements[i].corners != elements[i - 1].corners) continue;
+    faults.add(elements[i].face, FaultKind::same_element, elements[i].where);
+  }
+}
+
+}  // namespace
+
+void check_shared(const CheckedMesh& checked, const SharedLists& mine, Ranks& ranks, MeshFaults& faults) {
+  std::vector<SharedSide> sides = exchange(mine.sides, ranks, [](const SharedSide& side) { return side.low; });
+  std::sort(sides.begin(), sides.end(), [](const SharedSide& a, const SharedSide& b) { return key(a) < key(b); });
+  check_sides(checked, sides, WantedSides(checked, ranks).run(), faults);
+  auto lowest = [](const SharedElement& element) { return std::max(element.corners[0], element.corners[1]); };
+  check_elements(exchange(mine.elements, ranks, lowest), faults);
+}
+
+}  // namespace paver

@@ -1,0 +1,157 @@
+// Sides with a node that only one part has are looked at part by part: dealt into one bucket per upper node, which is
+// the part's own, and sorted there. Linear in the number of elements. The others are listed for check_shared().
+#include "check/sides/sides.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "base/tasks/tasks.h"
+#include "check/sides/sides_impl.h"
+
+namespace paver {
+namespace {
+
+/// Elements of one part, quads first.
+class PartSideCheck {
+ public:
+  PartSideCheck(const CheckedMesh& checked, std::size_t part, const PartPlace& place, MeshFaults& faults,
+                SharedLists& shared)
+      : checked_(checked),
+        mesh_(checked.mesh),
+        sizes_(checked.sizes[part]),
+        place_(place),
+        face_(checked.parts[part].region->face),
+        faults_(faults),
+        shared_(shared) {}
+
+  void run() {
+    deal();
+    for (std::size_t v = 0; v + 1 < start_.size(); ++v) check_bucket(static_cast<int>(v) + place_.node);
+  }
+
+ private:
+  /// Of the side from corner k on.
+  struct Use {
+    int low, element, k;
+  };
+  struct Corners {
+    const int* v;
+    int n;
+    int next(int k) const { return v[k + 1 < n ? k + 1 : 0]; }
+    int middle(int k, int order) const { return order == 1 ? -1 : v[n + k]; }
+  };
+
+  Corners corners_of(int element) const {
+    const auto quads = static_cast<int>(sizes_.quads);
+    if (element < quads)
+      return {&mesh_.quads[(place_.quad + static_cast<std::size_t>(element)) *
+                           static_cast<std::size_t>(mesh_.nodes_per_quad())],
+              4};
+    return {&mesh_.triangles[(place_.triangle + static_cast<std::size_t>(element - quads)) *
+                             static_cast<std::size_t>(mesh_.nodes_per_triangle())],
+            3};
+  }
+
+  template <class Function>
+  void for_each_side(Function f) const {
+    for (int e = 0; e < static_cast<int>(sizes_.quads + sizes_.triangles); ++e) {
+      const Corners c = corners_of(e);
+      for (int k = 0; k < c.n; ++k) f(e, k, std::min(c.v[k], c.next(k)), std::max(c.v[k], c.next(k)));
+    }
+  }
+
+  void deal() {
+    start_.assign(static_cast<std::size_t>(sizes_.nodes) + 1, 0);
+    for_each_side([&](int e, int k, int, int high) {
+      if (high >= checked_.shared_nodes)
+        ++start_[static_cast<std::size_t>(high - place_.node) + 1];
+      else
+        list_shared(e, k);
+    });
+    for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+    uses_.resize(static_cast<std::size_t>(start_.back()));
+    std::vector<int> next(start_.begin(), start_.end() - 1);
+    for_each_side([&](int e, int k, int low, int high) {
+      if (high < checked_.shared_nodes) return;
+      uses_[static_cast<std::size_t>(next[static_cast<std::size_t>(high - place_.node)]++)] = {low, e, k};
+    });
+  }
+
+  void list_shared(int e, int k) {
+    const Corners c = corners_of(e);
+    const int a = c.v[k], b = c.next(k), middle = c.middle(k, mesh_.order);
+    const long from = checked_.number(a), to = checked_.number(b);
+    shared_.sides.push_back({std::min(from, to), std::max(from, to), middle < 0 ? -1 : checked_.number(middle), face_,
+                             from < to ? 1 : -1, checked_.middle(a, b)});
+    if (k > 0 || *std::max_element(c.v, c.v + c.n) >= checked_.shared_nodes) return;
+    SharedElement element;
+    for (int i = 0; i < c.n; ++i) element.corners[static_cast<std::size_t>(i)] = checked_.number(c.v[i]);
+    std::sort(element.corners.begin(), element.corners.end());
+    element.face = face_;
+    element.where = checked_.middle(c.v[0], c.v[2]);
+    shared_.elements.push_back(element);
+  }
+
+  void check_bucket(int high) {
+    Use* begin = uses_.data() + start_[static_cast<std::size_t>(high - place_.node)];
+    Use* end = uses_.data() + start_[static_cast<std::size_t>(high - place_.node) + 1];
+    std::sort(begin, end, [](const Use& a, const Use& b) { return a.low < b.low; });
+    while (begin != end) {
+      Use* next = std::find_if(begin, end, [&](const Use& use) { return use.low != begin->low; });
+      if (next - begin != 2 || !is_pair(begin[0], begin[1]))
+        faults_.add(face_, FaultKind::side, checked_.middle(begin->low, high));
+      else if (is_top(begin[0], high) && has_same_corners(begin[0].element, begin[1].element))
+        faults_.add(face_, FaultKind::same_element, checked_.middle(begin->low, high));
+      begin = next;
+    }
+  }
+
+  bool is_pair(const Use& one, const Use& other) const {
+    const Corners a = corners_of(one.element), b = corners_of(other.element);
+    return a.v[one.k] == b.next(other.k) && a.middle(one.k, mesh_.order) == b.middle(other.k, mesh_.order);
+  }
+
+  /// Of an element's sides one: so that two elements are compared once.
+  bool is_top(const Use& use, int high) const {
+    const Corners c = corners_of(use.element);
+    const int at = c.v[use.k] == high ? use.k : (use.k + 1) % c.n;
+    return *std::max_element(c.v, c.v + c.n) == high && std::min(c.next(at), c.v[(at + c.n - 1) % c.n]) == use.low;
+  }
+
+  bool has_same_corners(int one, int other) const {
+    const Corners a = corners_of(one), b = corners_of(other);
+    return a.n == b.n && std::is_permutation(a.v, a.v + a.n, b.v);
+  }
+
+  const CheckedMesh& checked_;
+  const SurfaceMesh& mesh_;
+  const PartSizes& sizes_;
+  const PartPlace place_;
+  const int face_;
+  MeshFaults& faults_;
+  SharedLists& shared_;
+  std::vector<int> start_;  // buckets: those of the part's node i are uses_[start_[i]] to uses_[start_[i + 1]]
+  std::vector<Use> uses_;
+};
+
+}  // namespace
+
+void check_sides(const CheckedMesh& checked, int threads, const Progress& progress, Ranks& ranks, MeshFaults& faults) {
+  const std::vector<PartPlace> places = places_of(checked);
+  std::mutex mutex;
+  SharedLists shared;
+  run_tasks(threads, costs_of(checked), [&](int i) {
+    progress.check();
+    if (!checked.parts[static_cast<std::size_t>(i)].mesh) return;
+    MeshFaults found;
+    SharedLists lists;
+    PartSideCheck(checked, static_cast<std::size_t>(i), places[static_cast<std::size_t>(i)], found, lists).run();
+    std::lock_guard lock(mutex);
+    faults.add(found);
+    shared.sides.insert(shared.sides.end(), lists.sides.begin(), lists.sides.end());
+    shared.elements.insert(shared.elements.end(), lists.elements.begin(), lists.elements.end());
+  });
+  check_shared(checked, shared, ranks, faults);
+}
+
+}  // namespace paver

@@ -1,0 +1,93 @@
+// Pattern search about the nodes of poor elements.
+#include "paving/cleanup/raise_worst.h"
+
+#include <algorithm>
+
+#include "paving/front/facing.h"
+
+namespace paver {
+namespace {
+
+struct Merit {
+  double worst = 2;   // scaled Jacobian about the node
+  double excess = 0;  // what its worst edge lies outside 0.75 to 1.35 of the target length
+  double value() const { return worst - 0.5 * std::min(excess, 0.4); }
+};
+
+Merit merit(const RegionMesh& mesh, int node) {
+  Merit m;
+  for (int i : mesh.star[node]) {
+    const Element& e = mesh.elements[i];
+    m.worst = std::min(m.worst, scaled_jacobian(mesh, e));
+    int other = e.after(node);
+    double ratio = 2 * norm(mesh.x[other] - mesh.x[node]) / (mesh.h[other] + mesh.h[node]);
+    m.excess = std::max(m.excess, std::max(0.75 - ratio, ratio - 1.35));
+  }
+  return m;
+}
+
+// Shape is never given up for length below this.
+constexpr double good_jacobian = 0.7;
+
+bool move_if_better(Front& front, int node, Vec2 p, Merit& best) {
+  if (!front.can_move(node, p)) return false;
+  RegionMesh& mesh = front.mesh;
+  Vec3 old = mesh.x[node], x, xp, xq;
+  front.region.evaluate(p, x, xp, xq);
+  mesh.x[node] = x;
+  Merit now = merit(mesh, node);
+  const bool is_facing = faces_surface(front, node);
+  mesh.x[node] = old;
+  if (!is_facing || now.value() < best.value() + 1e-4 || now.worst < std::min(best.worst, good_jacobian)) return false;
+  best = now;
+  front.set_position(node, p, x, xp, xq);
+  return true;
+}
+
+bool search(Front& front, int node) {
+  static constexpr double d = 0.70710678118654752;
+  static constexpr double directions[8][2] = {{1, 0}, {d, d}, {0, 1}, {-d, d}, {-1, 0}, {-d, -d}, {0, -1}, {d, -d}};
+  RegionMesh& mesh = front.mesh;
+  Merit best = merit(mesh, node);
+  const double start = best.value();
+  double step = 0.16 * mesh.h[node];
+  Vec3 u = unit(mesh.xp[node]), w = cross(mesh.normal(node), u);
+  for (int level = 0; level < 4; ++level, step *= 0.5) {
+    bool is_better = true;
+    for (int repeat = 0; is_better && repeat < 3; ++repeat) {
+      is_better = false;
+      for (auto [du, dw] : directions) {
+        Vec2 p = mesh.p[node] + mesh.pull_back(node, step * (du * u + dw * w));
+        if (move_if_better(front, node, p, best)) {
+          is_better = true;
+          break;
+        }
+      }
+    }
+  }
+  return best.value() > start;
+}
+
+}  // namespace
+
+void raise_worst(Front& front, double goal, int rounds) {
+  RegionMesh& mesh = front.mesh;
+  std::vector<int> nodes, next;
+  auto collect = [&](int e) {
+    if (!mesh.elements[e].is_alive() || scaled_jacobian(mesh, mesh.elements[e]) >= goal) return;
+    for (int v : mesh.elements[e].v)
+      if (v >= 0 && !mesh.is_fixed[v]) next.push_back(v);
+  };
+  for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) collect(e);
+  for (int round = 0; round < rounds && !next.empty(); ++round) {
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    nodes.swap(next);
+    next.clear();
+    for (int node : nodes)
+      if (search(front, node))
+        for (int e : mesh.star[node]) collect(e);
+  }
+}
+
+}  // namespace paver

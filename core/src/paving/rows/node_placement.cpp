@@ -1,0 +1,169 @@
+// Places new nodes by walking in the tangent plane of the parent, with the opposing front in view: where it is less
+// than about one and a half steps away the row connects to it, where it is less than two and a half the step is halved.
+#include "paving/rows/node_placement.h"
+
+#include <algorithm>
+
+#include "base/predicates.h"
+#include "paving/front/facing.h"
+
+namespace paver {
+namespace {
+
+constexpr double connect_reach = 1.42;  // of the step: connect to the opposing front instead of a new node
+constexpr double halve_reach = 2.45;    // of the step: meet it half way
+constexpr double thin_gap = 0.35;       // of the step: in a strip this thin the nearest node does, however oblique
+constexpr double least_step = 0.35;     // of the step: shorter new edges are not worth a quad
+constexpr double merge_reach = 0.55;    // of the step or of shorter facets: a front node as near to the place is taken
+constexpr double least_room =
+    0.2;  // of the same: with a node nearer than this, that cannot be taken, nothing is placed
+constexpr double chart_share = 0.6;  // of a distance in the chart that counts, for the chart's distortion
+constexpr double dearest_end = 2.2,
+                 turn_price = 2.5;          // of an end of the facet in the way: (1 - cosine) and log of length
+constexpr double likely_step[] = {0.5, 2};  // of the step: a longer or shorter one is the chart's fault
+
+/// Chart point at `length` along the wish; one correction for the curvature of the surface.
+Vec2 chart_point(const Front& front, const Wish& wish, double length) {
+  const RegionMesh& mesh = front.mesh;
+  const Chart& chart = *front.region.chart;
+  Vec2 p = mesh.p[wish.base], step = mesh.pull_back(wish.base, length * wish.direction);
+  if (front.region.surface->kind() == SurfaceKind::plane) return p + step;
+  Vec3 x, xp, xq;
+  front.region.evaluate(chart.walk(p, step), x, xp, xq);
+  double got = norm(x - mesh.x[wish.base]);
+  if (got > likely_step[0] * length && got < likely_step[1] * length) step = (length / got) * step;
+  return chart.walk(p, step);
+}
+
+/// Distance from a node to a point of the surface. Two sides of a cut, or two sheets that pass near one another, are
+/// close in space and far in the chart: the longer of the two counts, the chart's with room for its distortion.
+double distance(const RegionMesh& mesh, const Chart& chart, int from, Vec2 p, Vec3 x) {
+  Vec2 step = chart.step_to(mesh.p[from], p);
+  return std::max(norm(x - mesh.x[from]), chart_share * norm(step.x * mesh.xp[from] + step.y * mesh.xq[from]));
+}
+
+/// Distance from the base to the facet in the way; the ray is straight in the chart.
+double distance_to_facet(const Front& front, int base, Vec2 far, int a, int b) {
+  const RegionMesh& mesh = front.mesh;
+  double sa = orientation(mesh.p[base], far, mesh.p[a]), sb = orientation(mesh.p[base], far, mesh.p[b]);
+  double t = sa == sb ? 0.5 : sa / (sa - sb);
+  return distance(mesh, *front.region.chart, base, (1 - t) * mesh.p[a] + t * mesh.p[b],
+                  (1 - t) * mesh.x[a] + t * mesh.x[b]);
+}
+
+bool is_allowed(const Front& front, const Wish& wish, int node, int avoid_a, int avoid_b) {
+  return node != wish.base && node != avoid_a && node != avoid_b && front.sectors(node) > 0 &&
+         front.may_connect(wish.base, node);
+}
+
+/// The better end of a facet to connect to: small turn from the wished direction, length near the gap.
+int choose_end(const Front& front, const Wish& wish, int f, double gap, int avoid_a, int avoid_b) {
+  int best = -1;
+  bool is_thin = gap < thin_gap * wish.length;
+  double best_cost = is_thin ? 1 : dearest_end;
+  const Facet& facet = front.facets[f];
+  for (int node : {facet.a, facet.b, front.facets[facet.prev].a, front.facets[facet.next].b}) {
+    if (!is_allowed(front, wish, node, avoid_a, avoid_b)) continue;
+    Vec3 v = front.mesh.x[node] - front.mesh.x[wish.base];
+    double length = distance(front.mesh, *front.region.chart, wish.base, front.mesh.p[node], front.mesh.x[node]);
+    if (!(length > 0)) continue;
+    double cosine = dot(v, wish.direction) / length;
+    double cost = is_thin ? length / wish.length : turn_price * (1 - cosine) + std::fabs(std::log(length / gap));
+    if (cost < best_cost) best_cost = cost, best = node;
+  }
+  return best;
+}
+
+/// A front node near p among the corners of the triangle and of its neighbours.
+int near_node(const Front& front, const Wish& wish, int t, Vec2 p, Vec3 x, int avoid_a, int avoid_b, double& nearest) {
+  int best = -1;
+  double best_distance = merge_reach * std::min(wish.length, wish.width);
+  nearest = 1e300;
+  auto look = [&](int node) {
+    if (front.sectors(node) == 0 || node == wish.base) return;
+    double d = distance(front.mesh, *front.region.chart, node, p, x);
+    if (node != avoid_a && node != avoid_b) nearest = std::min(nearest, d);
+    if (d < best_distance && is_allowed(front, wish, node, avoid_a, avoid_b)) best = node, best_distance = d;
+  };
+  const VoidTriangle& tri = front.empty.triangle(t);
+  for (int i = 0; i < 3; ++i) {
+    look(tri.v[i]);
+    if (tri.n[i] < 0) continue;
+    const VoidTriangle& beyond = front.empty.triangle(tri.n[i]);
+    for (int v : beyond.v) look(v);
+  }
+  return best;
+}
+
+}  // namespace
+
+Wish make_wish(const Front& front, int f, double angle, double length) {
+  const RegionMesh& mesh = front.mesh;
+  int b = front.facets[f].b, c = front.facets[front.facets[f].next].b;
+  Vec3 n = mesh.normal(b), out = mesh.x[c] - mesh.x[b];
+  Vec3 e1 = unit(out - dot(out, n) * n), e2 = cross(n, e1);
+  double width = std::max(front.length(f), front.length(front.facets[f].next));
+  return {b, std::cos(angle) * e1 + std::sin(angle) * e2, length, width};
+}
+
+Wish make_wide_wish(const Front& front, int f, double length) {
+  constexpr int most_facets = 64;
+  constexpr double straight = 0.6;  // radians: the stretch ends at corners sharper than this
+  const RegionMesh& mesh = front.mesh;
+  auto is_straight = [&](int g) { return std::fabs(front.chord_angle_after(g) - M_PI) < straight; };
+  int first = f, last = front.facets[f].next;
+  double back = front.length(first), ahead = front.length(last);
+  for (int i = 0; i < most_facets && back < 0.5 * length && is_straight(front.facets[first].prev); ++i)
+    back += front.length(first = front.facets[first].prev);
+  for (int i = 0; i < most_facets && ahead < 0.5 * length && is_straight(last); ++i)
+    ahead += front.length(last = front.facets[last].next);
+  int b = front.facets[f].b;
+  // Each half counts the same, however far it reaches.
+  Vec3 along = unit(mesh.x[b] - mesh.x[front.facets[first].a]) + unit(mesh.x[front.facets[last].b] - mesh.x[b]);
+  Wish wish = make_wish(front, f, M_PI / 2, length);
+  wish.direction = unit(cross(mesh.normal(b), along));
+  return wish;
+}
+
+double graded_target(const Front& front, int parent, double distance, Vec2 p) {
+  return std::min(front.region.target(p), front.mesh.h[parent] + front.region.gradation * distance);
+}
+
+Granted grant(Front& front, const Wish& wish, int start, int avoid_a, int avoid_b) {
+  RegionMesh& mesh = front.mesh;
+  double length = wish.length;
+  Vec2 far = chart_point(front, wish, halve_reach * length);
+  Location seen = front.empty.walk(start, wish.base, far);
+  if (seen.triangle < 0) return {};
+  if (seen.kind == Location::Kind::blocked) {
+    int f = facet_of(front.empty.triangle(seen.triangle).n[seen.corner]);
+    double gap = distance_to_facet(front, wish.base, far, front.facets[f].a, front.facets[f].b);
+    if (gap < connect_reach * length) {
+      int node = choose_end(front, wish, f, gap, avoid_a, avoid_b);
+      if (node >= 0) return {node, false};
+      if (gap < 2 * least_step * length) return {};
+      length = 0.5 * gap;
+    } else {
+      length = std::min(length, 0.5 * gap);
+    }
+  }
+  Vec2 p = chart_point(front, wish, length);
+  Location where = front.empty.walk(start, wish.base, p);
+  if (where.triangle < 0 || where.kind == Location::Kind::blocked) return {};
+  if (where.kind == Location::Kind::on_vertex) {
+    int node = front.empty.triangle(where.triangle).v[where.corner];
+    return is_allowed(front, wish, node, avoid_a, avoid_b) ? Granted{node, false} : Granted{};
+  }
+  NodePlace at{p, {}, {}, {}};
+  front.region.evaluate(p, at.x, at.xp, at.xq);
+  if (is_beyond_facet(front, where.triangle, at)) return {};
+  double nearest;
+  int node = near_node(front, wish, where.triangle, p, at.x, avoid_a, avoid_b, nearest);
+  if (node >= 0) return {node, false};
+  if (nearest < least_room * std::min(wish.length, wish.width)) return {};
+  int fresh = front.add_placed_node(at);
+  mesh.h[fresh] = graded_target(front, wish.base, length, p);
+  return {fresh, true};
+}
+
+}  // namespace paver

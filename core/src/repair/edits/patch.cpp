@@ -1,0 +1,66 @@
+#include "repair/edits/patch.h"
+
+#include <algorithm>
+
+namespace paver {
+
+int across(const RegionMesh& mesh, int a, int b) {
+  for (int e : mesh.star[b])
+    if (mesh.elements[e].after(b) == a) return e;
+  return -1;
+}
+
+ElementSet neighbours_of(const RegionMesh& mesh, int element) {
+  ElementSet about;
+  const Element& of = mesh.elements[element];
+  for (int k = 0, n = of.corners(); k < n; ++k) {
+    const int other = across(mesh, of.v[k], of.v[(k + 1) % n]);
+    if (other >= 0 && std::find(about.begin(), about.end(), other) == about.end()) about.push_back(other);
+  }
+  return about;
+}
+
+ElementSet ring_about(const RegionMesh& mesh, int element) {
+  ElementSet ring;
+  for (int v : mesh.elements[element].v)
+    if (v >= 0) ring.insert(ring.end(), mesh.star[v].begin(), mesh.star[v].end());
+  std::sort(ring.begin(), ring.end());
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  return ring;
+}
+
+PatchOutline outline_of(const RegionMesh& mesh, const ElementSet& set, std::size_t most_nodes) {
+  std::vector<std::pair<int, int>> sides;
+  for (int e : set) {
+    const Element& element = mesh.elements[e];
+    for (int k = 0, n = element.corners(); k < n; ++k) {
+      const int a = element.v[k], b = element.v[(k + 1) % n], other = across(mesh, a, b);
+      if (other < 0 || std::find(set.begin(), set.end(), other) == set.end()) sides.push_back({a, b});
+    }
+  }
+  if (sides.empty() || sides.size() > most_nodes) return {};
+  PatchOutline outline;
+  for (int at = sides.front().first; outline.loop.size() < sides.size();) {
+    outline.loop.push_back(at);
+    auto is_from = [&](const auto& side) { return side.first == at; };
+    if (std::count_if(sides.begin(), sides.end(), is_from) != 1) return {};
+    at = std::find_if(sides.begin(), sides.end(), is_from)->second;
+    if (at == outline.loop.front()) break;
+  }
+  if (outline.loop.size() != sides.size()) return {};
+  for (int e : set)
+    for (int v : mesh.elements[e].v)
+      if (v >= 0 && std::find(outline.loop.begin(), outline.loop.end(), v) == outline.loop.end() &&
+          std::find(outline.inside.begin(), outline.inside.end(), v) == outline.inside.end())
+        outline.inside.push_back(v);
+  return outline;
+}
+
+bool is_side_outside(const RegionMesh& mesh, const ElementSet& set, int a, int b) {
+  return std::any_of(mesh.star[a].begin(), mesh.star[a].end(), [&](int e) {
+    const Element& element = mesh.elements[e];
+    return std::find(set.begin(), set.end(), e) == set.end() && (element.after(a) == b || element.before(a) == b);
+  });
+}
+
+}  // namespace paver
