@@ -27,7 +27,7 @@ constexpr double most_uneven = 0.15;
 constexpr int fewest_cells = 3, most_cells = 12, usual_cells = 6;  // of usual ones the worst element is best
 constexpr int profile_cells = 256;
 constexpr double cell_price = 0.006;  // per cell more or less than usual, of the columns' misfit
-constexpr double many = 1.5;          // times the elements asked for: no lengths to even out then
+constexpr double fewest_columns = 4;  // by the target length, the shorter way: below, the turn alone decides
 constexpr long compared_quads = 600;  // of the grids whose energies are compared
 
 /// Lengths of a closed face around each of its columns' places.
@@ -107,7 +107,6 @@ class Profile {
 struct Candidate {
   BlockLayout layout;
   std::vector<std::array<Vec2, 4>> corners;
-  bool is_forced = false;  ///< the turn asks for far more quads than the target length
 };
 
 class Columns {
@@ -121,18 +120,21 @@ class Columns {
     least_ = static_cast<int>(std::ceil(2 * M_PI / face.turn_limit - 1e-9));
   }
 
+  /// Whether the shorter way is so few target lengths long that neither even lengths nor paving are to be had.
+  bool is_thin() const { return std::min(profile_.mean(0, 1), profile_.length()) < fewest_columns * face_.size.own(); }
+
   /// Columns that are the same all along.
   Candidate plain() const {
     constexpr int parts = 3;
     Candidate result;
-    int m = std::max(least_, round_to(profile_.mean(0, 1) / h_)),
-        n = std::max(least_, round_to(profile_.length() / h_));
-    // The longer way has the finer steps.
-    if (m < n)
-      n = std::max(least_, round_to(elements_ / m));
-    else
-      m = std::max(least_, round_to(elements_ / n));
-    result.is_forced = m * n > many * elements_;
+    const double h = is_thin() ? face_.size.own() : h_;
+    int m = std::max(least_, round_to(profile_.mean(0, 1) / h)), n = std::max(least_, round_to(profile_.length() / h));
+    if (!is_thin()) {  // the longer way has the finer steps
+      if (m < n)
+        n = std::max(least_, round_to(elements_ / m));
+      else
+        m = std::max(least_, round_to(elements_ / n));
+    }
     auto cut = [](int count, int part) { return count * part / parts; };
     for (int j = 0; j < parts; ++j)
       for (int i = 0; i < parts; ++i) {
@@ -202,7 +204,7 @@ class Columns {
   // Corners of a cell on either side of the tube: V, A, B, W. `middle`: of the outer side along; it takes `share`.
   Candidate cells_of(const Counts& counts, double middle, double share) const {
     enum { v, a, b, w, corners };
-    const auto [cells, s, q, o, i, misfit] = counts;
+    const int cells = counts.cells, s = counts.s, q = counts.q, o = counts.o, i = counts.i;
     Candidate result;
     const double height = static_cast<double>(s) / counts.rows(), dip = 0.3 * height;
     auto number = [&](int cell, bool is_up, int corner) { return (cell % cells * 2 + is_up) * corners + corner; };
@@ -253,20 +255,18 @@ std::shared_ptr<const ClosedLayout> lay_torus(const ClosedFace& face, const Prog
   const Profile profile(face);
   const FaceExtent extent = measure_extent(face);
   const Columns columns(face, profile, extent.elements, extent.round / face.period, extent.tall / face.other_period);
-  std::optional<Candidate> best;
-  double least = 0;
-  for (bool is_graded : {false, true}) {
-    std::optional<Candidate> candidate = is_graded ? columns.graded() : columns.plain();
-    if (!candidate) continue;
-    auto place = [&](std::size_t b, double s, double t) { return columns.place(*candidate, b, s, t); };
-    const double energy =
-        measure_grid(placed_grid(face, candidate->layout, place, compared_quads, progress).grid()).energy;
-    if (!best || energy < least) best = std::move(candidate), least = energy;
-  }
+  std::optional<Candidate> best = columns.plain();
   auto place = [&](std::size_t b, double s, double t) { return columns.place(*best, b, s, t); };
-  // Even lengths are not to be had from so few elements that each turns as far as it may.
-  if (best->is_forced)
+  if (columns.is_thin())
     return mapped(best->layout, BlockGrid(best->layout, best->layout, face.surface, face.size, place));
+  auto energy = [&] {
+    return measure_grid(placed_grid(face, best->layout, place, compared_quads, progress).grid()).energy;
+  };
+  if (std::optional<Candidate> graded = columns.graded()) {
+    const double of_plain = energy();
+    std::swap(best, graded);
+    if (energy() >= of_plain) std::swap(best, graded);
+  }
   const BlockGrid grid = placed_grid(face, best->layout, place, most_placed, progress);
   return is_good(measure_grid(grid.grid()), most_uneven, M_PI) ? mapped(best->layout, grid) : nullptr;
 }
