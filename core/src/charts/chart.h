@@ -28,6 +28,17 @@ class Chart {
   virtual Vec2 step_to(Vec2 p, Vec2 q) const { return q - p; }
 };
 
+/// Surface point at chart point p and its derivatives by the chart coordinates; gives (u, v) there.
+inline Vec2 evaluate(const Chart& chart, const Surface& surface, Vec2 p, Vec3& x, Vec3& xp, Vec3& xq) {
+  Vec2 uv, uv_x, uv_y;
+  Vec3 xu, xv;
+  chart.to_uv(p, uv, uv_x, uv_y);
+  surface.d1(uv, x, xu, xv);
+  xp = uv_x.x * xu + uv_x.y * xv;
+  xq = uv_y.x * xu + uv_y.y * xv;
+  return uv;
+}
+
 /// Box of a face's (u, v) and how its sides close.
 struct ParameterBox {
   Vec2 lo, hi;

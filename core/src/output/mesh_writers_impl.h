@@ -16,8 +16,8 @@ void write_msh2(const MeshResult& result, bool is_ascii, AtomicFile& file);
 /// VTK unstructured grid: surface elements, Lagrange cells from order 2 on; cell data "face" (Face12: 12) and "sj".
 void write_vtu(const MeshResult& result, bool is_ascii, AtomicFile& file);
 
-/// The $PhysicalNames section of both Gmsh formats, empty when there are no groups.
+/// What both Gmsh formats start with: the format and its version, and the names of the groups where there are any.
 struct Groups;
-void write_physical_names(const Groups& groups, ByteSink& sink);
+void write_msh_beginning(const char* version, const Groups& groups, bool is_ascii, ByteSink& sink);
 
 }  // namespace paver

@@ -46,8 +46,8 @@ class Filler {
 
   int add_node(Vec2 p) {
     Vec3 x, xp, xq;
-    region_.evaluate(p, x, xp, xq);
-    return mesh_.add_node(p, x, xp, xq, region_.target(p));
+    const Vec2 uv = region_.evaluate(p, x, xp, xq);
+    return mesh_.add_node(p, x, xp, xq, region_.size.at(uv, *region_.surface));
   }
 
   void add_quad(std::array<int, 4> quad) {

@@ -49,15 +49,8 @@ struct Region {
     chart->to_uv(p, uv, uv_x, uv_y);
     return surface->point(uv);
   }
-  /// Surface point and its derivatives by the chart coordinates.
-  void evaluate(Vec2 p, Vec3& x, Vec3& xp, Vec3& xq) const {
-    Vec2 uv, uv_x, uv_y;
-    Vec3 xu, xv;
-    chart->to_uv(p, uv, uv_x, uv_y);
-    surface->d1(uv, x, xu, xv);
-    xp = uv_x.x * xu + uv_x.y * xv;
-    xq = uv_y.x * xu + uv_y.y * xv;
-  }
+  /// Surface point and its derivatives by the chart coordinates; gives (u, v) there.
+  Vec2 evaluate(Vec2 p, Vec3& x, Vec3& xp, Vec3& xq) const { return paver::evaluate(*chart, *surface, p, x, xp, xq); }
   /// Target length by what is given and by curvature at a chart point.
   double target(Vec2 p) const {
     Vec2 uv, uv_x, uv_y;

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <memory>
 
-#include "structured/interpolation.h"
-
 namespace paver {
 
 BlockGrid::BlockGrid(BlockLayout layout, const BlockLayout& final, const Surface& surface, const FaceSize& size,
@@ -34,8 +32,7 @@ BlockGrid::BlockGrid(BlockLayout layout, const BlockLayout& final, const Surface
 // Counter-clockwise in the block's chart, as most of them are where the grid starts.
 void BlockGrid::add_quads(std::size_t b, const Block& final) {
   const auto [m, n] = layout_.blocks[b].count;
-  const std::vector<Vec2> p = places(b);
-  const auto at = [&, m = m](int i, int j) { return p[static_cast<std::size_t>(j) * (m + 1) + i]; };
+  const GridPlaces at = places(b);
   double area = 0;
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < m; ++i) area += cross(at(i + 1, j + 1) - at(i, j), at(i, j + 1) - at(i + 1, j));
@@ -52,28 +49,26 @@ void BlockGrid::add_quads(std::size_t b, const Block& final) {
     }
 }
 
-std::vector<Vec2> BlockGrid::places(std::size_t b) const {
+GridPlaces BlockGrid::places(std::size_t b) const {
   const Block& block = layout_.blocks[b];
   const bool has_images = !(layout_.period == Vec2{});
-  std::vector<Vec2> result;
+  GridPlaces result{block.count[0], block.count[1], {}};
   for (int j = 0; j <= block.count[1]; ++j)
     for (int i = 0; i <= block.count[0]; ++i) {
       const int v = node(b, i, j);
       const auto chart = static_cast<std::size_t>(grid_.chart[v]);
       const bool is_own = chart == b || (!has_images && grid_.charts[chart] == block.chart);
-      result.push_back(is_own ? grid_.mesh.p[v]
-                              : block.chart->to_chart(nearest_image(grid_.uv(v), block.middle, layout_.period)));
+      result.at.push_back(is_own ? grid_.mesh.p[v]
+                                 : block.chart->to_chart(nearest_image(grid_.uv(v), block.middle, layout_.period)));
     }
   return result;
 }
 
 BlockGrid::Places between_nodes(const BlockGrid& coarse) {
-  std::vector<std::vector<Vec2>> places;
+  std::vector<GridPlaces> places;
   for (std::size_t b = 0; b < coarse.layout().blocks.size(); ++b) places.push_back(coarse.places(b));
-  return [places = std::move(places), blocks = coarse.layout().blocks](std::size_t b, double s, double t) {
-    const auto [m, n] = blocks[b].count;
-    return interpolate(s * m, t * n, m, n,
-                       [&, m = m](int i, int j) { return places[b][static_cast<std::size_t>(j) * (m + 1) + i]; });
+  return [places = std::move(places)](std::size_t b, double s, double t) {
+    return places[b].between(s * places[b].m, t * places[b].n);
   };
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "structured/block_layout.h"
+#include "structured/grid_places.h"
 #include "structured/grid_smoothing.h"
 
 namespace paver {
@@ -25,8 +26,8 @@ class BlockGrid {
   int node(std::size_t block, int i, int j) const { return numbers_.node(block, i, j); }
   void place(int node, Vec2 p) { grid_.place(node, p, surface_, size_); }
 
-  /// Chart points of a block's nodes, row by row, in the block's own chart.
-  std::vector<Vec2> places(std::size_t block) const;
+  /// Chart points of a block's nodes, in the block's own chart.
+  GridPlaces places(std::size_t block) const;
   /// Whether (i, j), (i + 1, j), (i + 1, j + 1) turn right in its chart.
   bool is_clockwise(std::size_t block) const { return is_clockwise_[block] != 0; }
   void smooth(int sweeps, const Progress& progress) { smooth_grid(grid_, surface_, size_, sweeps, progress); }

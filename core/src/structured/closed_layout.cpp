@@ -24,11 +24,10 @@ class PlainChart : public Chart {
 };
 
 bool is_positive(const MappedBlock& block) {
-  const auto [m, n] = block.coarse;
-  auto at = [&, m = m](int i, int j) { return block.places[static_cast<std::size_t>(j) * (m + 1) + i]; };
+  const GridPlaces& at = block.coarse;
   const int wanted = block.is_clockwise ? -1 : 1;
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < m; ++i) {
+  for (int j = 0; j < at.n; ++j)
+    for (int i = 0; i < at.m; ++i) {
       const Vec2 p[] = {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
       for (int k = 0; k < 4; ++k)
         if (orientation(p[k], p[(k + 1) % 4], p[(k + 2) % 4]) * wanted <= 0) return false;
@@ -78,9 +77,8 @@ std::shared_ptr<const ClosedLayout> mapped(const BlockLayout& layout, const Bloc
   for (std::size_t b = 0; b < layout.blocks.size(); ++b) {
     auto block = std::make_shared<MappedBlock>();
     block->chart = layout.blocks[b].chart;
-    block->coarse = grid.layout().blocks[b].count;
+    block->coarse = grid.places(b);
     block->fine = layout.blocks[b].count;
-    block->places = grid.places(b);
     block->is_clockwise = grid.is_clockwise(b);
     if (!is_positive(*block)) return nullptr;
     closed->blocks.push_back(std::move(block));

@@ -1,6 +1,6 @@
 // Gauss-Newton steps of one node at a time, in its tangent plane and its own chart.
 // In and out: the grid. Each step is taken back when the energy about the node does not fall, so a sweep never makes a
-// grid worse. Sweeps move waves of a few edges only: long ones are settled on coarser grids before (closed_grid.cpp).
+// grid worse. Sweeps move waves of a few edges only: long ones are settled on coarser grids before (block_grid.cpp).
 #include "structured/grid_smoothing.h"
 
 #include <algorithm>
@@ -17,7 +17,6 @@ constexpr double longest_step = 0.3;  // of the target length
 constexpr double flat_sine = 0.2;     // corners may not become flatter than this: behind it lie folded elements
 constexpr double least_area = 0.05;   // of the product of two sides: flatter corners count as if they were no flatter
 constexpr double damping = 1e-3;
-constexpr int fine_nodes = 50000;  // from here on sweeps changed neither lengths nor angles
 
 /// Energy about one node as a function of its position, with gradient and Gauss-Newton matrix in the tangent basis.
 class NodeEnergy {
@@ -144,21 +143,9 @@ double mean_ratio(const GluedGrid& grid) {
 
 }  // namespace
 
-int GluedGrid::add_node(int in_chart, Vec2 p, const Surface& surface, const FaceSize& size) {
-  int node = mesh.add_node(p, {}, {}, {}, 0);
-  chart.push_back(in_chart);
-  place(node, p, surface, size);
-  return node;
-}
-
 void GluedGrid::place(int node, Vec2 p, const Surface& surface, const FaceSize& size) {
-  Vec2 uv, uv_x, uv_y;
-  Vec3 xu, xv;
-  charts[chart[node]]->to_uv(p, uv, uv_x, uv_y);
   mesh.p[node] = p;
-  surface.d1(uv, mesh.x[node], xu, xv);
-  mesh.xp[node] = uv_x.x * xu + uv_x.y * xv;
-  mesh.xq[node] = uv_y.x * xu + uv_y.y * xv;
+  const Vec2 uv = evaluate(*charts[chart[node]], surface, p, mesh.x[node], mesh.xp[node], mesh.xq[node]);
   mesh.h[node] = size.at(uv, surface);
 }
 
@@ -173,7 +160,7 @@ GridFigures measure_grid(const GluedGrid& grid) {
   GridFigures figures;
   figures.mean_ratio = mean_ratio(grid);
   figures.worst = 2;
-  double outside = 0, squares = 0, cotangents = 0, least_cosine = 1;
+  double squares = 0, cotangents = 0, least_cosine = 1;
   for (std::size_t q = 0; q < mesh.elements.size(); ++q) {
     const Element& e = mesh.elements[q];
     figures.worst = std::min(figures.worst, scaled_jacobian(mesh, e));
@@ -187,18 +174,14 @@ GridFigures measure_grid(const GluedGrid& grid) {
       double cotangent = dot(out, back) / std::max(norm(cross(out, back)), least_area * norm(out) * norm(back));
       squares += off * off;
       cotangents += cotangent * cotangent;
-      if (std::fabs(off) > 0.3) ++outside;
     }
   }
   figures.turn = std::acos(std::max(-1.0, least_cosine));
   double sides = 4.0 * static_cast<double>(mesh.elements.size());
   figures.variation = std::sqrt(squares / sides);
-  figures.outside = outside / sides;
   figures.energy = (0.5 * squares + grid.angle_weight * cotangents) / static_cast<double>(mesh.node_count());
   return figures;
 }
-
-bool is_smooth_enough(const GluedGrid& grid) { return grid.mesh.node_count() > fine_nodes; }
 
 int finer_sweeps(const GluedGrid& grid, int least) { return std::clamp(40000 / grid.mesh.node_count(), least, 40); }
 

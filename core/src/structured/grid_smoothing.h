@@ -27,8 +27,6 @@ struct GluedGrid {
 
   double wish(int quad, int side) const { return wishes.empty() ? 1 : wishes[quad][side]; }
 
-  /// The new node's number.
-  int add_node(int in_chart, Vec2 p, const Surface& surface, const FaceSize& size);
   /// Moves a node to chart point p.
   void place(int node, Vec2 p, const Surface& surface, const FaceSize& size);
   Vec2 uv(int node) const;
@@ -38,7 +36,6 @@ struct GluedGrid {
 struct GridFigures {
   double mean_ratio = 0;  ///< of edge length to target length
   double variation = 0;   ///< of the same
-  double outside = 0;     ///< share of edges shorter than 0.7 or longer than 1.3 of the mean ratio
   double worst = 0;       ///< scaled Jacobian
   double turn = 0;        ///< radians: largest angle between the normals at opposite corners of a quad
   double energy = 0;      ///< per node, see smooth_grid
@@ -49,10 +46,6 @@ GridFigures measure_grid(const GluedGrid& grid);
 /// (length / (r w h) - 1)^2, w the wish, r the mean of length / (w h), plus `angle_weight` times the sum over corners
 /// of the squared cotangent.
 void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress);
-
-/// Whether a grid that was interpolated from a smoothed one of half as many rows is as smooth as that one: its rows are
-/// so fine that the surface hardly bends between two.
-bool is_smooth_enough(const GluedGrid& grid);
 
 /// Sweeps for a grid that was interpolated from a smoothed one of half as many rows: more for small ones, where they
 /// cost little and spare the finer ones work. At least `least`.

@@ -1,18 +1,15 @@
-// In: a block with coarse places. Out: fine places, by cubics through four by four coarse ones.
+// In: a block with coarse places. Out: fine places between them.
 #include "structured/mapped_fill.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "structured/interpolation.h"
-
 namespace paver {
 
 Vec2 MappedBlock::place(int i, int j) const {
-  const double s = static_cast<double>(static_cast<long>(i) * coarse[0]) / fine[0];
-  const double t = static_cast<double>(static_cast<long>(j) * coarse[1]) / fine[1];
-  return interpolate(s, t, coarse[0], coarse[1],
-                     [&](int k, int l) { return places[static_cast<std::size_t>(l) * (coarse[0] + 1) + k]; });
+  const double s = static_cast<double>(static_cast<long>(i) * coarse.m) / fine[0];
+  const double t = static_cast<double>(static_cast<long>(j) * coarse.n) / fine[1];
+  return coarse.between(s, t);
 }
 
 std::vector<std::array<int, 2>> MappedFill::outline() const {

@@ -6,15 +6,16 @@
 #include <vector>
 
 #include "charts/chart.h"
+#include "structured/grid_places.h"
 
 namespace paver {
 
 /// A block whose coarse nodes are placed.
 struct MappedBlock {
   std::shared_ptr<const Chart> chart;
-  std::array<int, 2> coarse{1, 1}, fine{1, 1};  ///< quads either way
-  std::vector<Vec2> places;                     ///< chart points of the coarse nodes, row by row
-  bool is_clockwise = false;                    ///< its quads (i, j), (i + 1, j), (i + 1, j + 1) in the chart
+  GridPlaces coarse;              ///< chart points of the coarse nodes
+  std::array<int, 2> fine{1, 1};  ///< quads either way
+  bool is_clockwise = false;      ///< its quads (i, j), (i + 1, j), (i + 1, j + 1) in the chart
 
   /// Chart point of a fine node.
   Vec2 place(int i, int j) const;

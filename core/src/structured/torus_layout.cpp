@@ -1,6 +1,6 @@
 // Columns around a face that goes round both ways.
-// In: face. Out: its layout. Places are (x, y): x = 0..1 once around the way on which the other one's lengths vary
-// least, y = 0..1 along a column, by length, from the middle of the wider side.
+// In: face. Out: its layout. Places are (x, y): x = 0..1 once around the way whose lengths vary most, y = 0..1 along a
+// column, by length, from where that way is longest.
 // Where columns would be about equally wide everywhere: three blocks by three, no irregular node. Else k cells with
 // more columns on the wider, outer side:
 //
@@ -34,10 +34,10 @@ constexpr long compared_quads = 600;  // of the grids whose energies are compare
 class Profile {
  public:
   explicit Profile(const ClosedFace& face) : face_(face) {
-    measure(false);
-    const double spread = this->spread();
-    measure(true);
-    if (spread >= this->spread()) measure(false);
+    const Lengths straight = measure(false), turned = measure(true);
+    is_turned_ = spread(turned.width) > spread(straight.width);
+    width_ = is_turned_ ? turned.width : straight.width;
+    height_ = is_turned_ ? turned.height : straight.height;
     start_ = static_cast<std::size_t>(std::max_element(width_.begin(), width_.end()) - width_.begin());
     for (std::size_t i = 0; i <= profile_cells; ++i) arc_.push_back(i == 0 ? 0 : arc_.back() + height_[at(i - 1)]);
   }
@@ -45,7 +45,6 @@ class Profile {
   double length() const { return arc_.back(); }
   double greatest() const { return *std::max_element(width_.begin(), width_.end()); }
   double least() const { return *std::min_element(width_.begin(), width_.end()); }
-  double spread() const { return greatest() / least(); }
   /// Mean length around between two places along.
   double mean(double from, double to) const {
     double sum = 0, all = 0;
@@ -69,31 +68,39 @@ class Profile {
     const std::size_t i = static_cast<std::size_t>(above - arc_.begin()) - 1;
     const double cell = (wish - arc_[i]) / (arc_[i + 1] - arc_[i]);
     const double along = (static_cast<double>(start_ + i) + cell) / profile_cells + whole;
-    const Vec2 share = is_turned_ ? Vec2{along, place.x} : Vec2{place.x, along};
-    return face_.uv({face_.box.lo.x + share.x * face_.period, face_.box.lo.y + share.y * face_.other_period});
+    return uv_at({place.x, along}, is_turned_);
   }
 
  private:
   std::size_t at(std::size_t i) const { return (start_ + i) % profile_cells; }
 
-  void measure(bool is_turned) {
+  struct Lengths {
+    std::vector<double> width, height;  // per cell along
+  };
+
+  static double spread(const std::vector<double>& width) {
+    return *std::max_element(width.begin(), width.end()) / *std::min_element(width.begin(), width.end());
+  }
+
+  // At shares of the ways round; turned: the box's second one comes first.
+  Vec2 uv_at(Vec2 share, bool is_turned) const {
+    if (is_turned) std::swap(share.x, share.y);
+    return face_.uv({face_.box.lo.x + share.x * face_.period, face_.box.lo.y + share.y * face_.other_period});
+  }
+
+  Lengths measure(bool is_turned) const {
     constexpr int across = 8;
-    is_turned_ = is_turned;
-    width_.assign(profile_cells, 0);
-    height_.assign(profile_cells, 0);
+    Lengths lengths{std::vector<double>(profile_cells, 0), std::vector<double>(profile_cells, 0)};
     for (int i = 0; i < profile_cells; ++i)
       for (int j = 0; j < across; ++j) {
-        Vec2 share{(j + 0.5) / across, (i + 0.5) / profile_cells};
-        if (is_turned) std::swap(share.x, share.y);
         Vec3 x, a, b;
-        face_.surface.d1(
-            face_.uv({face_.box.lo.x + share.x * face_.period, face_.box.lo.y + share.y * face_.other_period}), x, a,
-            b);
+        face_.surface.d1(uv_at({(j + 0.5) / across, (i + 0.5) / profile_cells}, is_turned), x, a, b);
         double round = norm(face_.box.is_swapped ? b : a) * face_.period;
         double along = norm(face_.box.is_swapped ? a : b) * face_.other_period;
         if (is_turned) std::swap(round, along);
-        width_[i] += round / across, height_[i] += along / profile_cells / across;
+        lengths.width[i] += round / across, lengths.height[i] += along / profile_cells / across;
       }
+    return lengths;
   }
 
   const ClosedFace& face_;
@@ -255,20 +262,20 @@ std::shared_ptr<const ClosedLayout> lay_torus(const ClosedFace& face, const Prog
   const Profile profile(face);
   const FaceExtent extent = measure_extent(face);
   const Columns columns(face, profile, extent.elements, extent.round / face.period, extent.tall / face.other_period);
-  std::optional<Candidate> best = columns.plain();
-  auto place = [&](std::size_t b, double s, double t) { return columns.place(*best, b, s, t); };
+  Candidate best = columns.plain();
+  auto place = [&](std::size_t b, double s, double t) { return columns.place(best, b, s, t); };
   if (columns.is_thin())
-    return mapped(best->layout, BlockGrid(best->layout, best->layout, face.surface, face.size, place));
+    return mapped(best.layout, BlockGrid(best.layout, best.layout, face.surface, face.size, place));
   auto energy = [&] {
-    return measure_grid(placed_grid(face, best->layout, place, compared_quads, progress).grid()).energy;
+    return measure_grid(placed_grid(face, best.layout, place, compared_quads, progress).grid()).energy;
   };
   if (std::optional<Candidate> graded = columns.graded()) {
     const double of_plain = energy();
-    std::swap(best, graded);
-    if (energy() >= of_plain) std::swap(best, graded);
+    std::swap(best, *graded);
+    if (energy() >= of_plain) std::swap(best, *graded);
   }
-  const BlockGrid grid = placed_grid(face, best->layout, place, most_placed, progress);
-  return is_good(measure_grid(grid.grid()), most_uneven, M_PI) ? mapped(best->layout, grid) : nullptr;
+  const BlockGrid grid = placed_grid(face, best.layout, place, most_placed, progress);
+  return is_good(measure_grid(grid.grid()), most_uneven, M_PI) ? mapped(best.layout, grid) : nullptr;
 }
 
 }  // namespace paver

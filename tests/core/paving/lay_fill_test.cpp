@@ -20,8 +20,9 @@ Region half(Vec2 shift, bool is_clockwise) {
   auto block = std::make_shared<MappedBlock>();
   block->chart = region.chart;
   block->fine = {6, 4};
-  block->places = {{0, 0}, {6, 0}, {0, 4}, Vec2{6, 4} + shift};
-  if (is_clockwise) std::swap(block->places[0], block->places[1]), std::swap(block->places[2], block->places[3]);
+  block->coarse.at = {{0, 0}, {6, 0}, {0, 4}, Vec2{6, 4} + shift};
+  if (is_clockwise)
+    std::swap(block->coarse.at[0], block->coarse.at[1]), std::swap(block->coarse.at[2], block->coarse.at[3]);
   block->is_clockwise = is_clockwise;
   region.fill = MappedFill{block, {3, 0}, {6, 4}};
   std::vector<LoopNode>& loop = region.loops.emplace_back();

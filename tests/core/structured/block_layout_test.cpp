@@ -68,11 +68,11 @@ TEST(NearestImage, MovesByWholePeriodsOnly) {
 TEST(MappedFill, PartsCoverTheBlockAndAgreeOnTheirPlaces) {
   auto map = [](double s, double t) { return Vec2{2 * s + 0.1 * t * t, t + 0.05 * s * s * s}; };
   auto block = std::make_shared<MappedBlock>();
-  block->coarse = {5, 4};
+  block->coarse = {5, 4, {}};
   block->fine = {40, 30};
   for (int j = 0; j <= 4; ++j)
-    for (int i = 0; i <= 5; ++i) block->places.push_back(map(i / 5.0, j / 4.0));
-  EXPECT_EQ(block->place(16, 15), block->places[2 * 6 + 2]);
+    for (int i = 0; i <= 5; ++i) block->coarse.at.push_back(map(i / 5.0, j / 4.0));
+  EXPECT_EQ(block->place(16, 15), block->coarse(2, 2));
   std::set<std::array<int, 2>> on_outlines;
   long quads = 0;
   for (const MappedFill& fill : divided(block, 150)) {

@@ -40,7 +40,9 @@ GluedGrid jittered_grid(double jitter, const Surface& surface, const FaceSize& s
   std::uniform_real_distribution<double> off(-jitter, jitter);
   for (int j = 0; j < along; ++j)
     for (int i = 0; i < around; ++i)
-      grid.add_node(0, {2 * pi * (i + off(random)) / around, 2 * pi * (j + off(random)) / along}, surface, size);
+      grid.mesh.add_node({2 * pi * (i + off(random)) / around, 2 * pi * (j + off(random)) / along}, {}, {}, {}, 0);
+  grid.chart.assign(grid.mesh.p.size(), 0);
+  for (int v = 0; v < grid.mesh.node_count(); ++v) grid.place(v, grid.mesh.p[v], surface, size);
   auto node = [](int i, int j) { return (j % along) * around + i % around; };
   for (int j = 0; j < along; ++j)
     for (int i = 0; i < around; ++i)

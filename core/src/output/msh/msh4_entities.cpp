@@ -33,13 +33,7 @@ void add_boxes(const SurfaceMesh& mesh, const std::vector<int>& table, const std
 
 void write_msh4_beginning(const Msh4Entities& entities, bool is_ascii, ByteSink& sink) {
   Msh4Numbers out(sink, is_ascii);
-  sink.write(fmt::format("$MeshFormat\n4.1 {} 8\n", is_ascii ? 0 : 1));
-  if (!is_ascii) {
-    sink.write_packed(1);  // readers learn the byte order from it
-    sink.write("\n");
-  }
-  sink.write("$EndMeshFormat\n");
-  write_physical_names(entities.groups, sink);
+  write_msh_beginning("4.1", entities.groups, is_ascii, sink);
   sink.write("$Entities\n");
   for (std::size_t count : {std::size_t{0}, present(entities.curves), present(entities.surfaces), std::size_t{0}})
     out.count(count);

@@ -72,7 +72,13 @@ void write_table(const Table& table, const Numbering& numbering, bool is_ascii, 
 
 }  // namespace
 
-void write_physical_names(const Groups& groups, ByteSink& sink) {
+void write_msh_beginning(const char* version, const Groups& groups, bool is_ascii, ByteSink& sink) {
+  sink.write(fmt::format("$MeshFormat\n{} {} 8\n", version, is_ascii ? 0 : 1));
+  if (!is_ascii) {
+    sink.write_packed(1);  // readers learn the byte order from it
+    sink.write("\n");
+  }
+  sink.write("$EndMeshFormat\n");
   const std::size_t count = groups.face_names.size() + groups.edge_names.size();
   if (count == 0) return;
   sink.write(fmt::format("$PhysicalNames\n{}\n", count));
@@ -85,13 +91,7 @@ void write_physical_names(const Groups& groups, ByteSink& sink) {
 void write_msh2(const MeshResult& result, bool is_ascii, AtomicFile& file) {
   const SurfaceMesh& mesh = result.mesh;
   Numbering numbering(result);
-  file.write(fmt::format("$MeshFormat\n2.2 {} 8\n", is_ascii ? 0 : 1));
-  if (!is_ascii) {
-    file.write_packed(1);  // readers learn the byte order from it
-    file.write("\n");
-  }
-  file.write("$EndMeshFormat\n");
-  write_physical_names(numbering.groups, file);
+  write_msh_beginning("2.2", numbering.groups, is_ascii, file);
   write_nodes(mesh, numbering, is_ascii, file);
   file.write(fmt::format("$Elements\n{}\n", mesh.line_edge.size() + mesh.triangle_count() + mesh.quad_count()));
   int number = 0;
