@@ -38,8 +38,7 @@ class Run {
   Run(const Options& options, Progress& progress, Ranks& ranks)
       : options_(options), progress_(progress), ranks_(ranks), shared_(options.threads, progress, ranks) {}
 
-  /// `is_numbered`: with the numbers of a share.
-  MeshShare mesh(const CadModel& model, bool is_numbered) {
+  MeshShare mesh(const CadModel& model) {
     start();
     build(model);
     divide();
@@ -54,7 +53,7 @@ class Run {
     measure();
     while (assembler.drop_faulty()) measure();
     assembler.note_straightened();
-    if (is_numbered) assembler.number();
+    assembler.number();
     result_.report.tasks = shared_.times();
     result_.report.tasks.insert(result_.report.tasks.end(), paver.times().begin(), paver.times().end());
     finish(assembler);
@@ -249,9 +248,7 @@ class Run {
     std::vector<bool> is_periodic;
     for (const Edge& edge : model_.edges) is_periodic.push_back(edge.is_periodic);
     RunReport& report = result_.report;
-    report.quality = ranks_.count() == 1
-                         ? measure_quality(result_.mesh, report.target_length, is_periodic, report.faces, progress_)
-                         : measure_quality(share_, report.target_length, is_periodic, report.faces, progress_, ranks_);
+    report.quality = measure_quality(share_, report.target_length, is_periodic, report.faces, progress_, ranks_);
   }
 
   void finish(const Assembler& assembler) {
@@ -315,25 +312,16 @@ class Run {
 
 }  // namespace
 
-namespace {
-
-MeshShare run(const CadModel& model, const Options& options, Progress& progress, Ranks& ranks, bool is_numbered) {
+MeshShare mesh_share(const CadModel& model, const Options& options, Progress& progress, Ranks& ranks) {
   check(options);
   tbb::task_arena arena(thread_count(options.threads));  // for what spreads by itself
-  return guard_occt(ErrorCode::internal, kernel_failure, [&] {
-    return arena.execute([&] { return Run(options, progress, ranks).mesh(model, is_numbered); });
-  });
-}
-
-}  // namespace
-
-MeshShare mesh_share(const CadModel& model, const Options& options, Progress& progress, Ranks& ranks) {
-  return run(model, options, progress, ranks, true);
+  return guard_occt(ErrorCode::internal, kernel_failure,
+                    [&] { return arena.execute([&] { return Run(options, progress, ranks).mesh(model); }); });
 }
 
 MeshResult mesh_model(const CadModel& model, const Options& options, Progress& progress) {
   SingleRank alone;
-  return run(model, options, progress, alone, false).result;
+  return mesh_share(model, options, progress, alone).result;
 }
 
 MeshResult mesh_file(const std::string& path, const Options& options, Progress& progress) {

@@ -41,6 +41,16 @@ TEST_P(MpiRanksTest, AddUpSumsEveryValue) {
   ranks_.add_up({});
 }
 
+TEST_P(MpiRanksTest, FindLeastGivesTheLeastOfEveryValue) {
+  std::vector<double> values(11);
+  std::iota(values.begin(), values.end(), 1000.0 * ranks_.rank());
+  values.back() = -ranks_.rank();
+  ranks_.find_least(values);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(values[static_cast<std::size_t>(i)], i);
+  EXPECT_EQ(values.back(), 1 - ranks_.count());
+  ranks_.find_least({});
+}
+
 TEST_P(MpiRanksTest, SpreadGivesWhatRank0Has) {
   for (std::string text : {std::string(), std::string("x"), std::string(1000, 'y') + '\0'}) {
     std::string mine = ranks_.rank() == 0 ? text : "other";

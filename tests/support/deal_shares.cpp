@@ -89,7 +89,7 @@ class Dealer {
       mesh.nodes.push_back(from.nodes[node]);
       if (!from.node_edge.empty()) mesh.node_edge.push_back(from.node_edge[node]);
       if (!from.node_target.empty()) mesh.node_target.push_back(from.node_target[node]);
-      share.node_number.push_back(static_cast<long>(node));
+      share.node_number.list.push_back(static_cast<long>(node));
       share.is_own_node.push_back(owner_[node] == rank);
       share.is_shared_node.push_back(is_shared_[node]);
     }
@@ -98,13 +98,13 @@ class Dealer {
 
   static void add_elements(const std::vector<int>& from, const std::vector<int>& face_of,
                            const std::vector<int>& rank_of, int rank, const std::vector<int>& local,
-                           std::vector<int>& to, std::vector<int>& to_face, std::vector<long>& numbers) {
+                           std::vector<int>& to, std::vector<int>& to_face, RowNumbers& numbers) {
     std::size_t stride = face_of.empty() ? 1 : from.size() / face_of.size();
     for (std::size_t i = 0; i < face_of.size(); ++i) {
       if (rank_of[i] != rank) continue;
       for (std::size_t k = 0; k < stride; ++k) to.push_back(local[static_cast<std::size_t>(from[i * stride + k])]);
       to_face.push_back(face_of[i]);
-      numbers.push_back(static_cast<long>(i));
+      numbers.list.push_back(static_cast<long>(i));
     }
   }
 

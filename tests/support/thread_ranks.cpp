@@ -1,6 +1,8 @@
 #include "support/thread_ranks.h"
 
+#include <algorithm>
 #include <cstring>
+#include <functional>
 #include <thread>
 
 namespace paver::test {
@@ -13,18 +15,24 @@ class ThreadRank : public Ranks {
   int rank() const override { return rank_; }
   int count() const override { return meeting_.count(); }
   std::vector<std::string> gather(std::string_view mine) override { return meeting_.exchange(rank_, "gather", mine); }
-  void add_up(std::span<long> values) override {
-    std::string mine(reinterpret_cast<const char*>(values.data()), values.size_bytes());
-    std::vector<std::string> all = meeting_.exchange(rank_, "add_up " + std::to_string(values.size()), mine);
-    std::vector<long> theirs(values.size());
-    for (std::size_t rank = 0; rank < all.size(); ++rank) {
-      if (!theirs.empty()) std::memcpy(theirs.data(), all[rank].data(), all[rank].size());
-      for (std::size_t i = 0; i < theirs.size(); ++i) values[i] = (rank ? values[i] : 0) + theirs[i];
-    }
+  void add_up(std::span<long> values) override { reduce("add_up", values, std::plus<>()); }
+  void find_least(std::span<double> values) override {
+    reduce("find_least", values, [](double a, double b) { return std::min(a, b); });
   }
   long take(int queue) override { return meeting_.take(queue); }
 
  private:
+  template <class T, class Operation>
+  void reduce(const std::string& name, std::span<T> values, Operation operation) {
+    const std::string mine(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+    const std::vector<std::string> all = meeting_.exchange(rank_, name + " " + std::to_string(values.size()), mine);
+    std::vector<T> theirs(values.size());
+    for (std::size_t rank = 0; rank < all.size(); ++rank) {
+      if (!theirs.empty()) std::memcpy(theirs.data(), all[rank].data(), all[rank].size());
+      for (std::size_t i = 0; i < theirs.size(); ++i) values[i] = rank ? operation(values[i], theirs[i]) : theirs[i];
+    }
+  }
+
   Meeting& meeting_;
   const int rank_;
 };

@@ -58,16 +58,35 @@ MeshResult mesh_file(const std::string& path, const Options& options, Progress& 
 /// The model as mesh_model meshes it with these options, repaired, sewn and connected, as the text of a BREP file.
 std::string repaired_model(const CadModel& model, const Options& options, Progress& progress);
 
-/// What one rank holds of a mesh: the elements that it made, with all nodes they use, all lines of the whole mesh, and
-/// their nodes. Each table of `result.mesh` is a subsequence of the whole mesh's: numbers here rise and tell which.
-struct MeshShare {
-  MeshResult result;                         ///< the report is that of the whole mesh, the same on all ranks
-  std::vector<long> node_number;             ///< per node of the share: its number in the whole mesh
-  std::vector<char> is_own_node;             ///< of all ranks that hold a node exactly one owns it
-  std::vector<char> is_shared_node;          ///< per node: true wherever other ranks hold it, too
-  std::vector<long> quad_number;             ///< per quad of the share: its number in the whole mesh
-  std::vector<long> triangle_number;         ///< per triangle likewise
+/// Per row of a share's table its number in the whole mesh, rising. A table that is whole has no list: row i is number
+/// i.
+struct RowNumbers {
+  std::vector<long> list;
+  long whole_rows = 0;  ///< of a table that is whole: how many
+
+  long operator[](std::size_t row) const { return list.empty() ? static_cast<long>(row) : list[row]; }
+  /// The row that has a number; -1: none here.
+  int row_of(long number) const;
+};
+
+/// How a share lies in the whole mesh. Where one rank has all of it every list is empty.
+struct ShareNumbers {
+  RowNumbers node_number, quad_number, triangle_number;
+  std::vector<char> is_own_node;             ///< of all ranks that hold a node exactly one owns it; empty: this one
+  std::vector<char> is_shared_node;          ///< per node: true wherever other ranks hold it, too; empty: nowhere
   long nodes = 0, quads = 0, triangles = 0;  ///< of the whole mesh
+
+  bool is_own(std::size_t node) const { return is_own_node.empty() || is_own_node[node] != 0; }
+  bool is_shared(std::size_t node) const { return !is_shared_node.empty() && is_shared_node[node] != 0; }
+};
+
+/// Of a mesh that one process has all of.
+ShareNumbers whole_numbers(const SurfaceMesh& mesh);
+
+/// What one rank holds of a mesh: the elements that it made, with all nodes they use, all lines of the whole mesh, and
+/// their nodes. Each table of `result.mesh` is a subsequence of the whole mesh's: the numbers tell which.
+struct MeshShare : ShareNumbers {
+  MeshResult result;  ///< the report is that of the whole mesh, the same on all ranks
 };
 
 /// mesh_model on several processes, collective. The shares together are the mesh of mesh_model, bit for bit, for every

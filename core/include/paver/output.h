@@ -28,27 +28,23 @@ struct OutputFiles {
   std::vector<std::string> paths() const;
 };
 
-/// Throws Error{bad_option} for a file name with another ending, two equal paths or the model's own path, and
-/// Error{unwritable_output} when a file could not be created in its folder. Leaves nothing behind. Call it before the
-/// work.
-void check_outputs(const OutputFiles& files);
+/// Throws Error{bad_option} for a file name with another ending, two equal paths, the model's own path, or what several
+/// `ranks` cannot write, and Error{unwritable_output} when a file could not be created in its folder. Leaves nothing
+/// behind. Call it before the work, on one process.
+void check_outputs(const OutputFiles& files, int ranks = 1);
 
 /// Writes all files under temporary names in their folders, then renames them: a reader sees whole files or none, and
 /// an old file stays until it is replaced. Adds "write" to the report's stage_seconds. On Error{unwritable_output} or
 /// Error{cancelled} nothing is left.
 void write_outputs(MeshResult& result, const OutputFiles& files, Progress& progress);
 
-/// Throws Error{bad_option} for files that write_share cannot write, and what check_outputs throws. Call it before the
-/// work, on one process.
-void check_share_outputs(const OutputFiles& files);
-
-/// write_outputs for a mesh that several ranks hold, collective: one file, written by all at once, byte for byte what
-/// write_outputs gives for the whole mesh. Binary .msh 4.1 and .vtu only, on a file system that all ranks see; rank 0
+/// The same for a mesh that ranks hold together, collective: one file, written by all at once, byte for byte that of
+/// the whole mesh. Several ranks write binary .msh 4.1 and .vtu only, on a file system that all of them see; rank 0
 /// writes the report. An Error on one rank is thrown on all, and nothing is left.
-void write_share(MeshShare& share, const OutputFiles& files, Progress& progress, Ranks& ranks);
+void write_outputs(MeshShare& share, const OutputFiles& files, Progress& progress, Ranks& ranks);
 
-/// The temporary name that write_outputs, and write_share on rank 0, use for `path` in this process or, where it is
-/// named, another; to remove it when that must end.
+/// The temporary name that write_outputs uses on rank 0 for `path` in this process or, where it is named, another; to
+/// remove it when that must end.
 std::string temporary_name(const std::string& path, long process = 0);
 
 /// A result as bytes, for another process of the same build.
@@ -76,6 +72,6 @@ std::string report_table(const RunReport& report);
 std::uint64_t checksum(const SurfaceMesh& mesh);
 
 /// The same of the mesh that all ranks hold together, collective.
-std::uint64_t checksum(const MeshShare& share, Ranks& ranks);
+std::uint64_t checksum(const SurfaceMesh& mesh, const ShareNumbers& numbers, Ranks& ranks);
 
 }  // namespace paver

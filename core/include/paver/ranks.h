@@ -22,6 +22,8 @@ class Ranks {
   virtual std::vector<std::string> gather(std::string_view mine) = 0;
   /// Collective: each value becomes its sum over all ranks; same number of values everywhere.
   virtual void add_up(std::span<long> values) = 0;
+  /// Collective: likewise the least of all ranks. No value is NaN; which sign the least of several zeros has is open.
+  virtual void find_least(std::span<double> values) = 0;
   /// The next number of a queue, 0, 1, 2, ...; each is given to one caller of all ranks only. Not collective, may be
   /// called from any thread. 0 <= queue < most_queues.
   virtual long take(int queue) = 0;
@@ -36,6 +38,7 @@ class SingleRank : public Ranks {
   int count() const override { return 1; }
   std::vector<std::string> gather(std::string_view mine) override { return {std::string(mine)}; }
   void add_up(std::span<long>) override {}
+  void find_least(std::span<double>) override {}
   long take(int queue) override { return next_[static_cast<std::size_t>(queue)].fetch_add(1); }
 
  private:

@@ -159,10 +159,8 @@ void Assembler::check() {
   };
   for (int quad : invalid_quads_) add(true, quad);
   for (int triangle : invalid_triangles_) add(false, triangle);
-  static const std::vector<long> as_here;
-  const bool is_alone = ranks_.count() == 1;
-  if (!is_alone) number();
-  CheckedMesh checked{model_, nodes_, mesh_, parts_, joined_.sizes, is_alone ? as_here : share_.node_number, moved_};
+  number();
+  CheckedMesh checked{model_, nodes_, mesh_, parts_, joined_.sizes, share_.node_number, moved_};
   checked.target_length = target_length(options_);
   checked.shared_nodes = static_cast<int>(joined_.boundary_nodes) + static_cast<int>(joined_.outline.size());
   for (const FaceReport& face : report_.faces) checked.is_meshed.push_back(face.status == FaceStatus::meshed);
@@ -192,7 +190,6 @@ void Assembler::straighten_last() {
 
 // Sides on B-rep edges have neighbours on other ranks: all mend the same neighbourhood, each keeps what is its own.
 RepairResult Assembler::straighten() {
-  if (ranks_.count() == 1) return straighten_at_edges(mesh_, is_valid, invalid_quads_, invalid_triangles_);
   number();
   Neighbourhood about = gather_neighbourhood(share_, invalid_quads_, invalid_triangles_, rings_of_mending, ranks_);
   RepairResult result = straighten_at_edges(about.mesh, is_valid, about.invalid_quads, about.invalid_triangles);

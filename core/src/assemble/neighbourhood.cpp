@@ -28,11 +28,11 @@ struct ElementRow {
 struct Table {
   const std::vector<int>& nodes;
   const std::vector<int>& face;
-  const std::vector<long>& number;
+  const RowNumbers& number;
   int stride, corners;
   std::vector<char> is_marked, is_invalid;
 
-  Table(const std::vector<int>& element_nodes, const std::vector<int>& faces, const std::vector<long>& numbers,
+  Table(const std::vector<int>& element_nodes, const std::vector<int>& faces, const RowNumbers& numbers,
         int per_element, int corner_count, const std::vector<int>& invalid)
       : nodes(element_nodes),
         face(faces),
@@ -80,14 +80,9 @@ class Gatherer {
   void share_marks() {
     std::vector<long> mine;
     for (std::size_t v = 0; v < is_marked_.size(); ++v)
-      if (is_marked_[v] && share_.is_shared_node[v]) mine.push_back(share_.node_number[v]);
+      if (is_marked_[v] && share_.is_shared(v)) mine.push_back(share_.node_number[v]);
     for (long number : gather_all(mine, ranks_))
-      if (int v = here(number); v >= 0) is_marked_[v] = 1;
-  }
-
-  int here(long number) const {
-    auto at = std::lower_bound(share_.node_number.begin(), share_.node_number.end(), number);
-    return at != share_.node_number.end() && *at == number ? static_cast<int>(at - share_.node_number.begin()) : -1;
+      if (int v = share_.node_number.row_of(number); v >= 0) is_marked_[v] = 1;
   }
 
   void mark_elements(Table& table) {
@@ -155,21 +150,15 @@ Neighbourhood gather_neighbourhood(const MeshShare& share, const std::vector<int
 }
 
 void put_nodes_back(const Neighbourhood& from, MeshShare& share) {
-  std::size_t at = 0;
-  for (std::size_t v = 0; v < share.node_number.size() && at < from.node_number.size(); ++v) {
-    while (at < from.node_number.size() && from.node_number[at] < share.node_number[v]) ++at;
-    if (at < from.node_number.size() && from.node_number[at] == share.node_number[v])
-      share.result.mesh.nodes[v] = from.mesh.nodes[at];
-  }
+  for (std::size_t i = 0; i < from.node_number.size(); ++i)
+    if (int v = share.node_number.row_of(from.node_number[i]); v >= 0) share.result.mesh.nodes[v] = from.mesh.nodes[i];
 }
 
 std::vector<int> rows_here(const std::vector<int>& rows, const std::vector<long>& numbers,
-                           const std::vector<long>& numbers_here) {
+                           const RowNumbers& numbers_here) {
   std::vector<int> here;
-  for (int row : rows) {
-    auto at = std::lower_bound(numbers_here.begin(), numbers_here.end(), numbers[row]);
-    if (at != numbers_here.end() && *at == numbers[row]) here.push_back(static_cast<int>(at - numbers_here.begin()));
-  }
+  for (int row : rows)
+    if (int at = numbers_here.row_of(numbers[row]); at >= 0) here.push_back(at);
   return here;
 }
 

@@ -23,6 +23,6 @@ void put_nodes_back(const Neighbourhood& from, MeshShare& share);
 
 /// Rows in the share of rows of the neighbourhood, those that are here.
 std::vector<int> rows_here(const std::vector<int>& rows, const std::vector<long>& numbers,
-                           const std::vector<long>& numbers_here);
+                           const RowNumbers& numbers_here);
 
 }  // namespace paver

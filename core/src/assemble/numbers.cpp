@@ -1,6 +1,7 @@
 // Numbers of a share in the whole mesh. Nodes of the whole, in this order: boundary stage, outlines, each part's own;
 // at order 2 the middles of the lines, of the cuts, then each part's middles and centres. Elements: part by part.
 #include "assemble/assembler.h"
+#include "base/bytes.h"
 #include "base/tasks/gather.h"
 
 namespace paver {
@@ -30,10 +31,10 @@ struct Shared {
 
 class Numberer {
  public:
-  Numberer(MeshShare& share, Ranks& ranks) : share_(share), ranks_(ranks) {}
+  Numberer(ShareNumbers& share, Ranks& ranks) : share_(share), ranks_(ranks) {}
 
   void add_run(long first, long count, bool is_own, bool is_shared) {
-    for (long i = 0; i < count; ++i) share_.node_number.push_back(first + i);
+    for (long i = 0; i < count; ++i) share_.node_number.list.push_back(first + i);
     share_.is_own_node.insert(share_.is_own_node.end(), static_cast<std::size_t>(count), is_own);
     share_.is_shared_node.insert(share_.is_shared_node.end(), static_cast<std::size_t>(count), is_shared);
   }
@@ -42,7 +43,7 @@ class Numberer {
 
   void add_shared(long first, const std::vector<int>& mine, const Shared& shared) {
     for (int thing : mine) {
-      share_.node_number.push_back(first + shared.number[thing]);
+      share_.node_number.list.push_back(first + shared.number[thing]);
       share_.is_own_node.push_back(shared.owner[thing] == ranks_.rank());
       share_.is_shared_node.push_back(true);
     }
@@ -56,7 +57,7 @@ class Numberer {
   }
 
  private:
-  MeshShare& share_;
+  ShareNumbers& share_;
   Ranks& ranks_;
 };
 
@@ -70,17 +71,17 @@ std::vector<PartRow> gather_rows(const std::vector<PartRow>& mine, Ranks& ranks)
 }
 
 void number_elements(const std::vector<PartRow>& mine, const std::vector<long>& first, Count count,
-                     std::vector<long>& numbers) {
+                     RowNumbers& numbers) {
   for (std::size_t i = 0; i < mine.size(); ++i)
-    for (long k = 0; k < mine[i].*count; ++k) numbers.push_back(first[i] + k);
+    for (long k = 0; k < mine[i].*count; ++k) numbers.list.push_back(first[i] + k);
 }
 
 }  // namespace
 
 void Assembler::number() {
-  MeshShare& share = share_;
-  share.node_number.clear(), share.is_own_node.clear(), share.is_shared_node.clear();
-  share.quad_number.clear(), share.triangle_number.clear();
+  ShareNumbers& share = share_;
+  share = ranks_.count() == 1 ? whole_numbers(mesh_) : ShareNumbers{};
+  if (ranks_.count() == 1) return;
   std::vector<PartRow> mine;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const PartSizes& sizes = joined_.sizes[i];
@@ -98,7 +99,7 @@ void Assembler::number() {
   share.nodes = first.back();
   if (options_.order > 1) {
     const Shared cuts(curved_.cuts, cuts_->sides().size(), ranks_);
-    const long lines = static_cast<long>(share.result.mesh.line_edge.size());
+    const long lines = static_cast<long>(mesh_.line_edge.size());
     numberer.add_common(share.nodes, lines);
     numberer.add_shared(share.nodes + lines, curved_.cuts, cuts);
     first = Numberer::firsts(all, &PartRow::own_nodes, share.nodes + lines + cuts.count);

@@ -71,10 +71,15 @@ void fields(A& archive, Is<MeshResult> auto& result) {
 }
 
 template <class A>
-void fields(A& archive, Is<MeshShare> auto& share) {
-  auto& [result, node_number, is_own_node, is_shared_node, quad_number, triangle_number, nodes, quads, triangles] =
-      share;
-  archive(result, node_number, is_own_node, is_shared_node, quad_number, triangle_number, nodes, quads, triangles);
+void fields(A& archive, Is<RowNumbers> auto& numbers) {
+  auto& [list, whole_rows] = numbers;
+  archive(list, whole_rows);
+}
+
+template <class A>
+void fields(A& archive, Is<ShareNumbers> auto& share) {
+  auto& [node_number, quad_number, triangle_number, is_own_node, is_shared_node, nodes, quads, triangles] = share;
+  archive(node_number, quad_number, triangle_number, is_own_node, is_shared_node, nodes, quads, triangles);
 }
 
 }  // namespace paver

@@ -147,4 +147,19 @@ class Unpacker {
   std::string_view left_;
 };
 
+template <class T>
+std::string pack(const T& value) {
+  Packer packer;
+  packer(value);
+  return packer.take();
+}
+
+template <class T>
+T unpack(std::string_view bytes) {
+  T value;
+  Unpacker unpacker(bytes);
+  unpacker(value);
+  return value;
+}
+
 }  // namespace paver

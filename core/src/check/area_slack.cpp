@@ -16,7 +16,6 @@ AreaSlack::AreaSlack(const Model& model) {
 }
 
 void AreaSlack::unite(Ranks& ranks) {
-  if (ranks.count() == 1) return;
   std::vector<long> parts;
   for (const ExactSum& sum : faces_)
     for (long part : sum.parts()) parts.push_back(part);

@@ -10,6 +10,7 @@
 #include "check/mesh_faults.h"
 #include "curving/order2.h"
 #include "join/join.h"
+#include "paver/mesher.h"
 #include "paver/progress.h"
 #include "topology/model.h"
 
@@ -33,14 +34,14 @@ struct CheckedMesh {
   const EdgeNodes& edges;
   const SurfaceMesh& mesh;
   const std::vector<CurvingPart>& parts;
-  const std::vector<PartSizes>& sizes;   ///< per part: what of the mesh is its
-  const std::vector<long>& node_number;  ///< in the whole mesh; empty: all of it is here
-  const std::vector<int>& moved;         ///< middles and centres that were moved to mend elements, rising
-  int shared_nodes = 0;                  ///< corner nodes before this one may be used by several parts
-  std::vector<char> is_meshed{};         ///< per face of the model: its elements are in the mesh
+  const std::vector<PartSizes>& sizes;  ///< per part: what of the mesh is its
+  const RowNumbers& node_number;
+  const std::vector<int>& moved;  ///< middles and centres that were moved to mend elements, rising
+  int shared_nodes = 0;           ///< corner nodes before this one may be used by several parts
+  std::vector<char> is_meshed{};  ///< per face of the model: its elements are in the mesh
   double target_length = INFINITY;
 
-  long number(int node) const { return node_number.empty() ? node : node_number[static_cast<std::size_t>(node)]; }
+  long number(int node) const { return node_number[static_cast<std::size_t>(node)]; }
   /// Middle between two nodes.
   Vec3 middle(int a, int b) const { return 0.5 * (mesh.nodes[a] + mesh.nodes[b]); }
 };

@@ -47,7 +47,7 @@ MeshResult mesh_and_write(const Arguments& arguments, Progress& progress) {
 
 int mesh(const Arguments& arguments, Progress& progress) {
   check(arguments.options);
-  arguments.options.ranks > 0 ? check_share_outputs(arguments.files) : check_outputs(arguments.files);
+  check_outputs(arguments.files, std::max(arguments.options.ranks, 1));
   MeshResult result =
       arguments.options.ranks > 0 ? mesh_in_other_processes(arguments, progress) : mesh_and_write(arguments, progress);
   if (!arguments.is_quiet) {

@@ -1,4 +1,5 @@
-// A file that appears whole or not at all: written beside its path, synchronised, closed, renamed.
+// A file that appears whole or not at all: written beside its path, synchronised, closed, renamed. Several ranks put
+// pieces at their places by plain calls of the system: core/docs/decisions/parallel-writing.md says why.
 //
 // A path that is a link is followed, so that the link stays. What exists and is not a regular file (a folder, a
 // device) is never replaced.
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/tasks/gather.h"
 #include "output/atomic_file_impl.h"
 #include "paver/output.h"
 
@@ -19,6 +21,7 @@ namespace paver {
 namespace {
 
 constexpr mode_t new_file_mode = 0666;  // less the user's mask
+constexpr std::size_t buffer_bytes = 1 << 20;
 
 namespace fs = std::filesystem;
 
@@ -45,18 +48,8 @@ void synchronise_folder(const fs::path& file) {
   ::close(descriptor);
 }
 
-}  // namespace
-
-std::string temporary_name(const std::string& path, long process) {
-  fs::path target = followed(path);
-  const long owner = process != 0 ? process : ::getpid();
-  return (target.parent_path() / fmt::format(".{}.{}.part", target.filename().string(), owner)).string();
-}
-
-void fail_to_write(const std::string& path, int error_number) {
-  throw Error(ErrorCode::unwritable_output, fmt::format("Cannot write '{}': {}.", path, reason_of(error_number)));
-}
-
+/// The file that `path` means once links are followed. Throws Error{unwritable_output} for what exists and is not a
+/// regular file, or may not be written.
 std::string writable_target(const std::string& path) {
   std::string target = followed(path).string();
   struct stat found = {};
@@ -70,6 +63,7 @@ std::string writable_target(const std::string& path) {
   return target;
 }
 
+/// Creates the temporary file of `path`, new and empty; its descriptor.
 int create_temporary(const std::string& path) {
   std::string temporary = temporary_name(path);
   constexpr int mode = O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC;
@@ -82,6 +76,16 @@ int create_temporary(const std::string& path) {
   return descriptor;
 }
 
+/// Takes room for a file on the disk. Where the file system cannot promise it, that is no failure.
+void reserve(int descriptor, long bytes, const std::string& path) {
+#ifdef __linux__
+  if (bytes > 0 && ::fallocate(descriptor, 0, 0, bytes) != 0 && errno != EOPNOTSUPP && errno != ENOSYS)
+    fail_to_write(path, errno);
+#endif
+  if (::ftruncate(descriptor, bytes) != 0) fail_to_write(path, errno);
+}
+
+/// Writes at a place of an open file.
 void write_at(int descriptor, const char* data, std::size_t bytes, long offset, const std::string& path) {
   std::size_t done = 0;
   while (done < bytes) {
@@ -96,6 +100,7 @@ void write_at(int descriptor, const char* data, std::size_t bytes, long offset, 
 #endif
 }
 
+/// Makes what was written safe on disk and closes; where that fails, still closes.
 void synchronise_and_close(int descriptor, const std::string& path) {
   // EINVAL, EROFS: a file system that cannot synchronise. Anything else means lost data.
   int fault = ::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS ? errno : 0;
@@ -103,23 +108,54 @@ void synchronise_and_close(int descriptor, const std::string& path) {
   if (fault != 0) fail_to_write(path, fault);
 }
 
-void rename_temporary(const std::string& temporary, const std::string& target, const std::string& path) {
-  if (::rename(temporary.c_str(), target.c_str()) != 0) fail_to_write(path, errno);
-  synchronise_folder(target);
+}  // namespace
+
+std::string temporary_name(const std::string& path, long process) {
+  fs::path target = followed(path);
+  const long owner = process != 0 ? process : ::getpid();
+  return (target.parent_path() / fmt::format(".{}.{}.part", target.filename().string(), owner)).string();
 }
 
-AtomicFile::AtomicFile(const std::string& path, const Progress* progress)
-    : ByteSink(file_buffer_bytes),
-      path_(path),
-      target_(writable_target(path)),
-      temporary_(temporary_name(path)),
-      progress_(progress) {
-  descriptor_ = create_temporary(path);
+void fail_to_write(const std::string& path, int error_number) {
+  throw Error(ErrorCode::unwritable_output, fmt::format("Cannot write '{}': {}.", path, reason_of(error_number)));
+}
+
+AtomicFile::AtomicFile(const Progress* progress, const std::string& path)
+    : ByteSink(buffer_bytes), path_(path), progress_(progress) {}
+
+AtomicFile::AtomicFile(const std::string& path, const Progress* progress) : AtomicFile(progress, path) { create(0); }
+
+// The object counts as made once the private constructor is through: what throws here calls the destructor.
+AtomicFile::AtomicFile(const std::string& path, long bytes, const Progress* progress, Ranks& ranks)
+    : AtomicFile(progress, path) {
+  do_together(ranks, [&] {
+    if (ranks.rank() == 0) create(bytes);
+  });
+  temporary_ = ranks.gather(temporary_)[0];
+  do_together(ranks, [&] {
+    if (ranks.rank() == 0) return;
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail_to_write(path_, errno);
+  });
 }
 
 AtomicFile::~AtomicFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (!is_committed_) ::unlink(temporary_.c_str());
+  if (is_created_) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::create(long bytes) {
+  target_ = writable_target(path_);
+  temporary_ = temporary_name(path_);
+  descriptor_ = create_temporary(path_);
+  is_created_ = true;
+  reserve(descriptor_, bytes, path_);
+}
+
+void AtomicFile::seek(long offset) {
+  if (offset == at_ + static_cast<long>(waiting())) return;
+  flush();
+  at_ = offset;
 }
 
 void AtomicFile::drain(const char* data, std::size_t bytes) {
@@ -134,8 +170,9 @@ void AtomicFile::finish() {
 }
 
 void AtomicFile::commit() {
-  rename_temporary(temporary_, target_, path_);
-  is_committed_ = true;
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail_to_write(path_, errno);
+  is_created_ = false;
+  synchronise_folder(target_);
 }
 
 }  // namespace paver

@@ -1,55 +1,47 @@
-// A file that appears whole or not at all.
+// A file that appears whole or not at all, written by one process or by several ranks at the same time.
 #pragma once
 
 #include <string>
 
 #include "output/byte_sink_impl.h"
 #include "paver/progress.h"
+#include "paver/ranks.h"
 
 namespace paver {
-
-constexpr std::size_t file_buffer_bytes = 1 << 20;
-
-/// The file that `path` means once links are followed. Throws Error{unwritable_output} for what exists and is not a
-/// regular file, or may not be written.
-std::string writable_target(const std::string& path);
-
-/// Creates the temporary file of `path`, new and empty; its descriptor.
-int create_temporary(const std::string& path);
-
-/// Writes at a place of an open file.
-void write_at(int descriptor, const char* data, std::size_t bytes, long offset, const std::string& path);
-
-/// Makes what was written safe on disk and closes; where that fails, still closes.
-void synchronise_and_close(int descriptor, const std::string& path);
-
-/// Gives the temporary file of `path` its name.
-void rename_temporary(const std::string& temporary, const std::string& target, const std::string& path);
 
 /// "Cannot write 'PATH': REASON."
 [[noreturn]] void fail_to_write(const std::string& path, int error_number);
 
-/// Written under a temporary name beside its path; finish() makes it safe on disk, commit() gives it its name.
-/// Destroyed before commit(): removed. Every failure throws Error{unwritable_output} with the path and the reason.
+/// Written under a temporary name beside its path. Destroyed before commit(): removed. Every failure throws
+/// Error{unwritable_output} with the path and the reason. `progress` (may be null) is checked for cancel while writing.
 class AtomicFile : public ByteSink {
  public:
-  /// Creates the temporary file. `progress` (may be null) is checked for cancel while writing.
+  /// By this process alone.
   explicit AtomicFile(const std::string& path, const Progress* progress = nullptr);
+  /// Collective. Rank 0 creates the file in its final size, which finds a full disk early; each rank then writes its
+  /// pieces. `bytes`: the whole size; 0: not known. The file system must be one that all ranks see. An Error is the
+  /// same on all ranks.
+  AtomicFile(const std::string& path, long bytes, const Progress* progress, Ranks& ranks);
   ~AtomicFile() override;
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
+  void seek(long offset) override;
+  /// Makes what this rank has written safe on disk. Not collective.
   void finish();
+  /// Gives the file its name; rank 0 calls it once all ranks have finished.
   void commit();
 
  private:
+  AtomicFile(const Progress* progress, const std::string& path);
+  void create(long bytes);
   void drain(const char* data, std::size_t bytes) override;
 
   std::string path_, target_, temporary_;
   const Progress* progress_;
   int descriptor_ = -1;
-  bool is_committed_ = false;
-  long at_ = 0;  // where what waits belongs
+  bool is_created_ = false;  // here, and has not got its name yet
+  long at_ = 0;              // where what waits belongs
 };
 
 }  // namespace paver

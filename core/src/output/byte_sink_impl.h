@@ -1,4 +1,4 @@
-// Where writers put their bytes: a file, a shared file or memory.
+// Where writers put their bytes: a file or memory.
 #pragma once
 
 #include <algorithm>
@@ -29,6 +29,8 @@ class ByteSink {
   void write_packed(T value) {
     write(&value, sizeof value);
   }
+  /// What is written from now on belongs at `offset` and behind it. A sink without places takes all as it comes.
+  virtual void seek([[maybe_unused]] long offset) {}
 
  protected:
   explicit ByteSink(std::size_t capacity) : buffer_(capacity) {}

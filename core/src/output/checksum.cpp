@@ -133,12 +133,13 @@ Word sum_of_rest(const SurfaceMesh& mesh, long nodes) {
 }  // namespace
 
 std::uint64_t checksum(const SurfaceMesh& mesh) {
-  return sum_of_elements(mesh) + sum_of_rest(mesh, static_cast<long>(mesh.nodes.size()));
+  SingleRank alone;
+  return checksum(mesh, whole_numbers(mesh), alone);
 }
 
-std::uint64_t checksum(const MeshShare& share, Ranks& ranks) {
-  Word sum = sum_of_elements(share.result.mesh);
-  if (ranks.rank() == 0) sum += sum_of_rest(share.result.mesh, share.nodes);
+std::uint64_t checksum(const SurfaceMesh& mesh, const ShareNumbers& numbers, Ranks& ranks) {
+  Word sum = sum_of_elements(mesh);
+  if (ranks.rank() == 0) sum += sum_of_rest(mesh, numbers.nodes);
   constexpr Word low = 0xffffffff;  // in two halves: sums over ranks must not overflow
   std::array<long, 2> halves{static_cast<long>(sum & low), static_cast<long>(sum >> 32)};
   ranks.add_up(halves);

@@ -1,168 +1,206 @@
-// Numbers a mesh for files: which nodes are written, on which curve or surface each one lies, groups by name.
+// Positions in the file by runs: what a rank holds of a table is a few stretches of consecutive numbers, so it is the
+// stretches that ranks tell each other, and only where more than one rank has rows of a group.
 #include <algorithm>
 #include <array>
-#include <unordered_map>
+#include <numeric>
+#include <tuple>
 
+#include "base/tasks/gather.h"
 #include "output/numbering_impl.h"
 
 namespace paver {
 namespace {
 
-constexpr std::size_t longest_name = 127;  // bytes; what readers of .msh files keep
+/// As it goes from rank to rank.
+struct RunRecord {
+  long group, first, count;
+};
 
-int largest(const std::vector<int>& values) {
-  return values.empty() ? -1 : *std::max_element(values.begin(), values.end());
+bool operator<(const RunRecord& a, const RunRecord& b) {
+  return std::tie(a.group, a.first) < std::tie(b.group, b.first);
 }
 
-/// A name as it may stand between quotes on one line, cut before a broken UTF-8 character.
-std::string quotable(std::string name) {
-  std::size_t length = std::min(name.size(), longest_name);
-  while (length < name.size() && length > 0 && (static_cast<unsigned char>(name[length]) & 0xC0) == 0x80) --length;
-  name.resize(length);
-  for (char& c : name) {
-    if (c == '"') c = '\'';
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  }
-  return name;
-}
-
-std::string name_of_face(const MeshResult& result, std::size_t face) {
-  std::string name = face < result.face_names.size() ? quotable(result.face_names[face]) : "";
-  return name.empty() ? "Face" + std::to_string(face + 1) : name;
-}
-
-long long pair_key(int a, int b) {
-  return (static_cast<long long>(std::min(a, b)) << 32) | static_cast<unsigned>(std::max(a, b));
-}
-
-/// The B-rep edge of each line, by its two end nodes.
-std::unordered_map<long long, int> edge_of_sides(const SurfaceMesh& mesh) {
-  std::unordered_map<long long, int> edges;
-  edges.reserve(mesh.line_edge.size());
-  std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
-  for (std::size_t i = 0; i < mesh.line_edge.size(); ++i) {
-    edges.emplace(pair_key(mesh.lines[i * stride], mesh.lines[i * stride + 1]), mesh.line_edge[i]);
-  }
-  return edges;
-}
-
-/// Per node that is on no line: the face of an element that uses it; else -1.
-std::vector<int> face_of_nodes(const SurfaceMesh& mesh, const std::vector<int>& curve) {
-  std::vector<int> face(mesh.nodes.size(), -1);
-  auto mark = [&](const std::vector<int>& elements, const std::vector<int>& face_of, int stride) {
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      if (curve[elements[i]] < 0) face[elements[i]] = face_of[i / stride];
+/// Runs of own rows: no row of the group that another rank writes can lie within one. Between two neighbours of a run
+/// this rank holds all numbers, or the run would end, and those of the same group would be in `held`, too. `is_own`:
+/// per row; empty: all are.
+std::vector<PlacedRun> own_runs(const Grouping& held, const RowNumbers& number, const std::vector<char>& is_own) {
+  std::vector<PlacedRun> runs;
+  for (std::size_t group = 0; group < held.count(); ++group) {
+    bool is_open = false;
+    for (std::size_t i = held.start[group]; i < held.start[group + 1]; ++i) {
+      std::size_t row = static_cast<std::size_t>(held.rows[i]);
+      if (!is_own.empty() && !is_own[row]) {
+        is_open = false;
+        continue;
+      }
+      if (is_open) {
+        std::size_t last = static_cast<std::size_t>(held.rows[i - 1]);
+        is_open = number[row] - number[last] == static_cast<long>(row - last);
+      }
+      if (!is_open) runs.push_back({static_cast<int>(group), 0, i, i});
+      runs.back().end = i + 1;
+      is_open = true;
     }
+  }
+  return runs;
+}
+
+/// Collective. Rows that several ranks share out. `group_of`: per row of this rank its group or -1; `number`: in the
+/// whole. Groups that only one rank has cost no more than a sum.
+PlacedRows place_rows(const std::vector<int>& group_of, int groups, const RowNumbers& number,
+                      const std::vector<char>& is_own, Ranks& ranks) {
+  PlacedRows placed;
+  placed.held = group_rows(group_of, groups);
+  placed.runs = own_runs(placed.held, number, is_own);
+  std::size_t n = static_cast<std::size_t>(groups);
+  std::vector<long> sums(2 * n, 0);  // rows, then ranks that have some
+  for (const PlacedRun& run : placed.runs)
+    sums[static_cast<std::size_t>(run.group)] += static_cast<long>(run.end - run.begin);
+  for (std::size_t group = 0; group < n; ++group) sums[n + group] = sums[group] > 0;
+  ranks.add_up(sums);
+  placed.size.assign(sums.begin(), sums.begin() + groups);
+
+  auto is_common = [&](int group) { return sums[n + static_cast<std::size_t>(group)] > 1; };
+  auto first_number = [&](const PlacedRun& run) {
+    return number[static_cast<std::size_t>(placed.held.rows[run.begin])];
   };
-  mark(mesh.triangles, mesh.triangle_face, mesh.nodes_per_triangle());
-  mark(mesh.quads, mesh.quad_face, mesh.nodes_per_quad());
-  return face;
+  std::vector<RunRecord> records;
+  for (const PlacedRun& run : placed.runs) {
+    if (is_common(run.group)) records.push_back({run.group, first_number(run), static_cast<long>(run.end - run.begin)});
+  }
+  std::vector<RunRecord> all = gather_all(records, ranks);
+  std::sort(all.begin(), all.end());
+  long position = 0;
+  auto next = all.begin();
+  for (PlacedRun* run = placed.runs.data(); run != placed.runs.data() + placed.runs.size(); ++run) {
+    bool is_new_group = run == placed.runs.data() || run[-1].group != run->group;
+    if (is_new_group) position = 0;
+    if (!is_common(run->group)) {  // its runs follow each other
+      run->position = position;
+      position += static_cast<long>(run->end - run->begin);
+      continue;
+    }
+    for (; next->group < run->group || next->first < first_number(*run); ++next)
+      if (next->group == run->group) position += next->count;
+    run->position = position;
+  }
+  return placed;
+}
+
+/// Collective. Of all ranks together.
+void unite_edges_of_faces(std::vector<std::vector<int>>& face_edges, Ranks& ranks) {
+  std::vector<std::array<int, 2>> sides;  // face and edge
+  for (std::size_t face = 0; face < face_edges.size(); ++face)
+    for (int edge : face_edges[face]) sides.push_back({static_cast<int>(face), edge});
+  sides = gather_all(sides, ranks);
+  std::sort(sides.begin(), sides.end());
+  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+  for (std::vector<int>& list : face_edges) list.clear();
+  for (auto [face, edge] : sides) face_edges[static_cast<std::size_t>(face)].push_back(edge);
+}
+
+/// Rows that every rank holds: groups are written in turn.
+PlacedRows deal_groups(const std::vector<int>& group_of, int groups, const Ranks& ranks) {
+  PlacedRows placed;
+  placed.held = group_rows(group_of, groups);
+  for (int group = 0; group < groups; ++group) {
+    const auto g = static_cast<std::size_t>(group);
+    placed.size.push_back(static_cast<long>(placed.held.size(g)));
+    if (placed.size[g] > 0 && group % ranks.count() == ranks.rank())
+      placed.runs.push_back({group, 0, placed.held.start[g], placed.held.start[g + 1]});
+  }
+  return placed;
 }
 
 }  // namespace
 
-Grouping group_rows(const std::vector<int>& group_of, int groups) {
-  Grouping result;
-  result.start.assign(static_cast<std::size_t>(groups) + 1, 0);
-  for (int group : group_of) {
-    if (group >= 0) ++result.start[group + 1];
-  }
-  for (std::size_t i = 1; i < result.start.size(); ++i) result.start[i] += result.start[i - 1];
-  result.rows.resize(result.start.back());
-  std::vector<std::size_t> next(result.start.begin(), result.start.end() - 1);
-  for (std::size_t row = 0; row < group_of.size(); ++row) {
-    if (group_of[row] >= 0) result.rows[next[group_of[row]]++] = static_cast<int>(row);
-  }
-  return result;
+std::size_t PlacedRows::used_groups() const {
+  return static_cast<std::size_t>(std::count_if(size.begin(), size.end(), [](long rows) { return rows > 0; }));
 }
 
-Groups find_groups(const MeshResult& result, const std::vector<char>& has_elements) {
-  Groups groups;
-  auto number = [](std::unordered_map<std::string, int>& numbers, const std::string& name, std::size_t before,
-                   std::vector<std::string>& names) {
-    auto [at, is_new] = numbers.emplace(name, static_cast<int>(before + names.size()) + 1);
-    if (is_new) names.push_back(name);
-    return at->second;
+long PlacedRows::total() const { return std::accumulate(size.begin(), size.end(), 0L); }
+
+NodeTags number_nodes(const ShareNumbers& numbers, const std::vector<char>& is_written, Ranks& ranks) {
+  const RowNumbers& number = numbers.node_number;
+  std::vector<RunRecord> own;  // of consecutive numbers
+  for (std::size_t i = 0; i < is_written.size(); ++i) {
+    if (!is_written[i] || !numbers.is_own(i)) continue;
+    if (own.empty() || own.back().first + own.back().count != number[i]) own.push_back({0, number[i], 0});
+    ++own.back().count;
+  }
+  std::vector<RunRecord> all = gather_all(own, ranks);
+  std::sort(all.begin(), all.end());
+  NodeTags tags;
+  tags.of_node.assign(is_written.size(), 0);
+  auto run = all.begin();
+  for (std::size_t i = 0; i < is_written.size(); ++i) {
+    if (!is_written[i]) continue;
+    for (; run->first + run->count <= number[i]; ++run) tags.count += run->count;
+    tags.of_node[i] = tags.count + number[i] - run->first + 1;
+  }
+  for (; run != all.end(); ++run) tags.count += run->count;
+  return tags;
+}
+
+std::vector<int> faces_of_nodes(HeldMesh held, const std::vector<int>& curve, Ranks& ranks) {
+  struct Record {
+    long number, element, face;
   };
-  std::unordered_map<std::string, int> of_faces, of_edges;
-  for (std::size_t face = 0; face < has_elements.size(); ++face)
-    groups.of_face.push_back(has_elements[face] ? number(of_faces, name_of_face(result, face), 0, groups.face_names)
-                                                : 0);
-  std::vector<char> has_lines(result.edge_groups.size(), 0);
-  for (int edge : result.mesh.line_edge)
-    if (edge < static_cast<int>(has_lines.size())) has_lines[edge] = 1;
-  for (std::size_t edge = 0; edge < has_lines.size(); ++edge) {
-    const std::string name = quotable(result.edge_groups[edge]);
-    bool is_in_one = has_lines[edge] && !name.empty();
-    groups.of_edge.push_back(is_in_one ? number(of_edges, name, groups.face_names.size(), groups.edge_names) : 0);
-  }
-  return groups;
-}
-
-int face_count(const MeshResult& result) {
-  const SurfaceMesh& mesh = result.mesh;
-  return 1 + std::max({largest(mesh.quad_face), largest(mesh.triangle_face),
-                       static_cast<int>(result.face_names.size()) - 1});
-}
-
-std::vector<int> curve_of_nodes(const SurfaceMesh& mesh, const Grouping& lines) {
-  std::vector<int> curve(mesh.nodes.size(), -1);
-  std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
-  for (std::size_t i = 0; i < mesh.lines.size(); ++i) {
-    int node = mesh.lines[i];
-    if (curve[node] >= 0) continue;
-    int own = static_cast<std::size_t>(node) < mesh.node_edge.size() ? mesh.node_edge[node] : -1;
-    bool has_lines = own >= 0 && own < static_cast<int>(lines.count()) && lines.size(own) > 0;
-    curve[node] = has_lines ? own : mesh.line_edge[i / stride];
-  }
-  return curve;
-}
-
-std::vector<std::vector<int>> edges_of_faces(const SurfaceMesh& mesh, const std::vector<int>& curve, int faces) {
-  std::vector<std::vector<int>> face_edges(static_cast<std::size_t>(faces));
-  auto edges = edge_of_sides(mesh);
-  auto walk = [&](const std::vector<int>& elements, const std::vector<int>& face_of, int corners, int stride) {
-    for (std::size_t i = 0; i < face_of.size(); ++i) {
-      const int* element = elements.data() + i * stride;
-      for (int k = 0; k < corners; ++k) {
-        int a = element[k], b = element[(k + 1) % corners];
-        if (curve[a] < 0 || curve[b] < 0) continue;
-        if (auto found = edges.find(pair_key(a, b)); found != edges.end()) {
-          face_edges[face_of[i]].push_back(found->second);
-        }
+  const SurfaceMesh& mesh = held.result.mesh;
+  const ShareNumbers& numbers = held.numbers;
+  std::vector<int> face(mesh.nodes.size(), -1);
+  std::vector<Record> records;  // of shared nodes; several of one node rise by element
+  auto mark = [&](const std::vector<int>& table, const std::vector<int>& face_of, const RowNumbers& element,
+                  long offset, int stride) {
+    const int* at = table.data();
+    for (std::size_t row = 0; row < face_of.size(); ++row)
+      for (int k = 0; k < stride; ++k) {
+        const auto node = static_cast<std::size_t>(*at++);
+        if (!curve.empty() && curve[node] >= 0) continue;
+        face[node] = face_of[row];
+        if (numbers.is_shared(node))
+          records.push_back({numbers.node_number[node], offset + element[row], face_of[row]});
       }
-    }
   };
-  walk(mesh.quads, mesh.quad_face, 4, mesh.nodes_per_quad());
-  walk(mesh.triangles, mesh.triangle_face, 3, mesh.nodes_per_triangle());
-  for (std::vector<int>& list : face_edges) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
-  return face_edges;
+  mark(mesh.triangles, mesh.triangle_face, numbers.triangle_number, 0, mesh.nodes_per_triangle());
+  mark(mesh.quads, mesh.quad_face, numbers.quad_number, numbers.triangles, mesh.nodes_per_quad());
+
+  auto reduce = [](std::vector<Record>& list) {  // the last element of each node
+    auto key = [](const Record& r) { return std::tie(r.number, r.element); };
+    std::sort(list.begin(), list.end(), [&](const Record& a, const Record& b) { return key(a) < key(b); });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (i + 1 == list.size() || list[i + 1].number != list[i].number) list[kept++] = list[i];
+    list.resize(kept);
+  };
+  reduce(records);
+  std::vector<Record> all = gather_all(records, ranks);
+  reduce(all);
+  for (const Record& record : all)
+    if (int node = numbers.node_number.row_of(record.number); node >= 0)
+      face[static_cast<std::size_t>(node)] = static_cast<int>(record.face);
+  return face;
 }
 
-Numbering::Numbering(const MeshResult& result) {
-  const SurfaceMesh& mesh = result.mesh;
-  int faces = face_count(result), edges = largest(mesh.line_edge) + 1;
-  quads = group_rows(mesh.quad_face, faces);
-  triangles = group_rows(mesh.triangle_face, faces);
-  lines = group_rows(mesh.line_edge, edges);
-  std::vector<int> curve = curve_of_nodes(mesh, lines), face = face_of_nodes(mesh, curve);
-  curve_nodes = group_rows(curve, edges);
-  surface_nodes = group_rows(face, faces);
-  node_tag.assign(mesh.nodes.size(), 0);
-  for (std::size_t node = 0; node < node_tag.size(); ++node) {
-    if (curve[node] >= 0 || face[node] >= 0) node_tag[node] = ++node_count;
-  }
-  std::vector<char> has_any;
-  for (std::size_t f = 0; f < static_cast<std::size_t>(faces); ++f) has_any.push_back(has_elements(f));
-  groups = find_groups(result, has_any);
+Numbering::Numbering(HeldMesh held, Ranks& ranks) {
+  const SurfaceMesh& mesh = held.result.mesh;
+  const ShareNumbers& numbers = held.numbers;
+  const int faces = static_cast<int>(greatest(face_count(held.result), ranks));
+  const int edges = mesh.line_edge.empty() ? 0 : 1 + *std::max_element(mesh.line_edge.begin(), mesh.line_edge.end());
+  quads = place_rows(mesh.quad_face, faces, numbers.quad_number, {}, ranks);
+  triangles = place_rows(mesh.triangle_face, faces, numbers.triangle_number, {}, ranks);
+  lines = deal_groups(mesh.line_edge, edges, ranks);
+  const std::vector<int> curve = curve_of_nodes(mesh, lines.held), face = faces_of_nodes(held, curve, ranks);
+  curve_nodes = deal_groups(curve, edges, ranks);
+  surface_nodes = place_rows(face, faces, numbers.node_number, numbers.is_own_node, ranks);
+  std::vector<char> is_written(curve.size());
+  for (std::size_t node = 0; node < curve.size(); ++node) is_written[node] = curve[node] >= 0 || face[node] >= 0;
+  tags = number_nodes(numbers, is_written, ranks);
+  std::vector<char> has_elements;
+  for (std::size_t f = 0; f < quads.size.size(); ++f) has_elements.push_back(quads.size[f] + triangles.size[f] > 0);
+  groups = find_groups(held.result, has_elements);
   face_edges = edges_of_faces(mesh, curve, faces);
+  unite_edges_of_faces(face_edges, ranks);
 }
-
-int gmsh_line_type(int order) { return std::array{1, 8, 26, 27}.at(static_cast<std::size_t>(order) - 1); }
-int gmsh_quad_type(int order) { return std::array{3, 10, 36, 37}.at(static_cast<std::size_t>(order) - 1); }
-int gmsh_triangle_type(int order) { return std::array{2, 9, 21, 23}.at(static_cast<std::size_t>(order) - 1); }
 
 }  // namespace paver

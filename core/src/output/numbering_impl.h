@@ -1,10 +1,11 @@
-// How a mesh is numbered in a file: node tags, groups, elements by face.
+// How a mesh is numbered in a file, and where in it the parts that several ranks hold have their places. One rank that
+// has all of the mesh is no other case.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "paver/result.h"
+#include "output/mesh_writers_impl.h"
 
 namespace paver {
 
@@ -40,20 +41,50 @@ std::vector<int> curve_of_nodes(const SurfaceMesh& mesh, const Grouping& lines);
 /// Per face: edges whose lines are sides of its elements, rising. `curve`: of nodes.
 std::vector<std::vector<int>> edges_of_faces(const SurfaceMesh& mesh, const std::vector<int>& curve, int faces);
 
-/// Tags are numbers in the file, from 1. Surface tag = B-rep face + 1 (Face12: 12), curve tag = B-rep edge + 1.
-struct Numbering {
-  explicit Numbering(const MeshResult& result);
+/// Rows of one group that follow each other in the file.
+struct PlacedRun {
+  int group;
+  long position;           ///< of the first one, among all rows of the group
+  std::size_t begin, end;  ///< in PlacedRows::held.rows
+};
 
-  std::vector<int> node_tag;                 ///< per node; 0: no element or line uses it, so it is not written
-  int node_count = 0;                        ///< written nodes; tags run from 1 to this
-  Grouping quads, triangles;                 ///< by face
-  Grouping lines;                            ///< by edge
-  Grouping curve_nodes;                      ///< by edge: nodes on lines
-  Grouping surface_nodes;                    ///< by face: the others
+/// The rows of one table that all ranks hold together, dealt into groups and in each group in the order of the whole.
+struct PlacedRows {
+  Grouping held;                ///< rows of this rank; for nodes also those that other ranks write
+  std::vector<long> size;       ///< per group: rows of all ranks
+  std::vector<PlacedRun> runs;  ///< that this rank writes, by group and position; of a mesh that is whole one per group
+
+  std::size_t used_groups() const;
+  long total() const;
+};
+
+/// Per node of this rank its number in the file, from 1; 0: not written.
+struct NodeTags {
+  std::vector<long> of_node;
+  long count = 0;  ///< of the whole
+};
+
+/// Collective. 1, 2, ... in the order of the whole for all that are written. `is_written`: per node of this rank, the
+/// same on all that hold it.
+NodeTags number_nodes(const ShareNumbers& numbers, const std::vector<char>& is_written, Ranks& ranks);
+
+/// Collective. Per node of this rank: the face of the last element, of all ranks, that uses it (triangles before
+/// quads); -1: none, or the node lies on a curve. `curve`: per node, the same on all ranks that hold it, -1: none;
+/// empty: no node lies on one.
+std::vector<int> faces_of_nodes(HeldMesh held, const std::vector<int>& curve, Ranks& ranks);
+
+/// Surface tag = B-rep face + 1 (Face12: 12), curve tag = B-rep edge + 1.
+struct Numbering {
+  /// Collective.
+  Numbering(HeldMesh held, Ranks& ranks);
+
+  NodeTags tags;                             ///< all nodes that an element or line uses
+  PlacedRows quads, triangles;               ///< by face
+  PlacedRows lines;                          ///< by edge
+  PlacedRows curve_nodes;                    ///< by edge: nodes on lines
+  PlacedRows surface_nodes;                  ///< by face: the others
   Groups groups;                             ///< physical groups
   std::vector<std::vector<int>> face_edges;  ///< per face: edges whose lines are sides of its elements, rising
-
-  bool has_elements(std::size_t face) const { return quads.size(face) + triangles.size(face) > 0; }
 };
 
 /// Gmsh's numbers of the Lagrange elements of order 1 to 4.

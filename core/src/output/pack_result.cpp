@@ -5,33 +5,16 @@
 namespace paver {
 namespace {
 
-template <class T>
-std::string pack(const T& value) {
-  Packer packer;
-  packer(value);
-  return packer.take();
-}
-
-template <class T>
-T unpack(std::string_view bytes) {
-  T value;
-  Unpacker unpacker(bytes);
-  unpacker(value);
-  return value;
-}
-
 /// Rows of `width` node indices of a share into the rows of the whole that `rows` tells.
-void place_elements(const std::vector<int>& part, int width, const std::vector<long>& rows,
-                    const std::vector<long>& node_number, std::vector<int>& whole) {
-  for (std::size_t row = 0; row < rows.size(); ++row)
-    for (int k = 0; k < width; ++k) {
-      auto node = static_cast<std::size_t>(part[row * static_cast<std::size_t>(width) + static_cast<std::size_t>(k)]);
-      whole[static_cast<std::size_t>(rows[row] * width + k)] = static_cast<int>(node_number[node]);
-    }
+void place_elements(const std::vector<int>& part, std::size_t width, const RowNumbers& rows,
+                    const RowNumbers& node_number, std::vector<int>& whole) {
+  for (std::size_t i = 0; i < part.size(); ++i)
+    whole[static_cast<std::size_t>(rows[i / width]) * width + i % width] =
+        static_cast<int>(node_number[static_cast<std::size_t>(part[i])]);
 }
 
 template <class T>
-void place(const std::vector<T>& part, const std::vector<long>& rows, std::vector<T>& whole) {
+void place(const std::vector<T>& part, const RowNumbers& rows, std::vector<T>& whole) {
   for (std::size_t row = 0; row < part.size(); ++row) whole[static_cast<std::size_t>(rows[row])] = part[row];
 }
 
@@ -52,8 +35,19 @@ void resize(const MeshShare& share, SurfaceMesh& whole) {
 
 std::string pack_result(const MeshResult& result) { return pack(result); }
 MeshResult unpack_result(std::string_view bytes) { return unpack<MeshResult>(bytes); }
-std::string pack_share(const MeshShare& share) { return pack(share); }
-MeshShare unpack_share(std::string_view bytes) { return unpack<MeshShare>(bytes); }
+
+std::string pack_share(const MeshShare& share) {
+  Packer packer;
+  packer(static_cast<const ShareNumbers&>(share), share.result);
+  return packer.take();
+}
+
+MeshShare unpack_share(std::string_view bytes) {
+  MeshShare share;
+  Unpacker unpacker(bytes);
+  unpacker(static_cast<ShareNumbers&>(share), share.result);
+  return share;
+}
 
 void add_share(const MeshShare& share, MeshResult& whole) {
   const SurfaceMesh& part = share.result.mesh;
@@ -66,9 +60,11 @@ void add_share(const MeshShare& share, MeshResult& whole) {
   place(part.nodes, share.node_number, mesh.nodes);
   place(part.node_edge, share.node_number, mesh.node_edge);
   place(part.node_target, share.node_number, mesh.node_target);
-  place_elements(part.quads, mesh.nodes_per_quad(), share.quad_number, share.node_number, mesh.quads);
+  place_elements(part.quads, static_cast<std::size_t>(mesh.nodes_per_quad()), share.quad_number, share.node_number,
+                 mesh.quads);
   place(part.quad_face, share.quad_number, mesh.quad_face);
-  place_elements(part.triangles, mesh.nodes_per_triangle(), share.triangle_number, share.node_number, mesh.triangles);
+  place_elements(part.triangles, static_cast<std::size_t>(mesh.nodes_per_triangle()), share.triangle_number,
+                 share.node_number, mesh.triangles);
   place(part.triangle_face, share.triangle_number, mesh.triangle_face);
   mesh.lines.clear();  // all shares have all of them
   for (int node : part.lines) mesh.lines.push_back(static_cast<int>(share.node_number[static_cast<std::size_t>(node)]));

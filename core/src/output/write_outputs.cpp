@@ -7,12 +7,10 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
+#include "base/tasks/gather.h"
 #include "output/atomic_file_impl.h"
 #include "output/mesh_writers_impl.h"
-#include "output/share_writers_impl.h"
-#include "output/shared_file_impl.h"
 #include "paver/output.h"
 
 namespace paver {
@@ -33,8 +31,9 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return full(a) == full(b);
 }
 
-void check_share_formats(const OutputFiles& files) {
-  if (files.mesh.empty() || (!files.is_ascii && (is_vtu(files) || files.msh_version == MshVersion::v4_1))) return;
+void check_format(const OutputFiles& files, int ranks) {
+  if (ranks == 1 || files.mesh.empty() || (!files.is_ascii && (is_vtu(files) || files.msh_version == MshVersion::v4_1)))
+    return;
   throw Error(ErrorCode::bad_option,
               fmt::format("Several processes write binary .msh 4.1 and .vtu only, not '{}' as {}; "
                           "choose one of these or a single process (--ranks 0).",
@@ -64,14 +63,22 @@ void check_names(const OutputFiles& files) {
   }
 }
 
-void write_mesh(const MeshResult& result, const OutputFiles& files, AtomicFile& file) {
-  if (is_vtu(files)) {
-    write_vtu(result, files.is_ascii, file);
-  } else if (files.msh_version == MshVersion::v2_2) {
-    write_msh2(result, files.is_ascii, file);
-  } else {
-    write_msh4(result, files.is_ascii, file);
-  }
+std::unique_ptr<MeshWriter> mesh_writer(HeldMesh held, const OutputFiles& files, Ranks& ranks) {
+  if (is_vtu(files)) return vtu_writer(held, files.is_ascii, ranks);
+  return files.msh_version == MshVersion::v2_2 ? msh2_writer(held, files.is_ascii, ranks)
+                                               : msh4_writer(held, files.is_ascii, ranks);
+}
+
+/// The mesh, whole under its temporary name; collective. Null where there is no file for it.
+std::unique_ptr<AtomicFile> write_mesh(HeldMesh held, const OutputFiles& files, Progress& progress, Ranks& ranks) {
+  if (files.mesh.empty()) return nullptr;
+  const std::unique_ptr<MeshWriter> writer = mesh_writer(held, files, ranks);
+  auto file = std::make_unique<AtomicFile>(files.mesh, writer->file_bytes(), &progress, ranks);
+  do_together(ranks, [&] {
+    writer->write(*file);
+    file->finish();
+  });
+  return file;
 }
 
 void add_stage_seconds(MeshResult& result, std::chrono::steady_clock::time_point start) {
@@ -95,9 +102,7 @@ std::vector<std::unique_ptr<AtomicFile>> write_texts(const OutputFiles& files, c
 }
 
 /// The mesh last: who waits for it finds the others, too.
-template <class MeshFile>
-void commit_all(const OutputFiles& files, std::vector<std::unique_ptr<AtomicFile>>& texts,
-                std::optional<MeshFile>& mesh) {
+void commit_all(const OutputFiles& files, std::vector<std::unique_ptr<AtomicFile>>& texts, AtomicFile* mesh) {
   std::vector<std::string> paths{files.repaired, files.report}, committed;
   std::erase(paths, "");
   try {
@@ -112,6 +117,29 @@ void commit_all(const OutputFiles& files, std::vector<std::unique_ptr<AtomicFile
   }
 }
 
+void write_held(MeshResult& result, const ShareNumbers& numbers, const OutputFiles& files, Progress& progress,
+                Ranks& ranks) {
+  do_together(ranks, [&] {
+    check_format(files, ranks.count());
+    check_names(files);
+    progress.begin(Stage::write, 2);
+  });
+  auto start = std::chrono::steady_clock::now();
+  const std::unique_ptr<AtomicFile> mesh = write_mesh({result, numbers}, files, progress, ranks);
+  add_stage_seconds(result, start);
+  const std::uint64_t sum = files.report.empty() ? 0 : checksum(result.mesh, numbers, ranks);
+  std::vector<std::unique_ptr<AtomicFile>> texts;
+  do_together(ranks, [&] {
+    progress.advance();
+    if (ranks.rank() == 0)
+      texts = write_texts(files, files.report.empty() ? std::string() : report_json(result, sum), progress);
+    progress.advance();
+  });
+  do_together(ranks, [&] {
+    if (ranks.rank() == 0) commit_all(files, texts, mesh.get());
+  });
+}
+
 }  // namespace
 
 std::vector<std::string> OutputFiles::paths() const {
@@ -121,61 +149,19 @@ std::vector<std::string> OutputFiles::paths() const {
   return list;
 }
 
-void check_outputs(const OutputFiles& files) {
+void check_outputs(const OutputFiles& files, int ranks) {
+  check_format(files, ranks);
   check_names(files);
   for (const std::string& path : files.paths()) AtomicFile trial(path);  // created and removed: the only sure test
 }
 
 void write_outputs(MeshResult& result, const OutputFiles& files, Progress& progress) {
-  check_names(files);
-  progress.begin(Stage::write, 2);
-  auto start = std::chrono::steady_clock::now();
-  std::optional<AtomicFile> mesh;
-  if (!files.mesh.empty()) {
-    mesh.emplace(files.mesh, &progress);
-    write_mesh(result, files, *mesh);
-    mesh->finish();
-  }
-  progress.advance();
-  add_stage_seconds(result, start);
-  auto texts = write_texts(files, files.report.empty() ? std::string() : report_json(result), progress);
-  progress.advance();
-  commit_all(files, texts, mesh);
+  SingleRank alone;
+  write_held(result, whole_numbers(result.mesh), files, progress, alone);
 }
 
-void check_share_outputs(const OutputFiles& files) {
-  check_share_formats(files);
-  check_outputs(files);
-}
-
-void write_share(MeshShare& share, const OutputFiles& files, Progress& progress, Ranks& ranks) {
-  do_together(ranks, [&] {
-    check_share_formats(files);
-    check_names(files);
-    progress.begin(Stage::write, 2);
-  });
-  auto start = std::chrono::steady_clock::now();
-  std::optional<SharedFile> mesh;
-  std::vector<std::unique_ptr<AtomicFile>> texts;
-  if (!files.mesh.empty()) {
-    auto writer = is_vtu(files) ? vtu_share_writer(share, ranks) : msh4_share_writer(share, ranks);
-    mesh.emplace(files.mesh, writer->file_bytes(), progress, ranks);
-    do_together(ranks, [&] {
-      writer->write(*mesh);
-      mesh->finish();
-    });
-  }
-  add_stage_seconds(share.result, start);
-  std::uint64_t sum = files.report.empty() ? 0 : checksum(share, ranks);
-  do_together(ranks, [&] {
-    progress.advance();
-    if (ranks.rank() == 0)
-      texts = write_texts(files, files.report.empty() ? std::string() : report_json(share.result, sum), progress);
-    progress.advance();
-  });
-  do_together(ranks, [&] {
-    if (ranks.rank() == 0) commit_all(files, texts, mesh);
-  });
+void write_outputs(MeshShare& share, const OutputFiles& files, Progress& progress, Ranks& ranks) {
+  write_held(share.result, share, files, progress, ranks);
 }
 
 }  // namespace paver

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <numeric>
 
-#include "base/packing.h"
+#include "base/tasks/gather.h"
 #include "brep/kernel_guard.h"
 
 namespace paver {
@@ -29,15 +29,7 @@ void fields(A& archive, Is<RegionFailure> auto& failure) {
 }
 
 std::vector<RegionFailure> gather_failures(const std::vector<RegionFailure>& mine, Ranks& ranks) {
-  Packer packer;
-  packer(mine);
-  std::vector<RegionFailure> all;
-  for (const std::string& bytes : ranks.gather(packer.take())) {
-    std::vector<RegionFailure> some;
-    Unpacker unpacker(bytes);
-    unpacker(some);
-    all.insert(all.end(), some.begin(), some.end());
-  }
+  std::vector<RegionFailure> all = gather_all(mine, ranks);
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.region < b.region; });
   return all;
 }
@@ -155,19 +147,11 @@ void PartPaver::advance(double cost) { progress_.advance(std::max(1L, std::lroun
 // Each rank has the plans that it made.
 void PartPaver::exchange_plans() {
   if (ranks_.count() == 1) return;
-  using Packed = std::vector<std::pair<int, std::string>>;  // region and plan
-  Packed mine;
+  std::vector<std::pair<int, std::string>> mine;  // region and plan
   for (std::size_t i = 0; i < plans_.size(); ++i)
     if (plans_[i]) mine.emplace_back(static_cast<int>(i), pack(*plans_[i]));
-  Packer packer;
-  packer(mine);
-  for (const std::string& bytes : ranks_.gather(packer.take())) {
-    Packed plans;
-    Unpacker unpacker(bytes);
-    unpacker(plans);
-    for (const auto& [region, plan] : plans)
-      if (!plans_[region]) plans_[region] = unpack_plan(plan);
-  }
+  for (const auto& [region, plan] : gather_all(mine, ranks_))
+    if (!plans_[region]) plans_[region] = unpack_plan(plan);
 }
 
 // Regions marked 1 become one part each, the others stay; at first all are made.

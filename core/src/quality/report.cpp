@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstring>
 #include <limits>
 #include <mutex>
 
@@ -61,7 +60,7 @@ struct NodeTotals {
   long used = 0, face_interior = 0, irregular = 0;
 };
 
-/// Brings numbers of all ranks together; nothing to do on a single one.
+/// Brings numbers of all ranks together.
 class Reduction {
  public:
   void sum(long& value) { longs_.push_back(&value); }
@@ -69,7 +68,6 @@ class Reduction {
   void least(double& value) { least_.push_back(&value); }
 
   void run(Ranks& ranks) {
-    if (ranks.count() == 1) return;
     std::vector<long> numbers;
     for (long* value : longs_) numbers.push_back(*value);
     for (ExactSum* value : sums_) {
@@ -79,20 +77,13 @@ class Reduction {
     const long* at = numbers.data();
     for (long* value : longs_) *value = *at++;
     for (ExactSum* value : sums_) value->set_parts(at), at += ExactSum::part_count;
-    if (!least_.empty()) find_least(ranks);
+    std::vector<double> least;
+    for (double* value : least_) least.push_back(*value);
+    ranks.find_least(least);
+    for (std::size_t i = 0; i < least.size(); ++i) *least_[i] = least[i];
   }
 
  private:
-  void find_least(Ranks& ranks) {
-    std::vector<double> theirs;
-    for (double* value : least_) theirs.push_back(*value);
-    std::size_t bytes = theirs.size() * sizeof(double);
-    for (const std::string& text : ranks.gather({reinterpret_cast<const char*>(theirs.data()), bytes})) {
-      std::memcpy(theirs.data(), text.data(), bytes);
-      for (std::size_t i = 0; i < theirs.size(); ++i) *least_[i] = std::min(*least_[i], theirs[i]);
-    }
-  }
-
   std::vector<long*> longs_;
   std::vector<ExactSum*> sums_;
   std::vector<double*> least_;
@@ -100,8 +91,8 @@ class Reduction {
 
 class Measurement {
  public:
-  Measurement(const MeshShare* share, const SurfaceMesh& mesh, double h, const Progress& progress)
-      : share_(share), mesh_(mesh), h_(h), progress_(progress), is_used_(mesh.nodes.size(), 0) {
+  Measurement(const SurfaceMesh& mesh, const ShareNumbers& numbers, double h, const Progress& progress)
+      : mesh_(mesh), numbers_(numbers), h_(h), progress_(progress), is_used_(mesh.nodes.size(), 0) {
     edge_totals_.length = ExactSum(h);
     edge_totals_.squares = ExactSum(h * h);
   }
@@ -114,7 +105,7 @@ class Measurement {
     }
     add_elements(true);
     add_elements(false);
-    EdgeFigures edges = measure_edges(mesh_, share_ ? share_->is_shared_node : std::vector<char>(), progress_);
+    EdgeFigures edges = measure_edges(mesh_, numbers_.is_shared_node, progress_);
     progress_.check();
     add_nodes(edges, edge_is_periodic, ranks);
     add_lengths(edges, ranks);
@@ -191,7 +182,7 @@ class Measurement {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, task_nodes), [&](const auto& range) {
       NodeTotals totals;
       for (std::size_t node = range.begin(); node < range.end(); ++node) {
-        if (share_ && share_->is_shared_node[node]) continue;
+        if (numbers_.is_shared(node)) continue;
         totals.used += is_used_[node];
         int twice_valence = edges.twice_valence[node];
         if (twice_valence == 0 || is_outside[node]) continue;
@@ -200,8 +191,7 @@ class Measurement {
       }
       add(totals);
     });
-    if (!share_) return;
-    SharedFigures shared = measure_shared(*share_, edges, is_used_, is_outside, ranks);
+    SharedFigures shared = measure_shared(mesh_, numbers_, edges, is_used_, is_outside, ranks);
     add({shared.nodes, shared.face_interior_nodes, shared.irregular_nodes});
     edge_totals_.border += shared.border;
     edge_totals_.nonmanifold += shared.nonmanifold;
@@ -306,8 +296,8 @@ class Measurement {
     report.length_in_band = static_cast<double>(e.in_band) / n;
   }
 
-  const MeshShare* share_;  // or null: all of the mesh is here
   const SurfaceMesh& mesh_;
+  const ShareNumbers& numbers_;
   const double h_;
   const Progress& progress_;
   std::mutex mutex_;
@@ -348,13 +338,13 @@ ElementQuality element_quality(const SurfaceMesh& mesh) {
 
 QualityReport measure_quality(const SurfaceMesh& mesh, double target_length, const std::vector<bool>& edge_is_periodic,
                               std::vector<FaceReport>& faces, const Progress& progress) {
-  SingleRank single;
-  return Measurement(nullptr, mesh, target_length, progress).measure(edge_is_periodic, faces, single);
+  SingleRank alone;
+  return Measurement(mesh, whole_numbers(mesh), target_length, progress).measure(edge_is_periodic, faces, alone);
 }
 
 QualityReport measure_quality(const MeshShare& share, double target_length, const std::vector<bool>& edge_is_periodic,
                               std::vector<FaceReport>& faces, const Progress& progress, Ranks& ranks) {
-  return Measurement(&share, share.result.mesh, target_length, progress).measure(edge_is_periodic, faces, ranks);
+  return Measurement(share.result.mesh, share, target_length, progress).measure(edge_is_periodic, faces, ranks);
 }
 
 }  // namespace paver

@@ -3,8 +3,9 @@
 #include "quality/shared_edges.h"
 
 #include <algorithm>
-#include <cstring>
 #include <tuple>
+
+#include "base/tasks/gather.h"
 
 namespace paver {
 namespace {
@@ -19,47 +20,6 @@ struct NodeRecord {
   int twice_valence;  ///< of the corners and edges of one rank
   int is_outside;
 };
-
-struct Lists {
-  std::vector<EdgeRecord> edges;
-  std::vector<NodeRecord> nodes;
-};
-
-Lists lists_of(const MeshShare& share, const EdgeFigures& edges, const std::vector<char>& is_used,
-               const std::vector<char>& is_outside) {
-  Lists lists;
-  const std::vector<Vec3>& nodes = share.result.mesh.nodes;
-  for (const EdgeUse& edge : edges.shared) {
-    lists.edges.push_back({share.node_number[edge.low], share.node_number[edge.high], edge.uses,
-                           norm(nodes[edge.low] - nodes[edge.high])});
-  }
-  for (std::size_t i = 0; i < is_used.size(); ++i) {
-    if (is_used[i] && share.is_shared_node[i])
-      lists.nodes.push_back({share.node_number[i], edges.twice_valence[i], is_outside[i]});
-  }
-  return lists;
-}
-
-template <class T>
-void append(const std::vector<T>& list, std::string& bytes) {
-  long count = static_cast<long>(list.size());
-  bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
-  bytes.append(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T));
-}
-
-/// Takes a list off the front of `bytes` and adds those entries that are wanted to `list`.
-template <class T, class Wanted>
-void take(std::string_view& bytes, std::vector<T>& list, Wanted is_wanted) {
-  long count;
-  std::memcpy(&count, bytes.data(), sizeof count);
-  bytes.remove_prefix(sizeof count);
-  for (; count > 0; --count) {
-    T entry;
-    std::memcpy(&entry, bytes.data(), sizeof entry);
-    bytes.remove_prefix(sizeof entry);
-    if (is_wanted(entry)) list.push_back(entry);
-  }
-}
 
 /// Edges of the same ends become one.
 void unite_edges(std::vector<EdgeRecord>& edges) {
@@ -100,36 +60,37 @@ void add_odd_edge(std::vector<NodeRecord>& nodes, long number, long uses) {
 
 }  // namespace
 
-SharedFigures measure_shared(const MeshShare& share, const EdgeFigures& edges, const std::vector<char>& is_used,
-                             const std::vector<char>& is_outside, Ranks& ranks) {
-  std::string mine;
-  {
-    Lists lists = lists_of(share, edges, is_used, is_outside);
-    append(lists.edges, mine);
-    append(lists.nodes, mine);
-  }
+SharedFigures measure_shared(const SurfaceMesh& mesh, const ShareNumbers& numbers, const EdgeFigures& edges,
+                             const std::vector<char>& is_used, const std::vector<char>& is_outside, Ranks& ranks) {
+  std::vector<EdgeRecord> shared_edges;
+  for (const EdgeUse& edge : edges.shared)
+    shared_edges.push_back({numbers.node_number[edge.low], numbers.node_number[edge.high], edge.uses,
+                            norm(mesh.nodes[edge.low] - mesh.nodes[edge.high])});
+  std::vector<NodeRecord> shared_nodes;
+  for (std::size_t i = 0; i < is_used.size(); ++i)
+    if (is_used[i] && numbers.is_shared(i))
+      shared_nodes.push_back({numbers.node_number[i], edges.twice_valence[i], is_outside[i]});
   auto is_own = [&](long number) { return number % ranks.count() == ranks.rank(); };
-  Lists all;
-  for (std::string_view bytes : ranks.gather(mine)) {
-    take(bytes, all.edges, [&](const EdgeRecord& edge) { return is_own(edge.low) || is_own(edge.high); });
-    take(bytes, all.nodes, [&](const NodeRecord& node) { return is_own(node.number); });
-  }
-  unite_edges(all.edges);
-  unite_nodes(all.nodes);
+  std::vector<EdgeRecord> all_edges =
+      gather_wanted(shared_edges, ranks, [&](const EdgeRecord& edge) { return is_own(edge.low) || is_own(edge.high); });
+  std::vector<NodeRecord> all_nodes =
+      gather_wanted(shared_nodes, ranks, [&](const NodeRecord& node) { return is_own(node.number); });
+  unite_edges(all_edges);
+  unite_nodes(all_nodes);
 
   SharedFigures figures;
-  for (const EdgeRecord& edge : all.edges) {
+  for (const EdgeRecord& edge : all_edges) {
     if (edge.uses != 2) {
-      add_odd_edge(all.nodes, edge.low, edge.uses);
-      add_odd_edge(all.nodes, edge.high, edge.uses);
+      add_odd_edge(all_nodes, edge.low, edge.uses);
+      add_odd_edge(all_nodes, edge.high, edge.uses);
     }
     if (!is_own(edge.low)) continue;
     figures.chords.push_back(edge.chord);
     figures.border += edge.uses == 1;
     figures.nonmanifold += edge.uses > 2;
   }
-  figures.nodes = static_cast<long>(all.nodes.size());
-  for (const NodeRecord& node : all.nodes) {
+  figures.nodes = static_cast<long>(all_nodes.size());
+  for (const NodeRecord& node : all_nodes) {
     if (node.twice_valence == 0 || node.is_outside) continue;
     ++figures.face_interior_nodes;
     figures.irregular_nodes += node.twice_valence != 8;

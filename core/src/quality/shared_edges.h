@@ -16,9 +16,9 @@ struct SharedFigures {
   long face_interior_nodes = 0, irregular_nodes = 0;
 };
 
-/// Collective. `edges`: those of `share`. `is_used`, `is_outside`: per node of the share, used by an element; on the
+/// Collective. `edges`: those of `mesh`, a share. `is_used`, `is_outside`: per node of it, used by an element; on the
 /// border by an edge of this rank alone, or on a B-rep edge.
-SharedFigures measure_shared(const MeshShare& share, const EdgeFigures& edges, const std::vector<char>& is_used,
-                             const std::vector<char>& is_outside, Ranks& ranks);
+SharedFigures measure_shared(const SurfaceMesh& mesh, const ShareNumbers& numbers, const EdgeFigures& edges,
+                             const std::vector<char>& is_used, const std::vector<char>& is_outside, Ranks& ranks);
 
 }  // namespace paver

@@ -7,15 +7,14 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <new>
 #include <optional>
 #include <sstream>
 #include <system_error>
 
-#include "base/packing.h"
 #include "base/process/run_files.h"
+#include "base/tasks/gather.h"
 #include "paver/breakdown.h"
 #include "paver/launch.h"
 #include "paver/mesher.h"
@@ -76,7 +75,7 @@ void write_file(const std::string& path, const std::string& bytes) {
 /// whoever is left removes them.
 std::vector<std::string> prepare_outputs(const Job& job, MpiRanks& ranks) {
   std::string names = from_rank_0(ranks, [&] {
-    check_share_outputs(job.files);
+    check_outputs(job.files, ranks.count());
     std::string list;
     for (const std::string& path : job.files.paths()) list += temporary_name(path) + "\n";
     if (!job.folder.empty()) write_file(job.folder + "/" + temporaries_file, list);
@@ -94,15 +93,6 @@ Options options_of(const Job& job, const MpiRanks& ranks) {
   int cores = static_cast<int>(std::thread::hardware_concurrency());
   if (options.threads == 0) options.threads = std::max(1, cores / ranks.count_here());
   return options;
-}
-
-std::vector<double> busy_seconds(MpiRanks& ranks, double seconds) {
-  std::vector<double> result;
-  for (const std::string& bytes : ranks.gather(std::string(reinterpret_cast<char*>(&seconds), sizeof seconds))) {
-    std::memcpy(&seconds, bytes.data(), sizeof seconds);
-    result.push_back(seconds);
-  }
-  return result;
 }
 
 /// What goes back to the process that started the run: the whole mesh share by share, or the report alone.
@@ -129,10 +119,10 @@ int run_job(const std::string& path, MpiRanks& ranks, Progress& progress, std::o
   if (!files.repaired.empty()) files.repaired_text = repaired_model(model, options, progress);
   MeshShare share = mesh_share(model, options, progress, ranks);
   if (share.quads + share.triangles + share.result.report.quality.wire_lines == 0) files.mesh.clear();
-  write_share(share, files, progress, ranks);
+  write_outputs(share, files, progress, ranks);
   hand_back(job, share, ranks);
   std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  std::vector<double> busy = busy_seconds(ranks, seconds.count() - ranks.waited_seconds());
+  const std::vector<double> busy = gather_all(std::vector<double>{seconds.count() - ranks.waited_seconds()}, ranks);
   progress.begin(Stage::done);
   bool is_whole = !shortfall(share.result);
   if (ranks.rank() == 0) reporter->done(share.result, busy);

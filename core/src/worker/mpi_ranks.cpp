@@ -89,22 +89,26 @@ long MpiRanks::take(int queue) {
   return static_cast<long>(number);
 }
 
-void MpiRanks::add_up(std::span<long> values) {
+template <class T>
+void MpiRanks::reduce(std::span<T> values, MPI_Datatype type, MPI_Op operation) {
   progress_.check();
-  std::vector<long> mine(values.begin(), values.end());
+  std::vector<T> mine(values.begin(), values.end());
   if (mine.empty()) mine.push_back(0);
-  std::vector<long> sum(mine.size());
-  for (std::size_t at = 0; at < mine.size(); at += most_bytes_ / sizeof(long)) {
-    int part = static_cast<int>(std::min(most_bytes_ / sizeof(long), mine.size() - at));
+  std::vector<T> all(mine.size());
+  for (std::size_t at = 0; at < mine.size(); at += most_bytes_ / sizeof(T)) {
+    int part = static_cast<int>(std::min(most_bytes_ / sizeof(T), mine.size() - at));
     MPI_Request request;
     {
       std::lock_guard lock(mutex_);
-      MPI_Iallreduce(mine.data() + at, sum.data() + at, part, MPI_LONG, MPI_SUM, MPI_COMM_WORLD, &request);
+      MPI_Iallreduce(mine.data() + at, all.data() + at, part, type, operation, MPI_COMM_WORLD, &request);
     }
     wait(request);
   }
-  std::copy_n(sum.begin(), values.size(), values.begin());
+  std::copy_n(all.begin(), values.size(), values.begin());
 }
+
+void MpiRanks::add_up(std::span<long> values) { reduce(values, MPI_LONG, MPI_SUM); }
+void MpiRanks::find_least(std::span<double> values) { reduce(values, MPI_DOUBLE, MPI_MIN); }
 
 void MpiRanks::spread(char* data, std::uint64_t bytes, int root) {
   for (std::uint64_t at = 0; at < bytes; at += most_bytes_) {

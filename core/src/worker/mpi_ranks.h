@@ -30,6 +30,7 @@ class MpiRanks : public Ranks {
   int count() const override { return count_; }
   std::vector<std::string> gather(std::string_view mine) override;
   void add_up(std::span<long> values) override;
+  void find_least(std::span<double> values) override;
   long take(int queue) override;
 
   /// Collective: what rank 0 has, everywhere.
@@ -48,6 +49,8 @@ class MpiRanks : public Ranks {
   static constexpr int first_queue = most_queues, windows = most_queues + 1;
 
   void wait(MPI_Request& request);
+  template <class T>
+  void reduce(std::span<T> values, MPI_Datatype type, MPI_Op operation);
   void spread(char* data, std::uint64_t bytes, int root);
   void keep_going();
   void stop_thread();

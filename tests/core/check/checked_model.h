@@ -77,7 +77,7 @@ class CheckedModel : public test::PavedModel {
   std::vector<CurvingPart> parts;
   std::vector<int> moved;
   std::vector<char> is_meshed;
-  std::vector<long> numbers;  // of nodes in the whole mesh of order 1; on one rank none
+  RowNumbers numbers;  // of nodes in the whole mesh of order 1; on one rank none
   std::vector<FaceReport> figures;
   SurfaceMesh mesh;
   double target_length = INFINITY;
@@ -94,11 +94,11 @@ class CheckedModel : public test::PavedModel {
     for (std::size_t i = 0; i < regions.size(); ++i)
       join.push_back({regions[i].face, static_cast<int>(i) % ranks == rank ? &paved[i] : nullptr});
     joined = join_regions(model, edges, test::all_of(edges), join);
-    for (int v = 0; ranks > 1 && v < boundary(); ++v) numbers.push_back(v);
+    for (int v = 0; ranks > 1 && v < boundary(); ++v) numbers.list.push_back(v);
     for (std::size_t i = 0; i < regions.size(); ++i) {
       parts.push_back({&regions[i], join[i].mesh, &joined.node_of[i]});
       for (long v = 0; ranks > 1 && v < joined.sizes[i].nodes; ++v)
-        numbers.push_back(boundary() + 1000 * static_cast<long>(i) + v);
+        numbers.list.push_back(boundary() + 1000 * static_cast<long>(i) + v);
     }
   }
 };

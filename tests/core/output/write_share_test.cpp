@@ -11,9 +11,9 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "base/tasks/gather.h"
 #include "core/quality/wavy_mesh.h"
 #include "output/atomic_file_impl.h"
-#include "output/shared_file_impl.h"
 #include "paver/output.h"
 #include "support/deal_shares.h"
 #include "support/thread_ranks.h"
@@ -44,7 +44,7 @@ class WriteShare : public testing::Test {
     std::vector<MeshShare> shares = test::deal_shares(whole, count, seed, longest_run);
     test::run_on_ranks(count, [&](Ranks& ranks) {
       Progress progress;
-      write_share(shares[static_cast<std::size_t>(ranks.rank())], files, progress, ranks);
+      write_outputs(shares[static_cast<std::size_t>(ranks.rank())], files, progress, ranks);
     });
   }
 
@@ -140,7 +140,7 @@ std::vector<std::string> failures(const MeshResult& whole, int count, const Outp
     Progress progress;
     try {
       if (before) before(ranks, progress);
-      write_share(shares[rank], files, progress, ranks);
+      write_outputs(shares[rank], files, progress, ranks);
     } catch (const Error& error) {
       thrown[rank] = fmt::format("{}: {}", code_name(error.code()), error.what());
     }
@@ -160,9 +160,9 @@ TEST_F(WriteShare, RefusesWhatItCannotWrite) {
   expect_all(failures(whole, 3, {path("a.msh"), "", MshVersion::v2_2, false}), "bad_option: ");
   expect_all(failures(whole, 3, {path("a.vtu"), "", MshVersion::v4_1, true}), "bad_option: ");
   expect_all(failures(whole, 3, {path("a.stl"), "", MshVersion::v4_1, false}), "bad_option: ");
-  EXPECT_THROW(check_share_outputs({path("a.msh"), "", MshVersion::v2_2, false}), Error);
-  EXPECT_THROW(check_share_outputs({path("a.msh"), "", MshVersion::v4_1, true}), Error);
-  EXPECT_NO_THROW(check_share_outputs({path("a.vtu"), path("r.json"), MshVersion::v2_2, false}));
+  EXPECT_THROW(check_outputs({path("a.msh"), "", MshVersion::v2_2, false}, 2), Error);
+  EXPECT_THROW(check_outputs({path("a.msh"), "", MshVersion::v4_1, true}, 2), Error);
+  EXPECT_NO_THROW(check_outputs({path("a.vtu"), path("r.json"), MshVersion::v2_2, false}, 2));
   EXPECT_EQ(files_left(), 0);
 }
 
@@ -211,7 +211,7 @@ TEST_F(WriteShare, RemovesTheFileWhenOneRankCannotWriteItsPieces) {
   test::run_on_ranks(3, [&](Ranks& ranks) {
     Progress progress;
     try {
-      SharedFile file(path("a.msh"), 1000, progress, ranks);
+      AtomicFile file(path("a.msh"), 1000, &progress, ranks);
       do_together(ranks, [&] {
         file.seek(100 * ranks.rank());
         file.write("piece");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/tasks/gather.h"
 #include "core/quality/wavy_mesh.h"
 #include "support/deal_shares.h"
 #include "support/thread_ranks.h"
@@ -33,6 +34,40 @@ TEST(ThreadRanks, AddUpSumsEachValue) {
     ranks.add_up(values);
     EXPECT_EQ(values, (std::vector<long>{3, 30, -3}));
     ranks.add_up({});
+  });
+}
+
+TEST(ThreadRanks, FindLeastGivesTheLeastOfEachValue) {
+  run_on_ranks(3, [](Ranks& ranks) {
+    std::vector<double> values{1.0 * ranks.rank(), -1.0 * ranks.rank(), INFINITY};
+    ranks.find_least(values);
+    EXPECT_EQ(values, (std::vector<double>{0, -2, INFINITY}));
+    ranks.find_least({});
+  });
+}
+
+TEST(Gather, BoxesOfAllRanksBecomeOne) {
+  run_on_ranks(3, [](Ranks& ranks) {
+    const double r = ranks.rank();
+    std::vector<Box> boxes(3);
+    boxes[0].add(Vec3{r, -r, 1});
+    if (ranks.rank() == 1) boxes[1].add(Vec3{4, 5, 6});
+    unite(boxes, ranks);
+    EXPECT_EQ(boxes[0].low, (Vec3{0, -2, 1}));
+    EXPECT_EQ(boxes[0].high, (Vec3{2, 0, 1}));
+    EXPECT_EQ(boxes[1].low, (Vec3{4, 5, 6})) << "ranks without a part add nothing";
+    EXPECT_EQ(boxes[1].high, (Vec3{4, 5, 6}));
+    EXPECT_TRUE(boxes[2].is_empty());
+    EXPECT_EQ(greatest(-r - 1, ranks), -1);
+  });
+}
+
+TEST(Gather, OnlyWantedValuesStay) {
+  run_on_ranks(3, [](Ranks& ranks) {
+    const std::vector<std::string> mine{"all", std::to_string(ranks.rank())};
+    auto is_number = [](const std::string& text) { return text != "all"; };
+    EXPECT_EQ(gather_wanted(mine, ranks, is_number), (std::vector<std::string>{"0", "1", "2"}));
+    EXPECT_EQ(gather_all(mine, ranks).size(), 6u);
   });
 }
 
@@ -69,19 +104,34 @@ TEST(ThreadRanks, CallsThatDoNotMatchAreAnError) {
                std::logic_error);
 }
 
+TEST(RowNumbers, KnowTheirRows) {
+  SurfaceMesh mesh;
+  mesh.nodes.resize(3);
+  const ShareNumbers whole = whole_numbers(mesh);
+  EXPECT_EQ(whole.node_number[2], 2);
+  EXPECT_EQ(whole.node_number.row_of(2), 2);
+  EXPECT_EQ(whole.node_number.row_of(3), -1);
+  EXPECT_TRUE(whole.is_own(2) && !whole.is_shared(2));
+  const RowNumbers some{{4, 7, 9}};
+  EXPECT_EQ(some[1], 7);
+  EXPECT_EQ(some.row_of(7), 1);
+  EXPECT_EQ(some.row_of(5), -1);
+  EXPECT_EQ(RowNumbers().row_of(0), -1) << "a share without rows";
+}
+
 TEST(DealShares, MakeUpTheWholeMesh) {
   MeshResult whole = fake::WavyMesh(2, 9, 0.1).result();
   const SurfaceMesh& mesh = whole.mesh;
   std::vector<int> owners(mesh.nodes.size(), 0), quads(mesh.quad_count(), 0), triangles(mesh.triangle_count(), 0);
   for (const MeshShare& share : test::deal_shares(whole, 3, 5)) {
     const SurfaceMesh& part = share.result.mesh;
-    EXPECT_TRUE(std::is_sorted(share.node_number.begin(), share.node_number.end()));
+    EXPECT_TRUE(std::ranges::is_sorted(share.node_number.list));
     for (std::size_t i = 0; i < part.nodes.size(); ++i) {
       EXPECT_EQ(part.nodes[i], mesh.nodes[share.node_number[i]]);
       owners[share.node_number[i]] += share.is_own_node[i];
     }
-    for (long q : share.quad_number) ++quads[q];
-    for (long t : share.triangle_number) ++triangles[t];
+    for (long q : share.quad_number.list) ++quads[q];
+    for (long t : share.triangle_number.list) ++triangles[t];
     for (std::size_t i = 0; i < part.quads.size(); ++i)
       EXPECT_EQ(share.node_number[part.quads[i]], mesh.quads[share.quad_number[i / 9] * 9 + static_cast<long>(i % 9)]);
     for (std::size_t i = 0; i < part.lines.size(); ++i) EXPECT_EQ(share.node_number[part.lines[i]], mesh.lines[i]);

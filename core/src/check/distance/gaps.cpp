@@ -23,23 +23,6 @@ using Pair = std::array<int, 2>;
 /// Of how far a quadratic element reaches beyond its nodes, of their extent.
 constexpr double overshoot = 0.3;
 
-struct Box {
-  Vec3 lo{infinite, infinite, infinite}, hi{-infinite, -infinite, -infinite};
-  static constexpr double infinite = std::numeric_limits<double>::infinity();
-
-  void add(Vec3 x) {
-    lo = {std::min(lo.x, x.x), std::min(lo.y, x.y), std::min(lo.z, x.z)};
-    hi = {std::max(hi.x, x.x), std::max(hi.y, x.y), std::max(hi.z, x.z)};
-  }
-  void add(const Box& box) {
-    add(box.lo);
-    add(box.hi);
-  }
-  bool meets(const Box& b) const {
-    return lo.x <= b.hi.x && b.lo.x <= hi.x && lo.y <= b.hi.y && b.lo.y <= hi.y && lo.z <= b.hi.z && b.lo.z <= hi.z;
-  }
-};
-
 /// An element or a line of a wire, as ranks give it to each other.
 struct Piece {
   ElementPatch patch;
@@ -50,10 +33,10 @@ struct Piece {
   Box box() const {
     Box box;
     for (int k = 0; k < patch.node_count(); ++k) box.add(patch.nodes[k]);
-    const Vec3 more = overshoot * (patch.order - 1) * (box.hi - box.lo);
+    const Vec3 more = overshoot * (patch.order - 1) * (box.high - box.low);
     const double gap = 0.5 * told_gap * target;
     const Vec3 grown = more + Vec3{gap, gap, gap};
-    return {box.lo - grown, box.hi + grown};
+    return {box.low - grown, box.high + grown};
   }
   auto key() const {
     const Vec3 a = patch.nodes[0], b = patch.nodes[1], c = patch.nodes[2];
@@ -164,15 +147,13 @@ class GapSearch {
       const Box box = piece.box();
       for (int part : parts_of(piece)) part_boxes_[part].add(box);
     });
-    for (const std::string& bytes : ranks_.gather(bytes_of(part_boxes_))) {
-      const std::vector<Box> boxes = from_bytes<Box>(bytes);
-      for (std::size_t p = 0; p < boxes.size(); ++p) part_boxes_[p].add(boxes[p]);
-    }
+    unite(part_boxes_, ranks_);
     std::vector<int> by_x(model_.parts.size());
     std::iota(by_x.begin(), by_x.end(), 0);
-    std::stable_sort(by_x.begin(), by_x.end(), [&](int a, int b) { return part_boxes_[a].lo.x < part_boxes_[b].lo.x; });
+    std::stable_sort(by_x.begin(), by_x.end(),
+                     [&](int a, int b) { return part_boxes_[a].low.x < part_boxes_[b].low.x; });
     for (std::size_t i = 0; i < by_x.size(); ++i)
-      for (std::size_t j = i + 1; j < by_x.size() && part_boxes_[by_x[j]].lo.x <= part_boxes_[by_x[i]].hi.x; ++j)
+      for (std::size_t j = i + 1; j < by_x.size() && part_boxes_[by_x[j]].low.x <= part_boxes_[by_x[i]].high.x; ++j)
         if (part_boxes_[by_x[i]].meets(part_boxes_[by_x[j]]) && are_apart(by_x[i], by_x[j])) {
           partners_[by_x[i]].push_back(by_x[j]);
           partners_[by_x[j]].push_back(by_x[i]);
@@ -237,10 +218,10 @@ class GapSearch {
 
   std::pair<std::vector<int>, std::vector<int>> halves(std::vector<int> all) const {
     const Box box = box_of(all);
-    const Vec3 size = box.hi - box.lo;
+    const Vec3 size = box.high - box.low;
     const bool is_x = size.x >= size.y && size.x >= size.z, is_y = !is_x && size.y >= size.z;
     auto along = [&](Vec3 x) { return is_x ? x.x : is_y ? x.y : x.z; };
-    auto place = [&](int i) { return std::pair(along(boxes_[i].lo + boxes_[i].hi), i); };
+    auto place = [&](int i) { return std::pair(along(boxes_[i].low + boxes_[i].high), i); };
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
     std::nth_element(all.begin(), middle, all.end(), [&](int i, int j) { return place(i) < place(j); });
     return {{all.begin(), middle}, {middle, all.end()}};

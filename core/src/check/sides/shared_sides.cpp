@@ -69,10 +69,7 @@ class WantedSides {
 template <class T, class Lowest>
 std::vector<T> exchange(const std::vector<T>& mine, Ranks& ranks, Lowest lowest) {
   if (ranks.count() == 1) return mine;
-  std::vector<T> own;
-  for (const T& one : gather_all(mine, ranks))
-    if (lowest(one) % ranks.count() == ranks.rank()) own.push_back(one);
-  return own;
+  return gather_wanted(mine, ranks, [&](const T& one) { return lowest(one) % ranks.count() == ranks.rank(); });
 }
 
 /// Sides between the same two nodes: what is there and what is asked for, both in order.

@@ -26,10 +26,10 @@ struct Table {
 };
 
 void write_nodes(const SurfaceMesh& mesh, const Numbering& numbering, bool is_ascii, AtomicFile& file) {
-  file.write(fmt::format("$Nodes\n{}\n", numbering.node_count));
+  file.write(fmt::format("$Nodes\n{}\n", numbering.tags.count));
   fmt::memory_buffer text;
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
-    int tag = numbering.node_tag[i];
+    const int tag = static_cast<int>(numbering.tags.of_node[i]);
     if (tag == 0) continue;
     Vec3 x = mesh.nodes[i];
     if (is_ascii) {
@@ -51,24 +51,51 @@ void write_table(const Table& table, const Numbering& numbering, bool is_ascii, 
     for (int head : {table.type, static_cast<int>(rows), tags_per_element}) file.write_packed(head);
   }
   fmt::memory_buffer text;
+  const std::vector<long>& tag = numbering.tags.of_node;
   for (std::size_t row = 0; row < rows; ++row) {
     int group = table.group(row), entity = table.entity_of[row] + 1;
     const int* nodes = table.nodes.data() + row * table.stride;
     ++number;
     if (!is_ascii) {
       for (int value : {number, group, entity}) file.write_packed(value);
-      for (int k = 0; k < table.stride; ++k) file.write_packed(numbering.node_tag[nodes[k]]);
+      for (int k = 0; k < table.stride; ++k) file.write_packed(static_cast<int>(tag[nodes[k]]));
       continue;
     }
     text.clear();
     fmt::format_to(std::back_inserter(text), "{} {} {} {} {}", number, table.type, tags_per_element, group, entity);
     for (int k = 0; k < table.stride; ++k) {
-      fmt::format_to(std::back_inserter(text), " {}", numbering.node_tag[nodes[k]]);
+      fmt::format_to(std::back_inserter(text), " {}", tag[nodes[k]]);
     }
     text.push_back('\n');
     file.write(text.data(), text.size());
   }
 }
+
+class Msh2Writer : public MeshWriter {
+ public:
+  Msh2Writer(HeldMesh held, bool is_ascii, Ranks& ranks)
+      : mesh_(held.result.mesh), is_ascii_(is_ascii), numbering_(held, ranks) {}
+
+  void write(AtomicFile& file) const override {
+    write_msh_beginning("2.2", numbering_.groups, is_ascii_, file);
+    write_nodes(mesh_, numbering_, is_ascii_, file);
+    file.write(fmt::format("$Elements\n{}\n", mesh_.line_edge.size() + mesh_.triangle_count() + mesh_.quad_count()));
+    const int p = mesh_.order;
+    const std::vector<int>& groups = numbering_.groups.of_face;
+    int number = 0;
+    for (const Table& table :
+         {Table{gmsh_line_type(p), p + 1, mesh_.lines, mesh_.line_edge, numbering_.groups.of_edge},
+          Table{gmsh_triangle_type(p), mesh_.nodes_per_triangle(), mesh_.triangles, mesh_.triangle_face, groups},
+          Table{gmsh_quad_type(p), mesh_.nodes_per_quad(), mesh_.quads, mesh_.quad_face, groups}})
+      write_table(table, numbering_, is_ascii_, number, file);
+    file.write(is_ascii_ ? "$EndElements\n" : "\n$EndElements\n");
+  }
+
+ private:
+  const SurfaceMesh& mesh_;
+  const bool is_ascii_;
+  const Numbering numbering_;
+};
 
 }  // namespace
 
@@ -88,21 +115,8 @@ void write_msh_beginning(const char* version, const Groups& groups, bool is_asci
   sink.write("$EndPhysicalNames\n");
 }
 
-void write_msh2(const MeshResult& result, bool is_ascii, AtomicFile& file) {
-  const SurfaceMesh& mesh = result.mesh;
-  Numbering numbering(result);
-  write_msh_beginning("2.2", numbering.groups, is_ascii, file);
-  write_nodes(mesh, numbering, is_ascii, file);
-  file.write(fmt::format("$Elements\n{}\n", mesh.line_edge.size() + mesh.triangle_count() + mesh.quad_count()));
-  int number = 0;
-  const std::vector<int>&groups = numbering.groups.of_face, &line_groups = numbering.groups.of_edge;
-  write_table({gmsh_line_type(mesh.order), mesh.order + 1, mesh.lines, mesh.line_edge, line_groups}, numbering,
-              is_ascii, number, file);
-  write_table({gmsh_triangle_type(mesh.order), mesh.nodes_per_triangle(), mesh.triangles, mesh.triangle_face, groups},
-              numbering, is_ascii, number, file);
-  write_table({gmsh_quad_type(mesh.order), mesh.nodes_per_quad(), mesh.quads, mesh.quad_face, groups}, numbering,
-              is_ascii, number, file);
-  file.write(is_ascii ? "$EndElements\n" : "\n$EndElements\n");
+std::unique_ptr<MeshWriter> msh2_writer(HeldMesh held, bool is_ascii, Ranks& ranks) {
+  return std::make_unique<Msh2Writer>(held, is_ascii, ranks);
 }
 
 }  // namespace paver

@@ -1,90 +1,156 @@
 // Gmsh .msh 4.1, ASCII and binary. Sections: format, physical names, entities (curves and surfaces, no points),
-// nodes by entity, elements by entity and kind. In binary all counts and tags of nodes and elements are 64-bit.
-#include "output/atomic_file_impl.h"
+// nodes by entity, elements by entity and kind. In binary all counts and tags of nodes and elements are 64-bit, and all
+// records of a block have one size, so that the number of records before one is its place.
+//
+// All ranks know the whole layout. Rank 0 writes the beginning and what stands between the sections; of the blocks each
+// rank writes its own runs, the first run with the head of the block.
 #include "output/mesh_writers_impl.h"
 #include "output/msh/msh4_impl.h"
 
 namespace paver {
 namespace {
 
-/// One kind of element, dealt by face or edge.
+constexpr long head_bytes = 3 * sizeof(int) + sizeof(std::uint64_t), tag_bytes = sizeof(std::uint64_t),
+               point_bytes = sizeof(Vec3);
+
+/// Where the blocks of one table begin, and the number of records before each.
+struct Blocks {
+  std::vector<long> offset, before;
+};
+
+/// Lays blocks one behind the other from `at` on, which moves behind the last; `records` counts on.
+Blocks lay_out(const PlacedRows& rows, long record_bytes, long& at, long& records) {
+  Blocks blocks;
+  for (long count : rows.size) {
+    blocks.offset.push_back(at);
+    blocks.before.push_back(records);
+    if (count > 0) at += head_bytes + count * record_bytes;
+    records += count;
+  }
+  return blocks;
+}
+
+/// One kind of element.
 struct Table {
   int dimension, type, stride;
   const std::vector<int>& nodes;
-  const Grouping& by_entity;
+  const PlacedRows& rows;
+  Blocks blocks{};
+
+  long record_bytes() const { return tag_bytes * (1 + stride); }
 };
 
-std::size_t used_groups(const Grouping& grouping) {
-  std::size_t used = 0;
-  for (std::size_t g = 0; g < grouping.count(); ++g) used += grouping.size(g) > 0;
-  return used;
-}
+class Msh4Writer : public MeshWriter {
+ public:
+  Msh4Writer(HeldMesh held, bool is_ascii, Ranks& ranks)
+      : mesh_(held.result.mesh), is_ascii_(is_ascii), is_first_(ranks.rank() == 0), numbering_(held, ranks) {
+    lay_out_file(ranks);
+  }
 
-void write_node_blocks(const SurfaceMesh& mesh, const Numbering& numbering, int dimension, const Grouping& nodes,
-                       Msh4Numbers& out) {
-  for (std::size_t entity = 0; entity < nodes.count(); ++entity) {
-    if (nodes.size(entity) == 0) continue;
-    out.integer(dimension), out.integer(static_cast<int>(entity) + 1), out.integer(0), out.count(nodes.size(entity));
+  long file_bytes() const override { return is_ascii_ ? 0 : end_ + static_cast<long>(ending_.size()); }
+
+  void write(AtomicFile& file) const override {
+    Msh4Numbers out(file, is_ascii_);
+    write_text(0, beginning_, out);
+    for (const PlacedRun& run : numbering_.curve_nodes.runs)
+      write_nodes(1, numbering_.curve_nodes, curve_blocks_, run, out);
+    for (const PlacedRun& run : numbering_.surface_nodes.runs)
+      write_nodes(2, numbering_.surface_nodes, surface_blocks_, run, out);
+    write_text(middle_at_, middle_, out);
+    for (const Table* table : {&lines_, &triangles_, &quads_})
+      for (const PlacedRun& run : table->rows.runs) write_elements(*table, run, out);
+    write_text(end_, ending_, out);
+  }
+
+ private:
+  void lay_out_file(Ranks& ranks) {
+    MemorySink beginning, middle, ending;
+    Msh4Numbers first(beginning, is_ascii_), between(middle, is_ascii_), last(ending, is_ascii_);
+    write_msh4_beginning(mesh_, numbering_, ranks, first);
+    const PlacedRows &curve_nodes = numbering_.curve_nodes, &surface_nodes = numbering_.surface_nodes;
+    write_msh4_head(curve_nodes.used_groups() + surface_nodes.used_groups(), numbering_.tags.count, first);
+    beginning_ = beginning.content();
+    between.end_section("Nodes");
+    middle.write("$Elements\n");
+    std::size_t blocks = 0;
+    long total = 0;
+    for (const Table* table : {&lines_, &triangles_, &quads_})
+      blocks += table->rows.used_groups(), total += table->rows.total();
+    write_msh4_head(blocks, total, between);
+    middle_ = middle.content();
+    last.end_section("Elements");
+    ending_ = ending.content();
+
+    long nodes = 0, elements = 0;
+    end_ = static_cast<long>(beginning_.size());
+    curve_blocks_ = lay_out(curve_nodes, tag_bytes + point_bytes, end_, nodes);
+    surface_blocks_ = lay_out(surface_nodes, tag_bytes + point_bytes, end_, nodes);
+    middle_at_ = end_;
+    end_ += static_cast<long>(middle_.size());
+    for (Table* table : {&lines_, &triangles_, &quads_})
+      table->blocks = lay_out(table->rows, table->record_bytes(), end_, elements);
+  }
+
+  void write_text(long at, const std::string& text, Msh4Numbers& out) const {
+    if (!is_first_) return;
+    out.seek(at);
+    out.sink().write(text);
+  }
+
+  static void write_head(int dimension, int entity, int kind, long count, Msh4Numbers& out) {
+    for (int value : {dimension, entity + 1, kind}) out.integer(value);
+    out.count(static_cast<std::size_t>(count));
     out.end_line();
-    for (std::size_t i = nodes.start[entity]; i < nodes.start[entity + 1]; ++i) {
-      out.count(static_cast<std::size_t>(numbering.node_tag[nodes.rows[i]]));
+  }
+
+  void write_nodes(int dimension, const PlacedRows& rows, const Blocks& blocks, const PlacedRun& run,
+                   Msh4Numbers& out) const {
+    const auto group = static_cast<std::size_t>(run.group);
+    const long tags_at = blocks.offset[group] + head_bytes;
+    out.seek(run.position == 0 ? blocks.offset[group] : tags_at + run.position * tag_bytes);
+    if (run.position == 0) write_head(dimension, run.group, 0, rows.size[group], out);
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      out.count(static_cast<std::size_t>(numbering_.tags.of_node[static_cast<std::size_t>(rows.held.rows[i])]));
       out.end_line();
     }
-    for (std::size_t i = nodes.start[entity]; i < nodes.start[entity + 1]; ++i) {
-      out.point(mesh.nodes[nodes.rows[i]]);
+    out.seek(tags_at + rows.size[group] * tag_bytes + run.position * point_bytes);
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      out.point(mesh_.nodes[static_cast<std::size_t>(rows.held.rows[i])]);
       out.end_line();
     }
   }
-}
 
-void write_element_blocks(const Numbering& numbering, const Table& table, std::size_t& number, Msh4Numbers& out) {
-  const Grouping& rows = table.by_entity;
-  for (std::size_t entity = 0; entity < rows.count(); ++entity) {
-    if (rows.size(entity) == 0) continue;
-    out.integer(table.dimension), out.integer(static_cast<int>(entity) + 1), out.integer(table.type);
-    out.count(rows.size(entity));
-    out.end_line();
-    for (std::size_t i = rows.start[entity]; i < rows.start[entity + 1]; ++i) {
+  void write_elements(const Table& table, const PlacedRun& run, Msh4Numbers& out) const {
+    const auto group = static_cast<std::size_t>(run.group);
+    const long at = table.blocks.offset[group];
+    out.seek(run.position == 0 ? at : at + head_bytes + run.position * table.record_bytes());
+    if (run.position == 0) write_head(table.dimension, run.group, table.type, table.rows.size[group], out);
+    auto number = static_cast<std::size_t>(table.blocks.before[group] + run.position);
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      const int* nodes = table.nodes.data() + static_cast<std::ptrdiff_t>(table.rows.held.rows[i]) * table.stride;
       out.count(++number);
-      const int* nodes = table.nodes.data() + static_cast<std::size_t>(rows.rows[i]) * table.stride;
-      for (int k = 0; k < table.stride; ++k) out.count(static_cast<std::size_t>(numbering.node_tag[nodes[k]]));
+      for (int k = 0; k < table.stride; ++k)
+        out.count(static_cast<std::size_t>(numbering_.tags.of_node[static_cast<std::size_t>(nodes[k])]));
       out.end_line();
     }
   }
-}
 
-Msh4Entities entities_of(const SurfaceMesh& mesh, const Numbering& numbering) {
-  Msh4Entities entities{std::vector<Box>(numbering.lines.count()), std::vector<Box>(numbering.quads.count()),
-                        numbering.groups, numbering.face_edges};
-  add_boxes(mesh, mesh.lines, mesh.line_edge, entities.curves);
-  add_boxes(mesh, mesh.triangles, mesh.triangle_face, entities.surfaces);
-  add_boxes(mesh, mesh.quads, mesh.quad_face, entities.surfaces);
-  return entities;
-}
+  const SurfaceMesh& mesh_;
+  const bool is_ascii_, is_first_;
+  const Numbering numbering_;
+  Table lines_{1, gmsh_line_type(mesh_.order), mesh_.order + 1, mesh_.lines, numbering_.lines};
+  Table triangles_{2, gmsh_triangle_type(mesh_.order), mesh_.nodes_per_triangle(), mesh_.triangles,
+                   numbering_.triangles};
+  Table quads_{2, gmsh_quad_type(mesh_.order), mesh_.nodes_per_quad(), mesh_.quads, numbering_.quads};
+  Blocks curve_blocks_, surface_blocks_;
+  std::string beginning_, middle_, ending_;
+  long middle_at_ = 0, end_ = 0;
+};
 
 }  // namespace
 
-void write_msh4(const MeshResult& result, bool is_ascii, AtomicFile& file) {
-  const SurfaceMesh& mesh = result.mesh;
-  int p = mesh.order;
-  Numbering numbering(result);
-  Table lines{1, gmsh_line_type(p), p + 1, mesh.lines, numbering.lines};
-  Table triangles{2, gmsh_triangle_type(p), mesh.nodes_per_triangle(), mesh.triangles, numbering.triangles};
-  Table quads{2, gmsh_quad_type(p), mesh.nodes_per_quad(), mesh.quads, numbering.quads};
-  Msh4Numbers out(file, is_ascii);
-
-  write_msh4_beginning(entities_of(mesh, numbering), is_ascii, file);
-  write_msh4_head(used_groups(numbering.curve_nodes) + used_groups(numbering.surface_nodes),
-                  static_cast<std::size_t>(numbering.node_count), out);
-  write_node_blocks(mesh, numbering, 1, numbering.curve_nodes, out);
-  write_node_blocks(mesh, numbering, 2, numbering.surface_nodes, out);
-  out.end_section("Nodes");
-  file.write("$Elements\n");
-  write_msh4_head(used_groups(numbering.lines) + used_groups(numbering.triangles) + used_groups(numbering.quads),
-                  numbering.lines.rows.size() + numbering.triangles.rows.size() + numbering.quads.rows.size(), out);
-  std::size_t number = 0;
-  for (const Table* table : {&lines, &triangles, &quads}) write_element_blocks(numbering, *table, number, out);
-  out.end_section("Elements");
+std::unique_ptr<MeshWriter> msh4_writer(HeldMesh held, bool is_ascii, Ranks& ranks) {
+  return std::make_unique<Msh4Writer>(held, is_ascii, ranks);
 }
 
 }  // namespace paver

@@ -1,4 +1,4 @@
-// What the writers of .vtu have in common, for one process and for several.
+// What a .vtu file consists of.
 #pragma once
 
 #include <array>

@@ -1,114 +1,165 @@
 // VTK unstructured grid (.vtu), arrays appended raw or as text. Of the lines only those of wires. Points are the nodes
-// that elements and these use, in their order.
+// that elements and these use, in their order. An element's number in the whole is its place in every array, a node's
+// tag its place among the points. All ranks hold the lines, the first one writes them.
 #include <fmt/format.h>
 
 #include <cstring>
 #include <iterator>
 
-#include "output/atomic_file_impl.h"
-#include "output/mesh_writers_impl.h"
+#include "output/numbering_impl.h"
 #include "output/vtu/vtu_impl.h"
 
 namespace paver {
 namespace {
 
-class VtuFile {
+static_assert(sizeof(Vec3) == 3 * sizeof(double), "points are written as they lie in memory");
+constexpr long size_bytes = sizeof(std::uint64_t);  // before each array
+
+/// Rows of this rank that follow each other here and in the file.
+struct Stretch {
+  std::size_t begin, end;
+  long number;  ///< of the first in the file
+};
+
+std::vector<Stretch> stretches_of(const RowNumbers& number, std::size_t rows) {
+  std::vector<Stretch> stretches;
+  for (std::size_t i = 0; i < rows; ++i) {
+    bool follows = i > 0 && number[i] == number[i - 1] + 1;
+    if (!follows) stretches.push_back({i, i, number[i]});
+    stretches.back().end = i + 1;
+  }
+  return stretches;
+}
+
+class VtuWriter : public MeshWriter {
  public:
-  VtuFile(const MeshResult& result, AtomicFile& file)
-      : mesh_(result.mesh),
-        file_(file),
-        lines_(result),
-        point_(number_points()),
-        quads_(mesh_, true, size_, point_),
-        triangles_(mesh_, false, size_, point_) {}
-
-  void write_binary() {
-    file_.write(vtu_beginning(size_));
+  VtuWriter(HeldMesh held, bool is_ascii, Ranks& ranks)
+      : mesh_(held.result.mesh),
+        numbers_(held.numbers),
+        lines_(held.result),
+        is_ascii_(is_ascii),
+        is_first_(ranks.rank() == 0) {
+    const std::vector<int> face = faces_of_nodes(held, {}, ranks);
+    std::vector<char> is_used(face.size());
+    for (std::size_t node = 0; node < face.size(); ++node) is_used[node] = face[node] >= 0;
+    lines_.mark_nodes(is_used);
+    tags_ = number_nodes(numbers_, is_used, ranks);
+    size_ = {mesh_.order, tags_.count, numbers_.quads, numbers_.triangles, lines_.count()};
+    beginning_ = vtu_beginning(size_);
+    end_ = static_cast<long>(beginning_.size());
     for (VtuArray array : vtu_arrays) {
-      file_.write_packed<std::uint64_t>(static_cast<std::uint64_t>(size_.bytes(array)));
-      write_array(array, file_);
+      data_at_.push_back(end_ + size_bytes);
+      end_ = data_at_.back() + size_.bytes(array);
     }
-    file_.write(vtu_ending);
   }
 
-  void write_ascii() {
-    write_vtu_xml(size_, file_, [&](VtuArray array) {
-      file_.write(vtu_declaration(array, size_) + " format=\"ascii\">\n");
-      write_as_text(array);
-      file_.write("</DataArray>\n");
-    });
-    file_.write("</VTKFile>\n");
+  long file_bytes() const override {
+    return is_ascii_ ? 0 : end_ + static_cast<long>(std::string_view(vtu_ending).size());
   }
+
+  void write(AtomicFile& file) const override { is_ascii_ ? write_ascii(file) : write_binary(file); }
 
  private:
-  /// Per node its number, from 1; 0: no cell uses it.
-  std::vector<long> number_points() {
-    std::vector<long> number(mesh_.nodes.size(), 0);
-    for (const std::vector<int>* table : {&mesh_.quads, &mesh_.triangles})
-      for (int node : *table) number[static_cast<std::size_t>(node)] = 1;
-    lines_.mark_nodes(number);
-    long points = 0;
-    for (long& value : number)
-      if (value) value = ++points;
-    size_ = {mesh_.order, points, static_cast<long>(mesh_.quad_count()), static_cast<long>(mesh_.triangle_count()),
-             lines_.count()};
-    return number;
+  void write_binary(AtomicFile& file) const {
+    if (is_first_) file.write(beginning_);
+    for (VtuArray array : vtu_arrays) {
+      if (is_first_) {
+        file.seek(at(array, 0) - size_bytes);
+        file.write_packed<std::uint64_t>(static_cast<std::uint64_t>(size_.bytes(array)));
+      }
+      write_array(array, file);
+    }
+    if (!is_first_) return;
+    file.seek(end_);
+    file.write(vtu_ending);
+  }
+
+  void write_ascii(AtomicFile& file) const {
+    write_vtu_xml(size_, file, [&](VtuArray array) {
+      file.write(vtu_declaration(array, size_) + " format=\"ascii\">\n");
+      write_as_text(array, file);
+      file.write("</DataArray>\n");
+    });
+    file.write("</VTKFile>\n");
+  }
+
+  long at(VtuArray array, long entry) const {
+    return data_at_[static_cast<std::size_t>(array)] + entry * size_.entry_bytes(array);
   }
 
   void write_array(VtuArray array, ByteSink& sink) const {
-    if (array == VtuArray::points) {
-      for (std::size_t node = 0; node < point_.size(); ++node)
-        if (point_[node]) sink.write_packed(mesh_.nodes[node]);
-      return;
-    }
-    quads_.write(array, 0, quads_.count(), 0, sink);
-    triangles_.write(array, 0, triangles_.count(), 0, sink);
-    lines_.write(array, size_, point_, sink);
+    if (array == VtuArray::points) return write_points(sink);
+    write_cells(array, true, sink);
+    write_cells(array, false, sink);
+    if (!is_first_) return;
+    sink.seek(at(array, size_.entries_before_line(array, 0)));
+    lines_.write(array, size_, tags_.of_node, sink);
   }
 
-  void write_as_text(VtuArray array) {
+  void write_points(ByteSink& sink) const {
+    long last = 0;
+    for (std::size_t node = 0; node < mesh_.nodes.size(); ++node) {
+      const long tag = tags_.of_node[node];
+      if (tag == 0 || !numbers_.is_own(node)) continue;
+      if (tag != last + 1 || last == 0) sink.seek(at(VtuArray::points, tag - 1));
+      sink.write_packed(mesh_.nodes[node]);
+      last = tag;
+    }
+  }
+
+  void write_cells(VtuArray array, bool is_quad, ByteSink& sink) const {
+    const VtuCells cells(mesh_, is_quad, size_, tags_.of_node);
+    const RowNumbers& number = is_quad ? numbers_.quad_number : numbers_.triangle_number;
+    for (const Stretch& stretch : stretches_of(number, cells.count())) {
+      sink.seek(at(array, size_.entries_before(array, is_quad, stretch.number)));
+      cells.write(array, stretch.begin, stretch.end, stretch.number, sink);
+    }
+  }
+
+  void write_as_text(VtuArray array, AtomicFile& file) const {
     MemorySink sink;
     write_array(array, sink);
     switch (array) {
       case VtuArray::sj:
-        return write_numbers<double>(sink.content(), 1);
+        return write_numbers<double>(sink.content(), 1, file);
       case VtuArray::points:
-        return write_numbers<double>(sink.content(), 3);
+        return write_numbers<double>(sink.content(), 3, file);
       case VtuArray::types:
-        return write_numbers<std::uint8_t>(sink.content(), 1);
+        return write_numbers<std::uint8_t>(sink.content(), 1, file);
       case VtuArray::offsets:
-        return write_numbers<std::int64_t>(sink.content(), 1);
+        return write_numbers<std::int64_t>(sink.content(), 1, file);
       default:
-        return write_numbers<std::int32_t>(sink.content(), 1);
+        return write_numbers<std::int32_t>(sink.content(), 1, file);
     }
   }
 
   template <class T>
-  void write_numbers(const std::string& bytes, std::size_t per_line) {
+  static void write_numbers(const std::string& bytes, std::size_t per_line, AtomicFile& file) {
     fmt::memory_buffer line;
     for (std::size_t i = 0; i < bytes.size() / sizeof(T); ++i) {
       T value;
       std::memcpy(&value, bytes.data() + i * sizeof(T), sizeof(T));
       bool is_last = (i + 1) % per_line == 0;
       fmt::format_to(std::back_inserter(line), "{}{}", +value, is_last ? '\n' : ' ');
-      if (is_last) file_.write(line.data(), line.size()), line.clear();
+      if (is_last) file.write(line.data(), line.size()), line.clear();
     }
   }
 
   const SurfaceMesh& mesh_;
-  AtomicFile& file_;
+  const ShareNumbers& numbers_;
   const VtuLines lines_;
+  const bool is_ascii_, is_first_;
+  NodeTags tags_;
   VtuSize size_;
-  std::vector<long> point_;
-  VtuCells quads_, triangles_;
+  std::string beginning_;
+  std::vector<long> data_at_;  // per array
+  long end_ = 0;
 };
 
 }  // namespace
 
-void write_vtu(const MeshResult& result, bool is_ascii, AtomicFile& file) {
-  static_assert(sizeof(Vec3) == 3 * sizeof(double), "points are written as they lie in memory");
-  VtuFile vtu(result, file);
-  is_ascii ? vtu.write_ascii() : vtu.write_binary();
+std::unique_ptr<MeshWriter> vtu_writer(HeldMesh held, bool is_ascii, Ranks& ranks) {
+  return std::make_unique<VtuWriter>(held, is_ascii, ranks);
 }
 
 }  // namespace paver

@@ -1,0 +1,136 @@
+// What belongs together in a file: rows of one face or edge, groups by name, edges of faces.
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+#include "output/numbering_impl.h"
+
+namespace paver {
+namespace {
+
+constexpr std::size_t longest_name = 127;  // bytes; what readers of .msh files keep
+
+int largest(const std::vector<int>& values) {
+  return values.empty() ? -1 : *std::max_element(values.begin(), values.end());
+}
+
+/// A name as it may stand between quotes on one line, cut before a broken UTF-8 character.
+std::string quotable(std::string name) {
+  std::size_t length = std::min(name.size(), longest_name);
+  while (length < name.size() && length > 0 && (static_cast<unsigned char>(name[length]) & 0xC0) == 0x80) --length;
+  name.resize(length);
+  for (char& c : name) {
+    if (c == '"') c = '\'';
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  }
+  return name;
+}
+
+std::string name_of_face(const MeshResult& result, std::size_t face) {
+  std::string name = face < result.face_names.size() ? quotable(result.face_names[face]) : "";
+  return name.empty() ? "Face" + std::to_string(face + 1) : name;
+}
+
+long long pair_key(int a, int b) {
+  return (static_cast<long long>(std::min(a, b)) << 32) | static_cast<unsigned>(std::max(a, b));
+}
+
+/// The B-rep edge of each line, by its two end nodes.
+std::unordered_map<long long, int> edge_of_sides(const SurfaceMesh& mesh) {
+  std::unordered_map<long long, int> edges;
+  edges.reserve(mesh.line_edge.size());
+  std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
+  for (std::size_t i = 0; i < mesh.line_edge.size(); ++i) {
+    edges.emplace(pair_key(mesh.lines[i * stride], mesh.lines[i * stride + 1]), mesh.line_edge[i]);
+  }
+  return edges;
+}
+
+}  // namespace
+
+Grouping group_rows(const std::vector<int>& group_of, int groups) {
+  Grouping result;
+  result.start.assign(static_cast<std::size_t>(groups) + 1, 0);
+  for (int group : group_of) {
+    if (group >= 0) ++result.start[group + 1];
+  }
+  for (std::size_t i = 1; i < result.start.size(); ++i) result.start[i] += result.start[i - 1];
+  result.rows.resize(result.start.back());
+  std::vector<std::size_t> next(result.start.begin(), result.start.end() - 1);
+  for (std::size_t row = 0; row < group_of.size(); ++row) {
+    if (group_of[row] >= 0) result.rows[next[group_of[row]]++] = static_cast<int>(row);
+  }
+  return result;
+}
+
+Groups find_groups(const MeshResult& result, const std::vector<char>& has_elements) {
+  Groups groups;
+  auto number = [](std::unordered_map<std::string, int>& numbers, const std::string& name, std::size_t before,
+                   std::vector<std::string>& names) {
+    auto [at, is_new] = numbers.emplace(name, static_cast<int>(before + names.size()) + 1);
+    if (is_new) names.push_back(name);
+    return at->second;
+  };
+  std::unordered_map<std::string, int> of_faces, of_edges;
+  for (std::size_t face = 0; face < has_elements.size(); ++face)
+    groups.of_face.push_back(has_elements[face] ? number(of_faces, name_of_face(result, face), 0, groups.face_names)
+                                                : 0);
+  std::vector<char> has_lines(result.edge_groups.size(), 0);
+  for (int edge : result.mesh.line_edge)
+    if (edge < static_cast<int>(has_lines.size())) has_lines[edge] = 1;
+  for (std::size_t edge = 0; edge < has_lines.size(); ++edge) {
+    const std::string name = quotable(result.edge_groups[edge]);
+    bool is_in_one = has_lines[edge] && !name.empty();
+    groups.of_edge.push_back(is_in_one ? number(of_edges, name, groups.face_names.size(), groups.edge_names) : 0);
+  }
+  return groups;
+}
+
+int face_count(const MeshResult& result) {
+  const SurfaceMesh& mesh = result.mesh;
+  return 1 + std::max({largest(mesh.quad_face), largest(mesh.triangle_face),
+                       static_cast<int>(result.face_names.size()) - 1});
+}
+
+std::vector<int> curve_of_nodes(const SurfaceMesh& mesh, const Grouping& lines) {
+  std::vector<int> curve(mesh.nodes.size(), -1);
+  std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
+  for (std::size_t i = 0; i < mesh.lines.size(); ++i) {
+    int node = mesh.lines[i];
+    if (curve[node] >= 0) continue;
+    int own = static_cast<std::size_t>(node) < mesh.node_edge.size() ? mesh.node_edge[node] : -1;
+    bool has_lines = own >= 0 && own < static_cast<int>(lines.count()) && lines.size(own) > 0;
+    curve[node] = has_lines ? own : mesh.line_edge[i / stride];
+  }
+  return curve;
+}
+
+std::vector<std::vector<int>> edges_of_faces(const SurfaceMesh& mesh, const std::vector<int>& curve, int faces) {
+  std::vector<std::vector<int>> face_edges(static_cast<std::size_t>(faces));
+  auto edges = edge_of_sides(mesh);
+  auto walk = [&](const std::vector<int>& elements, const std::vector<int>& face_of, int corners, int stride) {
+    for (std::size_t i = 0; i < face_of.size(); ++i) {
+      const int* element = elements.data() + i * stride;
+      for (int k = 0; k < corners; ++k) {
+        int a = element[k], b = element[(k + 1) % corners];
+        if (curve[a] < 0 || curve[b] < 0) continue;
+        if (auto found = edges.find(pair_key(a, b)); found != edges.end()) {
+          face_edges[face_of[i]].push_back(found->second);
+        }
+      }
+    }
+  };
+  walk(mesh.quads, mesh.quad_face, 4, mesh.nodes_per_quad());
+  walk(mesh.triangles, mesh.triangle_face, 3, mesh.nodes_per_triangle());
+  for (std::vector<int>& list : face_edges) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return face_edges;
+}
+
+int gmsh_line_type(int order) { return std::array{1, 8, 26, 27}.at(static_cast<std::size_t>(order) - 1); }
+int gmsh_quad_type(int order) { return std::array{3, 10, 36, 37}.at(static_cast<std::size_t>(order) - 1); }
+int gmsh_triangle_type(int order) { return std::array{2, 9, 21, 23}.at(static_cast<std::size_t>(order) - 1); }
+
+}  // namespace paver
