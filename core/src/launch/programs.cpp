@@ -143,10 +143,11 @@ std::vector<std::string> rank_environment(const RunFolder& folder, int ranks) {
   for (char** variable = environ; *variable; ++variable)
     if (!is_of_a_run(*variable, is_inside)) list.emplace_back(*variable);
   for (const auto& [name, value] : settings(folder, ranks)) {
-    auto same = std::find_if(list.begin(), list.end(), [&](const std::string& v) { return v.starts_with(name + "="); });
+    const std::string start = name + "=";
+    auto same = std::find_if(list.begin(), list.end(), [&](const std::string& v) { return v.starts_with(start); });
     bool is_folder = value == folder.path() || value == folder.shared_memory();
     if (same == list.end()) {
-      list.push_back(name + "=" + value);
+      list.push_back(start + value);
     } else if (is_folder) {
       *same = name + "=" + value;
     }

@@ -318,7 +318,7 @@ class RegionBuilder {
 
   std::vector<LoopNode> cut_nodes() {
     constexpr int samples = 256;
-    double length = 0, integral = 0, turn = 0;
+    double integral = 0, turn = 0;
     Vec3 last, last_tangent;
     for (int i = 0; i <= samples; ++i) {
       Vec2 uv = parameters(layout_.box.lo.x + layout_.period * i / samples, layout_.cut);
@@ -327,7 +327,6 @@ class RegionBuilder {
       Vec3 tangent = unit(layout_.box.is_swapped ? xv : xu);
       if (i > 0) {
         double step = norm(x - last);
-        length += step;
         integral += step / std::min(size_.h, size_.faces[index_].at(uv, *face_.surface));
         turn += std::acos(std::clamp(dot(tangent, last_tangent), -1.0, 1.0));
       }

@@ -121,8 +121,9 @@ class PartRepairer {
     std::map<int, std::vector<InnerSide>> of_part;
     for (const InnerSide& side : sides_to_part(gather_all(mine, ranks_), regions_, nodes_))
       if (parts_[static_cast<std::size_t>(side.part)].paved) of_part[side.part].push_back(side);
-    for (const auto& [part, sides] : of_part) {
-      const auto i = static_cast<std::size_t>(part);
+    for (const auto& entry : of_part) {
+      const auto i = static_cast<std::size_t>(entry.first);
+      const std::vector<InnerSide>& sides = entry.second;
       const std::vector<Vec3> made =
           change(i, [&](RegionMesh& mesh) { return divide_inner_sides(paver_.place_of(parts_[i]), sides, mesh); });
       for (Vec3 x : made) places_.push_back({ElementRepairKind::divided, region_of(i).face, x});
