@@ -3,14 +3,14 @@
 //
 // The number of an element follows from its kind, order, face and the exact bits of its nodes' coordinates, from its
 // lowest corner on, the way round it runs. Products of 64-bit numbers, folded from 128 bits, mix them.
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstdint>
 
+#include "base/tasks/tasks.h"
 #include "paver/output.h"
 #include "quality/jacobian/lattice.h"
 
@@ -80,13 +80,13 @@ class ElementNumbers {
   }
 
   Word sum() const {
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, face_of_.size(), 4096), Word{0},
-        [&](const auto& range, Word sum) {
-          for (std::size_t i = range.begin(); i < range.end(); ++i) sum += number(i);
-          return sum;
-        },
-        std::plus<>());
+    std::atomic<Word> all = 0;
+    run_stretches(face_of_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+      Word sum = 0;
+      for (std::size_t i = begin; i < end; ++i) sum += number(i);
+      all += sum;
+    });
+    return all;
   }
 
  private:

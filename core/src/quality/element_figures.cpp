@@ -1,8 +1,8 @@
 #include "quality/element_figures.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
+
+#include "base/tasks/tasks.h"
 
 namespace paver {
 namespace {
@@ -65,18 +65,17 @@ void measure_elements(const SurfaceMesh& mesh, bool is_quad, std::size_t begin, 
 
 std::vector<int> find_invalid(const SurfaceMesh& mesh, bool is_quad) {
   constexpr std::size_t block = 1024;
-  const std::size_t count = is_quad ? mesh.quad_count() : mesh.triangle_count(), blocks = (count + block - 1) / block;
-  std::vector<std::vector<int>> found(blocks);
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+  const std::size_t count = is_quad ? mesh.quad_count() : mesh.triangle_count();
+  std::vector<std::vector<int>> found(count / block + 1);
+  run_stretches(count, block, [&](std::size_t begin, std::size_t end) {
     Gatherer elements(mesh, is_quad);
     JacobianForm::Lanes low;
-    const std::size_t end = std::min((b + 1) * block, count);
-    for (std::size_t first = b * block; first < end; first += Gatherer::lanes) {
+    for (std::size_t first = begin; first < end; first += Gatherer::lanes) {
       elements.gather(first, end);
       elements.form.bound_lanes(elements.x, low);
       for (std::size_t lane = 0; lane < std::min(Gatherer::lanes, end - first); ++lane)
         if (!(low.of[lane] > JacobianForm::flat_ratio) && !elements.form.is_valid(elements.nodes(first + lane).data()))
-          found[b].push_back(static_cast<int>(first + lane));
+          found[begin / block].push_back(static_cast<int>(first + lane));
     }
   });
   std::vector<int> all;

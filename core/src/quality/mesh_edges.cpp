@@ -6,11 +6,10 @@
 //
 // The elements around a node tell its valence: 2 per corner is the number of elements its edges have together, and all
 // but few edges have two.
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 
+#include "base/tasks/tasks.h"
 #include "quality/mesh_edges_impl.h"
 
 namespace paver {
@@ -37,7 +36,7 @@ std::vector<Chunk> chunks_of(const SurfaceMesh& mesh) {
   };
   add(mesh.quads, mesh.quad_count(), 4, mesh.nodes_per_quad());
   add(mesh.triangles, mesh.triangle_count(), 3, mesh.nodes_per_triangle());
-  tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t i) {
+  run_stretches(chunks.size(), 1, [&](std::size_t i, std::size_t) {
     Chunk& chunk = chunks[i];
     chunk.lowest = chunk.highest = chunk.elements[0];
     const int* element = chunk.elements;
@@ -137,11 +136,10 @@ EdgeFigures measure_edges(const SurfaceMesh& mesh, const std::vector<char>& is_s
   EdgeFigures figures;
   figures.twice_valence.assign(mesh.nodes.size(), 0);
   std::vector<Chunk> chunks = chunks_of(mesh);
-  std::vector<int> bounds =
-      divide_nodes(mesh, chunks, static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
+  std::vector<int> bounds = divide_nodes(mesh, chunks, static_cast<std::size_t>(thread_count(0)));
   std::vector<RangeOfNodes> ranges;
   for (std::size_t i = 0; i + 1 < bounds.size(); ++i) ranges.emplace_back(mesh, is_shared, bounds[i], bounds[i + 1]);
-  tbb::parallel_for(std::size_t{0}, ranges.size(), [&](std::size_t i) {
+  run_stretches(ranges.size(), 1, [&](std::size_t i, std::size_t) {
     progress.check();
     ranges[i].measure(chunks, figures.twice_valence);
   });

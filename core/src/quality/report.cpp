@@ -3,14 +3,12 @@
 // number of threads and ranks.
 #include "quality/report.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <limits>
 #include <mutex>
 
+#include "base/tasks/tasks.h"
 #include "paver/quality.h"
 #include "quality/element_figures.h"
 #include "quality/exact_sum.h"
@@ -115,10 +113,9 @@ class Measurement {
  private:
   void add_elements(bool is_quad) {
     std::size_t count = is_quad ? mesh_.quad_count() : mesh_.triangle_count();
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, task_elements), [&](const auto& range) {
+    run_stretches(count, task_elements, [&](std::size_t begin, std::size_t end) {
       progress_.check();
-      for (std::size_t first = range.begin(); first < range.end(); first += task_elements)
-        add_elements(is_quad, first, std::min(first + task_elements, range.end()));
+      add_elements(is_quad, begin, end);
     });
   }
 
@@ -179,9 +176,9 @@ class Measurement {
     std::vector<char> is_outside = find_outside(edges, edge_is_periodic);
     for (const EdgeUse& edge : edges.odd) ++(edge.uses == 1 ? edge_totals_.border : edge_totals_.nonmanifold);
     std::size_t count = mesh_.nodes.size();
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, task_nodes), [&](const auto& range) {
+    run_stretches(count, task_nodes, [&](std::size_t begin, std::size_t end) {
       NodeTotals totals;
-      for (std::size_t node = range.begin(); node < range.end(); ++node) {
+      for (std::size_t node = begin; node < end; ++node) {
         if (numbers_.is_shared(node)) continue;
         totals.used += is_used_[node];
         int twice_valence = edges.twice_valence[node];
@@ -207,7 +204,7 @@ class Measurement {
 
   // Lengths of all ranks, and with them all that was counted before.
   void add_lengths(const EdgeFigures& edges, Ranks& ranks) {
-    tbb::parallel_for(std::size_t{0}, edges.chords.size(), [&](std::size_t i) {
+    run_stretches(edges.chords.size(), 1, [&](std::size_t i, std::size_t) {
       ExactSum length(h_);
       long in_band = 0;
       for (double chord : edges.chords[i]) {
@@ -221,7 +218,7 @@ class Measurement {
     });
     reduce(ranks);
     double mean = edge_totals_.length.total() / static_cast<double>(std::max(edge_totals_.count, 1L));
-    tbb::parallel_for(std::size_t{0}, edges.chords.size(), [&](std::size_t i) {
+    run_stretches(edges.chords.size(), 1, [&](std::size_t i, std::size_t) {
       ExactSum squares(h_ * h_);
       for (double chord : edges.chords[i]) squares.add((chord - mean) * (chord - mean));
       std::lock_guard lock(mutex_);
@@ -318,9 +315,8 @@ ElementQuality element_quality(const SurfaceMesh& mesh) {
   quality.area.resize(count);
   quality.validity.resize(count);
   auto measure = [&](bool is_quad, std::size_t offset, std::size_t elements) {
-    tbb::parallel_for(std::size_t{0}, elements / task_elements + 1, [&](std::size_t task) {
+    run_stretches(elements, task_elements, [&](std::size_t begin, std::size_t end) {
       std::array<ElementFigures, task_elements> figures;
-      std::size_t begin = task * task_elements, end = std::min(begin + task_elements, elements);
       measure_elements(mesh, is_quad, begin, end, figures.data());
       for (std::size_t i = begin; i < end; ++i) {
         const ElementFigures& f = figures[i - begin];

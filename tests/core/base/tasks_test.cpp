@@ -57,6 +57,19 @@ TEST(RunTasks, MayBeUsedAgainAfterAnException) {
   EXPECT_EQ(runs.load(), 2);
 }
 
+TEST(RunStretches, CoverEveryNumberOnce) {
+  for (std::size_t count : {0, 1, 10, 11}) {
+    std::vector<int> runs(count, 0);
+    run_stretches(count, 5, [&](std::size_t begin, std::size_t end) {
+      EXPECT_LE(end - begin, 5u);
+      for (std::size_t i = begin; i < end; ++i) ++runs[i];
+    });
+    EXPECT_EQ(runs, std::vector<int>(count, 1));
+  }
+  auto fail = [](std::size_t, std::size_t) { throw std::runtime_error("no"); };
+  EXPECT_THROW(run_stretches(3, 1, fail), std::runtime_error);
+}
+
 TEST(ThreadCount, ZeroStandsForAllCores) {
   EXPECT_EQ(thread_count(3), 3);
   EXPECT_GE(thread_count(0), 1);

@@ -11,6 +11,38 @@
 #include <numeric>
 
 namespace paver {
+namespace {
+
+/// A task sees what its caller has done, and the caller afterwards what all tasks have done. TBB promises that; it is
+/// said once more as ThreadSanitizer does not see inside TBB's library. Tasks among themselves are not put in order.
+class HandOver {
+ public:
+  HandOver() { begun_.fetch_add(1, std::memory_order_release); }
+  ~HandOver() { ended_.load(std::memory_order_acquire); }
+  HandOver(const HandOver&) = delete;
+  HandOver& operator=(const HandOver&) = delete;
+
+  /// What TBB is to call: it reads nothing before it is in order, and is small enough to be copied without memcpy.
+  template <class Work>
+  static auto entering(const Work& work) {
+    return [&work](auto i) {
+      begun_.load(std::memory_order_acquire);
+      work(i);
+    };
+  }
+  /// Made first in a task: however it ends, its caller will see it.
+  struct End {
+    std::atomic<long>& ended;
+    ~End() { ended.fetch_add(1, std::memory_order_release); }
+  };
+  End end() { return {ended_}; }
+
+ private:
+  static inline std::atomic<long> begun_{0};  // of all: making one for each would be an access out of order itself
+  std::atomic<long> ended_{0};
+};
+
+}  // namespace
 
 int thread_count(int threads) { return threads > 0 ? threads : tbb::this_task_arena::max_concurrency(); }
 
@@ -31,18 +63,18 @@ std::vector<DoneTask> run_tasks(int threads, const std::vector<double>& cost, co
   tbb::task_arena arena(workers);
   arena.execute([&] {
     tbb::task_group_context context;  // knows when another thread's task has thrown
-    tbb::parallel_for(
-        0, workers,
-        [&](int worker) {
-          for (long i; (i = take()) < static_cast<long>(order.size());) {
-            if (context.is_group_execution_cancelled()) return;
-            const Clock::time_point start = Clock::now();
-            task(order[static_cast<std::size_t>(i)]);
-            const std::chrono::duration<double> seconds = Clock::now() - start;
-            done[static_cast<std::size_t>(worker)].emplace_back(i, seconds.count());
-          }
-        },
-        tbb::simple_partitioner{}, context);
+    HandOver hand_over;
+    const auto work = [&](int worker) {
+      const auto end = hand_over.end();
+      for (long i; (i = take()) < static_cast<long>(order.size());) {
+        if (context.is_group_execution_cancelled()) return;
+        const Clock::time_point start = Clock::now();
+        task(order[static_cast<std::size_t>(i)]);
+        const std::chrono::duration<double> seconds = Clock::now() - start;
+        done[static_cast<std::size_t>(worker)].emplace_back(i, seconds.count());
+      }
+    };
+    tbb::parallel_for(0, workers, HandOver::entering(work), tbb::simple_partitioner{}, context);
   });
   std::vector<std::pair<long, double>> all;
   for (const auto& some : done) all.insert(all.end(), some.begin(), some.end());
@@ -50,6 +82,15 @@ std::vector<DoneTask> run_tasks(int threads, const std::vector<double>& cost, co
   std::vector<DoneTask> result;
   for (auto [i, seconds] : all) result.push_back({order[static_cast<std::size_t>(i)], seconds});
   return result;
+}
+
+void run_stretches(std::size_t count, std::size_t most, const std::function<void(std::size_t, std::size_t)>& work) {
+  HandOver hand_over;
+  const auto stretch = [&](std::size_t i) {
+    const auto end = hand_over.end();
+    work(i * most, std::min((i + 1) * most, count));
+  };
+  tbb::parallel_for(std::size_t{0}, (count + most - 1) / most, HandOver::entering(stretch));
 }
 
 }  // namespace paver

@@ -1,6 +1,7 @@
 // Independent tasks on a pool of threads.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -21,6 +22,10 @@ struct DoneTask {
 /// task. Gives those done here in the order of the queue.
 std::vector<DoneTask> run_tasks(int threads, const std::vector<double>& cost, const std::function<long()>& take,
                                 const std::function<void(int)>& task);
+
+/// work(begin, end) for stretches of at most `most` of 0 .. count - 1, on the threads of the calling arena. The first
+/// exception stops the rest and is thrown on.
+void run_stretches(std::size_t count, std::size_t most, const std::function<void(std::size_t, std::size_t)>& work);
 
 /// Number of threads that `threads` stands for.
 int thread_count(int threads);
