@@ -17,6 +17,7 @@
 #include "paver/launch.h"
 #include "paver/mesher.h"
 #include "paver/option_table.h"
+#include "paver/stage_table.h"
 
 namespace py = pybind11;
 
@@ -139,11 +140,19 @@ py::list options() {
   return list;
 }
 
-std::vector<std::string> error_codes() {
-  std::vector<std::string> names;
-  for (int code = 0; code <= static_cast<int>(ErrorCode::internal); ++code)
-    names.emplace_back(code_name(static_cast<ErrorCode>(code)));
-  return names;
+py::dict exit_codes() {
+  py::dict codes;
+  for (int number = 0; number <= static_cast<int>(ErrorCode::internal); ++number) {
+    ErrorCode code = static_cast<ErrorCode>(number);
+    codes[code_name(code)] = exit_code(code);
+  }
+  return codes;
+}
+
+py::list stages() {
+  py::list list;
+  for (const StageInfo& info : stage_table()) list.append(py::make_tuple(info.name, info.text, info.share));
+  return list;
 }
 
 /// paver._errors makes the exception: its classes are Python's.
@@ -184,6 +193,7 @@ PYBIND11_MODULE(_paver, module) {
   module.def("repaired", repaired);
   module.def("parts", parts);
   module.def("options", options);
-  module.def("error_codes", error_codes);
+  module.def("exit_codes", exit_codes);
+  module.def("stages", stages);
   module.def("cancel_all_jobs", cancel_all_jobs);
 }

@@ -9,7 +9,7 @@ from paver import _errors, _paver
 
 
 def test_every_code_of_the_core_has_a_class():
-    assert sorted(_errors.CLASSES) == sorted(_paver.error_codes())
+    assert sorted(_errors.CLASSES) == sorted(_paver.exit_codes())
     for code, kind in _errors.CLASSES.items():
         assert issubclass(kind, paver.Error) and kind.__name__ in paver.__all__ and kind.__doc__, code
         assert kind.__module__ == "paver"

@@ -1,36 +1,29 @@
-// Names of the stages as users read them.
+// Names of the stages, and what users read of them.
 #include "paver/progress.h"
+
+#include "paver/stage_table.h"
 
 namespace paver {
 
+const std::array<StageInfo, static_cast<int>(Stage::done)>& stage_table() {
+  static constexpr std::array<StageInfo, static_cast<int>(Stage::done)> table = {{
+      {"read", "Reading the shape", 8},
+      {"topology", "Joining faces", 2},
+      {"sizing", "Sizes", 2},
+      {"boundary", "Dividing edges", 12},
+      {"regions", "Regions", 4},
+      {"paving", "Paving", 48},
+      {"repair", "Repairing elements", 4},
+      {"join", "Joining meshes", 3},
+      {"curving", "Curving", 9},
+      {"quality", "Measuring quality", 4},
+      {"write", "Storing", 2},
+  }};
+  return table;
+}
+
 const char* stage_name(Stage stage) {
-  switch (stage) {
-    case Stage::read:
-      return "read";
-    case Stage::topology:
-      return "topology";
-    case Stage::sizing:
-      return "sizing";
-    case Stage::boundary:
-      return "boundary";
-    case Stage::regions:
-      return "regions";
-    case Stage::paving:
-      return "paving";
-    case Stage::repair:
-      return "repair";
-    case Stage::join:
-      return "join";
-    case Stage::curving:
-      return "curving";
-    case Stage::quality:
-      return "quality";
-    case Stage::write:
-      return "write";
-    case Stage::done:
-      return "done";
-  }
-  return "unknown";
+  return stage == Stage::done ? "done" : stage_table()[static_cast<std::size_t>(stage)].name;
 }
 
 }  // namespace paver
