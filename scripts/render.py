@@ -299,7 +299,7 @@ def read(path):
             raise ValueError("it has no triangles and no quads")
         return mesh
     sys.path.append(WORKBENCH)
-    from paver_wb import raw_mesh, read_vtu
+    from paver_wb.formats import raw_mesh, read_vtu
     with open(path, "rb") as f:
         found = raw_mesh.tables(read_vtu.read(f.read()))
     return meshfile.Mesh(order=found.order, nodes=found.nodes, quads=found.quads, quad_tag=found.quad_faces,

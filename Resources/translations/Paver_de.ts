@@ -4,6 +4,74 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Target length of the element edges, e.g. 30, "30 mm", 1.5in. 0: not given</source>
+        <translation>Ziellänge der Elementkanten, z. B. 30, „30 mm“, 1.5in. 0: nicht gegeben</translation>
+    </message>
+    <message>
+        <source>Working frequency instead of size, e.g. 3GHz, "300 MHz", 9e9. 0: not given</source>
+        <translation>Arbeitsfrequenz statt der Länge, z. B. 3GHz, „300 MHz“, 9e9. 0: nicht gegeben</translation>
+    </message>
+    <message>
+        <source>Elements per wavelength [10]</source>
+        <translation>Elemente je Wellenlänge [10]</translation>
+    </message>
+    <message>
+        <source>Relative permittivity of the medium [1]</source>
+        <translation>Relative Permittivität des Mediums [1]</translation>
+    </message>
+    <message>
+        <source>Relative permeability of the medium [1]</source>
+        <translation>Relative Permeabilität des Mediums [1]</translation>
+    </message>
+    <message>
+        <source>Largest turn of the surface per element edge, degrees [45; 75 where that stays as close]. 0: not given</source>
+        <translation>Größte Drehung der Fläche je Elementkante in Grad [45; 75, wo das gleich nahe bleibt]. 0: nicht gegeben</translation>
+    </message>
+    <message>
+        <source>Largest growth of the element size per unit of length [0.6]</source>
+        <translation>Größtes Wachstum der Elementgröße je Längeneinheit [0.6]</translation>
+    </message>
+    <message>
+        <source>Target length of a part where shorter: Face3=2mm, Edge5,Vertex2=0.5, Solid1=eps-r:4; may be repeated. Besides those of the refinements</source>
+        <translation>Ziellänge eines Teils, wo sie kürzer ist: Face3=2mm, Edge5,Vertex2=0.5, Solid1=eps-r:4; mehrfach möglich. Neben denen der Verfeinerungen</translation>
+    </message>
+    <message>
+        <source>Stop before meshing when more elements are predicted [2000000]</source>
+        <translation>Vor dem Vernetzen anhalten, wenn mehr Elemente vorhergesagt sind [2000000]</translation>
+    </message>
+    <message>
+        <source>Order of the elements, 1 or 2 [2]</source>
+        <translation>Ordnung der Elemente, 1 oder 2 [2]</translation>
+    </message>
+    <message>
+        <source>quad-dominant; all-quad: triangles only where nothing else is possible; all-triangle [quad-dominant]</source>
+        <translation>quad-dominant: vorwiegend Vierecke; all-quad: Dreiecke nur, wo nichts anderes möglich ist; all-triangle: nur Dreiecke [quad-dominant]</translation>
+    </message>
+    <message>
+        <source>Mesh large faces at K times the target length first and divide that mesh: off, auto, 4 to 8 [auto]</source>
+        <translation>Große Flächen zuerst mit der K-fachen Ziellänge vernetzen und dieses Netz teilen: off (nein), auto, 4 bis 8 [auto]</translation>
+    </message>
+    <message>
+        <source>Threads to work on; 0: all cores [0]</source>
+        <translation>Threads, auf denen gearbeitet wird; 0: alle Kerne [0]</translation>
+    </message>
+    <message>
+        <source>Processes that share the work, by MPI; 0: without MPI [0]</source>
+        <translation>Prozesse, die sich die Arbeit teilen, über MPI; 0: ohne MPI [0]</translation>
+    </message>
+    <message>
+        <source>Parts that touch: imprint: share faces and edges; union: only the outer skin is left; none: as drawn [imprint]</source>
+        <translation>Teile, die sich berühren: imprint: gemeinsame Flächen und Kanten; union: nur die äußere Haut bleibt; none: wie gezeichnet [imprint]</translation>
+    </message>
+    <message>
+        <source>Largest gap between faces or parts that is closed; 0: never sew [chosen by what it closes]. Negative: automatic</source>
+        <translation>Größte Lücke zwischen Flächen oder Teilen, die geschlossen wird; 0: nie [danach gewählt, was sie schließt]. Negativ: automatisch</translation>
+    </message>
+    <message>
+        <source>Refuse models that are not clean, naming what is wrong, instead of repairing them [off]</source>
+        <translation>Unsaubere Modelle ablehnen und die Fehler nennen, statt sie zu reparieren [aus]</translation>
+    </message>
+    <message>
         <source>Input</source>
         <translation>Eingabe</translation>
     </message>
@@ -102,74 +170,6 @@
     <message>
         <source>Mesh options</source>
         <translation>Netzoptionen</translation>
-    </message>
-    <message>
-        <source>Target length of the element edges, e.g. 30, "30 mm", 1.5in. 0: not given</source>
-        <translation>Ziellänge der Elementkanten, z. B. 30, „30 mm“, 1.5in. 0: nicht gegeben</translation>
-    </message>
-    <message>
-        <source>Working frequency instead of size, e.g. 3GHz, "300 MHz", 9e9. 0: not given</source>
-        <translation>Arbeitsfrequenz statt der Länge, z. B. 3GHz, „300 MHz“, 9e9. 0: nicht gegeben</translation>
-    </message>
-    <message>
-        <source>Elements per wavelength [10]</source>
-        <translation>Elemente je Wellenlänge [10]</translation>
-    </message>
-    <message>
-        <source>Relative permittivity of the medium [1]</source>
-        <translation>Relative Permittivität des Mediums [1]</translation>
-    </message>
-    <message>
-        <source>Relative permeability of the medium [1]</source>
-        <translation>Relative Permeabilität des Mediums [1]</translation>
-    </message>
-    <message>
-        <source>Largest turn of the surface per element edge, degrees [45; 75 where that stays as close]. 0: not given</source>
-        <translation>Größte Drehung der Fläche je Elementkante in Grad [45; 75, wo das gleich nahe bleibt]. 0: nicht gegeben</translation>
-    </message>
-    <message>
-        <source>Largest growth of the element size per unit of length [0.6]</source>
-        <translation>Größtes Wachstum der Elementgröße je Längeneinheit [0.6]</translation>
-    </message>
-    <message>
-        <source>Target length of a part where shorter: Face3=2mm, Edge5,Vertex2=0.5, Solid1=eps-r:4; may be repeated. Besides those of the refinements</source>
-        <translation>Ziellänge eines Teils, wo sie kürzer ist: Face3=2mm, Edge5,Vertex2=0.5, Solid1=eps-r:4; mehrfach möglich. Neben denen der Verfeinerungen</translation>
-    </message>
-    <message>
-        <source>Stop before meshing when more elements are predicted [2000000]</source>
-        <translation>Vor dem Vernetzen anhalten, wenn mehr Elemente vorhergesagt sind [2000000]</translation>
-    </message>
-    <message>
-        <source>Order of the elements, 1 or 2 [2]</source>
-        <translation>Ordnung der Elemente, 1 oder 2 [2]</translation>
-    </message>
-    <message>
-        <source>quad-dominant; all-quad: triangles only where nothing else is possible; all-triangle [quad-dominant]</source>
-        <translation>quad-dominant: vorwiegend Vierecke; all-quad: Dreiecke nur, wo nichts anderes möglich ist; all-triangle: nur Dreiecke [quad-dominant]</translation>
-    </message>
-    <message>
-        <source>Mesh large faces at K times the target length first and divide that mesh: off, auto, 4 to 8 [auto]</source>
-        <translation>Große Flächen zuerst mit der K-fachen Ziellänge vernetzen und dieses Netz teilen: off (nein), auto, 4 bis 8 [auto]</translation>
-    </message>
-    <message>
-        <source>Threads to work on; 0: all cores [0]</source>
-        <translation>Threads, auf denen gearbeitet wird; 0: alle Kerne [0]</translation>
-    </message>
-    <message>
-        <source>Processes that share the work, by MPI; 0: without MPI [0]</source>
-        <translation>Prozesse, die sich die Arbeit teilen, über MPI; 0: ohne MPI [0]</translation>
-    </message>
-    <message>
-        <source>Parts that touch: imprint: share faces and edges; union: only the outer skin is left; none: as drawn [imprint]</source>
-        <translation>Teile, die sich berühren: imprint: gemeinsame Flächen und Kanten; union: nur die äußere Haut bleibt; none: wie gezeichnet [imprint]</translation>
-    </message>
-    <message>
-        <source>Largest gap between faces or parts that is closed; 0: never sew [chosen by what it closes]. Negative: automatic</source>
-        <translation>Größte Lücke zwischen Flächen oder Teilen, die geschlossen wird; 0: nie [danach gewählt, was sie schließt]. Negativ: automatisch</translation>
-    </message>
-    <message>
-        <source>Refuse models that are not clean, naming what is wrong, instead of repairing them [off]</source>
-        <translation>Unsaubere Modelle ablehnen und die Fehler nennen, statt sie zu reparieren [aus]</translation>
     </message>
     <message>
         <source>Refinement</source>
@@ -274,6 +274,50 @@
 </context>
 <context>
     <name>Paver</name>
+    <message>
+        <source>Reading the shape</source>
+        <translation>Form lesen</translation>
+    </message>
+    <message>
+        <source>Joining faces</source>
+        <translation>Flächen verbinden</translation>
+    </message>
+    <message>
+        <source>Sizes</source>
+        <translation>Größen</translation>
+    </message>
+    <message>
+        <source>Dividing edges</source>
+        <translation>Kanten teilen</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Gebiete</translation>
+    </message>
+    <message>
+        <source>Paving</source>
+        <translation>Pflastern</translation>
+    </message>
+    <message>
+        <source>Repairing elements</source>
+        <translation>Elemente ausbessern</translation>
+    </message>
+    <message>
+        <source>Joining meshes</source>
+        <translation>Netze verbinden</translation>
+    </message>
+    <message>
+        <source>Curving</source>
+        <translation>Krümmen</translation>
+    </message>
+    <message>
+        <source>Measuring quality</source>
+        <translation>Güte messen</translation>
+    </message>
+    <message>
+        <source>Storing</source>
+        <translation>Ablegen</translation>
+    </message>
     <message>
         <source>Box</source>
         <translation>Quader</translation>
@@ -543,16 +587,8 @@
         <translation>Noch einmal prüfen</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
         <source>Check of {}</source>
         <translation>Prüfung von {}</translation>
-    </message>
-    <message>
-        <source>Building Paver</source>
-        <translation>Paver wird kompiliert</translation>
     </message>
     <message>
         <source>Writing {}</source>
@@ -571,116 +607,8 @@
         <translation>Das Dokument wurde geschlossen, bevor „{}“ gelesen war.</translation>
     </message>
     <message>
-        <source>All that the build needs is installed. It takes some minutes, in which FreeCAD can be used.</source>
-        <translation>Alles, was zum Kompilieren nötig ist, ist installiert. Es dauert einige Minuten, in denen FreeCAD benutzt werden kann.</translation>
-    </message>
-    <message>
-        <source>Set up Paver</source>
-        <translation>Paver einrichten</translation>
-    </message>
-    <message>
-        <source>Look again</source>
-        <translation>Erneut prüfen</translation>
-    </message>
-    <message>
-        <source>Use a binary</source>
-        <translation>Eine Binärdatei verwenden</translation>
-    </message>
-    <message>
-        <source>Use it</source>
-        <translation>Verwenden</translation>
-    </message>
-    <message>
-        <source>Choose file...</source>
-        <translation>Datei wählen...</translation>
-    </message>
-    <message>
-        <source>Build it here</source>
-        <translation>Hier kompilieren</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Kopieren</translation>
-    </message>
-    <message>
-        <source>Build</source>
-        <translation>Kompilieren</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>Nothing can be meshed until then.</source>
-        <translation>Bis dahin kann nichts vernetzt werden.</translation>
-    </message>
-    <message>
-        <source>Building. This window may be closed meanwhile.</source>
-        <translation>Paver wird kompiliert. Dieses Fenster kann inzwischen geschlossen werden.</translation>
-    </message>
-    <message>
-        <source>Choose a binary of Paver</source>
-        <translation>Binärdatei von Paver wählen</translation>
-    </message>
-    <message>
-        <source>Nothing can be meshed without it. Use a binary, or build it here once.</source>
-        <translation>Ohne den kompilierten Kern kann nichts vernetzt werden. Verwenden Sie eine Binärdatei, oder kompilieren Sie ihn hier einmal.</translation>
-    </message>
-    <message>
-        <source>The build was stopped; Build goes on where it was.</source>
-        <translation>Das Kompilieren wurde angehalten; Kompilieren macht dort weiter, wo es war.</translation>
-    </message>
-    <message>
-        <source>The build failed; the end of the log says why.</source>
-        <translation>Das Kompilieren ist fehlgeschlagen; das Ende des Protokolls sagt, warum.</translation>
-    </message>
-    <message>
-        <source>A build here is for Python {} of the system, but this FreeCAD has Python {}. Use a binary for that one.</source>
-        <translation>Hier würde für Python {} des Systems kompiliert, aber dieses FreeCAD hat Python {}. Verwenden Sie eine Binärdatei für dieses.</translation>
-    </message>
-    <message>
-        <source>Binaries of Paver</source>
-        <translation>Binärdateien von Paver</translation>
-    </message>
-    <message>
-        <source>All files</source>
-        <translation>Alle Dateien</translation>
-    </message>
-    <message>
-        <source>Unpacking {}</source>
-        <translation>{} wird entpackt</translation>
-    </message>
-    <message>
-        <source>Paver is ready.</source>
-        <translation>Paver ist bereit.</translation>
-    </message>
-    <message>
-        <source>Found: {}</source>
-        <translation>Gefunden: {}</translation>
-    </message>
-    <message>
-        <source>A binary is a file paver-{}-*.whl for the Python of this FreeCAD. There is none in FreeCAD's folders.</source>
-        <translation>Eine Binärdatei ist eine Datei paver-{}-*.whl für das Python dieses FreeCAD. In den Ordnern von FreeCAD liegt keine.</translation>
-    </message>
-    <message>
-        <source>Debian packages are missing for the build: {}. This command installs them, in a terminal:</source>
-        <translation>Zum Kompilieren fehlen Debian-Pakete: {}. Dieser Befehl installiert sie, in einem Terminal:</translation>
-    </message>
-    <message>
         <source>Help on Paver</source>
         <translation>Hilfe zu Paver</translation>
-    </message>
-    <message>
-        <source>The mesh is being measured; the window can be used meanwhile</source>
-        <translation>Das Netz wird vermessen; das Fenster bleibt bedienbar</translation>
-    </message>
-    <message>
-        <source>Another task panel is open; close it first.</source>
-        <translation>Ein anderes Aufgabenfenster ist offen; schließen Sie es zuerst.</translation>
-    </message>
-    <message>
-        <source>A length, or the wavelength in a medium, which needs a frequency</source>
-        <translation>Eine Länge, oder die Wellenlänge in einem Medium, wozu es eine Frequenz braucht</translation>
     </message>
     <message>
         <source>By</source>
@@ -703,10 +631,6 @@
         <translation>Was verfeinert wird; ein Klick zeigt es in der 3D-Ansicht</translation>
     </message>
     <message>
-        <source>What went wrong, and what to do</source>
-        <translation>Was schiefging, und was zu tun ist</translation>
-    </message>
-    <message>
         <source>Nothing is refined; add faces, edges, vertices or objects.</source>
         <translation>Nichts wird verfeinert; fügen Sie Flächen, Kanten, Punkte oder Objekte hinzu.</translation>
     </message>
@@ -727,10 +651,6 @@
         <translation>Relative Permeabilität des Mediums dort</translation>
     </message>
     <message>
-        <source>Medium</source>
-        <translation>Medium</translation>
-    </message>
-    <message>
         <source>Add selection</source>
         <translation>Auswahl hinzufügen</translation>
     </message>
@@ -745,22 +665,6 @@
     <message>
         <source>Removes the chosen lines</source>
         <translation>Entfernt die gewählten Zeilen</translation>
-    </message>
-    <message>
-        <source>Show model</source>
-        <translation>Modell zeigen</translation>
-    </message>
-    <message>
-        <source>Shows what is meshed, to select from it</source>
-        <translation>Zeigt, was vernetzt wird, um daraus auszuwählen</translation>
-    </message>
-    <message>
-        <source>Show mesh</source>
-        <translation>Netz zeigen</translation>
-    </message>
-    <message>
-        <source>Shows the mesh</source>
-        <translation>Zeigt das Netz</translation>
     </message>
     <message>
         <source>Nothing of the model is selected; select faces, edges, vertices or objects in the 3D view.</source>
@@ -779,8 +683,8 @@
         <translation>Länge von {}</translation>
     </message>
     <message>
-        <source>Meshing of '{}' was stopped; it is as before.</source>
-        <translation>Das Vernetzen von „{}“ wurde angehalten; es ist wie zuvor.</translation>
+        <source>Meshing of '{}' was stopped, as it was deleted.</source>
+        <translation>Das Vernetzen von „{}“ wurde angehalten, weil es gelöscht wurde.</translation>
     </message>
     <message>
         <source>'{}' has {} quads and {} triangles</source>
@@ -791,68 +695,8 @@
         <translation>, aber {} ließ sich nicht vernetzen: {}.</translation>
     </message>
     <message>
-        <source>Meshing of '{}' was stopped, as it was deleted.</source>
-        <translation>Das Vernetzen von „{}“ wurde angehalten, weil es gelöscht wurde.</translation>
-    </message>
-    <message>
-        <source>Stops it; the document stays as it was</source>
-        <translation>Hält es an; das Dokument bleibt, wie es war</translation>
-    </message>
-    <message>
-        <source>Starting</source>
-        <translation>Beginn</translation>
-    </message>
-    <message>
-        <source>Reading the shape</source>
-        <translation>Form lesen</translation>
-    </message>
-    <message>
-        <source>Joining faces</source>
-        <translation>Flächen verbinden</translation>
-    </message>
-    <message>
-        <source>Sizes</source>
-        <translation>Größen</translation>
-    </message>
-    <message>
-        <source>Dividing edges</source>
-        <translation>Kanten teilen</translation>
-    </message>
-    <message>
-        <source>Regions</source>
-        <translation>Gebiete</translation>
-    </message>
-    <message>
-        <source>Paving</source>
-        <translation>Pflastern</translation>
-    </message>
-    <message>
-        <source>Repairing elements</source>
-        <translation>Elemente ausbessern</translation>
-    </message>
-    <message>
-        <source>Joining meshes</source>
-        <translation>Netze verbinden</translation>
-    </message>
-    <message>
-        <source>Curving</source>
-        <translation>Krümmen</translation>
-    </message>
-    <message>
-        <source>Measuring quality</source>
-        <translation>Güte messen</translation>
-    </message>
-    <message>
-        <source>Storing</source>
-        <translation>Ablegen</translation>
-    </message>
-    <message>
-        <source>Drawing</source>
-        <translation>Zeichnen</translation>
-    </message>
-    <message>
-        <source>Stopped: {}</source>
-        <translation>Angehalten: {}</translation>
+        <source>Meshing of '{}' was stopped; it is as before.</source>
+        <translation>Das Vernetzen von „{}“ wurde angehalten; es ist wie zuvor.</translation>
     </message>
     <message>
         <source>Elements</source>
@@ -931,10 +775,6 @@
         <translation>Frequenz für die Angaben in Wellenlängen; das Netz bleibt, wie es ist</translation>
     </message>
     <message>
-        <source>Copy table</source>
-        <translation>Tabelle kopieren</translation>
-    </message>
-    <message>
         <source>Edge lengths</source>
         <translation>Kantenlängen</translation>
     </message>
@@ -957,6 +797,10 @@
     <message>
         <source>Frequency</source>
         <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>Tabelle kopieren</translation>
     </message>
     <message>
         <source>Give a frequency to see wavelengths</source>
@@ -987,8 +831,196 @@
         <translation>Optionen von {}</translation>
     </message>
     <message>
+        <source>Curved quadrilateral meshes of surfaces for Method-of-Moments solvers</source>
+        <translation>Gekrümmte Vierecksnetze von Oberflächen für Löser der Momentenmethode</translation>
+    </message>
+    <message>
+        <source>This FreeCAD is built without its FEM module, which mesh objects need; install one that has it.</source>
+        <translation>Dieses FreeCAD ist ohne sein Modul FEM gebaut, das Netzobjekte brauchen; installieren Sie eines, das es hat.</translation>
+    </message>
+    <message>
+        <source>Another task panel is open; close it first.</source>
+        <translation>Ein anderes Aufgabenfenster ist offen; schließen Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>The mesh is being measured; the window can be used meanwhile</source>
+        <translation>Das Netz wird vermessen; das Fenster bleibt bedienbar</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stops it; the document stays as it was</source>
+        <translation>Hält es an; das Dokument bleibt, wie es war</translation>
+    </message>
+    <message>
+        <source>Stopped: {}</source>
+        <translation>Angehalten: {}</translation>
+    </message>
+    <message>
+        <source>What went wrong, and what to do</source>
+        <translation>Was schiefging, und was zu tun ist</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Export mesh</source>
+        <translation>Netz exportieren</translation>
+    </message>
+    <message>
+        <source>Import mesh</source>
+        <translation>Netz importieren</translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>Netze</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Alle Dateien</translation>
+    </message>
+    <message>
+        <source>No mesh has what is selected. Select its mesh, too, or make one with Create mesh.</source>
+        <translation>Kein Netz hat, was ausgewählt ist. Wählen Sie sein Netz dazu aus, oder legen Sie mit „Netz anlegen“ eines an.</translation>
+    </message>
+    <message>
+        <source>Quad</source>
+        <translation>Viereck</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>Element type</source>
+        <translation>Elementart</translation>
+    </message>
+    <message>
+        <source>Source face</source>
+        <translation>Ursprungsfläche</translation>
+    </message>
+    <message>
+        <source>Valid, proven</source>
+        <translation>Gültig, bewiesen</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Umgestülpt</translation>
+    </message>
+    <message>
+        <source>Undecided</source>
+        <translation>Unentschieden</translation>
+    </message>
+    <message>
+        <source>Longest edge / target</source>
+        <translation>Längste Kante / Ziellänge</translation>
+    </message>
+    <message>
+        <source>Longest edge / local target</source>
+        <translation>Längste Kante / örtliche Ziellänge</translation>
+    </message>
+    <message>
+        <source>target {} mm</source>
+        <translation>Ziellänge {} mm</translation>
+    </message>
+    <message>
+        <source>Certificate, order {}</source>
+        <translation>Zertifikat, Ordnung {}</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>max</translation>
+    </message>
+    <message>
+        <source>{} more</source>
+        <translation>{} weitere</translation>
+    </message>
+    <message>
+        <source>{} elements</source>
+        <translation>{} Elemente</translation>
+    </message>
+    <message>
+        <source>valid, proven</source>
+        <translation>gültig, bewiesen</translation>
+    </message>
+    <message>
+        <source>inverted</source>
+        <translation>umgestülpt</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>unentschieden</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Edges / λ</source>
+        <translation>Kanten / λ</translation>
+    </message>
+    <message>
+        <source>Longest / target</source>
+        <translation>Längste / Ziellänge</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Flächeninhalt</translation>
+    </message>
+    <message>
+        <source>edges {} mm</source>
+        <translation>Kanten {} mm</translation>
+    </message>
+    <message>
+        <source>Order {}</source>
+        <translation>Ordnung {}</translation>
+    </message>
+    <message>
+        <source>Jacobian ratio {}</source>
+        <translation>Jacobi-Verhältnis {}</translation>
+    </message>
+    <message>
+        <source>A length, or the wavelength in a medium, which needs a frequency</source>
+        <translation>Eine Länge, oder die Wellenlänge in einem Medium, wozu es eine Frequenz braucht</translation>
+    </message>
+    <message>
         <source>automatic</source>
         <translation>selbsttätig</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Medium</translation>
     </message>
     <message>
         <source>Quad-dominant</source>
@@ -1023,12 +1055,8 @@
         <translation>2 (gekrümmt)</translation>
     </message>
     <message>
-        <source>a whole number</source>
-        <translation>eine ganze Zahl</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>eine Zahl</translation>
+        <source>'{}' cannot be read; write {}.</source>
+        <translation>„{}“ ist nicht lesbar; schreiben Sie {}.</translation>
     </message>
     <message>
         <source>'{}' cannot be read; write a number and a unit, such as {}.</source>
@@ -1037,10 +1065,6 @@
     <message>
         <source>A value is missing; write one, such as {}.</source>
         <translation>Ein Wert fehlt; schreiben Sie einen, etwa {}.</translation>
-    </message>
-    <message>
-        <source>'{}' cannot be read; write {}.</source>
-        <translation>„{}“ ist nicht lesbar; schreiben Sie {}.</translation>
     </message>
     <message>
         <source>{} times as long</source>
@@ -1119,12 +1143,12 @@
         <translation>Wellenlänge im Medium, bei der Frequenz</translation>
     </message>
     <message>
-        <source>More options</source>
-        <translation>Weitere Optionen</translation>
-    </message>
-    <message>
         <source>Curvature, gradation, limits, sewing, where to mesh</source>
         <translation>Krümmung, Gradation, Grenzen, Lücken, wo vernetzt wird</translation>
+    </message>
+    <message>
+        <source>More options</source>
+        <translation>Weitere Optionen</translation>
     </message>
     <message>
         <source>FreeCAD</source>
@@ -1283,12 +1307,12 @@
         <translation>Vernetzen</translation>
     </message>
     <message>
-        <source>What meshing with these options comes to, or has come to</source>
-        <translation>Was das Vernetzen mit diesen Optionen ergibt oder ergeben hat</translation>
-    </message>
-    <message>
         <source>Whether the mesh fits the options and the shapes of its objects</source>
         <translation>Ob das Netz zu den Optionen und den Formen seiner Objekte passt</translation>
+    </message>
+    <message>
+        <source>What meshing with these options comes to, or has come to</source>
+        <translation>Was das Vernetzen mit diesen Optionen ergibt oder ergeben hat</translation>
     </message>
     <message>
         <source>Stage of the work, and how much of all work is done</source>
@@ -1351,6 +1375,22 @@
         <translation>{:.2f} s vernetzt, {:.2f} s für die Aufnahme ins Dokument</translation>
     </message>
     <message>
+        <source>Show model</source>
+        <translation>Modell zeigen</translation>
+    </message>
+    <message>
+        <source>Shows what is meshed, to select from it</source>
+        <translation>Zeigt, was vernetzt wird, um daraus auszuwählen</translation>
+    </message>
+    <message>
+        <source>Show mesh</source>
+        <translation>Netz zeigen</translation>
+    </message>
+    <message>
+        <source>Shows the mesh</source>
+        <translation>Zeigt das Netz</translation>
+    </message>
+    <message>
         <source>Local sizes</source>
         <translation>Örtliche Längen</translation>
     </message>
@@ -1391,136 +1431,96 @@
         <translation>{} löschen</translation>
     </message>
     <message>
-        <source>Curved quadrilateral meshes of surfaces for Method-of-Moments solvers</source>
-        <translation>Gekrümmte Vierecksnetze von Oberflächen für Löser der Momentenmethode</translation>
+        <source>Building Paver</source>
+        <translation>Paver wird kompiliert</translation>
     </message>
     <message>
-        <source>This FreeCAD is built without its FEM module, which mesh objects need; install one that has it.</source>
-        <translation>Dieses FreeCAD ist ohne sein Modul FEM gebaut, das Netzobjekte brauchen; installieren Sie eines, das es hat.</translation>
+        <source>All that the build needs is installed. It takes some minutes, in which FreeCAD can be used.</source>
+        <translation>Alles, was zum Kompilieren nötig ist, ist installiert. Es dauert einige Minuten, in denen FreeCAD benutzt werden kann.</translation>
     </message>
     <message>
-        <source>text</source>
-        <translation>Text</translation>
+        <source>Set up Paver</source>
+        <translation>Paver einrichten</translation>
     </message>
     <message>
-        <source>Export mesh</source>
-        <translation>Netz exportieren</translation>
+        <source>Look again</source>
+        <translation>Erneut prüfen</translation>
     </message>
     <message>
-        <source>Import mesh</source>
-        <translation>Netz importieren</translation>
+        <source>Use a binary</source>
+        <translation>Eine Binärdatei verwenden</translation>
     </message>
     <message>
-        <source>Meshes</source>
-        <translation>Netze</translation>
+        <source>Use it</source>
+        <translation>Verwenden</translation>
     </message>
     <message>
-        <source>No mesh has what is selected. Select its mesh, too, or make one with Create mesh.</source>
-        <translation>Kein Netz hat, was ausgewählt ist. Wählen Sie sein Netz dazu aus, oder legen Sie mit „Netz anlegen“ eines an.</translation>
+        <source>Choose file...</source>
+        <translation>Datei wählen...</translation>
     </message>
     <message>
-        <source>Quad</source>
-        <translation>Viereck</translation>
+        <source>Build it here</source>
+        <translation>Hier kompilieren</translation>
     </message>
     <message>
-        <source>Triangle</source>
-        <translation>Dreieck</translation>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
     </message>
     <message>
-        <source>Element type</source>
-        <translation>Elementart</translation>
+        <source>Build</source>
+        <translation>Kompilieren</translation>
     </message>
     <message>
-        <source>Source face</source>
-        <translation>Ursprungsfläche</translation>
+        <source>Nothing can be meshed until then.</source>
+        <translation>Bis dahin kann nichts vernetzt werden.</translation>
     </message>
     <message>
-        <source>Valid, proven</source>
-        <translation>Gültig, bewiesen</translation>
+        <source>Building. This window may be closed meanwhile.</source>
+        <translation>Paver wird kompiliert. Dieses Fenster kann inzwischen geschlossen werden.</translation>
     </message>
     <message>
-        <source>Inverted</source>
-        <translation>Umgestülpt</translation>
+        <source>Choose a binary of Paver</source>
+        <translation>Binärdatei von Paver wählen</translation>
     </message>
     <message>
-        <source>Undecided</source>
-        <translation>Unentschieden</translation>
+        <source>Nothing can be meshed without it. Use a binary, or build it here once.</source>
+        <translation>Ohne den kompilierten Kern kann nichts vernetzt werden. Verwenden Sie eine Binärdatei, oder kompilieren Sie ihn hier einmal.</translation>
     </message>
     <message>
-        <source>Longest edge / target</source>
-        <translation>Längste Kante / Ziellänge</translation>
+        <source>The build was stopped; Build goes on where it was.</source>
+        <translation>Das Kompilieren wurde angehalten; Kompilieren macht dort weiter, wo es war.</translation>
     </message>
     <message>
-        <source>Longest edge / local target</source>
-        <translation>Längste Kante / örtliche Ziellänge</translation>
+        <source>The build failed; the end of the log says why.</source>
+        <translation>Das Kompilieren ist fehlgeschlagen; das Ende des Protokolls sagt, warum.</translation>
     </message>
     <message>
-        <source>target {} mm</source>
-        <translation>Ziellänge {} mm</translation>
+        <source>A build here is for Python {} of the system, but this FreeCAD has Python {}. Use a binary for that one.</source>
+        <translation>Hier würde für Python {} des Systems kompiliert, aber dieses FreeCAD hat Python {}. Verwenden Sie eine Binärdatei für dieses.</translation>
     </message>
     <message>
-        <source>Certificate, order {}</source>
-        <translation>Zertifikat, Ordnung {}</translation>
+        <source>Binaries of Paver</source>
+        <translation>Binärdateien von Paver</translation>
     </message>
     <message>
-        <source>min</source>
-        <translation>min</translation>
+        <source>Unpacking {}</source>
+        <translation>{} wird entpackt</translation>
     </message>
     <message>
-        <source>mean</source>
-        <translation>Mittel</translation>
+        <source>Paver is ready.</source>
+        <translation>Paver ist bereit.</translation>
     </message>
     <message>
-        <source>max</source>
-        <translation>max</translation>
+        <source>Found: {}</source>
+        <translation>Gefunden: {}</translation>
     </message>
     <message>
-        <source>{} more</source>
-        <translation>{} weitere</translation>
+        <source>A binary is a file paver-{}-*.whl for the Python of this FreeCAD. There is none in FreeCAD's folders.</source>
+        <translation>Eine Binärdatei ist eine Datei paver-{}-*.whl für das Python dieses FreeCAD. In den Ordnern von FreeCAD liegt keine.</translation>
     </message>
     <message>
-        <source>{} elements</source>
-        <translation>{} Elemente</translation>
-    </message>
-    <message>
-        <source>valid, proven</source>
-        <translation>gültig, bewiesen</translation>
-    </message>
-    <message>
-        <source>inverted</source>
-        <translation>umgestülpt</translation>
-    </message>
-    <message>
-        <source>undecided</source>
-        <translation>unentschieden</translation>
-    </message>
-    <message>
-        <source>Face</source>
-        <translation>Fläche</translation>
-    </message>
-    <message>
-        <source>Edges / λ</source>
-        <translation>Kanten / λ</translation>
-    </message>
-    <message>
-        <source>Longest / target</source>
-        <translation>Längste / Ziellänge</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>Flächeninhalt</translation>
-    </message>
-    <message>
-        <source>edges {} mm</source>
-        <translation>Kanten {} mm</translation>
-    </message>
-    <message>
-        <source>Order {}</source>
-        <translation>Ordnung {}</translation>
-    </message>
-    <message>
-        <source>Jacobian ratio {}</source>
-        <translation>Jacobi-Verhältnis {}</translation>
+        <source>Debian packages are missing for the build: {}. This command installs them, in a terminal:</source>
+        <translation>Zum Kompilieren fehlen Debian-Pakete: {}. Dieser Befehl installiert sie, in einem Terminal:</translation>
     </message>
 </context>
 <context>

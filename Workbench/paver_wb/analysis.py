@@ -5,7 +5,7 @@ thicknesses are found faster so. Without such a group a pressure is left out of 
 """
 import re
 
-from paver_wb.mesh_file import BOTH
+from paver_wb.formats.mesh_file import BOTH
 
 
 def analyses_of(obj):

@@ -13,7 +13,8 @@ import tempfile
 import zipfile
 import zlib
 
-from paver_wb import child_process, core
+from paver_wb import core
+from paver_wb.processes import child_process
 
 NAMES = "paver-*.whl"
 MODULE = re.compile(r"paver/_paver(\.[^/]*\.?(?:so|pyd))")

@@ -25,6 +25,16 @@ def load():
     return paver
 
 
+def stages():
+    """[(name, what users read, share of the time of a common run in percent)] of a run, in order."""
+    return load()._paver.stages()
+
+
+def exit_code(code):
+    """Of a program that ends with an error of the core, by its `code`."""
+    return load()._paver.exit_codes()[code]
+
+
 def fault():
     """The CoreMissing that says why nothing can be meshed, or None."""
     try:

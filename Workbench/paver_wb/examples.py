@@ -3,14 +3,14 @@ import os
 
 import FreeCAD
 
-FOLDER = os.path.normpath(os.path.join(os.path.dirname(os.path.realpath(__file__)), os.pardir, os.pardir, "Resources",
-                                       "examples"))
+from paver_wb.base.paths import EXAMPLES
+
 translate = FreeCAD.Qt.translate
 
 
 def names():
     """File names, in alphabetical order."""
-    return sorted(name for name in os.listdir(FOLDER) if name.endswith((".step", ".brep")))
+    return sorted(name for name in os.listdir(EXAMPLES) if name.endswith((".step", ".brep")))
 
 
 def titles():
@@ -57,6 +57,6 @@ def open_model(name):
         raise ValueError(f"There is no example {name}; there are {', '.join(names())}.")
     document = FreeCAD.newDocument(os.path.splitext(name)[0])
     obj = document.addObject("Part::Feature", os.path.splitext(name)[0].capitalize())
-    obj.Label, obj.Shape = title(name), Part.read(os.path.join(FOLDER, name))
+    obj.Label, obj.Shape = title(name), Part.read(os.path.join(EXAMPLES, name))
     document.recompute()
     return obj

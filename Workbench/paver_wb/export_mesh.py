@@ -3,7 +3,9 @@ import os
 import tempfile
 from contextlib import contextmanager
 
-from paver_wb import child_process, core, fem_mesh, mesh_file, mesh_object, statistics
+from paver_wb import core, mesh_object, statistics
+from paver_wb.formats import fem_mesh, mesh_file
+from paver_wb.processes import child_process
 
 # ending: what it is; in the order in which they are offered
 OWN = {"msh": "Gmsh", "vtu": "VTK"}

@@ -3,20 +3,14 @@ import os
 
 import FreeCAD
 
-from paver_wb import export_mesh, import_mesh, mesh_object
+from paver_wb import export_mesh, import_mesh, mesh_object, meshing
 
 
 def insert(path, document_name):
     """FreeCAD calls it to import a file into a document."""
     document = FreeCAD.getDocument(document_name)
-    document.openTransaction("Import mesh")
-    try:
-        obj = import_mesh.add(document, path)
-    except BaseException:
-        document.abortTransaction()
-        raise
-    document.commitTransaction()
-    return obj
+    with meshing.transaction(document, "Import mesh"):
+        return import_mesh.add(document, path)
 
 
 def open(path):

@@ -3,8 +3,9 @@ import os
 
 import numpy as np
 
-from paver_wb import mesh_file, mesh_object, meshing, properties, raw_mesh, read_fem, read_msh, read_vtu, statistics
-from paver_wb.raw_mesh import Damaged
+from paver_wb import mesh_object, meshing, statistics
+from paver_wb.formats import mesh_file, raw_mesh, read_fem, read_msh, read_vtu
+from paver_wb.formats.raw_mesh import Damaged
 
 OWN = {".msh": read_msh.read, ".vtu": read_vtu.read}
 FEM = (".unv", ".med", ".inp", ".dat", ".bdf", ".z88", ".vtk", ".stl", ".frd")
@@ -62,7 +63,7 @@ def add_mesh(document, mesh, label, file=None):
         obj.Label = label
         mesh_object.keep(obj, file or mesh)
         meshing.show_results(obj, mesh)
-        obj.MeshedOptions, obj.MeshedShape = properties.decisive(obj), mesh_object.shape_digest(obj)
+        obj.MeshedOptions, obj.MeshedShape = mesh_object.decisive(obj), mesh_object.shape_digest(obj)
         if meshing.is_filled_unasked(mesh):
             mesh_object.fill(obj, mesh)
         mesh_object.update_status(obj)

@@ -8,33 +8,30 @@ import FreeCAD
 
 from paver_wb import core, export_mesh, mesh_object, meshing, properties
 
-OWN_FORMATS, FEM_FORMATS = ("msh", "vtu"), ("unv", "inp", "med")
-INTERNAL, USAGE, INPUT, FACE_FAILED, LIMIT, OUTPUT, CANCELLED = 1, 2, 3, 4, 5, 6, 130  # as the command line has them
-EXIT_CODES = {"bad_option": USAGE, "file_missing": INPUT, "not_a_cad_file": INPUT, "damaged_file": INPUT,
-              "no_faces": INPUT, "face_failed": FACE_FAILED, "too_many_elements": LIMIT, "unwritable_output": OUTPUT,
-              "cancelled": CANCELLED}
-EPILOG = ("Exit codes: 0 all is meshed, 1 internal error, 2 bad usage or option, 3 bad model, 4 some face failed, "
-          "5 more elements predicted than allowed, 6 an output cannot be written, 130 cancelled; of several the first.")
+FORMATS = ("msh", "vtu", "unv", "inp", "med")
+EPILOG = ("Exit codes: 0 all is meshed, {internal} internal error, {bad_option} bad usage or option, {damaged_file} bad model, "
+          "{face_failed} some face failed, {too_many_elements} more elements predicted than allowed, {unwritable_output} an "
+          "output cannot be written, {cancelled} cancelled; of several the first.")
 
 
 class JobError(Exception):
-    """One sentence, and the exit code."""
+    """One sentence, and what went wrong, as the core names it."""
 
-    def __init__(self, text, exit_code):
+    def __init__(self, text, code):
         super().__init__(text)
-        self.exit_code = exit_code
+        self.code = code
 
 
 def parser():
     """Arguments; those of the mesh come from the core's table of options."""
-    made = argparse.ArgumentParser(prog="freecadcmd mesh.FCMacro --", allow_abbrev=False, epilog=EPILOG,
+    made = argparse.ArgumentParser(prog="freecadcmd mesh.FCMacro --", allow_abbrev=False, epilog=EPILOG.format(**core.load()._paver.exit_codes()),
                                    description="Meshes FreeCAD documents and CAD files without a window.")
     made.add_argument("models", nargs="+", metavar="MODEL", help="document (.FCStd) or CAD file (STEP, IGES, BREP)")
     made.add_argument("--objects", metavar="A,B", type=names_of, help="mesh objects, or objects to mesh, by name or "
                       "label [all mesh objects of a document]")
     made.add_argument("--save", action="store_true", help="save the document; that of a CAD file as NAME-mesh.FCStd")
     made.add_argument("--export", metavar="F,G", type=names_of, default=[],
-                      help="files to write for each mesh: " + ", ".join(OWN_FORMATS + FEM_FORMATS))
+                      help="files to write for each mesh: " + ", ".join(FORMATS))
     made.add_argument("--folder", metavar="DIR", help="for exports and documents of CAD files [that of the model]")
     made.add_argument("--report", metavar="R.json", help="report of all runs")
     group = made.add_argument_group("options of the mesh, in place of those of the mesh objects")
@@ -51,20 +48,20 @@ def names_of(text):
 
 def check_arguments(arguments):
     """JobError for what can be seen before any work."""
-    bad = [name for name in arguments.export if name not in OWN_FORMATS + FEM_FORMATS]
+    bad = [name for name in arguments.export if name not in FORMATS]
     if bad:
-        raise JobError(f"--export has '{bad[0]}'; write some of {', '.join(OWN_FORMATS + FEM_FORMATS)}.", USAGE)
+        raise JobError(f"--export has '{bad[0]}'; write some of {', '.join(FORMATS)}.", "bad_option")
     stems = [output_stem(arguments, path) for path in arguments.models]
     twice = [path for path, stem in zip(arguments.models, stems) if stems.count(stem) > 1]
     if twice and (arguments.export or arguments.save):
         raise JobError(f"The outputs of {' and '.join(twice)} would have the same names; run them one by one with "
-                       "another --folder.", USAGE)
+                       "another --folder.", "bad_option")
     folders = {os.path.dirname(stem) for stem in stems}
     if arguments.report:
         folders.add(os.path.dirname(os.path.abspath(arguments.report)))
     missing = [folder for folder in sorted(folders) if not os.path.isdir(folder)]
     if missing and (arguments.folder or arguments.report):
-        raise JobError(f"The folder {missing[0]} does not exist; make it, or name another.", OUTPUT)
+        raise JobError(f"The folder {missing[0]} does not exist; make it, or name another.", "unwritable_output")
 
 
 def output_stem(arguments, path):
@@ -79,7 +76,7 @@ def is_document(path):
 def open_model(path):
     """The document of a file; for a CAD file a new one with its shape as the only object."""
     if not os.path.isfile(path):
-        raise JobError(f"There is no file {path}; check the name.", INPUT)
+        raise JobError(f"There is no file {path}; check the name.", "damaged_file")
     try:
         if is_document(path):
             return FreeCAD.openDocument(path, hidden=True)
@@ -87,9 +84,9 @@ def open_model(path):
         shape = Part.read(path)
     except Exception as error:
         raise JobError(f"{path} cannot be read ({str(error).strip()}); pass a document or a STEP, IGES or BREP file.",
-                       INPUT) from None
+                       "damaged_file") from None
     if shape.isNull() or not shape.Faces:
-        raise JobError(f"{path} has no faces; pass a model that has.", INPUT)
+        raise JobError(f"{path} has no faces; pass a model that has.", "damaged_file")
     document = FreeCAD.newDocument("Model", hidden=True)
     document.addObject("Part::Feature", "Shape").Shape = shape
     return document
@@ -101,7 +98,7 @@ def named(document, path, name):
     if found is None or (found.Name != name and len(document.getObjectsByLabel(name)) > 1):
         known = ", ".join(thing.Name for thing in document.Objects)
         what = "no object" if found is None else "several objects labelled"
-        raise JobError(f"{path} has {what} '{name}'; its objects are {known}.", USAGE)
+        raise JobError(f"{path} has {what} '{name}'; its objects are {known}.", "bad_option")
     return found
 
 
@@ -112,40 +109,30 @@ def targets(document, path, names):
     elif is_document(path):
         things = mesh_object.meshes_of(document)
         if not things:
-            raise JobError(f"{path} has no mesh object; name the objects to mesh with --objects.", USAGE)
+            raise JobError(f"{path} has no mesh object; name the objects to mesh with --objects.", "bad_option")
     else:
         things = document.Objects
     return [thing if mesh_object.is_mesh(thing) else mesh_object.add(document, thing, thing.Name + "Mesh")
             for thing in things]
 
 
-def write_fem(obj, path):
-    """Writes FemMesh to `path`, whole or not at all."""
-    try:
-        export_mesh.write(obj, path)
-    except export_mesh.NotWritten as error:
-        raise JobError(str(error), USAGE if isinstance(error, export_mesh.CannotHold) else OUTPUT) from None
-
-
-def export(obj, result, stem, formats):
+def export(obj, stem, formats):
     """Writes the files; their paths."""
     paths = []
     for ending in formats:
-        path = f"{stem}.{ending}"
-        if ending in OWN_FORMATS:
-            result.write(path)
-        else:
-            write_fem(obj, path)
-        paths.append(path)
+        paths.append(f"{stem}.{ending}")
+        try:
+            export_mesh.write(obj, paths[-1])
+        except export_mesh.NotWritten as error:
+            is_usage = isinstance(error, export_mesh.CannotHold)
+            raise JobError(str(error), "bad_option" if is_usage else "unwritable_output") from None
     return paths
 
 
 def failure(error):
     """What an exception puts into an entry of the report."""
-    code = error.exit_code if isinstance(error, JobError) else EXIT_CODES.get(getattr(error, "code", ""), INTERNAL)
-    if isinstance(error, ValueError) and not hasattr(error, "code"):
-        code = USAGE
-    return {"status": "failed", "exit_code": code, "error": str(error)}
+    code = getattr(error, "code", "bad_option" if isinstance(error, ValueError) else "internal")
+    return {"status": "failed", "exit_code": core.exit_code(code), "error": str(error)}
 
 
 def run_object(obj, stem, options, formats):
@@ -157,8 +144,8 @@ def run_object(obj, stem, options, formats):
         result = meshing.mesh(obj)
         entry["report"] = result.report
         if obj.FailedFaces:
-            entry.update(status="faces_failed", exit_code=FACE_FAILED, error="; ".join(obj.FailedFaces))
-        entry["files"] = export(obj, result, stem, formats)
+            entry.update(status="faces_failed", exit_code=core.exit_code("face_failed"), error="; ".join(obj.FailedFaces))
+        entry["files"] = export(obj, stem, formats)
     except Exception as error:
         entry.update(failure(error))
     return entry
@@ -170,7 +157,7 @@ def save(document, path, stem):
     try:
         document.save() if is_document(path) else document.saveAs(saved)
     except Exception as error:
-        raise JobError(f"{saved} cannot be saved ({str(error).strip()}); check the folder.", OUTPUT) from None
+        raise JobError(f"{saved} cannot be saved ({str(error).strip()}); check the folder.", "unwritable_output") from None
     return saved
 
 
@@ -210,7 +197,7 @@ def write_report(path, content):
             json.dump(content, file, indent=1)
         os.replace(part, path)
     except OSError as error:
-        raise JobError(f"{path} cannot be written ({error.strerror}); check the folder.", OUTPUT) from None
+        raise JobError(f"{path} cannot be written ({error.strerror}); check the folder.", "unwritable_output") from None
 
 
 def main(arguments):
@@ -232,7 +219,7 @@ def main(arguments):
         return code
     except core.CoreMissing as error:
         print(error, file=sys.stderr)
-        return INTERNAL
+        return 1
     except JobError as error:
         print(error, file=sys.stderr)
-        return error.exit_code
+        return core.exit_code(error.code)

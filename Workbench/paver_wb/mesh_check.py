@@ -80,17 +80,9 @@ def shape(figures):
 
 def with_edges(mesh, edges):
     """Numbers of the elements that have one of these edges."""
-    def keys(pairs):
-        low, high = np.sort(pairs.astype(np.int64), axis=1).T
-        return low * (len(mesh.nodes) + 1) + high
-    wanted, found, first = keys(edges), [], 1
-    for rows, corners in ((mesh.quads, 4), (mesh.triangles, 3)):
-        has = np.zeros(len(rows), dtype=bool)
-        for k in range(corners):
-            has |= np.isin(keys(rows[:, [k, (k + 1) % corners]]), wanted)
-        found += (np.flatnonzero(has) + first).tolist()
-        first += len(rows)
-    return tuple(found)
+    wanted = statistics.edge_keys(mesh, edges)
+    has = np.concatenate([np.isin(keys, wanted).any(axis=1) for keys in statistics.element_edges(mesh)])
+    return tuple((np.flatnonzero(has) + 1).tolist())
 
 
 def borders(mesh, figures):

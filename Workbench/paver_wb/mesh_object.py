@@ -11,9 +11,12 @@ import tempfile
 
 import FreeCAD
 
-from paver_wb import analysis, core, fem_mesh, mesh_file, properties, source_shapes
-from paver_wb.property_texts import tip
-from paver_wb.stateless import Stateless
+from paver_wb import analysis, core, properties, refinement
+from paver_wb.base import source_shapes
+from paver_wb.base.proxies import (MESH, Stateless, attach_view, is_mesh, is_restoring, meshes_of,  # noqa: F401
+                                   new_object, sources)
+from paver_wb.base.texts import tip
+from paver_wb.formats import fem_mesh, mesh_file
 
 INPUT, RESULT = tip("Input"), tip("Result")
 NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = STATES = ("Not meshed", "Up to date", "Out of date")
@@ -101,11 +104,6 @@ def heavy_elements():
     return FreeCAD.ParamGet(PREFERENCES).GetInt("HeavyElements", HEAVY_ELEMENTS)
 
 
-def sources(obj):
-    """The objects to mesh."""
-    return [thing for thing in [obj.Part, *obj.MoreParts] if thing is not None]
-
-
 def shape_digest(obj):
     """Digest of the shapes of all sources where they stand; empty without one, or when it has no shape."""
     things = sources(obj)
@@ -117,14 +115,15 @@ def shape_digest(obj):
         return ""
 
 
-def is_restoring(obj):
-    return obj.Document.Restoring or obj.Document.Transacting or "Restore" in obj.State
+def decisive(obj, options=None):
+    """Text that is equal for equal options, those that a mesh object has unless `options` are given, and refinements."""
+    return properties.text_of(properties.given(obj) if options is None else options) + refinement.decisive(obj)
 
 
 def has_meshed_options(obj):
     """Without the core, which knows what the options mean, any change may matter."""
     try:
-        return obj.MeshedOptions == properties.decisive(obj)
+        return obj.MeshedOptions == decisive(obj)
     except core.CoreMissing:
         return False
 
@@ -244,12 +243,15 @@ def refill(obj):
 class MeshProxy(Stateless):
     """What FreeCAD calls. Nothing of it is stored but its name."""
 
-    Type = "Paver::Mesh"
+    Type = MESH
 
     def __init__(self, obj):
         obj.Proxy = self
         add_properties(obj)
         properties.add_to(obj)
+        update_status(obj)
+
+    def update_status(self, obj):
         update_status(obj)
 
     def execute(self, obj):
@@ -283,9 +285,9 @@ class MeshProxy(Stateless):
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {error}\n")
         part_from_original(obj)
         refill(obj)
-        if attach_view(obj):
-            from paver_wb.gui import first_view
-            first_view.look_later(obj.Document)
+        view = attach_view(obj)
+        if view:
+            view.look_later()
 
 
 class Observer:
@@ -303,27 +305,6 @@ class Observer:
                 check(obj)
 
 
-def is_mesh(obj):
-    return getattr(getattr(obj, "Proxy", None), "Type", "") == MeshProxy.Type
-
-
-def meshes_of(document):
-    """All meshes of a document, in its order."""
-    return [obj for obj in document.Objects if is_mesh(obj)]
-
-
-def attach_view(obj):
-    """Gives the object its view provider, which a file that was saved without a window does not have. Returns whether
-    it had none."""
-    if not FreeCAD.GuiUp:
-        return False
-    from paver_wb.gui.view_provider import MeshViewProvider
-    if isinstance(obj.ViewObject.Proxy, MeshViewProvider):
-        return False
-    MeshViewProvider(obj.ViewObject)
-    return True
-
-
 def add(document, parts, name="PaverMesh", **options):
     """A new mesh object for one object or a list of them, not meshed yet; options as those of paver.mesh.
 
@@ -331,15 +312,10 @@ def add(document, parts, name="PaverMesh", **options):
     """
     core.load()
     parts = list(parts) if isinstance(parts, (list, tuple)) else [parts]
-    obj = document.addObject("Fem::FemMeshObjectPython", name)
-    try:
+    with new_object(document, "Fem::FemMeshObjectPython", name) as obj:
         MeshProxy(obj)
         obj.Part, obj.MoreParts = (parts or [None])[0], parts[1:]
         properties.put(obj, options)
-    except BaseException:
-        document.removeObject(obj.Name)
-        raise
-    attach_view(obj)
     return obj
 
 

@@ -1,8 +1,11 @@
 """Meshing of a mesh object, as it is asked for by commands, scripts and jobs."""
 from contextlib import contextmanager
 
-from paver_wb import core, fem_mesh, mesh_file, mesh_job, mesh_object, properties, refinement, source_shapes
-from paver_wb.mesh_job import Job
+from paver_wb import core, mesh_object, properties, refinement
+from paver_wb.base import source_shapes
+from paver_wb.formats import fem_mesh, mesh_file
+from paver_wb.processes import mesh_job
+from paver_wb.processes.mesh_job import Job
 
 
 @contextmanager
@@ -34,7 +37,7 @@ def prepare(obj, **changes):
                                "set its property Part")
     properties.check_ranks(obj)
     shape, name, labels = _shapes.source_of(parts, None)
-    decisive = properties.decisive(obj, properties.merged(obj, changes))
+    decisive = mesh_object.decisive(obj, properties.merged(obj, changes))
     return Job(shape, name, labels, options_of(obj, changes), tuple(part.Name for part in parts),
                source_shapes.digest_of(shape), decisive)
 

@@ -4,6 +4,7 @@ import FreeCAD
 from paver_wb import mesh_object
 
 FACETS_ALONG = 20  # elements along the diagonal of what is selected, for a first size
+LAST_FOLDER = "LastFolder"  # of files that were read or written
 ELEMENTS = ("quad-dominant", "all-quad", "all-triangle")  # in the order of the preference page
 
 
@@ -21,7 +22,8 @@ def first_size(things, along):
 
 
 def new_options(things):
-    """{option: value} for a mesh object of these objects; only what differs from the core's own defaults."""
+    """{option: value} for a mesh object of these objects; only what differs from the core's own defaults. Does not ask the
+    core, which may be missing."""
     stored = parameters()
     frequency = stored.GetFloat("NewFrequency", 0)  # GHz
     if frequency > 0:

@@ -1,8 +1,8 @@
 """The options of a run as properties of a document object. The core's table of options is the only list of them."""
 import FreeCAD
 
-from paver_wb import core, refinement
-from paver_wb.property_texts import tip
+from paver_wb import core
+from paver_wb.base.texts import has_default, tip, tooltip
 
 GROUP = tip("Mesh options")
 TYPES = {"length": "App::PropertyLength", "frequency": "App::PropertyFrequency", "angle": "App::PropertyAngle",
@@ -17,23 +17,9 @@ def property_name(option):
     return "".join(word.capitalize() for word in option.split("_"))
 
 
-def has_default(info):
-    return info["default"] != ""
-
-
 def type_of(info):
     """Where 0 is a value of its own, "none" is a negative one, which a PropertyLength cannot hold."""
     return "App::PropertyDistance" if info["may_be_zero"] and info["kind"] == "length" else TYPES[info["kind"]]
-
-
-def tooltip(info):
-    """In English, one of property_texts.OPTIONS."""
-    text = info["help"]
-    if has_default(info):
-        return f"{text} [{info['default']}]"
-    if info["kind"] == "local":
-        return text + ". Besides those of the refinements"
-    return text + (". Negative: automatic" if info["may_be_zero"] else ". 0: not given")
 
 
 def initial(info):
@@ -131,11 +117,6 @@ def plain(info, value):
 def text_of(options):
     """Text that is equal for equal options, as far as they have an effect on the mesh."""
     return repr(sorted((n, v) for n, v in options.items() if n not in WITHOUT_EFFECT))
-
-
-def decisive(obj, options=None):
-    """Text that is equal for equal options, those that a mesh object has unless `options` are given, and refinements."""
-    return text_of(given(obj) if options is None else options) + refinement.decisive(obj)
 
 
 def texts_of(value):

@@ -5,11 +5,11 @@ Documents name this module and RefinementProxy: neither may be moved.
 """
 import re
 
-import FreeCAD
-
-from paver_wb.property_texts import tip
-from paver_wb.stateless import Stateless
-from paver_wb.waves import wavelength
+from paver_wb import properties
+from paver_wb.base import proxies
+from paver_wb.base.proxies import Stateless, attach_view, is_refinement
+from paver_wb.base.texts import tip
+from paver_wb.base.waves import wavelength
 
 GROUP = tip("Refinement")
 LENGTH, MEDIUM = BY = ("Length", "Medium")
@@ -54,7 +54,7 @@ def show_what_counts(obj):
 class RefinementProxy(Stateless):
     """What FreeCAD calls. Nothing of it is stored but its name."""
 
-    Type = "Paver::Refinement"
+    Type = proxies.REFINEMENT
 
     def __init__(self, obj):
         obj.Proxy = self
@@ -65,18 +65,13 @@ class RefinementProxy(Stateless):
             return
         if name == "By":
             show_what_counts(obj)
-        from paver_wb import mesh_object
-        if not mesh_object.is_restoring(obj):
+        if not proxies.is_restoring(obj):
             for mesh in meshes_of(obj):
-                mesh_object.update_status(mesh)
+                mesh.Proxy.update_status(mesh)
 
     def onDocumentRestored(self, obj):
         add_properties(obj)
         attach_view(obj)
-
-
-def is_refinement(obj):
-    return getattr(getattr(obj, "Proxy", None), "Type", "") == RefinementProxy.Type
 
 
 def of_mesh(mesh):
@@ -86,16 +81,7 @@ def of_mesh(mesh):
 
 def meshes_of(obj):
     """The mesh objects that have a refinement; one, unless a document was put together by hand."""
-    from paver_wb import mesh_object
-    return [other for other in obj.InList if mesh_object.is_mesh(other) and obj in other.Refinements]
-
-
-def attach_view(obj):
-    """Gives the object its view provider, which a file that was saved without a window does not have."""
-    if FreeCAD.GuiUp:
-        from paver_wb.gui.refinement_view import RefinementViewProvider
-        if not isinstance(obj.ViewObject.Proxy, RefinementViewProvider):
-            RefinementViewProvider(obj.ViewObject)
+    return [other for other in obj.InList if proxies.is_mesh(other) and obj in other.Refinements]
 
 
 def make(mesh, references, length=None, eps_r=None, mu_r=None, name="Refinement"):
@@ -107,35 +93,27 @@ def make(mesh, references, length=None, eps_r=None, mu_r=None, name="Refinement"
     """
     listed = as_references(mesh, references)
     check_references([mesh], listed)
-    obj = mesh.Document.addObject("App::FeaturePython", name)
-    try:
+    with proxies.new_object(mesh.Document, "App::FeaturePython", name) as obj:
         RefinementProxy(obj)
         obj.References = [(thing, tuple(elements)) for thing, elements in listed]
         set_value(obj, length, eps_r, mu_r)
         mesh.Refinements = [*mesh.Refinements, obj]
-    except BaseException:
-        mesh.Document.removeObject(obj.Name)
-        raise
-    attach_view(obj)
     return obj
 
 
 def meshes_with(document, references):
     """Mesh objects that have all of [(object, elements)] among what they mesh."""
-    from paver_wb import mesh_object
-
     def has_all(mesh):
         try:
-            return all(find(mesh_object.sources(mesh), mesh, thing, element)
+            return all(find(proxies.sources(mesh), mesh, thing, element)
                        for thing, elements in references for element in elements)
         except ReferenceMissing:
             return False
-    return [mesh for mesh in mesh_object.meshes_of(document) if has_all(mesh)]
+    return [mesh for mesh in proxies.meshes_of(document) if has_all(mesh)]
 
 
 def first_length(mesh):
     """A third of the mesh's target length, mm, of one digit; 1 where it has none yet."""
-    from paver_wb import properties
     options = properties.given(mesh)
     if "size" not in options and "frequency" not in options:
         return 1.0
@@ -157,11 +135,10 @@ def change(obj, references, length=None, eps_r=None, mu_r=None):
 
 def check_references(meshes, listed):
     """ReferenceMissing where one of [(object, elements)] is in none of what a mesh object meshes."""
-    from paver_wb import mesh_object
     for mesh in meshes:
         for thing, elements in listed:
             for element in elements:
-                find(mesh_object.sources(mesh), mesh, thing, element)
+                find(proxies.sources(mesh), mesh, thing, element)
 
 
 def set_value(obj, length=None, eps_r=None, mu_r=None):

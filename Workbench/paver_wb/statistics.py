@@ -4,11 +4,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from paver_wb import core
-from paver_wb.waves import wavelength
+from paver_wb import core, mesh_object
+from paver_wb.base.waves import wavelength, wavelength_of
+from paver_wb.formats import mesh_file
 
 BASIS_ORDERS = (1, 2, 3)
-BYTES_DOUBLE, BYTES_SINGLE = 16, 8  # of a complex number
+BYTES_DOUBLE = 16  # of a complex number
 
 
 class Wave(NamedTuple):
@@ -52,8 +53,8 @@ class Row(NamedTuple):
 
 def wave_of(obj):
     """The Wave that a mesh object's options ask for; None where they give a length."""
-    frequency = getattr(getattr(obj, "Frequency", 0), "Value", 0)
-    return wave_at(frequency, obj.EpsR, obj.MuR) if frequency > 0 else None
+    length = wavelength_of(obj)
+    return Wave(obj.Frequency.Value, length) if length else None
 
 
 def wave_at(frequency, eps_r=1.0, mu_r=1.0):
@@ -62,13 +63,26 @@ def wave_at(frequency, eps_r=1.0, mu_r=1.0):
 
 def mesh_edges(mesh):
     """(edges, users) of a StoredMesh: pairs of corner nodes, rising, and how many elements have each."""
-    sides = []
-    for rows, corners in ((mesh.quads, 4), (mesh.triangles, 3)):
-        for k in range(corners):
-            sides.append(np.stack([rows[:, k], rows[:, (k + 1) % corners]], axis=1))
-    sides = np.sort(np.concatenate(sides).astype(np.int64), axis=1)
-    keys, users = np.unique(sides[:, 0] * (len(mesh.nodes) + 1) + sides[:, 1], return_counts=True)
+    keys, users = np.unique(np.concatenate([keys.ravel() for keys in element_edges(mesh)]), return_counts=True)
     return np.stack(np.divmod(keys, len(mesh.nodes) + 1), axis=1), users
+
+
+def edge_keys(mesh, pairs):
+    """(...,) a number for each of (..., 2) pairs of nodes, the same either way round."""
+    low, high = np.moveaxis(np.sort(pairs.astype(np.int64), axis=-1), -1, 0)
+    return low * (len(mesh.nodes) + 1) + high
+
+
+def element_edges(mesh):
+    """edge_keys() of the (quads, 4) and (triangles, 3) sides of the elements."""
+    corners = mesh.quads[:, :4], mesh.triangles[:, :3]
+    return [edge_keys(mesh, np.stack([rows, np.roll(rows, -1, axis=1)], axis=-1)) for rows in corners]
+
+
+def edge_lengths(mesh, edges):
+    """(edges,) chords of pairs of nodes, mm."""
+    nodes = np.asarray(mesh.nodes)
+    return np.linalg.norm(nodes[edges[:, 0]] - nodes[edges[:, 1]], axis=1)
 
 
 def surface_mesh(mesh):
@@ -81,18 +95,13 @@ def of_mesh(mesh, name="", wave=None):
     """Figures of a StoredMesh."""
     edges, users = mesh_edges(mesh)
     quality = surface_mesh(mesh).quality()
-    nodes = np.asarray(mesh.nodes)
-    lengths = np.linalg.norm(nodes[edges[:, 0]] - nodes[edges[:, 1]], axis=1)
-    is_used = np.zeros(len(nodes), dtype=bool)
-    is_used[mesh.quads.ravel()] = True
-    is_used[mesh.triangles.ravel()] = True
-    return Figures(name, len(mesh.quads), len(mesh.triangles), int(is_used.sum()), edges, lengths, users, quality.area,
-                   quality.sj, quality.validity, mesh.report.get("target_length") or 0.0, wave)
+    nodes = int(mesh_file.used_nodes(len(mesh.nodes), mesh.quads, mesh.triangles).sum())
+    return Figures(name, len(mesh.quads), len(mesh.triangles), nodes, edges, edge_lengths(mesh, edges), users,
+                   quality.area, quality.sj, quality.validity, mesh.report.get("target_length") or 0.0, wave)
 
 
 def of_object(obj, frequency=None):
     """Figures of a mesh object; `frequency` (Hz) in place of its own. ValueError when it is not meshed."""
-    from paver_wb import mesh_object
     wave = wave_of(obj) if frequency is None else wave_at(frequency, obj.EpsR, obj.MuR)
     return of_mesh(mesh_object.stored(obj), obj.Label, wave)
 

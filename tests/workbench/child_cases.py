@@ -7,7 +7,9 @@ import unittest
 import FreeCAD
 import numpy as np
 
-from paver_wb import child_process, core, mesh_file, mesh_job, mesh_object, meshing
+from paver_wb import core, mesh_object, meshing
+from paver_wb.formats import mesh_file
+from paver_wb.processes import child_process, mesh_job
 
 
 def children():

@@ -7,7 +7,8 @@ import time
 import freecad_program
 
 START = """import os, sys, tempfile, FreeCAD
-from paver_wb import child_process, mesh_object, meshing
+from paver_wb import mesh_object, meshing
+from paver_wb.processes import child_process
 document = FreeCAD.newDocument()
 mesh = mesh_object.add(document, document.addObject("Part::Box"), size=0.01, max_elements=100000000)
 document.recompute()

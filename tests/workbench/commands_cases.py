@@ -9,7 +9,8 @@ from PySide import QtCore, QtGui
 
 import window
 from paver_wb import examples, mesh_object, meshing, preferences, refinement, statistics
-from paver_wb.gui import commands, first_view, run_task, run_thread, statistics_panel
+from paver_wb.gui import commands
+from paver_wb.gui.base import background, first_view, measuring, run_task
 from paver_wb.gui.commands import files, view
 
 NEEDS_NOTHING = ["Paver_Import", "Paver_Preferences", "Paver_Help", "Paver_About"]
@@ -62,7 +63,7 @@ class WithCommands(unittest.TestCase):
         return made
 
     def wait_for_tasks(self):
-        window.wait(lambda: not run_task._tasks and not run_thread._running, "for tasks")
+        window.wait(lambda: not run_task._tasks and not background._running, "for tasks")
 
     def complaint(self):
         """Text of the box with an error, which is closed."""
@@ -210,7 +211,7 @@ class Dialogs(WithCommands):
         window.wait(lambda: panel.figures.quads == mesh.Quads, "for the new figures")
         self.assertIn("paver_wb.gui.statistics_panel.show(", self.console())
         self.document.removeObject(mesh.Name)
-        window.wait(lambda: not statistics_panel._open, "for the panel to close")
+        window.wait(lambda: not measuring._open, "for the panel to close")
 
     def test_check(self):
         sheet = self.document.addObject("Part::Plane", "Sheet")

@@ -11,10 +11,12 @@ import Part
 from pivy import coin
 from PySide import QtCore, QtGui
 
+import drawing
 import window
-from paver_wb import core, mesh_file, mesh_object, meshing
-from paver_wb.gui import first_view
-from paver_wb.gui.display import colour_maps, colouring, drawn_mesh, fields, legend, mesh_display
+from paver_wb import core, mesh_object, meshing
+from paver_wb.formats import mesh_file
+from paver_wb.gui.base import first_view
+from paver_wb.gui.display import colour_maps, colouring, drawn_mesh, legend, mesh_display
 
 RADIUS = 10
 
@@ -77,7 +79,7 @@ class InWindow(unittest.TestCase):
         return np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.width(), 4)[:, :, :3].astype(int)
 
     def triangles_drawn(self, display):
-        rows = fields.content(display.scene.face_set.coordIndex, np.int32).reshape(-1, 4)
+        rows = drawing.content(display.scene.face_set.coordIndex, np.int32).reshape(-1, 4)
         self.assertTrue((rows[:, 3] == -1).all())
         return rows[:, :3]
 
@@ -127,12 +129,12 @@ class Modes(InWindow):
 
     def test_faces_and_edges_are_curved_and_normals_true(self):
         display = self.run_mesh()
-        points = fields.content(display.scene.points.point, np.float32, 3)
-        normals = fields.content(display.scene.normals.vector, np.float32, 3)
+        points = drawing.content(display.scene.points.point, np.float32, 3)
+        normals = drawing.content(display.scene.normals.vector, np.float32, 3)
         self.assertGreater(display.subdivision, 1)
         np.testing.assert_allclose(np.linalg.norm(points, axis=1), RADIUS, rtol=2e-3)
         np.testing.assert_allclose(normals, points / RADIUS, atol=0.03)
-        lines = fields.content(display.scene.lines.coordIndex, np.int32)
+        lines = drawing.content(display.scene.lines.coordIndex, np.int32)
         self.assertEqual((lines == -1).sum(), 2 * display.mesh.count)  # closed, all quads: two edges for each
         self.assertEqual(len(lines), (display.subdivision + 2) * 2 * display.mesh.count)
         self.assertEqual(len(self.triangles_drawn(display)), 2 * display.subdivision ** 2 * display.mesh.count)
@@ -183,7 +185,7 @@ class Wires(InWindow):
         self.mesh = self.add(plate, size=5)
         self.mesh.MoreParts = [self.wire()]
         display = self.run_mesh()
-        points = fields.content(display.scene.wire_points.point, np.float32, 3)
+        points = drawing.content(display.scene.wire_points.point, np.float32, 3)
         self.assertEqual(len(points), 9 * self.mesh.Lines)
         np.testing.assert_allclose(np.linalg.norm(points - (20, 0, 0), axis=1), 20, rtol=1e-3)
         self.assertEqual(display.scene.wire_dots.numPoints.getValue(), 2 * self.mesh.Lines)
@@ -213,7 +215,7 @@ class Colours(InWindow):
 
     def per_element(self, display):
         """(elements,) packed colours as drawn; one for all points of each."""
-        drawn = fields.content(display.scene.packed.orderedRGBA, np.uint32)
+        drawn = drawing.content(display.scene.packed.orderedRGBA, np.uint32)
         of_quad, of_triangle = display.mesh.points_per_element(display.subdivision)
         split = display.mesh.quad_count * of_quad
         quads, others = drawn[:split].reshape(-1, of_quad), drawn[split:].reshape(-1, of_triangle)
@@ -259,7 +261,7 @@ class Colours(InWindow):
                                  for a, b in pairs))
         self.expect_colours(display, np.array(worst), 0, 2, "Deviation")
         self.assertLess(targets[targets > 0].min(), 0.6)
-        self.assertRegex(legend.labels(display.colouring.legend)[1], "^target 0.5 \u2013 [12].* mm$")
+        self.assertRegex(drawing.labels(display.colouring.legend)[1], "^target 0.5 \u2013 [12].* mm$")
         older = drawn_mesh.DrawnMesh(stored._replace(node_targets=None))
         np.testing.assert_array_equal(np.nanmax(older.edge_targets), mesh.target)
 
@@ -279,7 +281,7 @@ class Colours(InWindow):
     def test_one_colour(self):
         self.run_mesh()
         display = self.set(ColourBy=colouring.NONE, ShapeColor=(1.0, 0.0, 0.0))
-        self.assertEqual(fields.content(display.scene.packed.orderedRGBA, np.uint32).tolist(), [0xff0000ff])
+        self.assertEqual(drawing.content(display.scene.packed.orderedRGBA, np.uint32).tolist(), [0xff0000ff])
         self.assertIsNone(display.colouring.legend)
 
     def test_the_pixels_have_the_colours(self):
@@ -318,16 +320,16 @@ class ColourBar(InWindow):
     def test_texts(self):
         display = self.run_mesh()
         scale = display.colouring.legend
-        self.assertEqual(legend.labels(scale)[:7], ["Scaled Jacobian", "1", "0.8", "0.6", "0.4", "0.2", "0"])
+        self.assertEqual(drawing.labels(scale)[:7], ["Scaled Jacobian", "1", "0.8", "0.6", "0.4", "0.2", "0"])
         self.assertEqual(scale.histogram.sum(), display.mesh.count)
         values = display.mesh.quality.sj
         self.assertAlmostEqual(scale.least, values.min())
         for at in (0, 5, 11, 23):
             within = (values >= at / 24) & ((values < (at + 1) / 24) | (at == 23))
             self.assertEqual(scale.histogram[at], within.sum())
-        texts = legend.labels(self.set(ColourBy=colouring.LENGTH).colouring.legend)
+        texts = drawing.labels(self.set(ColourBy=colouring.LENGTH).colouring.legend)
         self.assertEqual(texts[:3], ["Longest edge / target", "target 3 mm", "2"])
-        texts = legend.labels(self.set(ColourBy=colouring.KIND).colouring.legend)
+        texts = drawing.labels(self.set(ColourBy=colouring.KIND).colouring.legend)
         self.assertEqual(texts, ["Element type", "Quad", str(display.mesh.count)])
 
     def test_many_faces_are_told_in_few_rows(self):

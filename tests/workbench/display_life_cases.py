@@ -13,7 +13,7 @@ import display_cases
 import window
 from display_cases import is_coloured, wait
 from paver_wb import mesh_object, meshing
-from paver_wb.gui import first_view, run_thread
+from paver_wb.gui.base import background, first_view
 from paver_wb.gui.display import actions, colouring, mesh_display, view_properties
 
 
@@ -71,14 +71,14 @@ class Life(display_cases.InWindow):
         self.document.redo()
         self.expect_reading(display)
         self.document.undo()
-        window.wait(lambda: not run_thread._running, "for the thread")
+        window.wait(lambda: not background._running, "for the thread")
         wait()
         self.assertIsNone(display.mesh)
         self.assertEqual(len(self.triangles_drawn(display)), 0)
         self.document.redo()
         self.expect_reading(display)
         FreeCAD.closeDocument(self.document.Name)
-        window.wait(lambda: not run_thread._running, "for the thread")
+        window.wait(lambda: not background._running, "for the thread")
         self.document = FreeCAD.newDocument("PaverDisplay")
 
     def test_what_is_chosen_is_saved(self):

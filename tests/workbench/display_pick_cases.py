@@ -5,11 +5,12 @@ import numpy as np
 from PySide import QtCore
 
 import display_cases
+import drawing
 import window
 from display_cases import RADIUS, wait
 from paver_wb import mesh_object
 from paver_wb.gui.commands import view
-from paver_wb.gui.display import actions, colouring, fields, report
+from paver_wb.gui.display import actions, colouring, report
 
 
 class Marks(display_cases.InWindow):
@@ -25,7 +26,7 @@ class Marks(display_cases.InWindow):
         self.assertEqual(self.marked(display.worst), set(found))
         self.assertEqual(sorted(values)[:5], [values[e] for e in found])
         self.assertEqual(display.labels.texts, [f"{i + 1}: {values[e]:.2f}" for i, e in enumerate(found)])
-        rows = fields.content(display.worst.face_set.coordIndex, np.int32).reshape(-1, 4)[:, :3]
+        rows = drawing.content(display.worst.face_set.coordIndex, np.int32).reshape(-1, 4)[:, :3]
         of_point = display.mesh.per_point(np.arange(display.mesh.count), display.subdivision)
         self.assertEqual(set(of_point[rows].ravel()), set(found))
         self.look()
@@ -47,7 +48,7 @@ class Marks(display_cases.InWindow):
         self.assertEqual(actions.show_free_edges(self.mesh), (border, 0))
         wait()
         self.assertEqual((display.free.count, display.crowded.count), (border, 0))
-        points = fields.content(display.free.points.point, np.float32, 3)
+        points = drawing.content(display.free.points.point, np.float32, 3)
         on_rim = np.isclose(points[:, :2], 0, atol=1e-4) | np.isclose(points[:, :2], 100)
         self.assertTrue(on_rim.any(axis=1).all())
         self.look()
@@ -71,7 +72,7 @@ class Marks(display_cases.InWindow):
         display = self.run_mesh()
         actions.show_normals(self.mesh)
         wait()
-        pairs = fields.content(display.normals.vertices.vertex, np.float32, 3).reshape(-1, 2, 3)
+        pairs = drawing.content(display.normals.vertices.vertex, np.float32, 3).reshape(-1, 2, 3)
         self.assertEqual(len(pairs), display.mesh.count)
         lengths = np.linalg.norm(pairs, axis=2)
         self.assertTrue((lengths[:, 1] > lengths[:, 0] + 0.5).all(), "they point out of the sphere")
@@ -83,21 +84,21 @@ class Marks(display_cases.InWindow):
 
     def test_shrunk_elements(self):
         display = self.run_mesh()
-        whole = fields.content(display.scene.points.point, np.float32, 3)
+        whole = drawing.content(display.scene.points.point, np.float32, 3)
         actions.shrink(self.mesh, 0.5)
         wait()
-        shrunk = fields.content(display.scene.points.point, np.float32, 3)
+        shrunk = drawing.content(display.scene.points.point, np.float32, 3)
         size = display.mesh.points_per_element(display.subdivision)[0]
         before, after = whole.reshape(-1, size, 3), shrunk.reshape(-1, size, 3)
         np.testing.assert_allclose(after.mean(axis=1), before.mean(axis=1), atol=1e-4)
         np.testing.assert_allclose(np.ptp(after, axis=1), 0.5 * np.ptp(before, axis=1), atol=1e-4)
-        lines = fields.content(display.scene.lines.coordIndex, np.int32)
+        lines = drawing.content(display.scene.lines.coordIndex, np.int32)
         self.assertEqual((lines == -1).sum(), display.mesh.count, "an outline for each element")
         self.look()
         self.picture("shrunk")
         actions.shrink(self.mesh, 1)
         wait()
-        np.testing.assert_array_equal(fields.content(display.scene.points.point, np.float32, 3), whole)
+        np.testing.assert_array_equal(drawing.content(display.scene.points.point, np.float32, 3), whole)
 
 
 class WithPlaces(display_cases.InWindow):

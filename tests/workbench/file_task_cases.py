@@ -8,8 +8,10 @@ import numpy as np
 
 import window
 from commands_cases import WithCommands
-from paver_wb import analysis, child_process, export_mesh, fem_process, import_mesh, mesh_object
-from paver_wb.gui import file_tasks, run_status, run_task
+from paver_wb import analysis, export_mesh, import_mesh, mesh_object
+from paver_wb.gui import file_tasks
+from paver_wb.gui.base import run_status, run_task
+from paver_wb.processes import child_process
 
 
 class FileTasks(WithCommands):
@@ -117,9 +119,9 @@ class FileTasks(WithCommands):
         self.assertEqual(len(mesh_object.meshes_of(self.document)), 1)
         with self.assertRaisesRegex(export_mesh.CannotHold, "none of the endings"):
             file_tasks.export(mesh, self.path("a.txt"))
-        real = fem_process.MAIN
-        self.addCleanup(setattr, fem_process, "MAIN", real)
-        fem_process.MAIN = "nowhere.py"
+        real = child_process.MAIN
+        self.addCleanup(setattr, child_process, "MAIN", real)
+        child_process.MAIN = "nowhere.py"
         task = self.done(file_tasks.export(mesh, self.path("a.unv")), run_task.FAILED)
         self.assertIn("ended without a result", self.complaint())
         self.assertIn("nowhere.py", task.error.log)

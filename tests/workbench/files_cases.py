@@ -6,7 +6,8 @@ import numpy as np
 import Part
 
 from mesh_cases import InDocument
-from paver_wb import core, export_mesh, file_types, import_mesh, mesh_check, mesh_object, meshing, raw_mesh, statistics
+from paver_wb import core, export_mesh, file_types, import_mesh, mesh_check, mesh_object, meshing, statistics
+from paver_wb.formats import raw_mesh
 
 
 class WithMesh(InDocument):

@@ -15,7 +15,9 @@ from PySide import QtGui
 sys.path.append(os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(__file__))), "support"))
 import window
 from paver_wb import binary, core, mesh_object
-from paver_wb.gui import core_build, first_use, run_control
+from paver_wb.gui import run_control
+from paver_wb.gui.base import run_task
+from paver_wb.gui.setup import core_build, first_use
 from process import is_alive
 
 WHEEL = os.environ.get("PAVER_WHEEL", "")  # a binary that fits
@@ -191,7 +193,7 @@ class FirstUse(WithDialog):
         """Its log."""
         self.replace_script("build", script)
         self.button("Build").click()  # one mouse event in dozens does not reach it in FreeCAD 1.0
-        window.wait(lambda: core_build.running() is None, "for the build")
+        window.wait(lambda: not run_task._tasks, "for the build")
         return self.dialog.log.toPlainText()
 
     def test_a_build_does_not_see_what_freecad_needs_for_itself(self):
@@ -224,14 +226,14 @@ class FirstUse(WithDialog):
             self.assertTrue(is_alive(child) and window.widget("PaverStatusStop") is not None)
             first_use.show()
             window.click(self.button("Stop"))
-            window.wait(lambda: core_build.running() is None, "for the end")
+            window.wait(lambda: not run_task._tasks, "for the end")
             self.assertFalse(is_alive(child))
             self.assertIn("stopped", self.state())
             os.remove(path)
 
     def refuse(self, path, *words):
         self.dialog.unpack(path)
-        window.wait(lambda: self.dialog.unpacking is None, "for the binary")
+        window.wait(lambda: not self.dialog.is_busy(), "for the binary")
         for word in words:
             self.assertIn(word, self.state())
         self.assertEqual(self.state().count(". "), 0, self.state())
@@ -274,7 +276,7 @@ class FirstUseBinary(WithDialog):
         window.picture("first_use_binary")
         self.assertIn(os.path.basename(WHEEL), window.widget("Paver_FirstUseWheel").text())
         window.click(self.button("Use"))
-        window.wait(lambda: self.dialog.unpacking is None, "for the binary")
+        window.wait(lambda: not self.dialog.is_busy(), "for the binary")
         self.assertEqual(core.problem(), "")
         self.assertTrue(core.load()._paver.__file__.startswith(core.binary_folder()))
         self.assertEqual(os.listdir(os.path.dirname(core.binary_folder())), ["binary"])
@@ -316,7 +318,7 @@ class FirstUseBuild(WithDialog):
                             'echo "[1/2] a"\nsleep 1\n'
                             f"cp -r {libraries} build\ncp {self.folder}/paver/*.so build/bindings\necho '[2/2] b'\n")
         window.click(self.button("Build"))
-        window.wait(lambda: core_build.running() is None, "for the build")
+        window.wait(lambda: not run_task._tasks, "for the build")
         self.assertEqual(core.problem(), "")
         self.assertTrue(core.load()._paver.__file__.startswith(os.path.join(binary.checkout(), "build")))
         self.mesh_everywhere()

@@ -65,7 +65,7 @@ def begin():
     try:
         import TestPaver, first_use_cases, window
         from paver_wb import binary
-        from paver_wb.gui import first_use
+        from paver_wb.gui.setup import first_use
         first_use_cases.write_script("build", first_use_cases.STEPS)
         first_use.show().begin()
         path = os.path.join(binary.checkout(), "build.pid")

@@ -9,7 +9,8 @@ import FreeCAD
 import numpy as np
 import Part
 
-from paver_wb import core, fem_mesh, mesh_file, mesh_object, meshing, properties
+from paver_wb import core, mesh_object, meshing, properties
+from paver_wb.formats import fem_mesh, mesh_file
 
 BOX = (10, 20, 30)
 

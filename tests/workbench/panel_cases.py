@@ -12,7 +12,8 @@ except ImportError:
 
 import window
 from paver_wb import core, mesh_object, refinement
-from paver_wb.gui import first_view, run_control
+from paver_wb.gui import run_control
+from paver_wb.gui.base import background, first_view
 
 PANEL_WIDTH = 360
 LONG = {"size": 0.03, "max_elements": 3000000}  # a run that takes a while
@@ -41,7 +42,7 @@ class PanelCase(unittest.TestCase):
             window.pause(50)
         if self.document is not None:
             FreeCAD.closeDocument(self.document.Name)
-        window.wait(lambda: not run_control._runs and not run_control.run_thread._running, "for runs to end")
+        window.wait(lambda: not run_control._runs and not background._running, "for runs to end")
 
     def add_mesh(self, *parts, **options):
         mesh = mesh_object.add(self.document, list(parts) or self.box, **(options or {"size": 2}))

@@ -71,17 +71,17 @@ class Runs(PanelCase):
         self.assertEqual((run.outcome.kind, mesh.Status), ("cancelled", "Not meshed"))
 
     def test_a_run_that_does_not_answer_a_stop_is_left_to_itself(self):
-        mesh, held, real = self.add_mesh(), threading.Event(), run_control.run_thread.MeshThread.tell
+        mesh, held, real = self.add_mesh(), threading.Event(), run_control.MeshThread.tell
 
         def held_up(thread, stage, fraction):
             real(thread, stage, fraction)
             held.wait(window.LIMIT)
-        run_control.run_thread.MeshThread.tell = held_up
+        run_control.MeshThread.tell = held_up
         self.addCleanup(held.set)
         try:
             run = self.begin_long_run(mesh)
         finally:
-            run_control.run_thread.MeshThread.tell = real
+            run_control.MeshThread.tell = real
         run.stop()
         window.wait(lambda: run.outcome, "for the stop")
         self.assertTrue(run.thread.isRunning())
@@ -97,7 +97,7 @@ class Runs(PanelCase):
         self.document.openTransaction("Something else")
         self.box.Label = "Brick"
         run = run_control.start(mesh)
-        window.wait(lambda: run.state == run_control.TAKING, "for the result")
+        window.wait(lambda: run.state == "taking", "for the result")
         window.pause(300)
         self.assertEqual(mesh.Status, "Not meshed")
         self.document.commitTransaction()

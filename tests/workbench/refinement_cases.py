@@ -5,7 +5,8 @@ import FreeCAD
 import numpy as np
 
 from mesh_cases import InDocument
-from paver_wb import child_process, core, job, mesh_object, meshing, refinement
+from paver_wb import core, job, mesh_object, meshing, refinement
+from paver_wb.processes import child_process
 
 
 def lengths_on(result, face):

@@ -11,7 +11,7 @@ from commands_cases import WithCommands
 from paver_wb import examples, mesh_check, mesh_object, properties, refinement
 from paver_wb.gui import statistics_panel, check_panel
 from paver_wb.gui.display import view_properties
-from paver_wb.gui.paths import TRANSLATIONS
+from paver_wb.base.paths import TRANSLATIONS
 
 
 class Translations(WithCommands):
@@ -40,8 +40,8 @@ class Translations(WithCommands):
             for name in thing.PropertiesList:
                 if thing.getGroupOfProperty(name) in groups:
                     text = thing.getDocumentationOfProperty(name)
-                    self.assertNotEqual(FreeCAD.Qt.translate("App::Property", text), text, f"{name}: put its tooltip "
-                                        "into property_texts.py, if it is one of the core, and run scripts/translations")
+                    self.assertNotEqual(FreeCAD.Qt.translate("App::Property", text), text, f"{name}: run "
+                                        "scripts/translations")
                     count += 1
         self.assertGreater(count, 45)
         self.assertTrue(all(FreeCAD.Qt.translate("App::Property", group) != group for group in groups))

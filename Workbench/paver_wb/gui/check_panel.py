@@ -1,10 +1,12 @@
 """What a check of a mesh finds, as a list; a click shows the elements."""
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
-from paver_wb import mesh_check, mesh_file
-from paver_wb.gui.measuring import MeasuringDialog
+from paver_wb import mesh_check
+from paver_wb.formats import mesh_file
+from paver_wb.gui.base import measuring
+from paver_wb.gui.base.widgets import button, named, row
 
 translate = FreeCAD.Qt.translate
 MOST_SELECTED = 500  # elements that a click selects
@@ -20,44 +22,33 @@ def verdict_text(level):
             mesh_check.GOOD: translate("Paver", "The mesh is sound.")}[level]
 
 
-class CheckPanel(MeasuringDialog):
+class CheckPanel(measuring.MeasuringDialog):
     """Stays open beside the window. `findings`: those that are shown."""
 
+    findings = ()
+
     def __init__(self, obj):
-        super().__init__(FreeCADGui.getMainWindow())
-        self.obj, self.findings = obj, []
-        self.setObjectName("Paver_CheckPanel")
-        self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-        self.setWindowTitle(translate("Paver", "Check of {}").format(obj.Label))
-        self.verdict, self.list = QtGui.QLabel(), QtGui.QListWidget()
+        super().__init__(obj, "Paver_CheckPanel", translate("Paver", "Check of {}").format(obj.Label))
+        self.resize(560, 320)
+
+    def build(self):
+        self.verdict = named(QtGui.QLabel(), "CheckVerdict")
+        self.list = named(QtGui.QListWidget(), "CheckList", translate(
+            "Paver", "Click on a line to select its elements in the 3D view"))
         font = self.verdict.font()
         font.setBold(True)
         self.verdict.setFont(font)
-        self.verdict.setObjectName("Paver_CheckVerdict")
-        self.list.setObjectName("Paver_CheckList")
         self.list.setWordWrap(True)
         self.list.setAlternatingRowColors(True)
-        self.list.setToolTip(translate("Paver", "Click on a line to select its elements in the 3D view"))
         self.list.itemClicked.connect(self.select)
         layout = QtGui.QVBoxLayout(self)
         layout.addWidget(self.verdict)
         layout.addWidget(self.list)
         layout.addWidget(self.busy)
         layout.addLayout(self.bottom())
-        self.resize(560, 320)
-        self.refresh()
 
     def bottom(self):
-        again, close = QtGui.QPushButton(translate("Paver", "Check again")), QtGui.QPushButton(translate("Paver", "Close"))
-        again.setObjectName("Paver_CheckAgain")
-        again.clicked.connect(self.refresh)
-        close.setDefault(True)
-        close.clicked.connect(self.close)
-        row = QtGui.QHBoxLayout()
-        row.addStretch()
-        row.addWidget(again)
-        row.addWidget(close)
-        return row
+        return row(None, button("CheckAgain", translate("Paver", "Check again"), "", self.refresh), self.close_button())
 
     def refresh(self):
         """Checks the mesh again, on a thread."""
@@ -93,19 +84,6 @@ class CheckPanel(MeasuringDialog):
             FreeCADGui.Selection.addSelection(self.obj.Document.Name, self.obj.Name, f"Elem{number}")
 
 
-_open = {}
-
-
 def show(obj):
     """Checks a mesh object and shows what was found. ValueError when it is not meshed."""
-    if not obj.MeshFile:
-        raise ValueError(f"'{obj.Label}' is not meshed; mesh it first.")
-    key = (obj.Document.Name, obj.Name)
-    if key in _open:
-        _open[key].refresh()
-    else:
-        _open[key] = CheckPanel(obj)
-        _open[key].destroyed.connect(lambda _=None: _open.pop(key, None))
-    _open[key].show()
-    _open[key].raise_()
-    return _open[key]
+    return measuring.show(CheckPanel, obj)

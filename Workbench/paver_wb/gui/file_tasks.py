@@ -5,21 +5,18 @@ import shutil
 import FreeCAD
 import FreeCADGui
 
-from paver_wb import analysis, export_mesh, fem_process, import_mesh, mesh_file, mesh_object, meshing
-from paver_wb.gui import run_task
+from paver_wb import analysis, export_mesh, import_mesh, mesh_object, meshing, preferences
+from paver_wb.formats import mesh_file
+from paver_wb.processes import fem_process
+from paver_wb.gui.base import run_task
 from paver_wb.gui.display import drawn_mesh
 
-FOLDER = "LastFolder"  # of the preferences
 STATUS_TIME = 10000  # ms
 translate = FreeCAD.Qt.translate
 
 
-def parameters():
-    return FreeCAD.ParamGet(mesh_object.PREFERENCES)
-
-
 def remember(path):
-    parameters().SetString(FOLDER, os.path.dirname(path))
+    preferences.parameters().SetString(preferences.LAST_FOLDER, os.path.dirname(path))
 
 
 def kept(obj, folder):
@@ -81,7 +78,7 @@ def import_file(document, path):
         mesh, file, drawn = made
         with meshing.transaction(document, "Import mesh"):
             obj = import_mesh.add_mesh(document, mesh, label, file)
-        drawn_mesh.offer(obj.MeshFile, drawn)
+        drawn_mesh.offered.put(obj.MeshFile, drawn)
         remember(path)
         FreeCADGui.SendMsgToActiveView("ViewFit")
     return run_task.begin(translate("Paver", "Reading {}").format(os.path.basename(path)), document, work, take)

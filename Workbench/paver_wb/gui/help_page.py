@@ -5,7 +5,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from paver_wb.gui.paths import PAGES
+from paver_wb.base.paths import PAGES
 
 translate = FreeCAD.Qt.translate
 NAME = "Paver_HelpPage"

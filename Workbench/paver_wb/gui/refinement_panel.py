@@ -7,27 +7,19 @@ import os
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
-from paver_wb import core, refinement
-from paver_wb.gui import task_panel_fields as fields
-from paver_wb.gui.paths import ICONS
-from paver_wb.gui.task_panel_run import FAULT_STYLE
-from paver_wb.gui.task_panel_sizes import references_text, selected_references
-from paver_wb.gui.task_panel_steps import in_step, python_name
+from paver_wb import refinement
+from paver_wb.gui.base import edit_panel
+from paver_wb.gui.base.edit_panel import edit_new, unset_edit  # noqa: F401, for commands and the view provider
+from paver_wb.base.paths import ICONS
+from paver_wb.gui.base.steps import in_step, python_name
+from paver_wb.gui.base.widgets import FaultBox, button, named
+from paver_wb.gui.panels import fields
+from paver_wb.gui.panels.sizes_box import references_text, selected_references, view_buttons
 
 translate = FreeCAD.Qt.translate
 LIST_HEIGHT = 120  # pixels
-_open = None  # the panel on screen
-_new = None  # the refinement that the next panel is made for
-
-
-def button(name, text, tip, action):
-    made = QtGui.QPushButton(text)
-    made.setObjectName("Paver_" + name)
-    made.setToolTip(tip)
-    made.clicked.connect(action)
-    return made
 
 
 class RefinementBox(QtGui.QWidget):
@@ -44,7 +36,8 @@ class RefinementBox(QtGui.QWidget):
         layout.addWidget(QtGui.QLabel(translate("Paver", "Where")))
         layout.addWidget(self.make_list())
         layout.addLayout(self.buttons())
-        layout.addWidget(self.fault_box())
+        self.fault = FaultBox()
+        layout.addWidget(self.fault)
         self.refresh()
 
     def values(self):
@@ -58,13 +51,10 @@ class RefinementBox(QtGui.QWidget):
                  self.obj.EpsR),
                 ("RefinementMuR", self.mu_r, translate("Paver", "Relative permeability of the medium there"),
                  self.obj.MuR)):
-            field.setObjectName("Paver_" + name)
+            named(field, name)
             field.set_tip(tip)
             field.set_value(value)
-        self.by = fields.ChoiceField(refinement.BY, [translate("Paver", "Length"), translate("Paver", "Medium")])
-        self.by.setObjectName("Paver_RefinementBy")
-        self.by.set_tip(translate("Paver", "A length, or the wavelength in a medium, which needs a frequency"))
-        self.by.set_value(self.obj.By)
+        self.by = named(fields.by_field(self.obj), "RefinementBy")
         self.by.changed.connect(self.show_what_counts)
         form = QtGui.QFormLayout()
         form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
@@ -83,9 +73,8 @@ class RefinementBox(QtGui.QWidget):
             self.form.labelForField(field).setVisible(is_shown)
 
     def make_list(self):
-        self.list = QtGui.QListWidget()
-        self.list.setObjectName("Paver_RefinementWhere")
-        self.list.setToolTip(translate("Paver", "What is refined; a click shows it in the 3D view"))
+        self.list = named(QtGui.QListWidget(), "RefinementWhere", translate(
+            "Paver", "What is refined; a click shows it in the 3D view"))
         self.list.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
         self.list.setFixedHeight(LIST_HEIGHT)
         self.list.itemSelectionChanged.connect(self.show_chosen)
@@ -97,31 +86,13 @@ class RefinementBox(QtGui.QWidget):
             "Paver", "Adds what is selected in the 3D view"), self.add_selected), 0, 0)
         rows.addWidget(button("RefinementRemove", translate("Paver", "Remove"), translate(
             "Paver", "Removes the chosen lines"), self.remove_chosen), 0, 1)
-        rows.addWidget(button("RefinementModel", translate("Paver", "Show model"), translate(
-            "Paver", "Shows what is meshed, to select from it"), lambda: self.show_in_view(False)), 1, 0)
-        rows.addWidget(button("RefinementMesh", translate("Paver", "Show mesh"), translate("Paver", "Shows the mesh"),
-                              lambda: self.show_in_view(True)), 1, 1)
+        for column, shown in enumerate(view_buttons("Refinement", self.mesh)):
+            rows.addWidget(shown, 1, column)
         return rows
-
-    def fault_box(self):
-        self.fault = QtGui.QFrame()
-        self.fault.setObjectName("Paver_Fault")
-        self.fault.setStyleSheet(FAULT_STYLE)
-        layout = QtGui.QVBoxLayout(self.fault)
-        self.fault_text = QtGui.QLabel()
-        self.fault_text.setObjectName("Paver_FaultText")
-        self.fault_text.setWordWrap(True)
-        self.fault_text.setToolTip(translate("Paver", "What went wrong, and what to do"))
-        layout.addWidget(self.fault_text)
-        return self.fault
 
     def mesh(self):
         meshes = refinement.meshes_of(self.obj)
         return meshes[0] if meshes else None
-
-    def show_fault(self, text):
-        self.fault_text.setText(text)
-        self.fault.setVisible(bool(text))
 
     def refresh(self):
         """Shows the references, none of them chosen."""
@@ -130,7 +101,7 @@ class RefinementBox(QtGui.QWidget):
         for thing, element in self.references:
             self.list.addItem(f"{thing.Label}: {element or translate('Paver', 'all')}")
         self.list.blockSignals(False)
-        self.show_fault("")
+        self.fault.tell("")
 
     def select(self, numbers):
         """Selects references in the 3D view."""
@@ -154,7 +125,7 @@ class RefinementBox(QtGui.QWidget):
                                                     "objects in the 3D view."))
             refinement.check_references([mesh] if mesh else [], [(thing, [element]) for thing, element in new])
         except ValueError as error:
-            self.show_fault(str(error))
+            self.fault.tell(str(error))
             return
         self.references += new
         self.refresh()
@@ -163,11 +134,6 @@ class RefinementBox(QtGui.QWidget):
         gone = self.chosen()
         self.references = [entry for number, entry in enumerate(self.references) if number not in gone]
         self.refresh()
-
-    def show_in_view(self, shows_mesh):
-        if self.mesh():
-            FreeCADGui.addModule("paver_wb.gui.run_place")
-            FreeCADGui.doCommand(f"paver_wb.gui.run_place.show({python_name(self.mesh())}, mesh={shows_mesh})")
 
     def grouped(self):
         """[(object, elements)] of the references."""
@@ -193,28 +159,18 @@ class RefinementBox(QtGui.QWidget):
         return f"paver_wb.refinement.change({python_name(self.obj)}, {references_text(self.grouped())}, {value})"
 
 
-class RefinementPanel:
-    """What FreeCAD calls. is_new: the refinement was made for this panel."""
+class RefinementPanel(edit_panel.EditPanel):
+    """The panel of a refinement."""
 
     def __init__(self, obj, is_new):
-        self.obj, self.is_new, self.document, self.steps = obj, is_new, obj.Document, obj.Document.UndoCount
+        super().__init__(obj, is_new)
         self.box = RefinementBox(obj)
         self.form, self.before = [self.box], self.box.line()
-        self.is_closed = False
-        FreeCAD.addDocumentObserver(self)
 
-    def getStandardButtons(self):
-        buttons = QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel
-        return getattr(buttons, "value", None) or int(buttons)
-
-    def isAllowedAlterSelection(self):
-        return True
-
-    def isAllowedAlterView(self):
-        return True
-
-    def isAllowedAlterDocument(self):
-        return True
+    def shown(self):
+        self.box.select(range(len(self.box.references)))
+        self.box.length.setFocus()
+        self.box.length.selectAll()
 
     def accept(self):
         fault = self.box.text_fault()
@@ -225,72 +181,23 @@ class RefinementPanel:
         except ValueError as error:
             fault = str(error)
         if fault:
-            self.box.show_fault(fault)
+            self.box.fault.tell(fault)
             return False
         self.close()
         return True
 
     def reject(self):
         is_unused = self.is_new and self.document.UndoCount == self.steps
-        document = self.document
         self.close()
         if is_unused:
-            document.undo()
+            self.document.undo()
         return True
-
-    def close(self):
-        self.forget()
-        FreeCADGui.getDocument(self.document.Name).resetEdit()
-        FreeCADGui.Control.closeDialog()
-
-    def forget(self):
-        global _open
-        if not self.is_closed:
-            self.is_closed = True
-            FreeCAD.removeDocumentObserver(self)
-            _open = None
 
     def slotDeletedObject(self, obj):
         if obj == self.obj or any(obj == thing for thing, _ in self.box.references):
             self.vanish()
 
-    def slotDeletedDocument(self, document):
-        if document == self.document:
-            self.vanish()
-
-    def vanish(self):
-        """The refinement, or what it refers to, goes away."""
-        self.forget()
-        QtCore.QTimer.singleShot(0, lambda: FreeCADGui.Control.closeDialog())
-
-
-def edit_new(obj):
-    """Opens the panel of a refinement that was made for it, when the command that calls this has ended."""
-    global _new
-    _new, document, name = obj, obj.Document.Name, obj.Name
-    QtCore.QTimer.singleShot(0, lambda: FreeCADGui.getDocument(document).setEdit(name))
-
 
 def set_edit(obj):
     """What the view provider does when the object is to be edited."""
-    global _open, _new
-    is_new, _new = _new == obj, None
-    fault = core.problem()
-    if not fault and FreeCADGui.Control.activeDialog():
-        fault = translate("Paver", "Another task panel is open; close it first.")
-    if fault:
-        FreeCAD.Console.PrintError(f"{obj.Label}: {fault}\n")
-        return False
-    _open = RefinementPanel(obj, is_new)
-    FreeCADGui.Control.showDialog(_open)
-    _open.box.select(range(len(_open.box.references)))
-    _open.box.length.setFocus()
-    _open.box.length.selectAll()
-    return True
-
-
-def unset_edit():
-    """What it does at the end, whoever asked for that."""
-    if _open is not None:
-        _open.forget()
-        FreeCADGui.Control.closeDialog()
+    return edit_panel.set_edit(obj, RefinementPanel, obj.Label + ": ")

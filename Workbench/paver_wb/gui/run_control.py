@@ -1,24 +1,25 @@
 """Meshing from the window: on a thread, one run after the other, the result taken into the document when it may be."""
 import os
-import tempfile
 import time
 from typing import NamedTuple
 
 import FreeCAD
 from PySide import QtCore
 
-from paver_wb import core, mesh_job, mesh_object, meshing, source_shapes
-from paver_wb.gui import run_place, run_status, run_thread
-from paver_wb.gui.run_task import BUSY, PATIENCE, is_busy
+from paver_wb import core, mesh_object, meshing, properties
+from paver_wb.base import source_shapes
+from paver_wb.gui import run_place
+from paver_wb.gui.base import background, run_status
+from paver_wb.gui.base.run_task import DONE, STOPPED, WAITING, Task
 from paver_wb.gui.display import drawn_mesh, mesh_display
+from paver_wb.processes import child_process, mesh_job
 
-WAITING, RUNNING, TAKING, ENDED = "waiting", "running", "taking", "ended"
 MESHED, CANCELLED, FAILED = "meshed", "cancelled", "failed"
 NAMED = 3  # faces in a message
 translate = FreeCAD.Qt.translate
 
 _runs = []  # those that have not ended, in order; the first one is at work
-_offer = (None, None)  # digest of a shape, its paver.Model
+offered = background.Offer()  # by the digest of a shape: its paver.Model, which was read before
 
 
 class Outcome(NamedTuple):
@@ -36,119 +37,130 @@ class Outcome(NamedTuple):
     mesh: object
 
 
-class Run(QtCore.QObject):
-    """One meshing of a mesh object. Everything of it but its thread is in the main thread."""
+class MeshThread(background.Background):
+    """Does a job, in this process or in one of its own; `result` is the StoredMesh, `path` its file in `folder`, `drawn`
+    the DrawnMesh for the 3D view.
 
-    progressed = QtCore.Signal(str, float)
+    run_in: a value of mesh_object.RUN_IN; from so many `heavy` predicted elements on "Automatic" means an own process.
+    subdivision: of the drawing, 0 the one that fits; None: it is not shown, so nothing is made for it.
+    """
+
+    moved = QtCore.Signal()  # to a process of its own
+
+    def __init__(self, job, folder, run_in, heavy, model=None, subdivision=None):
+        super().__init__()
+        self.job, self.folder, self.run_in, self.heavy, self.model = job, folder, run_in, heavy, model
+        self.subdivision, self.drawn, self.path = subdivision, None, None
+
+    def is_for_child(self):
+        if self.run_in != mesh_object.AUTOMATIC:
+            return self.run_in == mesh_object.IN_PROCESS
+        if self.job.options.get(properties.RANKS):
+            return False  # ranks are processes of their own anyway
+        self.model = self.model or self.job.model()
+        return core.load().predict(self.model, cancel=self.stop, **self.job.options).elements >= self.heavy
+
+    def work(self):
+        made = self.made()
+        if self.subdivision is not None:
+            self.tell(run_status.DRAWING, 0.0)
+            drawn = drawn_mesh.DrawnMesh(made)
+            drawn.prepare(self.subdivision)
+            self.drawn = drawn
+        return made
+
+    def made(self):
+        if self.is_for_child():
+            self.model = None  # it may be large
+            self.moved.emit()
+            made, self.path = child_process.run(self.job, self.folder, self.tell, self.stop)
+            return made
+        self.path = os.path.join(self.folder, child_process.MESH)
+        return mesh_job.store(self.job, self.path, self.tell, self.stop, self.model)
+
+
+class Run(Task):
+    """One meshing of a mesh object."""
+
     moved = QtCore.Signal()
-    ended = QtCore.Signal(object)
 
     def __init__(self, obj, run_in, changes):
-        super().__init__()
-        start = time.monotonic()
-        self.obj, self.run_in, self.changes, self.state, self.outcome = obj, run_in, changes, WAITING, None
-        self.document, self.name, self.label = obj.Document.Name, obj.Name, obj.Label
-        self.stage, self.fraction, self.begun = "", 0.0, start
-        self.job, self.shapes = meshing.prepare(obj, **changes), source_shapes.of(mesh_object.sources(obj))
-        self.folder = tempfile.mkdtemp(prefix="paver", dir=os.path.dirname(obj.Document.TransientDir))
-        self.thread = run_thread.MeshThread(self.job, self.folder, run_in or obj.RunIn, mesh_object.heavy_elements(),
-                                            offered(self.job.digest), shown_subdivision(obj))
-        self.thread.progressed.connect(self.tell, QtCore.Qt.QueuedConnection)
+        start, job, shapes = time.monotonic(), meshing.prepare(obj, **changes), source_shapes.of(mesh_object.sources(obj))
+        super().__init__(obj.Label, obj.Document)
+        self.begun, self.job, self.shapes = start, job, shapes
+        self.obj, self.name, self.run_in, self.changes, self.fraction = obj, obj.Name, run_in, changes, 0.0
+        self.follow(MeshThread(job, self.folder, run_in or obj.RunIn, mesh_object.heavy_elements(),
+                               offered.take(job.digest), shown_subdivision(obj)))
         self.thread.moved.connect(self.moved)
-        self.thread.done.connect(self.take_back)
+        self.end_text, self.place = "", None
         self.seconds = {"hand over": time.monotonic() - start}
 
     def is_of(self, obj):
         return (self.document, self.name) == (obj.Document.Name, obj.Name)
 
     def line(self):
-        return f"{self.label}: {run_status.stage_text(self.stage)}"
+        return f"{self.text}: {run_status.stage_text(self.stage)}"
 
     def percent(self):
         return run_status.percent(self.stage, self.fraction)
 
     def begin(self):
-        self.state, self.begun = RUNNING, time.monotonic()
-        self.thread.begin()
-
-    def stop(self):
-        """Stops it; `ended` comes within a second."""
-        self.thread.stop.set()
-        if self.state in (WAITING, TAKING):
-            self.end(CANCELLED, self.cancelled())
-        elif self.state == RUNNING:
-            QtCore.QTimer.singleShot(PATIENCE, self.leave)
-
-    def cancelled(self):
-        return translate("Paver", "Meshing of '{}' was stopped; it is as before.").format(self.label)
+        self.begun = time.monotonic()
+        super().begin()
 
     def abandon(self):
         """Stops it when its mesh object has gone."""
         self.obj = None
-        self.thread.stop.set()
-        self.end(CANCELLED, translate("Paver", "Meshing of '{}' was stopped, as it was deleted.").format(self.label))
+        self.cancel.set()
+        self.end_text = translate("Paver", "Meshing of '{}' was stopped, as it was deleted.").format(self.text)
+        self.end(STOPPED)
 
-    @QtCore.Slot()
-    def leave(self):
-        """After a stop that the core has not answered: inside a long call of the CAD kernel it cannot."""
-        if self.state == RUNNING:
-            self.end(CANCELLED, self.cancelled())
-
-    @QtCore.Slot(str, float)
-    def tell(self, stage, fraction):
-        if self.state == RUNNING and stage != "done":
-            self.stage, self.fraction = stage, fraction
-            self.progressed.emit(stage, fraction)
-
-    @QtCore.Slot()
     def take_back(self):
-        """Takes the result into the document, as soon as nothing else is changing that."""
-        if self.state == ENDED:
-            return
         self.seconds.setdefault("mesh", time.monotonic() - self.begun)
-        if self.thread.error is not None or self.thread.stop.is_set():
-            self.fail(self.thread.error)
-        elif is_busy(self.obj.Document):
-            self.state = TAKING
-            QtCore.QTimer.singleShot(BUSY, self.take_back)
-        else:
-            self.keep()
+        super().take_back()
 
-    def keep(self):
-        start, mesh = time.monotonic(), self.thread.result
-        try:
-            is_outdated = meshing.has_changed(self.obj, self.job, self.shapes)
-            meshing.keep(self.obj, self.job, mesh, self.thread.path, is_outdated, self.run_in,
-                         **self.changes)
-        except Exception as error:
-            return self.fail(error)
+    def take(self, mesh):
+        """Takes the result into the document."""
+        start = time.monotonic()
+        is_outdated = meshing.has_changed(self.obj, self.job, self.shapes)
+        meshing.keep(self.obj, self.job, mesh, self.thread.path, is_outdated, self.run_in, **self.changes)
         if self.thread.drawn is not None:
-            drawn_mesh.offer(self.obj.MeshFile, self.thread.drawn)
+            drawn_mesh.offered.put(self.obj.MeshFile, self.thread.drawn)
         self.seconds["take back"] = time.monotonic() - start
-        text = translate("Paver", "'{}' has {} quads and {} triangles").format(self.label, len(mesh.quads),
-                                                                               len(mesh.triangles))
+        self.end_text = translate("Paver", "'{}' has {} quads and {} triangles").format(self.text, len(mesh.quads),
+                                                                                        len(mesh.triangles))
         failed = mesh_job.failures(self.job, mesh)
         if not failed:
-            return self.end(MESHED, text + ".", mesh=mesh)
+            self.end_text += "."
+            return
         names = ", ".join(place.element for place, _ in failed[:NAMED]) + (", ..." if failed[NAMED:] else "")
-        text += translate("Paver", ", but {} could not be meshed: {}.").format(names, failed[0][1])
-        return self.end(MESHED, text, failed[0][0], mesh=mesh)
+        self.end_text += translate("Paver", ", but {} could not be meshed: {}.").format(names, failed[0][1])
+        self.place = failed[0][0]
 
-    def fail(self, error):
-        if self.thread.stop.is_set() or isinstance(error, core.load().Cancelled):
-            return self.end(CANCELLED, self.cancelled())
-        text = str(error) or type(error).__name__
-        return self.end(FAILED, text, getattr(error, "place", None), getattr(error, "log", ""))
+    def told(self, how):
+        """The Outcome. Tells the report view, and selects what could not be meshed."""
+        kind = {DONE: MESHED, STOPPED: CANCELLED}.get(how, FAILED)
+        if kind == FAILED:
+            self.end_text = str(self.error) or type(self.error).__name__
+            self.place = getattr(self.error, "place", None)
+        elif kind == CANCELLED and not self.end_text:
+            self.end_text = translate("Paver", "Meshing of '{}' was stopped; it is as before.").format(self.text)
+        log = getattr(self.error, "log", "")
+        if log:
+            FreeCAD.Console.PrintLog(log + "\n")
+        if kind == FAILED or self.place:
+            FreeCAD.Console.PrintError(f"{self.text}: {self.end_text}\n")
+        else:
+            FreeCAD.Console.PrintMessage(self.end_text + "\n")
+        if self.place:
+            run_place.select(self.obj, self.place)
+        return Outcome(kind, self.end_text, self.place, log, self.seconds, self.thread.result if how == DONE else None)
 
-    def end(self, kind, text, place=None, log="", mesh=None):
-        self.state = ENDED
+    def end(self, how, error=None):
         if self in _runs:
             _runs.remove(self)
-        self.thread.drop_folder(self.folder)
-        self.outcome = Outcome(kind, text, place, log, self.seconds, mesh)
-        self.thread.result = self.thread.model = self.thread.drawn = None  # Qt may keep the thread for a while
-        report(self)
-        self.ended.emit(self.outcome)
+        super().end(how, error)
+        self.thread.model = self.thread.drawn = None
         begin_next()
 
 
@@ -167,34 +179,9 @@ class Announcer(QtCore.QObject):
 announcer = Announcer()
 
 
-def report(run):
-    """Tells the report view, and selects what could not be meshed."""
-    outcome = run.outcome
-    if outcome.log:
-        FreeCAD.Console.PrintLog(outcome.log + "\n")
-    if outcome.kind == FAILED or outcome.place:
-        FreeCAD.Console.PrintError(f"{run.label}: {outcome.text}\n")
-    else:
-        FreeCAD.Console.PrintMessage(outcome.text + "\n")
-    if outcome.place:
-        run_place.select(run.obj, outcome.place)
-
-
 def begin_next():
     if _runs and _runs[0].state == WAITING:
         _runs[0].begin()
-
-
-def offer(digest, model):
-    """Names a paver.Model that was read before, for the next run to use if its shape has that digest."""
-    global _offer
-    _offer = (digest, model)
-
-
-def offered(digest):
-    global _offer
-    (known, model), _offer = _offer, (None, None)
-    return model if known == digest else None
 
 
 def start(obj, run_in=None, **changes):
@@ -240,4 +227,3 @@ class Observer:
 
 _observer = Observer()
 FreeCAD.addDocumentObserver(_observer)
-QtCore.QCoreApplication.instance().aboutToQuit.connect(run_thread.end_all)

@@ -1,14 +1,14 @@
 """The statistics of a mesh: a table and histograms, in millimetres and wavelengths."""
 import FreeCAD
-import FreeCADGui
 from PySide import QtCore, QtGui
 
-from paver_wb import mesh_file, statistics
-from paver_wb.gui.histogram import Histogram
-from paver_wb.gui.measuring import MeasuringDialog
+from paver_wb import statistics
+from paver_wb.formats import mesh_file
+from paver_wb.gui.base import measuring
+from paver_wb.gui.base.histogram import Histogram
+from paver_wb.gui.base.widgets import button, named, row
 
 translate = FreeCAD.Qt.translate
-_open = {}  # object name of a dialog: the dialog
 
 
 def names():
@@ -26,23 +26,18 @@ def names():
             "Basis order 2": translate("Paver", "Basis order 2"), "Basis order 3": translate("Paver", "Basis order 3")}
 
 
-class StatisticsPanel(MeasuringDialog):
+class StatisticsPanel(measuring.MeasuringDialog):
     """Stays open beside the window, and follows the mesh. `figures`: those that are shown, None until there are some."""
 
+    figures = base = charts = None
+
     def __init__(self, obj):
-        super().__init__(FreeCADGui.getMainWindow())
-        self.obj, self.figures, self.base, self.charts = obj, None, None, None
-        self.setObjectName("Paver_StatisticsPanel")
-        self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-        self.setWindowTitle(translate("Paver", "Statistics of {}").format(obj.Label))
-        self.build()
-        self.refresh()
+        super().__init__(obj, "Paver_StatisticsPanel", translate("Paver", "Statistics of {}").format(obj.Label))
         self.resize(900, 620)
         FreeCAD.addDocumentObserver(self)
 
     def build(self):
-        self.table = QtGui.QTreeWidget()
-        self.table.setObjectName("Paver_StatisticsTable")
+        self.table = named(QtGui.QTreeWidget(), "StatisticsTable")
         self.table.setColumnCount(3)
         self.table.setHeaderLabels([translate("Paver", "Figure"), translate("Paver", "Value"),
                                     translate("Paver", "In wavelengths, memory")])
@@ -61,30 +56,19 @@ class StatisticsPanel(MeasuringDialog):
         layout.addLayout(self.bottom())
 
     def bottom(self):
-        row = QtGui.QHBoxLayout()
-        self.frequency = QtGui.QDoubleSpinBox()
-        self.frequency.setObjectName("Paver_StatisticsFrequency")
+        self.frequency = named(QtGui.QDoubleSpinBox(), "StatisticsFrequency", translate(
+            "Paver", "Frequency for the figures in wavelengths; the mesh stays as it is"))
         self.frequency.setDecimals(4)
         self.frequency.setRange(0, 1e6)
         self.frequency.setSuffix(" GHz")
         self.frequency.setSpecialValueText("\u2013")
-        self.frequency.setToolTip(translate("Paver", "Frequency for the figures in wavelengths; the mesh stays as it is"))
         wave = statistics.wave_of(self.obj)
         self.frequency.setValue(wave.frequency / 1e9 if wave else 0)
         self.frequency.valueChanged.connect(lambda _value: self.show_figures())
-        copy = QtGui.QPushButton(translate("Paver", "Copy table"))
-        copy.setObjectName("Paver_StatisticsCopy")
-        copy.clicked.connect(self.copy)
-        close = QtGui.QPushButton(translate("Paver", "Close"))
-        close.setDefault(True)
-        close.clicked.connect(self.close)
         self.note = QtGui.QLabel()
-        row.addWidget(QtGui.QLabel(translate("Paver", "Frequency")))
-        row.addWidget(self.frequency)
-        row.addWidget(self.note, 1)
-        row.addWidget(copy)
-        row.addWidget(close)
-        return row
+        return row(QtGui.QLabel(translate("Paver", "Frequency")), self.frequency, self.note,
+                   button("StatisticsCopy", translate("Paver", "Copy table"), "", self.copy), self.close_button(),
+                   shares=(0, 0, 1, 0, 0))
 
     def refresh(self):
         """Measures the mesh again, on a thread."""
@@ -117,14 +101,14 @@ class StatisticsPanel(MeasuringDialog):
         words = names()
         self.table.clear()
         group = None
-        for row in statistics.rows(self.figures):
-            if group is None or group.data(0, QtCore.Qt.UserRole) != row.group:
-                group = QtGui.QTreeWidgetItem(self.table, [words[row.group]])
-                group.setData(0, QtCore.Qt.UserRole, row.group)
+        for entry in statistics.rows(self.figures):
+            if group is None or group.data(0, QtCore.Qt.UserRole) != entry.group:
+                group = QtGui.QTreeWidgetItem(self.table, [words[entry.group]])
+                group.setData(0, QtCore.Qt.UserRole, entry.group)
                 bold = group.font(0)
                 bold.setBold(True)
                 group.setFont(0, bold)
-            item = QtGui.QTreeWidgetItem(group, [words[row.name], row.value, row.in_waves])
+            item = QtGui.QTreeWidgetItem(group, [words[entry.name], entry.value, entry.in_waves])
             for column in (1, 2):
                 item.setTextAlignment(column, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
         self.table.expandAll()
@@ -166,23 +150,14 @@ class StatisticsPanel(MeasuringDialog):
             self.close()
 
     def slotDeletedDocument(self, document):
-        if document.Name == self.document_name:
+        if document.Name == self.key[1]:
             self.close()
 
-    def closeEvent(self, event):
+    def leave(self, result):
         FreeCAD.removeDocumentObserver(self)
-        _open.pop(self.key, None)
-        super().closeEvent(event)
+        super().leave(result)
 
 
 def show(obj):
     """Opens the statistics of a mesh object, or brings them to the front. ValueError when it is not meshed."""
-    if not obj.MeshFile:
-        raise ValueError(f"'{obj.Label}' is not meshed; mesh it first.")
-    key = (obj.Document.Name, obj.Name)
-    if key not in _open:
-        _open[key] = StatisticsPanel(obj)
-        _open[key].key, _open[key].document_name = key, obj.Document.Name
-    _open[key].show()
-    _open[key].raise_()
-    return _open[key]
+    return measuring.show(StatisticsPanel, obj)

@@ -10,33 +10,32 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from paver_wb import core, mesh_object, refinement
-from paver_wb.gui import (first_use, run_control, run_predict, task_panel_options, task_panel_result, task_panel_run,
-                          task_panel_sizes)
-from paver_wb.gui.paths import ICONS
-from paver_wb.gui.task_panel_steps import in_step, python_name
+from paver_wb import mesh_object, refinement
+from paver_wb.gui import run_control
+from paver_wb.gui.base import edit_panel
+from paver_wb.gui.base.edit_panel import edit_new, unset_edit  # noqa: F401, for commands and the view provider
+from paver_wb.base.paths import ICONS
+from paver_wb.gui.base.steps import in_step, python_name
+from paver_wb.gui.panels import options_box, result_box, run_box, run_predict, sizes_box
+from paver_wb.gui.setup import first_use
 
 translate = FreeCAD.Qt.translate
 FRAME = 90  # pixels that FreeCAD puts around a part of a panel, scroll bar included
-_open = None  # the panel on screen
-_new = None  # the mesh object that the next panel is made with
 
 
-def button_set():
-    return QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Apply | QtGui.QDialogButtonBox.Cancel
+class TaskPanel(edit_panel.EditPanel):
+    """The panel of a mesh object: what ties its parts together."""
 
+    buttons = QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Apply | QtGui.QDialogButtonBox.Cancel
+    without_core = staticmethod(first_use.show)
 
-class TaskPanel:
-    """What FreeCAD calls, and what ties the parts together. is_new: the object was made for this panel."""
-
-    def __init__(self, obj, is_new=False):
-        self.obj, self.is_new, self.run, self.is_closed = obj, is_new, None, False
-        self.document, self.document_name = obj.Document, obj.Document.Name
-        self.steps = self.document.UndoCount
-        self.options = task_panel_options.OptionsBox(obj)
-        self.sizes = task_panel_sizes.SizesBox(obj)
-        self.runner = task_panel_run.RunBox(obj)
-        self.results = task_panel_result.ResultBox(obj)
+    def __init__(self, obj, is_new):
+        super().__init__(obj, is_new)
+        self.run = None
+        self.options = options_box.OptionsBox(obj)
+        self.sizes = sizes_box.SizesBox(obj)
+        self.runner = run_box.RunBox(obj)
+        self.results = result_box.ResultBox(obj)
         self.predictor = run_predict.Predictor(obj)
         self.form = [self.options, self.sizes, self.runner, self.results]
         for part in self.form:
@@ -48,8 +47,6 @@ class TaskPanel:
         self.predictor.predicted.connect(self.show_prediction)
         self.predictor.failed.connect(self.show_no_prediction)
         run_control.announcer.started.connect(self.watch)
-        self.observer = Observer(self)
-        FreeCAD.addDocumentObserver(self.observer)
         self.results.refresh()
         if run_control.run_of(obj):
             self.watch(run_control.run_of(obj))
@@ -65,7 +62,7 @@ class TaskPanel:
             self.runner.prediction.setText(fault)
         elif self.obj.Status == mesh_object.UP_TO_DATE and not self.options.changes():
             self.predictor.drop()
-            self.runner.prediction.setText(task_panel_run.count_of_mesh(self.obj))
+            self.runner.prediction.setText(run_box.count_of_mesh(self.obj))
         else:
             self.runner.prediction.setText(translate("Paver", "Predicting..."))
             self.predictor.ask(self.options.changes())
@@ -79,11 +76,11 @@ class TaskPanel:
             self.predict()
 
     def show_prediction(self, prediction):
-        self.runner.prediction.setText(task_panel_run.prediction_text(
+        self.runner.prediction.setText(run_box.prediction_text(
             prediction, self.options.run_in.value(), self.options.fields["max_elements"].value()))
 
     def show_no_prediction(self, error):
-        self.runner.prediction.setText(task_panel_options.with_labels(str(error)))
+        self.runner.prediction.setText(options_box.with_labels(str(error)))
 
     # Meshing
 
@@ -106,7 +103,7 @@ class TaskPanel:
         """Starts a run as the console would."""
         FreeCADGui.addModule("paver_wb.gui.run_control")
         text = "".join(f", {name}={value!r}" for name, value in changes.items())
-        self.predictor.offer()
+        run_control.offered.put(*self.predictor.offered())
         FreeCADGui.doCommand(f"paver_wb.gui.run_control.start({python_name(self.obj)}{text})")
 
     def watch(self, run):
@@ -129,7 +126,7 @@ class TaskPanel:
             self.options.refresh()
             self.sizes.settle()
             if not self.obj.ViewObject.Visibility:
-                self.sizes.show_in_view(shows_mesh=True)
+                sizes_box.show_in_view(self.obj, True)
             self.results.refresh(outcome.mesh)
         self.predict()
 
@@ -172,9 +169,6 @@ class TaskPanel:
 
     # What FreeCAD calls
 
-    def getStandardButtons(self):
-        return getattr(button_set(), "value", None) or int(button_set())
-
     def open(self):
         # Not in modifyStandardButtons(): FreeCAD hands out a box there that Python never learns the end of, and takes
         # whatever comes to lie at its place for it.
@@ -183,7 +177,7 @@ class TaskPanel:
                 QtGui.QDialogButtonBox.Cancel: translate("Paver", "Drops changes that were not applied, stops a run and "
                                                          "closes")}
         for box in QtGui.QApplication.allWidgets():
-            if isinstance(box, QtGui.QDialogButtonBox) and box.standardButtons() == button_set():
+            if isinstance(box, QtGui.QDialogButtonBox) and box.standardButtons() == self.buttons:
                 for button, tip in tips.items():
                     box.button(button).setToolTip(tip)
 
@@ -212,129 +206,59 @@ class TaskPanel:
                 document.undo()
         return True
 
-    def isAllowedAlterSelection(self):
-        return True
-
-    def isAllowedAlterView(self):
-        return True
-
-    def isAllowedAlterDocument(self):
-        return True
-
-    def close(self):
-        """Leaves FreeCAD's edit mode, which takes the panel away."""
-        self.forget()
-        FreeCADGui.getDocument(self.document.Name).resetEdit()
-        FreeCADGui.Control.closeDialog()
-
     def forget(self):
-        """Lets go of everything that calls back."""
-        global _open
-        if self.is_closed:
+        if not super().forget():
             return
-        self.is_closed = True
         self.predictor.drop()
         self.results.drop()
         run_control.announcer.started.disconnect(self.watch)
         if self.run is not None:
             self.run.ended.disconnect(self.show_end)
             self.runner.leave(self.run)
-        FreeCAD.removeDocumentObserver(self.observer)
-        if _open is self:
-            _open = None
 
+    def shown(self):
+        QtCore.QTimer.singleShot(0, self.widen)
 
-class Observer:
-    """Keeps a panel in step with its mesh object; takes it away with the object."""
+    def widen(self):
+        """Makes the dock wide enough for the panel: FreeCAD cuts off what a new profile's has no room for."""
+        dock = None if self.is_closed else self.options
+        while dock is not None and not isinstance(dock, QtGui.QDockWidget):
+            dock = dock.parentWidget()
+        if dock is not None and not dock.isFloating():
+            wanted = max(part.minimumSizeHint().width() for part in self.form) + FRAME
+            if dock.width() < wanted:
+                FreeCADGui.getMainWindow().resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
 
-    def __init__(self, panel):
-        self.panel = panel
+    # What changes in the document
 
     def slotDeletedObject(self, obj):
-        if obj == self.panel.obj:
-            self.vanish()
-        elif refinement.is_refinement(obj) and not self.panel.is_closed:
-            self.panel.sizes_changed()
-
-    def slotDeletedDocument(self, document):
-        if document.Name == self.panel.document_name:
-            self.vanish()
-
-    def vanish(self):
-        self.panel.forget()
-        QtCore.QTimer.singleShot(0, lambda: FreeCADGui.Control.closeDialog())
+        super().slotDeletedObject(obj)
+        if refinement.is_refinement(obj) and not self.is_closed:
+            self.sizes_changed()
 
     def slotChangedObject(self, obj, name):
-        panel = self.panel
-        if panel.is_closed or mesh_object.is_restoring(obj):
+        if self.is_closed or mesh_object.is_restoring(obj):
             return
         if name == mesh_object.REFINEMENTS or refinement.is_refinement(obj):
-            panel.sizes_changed()
-        elif obj != panel.obj:
+            self.sizes_changed()
+        elif obj != self.obj:
             return
-        elif name == "Status" and panel.run is None:
-            panel.predict()
-        elif panel.options.show_property(name) or name in mesh_object.LINKS:
-            panel.predict()
+        elif name == "Status" and self.run is None:
+            self.predict()
+        elif self.options.show_property(name) or name in mesh_object.LINKS:
+            self.predict()
 
     def slotUndoDocument(self, document):
-        panel = self.panel
-        if document.Name == panel.document_name and panel.run is None and not panel.is_closed:
-            panel.options.refresh()
-            panel.sizes.refresh()
-            panel.runner.idle()
-            panel.results.refresh()
-            panel.predict()
+        if document.Name == self.document_name and self.run is None and not self.is_closed:
+            self.options.refresh()
+            self.sizes.refresh()
+            self.runner.idle()
+            self.results.refresh()
+            self.predict()
 
     slotRedoDocument = slotUndoDocument
 
 
-def show(obj, is_new=False):
-    """Opens the panel of a mesh object; False when another panel is open."""
-    global _open
-    if FreeCADGui.Control.activeDialog():
-        FreeCAD.Console.PrintError(translate("Paver", "Another task panel is open; close it first.") + "\n")
-        return False
-    _open = TaskPanel(obj, is_new)
-    FreeCADGui.Control.showDialog(_open)
-    QtCore.QTimer.singleShot(0, widen)
-    return True
-
-
-def widen():
-    """Makes the dock of the open panel wide enough for it: FreeCAD cuts off what a new profile's has no room for."""
-    dock = _open.options if _open is not None else None
-    while dock is not None and not isinstance(dock, QtGui.QDockWidget):
-        dock = dock.parentWidget()
-    if dock is not None and not dock.isFloating():
-        wanted = max(part.minimumSizeHint().width() for part in _open.form) + FRAME
-        if dock.width() < wanted:
-            FreeCADGui.getMainWindow().resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
-
-
-def edit_new(obj):
-    """Opens the panel of a mesh object that was made for it: Cancel takes the object back.
-
-    Opens it when the command that calls this has ended: FreeCAD would keep its step of undo open for the whole panel.
-    """
-    global _new
-    _new, document, name = obj, obj.Document.Name, obj.Name
-    QtCore.QTimer.singleShot(0, lambda: FreeCADGui.getDocument(document).setEdit(name))
-
-
 def set_edit(obj):
     """What the view provider does when the object is to be edited."""
-    global _new
-    is_new, _new = _new == obj, None
-    problem = core.problem()
-    if problem:
-        FreeCAD.Console.PrintError(f"{obj.Label}: {problem}\n")
-        first_use.show()
-    return not problem and show(obj, is_new)
-
-
-def unset_edit():
-    """What it does at the end, whoever asked for that."""
-    if _open is not None:
-        _open.forget()
-        FreeCADGui.Control.closeDialog()
+    return edit_panel.set_edit(obj, TaskPanel)

@@ -1,21 +1,17 @@
 """How a mesh object looks in the tree and in the 3D view. Documents name this module and MeshViewProvider."""
-import os
-
 from paver_wb import refinement
-from paver_wb.gui.paths import ICONS
-from paver_wb.stateless import Stateless
-
+from paver_wb.gui.base.view import ViewProvider
 
 FIRST = {"BackfaceCulling": False,  # an open surface has two sides
          "MaxFacesShowInner": 1,  # FreeCAD's search for faces inside solids takes seconds, and a surface has none
          "SelectionStyle": "BoundBox"}  # FreeCAD would paint over colours that tell something
 
 
-class MeshViewProvider(Stateless):
-    """View provider of a mesh object. Nothing of it is stored but its name."""
+class MeshViewProvider(ViewProvider):
+    icon, panel = "Paver_CreateMesh.svg", "paver_wb.gui.task_panel"
 
     def __init__(self, vobj):
-        vobj.Proxy = self
+        super().__init__(vobj)
         self.attach(vobj)
         for name, value in FIRST.items():
             if name in vobj.PropertiesList:  # of this version of FreeCAD
@@ -33,6 +29,11 @@ class MeshViewProvider(Stateless):
             view_properties.add_to(vobj)
             self.display = MeshDisplay(vobj)
             self.display.attach(vobj)
+
+    def look_later(self):
+        """After opening a file that keeps no view."""
+        from paver_wb.gui.base import first_view
+        first_view.look_later(self.Object.Document)
 
     def add_modes(self, vobj):
         from paver_wb.gui.display.mesh_display import CURVED_EDGES
@@ -63,13 +64,6 @@ class MeshViewProvider(Stateless):
     def getElementPicked(self, picked):
         return self.display.picker.element_picked(picked)
 
-    def getIcon(self):
-        return os.path.join(ICONS, "Paver_CreateMesh.svg")
-
-    def doubleClicked(self, vobj):
-        vobj.Document.setEdit(vobj.Object.Name)
-        return True
-
     def claimChildren(self):
         return refinement.of_mesh(self.Object) if hasattr(self, "Object") else []
 
@@ -78,11 +72,3 @@ class MeshViewProvider(Stateless):
         for child in refinement.of_mesh(vobj.Object):
             child.Document.removeObject(child.Name)
         return True
-
-    def setEdit(self, vobj, mode=0):
-        from paver_wb.gui import task_panel
-        return task_panel.set_edit(vobj.Object) if mode == 0 else None
-
-    def unsetEdit(self, vobj, mode=0):
-        from paver_wb.gui import task_panel
-        task_panel.unset_edit()

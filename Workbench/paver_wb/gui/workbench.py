@@ -6,7 +6,10 @@ import FreeCADGui
 from PySide import QtCore
 
 from paver_wb import core
-from paver_wb.gui.paths import FORMS, ICONS, TRANSLATIONS
+from paver_wb.base import proxies
+from paver_wb.base.paths import FORMS, ICONS, TRANSLATIONS
+from paver_wb.gui.refinement_view import RefinementViewProvider
+from paver_wb.gui.view_provider import MeshViewProvider
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 VIEW = QT_TRANSLATE_NOOP("Workbench", "Paver view")
@@ -14,13 +17,14 @@ EXAMPLES = QT_TRANSLATE_NOOP("Workbench", "Examples")
 
 
 def register():
-    """Called when FreeCAD's window is made: what is there before the workbench is chosen."""
+    """Called when FreeCAD's window is made: what is there before the workbench is chosen, also for documents."""
     FreeCADGui.addLanguagePath(TRANSLATIONS)
     FreeCADGui.updateLocale()
     FreeCADGui.addIconPath(ICONS)
     FreeCADGui.addPreferencePage(os.path.join(FORMS, "preferences.ui"), "Paver")
     PaverWorkbench.ToolTip = FreeCAD.Qt.translate("Paver", PaverWorkbench.ToolTip)
     FreeCADGui.addWorkbench(PaverWorkbench())
+    proxies.views.update({proxies.MESH: MeshViewProvider, proxies.REFINEMENT: RefinementViewProvider})
 
 
 def load_what_takes_a_moment():
@@ -34,7 +38,7 @@ def load_what_takes_a_moment():
 
 
 def set_up():
-    from paver_wb.gui import first_use
+    from paver_wb.gui.setup import first_use
     first_use.show()
 
 

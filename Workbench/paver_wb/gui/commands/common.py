@@ -4,17 +4,36 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb import core, mesh_object
-from paver_wb.gui import first_use
-from paver_wb.gui.complaint import complain
+from paver_wb.gui.base.complaint import complain
+from paver_wb.gui.base.steps import python_name  # noqa: F401, for the commands
+from paver_wb.gui.setup import first_use
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 translate = FreeCAD.Qt.translate
 
 
-def resources(name, text, tooltip, keys=""):
-    """What GetResources gives; text and tooltip are marked for translation by the caller."""
+def shown_as(name, text, tooltip, keys=""):
+    """Command.resources; text and tooltip are marked for translation by the caller."""
     made = {"MenuText": text, "ToolTip": tooltip, "Pixmap": name}
     return {**made, "Accel": keys} if keys else made
+
+
+class Command:
+    """What FreeCAD calls; subclasses have `resources` and Activated()."""
+
+    def GetResources(self):
+        return self.resources
+
+    def IsActive(self):
+        return True
+
+
+class OnMeshed(Command):
+    """A command on the selected mesh object, or the document's only one, once it is meshed."""
+
+    def IsActive(self):
+        obj = target_mesh()
+        return obj is not None and bool(obj.MeshFile)
 
 
 def selected():
@@ -57,12 +76,6 @@ def in_step(name, line):
     """Runs a line of Python as one step of undo; an error is shown and leaves no trace."""
     document = FreeCAD.ActiveDocument
     document.openTransaction(name)
-    if not run(line):
-        document.abortTransaction()
-        return False
-    document.commitTransaction()
-    return True
-
-
-def python_name(thing):
-    return f'FreeCAD.getDocument("{thing.Document.Name}").getObject("{thing.Name}")'
+    is_done = run(line)
+    document.commitTransaction() if is_done else document.abortTransaction()
+    return is_done

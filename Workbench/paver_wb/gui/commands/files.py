@@ -5,11 +5,14 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from paver_wb import examples, export_mesh, import_mesh
-from paver_wb.gui import first_view
-from paver_wb.gui.commands.common import QT_TRANSLATE_NOOP, python_name, resources, run, target_mesh, translate
-from paver_wb.gui.commands.look import OnMeshed
-from paver_wb.gui.file_tasks import FOLDER, parameters
+from paver_wb import examples, export_mesh, import_mesh, preferences
+from paver_wb.gui.base import first_view
+from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, Command, OnMeshed, python_name, run, shown_as, target_mesh,
+                                          translate)
+
+
+def last_folder():
+    return preferences.parameters().GetString(preferences.LAST_FOLDER, "")
 
 
 def export_filters():
@@ -24,14 +27,13 @@ def export_filters():
 
 
 class Export(OnMeshed):
-    def GetResources(self):
-        return resources("Paver_Export", QT_TRANSLATE_NOOP("Paver_Export", "Export mesh..."), QT_TRANSLATE_NOOP(
-            "Paver_Export", "Writes the mesh to a file: Gmsh and VTK with all nodes, and the formats of the FEM "
-            "workbench"), "Q, E")
+    resources = shown_as("Paver_Export", QT_TRANSLATE_NOOP("Paver_Export", "Export mesh..."), QT_TRANSLATE_NOOP(
+        "Paver_Export", "Writes the mesh to a file: Gmsh and VTK with all nodes, and the formats of the FEM "
+        "workbench"), "Q, E")
 
     def Activated(self):
         obj, filters = target_mesh(), export_filters()
-        start = os.path.join(parameters().GetString(FOLDER, ""), obj.Label + ".msh")
+        start = os.path.join(last_folder(), obj.Label + ".msh")
         path, chosen = QtGui.QFileDialog.getSaveFileName(FreeCADGui.getMainWindow(), translate("Paver", "Export mesh"),
                                                          start, ";;".join(filters))
         if path:
@@ -47,19 +49,15 @@ class Export(OnMeshed):
         run(f"paver_wb.gui.file_tasks.export({python_name(obj)}, {path!r}{arguments})")
 
 
-class Import:
-    def GetResources(self):
-        return resources("Paver_Import", QT_TRANSLATE_NOOP("Paver_Import", "Import mesh..."), QT_TRANSLATE_NOOP(
-            "Paver_Import", "Makes a mesh object of a file: Gmsh, VTK, and the formats of the FEM workbench"), "Q, I")
-
-    def IsActive(self):
-        return True
+class Import(Command):
+    resources = shown_as("Paver_Import", QT_TRANSLATE_NOOP("Paver_Import", "Import mesh..."), QT_TRANSLATE_NOOP(
+        "Paver_Import", "Makes a mesh object of a file: Gmsh, VTK, and the formats of the FEM workbench"), "Q, I")
 
     def Activated(self):
         endings = " ".join("*" + ending for ending in (*import_mesh.OWN, *import_mesh.FEM))
         filters = f"{translate('Paver', 'Meshes')} ({endings});;{translate('Paver', 'All files')} (*)"
         path, _ = QtGui.QFileDialog.getOpenFileName(FreeCADGui.getMainWindow(), translate("Paver", "Import mesh"),
-                                                    parameters().GetString(FOLDER, ""), filters)
+                                                    last_folder(), filters)
         if path:
             self.read(path)
 
@@ -71,17 +69,12 @@ class Import:
         run(f"paver_wb.gui.file_tasks.import_file(FreeCAD.ActiveDocument, {path!r})")
 
 
-class Example:
+class Example(Command):
     """Opens one of the models that come with Paver."""
 
     def __init__(self, name):
         self.name = name
-
-    def GetResources(self):
-        return {**resources("Paver_Example", examples.title(self.name), examples.about(self.name))}
-
-    def IsActive(self):
-        return True
+        self.resources = shown_as("Paver_Example", examples.title(name), examples.about(name))
 
     def Activated(self):
         FreeCADGui.addModule("paver_wb.examples")

@@ -3,14 +3,13 @@ import FreeCAD
 import FreeCADGui
 
 from paver_wb import mesh_object, preferences, refinement
-from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, complain, do, in_step, python_name, resources, run,
-                                          selected, translate)
+from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, Command, complain, do, in_step, python_name, run,
+                                          selected, shown_as, translate)
 
 
-class CreateMesh:
-    def GetResources(self):
-        return resources("Paver_CreateMesh", QT_TRANSLATE_NOOP("Paver_CreateMesh", "Create mesh"), QT_TRANSLATE_NOOP(
-            "Paver_CreateMesh", "Makes a mesh object for the selected objects and opens its panel"), "Q, C")
+class CreateMesh(Command):
+    resources = shown_as("Paver_CreateMesh", QT_TRANSLATE_NOOP("Paver_CreateMesh", "Create mesh"), QT_TRANSLATE_NOOP(
+        "Paver_CreateMesh", "Makes a mesh object for the selected objects and opens its panel"), "Q, C")
 
     def IsActive(self):
         return FreeCAD.ActiveDocument is not None and bool(parts_selected())
@@ -32,7 +31,7 @@ def parts_selected():
     return [thing for thing in selected()[1] if not refinement.is_refinement(thing)]
 
 
-class OnMeshes:
+class OnMeshes(Command):
     """A command that works on the selected mesh objects, each in a step of undo of its own."""
 
     module, function = "", ""
@@ -48,20 +47,17 @@ class OnMeshes:
 
 class Mesh(OnMeshes):
     module, function = "paver_wb.gui.run_control", "start"
-
-    def GetResources(self):
-        return resources("Paver_Mesh", QT_TRANSLATE_NOOP("Paver_Mesh", "Mesh"), QT_TRANSLATE_NOOP(
-            "Paver_Mesh", "Meshes the selected mesh objects with their options, while FreeCAD can be used; double click "
-            "on one for its panel"), "Q, M")
+    resources = shown_as("Paver_Mesh", QT_TRANSLATE_NOOP("Paver_Mesh", "Mesh"), QT_TRANSLATE_NOOP(
+        "Paver_Mesh", "Meshes the selected mesh objects with their options, while FreeCAD can be used; double click "
+        "on one for its panel"), "Q, M")
 
 
-class Refine:
+class Refine(Command):
     """A refinement of what is selected in the 3D view: of the selected mesh, else of the one that has it."""
 
-    def GetResources(self):
-        return resources("Paver_Refine", QT_TRANSLATE_NOOP("Paver_Refine", "Refine"), QT_TRANSLATE_NOOP(
-            "Paver_Refine", "Shorter elements on the selected faces, edges, vertices or solids of what is meshed, and "
-            "around them; opens a panel for the length"), "Q, R")
+    resources = shown_as("Paver_Refine", QT_TRANSLATE_NOOP("Paver_Refine", "Refine"), QT_TRANSLATE_NOOP(
+        "Paver_Refine", "Shorter elements on the selected faces, edges, vertices or solids of what is meshed, and "
+        "around them; opens a panel for the length"), "Q, R")
 
     def IsActive(self):
         document = FreeCAD.ActiveDocument
@@ -88,8 +84,6 @@ class Refine:
 
 class FillFemMesh(OnMeshes):
     module, function = "paver_wb.meshing", "fill"
-
-    def GetResources(self):
-        return resources("Paver_FillFemMesh", QT_TRANSLATE_NOOP("Paver_FillFemMesh", "Fill FEM mesh"), QT_TRANSLATE_NOOP(
-            "Paver_FillFemMesh", "Fills FemMesh of the selected mesh objects, whatever the size, for solvers and exports "
-            "of the FEM workbench"))
+    resources = shown_as("Paver_FillFemMesh", QT_TRANSLATE_NOOP("Paver_FillFemMesh", "Fill FEM mesh"), QT_TRANSLATE_NOOP(
+        "Paver_FillFemMesh", "Fills FemMesh of the selected mesh objects, whatever the size, for solvers and exports "
+        "of the FEM workbench"))

@@ -1,7 +1,7 @@
 """Commands for the mesh in the 3D view: each sets a property of its view object, as one step of undo."""
 import FreeCADGui
 
-from paver_wb.gui.commands.common import QT_TRANSLATE_NOOP, in_step, python_name, resources, target_mesh
+from paver_wb.gui.commands.common import QT_TRANSLATE_NOOP, OnMeshed, in_step, python_name, shown_as, target_mesh
 from paver_wb.gui.display import colouring
 
 WORST, SHRUNK = 10, 0.75  # what the buttons choose; the property editor has any number
@@ -19,13 +19,7 @@ COLOURS = {
 }
 
 
-class OnShown:
-    """A command on the selected mesh object, or the document's only one, once it is meshed."""
-
-    def IsActive(self):
-        obj = target_mesh()
-        return obj is not None and bool(obj.MeshFile)
-
+class OnShown(OnMeshed):
     def act(self, step, call):
         """Calls a function of display.actions; `call` has {} in place of the mesh object."""
         FreeCADGui.addModule("paver_wb.gui.display.actions")
@@ -34,18 +28,18 @@ class OnShown:
 
 class Colour(OnShown):
     def __init__(self, name):
-        self.name = name
-
-    def GetResources(self):
-        text = COLOURS[self.name][1]
-        return resources("Paver_Colours", text, text)
+        self.what, text = COLOURS[name]
+        self.resources = shown_as("Paver_Colours", text, text)
 
     def Activated(self):
-        self.act("Colours", f"colour_by({{}}, {COLOURS[self.name][0]!r})")
+        self.act("Colours", f"colour_by({{}}, {self.what!r})")
 
 
 class Colours(OnShown):
     """All colours behind one button."""
+
+    resources = shown_as("Paver_Colours", QT_TRANSLATE_NOOP("Paver_Colours", "Colours of the elements"),
+                         QT_TRANSLATE_NOOP("Paver_Colours", "What the colours of the elements tell"))
 
     def GetCommands(self):
         return tuple(COLOURS)
@@ -53,15 +47,10 @@ class Colours(OnShown):
     def GetDefaultCommand(self):
         return 1
 
-    def GetResources(self):
-        return resources("Paver_Colours", QT_TRANSLATE_NOOP("Paver_Colours", "Colours of the elements"),
-                         QT_TRANSLATE_NOOP("Paver_Colours", "What the colours of the elements tell"))
-
 
 class Worst(OnShown):
-    def GetResources(self):
-        return resources("Paver_ShowWorst", QT_TRANSLATE_NOOP("Paver_ShowWorst", "Worst elements"), QT_TRANSLATE_NOOP(
-            "Paver_ShowWorst", "Marks the ten elements with the least scaled Jacobian, or no longer"), "Q, W")
+    resources = shown_as("Paver_ShowWorst", QT_TRANSLATE_NOOP("Paver_ShowWorst", "Worst elements"), QT_TRANSLATE_NOOP(
+        "Paver_ShowWorst", "Marks the ten elements with the least scaled Jacobian, or no longer"), "Q, W")
 
     def Activated(self):
         count = 0 if target_mesh().ViewObject.ShowWorst else WORST
@@ -69,51 +58,37 @@ class Worst(OnShown):
 
 
 class Toggle(OnShown):
-    """Switches a property that is on or off."""
+    """Switches a property that is on or off, by a function of display.actions."""
 
-    property, function = "", ""
+    def __init__(self, property, function, resources):
+        self.property, self.function, self.resources = property, function, resources
 
     def Activated(self):
         is_shown = not getattr(target_mesh().ViewObject, self.property)
-        self.act(self.GetResources()["MenuText"], f"{self.function}({{}}, {is_shown})")
-
-
-class FreeEdges(Toggle):
-    property, function = "ShowFreeEdges", "show_free_edges"
-
-    def GetResources(self):
-        return resources("Paver_ShowFreeEdges", QT_TRANSLATE_NOOP("Paver_ShowFreeEdges", "Free edges"), QT_TRANSLATE_NOOP(
-            "Paver_ShowFreeEdges", "Marks mesh edges with one element only, and those with more than two, or no longer"))
-
-
-class Triangles(Toggle):
-    property, function = "ShowTriangles", "show_triangles"
-
-    def GetResources(self):
-        return resources("Paver_ShowTriangles", QT_TRANSLATE_NOOP("Paver_ShowTriangles", "Triangles"), QT_TRANSLATE_NOOP(
-            "Paver_ShowTriangles", "Marks the triangles, or no longer"))
-
-
-class Normals(Toggle):
-    property, function = "ShowNormals", "show_normals"
-
-    def GetResources(self):
-        return resources("Paver_ShowNormals", QT_TRANSLATE_NOOP("Paver_ShowNormals", "Normals"), QT_TRANSLATE_NOOP(
-            "Paver_ShowNormals", "Shows the outward normal of every element, or no longer"))
+        self.act(self.resources["MenuText"], f"{self.function}({{}}, {is_shown})")
 
 
 class Shrink(OnShown):
-    def GetResources(self):
-        return resources("Paver_Shrink", QT_TRANSLATE_NOOP("Paver_Shrink", "Shrink elements"), QT_TRANSLATE_NOOP(
-            "Paver_Shrink", "Draws every element smaller, so that each is seen alone, or whole again"))
+    resources = shown_as("Paver_Shrink", QT_TRANSLATE_NOOP("Paver_Shrink", "Shrink elements"), QT_TRANSLATE_NOOP(
+        "Paver_Shrink", "Draws every element smaller, so that each is seen alone, or whole again"))
 
     def Activated(self):
         factor = SHRUNK if target_mesh().ViewObject.ShrinkFactor == 1 else 1
         self.act("Shrink elements", f"shrink({{}}, {factor})")
 
 
-COMMANDS = {"Paver_Colours": Colours, "Paver_ShowWorst": Worst, "Paver_ShowFreeEdges": FreeEdges,
-            "Paver_ShowTriangles": Triangles, "Paver_ShowNormals": Normals, "Paver_Shrink": Shrink}
+COMMANDS = {
+    "Paver_Colours": Colours(), "Paver_ShowWorst": Worst(),
+    "Paver_ShowFreeEdges": Toggle("ShowFreeEdges", "show_free_edges", shown_as(
+        "Paver_ShowFreeEdges", QT_TRANSLATE_NOOP("Paver_ShowFreeEdges", "Free edges"), QT_TRANSLATE_NOOP(
+            "Paver_ShowFreeEdges", "Marks mesh edges with one element only, and those with more than two, or no longer"))),
+    "Paver_ShowTriangles": Toggle("ShowTriangles", "show_triangles", shown_as(
+        "Paver_ShowTriangles", QT_TRANSLATE_NOOP("Paver_ShowTriangles", "Triangles"), QT_TRANSLATE_NOOP(
+            "Paver_ShowTriangles", "Marks the triangles, or no longer"))),
+    "Paver_ShowNormals": Toggle("ShowNormals", "show_normals", shown_as(
+        "Paver_ShowNormals", QT_TRANSLATE_NOOP("Paver_ShowNormals", "Normals"), QT_TRANSLATE_NOOP(
+            "Paver_ShowNormals", "Shows the outward normal of every element, or no longer"))),
+    "Paver_Shrink": Shrink()}
 
 
 def add_all():
@@ -121,5 +96,5 @@ def add_all():
     for name in COLOURS:
         FreeCADGui.addCommand(name, Colour(name))
     for name, command in COMMANDS.items():
-        FreeCADGui.addCommand(name, command())
+        FreeCADGui.addCommand(name, command)
     return list(COMMANDS)

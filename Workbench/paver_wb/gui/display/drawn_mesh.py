@@ -3,7 +3,9 @@ from functools import cached_property
 
 import numpy as np
 
-from paver_wb import core, mesh_file
+from paver_wb import statistics
+from paver_wb.formats import mesh_file
+from paver_wb.gui.base.background import Offer
 
 MOST_TRIANGLES = 1200000  # of the drawing, where FreeCAD's window still turns it at some frames a second in software
 MOST_SUBDIVISION = 8
@@ -17,20 +19,6 @@ def subdivision_for(elements, sag):
     return int(max(1, min(wanted, allowed, MOST_SUBDIVISION)))
 
 
-_offered = None  # (path of a file, its DrawnMesh)
-
-
-def offer(path, drawn):
-    """What the display takes, once, instead of reading the file of a mesh and making its own."""
-    global _offered
-    _offered = (path, drawn)
-
-
-def is_offered(path):
-    """Whether taken() has one for a file."""
-    return _offered is not None and _offered[0] == path
-
-
 def of_file(path, subdivision):
     """The DrawnMesh of a mesh's file with all that every drawing needs; subdivision 0: the one that fits."""
     made = DrawnMesh(mesh_file.read(path))
@@ -38,13 +26,7 @@ def of_file(path, subdivision):
     return made
 
 
-def taken(path):
-    """The DrawnMesh that was offered for a file, or None."""
-    global _offered
-    if _offered is None or _offered[0] != path:
-        return None
-    drawn, _offered = _offered[1], None
-    return drawn
+offered = Offer()  # by the path of a mesh's file: the display takes it instead of making its own
 
 
 class DrawnMesh:
@@ -57,9 +39,7 @@ class DrawnMesh:
         self.quad_count, self.triangle_count = len(stored.quads), len(stored.triangles)
         self.count = self.quad_count + self.triangle_count
         self.target = float(stored.report.get("target_length") or 0)
-        self.core_mesh = core.load().SurfaceMesh(
-            stored.order, stored.nodes, stored.quads, stored.triangles, stored.quad_faces, stored.triangle_faces,
-            stored.lines, stored.line_edges)
+        self.core_mesh = statistics.surface_mesh(stored)
 
     @cached_property
     def faces(self):

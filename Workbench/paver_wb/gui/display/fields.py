@@ -20,18 +20,6 @@ def fill(field, array, kind):
     field.finishEditing() if count else field.touch()
 
 
-def content(field, kind, columns=1):
-    """A copy of what a field holds."""
-    count = field.getNum() * columns
-    if not count:
-        return np.zeros((0, columns) if columns > 1 else 0, kind)
-    pointer = field.startEditing()
-    address = int(getattr(pointer, "this", pointer))
-    made = np.frombuffer(ctypes.string_at(address, count * np.dtype(kind).itemsize), kind)
-    field.finishEditing()
-    return made.reshape(-1, columns) if columns > 1 else made
-
-
 def put(group, *nodes):
     """Adds nodes to a group; gives the group."""
     for node in nodes:

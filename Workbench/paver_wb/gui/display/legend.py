@@ -29,13 +29,6 @@ def heading(scale):
     return [scale.title] + ([scale.unit] if scale.unit else [])
 
 
-def labels(legend):
-    """All texts of a colour bar, from top to bottom."""
-    if isinstance(legend, colouring.Scale):
-        return heading(legend) + [text for _, text in reversed(ticks(legend))] + summary(legend)
-    return [legend.title] + [text for row in key_rows(legend) for text in row[:2]]
-
-
 def summary(scale):
     names = translate("Paver", "min"), translate("Paver", "mean"), translate("Paver", "max")
     figures = (number(x) for x in (scale.least, scale.mean, scale.most))

@@ -31,7 +31,17 @@ def hover_colour():
     return user_colour("HighlightColor", 0xE1E114FF)
 
 
-class ElementMark:
+class Mark:
+    """Something that is shown or not; Coin draws another frame for every value that is set."""
+
+    count = 0  # of what is shown
+
+    def clear(self):
+        if self.count:
+            self.empty()
+
+
+class ElementMark(Mark):
     """Some elements in a colour of their own, with thick outlines; without faces only these. Those that are seen through
     the model have thin outlines where something hides them."""
 
@@ -49,7 +59,7 @@ class ElementMark:
         self.empty()
 
     def set_colour(self, colour):
-        if colour == self.colour:  # Coin draws another frame for every value that is set
+        if colour == self.colour:
             return
         self.colour = colour
         self.material.diffuseColor = colour
@@ -60,27 +70,22 @@ class ElementMark:
         """elements: numbers in a DrawnMesh; none to show nothing."""
         if not len(elements):
             return self.clear()
-        self.elements = tuple(int(e) for e in elements)
+        self.elements, self.count = tuple(int(e) for e in elements), len(elements)
         rows = mesh.triangle_rows(self.elements, subdivision)
         fill(self.face_set.coordIndex, tessellation.triangle_indices.reshape(-1, 4)[rows], INTEGERS)
         fill(self.lines.coordIndex, mesh.element_outlines(self.elements, subdivision), INTEGERS)
 
-    def clear(self):
-        if self.elements:
-            self.empty()
-
     def empty(self):
-        self.elements = ()
+        self.elements, self.count = (), 0
         for field in (self.face_set.coordIndex, self.lines.coordIndex):
             fill(field, np.zeros(0, np.int32), INTEGERS)
 
 
-class EdgeMark:
+class EdgeMark(Mark):
     """Mesh edges in a colour of their own, with points of their own: shrunk elements leave them where they are."""
 
     def __init__(self, colour, width=4):
         self.points, self.lines = coin.SoCoordinate3(), coin.SoIndexedLineSet()
-        self.count = 0
         self.root = separator(unpickable(), unlit(), colour_node(colour), line_style(width), self.points, self.lines)
         self.empty()
 
@@ -92,19 +97,15 @@ class EdgeMark:
         fill(self.points.point, points[used].reshape(-1, 3), FLOATS)
         fill(self.lines.coordIndex, rows_as_indices(rows.reshape(outlines.shape)), INTEGERS)
 
-    def clear(self):
-        if self.count:
-            self.empty()
-
     def empty(self):
         self.show(np.zeros((0, 3), np.float32), np.zeros((0, 2), np.int64))
 
 
-class NormalMark:
+class NormalMark(Mark):
     """A line along the normal of every element, brighter towards its end."""
 
     def __init__(self):
-        self.vertices, self.lines, self.count = coin.SoVertexProperty(), coin.SoIndexedLineSet(), 0
+        self.vertices, self.lines = coin.SoVertexProperty(), coin.SoIndexedLineSet()
         self.vertices.materialBinding = coin.SoVertexProperty.PER_VERTEX_INDEXED
         self.lines.vertexProperty = self.vertices
         self.root = separator(unpickable(), unlit(), line_style(2), self.lines)
@@ -121,10 +122,6 @@ class NormalMark:
         fill(self.vertices.orderedRGBA, np.tile(colour_maps.packed(np.array([NORMAL_ROOT, NORMAL_TIP])), self.count),
              COLOURS)
         fill(self.lines.coordIndex, rows_as_indices(np.arange(2 * self.count).reshape(-1, 2)), INTEGERS)
-
-    def clear(self):
-        if self.count:
-            self.empty()
 
     def empty(self):
         self.put(np.zeros((0, 2, 3)))

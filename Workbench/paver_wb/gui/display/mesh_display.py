@@ -7,14 +7,15 @@ import numpy as np
 from pivy import coin
 from PySide import QtCore
 
-from paver_wb import core, mesh_file, mesh_object
-from paver_wb.gui import run_thread
+from paver_wb import core, mesh_object
+from paver_wb.formats import mesh_file
+from paver_wb.gui.base.background import Latest
 from paver_wb.gui.display import colour_maps, colouring, drawn_mesh, legend, marks, report, view_properties
 from paver_wb.gui.display.fields import put
 from paver_wb.gui.display.panels import ViewPanel
 from paver_wb.gui.display.picking import Picker
 from paver_wb.gui.display.scene import DIMMED, Scene, rows_as_indices
-from paver_wb.waves import wavelength_of
+from paver_wb.base.waves import wavelength_of
 
 CURVED, CURVED_EDGES, EDGES = MODES = ("Curved", "Curved + edges", "Edges only")
 MESH, POINTS, PAINT, MARKED, CHOSEN = LAYERS = ("mesh", "points", "paint", "marks", "chosen")  # each needs those before
@@ -35,7 +36,7 @@ class MeshDisplay:
         self.mesh, self.tessellation, self.subdivision, self.tree = None, None, 1, None
         self.colouring, self.stale, self.is_waiting = colouring.Colouring(None, None), set(LAYERS), False
         self.selected, self.hovered, self.reported = (), None, None
-        self.loading = None
+        self.loading = Latest(self.take_loaded, self.complain)
         self.scene, self.picker = Scene(), Picker(self.hits)
         self.make_marks()
         self.bar, self.report_panel = ViewPanel(top=True), ViewPanel(top=False)
@@ -83,8 +84,9 @@ class MeshDisplay:
         """Lets go of everything: FreeCAD keeps the view providers of documents that it has opened for ever."""
         _displays.discard(self)
         self.clear()
+        self.loading.drop()
         self.__dict__ = {"names": self.names, "stale": set(), "is_waiting": True, "mesh": None, "tessellation": None,
-                         "loading": None}
+                         "loading": self.loading}
 
     # ---- what changes
 
@@ -108,7 +110,7 @@ class MeshDisplay:
 
     def is_pending(self):
         """Whether what is to be shown is not drawn yet."""
-        return self.is_waiting or self.loading is not None
+        return self.is_waiting or self.loading.thread is not None
 
     def update_later(self):
         self.is_waiting = False
@@ -119,9 +121,7 @@ class MeshDisplay:
 
     def update(self):
         """Renews what is stale, if the drawing is shown; waits for the mesh where that is being read."""
-        if self.loading is not None:
-            self.loading.wait()
-            self.take_loaded()
+        self.loading.wait()
         self.renew(self.load)
 
     def renew(self, load):
@@ -141,7 +141,8 @@ class MeshDisplay:
     # ---- layers
 
     def forget(self):
-        self.mesh, self.tessellation, self.tree, self.loading = None, None, None, None
+        self.loading.drop()
+        self.mesh, self.tessellation, self.tree = None, None, None
         self.hovered = self.reported = None
 
     def load(self):
@@ -149,7 +150,7 @@ class MeshDisplay:
         self.forget()
         try:
             if self.obj.MeshFile:
-                self.mesh = drawn_mesh.taken(self.obj.MeshFile) or drawn_mesh.DrawnMesh(mesh_object.stored(self.obj))
+                self.mesh = drawn_mesh.offered.take(self.obj.MeshFile) or drawn_mesh.DrawnMesh(mesh_object.stored(self.obj))
         except (mesh_file.DamagedMesh, core.CoreMissing) as error:
             self.complain(error)
         if self.mesh is None:
@@ -159,25 +160,15 @@ class MeshDisplay:
         """Like load, but a large mesh is read on a thread, and is shown when that is done."""
         obj, subdivision = self.obj, self.vobj.Subdivision
         path = obj.MeshFile
-        if obj.Quads + obj.Triangles < HEAVY or not path or drawn_mesh.is_offered(path) or core.problem():
+        if obj.Quads + obj.Triangles < HEAVY or not path or drawn_mesh.offered.has(path) or core.problem():
             self.load()
             return
         self.forget()
         self.clear()
-        self.loading = run_thread.Background(lambda: drawn_mesh.of_file(path, subdivision))
-        self.loading.done.connect(self.take_loaded)
-        self.loading.begin()
+        self.loading.ask(lambda _cancel: drawn_mesh.of_file(path, subdivision))
 
-    def take_loaded(self):
-        """Shows the mesh that was read, unless another one is wanted by now."""
-        thread = self.loading
-        if thread is None or not thread.isFinished():
-            return
-        self.loading = None
-        if thread.error is not None:
-            self.complain(thread.error)
-            return
-        self.mesh = thread.result
+    def take_loaded(self, drawn):
+        self.mesh = drawn
         self.changed(POINTS)
 
     def complain(self, error):

@@ -74,11 +74,7 @@ class Observer:
     def removeSelection(self, *_):
         self.later()
 
-    def setSelection(self, *_):
-        self.later()
-
-    def clearSelection(self, *_):
-        self.later()
+    setSelection = clearSelection = removeSelection
 
     def setPreselection(self, document, name, path):
         obj, element = place_of(document, name, path)

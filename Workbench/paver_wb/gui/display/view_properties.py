@@ -1,5 +1,5 @@
 """The properties of the view object that say what is drawn. They are saved with the document."""
-from paver_wb.property_texts import tip
+from paver_wb.base.texts import tip
 from paver_wb.gui.display import colour_maps, colouring
 
 COLOURS, SHAPE, MARKS = tip("Paver colours"), tip("Paver shape"), tip("Paver marks")

@@ -1,0 +1,1 @@
+"""What documents, formats and processes share; knows neither."""

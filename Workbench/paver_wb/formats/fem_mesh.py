@@ -1,0 +1,129 @@
+"""FreeCAD's FemMesh of a stored mesh: tri3, tri6, quad4 and quad8 with a group of faces for each B-rep face, seg2 and seg3
+with a group of edges for each wire.
+
+FreeCAD has no quad9: the node in the middle is left out. Elements have the numbers 1, 2, ..., quads first, as in Paver, lines
+last; nodes are numbered without gaps. Faces go through a VTU file with raw data, the fastest way in: one call for each
+element from Python takes about five times as long, and UNV more. FreeCAD reads no lines from it; of those there are few.
+"""
+import os
+import tempfile
+
+import numpy as np
+
+from paver_wb.formats import mesh_file
+
+VTK_TYPES = {("quad", 1): (9, 4), ("quad", 2): (23, 8), ("triangle", 1): (5, 3), ("triangle", 2): (22, 6)}
+
+
+class NoFemMesh(ValueError):
+    """FreeCAD's FemMesh cannot hold the mesh. The text is one sentence."""
+
+
+def serendipity(mesh):
+    """(quads, triangles): corner and mid-side nodes, in the order of Gmsh, VTK and FreeCAD alike."""
+    if mesh.order > 2:
+        raise NoFemMesh(f"FreeCAD's FemMesh has no elements of order {mesh.order}; mesh with order 1 or 2.")
+    return [np.asarray(rows)[:, :VTK_TYPES[kind, mesh.order][1]]
+            for kind, rows in (("quad", mesh.quads), ("triangle", mesh.triangles))]
+
+
+def numbered(mesh):
+    """(points, quads, triangles, {wire: lines}) with only the nodes that these use."""
+    (quads, triangles), wires = serendipity(mesh), mesh_file.wires(mesh)
+    is_used = mesh_file.used_nodes(len(mesh.nodes), quads, triangles, *wires.values())
+    number = np.cumsum(is_used) - 1
+    return (np.asarray(mesh.nodes)[is_used], number[quads], number[triangles],
+            {name: number[lines] for name, lines in wires.items()})
+
+
+def write_vtu(path, points, blocks):
+    """blocks: (VTK type, (n, k) rows of `points`) in order."""
+    offsets = np.cumsum(np.concatenate([np.full(len(rows), rows.shape[1]) for _, rows in blocks]))
+    arrays = [("Float64", "Points", 3, np.ascontiguousarray(points, "<f8")),
+              ("Int64", "connectivity", 1, np.concatenate([rows.ravel() for _, rows in blocks]).astype("<i8")),
+              ("Int64", "offsets", 1, offsets.astype("<i8")),
+              ("UInt8", "types", 1, np.concatenate([np.full(len(rows), kind) for kind, rows in blocks]).astype("u1"))]
+    tags, at = [], 0
+    for kind, name, components, array in arrays:
+        tags.append(f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" format="appended" '
+                    f'offset="{at}"/>')
+        at += 8 + array.nbytes
+    head = ('<?xml version="1.0"?><VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" '
+            f'header_type="UInt64"><UnstructuredGrid><Piece NumberOfPoints="{len(points)}" '
+            f'NumberOfCells="{len(offsets)}"><Points>{tags[0]}</Points><Cells>{"".join(tags[1:])}</Cells></Piece>'
+            '</UnstructuredGrid><AppendedData encoding="raw">_')
+    with open(path, "wb") as file:
+        file.write(head.encode())
+        for _, _, _, array in arrays:
+            file.write(np.array([array.nbytes], "<u8").tobytes())
+            file.write(array.tobytes())
+        file.write(b"</AppendedData></VTKFile>")
+
+
+def memory_folder():
+    """A folder in memory where the system has one."""
+    folder = "/dev/shm"
+    return folder if os.path.isdir(folder) and os.access(folder, os.W_OK) else None
+
+
+def add_groups(fem, mesh, groups):
+    """A group for each face that has elements, and those of `groups`, {name: numbers of faces}."""
+    faces = np.concatenate([mesh.quad_faces, mesh.triangle_faces])
+    order = np.argsort(faces, kind="stable")
+    present, starts = np.unique(faces[order], return_index=True)
+    for face, members in zip(present, np.split(order + 1, starts[1:])):
+        fem.addGroupElements(fem.addGroup(mesh.face_names[face], "Face"), members.tolist())
+    for name, wanted in groups.items():
+        members = np.flatnonzero(np.isin(faces, list(wanted))) + 1
+        if len(members):
+            fem.addGroupElements(fem.addGroup(name, "Face"), members.tolist())
+
+
+def add_wires(fem, wires, first):
+    """A group for each of `wires`, {name: rows of nodes}; the lines are elements from the number `first` on."""
+    for name, lines in wires.items():
+        for number, nodes in enumerate((lines + 1).tolist(), first):
+            fem.addEdge(nodes, number)
+        fem.addGroupElements(fem.addGroup(name, "Edge"), list(range(first, first + len(lines))))
+        first += len(lines)
+
+
+def write(mesh, groups, path):
+    """Writes a StoredMesh in a format of FreeCAD's, by the ending of `path`; `groups` as in of_mesh."""
+    of_mesh(mesh, groups).write(path)
+
+
+def empty():
+    import Fem
+    return Fem.FemMesh()
+
+
+def of_mesh(mesh, groups):
+    """Fem.FemMesh of a StoredMesh, with `groups`, {name: numbers of faces}, besides one for each face and wire.
+
+    NoFemMesh for orders that FreeCAD does not have.
+    """
+    points, quads, triangles, wires = numbered(mesh)
+    blocks = [(VTK_TYPES[kind, mesh.order][0], rows) for kind, rows in (("quad", quads), ("triangle", triangles))
+              if len(rows)]
+    fem = of_faces(points, blocks) if blocks else of_points(points)
+    add_groups(fem, mesh, groups)
+    add_wires(fem, wires, len(quads) + len(triangles) + 1)
+    return fem
+
+
+def of_faces(points, blocks):
+    """A FemMesh without groups; blocks as write_vtu takes them."""
+    import Fem
+    with tempfile.TemporaryDirectory(prefix="paver", dir=memory_folder()) as folder:
+        path = os.path.join(folder, "mesh.vtu")
+        write_vtu(path, points, blocks)
+        return Fem.read(path)
+
+
+def of_points(points):
+    """A FemMesh of nodes without elements."""
+    fem = empty()
+    for number, point in enumerate(points.tolist(), 1):
+        fem.addNode(*point, number)
+    return fem

@@ -1,0 +1,1 @@
+"""What all of the window shares: work beside it, the status bar, steps of undo, small widgets."""

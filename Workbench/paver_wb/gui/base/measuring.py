@@ -1,0 +1,70 @@
+"""Dialogs that stay beside the window and show what is worked out on a thread: large meshes take a second to read and to
+measure."""
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from paver_wb.gui.base.background import Latest
+from paver_wb.gui.base.widgets import button, named
+
+translate = FreeCAD.Qt.translate
+BAR_HEIGHT = 14
+_open = {}  # (class, names of document and mesh object): the dialog on screen
+
+
+class MeasuringDialog(QtGui.QDialog):
+    """Subclasses have build(), which puts the bar `busy` somewhere, refresh(), which calls measure(), and
+    show_measured(result), show_fault(sentence)."""
+
+    def __init__(self, obj, name, title):
+        super().__init__(FreeCADGui.getMainWindow())
+        self.obj, self.latest = obj, Latest(self.take, self.take_error)
+        self.key = (type(self), obj.Document.Name, obj.Name)
+        self.setObjectName(name)
+        self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+        self.setWindowTitle(title)
+        self.busy = named(QtGui.QProgressBar(), "Measuring", translate(
+            "Paver", "The mesh is being measured; the window can be used meanwhile"))
+        self.busy.setRange(0, 0)
+        self.busy.setTextVisible(False)
+        self.busy.setFixedHeight(BAR_HEIGHT)
+        self.busy.hide()
+        self.finished.connect(self.leave)
+        self.build()
+        self.refresh()
+
+    def close_button(self):
+        made = button("Close", translate("Paver", "Close"), "", self.close)
+        made.setDefault(True)
+        return made
+
+    def measure(self, work):
+        """Calls work() on a thread; what was being worked out before is dropped."""
+        self.latest.ask(lambda _cancel: work())
+        self.busy.show()
+
+    def leave(self, _result):
+        self.latest.drop()
+        _open.pop(self.key, None)
+
+    def take(self, result):
+        self.busy.hide()
+        self.show_measured(result)
+
+    def take_error(self, error):
+        self.busy.hide()
+        self.show_fault(str(error) or type(error).__name__)
+
+
+def show(kind, obj):
+    """Opens the dialog of a mesh object, or brings it up to date and to the front. ValueError when it is not meshed."""
+    if not obj.MeshFile:
+        raise ValueError(f"'{obj.Label}' is not meshed; mesh it first.")
+    key = (kind, obj.Document.Name, obj.Name)
+    if key in _open:
+        _open[key].refresh()
+    else:
+        _open[key] = kind(obj)
+    _open[key].show()
+    _open[key].raise_()
+    return _open[key]

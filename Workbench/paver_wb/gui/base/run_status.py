@@ -1,0 +1,89 @@
+"""Runs and tasks in the status bar: which one, how far, and a button that stops it."""
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from paver_wb import core
+
+translate = FreeCAD.Qt.translate
+BAR_WIDTH, LABEL_WIDTH = 160, 220
+_box = None
+
+DRAWING = "drawing"  # what the window does after the core's stages
+SHARE_OF_DRAWING = 2
+
+
+def percent(stage, fraction):
+    """Part of a whole run that is done."""
+    done = 0
+    for name, _, share in [*core.stages(), (DRAWING, "", SHARE_OF_DRAWING)]:
+        if name == stage:
+            return int(done + share * fraction)
+        done += share
+    return 0
+
+
+def stage_text(stage):
+    """A stage, as users read it."""
+    if stage in ("", DRAWING):
+        return translate("Paver", "Drawing") if stage else translate("Paver", "Starting")
+    text = next((text for name, text, _ in core.stages() if name == stage), stage)
+    return translate("Paver", text)
+
+
+class Box(QtGui.QWidget):
+    """The permanent widget of the status bar; hidden when nothing runs."""
+
+    def __init__(self):
+        super().__init__()
+        self.runs = []
+        layout = QtGui.QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        self.label, self.bar, self.button = QtGui.QLabel(), QtGui.QProgressBar(), QtGui.QToolButton()
+        self.bar.setFixedWidth(BAR_WIDTH)
+        self.label.setFixedWidth(LABEL_WIDTH)  # another one at each stage would lay out the whole status bar again
+        self.label.setAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
+        self.button.setText(translate("Paver", "Stop"))
+        self.button.setObjectName("PaverStatusStop")
+        self.button.setToolTip(translate("Paver", "Stops it; the document stays as it was"))
+        self.button.clicked.connect(self.stop)
+        for widget in (self.label, self.bar, self.button):
+            layout.addWidget(widget)
+
+    def watch(self, run):
+        self.runs.append(run)
+        run.progressed.connect(self.refresh)
+        run.ended.connect(self.drop)
+        self.refresh()
+
+    @QtCore.Slot()
+    def stop(self):
+        for run in list(self.runs):
+            run.stop()
+
+    def drop(self, _outcome):
+        self.runs = [run for run in self.runs if run.outcome is None]
+        self.refresh()
+
+    def refresh(self, *_):
+        self.setVisible(bool(self.runs))
+        if not self.runs:
+            return
+        run = self.runs[0]
+        text = run.line() + (f" (+{len(self.runs) - 1})" if len(self.runs) > 1 else "")
+        if text != self.label.toolTip():
+            self.label.setToolTip(text)
+            self.label.setText(self.label.fontMetrics().elidedText(text, QtCore.Qt.ElideMiddle, LABEL_WIDTH))
+        share = run.percent()
+        self.bar.setRange(0, 0 if share is None else 100)  # without a share it only shows that something goes on
+        if share is not None:
+            self.bar.setValue(share)
+
+
+def watch(run):
+    """Shows a run in the status bar until it ends."""
+    global _box
+    if _box is None:
+        _box = Box()
+        FreeCADGui.getMainWindow().statusBar().addPermanentWidget(_box)
+    _box.watch(run)

@@ -1,0 +1,29 @@
+"""What the view providers share."""
+import importlib
+import os
+
+from paver_wb.base.proxies import Stateless
+from paver_wb.base.paths import ICONS
+
+
+class ViewProvider(Stateless):
+    """Of an object that a panel edits. Nothing of it is stored but its name. icon: name of a file; panel: of a module, which
+    is loaded when it is needed."""
+
+    icon, panel = "", ""
+
+    def __init__(self, vobj):
+        vobj.Proxy = self
+
+    def getIcon(self):
+        return os.path.join(ICONS, self.icon)
+
+    def doubleClicked(self, vobj):
+        vobj.Document.setEdit(vobj.Object.Name)
+        return True
+
+    def setEdit(self, vobj, mode=0):
+        return importlib.import_module(self.panel).set_edit(vobj.Object) if mode == 0 else None
+
+    def unsetEdit(self, vobj, mode=0):
+        importlib.import_module(self.panel).unset_edit()

@@ -1,0 +1,51 @@
+"""Small widgets that dialogs and panels share."""
+import FreeCAD
+from PySide import QtCore, QtGui
+
+translate = FreeCAD.Qt.translate
+
+
+def named(widget, name, tip=""):
+    """Gives a widget the object name that tests and users' style sheets find it by, and its tooltip."""
+    widget.setObjectName("Paver_" + name)
+    if tip:
+        widget.setToolTip(tip)
+    return widget
+
+
+def button(name, text, tip, action):
+    """action: called without arguments."""
+    made = named(QtGui.QPushButton(text), name, tip)
+    made.clicked.connect(lambda _checked=False: action())
+    return made
+
+
+def text_label(name, tip=""):
+    """For whole sentences."""
+    made = named(QtGui.QLabel(), name, tip)
+    made.setWordWrap(True)
+    return made
+
+
+def row(*widgets, shares=()):
+    """They stand side by side; None: room between them. shares: of the width, for each."""
+    made = QtGui.QHBoxLayout()
+    for at, widget in enumerate(widgets):
+        made.addWidget(widget) if widget else made.addStretch()
+        made.setStretch(at, shares[at] if shares else made.stretch(at))
+    return made
+
+
+class FaultBox(QtGui.QFrame):
+    """A sentence on what went wrong, in a red frame; hidden without one."""
+
+    def __init__(self):
+        super().__init__()
+        named(self, "Fault").setStyleSheet("QFrame#Paver_Fault { border: 1px solid #c01c28; border-radius: 3px; }")
+        self.text = text_label("FaultText", translate("Paver", "What went wrong, and what to do"))
+        self.text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        QtGui.QVBoxLayout(self).addWidget(self.text)
+
+    def tell(self, text):
+        self.text.setText(text)
+        self.setVisible(bool(text))

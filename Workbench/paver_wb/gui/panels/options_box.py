@@ -1,0 +1,220 @@
+"""The part of the task panel that has the options of a mesh object."""
+import re
+
+import FreeCAD
+from PySide import QtCore, QtGui
+
+from paver_wb import core, mesh_object, properties
+from paver_wb.gui.base.widgets import named
+from paver_wb.gui.panels import fields
+from paver_wb.base.waves import wavelength
+
+translate = FreeCAD.Qt.translate
+BY_FREQUENCY = ("frequency", "divisions", "eps_r", "mu_r")
+SHAPE_OF_ELEMENTS = ("elements", "order")
+RUN_IN = "RunIn"
+
+
+def labels():
+    """{option: what users read before its field}; others get their own name."""
+    return {"size": translate("Paver", "Target length"), "frequency": translate("Paver", "Frequency"),
+            "divisions": translate("Paver", "Elements per \u03bb"), "eps_r": translate("Paver", "Medium \u03b5r"),
+            "mu_r": translate("Paver", "\u03bcr"), "max_turn": translate("Paver", "Turn per edge"),
+            "gradation": translate("Paver", "Gradation"), "max_elements": translate("Paver", "Most elements"),
+            "order": translate("Paver", "Order"), "elements": translate("Paver", "Elements"),
+            "multilevel": translate("Paver", "Coarse mesh first"), "threads": translate("Paver", "Threads"),
+            "ranks": translate("Paver", "MPI processes"), "sew_tolerance": translate("Paver", "Sew gaps up to"),
+            "connect": translate("Paver", "Parts that touch"), "strict": translate("Paver", "Clean models only")}
+
+
+def with_labels(text):
+    """A message of the core with the options called as in the panel: 'Most elements' for max_elements."""
+    for name, label in labels().items():
+        if "_" in name:
+            text = re.sub(rf"\b{name}\b", f"'{label}'", text)
+    return text
+
+
+def new_form():
+    form = QtGui.QFormLayout()
+    form.setContentsMargins(0, 0, 0, 0)
+    form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+    return form
+
+
+def separator():
+    line = QtGui.QFrame()
+    line.setFrameShape(QtGui.QFrame.HLine)
+    line.setFrameShadow(QtGui.QFrame.Sunken)
+    return line
+
+
+class OptionsBox(QtGui.QWidget):
+    """Fields for all options of the core's table. `changed`: the user has edited one."""
+
+    changed = QtCore.Signal()
+
+    def __init__(self, obj):
+        super().__init__()
+        self.obj = obj
+        self.table = {info["name"]: info for info in core.load().options() if info["kind"] != "local"}
+        self.fields = {name: fields.field_for(info) for name, info in self.table.items()}
+        for name, field in self.fields.items():
+            tooltip = properties.tooltip(self.table[name])
+            named(field, name).set_tip(translate("App::Property", tooltip))
+            field.changed.connect(self.edited)
+        for name in ("size", "frequency"):
+            self.fields[name].may_be_empty = False
+            self.fields[name].setPlaceholderText("")
+        self.build()
+        self.refresh()
+
+    def build(self):
+        self.setWindowTitle(translate("Paver", "Options"))
+        layout = QtGui.QVBoxLayout(self)
+        form = new_form()
+        self.by_frequency = self.radio("ByFrequency", translate("Paver", "Size from the frequency"),
+                                       translate("Paver", "Elements as long as a part of the wavelength"))
+        self.by_length = self.radio("ByLength", translate("Paver", "Size as a length"),
+                                    translate("Paver", "Elements of one target length"))
+        self.wavelength = named(QtGui.QLabel(), "Wavelength", translate("Paver", "Wavelength in the medium, at the frequency"))
+        form.addRow(self.by_frequency)
+        self.add_row(form, "frequency")
+        self.add_row(form, "divisions", self.wavelength)
+        medium = self.label("mu_r")
+        self.add_row(form, "eps_r", medium, self.fields["mu_r"])
+        form.addRow(self.by_length)
+        self.add_row(form, "size")
+        form.addRow(separator())
+        for name in SHAPE_OF_ELEMENTS:
+            self.add_row(form, name)
+        layout.addLayout(form)
+        self.build_more(layout)
+
+    def label(self, name):
+        label = QtGui.QLabel(labels().get(name, name.replace("_", " ").capitalize()))
+        label.setToolTip(self.fields[name].toolTip())
+        return label
+
+    def add_row(self, form, name, *further):
+        """A row for an option, with further widgets behind its field."""
+        if not further:
+            form.addRow(self.label(name), self.fields[name])
+            return
+        row = QtGui.QHBoxLayout()
+        row.addWidget(self.fields[name], 1)
+        for widget in further:
+            row.addWidget(widget, 1 if isinstance(widget, QtGui.QLineEdit) else 0)
+        form.addRow(self.label(name), row)
+
+    def build_more(self, layout):
+        """The rest, folded up: common meshes do without."""
+        self.more = named(QtGui.QToolButton(), "More", translate("Paver", "Curvature, gradation, limits, sewing, where to mesh"))
+        self.more.setText(translate("Paver", "More options"))
+        self.more.setCheckable(True)
+        self.more.setAutoRaise(True)
+        self.more.setArrowType(QtCore.Qt.RightArrow)
+        self.more.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
+        self.rest = QtGui.QWidget()
+        main = ("size",) + BY_FREQUENCY + SHAPE_OF_ELEMENTS
+        form = new_form()
+        for name in self.table:
+            if name not in main:
+                self.add_row(form, name)
+        self.run_in_row(form)
+        self.rest.setLayout(form)
+        self.rest.hide()
+        self.more.toggled.connect(self.fold)
+        layout.addWidget(self.more)
+        layout.addWidget(self.rest)
+
+    def fold(self, is_open):
+        self.more.setArrowType(QtCore.Qt.DownArrow if is_open else QtCore.Qt.RightArrow)
+        self.rest.setVisible(is_open)
+
+    def radio(self, name, text, tip):
+        button = named(QtGui.QRadioButton(text), name, tip)
+        button.clicked.connect(self.switch)
+        return button
+
+    def run_in_row(self, layout):
+        names = {"Automatic": translate("Paver", "Automatic"), "FreeCAD": translate("Paver", "FreeCAD"),
+                 "Own process": translate("Paver", "Own process")}
+        self.run_in = fields.ChoiceField(mesh_object.RUN_IN, [names[choice] for choice in mesh_object.RUN_IN])
+        named(self.run_in, "RunIn").set_tip(translate(
+            "Paver", "In a process of its own a crash cannot harm FreeCAD; automatic: from {} predicted elements on").format(mesh_object.heavy_elements()))
+        self.run_in.changed.connect(self.edited)
+        layout.addRow(QtGui.QLabel(translate("Paver", "Mesh in")), self.run_in)
+
+    def refresh(self):
+        """Shows the mesh object's properties."""
+        for name, info in self.table.items():
+            self.fields[name].set_value(properties.value_of(self.obj, info))
+        self.run_in.set_value(self.obj.RunIn)
+        is_by_frequency = self.fields["frequency"].value() is not None
+        (self.by_frequency if is_by_frequency else self.by_length).setChecked(True)
+        self.link()
+
+    def show_property(self, name):
+        """Shows one property after a change of it elsewhere; False when it is no option."""
+        option = next((option for option in self.table if properties.property_name(option) == name), None)
+        if name == RUN_IN:
+            self.run_in.set_value(self.obj.RunIn)
+        if option is None:
+            return name == RUN_IN
+        value = properties.value_of(self.obj, self.table[option])
+        self.fields[option].set_value(value)
+        if option in ("size", "frequency") and value is not None:
+            (self.by_length if option == "size" else self.by_frequency).setChecked(True)
+        self.link()
+        return True
+
+    def switch(self):
+        """The user has chosen another way to give the size: starts with one that comes to the same."""
+        if self.by_frequency.isChecked() and not self.fields["frequency"].value():
+            size, divisions = self.fields["size"].value(), self.fields["divisions"].value()
+            unit_wavelength = wavelength(1.0, self.fields["eps_r"].value(), self.fields["mu_r"].value())
+            if size and divisions and unit_wavelength:
+                self.fields["frequency"].set_value(float(fields.number_text(unit_wavelength / (divisions * size))))
+        self.edited()
+
+    def edited(self):
+        self.link()
+        self.changed.emit()
+
+    def link(self):
+        """Makes the wavelength, and the length where that follows from the frequency, fit the fields."""
+        is_by_frequency = self.by_frequency.isChecked()
+        for name in BY_FREQUENCY:
+            self.fields[name].setEnabled(is_by_frequency)
+        self.fields["size"].setEnabled(not is_by_frequency)
+        length = None
+        if is_by_frequency and not any(self.fields[name].fault() for name in BY_FREQUENCY):
+            length = wavelength(*(self.fields[name].value() for name in ("frequency", "eps_r", "mu_r")))
+        text = fields.quantity_text("length", float(f"{length:.4g}")) if length else "\u2013"
+        self.wavelength.setText(f"\u03bb = {text}")
+        self.wavelength.setVisible(is_by_frequency)
+        divisions = self.fields["divisions"].value()
+        if is_by_frequency:
+            self.fields["size"].set_value(length / divisions if length and divisions else None)
+
+    def fault(self):
+        """Empty, or a sentence on the first field that has no value."""
+        unused = ("size",) if self.by_frequency.isChecked() else BY_FREQUENCY
+        faults = [(name, field.fault()) for name, field in self.fields.items() if name not in unused]
+        return next((f"{labels().get(name, name)}: {text}" for name, text in faults if text), "")
+
+    def values(self):
+        """{option: value or None}: what the mesh object has after Apply. Needs fields without a fault."""
+        values = {name: field.value() for name, field in self.fields.items()}
+        if self.by_frequency.isChecked():
+            values["size"] = None
+        else:
+            values.update({"frequency": None, **{name: properties.value_of(self.obj, self.table[name])
+                                                 for name in BY_FREQUENCY[1:]}})
+        return values
+
+    def changes(self):
+        """{option: value} of values() that differ from the mesh object."""
+        return {name: value for name, value in self.values().items()
+                if value != properties.value_of(self.obj, self.table[name])}

@@ -1,0 +1,136 @@
+"""The part of the task panel that shows figures of the mesh."""
+import FreeCAD
+import numpy as np
+from PySide import QtCore, QtGui
+
+from paver_wb import statistics
+from paver_wb.formats import mesh_file
+from paver_wb.gui.base import run_status
+from paver_wb.gui.base.background import Latest
+from paver_wb.gui.base.widgets import named, text_label
+from paver_wb.gui.panels.fields import quantity_text
+from paver_wb.statistics import number
+
+translate = FreeCAD.Qt.translate
+
+
+def edge_lengths(mesh):
+    """(edges,) straight lengths of all element edges, each once, mm; of the lines where there are only wires."""
+    edges = statistics.mesh_edges(mesh)[0]
+    return statistics.edge_lengths(mesh, edges if len(edges) else np.asarray(mesh.lines)[:, :2])
+
+
+def figures(mesh):
+    """[(name, value, tooltip)] of a StoredMesh."""
+    quality, report, lengths = mesh.report["quality"], mesh.report, edge_lengths(mesh)
+    sj, millimetres = quality["sj"]["all"], [quantity_text("length", float(f"{v:.4g}")) for v in (
+        lengths.min(), lengths.mean(), lengths.max(), report["target_length"])]
+    count = len(mesh.quads) + len(mesh.triangles)
+    rows = [
+        (translate("Paver", "Elements"), number(count), translate("Paver", "Quads and triangles")),
+        (translate("Paver", "Quads"), number(len(mesh.quads)), translate("Paver", "Elements with four sides")),
+        (translate("Paver", "Triangles"), number(len(mesh.triangles)), translate("Paver", "Elements with three sides")),
+        (translate("Paver", "Nodes"), number(len(mesh.nodes)), translate("Paver", "Of all orders")),
+        (translate("Paver", "Scaled Jacobian"), f"{sj['min']:.3f} \u2013 {sj['mean']:.3f}",
+         translate("Paver", "Smallest and mean; 1 is a square or an equilateral triangle, 0 a degenerate element")),
+        (translate("Paver", "Edge length"), f"{millimetres[0]} \u2013 {millimetres[2]}",
+         translate("Paver", "Shortest and longest element edge, end to end")),
+        (translate("Paver", "Mean edge"), f"{millimetres[1]}", translate("Paver", "Mean length of the element edges")),
+        (translate("Paver", "Target length"), millimetres[3], translate("Paver", "Away from bends and local sizes")),
+        (translate("Paver", "Edges 0.7\u20131.4 target"), f"{100 * quality['length_in_band']:.1f} %",
+         translate("Paver", "Edges between 0.7 and 1.4 of the length wanted there")),
+        (translate("Paver", "Irregular nodes"), f"{100 * quality['irregular_share']:.1f} %",
+         translate("Paver", "Nodes inside faces where not four quads meet")),
+        (translate("Paver", "Watertight"), translate("Paver", "yes") if quality["watertight"] else translate(
+            "Paver", "no, {} free edges").format(number(quality["border_edges"])),
+         translate("Paver", "Whether every mesh edge lies in exactly two elements")),
+    ]
+    return rows + wires(mesh) + parts(report) + times(report)
+
+
+def wires(mesh):
+    """A row for lines of wires; none without them."""
+    lines = mesh_file.wires(mesh)
+    if not lines:
+        return []
+    return [(translate("Paver", "Lines of wires"), number(sum(map(len, lines.values()))),
+             translate("Paver", "Line elements of edges that bound no face"))]
+
+
+def parts(report):
+    """A row for what touches and how many meshes come of it; none for a single part."""
+    contacts, meshes = report["model"].get("contacts", []), report.get("components", [])
+    if not contacts and len(meshes) < 2:
+        return []
+    return [(translate("Paver", "Contacts"), translate("Paver", "{}; separate meshes: {}").format(
+        number(len(contacts)), number(len(meshes))),
+        translate("Paver", "Pairs of parts that touch or cross, and how many meshes share no node"))]
+
+
+def times(report):
+    """Rows for the stages that took a share of the time worth telling."""
+    seconds = report["stage_seconds"]
+    total = sum(seconds.values())
+    rows = [(translate("Paver", "Time"), f"{total:.2f} s", translate("Paver", "Of all stages"))]
+    return rows + [("    " + run_status.stage_text(stage), f"{spent:.2f} s",
+                    translate("Paver", "Time of this stage")) for stage, spent in seconds.items()
+                   if spent >= 0.01 * total]
+
+
+class ResultBox(QtGui.QWidget):
+    """A table of the figures of a mesh. They are worked out on a thread: large meshes take a while to read."""
+
+    def __init__(self, obj):
+        super().__init__()
+        self.obj, self.latest = obj, Latest(self.show_figures, self.show_error)
+        self.setWindowTitle(translate("Paver", "Result"))
+        layout = QtGui.QVBoxLayout(self)
+        self.text = text_label("ResultText", translate("Paver", "What keeps figures or faces from being here"))
+        self.table = named(QtGui.QTableWidget(0, 2), "Result", translate("Paver", "Figures of the mesh that the object has"))
+        self.table.horizontalHeader().hide()
+        self.table.verticalHeader().hide()
+        self.table.horizontalHeader().setStretchLastSection(True)
+        self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+        self.table.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        self.table.setShowGrid(False)
+        self.table.setAlternatingRowColors(True)
+        layout.addWidget(self.text)
+        layout.addWidget(self.table)
+
+    def refresh(self, mesh=None):
+        """Shows the mesh that the object has now; `mesh`: the StoredMesh, where it is at hand."""
+        path = self.obj.MeshFile
+        self.drop()
+        if not path:
+            self.fill([])
+            self.text.setText(translate("Paver", "Nothing is meshed yet."))
+            return
+        self.latest.ask(lambda _cancel: figures(mesh or mesh_file.read(path)))
+
+    def drop(self):
+        """Forgets figures that are being worked out."""
+        self.latest.drop()
+
+    def show_figures(self, rows):
+        self.fill(rows)
+        failed = list(self.obj.FailedFaces)
+        self.text.setText(translate("Paver", "Not meshed: {}").format("; ".join(failed)) if failed else "")
+        self.text.setVisible(bool(failed))
+
+    def show_error(self, error):
+        self.fill([])
+        self.text.setText(str(error))
+
+    def fill(self, rows):
+        self.text.setVisible(not rows)
+        self.table.setVisible(bool(rows))
+        self.table.setRowCount(len(rows))
+        for at, (name, value, tip) in enumerate(rows):
+            for column, text in enumerate((name, value)):
+                item = QtGui.QTableWidgetItem(text)
+                item.setToolTip(tip)
+                self.table.setItem(at, column, item)
+        self.table.resizeColumnsToContents()
+        self.table.resizeRowsToContents()
+        height = sum(self.table.rowHeight(i) for i in range(len(rows))) + 2 * self.table.frameWidth()
+        self.table.setFixedHeight(height)

@@ -1,0 +1,186 @@
+"""The part of the task panel that predicts, meshes, shows the progress, stops, and tells what went wrong."""
+import os
+import time
+
+import FreeCAD
+from PySide import QtCore, QtGui
+
+from paver_wb import mesh_object
+from paver_wb.gui import run_place
+from paver_wb.gui.base import run_status
+from paver_wb.base.paths import ICONS
+from paver_wb.gui.base.widgets import FaultBox, button, named, row, text_label
+from paver_wb.gui.panels.options_box import with_labels
+from paver_wb.statistics import number
+
+translate = FreeCAD.Qt.translate
+LOG_LINES, LOG_HEIGHT = 200, 90
+SCROLL_DELAY = 50  # ms
+
+
+def count_text(count):
+    """12 345 elements are shown as exactly as a prediction deserves: three digits."""
+    return number(round(float(f"{count:.3g}")))
+
+
+def memory_text(mib):
+    return f"{mib / 1024:.1f} GB" if mib >= 1024 else f"{max(mib, 1):.0f} MB"
+
+
+def prediction_text(prediction, run_in, limit):
+    """About how much a run will come to; limit: the most elements it may make."""
+    text = translate("Paver", "About {} elements, up to {} of memory").format(count_text(prediction.elements),
+                                                                           memory_text(prediction.memory_mib))
+    if prediction.elements > limit:
+        return text + translate("Paver", "; more than 'Most elements' allows, so choose longer elements or raise that")
+    is_heavy = run_in == mesh_object.AUTOMATIC and prediction.elements >= mesh_object.heavy_elements()
+    return text + (translate("Paver", "; in a process of its own") if is_heavy or run_in == mesh_object.IN_PROCESS
+                   else "")
+
+
+def count_of_mesh(obj):
+    """How much the run has come to."""
+    return translate("Paver", "The mesh has {} elements").format(number(obj.Quads + obj.Triangles))
+
+
+class RunBox(QtGui.QWidget):
+    """`mesh_asked`, `stop_asked`: the buttons. watch(run) follows a run until it ends."""
+
+    mesh_asked = QtCore.Signal()
+    stop_asked = QtCore.Signal()
+
+    def __init__(self, obj):
+        super().__init__()
+        self.obj, self.stage, self.place, self.in_sight = obj, None, None, self
+        self.scrolling = QtCore.QTimer(self)
+        self.scrolling.setSingleShot(True)
+        self.scrolling.timeout.connect(self.scroll)
+        self.setWindowTitle(translate("Paver", "Mesh"))
+        layout = QtGui.QVBoxLayout(self)
+        self.status = text_label("Status", translate("Paver", "Whether the mesh fits the options and the shapes of its objects"))
+        self.prediction = text_label("Prediction", translate(
+            "Paver", "What meshing with these options comes to, or has come to"))
+        layout.addWidget(self.status)
+        layout.addWidget(self.prediction)
+        layout.addLayout(self.buttons())
+        self.bar = named(QtGui.QProgressBar(), "Progress", translate(
+            "Paver", "Stage of the work, and how much of all work is done"))
+        layout.addWidget(self.bar)
+        layout.addWidget(self.fault_box())
+        layout.addWidget(self.log_box())
+        self.idle()
+
+    def buttons(self):
+        self.mesh = button("MeshButton", translate("Paver", "Mesh"), translate(
+            "Paver", "Applies the options and meshes; FreeCAD can be used meanwhile"), self.mesh_asked.emit)
+        self.mesh.setIcon(QtGui.QIcon(os.path.join(ICONS, "Paver_Mesh.svg")))
+        self.stop = button("StopButton", translate("Paver", "Stop"), translate(
+            "Paver", "Stops meshing within a second; the mesh stays as it was"), self.stop_asked.emit)
+        return row(self.mesh, self.stop, shares=(2, 1))
+
+    def fault_box(self):
+        self.fault = FaultBox()
+        self.show_place = button("ShowPlace", "", translate("Paver", "Selects it in the 3D view and brings it into sight"),
+                                 self.go_to_place)
+        self.fault.layout().addWidget(self.show_place)
+        return self.fault
+
+    def log_box(self):
+        self.log = named(QtGui.QPlainTextEdit(), "Log", translate("Paver", "What has been done since the panel was opened"))
+        self.log.setReadOnly(True)
+        self.log.setMaximumBlockCount(LOG_LINES)
+        self.log.setFixedHeight(LOG_HEIGHT)
+        self.log.setPlaceholderText(translate("Paver", "Log"))
+        return self.log
+
+    def bring_into_sight(self, part):
+        """Scrolls the panel to a part of it, when that has got its size."""
+        self.in_sight = part
+        self.scrolling.start(SCROLL_DELAY)
+
+    @QtCore.Slot()
+    def scroll(self):
+        area = self.parent()
+        while area is not None and not isinstance(area, QtGui.QScrollArea):
+            area = area.parent()
+        if area is not None:
+            area.ensureWidgetVisible(self.in_sight)
+
+    def note(self, text):
+        self.log.appendPlainText(time.strftime("%H:%M:%S  ") + text)
+
+    def go_to_place(self):
+        import FreeCADGui
+        if run_place.select(self.obj, self.place):
+            FreeCADGui.SendMsgToActiveView("ViewSelection")
+
+    def show_status(self, has_edits=False):
+        """has_edits: fields differ from what the mesh object has."""
+        if has_edits:
+            self.status.setText(translate("Paver", "Options have been edited; Mesh or Apply puts them into effect"))
+            return
+        texts = {mesh_object.NOT_MESHED: translate("Paver", "Not meshed yet"),
+                 mesh_object.UP_TO_DATE: translate("Paver", "The mesh is up to date"),
+                 mesh_object.OUT_OF_DATE: translate("Paver", "Options or shapes have changed since meshing")}
+        self.status.setText(texts[self.obj.Status])
+
+    def show_fault(self, text, place=None):
+        """A sentence, or none; with a place a button goes there."""
+        self.place = place
+        self.fault.tell(with_labels(text))
+        if text:
+            self.bring_into_sight(self.fault)
+        self.show_place.setVisible(place is not None)
+        if place is not None:
+            self.show_place.setText(translate("Paver", "Show {}").format(place.element))
+
+    def idle(self):
+        self.mesh.setEnabled(True)
+        self.stop.setEnabled(False)
+        self.bar.hide()
+        self.show_fault("")
+        self.show_status()
+
+    def watch(self, run):
+        """Follows a run; show() of its end is the panel's."""
+        self.stage = None
+        self.show_fault("")
+        self.status.setText(translate("Paver", "Meshing; FreeCAD can be used meanwhile"))
+        self.mesh.setEnabled(False)
+        self.stop.setEnabled(True)
+        self.bar.setValue(0)
+        self.bar.show()
+        self.bring_into_sight(self.log)
+        self.note(translate("Paver", "Shape of {:.2f} MB handed over in {:.2f} s").format(
+            len(run.job.shape) / 1e6, run.seconds["hand over"]))
+        run.progressed.connect(self.tell)
+        run.moved.connect(self.tell_moved)
+        self.tell(run.stage, run.fraction)
+
+    def leave(self, run):
+        """Follows it no longer."""
+        run.progressed.disconnect(self.tell)
+        run.moved.disconnect(self.tell_moved)
+
+    @QtCore.Slot()
+    def tell_moved(self):
+        self.note(translate("Paver", "Meshing in a process of its own"))
+
+    @QtCore.Slot(str, float)
+    def tell(self, stage, fraction):
+        self.bar.setValue(run_status.percent(stage, fraction))
+        if stage != self.stage:
+            self.bar.setFormat(run_status.stage_text(stage) + "  %p %")
+            self.note(run_status.stage_text(stage))
+            self.stage = stage
+
+    def show_end(self, outcome):
+        self.idle()
+        self.note(outcome.text)
+        for line in filter(None, outcome.log.splitlines()):
+            self.note(line)
+        if outcome.kind == "meshed":
+            self.note(translate("Paver", "{:.2f} s of meshing, {:.2f} s to take it into the document").format(
+                outcome.seconds["mesh"], outcome.seconds["take back"]))
+        if outcome.kind == "failed" or outcome.place:
+            self.show_fault(outcome.text, outcome.place)

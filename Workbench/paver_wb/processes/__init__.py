@@ -1,0 +1,1 @@
+"""Meshing as data, and the processes that do it for FreeCAD."""

@@ -1,0 +1,66 @@
+"""FreeCAD's formats of files, read and written in a process of its own.
+
+FreeCAD reads and writes them in one call that keeps every other Python waiting, and with it the window; half a million
+elements take it many seconds. The process is Python with FreeCAD's modules.
+"""
+import os
+import shutil
+import sys
+
+from paver_wb.formats import fem_mesh, mesh_file, raw_mesh, read_fem
+from paver_wb.processes import child_process
+
+TABLES = "tables.npz"
+ERRORS = {"Damaged": raw_mesh.Damaged, "NoFemMesh": fem_mesh.NoFemMesh}
+
+
+def folders():
+    """Where FreeCAD's modules lie, those in Python too, which it calls for some formats."""
+    import FreeCAD
+    library = FreeCAD.getLibraryDir() if hasattr(FreeCAD, "getLibraryDir") else os.path.join(FreeCAD.getHomePath(), "lib")
+    return [library, *(folder for folder in sys.path if os.path.isabs(folder))]
+
+
+def error_of(event):
+    return ERRORS.get(event["code"], ValueError)(event["sentence"])
+
+
+def death(status, _last):
+    return (f"FreeCAD's part that reads and writes such files ended without a result (exit code {status}); FreeCAD itself is "
+            "as before, use .msh or .vtu instead.")
+
+
+def run(content, folder, cancel):
+    """Does a job in a process that uses `folder`. ValueError with the process's own sentence, ChildDied when it ends
+    without one, Cancelled when it is stopped."""
+    child_process.write_content({**content, "folders": folders()}, folder)
+    profile = os.path.join(folder, "profile")  # the user's own is this FreeCAD's alone
+    os.makedirs(profile, exist_ok=True)
+    child_process.do(folder, error_of, death, cancel=cancel, variables={"FREECAD_USER_HOME": profile})
+    shutil.rmtree(profile, ignore_errors=True)
+
+
+def write(stored, groups, path, folder, cancel=None):
+    """Writes the mesh in the file `stored` to `path`, by its ending; groups: {name: numbers of faces}."""
+    if is_possible():
+        run({"input": stored, "groups": {name: sorted(faces) for name, faces in groups.items()}, "mesh": path}, folder,
+            cancel)
+    else:
+        fem_mesh.write(mesh_file.read(stored), groups, path)
+
+
+def read(path, folder, cancel=None):
+    """raw_mesh.Tables of a file that FreeCAD reads. Damaged when it does not."""
+    if not is_possible():
+        return read_fem.tables(path)
+    run({"input": os.path.abspath(path), "mesh": TABLES}, folder, cancel)
+    return raw_mesh.load(os.path.join(folder, TABLES))
+
+
+def is_possible():
+    """Whether there is a Python to run it in; without one FreeCAD itself has to do it."""
+    try:
+        child_process.interpreter()
+    except child_process.ChildDied:
+        return False
+    return True
