@@ -14,12 +14,9 @@ EPILOG = ("Exit codes: 0 all is meshed, {internal} internal error, {bad_option} 
           "output cannot be written, {cancelled} cancelled; of several the first.")
 
 
-class JobError(Exception):
-    """One sentence, and what went wrong, as the core names it."""
-
-    def __init__(self, text, code):
-        super().__init__(text)
-        self.code = code
+def fault(text, code):
+    """An error as the core has them: one sentence, and what went wrong."""
+    return core.load().Error(text, code)
 
 
 def parser():
@@ -47,21 +44,21 @@ def names_of(text):
 
 
 def check_arguments(arguments):
-    """JobError for what can be seen before any work."""
+    """An error for what can be seen before any work."""
     bad = [name for name in arguments.export if name not in FORMATS]
     if bad:
-        raise JobError(f"--export has '{bad[0]}'; write some of {', '.join(FORMATS)}.", "bad_option")
+        raise fault(f"--export has '{bad[0]}'; write some of {', '.join(FORMATS)}.", "bad_option")
     stems = [output_stem(arguments, path) for path in arguments.models]
     twice = [path for path, stem in zip(arguments.models, stems) if stems.count(stem) > 1]
     if twice and (arguments.export or arguments.save):
-        raise JobError(f"The outputs of {' and '.join(twice)} would have the same names; run them one by one with "
-                       "another --folder.", "bad_option")
+        raise fault(f"The outputs of {' and '.join(twice)} would have the same names; run them one by one with "
+                    "another --folder.", "bad_option")
     folders = {os.path.dirname(stem) for stem in stems}
     if arguments.report:
         folders.add(os.path.dirname(os.path.abspath(arguments.report)))
     missing = [folder for folder in sorted(folders) if not os.path.isdir(folder)]
     if missing and (arguments.folder or arguments.report):
-        raise JobError(f"The folder {missing[0]} does not exist; make it, or name another.", "unwritable_output")
+        raise fault(f"The folder {missing[0]} does not exist; make it, or name another.", "unwritable_output")
 
 
 def output_stem(arguments, path):
@@ -76,17 +73,17 @@ def is_document(path):
 def open_model(path):
     """The document of a file; for a CAD file a new one with its shape as the only object."""
     if not os.path.isfile(path):
-        raise JobError(f"There is no file {path}; check the name.", "damaged_file")
+        raise fault(f"There is no file {path}; check the name.", "file_missing")
     try:
         if is_document(path):
             return FreeCAD.openDocument(path, hidden=True)
         import Part
         shape = Part.read(path)
     except Exception as error:
-        raise JobError(f"{path} cannot be read ({str(error).strip()}); pass a document or a STEP, IGES or BREP file.",
-                       "damaged_file") from None
+        raise fault(f"{path} cannot be read ({str(error).strip()}); pass a document or a STEP, IGES or BREP file.",
+                    "damaged_file") from None
     if shape.isNull() or not shape.Faces:
-        raise JobError(f"{path} has no faces; pass a model that has.", "damaged_file")
+        raise fault(f"{path} has no faces; pass a model that has.", "no_faces")
     document = FreeCAD.newDocument("Model", hidden=True)
     document.addObject("Part::Feature", "Shape").Shape = shape
     return document
@@ -98,7 +95,7 @@ def named(document, path, name):
     if found is None or (found.Name != name and len(document.getObjectsByLabel(name)) > 1):
         known = ", ".join(thing.Name for thing in document.Objects)
         what = "no object" if found is None else "several objects labelled"
-        raise JobError(f"{path} has {what} '{name}'; its objects are {known}.", "bad_option")
+        raise fault(f"{path} has {what} '{name}'; its objects are {known}.", "bad_option")
     return found
 
 
@@ -109,7 +106,7 @@ def targets(document, path, names):
     elif is_document(path):
         things = mesh_object.meshes_of(document)
         if not things:
-            raise JobError(f"{path} has no mesh object; name the objects to mesh with --objects.", "bad_option")
+            raise fault(f"{path} has no mesh object; name the objects to mesh with --objects.", "bad_option")
     else:
         things = document.Objects
     return [thing if mesh_object.is_mesh(thing) else mesh_object.add(document, thing, thing.Name + "Mesh")
@@ -125,7 +122,7 @@ def export(obj, stem, formats):
             export_mesh.write(obj, paths[-1])
         except export_mesh.NotWritten as error:
             is_usage = isinstance(error, export_mesh.CannotHold)
-            raise JobError(str(error), "bad_option" if is_usage else "unwritable_output") from None
+            raise fault(str(error), "bad_option" if is_usage else "unwritable_output") from None
     return paths
 
 
@@ -157,7 +154,7 @@ def save(document, path, stem):
     try:
         document.save() if is_document(path) else document.saveAs(saved)
     except Exception as error:
-        raise JobError(f"{saved} cannot be saved ({str(error).strip()}); check the folder.", "unwritable_output") from None
+        raise fault(f"{saved} cannot be saved ({str(error).strip()}); check the folder.", "unwritable_output") from None
     return saved
 
 
@@ -197,7 +194,7 @@ def write_report(path, content):
             json.dump(content, file, indent=1)
         os.replace(part, path)
     except OSError as error:
-        raise JobError(f"{path} cannot be written ({error.strerror}); check the folder.", "unwritable_output") from None
+        raise fault(f"{path} cannot be written ({error.strerror}); check the folder.", "unwritable_output") from None
 
 
 def main(arguments):
@@ -220,6 +217,6 @@ def main(arguments):
     except core.CoreMissing as error:
         print(error, file=sys.stderr)
         return 1
-    except JobError as error:
+    except core.load().Error as error:
         print(error, file=sys.stderr)
         return core.exit_code(error.code)

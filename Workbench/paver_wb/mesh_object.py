@@ -7,7 +7,6 @@ Documents name this module and MeshProxy: neither may be moved.
 """
 import itertools
 import os
-import tempfile
 
 import FreeCAD
 
@@ -168,11 +167,16 @@ def remember_reopened(obj):
         obj.Proxy.reopened = (obj.MeshedShape, shape_digest(obj))
 
 
-def stored(obj):
-    """The StoredMesh. ValueError when the object is not meshed, DamagedMesh when its file is."""
+def path_of(obj):
+    """Of the mesh's file. ValueError when the object is not meshed."""
     if not obj.MeshFile:
         raise ValueError(f"'{obj.Label}' is not meshed; mesh it first.")
-    return mesh_file.read(obj.MeshFile)
+    return obj.MeshFile
+
+
+def stored(obj):
+    """The StoredMesh. ValueError when the object is not meshed, DamagedMesh when its file is damaged."""
+    return mesh_file.read(path_of(obj))
 
 
 def fem_mesh_of(obj, mesh):
@@ -192,18 +196,14 @@ def keep(obj, mesh):
 
     The file of a path is moved, without a copy, and must lie on the disk that the document has its own files on.
     """
+    path = os.path.join(obj.Document.TransientDir, free_name(obj) + ".new")
     if isinstance(mesh, str):
-        path = os.path.join(obj.Document.TransientDir, free_name(obj) + ".new")
         os.replace(mesh, path)
-        obj.MeshFile = (path, free_name(obj))  # FreeCAD moves what lies in its own folder, and copies anything else
-        return
-    with tempfile.TemporaryDirectory(prefix="paver") as folder:
-        path = os.path.join(folder, obj.Name + ".paver")
-        if isinstance(mesh, bytes):
-            write_bytes(path, mesh)
-        else:
-            mesh_file.write(mesh, path)
-        obj.MeshFile = (path, free_name(obj))
+    elif isinstance(mesh, bytes):
+        write_bytes(path, mesh)
+    else:
+        mesh_file.write(mesh, path)
+    obj.MeshFile = (path, free_name(obj))  # FreeCAD moves what lies in its own folder, and copies anything else
 
 
 def free_name(obj):
@@ -251,8 +251,7 @@ class MeshProxy(Stateless):
         properties.add_to(obj)
         update_status(obj)
 
-    def update_status(self, obj):
-        update_status(obj)
+    update_status = staticmethod(update_status)
 
     def execute(self, obj):
         """Meshes nothing: meshing is asked for. Only compares the shapes with those that were meshed."""

@@ -9,9 +9,9 @@ from PySide import QtGui
 import window
 from commands_cases import WithCommands
 from paver_wb import examples, mesh_check, mesh_object, properties, refinement
+from paver_wb.base.paths import TRANSLATIONS
 from paver_wb.gui import statistics_panel, check_panel
 from paver_wb.gui.display import view_properties
-from paver_wb.base.paths import TRANSLATIONS
 
 
 class Translations(WithCommands):

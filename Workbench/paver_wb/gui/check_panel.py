@@ -3,7 +3,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from paver_wb import mesh_check
+from paver_wb import mesh_check, mesh_object
 from paver_wb.formats import mesh_file
 from paver_wb.gui.base import measuring
 from paver_wb.gui.base.widgets import button, named, row
@@ -53,12 +53,12 @@ class CheckPanel(measuring.MeasuringDialog):
     def refresh(self):
         """Checks the mesh again, on a thread."""
         try:
-            path, found = self.obj.MeshFile, mesh_check.of_document(self.obj)
+            found, path = mesh_check.of_document(self.obj), mesh_object.path_of(self.obj)
         except (ReferenceError, RuntimeError):  # the object is gone
             self.close()
             return
-        if not path:
-            self.show_fault(f"'{self.obj.Label}' is not meshed; mesh it first.")
+        except ValueError as error:
+            self.show_fault(str(error))
             return
         self.measure(lambda: mesh_check.in_order(found + mesh_check.of_mesh(mesh_file.read(path))))
 

@@ -7,9 +7,9 @@ import FreeCADGui
 
 from paver_wb import analysis, export_mesh, import_mesh, mesh_object, meshing, preferences
 from paver_wb.formats import mesh_file
-from paver_wb.processes import fem_process
 from paver_wb.gui.base import run_task
 from paver_wb.gui.display import drawn_mesh
+from paver_wb.processes import fem_process
 
 STATUS_TIME = 10000  # ms
 translate = FreeCAD.Qt.translate
@@ -34,8 +34,7 @@ def export(obj, path, msh_version="4.1", ascii=False):
 
     Arguments, and what goes wrong before it begins, as for export_mesh.write.
     """
-    if not obj.MeshFile:
-        raise ValueError(f"'{obj.Label}' is not meshed; mesh it first.")
+    mesh_object.path_of(obj)
     ending, sources = export_mesh.ending_of(path), mesh_object.sources(obj)
     references, is_alone = analysis.references(obj, sources), len(sources) < 2
 

@@ -10,9 +10,9 @@ import FreeCADGui
 from PySide import QtGui
 
 from paver_wb import refinement
+from paver_wb.base.paths import ICONS
 from paver_wb.gui.base import edit_panel
 from paver_wb.gui.base.edit_panel import edit_new, unset_edit  # noqa: F401, for commands and the view provider
-from paver_wb.base.paths import ICONS
 from paver_wb.gui.base.steps import in_step, python_name
 from paver_wb.gui.base.widgets import FaultBox, button, named
 from paver_wb.gui.panels import fields

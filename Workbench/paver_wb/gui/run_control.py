@@ -145,16 +145,14 @@ class Run(Task):
             self.place = getattr(self.error, "place", None)
         elif kind == CANCELLED and not self.end_text:
             self.end_text = translate("Paver", "Meshing of '{}' was stopped; it is as before.").format(self.text)
-        log = getattr(self.error, "log", "")
-        if log:
-            FreeCAD.Console.PrintLog(log + "\n")
         if kind == FAILED or self.place:
             FreeCAD.Console.PrintError(f"{self.text}: {self.end_text}\n")
         else:
             FreeCAD.Console.PrintMessage(self.end_text + "\n")
         if self.place:
             run_place.select(self.obj, self.place)
-        return Outcome(kind, self.end_text, self.place, log, self.seconds, self.thread.result if how == DONE else None)
+        return Outcome(kind, self.end_text, self.place, getattr(self.error, "log", ""), self.seconds,
+                       self.thread.result if how == DONE else None)
 
     def end(self, how, error=None):
         if self in _runs:

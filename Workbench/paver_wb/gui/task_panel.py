@@ -11,11 +11,11 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb import mesh_object, refinement
+from paver_wb.base.paths import ICONS
 from paver_wb.gui import run_control
 from paver_wb.gui.base import edit_panel
 from paver_wb.gui.base.edit_panel import edit_new, unset_edit  # noqa: F401, for commands and the view provider
-from paver_wb.base.paths import ICONS
-from paver_wb.gui.base.steps import in_step, python_name
+from paver_wb.gui.base.steps import do, in_step, python_name
 from paver_wb.gui.panels import options_box, result_box, run_box, run_predict, sizes_box
 from paver_wb.gui.setup import first_use
 
@@ -101,10 +101,9 @@ class TaskPanel(edit_panel.EditPanel):
 
     def start(self, changes):
         """Starts a run as the console would."""
-        FreeCADGui.addModule("paver_wb.gui.run_control")
         text = "".join(f", {name}={value!r}" for name, value in changes.items())
         run_control.offered.put(*self.predictor.offered())
-        FreeCADGui.doCommand(f"paver_wb.gui.run_control.start({python_name(self.obj)}{text})")
+        do(f"start({python_name(self.obj)}{text})", "paver_wb.gui.run_control")
 
     def watch(self, run):
         """Follows a run of the mesh object, also one that a command has started."""

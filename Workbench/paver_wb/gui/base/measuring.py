@@ -4,6 +4,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from paver_wb import mesh_object
 from paver_wb.gui.base.background import Latest
 from paver_wb.gui.base.widgets import button, named
 
@@ -58,8 +59,7 @@ class MeasuringDialog(QtGui.QDialog):
 
 def show(kind, obj):
     """Opens the dialog of a mesh object, or brings it up to date and to the front. ValueError when it is not meshed."""
-    if not obj.MeshFile:
-        raise ValueError(f"'{obj.Label}' is not meshed; mesh it first.")
+    mesh_object.path_of(obj)
     key = (kind, obj.Document.Name, obj.Name)
     if key in _open:
         _open[key].refresh()

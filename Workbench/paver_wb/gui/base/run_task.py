@@ -7,7 +7,7 @@ import FreeCAD
 from PySide import QtCore
 
 from paver_wb.gui.base import background, run_status
-from paver_wb.gui.base.complaint import complain
+from paver_wb.gui.base.widgets import complain
 
 PATIENCE = 700  # ms until work that was asked to stop is left to itself
 BUSY = 100  # ms between looks at a document that something else is changing
@@ -109,6 +109,8 @@ class Task(QtCore.QObject):
             _tasks.remove(self)
         if self.folder:
             self.thread.drop_folder(self.folder)
+        if getattr(error, "log", ""):
+            FreeCAD.Console.PrintLog(error.log + "\n")
         self.outcome = self.told(how)
         self.thread.result = None  # Qt may keep the thread for a while
         self.ended.emit(self.outcome)
@@ -118,9 +120,6 @@ class Task(QtCore.QObject):
         if how == STOPPED:
             FreeCAD.Console.PrintMessage(translate("Paver", "Stopped: {}").format(self.text) + "\n")
         elif self.error is not None:
-            log = getattr(self.error, "log", "")
-            if log:
-                FreeCAD.Console.PrintLog(log + "\n")
             complain(str(self.error) or type(self.error).__name__)
         return how
 

@@ -1,9 +1,16 @@
-"""What the panel does to documents: as lines of Python that the console shows, in one step of undo."""
+"""What commands and panels do: as lines of Python that the console shows; to documents in one step of undo."""
 import FreeCADGui
 
 
 def python_name(obj):
     return f'FreeCAD.getDocument("{obj.Document.Name}").getObject("{obj.Name}")'
+
+
+def do(line, module=""):
+    """Runs a line of Python, a call of `module` where that is given, which the console shows."""
+    if module:
+        FreeCADGui.addModule(module)
+    FreeCADGui.doCommand(f"{module}.{line}" if module else line)
 
 
 def in_step(document, name, modules, lines):

@@ -2,8 +2,8 @@
 import importlib
 import os
 
-from paver_wb.base.proxies import Stateless
 from paver_wb.base.paths import ICONS
+from paver_wb.base.proxies import Stateless
 
 
 class ViewProvider(Stateless):

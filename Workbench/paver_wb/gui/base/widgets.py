@@ -1,5 +1,6 @@
-"""Small widgets that dialogs and panels share."""
+"""Small widgets that dialogs and panels share, and how an error is told to the user."""
 import FreeCAD
+import FreeCADGui
 from PySide import QtCore, QtGui
 
 translate = FreeCAD.Qt.translate
@@ -49,3 +50,13 @@ class FaultBox(QtGui.QFrame):
     def tell(self, text):
         self.text.setText(text)
         self.setVisible(bool(text))
+
+
+def complain(text):
+    """Shows an error in a box that does not block, and in the report view."""
+    FreeCAD.Console.PrintError(text + "\n")
+    box = QtGui.QMessageBox(QtGui.QMessageBox.Warning, "Paver", text, QtGui.QMessageBox.Ok,
+                            FreeCADGui.getMainWindow())
+    box.setObjectName("Paver_Complaint")
+    box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+    box.open()

@@ -3,10 +3,8 @@ import FreeCADGui
 
 from paver_wb.gui.commands import about, files, look, mesh
 
-COMMANDS = {"Paver_CreateMesh": mesh.CreateMesh, "Paver_Refine": mesh.Refine, "Paver_Mesh": mesh.Mesh,
-            "Paver_Check": look.Check, "Paver_Statistics": look.Statistics, "Paver_FillFemMesh": mesh.FillFemMesh,
-            "Paver_Export": files.Export, "Paver_Import": files.Import, "Paver_Preferences": about.Preferences,
-            "Paver_Help": about.Help, "Paver_About": about.About}
+COMMANDS = {**mesh.COMMANDS, **look.COMMANDS, "Paver_Export": files.Export(), "Paver_Import": files.Import(),
+            "Paver_Preferences": about.Preferences(), "Paver_Help": about.Help(), "Paver_About": about.About()}
 SEPARATOR = "Separator"
 TOOLBAR = ["Paver_CreateMesh", "Paver_Refine", "Paver_Mesh", SEPARATOR, "Paver_Check", "Paver_Statistics", SEPARATOR,
            "Paver_FillFemMesh", "Paver_Export", "Paver_Import", SEPARATOR, "Paver_Help"]
@@ -16,9 +14,7 @@ ABOUT = [SEPARATOR, "Paver_Help", "Paver_About"]
 
 def add_all():
     """Makes the commands known to FreeCAD; the names of those that open examples."""
-    for name, command in COMMANDS.items():
-        FreeCADGui.addCommand(name, command())
     examples = files.example_commands()
-    for name, command in examples.items():
+    for name, command in {**COMMANDS, **examples}.items():
         FreeCADGui.addCommand(name, command)
     return list(examples)

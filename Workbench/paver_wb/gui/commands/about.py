@@ -17,8 +17,7 @@ class Help(Command):
         "Paver_Help", "How to make a mesh, what the options mean, what to do when something goes wrong"), "Q, H")
 
     def Activated(self):
-        FreeCADGui.addModule("paver_wb.gui.help_page")
-        run("paver_wb.gui.help_page.show()")
+        run("show()", "paver_wb.gui.help_page")
 
 
 class About(Command):

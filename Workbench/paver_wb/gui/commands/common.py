@@ -4,8 +4,8 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb import core, mesh_object
-from paver_wb.gui.base.complaint import complain
-from paver_wb.gui.base.steps import python_name  # noqa: F401, for the commands
+from paver_wb.gui.base.steps import do, python_name  # noqa: F401, for the commands
+from paver_wb.gui.base.widgets import complain
 from paver_wb.gui.setup import first_use
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -51,15 +51,11 @@ def target_mesh():
     return meshes[0] if meshes else None
 
 
-def do(line):
-    FreeCADGui.doCommand(line)
-
-
-def run(line):
-    """Runs a line of Python; whether it went well. An error is shown; where the core is missing, how to get it."""
+def run(line, module=""):
+    """do(); whether it went well. An error is shown; where the core is missing, how to get it."""
     QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)  # large meshes take a second
     try:
-        do(line)
+        do(line, module)
     except Exception as error:
         if core.problem():
             FreeCAD.Console.PrintError(str(error) + "\n")
@@ -72,10 +68,10 @@ def run(line):
     return True
 
 
-def in_step(name, line):
-    """Runs a line of Python as one step of undo; an error is shown and leaves no trace."""
+def in_step(name, line, module=""):
+    """run() as one step of undo; an error leaves no trace."""
     document = FreeCAD.ActiveDocument
     document.openTransaction(name)
-    is_done = run(line)
+    is_done = run(line, module)
     document.commitTransaction() if is_done else document.abortTransaction()
     return is_done

@@ -45,8 +45,7 @@ class Export(OnMeshed):
         if os.path.splitext(path)[1].lower().lstrip(".") not in known:
             path += "." + ending
         arguments = "".join(f", {name}={value!r}" for name, value in more.items())
-        FreeCADGui.addModule("paver_wb.gui.file_tasks")
-        run(f"paver_wb.gui.file_tasks.export({python_name(obj)}, {path!r}{arguments})")
+        run(f"export({python_name(obj)}, {path!r}{arguments})", "paver_wb.gui.file_tasks")
 
 
 class Import(Command):
@@ -65,8 +64,7 @@ class Import(Command):
     def read(path):
         if FreeCAD.ActiveDocument is None:
             run("FreeCAD.newDocument()")
-        FreeCADGui.addModule("paver_wb.gui.file_tasks")
-        run(f"paver_wb.gui.file_tasks.import_file(FreeCAD.ActiveDocument, {path!r})")
+        run(f"import_file(FreeCAD.ActiveDocument, {path!r})", "paver_wb.gui.file_tasks")
 
 
 class Example(Command):
@@ -77,8 +75,7 @@ class Example(Command):
         self.resources = shown_as("Paver_Example", examples.title(name), examples.about(name))
 
     def Activated(self):
-        FreeCADGui.addModule("paver_wb.examples")
-        if run(f"paver_wb.examples.open_model({self.name!r})"):
+        if run(f"open_model({self.name!r})", "paver_wb.examples"):
             first_view.show_all(FreeCADGui.ActiveDocument.ActiveView)
 
 

@@ -1,28 +1,23 @@
 """Commands that tell about a mesh."""
-import FreeCADGui
-
 from paver_wb.gui.commands.common import QT_TRANSLATE_NOOP, OnMeshed, python_name, run, shown_as, target_mesh
 
 
 class Look(OnMeshed):
-    """Shows a dialog."""
+    """Shows the dialog of a module."""
 
-    module = ""
+    def __init__(self, module, resources):
+        self.module, self.resources = module, resources
 
     def Activated(self):
-        FreeCADGui.addModule(self.module)
-        run(f"{self.module}.show({python_name(target_mesh())})")
+        run(f"show({python_name(target_mesh())})", self.module)
 
 
-class Check(Look):
-    module = "paver_wb.gui.check_panel"
-    resources = shown_as("Paver_Check", QT_TRANSLATE_NOOP("Paver_Check", "Check mesh"), QT_TRANSLATE_NOOP(
-        "Paver_Check", "Looks for folded and poor elements, free edges, triangles, long edges, and says what it "
-        "finds"), "Q, K")
-
-
-class Statistics(Look):
-    module = "paver_wb.gui.statistics_panel"
-    resources = shown_as("Paver_Statistics", QT_TRANSLATE_NOOP("Paver_Statistics", "Statistics"), QT_TRANSLATE_NOOP(
-        "Paver_Statistics", "Lengths, areas and quality in millimetres and wavelengths, histograms, unknowns and "
-        "matrix memory"), "Q, S")
+COMMANDS = {
+    "Paver_Check": Look("paver_wb.gui.check_panel", shown_as(
+        "Paver_Check", QT_TRANSLATE_NOOP("Paver_Check", "Check mesh"), QT_TRANSLATE_NOOP(
+            "Paver_Check", "Looks for folded and poor elements, free edges, triangles, long edges, and says what it "
+            "finds"), "Q, K")),
+    "Paver_Statistics": Look("paver_wb.gui.statistics_panel", shown_as(
+        "Paver_Statistics", QT_TRANSLATE_NOOP("Paver_Statistics", "Statistics"), QT_TRANSLATE_NOOP(
+            "Paver_Statistics", "Lengths, areas and quality in millimetres and wavelengths, histograms, unknowns and "
+            "matrix memory"), "Q, S"))}

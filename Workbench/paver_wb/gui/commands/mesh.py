@@ -22,8 +22,7 @@ class CreateMesh(Command):
         if in_step("Create mesh", f"mesh = paver_wb.mesh_object.add(FreeCAD.ActiveDocument, [{parts}], {options})"):
             FreeCADGui.Selection.clearSelection()
             do("FreeCADGui.Selection.addSelection(mesh)")
-            FreeCADGui.addModule("paver_wb.gui.task_panel")
-            do("paver_wb.gui.task_panel.edit_new(mesh)")
+            do("edit_new(mesh)", "paver_wb.gui.task_panel")
 
 
 def parts_selected():
@@ -34,22 +33,15 @@ def parts_selected():
 class OnMeshes(Command):
     """A command that works on the selected mesh objects, each in a step of undo of its own."""
 
-    module, function = "", ""
+    def __init__(self, module, function, resources):
+        self.module, self.function, self.resources = module, function, resources
 
     def IsActive(self):
         return FreeCAD.ActiveDocument is not None and bool(selected()[0])
 
     def Activated(self):
-        FreeCADGui.addModule(self.module)
         for obj in selected()[0]:
-            run(f"{self.module}.{self.function}({python_name(obj)})")
-
-
-class Mesh(OnMeshes):
-    module, function = "paver_wb.gui.run_control", "start"
-    resources = shown_as("Paver_Mesh", QT_TRANSLATE_NOOP("Paver_Mesh", "Mesh"), QT_TRANSLATE_NOOP(
-        "Paver_Mesh", "Meshes the selected mesh objects with their options, while FreeCAD can be used; double click "
-        "on one for its panel"), "Q, M")
+            run(f"{self.function}({python_name(obj)})", self.module)
 
 
 class Refine(Command):
@@ -78,12 +70,16 @@ class Refine(Command):
             FreeCADGui.Selection.clearSelection()
             do("FreeCADGui.Selection.addSelection(refinement)")
             if not FreeCADGui.Control.activeDialog():
-                FreeCADGui.addModule("paver_wb.gui.refinement_panel")
-                do("paver_wb.gui.refinement_panel.edit_new(refinement)")
+                do("edit_new(refinement)", "paver_wb.gui.refinement_panel")
 
 
-class FillFemMesh(OnMeshes):
-    module, function = "paver_wb.meshing", "fill"
-    resources = shown_as("Paver_FillFemMesh", QT_TRANSLATE_NOOP("Paver_FillFemMesh", "Fill FEM mesh"), QT_TRANSLATE_NOOP(
-        "Paver_FillFemMesh", "Fills FemMesh of the selected mesh objects, whatever the size, for solvers and exports "
-        "of the FEM workbench"))
+COMMANDS = {
+    "Paver_CreateMesh": CreateMesh(), "Paver_Refine": Refine(),
+    "Paver_Mesh": OnMeshes("paver_wb.gui.run_control", "start", shown_as(
+        "Paver_Mesh", QT_TRANSLATE_NOOP("Paver_Mesh", "Mesh"), QT_TRANSLATE_NOOP(
+            "Paver_Mesh", "Meshes the selected mesh objects with their options, while FreeCAD can be used; double click "
+            "on one for its panel"), "Q, M")),
+    "Paver_FillFemMesh": OnMeshes("paver_wb.meshing", "fill", shown_as(
+        "Paver_FillFemMesh", QT_TRANSLATE_NOOP("Paver_FillFemMesh", "Fill FEM mesh"), QT_TRANSLATE_NOOP(
+            "Paver_FillFemMesh", "Fills FemMesh of the selected mesh objects, whatever the size, for solvers and exports "
+            "of the FEM workbench")))}

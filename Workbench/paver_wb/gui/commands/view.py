@@ -22,8 +22,7 @@ COLOURS = {
 class OnShown(OnMeshed):
     def act(self, step, call):
         """Calls a function of display.actions; `call` has {} in place of the mesh object."""
-        FreeCADGui.addModule("paver_wb.gui.display.actions")
-        in_step(step, "paver_wb.gui.display.actions." + call.format(python_name(target_mesh())))
+        in_step(step, call.format(python_name(target_mesh())), "paver_wb.gui.display.actions")
 
 
 class Colour(OnShown):
@@ -93,8 +92,6 @@ COMMANDS = {
 
 def add_all():
     """Makes the commands known to FreeCAD; their names in the order of the toolbar."""
-    for name in COLOURS:
-        FreeCADGui.addCommand(name, Colour(name))
-    for name, command in COMMANDS.items():
+    for name, command in {**{name: Colour(name) for name in COLOURS}, **COMMANDS}.items():
         FreeCADGui.addCommand(name, command)
     return list(COMMANDS)

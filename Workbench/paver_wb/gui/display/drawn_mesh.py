@@ -59,12 +59,16 @@ class DrawnMesh:
         made[self.quad_count:, :3] = self.stored.triangles[:, :3]
         return made
 
+    def following(self, of_corners):
+        """What (elements, 4) corners have, at the next corner of each."""
+        made = np.roll(of_corners, -1, axis=1)
+        made[self.quad_count:, 2] = of_corners[self.quad_count:, 0]
+        return made
+
     @cached_property
     def edge_lengths(self):
         """(elements, 4): chords from corner to corner, mm; NaN as the fourth of a triangle."""
-        corners, nodes = self.corners, self.stored.nodes
-        following = np.roll(corners, -1, axis=1)
-        following[self.quad_count:, 2] = corners[self.quad_count:, 0]
+        corners, following, nodes = self.corners, self.following(self.corners), self.stored.nodes
         lengths = np.empty(corners.shape)
         for side in range(4):
             lengths[:, side] = np.linalg.norm(nodes[following[:, side]] - nodes[corners[:, side]], axis=1)
@@ -84,9 +88,7 @@ class DrawnMesh:
         if targets is None or not len(targets):
             return np.where(np.isnan(self.edge_lengths), np.nan, self.target)
         ends = targets[self.corners]
-        following = np.roll(ends, -1, axis=1)
-        following[self.quad_count:, 2] = ends[self.quad_count:, 0]
-        made = (ends + following) / 2
+        made = (ends + self.following(ends)) / 2
         made[self.quad_count:, 3] = np.nan
         return np.where(made > 0, made, self.target)
 

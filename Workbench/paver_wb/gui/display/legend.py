@@ -106,15 +106,23 @@ def paint_histogram(painter, scale, left, top):
             painter.drawRect(QtCore.QRectF(left, top + BAR_HEIGHT - (i + 1) * step + 0.5, length, step - 1))
 
 
+def widest(texts):
+    return max((text_size(text, font()).width() for text in texts), default=0)
+
+
+def titled_sheet(title, width, height):
+    """(image, painter, its width) of a sheet with a title, and room for so much below it."""
+    width = max(width, text_size(title, font(10, True)).width()) + 2 * PAD
+    image, painter = sheet(width, PAD + ROW + height + PAD - 4)
+    ink(painter, size=10, bold=True)
+    painter.drawText(QtCore.QRectF(PAD, PAD, width, ROW), QtCore.Qt.AlignLeft, title)
+    return image, painter, width
+
+
 def picture_of_key(key):
     rows = key_rows(key)
-    names = max(text_size(label, font()).width() for label, _, _ in rows) if rows else 0
-    counts = max(text_size(count, font()).width() for _, count, _ in rows) if rows else 0
-    title = text_size(key.title, font(10, True)).width()
-    width = max(PAD + 22 + names + 16 + counts + PAD, title + 2 * PAD)
-    image, painter = sheet(width, PAD + ROW + 6 + ROW * len(rows) + PAD - 4)
-    ink(painter, size=10, bold=True)
-    painter.drawText(QtCore.QRectF(PAD, PAD, width, ROW), QtCore.Qt.AlignLeft, key.title)
+    names, counts = widest(label for label, _, _ in rows), widest(count for _, count, _ in rows)
+    image, painter, width = titled_sheet(key.title, 22 + names + 16 + counts, 6 + ROW * len(rows))
     for i, (label, count, colour) in enumerate(rows):
         y = PAD + ROW + 6 + i * ROW
         if colour is not None:
@@ -131,13 +139,9 @@ def picture_of_key(key):
 
 def picture_of_report(rows):
     """QImage of (name, value) rows; the first one is the heading."""
-    (heading_text, _), rows = rows[0], rows[1:]
-    names = max(text_size(name, font()).width() for name, _ in rows)
-    values = max(text_size(value, font()).width() for _, value in rows)
-    width = max(PAD + names + 14 + values + PAD, text_size(heading_text, font(10, True)).width() + 2 * PAD)
-    image, painter = sheet(width, PAD + ROW + 4 + ROW * len(rows) + PAD - 4)
-    ink(painter, size=10, bold=True)
-    painter.drawText(QtCore.QRectF(PAD, PAD, width, ROW), QtCore.Qt.AlignLeft, heading_text)
+    (title, _), rows = rows[0], rows[1:]
+    names, values = widest(name for name, _ in rows), widest(value for _, value in rows)
+    image, painter, _ = titled_sheet(title, names + 14 + values, 4 + ROW * len(rows))
     for i, (name, value) in enumerate(rows):
         y = PAD + ROW + 4 + i * ROW
         ink(painter, FAINT)

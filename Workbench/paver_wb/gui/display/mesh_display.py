@@ -8,6 +8,7 @@ from pivy import coin
 from PySide import QtCore
 
 from paver_wb import core, mesh_object
+from paver_wb.base.waves import wavelength_of
 from paver_wb.formats import mesh_file
 from paver_wb.gui.base.background import Latest
 from paver_wb.gui.display import colour_maps, colouring, drawn_mesh, legend, marks, report, view_properties
@@ -15,7 +16,6 @@ from paver_wb.gui.display.fields import put
 from paver_wb.gui.display.panels import ViewPanel
 from paver_wb.gui.display.picking import Picker
 from paver_wb.gui.display.scene import DIMMED, Scene, rows_as_indices
-from paver_wb.base.waves import wavelength_of
 
 CURVED, CURVED_EDGES, EDGES = MODES = ("Curved", "Curved + edges", "Edges only")
 MESH, POINTS, PAINT, MARKED, CHOSEN = LAYERS = ("mesh", "points", "paint", "marks", "chosen")  # each needs those before
@@ -55,9 +55,8 @@ class MeshDisplay:
         self.hover = marks.ElementMark(self.scene, marks.hover_colour(), has_faces=False)
         self.free, self.crowded = marks.EdgeMark(marks.FREE), marks.EdgeMark(marks.CROWDED)
         self.normals, self.labels = marks.NormalMark(), marks.Labels()
-        self.marks = put(coin.SoGroup(), *[mark.root for mark in (
-            self.triangles, self.worst, self.selection, self.hover, self.free, self.crowded, self.normals,
-            self.labels)])
+        self.every_mark = (self.triangles, self.worst, self.selection, self.hover, self.free, self.crowded, self.normals)
+        self.marks = put(coin.SoGroup(), *[mark.root for mark in (*self.every_mark, self.labels)])
 
     def attach(self, vobj):
         """Makes the modes known to FreeCAD."""
@@ -176,7 +175,7 @@ class MeshDisplay:
 
     def clear(self):
         empty = np.zeros((0, 3), np.float32)
-        for mark in (self.triangles, self.worst, self.selection, self.hover, self.free, self.crowded, self.normals):
+        for mark in self.every_mark:
             mark.clear()
         self.labels.show([], [])
         self.scene.set_points(empty, empty)

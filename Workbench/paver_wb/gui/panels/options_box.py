@@ -5,9 +5,9 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import core, mesh_object, properties
-from paver_wb.gui.base.widgets import named
-from paver_wb.gui.panels import fields
 from paver_wb.base.waves import wavelength
+from paver_wb.gui.base.widgets import named, row
+from paver_wb.gui.panels import fields
 
 translate = FreeCAD.Qt.translate
 BY_FREQUENCY = ("frequency", "divisions", "eps_r", "mu_r")
@@ -101,11 +101,8 @@ class OptionsBox(QtGui.QWidget):
         if not further:
             form.addRow(self.label(name), self.fields[name])
             return
-        row = QtGui.QHBoxLayout()
-        row.addWidget(self.fields[name], 1)
-        for widget in further:
-            row.addWidget(widget, 1 if isinstance(widget, QtGui.QLineEdit) else 0)
-        form.addRow(self.label(name), row)
+        shares = [1 if isinstance(widget, QtGui.QLineEdit) else 0 for widget in further]
+        form.addRow(self.label(name), row(self.fields[name], *further, shares=(1, *shares)))
 
     def build_more(self, layout):
         """The rest, folded up: common meshes do without."""

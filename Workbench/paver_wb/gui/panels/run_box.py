@@ -6,9 +6,9 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import mesh_object
+from paver_wb.base.paths import ICONS
 from paver_wb.gui import run_place
 from paver_wb.gui.base import run_status
-from paver_wb.base.paths import ICONS
 from paver_wb.gui.base.widgets import FaultBox, button, named, row, text_label
 from paver_wb.gui.panels.options_box import with_labels
 from paver_wb.statistics import number

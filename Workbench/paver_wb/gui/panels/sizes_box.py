@@ -8,7 +8,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb import mesh_object, refinement
-from paver_wb.gui.base.steps import in_step, python_name
+from paver_wb.gui.base.steps import do, in_step, python_name
 from paver_wb.gui.base.widgets import button, named, row
 from paver_wb.gui.panels import fields
 
@@ -68,8 +68,7 @@ def as_arguments(obj):
 def show_in_view(obj, shows_mesh):
     """One of mesh and model: together they lie in each other. No step of undo, as always with what is seen."""
     if obj:
-        FreeCADGui.addModule("paver_wb.gui.run_place")
-        FreeCADGui.doCommand(f"paver_wb.gui.run_place.show({python_name(obj)}, mesh={shows_mesh})")
+        do(f"show({python_name(obj)}, mesh={shows_mesh})", "paver_wb.gui.run_place")
 
 
 def view_buttons(name, mesh):
