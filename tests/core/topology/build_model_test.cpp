@@ -303,6 +303,7 @@ TEST(BuildModel, MakesAMissingImageOnAFace) {
   }
   Model model = model_of(cylinder);
   expect_sound(model);
+  for (const Face& face : model.faces) EXPECT_TRUE(face.has_area) << face.name;
   double first = 0, last = 0;
   int missing = 0;
   for (TopExp_Explorer edges(side, TopAbs_EDGE); edges.More(); edges.Next())

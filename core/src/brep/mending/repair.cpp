@@ -1,6 +1,6 @@
 // Small repairs that later stages rely on, done on a copy when there is anything to do:
 // 1. a face without loops (a whole sphere or torus in some files) gets the natural bounds of its surface;
-// 2. an edge without an image in a face's (u, v) gets one, by projection;
+// 2. an edge without an image in a face's (u, v) gets one, by projection, and the face its area;
 // 3. an edge flagged as a pole (of no length) that has length becomes an ordinary edge.
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -59,15 +59,23 @@ bool is_false_pole(const TopoDS_Edge& edge, const TopoDS_Face& face, double diag
 
 TopoDS_Face forward(const TopoDS_Face& face) { return TopoDS::Face(face.Oriented(TopAbs_FORWARD)); }
 
+bool lacks_image(const TopoDS_Face& face) {
+  const TopoDS_Face plain = forward(face);
+  for (TopExp_Explorer edges(plain, TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+    if (!is_pole(edge) && !has_image(edge, plain)) return true;
+  }
+  return false;
+}
+
 bool needs_repair(const TopoDS_Face& face, double diagonal) {
   if (!has_loops(face)) return true;
   TopoDS_Face plain = forward(face);
   for (TopExp_Explorer edges(plain, TopAbs_EDGE); edges.More(); edges.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
     if (is_false_pole(edge, plain, diagonal)) return true;
-    if (!is_pole(edge) && !has_image(edge, plain)) return true;
   }
-  return false;
+  return lacks_image(face);
 }
 
 void add_natural_bounds(WorkFace& face, Workpiece& work) {
@@ -139,6 +147,13 @@ void repair_edges(WorkFace& face, Workpiece& work) {
   }
 }
 
+/// Without images the kernel finds no area.
+void measure_again(WorkFace& face, const Workpiece& work) {
+  face.area = face_area(face.face);
+  if (!std::isfinite(face.area)) face.area = 0;
+  face.has_area = !face.fault.empty() || face.area > no_area_share * work.diagonal * work.diagonal;
+}
+
 std::optional<std::string> attempt(auto&& work_on_face) {
   try {
     work_on_face();
@@ -154,17 +169,20 @@ void repair(Workpiece& work, Progress& progress) {
   for (std::size_t i = 0; i < work.faces.size(); ++i) {
     progress.advance(repair_units);
     WorkFace& face = work.faces[i];
-    if (!face.is_usable()) continue;
+    if (!face.fault.empty()) continue;
     auto failure = attempt([&] {
-      if (!needs_repair(face.face, work.diagonal)) return;
+      if (!(face.has_area ? needs_repair(face.face, work.diagonal) : lacks_image(face.face))) return;
       copy_shape(work);
       if (!has_loops(face.face)) {
         add_natural_bounds(face, work);
       } else {
         repair_edges(face, work);
+        if (!face.has_area) measure_again(face, work);
       }
     });
-    if (failure) face.fault = *failure;
+    if (!failure) continue;
+    face.fault = *failure;
+    face.has_area = true;
   }
 }
 
