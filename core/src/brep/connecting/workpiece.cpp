@@ -52,27 +52,6 @@ void add_edge_points(const TopoDS_Edge& edge, Bnd_Box& box) {
   for (int i = 0; i <= edge_samples; ++i) box.Add(curve.Value(t0 + (t1 - t0) * i / edge_samples));
 }
 
-/// From points: the kernel's quick box holds the poles of B-splines, far outside of trimmed faces, and its exact one
-/// takes longer than everything else here together.
-double box_diagonal(const TopTools_IndexedMapOfShape& faces, const TopTools_IndexedMapOfShape& edges) {
-  Bnd_Box box;
-  for (int i = 1; i <= faces.Extent(); ++i) {
-    try {
-      add_surface_points(TopoDS::Face(faces(i)), box);
-    } catch (const Standard_Failure&) {
-      // A face without a usable surface is reported later, as a fault.
-    }
-  }
-  for (int i = 1; i <= edges.Extent(); ++i) {
-    try {
-      add_edge_points(TopoDS::Edge(edges(i)), box);
-    } catch (const Standard_Failure&) {
-      // An edge without any curve likewise.
-    }
-  }
-  return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
-}
-
 }  // namespace
 
 const char* repair_name(RepairKind kind) {
@@ -99,6 +78,25 @@ const char* repair_name(RepairKind kind) {
   return "dropped faces";
 }
 
+void measure_diagonal(Workpiece& work) {
+  Bnd_Box box;
+  for (const WorkFace& face : work.faces) {
+    try {
+      add_surface_points(face.face, box);
+    } catch (const Standard_Failure&) {
+      // A face without a usable surface is reported later, as a fault.
+    }
+  }
+  for (int i = 1; i <= work.read_edges.Extent(); ++i) {
+    try {
+      add_edge_points(TopoDS::Edge(work.read_edges(i)), box);
+    } catch (const Standard_Failure&) {
+      // An edge without any curve likewise.
+    }
+  }
+  work.diagonal = box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
+}
+
 Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& tasks) {
   Workpiece work;
   work.shape = shape.shape;
@@ -111,7 +109,6 @@ Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& ta
   for (int s = solids.Extent(); s >= 1; --s)  // backwards: a face of two solids counts to the first
     for (TopExp_Explorer inner(solids(s), TopAbs_FACE); inner.More(); inner.Next())
       work.faces[static_cast<std::size_t>(faces.FindIndex(inner.Current()) - 1)].solid = s - 1;
-  work.diagonal = box_diagonal(faces, work.read_edges);
   std::vector<double> costs;
   for (int i = 1; i <= faces.Extent(); ++i) {
     WorkFace& face = work.faces[static_cast<std::size_t>(i - 1)];
@@ -119,6 +116,7 @@ Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& ta
     face.origin = i - 1;
     costs.push_back(measuring_cost(face.face));
   }
+  measure_diagonal(work);
   const std::vector<double> areas = tasks.run<double>(
       Stage::topology, costs, [&](int i) { return face_area(work.faces[static_cast<std::size_t>(i)].face); });
   for (std::size_t i = 0; i < work.faces.size(); ++i) {

@@ -106,6 +106,10 @@ inline constexpr long measure_units = 1, repair_units = 1, sew_units = 2;
 /// Credits measure_units per face. Collective.
 Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& tasks);
 
+/// From points of faces and of the edges as read: the kernel's quick box holds the poles of B-splines, far outside of
+/// trimmed faces, and its exact one takes longer than all that make_workpiece() does else.
+void measure_diagonal(Workpiece& work);
+
 /// Makes shape and faces our own, so that they may be changed in place. Order of faces and edges stays.
 void copy_shape(Workpiece& work);
 

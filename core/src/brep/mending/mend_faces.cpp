@@ -2,8 +2,8 @@
 // 1. Open loops: ends that are no start are joined with the nearest start that is no end. Vertices are joined all over
 //    the model at once, so faces that share them go on sharing.
 // 2. Images that jump or are nowhere near their curve: wrong ones are removed, and the kernel adds images, periodic
-//    edges and poles. Each face is tried on a copy; what the trial makes better is done, in one memory of replaced
-//    edges for all faces.
+//    edges and poles; before that, faces that lack nothing but their pole are completed to it. Each face is tried on a
+//    copy; what the trial makes better is done, in one memory of replaced edges for all faces.
 // Files of clean models have neither, and pay for the look at their loops only.
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -238,27 +238,48 @@ class FaceMender {
  public:
   explicit FaceMender(Workpiece& work) : work_(work) {}
 
-  /// Tries on a copy, and does it where that helps.
   void mend(WorkFace& face, const LoopFaults& faults) {
+    auto by_kernel = [this](const TopoDS_Face& plain, const LoopFaults& of,
+                            const Handle(ShapeBuild_ReShape) & context) { return fixed(plain, of, context); };
+    auto by_pole = [this](const TopoDS_Face& plain, const LoopFaults& of, const Handle(ShapeBuild_ReShape) & context) {
+      return completed(plain, of, context);
+    };
+    // The kernel does not always take the pole on the face's side.
+    const bool is_completed = mend_by(by_pole, face, faults);
+    has_completed_ = has_completed_ || is_completed;
+    if (is_completed || mend_by(by_kernel, face, faults)) return;
+    const TopoDS_Edge edge = edge_without_end(forward(face.face));
+    if (edge.IsNull()) return;
+    face.fault = "its boundary goes once round and nothing ends it on the other side" + at_edge(work_, edge) +
+                 "; repair it in the CAD program";
+    face.has_area = true;
+  }
+
+  void finish() {
+    if (is_mended_) take_over(work_, *context_);
+    // What was added may be most of the model.
+    if (has_completed_) measure_diagonal(work_);
+  }
+
+ private:
+  /// Tries on a copy, and does it where that helps.
+  template <class Make>
+  bool mend_by(Make make, WorkFace& face, const LoopFaults& faults) {
     const TopoDS_Face plain = forward(face.face);
     const TopoDS_Face copy = TopoDS::Face(BRepBuilderAPI_Copy(plain).Shape());
-    const auto trial = fixed(copy, find_loop_faults(copy, work_.diagonal), new ShapeBuild_ReShape);
-    if (!trial || !is_better(plain, faults, *trial)) return;
-    const auto done = fixed(TopoDS::Face(context_->Apply(plain)), faults, context_);
-    if (!done) return;
+    const auto trial = make(copy, find_loop_faults(copy, work_.diagonal), new ShapeBuild_ReShape);
+    if (!trial || !is_better(plain, faults, *trial)) return false;
+    const auto done = make(TopoDS::Face(context_->Apply(plain)), faults, context_);
+    if (!done) return false;
     const Figures before = figures_of(plain), after = figures_of(*done);
     context_->Replace(plain, *done);
     face.area = face_area(*done);
     face.has_area = true;
     is_mended_ = true;
     note(before, after, faults, largest_move(plain, *done), face_name(face.origin));
+    return true;
   }
 
-  void finish() {
-    if (is_mended_) take_over(work_, *context_);
-  }
-
- private:
   void note(const Figures& before, const Figures& after, const LoopFaults& faults, double move,
             const std::string& face) {
     const bool is_joined = after.vertices < before.vertices;
@@ -307,6 +328,18 @@ class FaceMender {
     return forward(TopoDS::Face(faces(1)));
   }
 
+  std::optional<TopoDS_Face> completed(const TopoDS_Face& face, const LoopFaults& faults,
+                                       const Handle(ShapeBuild_ReShape) & context) const {
+    // A loop says on which side its face lies only where its images are right.
+    const std::optional<TopoDS_Face> seen = faults.wrong_images.empty() ? face : fixed(face, faults, context);
+    const auto whole = seen ? completed_to_pole(*seen, work_.diagonal) : std::nullopt;
+    if (!whole) return std::nullopt;
+    if (whole->periodic_edge.IsNull()) return fixed(whole->face, faults, context);
+    for (const TopoDS_Edge& edge : whole->replaced)
+      context->Replace(edge.Oriented(TopAbs_FORWARD), whole->periodic_edge.Oriented(TopAbs_FORWARD));
+    return whole->face;
+  }
+
   /// Fewer faults, none that the kernel sees more of; the same border.
   bool is_better(const TopoDS_Face& before, const LoopFaults& faults, const TopoDS_Face& after) const {
     if (find_loop_faults(after, work_.diagonal).count() >= faults.count()) return false;
@@ -319,7 +352,7 @@ class FaceMender {
 
   Workpiece& work_;
   Handle(ShapeBuild_ReShape) context_ = new ShapeBuild_ReShape;
-  bool is_mended_ = false;
+  bool is_mended_ = false, has_completed_ = false;
 };
 
 /// Faces with such faults; those that come without an area may have them because of these.
@@ -338,6 +371,11 @@ void for_faults(Workpiece& work, Use&& use) {
 }
 
 }  // namespace
+
+std::string at_edge(const Workpiece& work, const TopoDS_Edge& edge) {
+  const std::vector<int> origins = edge_origins(work, edge);
+  return origins.empty() ? "" : " at Edge" + std::to_string(origins.front() + 1);
+}
 
 void mend_faces(Workpiece& work, Progress& progress) {
   std::vector<std::size_t> open;

@@ -7,6 +7,8 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "brep/connecting/workpiece_impl.h"
@@ -41,11 +43,32 @@ struct LoopFaults {
 /// Of a FORWARD face. Takes a few evaluations per edge.
 LoopFaults find_loop_faults(const TopoDS_Face& face, double diagonal);
 
+struct CompletedFace {
+  TopoDS_Face face;
+  TopoDS_Edge periodic_edge;
+  std::vector<TopoDS_Edge> replaced;  ///< by it
+};
+
+/// A FORWARD face one of whose loops goes once round a period while nothing ends the face on the other side, with the
+/// pole that its surface has there. Nothing for other faces, and where the surface has no pole on that side.
+std::optional<CompletedFace> completed_to_pole(const TopoDS_Face& face, double diagonal);
+
+/// Of a FORWARD face that completed_to_pole() would complete if its surface had the pole, an edge that goes round; null
+/// for other faces.
+TopoDS_Edge edge_without_end(const TopoDS_Face& face);
+
+/// " at Edge7"; empty for an edge that was added.
+std::string at_edge(const Workpiece& work, const TopoDS_Edge& edge);
+
 /// Leaves out faces that lie on another one of the same solid, or of none, border on border.
 void drop_doubles(Workpiece& work);
 
 /// Closes open loops, and gives faces whose images jump or are wrong their periodic edges, poles and images; each face
-/// only where that makes it better, does not change what it covers and leaves its edges where they are.
+/// only where that makes it better, does not change what it covers and leaves its edges where they are. Faces that go
+/// round and still have no other end get a fault.
 void mend_faces(Workpiece& work, Progress& progress);
+
+/// Faults faces for which the kernel finds no area though their border encloses something.
+void fault_lost_areas(Workpiece& work);
 
 }  // namespace paver
