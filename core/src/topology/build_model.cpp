@@ -1,6 +1,6 @@
-// Shape to Model, in order: measure, repair, drop doubles, mend, sew, connect, divide along creases, number edges and
-// vertices, chain loops, orient faces, report. A face that cannot be used is data: it keeps its place and name, with
-// has_area = false or a fault.
+// Shape to Model, in order: measure, repair, drop doubles, mend, fault lost areas, sew, connect, divide along creases,
+// number edges and vertices, chain loops, orient faces, report. A face that cannot be used is data: it keeps its place
+// and name, with has_area = false or a fault.
 #include "topology/build_model.h"
 
 #include <BRep_Tool.hxx>
@@ -57,6 +57,7 @@ class ModelBuilder {
     repair(work_, progress_);
     drop_doubles(work_);
     mend_faces(work_, progress_);
+    fault_lost_areas(work_);
     sewn_ = sew(work_, options.sew_tolerance, progress_);
     list_parts(work_, shape_.shape);
     name_parts(work_, shape_.labels);

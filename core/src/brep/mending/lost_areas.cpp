@@ -1,0 +1,137 @@
+// Faces for which the kernel finds no area, though they have one. A face without area has a border that runs back along
+// itself: beside every place of it there is one where it goes the other way, as on both sides of a sliver, or it is
+// shorter than that sliver is wide. What has a border of another kind is faulty, as drawn or as read.
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "brep/mending/mend_impl.h"
+#include "brep/occt_impl.h"
+#include "brep/surfaces/evaluators_impl.h"
+
+namespace paver {
+namespace {
+
+/// A face below no_area_share is no wider than this share of the diagonal.
+constexpr double width_share = 2e-5;
+/// Edges claim to lie no farther off than their tolerance, of which no more than this share of the diagonal is
+/// believed.
+constexpr double most_share = 3e-3;
+/// The ends of a sliver run across it: so many widths of border may be without one that goes the other way.
+constexpr double end_widths = 4;
+constexpr int pieces = 64;
+constexpr int foot_steps = 6;
+
+struct BorderEdge {
+  TopoDS_Edge edge;
+  std::shared_ptr<const Curve> curve;
+  std::vector<double> t;
+  std::vector<Vec3> points;  ///< as the border runs
+  double tolerance = 0;
+};
+
+class Border {
+ public:
+  Border(const TopoDS_Face& face, double diagonal) : diagonal_(diagonal) {
+    for (TopoDS_Iterator parts(face); parts.More(); parts.Next())
+      if (parts.Value().ShapeType() == TopAbs_WIRE)
+        visit_border(parts.Value(), [&](const TopoDS_Edge& edge, const auto&, const auto&) { add(edge); });
+  }
+
+  /// An edge where the border does not run back along itself, over more than the ends of a sliver; null where it does.
+  TopoDS_Edge enclosing_edge() const {
+    const double width = width_share * diagonal_;
+    double length = 0, most = 0;
+    const BorderEdge* longest = nullptr;
+    for (const BorderEdge& one : edges_) {
+      const double own = lonely_length(one);
+      length += own;
+      if (own > most) most = own, longest = &one;
+    }
+    return longest && length > end_widths * width ? longest->edge : TopoDS_Edge();
+  }
+
+ private:
+  void add(const TopoDS_Edge& edge) {
+    const auto curve = BRep_Tool::Degenerated(edge) ? nullptr : make_curve(edge);
+    double t0 = 0, t1 = 0;
+    BRep_Tool::Range(edge, t0, t1);
+    if (!curve || Precision::IsInfinite(t0) || Precision::IsInfinite(t1)) return;
+    if (edge.Orientation() == TopAbs_REVERSED) std::swap(t0, t1);
+    BorderEdge& added = edges_.emplace_back();
+    added.edge = edge;
+    added.curve = curve;
+    added.tolerance = std::min(BRep_Tool::Tolerance(edge), most_share * diagonal_);
+    for (int i = 0; i <= pieces; ++i) {
+      added.t.push_back(t0 + (t1 - t0) * i / pieces);
+      added.points.push_back(curve->point(added.t.back()));
+    }
+  }
+
+  /// Length of an edge along which nothing goes the other way.
+  double lonely_length(const BorderEdge& one) const {
+    double length = 0;
+    for (std::size_t k = 1; k < one.points.size(); ++k) {
+      const Vec3 along = one.points[k] - one.points[k - 1], x = one.curve->point(0.5 * (one.t[k - 1] + one.t[k]));
+      auto is_beside = [&](const BorderEdge& other) { return runs_back(other, x, along, one.tolerance); };
+      if (std::none_of(edges_.begin(), edges_.end(), is_beside)) length += norm(along);
+    }
+    return length;
+  }
+
+  /// Whether an edge comes by `x` the other way.
+  bool runs_back(const BorderEdge& edge, Vec3 x, Vec3 along, double tolerance) const {
+    const double allowed = std::max(width_share * diagonal_, tolerance + edge.tolerance);
+    for (std::size_t k = 1; k < edge.points.size(); ++k) {
+      const Vec3 a = edge.points[k - 1], side = edge.points[k] - a;
+      if (!(dot(side, along) < 0)) continue;
+      const double share = std::clamp(dot(x - a, side) / dot(side, side), 0.0, 1.0);
+      // The curve leaves its chord by less than the chord is long.
+      const double off = norm(x - (a + share * side));
+      if (off <= allowed || (off <= allowed + norm(side) && foot_distance(edge, k, share, x) <= allowed)) return true;
+    }
+    return false;
+  }
+
+  /// To the curve behind chord `k` and its neighbours.
+  static double foot_distance(const BorderEdge& edge, std::size_t k, double share, Vec3 x) {
+    const double from = edge.t[std::max<std::size_t>(k, 2) - 2], to = edge.t[std::min(k + 1, edge.t.size() - 1)];
+    double t = edge.t[k - 1] + share * (edge.t[k] - edge.t[k - 1]), least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= foot_steps; ++i) {
+      Vec3 y, yt;
+      edge.curve->d1(t, y, yt);
+      least = std::min(least, norm(x - y));
+      if (!(dot(yt, yt) > 0)) break;
+      t = std::clamp(t + dot(x - y, yt) / dot(yt, yt), std::min(from, to), std::max(from, to));
+    }
+    return least;
+  }
+
+  double diagonal_;
+  std::vector<BorderEdge> edges_;
+};
+
+}  // namespace
+
+void fault_lost_areas(Workpiece& work) {
+  for (WorkFace& face : work.faces) {
+    if (face.has_area || face.is_dropped || !face.fault.empty()) continue;
+    try {
+      const TopoDS_Face plain = TopoDS::Face(face.face.Oriented(TopAbs_FORWARD));
+      const TopoDS_Edge edge = Border(plain, work.diagonal).enclosing_edge();
+      if (edge.IsNull()) continue;
+      const bool is_open = find_loop_faults(plain, work.diagonal).open > 0;
+      face.fault =
+          (is_open ? "its boundary is open" : "its boundary encloses something where its surface has no area") +
+          at_edge(work, edge) + "; repair it in the CAD program";
+      face.has_area = true;
+    } catch (const Standard_Failure&) {
+      // What cannot be evaluated at all has no area to lose.
+    }
+  }
+}
+
+}  // namespace paver
