@@ -266,6 +266,18 @@ TEST(CompleteToPole, IsSewnToANeighbourWithARimOfItsOwn) {
   EXPECT_NEAR(report.model.diagonal, std::hypot(2 * radius, 2 * radius, 1.5 * radius), 1e-6);
 }
 
+TEST(CompleteToPole, KeepsThePlacement) {
+  gp_Trsf turn, move;
+  turn.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(1, 1, 0)), 0.7);
+  move.SetTranslation(gp_Vec(100, -20, 7));
+  const TopoDS_Shape moved =
+      with_lid({.surface = revolved_circle(0), .at = pi / 6}).Moved(TopLoc_Location(move * turn));
+  const RunReport report = test::report_of(moved, size);
+  EXPECT_TRUE(report.quality.watertight);
+  EXPECT_TRUE(faults(report).empty()) << faults(report).front();
+  EXPECT_NEAR(report.faces[0].cad_area, cap_area(0.5 * radius), 0.1);
+}
+
 TEST(CompleteToPole, MakesMissingImagesFirst) {
   for (const SurfaceHandle& surface : {revolved_circle(0), ball(), spline_ball(true, true)}) {
     const TopoDS_Shape whole = with_lid({.surface = surface});
