@@ -30,8 +30,8 @@ int least_for_shape(const Edge& edge, double turn) {
 
 bool is_divided(const Edge& edge) { return !edge.is_degenerate && edge.curve; }
 
-EdgeCount count_for_edge(const Edge& edge, const SizeField& size) {
-  EdgeMetric metric(edge, size);
+EdgeCount count_for_edge(const Edge& edge, const SizeField& size, std::span<const TurningSide> sides) {
+  EdgeMetric metric(edge, size, sides);
   EdgeCount result;
   result.wish = std::isfinite(metric.weight()) ? metric.weight() : 1;
   // The turn of kinks counts for no interval where they take nodes.
@@ -114,7 +114,7 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
   std::vector<EdgeCount> counts = tasks.run<EdgeCount>(Stage::boundary, costs, [&](int e) {
     const Edge& edge = model.edges[static_cast<std::size_t>(e)];
     progress.advance();
-    return is_divided(edge) ? count_for_edge(edge, size) : EdgeCount{};
+    return is_divided(edge) ? count_for_edge(edge, size, size.turning_sides(static_cast<std::size_t>(e))) : EdgeCount{};
   });
   divide_lenses(model, counts);
   divide_lone_slits(model, counts);

@@ -45,8 +45,9 @@ void fields(A& archive, Is<Places> auto& places) {
   archive(t, x, target);
 }
 
-Places divide(const Model& model, const Edge& edge, const SizeField& size, int count) {
-  const EdgeMetric metric(edge, size);
+Places divide(const Model& model, int index, const SizeField& size, int count) {
+  const Edge& edge = model.edges[static_cast<std::size_t>(index)];
+  const EdgeMetric metric(edge, size, size.turning_sides(static_cast<std::size_t>(index)));
   const std::vector<double> lengths = metric.node_lengths(count);
   Places places;
   auto add = [&](double t, Vec3 x) {
@@ -108,7 +109,7 @@ EdgeNodes divide_edges(const Model& model, const SizeField& size, const std::vec
   auto edge_at = [&](std::size_t i) -> const Edge& { return model.edges[static_cast<std::size_t>(divided[i])]; };
   std::vector<Places> places = tasks.run<Places>(Stage::boundary, costs, [&](int task) {
     auto i = static_cast<std::size_t>(task);
-    return divide(model, edge_at(i), size, counts[static_cast<std::size_t>(divided[i])]);
+    return divide(model, divided[i], size, counts[static_cast<std::size_t>(divided[i])]);
   });
   for (std::size_t i = 0; i < divided.size(); ++i) {
     const Edge& edge = edge_at(i);

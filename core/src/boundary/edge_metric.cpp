@@ -48,10 +48,13 @@ double curvature(const Curve& curve, double t) {
 
 }  // namespace
 
-EdgeMetric::EdgeMetric(const Edge& edge, const SizeField& size) : curve_(edge.curve.get()), t0_(edge.t0), t1_(edge.t1) {
+EdgeMetric::EdgeMetric(const Edge& edge, const SizeField& size, std::span<const TurningSide> sides)
+    : curve_(edge.curve.get()), t0_(edge.t0), t1_(edge.t1) {
   tabulate();
   if (!size.local->is_empty()) refine_rows(edge, size);
   set_sizes(edge, size);
+  for (const TurningSide& side : sides) count_turns(*side.pcurve, size.faces[static_cast<std::size_t>(side.face)]);
+  weigh();
 }
 
 // Four Gauss points: degree 7, so panels of smooth curves rarely need halving.
@@ -202,7 +205,7 @@ void EdgeMetric::set_sizes(const Edge& edge, const SizeField& size) {
   for (Row& row : rows_) {
     double bend = curvature(*curve_, row.t);
     row.pace = 1 / std::max(norm(velocity(*curve_, row.t)), standstill * top_speed_);
-    row.h = size.given_at(edge, curve_->point(row.t));
+    row.h = row.given = size.given_at(edge, curve_->point(row.t));
     if (bend > 0) row.h = std::min(row.h, length_at_bend(row.s, std::max(size.longest_edge(bend), least), size));
   }
   // A second round carries the size through the point where a closed edge meets itself.
@@ -215,6 +218,27 @@ void EdgeMetric::set_sizes(const Edge& edge, const SizeField& size) {
       rows_[i].h = std::min(rows_[i].h, rows_[i + 1].h + size.gradation * (rows_[i + 1].s - rows_[i].s));
     }
   }
+}
+
+// Where the face turns along the edge lengths count its turn, too: the edge is divided as the rows that end on it.
+void EdgeMetric::count_turns(const ParameterCurve& pcurve, const FaceSize& face) {
+  std::vector<double> turn(rows_.size(), 0);  // per mm, from the row before
+  Vec3 before = face.normals()->at(pcurve.uv(rows_[0].t));
+  for (std::size_t i = 1; i < rows_.size(); ++i) {
+    const Vec3 here = face.normals()->at(pcurve.uv(rows_[i].t));
+    const double step = rows_[i].s - rows_[i - 1].s;
+    if (step > 0) turn[i] = norm(here - before) / step;
+    before = here;
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    Row& row = rows_[i];
+    const double pace = 0.5 * (turn[std::max<std::size_t>(i, 1)] + turn[std::min(i + 1, rows_.size() - 1)]);
+    const double stretch = face.turn_weight() * row.given * pace;
+    row.h = std::min(row.h, row.given / std::sqrt(1 + stretch * stretch));
+  }
+}
+
+void EdgeMetric::weigh() {
   for (std::size_t i = 1; i < rows_.size(); ++i) {
     double mean_density = 0.5 * (1 / rows_[i - 1].h + 1 / rows_[i].h);
     rows_[i].weight = rows_[i - 1].weight + (rows_[i].s - rows_[i - 1].s) * mean_density;

@@ -1,6 +1,7 @@
 // Length of one edge measured in target lengths: the table behind interval counts and node positions.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "sizing/size_field.h"
@@ -15,7 +16,8 @@ namespace paver {
 /// the edge's curve.
 class EdgeMetric {
  public:
-  EdgeMetric(const Edge& edge, const SizeField& size);
+  /// `sides`: the edge on faces whose turns count.
+  EdgeMetric(const Edge& edge, const SizeField& size, std::span<const TurningSide> sides = {});
 
   double length() const { return rows_.back().s; }
   double weight() const { return rows_.back().weight; }
@@ -37,7 +39,8 @@ class EdgeMetric {
  private:
   struct Row {
     double t = 0, s = 0, turn = 0, h = 0, weight = 0;
-    double pace = 0;  // dt/ds
+    double pace = 0;   // dt/ds
+    double given = 0;  // target length without any turn
   };
   struct Panel {
     double a = 0, b = 0;
@@ -58,6 +61,8 @@ class EdgeMetric {
   void refine_between(const Row& a, const Row& b, const Edge& edge, const SizeField& size,
                       std::vector<Row>& fine) const;
   void set_sizes(const Edge& edge, const SizeField& size);
+  void count_turns(const ParameterCurve& pcurve, const FaceSize& face);
+  void weigh();
   double length_at_bend(double s, double by_curvature, const SizeField& size) const;
   double quadrature(double a, double b) const;
   std::vector<int> share_intervals(const std::vector<Row>& ends, int n) const;

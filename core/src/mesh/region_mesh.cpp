@@ -1,6 +1,8 @@
 // Connectivity edits of a region's mesh and the scaled Jacobian of one element.
 #include "mesh/region_mesh.h"
 
+#include <type_traits>
+
 #include "base/predicates.h"
 
 namespace paver {
@@ -11,12 +13,13 @@ void RegionMesh::reserve(std::size_t count) {
   elements.reserve(count + count / 2);  // those that went stay, as gaps
 }
 
-int RegionMesh::add_node(Vec2 chart, Vec3 position, Vec3 tangent_p, Vec3 tangent_q, double target) {
-  p.push_back(chart);
-  x.push_back(position);
-  xp.push_back(tangent_p);
-  xq.push_back(tangent_q);
-  drift.push_back(0);
+int RegionMesh::add_node(const NodePlace& at, double target) {
+  p.push_back(at.p);
+  x.push_back(at.x);
+  xp.push_back(at.xp);
+  xq.push_back(at.xq);
+  drift.push_back(at.drift);
+  if (has_turns()) turn.push_back({at.n, at.np, at.nq});
   h.push_back(target);
   is_fixed.push_back(0);
   global.push_back(-1);
@@ -26,7 +29,22 @@ int RegionMesh::add_node(Vec2 chart, Vec3 position, Vec3 tangent_p, Vec3 tangent
 
 void RegionMesh::drop_last_node() {
   p.pop_back(), x.pop_back(), xp.pop_back(), xq.pop_back(), drift.pop_back();
+  if (has_turns()) turn.pop_back();
   h.pop_back(), is_fixed.pop_back(), global.pop_back(), star.pop_back();
+}
+
+NodePlace RegionMesh::place(int node) const {
+  NodePlace at{p[node], x[node], xp[node], xq[node], {}, {}, {}, drift[node]};
+  if (has_turns()) {
+    const NodeTurn& t = turn[node];
+    at.n = t.n, at.np = t.np, at.nq = t.nq;
+  }
+  return at;
+}
+
+void RegionMesh::put(int node, const NodePlace& at) {
+  p[node] = at.p, x[node] = at.x, xp[node] = at.xp, xq[node] = at.xq, drift[node] = at.drift;
+  if (has_turns()) turn[node] = {at.n, at.np, at.nq};
 }
 
 int RegionMesh::add_element(const std::array<int, 4>& corners) {
@@ -58,14 +76,14 @@ void RegionMesh::replace_node(int e, int from, int to) {
 double RegionMesh::scale_at(int node) const {
   double least = h[node] * h[node];
   for (int e : star[node]) {
-    Vec3 side = x[elements[e].after(node)] - x[node];
+    const MetricVec side = between(node, elements[e].after(node));
     least = std::min(least, dot(side, side));
   }
   return std::sqrt(least);
 }
 
-Vec2 RegionMesh::pull_back(int node, Vec3 v) const {
-  Vec3 s = xp[node], t = xq[node];
+Vec2 RegionMesh::pull_back(int node, const MetricVec& v) const {
+  const MetricVec s = tangent_p(node), t = tangent_q(node);
   double ss = dot(s, s), st = dot(s, t), tt = dot(t, t), vs = dot(v, s), vt = dot(v, t);
   double det = ss * tt - st * st;
   if (!(det > 0)) return {0, 0};
@@ -74,20 +92,64 @@ Vec2 RegionMesh::pull_back(int node, Vec3 v) const {
 
 namespace {
 
+constexpr double skew_allowance = 1.4;              // in space elements may be so much more skew than in the metric
 constexpr double equilateral = 1.1547005383792515;  // by the sine of 60 degrees
 
+/// Sides of an element and its plane: that of the first two sides of a triangle, of a quad that of its mid lines. Areas
+/// are products in that plane, so no root is taken. V: Vec3 where turns do not count, which is twice as fast.
+template <class V>
 struct Sides {
   int count;
-  Vec3 side[4], area;
+  V side[4];
   double length2[4];
+  double first[4], second[4];  // sides by the two vectors of the plane
+  double area2;                // of the two vectors, squared
   Sides(const RegionMesh& mesh, const Element& e) : count(e.corners()) {
     for (int i = 0; i < count; ++i) {
-      side[i] = mesh.x[e.v[i + 1 < count ? i + 1 : 0]] - mesh.x[e.v[i]];
+      const int a = e.v[i], b = e.v[i + 1 < count ? i + 1 : 0];
+      if constexpr (std::is_same_v<V, Vec3>)
+        side[i] = mesh.x[b] - mesh.x[a];
+      else
+        side[i] = mesh.between(a, b);
       length2[i] = dot(side[i], side[i]);
     }
-    area = count == 3 ? cross(side[0], side[1]) : cross(side[0] + side[1], side[1] + side[2]);
+    const V one = count == 3 ? side[0] : side[0] - side[2], other = count == 3 ? side[1] : side[1] - side[3];
+    for (int i = 0; i < count; ++i) first[i] = dot(side[i], one), second[i] = dot(side[i], other);
+    const double mixed = dot(one, other);
+    area2 = dot(one, one) * dot(other, other) - mixed * mixed;
   }
+  /// The corner between side j and side i, as a product of areas.
+  double corner(int j, int i) const { return first[j] * second[i] - second[j] * first[i]; }
 };
+
+template <class V>
+bool has_corners(const Sides<V>& s, double bound) {
+  if (s.count == 3) bound /= equilateral;
+  const double least = bound * bound * s.area2;
+  for (int i = 0; i < s.count; ++i) {
+    const int j = i > 0 ? i - 1 : s.count - 1;
+    const double sine = s.corner(j, i);
+    if (!(sine > 0 && sine * sine >= least * s.length2[i] * s.length2[j])) return false;
+  }
+  return true;
+}
+
+template <class V>
+double worst_corner(const Sides<V>& s) {
+  double worst = 2;
+  for (int i = 0; i < s.count; ++i) {
+    const int j = i > 0 ? i - 1 : s.count - 1;
+    const double scale = std::sqrt(s.length2[i] * s.length2[j] * std::max(s.area2, 0.0));
+    worst = std::min(worst, scale > 0 ? s.corner(j, i) / scale : -1);
+  }
+  return s.count == 3 ? worst * equilateral : worst;
+}
+
+Vec3 area_vector(const RegionMesh& mesh, const Element& e) {
+  const auto& x = mesh.x;
+  return e.corners() == 3 ? cross(x[e.v[1]] - x[e.v[0]], x[e.v[2]] - x[e.v[0]])
+                          : cross(x[e.v[2]] - x[e.v[0]], x[e.v[3]] - x[e.v[1]]);
+}
 
 }  // namespace
 
@@ -98,7 +160,7 @@ bool faces_surface(const RegionMesh& mesh, const Element& e) {
   if (fixed < 2) return true;
   Vec3 normal{};
   for (int i = 0; i < n; ++i) normal += mesh.normal(e.v[i]);
-  return dot(Sides(mesh, e).area, normal) >= 0;
+  return dot(area_vector(mesh, e), normal) >= 0;
 }
 
 bool is_positive(const RegionMesh& mesh, const Element& e) {
@@ -109,27 +171,13 @@ bool is_positive(const RegionMesh& mesh, const Element& e) {
 }
 
 bool has_jacobian(const RegionMesh& mesh, const Element& e, double bound) {
-  const Sides s(mesh, e);
-  if (s.count == 3) bound /= equilateral;
-  double least = bound * bound * dot(s.area, s.area);
-  for (int i = 0; i < s.count; ++i) {
-    int j = i > 0 ? i - 1 : s.count - 1;
-    double sine = dot(cross(s.side[j], s.side[i]), s.area);
-    if (!(sine > 0 && sine * sine >= least * s.length2[i] * s.length2[j])) return false;
-  }
-  return true;
+  if (!mesh.has_turns()) return has_corners(Sides<Vec3>(mesh, e), bound);
+  return has_corners(Sides<Vec3>(mesh, e), bound / skew_allowance) && has_corners(Sides<MetricVec>(mesh, e), bound);
 }
 
 double scaled_jacobian(const RegionMesh& mesh, const Element& e) {
-  const Sides s(mesh, e);
-  double area_norm = norm(s.area), worst = 2;
-  for (int i = 0; i < s.count; ++i) {
-    int j = i > 0 ? i - 1 : s.count - 1;
-    double scale = std::sqrt(s.length2[i] * s.length2[j]) * area_norm;
-    double sj = scale > 0 ? dot(cross(s.side[j], s.side[i]), s.area) / scale : -1;
-    worst = std::min(worst, sj);
-  }
-  return s.count == 3 ? worst * equilateral : worst;
+  const double plain = worst_corner(Sides<Vec3>(mesh, e));
+  return mesh.has_turns() ? std::min(skew_allowance * plain, worst_corner(Sides<MetricVec>(mesh, e))) : plain;
 }
 
 }  // namespace paver

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "paver/vec.h"
+#include "mesh/metric_vec.h"
 
 namespace paver {
 
@@ -74,7 +74,13 @@ class Star {
 struct NodePlace {
   Vec2 p;
   Vec3 x, xp, xq;
+  Vec3 n{}, np{}, nq{};  ///< the surface's normal and its derivatives; zero where turns do not count
   float drift = 0;
+};
+
+/// A node's normal, by which lengths count turns.
+struct NodeTurn {
+  Vec3 n, np, nq;
 };
 
 /// Struct of arrays, one entry per node; elements are edited only through the members below.
@@ -83,23 +89,28 @@ struct RegionMesh {
   std::vector<Vec3> x;         ///< position, mm
   std::vector<Vec3> xp, xq;    ///< derivatives of the position by the chart coordinates
   std::vector<float> drift;    ///< how far the node slid since x was last evaluated, by the scale there
+  double turn_weight = 0;      ///< what a radian counts, in target lengths: 1 / turn limit, or 0
+  std::vector<NodeTurn> turn;  ///< empty where turns do not count
   std::vector<double> h;       ///< target length, mm
   std::vector<char> is_fixed;  ///< boundary nodes and hard points never move
   std::vector<int> global;     ///< boundary stage's node, or -1
   std::vector<Star> star;
   std::vector<Element> elements;
 
-  NodePlace place(int node) const { return {p[node], x[node], xp[node], xq[node], drift[node]}; }
-  void put(int node, const NodePlace& at) {
-    p[node] = at.p, x[node] = at.x, xp[node] = at.xp, xq[node] = at.xq, drift[node] = at.drift;
-  }
+  bool has_turns() const { return turn_weight > 0; }
+  NodePlace place(int node) const;
+  void put(int node, const NodePlace& at);
 
   /// Makes room for so many nodes and as many elements.
   void reserve(std::size_t count);
   int node_count() const { return static_cast<int>(p.size()); }
   /// Takes back the node added last; no element may use it.
   void drop_last_node();
-  int add_node(Vec2 chart, Vec3 position, Vec3 tangent_p, Vec3 tangent_q, double target);
+  int add_node(const NodePlace& at, double target);
+  /// On a surface whose turns do not count.
+  int add_node(Vec2 chart, Vec3 position, Vec3 tangent_p, Vec3 tangent_q, double target) {
+    return add_node(NodePlace{chart, position, tangent_p, tangent_q}, target);
+  }
   /// The new element's number.
   int add_element(const std::array<int, 4>& corners);
   void remove_element(int e);
@@ -109,8 +120,37 @@ struct RegionMesh {
   /// Scale of the mesh at a node: its target length or, where that is shorter, its shortest side.
   double scale_at(int node) const;
   Vec3 normal(int node) const { return unit(cross(xp[node], xq[node])); }
+
+  /// From one node to another as lengths count it.
+  MetricVec between(int a, int b) const {
+    return step({x[a], has_turns() ? turn[a].n : Vec3{}}, {x[b], has_turns() ? turn[b].n : Vec3{}},
+                0.5 * (h[a] + h[b]));
+  }
+  /// The same from a node to a place.
+  MetricVec between(int a, const NodePlace& b) const {
+    return step({x[a], has_turns() ? turn[a].n : Vec3{}}, {b.x, b.n}, h[a]);
+  }
+  /// From one point with its normal to another, where the target length is `target`.
+  MetricVec step(const MetricVec& from, const MetricVec& to, double target) const {
+    MetricVec way{to.x - from.x, {}};
+    if (has_turns() && !(from.n == Vec3{}) && !(to.n == Vec3{})) way.n = (turn_weight * target) * (to.n - from.n);
+    return way;
+  }
+  double length(int a, int b) const { return norm(between(a, b)); }
+  /// Point and normal of a node.
+  MetricVec point(int node) const { return {x[node], has_turns() ? turn[node].n : Vec3{}}; }
+  MetricVec tangent_p(int node) const {
+    return {xp[node], has_turns() ? (turn_weight * h[node]) * turn[node].np : Vec3{}};
+  }
+  MetricVec tangent_q(int node) const {
+    return {xq[node], has_turns() ? (turn_weight * h[node]) * turn[node].nq : Vec3{}};
+  }
+  /// Tangent vector of a chart displacement.
+  MetricVec push(int node, Vec2 by) const { return by.x * tangent_p(node) + by.y * tangent_q(node); }
   /// Chart displacement whose image is the tangent vector v at `node`.
-  Vec2 pull_back(int node, Vec3 v) const;
+  Vec2 pull_back(int node, const MetricVec& v) const;
+  /// Plane of the tangents at `node`, counter-clockwise as the chart.
+  MetricFrame frame(int node) const { return {tangent_p(node), tangent_q(node)}; }
 };
 
 /// Whether an element does not face away from the surface, as far as it has two fixed corners: a chart that bends

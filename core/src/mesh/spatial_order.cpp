@@ -70,6 +70,7 @@ std::vector<int> order_spatially(RegionMesh& mesh) {
   if (mesh.p.empty()) return {};
   std::vector<int> number = number_along_curve(mesh.p);
   permute(mesh.p, number), permute(mesh.x, number), permute(mesh.xp, number), permute(mesh.xq, number);
+  if (mesh.has_turns()) permute(mesh.turn, number);
   permute(mesh.drift, number), permute(mesh.h, number), permute(mesh.is_fixed, number), permute(mesh.global, number);
   for (Element& e : mesh.elements)
     for (int& v : e.v)

@@ -172,13 +172,13 @@ int FineMesh::edge_across(int e, int v) const {
 }
 
 Vec2 FineMesh::stepped(int from, Vec3 to) const {
-  return front.region.chart->walk(fine_.p[from], fine_.pull_back(from, to - fine_.x[from]));
+  return front.region.chart->walk(fine_.p[from], fine_.pull_back(from, {to - fine_.x[from], {}}));
 }
 
 int FineMesh::place(Vec3 y, Vec2 guess) {
   int node = front.add_node(guess);
   for (int i = 0; i < corrections; ++i) {
-    Vec2 step = fine_.pull_back(node, y - fine_.x[node]);
+    Vec2 step = fine_.pull_back(node, {y - fine_.x[node], {}});
     Vec3 way = step.x * fine_.xp[node] + step.y * fine_.xq[node];
     if (norm(way) <= close * fine_.h[node]) break;
     front.slide(node, fine_.p[node] + step);

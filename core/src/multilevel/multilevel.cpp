@@ -78,7 +78,7 @@ class Planner {
     std::vector<double> result;
     for (const CoarseEdge& edge : net.edges) {
       double h = 0.5 * (mesh.h[edge.a] + mesh.h[edge.b]) / ratio();
-      result.push_back(norm(mesh.x[edge.b] - mesh.x[edge.a]) / h);
+      result.push_back(mesh.length(edge.a, edge.b) / h);
     }
     return result;
   }
@@ -108,9 +108,9 @@ class Planner {
 
   void put(RegionMesh& mesh, int node, std::size_t l, int i) const {
     const LoopNode& at = region_.loops[l][static_cast<std::size_t>(i) % region_.loops[l].size()];
-    mesh.p[node] = at.p;
-    region_.evaluate(at.p, mesh.x[node], mesh.xp[node], mesh.xq[node]);
-    mesh.x[node] = at.x;
+    NodePlace place = region_.place(at.p);
+    place.x = at.x;
+    mesh.put(node, place);
     mesh.global[node] = at.global;
   }
 

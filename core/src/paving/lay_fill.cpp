@@ -45,9 +45,10 @@ class Filler {
   }
 
   int add_node(Vec2 p) {
-    Vec3 x, xp, xq;
-    const Vec2 uv = region_.evaluate(p, x, xp, xq);
-    return mesh_.add_node(p, x, xp, xq, region_.size.at(uv, *region_.surface));
+    NodePlace at;
+    at.p = p;
+    const Vec2 uv = region_.evaluate(p, at.x, at.xp, at.xq);
+    return mesh_.add_node(at, region_.size.at(uv, *region_.surface));
   }
 
   void add_quad(std::array<int, 4> quad) {

@@ -55,6 +55,7 @@ class RegionBuilder {
     region.h = size_.face_h[index_];
     region.area = face_.area;
     region.gradation = size_.gradation;
+    region.turn_weight = region.size.turn_weight();
     return region;
   }
 
@@ -319,18 +320,21 @@ class RegionBuilder {
   std::vector<LoopNode> cut_nodes() {
     constexpr int samples = 256;
     double integral = 0, turn = 0;
-    Vec3 last, last_tangent;
+    Vec3 last, last_tangent, last_normal;
     for (int i = 0; i <= samples; ++i) {
       Vec2 uv = parameters(layout_.box.lo.x + layout_.period * i / samples, layout_.cut);
       Vec3 x, xu, xv;
       face_.surface->d1(uv, x, xu, xv);
-      Vec3 tangent = unit(layout_.box.is_swapped ? xv : xu);
+      const Vec3 tangent = unit(layout_.box.is_swapped ? xv : xu);
+      const NormalTable* normals = size_.faces[index_].normals();
+      const Vec3 normal = normals ? normals->at(uv) : Vec3{};
       if (i > 0) {
-        double step = norm(x - last);
-        integral += step / std::min(size_.h, size_.faces[index_].at(uv, *face_.surface));
+        const double step = norm(x - last), turned = size_.faces[index_].turn_weight() * norm(normal - last_normal);
+        const double facets = step / std::min(size_.h, size_.faces[index_].at(uv, *face_.surface));
+        integral += std::sqrt(facets * facets + turned * turned);
         turn += std::acos(std::clamp(dot(tangent, last_tangent), -1.0, 1.0));
       }
-      last = x, last_tangent = tangent;
+      last = x, last_tangent = tangent, last_normal = normal;
     }
     int n = std::max(
         {4, static_cast<int>(std::lround(integral)), static_cast<int>(std::ceil(turn / size_.turn_limit - 1e-9))});

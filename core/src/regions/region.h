@@ -7,6 +7,7 @@
 
 #include "brep/surfaces/surface.h"
 #include "charts/chart.h"
+#include "mesh/region_mesh.h"
 #include "sizing/size_field.h"
 #include "structured/mapped_fill.h"
 
@@ -37,6 +38,7 @@ struct Region {
   FaceSize size{1};
   double h = 1;  ///< target length of the run, or what is given for the face
   double gradation = 0.3;
+  double turn_weight = 0;                    ///< what a radian of the normal counts, in target lengths; 0: nothing
   double evenness = 1;                       ///< what even lengths are worth against regular nodes
   double area = 0;                           ///< mm^2, of the whole face: bounds the work
   std::vector<std::vector<LoopNode>> loops;  ///< region on the left of each loop
@@ -51,7 +53,9 @@ struct Region {
   }
   /// Surface point and its derivatives by the chart coordinates; gives (u, v) there.
   Vec2 evaluate(Vec2 p, Vec3& x, Vec3& xp, Vec3& xq) const { return paver::evaluate(*chart, *surface, p, x, xp, xq); }
-  /// Target length by what is given and by curvature at a chart point.
+  /// The same with the normal, where turns count.
+  NodePlace place(Vec2 p) const;
+  /// Target length at a chart point: by what is given and, where turns do not count by themselves, by curvature.
   double target(Vec2 p) const {
     Vec2 uv, uv_x, uv_y;
     chart->to_uv(p, uv, uv_x, uv_y);
@@ -69,6 +73,7 @@ inline Region task_of(const Region& region) {
   task.size = region.size;
   task.h = region.h;
   task.gradation = region.gradation;
+  task.turn_weight = region.turn_weight;
   task.evenness = region.evenness;
   task.area = region.area;
   return task;

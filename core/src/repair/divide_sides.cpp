@@ -62,10 +62,10 @@ class RegionDivider {
   int add_node(int a, int b, int global) {
     const Vec3 at = nodes_.nodes[static_cast<std::size_t>(global)];
     Vec2 p = half_way(region_, mesh_.p[a], mesh_.p[b]);
-    Vec3 x, xp, xq;
     nearest_point(region_, p, at, norm(mesh_.x[b] - mesh_.x[a]));
-    region_.evaluate(p, x, xp, xq);
-    const int node = mesh_.add_node(p, at, xp, xq, 0.5 * (mesh_.h[a] + mesh_.h[b]));
+    NodePlace place = region_.place(p);
+    place.x = at;
+    const int node = mesh_.add_node(place, 0.5 * (mesh_.h[a] + mesh_.h[b]));
     mesh_.is_fixed[node] = 1;
     mesh_.global[node] = global;
     copies_[global].push_back(node);

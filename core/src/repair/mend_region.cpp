@@ -135,11 +135,7 @@ class Mender {
     mesh_.drop_last_node();
   }
 
-  int add_node(Vec2 p, double h) {
-    Vec3 x, xp, xq;
-    region_.evaluate(p, x, xp, xq);
-    return mesh_.add_node(p, x, xp, xq, h);
-  }
+  int add_node(Vec2 p, double h) { return mesh_.add_node(region_.place(p), h); }
 
   /// A node on one side inside, both elements there filled anew.
   void try_sides(int e, Candidate& best) {

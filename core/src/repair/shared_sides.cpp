@@ -41,9 +41,7 @@ class SideDivider {
  private:
   void divide(int e, int other, int a, int b) {
     const Vec2 p = 0.5 * (mesh_.p[a] + mesh_.p[b]);
-    Vec3 x, xp, xq;
-    region_.evaluate(p, x, xp, xq);
-    const int middle = mesh_.add_node(p, x, xp, xq, 0.5 * (mesh_.h[a] + mesh_.h[b]));
+    const int middle = mesh_.add_node(region_.place(p), 0.5 * (mesh_.h[a] + mesh_.h[b]));
     const auto here = best_of(mesh_.elements[e], a, b, middle), there = best_of(mesh_.elements[other], b, a, middle);
     if (!here || !there) {
       mesh_.drop_last_node();
@@ -53,7 +51,7 @@ class SideDivider {
     mesh_.remove_element(other);
     for (const auto& elements : {*here, *there})
       for (const Corners& corners : elements) mesh_.add_element(corners);
-    made_.push_back(x);
+    made_.push_back(mesh_.x[middle]);
   }
 
   /// The element with a node between its corners a and b: the better of two ways, if one has positive elements only.

@@ -1,28 +1,10 @@
 // How many elements and facets the lengths of parts ask for.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
+#include "sizing/sample_box.h"
 #include "sizing/size_field.h"
 
 namespace paver {
-
-/// Box of a face's loops in (u, v).
-struct SampleBox {
-  Vec2 lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Vec2 hi{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-
-  void add(Vec2 p) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
-    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
-    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
-  }
-  bool has_area() const { return hi.x > lo.x && hi.y > lo.y; }
-};
-
-SampleBox sample_box(const Model& model, const Face& face);
 
 struct LocalCounts {
   double more_density = 0;  ///< what other parts add to the mean of 1 / h^2 over the box of the face, as rows come out

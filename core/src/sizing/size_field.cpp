@@ -20,11 +20,16 @@ namespace {
 constexpr int grid_size = 17;            // samples per direction: enough for a B-spline of about 8 spans
 constexpr double smallest_share = 0.25;  // of H inside faces: a tiny fillet must not explode the count
 constexpr double one_way_turn = 2.5;
+constexpr double least_stretch = 1.12, large_stretch = 1.6;  // of lengths by turns: less is not worth it
+constexpr double table_spacing = 0.4;                        // of h: turns sharper than that are spread over it
+constexpr double slope_reach = 0.25;                  // of h: derivatives of normals are taken so far to either side
+constexpr double large_face = 13500;                  // of h^2: about where levels begin
 constexpr double chord_turn = 1.25;                   // the same for sides as long as h that are straight
 constexpr double short_turn_limit = 75 * M_PI / 180;  // decision turn-of-short-edges
 constexpr double degenerate_area = 1e-9;  // of the largest |xu x xv| on the face: such a point counts as a pole
 
 struct CurvatureSample {
+  Vec3 x, n;
   double area = 0;       // |xu x xv|
   double larger = 0;     // of the principal curvatures
   double curvature = 0;  // the one that limits h, see limiting_curvature(); NaN where it has none
@@ -43,6 +48,7 @@ CurvatureSample sample_curvature(const Surface& surface, Vec2 uv) {
   CurvatureSample sample;
   sample.area = norm(cross(xu, xv));
   Vec3 n = unit(cross(xu, xv));
+  sample.x = x, sample.n = n;
   double square = dot(xu, xu), shear = dot(xu, xv) / square;
   double uu = dot(n, xuu), uv_part = dot(n, xuv), vv = dot(n, xvv);
   double along = uu / square;
@@ -52,7 +58,7 @@ CurvatureSample sample_curvature(const Surface& surface, Vec2 uv) {
   double mean = 0.5 * std::abs(along + across), spread = std::sqrt(half * half + mixed * mixed);
   sample.larger = mean + spread;
   sample.curvature = limiting_curvature(sample.larger, std::abs(mean - spread));
-  if (!std::isfinite(sample.area)) sample = {0, 0, std::numeric_limits<double>::quiet_NaN()};
+  if (!std::isfinite(sample.area)) sample = {x, {}, 0, 0, std::numeric_limits<double>::quiet_NaN()};
   return sample;
 }
 
@@ -87,6 +93,36 @@ void fill_degenerate(std::vector<double>& sizes, double h) {
   }
 }
 
+/// Largest stretch of lengths by turns along rows and columns of samples; `weight` is what a radian counts, mm.
+double largest_stretch(const std::vector<CurvatureSample>& samples, double weight) {
+  auto at = [&](int row, int column) { return samples[static_cast<std::size_t>(row * grid_size + column)]; };
+  auto stretch = [&](const CurvatureSample& a, const CurvatureSample& b) {
+    const double step = norm(b.x - a.x);
+    if (a.n == Vec3{} || b.n == Vec3{} || !(step > 0)) return 1.0;
+    const double turn = weight * norm(b.n - a.n) / step;
+    return std::sqrt(1 + turn * turn);
+  };
+  double most = 1;
+  for (int row = 0; row < grid_size; ++row)
+    for (int column = 0; column < grid_size; ++column) {
+      if (column + 1 < grid_size) most = std::max(most, stretch(at(row, column), at(row, column + 1)));
+      if (row + 1 < grid_size) most = std::max(most, stretch(at(row, column), at(row + 1, column)));
+    }
+  return most;
+}
+
+// Turns count where they matter, and sides can follow them (decision metric); not on faces without a border, whose
+// layouts are made for one length, nor on large ones that bend gently, which are meshed by levels.
+bool turns_count(const Model& model, const Face& face, double h, double stretch) {
+  const bool is_closed = std::all_of(face.loops.begin(), face.loops.end(), [&](const Loop& loop) {
+    return std::all_of(loop.coedges.begin(), loop.coedges.end(), [&](const Coedge& coedge) {
+      const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
+      return edge.is_periodic || edge.is_degenerate;
+    });
+  });
+  return !is_closed && stretch > (face.area > large_face * h * h ? large_stretch : least_stretch);
+}
+
 SampledFace sample_face(const Model& model, const Face& face, double h, double turn_limit, bool is_straight) {
   SampledFace flat{FaceSize(h), 1 / (h * h)};
   if (!face.surface || face.surface->kind() == SurfaceKind::plane) return flat;
@@ -111,6 +147,12 @@ SampledFace sample_face(const Model& model, const Face& face, double h, double t
   }
   fill_degenerate(sizes, h);
 
+  if (!is_straight && turns_count(model, face, h, largest_stretch(samples, h / turn_limit))) {
+    const auto normals = std::make_shared<const NormalTable>(*face.surface, box, table_spacing * h, slope_reach * h);
+    flat.mean_density *= normals->stretched_area(h / turn_limit);
+    flat.size.count_turns(1 / turn_limit, normals);
+    return flat;
+  }
   double weight = 0, density = 0;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     weight += samples[i].area;
@@ -139,6 +181,12 @@ void give_local(const Model& model, const Options& options, SizeField& field) {
   field.local = local;
   for (std::size_t f = 0; f < model.faces.size(); ++f)
     field.face_h.push_back(std::min(field.h, local->on_face(static_cast<int>(f))));
+}
+
+void add_turning_sides(const Face& face, int index, SizeField& field) {
+  for (const Loop& loop : face.loops)
+    for (const Coedge& coedge : loop.coedges)
+      if (coedge.pcurve) field.turning[static_cast<std::size_t>(coedge.edge)].push_back({index, coedge.pcurve});
 }
 
 void check_predicted(double predicted, double h, long limit, bool is_local) {
@@ -209,6 +257,7 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
   field.turn_limit = options.turn_limit();
   if (!options.max_turn) field.short_turn_limit = short_turn_limit;
   give_local(model, options, field);
+  field.turning.resize(model.edges.size());
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
     const Face& face = model.faces[f];
     bool is_meshed = face.has_area && face.fault.empty();
@@ -223,6 +272,7 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
       sampled.size.set_graded(counts.is_graded);
     }
     field.faces.push_back(std::move(sampled.size));
+    if (field.faces.back().turn_weight() > 0) add_turning_sides(face, static_cast<int>(f), field);
     field.predicted.push_back(is_meshed ? predicted_elements(model, face, sampled.mean_density) : 0);
     progress.advance();
   }

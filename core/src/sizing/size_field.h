@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "paver/options.h"
 #include "paver/progress.h"
 #include "sizing/local_sizes.h"
+#include "sizing/normal_table.h"
 #include "topology/model.h"
 
 namespace paver {
@@ -34,6 +36,13 @@ class FaceSize {
   }
   /// Without curvature, at a point of the surface.
   double given_at(Vec3 x) const { return std::min(h_, around_parts(x)); }
+  /// What a radian of the normal counts, in target lengths; 0: nothing, at() comes down where the face turns.
+  double turn_weight() const { return turn_weight_; }
+  /// Null where turns count for nothing.
+  const NormalTable* normals() const { return normals_.get(); }
+  void count_turns(double weight, std::shared_ptr<const NormalTable> normals) {
+    samples_.clear(), turn_weight_ = weight, normals_ = std::move(normals);
+  }
   /// Length where neither curvature nor other parts shorten it.
   double own() const { return h_; }
   /// Other parts shorten h somewhere on the face.
@@ -46,12 +55,19 @@ class FaceSize {
   double least() const;
 
  private:
-  double h_, scale_ = 1;
+  double h_, scale_ = 1, turn_weight_ = 0;
   bool is_graded_ = false;
+  std::shared_ptr<const NormalTable> normals_;
   std::shared_ptr<const LocalSizes> local_;  // null: none are given
   Vec2 lo_, hi_;
   int nu_ = 0, nv_ = 0;
   std::vector<double> samples_;
+};
+
+/// An edge on a face whose turns count.
+struct TurningSide {
+  int face = -1;
+  std::shared_ptr<const ParameterCurve> pcurve;  ///< over the edge's t
 };
 
 struct SizeField {
@@ -62,12 +78,17 @@ struct SizeField {
   /// Radians per boundary edge shorter than h, where it stays as close to its curve as an edge of length h that turns
   /// by turn_limit; 0: turn_limit holds for it, too.
   double short_turn_limit = 0;
-  std::vector<FaceSize> faces;    ///< per face of the model
-  std::vector<double> predicted;  ///< elements, per face of the model; 0 for faces that are not meshed
+  std::vector<FaceSize> faces;                    ///< per face of the model
+  std::vector<std::vector<TurningSide>> turning;  ///< per edge of the model
+  std::vector<double> predicted;                  ///< elements, per face of the model; 0 for faces that are not meshed
 
   std::vector<double> face_h;     ///< per face of the model: h, or what is given for the face
   std::vector<double> perimeter;  ///< per face of the model: length of its loops in target lengths, curvature aside
 
+  /// An edge on faces whose turns count.
+  std::span<const TurningSide> turning_sides(std::size_t edge) const {
+    return edge < turning.size() ? std::span<const TurningSide>(turning[edge]) : std::span<const TurningSide>();
+  }
   /// h, or what is given for parts of the model, at a point of an edge.
   double given_at(const Edge& edge, Vec3 x) const {
     return local->is_empty() ? h : std::min({h, local->on_edge(edge), local->at(x)});

@@ -12,7 +12,7 @@ BlockGrid::BlockGrid(BlockLayout layout, const BlockLayout& final, const Surface
     : layout_(std::move(layout)), numbers_(layout_), surface_(surface), size_(size) {
   RegionMesh& mesh = grid_.mesh;
   mesh.reserve(static_cast<std::size_t>(numbers_.size()));
-  for (int v = 0; v < numbers_.size(); ++v) mesh.add_node({}, {}, {}, {}, 0);
+  for (int v = 0; v < numbers_.size(); ++v) mesh.add_node({}, 0);
   grid_.chart.assign(mesh.p.size(), -1);
   for (std::size_t b = 0; b < layout_.blocks.size(); ++b) {
     const Block& block = layout_.blocks[b];

@@ -120,7 +120,7 @@ double improve(GluedGrid& grid, int node, double ratio, const Surface& surface, 
   double length = norm(step), most = longest_step * ratio * mesh.h[node];
   if (!(length > 0)) return 0;
   if (length > most) step = (most / length) * step;
-  Vec2 move = mesh.pull_back(node, step);
+  Vec2 move = mesh.pull_back(node, {step, {}});
   for (double share : shares) {
     grid.place(node, p + share * move, surface, size);
     if (energy.value(mesh.x[node]) < before && energy.least_sine() >= sine)

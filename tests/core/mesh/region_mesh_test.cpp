@@ -85,11 +85,12 @@ TEST(RegionMesh, PullBackSolvesForTheChartStep) {
   RegionMesh mesh;
   Vec3 xp{2, 1, 0}, xq{0.5, 1, 3};
   mesh.add_node({0, 0}, {0, 0, 0}, xp, xq, 1);
-  Vec2 step = mesh.pull_back(0, 0.3 * xp + -0.8 * xq + 5 * cross(xp, xq));  // what stands off the plane is dropped
+  Vec2 step =
+      mesh.pull_back(0, {0.3 * xp + -0.8 * xq + 5 * cross(xp, xq), {}});  // what stands off the plane is dropped
   EXPECT_NEAR(step.x, 0.3, 1e-14);
   EXPECT_NEAR(step.y, -0.8, 1e-14);
   mesh.add_node({0, 0}, {0, 0, 0}, xp, xp, 1);
-  EXPECT_EQ(mesh.pull_back(1, xp), (Vec2{0, 0}));
+  EXPECT_EQ(mesh.pull_back(1, {xp, {}}), (Vec2{0, 0}));
 }
 
 double jacobian_of(std::vector<Vec3> corners) {

@@ -197,9 +197,7 @@ TEST(Front, NodesMoveOnlyWhereNothingTurnsOver) {
   EXPECT_TRUE(t.front.can_move(inner, {1.2, 0.8}));
   EXPECT_FALSE(t.front.can_move(inner, {0.4, 0.4}));  // concave
   EXPECT_FALSE(t.front.can_move(inner, {5, 5}));
-  Vec3 x, xp, xq;
-  t.region.evaluate({1.2, 1.3}, x, xp, xq);
-  t.front.set_position(inner, {1.2, 1.3}, x, xp, xq);
+  t.front.set_position(inner, t.region.place({1.2, 1.3}));
   EXPECT_EQ(front_faults(t.front), "");
 }
 
@@ -247,9 +245,7 @@ TEST(Front, TellsWhatLiesBeyondAFacetInAChartThatBendsLines) {
     const Vec2 p = region.chart->to_chart({-fake::pi / facets, height});
     const Location where = front.empty.walk(front.empty.facet_side(facets).triangle, facets, p);
     EXPECT_NE(where.kind, Location::Kind::blocked);
-    NodePlace at{p, {}, {}, {}};
-    region.evaluate(p, at.x, at.xp, at.xq);
-    return is_beyond_facet(front, where.triangle, at);
+    return is_beyond_facet(front, where.triangle, region.place(p));
   };
   EXPECT_TRUE(is_beyond(5.1));
   EXPECT_FALSE(is_beyond(4.9));

@@ -59,11 +59,22 @@ TEST(SizeField, ALimitThatTheUserSetsHoldsForShortEdgesToo) {
   EXPECT_FALSE(field.may_turn(0.51, 1e-6));
 }
 
-TEST(BuildSizeField, ACylinderTurnsNoMoreThanTwoAndAHalfTimesTheLimitPerEdge) {
+TEST(BuildSizeField, OnACylinderThatTurnsMuchTurnsCountAndTheLengthStays) {
   Options options = with_size(6);
   options.max_turn = 0.2;
   SizeField field = size_of(fake::tube(4, 20), options);
-  for (Vec2 uv : {Vec2{0, 0}, Vec2{1, 7}, Vec2{6, 20}}) EXPECT_NEAR(field.faces[0].by_curvature(uv), 2, 1e-12);
+  EXPECT_DOUBLE_EQ(field.faces[0].turn_weight(), 1 / 0.2);
+  ASSERT_NE(field.faces[0].normals(), nullptr);
+  for (Vec2 uv : {Vec2{0, 0}, Vec2{1, 7}, Vec2{6, 20}}) EXPECT_DOUBLE_EQ(field.faces[0].by_curvature(uv), 6);
+  const double stretch = std::sqrt(1 + std::pow(6 / (0.2 * 4), 2));
+  EXPECT_NEAR(field.predicted[0], 2 * fake::pi * 4 * 20 / 36 * stretch, 0.1 * field.predicted[0]);
+}
+
+TEST(BuildSizeField, OnOneThatTurnsLittleTheyDoNot) {
+  SizeField field = size_of(fake::tube(4, 20), with_size(0.5));
+  EXPECT_EQ(field.faces[0].turn_weight(), 0);
+  EXPECT_EQ(field.faces[0].normals(), nullptr);
+  for (std::size_t e = 0; e < 10; ++e) EXPECT_TRUE(field.turning_sides(e).empty());
 }
 
 TEST(BuildSizeField, ASphereIsLimitedAtItsPolesAsElsewhere) {
@@ -75,9 +86,10 @@ TEST(BuildSizeField, ASphereIsLimitedAtItsPolesAsElsewhere) {
   }
 }
 
-TEST(BuildSizeField, ATinyFilletKeepsAQuarterOfTheTargetLengthInside) {
+TEST(BuildSizeField, ATinyTubeAsksForABoundedNumberOfElements) {
   SizeField field = size_of(fake::tube(0.001, 1), with_size(1));
-  EXPECT_NEAR(field.faces[0].by_curvature({1, 0.5}), 0.25, 1e-12);
+  EXPECT_LT(field.predicted[0], 20);
+  EXPECT_FALSE(field.turning_sides(0).empty() && field.turning_sides(1).empty());
 }
 
 TEST(BuildSizeField, ATargetLengthFarAboveTheModelIsFine) {

@@ -198,12 +198,12 @@ Vec2 Cavity::chart_place(int node, const Change& fill) const {
   return node < old ? mesh_.p[node] : fill.fresh[node - old];
 }
 
-Vec3 Cavity::place(int node) const {
+MetricVec Cavity::place(int node) const {
   int old = mesh_.node_count();
-  return node < old ? mesh_.x[node] : fresh_x_[node - old];
+  return node < old ? mesh_.point(node) : fresh_x_[node - old];
 }
 
-int Cavity::add_fresh(Vec2 p, Vec3 x, Change& fill) {
+int Cavity::add_fresh(Vec2 p, const MetricVec& x, Change& fill) {
   fill.fresh.push_back(p);
   fresh_x_.push_back(x);
   return mesh_.node_count() + static_cast<int>(fill.fresh.size()) - 1;
@@ -236,7 +236,8 @@ double Cavity::spread_gain(const Change& fill) {
     for (int i = 0; i < 4; ++i) {
       int a = v[i], b = v[(i + 1) % 4];
       if (a < old && b < old && mesh_.is_fixed[a] && mesh_.is_fixed[b]) continue;
-      sum += MeshEdit::spread(2 * norm(place(a) - place(b)) / (target(a) + target(b)));
+      const double wished = 0.5 * (target(a) + target(b));
+      sum += MeshEdit::spread(norm(mesh_.step(place(a), place(b), wished)) / wished);
     }
   for (int e : fill.gone) sum -= edit_.spread_of(e);
   return sum;
@@ -259,11 +260,11 @@ void Cavity::make_fill(Change& fill) {
   // Spoke i: from the middle of side i to the centre, as node numbers.
   std::vector<std::vector<int>> spoke(k);
   Vec2 centre{0, 0};
-  Vec3 centre_x{0, 0, 0};
+  MetricVec centre_x;
   auto middle = [&](int i) { return corners_[i] + spokes_[(i + k - 1) % k]; };
   for (int i = 0; i < k; ++i) {
     centre = centre + (1.0 / k) * mesh_.p[around(middle(i))];
-    centre_x += (1.0 / k) * mesh_.x[around(middle(i))];
+    centre_x += (1.0 / k) * mesh_.point(around(middle(i)));
   }
   int hub = add_fresh(centre, centre_x, fill);
   for (int i = 0; i < k; ++i) {
@@ -271,7 +272,7 @@ void Cavity::make_fill(Change& fill) {
     spoke[i].push_back(foot);
     for (int t = 1; t < length; ++t) {
       double share = static_cast<double>(t) / length;
-      Vec3 x = mesh_.x[foot] + share * (centre_x - mesh_.x[foot]);
+      const MetricVec x = mesh_.point(foot) + share * (centre_x - mesh_.point(foot));
       spoke[i].push_back(add_fresh(mesh_.p[foot] + share * (centre - mesh_.p[foot]), x, fill));
     }
     spoke[i].push_back(hub);

@@ -38,9 +38,9 @@ class Cavity {
   bool is_fillable(const std::vector<int>& corners);
   void make_fill(Change& fill);
   void make_grid(int a, int b, Change& fill);
-  int add_fresh(Vec2 p, Vec3 x, Change& fill);
+  int add_fresh(Vec2 p, const MetricVec& x, Change& fill);
   Vec2 chart_place(int node, const Change& fill) const;
-  Vec3 place(int node) const;
+  MetricVec place(int node) const;
   int around(int i) const { return loop_[(i + 2 * loop_.size()) % loop_.size()]; }
   int& grid(int s, int t) { return grid_[s * 64 + t]; }
 
@@ -63,7 +63,7 @@ class Cavity {
   std::vector<double> as_flat_, as_corner_;
   std::vector<int> corners_, spokes_, grid_;
   std::vector<int> trial_, trial_spokes_;  // of the corners looked at; spokes_ belong to corners_
-  std::vector<Vec3> fresh_x_;              // of the fill's new nodes, blended like their chart places
+  std::vector<MetricVec> fresh_x_;         // of the fill's new nodes, blended like their chart places
 };
 
 }  // namespace paver

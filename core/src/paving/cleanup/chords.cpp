@@ -159,11 +159,7 @@ class ChordRemover {
     return best;
   }
 
-  void move(int node, Vec2 p) {
-    Vec3 x, xp, xq;
-    front_.region.evaluate(p, x, xp, xq);
-    front_.set_position(node, p, x, xp, xq);
-  }
+  void move(int node, Vec2 p) { front_.set_position(node, front_.region.place(p)); }
 
   Division stars(int centre, const std::vector<int>& v) const {
     Division best;

@@ -15,8 +15,10 @@ constexpr double early_share = 0.3;  // of the fall in spread that a dear change
 constexpr double early_excess = 4;   // energy and spread together that a change may still lack after one sweep
 
 double corner_angle(const RegionMesh& mesh, const Element& e, int node) {
-  Vec3 out = mesh.x[e.after(node)] - mesh.x[node], in = mesh.x[e.before(node)] - mesh.x[node];
-  return std::atan2(norm(cross(out, in)), dot(out, in));
+  const MetricVec out = mesh.between(node, e.after(node)), in = mesh.between(node, e.before(node));
+  const MetricFrame frame(out, in);
+  const Vec2 other = frame.of(in);
+  return std::atan2(other.y, other.x);
 }
 
 // The number of elements whose corners at a node of this angle have the best
@@ -33,11 +35,12 @@ double ideal_elements(double angle) {
 
 double area_in_targets(const RegionMesh& mesh, const Element& e) {
   const auto& v = e.v;
-  const auto& x = mesh.x;
   double h = mesh.h[v[0]];
-  Vec3 twice =
-      e.corners() == 4 ? cross(x[v[2]] - x[v[0]], x[v[3]] - x[v[1]]) : cross(x[v[1]] - x[v[0]], x[v[2]] - x[v[0]]);
-  return 0.5 * norm(twice) / (h * h);
+  const bool is_quad = e.corners() == 4;
+  const MetricVec one = mesh.between(v[0], v[is_quad ? 2 : 1]);
+  const MetricVec other = is_quad ? mesh.between(v[1], v[3]) : mesh.between(v[0], v[2]);
+  const double mixed = dot(one, other);
+  return 0.5 * std::sqrt(std::max(0.0, dot(one, one) * dot(other, other) - mixed * mixed)) / (h * h);
 }
 
 }  // namespace
@@ -130,7 +133,7 @@ void MeshEdit::move(int node, Vec2 p, bool is_first) {
 double MeshEdit::target_between(int node, std::size_t count) const {
   double sum = 0, weights = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    Vec3 d = mesh_.x[touched_[i]] - mesh_.x[node];
+    const MetricVec d = mesh_.between(touched_[i], node);
     double weight = 1 / (dot(d, d) + 1e-300);
     sum += weight * mesh_.h[touched_[i]];
     weights += weight;
@@ -165,7 +168,9 @@ bool MeshEdit::apply(const Change& change) {
     bool is_border = mesh_.is_fixed[node];
     if ((is_border ? size < 1 : size == 1 || size == 2) || has_shared_edges(node)) is_ok = false;
   }
-  if (is_ok && change.moved >= 0) journal_.push_back({Kind::place, change.moved, {}, {change.place, {}, {}, {}}});
+  NodePlace aim;
+  aim.p = change.place;
+  if (is_ok && change.moved >= 0) journal_.push_back({Kind::place, change.moved, {}, aim});
   if (!is_ok) roll_back(start);
   return is_ok;
 }
@@ -214,22 +219,20 @@ void MeshEdit::commit() {
 }
 
 void MeshEdit::smooth_touched(bool is_first) {
-  sum_.assign(touched_.size(), {0, 0, 0});
+  sum_.assign(touched_.size(), {});
   for (std::size_t k = 0; k < touched_.size(); ++k) slot_[touched_[k]] = static_cast<int>(k);  // some may have gone
   for (int e : near_) {
     const Element& element = mesh_.elements[e];
-    Vec3 at[4];
-    int n = wished_corners(mesh_, element, at);
-    for (int i = 0; i < element.corners(); ++i) {
-      int v = element.v[i], slot = slot_[v];
-      if (slot >= 0) sum_[slot] += n ? at[i] : mesh_.x[v];
-    }
+    MetricVec steps[4];
+    if (!wished_steps(mesh_, element, steps)) continue;
+    for (int i = 0; i < element.corners(); ++i)
+      if (const int slot = slot_[element.v[i]]; slot >= 0) sum_[slot] += steps[i];
   }
   for (std::size_t k = 0; k < touched_.size(); ++k) {
     const int node = touched_[k];
     int size = mesh_.star[node].size();
     if (mesh_.is_fixed[node] || size == 0) continue;
-    Vec3 step = (1.0 / size) * sum_[k] - mesh_.x[node];
+    MetricVec step = (1.0 / size) * sum_[k];
     double most = 0.8 * mesh_.h[node], length = norm(step);
     if (length > most) step = (most / length) * step;
     move(node, mesh_.p[node] + mesh_.pull_back(node, step), is_first);
@@ -285,7 +288,7 @@ void MeshEdit::measure_lengths(const Element& e, Measure& worst) const {
   for (int i = 0, n = e.corners(); i < n; ++i) {
     int a = e.v[i], b = e.v[(i + 1) % n];
     if (mesh_.is_fixed[a] && mesh_.is_fixed[b]) continue;
-    const auto ratio = static_cast<float>(2 * norm(mesh_.x[a] - mesh_.x[b]) / (mesh_.h[a] + mesh_.h[b]));
+    const auto ratio = static_cast<float>(2 * mesh_.length(a, b) / (mesh_.h[a] + mesh_.h[b]));
     worst.shortest = std::min(worst.shortest, ratio);
     worst.longest = std::max(worst.longest, ratio);
     worst.spread += static_cast<float>(spread(ratio));

@@ -134,7 +134,7 @@ class MeshEdit {
   std::vector<Aim> aims_;  // of all nodes and more
   std::vector<Entry> journal_;
   std::vector<int> touched_, near_, list_;
-  std::vector<Vec3> sum_;  // per entry of touched_
+  std::vector<MetricVec> sum_;  // of the steps its elements wish, per entry of touched_
   std::vector<int> delta_;
   std::vector<int> slot_;          // per node: its entry of touched_, or -1
   std::vector<Measure> measures_;  // per element, as at the last commit; Jacobian 2: to be measured

@@ -20,7 +20,7 @@ Merit merit(const RegionMesh& mesh, int node) {
     const Element& e = mesh.elements[i];
     m.worst = std::min(m.worst, scaled_jacobian(mesh, e));
     int other = e.after(node);
-    double ratio = 2 * norm(mesh.x[other] - mesh.x[node]) / (mesh.h[other] + mesh.h[node]);
+    double ratio = 2 * mesh.length(node, other) / (mesh.h[other] + mesh.h[node]);
     m.excess = std::max(m.excess, std::max(0.75 - ratio, ratio - 1.35));
   }
   return m;
@@ -32,15 +32,14 @@ constexpr double good_jacobian = 0.7;
 bool move_if_better(Front& front, int node, Vec2 p, Merit& best) {
   if (!front.can_move(node, p)) return false;
   RegionMesh& mesh = front.mesh;
-  Vec3 old = mesh.x[node], x, xp, xq;
-  front.region.evaluate(p, x, xp, xq);
-  mesh.x[node] = x;
+  const NodePlace old = mesh.place(node), at = front.region.place(p);
+  mesh.put(node, at);
   Merit now = merit(mesh, node);
   const bool is_facing = faces_surface(front, node);
-  mesh.x[node] = old;
+  mesh.put(node, old);
   if (!is_facing || now.value() < best.value() + 1e-4 || now.worst < std::min(best.worst, good_jacobian)) return false;
   best = now;
-  front.set_position(node, p, x, xp, xq);
+  front.set_position(node, at);
   return true;
 }
 
@@ -51,13 +50,12 @@ bool search(Front& front, int node) {
   Merit best = merit(mesh, node);
   const double start = best.value();
   double step = 0.16 * mesh.h[node];
-  Vec3 u = unit(mesh.xp[node]), w = cross(mesh.normal(node), u);
   for (int level = 0; level < 4; ++level, step *= 0.5) {
     bool is_better = true;
     for (int repeat = 0; is_better && repeat < 3; ++repeat) {
       is_better = false;
       for (auto [du, dw] : directions) {
-        Vec2 p = mesh.p[node] + mesh.pull_back(node, step * (du * u + dw * w));
+        Vec2 p = mesh.p[node] + mesh.pull_back(node, mesh.frame(node).at({step * du, step * dw}));
         if (move_if_better(front, node, p, best)) {
           is_better = true;
           break;

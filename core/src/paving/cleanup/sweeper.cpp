@@ -16,30 +16,67 @@ constexpr double still = 0.004;  // step by the scale of the mesh below which a 
 
 }  // namespace
 
-int wished_corners(const RegionMesh& mesh, const Element& e, Vec3 at[4]) {
-  if (e.corners() == 4) {
-    Vec3 x0 = mesh.x[e.v[0]], x1 = mesh.x[e.v[1]], x2 = mesh.x[e.v[2]], x3 = mesh.x[e.v[3]];
-    Vec3 centre = 0.25 * (x0 + x1 + x2 + x3), d1 = x2 - x0, d2 = x3 - x1;
-    Vec3 n = unit(cross(d1, d2));
-    Vec3 r = 0.5 * (d1 - cross(n, d2));  // towards corner 2; corner 3 is a quarter turn on
-    double own = 0.5 * norm(r);          // half a diagonal
-    if (!(own > 0)) return 0;
-    double target = 0.25 * M_SQRT1_2 * (mesh.h[e.v[0]] + mesh.h[e.v[1]] + mesh.h[e.v[2]] + mesh.h[e.v[3]]);
-    r = (target / (2 * own)) * r;
-    Vec3 q = cross(n, r);
-    at[0] = centre - r, at[1] = centre - q, at[2] = centre + r, at[3] = centre + q;
-    return 4;
-  }
-  Vec3 x0 = mesh.x[e.v[0]], x1 = mesh.x[e.v[1]], x2 = mesh.x[e.v[2]];
-  Vec3 centre = (1.0 / 3) * (x0 + x1 + x2), n = unit(cross(x1 - x0, x2 - x0));
+namespace {
+
+// The two diagonals of a square lie a quarter turn apart: the mean of one and of the other turned back is its first.
+template <class V>
+bool square_steps(const V at[4], double target, V step[4]) {
+  const V centre = 0.25 * (at[0] + at[1] + at[2] + at[3]), d1 = at[2] - at[0], d2 = at[3] - at[1];
+  const double first2 = dot(d1, d1), mixed = dot(d1, d2), area2 = first2 * dot(d2, d2) - mixed * mixed;
+  if (!(first2 > 0 && area2 > 1e-24 * first2 * first2)) return false;
+  const double length = std::sqrt(first2), height = std::sqrt(area2) / length;  // of d2 over d1
+  const V f1 = (1 / length) * d1, f2 = (1 / height) * (d2 - (mixed / first2) * d1);
+  const double rx = length + height, ry = -mixed / length;
+  const double half = M_SQRT1_2 * target / std::sqrt(rx * rx + ry * ry);  // half a diagonal, by the length of r
+  const V r = (half * rx) * f1 + (half * ry) * f2, q = (-half * ry) * f1 + (half * rx) * f2;
+  step[0] = centre - r - at[0], step[1] = centre - q - at[1];
+  step[2] = centre + r - at[2], step[3] = centre + q - at[3];
+  return true;
+}
+
+// The same for the three spokes of an equilateral triangle, a third of a turn apart.
+template <class V>
+bool triangle_steps(const V at[3], double target, V step[3]) {
   constexpr double s = 0.86602540378443865;
-  auto turn = [&](Vec3 v, double sine) { return -0.5 * v + sine * cross(n, v); };
-  Vec3 r = (1.0 / 3) * ((x0 - centre) + turn(x1 - centre, -s) + turn(x2 - centre, s));
-  double own = norm(r), target = (mesh.h[e.v[0]] + mesh.h[e.v[1]] + mesh.h[e.v[2]]) / (6 * s);
-  if (!(own > 0)) return 0;
-  r = (target / own) * r;
-  at[0] = centre + r, at[1] = centre + turn(r, s), at[2] = centre + turn(r, -s);
-  return 3;
+  const V centre = (1.0 / 3) * (at[0] + at[1] + at[2]), d1 = at[1] - at[0], d2 = at[2] - at[0];
+  const double first2 = dot(d1, d1), mixed = dot(d1, d2), area2 = first2 * dot(d2, d2) - mixed * mixed;
+  if (!(first2 > 0 && area2 > 1e-24 * first2 * first2)) return false;
+  const double length = std::sqrt(first2), height = std::sqrt(area2) / length;
+  const V f1 = (1 / length) * d1, f2 = (1 / height) * (d2 - (mixed / first2) * d1);
+  auto flat = [&](const V& v) { return Vec2{dot(v, f1), dot(v, f2)}; };
+  auto turned = [&](Vec2 v, double sine) { return Vec2{-0.5 * v.x - sine * v.y, sine * v.x - 0.5 * v.y}; };
+  const Vec2 sum = flat(at[0] - centre) + turned(flat(at[1] - centre), -s) + turned(flat(at[2] - centre), s);
+  const double own = norm(sum);
+  if (!(own > 0)) return false;
+  const Vec2 r = (target / (2 * s * own)) * sum;
+  const Vec2 spokes[3] = {r, turned(r, s), turned(r, -s)};
+  for (int k = 0; k < 3; ++k) step[k] = centre + spokes[k].x * f1 + spokes[k].y * f2 - at[k];
+  return true;
+}
+
+double mean_target(const RegionMesh& mesh, const Element& e) {
+  double sum = 0;
+  for (int k = 0; k < e.corners(); ++k) sum += mesh.h[e.v[k]];
+  return sum / e.corners();
+}
+
+}  // namespace
+
+bool wished_steps(const RegionMesh& mesh, const Element& e, MetricVec step[4]) {
+  const int n = e.corners();
+  const double target = mean_target(mesh, e);
+  if (mesh.has_turns()) {
+    const MetricVec at[4] = {{},
+                             mesh.between(e.v[0], e.v[1]),
+                             mesh.between(e.v[0], e.v[2]),
+                             n == 4 ? mesh.between(e.v[0], e.v[3]) : MetricVec{}};
+    return n == 4 ? square_steps(at, target, step) : triangle_steps(at, target, step);
+  }
+  const Vec3 at[4] = {mesh.x[e.v[0]], mesh.x[e.v[1]], mesh.x[e.v[2]], n == 4 ? mesh.x[e.v[3]] : Vec3{}};
+  Vec3 flat[4];
+  if (!(n == 4 ? square_steps(at, target, flat) : triangle_steps(at, target, flat))) return false;
+  for (int k = 0; k < n; ++k) step[k] = {flat[k], {}};
+  return true;
 }
 
 Sweeper::Sweeper(Front& front) : front_(front), mesh_(front.mesh) {
@@ -78,9 +115,9 @@ void Sweeper::gather_wishes() {
   for (int node : nodes_) sum_[node] = {};
   for (int e : elements_) {
     const Element& element = mesh_.elements[e];
-    Vec3 at[4];
-    int n = wished_corners(mesh_, element, at);
-    for (int i = 0; i < element.corners(); ++i) sum_[element.v[i]] += n ? at[i] : mesh_.x[element.v[i]];
+    MetricVec steps[4];
+    if (!wished_steps(mesh_, element, steps)) continue;
+    for (int i = 0; i < element.corners(); ++i) sum_[element.v[i]] += steps[i];
   }
 }
 
@@ -88,12 +125,12 @@ void Sweeper::move_nodes() {
   old_.resize(nodes_.size());
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     int i = nodes_[k];
-    const Vec3 last{last_[i][0], last_[i][1], last_[i][2]};
-    const Vec3 step = over_relaxation * ((1.0 / mesh_.star[i].size()) * sum_[i] - mesh_.x[i]) + momentum * last;
-    last_[i] = {static_cast<float>(step.x), static_cast<float>(step.y), static_cast<float>(step.z)};
-    if (!(norm(step) > still * scale_[i])) continue;
-    old_[k] = mesh_.p[i], sum_[i] = mesh_.x[i];
-    front_.slide(i, mesh_.p[i] + mesh_.pull_back(i, step), scale_[i]);
+    const Vec2 wished = mesh_.pull_back(i, sum_[i]);
+    const Vec2 step = (over_relaxation / mesh_.star[i].size()) * wished + momentum * last_[i];
+    last_[i] = step;
+    if (!(norm(mesh_.push(i, step)) > still * scale_[i])) continue;
+    old_[k] = mesh_.p[i], sum_[i] = mesh_.point(i);
+    front_.slide(i, mesh_.p[i] + step, scale_[i]);
     moved_as_[i] = static_cast<int>(k);
   }
 }
@@ -121,7 +158,8 @@ void Sweeper::take_back_bad() {
     const Vec2 old = old_[moved_as_[node]];
     moved_as_[node] = -1;
     // Derivatives stay those of where it was evaluated last: to be evaluated at its next move.
-    mesh_.p[node] = old, mesh_.x[node] = sum_[node], mesh_.drift[node] = 1, last_[node] = {};
+    mesh_.p[node] = old, mesh_.x[node] = sum_[node].x, mesh_.drift[node] = 1, last_[node] = {};
+    if (mesh_.has_turns()) mesh_.turn[node].n = sum_[node].n;
     for (int e : mesh_.star[node])
       if (!check(e)) collect(e);
   }

@@ -8,9 +8,9 @@
 
 namespace paver {
 
-/// Corners of the square (equilateral triangle) of the target length nearest to
-/// the element. Returns their number, 0 for a degenerate element.
-int wished_corners(const RegionMesh& mesh, const Element& e, Vec3 at[4]);
+/// Steps from an element's corners to those of the square (equilateral triangle) of the target length nearest to it;
+/// false for a degenerate element.
+bool wished_steps(const RegionMesh& mesh, const Element& e, MetricVec step[4]);
 
 /// Sweeps over the elements: each fits its best square (equilateral triangle)
 /// of the target length, and each free node goes to
@@ -39,8 +39,8 @@ class Sweeper {
   Front& front_;
   RegionMesh& mesh_;
   std::vector<int> nodes_, elements_, next_;  // nodes to look at and the elements about them
-  std::vector<Vec3> sum_;                     // per node: of its elements' wishes, then where it was
-  std::vector<std::array<float, 3>> last_;    // per node: its last step
+  std::vector<MetricVec> sum_;                // per node: of its elements' wishes, then where it was
+  std::vector<Vec2> last_;                    // per node: its last step in the chart
   std::vector<float> scale_;                  // per node: of the mesh there at the start
   std::vector<Vec2> old_;                     // per entry of nodes_: where it was in the chart
   std::vector<int> moved_as_;                 // per node: its entry of nodes_ when it moved in this sweep, or -1

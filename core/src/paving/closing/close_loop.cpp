@@ -22,7 +22,7 @@ double value(const RegionMesh& mesh, int a, int b, int c, int d) {
 }
 
 double length_penalty(const RegionMesh& mesh, int a, int b) {
-  double ratio = norm(mesh.x[a] - mesh.x[b]) / (0.5 * (mesh.h[a] + mesh.h[b]));
+  double ratio = mesh.length(a, b) / (0.5 * (mesh.h[a] + mesh.h[b]));
   return ratio > 0 ? length_price * std::max(0.0, std::fabs(std::log(ratio)) - fair_length) : 1;
 }
 
@@ -195,8 +195,9 @@ void insert_triangle(Front& front, const std::vector<int>& loop) {
     int f = corners[i].second;
     const RegionMesh& mesh = front.mesh;
     int a = front.facets[f].a, b = front.facets[f].b;
-    Vec3 side = mesh.x[b] - mesh.x[a], up = cross(mesh.normal(a), side);
-    Vec2 p = mesh.p[a] + mesh.pull_back(a, 0.5 * side + 0.866 * up);
+    const MetricFrame frame = mesh.frame(a);
+    const Vec2 side = frame.of(mesh.between(a, b)), up{-side.y, side.x};
+    Vec2 p = mesh.p[a] + mesh.pull_back(a, frame.at(0.5 * side + 0.866 * up));
     Location where = front.empty.walk(front.empty.facet_side(f).triangle, a, p);
     if (where.kind != Location::Kind::inside && where.kind != Location::Kind::on_side) continue;
     int apex = front.add_node(p);

@@ -23,18 +23,21 @@ struct Front::Outline {
   int leaving[4] = {-1, -1, -1, -1};
 };
 
-Front::Front(const Region& r, RegionMesh& m) : region(r), mesh(m), empty(m.p) {}
+Front::Front(const Region& r, RegionMesh& m) : region(r), mesh(m), empty(m.p) {
+  if (mesh.p.empty()) mesh.turn_weight = region.turn_weight;
+}
 
 int Front::add_loop_node(const LoopNode& node, Vec2 towards, bool is_fixed) {
-  Vec3 x, xp, xq;
-  region.evaluate(node.p, x, xp, xq);
-  double size = norm(xp) * norm(xq);
-  if (!(norm(cross(xp, xq)) > 1e-6 * size) || !std::isfinite(size)) {
+  NodePlace at = region.place(node.p);
+  double size = norm(at.xp) * norm(at.xq);
+  if (!(norm(cross(at.xp, at.xq)) > 1e-6 * size) || !std::isfinite(size)) {
     // At a pole the surface has no tangent plane: take the one a little further inside.
-    Vec3 at;
-    region.evaluate(node.p + 1e-3 * (towards - node.p), at, xp, xq);
+    const Vec3 x = at.x;
+    at = region.place(node.p + 1e-3 * (towards - node.p));
+    at.p = node.p, at.x = x, at.n = {};
   }
-  int i = mesh.add_node(node.p, node.global >= 0 ? node.x : x, xp, xq, node.h);
+  if (node.global >= 0) at.x = node.x;
+  int i = mesh.add_node(at, node.h);
   mesh.is_fixed[i] = is_fixed;
   mesh.global[i] = node.global;
   return i;
@@ -131,14 +134,10 @@ void Front::link_sectors() {
   }
 }
 
-int Front::add_node(Vec2 p) {
-  NodePlace at{p, {}, {}, {}};
-  region.evaluate(p, at.x, at.xp, at.xq);
-  return add_placed_node(at);
-}
+int Front::add_node(Vec2 p) { return add_placed_node(region.place(p)); }
 
 int Front::add_placed_node(const NodePlace& at) {
-  int node = mesh.add_node(at.p, at.x, at.xp, at.xq, region.target(at.p));
+  int node = mesh.add_node(at, region.target(at.p));
   out_facet_.push_back(-1);
   sectors_.push_back(0);
   colour_.emplace_back();
@@ -163,8 +162,9 @@ double Front::angle_after(int f) const {
 
 double Front::chord_angle_after(int f) const {
   int a = facets[f].a, b = facets[f].b, c = facets[facets[f].next].b;
-  Vec3 out = mesh.x[c] - mesh.x[b], in = mesh.x[a] - mesh.x[b], n = mesh.normal(b);
-  double angle = std::atan2(dot(n, cross(out, in)), dot(out, in) - dot(n, out) * dot(n, in));
+  const MetricFrame frame = mesh.frame(b);
+  const Vec2 out = frame.of(mesh.between(b, c)), in = frame.of(mesh.between(b, a));
+  double angle = std::atan2(cross(out, in), dot(out, in));
   if (angle < 0) angle += 2 * M_PI;
   constexpr double clear = 0.8;
   if (angle > clear && angle < 2 * M_PI - clear) return angle;
@@ -399,8 +399,8 @@ bool Front::can_move(int node, Vec2 p) const {
   return true;
 }
 
-void Front::set_position(int node, Vec2 p, Vec3 x, Vec3 xp, Vec3 xq) {
-  mesh.put(node, {p, x, xp, xq, 0});
+void Front::set_position(int node, const NodePlace& at) {
+  mesh.put(node, at);
   renew_void({&node, 1});
 }
 
@@ -413,22 +413,20 @@ void Front::renew_void(std::span<const int> nodes) {
 
 void Front::slide(int node, Vec2 p, double scale) {
   const Vec2 by = p - mesh.p[node];
-  const Vec3 step = by.x * mesh.xp[node] + by.y * mesh.xq[node];
-  mesh.p[node] = p;
-  mesh.drift[node] += static_cast<float>(norm(step) / scale);
-  if (mesh.drift[node] <= most_drift) {
-    mesh.x[node] += step;
-  } else {
-    region.evaluate(p, mesh.x[node], mesh.xp[node], mesh.xq[node]);
-    mesh.drift[node] = 0;
+  mesh.drift[node] += static_cast<float>(norm(mesh.push(node, by)) / scale);
+  if (mesh.drift[node] > most_drift) {
+    mesh.put(node, region.place(p));
+    return;
   }
+  mesh.p[node] = p;
+  mesh.x[node] += by.x * mesh.xp[node] + by.y * mesh.xq[node];
+  if (mesh.has_turns()) mesh.turn[node].n += by.x * mesh.turn[node].np + by.y * mesh.turn[node].nq;
 }
 
 void Front::end_slides() {
   for (int i = 0; i < mesh.node_count(); ++i) {
     if (!(mesh.drift[i] > 0) || mesh.star[i].size() == 0) continue;
-    region.evaluate(mesh.p[i], mesh.x[i], mesh.xp[i], mesh.xq[i]);
-    mesh.drift[i] = 0;
+    mesh.put(i, region.place(mesh.p[i]));
   }
 }
 
@@ -530,10 +528,7 @@ bool Front::close_seam(int f, Vec2 p) {
   sectors_[keep] = 1, out_facet_[keep] = after;
   while (mesh.star[gone].size() > 0) mesh.replace_node(*mesh.star[gone].begin(), gone, keep);
   mesh.h[keep] = 0.5 * (mesh.h[keep] + mesh.h[gone]);
-  if (!mesh.is_fixed[keep]) {
-    mesh.p[keep] = p;
-    region.evaluate(p, mesh.x[keep], mesh.xp[keep], mesh.xq[keep]);
-  }
+  if (!mesh.is_fixed[keep]) mesh.put(keep, region.place(p));
   stack_.clear();
   for (int t : fan)
     if (t != inner && t != outer) stack_.push_back(t);
@@ -574,7 +569,7 @@ int Front::divide_facet(int f) {
   }
   mesh.remove_element(behind);
   for (const auto& q : quads) mesh.add_element(q);
-  double h = norm(mesh.x[a] - mesh.x[b]) / 3;
+  double h = mesh.length(a, b) / 3;
   for (int node : {m1, m2, n1, n2})
     mesh.h[node] = std::min(mesh.h[node], std::max(h, 0.5 * std::min(mesh.h[a], mesh.h[b])));
   unite(a, m2), unite(m2, m1), unite(m1, n1), unite(n1, n2);

@@ -67,7 +67,7 @@ class Front {
   double angle_after(int f) const;
   /// The same between the chords themselves.
   double chord_angle_after(int f) const;
-  double length(int f) const { return norm(mesh.x[facets[f].b] - mesh.x[facets[f].a]); }
+  double length(int f) const { return mesh.length(facets[f].a, facets[f].b); }
   /// Facets of f's loop, starting with f; at most `limit`.
   void collect_loop(int f, std::vector<int>& loop, int limit) const;
 
@@ -90,7 +90,7 @@ class Front {
   /// The facet made last that is still on the front, or -1.
   int newest_facet() const;
   /// Moves a node that can_move() allowed, with its position already evaluated.
-  void set_position(int node, Vec2 p, Vec3 x, Vec3 xp, Vec3 xq);
+  void set_position(int node, const NodePlace& at);
   /// To be called for nodes that were moved otherwise: the void about them is triangulated well again.
   void renew_void(std::span<const int> nodes);
   /// Moves a node, not the void about it. Near the place of its last evaluation it follows the tangent

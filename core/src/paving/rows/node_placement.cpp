@@ -19,27 +19,37 @@ constexpr double least_room =
     0.2;  // of the same: with a node nearer than this, that cannot be taken, nothing is placed
 constexpr double chart_share = 0.6;  // of a distance in the chart that counts, for the chart's distortion
 constexpr double dearest_end = 2.2,
-                 turn_price = 2.5;          // of an end of the facet in the way: (1 - cosine) and log of length
-constexpr double likely_step[] = {0.5, 2};  // of the step: a longer or shorter one is the chart's fault
+                 turn_price = 2.5;  // of an end of the facet in the way: (1 - cosine) and log of length
+// Of the step: on one surface a longer or shorter one is the chart's fault, where turns count as much is done at a
+// time.
+constexpr double likely_factor[] = {0.5, 2};
+constexpr int most_corrections = 5;                       // where turns count
+constexpr double near_enough = 0.05;                      // of the length
+constexpr double least_share = 1.0 / 16, most_share = 4;  // of the straight step
 
-/// Chart point at `length` along the wish; one correction for the curvature of the surface.
+/// Chart point at `length` along the wish. One correction for the curvature of the surface; where turns count lengths
+/// may change on the way, and several are worth it.
 Vec2 chart_point(const Front& front, const Wish& wish, double length) {
   const RegionMesh& mesh = front.mesh;
   const Chart& chart = *front.region.chart;
   Vec2 p = mesh.p[wish.base], step = mesh.pull_back(wish.base, length * wish.direction);
   if (front.region.surface->kind() == SurfaceKind::plane) return p + step;
-  Vec3 x, xp, xq;
-  front.region.evaluate(chart.walk(p, step), x, xp, xq);
-  double got = norm(x - mesh.x[wish.base]);
-  if (got > likely_step[0] * length && got < likely_step[1] * length) step = (length / got) * step;
-  return chart.walk(p, step);
+  const int corrections = mesh.has_turns() ? most_corrections : 1;
+  double share = 1;
+  for (int i = 0; i < corrections; ++i) {
+    const double got = norm(mesh.between(wish.base, front.region.place(chart.walk(p, share * step))));
+    const double factor = length / got;
+    if (!mesh.has_turns() && !(factor > likely_factor[0] && factor < likely_factor[1])) break;
+    share = std::clamp(share * std::clamp(factor, likely_factor[0], likely_factor[1]), least_share, most_share);
+    if (!(std::fabs(factor - 1) > near_enough)) break;
+  }
+  return chart.walk(p, share * step);
 }
 
 /// Distance from a node to a point of the surface. Two sides of a cut, or two sheets that pass near one another, are
 /// close in space and far in the chart: the longer of the two counts, the chart's with room for its distortion.
-double distance(const RegionMesh& mesh, const Chart& chart, int from, Vec2 p, Vec3 x) {
-  Vec2 step = chart.step_to(mesh.p[from], p);
-  return std::max(norm(x - mesh.x[from]), chart_share * norm(step.x * mesh.xp[from] + step.y * mesh.xq[from]));
+double distance(const RegionMesh& mesh, const Chart& chart, int from, Vec2 p, const MetricVec& way) {
+  return std::max(norm(way), chart_share * norm(mesh.push(from, chart.step_to(mesh.p[from], p))));
 }
 
 /// Distance from the base to the facet in the way; the ray is straight in the chart.
@@ -48,7 +58,7 @@ double distance_to_facet(const Front& front, int base, Vec2 far, int a, int b) {
   double sa = orientation(mesh.p[base], far, mesh.p[a]), sb = orientation(mesh.p[base], far, mesh.p[b]);
   double t = sa == sb ? 0.5 : sa / (sa - sb);
   return distance(mesh, *front.region.chart, base, (1 - t) * mesh.p[a] + t * mesh.p[b],
-                  (1 - t) * mesh.x[a] + t * mesh.x[b]);
+                  (1 - t) * mesh.between(base, a) + t * mesh.between(base, b));
 }
 
 bool is_allowed(const Front& front, const Wish& wish, int node, int avoid_a, int avoid_b) {
@@ -64,8 +74,8 @@ int choose_end(const Front& front, const Wish& wish, int f, double gap, int avoi
   const Facet& facet = front.facets[f];
   for (int node : {facet.a, facet.b, front.facets[facet.prev].a, front.facets[facet.next].b}) {
     if (!is_allowed(front, wish, node, avoid_a, avoid_b)) continue;
-    Vec3 v = front.mesh.x[node] - front.mesh.x[wish.base];
-    double length = distance(front.mesh, *front.region.chart, wish.base, front.mesh.p[node], front.mesh.x[node]);
+    const MetricVec v = front.mesh.between(wish.base, node);
+    double length = distance(front.mesh, *front.region.chart, wish.base, front.mesh.p[node], v);
     if (!(length > 0)) continue;
     double cosine = dot(v, wish.direction) / length;
     double cost = is_thin ? length / wish.length : turn_price * (1 - cosine) + std::fabs(std::log(length / gap));
@@ -75,13 +85,14 @@ int choose_end(const Front& front, const Wish& wish, int f, double gap, int avoi
 }
 
 /// A front node near p among the corners of the triangle and of its neighbours.
-int near_node(const Front& front, const Wish& wish, int t, Vec2 p, Vec3 x, int avoid_a, int avoid_b, double& nearest) {
+int near_node(const Front& front, const Wish& wish, int t, const NodePlace& at, int avoid_a, int avoid_b,
+              double& nearest) {
   int best = -1;
   double best_distance = merge_reach * std::min(wish.length, wish.width);
   nearest = 1e300;
   auto look = [&](int node) {
     if (front.sectors(node) == 0 || node == wish.base) return;
-    double d = distance(front.mesh, *front.region.chart, node, p, x);
+    double d = distance(front.mesh, *front.region.chart, node, at.p, front.mesh.between(node, at));
     if (node != avoid_a && node != avoid_b) nearest = std::min(nearest, d);
     if (d < best_distance && is_allowed(front, wish, node, avoid_a, avoid_b)) best = node, best_distance = d;
   };
@@ -100,10 +111,12 @@ int near_node(const Front& front, const Wish& wish, int t, Vec2 p, Vec3 x, int a
 Wish make_wish(const Front& front, int f, double angle, double length) {
   const RegionMesh& mesh = front.mesh;
   int b = front.facets[f].b, c = front.facets[front.facets[f].next].b;
-  Vec3 n = mesh.normal(b), out = mesh.x[c] - mesh.x[b];
-  Vec3 e1 = unit(out - dot(out, n) * n), e2 = cross(n, e1);
+  const MetricFrame frame = mesh.frame(b);
+  const Vec2 out = frame.of(mesh.between(b, c));
+  const double reach = norm(out);
+  const Vec2 ahead = reach > 0 ? (1 / reach) * out : Vec2{}, left{-ahead.y, ahead.x};
   double width = std::max(front.length(f), front.length(front.facets[f].next));
-  return {b, std::cos(angle) * e1 + std::sin(angle) * e2, length, width};
+  return {b, frame.at(std::cos(angle) * ahead + std::sin(angle) * left), length, width};
 }
 
 Wish make_wide_wish(const Front& front, int f, double length) {
@@ -119,9 +132,11 @@ Wish make_wide_wish(const Front& front, int f, double length) {
     ahead += front.length(last = front.facets[last].next);
   int b = front.facets[f].b;
   // Each half counts the same, however far it reaches.
-  Vec3 along = unit(mesh.x[b] - mesh.x[front.facets[first].a]) + unit(mesh.x[front.facets[last].b] - mesh.x[b]);
+  const MetricFrame frame = mesh.frame(b);
+  const Vec2 along =
+      frame.of(unit(mesh.between(front.facets[first].a, b))) + frame.of(unit(mesh.between(b, front.facets[last].b)));
   Wish wish = make_wish(front, f, M_PI / 2, length);
-  wish.direction = unit(cross(mesh.normal(b), along));
+  wish.direction = unit(frame.at({-along.y, along.x}));
   return wish;
 }
 
@@ -154,11 +169,10 @@ Granted grant(Front& front, const Wish& wish, int start, int avoid_a, int avoid_
     int node = front.empty.triangle(where.triangle).v[where.corner];
     return is_allowed(front, wish, node, avoid_a, avoid_b) ? Granted{node, false} : Granted{};
   }
-  NodePlace at{p, {}, {}, {}};
-  front.region.evaluate(p, at.x, at.xp, at.xq);
+  const NodePlace at = front.region.place(p);
   if (is_beyond_facet(front, where.triangle, at)) return {};
   double nearest;
-  int node = near_node(front, wish, where.triangle, p, at.x, avoid_a, avoid_b, nearest);
+  int node = near_node(front, wish, where.triangle, at, avoid_a, avoid_b, nearest);
   if (node >= 0) return {node, false};
   if (nearest < least_room * std::min(wish.length, wish.width)) return {};
   int fresh = front.add_placed_node(at);

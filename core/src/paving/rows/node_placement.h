@@ -8,9 +8,9 @@ namespace paver {
 /// A wished node: at `length` from `base` in direction `angle`, counter-clockwise from the outgoing facet.
 struct Wish {
   int base = -1;
-  Vec3 direction;     ///< unit tangent vector at base
-  double length = 0;  ///< mm
-  double width = 0;   ///< mm, the longer facet at base: how near a front node may lie beside the wished one
+  MetricVec direction;  ///< unit tangent vector at base
+  double length = 0;    ///< mm
+  double width = 0;     ///< mm, the longer facet at base: how near a front node may lie beside the wished one
 };
 
 /// Direction at the end node of facet f, `angle` radians counter-clockwise from its next facet.

@@ -81,7 +81,7 @@ int lay_around(Front& front, int node, const NodePlan& plan, int level, std::vec
     Wish diagonal = plan.wish[i];
     // The diagonal is wished from the corner node but belongs to the new facet's start: aim at the same place.
     int from = front.facets[f].a;
-    Vec3 aim = front.mesh.x[node] + diagonal.length * diagonal.direction - front.mesh.x[from];
+    const MetricVec aim = front.mesh.between(from, node) + diagonal.length * diagonal.direction;
     double length = norm(aim);
     if (!(length > 0)) return laid;
     Wish left{from, (1 / length) * aim, length, diagonal.width};

@@ -44,7 +44,7 @@ bool close_seam(Front& front, int f) {
   if (front.facets[second.next].b == a || a == c) return false;  // a loop of three or four is closed otherwise
   if (front.facets[front.facets[second.next].next].b == a) return false;
   if (mesh.is_fixed[a] && mesh.is_fixed[c]) return false;
-  double la = norm(mesh.x[a] - mesh.x[b]), lc = norm(mesh.x[c] - mesh.x[b]);
+  double la = mesh.length(a, b), lc = mesh.length(c, b);
   if (std::max(la, lc) > transition_ratio * std::min(la, lc)) {
     if (front.divide_facet(la > lc ? f : first.next) < 0) return false;
     ++front.counts.transition_seams;

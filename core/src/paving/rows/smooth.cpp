@@ -13,27 +13,31 @@ constexpr double shares[] = {1.0, 0.4, 0.15};  // of the step, until one is no w
 constexpr double height_of_unit = 0.8660254;   // of an equilateral triangle of side 1
 constexpr double still = 0.01;                 // step by the scale of the mesh that is not worth it
 
-Vec3 quad_wish(const RegionMesh& mesh, const Element& e, int k) {
-  Vec3 x0 = mesh.x[e.v[0]], x1 = mesh.x[e.v[1]], x2 = mesh.x[e.v[2]], x3 = mesh.x[e.v[3]];
-  Vec3 centre = 0.25 * (x0 + x1 + x2 + x3);
-  Vec3 e1 = 0.5 * (x1 - x0 + x2 - x3), e2 = 0.5 * (x3 - x0 + x2 - x1);
-  Vec3 n = unit(cross(e1, e2));
-  Vec3 r = e1 + cross(e2, n);
-  double own = 0.5 * norm(r);
-  if (!(own > 0)) return mesh.x[e.v[k]];
+// Steps from corner k to where the element wants it.
+MetricVec quad_wish(const RegionMesh& mesh, const Element& e, int k) {
+  const int v = e.v[k];
+  const MetricVec x1 = mesh.between(v, e.v[(k + 1) % 4]), x2 = mesh.between(v, e.v[(k + 2) % 4]),
+                  x3 = mesh.between(v, e.v[(k + 3) % 4]);
+  const MetricVec e1 = 0.5 * (x1 + x2 - x3), e2 = 0.5 * (x3 + x2 - x1);
+  const MetricFrame frame(e1, e2);
+  if (!frame.is_plane) return {};
+  const Vec2 one = frame.of(e1), other = frame.of(e2);
+  const Vec2 r{one.x + other.y, one.y - other.x};  // the mean of the first and of the second turned back
+  const double own = 0.5 * norm(r);
+  if (!(own > 0)) return {};
   double target = 0.25 * (mesh.h[e.v[0]] + mesh.h[e.v[1]] + mesh.h[e.v[2]] + mesh.h[e.v[3]]);
   double half = 0.5 * (0.5 * own + 0.5 * target);  // of a square between the element's own and the wished
-  r = unit(r);
-  Vec3 q = cross(n, r);
-  double sr = k == 1 || k == 2 ? half : -half, sq = k >= 2 ? half : -half;
-  return centre + sr * r + sq * q;
+  const double scale = half / norm(r);
+  return 0.25 * (x1 + x2 + x3) + frame.at({scale * (r.y - r.x), scale * (-r.x - r.y)});
 }
 
-Vec3 triangle_wish(const RegionMesh& mesh, const Element& e, int k) {
-  Vec3 a = mesh.x[e.v[(k + 1) % 3]], b = mesh.x[e.v[(k + 2) % 3]], c = mesh.x[e.v[k]];
-  Vec3 n = unit(cross(b - a, c - a));
-  double target = 0.5 * (mesh.h[e.v[0]] + norm(b - a));
-  return 0.5 * (a + b) + height_of_unit * target * unit(cross(n, b - a));
+MetricVec triangle_wish(const RegionMesh& mesh, const Element& e, int k) {
+  const int v = e.v[k];
+  const MetricVec a = mesh.between(v, e.v[(k + 1) % 3]), b = mesh.between(v, e.v[(k + 2) % 3]), side = b - a;
+  const MetricFrame frame(side, -1.0 * a);
+  if (!frame.is_plane) return {};
+  double target = 0.5 * (mesh.h[e.v[0]] + norm(side));
+  return 0.5 * (a + b) + height_of_unit * target * frame.second;
 }
 
 double worst_about(const RegionMesh& mesh, int node) {
@@ -52,7 +56,7 @@ bool is_good_about(const RegionMesh& mesh, int node) {
 bool smooth_node(Front& front, int node) {
   RegionMesh& mesh = front.mesh;
   const NodePlace old = mesh.place(node);
-  const Vec3 step = ideal_position(mesh, node) - old.x;
+  const MetricVec step = ideal_step(mesh, node);
   const double scale = mesh.scale_at(node);
   if (norm(step) < still * scale) return false;
   double before = -2;  // worst scaled Jacobian; worked out when needed
@@ -74,8 +78,8 @@ bool smooth_node(Front& front, int node) {
 
 }  // namespace
 
-Vec3 ideal_position(const RegionMesh& mesh, int node) {
-  Vec3 sum{0, 0, 0};
+MetricVec ideal_step(const RegionMesh& mesh, int node) {
+  MetricVec sum;
   int count = 0;
   for (int i : mesh.star[node]) {
     const Element& e = mesh.elements[i];
@@ -83,7 +87,7 @@ Vec3 ideal_position(const RegionMesh& mesh, int node) {
     sum += e.corners() == 4 ? quad_wish(mesh, e, k) : triangle_wish(mesh, e, k);
     ++count;
   }
-  return count ? (1.0 / count) * sum : mesh.x[node];
+  return count ? (1.0 / count) * sum : sum;
 }
 
 void smooth_nodes(Front& front, const std::vector<int>& nodes, int sweeps) {

@@ -110,9 +110,7 @@ int add_node_between(const Region& region, int a, int b, RegionMesh& mesh) {
       (dot(cross(xp, xq), from - to) > 0 ? low : high) = s;
     }
   }
-  Vec3 x, xp, xq;
-  region.evaluate(p, x, xp, xq);
-  return mesh.add_node(p, x, xp, xq, 0.5 * (mesh.h[a] + mesh.h[b]));
+  return mesh.add_node(region.place(p), 0.5 * (mesh.h[a] + mesh.h[b]));
 }
 
 int divide_bend(const ElementJudge& judge, int element, ElementKinds kinds, RegionMesh& mesh) {

@@ -28,16 +28,14 @@ class CornerMover {
   /// Whether it found a better place.
   bool move(int v, double share) {
     const NodePlace from = mesh_.place(v);
-    const Vec3 t = unit(from.xp), s = unit(cross(mesh_.normal(v), from.xp));
+    const MetricFrame frame = mesh_.frame(v);
     const double length = share * mesh_.scale_at(v);
     double best = worst_at(v);
     NodePlace at = from;
     for (int i = 0; i < directions; ++i) {
       const double angle = 2 * M_PI * i / directions;
-      const Vec2 step = mesh_.pull_back(v, length * std::cos(angle) * t + length * std::sin(angle) * s);
-      NodePlace place;
-      place.p = region_.chart->walk(from.p, step);
-      region_.evaluate(place.p, place.x, place.xp, place.xq);
+      const Vec2 step = mesh_.pull_back(v, frame.at({length * std::cos(angle), length * std::sin(angle)}));
+      const NodePlace place = region_.place(region_.chart->walk(from.p, step));
       mesh_.put(v, place);
       if (const double value = worst_at(v, best); value > best) best = value, at = place;
       mesh_.put(v, from);

@@ -1,0 +1,29 @@
+// Box of a face in (u, v).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "topology/model.h"
+
+namespace paver {
+
+/// Box of a face's loops in (u, v).
+struct SampleBox {
+  Vec2 lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Vec2 hi{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+  void add(Vec2 p) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
+    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
+    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
+  }
+  bool has_area() const { return hi.x > lo.x && hi.y > lo.y; }
+  /// The point at shares of its sides.
+  Vec2 at(double a, double b) const { return {(1 - a) * lo.x + a * hi.x, (1 - b) * lo.y + b * hi.y}; }
+};
+
+SampleBox sample_box(const Model& model, const Face& face);
+
+}  // namespace paver

@@ -1,0 +1,68 @@
+#include "sizing/normal_table.h"
+
+#include <gtest/gtest.h>
+
+#include "support/fake_model.h"
+
+namespace paver {
+namespace {
+
+constexpr double radius = 10;
+
+NormalTable table_of(const Model& model, double spacing, double reach) {
+  const Face& face = model.faces[0];
+  return NormalTable(*face.surface, sample_box(model, face), spacing, reach);
+}
+
+TEST(NormalTable, FollowsTheNormalsOfACylinder) {
+  const Model tube = fake::tube(radius, 40);
+  const NormalTable table = table_of(tube, 0.5, 0.5);
+  for (double u : {0.1, 1.0, 3.3, 6.2}) {
+    Vec3 x, xu, xv;
+    tube.faces[0].surface->d1({u, 7}, x, xu, xv);
+    const Vec3 n = unit(cross(xu, xv));
+    EXPECT_NEAR(norm(table.at({u, 7}) - n), 0, 1e-3) << u;
+    Vec3 by_u, by_v;
+    table.slopes({u, 7}, {norm(xu), norm(xv)}, by_u, by_v);
+    EXPECT_NEAR(norm(by_u), 1, 5e-3) << u;  // a radian of the normal per radian of the parameter
+    EXPECT_NEAR(norm(by_v), 0, 1e-9) << u;
+  }
+}
+
+TEST(NormalTable, GoesOnPastThePeriod) {
+  const Model tube = fake::tube(radius, 40);
+  const NormalTable table = table_of(tube, 0.5, 0.5);
+  const double period = tube.faces[0].surface->period().x;
+  ASSERT_GT(period, 0);
+  for (double u : {-0.2, 0.0, 0.3, 6.0}) {
+    EXPECT_NEAR(norm(table.at({u + period, 3}) - table.at({u, 3})), 0, 1e-9) << u;
+    EXPECT_NEAR(norm(table.at({u - period, 3}) - table.at({u, 3})), 0, 1e-9) << u;
+  }
+  EXPECT_GT(norm(table.at({std::nan(""), 3})), 0.9);
+}
+
+TEST(NormalTable, ATurnSharperThanTheSpacingIsSpreadOverIt) {
+  const Model tube = fake::tube(0.01, 40);  // 0.06 around: a full turn within a fraction of the spacing
+  const NormalTable table = table_of(tube, 1, 0.5);
+  double way = 0;
+  for (int i = 0; i < 64; ++i) way += norm(table.at({0.1 * (i + 1), 3}) - table.at({0.1 * i, 3}));
+  EXPECT_LT(way, 2 * M_PI * 0.07);
+}
+
+TEST(NormalTable, StretchesAreasByTheTurn) {
+  const Model tube = fake::tube(radius, 40);
+  const NormalTable table = table_of(tube, 0.2, 0.2);
+  EXPECT_NEAR(table.stretched_area(0), 1, 1e-12);
+  for (double weight : {2.0, 10.0, 50.0})
+    EXPECT_NEAR(table.stretched_area(weight), std::sqrt(1 + weight * weight / (radius * radius)), 0.01) << weight;
+}
+
+TEST(NormalTable, PolesTakeTheNormalsBesideThem) {
+  const Model ball = fake::ball(radius);
+  const NormalTable table = table_of(ball, 1, 1);
+  EXPECT_NEAR(norm(table.at({1, -fake::pi / 2})), 1, 0.02);
+  EXPECT_NEAR(norm(table.at({1, fake::pi / 2})), 1, 0.02);
+}
+
+}  // namespace
+}  // namespace paver
