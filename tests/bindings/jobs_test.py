@@ -11,7 +11,7 @@ import paver
 from conftest import BINDINGS
 
 STAGES = ["read", "topology", "sizing", "boundary", "regions", "paving", "repair", "join", "curving", "quality", "write", "done"]
-LONG = {"size": 0.5, "max_elements": 100_000_000}  # of the plate: minutes
+LONG = {"size": 0.1, "max_elements": 100_000_000}  # of the plate: many seconds
 
 
 @pytest.fixture
