@@ -261,7 +261,7 @@ class Colours(InWindow):
                                  for a, b in pairs))
         self.expect_colours(display, np.array(worst), 0, 2, "Deviation")
         self.assertLess(targets[targets > 0].min(), 0.6)
-        self.assertRegex(drawing.labels(display.colouring.legend)[1], "^target 0.5 \u2013 [12].* mm$")
+        self.assertRegex(drawing.labels(display.colouring.legend)[1], "^target 0.4[0-9]* \u2013 [12].* mm$")
         older = drawn_mesh.DrawnMesh(stored._replace(node_targets=None))
         np.testing.assert_array_equal(np.nanmax(older.edge_targets), mesh.target)
 

@@ -139,7 +139,9 @@ struct ModelReport {
   std::vector<Contact> contacts;
   std::vector<std::array<std::string, 2>> unconnected;  ///< pairs of parts that touch and could not be connected
   std::vector<std::string> one_sided;                   ///< solids whose faces have no side in common that is outside
-  std::vector<Repair> repairs;                          ///< in the order of RepairKind, those that occurred
+  double curve_distance = 0;                            ///< largest of an edge's curve from a face that uses it, mm
+  std::vector<std::string> stray_edges;  ///< those whose curves are farther from a face than tolerances explain
+  std::vector<Repair> repairs;           ///< in the order of RepairKind, those that occurred
 };
 
 /// How long one piece of work that may run on any thread or rank took; those of one stage in the order of the queue.

@@ -28,10 +28,10 @@ template <class A>
 void fields(A& archive, Is<ModelReport> auto& model) {
   auto& [file, format, unit, solids, shells, faces, edges, vertices, free_edges, nonmanifold_edges, sewn_edges,
          sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names, contacts, unconnected, one_sided,
-         repairs] = model;
+         curve_distance, stray_edges, repairs] = model;
   archive(file, format, unit, solids, shells, faces, edges, vertices, free_edges, nonmanifold_edges, sewn_edges,
           sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names, contacts, unconnected, one_sided,
-          repairs);
+          curve_distance, stray_edges, repairs);
 }
 
 template <class A>

@@ -48,6 +48,24 @@ std::string one_sided_solids(const std::vector<std::string>& solids) {
       fmt::join(solids, ", "));
 }
 
+// Nodes lie on curves and on surfaces: where these are farther apart the mesh leaves one of them.
+constexpr double farthest_curve = 0.25;  // of the target length
+
+bool has_stray_curves(const RunReport& report) {
+  return report.model.curve_distance > farthest_curve * report.target_length;
+}
+
+std::string stray_curves(const RunReport& report) {
+  const std::vector<std::string>& edges = report.model.stray_edges;
+  const std::size_t named = std::min(edges.size(), most_named_faces);
+  return fmt::format(
+      "Curves lie up to {:.3g} mm off faces that use them ({}{}), so that no mesh follows both; repair the model in "
+      "the "
+      "CAD program.",
+      report.model.curve_distance, fmt::join(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(named), ", "),
+      edges.size() > named ? fmt::format(" and {} more", edges.size() - named) : "");
+}
+
 constexpr const char* no_mesh = "None of the faces has an area, so there is no mesh.";
 
 }  // namespace
@@ -67,6 +85,7 @@ std::vector<std::string> faults(const RunReport& report) {
   if (sentences.empty() && quality.quads + quality.triangles + quality.wire_lines == 0) sentences.push_back(no_mesh);
   if (!report.model.unconnected.empty()) sentences.push_back(unconnected_parts(report.model.unconnected));
   if (!report.model.one_sided.empty()) sentences.push_back(one_sided_solids(report.model.one_sided));
+  if (has_stray_curves(report)) sentences.push_back(stray_curves(report));
   if (const long folded = quality.inverted + quality.undecided; folded > 0)
     sentences.push_back(fmt::format("Elements that fold or may fold: {}; use a smaller size.", folded));
   return sentences;
@@ -105,6 +124,8 @@ std::optional<Error> shortfall(const MeshResult& result) {
     return Error(ErrorCode::face_failed, unconnected_parts(unconnected), {"topology", -1, -1, {}});
   const auto& one_sided = result.report.model.one_sided;
   if (!one_sided.empty()) return Error(ErrorCode::face_failed, one_sided_solids(one_sided), {"topology", -1, -1, {}});
+  if (has_stray_curves(result.report))
+    return Error(ErrorCode::face_failed, stray_curves(result.report), {"topology", -1, -1, {}});
   if (!has_mesh) return Error(ErrorCode::no_faces, no_mesh);
   return std::nullopt;
 }

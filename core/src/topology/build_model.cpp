@@ -389,6 +389,8 @@ class ModelBuilder {
     std::sort(deviating_.begin(), deviating_.end());
     deviating_.erase(std::unique(deviating_.begin(), deviating_.end()), deviating_.end());
     note("Curves lie up to " + std::to_string(largest_deviation_) + " mm off their faces", deviating_);
+    model_.report.curve_distance = largest_deviation_;
+    model_.report.stray_edges = deviating_;
   }
 
   /// Points that nothing of the model has.

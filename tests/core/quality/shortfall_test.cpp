@@ -40,6 +40,20 @@ TEST(Shortfall, NamesSolidsWithoutAnOutside) {
   EXPECT_STREQ(verdict(result.report), "faulty");
 }
 
+TEST(Shortfall, NamesCurvesFarOffTheirFaces) {
+  MeshResult result = fake::WavyMesh(1, 4, 0).result();
+  result.report.target_length = 2;
+  result.report.model.stray_edges = {"Edge3", "Edge7"};
+  result.report.model.curve_distance = 0.49;
+  EXPECT_FALSE(shortfall(result));
+  result.report.model.curve_distance = 0.51;
+  auto error = shortfall(result);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(exit_code(error->code()), 4);
+  EXPECT_NE(std::string(error->what()).find("0.51 mm off faces that use them (Edge3, Edge7), so"), std::string::npos);
+  EXPECT_STREQ(verdict(result.report), "faulty");
+}
+
 TEST(Shortfall, NamesPartsThatAreNotConnected) {
   MeshResult result = fake::WavyMesh(1, 4, 0).result();
   result.report.quality.quads = 3;

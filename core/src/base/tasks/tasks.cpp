@@ -17,7 +17,7 @@ namespace {
 /// said once more as ThreadSanitizer does not see inside TBB's library. Tasks among themselves are not put in order.
 class HandOver {
  public:
-  HandOver() { begun_.fetch_add(1, std::memory_order_release); }
+  HandOver() { begun.fetch_add(1, std::memory_order_release); }
   ~HandOver() { ended_.load(std::memory_order_acquire); }
   HandOver(const HandOver&) = delete;
   HandOver& operator=(const HandOver&) = delete;
@@ -26,7 +26,7 @@ class HandOver {
   template <class Work>
   static auto entering(const Work& work) {
     return [&work](auto i) {
-      begun_.load(std::memory_order_acquire);
+      begun.load(std::memory_order_acquire);
       work(i);
     };
   }
@@ -38,7 +38,7 @@ class HandOver {
   End end() { return {ended_}; }
 
  private:
-  static inline std::atomic<long> begun_{0};  // of all: making one for each would be an access out of order itself
+  static inline std::atomic<long> begun{0};  // of all: making one for each would be an access out of order itself
   std::atomic<long> ended_{0};
 };
 

@@ -69,6 +69,8 @@ Json model_json(const ModelReport& m) {
           {"contacts", contacts_json(m.contacts)},
           {"unconnected", m.unconnected},
           {"one_sided", m.one_sided},
+          {"curve_distance", m.curve_distance},
+          {"stray_edges", m.stray_edges},
           {"repairs", repairs_json(m.repairs)}};
 }
 
