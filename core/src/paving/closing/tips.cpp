@@ -63,13 +63,14 @@ class Tip {
   // The loop runs b2, b1, apex, a1, a2.
   int a(int k) const { return nodes_[(apex_ + static_cast<std::size_t>(k)) % nodes_.size()]; }
   int b(int k) const { return nodes_[(apex_ + nodes_.size() - static_cast<std::size_t>(k)) % nodes_.size()]; }
-  double distance(int u, int v) const { return mesh_.length(u, v); }
+  // In space: where a tip turns sharply its two columns share the turn, however wide it is.
+  double distance(int u, int v) const { return norm(mesh_.x[u] - mesh_.x[v]); }
 
   Vec2 middle(int k) const {
     Vec2 p = 0.5 * (mesh_.p[a(k)] + mesh_.p[b(k)]);
     if (k > 1) return p;
     Vec2 ahead = 0.5 * (mesh_.p[a(2)] + mesh_.p[b(2)]) - p;
-    double length = norm(0.5 * (mesh_.between(a(1), a(2)) + mesh_.between(b(1), b(2))));
+    double length = norm(0.5 * (mesh_.x[a(2)] + mesh_.x[b(2)] - mesh_.x[a(1)] - mesh_.x[b(1)]));
     return p + std::min(0.5, dip * distance(a(1), b(1)) / length) * ahead;
   }
 
