@@ -96,7 +96,7 @@ constexpr double skew_allowance = 1.4;              // in space elements may be 
 constexpr double equilateral = 1.1547005383792515;  // by the sine of 60 degrees
 
 /// Sides of an element and its plane: that of the first two sides of a triangle, of a quad that of its mid lines. Areas
-/// are products in that plane, so no root is taken. V: Vec3 where turns do not count, which is twice as fast.
+/// are products in that plane, so no root is taken. V: Vec3 where turns do not count, which is less work.
 template <class V>
 struct Sides {
   int count;

@@ -122,14 +122,9 @@ struct RegionMesh {
   Vec3 normal(int node) const { return unit(cross(xp[node], xq[node])); }
 
   /// From one node to another as lengths count it.
-  MetricVec between(int a, int b) const {
-    return step({x[a], has_turns() ? turn[a].n : Vec3{}}, {x[b], has_turns() ? turn[b].n : Vec3{}},
-                0.5 * (h[a] + h[b]));
-  }
+  MetricVec between(int a, int b) const { return step(point(a), point(b), 0.5 * (h[a] + h[b])); }
   /// The same from a node to a place.
-  MetricVec between(int a, const NodePlace& b) const {
-    return step({x[a], has_turns() ? turn[a].n : Vec3{}}, {b.x, b.n}, h[a]);
-  }
+  MetricVec between(int a, const NodePlace& b) const { return step(point(a), {b.x, b.n}, h[a]); }
   /// From one point with its normal to another, where the target length is `target`.
   MetricVec step(const MetricVec& from, const MetricVec& to, double target) const {
     MetricVec way{to.x - from.x, {}};

@@ -55,7 +55,6 @@ class RegionBuilder {
     region.h = size_.face_h[index_];
     region.area = face_.area;
     region.gradation = size_.gradation;
-    region.turn_weight = region.size.turn_weight();
     return region;
   }
 

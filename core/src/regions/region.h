@@ -38,7 +38,6 @@ struct Region {
   FaceSize size{1};
   double h = 1;  ///< target length of the run, or what is given for the face
   double gradation = 0.3;
-  double turn_weight = 0;                    ///< what a radian of the normal counts, in target lengths; 0: nothing
   double evenness = 1;                       ///< what even lengths are worth against regular nodes
   double area = 0;                           ///< mm^2, of the whole face: bounds the work
   std::vector<std::vector<LoopNode>> loops;  ///< region on the left of each loop
@@ -73,7 +72,6 @@ inline Region task_of(const Region& region) {
   task.size = region.size;
   task.h = region.h;
   task.gradation = region.gradation;
-  task.turn_weight = region.turn_weight;
   task.evenness = region.evenness;
   task.area = region.area;
   return task;

@@ -255,8 +255,8 @@ class ModelBuilder {
         }
         fit_ends(c, edge, face.name, shape);
         if (worst <= std::max(noted_share * work_.diagonal, sewn_.tolerance)) continue;
-        largest_deviation_ = std::max(largest_deviation_, worst);
-        deviating_.push_back(edge.name);
+        model_.report.curve_distance = std::max(model_.report.curve_distance, worst);
+        model_.report.stray_edges.push_back(edge.name);
       }
     }
   }
@@ -386,11 +386,10 @@ class ModelBuilder {
     note("Edges inside a face that end at a pole were ignored", inner_edges_);
     note("Loops that ran the wrong way around were turned", turned_loops_);
     note("Images of consecutive edges in the surface's parameters do not meet", gaps_);
-    std::sort(deviating_.begin(), deviating_.end());
-    deviating_.erase(std::unique(deviating_.begin(), deviating_.end()), deviating_.end());
-    note("Curves lie up to " + std::to_string(largest_deviation_) + " mm off their faces", deviating_);
-    model_.report.curve_distance = largest_deviation_;
-    model_.report.stray_edges = deviating_;
+    std::vector<std::string>& stray = model_.report.stray_edges;
+    std::sort(stray.begin(), stray.end());
+    stray.erase(std::unique(stray.begin(), stray.end()), stray.end());
+    note("Curves lie up to " + std::to_string(model_.report.curve_distance) + " mm off their faces", stray);
   }
 
   /// Points that nothing of the model has.
@@ -419,9 +418,8 @@ class ModelBuilder {
   SewResult sewn_;
   ConnectResult connected_;
   Model model_;
-  std::vector<std::string> inner_edges_, turned_loops_, gaps_, deviating_;
+  std::vector<std::string> inner_edges_, turned_loops_, gaps_;
   std::vector<double> tolerances_;  ///< per edge of the model
-  double largest_deviation_ = 0;
 };
 
 }  // namespace

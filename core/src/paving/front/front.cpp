@@ -24,7 +24,7 @@ struct Front::Outline {
 };
 
 Front::Front(const Region& r, RegionMesh& m) : region(r), mesh(m), empty(m.p) {
-  if (mesh.p.empty()) mesh.turn_weight = region.turn_weight;
+  if (mesh.p.empty()) mesh.turn_weight = region.size.turn_weight();
 }
 
 int Front::add_loop_node(const LoopNode& node, Vec2 towards, bool is_fixed) {
