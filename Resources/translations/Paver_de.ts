@@ -32,6 +32,10 @@
         <translation>Größtes Wachstum der Elementgröße je Längeneinheit [0.6]</translation>
     </message>
     <message>
+        <source>Where the surface comes to a point the target length is divided by R; 1: not [4]</source>
+        <translation>Wo die Oberfläche in eine Spitze ausläuft, wird die Ziellänge durch R geteilt; 1: nicht [4]</translation>
+    </message>
+    <message>
         <source>Target length of a part where shorter: Face3=2mm, Edge5,Vertex2=0.5, Solid1=eps-r:4; may be repeated. Besides those of the refinements</source>
         <translation>Ziellänge eines Teils, wo sie kürzer ist: Face3=2mm, Edge5,Vertex2=0.5, Solid1=eps-r:4; mehrfach möglich. Neben denen der Verfeinerungen</translation>
     </message>
@@ -1085,6 +1089,10 @@
     <message>
         <source>Gradation</source>
         <translation>Gradation</translation>
+    </message>
+    <message>
+        <source>Finer at tips by</source>
+        <translation>An Spitzen feiner um</translation>
     </message>
     <message>
         <source>Most elements</source>

@@ -17,6 +17,7 @@ VALUES = {
     "mu_r": ("0.75", 0.75, {"size": None, "frequency": "4GHz"}, True),
     "max_turn": ("20 deg", 20, {}, True),
     "gradation": ("0.2", 0.2, {"max_turn": "15"}, True),
+    "tip": ("2", 2, {}, False),
     "local": ("Face1=3;Edge2=eps-r:9", {"Face1": 3, "Edge2": {"eps_r": 9}}, {"size": None, "frequency": "2.5GHz"}, True),
     "max_elements": ("100000", 100000, {}, False),
     "order": ("1", 1, {}, True),

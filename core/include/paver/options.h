@@ -49,11 +49,12 @@ struct Options {
   /// Faces are meshed at this many times the target length first, and the coarse elements divided: 0: never; 4 to 8, or
   /// automatic_levels: 3 to 12, by the size of the face. Large faces only.
   int multilevel = automatic_levels;
-  int threads = 0;                      ///< worker threads; 0: all cores
-  int ranks = 0;                        ///< processes, for those who start them (paver/launch.h); 0: this one alone
-  std::optional<double> max_turn;       ///< largest turn per element edge, radians; default pi/4, more on short ones
-  double gradation = 0.6;               ///< largest growth of h per unit of length, 0.05 to 2
-  long max_elements = 2'000'000;        ///< stop before meshing when more are predicted
+  int threads = 0;                 ///< worker threads; 0: all cores
+  int ranks = 0;                   ///< processes, for those who start them (paver/launch.h); 0: this one alone
+  std::optional<double> max_turn;  ///< largest turn per element edge, radians; default pi/4, more on short ones
+  double gradation = 0.6;          ///< largest growth of h per unit of length, 0.05 to 2
+  double tip = 4;                  ///< the target length is divided by it where a surface comes to a point, 1 to 64
+  long max_elements = 2'000'000;   ///< stop before meshing when more are predicted
   std::optional<double> sew_tolerance;  ///< mm, >= 0 (0: never sew); default from the target length
   Connect connect = Connect::imprint;
   bool strict = false;           ///< a model that needs repairs, or has faces that cannot be meshed, is refused

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <optional>
 
+#include "topology/corner_angle.h"
+
 namespace paver {
 namespace {
 
@@ -17,25 +19,6 @@ constexpr double least_straight = 2.6179938779914944;  // 150 degrees; from ther
 
 const Edge& edge_of(const Model& model, const Coedge& coedge) {
   return model.edges[static_cast<std::size_t>(coedge.edge)];
-}
-
-// Direction of travel along the coedge at its start or its end.
-Vec3 travel_direction(const Model& model, const Coedge& coedge, bool at_end) {
-  const Edge& edge = edge_of(model, coedge);
-  Vec3 x, xt;
-  edge.curve->d1(at_end != coedge.is_reversed ? edge.t1 : edge.t0, x, xt);
-  return unit(coedge.is_reversed ? -1 * xt : xt);
-}
-
-// Interior angle between the end of `before` and the start of `after`; unsigned where the surface has no normal.
-double interior_angle(const Model& model, const Face& face, const Coedge& before, const Coedge& after) {
-  Vec3 back = -1 * travel_direction(model, before, true), ahead = travel_direction(model, after, false);
-  double angle = std::atan2(norm(cross(back, ahead)), dot(back, ahead));
-  if (!after.pcurve || !face.surface) return angle;
-  const Edge& edge = edge_of(model, after);
-  Vec3 x, xu, xv;
-  face.surface->d1(after.pcurve->uv(after.is_reversed ? edge.t1 : edge.t0), x, xu, xv);
-  return dot(cross(ahead, back), cross(xu, xv)) < 0 ? 2 * M_PI - angle : angle;
 }
 
 enum class Junction { corner, straight, other };
@@ -56,7 +39,7 @@ std::optional<Sides> sides_of(const Model& model, const Face& face, const Loop& 
   for (std::size_t i = 0; i < n; ++i) {
     const Coedge &before = loop.coedges[(i + n - 1) % n], &after = loop.coedges[i];
     if (n > 1 && before.edge == after.edge) return std::nullopt;
-    junctions.push_back(junction_of(interior_angle(model, face, before, after)));
+    junctions.push_back(junction_of(corner_angle(model, face, before, after)));
     if (junctions.back() == Junction::other) return std::nullopt;
   }
   auto first = std::find(junctions.begin(), junctions.end(), Junction::corner);

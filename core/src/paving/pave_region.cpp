@@ -23,9 +23,9 @@ struct Attempt {
   double misfit_weight = 1;
 };
 constexpr Attempt all_quad_attempts[] = {{1, 1}, {1, 0}, {0.95, 1}, {1.05, 1}, {0.9, 1}, {0.8, 1}, {0.5, 1}, {0.25, 1}};
-constexpr double sharpest_tip = 6 * M_PI / 180;  // sharper corners take a triangle, unless none is wanted
-constexpr double gap_widths[] = {0.8, 1.2};      // of the target length: about small holes
-constexpr double few_flat = 0.01;                // of the elements: not worth four times as many
+constexpr double sharpest_corner = 6 * M_PI / 180;  // sharper corners take a triangle, unless none is wanted
+constexpr double gap_widths[] = {0.8, 1.2};         // of the target length: about small holes
+constexpr double few_flat = 0.01;                   // of the elements: not worth four times as many
 
 Region scaled(const Region& region, double size) {
   Region finer = region;
@@ -80,7 +80,7 @@ PavingCounts pave_front(Front& front, const Attempt& attempt, const Progress& pr
 PavedRegion pave_whole(const Region& region, const Attempt& attempt, const Progress& progress, Elements elements) {
   PavedRegion paved;
   Front front(region, paved.mesh);
-  if (auto crossing = front.start(elements == Elements::all_quad ? 0 : sharpest_tip)) {
+  if (auto crossing = front.start(elements == Elements::all_quad ? 0 : sharpest_corner)) {
     const Vec3 x = front.mesh.x[front.facets[crossing->facet].a];
     throw Error(
         ErrorCode::face_failed,

@@ -9,6 +9,7 @@ constexpr int deepest_cell = 12;     // halvings
 constexpr int deepest_piece = 20;    // halvings
 constexpr double coarse_cell = 0.8;  // of h over the gradation: size of a cell that is not halved
 constexpr double graded_share = 0.9;
+constexpr double rim = 0.01;            // of the box of a face: nodes on its border may lie a rounding outside
 constexpr double graded_excess = 2.8;   // rows give up nodes more slowly than the gradation allows (docs/prediction.md)
 constexpr int samples_per_pcurve = 17;  // for the box of a face
 
@@ -31,6 +32,7 @@ class CellCounter {
       add({lo.x, middle.y}, {middle.x, hi.y}, depth + 1);
       return;
     }
+    if (is_near) near_.add(lo), near_.add(hi);
     is_graded_ = is_graded_ || size_.given_at(x) < graded_share * size_.own();
     double cell = norm(cross(xu, xv)) * (hi.x - lo.x) * (hi.y - lo.y);
     if (!std::isfinite(cell)) return;
@@ -40,12 +42,14 @@ class CellCounter {
   double more_density() const { return area_ > 0 ? graded_excess * more_ / area_ : 0; }
 
   bool is_graded() const { return is_graded_; }
+  const SampleBox& near() const { return near_; }
 
  private:
   const Surface& surface_;
   const FaceSize& size_;
   double gradation_, area_ = 0, more_ = 0;
   bool is_graded_ = false;
+  SampleBox near_;
 };
 
 // Integral of ds / h along an edge on a face whose own length is `face_h`.
@@ -95,6 +99,8 @@ LocalCounts count_with_local(const Model& model, const Face& face, const FaceSiz
     }
   counts.more_density = cells.more_density();
   counts.is_graded = cells.is_graded();
+  counts.near = cells.near();
+  if (counts.near.has_area()) counts.near.widen(rim * (box.hi - box.lo));
   return counts;
 }
 

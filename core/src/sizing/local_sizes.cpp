@@ -1,4 +1,4 @@
-// In: model, options. Out: lengths on faces and edges, sources around which the length grows.
+// In: model, options, tips. Out: lengths on faces and edges, sources around which the length grows.
 // Steps: every part to its faces, edges or point; the least length on each edge, its faces' included; edges as straight
 // pieces, finer than the length asked for. A face's length spreads over its edges: through them it reaches its
 // neighbours, and not through the thickness of a plate.
@@ -11,12 +11,14 @@
 
 #include "base/local_parts.h"
 #include "paver/error.h"
+#include "sizing/find_tips.h"
 
 namespace paver {
 namespace {
 
 constexpr int fewest_pieces = 32, most_pieces = 20000;  // of an edge
 constexpr double piece_share = 2;                       // of the length asked for
+constexpr double same_point = 1e-3;                     // of the length at a tip: what lies nearer is the tip
 
 [[noreturn]] void refuse(const LocalSize& local, const std::string& kind, std::size_t count) {
   std::string has = count == 0   ? "no " + kind + "; name another part"
@@ -37,9 +39,7 @@ double& entry(std::vector<double>& list, int index) { return list[static_cast<st
 }  // namespace
 
 LocalSizes::LocalSizes(const Model& model, const Options& options, double h) {
-  if (options.local.empty()) return;
-  of_face_.assign(model.faces.size(), none);
-  of_edge_.assign(static_cast<std::size_t>(model.read_edges), none);
+  if (!options.local.empty()) begin(model);
   for (const LocalSize& local : options.local) {
     double length = local_length(options, local);
     put(model, local, length);
@@ -48,7 +48,29 @@ LocalSizes::LocalSizes(const Model& model, const Options& options, double h) {
       notes_.push_back(fmt::format("The length {:.6g} mm of {} has no effect: the target length is {:.6g} mm.", length,
                                    local.part, h));
   }
-  add_sources(model, options.gradation);
+  if (options.tip > 1) put_on_tips(model, options, h);
+  if (!is_empty()) add_sources(model, options.gradation);
+}
+
+void LocalSizes::begin(const Model& model) {
+  of_face_.assign(model.faces.size(), none);
+  of_edge_.assign(static_cast<std::size_t>(model.read_edges), none);
+}
+
+// A length that is given for the vertex itself holds. Where all edges are shorter anyway there is nothing to do.
+void LocalSizes::put_on_tips(const Model& model, const Options& options, double h) {
+  const std::vector<std::pair<Vec3, double>> given = points_;
+  for (const Tip& tip : find_tips(model)) {
+    double length = h;
+    for (int face : tip.faces) length = std::min(length, on_face(face));
+    length /= options.tip;
+    const Vec3 x = model.vertices[static_cast<std::size_t>(tip.vertex)];
+    auto is_at_tip = [&](const auto& point) { return norm(point.first - x) < same_point * length; };
+    if (length >= tip.room || std::any_of(given.begin(), given.end(), is_at_tip)) continue;
+    if (is_empty()) begin(model);
+    points_.push_back({x, length});
+    least_ = std::min(least_, length);
+  }
 }
 
 // No rows need start at a face's own periodic edge.

@@ -1,4 +1,4 @@
-// Target lengths that the user gives for parts of a model, and what follows from them around these parts.
+// Target lengths that the user gives for parts of a model, or that its tips ask for, and what follows around them.
 #pragma once
 
 #include <limits>
@@ -33,8 +33,10 @@ class LocalSizes {
 
  private:
   static constexpr double none = std::numeric_limits<double>::infinity();
+  void begin(const Model& model);
   void note_inside(const Model& model, const LocalSize& local);
   void put(const Model& model, const LocalSize& local, double length);
+  void put_on_tips(const Model& model, const Options& options, double h);
   void add_sources(const Model& model, double gradation);
 
   std::vector<double> of_face_;  // per face of the model

@@ -10,14 +10,23 @@ namespace {
 constexpr int tracks = 9;         // rows (columns) along which lengths are measured
 constexpr int track_steps = 128;  // samples along each
 constexpr std::size_t most_lines = 400;
-constexpr double degenerate = 1e-6;  // sine between the tangents: no normal there
+constexpr double degenerate = 1e-6;     // sine between the tangents: no normal there
+constexpr double only_rounding = 1e-9;  // of the largest |xu x xv|: a pole
 
-Vec3 unit_normal(const Surface& surface, Vec2 uv, Vec3& x) {
+/// xu x xv; zero where the tangents are parallel.
+Vec3 long_normal(const Surface& surface, Vec2 uv, Vec3& x) {
   Vec3 xu, xv;
   surface.d1(uv, x, xu, xv);
   const Vec3 n = cross(xu, xv);
   const double size = norm(n);
-  return size > degenerate * norm(xu) * norm(xv) && std::isfinite(size) ? (1 / size) * n : Vec3{};
+  return size > degenerate * norm(xu) * norm(xv) && std::isfinite(size) ? n : Vec3{};
+}
+
+/// Unit vectors; zero where the length is only rounding.
+void shorten(std::vector<Vec3>& normals) {
+  double longest = 0;
+  for (Vec3 n : normals) longest = std::max(longest, norm(n));
+  for (Vec3& n : normals) n = norm(n) > only_rounding * longest ? unit(n) : Vec3{};
 }
 
 /// Values between `lo` and `hi` at equal steps of the length along the longest track; `place` maps a share along it and
@@ -69,8 +78,9 @@ NormalTable::NormalTable(const Surface& surface, const SampleBox& box, double sp
   for (double v : v_.at)
     for (double u : u_.at) {
       points_.emplace_back();
-      normals_.push_back(unit_normal(surface, {u, v}, points_.back()));
+      normals_.push_back(long_normal(surface, {u, v}, points_.back()));
     }
+  shorten(normals_);
   const std::size_t nu = u_.at.size(), nv = v_.at.size();
   auto borrow = [&](std::size_t to, std::size_t from) {
     if (normals_[to] == Vec3{}) normals_[to] = normals_[from];

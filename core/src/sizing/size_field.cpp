@@ -265,8 +265,9 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
                                     : SampledFace{FaceSize(field.h), 0};
     field.perimeter.push_back(perimeter(model, face) / field.face_h[f]);
     if (is_meshed && !field.local->is_empty()) {
-      sampled.size.set_local(field.local);
+      sampled.size.set_local(field.local, sample_box(model, face));
       LocalCounts counts = count_with_local(model, face, sampled.size, field);
+      sampled.size.set_local(field.local, counts.near);
       sampled.mean_density += counts.more_density;
       field.perimeter.back() = counts.perimeter;
       sampled.size.set_graded(counts.is_graded);
@@ -277,7 +278,7 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
     progress.advance();
   }
   double predicted = std::accumulate(field.predicted.begin(), field.predicted.end(), 0.0);
-  check_predicted(predicted, field.h, options.max_elements, !field.local->is_empty());
+  check_predicted(predicted, field.h, options.max_elements, !options.local.empty());
   return field;
 }
 

@@ -11,6 +11,7 @@
 #include "paver/progress.h"
 #include "sizing/local_sizes.h"
 #include "sizing/normal_table.h"
+#include "sizing/sample_box.h"
 #include "topology/model.h"
 
 namespace paver {
@@ -26,7 +27,7 @@ class FaceSize {
   /// `surface` is the face's: only asked where lengths of parts are given.
   double at(Vec2 uv, const Surface& surface) const {
     double limited = by_curvature(uv);
-    return local_ ? std::min(limited, around_parts(surface.point(uv))) : limited;
+    return local_ && near_parts_.contains(uv) ? std::min(limited, around_parts(surface.point(uv))) : limited;
   }
   /// Without the part of other parts of the model.
   double by_curvature(Vec2 uv) const;
@@ -48,7 +49,10 @@ class FaceSize {
   /// Other parts shorten h somewhere on the face.
   bool is_graded() const { return is_graded_; }
   void set_graded(bool is_graded) { is_graded_ = is_graded; }
-  void set_local(std::shared_ptr<const LocalSizes> local) { local_ = std::move(local); }
+  /// Lengths of parts, which count for at() where (u, v) lies in the box.
+  void set_local(std::shared_ptr<const LocalSizes> local, const SampleBox& near) {
+    local_ = std::move(local), near_parts_ = near;
+  }
   /// The same field, all values times `factor`.
   FaceSize scaled(double factor) const;
   /// Least value by the face itself and its curvature.
@@ -59,6 +63,7 @@ class FaceSize {
   bool is_graded_ = false;
   std::shared_ptr<const NormalTable> normals_;
   std::shared_ptr<const LocalSizes> local_;  // null: none are given
+  SampleBox near_parts_;
   Vec2 lo_, hi_;
   int nu_ = 0, nv_ = 0;
   std::vector<double> samples_;

@@ -28,6 +28,7 @@ TEST(ReadOptions, PutsEveryValueInItsField) {
                             {"mu_r", "1.5"},
                             {"max_turn", "90"},
                             {"gradation", "0.25"},
+                            {"tip", "3"},
                             {"max_elements", "3e6"},
                             {"order", "1"},
                             {"elements", "all-quad"},
@@ -44,6 +45,7 @@ TEST(ReadOptions, PutsEveryValueInItsField) {
   EXPECT_EQ(o.mu_r, 1.5);
   EXPECT_DOUBLE_EQ(o.max_turn.value(), std::numbers::pi / 2);
   EXPECT_EQ(o.gradation, 0.25);
+  EXPECT_EQ(o.tip, 3);
   EXPECT_EQ(o.max_elements, 3'000'000);
   EXPECT_EQ(o.order, 1);
   EXPECT_EQ(o.elements, Elements::all_quad);

@@ -64,5 +64,24 @@ TEST(NormalTable, PolesTakeTheNormalsBesideThem) {
   EXPECT_NEAR(norm(table.at({1, fake::pi / 2})), 1, 0.02);
 }
 
+/// A ball whose derivatives at its poles are rounding in a direction of its own, as splines have them.
+class RoundedBall : public fake::Sphere {
+ public:
+  RoundedBall() : Sphere(radius) {}
+  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
+    Sphere::d1(uv, x, xu, xv);
+    if (std::abs(uv.y) > fake::pi / 2 - 1e-9) xu = {3e-15, 0, 5e-15};
+  }
+};
+
+TEST(NormalTable, RoundingAtPolesIsNoNormal) {
+  Model ball = fake::ball(radius);
+  ball.faces[0].surface = std::make_shared<RoundedBall>();
+  const NormalTable table = table_of(ball, 1, 1), plain = table_of(fake::ball(radius), 1, 1);
+  for (double u : {0.1, 2.0, 5.0})
+    for (double v : {-fake::pi / 2, -1.55, 1.55, fake::pi / 2})
+      EXPECT_NEAR(norm(table.at({u, v}) - plain.at({u, v})), 0, 1e-12) << u << " " << v;
+}
+
 }  // namespace
 }  // namespace paver

@@ -104,6 +104,7 @@ void check(const Options& options) {
   check_range("threads", options.threads, 0, most_threads);
   check_range("ranks", options.ranks, 0, most_ranks);
   check_range("gradation", options.gradation, 0.05, 2);
+  check_range("tip", options.tip, 1, 64);
   if (options.max_turn) {
     double degrees = *options.max_turn * 180 / std::numbers::pi;
     if (!(degrees > 0 && degrees <= 90.000001)) {

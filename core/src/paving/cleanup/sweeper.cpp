@@ -54,6 +54,22 @@ bool triangle_steps(const V at[3], double target, V step[3]) {
   return true;
 }
 
+// In the metric skew of elements that turns stretch counts for little: in space their short mid line is to be square to
+// the long one, as far as the metric has it longer than space.
+void add_square_steps_in_space(const MetricVec at[4], MetricVec step[4]) {
+  const MetricVec across = 0.5 * (at[1] + at[2] - at[0] - at[3]), up = 0.5 * (at[2] + at[3] - at[0] - at[1]);
+  const bool is_wide = dot(across.x, across.x) > dot(up.x, up.x);
+  const MetricVec &wide = is_wide ? across : up, &narrow = is_wide ? up : across;
+  const double wide2 = dot(wide.x, wide.x), narrow2 = dot(narrow, narrow);
+  if (!(wide2 > 0 && narrow2 > 0)) return;
+  const double share = 1 - dot(narrow.x, narrow.x) / narrow2;
+  const Vec3 shift = (0.5 * share * dot(wide.x, narrow.x) / wide2) * wide.x;
+  for (int k = 0; k < 4; ++k) {
+    const bool is_ahead = is_wide ? k >= 2 : k == 1 || k == 2;
+    step[k].x = is_ahead ? step[k].x - shift : step[k].x + shift;
+  }
+}
+
 double mean_target(const RegionMesh& mesh, const Element& e) {
   double sum = 0;
   for (int k = 0; k < e.corners(); ++k) sum += mesh.h[e.v[k]];
@@ -70,7 +86,10 @@ bool wished_steps(const RegionMesh& mesh, const Element& e, MetricVec step[4]) {
                              mesh.between(e.v[0], e.v[1]),
                              mesh.between(e.v[0], e.v[2]),
                              n == 4 ? mesh.between(e.v[0], e.v[3]) : MetricVec{}};
-    return n == 4 ? square_steps(at, target, step) : triangle_steps(at, target, step);
+    if (n == 3) return triangle_steps(at, target, step);
+    if (!square_steps(at, target, step)) return false;
+    add_square_steps_in_space(at, step);
+    return true;
   }
   const Vec3 at[4] = {mesh.x[e.v[0]], mesh.x[e.v[1]], mesh.x[e.v[2]], n == 4 ? mesh.x[e.v[3]] : Vec3{}};
   Vec3 flat[4];

@@ -7,7 +7,7 @@
 
 #include "base/predicates.h"
 #include "mesh/spatial_order.h"
-#include "paving/closing/tips.h"
+#include "paving/closing/acute_corners.h"
 #include "regions/crossing_facets.h"
 
 namespace paver {
@@ -75,7 +75,7 @@ std::optional<Crossing> Front::start_at(const std::vector<std::vector<int>>& loo
   return open_void();
 }
 
-std::optional<Crossing> Front::start(std::optional<double> sharpest_tip) {
+std::optional<Crossing> Front::start(std::optional<double> sharpest_corner) {
   // About as many as a uniform mesh has: growing by doubling would take half as much memory again.
   mesh.reserve(static_cast<std::size_t>(std::min(1.1 * region.area / (region.h * region.h), 5e7)));
   std::vector<std::vector<int>> loops = number_loop_nodes(region).of_loop;
@@ -89,7 +89,7 @@ std::optional<Crossing> Front::start(std::optional<double> sharpest_tip) {
   }
   const std::vector<Vec2> places = mesh.p;
   for (std::size_t l = 0; l < loops.size(); ++l) {
-    if (sharpest_tip) lay_tips(region, mesh, region.loops[l], loops[l], places, *sharpest_tip);
+    if (sharpest_corner) lay_acute_corners(region, mesh, region.loops[l], loops[l], places, *sharpest_corner);
     add_start_loop(loops[l]);
   }
   for (const Fan& fan : region.fans) {

@@ -40,9 +40,9 @@ class Front {
   void start_whole();
   /// Adds a boundary node of the region.
   int add_boundary_node(const std::vector<LoopNode>& loop, std::size_t i);
-  /// Triangulates the void inside the region's loops; with `sharpest_tip` (radians) acute corners from there on are
-  /// filled first (tips.h). Returns facet numbers when loops cross or touch.
-  std::optional<Crossing> start(std::optional<double> sharpest_tip = std::nullopt);
+  /// Triangulates the void inside the region's loops; with `sharpest_corner` (radians) acute corners from there on are
+  /// filled first (acute_corners.h). Returns facet numbers when loops cross or touch.
+  std::optional<Crossing> start(std::optional<double> sharpest_corner = std::nullopt);
 
   const Region& region;
   RegionMesh& mesh;

@@ -7,8 +7,8 @@
 //        | \m1/ |
 //       a2--m2--b2      The loop runs on b2 -> m2 -> a2.
 //
-// A tip ends where its columns are wide enough, where its sides run apart or its nodes do not face each other.
-#include "paving/closing/tips.h"
+// They end where they are wide enough, where the sides run apart or nodes do not face each other.
+#include "paving/closing/acute_corners.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +24,9 @@ constexpr double dip = 0.35;          // of the first row's width: the apex quad
 constexpr double most_uneven = 1.25;  // ratio of the two sides' lengths up to facing nodes
 constexpr int most_rows = 64;
 
-class Tip {
+class AcuteCorner {
  public:
-  Tip(const Region& region, RegionMesh& mesh, const std::vector<int>& nodes, std::size_t apex)
+  AcuteCorner(const Region& region, RegionMesh& mesh, const std::vector<int>& nodes, std::size_t apex)
       : region_(region), mesh_(mesh), nodes_(nodes), apex_(apex) {}
 
   /// Rows it can have; 0: none.
@@ -63,7 +63,7 @@ class Tip {
   // The loop runs b2, b1, apex, a1, a2.
   int a(int k) const { return nodes_[(apex_ + static_cast<std::size_t>(k)) % nodes_.size()]; }
   int b(int k) const { return nodes_[(apex_ + nodes_.size() - static_cast<std::size_t>(k)) % nodes_.size()]; }
-  // In space: where a tip turns sharply its two columns share the turn, however wide it is.
+  // In space: where a corner turns sharply its two columns share the turn, however wide it is.
   double distance(int u, int v) const { return norm(mesh_.x[u] - mesh_.x[v]); }
 
   Vec2 middle(int k) const {
@@ -126,8 +126,8 @@ double angle_at(const RegionMesh& mesh, const std::vector<LoopNode>& loop, const
 
 }  // namespace
 
-void lay_tips(const Region& region, RegionMesh& mesh, const std::vector<LoopNode>& loop, std::vector<int>& nodes,
-              const std::vector<Vec2>& others, double sharpest) {
+void lay_acute_corners(const Region& region, RegionMesh& mesh, const std::vector<LoopNode>& loop,
+                       std::vector<int>& nodes, const std::vector<Vec2>& others, double sharpest) {
   if (nodes.size() % 2 != 0) return;
   std::vector<int> apexes;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -136,10 +136,10 @@ void lay_tips(const Region& region, RegionMesh& mesh, const std::vector<LoopNode
     auto at = std::find(nodes.begin(), nodes.end(), apex);
     if (at == nodes.end() || mesh.star[apex].size() > 0) continue;
     std::rotate(nodes.begin(), at, nodes.end());
-    Tip tip(region, mesh, nodes, 0);
-    int rows = tip.rows(others);
+    AcuteCorner corner(region, mesh, nodes, 0);
+    int rows = corner.rows(others);
     if (rows == 0) continue;
-    int middle = tip.lay(rows);
+    int middle = corner.lay(rows);
     nodes.erase(nodes.end() - (rows - 1), nodes.end());
     nodes.erase(nodes.begin(), nodes.begin() + rows);
     nodes.push_back(middle);

@@ -1,4 +1,4 @@
-#include "paving/closing/tips.h"
+#include "paving/closing/acute_corners.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using test::planar_region;
 
-/// Slice of a round cake: its tip at the origin, `rows` nodes of distance 1 along either side.
+/// Slice of a round cake: its corner at the origin, `rows` nodes of distance 1 along either side.
 Region slice(double angle, int rows, bool is_even = true) {
   std::vector<Vec2> loop;
   for (int i = 0; i < rows; ++i) loop.push_back({static_cast<double>(i), 0});
@@ -48,7 +48,7 @@ Figures pave(const Region& region, Elements elements = Elements::quad_dominant) 
 
 class Slices : public testing::TestWithParam<int> {};
 
-TEST_P(Slices, HaveNoTriangleAndNoElementWorseThanTheirTip) {
+TEST_P(Slices, HaveNoTriangleAndNoElementWorseThanTheirCorner) {
   double angle = GetParam() * std::numbers::pi / 180;
   for (int rows : {8, 20, 41}) {
     SCOPED_TRACE(rows);
@@ -61,14 +61,14 @@ TEST_P(Slices, HaveNoTriangleAndNoElementWorseThanTheirTip) {
 
 INSTANTIATE_TEST_SUITE_P(Angles, Slices, testing::Values(7, 11, 15, 20, 25, 30, 35, 40, 44));
 
-TEST(Tips, SharperOnesThanSixDegreesAreFilledWhereNoTriangleIsWanted) {
+TEST(AcuteCorners, SharperOnesThanSixDegreesAreFilledWhereNoTriangleIsWanted) {
   double angle = 3 * std::numbers::pi / 180;
   EXPECT_EQ(pave(slice(angle, 60), Elements::all_quad).triangles, 0);
 }
 
-TEST(Tips, AnOddLoopKeepsItsOneTriangle) { EXPECT_EQ(pave(slice(0.25, 21, false)).triangles, 1); }
+TEST(AcuteCorners, AnOddLoopKeepsItsOneTriangle) { EXPECT_EQ(pave(slice(0.25, 21, false)).triangles, 1); }
 
-TEST(Tips, BothEndsOfALensAreFilled) {
+TEST(AcuteCorners, BothEndsOfALensAreFilled) {
   std::vector<Vec2> loop;
   constexpr int n = 24;
   for (int i = 0; i < n; ++i) loop.push_back({static_cast<double>(i), -0.01 * i * (n - i)});
@@ -79,7 +79,7 @@ TEST(Tips, BothEndsOfALensAreFilled) {
   EXPECT_GT(figures.worst, 0.2);
 }
 
-TEST(Tips, ATipThatAHoleReachesIntoIsLeftToRows) {
+TEST(AcuteCorners, OnesThatAHoleReachesIntoAreLeftToRows) {
   Region region = slice(0.4, 20);
   std::vector<Vec2> points;
   for (const auto& loop : region.loops)
@@ -91,7 +91,7 @@ TEST(Tips, ATipThatAHoleReachesIntoIsLeftToRows) {
     for (const LoopNode& node : region.loops[0])
       nodes.push_back(mesh.add_node(node.p, node.x, {1, 0, 0}, {0, 1, 0}, node.h));
     std::size_t before = nodes.size();
-    lay_tips(region, mesh, region.loops[0], nodes, points, 0.1);
+    lay_acute_corners(region, mesh, region.loops[0], nodes, points, 0.1);
     EXPECT_EQ(mesh.elements.empty(), !is_free);
     EXPECT_EQ(nodes.size() < before, is_free);
     EXPECT_EQ(nodes.size() % 2, before % 2);

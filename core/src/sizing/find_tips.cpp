@@ -1,0 +1,72 @@
+// In: loops of faces. Out: vertices. Every face gives what it spans at its vertices; edges say where the surface is
+// closed.
+#include "sizing/find_tips.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "topology/corner_angle.h"
+
+namespace paver {
+namespace {
+
+constexpr double most_of_tip = M_PI * 0.999;  // a corner of three right angled or equilateral faces is none
+
+class TipFinder {
+ public:
+  explicit TipFinder(const Model& model)
+      : model_(model), angle_(model.vertices.size(), 0), is_open_(model.vertices.size(), 0) {}
+
+  std::vector<Tip> run() {
+    for (std::size_t f = 0; f < model_.faces.size(); ++f)
+      for (const Loop& loop : model_.faces[f].loops) add(static_cast<int>(f), loop);
+    for (const Edge& edge : model_.edges)
+      if (!edge.is_degenerate && edge.faces.size() != 2) open(edge.start), open(edge.end);
+    std::vector<Tip> tips;
+    for (std::size_t v = 0; v < angle_.size(); ++v)
+      if (angle_[v] > 0 && angle_[v] < most_of_tip && !is_open_[v]) tips.push_back({static_cast<int>(v), 0, {}});
+    for (Tip& tip : tips) measure(tip);
+    return tips;
+  }
+
+ private:
+  const Edge& edge_of(const Coedge& c) const { return model_.edges[static_cast<std::size_t>(c.edge)]; }
+  int start(const Coedge& c) const { return c.is_reversed ? edge_of(c).end : edge_of(c).start; }
+  void open(int vertex) {
+    if (vertex >= 0) is_open_[static_cast<std::size_t>(vertex)] = 1;
+  }
+
+  void add(int f, const Loop& loop) {
+    const Face& face = model_.faces[static_cast<std::size_t>(f)];
+    const std::size_t n = loop.coedges.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Coedge &before = loop.coedges[(i + n - 1) % n], &after = loop.coedges[i];
+      if (start(after) < 0) continue;
+      double& sum = angle_[static_cast<std::size_t>(start(after))];
+      if (!face.fault.empty() || (edge_of(after).is_degenerate && !after.pcurve))
+        open(start(after));
+      else if (edge_of(after).is_degenerate)
+        sum += pole_angle(model_, face, after);
+      else if (!edge_of(before).is_degenerate)
+        sum += corner_angle(model_, face, before, after);
+    }
+  }
+
+  void measure(Tip& tip) const {
+    for (const Edge& edge : model_.edges) {
+      if (edge.is_degenerate || (edge.start != tip.vertex && edge.end != tip.vertex)) continue;
+      tip.room = std::max(tip.room, edge.length);
+      tip.faces.insert(tip.faces.end(), edge.faces.begin(), edge.faces.end());
+    }
+  }
+
+  const Model& model_;
+  std::vector<double> angle_;  // per vertex
+  std::vector<char> is_open_;
+};
+
+}  // namespace
+
+std::vector<Tip> find_tips(const Model& model) { return TipFinder(model).run(); }
+
+}  // namespace paver

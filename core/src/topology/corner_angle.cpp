@@ -1,0 +1,55 @@
+// By the tangents of edges and, about a pole, by points a little inside the face.
+#include "topology/corner_angle.h"
+
+#include <cmath>
+
+namespace paver {
+namespace {
+
+constexpr int pole_chords = 16;
+constexpr double pole_step = 1e-3;  // of the parameter range of the pole's coedge
+
+const Edge& edge_of(const Model& model, const Coedge& coedge) {
+  return model.edges[static_cast<std::size_t>(coedge.edge)];
+}
+
+// Direction of travel along the coedge at its start or its end.
+Vec3 travel_direction(const Model& model, const Coedge& coedge, bool at_end) {
+  const Edge& edge = edge_of(model, coedge);
+  Vec3 x, xt;
+  edge.curve->d1(at_end != coedge.is_reversed ? edge.t1 : edge.t0, x, xt);
+  return unit(coedge.is_reversed ? -1 * xt : xt);
+}
+
+double angle_between(Vec3 a, Vec3 b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
+
+}  // namespace
+
+double corner_angle(const Model& model, const Face& face, const Coedge& before, const Coedge& after) {
+  Vec3 back = -1 * travel_direction(model, before, true), ahead = travel_direction(model, after, false);
+  double angle = angle_between(back, ahead);
+  if (!after.pcurve || !face.surface) return angle;
+  const Edge& edge = edge_of(model, after);
+  Vec3 x, xu, xv;
+  face.surface->d1(after.pcurve->uv(after.is_reversed ? edge.t1 : edge.t0), x, xu, xv);
+  return dot(cross(ahead, back), cross(xu, xv)) < 0 ? 2 * M_PI - angle : angle;
+}
+
+double pole_angle(const Model& model, const Face& face, const Coedge& pole) {
+  const Edge& edge = edge_of(model, pole);
+  const Vec2 start = pole.pcurve->uv(pole.is_reversed ? edge.t1 : edge.t0);
+  const Vec2 end = pole.pcurve->uv(pole.is_reversed ? edge.t0 : edge.t1);
+  const Vec2 inward{-pole_step * (end - start).y, pole_step * (end - start).x};  // to the left, where the face is
+  double sum = 0;
+  Vec3 before{};
+  for (int i = 0; i <= pole_chords; ++i) {
+    const double share = static_cast<double>(i) / pole_chords;
+    const Vec2 at = (1 - share) * start + share * end;
+    const Vec3 way = face.surface->point(at + inward) - face.surface->point(at);
+    if (i > 0) sum += angle_between(before, way);
+    before = way;
+  }
+  return sum;
+}
+
+}  // namespace paver
