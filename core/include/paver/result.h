@@ -156,10 +156,11 @@ enum class ElementRepairKind {
   moved,         ///< its free corners
   refilled,      ///< other elements about it
   divided,       ///< nodes on sides inside the face
+  paved_again,   ///< a region, whose lengths do not count turns any more
   divided_edge,  ///< a node on a side on a B-rep edge
 };
 
-/// "moved", "refilled", "divided" or "divided edge".
+/// "moved", "refilled", "divided", "paved again" or "divided edge".
 const char* element_repair_name(ElementRepairKind kind);
 
 struct ElementRepair {

@@ -4,6 +4,7 @@
 
 #include "check/checked_mesh.h"
 #include "check/distance/deviation.h"
+#include "check/vector_area.h"
 #include "curving/near_surface.h"
 #include "quality/jacobian/jacobian.h"
 
@@ -62,6 +63,25 @@ double ElementJudge::least_along(const Corners& v, int n) const {
   Vec3 x, xp, xq;
   region_.evaluate(centre, x, xp, xq);
   return along > 0 && dot(area, cross(xp, xq)) > 0 ? std::max(least, 0.0) : -1;
+}
+
+// The element as curved, all of it and at its centre, as the check that follows measures it: its chords may run with
+// the surface where it does not.
+bool ElementJudge::runs_against(const Corners& v, int n, const std::array<Vec3, 9>& x) const {
+  if (order_ == 1) return false;
+  const Vec3 centre = n == 4 ? cross(x[5] - x[7], x[6] - x[4])
+                             : cross(x[1] - x[0] + 4 * (x[4] - x[5]), x[2] - x[0] + 4 * (x[4] - x[3]));
+  Vec3 area, normals;
+  Vec2 middle;
+  for (int k = 0; k < n; ++k) {
+    area += swept(x[k] - x[0], x[n + k] - x[0], x[(k + 1) % n] - x[0]);
+    normals += mesh_.normal(v[k]), middle = middle + (1.0 / n) * mesh_.p[v[k]];
+  }
+  const double along = dot(unit(area), unit(normals));
+  if (along >= doubtful && dot(unit(centre), unit(normals)) >= doubtful) return false;
+  Vec3 at, xp, xq;
+  region_.evaluate(middle, at, xp, xq);
+  return !(along > 0 && dot(centre, cross(xp, xq)) > 0);
 }
 
 // As the check that follows measures it, by what it allows.
@@ -155,6 +175,7 @@ double ElementJudge::value(const Corners& v, double floor) const {
   const JacobianBound bound = jacobian_form(shape, order_).bound(x.data());
   if (bound.validity != Validity::valid)
     return is_valid_cusp(v, n, x) ? value_of_cusp : std::clamp(bound.ratio, -1.0, 0.0) - 1e-3;
+  if (runs_against(v, n, x)) return folded;
   const double off = along < (order_ == 1 ? nearly_flat : steep) ? off_surface(v, n, x) : 0;
   return off > 1 ? std::max(1 - off, -1.0) : std::min(sj, bound.ratio);
 }

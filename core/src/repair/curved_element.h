@@ -56,6 +56,7 @@ class ElementJudge {
   /// element runs against the surface.
   double least_along(const Corners& v, int n) const;
   /// By what there may be.
+  bool runs_against(const Corners& v, int n, const std::array<Vec3, 9>& x) const;
   double off_surface(const Corners& v, int n, const std::array<Vec3, 9>& x) const;
   double chords_off(const Corners& v, int n) const;
   /// Whether it is valid once its sides on two edges that touch without an angle are straight.

@@ -52,7 +52,7 @@ class PartRepairer {
         findings_(parts_.size()) {}
 
   std::vector<ElementRepair> run() {
-    for (int round = 0; round < most_rounds && is_any_due(); ++round) {
+    for (; round_ < most_rounds && is_any_due(); ++round_) {
       mend();
       if (kinds_.triangles) divide_shared();
       divide_edges();
@@ -95,6 +95,7 @@ class PartRepairer {
     if (!bad.empty()) {
       auto copy = std::make_shared<PavedRegion>(*parts_[i].paved);
       Mended mended = mend_region({place, copy->mesh, sides, options_.order}, kinds_, bad, copy->mesh);
+      if (!mended.left.empty()) pave_again(i, sides, mended, *copy);
       if (!mended.places.empty()) parts_[i].paved = std::move(copy);
       found.places = std::move(mended.places);
       found.sides = std::move(mended.sides);
@@ -103,6 +104,23 @@ class PartRepairer {
     if (!kinds_.triangles) return;
     found.inner = inner_sides(mesh, static_cast<int>(i), static_cast<int>(nodes_.nodes.size()));
     std::ranges::move(sides_beside_nodes({place, mesh, sides, options_.order}), std::back_inserter(found.sides));
+  }
+
+  // On faces of few elements it may be that no element fits lengths that count turns.
+  void pave_again(std::size_t i, const BoundarySides& sides, Mended& mended, PavedRegion& paved) const {
+    if (round_ > 0 || parts_[i].piece >= 0 || !paved.mesh.has_turns()) return;
+    Region plain = region_of(i);
+    plain.size.count_no_turns();
+    try {
+      PavedRegion second = pave_region(plain, progress_, options_.elements);
+      const ElementJudge judge{plain, second.mesh, sides, options_.order};
+      Mended again = mend_region(judge, kinds_, find_bad(judge), second.mesh);
+      if (!again.left.empty()) return;
+      again.places.push_back({ElementRepairKind::paved_again, paved.mesh.x[paved.mesh.elements[mended.left[0]].v[0]]});
+      mended = std::move(again), paved = std::move(second);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::face_failed) throw;
+    }
   }
 
   // Only on the rank that has the part.
@@ -180,6 +198,7 @@ class PartRepairer {
   PartPaver& paver_;
   const Progress& progress_;
   Ranks& ranks_;
+  int round_ = 0;
   std::vector<Part> parts_;
   std::vector<char> is_due_;            // per part: to be looked at
   std::vector<PartFindings> findings_;  // per part
@@ -196,6 +215,8 @@ const char* element_repair_name(ElementRepairKind kind) {
       return "refilled";
     case ElementRepairKind::divided:
       return "divided";
+    case ElementRepairKind::paved_again:
+      return "paved again";
     case ElementRepairKind::divided_edge:
       return "divided edge";
   }

@@ -12,6 +12,7 @@
 #include <limits>
 #include <numeric>
 
+#include "sizing/face_extent.h"
 #include "sizing/local_counts.h"
 
 namespace paver {
@@ -175,12 +176,13 @@ double predicted_elements(const Model& model, const Face& face, double mean_dens
   return std::max({1.0, face.area * mean_density, 0.5 * perimeter(model, face) * std::sqrt(mean_density) - 1});
 }
 
-// Lengths that are given for whole faces.
+// Lengths that are given for whole faces; none is longer than the face, whose turns were lost on it otherwise.
 void give_local(const Model& model, const Options& options, SizeField& field) {
   auto local = std::make_shared<const LocalSizes>(model, options, field.h);
   field.local = local;
   for (std::size_t f = 0; f < model.faces.size(); ++f)
-    field.face_h.push_back(std::min(field.h, local->on_face(static_cast<int>(f))));
+    field.face_h.push_back(
+        std::min({field.h, local->on_face(static_cast<int>(f)), face_extent(model, model.faces[f])}));
 }
 
 void add_turning_sides(const Face& face, int index, SizeField& field) {

@@ -44,6 +44,7 @@ class FaceSize {
   void count_turns(double weight, std::shared_ptr<const NormalTable> normals) {
     samples_.clear(), turn_weight_ = weight, normals_ = std::move(normals);
   }
+  void count_no_turns() { turn_weight_ = 0, normals_.reset(); }
   /// Length where neither curvature nor other parts shorten it.
   double own() const { return h_; }
   /// Other parts shorten h somewhere on the face.
