@@ -18,6 +18,7 @@
 #include "boundary/prediction.h"
 #include "brep/occt_impl.h"
 #include "check/distance/gaps.h"
+#include "check/distance/surface_distance.h"
 #include "parallel/pave_parts.h"
 #include "paver/mesher.h"
 #include "paver/ranks.h"
@@ -225,6 +226,8 @@ class Run {
 
   // A face has failed when one of its pieces has, and has no area when none of them has.
   static void add_piece(FaceReport& face, const FaceReport& piece) {
+    face.distance =
+        join_distances(face.distance, face.quads + face.triangles, piece.distance, piece.quads + piece.triangles);
     if (piece.quads + piece.triangles > 0) face.worst_sj = std::min(face.worst_sj, piece.worst_sj);
     face.quads += piece.quads;
     face.triangles += piece.triangles;
@@ -253,7 +256,15 @@ class Run {
 
   void finish(const Assembler& assembler) {
     RunReport& report = result_.report;
-    report.quality.chord_error = greatest(assembler.chord_error(), ranks_);
+    const std::vector<SurfaceDistance> distances = assembler.distances();
+    long elements = 0;
+    for (std::size_t f = 0; f < distances.size(); ++f) {
+      FaceReport& face = report.faces[f];
+      const long more = face.quads + face.triangles;
+      face.distance = distances[f];
+      report.quality.distance = join_distances(report.quality.distance, elements, face.distance, more);
+      elements += more;
+    }
     report.gaps = find_gaps(result_.mesh, model_, ranks_);
     std::erase_if(report.gaps, [&](const Gap& gap) {
       const auto& named = report.model.unconnected;

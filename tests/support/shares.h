@@ -90,7 +90,9 @@ inline void expect_same_on_ranks(const CadModel& model, const Options& options, 
     EXPECT_EQ(report.quality.sj_all.mean, alone.report.quality.sj_all.mean);
     EXPECT_EQ(report.quality.irregular_nodes, alone.report.quality.irregular_nodes);
     EXPECT_EQ(report.quality.border_edges, alone.report.quality.border_edges);
-    EXPECT_EQ(report.quality.chord_error, alone.report.quality.chord_error);
+    EXPECT_EQ(report.quality.distance.largest, alone.report.quality.distance.largest);
+    EXPECT_EQ(report.quality.distance.mean, alone.report.quality.distance.mean);
+    EXPECT_EQ(report.quality.distance.angle, alone.report.quality.distance.angle);
     ASSERT_EQ(report.faces.size(), alone.report.faces.size());
     for (std::size_t f = 0; f < report.faces.size(); ++f) {
       EXPECT_EQ(report.faces[f].status, alone.report.faces[f].status);

@@ -45,6 +45,13 @@ enum class FaceStatus {
   dropped,  ///< left out, as it lies between or inside solids of a union
 };
 
+/// How far elements are from the surface that they stand for, and the other way; sampled (core/docs/quality.md).
+struct SurfaceDistance {
+  double largest = 0;  ///< mm, between elements and surface, or their sides and curves
+  double mean = 0;     ///< mm, over the elements
+  double angle = 0;    ///< largest between normals at the same place, radians
+};
+
 struct FaceReport {
   std::string name;                      ///< "Face12"; "Face3 + Face9" for what these have in common
   std::vector<std::string> front, back;  ///< solids in front of it, where its normal looks, and behind it
@@ -52,9 +59,10 @@ struct FaceReport {
   std::string stage, reason;  ///< when not meshed: where it stopped and why
   std::optional<Vec3> where;  ///< when failed: a point near the trouble, where one is known
   long quads = 0, triangles = 0;
-  double worst_sj = 1;               ///< worst straight-sided scaled Jacobian
-  double cad_area = 0;               ///< mm^2
-  double mesh_area = 0;              ///< mm^2, of the curved elements
+  double worst_sj = 1;   ///< worst straight-sided scaled Jacobian
+  double cad_area = 0;   ///< mm^2
+  double mesh_area = 0;  ///< mm^2, of the curved elements
+  SurfaceDistance distance;
   long closed_by_triangulation = 0;  ///< pieces of front that paving left to triangulate-and-merge
 };
 
@@ -75,7 +83,7 @@ struct QualityReport {
   double length_cv = 0;       ///< coefficient of variation
   double length_in_band = 0;  ///< share of edges within 0.7 to 1.4 of the target length
   double mesh_area = 0, cad_area = 0;
-  double chord_error = 0;                        ///< largest distance from element centres to the surface, mm
+  SurfaceDistance distance;
   long inverted = 0, undecided = 0;              ///< curved elements whose Jacobian is not proven positive
   double min_jacobian_ratio = 0;                 ///< lower bound of the curved Jacobian over its mean
   long border_edges = 0, nonmanifold_edges = 0;  ///< mesh edges with one element, with more than two

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "assemble/neighbourhood.h"
+#include "check/distance/surface_distance.h"
 #include "quality/element_figures.h"
 #include "quality/jacobian/jacobian.h"
 
@@ -209,6 +210,8 @@ void Assembler::note_straightened() {
     report_.notes.push_back(fmt::format("{} curved elements were straightened to keep them valid.", straightened_));
 }
 
-double Assembler::chord_error() const { return paver::chord_error(mesh_, model_, parts_, options_.threads); }
+std::vector<SurfaceDistance> Assembler::distances() const {
+  return measure_distances({model_, nodes_, mesh_, parts_, report_.target_length, options_.threads}, progress_, ranks_);
+}
 
 }  // namespace paver

@@ -35,8 +35,8 @@ class Assembler {
   /// Fills in the share's numbers.
   void number();
 
-  /// Largest distance to the surface, of the parts here (see chord_error()).
-  double chord_error() const;
+  /// Per face of the model, on all ranks.
+  std::vector<SurfaceDistance> distances() const;
 
  private:
   void straighten_last();

@@ -36,9 +36,9 @@ void fields(A& archive, Is<ModelReport> auto& model) {
 
 template <class A>
 void fields(A& archive, Is<FaceReport> auto& face) {
-  auto& [name, front, back, status, stage, reason, where, quads, triangles, worst_sj, cad_area, mesh_area,
+  auto& [name, front, back, status, stage, reason, where, quads, triangles, worst_sj, cad_area, mesh_area, distance,
          closed_by_triangulation] = face;
-  archive(name, front, back, status, stage, reason, where, quads, triangles, worst_sj, cad_area, mesh_area,
+  archive(name, front, back, status, stage, reason, where, quads, triangles, worst_sj, cad_area, mesh_area, distance,
           closed_by_triangulation);
 }
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <cmath>
 
 #include "base/tasks/tasks.h"
 #include "curving/near_surface.h"
@@ -49,10 +47,6 @@ void place_cuts(const OrderTwoMesh& raised, const Cuts& cuts, const CurvingPart&
     mesh.nodes[raised.border_node[i][k]] = side_middle(cut.region ? *cut.region : *part.region, middle,
                                                        mesh.nodes[(*part.node_of)[v]], mesh.nodes[(*part.node_of)[w]]);
   }
-}
-
-Vec2 mean_place(const RegionMesh& mesh, const Element& quad) {
-  return 0.25 * (mesh.p[quad.v[0]] + mesh.p[quad.v[1]] + mesh.p[quad.v[2]] + mesh.p[quad.v[3]]);
 }
 
 // A part's quads follow each other; the first of all parts.
@@ -105,77 +99,6 @@ class CentrePlacer {
   SurfaceMesh& mesh_;
 };
 
-// Lagrange weights of a quad9 at a quarter of either side, corners, sides, centre in Gmsh order.
-constexpr double near = 0.375, mid = 0.75, far = -0.125;
-constexpr std::array<double, 9> quarter{near * near, far* near, far* far,  near* far, mid* near,
-                                        far* mid,    mid* far,  near* mid, mid* mid};
-
-/// Moves p, bilinear between the corners v at (s, s), to about where the surface is nearest to `target`: by cubic sides
-/// and the blend of these inside.
-void improve_guess(const RegionMesh& mesh, const std::array<int, 4>& v, double s, Vec3 target, Vec2& p) {
-  const SideCubic sides[] = {{mesh, v[0], v[1]}, {mesh, v[0], v[3]}, {mesh, v[3], v[2]}, {mesh, v[1], v[2]}};
-  for (const SideCubic& side : sides)
-    if (!side.is_smooth()) return;
-  const double r = 1 - s;
-  const Vec3 bilinear = r * (r * sides[0].a + s * sides[0].b) + s * (r * sides[2].a + s * sides[2].b);
-  const Vec3 blend = r * (sides[0].at(s) + sides[1].at(s)) + s * (sides[2].at(s) + sides[3].at(s)) - bilinear;
-  auto mean = [&](const std::vector<Vec3>& of) { return 0.25 * (of[v[0]] + of[v[1]] + of[v[2]] + of[v[3]]); };
-  Vec2 step;
-  if (pull_back(mean(mesh.xp), mean(mesh.xq), target - blend, step) && is_short(step, mesh.p[v[2]] - mesh.p[v[0]]))
-    p = p + step;
-}
-
-/// The largest of one part's chord errors and of what is known of others.
-class PartChordError {
- public:
-  PartChordError(const CurvingPart& part, bool is_reversed, std::size_t first_quad, const SurfaceMesh& mesh,
-                 std::atomic<double>& worst)
-      : part_(part), is_reversed_(is_reversed), first_quad_(first_quad), mesh_(mesh), worst_(worst) {}
-
-  /// A few elements first: the others are then seldom worse.
-  void run() {
-    measure(sampled);
-    measure(1);
-  }
-
- private:
-  static constexpr std::size_t sampled = 64;
-
-  void measure(std::size_t step) {
-    std::size_t quad = 0;
-    for (const Element& e : part_.mesh->elements)
-      if (e.is_alive() && e.corners() == 4 && quad++ % step == 0) measure(e, first_quad_ + quad - 1);
-  }
-
-  void measure(const Element& e, std::size_t quad) {
-    const auto stride = static_cast<std::size_t>(mesh_.nodes_per_quad());
-    const int* v = &mesh_.quads[stride * quad];
-    Vec3 x{0, 0, 0};
-    for (std::size_t k = 0; k < (mesh_.order == 1 ? 4 : stride); ++k)
-      x += (mesh_.order == 1 ? 0.25 : quarter[k]) * mesh_.nodes[v[k]];
-    const std::vector<Vec2>& p = part_.mesh->p;
-    const int second = is_reversed_ ? 3 : 1, fourth = 4 - second;
-    Vec2 start = mesh_.order == 1 ? mean_place(*part_.mesh, e)
-                                  : 0.0625 * (9 * p[e.v[0]] + 3 * p[e.v[second]] + p[e.v[2]] + 3 * p[e.v[fourth]]);
-    improve_guess(*part_.mesh, {e.v[0], e.v[second], e.v[2], e.v[fourth]}, mesh_.order == 1 ? 0.5 : 0.25, x, start);
-    double known = worst_.load(std::memory_order_relaxed);
-    // At order 2 the distance is so small that the guess is seldom good enough for this. A point alone may be rounded
-    // unlike one with derivatives: what the margin leaves is certainly no larger.
-    constexpr double margin = 1e-9;
-    if (mesh_.order == 1 && norm(x - part_.region->point(start)) <= (1 - margin) * known) return;
-    const double scale = norm(mesh_.nodes[v[2]] - mesh_.nodes[v[0]]);
-    const double distance = distance_to_surface(*part_.region, start, x, scale, known);
-    while (distance > known && !worst_.compare_exchange_weak(known, distance, std::memory_order_relaxed)) {
-    }
-  }
-
-  const CurvingPart& part_;
-  const bool is_reversed_;
-  const std::size_t first_quad_;
-  const SurfaceMesh& mesh_;
-  std::atomic<double>& worst_;
-};
-
 }  // namespace
 
 CurvedMesh curve_elements(const JoinedMesh& linear, const EdgeNodes& edges, const Model& model, const Cuts& cuts,
@@ -197,17 +120,6 @@ CurvedMesh curve_elements(const JoinedMesh& linear, const EdgeNodes& edges, cons
   for (std::size_t c = 0; c < raised.cut_node.size(); ++c)
     if (raised.cut_node[c] >= 0) result.cuts.push_back(static_cast<int>(c));
   return result;
-}
-
-double chord_error(const SurfaceMesh& mesh, const Model& model, const std::vector<CurvingPart>& parts, int threads) {
-  const std::vector<std::size_t> first = first_quads(parts);
-  std::atomic<double> worst = 0;
-  run_tasks(threads, sizes(parts), [&](int i) {
-    if (!parts[i].mesh) return;
-    const bool is_reversed = model.faces[static_cast<std::size_t>(parts[i].region->face)].is_reversed;
-    PartChordError(parts[i], is_reversed, first[i], mesh, worst).run();
-  });
-  return worst;
 }
 
 }  // namespace paver

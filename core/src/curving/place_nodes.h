@@ -21,8 +21,4 @@ struct CurvedMesh {
 CurvedMesh curve_elements(const JoinedMesh& linear, const EdgeNodes& edges, const Model& model, const Cuts& cuts,
                           const std::vector<CurvingPart>& parts, int threads, const Progress& progress);
 
-/// Largest distance from a point inside each element (order 1: its centre; order 2: half way from the centre to its
-/// first corner) to the surface, mm. `mesh`: what the parts were joined to, curved or not.
-double chord_error(const SurfaceMesh& mesh, const Model& model, const std::vector<CurvingPart>& parts, int threads);
-
 }  // namespace paver

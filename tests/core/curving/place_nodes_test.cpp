@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "check/distance/surface_distance.h"
 #include "quality/jacobian/jacobian.h"
 #include "support/boundary_use.h"
 #include "support/fake_model.h"
@@ -32,7 +33,11 @@ struct Meshed : test::PavedModel {
   SurfaceMesh curved(int threads = 1, const Progress& progress = Progress()) const {
     return curve_elements(joined, edges, model, Cuts(regions, {}), parts, threads, progress).mesh;
   }
-  double chord_error_of(const SurfaceMesh& mesh) const { return chord_error(mesh, model, parts, 1); }
+  double chord_error_of(const SurfaceMesh& mesh) const { return distances_of(mesh)[0].largest; }
+  std::vector<SurfaceDistance> distances_of(const SurfaceMesh& mesh) const {
+    SingleRank one;
+    return measure_distances({model, edges, mesh, parts, 1, 1}, Progress(), one);
+  }
 
   JoinedMesh joined;
   std::vector<CurvingPart> parts;

@@ -11,15 +11,14 @@ namespace {
 constexpr Vec2 in_quad[] = {{0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}};
 constexpr Vec2 in_triangle[] = {{0.2, 0.2}, {0.6, 0.2}, {0.2, 0.6}};
 
-/// Linear or bilinear between the corners, in the chart.
+}  // namespace
+
 Vec2 place_at(const Region& region, int corners, const std::array<Vec2, 4>& p, Vec2 uv) {
   auto between = [&](Vec2 a, Vec2 b, double s) { return region.chart->walk(a, s * region.chart->step_to(a, b)); };
   if (corners == 4) return between(between(p[0], p[1], uv.x), between(p[3], p[2], uv.x), uv.y);
   const double far = uv.x + uv.y;
   return far > 0 ? between(p[0], between(p[1], p[2], uv.y / far), far) : p[0];
 }
-
-}  // namespace
 
 double deviation(const Region& region, const ElementPatch& element, const std::array<Vec2, 4>& places, double known) {
   const std::span<const Vec2> points = element.corners == 4 ? std::span<const Vec2>(in_quad) : in_triangle;

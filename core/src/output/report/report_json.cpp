@@ -76,6 +76,11 @@ Json model_json(const ModelReport& m) {
 
 Json sj_json(const ScaledJacobianStats& sj) { return {{"min", sj.min}, {"mean", sj.mean}, {"below_03", sj.below_03}}; }
 
+Json distance_json(const SurfaceDistance& distance) {
+  constexpr double degree = M_PI / 180;
+  return {{"largest", distance.largest}, {"mean", distance.mean}, {"angle", distance.angle / degree}};
+}
+
 Json quality_json(const QualityReport& q) {
   return {{"quads", q.quads},
           {"triangles", q.triangles},
@@ -90,7 +95,8 @@ Json quality_json(const QualityReport& q) {
           {"length_in_band", q.length_in_band},
           {"mesh_area", q.mesh_area},
           {"cad_area", q.cad_area},
-          {"chord_error", q.chord_error},
+          {"chord_error", q.distance.largest},
+          {"distance", distance_json(q.distance)},
           {"inverted", q.inverted},
           {"undecided", q.undecided},
           {"min_jacobian_ratio", q.min_jacobian_ratio},
@@ -112,6 +118,7 @@ Json face_json(const FaceReport& face, const std::string& label) {
                {"triangles", face.triangles},
                {"worst_sj", has_elements ? Json(face.worst_sj) : Json(nullptr)},
                {"cad_area", face.cad_area},
+               {"distance", distance_json(face.distance)},
                {"mesh_area", face.mesh_area},
                {"closed_by_triangulation", face.closed_by_triangulation}};
   if (face.where) json["where"] = {face.where->x, face.where->y, face.where->z};

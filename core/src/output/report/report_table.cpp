@@ -90,8 +90,10 @@ void add_quality(const RunReport& run, Text& text) {
   text.line("edge length", "mean {:.3f} h, CV {:.3f}, within 0.7 to 1.4 h: {:.2f} %", q.length_mean, q.length_cv,
             100 * q.length_in_band);
   if (q.cad_area > 0) {
-    text.line("area", "{:.6g} mm2, {:+.3g} % against the CAD, chord error {:.3g} mm", q.mesh_area,
-              100 * (q.mesh_area / q.cad_area - 1), q.chord_error);
+    text.line("area", "{:.6g} mm2, {:+.3g} % against the CAD", q.mesh_area, 100 * (q.mesh_area / q.cad_area - 1));
+    text.line("distance", "at most {:.3g} mm ({:.2g} h) from the CAD, mean {:.3g} mm; normals within {:.2g} degrees",
+              q.distance.largest, q.distance.largest / run.target_length, q.distance.mean,
+              q.distance.angle * 180 / M_PI);
   }
 }
 

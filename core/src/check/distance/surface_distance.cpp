@@ -1,0 +1,299 @@
+// In: parts with their charts, the mesh. Out: figures per face.
+// Steps: of a small part all elements at several points; of a large one each at one point, not the same in neighbours,
+// and those that are farthest there at all points; then sides on B-rep edges against their curves; then all ranks.
+// An element of order 2 misses a smooth surface by s (s^2 - 1) along either parameter from -1 to 1, most at 0.577. One
+// of order 1 misses it by s^2 - 1: at its centre, or at middles of sides. Where the surface is not smooth over an
+// element a grid of points finds what these do not.
+#include "check/distance/surface_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "base/tasks/tasks.h"
+#include "check/distance/deviation.h"
+#include "curving/near_surface.h"
+#include "quality/exact_sum.h"
+
+namespace paver {
+namespace {
+
+constexpr std::size_t small_part = 2048, farthest = 64;  // elements
+constexpr double half_step = 0.2113;                     // (1 - 0.577) / 2
+constexpr double other_step = 1 - half_step;
+constexpr Vec2 inside_quad[] = {
+    {half_step, half_step}, {other_step, other_step}, {other_step, half_step}, {half_step, other_step}};
+constexpr Vec2 inside_triangle[] = {{0.2, 0.2}, {0.6, 0.2}, {0.2, 0.6}};
+constexpr Vec2 middles_of_quad[] = {{0.5, 0.5}, {0.5, 0}, {1, 0.5}, {0.5, 1}, {0, 0.5}};
+constexpr Vec2 middles_of_triangle[] = {{1.0 / 3, 1.0 / 3}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
+constexpr Vec2 on_sides_of_quad[] = {{half_step, 0}, {other_step, 0}, {1, half_step}, {1, other_step},
+                                     {half_step, 1}, {other_step, 1}, {0, half_step}, {0, other_step}};
+constexpr Vec2 on_sides_of_triangle[] = {{half_step, 0},  {other_step, 0},         {0, half_step},
+                                         {0, other_step}, {half_step, other_step}, {other_step, half_step}};
+constexpr double bent = 0.1;  // radians from the surface: its points may miss what an element bridges
+constexpr int grid_steps = 8;
+
+struct Totals {
+  double largest = 0, angle = 0;
+  ExactSum sum;
+  long count = 0;
+
+  explicit Totals(double unit = 1) : sum(unit) {}
+  void add(const Totals& other) {
+    largest = std::max(largest, other.largest), angle = std::max(angle, other.angle);
+    sum.add(other.sum), count += other.count;
+  }
+};
+
+struct Foot {
+  double distance = INFINITY;
+  Vec3 normal;
+};
+
+/// From `target` to the surface near p. What is left of the way along the surface counts by Pythagoras once it is too
+/// short for the surface's turn to matter.
+Foot foot_of(const Region& region, Vec2 p, Vec3 target, double scale) {
+  constexpr int most_points = 16;
+  constexpr double most_turn = 0.01;  // of the distance
+  constexpr double no_step = 1e-7;    // of the scale
+  Foot foot;
+  Vec2 at = p, step;
+  for (int i = 0; i < most_points; ++i) {
+    Vec3 x, xp, xq;
+    region.evaluate(at, x, xp, xq);
+    const Vec3 r = target - x;
+    const double d = norm(r);
+    if (!(d < foot.distance)) {
+      step = 0.5 * step;
+      if (!(norm(step.x * xp + step.y * xq) > no_step * scale)) break;
+    } else {
+      foot = {d, cross(xp, xq)}, p = at;
+      if (!pull_back(xp, xq, r, step)) break;
+      const double along = norm(step.x * xp + step.y * xq);
+      if (along <= no_step * scale || along * along <= most_turn * scale * d) {
+        foot.distance = std::sqrt(std::max(d * d - along * along, 0.0));
+        break;
+      }
+    }
+    at = region.chart->approach(p, step);
+  }
+  return foot;
+}
+
+/// Rows of a part in the mesh.
+struct PartRows {
+  std::size_t quad = 0, triangle = 0;
+};
+
+class PartSampler {
+ public:
+  PartSampler(const DistanceTask& task, const CurvingPart& part, PartRows first)
+      : task_(task),
+        part_(part),
+        is_reversed_(task.model.faces[static_cast<std::size_t>(part.region->face)].is_reversed),
+        totals_(task.target_length) {
+    for (const Element& e : part.mesh->elements)
+      if (e.is_alive()) rows_.push_back({&e, e.corners() == 4 ? first.quad++ : first.triangle++});
+  }
+
+  // A plane's elements lie in it; only its sides may miss their curves.
+  Totals run() {
+    totals_.count = static_cast<long>(rows_.size());
+    if (part_.region->surface->kind() == SurfaceKind::plane) return totals_;
+    std::vector<std::pair<double, std::size_t>> found;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      take(rows_[i]);
+      if (rows_.size() > small_part) {
+        found.push_back({-sample(points_inside()[i % points_inside().size()]), i});
+        totals_.sum.add(-found.back().first);
+      } else {
+        totals_.sum.add(sample_all());
+      }
+    }
+    if (!found.empty()) std::nth_element(found.begin(), found.begin() + farthest, found.end());
+    for (std::size_t k = 0; k < std::min(farthest, found.size()); ++k) {
+      take(rows_[found[k].second]);
+      sample_all();
+    }
+    return totals_;
+  }
+
+ private:
+  struct Row {
+    const Element* element;
+    std::size_t row;
+  };
+
+  void take(const Row& row) {
+    n_ = row.element->corners(), angle_ = 0;
+    const SurfaceMesh& mesh = task_.mesh;
+    const auto stride = static_cast<std::size_t>(n_ == 4 ? mesh.nodes_per_quad() : mesh.nodes_per_triangle());
+    const int* v = &(n_ == 4 ? mesh.quads : mesh.triangles)[stride * row.row];
+    patch_.corners = n_, patch_.order = mesh.order;
+    for (std::size_t k = 0; k < stride; ++k) patch_.nodes[k] = mesh.nodes[static_cast<std::size_t>(v[k])];
+    for (int k = 0; k < n_; ++k) {
+      const int corner = row.element->v[static_cast<std::size_t>(is_reversed_ ? (n_ - k) % n_ : k)];
+      places_[static_cast<std::size_t>(k)] = part_.mesh->p[static_cast<std::size_t>(corner)];
+    }
+  }
+
+  double sample(Vec2 uv) {
+    const Foot foot = foot_of(*part_.region, place_at(*part_.region, n_, places_, uv), patch_.at(uv),
+                              norm(patch_.nodes[2] - patch_.nodes[0]));
+    if (!std::isfinite(foot.distance)) return 0;
+    const std::array<Vec3, 2> slopes = patch_.slopes(uv);
+    const Vec3 normal = cross(slopes[0], slopes[1]), wanted = is_reversed_ ? -1 * foot.normal : foot.normal;
+    const bool is_inside = uv.x > 0 && uv.y > 0 && (n_ == 4 ? std::max(uv.x, uv.y) : uv.x + uv.y) < 1;
+    if (is_inside && norm(wanted) > 0)
+      angle_ = std::max(angle_, std::atan2(norm(cross(normal, wanted)), dot(normal, wanted)));
+    totals_.angle = std::max(totals_.angle, angle_);
+    totals_.largest = std::max(totals_.largest, foot.distance);
+    return foot.distance;
+  }
+
+  /// The mean of the points inside.
+  double sample_all() {
+    double sum = 0;
+    const std::span<const Vec2> inside = points_inside();
+    for (Vec2 uv : inside) sum += sample(uv);
+    for (Vec2 uv : further_points()) sample(uv);
+    if (angle_ > bent) sample_grid();
+    return sum / static_cast<double>(inside.size());
+  }
+
+  void sample_grid() {
+    for (int i = 0; i <= grid_steps; ++i)
+      for (int j = 0; j <= (n_ == 4 ? grid_steps : grid_steps - i); ++j)
+        sample({static_cast<double>(i) / grid_steps, static_cast<double>(j) / grid_steps});
+  }
+
+  std::span<const Vec2> points_inside() const { return n_ == 4 ? std::span<const Vec2>(inside_quad) : inside_triangle; }
+
+  std::span<const Vec2> further_points() const {
+    if (patch_.order == 1) return n_ == 4 ? std::span<const Vec2>(middles_of_quad) : middles_of_triangle;
+    return n_ == 4 ? std::span<const Vec2>(on_sides_of_quad) : on_sides_of_triangle;
+  }
+
+  const DistanceTask& task_;
+  const CurvingPart& part_;
+  const bool is_reversed_;
+  std::vector<Row> rows_;
+  Totals totals_;
+  int n_ = 4;
+  double angle_ = 0;  // of the element
+  ElementPatch patch_;
+  std::array<Vec2, 4> places_{};
+};
+
+/// Largest distance between an edge's curve and the sides on it.
+double curve_distance(const Edge& edge, const EdgeDivision& division, int order) {
+  ElementPatch side;
+  side.corners = 2, side.order = order;
+  double largest = 0;
+  auto add = [&](Vec3 x, double start) { largest = std::max(largest, norm(x - side.at(side.nearest(x, {start, 0})))); };
+  for (std::size_t i = 0; i < static_cast<std::size_t>(division.intervals()); ++i) {
+    const double* t = &division.t[2 * i];
+    const Vec3* x = &division.x[2 * i];
+    side.nodes = {x[0], x[2], x[1]};
+    if (order == 1) {
+      add(x[1], 0.5);
+    } else {
+      add(edge.curve->point(0.5 * (t[0] + t[1])), 0.25);
+      add(edge.curve->point(0.5 * (t[1] + t[2])), 0.75);
+    }
+  }
+  return largest;
+}
+
+class Measurer {
+ public:
+  Measurer(const DistanceTask& task, const Progress& progress, Ranks& ranks)
+      : task_(task), progress_(progress), ranks_(ranks), faces_(task.model.faces.size(), Totals(task.target_length)) {}
+
+  std::vector<SurfaceDistance> run() {
+    add_parts();
+    exchange();
+    add_edges();
+    std::vector<SurfaceDistance> result;
+    for (const Totals& face : faces_)
+      result.push_back(
+          {face.largest, face.count > 0 ? face.sum.total() / static_cast<double>(face.count) : 0, face.angle});
+    return result;
+  }
+
+ private:
+  void add_parts() {
+    std::vector<PartRows> first;
+    std::vector<double> costs;
+    PartRows next;
+    for (const CurvingPart& part : task_.parts) {
+      first.push_back(next);
+      costs.push_back(part.mesh ? static_cast<double>(part.mesh->elements.size()) : 0);
+      if (!part.mesh) continue;
+      for (const Element& e : part.mesh->elements)
+        if (e.is_alive()) ++(e.corners() == 4 ? next.quad : next.triangle);
+    }
+    std::vector<Totals> totals(task_.parts.size(), Totals(task_.target_length));
+    run_tasks(task_.threads, costs, [&](int i) {
+      progress_.check();
+      const auto part = static_cast<std::size_t>(i);
+      if (task_.parts[part].mesh) totals[part] = PartSampler(task_, task_.parts[part], first[part]).run();
+    });
+    for (std::size_t i = 0; i < totals.size(); ++i)
+      if (task_.parts[i].mesh) faces_[static_cast<std::size_t>(task_.parts[i].region->face)].add(totals[i]);
+  }
+
+  void exchange() {
+    std::vector<long> numbers;
+    std::vector<double> negative;
+    for (const Totals& face : faces_) {
+      numbers.push_back(face.count);
+      for (long part : face.sum.parts()) numbers.push_back(part);
+      negative.push_back(-face.largest), negative.push_back(-face.angle);
+    }
+    ranks_.add_up(numbers);
+    ranks_.find_least(negative);
+    constexpr std::size_t stride = 1 + ExactSum::part_count;
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      faces_[f].count = numbers[stride * f];
+      faces_[f].sum.set_parts(&numbers[stride * f + 1]);
+      faces_[f].largest = -negative[2 * f], faces_[f].angle = -negative[2 * f + 1];
+    }
+  }
+
+  // Every rank has all edges.
+  void add_edges() {
+    const std::vector<Edge>& edges = task_.model.edges;
+    std::vector<double> distance(edges.size(), 0), costs;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      costs.push_back(edges[e].curve && !edges[e].is_periodic ? task_.edges.edges[e].intervals() : 0);
+    run_tasks(task_.threads, costs, [&](int i) {
+      const auto e = static_cast<std::size_t>(i);
+      if (costs[e] > 0) distance[e] = curve_distance(edges[e], task_.edges.edges[e], task_.mesh.order);
+    });
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      for (int face : edges[e].faces)
+        if (Totals& totals = faces_[static_cast<std::size_t>(face)]; totals.count > 0)
+          totals.largest = std::max(totals.largest, distance[e]);
+  }
+
+  const DistanceTask& task_;
+  const Progress& progress_;
+  Ranks& ranks_;
+  std::vector<Totals> faces_;
+};
+
+}  // namespace
+
+std::vector<SurfaceDistance> measure_distances(const DistanceTask& task, const Progress& progress, Ranks& ranks) {
+  return Measurer(task, progress, ranks).run();
+}
+
+SurfaceDistance join_distances(const SurfaceDistance& a, long a_elements, const SurfaceDistance& b, long b_elements) {
+  const auto m = static_cast<double>(a_elements), n = static_cast<double>(b_elements);
+  return {std::max(a.largest, b.largest), m + n > 0 ? (m * a.mean + n * b.mean) / (m + n) : 0,
+          std::max(a.angle, b.angle)};
+}
+
+}  // namespace paver

@@ -1,0 +1,34 @@
+// How far a mesh is from the surfaces and curves that it stands for.
+#pragma once
+
+#include <vector>
+
+#include "boundary/edge_nodes.h"
+#include "curving/order2.h"
+#include "paver/progress.h"
+#include "paver/ranks.h"
+#include "paver/result.h"
+#include "regions/region.h"
+#include "topology/model.h"
+
+namespace paver {
+
+struct DistanceTask {
+  const Model& model;
+  const EdgeNodes& edges;
+  const SurfaceMesh& mesh;  ///< what the parts that are here were joined to, curved or not
+  const std::vector<CurvingPart>& parts;
+  double target_length = 0;
+  int threads = 1;
+};
+
+/// Per face of the model. Collective: the same on all ranks, for any number of them. A point of the mesh is no farther
+/// from the surface than `largest`; and since the foot points of a mesh that covers its face do so, too, and sides are
+/// measured against their curves, no point of the face is farther from the mesh. Sampled: within about a tenth where
+/// the surface is smooth over an element.
+std::vector<SurfaceDistance> measure_distances(const DistanceTask& task, const Progress& progress, Ranks& ranks);
+
+/// Of several faces.
+SurfaceDistance join_distances(const SurfaceDistance& a, long a_elements, const SurfaceDistance& b, long b_elements);
+
+}  // namespace paver
