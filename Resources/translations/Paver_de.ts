@@ -36,6 +36,10 @@
         <translation>Wo die Oberfläche in eine Spitze ausläuft, wird die Ziellänge durch R geteilt; 1: nicht [4]</translation>
     </message>
     <message>
+        <source>Largest distance between mesh and surface: faces farther off get shorter lengths [as it comes]. 0: not given</source>
+        <translation>Größter Abstand zwischen Netz und Oberfläche: Flächen, die weiter abliegen, erhalten kürzere Längen [wie er sich ergibt]. 0: nicht gegeben</translation>
+    </message>
+    <message>
         <source>Target length of a part where shorter: Face3=2mm, Edge5,Vertex2=0.5, Solid1=eps-r:4; may be repeated. Besides those of the refinements</source>
         <translation>Ziellänge eines Teils, wo sie kürzer ist: Face3=2mm, Edge5,Vertex2=0.5, Solid1=eps-r:4; mehrfach möglich. Neben denen der Verfeinerungen</translation>
     </message>
@@ -1093,6 +1097,10 @@
     <message>
         <source>Finer at tips by</source>
         <translation>An Spitzen feiner um</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Größter Abstand</translation>
     </message>
     <message>
         <source>Most elements</source>

@@ -25,6 +25,7 @@
 #include "quality/report.h"
 #include "regions/divide_loops.h"
 #include "repair/repair_parts.h"
+#include "sizing/chord_lengths.h"
 #include "topology/build_model.h"
 #include "topology/components.h"
 #include "topology/edge_entities.h"
@@ -42,24 +43,8 @@ class Run {
   MeshShare mesh(const CadModel& model) {
     start();
     build(model);
-    divide();
-    PartPaver paver(regions_, costs(), static_cast<int>(nodes_.nodes.size()), options_, progress_, ranks_);
-    pave(paver);
-    begin(Stage::repair);
-    result_.report.element_repairs = repair_parts(model_, regions_, options_, nodes_, paver, progress_, ranks_);
-    note_repairs();
-    Assembler assembler(
-        model_, nodes_, regions_, paver, options_, progress_, ranks_, [this](Stage stage) { begin(stage); }, share_);
-    assembler.run();
-    measure();
-    while (assembler.drop_faulty()) measure();
-    assembler.note_straightened();
-    assembler.number();
-    result_.report.tasks = shared_.times();
-    result_.report.tasks.insert(result_.report.tasks.end(), paver.times().begin(), paver.times().end());
-    finish(assembler);
-    name_edges();
-    return std::move(share_);
+    if (!options_.chord_error) return mesh_built();
+    return mesh_near_surface(share_);
   }
 
   std::string repaired(const CadModel& model) {
@@ -88,6 +73,62 @@ class Run {
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  /// With shorter lengths on faces that are farther off than chord_error, until they are not. `built`: after topology.
+  MeshShare mesh_near_surface(const MeshShare built) {
+    ChordLengths lengths(*options_.chord_error, options_.order);
+    MeshShare done = mesh_built();
+    RunReport& report = done.result.report;
+    while (true) {
+      const std::vector<LocalSize> more = lengths.next(report.faces, entry_lengths(report.faces));
+      if (more.empty()) break;
+      options_.local.insert(options_.local.end(), more.begin(), more.end());
+      share_ = built;
+      result_.report.stage_seconds = report.stage_seconds;
+      result_.report.stage_runs = report.stage_runs;
+      try {
+        done = mesh_built();
+      } catch (const Error& error) {
+        if (error.code() != ErrorCode::too_many_elements) throw;
+        break;  // the last mesh that is small enough, and where it is too far off
+      }
+    }
+    if (const std::string note = lengths.note(report.faces); !note.empty()) report.notes.push_back(note);
+    return done;
+  }
+
+  // All stages after topology.
+  MeshShare mesh_built() {
+    divide();
+    PartPaver paver(regions_, costs(), static_cast<int>(nodes_.nodes.size()), options_, progress_, ranks_, queue_);
+    pave(paver);
+    queue_ = paver.next_queue();
+    begin(Stage::repair);
+    result_.report.element_repairs = repair_parts(model_, regions_, options_, nodes_, paver, progress_, ranks_);
+    note_repairs();
+    Assembler assembler(
+        model_, nodes_, regions_, paver, options_, progress_, ranks_, [this](Stage stage) { begin(stage); }, share_);
+    assembler.run();
+    measure();
+    while (assembler.drop_faulty()) measure();
+    assembler.note_straightened();
+    assembler.number();
+    result_.report.tasks = shared_.times();
+    result_.report.tasks.insert(result_.report.tasks.end(), paver.times().begin(), paver.times().end());
+    finish(assembler);
+    name_edges();
+    return std::move(share_);
+  }
+
+  /// Per entry of the report, which are faces as read: the least length of their pieces.
+  std::vector<double> entry_lengths(const std::vector<FaceReport>& entries) const {
+    std::vector<double> length(entries.size(), INFINITY);
+    for (std::size_t f = 0; f < model_.faces.size(); ++f) {
+      double& least = length[static_cast<std::size_t>(model_.faces[f].origin)];
+      least = std::min(least, size_.face_h[f]);
+    }
+    return length;
+  }
 
   /// Its entry in a list by stages, zero at first.
   template <class T>
@@ -307,7 +348,7 @@ class Run {
     for (int edge : result_.mesh.line_edge) result_.report.quality.wire_lines += model_.edges[edge].is_wire();
   }
 
-  const Options& options_;
+  Options options_;  // with the lengths that chord_error asks for
   Progress& progress_;
   Ranks& ranks_;
   Stage stage_ = Stage::done;
@@ -317,6 +358,7 @@ class Run {
   EdgeNodes nodes_;
   std::vector<Region> regions_;
   SharedTasks shared_;
+  int queue_ = 0;  // of the ranks: the first that no mesh has used
   MeshShare share_;
   MeshResult& result_ = share_.result;
 };

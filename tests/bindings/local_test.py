@@ -104,3 +104,21 @@ def test_bad_ones_are_refused(local, says, box):
     with pytest.raises(paver.OptionError, match=says) as caught:
         paver.mesh(box, size=20, local=local)
     assert caught.value.remedy
+
+
+@pytest.mark.parametrize("name,size,most,order", [("conesphere.step", 40, 0.02, 2), ("wavy_patch.step", 60, 0.2, 2),
+                                                  ("box_cylinder.step", 30, 0.3, 1)])
+def test_chord_error_is_kept(example, name, size, most, order):
+    plain = paver.mesh(example(name), size=size, order=order).report
+    report = paver.mesh(example(name), size=size, order=order, chord_error=most).report
+    assert plain["quality"]["distance"]["largest"] > most >= report["quality"]["distance"]["largest"]
+    assert all(face["distance"]["largest"] <= most for face in report["faces"])
+    assert report["verdict"] == "sound"
+    assert not any("chord_error" in note for note in report["notes"])
+
+
+def test_where_chord_error_is_not_kept_is_said(example):
+    report = paver.mesh(example("conesphere.step"), size=40, chord_error=1e-6, max_elements=3000).report
+    assert report["quality"]["distance"]["largest"] > 1e-6
+    assert any("above chord_error 1e-06 mm" in note for note in report["notes"])
+    assert report["quality"]["quads"] < 3500

@@ -54,7 +54,10 @@ struct Options {
   std::optional<double> max_turn;  ///< largest turn per element edge, radians; default pi/4, more on short ones
   double gradation = 0.6;          ///< largest growth of h per unit of length, 0.05 to 2
   double tip = 4;                  ///< the target length is divided by it where a surface comes to a point, 1 to 64
-  long max_elements = 2'000'000;   ///< stop before meshing when more are predicted
+  /// Largest distance between mesh and surface, mm, > 0: faces that are farther off are meshed again with shorter
+  /// lengths; none: whatever comes out.
+  std::optional<double> chord_error;
+  long max_elements = 2'000'000;        ///< stop before meshing when more are predicted
   std::optional<double> sew_tolerance;  ///< mm, >= 0 (0: never sew); default from the target length
   Connect connect = Connect::imprint;
   bool strict = false;           ///< a model that needs repairs, or has faces that cannot be meshed, is refused

@@ -47,13 +47,14 @@ void report_failures(const std::vector<RegionFailure>& failures, const std::vect
 }
 
 PartPaver::PartPaver(const std::vector<Region>& regions, std::vector<double> costs, int boundary_nodes,
-                     const Options& options, Progress& progress, Ranks& ranks)
+                     const Options& options, Progress& progress, Ranks& ranks, int first_queue)
     : regions_(regions),
       costs_(std::move(costs)),
       boundary_nodes_(boundary_nodes),
       options_(options),
       progress_(progress),
       ranks_(ranks),
+      queue_(first_queue),
       plans_(regions.size()) {}
 
 std::vector<RegionFailure> PartPaver::pave() {

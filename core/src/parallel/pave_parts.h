@@ -43,9 +43,9 @@ void report_failures(const std::vector<RegionFailure>& failures, const std::vect
 /// References are kept. Every member is collective.
 class PartPaver {
  public:
-  /// `boundary_nodes`: number of nodes of the boundary stage.
+  /// `boundary_nodes`: number of nodes of the boundary stage. Queues of the ranks from `first_queue` on are free.
   PartPaver(const std::vector<Region>& regions, std::vector<double> costs, int boundary_nodes, const Options& options,
-            Progress& progress, Ranks& ranks);
+            Progress& progress, Ranks& ranks, int first_queue = 0);
 
   /// Paves all regions, large ones in pieces. Failures are the same on all ranks, by region.
   std::vector<RegionFailure> pave();
@@ -61,6 +61,8 @@ class PartPaver {
   int outline_nodes() const { return first_outline_.back(); }
   /// Sides on the outlines, as shared nodes of the whole model (see shared_node).
   std::vector<std::array<int, 2>> outline_sides(int region) const;
+  /// The first queue that is still free.
+  int next_queue() const { return queue_; }
   /// Tasks done here so far.
   const std::vector<TaskTime>& times() const { return times_; }
   const Region& place_of(const Part& part) const { return part.place ? *part.place : regions_[part.region]; }

@@ -13,7 +13,7 @@
 #include <numeric>
 
 #include "sizing/face_extent.h"
-#include "sizing/local_counts.h"
+#include "sizing/parts/local_counts.h"
 
 namespace paver {
 namespace {

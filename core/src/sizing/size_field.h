@@ -9,8 +9,8 @@
 
 #include "paver/options.h"
 #include "paver/progress.h"
-#include "sizing/local_sizes.h"
 #include "sizing/normal_table.h"
+#include "sizing/parts/local_sizes.h"
 #include "sizing/sample_box.h"
 #include "topology/model.h"
 

@@ -44,6 +44,7 @@ TEST(CheckOptions, NamesTheBadFieldAndItsValue) {
     EXPECT_TRUE(refusal_after([=](Options& o) { o.max_turn = bad; }).starts_with("max_turn is ")) << bad;
     EXPECT_TRUE(refusal_after([=](Options& o) { o.gradation = bad; }).starts_with("gradation is ")) << bad;
     EXPECT_TRUE(refusal_after([=](Options& o) { o.tip = bad; }).starts_with("tip is ")) << bad;
+    EXPECT_TRUE(refusal_after([=](Options& o) { o.chord_error = bad; }).starts_with("chord_error is ")) << bad;
   }
   EXPECT_EQ(refusal_after([](Options& o) { o.order = 7; }), "order is 7; it must be from 1 to 2.");
   EXPECT_EQ(refusal_after([](Options& o) { o.threads = -2; }), "threads is -2; it must be from 0 to 1024.");

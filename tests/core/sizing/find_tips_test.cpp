@@ -1,8 +1,8 @@
-#include "sizing/find_tips.h"
+#include "sizing/parts/find_tips.h"
 
 #include <gtest/gtest.h>
 
-#include "sizing/local_sizes.h"
+#include "sizing/parts/local_sizes.h"
 #include "support/fake_model.h"
 
 namespace paver {

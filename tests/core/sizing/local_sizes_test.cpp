@@ -1,4 +1,4 @@
-#include "sizing/local_sizes.h"
+#include "sizing/parts/local_sizes.h"
 
 #include <gtest/gtest.h>
 

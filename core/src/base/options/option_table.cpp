@@ -85,6 +85,11 @@ std::vector<Entry> size_entries(const Options& d) {
        [](Options& o, const Value& v) { o.eps_r = v.number; }},
       {{"mu_r", OptionKind::number, "M", "Relative permeability of the medium", text_of(d.mu_r), "frequency", "", {}},
        [](Options& o, const Value& v) { o.mu_r = v.number; }},
+  };
+}
+
+std::vector<Entry> grading_entries(const Options& d) {
+  return {
       {{"max_turn",
         OptionKind::angle,
         "DEG",
@@ -112,6 +117,15 @@ std::vector<Entry> size_entries(const Options& d) {
         "",
         {}},
        [](Options& o, const Value& v) { o.tip = v.number; }},
+      {{"chord_error",
+        OptionKind::length,
+        "E",
+        "Largest distance between mesh and surface: faces farther off get shorter lengths [as it comes]",
+        "",
+        "",
+        "",
+        {}},
+       [](Options& o, const Value& v) { o.chord_error = v.number; }},
       {{"local",
         OptionKind::local,
         "PART=H",
@@ -185,8 +199,9 @@ std::vector<Entry> other_entries(const Options& d) {
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = [] {
     Options defaults;
-    std::vector<Entry> list = size_entries(defaults), others = other_entries(defaults);
-    list.insert(list.end(), others.begin(), others.end());
+    std::vector<Entry> list = size_entries(defaults);
+    for (const std::vector<Entry>& more : {grading_entries(defaults), other_entries(defaults)})
+      list.insert(list.end(), more.begin(), more.end());
     return list;
   }();
   return all;

@@ -111,6 +111,7 @@ void check(const Options& options) {
       refuse(fmt::format("max_turn is {:.6g} degrees; it must be above 0 and at most 90 degrees.", degrees));
     }
   }
+  if (options.chord_error) check_positive("chord_error", *options.chord_error, " mm");
   if (options.max_elements < 1) {
     refuse(fmt::format("max_elements is {}; it must be at least 1.", options.max_elements));
   }

@@ -1,6 +1,6 @@
 // In: loops of faces. Out: vertices. Every face gives what it spans at its vertices; edges say where the surface is
 // closed.
-#include "sizing/find_tips.h"
+#include "sizing/parts/find_tips.h"
 
 #include <algorithm>
 #include <cmath>

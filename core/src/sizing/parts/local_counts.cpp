@@ -1,5 +1,5 @@
 // Cells and pieces are halved until the target length varies little in each: only near what asks for a short one.
-#include "sizing/local_counts.h"
+#include "sizing/parts/local_counts.h"
 
 namespace paver {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "paver/options.h"
-#include "sizing/nearest_source.h"
+#include "sizing/parts/nearest_source.h"
 #include "topology/model.h"
 
 namespace paver {

@@ -2,7 +2,7 @@
 // Steps: every part to its faces, edges or point; the least length on each edge, its faces' included; edges as straight
 // pieces, finer than the length asked for. A face's length spreads over its edges: through them it reaches its
 // neighbours, and not through the thickness of a plate.
-#include "sizing/local_sizes.h"
+#include "sizing/parts/local_sizes.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 #include "base/local_parts.h"
 #include "paver/error.h"
-#include "sizing/find_tips.h"
+#include "sizing/parts/find_tips.h"
 
 namespace paver {
 namespace {

@@ -1,6 +1,6 @@
 // Boxes are halved at the middle of their longest side's order; a search enters a box only while its least length at
 // its nearest point is below the best so far.
-#include "sizing/nearest_source.h"
+#include "sizing/parts/nearest_source.h"
 
 #include <algorithm>
 #include <cmath>
