@@ -44,7 +44,7 @@ class Run {
     start();
     build(model);
     if (!options_.chord_error) return mesh_built();
-    return mesh_near_surface(share_);
+    return mesh_near_surface();
   }
 
   std::string repaired(const CadModel& model) {
@@ -74,8 +74,9 @@ class Run {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// With shorter lengths on faces that are farther off than chord_error, until they are not. `built`: after topology.
-  MeshShare mesh_near_surface(const MeshShare built) {
+  /// With shorter lengths on faces that are farther off than chord_error, until they are not.
+  MeshShare mesh_near_surface() {
+    const MeshShare built = share_;
     ChordLengths lengths(*options_.chord_error, options_.order);
     MeshShare done = mesh_built();
     RunReport& report = done.result.report;

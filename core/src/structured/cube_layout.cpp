@@ -1,6 +1,6 @@
 // A cube's six sides on a face that goes round between two poles.
-// In: face. Out: its layout: four sides of n x m quads, caps of n x n about the poles.
-// Steps: n and m from the area and the ratio of girth and meridian; the equi-angular cube on the sphere that has the
+// In: face. Out: its layout: sides of a x m and b x m quads in turn, caps of a x b about the poles.
+// Steps: a, b and m from the area and the ratio of girth and meridian; the equi-angular cube on the sphere that has the
 // face's meridians as arcs; smoothing.
 // Corners 0 to 3 go round the low cap, 4 to 7 the high one; side k starts at corner k.
 #include <algorithm>
@@ -11,14 +11,25 @@
 namespace paver {
 namespace {
 
-constexpr int most_coarse = 4;       // quads along a cap: up to here finer grids are tried as well
-constexpr double most_turn = 2.1;    // radians across an element: beyond, it misses what the surface does there
-constexpr double most_uneven = 0.4;  // two polar charts are no better where lengths vary so much
+constexpr int most_coarse = 4;        // quads along a cap: up to here finer grids are tried as well
+constexpr double most_turn = 2.1;     // radians across an element: beyond, it misses what the surface does there
+constexpr double most_uneven = 0.4;   // two polar charts are no better where lengths vary so much
+constexpr int most_change = 3;        // of counts, from those that are even
+constexpr double near_enough = 0.04;  // of the elements asked for
+constexpr double off_price = 10;      // of what is beyond that, against the squares of uneven counts' logarithms
+constexpr double fairly_even = 0.3;   // of these squares: counts of 3 and 5
+constexpr double uneven_price = 100;  // of what is beyond that
 constexpr std::size_t low_cap = 4, high_cap = 5;
+
+/// Quads along the first and the second side of a cap, and from cap to cap.
+struct CubeCounts {
+  int a = 0, b = 0, m = 0;
+  double quads() const { return 2.0 * a * b + 2.0 * (a + b) * m; }
+};
 
 class Cube {
  public:
-  Cube(const ClosedFace& face, int n, int m) : face_(face), n_(n), m_(m) {
+  Cube(const ClosedFace& face, CubeCounts counts) : face_(face), counts_(counts) {
     MeridianTable table(face.surface, face.box, 64);
     arc_.push_back(0);
     for (int i = 0; i < table.cells(); ++i) arc_.push_back(arc_.back() + table.height(i));
@@ -26,8 +37,9 @@ class Cube {
     for (int k = 0; k < 4; ++k) add_side(k);
     ParameterBox low = face.box, high = face.box;
     low.high_pole = high.low_pole = false;
-    layout_.blocks.push_back({{0, 1, 2, 3}, {n, n}, make_polar_chart(face.surface, low, face.period), {}});
-    layout_.blocks.push_back({{4, 5, 6, 7}, {n, n}, make_polar_chart(face.surface, high, face.period), {}});
+    const std::array<int, 2> cap{counts.a, counts.b};
+    layout_.blocks.push_back({{0, 1, 2, 3}, cap, make_polar_chart(face.surface, low, face.period), {}});
+    layout_.blocks.push_back({{4, 5, 6, 7}, cap, make_polar_chart(face.surface, high, face.period), {}});
   }
 
   bool is_possible() const { return layout_.blocks[low_cap].chart && layout_.blocks[high_cap].chart; }
@@ -46,9 +58,11 @@ class Cube {
     box.low_pole = box.high_pole = false;
     box.lo.x = face_.box.lo.x + 0.25 * k * face_.period;
     box.hi.x = box.lo.x + 0.25 * face_.period;
-    const int next = (k + 1) % 4;
-    layout_.blocks.push_back(
-        {{k, next, 4 + next, 4 + k}, {n_, m_}, make_row_chart(face_.surface, box), face_.uv(0.5 * (box.lo + box.hi))});
+    const int next = (k + 1) % 4, across = k % 2 == 0 ? counts_.a : counts_.b;
+    layout_.blocks.push_back({{k, next, 4 + next, 4 + k},
+                              {across, counts_.m},
+                              make_row_chart(face_.surface, box),
+                              face_.uv(0.5 * (box.lo + box.hi))});
   }
 
   Vec2 on_side(int k, double s, double t) const {
@@ -62,7 +76,7 @@ class Cube {
 
   // Where the caps' sides, an eighth of a great circle from the poles of the cube, lie by the counts of quads.
   double stretched(double share) const {
-    double border = 0.5 * n_ / (n_ + m_);
+    const double across = 0.5 * (counts_.a + counts_.b), border = 0.5 * across / (across + counts_.m);
     if (share > 0.5) return 1 - stretched(1 - share);
     return share < 0.25 ? 4 * border * share : border + (2 - 4 * border) * (share - 0.25);
   }
@@ -79,27 +93,39 @@ class Cube {
   }
 
   const ClosedFace& face_;
-  const int n_, m_;
+  const CubeCounts counts_;
   std::vector<double> arc_;
   BlockLayout layout_;
 };
 
-/// Quads along a cap and from cap to cap. On the sphere girth and meridians ask for equal numbers.
-std::pair<int, int> choose_counts(const ClosedFace& face) {
-  FaceExtent extent = measure_extent(face);
-  double ratio = 4 * extent.tall / extent.girth - 1;  // m / n
-  if (!(ratio > 0.2)) return {0, 0};
-  double exact = std::sqrt(extent.elements / (2 + 4 * ratio));
-  int least = static_cast<int>(std::ceil(0.5 * M_PI / face.turn_limit - 1e-9));
-  int n = std::max({1, least, static_cast<int>(std::lround(exact))});
-  double m = ratio * n;
-  if (std::fabs(m - n) > 0.5) m = (extent.elements - 2.0 * n * n) / (4.0 * n);
-  return {n, std::max({1, least, static_cast<int>(std::lround(m))})};
+/// Of the counts that come near enough to the elements asked for the most even ones; on the sphere girth and meridians
+/// ask for equal numbers.
+CubeCounts choose_counts(const ClosedFace& face) {
+  const FaceExtent extent = measure_extent(face);
+  const double ratio = 4 * extent.tall / extent.girth - 1;  // of m to a and b
+  if (!(ratio > 0.2)) return {};
+  const double exact = std::sqrt(extent.elements / (2 + 4 * ratio));
+  const int least = std::max(1, static_cast<int>(std::ceil(0.5 * M_PI / face.turn_limit - 1e-9)));
+  auto from = [&](double count) { return std::max(least, static_cast<int>(std::lround(count)) - most_change); };
+  CubeCounts best;
+  double least_cost = INFINITY;
+  for (int a = from(exact); a <= from(exact) + 2 * most_change; ++a)
+    for (int b = a; b <= a + most_change; ++b)
+      for (int m = from(ratio * exact); m <= from(ratio * exact) + 2 * most_change; ++m) {
+        const CubeCounts counts{a, b, m};
+        const double off = std::fabs(std::log(counts.quads() / extent.elements));
+        const double x = std::log(1.0 * b / a), y = std::log(m / (ratio * std::sqrt(1.0 * a * b)));
+        const double uneven = x * x + y * y;
+        const double cost = off_price * std::max(0.0, off - near_enough) + uneven +
+                            uneven_price * std::max(0.0, uneven - fairly_even) + 1e-3 * off;
+        if (cost < least_cost) least_cost = cost, best = counts;
+      }
+  return best;
 }
 
-std::shared_ptr<const ClosedLayout> lay(const ClosedFace& face, int n, int m, double turn_limit,
+std::shared_ptr<const ClosedLayout> lay(const ClosedFace& face, CubeCounts counts, double turn_limit,
                                         const Progress& progress) {
-  const Cube cube(face, n, m);
+  const Cube cube(face, counts);
   if (!cube.is_possible()) return nullptr;
   auto place = [&](std::size_t block, double s, double t) { return cube.place(block, s, t); };
   const BlockGrid grid = placed_grid(face, cube.layout(), place, most_placed, progress);
@@ -109,14 +135,15 @@ std::shared_ptr<const ClosedLayout> lay(const ClosedFace& face, int n, int m, do
 }  // namespace
 
 std::shared_ptr<const ClosedLayout> lay_cube(const ClosedFace& face, const Progress& progress) {
-  auto [n, m] = choose_counts(face);
-  if (n == 0) return nullptr;
+  const CubeCounts counts = choose_counts(face);
+  if (counts.a == 0) return nullptr;
   // A few elements may be too few for the ends of a long body: then more, and at last as many as twice whatever they
   // miss.
-  int most = n <= most_coarse ? 2 * n : n;
+  const int n = counts.a, most = n <= most_coarse ? 2 * n : n;
   for (int finer = n; finer <= most; ++finer) {
-    double turn = finer > n && finer == most ? M_PI : most_turn;
-    if (auto layout = lay(face, finer, (m * finer + n - 1) / n, turn, progress)) return layout;
+    const double turn = finer > n && finer == most ? M_PI : most_turn;
+    auto more = [&](int count) { return (count * finer + n - 1) / n; };
+    if (auto layout = lay(face, {finer, more(counts.b), more(counts.m)}, turn, progress)) return layout;
   }
   return nullptr;
 }

@@ -112,12 +112,27 @@ TEST(Cube, ASphereHasEightNodesOfValenceThreeAndNoOtherIrregularOne) {
     auto grid = lay_cube(ball(*sphere, size), {});
     ASSERT_TRUE(grid);
     ASSERT_EQ(grid->blocks.size(), 6u);
-    for (const auto& block : grid->blocks) EXPECT_EQ(block->fine, grid->blocks[0]->fine);
+    for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(grid->blocks[k]->fine, grid->blocks[k + 2]->fine);
+    EXPECT_EQ(grid->blocks[4]->fine, (std::array{grid->blocks[0]->fine[0], grid->blocks[1]->fine[0]}));
     Figures figures = judge(*grid, *sphere);
     EXPECT_EQ(figures.valences[3], 8);
     EXPECT_EQ(figures.valences.size(), figures.quads > 6 ? 2u : 1u);
     EXPECT_GT(figures.worst, 0.8);
     EXPECT_LT(figures.variation, 0.12);
+  }
+}
+
+// Six equal sides have 6 n^2 quads only; sides that differ fill the gaps.
+TEST(Cube, ASphereHasAboutAsManyElementsAsAsked) {
+  auto sphere = evaluator(new Geom_SphericalSurface(gp_Ax3(), 10));
+  for (double asked = 24; asked < 3000; asked *= 1.05) {
+    FaceSize size(std::sqrt(4 * M_PI * 100 / asked));
+    auto grid = lay_cube(ball(*sphere, size), {});
+    ASSERT_TRUE(grid);
+    const Figures figures = judge(*grid, *sphere);
+    EXPECT_NEAR(figures.quads / asked, 1, asked > 170 ? 0.05 : 0.17) << asked;
+    EXPECT_LT(figures.variation, asked > 170 ? 0.1 : 0.16) << asked;
+    EXPECT_GT(figures.worst, 0.85) << asked;
   }
 }
 
