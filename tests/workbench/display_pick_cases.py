@@ -129,7 +129,7 @@ class Picking(WithPlaces):
         display = self.run_mesh()
         self.look()
         elements = self.facing(display)
-        self.assertGreater(len(elements), 20)
+        self.assertGreater(len(elements), 15)
         for element in elements:
             info = self.view.getObjectInfo(self.place_of(display, element))
             self.assertEqual((info["Object"], info["Component"]), (self.mesh.Name, report.element_name(element)))
