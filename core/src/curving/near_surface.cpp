@@ -45,28 +45,34 @@ Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
   return nearest;
 }
 
-double distance_to_surface(const Region& region, Vec2 p, Vec3 target, double scale, double known) {
+Foot foot_on_surface(const Region& region, Vec2 p, Vec3 target, double scale, const FootSearch& search) {
   constexpr int most_points = 16;
-  constexpr double most_turn = 1e-4;  // of the distance, as far as the surface turns by one on the scale
-  double best = INFINITY;
+  Foot foot;
   Vec2 at = p, step;
   for (int i = 0; i < most_points; ++i) {
     Vec3 x, xp, xq;
     region.evaluate(at, x, xp, xq);
     const Vec3 r = target - x;
     const double d = norm(r);
-    if (!(d < best)) {
+    if (!(d < foot.distance)) {
       step = 0.5 * step;
-      if (norm(step.x * xp + step.y * xq) <= 1e-6 * scale) break;
+      if (norm(step.x * xp + step.y * xq) <= search.least_halved * scale) break;
     } else {
-      best = d, p = at;
-      if (d <= known || !pull_back(xp, xq, r, step)) break;
+      foot = {d, cross(xp, xq)}, p = at;
+      if (d <= search.known || !pull_back(xp, xq, r, step)) break;
       const double along = norm(step.x * xp + step.y * xq);
-      if (along * along <= most_turn * scale * d) return std::sqrt(std::max(d * d - along * along, 0.0));
+      if (along <= search.least_step * scale || along * along <= search.most_turn * scale * d) {
+        foot.distance = std::sqrt(std::max(d * d - along * along, 0.0));
+        break;
+      }
     }
     at = region.chart->approach(p, step);
   }
-  return best;
+  return foot;
+}
+
+double distance_to_surface(const Region& region, Vec2 p, Vec3 target, double scale, double known) {
+  return foot_on_surface(region, p, target, scale, {.known = known}).distance;
 }
 
 }  // namespace paver

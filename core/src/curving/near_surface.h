@@ -1,6 +1,8 @@
 // Where the surface is near points that are nearly on it: from what a part's mesh knows of its nodes.
 #pragma once
 
+#include <cmath>
+
 #include "mesh/region_mesh.h"
 #include "regions/region.h"
 
@@ -60,9 +62,24 @@ Vec2 guess_centre(const Region& region, const RegionMesh& mesh, const std::array
 /// nearest on the way where that does not settle. Gives the point there.
 Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale);
 
-/// Distance from `target` to the surface near p, the target of an element as large as `scale`. Ends where the surface
-/// turns too little on the rest of the way to the foot to matter: that way then counts by Pythagoras. Where the
-/// distance is not above `known`, any bound that is not either.
+/// When a search for a foot point may end.
+struct FootSearch {
+  double known = 0;            ///< mm: any bound of the distance that is not above it will do
+  double most_turn = 1e-4;     ///< of the distance, as far as the surface turns by one on the scale
+  double least_step = 0;       ///< of the scale: a shorter step to the foot is not taken
+  double least_halved = 1e-6;  ///< the same of a step that was halved, as the surface bends or is stretched on the way
+};
+
+struct Foot {
+  double distance = INFINITY;  ///< mm
+  Vec3 normal;                 ///< xp x xq at the point found
+};
+
+/// From `target`, of an element as large as `scale`, to the surface near p. Ends where the surface turns too little on
+/// the rest of the way to the foot to matter: that way then counts by Pythagoras.
+Foot foot_on_surface(const Region& region, Vec2 p, Vec3 target, double scale, const FootSearch& search);
+
+/// Its distance; where that is not above `known`, any bound that is not either.
 double distance_to_surface(const Region& region, Vec2 p, Vec3 target, double scale, double known);
 
 }  // namespace paver

@@ -46,41 +46,6 @@ struct Totals {
   }
 };
 
-struct Foot {
-  double distance = INFINITY;
-  Vec3 normal;
-};
-
-/// From `target` to the surface near p. What is left of the way along the surface counts by Pythagoras once it is too
-/// short for the surface's turn to matter.
-Foot foot_of(const Region& region, Vec2 p, Vec3 target, double scale) {
-  constexpr int most_points = 16;
-  constexpr double most_turn = 0.01;  // of the distance
-  constexpr double no_step = 1e-7;    // of the scale
-  Foot foot;
-  Vec2 at = p, step;
-  for (int i = 0; i < most_points; ++i) {
-    Vec3 x, xp, xq;
-    region.evaluate(at, x, xp, xq);
-    const Vec3 r = target - x;
-    const double d = norm(r);
-    if (!(d < foot.distance)) {
-      step = 0.5 * step;
-      if (!(norm(step.x * xp + step.y * xq) > no_step * scale)) break;
-    } else {
-      foot = {d, cross(xp, xq)}, p = at;
-      if (!pull_back(xp, xq, r, step)) break;
-      const double along = norm(step.x * xp + step.y * xq);
-      if (along <= no_step * scale || along * along <= most_turn * scale * d) {
-        foot.distance = std::sqrt(std::max(d * d - along * along, 0.0));
-        break;
-      }
-    }
-    at = region.chart->approach(p, step);
-  }
-  return foot;
-}
-
 /// Rows of a part in the mesh.
 struct PartRows {
   std::size_t quad = 0, triangle = 0;
@@ -139,8 +104,9 @@ class PartSampler {
   }
 
   double sample(Vec2 uv) {
-    const Foot foot = foot_of(*part_.region, place_at(*part_.region, n_, places_, uv), patch_.at(uv),
-                              norm(patch_.nodes[2] - patch_.nodes[0]));
+    constexpr FootSearch search{.most_turn = 0.01, .least_step = 1e-7, .least_halved = 1e-7};
+    const Foot foot = foot_on_surface(*part_.region, place_at(*part_.region, n_, places_, uv), patch_.at(uv),
+                                      norm(patch_.nodes[2] - patch_.nodes[0]), search);
     if (!std::isfinite(foot.distance)) return 0;
     const std::array<Vec3, 2> slopes = patch_.slopes(uv);
     const Vec3 normal = cross(slopes[0], slopes[1]), wanted = is_reversed_ ? -1 * foot.normal : foot.normal;
