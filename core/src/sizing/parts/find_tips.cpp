@@ -23,9 +23,17 @@ class TipFinder {
     for (const Edge& edge : model_.edges)
       if (!edge.is_degenerate && edge.faces.size() != 2) open(edge.start), open(edge.end);
     std::vector<Tip> tips;
-    for (std::size_t v = 0; v < angle_.size(); ++v)
-      if (angle_[v] > 0 && angle_[v] < most_of_tip && !is_open_[v]) tips.push_back({static_cast<int>(v), 0, {}});
-    for (Tip& tip : tips) measure(tip);
+    std::vector<int> tip_of(angle_.size(), -1);
+    for (std::size_t v = 0; v < angle_.size(); ++v) {
+      if (!(angle_[v] > 0 && angle_[v] < most_of_tip) || is_open_[v]) continue;
+      tip_of[v] = static_cast<int>(tips.size());
+      tips.push_back({static_cast<int>(v), 0, {}});
+    }
+    for (const Edge& edge : model_.edges) {
+      if (edge.is_degenerate) continue;
+      if (edge.start >= 0) measure(edge, tip_of[static_cast<std::size_t>(edge.start)], tips);
+      if (edge.end >= 0 && edge.end != edge.start) measure(edge, tip_of[static_cast<std::size_t>(edge.end)], tips);
+    }
     return tips;
   }
 
@@ -52,12 +60,11 @@ class TipFinder {
     }
   }
 
-  void measure(Tip& tip) const {
-    for (const Edge& edge : model_.edges) {
-      if (edge.is_degenerate || (edge.start != tip.vertex && edge.end != tip.vertex)) continue;
-      tip.room = std::max(tip.room, edge.length);
-      tip.faces.insert(tip.faces.end(), edge.faces.begin(), edge.faces.end());
-    }
+  static void measure(const Edge& edge, int index, std::vector<Tip>& tips) {
+    if (index < 0) return;
+    Tip& tip = tips[static_cast<std::size_t>(index)];
+    tip.room = std::max(tip.room, edge.length);
+    tip.faces.insert(tip.faces.end(), edge.faces.begin(), edge.faces.end());
   }
 
   const Model& model_;
