@@ -36,6 +36,14 @@
         <translation>Wo die Oberfläche in eine Spitze ausläuft, wird die Ziellänge durch R geteilt; 1: nicht [4]</translation>
     </message>
     <message>
+        <source>Edges shorter than E target lengths are merged with others; off: nothing is merged [0.1]</source>
+        <translation>Kanten, die kürzer sind als das E-fache der Ziellänge, werden mit anderen zusammengefasst; off: nichts wird zusammengefasst [0.1]</translation>
+    </message>
+    <message>
+        <source>Faces narrower than W target lengths are merged with neighbours that run on without a corner [0.05]</source>
+        <translation>Flächen, die schmaler sind als das W-fache der Ziellänge, werden mit Nachbarn zusammengefasst, die ohne Knick anschließen [0.05]</translation>
+    </message>
+    <message>
         <source>Largest distance between mesh and surface: faces farther off get shorter lengths [as it comes]. 0: not given</source>
         <translation>Größter Abstand zwischen Netz und Oberfläche: Flächen, die weiter abliegen, erhalten kürzere Längen [wie er sich ergibt]. 0: nicht gegeben</translation>
     </message>
@@ -445,6 +453,10 @@
     <message>
         <source>A narrow trailing edge beside large faces</source>
         <translation>Eine schmale Hinterkante neben großen Flächen</translation>
+    </message>
+    <message>
+        <source>{} small edges and faces were merged, up to {} mm: {}.</source>
+        <translation>{} kleine Kanten und Flächen wurden zusammengefasst, bis zu {} mm: {}.</translation>
     </message>
     <message>
         <source>The mesh is out of date: an option or a shape has changed; mesh again.</source>
@@ -1097,6 +1109,14 @@
     <message>
         <source>Finer at tips by</source>
         <translation>An Spitzen feiner um</translation>
+    </message>
+    <message>
+        <source>Merge edges below</source>
+        <translation>Kanten zusammenfassen unter</translation>
+    </message>
+    <message>
+        <source>Merge faces below</source>
+        <translation>Flächen zusammenfassen unter</translation>
     </message>
     <message>
         <source>Largest distance</source>

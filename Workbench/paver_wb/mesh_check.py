@@ -11,6 +11,7 @@ GOOD, NOTE, WARNING, ERROR = "good", "note", "warning", "error"
 POOR = 0.3  # scaled Jacobian
 LONGEST = 1.6  # of the target length
 MOST_CONTACTS = 3  # are named
+MOST_MERGES, MOST_PLACES = 5, 50  # are named, are shown
 
 
 class Finding(NamedTuple):
@@ -34,7 +35,7 @@ def of_document(obj):
 def of_mesh(mesh):
     """[Finding] of a StoredMesh; looks at no document, so any thread may ask."""
     figures = statistics.of_mesh(mesh)
-    return [validity(figures), shape(figures), *repairs(mesh), *parts(mesh), *borders(mesh, figures), triangles(figures), *lengths(mesh, figures)]
+    return [validity(figures), shape(figures), *repairs(mesh), *merges(mesh), *parts(mesh), *borders(mesh, figures), triangles(figures), *lengths(mesh, figures)]
 
 
 def in_order(findings):
@@ -118,6 +119,24 @@ def repairs(mesh):
     names = repair_names()
     listed = ", ".join(f"{repair['count']} {names.get(repair['kind'], repair['kind'])}" for repair in made)
     return [Finding(NOTE, translate("Paver", "The model was repaired: {}.").format(listed))]
+
+
+def merges(mesh):
+    """What was merged, as it is small. Nothing of documents that were saved before this was known."""
+    made = mesh.report.get("merges", [])
+    if not made:
+        return []
+    named = ", ".join(merge["name"] for merge in made[:MOST_MERGES]) + ("" if len(made) <= MOST_MERGES else " \u2026")
+    text = translate("Paver", "{} small edges and faces were merged, up to {} mm: {}.")
+    return [Finding(NOTE, text.format(len(made), f"{max(merge['size'] for merge in made):.3g}", named),
+                    at_places(mesh, [merge["where"] for merge in made[:MOST_PLACES]]))]
+
+
+def at_places(mesh, places):
+    """Numbers of the elements about the nodes nearest to the places."""
+    nodes = [np.argmin(((mesh.nodes - np.array(place)) ** 2).sum(axis=1)) for place in places]
+    has = np.concatenate([np.isin(elements, nodes).any(axis=1) for elements in (mesh.quads, mesh.triangles)])
+    return tuple((np.flatnonzero(has) + 1).tolist())
 
 
 def parts(mesh):

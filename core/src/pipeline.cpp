@@ -26,6 +26,7 @@
 #include "regions/divide_loops.h"
 #include "repair/repair_parts.h"
 #include "sizing/chord_lengths.h"
+#include "sizing/merging/merge_small.h"
 #include "topology/build_model.h"
 #include "topology/components.h"
 #include "topology/edge_entities.h"
@@ -166,8 +167,10 @@ class Run {
     result_.report.stage_seconds.push_back({stage_name(Stage::read), model.read_seconds});
     begin(Stage::topology);
     model_ = build_model(*model.shape, options_, model.report, progress_, shared_);
+    result_.report.merges = merge_small(model_, options_);
     result_.report.model = model_.report;
     result_.report.notes = model_.notes;
+    if (std::string note = note_merges(result_.report.merges); !note.empty()) result_.report.notes.push_back(note);
     for (const Face& face : model_.faces) {
       FaceReport report;
       report.name = face.name;
@@ -175,6 +178,7 @@ class Run {
       if (!face.has_area) report.status = FaceStatus::no_area;
       if (face.is_common) report.status = FaceStatus::common;
       if (face.is_dropped) report.status = FaceStatus::dropped;
+      if (face.is_merged) report.status = FaceStatus::merged;
       for (int part : face.front) report.front.push_back(model_.parts[part]);
       for (int part : face.back) report.back.push_back(model_.parts[part]);
       if (face.has_area && !face.fault.empty()) {

@@ -18,6 +18,8 @@ VALUES = {
     "max_turn": ("20 deg", 20, {}, True),
     "gradation": ("0.2", 0.2, {"max_turn": "15"}, True),
     "tip": ("2", 2, {}, False),
+    "merge": ("off", 0, {}, False),
+    "merge_width": ("0.01", 0.01, {}, False),
     "chord_error": ("1 mm", 1, {}, False),
     "local": ("Face1=3;Edge2=eps-r:9", {"Face1": 3, "Edge2": {"eps_r": 9}}, {"size": None, "frequency": "2.5GHz"}, True),
     "max_elements": ("100000", 100000, {}, False),

@@ -9,14 +9,18 @@
 
 namespace paver::test {
 
-inline MeshResult mesh_of(const TopoDS_Shape& shape, double size) {
+inline MeshResult mesh_of(const TopoDS_Shape& shape, const Options& options) {
   TemporaryFolder folder;
   std::string path = folder.file("model.brep");
   BRepTools::Write(shape, path.c_str());
-  Options options;
-  options.size = size;
   Progress progress;
   return mesh_file(path, options, progress);
+}
+
+inline MeshResult mesh_of(const TopoDS_Shape& shape, double size) {
+  Options options;
+  options.size = size;
+  return mesh_of(shape, options);
 }
 
 inline RunReport report_of(const TopoDS_Shape& shape, double size) { return mesh_of(shape, size).report; }

@@ -43,6 +43,7 @@ enum class FaceStatus {
   failed,
   common,   ///< all of it is common with other faces: what they have in common is an entry of its own
   dropped,  ///< left out, as it lies between or inside solids of a union
+  merged,   ///< left to its neighbours, as it is small against the target length
 };
 
 /// How far elements are from the surface that they stand for, and the other way; sampled (core/docs/quality.md).
@@ -134,6 +135,19 @@ struct Repair {
   std::vector<std::string> faces;  ///< "Face3", where it is one face's
 };
 
+/// What was merged, as it is small against the target length.
+enum class MergeKind { edge, face };
+
+/// "edge" or "face".
+const char* merge_name(MergeKind kind);
+
+struct Merge {
+  MergeKind kind = MergeKind::edge;
+  std::string name, into;  ///< "Edge7" and the edge that goes on in its place; "Face3" and a neighbour
+  double size = 0;         ///< of an edge its length, of a face its width, mm
+  Vec3 where;
+};
+
 /// What reading and topology found.
 struct ModelReport {
   std::string file, format, unit;  ///< unit the file states, e.g. "INCH"; lengths are millimetres all the same
@@ -186,6 +200,7 @@ struct RunReport {
   Elements elements = Elements::quad_dominant;
   QualityReport quality;
   std::vector<FaceReport> faces;  ///< the faces as read, then what several of them have in common
+  std::vector<Merge> merges;
   std::vector<ElementRepair> element_repairs;
   std::vector<std::string> notes;                             ///< one sentence each
   std::vector<std::pair<std::string, double>> stage_seconds;  ///< wall time per stage, in order

@@ -49,11 +49,17 @@ void fields(A& archive, Is<ElementRepair> auto& repair) {
 }
 
 template <class A>
+void fields(A& archive, Is<Merge> auto& merge) {
+  auto& [kind, name, into, size, where] = merge;
+  archive(kind, name, into, size, where);
+}
+
+template <class A>
 void fields(A& archive, Is<RunReport> auto& run) {
-  auto& [model, components, gaps, target_length, order, threads, elements, quality, faces, element_repairs, notes,
-         stage_seconds, stage_runs, tasks, peak_memory_mib] = run;
-  archive(model, components, gaps, target_length, order, threads, elements, quality, faces, element_repairs, notes,
-          stage_seconds, stage_runs, tasks, peak_memory_mib);
+  auto& [model, components, gaps, target_length, order, threads, elements, quality, faces, merges, element_repairs,
+         notes, stage_seconds, stage_runs, tasks, peak_memory_mib] = run;
+  archive(model, components, gaps, target_length, order, threads, elements, quality, faces, merges, element_repairs,
+          notes, stage_seconds, stage_runs, tasks, peak_memory_mib);
 }
 
 template <class A>

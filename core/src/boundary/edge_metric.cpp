@@ -307,13 +307,25 @@ double EdgeMetric::smooth_turn() const {
   return sum;
 }
 
-std::vector<double> EdgeMetric::node_lengths(int n) const {
-  std::vector<Kink> used = kinks_;
-  if (static_cast<int>(used.size()) >= n) {
-    std::stable_sort(used.begin(), used.end(), [](const Kink& a, const Kink& b) { return a.turn > b.turn; });
-    used.resize(static_cast<std::size_t>(n - 1));
-    std::sort(used.begin(), used.end(), [](const Kink& a, const Kink& b) { return a.row < b.row; });
+// The sharpest first, while there are nodes for them; none of these may be all but on another or on an end.
+std::vector<EdgeMetric::Kink> EdgeMetric::kinks_with_nodes(int n) const {
+  constexpr double least_apart = 0.1;  // target lengths
+  std::vector<Kink> kinks = kinks_, used;
+  std::stable_sort(kinks.begin(), kinks.end(), [](const Kink& a, const Kink& b) { return a.turn > b.turn; });
+  for (const Kink& kink : kinks) {
+    const double here = rows_[kink.row].weight;
+    const auto is_near = [&](double other) { return std::abs(other - here) < least_apart; };
+    if (static_cast<int>(used.size()) >= n - 1) break;
+    if (is_near(0) || is_near(weight())) continue;
+    if (std::none_of(used.begin(), used.end(), [&](const Kink& k) { return is_near(rows_[k.row].weight); }))
+      used.push_back(kink);
   }
+  std::sort(used.begin(), used.end(), [](const Kink& a, const Kink& b) { return a.row < b.row; });
+  return used;
+}
+
+std::vector<double> EdgeMetric::node_lengths(int n) const {
+  const std::vector<Kink> used = kinks_with_nodes(n);
   std::vector<Row> ends = {rows_.front()};  // of the pieces between kinks
   for (const Kink& kink : used) ends.push_back(rows_[kink.row]);
   ends.push_back(rows_.back());

@@ -26,7 +26,7 @@ class EdgeMetric {
   double smooth_turn() const;
   int kink_count() const { return static_cast<int>(kinks_.size()); }
   /// Arc lengths of the n + 1 nodes of `n` intervals: equal in weight between kinks, a node on each kink (on the
-  /// sharpest n - 1 of them where there are more).
+  /// sharpest n - 1 of them where there are more) that is not all but on another node.
   std::vector<double> node_lengths(int n) const;
   /// Arc length where the weight reaches `weight`, 0 to weight().
   double length_at_weight(double weight) const;
@@ -65,6 +65,7 @@ class EdgeMetric {
   void weigh();
   double length_at_bend(double s, double by_curvature, const SizeField& size) const;
   double quadrature(double a, double b) const;
+  std::vector<Kink> kinks_with_nodes(int n) const;
   std::vector<int> share_intervals(const std::vector<Row>& ends, int n) const;
   enum class KinkSide { before, behind };
   double turn_at_length(double s, KinkSide side) const;

@@ -25,7 +25,7 @@ void AreaSlack::unite(Ranks& ranks) {
 }
 
 bool AreaSlack::allows(const Face& face, int index, double mesh_area) const {
-  const double slack = cad_share * face.area + faces_[static_cast<std::size_t>(index)].total();
+  const double slack = cad_share * face.area + face.merged_area + faces_[static_cast<std::size_t>(index)].total();
   return std::fabs(mesh_area - face.area) <= slack;
 }
 

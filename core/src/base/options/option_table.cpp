@@ -117,6 +117,24 @@ std::vector<Entry> grading_entries(const Options& d) {
         "",
         {}},
        [](Options& o, const Value& v) { o.tip = v.number; }},
+      {{"merge",
+        OptionKind::number,
+        "E",
+        "Edges shorter than E target lengths are merged with others; off: nothing is merged",
+        text_of(d.merge),
+        "",
+        "",
+        {}},
+       [](Options& o, const Value& v) { o.merge = v.number; }},
+      {{"merge_width",
+        OptionKind::number,
+        "W",
+        "Faces narrower than W target lengths are merged with neighbours that run on without a corner",
+        text_of(d.merge_width),
+        "",
+        "",
+        {}},
+       [](Options& o, const Value& v) { o.merge_width = v.number; }},
       {{"chord_error",
         OptionKind::length,
         "E",
@@ -252,7 +270,7 @@ std::optional<Value> read_value(const OptionInfo& info, const std::string& text)
     case OptionKind::angle:
       return number(parse_angle(text));
     case OptionKind::number:
-      return number(parse_number(text));
+      return number(text == "off" ? 0 : parse_number(text));
     case OptionKind::integer:
       return number(parse_integer(text));
     case OptionKind::local:

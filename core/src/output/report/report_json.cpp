@@ -24,6 +24,8 @@ const char* status_name(FaceStatus status) {
       return "common";
     case FaceStatus::dropped:
       return "dropped";
+    case FaceStatus::merged:
+      return "merged";
   }
   return "failed";
 }
@@ -145,6 +147,7 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
                {"doubts", doubts(run)},
                {"quality", quality_json(run.quality)},
                {"faces", Json::array()},
+               {"merges", Json::array()},
                {"element_repairs", Json::array()},
                {"notes", run.notes},
                {"stage_seconds", Json::object()},
@@ -159,6 +162,12 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
     const std::string& label = i < result.face_names.size() ? result.face_names[i] : run.faces[i].name;
     json["faces"].push_back(face_json(run.faces[i], label));
   }
+  for (const auto& [kind, name, into, size, where] : run.merges)
+    json["merges"].push_back({{"kind", merge_name(kind)},
+                              {"name", name},
+                              {"into", into},
+                              {"size", size},
+                              {"where", {where.x, where.y, where.z}}});
   for (const auto& [kind, entity, where] : run.element_repairs)
     json["element_repairs"].push_back(
         {{"kind", element_repair_name(kind)}, {"entity", entity}, {"where", {where.x, where.y, where.z}}});

@@ -1,0 +1,261 @@
+// In: model, limits. Out: the model with composite edges.
+// Steps: vertices at which two edges of the same faces end and run on, the shortest first; chains of what is joined
+// there; for each one edge whose curve and images are those of its pieces, one after the other.
+#include "sizing/merging/edge_chains.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace paver {
+namespace {
+
+constexpr double smooth_reach = 3;  // short edges may be so much longer where they run straight on
+
+struct Piece {
+  int edge = -1;
+  bool is_reversed = false;  // against the chain
+};
+
+/// Where the pieces of a chain begin, in the chain's parameter: mm along it.
+struct Pieces {
+  std::vector<double> begin;                     // one more than pieces
+  std::vector<std::pair<double, double>> range;  // of the piece's own parameter, in the chain's direction
+
+  /// The piece at s, its parameter there, and what that grows by s.
+  std::size_t find(double s, double& t, double& pace) const {
+    const auto after = std::upper_bound(begin.begin(), begin.end(), s);
+    const auto i = static_cast<std::size_t>(
+        std::clamp<std::ptrdiff_t>(after - begin.begin() - 1, 0, static_cast<std::ptrdiff_t>(range.size()) - 1));
+    pace = (range[i].second - range[i].first) / (begin[i + 1] - begin[i]);
+    t = range[i].first + pace * (s - begin[i]);
+    return i;
+  }
+};
+
+class ChainCurve : public Curve {
+ public:
+  ChainCurve(std::shared_ptr<const Pieces> pieces, std::vector<std::shared_ptr<const Curve>> curves)
+      : pieces_(std::move(pieces)), curves_(std::move(curves)) {}
+  Vec3 point(double s) const override {
+    double t, pace;
+    return curves_[pieces_->find(s, t, pace)]->point(t);
+  }
+  void d1(double s, Vec3& x, Vec3& xs) const override {
+    double t, pace;
+    curves_[pieces_->find(s, t, pace)]->d1(t, x, xs);
+    xs = pace * xs;
+  }
+  void d2(double s, Vec3& x, Vec3& xs, Vec3& xss) const override {
+    double t, pace;
+    curves_[pieces_->find(s, t, pace)]->d2(t, x, xs, xss);
+    xs = pace * xs;
+    xss = pace * pace * xss;
+  }
+
+ private:
+  std::shared_ptr<const Pieces> pieces_;
+  std::vector<std::shared_ptr<const Curve>> curves_;
+};
+
+class ChainImage : public ParameterCurve {
+ public:
+  ChainImage(std::shared_ptr<const Pieces> pieces, std::vector<std::shared_ptr<const ParameterCurve>> images)
+      : pieces_(std::move(pieces)), images_(std::move(images)) {}
+  Vec2 uv(double s) const override {
+    double t, pace;
+    return images_[pieces_->find(s, t, pace)]->uv(t);
+  }
+
+ private:
+  std::shared_ptr<const Pieces> pieces_;
+  std::vector<std::shared_ptr<const ParameterCurve>> images_;
+};
+
+class ChainJoiner {
+ public:
+  ChainJoiner(ModelEdits& edits, const MergeLimits& limits) : edits_(edits), limits_(limits) {}
+
+  void run(std::vector<Merge>& merges) {
+    find_chains();
+    for (std::vector<Piece>& chain : chains_)
+      if (chain.size() > 1) make(chain, merges);
+  }
+
+ private:
+  struct Joint {
+    int vertex = -1;
+    double shorter = 0, angle = 0;
+  };
+
+  void find_chains() {
+    const auto count = edits_.model().edges.size();
+    chains_.resize(count);
+    lengths_.resize(count);
+    chain_of_.resize(count);
+    place_.resize(count);
+    std::iota(chain_of_.begin(), chain_of_.end(), 0);
+    for (std::size_t e = 0; e < count; ++e)
+      chains_[e] = {{static_cast<int>(e), false}}, lengths_[e] = edits_.edge(static_cast<int>(e)).length;
+    std::vector<Joint> joints;
+    for (std::size_t v = 0; v < edits_.model().vertices.size(); ++v) {
+      Joint joint{static_cast<int>(v)};
+      if (is_joint(joint)) joints.push_back(joint);
+    }
+    std::stable_sort(joints.begin(), joints.end(),
+                     [](const Joint& a, const Joint& b) { return a.shorter < b.shorter; });
+    for (const Joint& joint : joints) join(joint);
+  }
+
+  bool is_joint(Joint& joint) const {
+    const std::vector<int>& edges = edits_.edges_at(joint.vertex);
+    if (edges.size() != 2 || edges[0] == edges[1] || edits_.is_fixed(joint.vertex)) return false;
+    const Edge &a = edits_.edge(edges[0]), &b = edits_.edge(edges[1]);
+    if (a.faces != b.faces || limits_.is_protected(edges[0]) || limits_.is_protected(edges[1])) return false;
+    if (a.is_periodic || b.is_periodic) return false;
+    joint.shorter = std::min(a.length, b.length);
+    if (joint.shorter > smooth_reach * limits_.short_edge(a.length < b.length ? edges[0] : edges[1])) return false;
+    if (limits_.holds(joint.vertex, {}, joint.shorter)) return false;
+    joint.angle = angle_between(-1 * direction_out(a, a.end == joint.vertex), direction_out(b, b.end == joint.vertex));
+    return joint.angle <= smooth_angle * M_PI / 180 && runs_on(edges[0], edges[1], joint.vertex);
+  }
+
+  // In all their loops the two follow one another, and their images do.
+  bool runs_on(int a, int b, int vertex) const {
+    int found = 0;
+    for (std::size_t use = 0; use < edits_.edge(a).faces.size(); ++use) {
+      const int f = edits_.edge(a).faces[use];
+      if (use > 0 && f == edits_.edge(a).faces[use - 1]) return false;
+      const Face& face = edits_.model().faces[static_cast<std::size_t>(f)];
+      for (const Loop& loop : face.loops)
+        for (std::size_t i = 0, n = loop.coedges.size(); i < n; ++i) {
+          const Coedge &one = loop.coedges[i], &two = loop.coedges[(i + 1) % n];
+          const bool meet =
+              ((one.edge == a && two.edge == b) || (one.edge == b && two.edge == a)) && end_of(one) == vertex && n > 2;
+          found += meet && one.pcurve && two.pcurve && !one.is_slit && !two.is_slit && is_continuous(face, one, two);
+        }
+    }
+    return found == static_cast<int>(edits_.edge(a).faces.size());
+  }
+
+  int end_of(const Coedge& coedge) const {
+    const Edge& edge = edits_.edge(coedge.edge);
+    return coedge.is_reversed ? edge.start : edge.end;
+  }
+
+  bool is_continuous(const Face& face, const Coedge& one, const Coedge& two) const {
+    constexpr double apart = 0.25;  // of the period
+    const Edge &a = edits_.edge(one.edge), &b = edits_.edge(two.edge);
+    const Vec2 gap = two.pcurve->uv(two.is_reversed ? b.t1 : b.t0) - one.pcurve->uv(one.is_reversed ? a.t0 : a.t1);
+    const Vec2 period = face.surface->period();
+    return !(period.x > 0 && std::abs(gap.x) > apart * period.x) &&
+           !(period.y > 0 && std::abs(gap.y) > apart * period.y);
+  }
+
+  void join(const Joint& joint) {
+    const std::vector<int>& edges = edits_.edges_at(joint.vertex);
+    const int a = chain_of_[static_cast<std::size_t>(edges[0])], b = chain_of_[static_cast<std::size_t>(edges[1])];
+    if (a == b) return;  // one vertex of a closed chain stays
+    const int shorter = length(a) < length(b) ? a : b;
+    const double limit = limits_.short_edge(edges[0]), at_corner = length(shorter) * joint.angle;
+    if (length(shorter) > smooth_reach * limit || at_corner > limit * smooth_angle * M_PI / 180) return;
+    std::vector<Piece>&one = chains_[static_cast<std::size_t>(a)], &two = chains_[static_cast<std::size_t>(b)];
+    if (start_of(one.front()) == joint.vertex && one.front().edge == edges[0]) reverse(one);
+    if (end_of(two.back()) == joint.vertex && two.back().edge == edges[1]) reverse(two);
+    for (const Piece& piece : two) chain_of_[static_cast<std::size_t>(piece.edge)] = a;
+    one.insert(one.end(), two.begin(), two.end());
+    two.clear();
+    lengths_[static_cast<std::size_t>(a)] += length(b);
+  }
+
+  double length(int chain) const { return lengths_[static_cast<std::size_t>(chain)]; }
+  int start_of(const Piece& piece) const {
+    return piece.is_reversed ? edits_.edge(piece.edge).end : edits_.edge(piece.edge).start;
+  }
+  int end_of(const Piece& piece) const {
+    return piece.is_reversed ? edits_.edge(piece.edge).start : edits_.edge(piece.edge).end;
+  }
+  static void reverse(std::vector<Piece>& chain) {
+    std::reverse(chain.begin(), chain.end());
+    for (Piece& piece : chain) piece.is_reversed = !piece.is_reversed;
+  }
+
+  void make(std::vector<Piece>& chain, std::vector<Merge>& merges) {
+    const auto longest = [&](const Piece& a, const Piece& b) {
+      return edits_.edge(a.edge).length < edits_.edge(b.edge).length;
+    };
+    const Piece named = *std::max_element(chain.begin(), chain.end(), longest);
+    if (named.is_reversed) reverse(chain);
+    const int kept = named.edge;
+    auto pieces = std::make_shared<Pieces>();
+    std::vector<std::shared_ptr<const Curve>> curves;
+    Edge whole = edits_.edge(kept);
+    whole.start = start_of(chain.front()), whole.end = end_of(chain.back());
+    whole.origins.clear();
+    pieces->begin.push_back(0);
+    for (const Piece& piece : chain) {
+      const Edge& edge = edits_.edge(piece.edge);
+      pieces->range.push_back(piece.is_reversed ? std::pair{edge.t1, edge.t0} : std::pair{edge.t0, edge.t1});
+      pieces->begin.push_back(pieces->begin.back() + edge.length);
+      curves.push_back(edge.curve);
+      whole.origins.insert(whole.origins.end(), edge.origins.begin(), edge.origins.end());
+      if (piece.edge != kept)
+        merges.push_back(
+            {MergeKind::edge, edge.name, whole.name, edge.length, edge.curve->point(0.5 * (edge.t0 + edge.t1))});
+    }
+    std::sort(whole.origins.begin(), whole.origins.end());
+    whole.t0 = 0, whole.t1 = whole.length = pieces->begin.back();
+    whole.curve = std::make_shared<ChainCurve>(pieces, curves);
+    put_into_loops(chain, kept, whole, pieces);
+  }
+
+  void put_into_loops(const std::vector<Piece>& chain, int kept, const Edge& whole,
+                      const std::shared_ptr<const Pieces>& pieces) {
+    const int name = chain_of_[static_cast<std::size_t>(kept)];
+    for (std::size_t i = 0; i < chain.size(); ++i)
+      place_[static_cast<std::size_t>(chain[i].edge)] = static_cast<int>(i);
+    struct Use {
+      Loop* loop;
+      Coedge coedge;
+    };
+    std::vector<Use> uses;
+    for (int f : whole.faces)
+      for (Loop& loop : edits_.model().faces[static_cast<std::size_t>(f)].loops) {
+        std::vector<std::shared_ptr<const ParameterCurve>> images(chain.size());
+        Coedge coedge;
+        for (const Coedge& use : loop.coedges) {
+          if (chain_of_[static_cast<std::size_t>(use.edge)] != name) continue;
+          const auto i = static_cast<std::size_t>(place_[static_cast<std::size_t>(use.edge)]);
+          images[i] = use.pcurve;
+          coedge.is_reversed = use.is_reversed != chain[i].is_reversed;
+        }
+        if (!images.front()) continue;
+        coedge.edge = kept;
+        coedge.pcurve = std::make_shared<ChainImage>(pieces, std::move(images));
+        uses.push_back({&loop, coedge});
+      }
+    for (const Use& use : uses)
+      for (Coedge& coedge : use.loop->coedges)
+        if (coedge.edge == kept) coedge = use.coedge;
+    std::vector<int> others;
+    for (const Piece& piece : chain)
+      if (piece.edge != kept) others.push_back(piece.edge);
+    edits_.take_out(others);
+    edits_.set(kept, whole);
+  }
+
+  ModelEdits& edits_;
+  const MergeLimits& limits_;
+  std::vector<std::vector<Piece>> chains_;  // of the edge that they are known by
+  std::vector<double> lengths_;
+  std::vector<int> chain_of_;
+  std::vector<int> place_;  // of an edge in its chain
+};
+
+}  // namespace
+
+void join_chains(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges) {
+  ChainJoiner(edits, limits).run(merges);
+}
+
+}  // namespace paver

@@ -1,0 +1,161 @@
+#include "sizing/merging/model_edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace paver {
+namespace {
+
+class MatchedCurve : public ParameterCurve {
+ public:
+  MatchedCurve(std::shared_ptr<const ParameterCurve> image, std::shared_ptr<const ParameterMatch> match)
+      : image_(std::move(image)), match_(std::move(match)) {}
+  Vec2 uv(double t) const override { return image_->uv((*match_)(t)); }
+
+ private:
+  std::shared_ptr<const ParameterCurve> image_;
+  std::shared_ptr<const ParameterMatch> match_;
+};
+
+template <class F>
+void for_uses(Model& model, const Edge& edge, int index, F&& f) {
+  std::vector<int> faces = edge.faces;
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  for (int face : faces)
+    for (Loop& loop : model.faces[static_cast<std::size_t>(face)].loops)
+      for (std::size_t i = 0; i < loop.coedges.size(); ++i)
+        if (loop.coedges[i].edge == index) f(loop.coedges, i);
+}
+
+}  // namespace
+
+double ParameterMatch::operator()(double t) const {
+  const auto after = std::upper_bound(from_.begin(), from_.end(), t);
+  const auto i = static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(after - from_.begin(), 1, static_cast<std::ptrdiff_t>(from_.size()) - 1));
+  const double step = from_[i] - from_[i - 1];
+  const double share = step > 0 ? std::clamp((t - from_[i - 1]) / step, 0.0, 1.0) : 0;
+  return (1 - share) * to_[i - 1] + share * to_[i];
+}
+
+Vec3 direction_out(const Edge& edge, bool at_end) {
+  // A chord, as curves may stand still at their ends.
+  constexpr double chord = 1e-3;
+  const double step = chord * (edge.t1 - edge.t0);
+  const Vec3 from = edge.curve->point(at_end ? edge.t1 : edge.t0);
+  return unit(edge.curve->point(at_end ? edge.t1 - step : edge.t0 + step) - from);
+}
+
+double angle_between(Vec3 a, Vec3 b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
+
+ModelEdits::ModelEdits(Model& model)
+    : model_(model), edges_at_(model.vertices.size()), is_fixed_(model.vertices.size(), 0) {
+  for (std::size_t e = 0; e < model.edges.size(); ++e) {
+    const Edge& edge = model.edges[e];
+    if (edge.is_degenerate) poles_.push_back(static_cast<int>(e));
+    if (!edge.curve) continue;
+    for (int vertex : {edge.start, edge.end}) {
+      edges_at_[static_cast<std::size_t>(vertex)].push_back(static_cast<int>(e));
+      if (edge.is_wire()) fix(vertex);
+    }
+  }
+  for (const PartPoint& point : model.points) fix(point.vertex);
+  for (const Face& face : model.faces)
+    for (const InnerPoint& point : face.points) fix(point.vertex);
+}
+
+void ModelEdits::unlink(int e) {
+  for (int vertex : {edge(e).start, edge(e).end}) std::erase(edges_at_[static_cast<std::size_t>(vertex)], e);
+}
+
+void ModelEdits::link(int e) {
+  for (int vertex : {edge(e).start, edge(e).end}) {
+    std::vector<int>& edges = edges_at_[static_cast<std::size_t>(vertex)];
+    edges.insert(std::upper_bound(edges.begin(), edges.end(), e), e);
+  }
+}
+
+void ModelEdits::take_out(const std::vector<int>& edges) {
+  std::set<int> faces;
+  for (int e : edges) {
+    unlink(e);
+    faces.insert(edge(e).faces.begin(), edge(e).faces.end());
+    edge(e).curve.reset();
+    edge(e).faces.clear();
+  }
+  for (int face : faces) {
+    std::vector<Loop>& loops = model_.faces[static_cast<std::size_t>(face)].loops;
+    for (Loop& loop : loops)
+      std::erase_if(loop.coedges, [&](const Coedge& c) { return !edge(c.edge).curve && !edge(c.edge).is_degenerate; });
+    std::erase_if(loops, [](const Loop& loop) { return loop.coedges.empty(); });
+  }
+}
+
+void ModelEdits::set(int index, const Edge& changed) {
+  unlink(index);
+  edge(index) = changed;
+  link(index);
+}
+
+void ModelEdits::move_vertex(int from, int to, double reach) {
+  const double moved = norm(point(to) - point(from));
+  for (int e : edges_at(from))
+    for (int face : edge(e).faces) model_.faces[static_cast<std::size_t>(face)].merged_area += moved * reach;
+  std::vector<int>& old = edges_at_[static_cast<std::size_t>(from)];
+  std::vector<int>& now = edges_at_[static_cast<std::size_t>(to)];
+  for (int e : old) {
+    if (edge(e).start == from) edge(e).start = to;
+    if (edge(e).end == from) edge(e).end = to;
+    now.push_back(e);
+  }
+  old.clear();
+  std::sort(now.begin(), now.end());
+  for (int pole : poles_)
+    if (edge(pole).start == from) edge(pole).start = edge(pole).end = to;
+}
+
+int ModelEdits::split(int e, double t) {
+  const int behind = static_cast<int>(model_.edges.size()), vertex = static_cast<int>(model_.vertices.size());
+  model_.vertices.push_back(edge(e).curve->point(t));
+  edges_at_.emplace_back();
+  is_fixed_.push_back(0);
+  unlink(e);
+  model_.edges.push_back(edge(e));
+  if (was_smooth(e)) note_smooth(behind);
+  model_.edge_part.resize(model_.edges.size(), -1);
+  Edge &first = edge(e), &second = edge(behind);
+  const double share = (t - first.t0) / (first.t1 - first.t0);
+  first.t1 = second.t0 = t;
+  first.end = second.start = vertex;
+  second.length *= 1 - share;
+  first.length *= share;
+  link(e);
+  link(behind);
+  for_uses(model_, edge(e), e, [&](std::vector<Coedge>& coedges, std::size_t& i) {
+    Coedge other = coedges[i];
+    other.edge = behind;
+    coedges.insert(coedges.begin() + static_cast<std::ptrdiff_t>(coedges[i].is_reversed ? i : i + 1), other);
+    ++i;
+  });
+  return behind;
+}
+
+void ModelEdits::replace(int gone, int kept, bool same_direction, const std::shared_ptr<const ParameterMatch>& match) {
+  for_uses(model_, edge(gone), gone, [&](std::vector<Coedge>& coedges, std::size_t i) {
+    Coedge& coedge = coedges[i];
+    coedge.edge = kept;
+    coedge.is_reversed = coedge.is_reversed == same_direction;
+    coedge.pcurve = std::make_shared<MatchedCurve>(coedge.pcurve, match);
+  });
+  Edge &from = edge(gone), &to = edge(kept);
+  to.faces.insert(to.faces.end(), from.faces.begin(), from.faces.end());
+  std::sort(to.faces.begin(), to.faces.end());
+  to.origins.insert(to.origins.end(), from.origins.begin(), from.origins.end());
+  unlink(gone);
+  from.curve.reset();
+  from.faces.clear();
+}
+
+}  // namespace paver

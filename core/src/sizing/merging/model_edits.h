@@ -1,0 +1,71 @@
+// Changes to the model that take small parts out of it.
+#pragma once
+
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "topology/model.h"
+
+namespace paver {
+
+/// A parameter of one edge for each of another: linear between rows.
+class ParameterMatch {
+ public:
+  ParameterMatch(std::vector<double> from, std::vector<double> to) : from_(std::move(from)), to_(std::move(to)) {}
+  double operator()(double t) const;
+
+ private:
+  std::vector<double> from_, to_;  // `from` rises
+};
+
+/// Edges of a model by their vertices, kept up to date while edges go and vertices become one. Neither edges nor
+/// vertices change their numbers; edges that are gone have no curve and no faces. Keeps a reference to the model.
+class ModelEdits {
+ public:
+  explicit ModelEdits(Model& model);
+
+  Model& model() { return model_; }
+  const Model& model() const { return model_; }
+  Edge& edge(int e) { return model_.edges[static_cast<std::size_t>(e)]; }
+  const Edge& edge(int e) const { return model_.edges[static_cast<std::size_t>(e)]; }
+  Vec3 point(int vertex) const { return model_.vertices[static_cast<std::size_t>(vertex)]; }
+  /// Edges with a curve that end at the vertex, rising; one that closes on itself twice.
+  const std::vector<int>& edges_at(int vertex) const { return edges_at_[static_cast<std::size_t>(vertex)]; }
+  /// Whether nothing may move the vertex or take it away.
+  bool is_fixed(int vertex) const { return is_fixed_[static_cast<std::size_t>(vertex)] != 0; }
+  /// Whether the surface had no corner at the edge before anything was merged there.
+  bool was_smooth(int edge) const { return was_smooth_.contains(edge); }
+  void note_smooth(int edge) { was_smooth_.insert(edge); }
+  void fix(int vertex) { is_fixed_[static_cast<std::size_t>(vertex)] = 1; }
+
+  /// No face uses the edges any more.
+  void take_out(const std::vector<int>& edges);
+  /// The edge with another curve and other ends.
+  void set(int index, const Edge& edge);
+  /// All edges that end at `from` end at `to`; their faces change by what lies between sides no longer than `reach`.
+  void move_vertex(int from, int to, double reach);
+  /// Divides the edge at `t`; gives the edge behind it. All faces have both.
+  int split(int edge, double t);
+  /// Faces that use `gone` use `kept` in its place. `image`: what kept's parameter is on `gone`.
+  void replace(int gone, int kept, bool same_direction, const std::shared_ptr<const ParameterMatch>& match);
+
+ private:
+  void unlink(int edge);
+  void link(int edge);
+
+  Model& model_;
+  std::vector<std::vector<int>> edges_at_;
+  std::vector<char> is_fixed_;
+  std::vector<int> poles_;
+  std::set<int> was_smooth_;
+};
+
+/// Direction of an edge where it leaves one of its ends, of length one.
+Vec3 direction_out(const Edge& edge, bool at_end);
+
+/// Radians between two directions.
+double angle_between(Vec3 a, Vec3 b);
+
+}  // namespace paver

@@ -1,0 +1,204 @@
+// In: model, limits. Out: the model without its short edges.
+// Steps: tiny faces become points; then edge by edge, the shortest first: where another edge runs into it without a
+// corner at one end, that end goes to the other one. No vertex moves by more than the limit in all.
+#include "sizing/merging/short_edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace paver {
+namespace {
+
+constexpr std::size_t fewest_edges = 3;  // that a loop keeps
+constexpr double tiny_share = 0.2;       // of short edges: smaller faces go whatever angles they make
+constexpr double much_longer = 3;        // times a short edge
+
+class ShortEdges {
+ public:
+  ShortEdges(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges)
+      : edits_(edits), limits_(limits), merges_(merges), members_(edits.model().vertices.size()) {
+    for (std::size_t v = 0; v < members_.size(); ++v) members_[v] = {edits.point(static_cast<int>(v))};
+  }
+
+  void run_faces() {
+    for (std::size_t f = 0; f < edits_.model().faces.size(); ++f) visit_face(static_cast<int>(f));
+  }
+
+  void run_edges() {
+    std::vector<int> edges;
+    for (std::size_t e = 0; e < edits_.model().edges.size(); ++e)
+      if (may_collapse(static_cast<int>(e))) edges.push_back(static_cast<int>(e));
+    std::stable_sort(edges.begin(), edges.end(),
+                     [&](int a, int b) { return edits_.edge(a).length < edits_.edge(b).length; });
+    for (int e : edges)
+      if (may_collapse(e)) visit_edge(e);
+  }
+
+ private:
+  const Face& face(int f) const { return edits_.model().faces[static_cast<std::size_t>(f)]; }
+
+  bool may_collapse(int e) const {
+    const Edge& edge = edits_.edge(e);
+    return edge.curve && edge.start != edge.end && !edge.faces.empty() && !limits_.is_protected(e) &&
+           !edge.is_periodic && edge.length < limits_.short_edge(e);
+  }
+
+  void visit_edge(int e) {
+    if (!leaves_loops(e) || ends_strip(e)) return;
+    const Edge& edge = edits_.edge(e);
+    const std::optional<double> at_start = corner_at(e, edge.start), at_end = corner_at(e, edge.end);
+    const bool start_goes = at_start && can_move(e, edge.start, edge.end);
+    const bool end_goes = at_end && can_move(e, edge.end, edge.start);
+    if (!start_goes && !end_goes) return;
+    const bool is_start = start_goes && (!end_goes || *at_start <= *at_end);
+    const int gone = is_start ? edge.start : edge.end, kept = is_start ? edge.end : edge.start;
+    merges_.push_back({MergeKind::edge, edge.name, name_of_next(e, gone), edge.length, edits_.point(kept)});
+    edits_.take_out({e});
+    move(gone, kept);
+  }
+
+  /// Least angle by which another edge of one of its faces bends off from the edge where it ends at the vertex; nothing
+  /// where all are corners.
+  std::optional<double> corner_at(int e, int vertex) const {
+    const int next = next_at(e, vertex);
+    if (next < 0) return std::nullopt;
+    return bend(e, next, vertex);
+  }
+
+  double bend(int e, int other, int vertex) const {
+    const Edge &a = edits_.edge(e), &b = edits_.edge(other);
+    return angle_between(-1 * direction_out(a, a.end == vertex), direction_out(b, b.end == vertex));
+  }
+
+  /// The edge at the vertex that goes on from `e` best.
+  int next_at(int e, int vertex) const {
+    int best = -1;
+    double least = smooth_angle * M_PI / 180;
+    for (int other : edits_.edges_at(vertex)) {
+      if (other == e || edits_.edge(other).start == edits_.edge(other).end) continue;
+      const double angle = bend(e, other, vertex);
+      if (angle < least) least = angle, best = other;
+    }
+    return best;
+  }
+
+  std::string name_of_next(int e, int vertex) const { return edits_.edge(next_at(e, vertex)).name; }
+
+  /// All that the vertex stands for stays within the limit, and no other edge there is as short.
+  bool can_move(int e, int from, int to) const {
+    if (edits_.is_fixed(from) || from == to || limits_.holds(from, {e}, edits_.edge(e).length)) return false;
+    const std::vector<int>& edges = edits_.edges_at(from);
+    const double least = much_longer * edits_.edge(e).length, limit = limits_.short_edge(e);
+    if (std::any_of(edges.begin(), edges.end(),
+                    [&](int other) { return other != e && edits_.edge(other).length < least; }))
+      return false;
+    const std::vector<Vec3>& members = members_[static_cast<std::size_t>(from)];
+    return std::all_of(members.begin(), members.end(), [&](Vec3 x) { return norm(x - edits_.point(to)) <= limit; });
+  }
+
+  bool leaves_loops(int e) const {
+    for (int f : edits_.edge(e).faces)
+      for (const Loop& loop : face(f).loops) {
+        const bool has_edge = std::any_of(loop.coedges.begin(), loop.coedges.end(),
+                                          [e](const Coedge& coedge) { return coedge.edge == e; });
+        const auto kept = std::count_if(loop.coedges.begin(), loop.coedges.end(), [&](const Coedge& coedge) {
+          return coedge.edge != e && !edits_.edge(coedge.edge).is_degenerate;
+        });
+        if (has_edge && static_cast<std::size_t>(kept) < fewest_edges) return false;
+      }
+    return true;
+  }
+
+  /// Whether a face would run out into a point where the edge is.
+  bool ends_strip(int e) const {
+    const std::vector<int>& faces = edits_.edge(e).faces;
+    return std::any_of(faces.begin(), faces.end(), [&](int f) { return limits_.sharpens(f, e); });
+  }
+
+  void move(int from, int to) {
+    edits_.move_vertex(from, to, limits_.target_length());
+    std::vector<Vec3>&members = members_[static_cast<std::size_t>(from)], &all = members_[static_cast<std::size_t>(to)];
+    all.insert(all.end(), members.begin(), members.end());
+    members.clear();
+  }
+
+  /// A face of one loop that is tiny beside its neighbours.
+  void visit_face(int f) {
+    Face& small = edits_.model().faces[static_cast<std::size_t>(f)];
+    if (!small.has_area || small.loops.size() != 1 || limits_.is_protected_face(f)) return;
+    std::vector<Coedge> coedges = small.loops.front().coedges;
+    std::erase_if(coedges, [&](const Coedge& coedge) { return edits_.edge(coedge.edge).is_degenerate; });
+    if (coedges.empty() || !is_tiny(f, coedges)) return;
+    std::vector<int> edges, vertices;
+    for (const Coedge& coedge : coedges) {
+      edges.push_back(coedge.edge);
+      for (int vertex : {edits_.edge(coedge.edge).start, edits_.edge(coedge.edge).end}) vertices.push_back(vertex);
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    const auto is_held = [&](int vertex) { return limits_.holds(vertex, edges, limits_.extent(f)); };
+    // One of them may stay where it is.
+    const auto held = std::count_if(vertices.begin(), vertices.end(), is_held);
+    if (held > 1) return;
+    const int kept = held == 0 ? vertices.front() : *std::find_if(vertices.begin(), vertices.end(), is_held);
+    const std::string into = edits_.edge(edges.front()).name;
+    merges_.push_back({MergeKind::face, small.name, into, limits_.extent(f), edits_.point(kept)});
+    small.has_area = false;
+    small.is_merged = true;
+    edits_.take_out(edges);
+    small.loops.clear();
+    for (int vertex : vertices)
+      if (vertex != kept) move(vertex, kept);
+  }
+
+  /// Against the target length, and its neighbours: these go on without a corner unless it is far smaller.
+  bool is_tiny(int f, const std::vector<Coedge>& coedges) const {
+    double limit = INFINITY, largest = 0, corner = 0;
+    for (const Coedge& coedge : coedges) {
+      const Edge& edge = edits_.edge(coedge.edge);
+      const std::optional<double> across = limits_.corner_across(f, coedge.edge);
+      if (!edge.curve || !across || edits_.is_fixed(edge.start) || edits_.is_fixed(edge.end)) return false;
+      const int other = limits_.neighbour(f, coedge.edge);
+      if (!leaves_loop(other, coedges)) return false;
+      limit = std::min(limit, limits_.short_edge(coedge.edge));
+      largest = std::max(largest, limits_.extent(other));
+      corner = std::max(corner, *across);
+    }
+    return limits_.extent(f) < (corner <= smooth_angle * M_PI / 180 ? 1 : tiny_share) * limit && largest > limit;
+  }
+
+  /// Whether the face keeps a border of some edges, or none at all of a hole that the small face fills.
+  bool leaves_loop(int f, const std::vector<Coedge>& gone) const {
+    const auto is_gone = [&](const Coedge& c) {
+      return std::any_of(gone.begin(), gone.end(), [&](const Coedge& g) { return g.edge == c.edge; });
+    };
+    for (std::size_t l = 0; l < face(f).loops.size(); ++l) {
+      const std::vector<Coedge>& coedges = face(f).loops[l].coedges;
+      const auto going = static_cast<std::size_t>(std::count_if(coedges.begin(), coedges.end(), is_gone));
+      const bool is_hole = face(f).loops.size() > 1 && going == coedges.size() && going == gone.size();
+      const std::size_t fewest = limits_.may_be_merged(f) ? 2 : fewest_edges;
+      if (going > 0 && !is_hole && coedges.size() < going + fewest) return false;
+      for (const Coedge& coedge : coedges)
+        if (going == 1 && fewest == fewest_edges && is_gone(coedge) && limits_.sharpens(f, coedge.edge)) return false;
+    }
+    return true;
+  }
+
+  ModelEdits& edits_;
+  const MergeLimits& limits_;
+  std::vector<Merge>& merges_;
+  std::vector<std::vector<Vec3>> members_;  // places that were merged into a vertex
+};
+
+}  // namespace
+
+void collapse_short_edges(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges) {
+  ShortEdges(edits, limits, merges).run_edges();
+}
+
+void collapse_tiny_faces(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges) {
+  ShortEdges(edits, limits, merges).run_faces();
+}
+
+}  // namespace paver

@@ -1,0 +1,254 @@
+// In: model, limits. Out: the model without its thin faces.
+// Steps, face by face: its two long sides, which is what lies between two of its vertices or short edges, or the two
+// loops of a ring; how far these are apart; which of them its neighbours go on across without a corner; that one's
+// edges replaced by the other's, edge by edge.
+#include "sizing/merging/thin_faces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "sizing/merging/side_match.h"
+
+namespace paver {
+namespace {
+
+constexpr std::size_t most_edges = 64;  // of a face
+constexpr std::size_t most_pairs = 8;   // of sides that are measured
+constexpr double end_share = 1.5;       // of the limit: edges so short end a face between its sides
+constexpr double wider = 3;             // than a face: so wide are neighbours that take its place
+constexpr double opposite = 2;          // times the limit: vertices so near are opposite each other
+
+struct Sides {
+  Side one, two;          // run the same way
+  std::vector<int> ends;  // edges between them
+  double limit = 0;       // they are no farther apart
+};
+
+class ThinFaces {
+ public:
+  ThinFaces(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges)
+      : edits_(edits), limits_(limits), merges_(merges) {}
+
+  void run() {
+    // Faces of a narrow band end at one another: first which of them can go, if those do that they end at.
+    const auto count = static_cast<int>(edits_.model().faces.size());
+    may_go_.assign(static_cast<std::size_t>(count), 1);
+    for (bool has_changed = true; has_changed;) {
+      has_changed = false;
+      for (int f = 0; f < count; ++f) {
+        char& may_go = may_go_[static_cast<std::size_t>(f)];
+        if (!may_go || find(f)) continue;
+        may_go = 0;
+        has_changed = true;
+      }
+    }
+    for (int f = 0; f < count; ++f)
+      if (may_go_[static_cast<std::size_t>(f)])
+        if (std::optional<Sides> sides = find(f)) merge(f, *sides);
+  }
+
+ private:
+  Face& face(int f) { return edits_.model().faces[static_cast<std::size_t>(f)]; }
+  const Face& face(int f) const { return edits_.model().faces[static_cast<std::size_t>(f)]; }
+  int start_of(const SideEdge& e) const { return e.is_reversed ? edits_.edge(e.edge).end : edits_.edge(e.edge).start; }
+  int end_of(const SideEdge& e) const { return e.is_reversed ? edits_.edge(e.edge).start : edits_.edge(e.edge).end; }
+
+  /// The sides of a face that can go, `one` the side that stays.
+  std::optional<Sides> find(int f) const {
+    const Face& thin = face(f);
+    if (!thin.has_area || !thin.surface || thin.loops.empty() || limits_.is_protected_face(f)) return std::nullopt;
+    std::vector<int> periodic;
+    std::vector<Side> loops = border(thin, periodic);
+    std::size_t count = 0;
+    for (const Side& loop : loops) count += loop.size();
+    if (count < 2 || count > most_edges || loops.size() > 2 || !limits_.is_thin(f)) return std::nullopt;
+    const double limit = limits_.thin_face(limits_.longest_edge(f));
+    std::optional<Sides> sides =
+        loops.size() == 2 ? sides_of_ring(std::move(loops), limit) : sides_between_ends(loops.front(), limit);
+    if (!sides) return std::nullopt;
+    sides->ends.insert(sides->ends.end(), periodic.begin(), periodic.end());
+    sides->limit = limit;
+    const std::optional<double> one = corner_across(f, sides->one), two = corner_across(f, sides->two);
+    if (!one && !two) return std::nullopt;
+    if (!two || (one && *one < *two)) std::swap(sides->one, sides->two);
+    return can_go(f, *sides) ? sides : std::nullopt;
+  }
+
+  /// Loops without periodic edges, which tie the two loops of a ring. None where the face has poles or images fail.
+  std::vector<Side> border(const Face& thin, std::vector<int>& periodic) const {
+    std::vector<Side> loops;
+    for (const Loop& loop : thin.loops) {
+      const std::size_t n = loop.coedges.size();
+      std::size_t first = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        const Coedge& coedge = loop.coedges[i];
+        if (edits_.edge(coedge.edge).is_degenerate || !coedge.pcurve || coedge.is_slit) return {};
+        if (edits_.edge(coedge.edge).is_periodic) first = i;
+      }
+      loops.emplace_back();
+      for (std::size_t i = 0; i < n; ++i) {
+        const Coedge& coedge = loop.coedges[(first + i) % n];
+        if (!edits_.edge(coedge.edge).is_periodic)
+          loops.back().push_back({coedge.edge, coedge.is_reversed});
+        else if (!loops.back().empty())
+          loops.emplace_back();
+        if (edits_.edge(coedge.edge).is_periodic) periodic.push_back(coedge.edge);
+      }
+      if (loops.back().empty()) return {};
+    }
+    std::sort(periodic.begin(), periodic.end());
+    periodic.erase(std::unique(periodic.begin(), periodic.end()), periodic.end());
+    return loops;
+  }
+
+  static Side reversed(Side side) {
+    std::reverse(side.begin(), side.end());
+    for (SideEdge& e : side) e.is_reversed = !e.is_reversed;
+    return side;
+  }
+
+  /// Each begins at a vertex that has one of the other opposite.
+  std::optional<Sides> sides_of_ring(std::vector<Side> loops, double limit) const {
+    Side one = std::move(loops[0]), two = reversed(std::move(loops[1]));
+    for (std::size_t i = 0; i < one.size(); ++i)
+      for (std::size_t k = 0; k < two.size(); ++k) {
+        if (norm(edits_.point(start_of(one[i])) - edits_.point(start_of(two[k]))) > opposite * limit) continue;
+        std::rotate(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(i), one.end());
+        std::rotate(two.begin(), two.begin() + static_cast<std::ptrdiff_t>(k), two.end());
+        if (distance_between(edits_, one, two) > limit) return std::nullopt;
+        return Sides{one, two, {}};
+      }
+    return std::nullopt;
+  }
+
+  /// Of all pairs of ends those that leave sides of about one length; of these the sides that are nearest.
+  std::optional<Sides> sides_between_ends(const Side& loop, double limit) const {
+    struct End {
+      std::size_t first, behind;  // the sides end before `first` and begin at `behind`
+    };
+    const std::size_t n = loop.size();
+    std::vector<End> ends;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (edits_.edge(loop[i].edge).length <= end_share * limit) ends.push_back({i, i + 1});
+      ends.push_back({i, i});
+    }
+    struct Pair {
+      double difference;
+      std::size_t a, b;
+    };
+    std::vector<double> upto{0};
+    for (std::size_t i = 0; i < 2 * n; ++i) upto.push_back(upto.back() + edits_.edge(loop[i % n].edge).length);
+    std::vector<Pair> pairs;
+    for (std::size_t a = 0; a < ends.size(); ++a)
+      for (std::size_t b = a + 1; b < ends.size(); ++b) {
+        if (ends[b].first <= ends[a].behind || ends[a].first + n <= ends[b].behind) continue;
+        const double one = upto[ends[b].first] - upto[ends[a].behind],
+                     two = upto[ends[a].first + n] - upto[ends[b].behind];
+        if (std::abs(one - two) <= opposite * limit) pairs.push_back({std::abs(one - two), a, b});
+      }
+    std::stable_sort(pairs.begin(), pairs.end(), [](auto& a, auto& b) { return a.difference < b.difference; });
+    if (pairs.size() > most_pairs) pairs.resize(most_pairs);
+    std::optional<Sides> best;
+    double least = limit;
+    for (const Pair& pair : pairs) {
+      const End &a = ends[pair.a], &b = ends[pair.b];
+      Sides sides;
+      for (std::size_t i = a.behind; i < b.first; ++i) sides.one.push_back(loop[i % n]);
+      for (std::size_t i = b.behind; i < a.first + n; ++i) sides.two.push_back(loop[i % n]);
+      sides.two = reversed(sides.two);
+      for (const End& end : {a, b})
+        if (end.behind > end.first) sides.ends.push_back(loop[end.first % n].edge);
+      const double distance = distance_between(edits_, sides.one, sides.two);
+      if (distance < least) least = distance, best = std::move(sides);
+    }
+    return best;
+  }
+
+  void merge(int f, Sides& sides) {
+    Side &kept = sides.one, &gone = sides.two;
+    for (const SideEdge& e : kept)
+      if (!limits_.is_sharp(e.edge)) edits_.note_smooth(e.edge);
+    if (!divide_alike(edits_, kept, gone, opposite * sides.limit)) return;
+    const Vec3 where = edits_.edge(kept.front().edge).curve->point(edits_.edge(kept.front().edge).t0);
+    const double width = distance_between(edits_, kept, gone);
+    merges_.push_back({MergeKind::face, face(f).name, face(neighbour(f, gone.front().edge)).name, width, where});
+    for (const SideEdge& e : gone) face(neighbour(f, e.edge)).merged_area += face(f).area;
+    take_out_face(f, kept, gone, sides.ends);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      const bool is_against = kept[i].is_reversed != gone[i].is_reversed;
+      const auto match = match_edges(edits_.edge(kept[i].edge), edits_.edge(gone[i].edge), is_against);
+      const std::array<int, 2> from{start_of(gone[i]), end_of(gone[i])}, to{start_of(kept[i]), end_of(kept[i])};
+      edits_.replace(gone[i].edge, kept[i].edge, !is_against, match);
+      for (std::size_t k = 0; k < from.size(); ++k)
+        if (from[k] != to[k]) edits_.move_vertex(from[k], to[k], limits_.target_length());
+    }
+  }
+
+  void take_out_face(int f, const Side& kept, const Side& gone, const std::vector<int>& ends) {
+    Face& thin = face(f);
+    thin.loops.clear();
+    thin.has_area = false;
+    thin.is_merged = true;
+    for (const Side* side : {&kept, &gone})
+      for (const SideEdge& e : *side) std::erase(edits_.edge(e.edge).faces, f);
+    edits_.take_out(ends);
+  }
+
+  int neighbour(int f, int edge) const { return limits_.neighbour(f, edge); }
+
+  /// Largest angle between the face and its neighbours across a side; nothing where it must stay.
+  std::optional<double> corner_across(int f, const Side& side) const {
+    double most = 0;
+    for (const SideEdge& e : side) {
+      const std::optional<double> corner = limits_.corner_across(f, e.edge);
+      if (!corner || limits_.width(neighbour(f, e.edge)) < wider * limits_.width(f)) return std::nullopt;
+      most = std::max(most, *corner);
+    }
+    return most <= smooth_angle * M_PI / 180 ? std::optional(most) : std::nullopt;
+  }
+
+  /// What goes is nobody else's, and all faces about it keep a border.
+  bool can_go(int f, const Sides& sides) const {
+    const auto& [kept, gone, ends, limit] = sides;
+    std::vector<int> own = ends;
+    for (const SideEdge& e : gone) own.push_back(e.edge);
+    for (const SideEdge& e : gone) {
+      const bool is_held =
+          limits_.holds(start_of(e), own, limits_.width(f)) || limits_.holds(end_of(e), own, limits_.width(f));
+      if (edits_.is_fixed(start_of(e)) || edits_.is_fixed(end_of(e)) || is_held) return false;
+      if (limits_.is_sharp(e.edge) && edits_.edge(e.edge).length >= limits_.short_edge(e.edge)) return false;
+    }
+    for (const SideEdge& e : gone)
+      for (const SideEdge& k : kept)
+        if (e.edge == k.edge || neighbour(f, e.edge) == neighbour(f, k.edge)) return false;
+    for (int end : ends) {
+      if (limits_.is_protected(end)) return false;
+      for (int user : edits_.edge(end).faces)
+        if (user != f && !may_go_[static_cast<std::size_t>(user)] &&
+            (edge_count(user) < 4 || limits_.sharpens(user, end)))
+          return false;
+    }
+    return true;
+  }
+
+  std::size_t edge_count(int f) const {
+    std::size_t count = 0;
+    for (const Loop& loop : face(f).loops) count += loop.coedges.size();
+    return count;
+  }
+
+  ModelEdits& edits_;
+  const MergeLimits& limits_;
+  std::vector<Merge>& merges_;
+  std::vector<char> may_go_;  // per face
+};
+
+}  // namespace
+
+void merge_thin_faces(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges) {
+  ThinFaces(edits, limits, merges).run();
+}
+
+}  // namespace paver

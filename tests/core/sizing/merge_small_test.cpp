@@ -1,0 +1,165 @@
+// What is small against the target length is merged, and nothing else.
+#include "sizing/merging/merge_small.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <numbers>
+
+#include "support/report_of.h"
+
+namespace paver {
+namespace {
+
+TopoDS_Shape box_with_fillets(double radius) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
+  BRepFilletAPI_MakeFillet fillet(box);
+  for (TopExp_Explorer edge(box, TopAbs_EDGE); edge.More(); edge.Next())
+    fillet.Add(radius, TopoDS::Edge(edge.Current()));
+  return fillet.Shape();
+}
+
+TopoDS_Face polygon(const std::vector<gp_Pnt>& points) {
+  BRepBuilderAPI_MakePolygon wire;
+  for (const gp_Pnt& point : points) wire.Add(point);
+  wire.Close();
+  return BRepBuilderAPI_MakeFace(wire.Wire()).Face();
+}
+
+TopoDS_Face disc_of_segments(int count) {
+  std::vector<gp_Pnt> points;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    points.emplace_back(5 * std::cos(angle), 5 * std::sin(angle), 0);
+  }
+  return polygon(points);
+}
+
+/// Of 10 x 10 x 8, its first side divided at the widths given.
+TopoDS_Shape block_in_strips(const std::vector<double>& widths) {
+  std::vector<gp_Pnt> points{{0, 0, 0}};
+  for (double width : widths) points.emplace_back(points.back().X() + width, 0, 0);
+  points.emplace_back(10, 0, 0);
+  points.emplace_back(10, 10, 0);
+  points.emplace_back(0, 10, 0);
+  return BRepPrimAPI_MakePrism(polygon(points), gp_Vec(0, 0, 8)).Shape();
+}
+
+MeshResult unmerged(const TopoDS_Shape& shape, double size) {
+  Options options;
+  options.size = size;
+  options.merge = 0;
+  return test::mesh_of(shape, options);
+}
+
+long faces_of(const MeshResult& result, FaceStatus status) {
+  return std::count_if(result.report.faces.begin(), result.report.faces.end(),
+                       [status](const FaceReport& face) { return face.status == status; });
+}
+
+/// Shortest line of the mesh on an edge, between its ends.
+double shortest_line(const SurfaceMesh& mesh) {
+  const auto stride = static_cast<std::size_t>(mesh.order) + 1;
+  double shortest = INFINITY;
+  for (std::size_t i = 0; i + 1 < mesh.lines.size(); i += stride)
+    shortest = std::min(shortest, norm(mesh.nodes[mesh.lines[i]] - mesh.nodes[mesh.lines[i + 1]]));
+  return shortest;
+}
+
+TEST(MergeSmall, ABoxWithSmallFilletsIsABox) {
+  const MeshResult result = test::mesh_of(box_with_fillets(0.05), 2);
+  EXPECT_STREQ(verdict(result.report), "sound");
+  EXPECT_TRUE(result.report.quality.watertight);
+  EXPECT_EQ(faces_of(result, FaceStatus::meshed), 6);
+  EXPECT_EQ(faces_of(result, FaceStatus::merged), 20);
+  EXPECT_EQ(result.report.merges.size(), 20U);
+  EXPECT_EQ(result.report.quality.quads, 150);
+  EXPECT_EQ(result.report.quality.triangles, 0);
+  EXPECT_LT(result.report.quality.distance.largest, 0.05);
+  EXPECT_GT(shortest_line(result.mesh), 1.5);
+}
+
+TEST(MergeSmall, LargeFilletsStay) {
+  const MeshResult result = test::mesh_of(box_with_fillets(0.5), 2);
+  EXPECT_EQ(faces_of(result, FaceStatus::merged), 0);
+  EXPECT_TRUE(result.report.merges.empty());
+}
+
+TEST(MergeSmall, OffKeepsEverything) {
+  const MeshResult result = unmerged(box_with_fillets(0.05), 2);
+  EXPECT_EQ(faces_of(result, FaceStatus::merged), 0);
+  EXPECT_TRUE(result.report.merges.empty());
+  EXPECT_EQ(faces_of(result, FaceStatus::meshed), 26);
+}
+
+TEST(MergeSmall, ShortSegmentsAreDividedAsOne) {
+  const MeshResult result = test::mesh_of(disc_of_segments(300), 2);
+  EXPECT_STREQ(verdict(result.report), "sound");
+  EXPECT_LT(result.report.quality.quads, 50);
+  EXPECT_EQ(result.report.quality.triangles, 0);
+  EXPECT_GT(shortest_line(result.mesh), 1);
+  EXPECT_LT(result.report.quality.distance.largest, 0.01);
+  EXPECT_GT(unmerged(disc_of_segments(300), 2).report.quality.quads, 300);
+}
+
+TEST(MergeSmall, AnEdgeThatIsNotShortKeepsItsEnds) {
+  std::vector<gp_Pnt> points{{0, 0, 0}, {5, 0, 0}, {5.05, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
+  const MeshResult result = test::mesh_of(polygon(points), 2);
+  EXPECT_TRUE(result.report.merges.empty());
+  for (const double x : {5.0, 5.05})
+    EXPECT_TRUE(std::any_of(result.mesh.nodes.begin(), result.mesh.nodes.end(), [x](Vec3 node) {
+      return norm(node - Vec3{x, 0, 0}) < 1e-9;
+    }));
+}
+
+TEST(MergeSmall, AStripGoesToAWideNeighbour) {
+  const MeshResult result = test::mesh_of(block_in_strips({0.04, 0.01, 4.95}), 2);
+  // The end of the second, on the edges of the block, is too short to matter; that of the first is not.
+  EXPECT_EQ(faces_of(result, FaceStatus::merged), 1);
+  ASSERT_EQ(result.report.merges.size(), 1U);
+  EXPECT_STREQ(verdict(result.report), "sound");
+  EXPECT_TRUE(result.report.quality.watertight);
+}
+
+TEST(MergeSmall, AThinPlateKeepsItsRim) {
+  const MeshResult result = test::mesh_of(BRepPrimAPI_MakeBox(10, 10, 0.03).Shape(), 2);
+  EXPECT_TRUE(result.report.merges.empty());
+  EXPECT_EQ(faces_of(result, FaceStatus::meshed), 6);
+}
+
+TEST(MergeSmall, ATinyBodyStays) {
+  const MeshResult result = test::mesh_of(BRepPrimAPI_MakeBox(0.01, 0.01, 0.01).Shape(), 2);
+  EXPECT_EQ(result.report.quality.quads, 6);
+}
+
+TEST(MergeSmall, WhereALengthIsGivenNothingIsMerged) {
+  const TopoDS_Shape shape = box_with_fillets(0.05);
+  Options options;
+  options.size = 2;
+  options.local.push_back({"Face1", 0.1, 1, 1});
+  const MeshResult result = test::mesh_of(shape, options);
+  EXPECT_EQ(result.report.faces[0].status, FaceStatus::meshed);
+}
+
+TEST(MergeSmall, MergesAreListedWithPlaces) {
+  const MeshResult result = test::mesh_of(box_with_fillets(0.05), 2);
+  for (const Merge& merge : result.report.merges) {
+    EXPECT_EQ(merge.kind, MergeKind::face);
+    EXPECT_FALSE(merge.name.empty());
+    EXPECT_FALSE(merge.into.empty());
+    EXPECT_GT(merge.size, 0);
+    EXPECT_LT(merge.size, 0.2);
+  }
+  EXPECT_TRUE(std::any_of(result.report.notes.begin(), result.report.notes.end(),
+                          [](const std::string& note) { return note.starts_with("Merged"); }));
+}
+
+}  // namespace
+}  // namespace paver
