@@ -12,6 +12,7 @@
 #include "paving/fill_void.h"
 #include "paving/lay_fill.h"
 #include "paving/small_holes.h"
+#include "paving/strip_grid.h"
 
 namespace paver {
 
@@ -159,6 +160,7 @@ PavedRegion pave_region_once(const Region& region, const Progress& progress, Ele
 PavedRegion pave_region(const Region& region, const Progress& progress, Elements elements) {
   if (auto filled = lay_fill(region)) return finish({std::move(*filled), {}}, elements);
   if (auto disc = lay_disc(region, progress)) return finish({std::move(*disc), {}}, elements);
+  if (auto strip = lay_strip(region)) return finish({std::move(*strip), {}}, elements);
   if (elements == Elements::all_quad) return pave_without_triangles(region, progress);
   PavedRegion best = pave_region_once(region, progress, elements);
   Tangle least(best.mesh);

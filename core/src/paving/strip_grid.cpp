@@ -1,0 +1,122 @@
+// In: region. Out: its mesh.
+// Rows laid from either long side of a narrow strip do not see the nodes of the other one, and may join it shifted.
+// Steps: the loop's four corners; sides and their counts; width; nodes between the sides (Coons) in the chart.
+#include "paving/strip_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace paver {
+namespace {
+
+constexpr double least_corner = M_PI / 4, largest_corner = 3 * M_PI / 4;
+constexpr double least_straight = 5 * M_PI / 6;  // up to as much beyond pi a side runs on
+constexpr double narrow = 0.7;                   // of the target length
+constexpr double least_jacobian = 0.3;
+
+class Strip {
+ public:
+  explicit Strip(const Region& region) : region_(region), loop_(region.loops[0]) {}
+
+  /// False where the loop has no four sides, or those opposite each other differ.
+  bool find_sides() {
+    std::vector<std::size_t> corners;
+    for (std::size_t i = 0; i < loop_.size(); ++i) {
+      const double angle = loop_[i].angle;
+      if (angle >= least_corner && angle <= largest_corner)
+        corners.push_back(i);
+      else if (!(std::fabs(angle - M_PI) <= M_PI - least_straight))
+        return false;
+    }
+    if (corners.size() != 4) return false;
+    const auto count = [&](std::size_t k) {
+      return static_cast<int>((corners[(k + 1) % 4] + loop_.size() - corners[k]) % loop_.size());
+    };
+    columns_ = count(0), rows_ = count(1);
+    if (count(2) != columns_ || count(3) != rows_) return false;
+    first_ = corners[0];
+    if (rows_ > columns_) first_ = corners[1], std::swap(rows_, columns_);
+    return true;
+  }
+
+  bool is_narrow() const {
+    double most = 0;
+    for (int i = 0; i <= columns_; ++i) {
+      const LoopNode &low = at(i), &high = at(2 * columns_ + rows_ - i);
+      most = std::max(most, norm(high.x - low.x) / std::min(low.h, high.h));
+    }
+    return most < narrow;
+  }
+
+  std::optional<RegionMesh> lay() {
+    std::vector<int> node(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1));
+    auto number = [&](int i, int j) -> int& { return node[static_cast<std::size_t>(j * (columns_ + 1) + i)]; };
+    mesh_.reserve(node.size());
+    for (int j = 0; j <= rows_; ++j)
+      for (int i = 0; i <= columns_; ++i) {
+        const LoopNode* known = on_loop(i, j);
+        number(i, j) = known ? add(*known) : add(inside(i, j));
+      }
+    for (int j = 0; j < rows_; ++j)
+      for (int i = 0; i < columns_; ++i)
+        mesh_.add_element({number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)});
+    const bool is_sound = std::all_of(mesh_.elements.begin(), mesh_.elements.end(), [&](const Element& quad) {
+      return is_positive(mesh_, quad) && has_jacobian(mesh_, quad, least_jacobian);
+    });
+    if (!is_sound) return std::nullopt;
+    return std::move(mesh_);
+  }
+
+ private:
+  /// Counted from the first corner.
+  const LoopNode& at(int i) const { return loop_[(first_ + static_cast<std::size_t>(i)) % loop_.size()]; }
+  const LoopNode& low(int i) const { return at(i); }
+  const LoopNode& right(int j) const { return at(columns_ + j); }
+  const LoopNode& high(int i) const { return at(2 * columns_ + rows_ - i); }
+  const LoopNode& left(int j) const { return at(2 * (columns_ + rows_) - j); }
+
+  const LoopNode* on_loop(int i, int j) const {
+    if (j == 0) return &low(i);
+    if (i == columns_) return &right(j);
+    if (j == rows_) return &high(i);
+    return i == 0 ? &left(j) : nullptr;
+  }
+
+  Vec2 inside(int i, int j) const {
+    const double s = static_cast<double>(i) / columns_, t = static_cast<double>(j) / rows_;
+    const Vec2 corners = (1 - t) * ((1 - s) * low(0).p + s * low(columns_).p) +
+                         t * ((1 - s) * high(0).p + s * high(columns_).p);
+    return (1 - t) * low(i).p + t * high(i).p + (1 - s) * left(j).p + s * right(j).p - corners;
+  }
+
+  int add(Vec2 p) {
+    const NodePlace place = region_.place(p);
+    return mesh_.add_node(place, region_.target(p));
+  }
+
+  int add(const LoopNode& known) {
+    const int node = add(known.p);
+    mesh_.x[node] = known.x;
+    mesh_.h[node] = known.h;
+    mesh_.global[node] = known.global;
+    mesh_.is_fixed[node] = 1;
+    return node;
+  }
+
+  const Region& region_;
+  const std::vector<LoopNode>& loop_;
+  std::size_t first_ = 0;  // corner where the first long side begins
+  int columns_ = 0, rows_ = 0;
+  RegionMesh mesh_;
+};
+
+}  // namespace
+
+std::optional<RegionMesh> lay_strip(const Region& region) {
+  if (region.loops.size() != 1 || !region.fans.empty()) return std::nullopt;
+  Strip strip(region);
+  if (!strip.find_sides() || !strip.is_narrow()) return std::nullopt;
+  return strip.lay();
+}
+
+}  // namespace paver

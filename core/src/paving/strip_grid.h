@@ -1,0 +1,15 @@
+// A regular grid for a region that is a narrow strip.
+#pragma once
+
+#include <optional>
+
+#include "mesh/region_mesh.h"
+#include "regions/region.h"
+
+namespace paver {
+
+/// The whole mesh of a region with one loop of four sides, equally many nodes on opposite ones, that is narrower than the
+/// target length: nodes of the long sides face each other. Nothing where the region is no such strip, or the grid is poor.
+std::optional<RegionMesh> lay_strip(const Region& region);
+
+}  // namespace paver

@@ -1,0 +1,82 @@
+// Narrow strips: nodes of the long sides face each other; everything else is left to paving.
+#include "paving/strip_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "charts/chart.h"
+#include "quality/metrics.h"
+#include "support/fake_model.h"
+
+namespace paver {
+namespace {
+
+/// Length x width in the plane z = 0, so many intervals on the low, right, high and left side; nodes of the high side are
+/// shifted.
+Region strip(double length, double width, std::array<int, 4> counts, double shift = 0, double h = 1) {
+  Region region;
+  region.surface = std::make_shared<fake::Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0});
+  region.chart = make_row_chart(*region.surface, {{0, 0}, {length, width}});
+  region.size = FaceSize(h);
+  region.h = h;
+  region.area = length * width;
+  const Vec2 corner[] = {{0, 0}, {length, 0}, {length, width}, {0, width}};
+  std::vector<LoopNode>& loop = region.loops.emplace_back();
+  for (std::size_t side = 0; side < 4; ++side)
+    for (int i = 0; i < counts[side]; ++i) {
+      const double t = static_cast<double>(i) / counts[side];
+      Vec2 uv = (1 - t) * corner[side] + t * corner[(side + 1) % 4];
+      if (side == 2 && i > 0) uv.x += shift;
+      const int number = 100 + static_cast<int>(loop.size());
+      loop.push_back({number, 0, region.chart->to_chart(uv), {uv.x, uv.y, 0}, h, i == 0 ? M_PI_2 : M_PI});
+    }
+  return region;
+}
+
+std::size_t quads(const RegionMesh& mesh) {
+  std::size_t count = 0;
+  for (const Element& e : mesh.elements) count += e.is_alive() && e.corners() == 4;
+  return count;
+}
+
+TEST(StripGrid, NodesOfTheLongSidesFaceEachOther) {
+  const auto mesh = lay_strip(strip(10, 0.1, {10, 1, 10, 1}));
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(mesh->elements.size(), 10U);
+  EXPECT_EQ(quads(*mesh), 10U);
+  for (const Element& e : mesh->elements) EXPECT_NEAR(scaled_jacobian(*mesh, e), 1, 1e-9);
+}
+
+TEST(StripGrid, TheEndsSayHowManyRows) {
+  const auto mesh = lay_strip(strip(10, 0.3, {10, 2, 10, 2}));
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(quads(*mesh), 20U);
+  EXPECT_EQ(mesh->node_count(), 33);
+}
+
+TEST(StripGrid, ItMayStandUpright) {
+  const auto mesh = lay_strip(strip(0.1, 10, {1, 10, 1, 10}));
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(quads(*mesh), 10U);
+}
+
+TEST(StripGrid, NodesOfTheLoopAreKept) {
+  const Region region = strip(10, 0.1, {10, 1, 10, 1});
+  const auto mesh = lay_strip(region);
+  ASSERT_TRUE(mesh);
+  for (const LoopNode& node : region.loops[0]) {
+    const auto at = std::find(mesh->global.begin(), mesh->global.end(), node.global);
+    ASSERT_NE(at, mesh->global.end());
+    EXPECT_TRUE(mesh->is_fixed[static_cast<std::size_t>(at - mesh->global.begin())]);
+  }
+}
+
+TEST(StripGrid, WideRegionsAreNone) { EXPECT_FALSE(lay_strip(strip(10, 2, {10, 2, 10, 2}))); }
+
+TEST(StripGrid, SidesMustHaveEquallyMany) { EXPECT_FALSE(lay_strip(strip(10, 0.1, {10, 1, 9, 1}))); }
+
+TEST(StripGrid, SkewedGridsAreLeftToPaving) { EXPECT_FALSE(lay_strip(strip(10, 0.1, {10, 1, 10, 1}, 0.45))); }
+
+}  // namespace
+}  // namespace paver
