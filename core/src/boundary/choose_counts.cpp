@@ -8,6 +8,7 @@
 
 #include "boundary/edge_metric.h"
 #include "boundary/edge_nodes.h"
+#include "boundary/match_gaps.h"
 #include "boundary/parity.h"
 #include "boundary/region_loops.h"
 #include "boundary/tie_sides.h"
@@ -129,6 +130,7 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
       for (const Coedge& coedge : loop.coedges) edges.push_back(coedge.edge);
     }
   }
+  match_gaps(model, size, loops, counts);
   TiedCounts tied = tie_opposite_sides(model, loops, counts);
   progress.check();
   for (std::vector<int>& edges : loop_edges)

@@ -14,6 +14,23 @@ constexpr double least_straight = 5 * M_PI / 6;  // up to as much beyond pi a si
 constexpr double narrow = 0.7;                   // of the target length
 constexpr double least_jacobian = 0.3;
 
+int add_known(const Region& region, const LoopNode& known, RegionMesh& mesh) {
+  const int node = mesh.add_node(region.place(known.p), known.h);
+  mesh.x[node] = known.x;
+  mesh.global[node] = known.global;
+  mesh.is_fixed[node] = 1;
+  return node;
+}
+
+/// Nothing where an element is not positive in the chart, or poor.
+std::optional<RegionMesh> sound(RegionMesh mesh) {
+  const bool is_sound = std::all_of(mesh.elements.begin(), mesh.elements.end(), [&](const Element& quad) {
+    return is_positive(mesh, quad) && has_jacobian(mesh, quad, least_jacobian);
+  });
+  if (!is_sound) return std::nullopt;
+  return mesh;
+}
+
 class Strip {
  public:
   explicit Strip(const Region& region) : region_(region), loop_(region.loops[0]) {}
@@ -51,6 +68,7 @@ class Strip {
   std::optional<RegionMesh> lay() {
     std::vector<int> node(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1));
     auto number = [&](int i, int j) -> int& { return node[static_cast<std::size_t>(j * (columns_ + 1) + i)]; };
+    mesh_.turn_weight = region_.size.turn_weight();
     mesh_.reserve(node.size());
     for (int j = 0; j <= rows_; ++j)
       for (int i = 0; i <= columns_; ++i) {
@@ -60,11 +78,7 @@ class Strip {
     for (int j = 0; j < rows_; ++j)
       for (int i = 0; i < columns_; ++i)
         mesh_.add_element({number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)});
-    const bool is_sound = std::all_of(mesh_.elements.begin(), mesh_.elements.end(), [&](const Element& quad) {
-      return is_positive(mesh_, quad) && has_jacobian(mesh_, quad, least_jacobian);
-    });
-    if (!is_sound) return std::nullopt;
-    return std::move(mesh_);
+    return sound(std::move(mesh_));
   }
 
  private:
@@ -89,19 +103,8 @@ class Strip {
     return (1 - t) * low(i).p + t * high(i).p + (1 - s) * left(j).p + s * right(j).p - corners;
   }
 
-  int add(Vec2 p) {
-    const NodePlace place = region_.place(p);
-    return mesh_.add_node(place, region_.target(p));
-  }
-
-  int add(const LoopNode& known) {
-    const int node = add(known.p);
-    mesh_.x[node] = known.x;
-    mesh_.h[node] = known.h;
-    mesh_.global[node] = known.global;
-    mesh_.is_fixed[node] = 1;
-    return node;
-  }
+  int add(Vec2 p) { return mesh_.add_node(region_.place(p), region_.target(p)); }
+  int add(const LoopNode& known) { return add_known(region_, known, mesh_); }
 
   const Region& region_;
   const std::vector<LoopNode>& loop_;
@@ -110,10 +113,73 @@ class Strip {
   RegionMesh mesh_;
 };
 
+/// One row of quads between two loops of equally many nodes.
+class Ring {
+ public:
+  explicit Ring(const Region& region) : one_(region.loops[0]), two_(region.loops[1]) {
+    mesh_.turn_weight = region.size.turn_weight();
+    for (const std::vector<LoopNode>* loop : {&one_, &two_})
+      for (const LoopNode& node : *loop) add_known(region, node, mesh_);
+  }
+
+  /// Which node of the other loop, which runs the other way, faces the first one: that with the least distances.
+  void turn() {
+    double least = INFINITY;
+    for (std::size_t first = 0; first < two_.size(); ++first) {
+      double sum = 0;
+      for (std::size_t i = 0; i < one_.size() && sum < least; ++i) {
+        const Vec3 across = two_[facing(i, first)].x - one_[i].x;
+        sum += dot(across, across);
+      }
+      if (sum < least) least = sum, first_ = first;
+    }
+  }
+
+  /// Nor does the surface turn by more than one element may.
+  bool is_narrow(const Region& region) const {
+    constexpr double most_turn = 1.5;  // target lengths
+    for (std::size_t i = 0; i < one_.size(); ++i) {
+      const LoopNode &a = one_[i], &b = two_[facing(i, first_)];
+      if (norm(b.x - a.x) >= narrow * std::min(a.h, b.h)) return false;
+      const double turned = norm(region.place(b.p).n - region.place(a.p).n);
+      if (region.size.turn_weight() * turned > most_turn) return false;
+    }
+    return true;
+  }
+
+  std::optional<RegionMesh> lay() {
+    const std::size_t n = one_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t next = (i + 1) % n;
+      mesh_.add_element({static_cast<int>(i), static_cast<int>(next), static_cast<int>(n + facing(next, first_)),
+                         static_cast<int>(n + facing(i, first_))});
+    }
+    return sound(std::move(mesh_));
+  }
+
+ private:
+  std::size_t facing(std::size_t i, std::size_t first) const { return (first + two_.size() - i) % two_.size(); }
+
+  const std::vector<LoopNode>&one_, &two_;
+  std::size_t first_ = 0;
+  RegionMesh mesh_;
+};
+
+std::optional<RegionMesh> lay_ring(const Region& region) {
+  constexpr std::size_t most_nodes = 4096;  // turning tries all
+  const std::size_t nodes = region.loops[0].size();
+  if (nodes != region.loops[1].size() || nodes > most_nodes) return std::nullopt;
+  Ring ring(region);
+  ring.turn();
+  return ring.is_narrow(region) ? ring.lay() : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<RegionMesh> lay_strip(const Region& region) {
-  if (region.loops.size() != 1 || !region.fans.empty()) return std::nullopt;
+  if (!region.fans.empty()) return std::nullopt;
+  if (region.loops.size() == 2) return lay_ring(region);
+  if (region.loops.size() != 1) return std::nullopt;
   Strip strip(region);
   if (!strip.find_sides() || !strip.is_narrow()) return std::nullopt;
   return strip.lay();

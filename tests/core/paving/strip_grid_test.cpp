@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "charts/chart.h"
@@ -77,6 +78,51 @@ TEST(StripGrid, WideRegionsAreNone) { EXPECT_FALSE(lay_strip(strip(10, 2, {10, 2
 TEST(StripGrid, SidesMustHaveEquallyMany) { EXPECT_FALSE(lay_strip(strip(10, 0.1, {10, 1, 9, 1}))); }
 
 TEST(StripGrid, SkewedGridsAreLeftToPaving) { EXPECT_FALSE(lay_strip(strip(10, 0.1, {10, 1, 10, 1}, 0.45))); }
+
+/// Square of side 2 with a round hole, so many nodes on both; those of the hole turned by `turn` intervals.
+Region frame(int nodes, double turn, double h) {
+  Region region;
+  region.surface = std::make_shared<fake::Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0});
+  region.chart = make_row_chart(*region.surface, {{-1, -1}, {1, 1}});
+  region.size = FaceSize(h);
+  region.h = h;
+  region.area = 4 - fake::pi / 4;
+  int number = 100;
+  auto add = [&](std::vector<LoopNode>& loop, Vec2 uv, double angle) {
+    loop.push_back({number++, 0, region.chart->to_chart(uv), {uv.x, uv.y, 0}, h, angle});
+  };
+  std::vector<LoopNode> outer, hole;
+  const Vec2 corner[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  for (std::size_t side = 0; side < 4; ++side)
+    for (int i = 0; i < nodes / 4; ++i) {
+      const double t = 4.0 * i / nodes;
+      add(outer, (1 - t) * corner[side] + t * corner[(side + 1) % 4], i == 0 ? M_PI_2 : M_PI);
+    }
+  for (int i = 0; i < nodes; ++i) {
+    const double angle = -2 * fake::pi * (i + turn) / nodes;
+    add(hole, {0.5 * std::cos(angle), 0.5 * std::sin(angle)}, M_PI);
+  }
+  region.loops = {outer, hole};
+  return region;
+}
+
+TEST(StripGrid, BetweenTwoLoopsItIsARing) {
+  const auto mesh = lay_strip(frame(8, 0, 4));
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(quads(*mesh), 8U);
+  EXPECT_EQ(mesh->node_count(), 16);
+  for (const Element& e : mesh->elements) EXPECT_GT(scaled_jacobian(*mesh, e), 0.7);
+}
+
+TEST(StripGrid, ARingMayBeginAnywhere) {
+  Region region = frame(8, 0, 4);
+  std::rotate(region.loops[1].begin(), region.loops[1].begin() + 3, region.loops[1].end());
+  const auto mesh = lay_strip(region);
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(quads(*mesh), 8U);
+}
+
+TEST(StripGrid, WideRingsAreNone) { EXPECT_FALSE(lay_strip(frame(8, 0, 0.5))); }
 
 }  // namespace
 }  // namespace paver
