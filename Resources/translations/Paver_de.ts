@@ -36,12 +36,8 @@
         <translation>Wo die Oberfläche in eine Spitze ausläuft, wird die Ziellänge durch R geteilt; 1: nicht [4]</translation>
     </message>
     <message>
-        <source>Edges shorter than E target lengths are merged with others; off: nothing is merged [0.1]</source>
-        <translation>Kanten, die kürzer sind als das E-fache der Ziellänge, werden mit anderen zusammengefasst; off: nichts wird zusammengefasst [0.1]</translation>
-    </message>
-    <message>
-        <source>Faces narrower than W target lengths are merged with neighbours that run on without a corner [0.05]</source>
-        <translation>Flächen, die schmaler sind als das W-fache der Ziellänge, werden mit Nachbarn zusammengefasst, die ohne Knick anschließen [0.05]</translation>
+        <source>At sharp outer edges the target length is divided by R; 1: not [1]</source>
+        <translation>An scharfen Außenkanten wird die Ziellänge durch R geteilt; 1: nicht [1]</translation>
     </message>
     <message>
         <source>Largest distance between mesh and surface: faces farther off get shorter lengths [as it comes]. 0: not given</source>
@@ -54,6 +50,14 @@
     <message>
         <source>Stop before meshing when more elements are predicted [2000000]</source>
         <translation>Vor dem Vernetzen anhalten, wenn mehr Elemente vorhergesagt sind [2000000]</translation>
+    </message>
+    <message>
+        <source>Edges shorter than E target lengths are merged with others; off: nothing is merged [0.1]</source>
+        <translation>Kanten, die kürzer sind als das E-fache der Ziellänge, werden mit anderen zusammengefasst; off: nichts wird zusammengefasst [0.1]</translation>
+    </message>
+    <message>
+        <source>Faces narrower than W target lengths are merged with neighbours that run on without a corner [0.05]</source>
+        <translation>Flächen, die schmaler sind als das W-fache der Ziellänge, werden mit Nachbarn zusammengefasst, die ohne Knick anschließen [0.05]</translation>
     </message>
     <message>
         <source>Order of the elements, 1 or 2 [2]</source>
@@ -1109,6 +1113,10 @@
     <message>
         <source>Finer at tips by</source>
         <translation>An Spitzen feiner um</translation>
+    </message>
+    <message>
+        <source>Finer at edges by</source>
+        <translation>An Kanten feiner um</translation>
     </message>
     <message>
         <source>Merge edges below</source>

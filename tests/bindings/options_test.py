@@ -18,6 +18,7 @@ VALUES = {
     "max_turn": ("20 deg", 20, {}, True),
     "gradation": ("0.2", 0.2, {"max_turn": "15"}, True),
     "tip": ("2", 2, {}, False),
+    "grade_edges": ("2", 2, {}, True),
     "merge": ("off", 0, {}, False),
     "merge_width": ("0.01", 0.01, {}, False),
     "chord_error": ("1 mm", 1, {}, False),

@@ -8,10 +8,10 @@
 
 #include "boundary/edge_metric.h"
 #include "boundary/edge_nodes.h"
-#include "boundary/match_gaps.h"
+#include "boundary/facing/match_gaps.h"
+#include "boundary/facing/tie_sides.h"
 #include "boundary/parity.h"
 #include "boundary/region_loops.h"
-#include "boundary/tie_sides.h"
 
 namespace paver {
 namespace {

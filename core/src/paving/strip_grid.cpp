@@ -98,8 +98,8 @@ class Strip {
 
   Vec2 inside(int i, int j) const {
     const double s = static_cast<double>(i) / columns_, t = static_cast<double>(j) / rows_;
-    const Vec2 corners = (1 - t) * ((1 - s) * low(0).p + s * low(columns_).p) +
-                         t * ((1 - s) * high(0).p + s * high(columns_).p);
+    const Vec2 corners =
+        (1 - t) * ((1 - s) * low(0).p + s * low(columns_).p) + t * ((1 - s) * high(0).p + s * high(columns_).p);
     return (1 - t) * low(i).p + t * high(i).p + (1 - s) * left(j).p + s * right(j).p - corners;
   }
 

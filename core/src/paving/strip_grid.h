@@ -8,8 +8,9 @@
 
 namespace paver {
 
-/// The whole mesh of a region with one loop of four sides, equally many nodes on opposite ones, that is narrower than the
-/// target length: nodes of the long sides face each other. Nothing where the region is no such strip, or the grid is poor.
+/// The whole mesh of a region with one loop of four sides, equally many nodes on opposite ones, that is narrower than
+/// the target length: nodes of the long sides face each other. Nothing where the region is no such strip, or the grid
+/// is poor.
 std::optional<RegionMesh> lay_strip(const Region& region);
 
 }  // namespace paver

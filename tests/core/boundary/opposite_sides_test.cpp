@@ -1,5 +1,5 @@
 // Which sides of a face lie opposite each other.
-#include "boundary/opposite_sides.h"
+#include "boundary/facing/opposite_sides.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Counts of opposite sides after tying.
-#include "boundary/tie_sides.h"
+#include "boundary/facing/tie_sides.h"
 
 #include <gtest/gtest.h>
 

@@ -13,8 +13,8 @@
 namespace paver {
 namespace {
 
-/// Length x width in the plane z = 0, so many intervals on the low, right, high and left side; nodes of the high side are
-/// shifted.
+/// Length x width in the plane z = 0, so many intervals on the low, right, high and left side; nodes of the high side
+/// are shifted.
 Region strip(double length, double width, std::array<int, 4> counts, double shift = 0, double h = 1) {
   Region region;
   region.surface = std::make_shared<fake::Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0});

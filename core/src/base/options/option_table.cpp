@@ -117,24 +117,15 @@ std::vector<Entry> grading_entries(const Options& d) {
         "",
         {}},
        [](Options& o, const Value& v) { o.tip = v.number; }},
-      {{"merge",
+      {{"grade_edges",
         OptionKind::number,
-        "E",
-        "Edges shorter than E target lengths are merged with others; off: nothing is merged",
-        text_of(d.merge),
+        "R",
+        "At sharp outer edges the target length is divided by R; 1: not",
+        text_of(d.grade_edges),
         "",
         "",
         {}},
-       [](Options& o, const Value& v) { o.merge = v.number; }},
-      {{"merge_width",
-        OptionKind::number,
-        "W",
-        "Faces narrower than W target lengths are merged with neighbours that run on without a corner",
-        text_of(d.merge_width),
-        "",
-        "",
-        {}},
-       [](Options& o, const Value& v) { o.merge_width = v.number; }},
+       [](Options& o, const Value& v) { o.grade_edges = v.number; }},
       {{"chord_error",
         OptionKind::length,
         "E",
@@ -162,6 +153,29 @@ std::vector<Entry> grading_entries(const Options& d) {
         "",
         {}},
        [](Options& o, const Value& v) { o.max_elements = static_cast<long>(v.number); }},
+  };
+}
+
+std::vector<Entry> merging_entries(const Options& d) {
+  return {
+      {{"merge",
+        OptionKind::number,
+        "E",
+        "Edges shorter than E target lengths are merged with others; off: nothing is merged",
+        text_of(d.merge),
+        "",
+        "",
+        {}},
+       [](Options& o, const Value& v) { o.merge = v.number; }},
+      {{"merge_width",
+        OptionKind::number,
+        "W",
+        "Faces narrower than W target lengths are merged with neighbours that run on without a corner",
+        text_of(d.merge_width),
+        "",
+        "",
+        {}},
+       [](Options& o, const Value& v) { o.merge_width = v.number; }},
   };
 }
 
@@ -218,7 +232,8 @@ const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = [] {
     Options defaults;
     std::vector<Entry> list = size_entries(defaults);
-    for (const std::vector<Entry>& more : {grading_entries(defaults), other_entries(defaults)})
+    for (const std::vector<Entry>& more :
+         {grading_entries(defaults), merging_entries(defaults), other_entries(defaults)})
       list.insert(list.end(), more.begin(), more.end());
     return list;
   }();

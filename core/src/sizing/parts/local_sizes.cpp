@@ -12,6 +12,7 @@
 #include "base/local_parts.h"
 #include "paver/error.h"
 #include "sizing/parts/find_tips.h"
+#include "sizing/parts/sharp_edges.h"
 
 namespace paver {
 namespace {
@@ -48,6 +49,7 @@ LocalSizes::LocalSizes(const Model& model, const Options& options, double h) {
       notes_.push_back(fmt::format("The length {:.6g} mm of {} has no effect: the target length is {:.6g} mm.", length,
                                    local.part, h));
   }
+  if (options.grade_edges > 1) put_on_sharp_edges(model, options, h);
   if (options.tip > 1) put_on_tips(model, options, h);
   if (!is_empty()) add_sources(model, options.gradation);
 }
@@ -70,6 +72,19 @@ void LocalSizes::put_on_tips(const Model& model, const Options& options, double 
     if (is_empty()) begin(model);
     points_.push_back({x, length});
     least_ = std::min(least_, length);
+  }
+}
+
+void LocalSizes::put_on_sharp_edges(const Model& model, const Options& options, double h) {
+  const std::vector<bool> is_sharp = find_sharp_edges(model);
+  for (std::size_t e = 0; e < is_sharp.size(); ++e) {
+    if (!is_sharp[e]) continue;
+    if (is_empty()) begin(model);
+    double length = h;
+    for (int face : model.edges[e].faces) length = std::min(length, on_face(face));
+    length /= options.grade_edges;
+    least_ = std::min(least_, length);
+    for (int origin : model.edges[e].origins) entry(of_edge_, origin) = std::min(entry(of_edge_, origin), length);
   }
 }
 

@@ -36,6 +36,7 @@ class LocalSizes {
   void begin(const Model& model);
   void note_inside(const Model& model, const LocalSize& local);
   void put(const Model& model, const LocalSize& local, double length);
+  void put_on_sharp_edges(const Model& model, const Options& options, double h);
   void put_on_tips(const Model& model, const Options& options, double h);
   void add_sources(const Model& model, double gradation);
 

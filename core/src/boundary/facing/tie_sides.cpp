@@ -4,14 +4,14 @@
 // members of a group can take (where a face has one pair of sides only that can be equal: while they differ by
 // rounding, for such a face stays irregular anyway); each group takes the one nearest to their wishes; sides of unequal
 // numbers of edges then get equal sums by changing groups that no earlier pair of sides holds.
-#include "boundary/tie_sides.h"
+#include "boundary/facing/tie_sides.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "boundary/opposite_sides.h"
+#include "boundary/facing/opposite_sides.h"
 
 namespace paver {
 namespace {

@@ -2,7 +2,7 @@
 // In: loops. Out: pairs of sides.
 // Corners are junctions with an interior angle between 45 and 135 degrees; everywhere else a side runs straight on. One
 // loop with four corners: two pairs. Two loops without any: one pair, its edges matched by nearest middles.
-#include "boundary/opposite_sides.h"
+#include "boundary/facing/opposite_sides.h"
 
 #include <algorithm>
 #include <cmath>

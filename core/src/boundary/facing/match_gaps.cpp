@@ -1,7 +1,7 @@
 // In: loops, sizes, counts. Out: larger counts on loops about gaps.
-// Steps, face by face: width by area and length of the border; counts wanted; nodes there, equally far apart on each edge;
-// the turn of one loop against the other that brings them nearest; the quads between them.
-#include "boundary/match_gaps.h"
+// Steps, face by face: width by area and length of the border; counts wanted; nodes there, equally far apart on each
+// edge; the turn of one loop against the other that brings them nearest; the quads between them.
+#include "boundary/facing/match_gaps.h"
 
 #include <algorithm>
 #include <cmath>
