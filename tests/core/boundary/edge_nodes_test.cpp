@@ -14,6 +14,7 @@ SizeField size_of(const Model& model, double h, double turn_limit = 0.7853981633
   size.h = h;
   size.turn_limit = turn_limit;
   size.faces.assign(model.faces.size(), FaceSize(h));
+  size.face_h.assign(model.faces.size(), h);
   return size;
 }
 
