@@ -2,10 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <GeomAPI_Interpolate.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/brep/shape_files.h"
 #include "paving/pave_region.h"
+#include "support/paved_model.h"
 #include "support/planar_region.h"
 #include "support/validate.h"
 
@@ -96,6 +104,53 @@ TEST(AcuteCorners, OnesThatAHoleReachesIntoAreLeftToRows) {
     EXPECT_EQ(nodes.size() < before, is_free);
     EXPECT_EQ(nodes.size() % 2, before % 2);
   }
+}
+
+/// Half of a body of revolution about the x axis, through points of its profile; with poles where they are on the axis.
+Model half_of_revolution(const std::vector<Vec2>& profile) {
+  Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, static_cast<int>(profile.size()));
+  for (std::size_t i = 0; i < profile.size(); ++i)
+    points->SetValue(static_cast<int>(i) + 1, gp_Pnt(profile[i].x, 0, profile[i].y));
+  GeomAPI_Interpolate curve(points, false, 1e-9);
+  curve.Perform();
+  return test::model_of(
+      BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeEdge(curve.Curve()), gp::OX(), std::numbers::pi).Shape());
+}
+
+test::PavedModel paved_half(const std::vector<Vec2>& profile, double h) {
+  Options options;
+  options.size = h;
+  options.tip = 1;
+  return {half_of_revolution(profile), options};
+}
+
+const std::vector<Vec2> spindle = {{0, 0},   {10, 12},   {30, 20},   {60, 23}, {120, 20}, {160, 13},
+                                   {200, 9}, {250, 6.8}, {300, 6.4}, {340, 6}, {352, 0}};
+
+TEST(AcuteCorners, PolesThatSurfacesTurnAboutHaveTwoQuadsOnEitherHalf) {
+  const test::PavedModel half = paved_half(spindle, 18);
+  ASSERT_EQ(half.paved.size(), 1U);
+  const RegionMesh& mesh = half.paved[0];
+  for (double end : {0.0, 352.0}) {
+    int quads = 0, triangles = 0;
+    for (const Element& e : mesh.elements)
+      for (int k = 0; e.is_alive() && k < e.corners(); ++k)
+        if (norm(mesh.x[e.v[k]] - Vec3{end, 0, 0}) < 1e-6) ++(e.corners() == 4 ? quads : triangles);
+    EXPECT_EQ(quads, 2) << end;
+    EXPECT_EQ(triangles, 0) << end;
+  }
+}
+
+TEST(AcuteCorners, ColumnsEndWhereTheSidesRunSideBySide) {
+  const test::PavedModel half = paved_half(spindle, 18);
+  const RegionMesh& mesh = half.paved[0];
+  // About the thin part the surface turns by 180 degrees: no element by more than 70.
+  for (const Element& e : mesh.elements)
+    for (int k = 0; e.is_alive() && k < e.corners(); ++k) {
+      const int a = e.v[k], b = e.v[(k + 1) % e.corners()];
+      if (mesh.x[a].x < 200 || mesh.x[a].x > 300 || mesh.x[b].x < 200 || mesh.x[b].x > 300) continue;
+      EXPECT_GT(dot(mesh.normal(a), mesh.normal(b)), std::cos(70 * std::numbers::pi / 180)) << mesh.x[a].x;
+    }
 }
 
 }  // namespace

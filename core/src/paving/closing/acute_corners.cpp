@@ -1,4 +1,4 @@
-// Two columns of quads in an acute corner.
+// Columns of quads in a corner that is acute, or about which the surface turns far.
 // In: a loop. Out: elements, and the loop without the corner.
 //
 //          apex
@@ -7,7 +7,8 @@
 //        | \m1/ |
 //       a2--m2--b2      The loop runs on b2 -> m2 -> a2.
 //
-// They end where they are wide enough, where the sides run apart or nodes do not face each other.
+// Two columns, or four with two quads at the apex where the turn from side to side asks for them. They end where they
+// are wide enough, where the sides run on side by side or nodes do not face each other.
 #include "paving/closing/acute_corners.h"
 
 #include <algorithm>
@@ -18,16 +19,26 @@
 namespace paver {
 namespace {
 
-constexpr double acute = 45 * M_PI / 180;  // interior angle
-constexpr double wide_enough = 0.6;        // of the target length: width of a column
-constexpr double dip = 0.35;          // of the first row's width: the apex quad's fourth node lies so far behind it
-constexpr double most_uneven = 1.25;  // ratio of the two sides' lengths up to facing nodes
+constexpr double acute = 45 * M_PI / 180;    // interior angle
+constexpr double obtuse = 150 * M_PI / 180;  // the same: such a node is on a side
+constexpr double wide_turn = 3;              // target lengths from side to side, turns counted: for four columns
+constexpr int width_steps = 8;               // in which they are measured
+constexpr double wide_enough = 0.6;          // of the target length: width of a column
+constexpr double dip = 0.35;           // of the first row's width: the apex quad's fourth node lies so far behind it
+constexpr double most_uneven = 1.25;   // ratio of the two sides' lengths up to facing nodes
+constexpr double least_opening = 0.4;  // of the mean of the rows before: sides that run side by side end the corner
 constexpr int most_rows = 64;
 
 class AcuteCorner {
  public:
   AcuteCorner(const Region& region, RegionMesh& mesh, const std::vector<int>& nodes, std::size_t apex)
       : region_(region), mesh_(mesh), nodes_(nodes), apex_(apex) {}
+
+  /// Only corners about which the surface turns far are fans though they are not acute.
+  bool is_fan(double angle) {
+    columns_ = turned_width(1) > wide_turn * target(1) ? 4 : 2;
+    return angle < acute || columns_ > 2;
+  }
 
   /// Rows it can have; 0: none.
   int rows(const std::vector<Vec2>& others) {
@@ -36,27 +47,31 @@ class AcuteCorner {
     int count = 0;
     for (int k = 1; k <= most; ++k) {
       left += distance(a(k), a(k - 1)), right += distance(b(k), b(k - 1));
-      double width = distance(a(k), b(k)), h = 0.5 * (mesh_.h[a(k)] + mesh_.h[b(k)]);
-      if (!(width > last) || std::max(left, right) > most_uneven * std::min(left, right)) break;
+      double width = distance(a(k), b(k));
+      if (!(width - last > least_opening * last / std::max(1, k - 1)) ||
+          std::max(left, right) > most_uneven * std::min(left, right))
+        break;
       count = k, last = width;
-      if (width > 2 * wide_enough * h) break;
+      if (width > columns_ * wide_enough * target(k)) break;
     }
-    if (count < 2 || holds_any(count, others)) return 0;
+    if ((columns_ == 2 && count < 2) || count == 0 || holds_any(count, others)) return 0;
     return count;
   }
 
-  /// The node of the middle line the loop runs on over.
-  int lay(int count) {
-    int before = -1;
-    for (int k = 1; k <= count; ++k) {
-      int middle = add_middle(k);
-      if (k == 1)
-        mesh_.add_element({a(0), a(1), middle, b(1)});
-      else
-        mesh_.add_element({a(k - 1), a(k), middle, before}), mesh_.add_element({before, middle, b(k), b(k - 1)});
-      before = middle;
+  /// The nodes within the last row, over which the loop runs from b to a.
+  std::vector<int> lay(int count) {
+    std::vector<int> before, row;
+    for (int k = 1; k <= count; ++k, before = std::move(row)) {
+      row = {a(k)};
+      for (int j = 1; j < columns_; ++j) row.push_back(add_inner(k, j));
+      row.push_back(b(k));
+      auto at = [](const std::vector<int>& from, int j) { return from[static_cast<std::size_t>(j)]; };
+      for (int j = 0; k == 1 && j < columns_; j += 2)
+        mesh_.add_element({a(0), at(row, j), at(row, j + 1), at(row, j + 2)});
+      for (int j = 0; k > 1 && j < columns_; ++j)
+        mesh_.add_element({at(before, j), at(row, j), at(row, j + 1), at(before, j + 1)});
     }
-    return before;
+    return {before.rbegin() + 1, before.rend() - 1};
   }
 
  private:
@@ -65,17 +80,38 @@ class AcuteCorner {
   int b(int k) const { return nodes_[(apex_ + nodes_.size() - static_cast<std::size_t>(k)) % nodes_.size()]; }
   // In space: where a corner turns sharply its two columns share the turn, however wide it is.
   double distance(int u, int v) const { return norm(mesh_.x[u] - mesh_.x[v]); }
+  double target(int k) const { return 0.5 * (mesh_.h[a(k)] + mesh_.h[b(k)]); }
 
-  Vec2 middle(int k) const {
-    Vec2 p = 0.5 * (mesh_.p[a(k)] + mesh_.p[b(k)]);
-    if (k > 1) return p;
-    Vec2 ahead = 0.5 * (mesh_.p[a(2)] + mesh_.p[b(2)]) - p;
-    double length = norm(0.5 * (mesh_.x[a(2)] + mesh_.x[b(2)] - mesh_.x[a(1)] - mesh_.x[b(1)]));
-    return p + std::min(0.5, dip * distance(a(1), b(1)) / length) * ahead;
+  /// From side to side as lengths count turns.
+  double turned_width(int k) const {
+    if (!mesh_.has_turns()) return 0;
+    double sum = 0;
+    MetricVec last = mesh_.point(a(k));
+    for (int i = 1; i <= width_steps; ++i) {
+      const double share = static_cast<double>(i) / width_steps;
+      const NodePlace at = region_.place((1 - share) * mesh_.p[a(k)] + share * mesh_.p[b(k)]);
+      const MetricVec here{at.x, at.n};
+      sum += norm(mesh_.step(last, here, target(k)));
+      last = here;
+    }
+    return sum;
   }
 
-  int add_middle(int k) {
-    Vec2 p = middle(k);
+  /// Node j of row k, counted from a; of the first row every other one lies behind the line between the sides.
+  Vec2 inner(int k, int j) const {
+    auto across = [&](int row) {
+      const double share = static_cast<double>(j) / columns_;
+      return (1 - share) * mesh_.p[a(row)] + share * mesh_.p[b(row)];
+    };
+    Vec2 p = across(k);
+    if (k > 1 || j % 2 == 0) return p;
+    Vec2 ahead = across(2) - p;
+    double length = norm(0.5 * (mesh_.x[a(2)] + mesh_.x[b(2)] - mesh_.x[a(1)] - mesh_.x[b(1)]));
+    return p + std::min(0.5, dip * 2 / columns_ * distance(a(1), b(1)) / length) * ahead;
+  }
+
+  int add_inner(int k, int j) {
+    Vec2 p = inner(k, j);
     return mesh_.add_node(region_.place(p), region_.target(p));
   }
 
@@ -84,14 +120,14 @@ class AcuteCorner {
     std::vector<Vec2> outline;
     for (int k = count; k > 0; --k) outline.push_back(mesh_.p[b(k)]);
     for (int k = 0; k <= count; ++k) outline.push_back(mesh_.p[a(k)]);
-    for (int k = 1; k <= count; ++k) {
-      Vec2 before = k > 1 ? middle(k - 1) : mesh_.p[a(0)], here = middle(k);
-      bool is_positive = orientation(before, mesh_.p[a(k)], here) > 0 && orientation(before, here, mesh_.p[b(k)]) > 0;
-      if (k > 1)
-        is_positive = is_positive && orientation(mesh_.p[a(k - 1)], mesh_.p[a(k)], before) > 0 &&
-                      orientation(before, mesh_.p[b(k)], mesh_.p[b(k - 1)]) > 0;
-      if (!is_positive) return true;
-    }
+    auto at = [&](int k, int j) {
+      return k == 0 ? mesh_.p[a(0)] : j == 0 ? mesh_.p[a(k)] : j == columns_ ? mesh_.p[b(k)] : inner(k, j);
+    };
+    for (int k = 1; k <= count; ++k)
+      for (int j = 0; j < columns_; ++j) {
+        if (orientation(at(k - 1, j), at(k, j), at(k, j + 1)) <= 0) return true;
+        if (k > 1 && orientation(at(k - 1, j), at(k, j + 1), at(k - 1, j + 1)) <= 0) return true;
+      }
     return std::any_of(others.begin(), others.end(), [&](Vec2 p) { return is_inside(outline, p); });
   }
 
@@ -112,6 +148,7 @@ class AcuteCorner {
   RegionMesh& mesh_;
   const std::vector<int>& nodes_;
   std::size_t apex_;
+  int columns_ = 2;
 };
 
 // Interior angle of the loop at its node i: the true one, or where the surface has no tangent plane that of the chords.
@@ -129,20 +166,22 @@ double angle_at(const RegionMesh& mesh, const std::vector<LoopNode>& loop, const
 void lay_acute_corners(const Region& region, RegionMesh& mesh, const std::vector<LoopNode>& loop,
                        std::vector<int>& nodes, const std::vector<Vec2>& others, double sharpest) {
   if (nodes.size() % 2 != 0) return;
-  std::vector<int> apexes;
+  std::vector<std::pair<int, double>> apexes;
   for (std::size_t i = 0; i < loop.size(); ++i)
-    if (double angle = angle_at(mesh, loop, nodes, i); angle >= sharpest && angle < acute) apexes.push_back(nodes[i]);
-  for (int apex : apexes) {
+    if (double angle = angle_at(mesh, loop, nodes, i); angle >= sharpest && angle < obtuse)
+      apexes.emplace_back(nodes[i], angle);
+  for (auto [apex, angle] : apexes) {
     auto at = std::find(nodes.begin(), nodes.end(), apex);
     if (at == nodes.end() || mesh.star[apex].size() > 0) continue;
     std::rotate(nodes.begin(), at, nodes.end());
     AcuteCorner corner(region, mesh, nodes, 0);
-    int rows = corner.rows(others);
+    if (!corner.is_fan(angle)) continue;
+    const int rows = corner.rows(others);
     if (rows == 0) continue;
-    int middle = corner.lay(rows);
+    const std::vector<int> inner = corner.lay(rows);
     nodes.erase(nodes.end() - (rows - 1), nodes.end());
     nodes.erase(nodes.begin(), nodes.begin() + rows);
-    nodes.push_back(middle);
+    nodes.insert(nodes.end(), inner.begin(), inner.end());
   }
 }
 
