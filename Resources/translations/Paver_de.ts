@@ -32,8 +32,8 @@
         <translation>Größtes Wachstum der Elementgröße je Längeneinheit [0.6]</translation>
     </message>
     <message>
-        <source>Where the surface comes to a point the target length is divided by R; 1: not [4]</source>
-        <translation>Wo die Oberfläche in eine Spitze ausläuft, wird die Ziellänge durch R geteilt; 1: nicht [4]</translation>
+        <source>Where the surface comes to a point the target length is divided by R; 1: not [32]</source>
+        <translation>Wo die Oberfläche in eine Spitze ausläuft, wird die Ziellänge durch R geteilt; 1: nicht [32]</translation>
     </message>
     <message>
         <source>At sharp outer edges the target length is divided by R; 1: not [1]</source>

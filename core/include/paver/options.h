@@ -53,7 +53,7 @@ struct Options {
   int ranks = 0;                   ///< processes, for those who start them (paver/launch.h); 0: this one alone
   std::optional<double> max_turn;  ///< largest turn per element edge, radians; default pi/4, more on short ones
   double gradation = 0.6;          ///< largest growth of h per unit of length, 0.05 to 2
-  double tip = 4;                  ///< the target length is divided by it where a surface comes to a point, 1 to 64
+  double tip = 32;                 ///< the target length is divided by it where a surface comes to a point, 1 to 64
   double grade_edges = 1;          ///< the target length is divided by it at sharp outer edges, 1 to 64
   double merge = 0.1;  ///< of the target length, 0 to 0.5: shorter edges are merged with others; 0: nothing is merged
   double merge_width = 0.05;  ///< of the target length, 0 to 0.5: narrower faces are merged with neighbours

@@ -1,6 +1,7 @@
 // Connectivity edits of a region's mesh and the scaled Jacobian of one element.
 #include "mesh/region_mesh.h"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "base/predicates.h"
@@ -151,6 +152,12 @@ Vec3 area_vector(const RegionMesh& mesh, const Element& e) {
                           : cross(x[e.v[2]] - x[e.v[0]], x[e.v[3]] - x[e.v[1]]);
 }
 
+// A corner without a normal, at a pole, turns to none: the metric says nothing of the angle there.
+bool counts_turns(const RegionMesh& mesh, const Element& e) {
+  return mesh.has_turns() &&
+         std::none_of(e.v.begin(), e.v.begin() + e.corners(), [&](int v) { return mesh.turn[v].n == Vec3{}; });
+}
+
 }  // namespace
 
 bool faces_surface(const RegionMesh& mesh, const Element& e) {
@@ -171,13 +178,13 @@ bool is_positive(const RegionMesh& mesh, const Element& e) {
 }
 
 bool has_jacobian(const RegionMesh& mesh, const Element& e, double bound) {
-  if (!mesh.has_turns()) return has_corners(Sides<Vec3>(mesh, e), bound);
+  if (!counts_turns(mesh, e)) return has_corners(Sides<Vec3>(mesh, e), bound);
   return has_corners(Sides<Vec3>(mesh, e), bound / skew_allowance) && has_corners(Sides<MetricVec>(mesh, e), bound);
 }
 
 double scaled_jacobian(const RegionMesh& mesh, const Element& e) {
   const double plain = worst_corner(Sides<Vec3>(mesh, e));
-  return mesh.has_turns() ? std::min(skew_allowance * plain, worst_corner(Sides<MetricVec>(mesh, e))) : plain;
+  return counts_turns(mesh, e) ? std::min(skew_allowance * plain, worst_corner(Sides<MetricVec>(mesh, e))) : plain;
 }
 
 }  // namespace paver

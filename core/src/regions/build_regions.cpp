@@ -15,9 +15,10 @@ constexpr double end_share = 1e-3;  // of an interval: as near to its end tangen
 constexpr double small = 0.01;      // of an interval: as far from a node its angle in the chart is measured
 constexpr double fan_radius = 0.8;  // of the target length: the quads about an apex
 constexpr double fan_room = 0.45, point_room = 0.4;  // of the distance to the nearest loop, about an apex and a point
-constexpr double wide_cone = 5.2;                    // radians about an apex: four quads, else three
-constexpr double least_side = 0.3;                   // of the fan's radius, or of the target length
-constexpr double fold = 0.26;  // radians (15 degrees): an edge that turns back by all but this is folded
+constexpr double dip = 0.6;  // per radian of half a quad about an apex: its outer corner lies so far behind the line
+constexpr double wide_cone = 5.2;   // radians about an apex: four quads, else three
+constexpr double least_side = 0.3;  // of the fan's radius, or of the target length
+constexpr double fold = 0.26;       // radians (15 degrees): an edge that turns back by all but this is folded
 
 class RegionBuilder {
  public:
@@ -367,17 +368,25 @@ class RegionBuilder {
     double per_length = shape.small / shape.slant;  // meridian parameter per mm at the pole
     double room = nearest_loop(region, shape.apex);
     double h = size_.faces[index_].given_at(shape.apex), radius = std::min(fan_radius * h, fan_room * room);
-    int quads = shape.cone_angle > wide_cone ? 4 : 3;
+    auto at = [&](double share, double reach) {
+      return parameters(box.lo.x + layout_.period * share, pole + inward * per_length * reach);
+    };
+    // Two sides of each within the limit of turn, where turns count.
+    const std::vector<double> turned = turns_about([&](double share) { return at(share, radius); });
+    const int quads =
+        std::max(shape.cone_angle > wide_cone ? 4 : 3, static_cast<int>(std::lround(0.5 * turned.back())));
     Fan fan;
+    fan.is_apex = shape.is_sharp();
     fan.centre.x = shape.apex;
     fan.centre.h = std::min(h, radius);
     fan.centre.p = {0, 0};
     fan.centre.global = append(shape.apex, fan.centre.h);
     double half = shape.cone_angle / (2 * quads);
     for (int i = 0; i < 2 * quads; ++i) {
-      double reach = radius * (i % 2 ? std::min(1.4, 1 / std::max(0.7, std::cos(half))) : 1.0);
+      const double reach =
+          radius * (i % 2 ? std::min(1.4, std::max(1 / std::max(0.7, std::cos(half)), 1 + dip * half)) : 1.0);
       LoopNode node;
-      Vec2 uv = parameters(box.lo.x + layout_.period * i / (2 * quads), pole + inward * per_length * reach);
+      const Vec2 uv = at(share_at(turned, static_cast<double>(i) / (2 * quads)), reach);
       node.p = region.chart->to_chart(uv);
       node.x = region.surface->point(uv);
       node.h = std::min(h, std::max(radius * 2 * half, least_side * radius));
@@ -388,6 +397,31 @@ class RegionBuilder {
       area += cross(fan.ring[i].p, fan.ring[(i + 1) % fan.ring.size()].p);
     if (area < 0) std::reverse(fan.ring.begin() + 1, fan.ring.end());
     region.fans.push_back(std::move(fan));
+  }
+
+  /// Turns in limits of turn, added up at equal steps about an apex; `place` gives (u, v) by the share of the way
+  /// round. All equal where turns do not count.
+  template <class Place>
+  std::vector<double> turns_about(const Place& place) const {
+    constexpr int steps = 64;
+    const NormalTable* normals = size_.faces[index_].normals();
+    std::vector<double> turned{0};
+    for (int i = 0; i < steps; ++i) {
+      const double step =
+          normals ? norm(normals->at(place((i + 1.0) / steps)) - normals->at(place(i / double{steps}))) : 0;
+      turned.push_back(turned.back() + size_.faces[index_].turn_weight() * step);
+    }
+    return turned;
+  }
+
+  /// The share of the way where that share of the whole is reached.
+  static double share_at(const std::vector<double>& sums, double share) {
+    const double wanted = share * sums.back(), steps = static_cast<double>(sums.size() - 1);
+    if (!(sums.back() > 0)) return share;
+    const auto after = std::upper_bound(sums.begin() + 1, sums.end() - 1, wanted);
+    const double before = *(after - 1), step = *after - before;
+    return (static_cast<double>(after - sums.begin()) - 1 + (step > 0 ? std::min(1.0, (wanted - before) / step) : 0)) /
+           steps;
   }
 
   // A node inside the face, a point or the end of a wire: four quads about it in advance.

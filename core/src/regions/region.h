@@ -28,6 +28,7 @@ struct LoopNode {
 struct Fan {
   LoopNode centre;
   std::vector<LoopNode> ring;  ///< counter-clockwise in the chart, even number; these nodes are new and may move
+  bool is_apex = false;        ///< the surface has no normal at the centre
 };
 
 struct Region {

@@ -43,6 +43,15 @@ double area_in_targets(const RegionMesh& mesh, const Element& e) {
   return 0.5 * std::sqrt(std::max(0.0, dot(one, one) * dot(other, other) - mixed * mixed)) / (h * h);
 }
 
+/// Whether every edge at the node lies in two elements.
+bool is_surrounded(const RegionMesh& mesh, int node) {
+  const auto& star = mesh.star[node];
+  return std::all_of(star.begin(), star.end(), [&](int e) {
+    return std::any_of(star.begin(), star.end(),
+                       [&](int other) { return mesh.elements[other].before(node) == mesh.elements[e].after(node); });
+  });
+}
+
 }  // namespace
 
 MeshEdit::MeshEdit(Front& front)
@@ -54,6 +63,10 @@ MeshEdit::MeshEdit(Front& front)
   commit();
   for (int i = 0; i < mesh_.node_count(); ++i) {
     if (!mesh_.is_fixed[i]) continue;
+    if (mesh_.global[i] < 0 && is_surrounded(mesh_, i)) {
+      aims_[i] = {static_cast<float>(mesh_.star[i].size()), 1, true};
+      continue;
+    }
     double angle = 0;
     for (int e : mesh_.star[i]) angle += corner_angle(mesh_, mesh_.elements[e], i);
     aims_[i].ideal = static_cast<float>(ideal_elements(angle));
@@ -142,6 +155,9 @@ double MeshEdit::target_between(int node, std::size_t count) const {
 }
 
 bool MeshEdit::apply(const Change& change) {
+  for (int e : change.gone)
+    for (int v : mesh_.elements[e].v)
+      if (v >= 0 && aims_[v].is_kept) return false;
   std::size_t start = mark();
   for (int e : change.gone) {
     journal_.push_back({Kind::gone, e, mesh_.elements[e], {}});

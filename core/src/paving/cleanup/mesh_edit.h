@@ -96,8 +96,9 @@ class MeshEdit {
     NodePlace place;
   };
   struct Aim {
-    float ideal = 4;  // number of elements
-    int least = 3;    // that no corner is nearly straight
+    float ideal = 4;       // number of elements
+    int least = 3;         // that no corner is nearly straight
+    bool is_kept = false;  // laid as it is to stay, as are the elements about it
   };
   static double energy_of(int size, Aim aim) {
     if (size == 0) return 0;

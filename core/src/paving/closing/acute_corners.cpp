@@ -60,10 +60,13 @@ class AcuteCorner {
 
   /// The nodes within the last row, over which the loop runs from b to a.
   std::vector<int> lay(int count) {
+    // Skew of elements that turn far counts for little in smoothing: their rows would lean.
+    const bool is_kept = mesh_.has_turns();
     std::vector<int> before, row;
     for (int k = 1; k <= count; ++k, before = std::move(row)) {
       row = {a(k)};
-      for (int j = 1; j < columns_; ++j) row.push_back(add_inner(k, j));
+      for (int j = 1; j < columns_; ++j)
+        row.push_back(add_inner(k, j)), mesh_.is_fixed[row.back()] = is_kept && k < count;
       row.push_back(b(k));
       auto at = [](const std::vector<int>& from, int j) { return from[static_cast<std::size_t>(j)]; };
       for (int j = 0; k == 1 && j < columns_; j += 2)

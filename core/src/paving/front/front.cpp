@@ -8,6 +8,7 @@
 #include "base/predicates.h"
 #include "mesh/spatial_order.h"
 #include "paving/closing/acute_corners.h"
+#include "paving/closing/fan_rings.h"
 #include "regions/crossing_facets.h"
 
 namespace paver {
@@ -75,6 +76,17 @@ std::optional<Crossing> Front::start_at(const std::vector<std::vector<int>>& loo
   return open_void();
 }
 
+// It has no normal: for elements about it the mean of the normals there is one.
+void Front::set_apex(int centre, const std::vector<int>& ring) {
+  Vec3 mean;
+  for (int node : ring) mean += mesh.normal(node);
+  mean = unit(mean);
+  const Vec3 along = mesh.x[ring[0]] - mesh.x[centre];
+  mesh.xp[centre] = norm(mesh.xp[centre]) * unit(along - dot(along, mean) * mean);
+  mesh.xq[centre] = norm(mesh.xq[centre]) * cross(mean, unit(mesh.xp[centre]));
+  mesh.turn[centre].n = {};
+}
+
 std::optional<Crossing> Front::start(std::optional<double> sharpest_corner) {
   // About as many as a uniform mesh has: growing by doubling would take half as much memory again.
   mesh.reserve(static_cast<std::size_t>(std::min(1.1 * region.area / (region.h * region.h), 5e7)));
@@ -94,12 +106,15 @@ std::optional<Crossing> Front::start(std::optional<double> sharpest_corner) {
   }
   for (const Fan& fan : region.fans) {
     int centre = add_loop_node(fan.centre, fan.ring[0].p, true);
-    int first = mesh.node_count(), n = static_cast<int>(fan.ring.size());
-    for (const LoopNode& node : fan.ring) add_loop_node(node, fan.centre.p, false);
-    std::vector<int> nodes;
-    for (int i = n - 1; i >= 0; --i) nodes.push_back(first + i);
-    add_start_loop(nodes);
-    for (int i = 0; i < n; i += 2) mesh.add_element({centre, first + i, first + i + 1, first + (i + 2) % n});
+    std::vector<int> ring;
+    for (const LoopNode& node : fan.ring) ring.push_back(add_loop_node(node, fan.centre.p, false));
+    for (std::size_t i = 0; i < ring.size(); i += 2)
+      mesh.add_element({centre, ring[i], ring[i + 1], ring[(i + 2) % ring.size()]});
+    if (fan.is_apex && mesh.has_turns()) {
+      set_apex(centre, ring);
+      ring = lay_fan_rings(region, mesh, fan, std::move(ring));
+    }
+    add_start_loop({ring.rbegin(), ring.rend()});
   }
   return open_void();
 }

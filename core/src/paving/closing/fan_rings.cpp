@@ -1,0 +1,102 @@
+// In: a fan about an apex that the surface turns about. Out: rings of quads about it, each a target length from the
+// last. Columns are as many as the turn asks for, however narrow: rows of the front would lean there, for the metric
+// hardly sees it. They end where columns are wide enough to be paved, or half way to the next loop.
+#include "paving/closing/fan_rings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace paver {
+namespace {
+
+constexpr double wide_enough = 1.2;  // target lengths, turns counted, between two columns
+constexpr double room = 0.45;        // of the distance from the apex to the nearest loop
+constexpr int most_rings = 64;
+constexpr int corrections = 6;
+constexpr double first_growth = 2, most_growth = 1e6;  // of a ring in the chart
+
+class FanRings {
+ public:
+  FanRings(const Region& region, RegionMesh& mesh, const Fan& fan) : region_(region), mesh_(mesh), apex_(fan.centre) {
+    for (const auto& loop : region.loops)
+      for (const LoopNode& node : loop) nearest_ = std::min(nearest_, norm(node.x - apex_.x));
+  }
+
+  std::vector<int> run(std::vector<int> ring) {
+    for (int k = 0; k < most_rings && mean_width(ring) < wide_enough; ++k) {
+      const double growth = next_ring(ring);
+      if (!(growth > 1) || distance(ring, growth) > room * nearest_) break;
+      ring = lay(ring, growth);
+    }
+    return ring;
+  }
+
+ private:
+  /// Target lengths between neighbours.
+  double mean_width(const std::vector<int>& ring) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const int a = ring[i], b = ring[(i + 1) % ring.size()];
+      sum += mesh_.length(a, b) / (0.5 * (mesh_.h[a] + mesh_.h[b]));
+    }
+    return sum / static_cast<double>(ring.size());
+  }
+
+  /// Where a column goes on: as far from the apex in the chart as the others, though corners of the first quads lie
+  /// behind.
+  Vec2 grown(const std::vector<int>& ring, std::size_t i, double growth) const {
+    const Vec2 way = mesh_.p[ring[i]] - apex_.p;
+    return apex_.p + (growth * norm(mesh_.p[ring[0]] - apex_.p) / norm(way)) * way;
+  }
+
+  /// From the apex to the ring that follows, at most.
+  double distance(const std::vector<int>& ring, double growth) const {
+    double most = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      most = std::max(most, norm(region_.point(grown(ring, i, growth)) - apex_.x));
+    return most;
+  }
+
+  /// By how much a ring grows in the chart to be a target length from the last one, in the mean.
+  double next_ring(const std::vector<int>& ring) const {
+    double growth = first_growth;  // distances are about logarithms of it
+    for (int i = 0; i < corrections; ++i) {
+      double share = 0;
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Vec2 p = grown(ring, k, growth);
+        share += norm(region_.point(p) - mesh_.x[ring[k]]) / (0.5 * (mesh_.h[ring[k]] + region_.target(p)));
+      }
+      share /= static_cast<double>(ring.size());
+      if (!(share > 0)) return 0;
+      growth = std::clamp(std::pow(growth, 1 / share), 1 + 1e-6, most_growth);
+    }
+    return growth;
+  }
+
+  std::vector<int> lay(const std::vector<int>& ring, double growth) {
+    std::vector<int> outer;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 p = grown(ring, i, growth);
+      outer.push_back(mesh_.add_node(region_.place(p), region_.target(p)));
+      mesh_.is_fixed[ring[i]] = 1;
+    }
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const std::size_t k = (i + 1) % ring.size();
+      mesh_.add_element({ring[i], outer[i], outer[k], ring[k]});
+    }
+    return outer;
+  }
+
+  const Region& region_;
+  RegionMesh& mesh_;
+  const LoopNode& apex_;
+  double nearest_ = INFINITY;
+};
+
+}  // namespace
+
+std::vector<int> lay_fan_rings(const Region& region, RegionMesh& mesh, const Fan& fan, std::vector<int> ring) {
+  return FanRings(region, mesh, fan).run(std::move(ring));
+}
+
+}  // namespace paver
