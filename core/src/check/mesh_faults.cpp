@@ -68,6 +68,9 @@ std::string MeshFaults::reason(int face) const {
       return counted("an element runs", "elements run") + " against the normal of the face" + remedy;
     case FaultKind::same_element:
       return counted("an element has", "elements have") + " the same corners as another" + remedy;
+    case FaultKind::overlap:
+      return counted("an element lies", "elements lie") +
+             " on those of another face; remove one of the faces in the CAD model";
     case FaultKind::side:
       return counted("a mesh edge", "mesh edges") + " inside it would not lie in two elements side by side" + remedy;
     case FaultKind::boundary:

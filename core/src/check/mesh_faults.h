@@ -16,6 +16,7 @@ enum class FaultKind {
   folded,        ///< Jacobian not proven positive
   turned,        ///< element against the face's normal
   same_element,  ///< two elements with the same corners
+  overlap,       ///< element that lies on one of another face beside it
   side,          ///< mesh edge inside the face that is not in two elements that run opposite
   boundary,      ///< mesh edge on the face's boundary that its elements leave out, or use once too often
   shared,        ///< mesh edge with elements of more faces than meet there

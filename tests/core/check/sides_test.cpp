@@ -70,5 +70,48 @@ TEST(CheckShared, FailsTheFewestFacesThatShareASideWithoutAnEdge) {
   }
 }
 
+/// Two quads of two faces on one side of their common one: one in the plane z = 0, the other at an angle to it that
+/// bends away.
+MeshFaults check_pair(double angle, double bend, int order = 2) {
+  const Model model = fake::angle();
+  SurfaceMesh mesh;
+  mesh.order = order;
+  auto other = [&](double x, double t) { return Vec3{x, t * std::cos(angle), t * std::sin(angle) + bend * t * t}; };
+  if (order == 1) {
+    mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, other(-0.5, 2), other(1.5, 2)};
+    mesh.quads = {0, 1, 2, 3, 1, 0, 4, 5};
+  } else {
+    mesh.nodes = {{0, 0, 0},   {1, 0, 0},   {1, 1, 0},   {0, 1, 0},    {0.5, 0, 0},
+                  {1, 0.5, 0}, {0.5, 1, 0}, {0, 0.5, 0}, {0.5, 0.5, 0}};
+    for (auto [x, t] : {std::pair{0.0, 2.0}, {1.0, 2.0}, {0.0, 1.0}, {0.5, 2.0}, {1.0, 1.0}, {0.5, 1.0}})
+      mesh.nodes.push_back(other(x, t));
+    mesh.quads = {0, 1, 2, 3, 4, 5, 6, 7, 8, 1, 0, 9, 10, 4, 11, 12, 13, 14};
+  }
+  mesh.quad_face = {0, 1};
+  std::vector<Region> regions(2);
+  regions[1].face = 1;
+  regions[0].face = 0;
+  const RegionMesh own;
+  const std::vector<CurvingPart> parts{{&regions[0], &own, nullptr}, {&regions[1], &own, nullptr}};
+  const EdgeNodes edges;
+  const std::vector<PartSizes> sizes{{0, 1, 0}, {0, 1, 0}};
+  const int count = static_cast<int>(mesh.nodes.size());
+  const CheckedMesh checked{model, edges, mesh, parts, sizes, {}, {}, count, std::vector<char>(model.faces.size(), 1)};
+  MeshFaults faults;
+  SingleRank alone;
+  check_sides(checked, 1, Progress(), alone, faults);
+  return faults;
+}
+
+TEST(CheckSides, FindsElementsOfTwoFacesThatCoverEachOther) {
+  for (int order : {1, 2}) {
+    EXPECT_EQ(check_pair(0, 0, order).count(1, FaultKind::overlap), 1);
+    EXPECT_EQ(check_pair(0, 0, order).count(0, FaultKind::overlap), 0);
+    EXPECT_EQ(check_pair(0.001, 0, order).count(1, FaultKind::overlap), 0);
+    EXPECT_EQ(check_pair(M_PI, 0, order).count(1, FaultKind::overlap), 0);
+  }
+  EXPECT_EQ(check_pair(0, 0.01).count(1, FaultKind::overlap), 0) << "a cylinder that touches a plane";
+}
+
 }  // namespace
 }  // namespace paver

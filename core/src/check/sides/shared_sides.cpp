@@ -91,6 +91,7 @@ class SideGroup {
       check_face(face, there_.subspan(first_there, t - first_there), wanted_.subspan(first_wanted, w - first_wanted));
     }
     check_faces();
+    check_overlaps();
   }
 
  private:
@@ -131,6 +132,21 @@ class SideGroup {
       faults_.add(user.face, FaultKind::shared, there_[0].where);
       uses -= user.uses;
     }
+  }
+
+  // Elements of two faces that leave the side alike lie on each other: the first face's stay. Where a cylinder touches
+  // a plane they leave it in one direction, but bend apart.
+  void check_overlaps() {
+    constexpr double same = 1e-6, same_bend = 1e-4;  // radians; of the side's length
+    for (std::size_t i = 0; i < there_.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        const Heading &a = there_[k].heading, &b = there_[i].heading;
+        if (there_[k].face == there_[i].face || a.inward == Vec3{} || b.inward == Vec3{}) continue;
+        // Bends are counted from either side.
+        const double turned = there_[k].direction == there_[i].direction ? b.bend : -b.bend;
+        if (norm(a.inward - b.inward) < same && std::abs(a.bend - turned) < same_bend)
+          faults_.add(there_[i].face, FaultKind::overlap, there_[i].where);
+      }
   }
 
   const CheckedMesh& checked_;

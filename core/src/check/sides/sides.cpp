@@ -82,7 +82,7 @@ class PartSideCheck {
     const int a = c.v[k], b = c.next(k), middle = c.middle(k, mesh_.order);
     const long from = checked_.number(a), to = checked_.number(b);
     shared_.sides.push_back({std::min(from, to), std::max(from, to), middle < 0 ? -1 : checked_.number(middle), face_,
-                             from < to ? 1 : -1, checked_.middle(a, b)});
+                             from < to ? 1 : -1, checked_.middle(a, b), heading(c, k)});
     if (k > 0 || *std::max_element(c.v, c.v + c.n) >= checked_.shared_nodes) return;
     SharedElement element;
     for (int i = 0; i < c.n; ++i) element.corners[static_cast<std::size_t>(i)] = checked_.number(c.v[i]);
@@ -90,6 +90,29 @@ class PartSideCheck {
     element.face = face_;
     element.where = checked_.middle(c.v[0], c.v[2]);
     shared_.elements.push_back(element);
+  }
+
+  /// From the middle of side k of an element towards what lies opposite, as curved.
+  Heading heading(const Corners& c, int k) const {
+    const Vec3 from = mesh_.nodes[c.v[k]], to = mesh_.nodes[c.next(k)], along = unit(to - from);
+    Vec3 start, half, end;
+    if (mesh_.order == 1) {
+      start = 0.5 * (from + to);
+      end = c.n == 3 ? mesh_.nodes[c.v[(k + 2) % 3]]
+                     : 0.5 * (mesh_.nodes[c.v[(k + 2) % 4]] + mesh_.nodes[c.v[(k + 3) % 4]]);
+      half = 0.5 * (start + end);
+    } else {
+      auto middle = [&](int side) { return mesh_.nodes[c.v[c.n + side % c.n]]; };
+      start = middle(k);
+      end = c.n == 3 ? mesh_.nodes[c.v[(k + 2) % 3]] : middle(k + 2);
+      half =
+          c.n == 4 ? mesh_.nodes[c.v[8]] : 0.25 * start + 0.5 * (middle(k + 1) + middle(k + 2)) - 0.125 * (from + to);
+    }
+    const Vec3 slope = 4 * half - 3 * start - end, across = slope - dot(slope, along) * along, way = half - start;
+    Heading found{unit(across), 0};
+    const double reach = dot(way, found.inward);
+    found.bend = dot(way, cross(along, found.inward)) / (reach * reach) * norm(to - from);
+    return found;
   }
 
   void check_bucket(int high) {
