@@ -148,7 +148,7 @@ SampledFace sample_face(const Model& model, const Face& face, double h, double t
   }
   fill_degenerate(sizes, h);
 
-  if (!is_straight && turns_count(model, face, h, largest_stretch(samples, h / turn_limit))) {
+  if (turns_count(model, face, h, largest_stretch(samples, h / turn_limit))) {
     const auto normals = std::make_shared<const NormalTable>(*face.surface, box, table_spacing * h, slope_reach * h);
     flat.mean_density *= normals->stretched_area(h / turn_limit);
     flat.size.count_turns(1 / turn_limit, normals);
