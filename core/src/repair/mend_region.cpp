@@ -1,6 +1,6 @@
 // Steps: the bad elements in order, new ones that are still bad behind them. For each: moves, then fillings of the
 // element alone, with one neighbour, with two, of stars and the whole ring, without and with a node inside; then nodes
-// on its sides.
+// on its sides; where nothing helps ever more elements about it together.
 #include "repair/mend_region.h"
 
 #include <algorithm>
@@ -15,10 +15,12 @@ namespace paver {
 namespace {
 
 constexpr int steps_per_element = 12, least_steps = 24;
-constexpr double least_bend = 0.01;  // of the chord: below, a side counts as straight
-constexpr double fair = 0.2;         // value from which on an element needs no more mending
-constexpr double as_good = 1e-9;     // merits nearer than this are equal, the first is taken
-constexpr double least_gain = 0.05;  // of value, of an element that is valid
+constexpr std::size_t most_grown = 28;  // nodes about elements that are filled anew together
+constexpr int most_growths = 1000;       // of a region, each a filling
+constexpr double least_bend = 0.01;     // of the chord: below, a side counts as straight
+constexpr double fair = 0.2;            // value from which on an element needs no more mending
+constexpr double as_good = 1e-9;        // merits nearer than this are equal, the first is taken
+constexpr double least_gain = 0.05;     // of value, of an element that is valid
 
 class Mender {
  public:
@@ -86,6 +88,7 @@ class Mender {
       }
       try_sides(e, best);
     }
+    if (best.gone.empty() && now <= 0) grow(e, best);
     if (best.gone.empty()) return false;
     carry_out(best);
     note(best.node ? ElementRepairKind::divided : ElementRepairKind::refilled, where);
@@ -133,6 +136,31 @@ class Mender {
     const int node = add_node(p, h);
     consider({set, fill_about(node, outline.loop, kinds_, value), p}, best);
     mesh_.drop_last_node();
+  }
+
+  /// Neighbours join it one by one, nearest first, as long as there is one loop about all and no fixed node inside.
+  void grow(int e, Candidate& best) {
+    ElementSet set{e};
+    for (std::size_t from = 0; from < set.size(); ++from)
+      for (int next : neighbours_of(mesh_, set[from])) {
+        if (std::find(set.begin(), set.end(), next) != set.end()) continue;
+        set.push_back(next);
+        const PatchOutline outline = outline_of(mesh_, set, most_grown);
+        const bool is_simple = !outline.loop.empty() && std::none_of(outline.inside.begin(), outline.inside.end(),
+                                                                     [&](int v) { return mesh_.is_fixed[v]; });
+        if (!is_simple) {
+          set.pop_back();
+          continue;
+        }
+        if (set.size() < 3 || growths_++ >= most_growths) continue;
+        consider({set,
+                  fill_outline(
+                      outline.loop, kinds_, [&](const Corners& v) { return judge_.value(v, floor_); },
+                      [&](int a, int b) { return is_side_outside(mesh_, set, a, b); }, most_grown),
+                  {}},
+                 best);
+        if (!best.gone.empty()) return;
+      }
   }
 
   int add_node(Vec2 p, double h) { return mesh_.add_node(region_.place(p), h); }
@@ -207,6 +235,7 @@ class Mender {
   const ElementJudge& judge_;
   const ElementKinds kinds_;
   double floor_ = 0;  // value that what comes must exceed
+  int growths_ = 0;
   Mended mended_;
 };
 

@@ -98,6 +98,27 @@ TEST(MendRegion, FillsAnewWhatNoMoveMends) {
   EXPECT_NEAR(test::chart_area(square.mesh), 16, 1e-9);
 }
 
+TEST(MendRegion, FillsManyElementsAnewWhereANodeOfTheLoopLiesAcrossThem) {
+  constexpr int count = 16;
+  Square square;
+  square.mesh = RegionMesh();
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    const double reach = i == count / 2 ? -0.8 : 1;  // almost to the other side
+    const Vec2 p{reach * std::cos(angle), std::sin(angle)};
+    const int v = square.mesh.add_node(p, {p.x, p.y, 0}, {1, 0, 0}, {0, 1, 0}, 1);
+    square.mesh.is_fixed[v] = 1;
+  }
+  for (int i = 1; i < count / 2; ++i) {  // in zigzag from node 0 to the one that is off
+    if (i > 1) square.mesh.add_element({i - 1, i, count - i + 1, -1});
+    square.mesh.add_element({i, count - i, (count - i + 1) % count, -1});
+  }
+  square.mesh.add_element({count / 2 - 1, count / 2, count / 2 + 1, -1});
+  ASSERT_FALSE(square.bad().empty());
+  square.mend();
+  EXPECT_TRUE(square.bad().empty());
+}
+
 TEST(MendRegion, MakesNoTrianglesWhereNoneAreWanted) {
   Square square;
   for (int v = 0; v < 25; ++v) square.mesh.is_fixed[v] = 1;

@@ -3,7 +3,6 @@
 #include "repair/edits/refill.h"
 
 #include <algorithm>
-#include <array>
 
 namespace paver {
 namespace {
@@ -14,16 +13,20 @@ class Outline {
  public:
   Outline(std::span<const int> nodes, ElementKinds kinds, const std::function<double(const Corners&)>& value,
           const std::function<bool(int, int)>& is_taken)
-      : nodes_(nodes), kinds_(kinds), value_(value), n_(static_cast<int>(nodes.size())) {
+      : nodes_(nodes),
+        kinds_(kinds),
+        value_(value),
+        n_(static_cast<int>(nodes.size())),
+        chords_(nodes.size() * nodes.size()) {
     for (int i = 0; i < n_; ++i)
-      for (int j = i + 2; j < n_; ++j) taken_[i][j] = (i > 0 || j < n_ - 1) && is_taken(nodes[i], nodes[j]);
+      for (int j = i + 2; j < n_; ++j) chord(i, j).is_taken = (i > 0 || j < n_ - 1) && is_taken(nodes[i], nodes[j]);
   }
 
   Filling run() {
     for (int length = 2; length < n_; ++length)
       for (int i = 0; i + length < n_; ++i) solve(i, i + length);
     Filling filling;
-    const Best& whole = best_[0][n_ - 1];
+    const Best& whole = chord(0, n_ - 1).best;
     filling.worst = whole.worst, filling.triangles = whole.triangles;
     if (whole.worst > 0) collect(0, n_ - 1, filling.elements);
     return filling;
@@ -37,10 +40,16 @@ class Outline {
     double merit() const { return paver::merit(worst, triangles); }
   };
 
-  bool is_open(int i, int j) const { return j - i < 2 || (!taken_[i][j] && best_[i][j].worst > 0); }
+  struct Chord {
+    Best best;
+    bool is_taken = false;
+  };
+  Chord& chord(int i, int j) { return chords_[static_cast<std::size_t>(i * n_ + j)]; }
+  const Chord& chord(int i, int j) const { return chords_[static_cast<std::size_t>(i * n_ + j)]; }
+  bool is_open(int i, int j) const { return j - i < 2 || (!chord(i, j).is_taken && chord(i, j).best.worst > 0); }
 
   void solve(int i, int j) {
-    Best& best = best_[i][j];
+    Best& best = chord(i, j).best;
     for (int k = i + 1; k < j; ++k) {
       if (!is_open(i, k)) continue;
       if (kinds_.triangles) improve(best, i, j, k, k, {nodes_[i], nodes_[k], nodes_[j], -1});
@@ -54,8 +63,8 @@ class Outline {
     Best found{1, k == l, k, l};
     for (auto [a, b] : {std::pair(i, k), std::pair(k, l), std::pair(l, j)}) {
       if (b - a < 2) continue;
-      found.worst = std::min(found.worst, best_[a][b].worst);
-      found.triangles += best_[a][b].triangles;
+      found.worst = std::min(found.worst, chord(a, b).best.worst);
+      found.triangles += chord(a, b).best.triangles;
     }
     if (found.merit() <= best.merit()) return;
     found.worst = std::min(found.worst, value_(corners));
@@ -64,7 +73,7 @@ class Outline {
 
   void collect(int i, int j, std::vector<Corners>& elements) const {
     if (j - i < 2) return;
-    const Best& best = best_[i][j];
+    const Best& best = chord(i, j).best;
     elements.push_back(
         {nodes_[i], nodes_[best.k], best.l == best.k ? nodes_[j] : nodes_[best.l], best.l == best.k ? -1 : nodes_[j]});
     collect(i, best.k, elements);
@@ -76,8 +85,7 @@ class Outline {
   const ElementKinds kinds_;
   const std::function<double(const Corners&)>& value_;
   const int n_;
-  std::array<std::array<Best, most_outline>, most_outline> best_;
-  std::array<std::array<bool, most_outline>, most_outline> taken_{};
+  std::vector<Chord> chords_;  // per pair of nodes, the first before the second
 };
 
 }  // namespace
@@ -85,9 +93,9 @@ class Outline {
 double merit(double worst, int triangles) { return std::min(worst, good_enough) - triangle_price * triangles; }
 
 Filling fill_outline(std::span<const int> outline, ElementKinds kinds,
-                     const std::function<double(const Corners&)>& value,
-                     const std::function<bool(int, int)>& is_taken) {
-  if (outline.size() < 3 || outline.size() > most_outline) return {};
+                     const std::function<double(const Corners&)>& value, const std::function<bool(int, int)>& is_taken,
+                     std::size_t most_nodes) {
+  if (outline.size() < 3 || outline.size() > most_nodes) return {};
   return Outline(outline, kinds, value, is_taken).run();
 }
 
