@@ -39,6 +39,7 @@ EdgeCount count_for_edge(const Edge& edge, const SizeField& size, std::span<cons
   double turns = std::min(std::ceil(metric.smooth_turn() / size.largest_turn() - turn_slack), most_by_turn);
   double rounded = std::min(std::max({1.0, std::floor(result.wish + 0.5 + rounding_slack), turns}), most_intervals);
   result.minimum = least_for_shape(edge, metric.turn());
+  result.is_short = edge.length < size.h;
   result.count = std::max(static_cast<int>(rounded), result.minimum);
   // Equal weights bound the turn once n reaches the weight of every piece between kinks.
   const int enough = static_cast<int>(std::min(std::ceil(result.wish), most_intervals)) + metric.kink_count();

@@ -7,10 +7,11 @@ namespace paver {
 
 /// Interval count of one edge while it is being chosen.
 struct EdgeCount {
-  double wish = 0;       ///< integral of ds/h
-  int minimum = 1;       ///< least count allowed
-  int count = 0;         ///< 0: not divided (degenerate or unused); left alone
-  bool is_tied = false;  ///< sides of a face agree because of it: others change first
+  double wish = 0;        ///< integral of ds/h
+  int minimum = 1;        ///< least count allowed
+  int count = 0;          ///< 0: not divided (degenerate or unused); left alone
+  bool is_tied = false;   ///< sides of a face agree because of it: others change first
+  bool is_short = false;  ///< not as long as the target length: its turn alone asks for more than one
 };
 
 /// Changes counts by one so that the loops come out even: `loop_edges` lists the edges of each loop, an edge once per

@@ -12,11 +12,12 @@ namespace paver {
 namespace {
 
 /// Counts per edge after tying, from wishes.
-std::vector<int> tied(const Model& model, const std::vector<double>& wishes, int minimum = 1) {
+std::vector<int> tied(const Model& model, const std::vector<double>& wishes, int minimum = 1, bool are_short = false) {
   std::vector<std::vector<Loop>> loops;
   for (std::size_t f = 0; f < model.faces.size(); ++f) loops.push_back(linked_loops(model, static_cast<int>(f), false));
   std::vector<EdgeCount> counts;
-  for (double wish : wishes) counts.push_back({wish, minimum, std::max(minimum, static_cast<int>(wish + 0.5))});
+  for (double wish : wishes)
+    counts.push_back({wish, minimum, std::max(minimum, static_cast<int>(wish + 0.5)), false, are_short});
   TiedCounts result = tie_opposite_sides(model, loops, counts);
   std::vector<int> chosen;
   for (int group : result.group) chosen.push_back(result.groups[static_cast<std::size_t>(group)].count);
@@ -47,6 +48,12 @@ TEST(TieSides, NothingIsTiedBeyondThat) {
 TEST(TieSides, AFaceThatStaysIrregularIsTiedByRoundingOnly) {
   EXPECT_EQ(tied(square(), {40, 30, 44, 50}), (std::vector<int>{40, 30, 44, 50}));
   EXPECT_EQ(tied(square(), {40.4, 30, 40.6, 50}), (std::vector<int>{41, 30, 41, 50}));
+}
+
+TEST(TieSides, EdgesShorterThanTheTargetLengthTakeTwiceTheirCountForAGrid) {
+  EXPECT_EQ(tied(square(), {3.2, 2, 1, 2}), (std::vector<int>{3, 2, 1, 2}));
+  EXPECT_EQ(tied(square(), {2.8, 2, 1, 2}, 1, true), (std::vector<int>{2, 2, 2, 2}));
+  EXPECT_EQ(tied(square(), {9, 2, 5, 2}, 1, true), (std::vector<int>{9, 2, 5, 2})) << "four at most";
 }
 
 TEST(TieSides, TheMinimumHolds) {

@@ -20,6 +20,7 @@ constexpr double largest_change = 0.12;  // of an edge's wish
 // Intervals on the rims of a ring, by the target length: cones up to 1 : 1.67 come out regular (decision frusta).
 constexpr double shortest_on_rim = 0.75, longest_on_rim = 1.25;
 constexpr double rounding = 0.9;         // intervals: short edges may change by more than that share
+constexpr int most_on_short = 4;         // intervals: on an edge shorter than the target length no length is right
 constexpr double rounding_slack = 1e-6;  // equal wishes at a half round alike
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
@@ -38,6 +39,7 @@ Range range_of(const EdgeCount& edge, bool is_rim) {
   // The count it has is always allowed: its minimum may lie far above its wish.
   int least = std::max(edge.minimum, static_cast<int>(std::ceil(std::max(lowest, 1.0))));
   int most = static_cast<int>(std::floor(std::min(highest, 1e8)));
+  if (edge.is_short) most = std::max(most, std::min(2 * edge.count, most_on_short));
   return {std::min(least, edge.count), std::max(most, edge.count)};
 }
 
