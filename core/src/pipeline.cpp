@@ -207,6 +207,8 @@ class Run {
   void divide() {
     std::vector<FaceLayout> layouts;
     const std::vector<int> counts = count_intervals(ClosedLayouts::made, layouts);
+    const std::vector<double> predicted = predict_elements(model_, size_, counts, options_.elements);
+    predicted_ = std::accumulate(predicted.begin(), predicted.end(), 0.0);
     DividedLoops divided = divide_loops(model_, size_, layouts, counts, shared_);
     nodes_ = std::move(divided.nodes);
     regions_ = std::move(divided.regions);
@@ -311,6 +313,8 @@ class Run {
       report.quality.distance = join_distances(report.quality.distance, elements, face.distance, more);
       elements += more;
     }
+    report.quality.metric = assembler.metric();
+    report.quality.metric.predicted = predicted_;
     report.gaps = find_gaps(result_.mesh, model_, ranks_);
     std::erase_if(report.gaps, [&](const Gap& gap) {
       const auto& named = report.model.unconnected;
@@ -360,6 +364,7 @@ class Run {
   Clock::time_point started_;
   Model model_;
   SizeField size_;
+  double predicted_ = 0;  // elements
   EdgeNodes nodes_;
   std::vector<Region> regions_;
   SharedTasks shared_;

@@ -72,6 +72,15 @@ struct ScaledJacobianStats {
   double min = 0, mean = 0, below_03 = 0;
 };
 
+/// By lengths that count how far the surface turns, as elements are made (core/docs/quality.md).
+struct MetricFigures {
+  double predicted = 0;  ///< elements to expect by sizes and counts of edges
+  double least_sj = 0;   ///< scaled Jacobian
+  double mean_sj = 0;
+  double length_mean = 0;     ///< of the elements' sides, by the target length there
+  double length_in_band = 0;  ///< share of sides within 0.5 to 1.5 of it
+};
+
 /// Figures of the whole mesh; definitions as in core/docs/quality.md.
 struct QualityReport {
   long quads = 0, triangles = 0, nodes = 0;
@@ -89,6 +98,7 @@ struct QualityReport {
   double min_jacobian_ratio = 0;                 ///< lower bound of the curved Jacobian over its mean
   long border_edges = 0, nonmanifold_edges = 0;  ///< mesh edges with one element, with more than two
   bool watertight = false;
+  MetricFigures metric;
 };
 
 enum class ContactKind { face, edge, point, crossing };

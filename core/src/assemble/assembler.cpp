@@ -10,6 +10,7 @@
 #include "check/distance/surface_distance.h"
 #include "quality/element_figures.h"
 #include "quality/jacobian/jacobian.h"
+#include "quality/metric_figures.h"
 
 namespace paver {
 namespace {
@@ -208,6 +209,12 @@ void Assembler::note_straightened() {
   ranks_.add_up({&straightened_, 1});
   if (straightened_ > 0)
     report_.notes.push_back(fmt::format("{} curved elements were straightened to keep them valid.", straightened_));
+}
+
+MetricFigures Assembler::metric() const {
+  std::vector<const RegionMesh*> meshes;
+  for (const CurvingPart& part : parts_) meshes.push_back(part.mesh);
+  return measure_metric(meshes, options_.threads, progress_, ranks_);
 }
 
 std::vector<SurfaceDistance> Assembler::distances() const {

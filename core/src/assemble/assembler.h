@@ -37,6 +37,8 @@ class Assembler {
 
   /// Per face of the model, on all ranks.
   std::vector<SurfaceDistance> distances() const;
+  /// All but the prediction. Collective.
+  MetricFigures metric() const;
 
  private:
   void straighten_last();

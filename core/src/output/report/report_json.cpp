@@ -83,6 +83,13 @@ Json distance_json(const SurfaceDistance& distance) {
   return {{"largest", distance.largest}, {"mean", distance.mean}, {"angle", distance.angle / degree}};
 }
 
+Json metric_json(const MetricFigures& m) {
+  return {{"predicted", m.predicted},
+          {"sj", {{"min", m.least_sj}, {"mean", m.mean_sj}}},
+          {"length_mean", m.length_mean},
+          {"length_in_band", m.length_in_band}};
+}
+
 Json quality_json(const QualityReport& q) {
   return {{"quads", q.quads},
           {"triangles", q.triangles},
@@ -104,7 +111,8 @@ Json quality_json(const QualityReport& q) {
           {"min_jacobian_ratio", q.min_jacobian_ratio},
           {"border_edges", q.border_edges},
           {"nonmanifold_edges", q.nonmanifold_edges},
-          {"watertight", q.watertight}};
+          {"watertight", q.watertight},
+          {"metric", metric_json(q.metric)}};
 }
 
 Json face_json(const FaceReport& face, const std::string& label) {
