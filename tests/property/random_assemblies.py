@@ -28,8 +28,8 @@ DIVISIONS = 20
 TOGETHER = 1e-6  # mm: nodes nearer than this are in one place
 GENERATOR = os.environ.get("PAVER_RANDOM_ASSEMBLY") or os.path.join(
     os.path.dirname(os.path.dirname(os.path.abspath(runs.PROGRAM))), "tests", "paver_random_assembly")
-GOOD, FAILED, UNCONNECTED, WRONG, ENDED = ("good", "failed faces", "named unconnected", "WRONG with exit 0",
-                                           "ended by a limit or an error")
+GOOD, DOUBTFUL, FAILED, UNCONNECTED, WRONG, ENDED = (
+    "good", "named gap", "failed faces", "named unconnected", "WRONG with exit 0", "ended by a limit or an error")
 
 
 @dataclass
@@ -63,10 +63,10 @@ def pieces(mesh):
 
 
 def faults_of(run, components):
-    """What is wrong with a mesh that the program calls sound, as sentences, by the mesh alone."""
+    """What is wrong with a mesh that the program calls sound or doubtful, as sentences, by the mesh alone."""
     from scipy.spatial import cKDTree
     faults = []
-    if run.report["verdict"] != "sound" or run.report["model"]["unconnected"]:
+    if run.report["verdict"] == "faulty" or run.report["model"]["unconnected"]:
         faults.append("exit code 0 with another verdict")
     found = pieces(run.mesh), len(run.report["components"])
     if found != (components, components):
@@ -101,7 +101,9 @@ def outcome_of(run, faces, out, components, size, has_judge):
     faults = faults_of(run, components)
     if has_judge:
         faults += judged(faces, out, size)
-    return (WRONG, "; ".join(faults)) if faults else (GOOD, "")
+    if faults:
+        return WRONG, "; ".join(faults)
+    return (DOUBTFUL, "; ".join(run.report["doubts"])) if run.report["verdict"] == "doubtful" else (GOOD, "")
 
 
 def check(seed, keep=None, has_judge=runs.has_judge()):
@@ -127,7 +129,7 @@ def main():
             slow += outcome.seconds > SLOW
             print(outcome.seed, outcome.kind, f"{outcome.seconds:.1f} s", f"{outcome.parts} parts", outcome.why, sep="\t",
                   flush=True)
-    for kind in (GOOD, FAILED, UNCONNECTED, WRONG, ENDED):
+    for kind in (GOOD, DOUBTFUL, FAILED, UNCONNECTED, WRONG, ENDED):
         print(f"| {kind} | {table[kind]} |")
     print(f"| longer than {SLOW} s | {slow} |")
     return 1 if table[WRONG] or table[ENDED] or slow else 0
