@@ -132,6 +132,8 @@ struct RegionMesh {
     return way;
   }
   double length(int a, int b) const { return norm(between(a, b)); }
+  /// By the mean target length of both.
+  double relative_length(int a, int b) const { return length(a, b) / (0.5 * (h[a] + h[b])); }
   /// Point and normal of a node.
   MetricVec point(int node) const { return {x[node], has_turns() ? turn[node].n : Vec3{}}; }
   MetricVec tangent_p(int node) const {

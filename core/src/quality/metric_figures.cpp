@@ -22,8 +22,7 @@ struct Totals {
     least_sj = std::min(least_sj, jacobian);
     sj.add(jacobian);
     for (int k = 0, n = e.corners(); k < n; ++k) {
-      const int a = e.v[k], b = e.v[(k + 1) % n];
-      const double ratio = mesh.length(a, b) / (0.5 * (mesh.h[a] + mesh.h[b]));
+      const double ratio = mesh.relative_length(e.v[k], e.v[(k + 1) % n]);
       ++sides;
       in_band += ratio >= band_low && ratio <= band_high;
       length.add(ratio);

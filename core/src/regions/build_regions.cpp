@@ -366,7 +366,7 @@ class RegionBuilder {
     if (!(shape.slant > 0) || (!shape.is_sharp() && !is_bag(region))) return;
     double pole = box.low_pole ? box.lo.y : box.hi.y, inward = box.low_pole ? 1 : -1;
     double per_length = shape.small / shape.slant;  // meridian parameter per mm at the pole
-    double room = nearest_loop(region, shape.apex);
+    double room = nearest_node(region, shape.apex);
     double h = size_.faces[index_].given_at(shape.apex), radius = std::min(fan_radius * h, fan_room * room);
     auto at = [&](double share, double reach) {
       return parameters(box.lo.x + layout_.period * share, pole + inward * per_length * reach);
@@ -474,13 +474,6 @@ class RegionBuilder {
     std::size_t nodes = 0;
     for (const auto& loop : region.loops) nodes += loop.size();
     return nodes <= 8 && region.area > 20 * region.h * region.h;
-  }
-
-  static double nearest_loop(const Region& region, Vec3 apex) {
-    double nearest = 1e300;
-    for (const auto& loop : region.loops)
-      for (const LoopNode& node : loop) nearest = std::min(nearest, norm(node.x - apex));
-    return nearest;
   }
 
   static double nearest_facet(const Region& region, Vec3 at) {

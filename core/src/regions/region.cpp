@@ -1,6 +1,9 @@
 // Places on a region's surface.
 #include "regions/region.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace paver {
 
 NodePlace Region::place(Vec2 p) const {
@@ -22,6 +25,13 @@ NodePlace Region::place(Vec2 p) const {
   at.np = uv_x.x * by_u + uv_x.y * by_v;
   at.nq = uv_y.x * by_u + uv_y.y * by_v;
   return at;
+}
+
+double nearest_node(const Region& region, Vec3 at) {
+  double nearest = INFINITY;
+  for (const auto& loop : region.loops)
+    for (const LoopNode& node : loop) nearest = std::min(nearest, norm(node.x - at));
+  return nearest;
 }
 
 }  // namespace paver

@@ -63,6 +63,9 @@ struct Region {
   }
 };
 
+/// Distance to the nearest node of the loops, infinite where there is none.
+double nearest_node(const Region& region, Vec3 at);
+
 /// What is asked for, without any shape: no loops, no fans, no mesh. The evaluator is shared.
 inline Region task_of(const Region& region) {
   Region task;

@@ -121,11 +121,7 @@ class Mender {
       consider({set, fill_about(fixed[0], outline.loop, kinds_, value), {}}, best);
       return;
     }
-    consider(
-        {set,
-         fill_outline(outline.loop, kinds_, value, [&](int a, int b) { return is_side_outside(mesh_, set, a, b); }),
-         {}},
-        best);
+    consider({set, fill(outline.loop, set), {}}, best);
     if (best.filling.worst >= fair || outline.loop.size() < 4) return;
     Vec2 p;
     double h = 0;
@@ -136,6 +132,13 @@ class Mender {
     const int node = add_node(p, h);
     consider({set, fill_about(node, outline.loop, kinds_, value), p}, best);
     mesh_.drop_last_node();
+  }
+
+  /// For the place of some elements.
+  Filling fill(const std::vector<int>& outline, const ElementSet& set, std::size_t most_nodes = most_outline) const {
+    return fill_outline(
+        outline, kinds_, [&](const Corners& v) { return judge_.value(v, floor_); },
+        [&](int a, int b) { return is_side_outside(mesh_, set, a, b); }, most_nodes);
   }
 
   /// Neighbours join it one by one, nearest first, as long as there is one loop about all and no fixed node inside.
@@ -152,13 +155,9 @@ class Mender {
           set.pop_back();
           continue;
         }
-        if (set.size() < 3 || growths_++ >= most_growths) continue;
-        consider({set,
-                  fill_outline(
-                      outline.loop, kinds_, [&](const Corners& v) { return judge_.value(v, floor_); },
-                      [&](int a, int b) { return is_side_outside(mesh_, set, a, b); }, most_grown),
-                  {}},
-                 best);
+        if (set.size() < 3) continue;
+        if (growths_++ >= most_growths) return;
+        consider({set, fill(outline.loop, set, most_grown), {}}, best);
         if (!best.gone.empty()) return;
       }
   }
@@ -186,9 +185,7 @@ class Mender {
   Filling fill_with(int e, int a, int b, int node, const ElementSet& set) const {
     const std::vector<int> outline = with_nodes_between(
         mesh_.elements[e], [&](int v, int w) { return std::minmax(v, w) == std::minmax(a, b) ? node : -1; });
-    return fill_outline(
-        outline, kinds_, [&](const Corners& v) { return judge_.value(v); },
-        [&](int v, int w) { return is_side_outside(mesh_, set, v, w); });
+    return fill(outline, set);
   }
 
   void consider(Candidate candidate, Candidate& best) const {

@@ -14,7 +14,7 @@
 #include "base/tasks/tasks.h"
 #include "check/distance/deviation.h"
 #include "curving/near_surface.h"
-#include "quality/exact_sum.h"
+#include "quality/reduction.h"
 
 namespace paver {
 namespace {
@@ -211,21 +211,14 @@ class Measurer {
   }
 
   void exchange() {
-    std::vector<long> numbers;
-    std::vector<double> negative;
-    for (const Totals& face : faces_) {
-      numbers.push_back(face.count);
-      for (long part : face.sum.parts()) numbers.push_back(part);
-      negative.push_back(-face.largest), negative.push_back(-face.angle);
+    Reduction reduction;
+    for (Totals& face : faces_) {
+      reduction.sum(face.count), reduction.sum(face.sum);
+      face.largest = -face.largest, face.angle = -face.angle;
+      reduction.least(face.largest), reduction.least(face.angle);
     }
-    ranks_.add_up(numbers);
-    ranks_.find_least(negative);
-    constexpr std::size_t stride = 1 + ExactSum::part_count;
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      faces_[f].count = numbers[stride * f];
-      faces_[f].sum.set_parts(&numbers[stride * f + 1]);
-      faces_[f].largest = -negative[2 * f], faces_[f].angle = -negative[2 * f + 1];
-    }
+    reduction.run(ranks_);
+    for (Totals& face : faces_) face.largest = -face.largest, face.angle = -face.angle;
   }
 
   // Every rank has all edges.

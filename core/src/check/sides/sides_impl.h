@@ -5,13 +5,13 @@
 
 namespace paver {
 
-/// One element's side, from the node of lower number to the other or against that.
 /// How an element leaves its side, at the side's middle.
 struct Heading {
   Vec3 inward;      ///< square to the side in the element's plane there, of length one; zero: no element
   double bend = 0;  ///< how far it leaves that plane, by the square of the way inward, in lengths of the side
 };
 
+/// One element's side, from the node of lower number to the other or against that.
 struct SharedSide {
   long low = 0, high = 0, middle = -1;  ///< numbers in the whole mesh; middle: -1 at order 1
   int face = -1, direction = 1;

@@ -304,7 +304,7 @@ void MeshEdit::measure_lengths(const Element& e, Measure& worst) const {
   for (int i = 0, n = e.corners(); i < n; ++i) {
     int a = e.v[i], b = e.v[(i + 1) % n];
     if (mesh_.is_fixed[a] && mesh_.is_fixed[b]) continue;
-    const auto ratio = static_cast<float>(2 * mesh_.length(a, b) / (mesh_.h[a] + mesh_.h[b]));
+    const auto ratio = static_cast<float>(mesh_.relative_length(a, b));
     worst.shortest = std::min(worst.shortest, ratio);
     worst.longest = std::max(worst.longest, ratio);
     worst.spread += static_cast<float>(spread(ratio));

@@ -22,7 +22,7 @@ double value(const RegionMesh& mesh, int a, int b, int c, int d) {
 }
 
 double length_penalty(const RegionMesh& mesh, int a, int b) {
-  double ratio = mesh.length(a, b) / (0.5 * (mesh.h[a] + mesh.h[b]));
+  double ratio = mesh.relative_length(a, b);
   return ratio > 0 ? length_price * std::max(0.0, std::fabs(std::log(ratio)) - fair_length) : 1;
 }
 

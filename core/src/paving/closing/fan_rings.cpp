@@ -17,10 +17,8 @@ constexpr double first_growth = 2, most_growth = 1e6;  // of a ring in the chart
 
 class FanRings {
  public:
-  FanRings(const Region& region, RegionMesh& mesh, const Fan& fan) : region_(region), mesh_(mesh), apex_(fan.centre) {
-    for (const auto& loop : region.loops)
-      for (const LoopNode& node : loop) nearest_ = std::min(nearest_, norm(node.x - apex_.x));
-  }
+  FanRings(const Region& region, RegionMesh& mesh, const Fan& fan)
+      : region_(region), mesh_(mesh), apex_(fan.centre), nearest_(nearest_node(region, apex_.x)) {}
 
   std::vector<int> run(std::vector<int> ring) {
     for (int k = 0; k < most_rings && mean_width(ring) < wide_enough; ++k) {
@@ -35,10 +33,7 @@ class FanRings {
   /// Target lengths between neighbours.
   double mean_width(const std::vector<int>& ring) const {
     double sum = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const int a = ring[i], b = ring[(i + 1) % ring.size()];
-      sum += mesh_.length(a, b) / (0.5 * (mesh_.h[a] + mesh_.h[b]));
-    }
+    for (std::size_t i = 0; i < ring.size(); ++i) sum += mesh_.relative_length(ring[i], ring[(i + 1) % ring.size()]);
     return sum / static_cast<double>(ring.size());
   }
 
@@ -90,7 +85,7 @@ class FanRings {
   const Region& region_;
   RegionMesh& mesh_;
   const LoopNode& apex_;
-  double nearest_ = INFINITY;
+  const double nearest_;  // loop, from the apex
 };
 
 }  // namespace

@@ -30,9 +30,10 @@ inline ElementKinds kinds_of(Elements elements) {
 double merit(double worst, int triangles);
 constexpr double good_enough = 0.2;
 
+constexpr int most_outline = 10;  ///< nodes: what is filled anew many times
+
 /// Values as ElementJudge::value; `is_taken`: whether a side between two nodes is there already outside.
 /// Of at most `most_nodes` nodes, counter-clockwise; nothing where no division has elements of positive value only.
-constexpr int most_outline = 10;
 Filling fill_outline(std::span<const int> outline, ElementKinds kinds,
                      const std::function<double(const Corners&)>& value, const std::function<bool(int, int)>& is_taken,
                      std::size_t most_nodes = most_outline);
