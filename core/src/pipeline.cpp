@@ -245,7 +245,7 @@ class Run {
 
   void note_repairs() {
     constexpr std::array ways{"by moving nodes", "by other elements", "with nodes inside faces",
-                              "by paving without counting turns", "with nodes on B-rep edges"};
+                              "by other meshes of whole faces", "with nodes on B-rep edges"};
     std::array<long, ways.size()> counts{};
     for (const ElementRepair& repair : result_.report.element_repairs) ++counts[static_cast<std::size_t>(repair.kind)];
     std::string list;

@@ -1,5 +1,6 @@
 #include "check/area_slack.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace paver {
@@ -7,8 +8,20 @@ namespace {
 
 constexpr double cad_share =
     0.05;  // of a face's area: how well the CAD kernel knows it, which integrates across creases
+constexpr double most_turned = 0.5;   // cosine: more turn costs no more area
+constexpr double chords_share = 1.5;  // of 1 / cosine - 1, what chords cost of an area; 1.25 of a sphere's
+constexpr double curved_share = 0.1;  // of its square, at order 2, where a sphere of 120 degrees across lacks 0.03
 
 }  // namespace
+
+double element_slack(double area, double least_along, bool is_curved) {
+  const double turn = 1 / std::max(least_along, most_turned) - 1;
+  return area * (is_curved ? curved_share * turn * turn : chords_share * turn);
+}
+
+bool can_be_area(double mesh_area, const Face& face, double slack) {
+  return std::fabs(mesh_area - face.area) <= cad_share * face.area + face.merged_area + slack;
+}
 
 AreaSlack::AreaSlack(const Model& model) {
   for (const Face& face : model.faces) units_.emplace_back(face.area > 0 && std::isfinite(face.area) ? face.area : 1);
@@ -22,11 +35,6 @@ void AreaSlack::unite(Ranks& ranks) {
   ranks.add_up(parts);
   const long* at = parts.data();
   for (ExactSum& sum : faces_) sum.set_parts(at), at += ExactSum::part_count;
-}
-
-bool AreaSlack::allows(const Face& face, int index, double mesh_area) const {
-  const double slack = cad_share * face.area + face.merged_area + faces_[static_cast<std::size_t>(index)].total();
-  return std::fabs(mesh_area - face.area) <= slack;
 }
 
 }  // namespace paver

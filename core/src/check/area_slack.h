@@ -9,6 +9,13 @@
 
 namespace paver {
 
+/// What the area of one element may lack: its own area, mm^2; the cosine of the largest angle from its normal to the
+/// surface's at a corner; whether its sides are curved as the surface is.
+double element_slack(double area, double least_along, bool is_curved);
+
+/// Whether a mesh of this area, whose elements may lack `slack` of it, can be one of the face.
+bool can_be_area(double mesh_area, const Face& face, double slack);
+
 /// Per face of the model; sums that do not depend on the order of their terms. mm^2.
 class AreaSlack {
  public:
@@ -22,7 +29,9 @@ class AreaSlack {
   void unite(Ranks& ranks);
 
   /// Whether a mesh of this area can be one of the face.
-  bool allows(const Face& face, int index, double mesh_area) const;
+  bool allows(const Face& face, int index, double mesh_area) const {
+    return can_be_area(mesh_area, face, faces_[static_cast<std::size_t>(index)].total());
+  }
 
  private:
   std::vector<ExactSum> faces_, units_;

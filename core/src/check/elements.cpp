@@ -12,12 +12,9 @@
 namespace paver {
 namespace {
 
-constexpr double off_corner = 1e-6;   // of the target length; corners are placed on the surface itself
-constexpr double off_inner = 1e-4;    // of the chord or diagonal
-constexpr double doubtful = 0.5;      // cosine between an element's normal and the mean of its corners'
-constexpr double most_turned = 0.5;   // cosine: more turn costs no more area
-constexpr double chords_share = 1.5;  // of 1 / cosine - 1, what chords cost of an area; 1.25 of a sphere's
-constexpr double curved_share = 0.1;  // of its square, at order 2, where a sphere of 120 degrees across lacks 0.03
+constexpr double off_corner = 1e-6;  // of the target length; corners are placed on the surface itself
+constexpr double off_inner = 1e-4;   // of the chord or diagonal
+constexpr double doubtful = 0.5;     // cosine between an element's normal and the mean of its corners'
 
 class PartElementCheck {
  public:
@@ -79,7 +76,7 @@ class PartElementCheck {
     else
       check_chords();
     check_direction(unit(area));
-    slack_.add(area_slack(norm(area)));
+    slack_.add(element_slack(0.5 * norm(area), least_along_, mesh_.order > 1 && !is_moved_));
   }
 
   void check_direction(Vec3 normal) {
@@ -118,12 +115,6 @@ class PartElementCheck {
       if (const Vec3 at = normals_[static_cast<std::size_t>(c_[k])]; dot(at, at) > 0)
         least = std::min(least, dot(normal, at));
     return least;
-  }
-
-  // What the surface turns by from the element's normal to that at a corner makes it larger than the chords.
-  double area_slack(double size) const {
-    const double turn = 1 / std::max(least_along_, most_turned) - 1;
-    return 0.5 * size * (mesh_.order == 1 || is_moved_ ? chords_share * turn : curved_share * turn * turn);
   }
 
   /// At order 1. Sides between nodes of the boundary are as far off as the division of edges lets them be.

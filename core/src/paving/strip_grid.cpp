@@ -14,18 +14,10 @@ constexpr double least_straight = 5 * M_PI / 6;  // up to as much beyond pi a si
 constexpr double narrow = 0.7;                   // of the target length
 constexpr double least_jacobian = 0.3;
 
-int add_known(const Region& region, const LoopNode& known, RegionMesh& mesh) {
-  const int node = mesh.add_node(region.place(known.p), known.h);
-  mesh.x[node] = known.x;
-  mesh.global[node] = known.global;
-  mesh.is_fixed[node] = 1;
-  return node;
-}
-
-/// Nothing where an element is not positive in the chart, or poor.
-std::optional<RegionMesh> sound(RegionMesh mesh) {
+/// Nothing where an element is not positive in the chart, or has a lesser scaled Jacobian.
+std::optional<RegionMesh> sound(RegionMesh mesh, double least = least_jacobian) {
   const bool is_sound = std::all_of(mesh.elements.begin(), mesh.elements.end(), [&](const Element& quad) {
-    return is_positive(mesh, quad) && has_jacobian(mesh, quad, least_jacobian);
+    return is_positive(mesh, quad) && has_jacobian(mesh, quad, least);
   });
   if (!is_sound) return std::nullopt;
   return mesh;
@@ -65,10 +57,10 @@ class Strip {
     return most < narrow;
   }
 
-  std::optional<RegionMesh> lay() {
+  std::optional<RegionMesh> lay(double turn_weight, double least = least_jacobian) {
     std::vector<int> node(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1));
     auto number = [&](int i, int j) -> int& { return node[static_cast<std::size_t>(j * (columns_ + 1) + i)]; };
-    mesh_.turn_weight = region_.size.turn_weight();
+    mesh_.turn_weight = turn_weight;
     mesh_.reserve(node.size());
     for (int j = 0; j <= rows_; ++j)
       for (int i = 0; i <= columns_; ++i) {
@@ -78,8 +70,10 @@ class Strip {
     for (int j = 0; j < rows_; ++j)
       for (int i = 0; i < columns_; ++i)
         mesh_.add_element({number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)});
-    return sound(std::move(mesh_));
+    return sound(std::move(mesh_), least);
   }
+
+  std::size_t elements() const { return static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_); }
 
  private:
   /// Counted from the first corner.
@@ -104,7 +98,7 @@ class Strip {
   }
 
   int add(Vec2 p) { return mesh_.add_node(region_.place(p), region_.target(p)); }
-  int add(const LoopNode& known) { return add_known(region_, known, mesh_); }
+  int add(const LoopNode& known) { return add_node(region_, known, mesh_); }
 
   const Region& region_;
   const std::vector<LoopNode>& loop_;
@@ -119,7 +113,7 @@ class Ring {
   explicit Ring(const Region& region) : one_(region.loops[0]), two_(region.loops[1]) {
     mesh_.turn_weight = region.size.turn_weight();
     for (const std::vector<LoopNode>* loop : {&one_, &two_})
-      for (const LoopNode& node : *loop) add_known(region, node, mesh_);
+      for (const LoopNode& node : *loop) add_node(region, node, mesh_);
   }
 
   /// Which node of the other loop, which runs the other way, faces the first one: that with the least distances.
@@ -182,7 +176,14 @@ std::optional<RegionMesh> lay_strip(const Region& region) {
   if (region.loops.size() != 1) return std::nullopt;
   Strip strip(region);
   if (!strip.find_sides() || !strip.is_narrow()) return std::nullopt;
-  return strip.lay();
+  return strip.lay(region.size.turn_weight());
+}
+
+std::optional<RegionMesh> lay_four_sided(const Region& region, std::size_t most_elements) {
+  if (!region.fans.empty() || region.loops.size() != 1) return std::nullopt;
+  Strip strip(region);
+  if (!strip.find_sides() || strip.elements() > most_elements) return std::nullopt;
+  return strip.lay(0, 0);
 }
 
 }  // namespace paver

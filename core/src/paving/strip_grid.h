@@ -13,4 +13,8 @@ namespace paver {
 /// is poor.
 std::optional<RegionMesh> lay_strip(const Region& region);
 
+/// The same of any width with so many elements at most, however poor; no turns count, as elements as long as waves of
+/// the surface have no place among lengths that count them.
+std::optional<RegionMesh> lay_four_sided(const Region& region, std::size_t most_elements);
+
 }  // namespace paver

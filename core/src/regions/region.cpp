@@ -34,4 +34,12 @@ double nearest_node(const Region& region, Vec3 at) {
   return nearest;
 }
 
+int add_node(const Region& region, const LoopNode& known, RegionMesh& mesh) {
+  const int node = mesh.add_node(region.place(known.p), known.h);
+  mesh.x[node] = known.x;
+  mesh.global[node] = known.global;
+  mesh.is_fixed[node] = 1;
+  return node;
+}
+
 }  // namespace paver

@@ -66,6 +66,9 @@ struct Region {
 /// Distance to the nearest node of the loops, infinite where there is none.
 double nearest_node(const Region& region, Vec3 at);
 
+/// A node of the boundary, held, in a mesh of the region.
+int add_node(const Region& region, const LoopNode& known, RegionMesh& mesh);
+
 /// What is asked for, without any shape: no loops, no fans, no mesh. The evaluator is shared.
 inline Region task_of(const Region& region) {
   Region task;

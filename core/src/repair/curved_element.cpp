@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "check/area_slack.h"
 #include "check/checked_mesh.h"
 #include "check/distance/deviation.h"
 #include "check/vector_area.h"
@@ -160,6 +161,27 @@ bool ElementJudge::is_valid_cusp(const Corners& v, int n, std::array<Vec3, 9> x)
   return jacobian_form(n == 4 ? ElementShape::quad : ElementShape::triangle, order_).is_valid(x.data());
 }
 
+std::array<Vec3, 9> ElementJudge::nodes(const Corners& v, int n) const {
+  if (order_ > 1) return curved(v, n);
+  return {mesh_.x[v[0]], mesh_.x[v[1]], mesh_.x[v[2]], mesh_.x[v[n - 1]]};
+}
+
+ElementArea ElementJudge::area(const Corners& v) const {
+  const int n = Element{v}.corners();
+  const std::array<Vec3, 9> x = nodes(v, n);
+  Vec3 twice;
+  for (int k = 0; k < n; ++k) {
+    const Vec3 a = x[k] - x[0], b = x[(k + 1) % n] - x[0];
+    twice += order_ == 1 ? swept(a, b) : swept(a, x[n + k] - x[0], b);
+  }
+  double along = 1;
+  for (int k = 0; k < n; ++k)
+    if (const Vec3 normal = mesh_.normal(v[k]); dot(normal, normal) > 0)
+      along = std::min(along, dot(unit(twice), normal));
+  return {jacobian_form(n == 4 ? ElementShape::quad : ElementShape::triangle, order_).area(x.data()),
+          element_slack(0.5 * norm(twice), along, order_ > 1)};
+}
+
 double ElementJudge::value(const Corners& v, double floor) const {
   const Element element{v};
   const int n = element.corners();
@@ -169,8 +191,7 @@ double ElementJudge::value(const Corners& v, double floor) const {
   const double sj = scaled_jacobian(mesh_, element);
   if (sj < least_height) return std::min(sj, 0.0);
   if (sj <= floor) return sj;
-  const std::array<Vec3, 9> x =
-      order_ == 1 ? std::array<Vec3, 9>{mesh_.x[v[0]], mesh_.x[v[1]], mesh_.x[v[2]], mesh_.x[v[n - 1]]} : curved(v, n);
+  const std::array<Vec3, 9> x = nodes(v, n);
   const ElementShape shape = n == 4 ? ElementShape::quad : ElementShape::triangle;
   const JacobianBound bound = jacobian_form(shape, order_).bound(x.data());
   if (bound.validity != Validity::valid)

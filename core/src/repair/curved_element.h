@@ -31,6 +31,12 @@ class BoundarySides {
   std::map<std::pair<int, int>, BoundarySide> sides_;
 };
 
+/// mm^2.
+struct ElementArea {
+  double area = 0;
+  double slack = 0;  ///< what it may lack of the surface's
+};
+
 /// Judges elements between nodes of a part's mesh, whether they are in it or not. References are kept.
 class ElementJudge {
  public:
@@ -42,6 +48,8 @@ class ElementJudge {
   /// boundary twice. Elements of a scaled Jacobian up to `floor` are not looked at any further: theirs is the value.
   double value(const Corners& v, double floor = -1) const;
   double value(int element) const { return value(mesh_.elements[element].v); }
+
+  ElementArea area(const Corners& v) const;
 
   const Region& region() const { return region_; }
   const RegionMesh& mesh() const { return mesh_; }
@@ -61,7 +69,9 @@ class ElementJudge {
   double chords_off(const Corners& v, int n) const;
   /// Whether it is valid once its sides on two edges that touch without an angle are straight.
   bool is_valid_cusp(const Corners& v, int n, std::array<Vec3, 9> x) const;
-  /// Nodes of order 2 as curving places them, in Gmsh's order.
+  /// In Gmsh's order.
+  std::array<Vec3, 9> nodes(const Corners& v, int n) const;
+  /// The same of order 2, as curving places them.
   std::array<Vec3, 9> curved(const Corners& v, int n) const;
 
   const Region& region_;

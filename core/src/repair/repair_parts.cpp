@@ -14,6 +14,7 @@
 #include "repair/divide_sides.h"
 #include "repair/find_bad.h"
 #include "repair/mend_region.h"
+#include "repair/other_ways.h"
 #include "repair/shared_sides.h"
 
 namespace paver {
@@ -49,7 +50,10 @@ class PartRepairer {
         ranks_(ranks),
         parts_(paver.parts()),
         is_due_(parts_.size(), 1),
-        findings_(parts_.size()) {}
+        findings_(parts_.size()),
+        regions_of_face_(model.faces.size()) {
+    for (const Region& region : regions) ++regions_of_face_[static_cast<std::size_t>(region.face)];
+  }
 
   std::vector<ElementRepair> run() {
     for (; round_ < most_rounds && is_any_due(); ++round_) {
@@ -92,10 +96,12 @@ class PartRepairer {
     const BoundarySides sides(region_of(i), nodes_);
     const Region& place = paver_.place_of(parts_[i]);
     const std::vector<int> bad = find_bad({place, parts_[i].paved->mesh, sides, options_.order});
-    if (!bad.empty()) {
+    const OtherWays ways = other_ways(i, sides);
+    const bool is_first = round_ == 0 && parts_[i].piece < 0;
+    if (!bad.empty() || (is_first && ways.can_help(parts_[i].paved->mesh))) {
       auto copy = std::make_shared<PavedRegion>(*parts_[i].paved);
       Mended mended = mend_region({place, copy->mesh, sides, options_.order}, kinds_, bad, copy->mesh);
-      if (!mended.left.empty()) pave_again(i, sides, mended, *copy);
+      if (is_first) ways.improve(mended, *copy);
       if (!mended.places.empty()) parts_[i].paved = std::move(copy);
       found.places = std::move(mended.places);
       found.sides = std::move(mended.sides);
@@ -106,21 +112,9 @@ class PartRepairer {
     std::ranges::move(sides_beside_nodes({place, mesh, sides, options_.order}), std::back_inserter(found.sides));
   }
 
-  // On faces of few elements it may be that no element fits lengths that count turns.
-  void pave_again(std::size_t i, const BoundarySides& sides, Mended& mended, PavedRegion& paved) const {
-    if (round_ > 0 || parts_[i].piece >= 0 || !paved.mesh.has_turns()) return;
-    Region plain = region_of(i);
-    plain.size.count_no_turns();
-    try {
-      PavedRegion second = pave_region(plain, progress_, options_.elements);
-      const ElementJudge judge{plain, second.mesh, sides, options_.order};
-      Mended again = mend_region(judge, kinds_, find_bad(judge), second.mesh);
-      if (!again.left.empty()) return;
-      again.places.push_back({ElementRepairKind::paved_again, paved.mesh.x[paved.mesh.elements[mended.left[0]].v[0]]});
-      mended = std::move(again), paved = std::move(second);
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::face_failed) throw;
-    }
+  OtherWays other_ways(std::size_t i, const BoundarySides& sides) const {
+    const auto face = static_cast<std::size_t>(region_of(i).face);
+    return {region_of(i), regions_of_face_[face] == 1 ? &model_.faces[face] : nullptr, sides, options_, progress_};
   }
 
   // Only on the rank that has the part.
@@ -202,6 +196,7 @@ class PartRepairer {
   std::vector<Part> parts_;
   std::vector<char> is_due_;            // per part: to be looked at
   std::vector<PartFindings> findings_;  // per part
+  std::vector<int> regions_of_face_;    // per face: how many
   std::vector<RepairedPlace> places_;
 };
 

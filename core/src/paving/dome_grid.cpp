@@ -1,0 +1,137 @@
+// In: region. Out: its mesh.
+// The front of a loop of few nodes may close across the body that the region is the hull of. Steps: rays from the
+// middle to the nodes, measured as lengths count turns; rows at equal shares of them; quads about the middle.
+#include "paving/dome_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace paver {
+namespace {
+
+constexpr std::size_t fewest_nodes = 5, most_nodes = 24;
+constexpr int most_rows = 8;
+constexpr int samples = 32;          // of a ray
+constexpr double far_corner = 1.25;  // of the way to the fan's other nodes, to those opposite the middle
+
+/// From the middle to a node of the loop, straight in the chart.
+class Ray {
+ public:
+  Ray(const Region& region, Vec2 middle, Vec2 end) : middle_(middle), end_(end) {
+    NodePlace last;
+    for (int i = 0; i <= samples; ++i) {
+      const NodePlace at = region.place(point(static_cast<double>(i) / samples));
+      if (i > 0) {
+        const double length = norm(at.x - last.x) / region.h;
+        // An apex has no normal: the turn begins behind it.
+        const double turn = i > 1 ? region.size.turn_weight() * norm(at.n - last.n) : 0;
+        reached_.push_back(reached_.back() + std::sqrt(length * length + turn * turn));
+      }
+      last = at;
+    }
+  }
+
+  /// Target lengths.
+  double length() const { return reached_.back(); }
+
+  Vec2 at(double share) const {
+    const double wanted = share * length();
+    const auto after = std::upper_bound(reached_.begin() + 1, reached_.end() - 1, wanted);
+    const double before = *(after - 1), step = *after - before;
+    return point((static_cast<double>(after - reached_.begin()) - 1 + (step > 0 ? (wanted - before) / step : 0)) /
+                 samples);
+  }
+
+ private:
+  Vec2 point(double s) const { return middle_ + s * (end_ - middle_); }
+
+  Vec2 middle_, end_;
+  std::vector<double> reached_{0};
+};
+
+class Dome {
+ public:
+  explicit Dome(const Region& region) : region_(region), loop_(region.loops[0]), middle_(find_middle()) {}
+
+  /// Whether every facet runs counter-clockwise about the middle, all of them once.
+  bool is_star() const {
+    double turned = 0;
+    for (std::size_t i = 0; i < loop_.size(); ++i) {
+      const Vec2 a = loop_[i].p - middle_, b = loop_[(i + 1) % loop_.size()].p - middle_;
+      const double angle = std::atan2(cross(a, b), dot(a, b));
+      if (!(angle > 0)) return false;
+      turned += angle;
+    }
+    return turned < 3 * M_PI;
+  }
+
+  std::optional<RegionMesh> lay() {
+    mesh_.turn_weight = region_.size.turn_weight();
+    for (const LoopNode& node : loop_) rays_.emplace_back(region_, middle_, node.p);
+    const int rows = count_rows();
+    std::vector<int> outer;
+    for (const LoopNode& node : loop_) outer.push_back(add_node(region_, node, mesh_));
+    for (int row = rows; row > 0; --row) outer = add_row(outer, static_cast<double>(row) / (rows + 1), row == 1);
+    add_fan(outer);
+    for (const Element& e : mesh_.elements)
+      if (!is_positive(mesh_, e)) return std::nullopt;
+    return std::move(mesh_);
+  }
+
+ private:
+  Vec2 find_middle() const {
+    if (!region_.fans.empty()) return region_.fans[0].centre.p;
+    Vec2 middle;
+    if (region_.goes_round) return middle;
+    for (const LoopNode& node : loop_) middle = middle + (1.0 / static_cast<double>(loop_.size())) * node.p;
+    return middle;
+  }
+
+  // Fans are a target length wide, one row more and they need none of their own.
+  int count_rows() const {
+    double sum = 0;
+    for (const Ray& ray : rays_) sum += ray.length();
+    const double mean = sum / static_cast<double>(rays_.size());
+    return static_cast<int>(std::clamp(std::lround(mean) - 1, 1L, long{most_rows}));
+  }
+
+  std::vector<int> add_row(const std::vector<int>& outer, double share, bool is_fan) {
+    std::vector<int> inner;
+    for (std::size_t i = 0; i < outer.size(); ++i) {
+      const Vec2 p = rays_[i].at(is_fan && i % 2 == 1 ? far_corner * share : share);
+      inner.push_back(mesh_.add_node(region_.place(p), region_.target(p)));
+    }
+    for (std::size_t i = 0; i < outer.size(); ++i) {
+      const std::size_t next = (i + 1) % outer.size();
+      mesh_.add_element({inner[i], outer[i], outer[next], inner[next]});
+    }
+    return inner;
+  }
+
+  void add_fan(const std::vector<int>& ring) {
+    const int middle = region_.fans.empty() ? mesh_.add_node(region_.place(middle_), region_.target(middle_))
+                                            : add_node(region_, region_.fans[0].centre, mesh_);
+    std::size_t i = 0;
+    for (; i + 2 <= ring.size(); i += 2) mesh_.add_element({middle, ring[i], ring[i + 1], ring[(i + 2) % ring.size()]});
+    if (i < ring.size()) mesh_.add_element({middle, ring[i], ring[0], -1});
+  }
+
+  const Region& region_;
+  const std::vector<LoopNode>& loop_;
+  const Vec2 middle_;
+  std::vector<Ray> rays_;
+  RegionMesh mesh_;
+};
+
+}  // namespace
+
+std::optional<RegionMesh> lay_dome(const Region& region, Elements elements) {
+  if (region.loops.size() != 1 || region.fans.size() > 1) return std::nullopt;
+  const std::size_t nodes = region.loops[0].size();
+  if (nodes < fewest_nodes || nodes > most_nodes) return std::nullopt;
+  if (nodes % 2 == 1 && elements == Elements::all_quad) return std::nullopt;
+  Dome dome(region);
+  return dome.is_star() ? dome.lay() : std::nullopt;
+}
+
+}  // namespace paver

@@ -1,0 +1,18 @@
+// Rows and a fan for a region that is a coarse dome: one loop of few nodes about the middle.
+#pragma once
+
+#include <optional>
+
+#include "mesh/region_mesh.h"
+#include "paver/options.h"
+#include "regions/region.h"
+
+namespace paver {
+
+/// The whole mesh of a region whose one loop goes once about a point, an apex or the chart's pole or its own middle:
+/// rows of quads from the loop inwards, as many as the turn asks for, and a fan of half as many quads about that point.
+/// One triangle where the loop is odd. Nothing where the region is no such dome, its loop has many nodes, or an element
+/// is not positive in the chart.
+std::optional<RegionMesh> lay_dome(const Region& region, Elements elements);
+
+}  // namespace paver

@@ -1,0 +1,113 @@
+#include "repair/other_ways.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "check/area_slack.h"
+#include "mesh/split_quads.h"
+#include "paver/error.h"
+#include "paving/dome_grid.h"
+#include "paving/strip_grid.h"
+#include "repair/find_bad.h"
+
+namespace paver {
+namespace {
+
+constexpr std::size_t few_elements = 100;  // of a region, looked at as a whole
+constexpr double fair = 0.2;               // value of the worst element of a grid
+constexpr double least_share = 0.5;        // of the elements that paving takes
+
+/// Triangles count half.
+double quads_in(const RegionMesh& mesh) {
+  double count = 0;
+  for (const Element& e : mesh.elements)
+    if (e.is_alive()) count += e.corners() == 4 ? 1 : 0.5;
+  return count;
+}
+
+bool has_triangles(const RegionMesh& mesh) {
+  return std::any_of(mesh.elements.begin(), mesh.elements.end(),
+                     [](const Element& e) { return e.is_alive() && e.corners() == 3; });
+}
+
+double worst_value(const ElementJudge& judge) {
+  double worst = 1;
+  for (const Element& e : judge.mesh().elements)
+    if (e.is_alive()) worst = std::min(worst, judge.value(e.v));
+  return worst;
+}
+
+}  // namespace
+
+bool OtherWays::can_help(const RegionMesh& mesh) const { return is_coarse_and_mixed(mesh) || !can_be_whole(mesh); }
+
+void OtherWays::improve(Mended& mended, PavedRegion& paved) const {
+  const Vec3 where = paved.mesh.x[mended.left.empty() ? 0 : paved.mesh.elements[mended.left[0]].v[0]];
+  const bool is_whole = mended.left.empty() && can_be_whole(paved.mesh);
+  bool is_changed = !is_whole && make_whole(mended, paved);
+  is_changed = make_regular(mended, paved) || is_changed;
+  if (is_changed) mended.places.push_back({ElementRepairKind::paved_again, where});
+}
+
+/// As far as can be told from its elements, where these are few: a front may close across a body instead of around it
+/// where lengths are about the body's own.
+bool OtherWays::can_be_whole(const RegionMesh& mesh) const {
+  if (!face_ || face_->surface->kind() == SurfaceKind::plane || mesh.elements.size() > few_elements) return true;
+  const ElementJudge judge(region_, mesh, sides_, options_.order);
+  ElementArea sum;
+  for (const Element& e : mesh.elements) {
+    if (!e.is_alive()) continue;
+    const ElementArea one = judge.area(e.v);
+    sum.area += one.area, sum.slack += one.slack;
+  }
+  return can_be_area(sum.area, *face_, sum.slack);
+}
+
+bool OtherWays::is_coarse_and_mixed(const RegionMesh& mesh) const {
+  return options_.elements == Elements::quad_dominant && mesh.elements.size() <= few_elements && has_triangles(mesh);
+}
+
+bool OtherWays::make_whole(Mended& mended, PavedRegion& paved) const {
+  return lay_dome_again(mended, paved) || pave_without_turns(mended, paved);
+}
+
+bool OtherWays::lay_dome_again(Mended& mended, PavedRegion& paved) const {
+  std::optional<RegionMesh> dome = lay_dome(region_, options_.elements);
+  if (!dome) return false;
+  if (options_.elements == Elements::all_triangle) split_all_quads(*dome);
+  return take(region_, {std::move(*dome), {}}, mended, paved);
+}
+
+// It may be that no element fits lengths that count turns.
+bool OtherWays::pave_without_turns(Mended& mended, PavedRegion& paved) const {
+  if (!paved.mesh.has_turns()) return false;
+  Region plain = region_;
+  plain.size.count_no_turns();
+  try {
+    return take(plain, pave_region(plain, progress_, options_.elements), mended, paved);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::face_failed) throw;
+    return false;
+  }
+}
+
+bool OtherWays::take(const Region& region, PavedRegion second, Mended& mended, PavedRegion& paved) const {
+  const ElementJudge judge(region, second.mesh, sides_, options_.order);
+  Mended again = mend_region(judge, kinds_of(options_.elements), find_bad(judge), second.mesh);
+  if (!again.left.empty() || !can_be_whole(second.mesh)) return false;
+  mended = std::move(again), paved = std::move(second);
+  return true;
+}
+
+bool OtherWays::make_regular(Mended& mended, PavedRegion& paved) const {
+  if (!is_coarse_and_mixed(paved.mesh)) return false;
+  std::optional<RegionMesh> grid = lay_four_sided(region_, few_elements);
+  if (!grid || static_cast<double>(grid->elements.size()) < least_share * quads_in(paved.mesh)) return false;
+  const double value = worst_value({region_, *grid, sides_, options_.order});
+  if (value < fair || value <= worst_value({region_, paved.mesh, sides_, options_.order})) return false;
+  if (!can_be_whole(*grid)) return false;
+  mended = {}, paved = {std::move(*grid), {}};
+  return true;
+}
+
+}  // namespace paver

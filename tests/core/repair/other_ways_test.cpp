@@ -1,0 +1,110 @@
+// Meshes of valid elements that are not what the face is, or less than a grid would be.
+#include "repair/other_ways.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/dome.h"
+#include "support/planar_region.h"
+
+namespace paver {
+namespace {
+
+Region without_edges(Region region) {
+  for (auto& loop : region.loops)
+    for (LoopNode& node : loop) node.edge = -1;
+  return region;
+}
+
+/// What a region is meshed with, and what comes of it.
+struct Trial {
+  explicit Trial(Region r) : region(without_edges(std::move(r))) {
+    face.surface = region.surface;
+    for (const LoopNode& node : region.loops[0]) add_node(region, node, paved.mesh);
+  }
+  bool can_help() const { return ways().can_help(paved.mesh); }
+  Mended improve() {
+    Mended mended;
+    ways().improve(mended, paved);
+    return mended;
+  }
+  OtherWays ways() const { return {region, &face, sides, options, progress}; }
+  long count(int corners) const {
+    return std::count_if(paved.mesh.elements.begin(), paved.mesh.elements.end(),
+                         [&](const Element& e) { return e.is_alive() && e.corners() == corners; });
+  }
+
+  Region region;
+  Face face;
+  EdgeNodes edges;
+  BoundarySides sides{region, edges};
+  Options options;
+  Progress progress;
+  PavedRegion paved;
+};
+
+/// Inside the circle of the unit square, mm^2.
+double area_of(const Surface& surface) {
+  constexpr int n = 400;
+  double area = 0;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const Vec2 uv{(i + 0.5) / n, (j + 0.5) / n};
+      if (norm(uv - Vec2{0.5, 0.5}) > 0.5) continue;
+      Vec3 x, xu, xv;
+      surface.d1(uv, x, xu, xv);
+      area += norm(cross(xu, xv)) / (n * n);
+    }
+  return area;
+}
+
+TEST(OtherWays, AFaceThatItsElementsDoNotCoverBecomesADome) {
+  Trial trial(test::dome(2, 12, 1));
+  trial.face.area = area_of(*trial.region.surface);
+  for (int i = 0; i < 5; ++i) trial.paved.mesh.add_element({i, i + 1, 10 - i, 11 - i});  // straight across
+  EXPECT_TRUE(trial.can_help());
+  const Mended mended = trial.improve();
+  ASSERT_FALSE(mended.places.empty());
+  EXPECT_EQ(mended.places.back().kind, ElementRepairKind::paved_again);
+  EXPECT_GT(trial.count(4), 12);
+  EXPECT_FALSE(trial.can_help());
+}
+
+TEST(OtherWays, AFaceThatItsElementsCoverStays) {
+  Trial trial(test::dome(0, 12, 1));
+  trial.face.area = 0.75;
+  for (int i = 0; i < 5; ++i) trial.paved.mesh.add_element({i, i + 1, 10 - i, 11 - i});
+  EXPECT_FALSE(trial.can_help());
+  EXPECT_TRUE(trial.improve().places.empty());
+  EXPECT_EQ(trial.count(4), 5);
+}
+
+/// A square of two intervals a side, as four triangles and a quad.
+struct MixedSquare : Trial {
+  MixedSquare() : Trial(test::planar_region({test::divided({{0, 0}, {2, 0}, {2, 2}, {0, 2}}, 1)}, 1)) {
+    face.area = 4;
+    for (std::size_t i = 0; i < 8; ++i) region.loops[0][i].angle = i % 2 == 0 ? fake::pi / 2 : fake::pi;
+    for (int k = 0; k < 4; ++k) paved.mesh.add_element({2 * k, 2 * k + 1, (2 * k + 7) % 8, -1});
+    paved.mesh.add_element({1, 3, 5, 7});
+  }
+};
+
+TEST(OtherWays, AFewElementsWithTrianglesBecomeAGridWhereThatIsBetter) {
+  MixedSquare square;
+  EXPECT_TRUE(square.can_help());
+  EXPECT_EQ(square.improve().places.size(), 1U);
+  EXPECT_EQ(square.count(4), 4);
+  EXPECT_EQ(square.count(3), 0);
+}
+
+TEST(OtherWays, NoGridWhereTrianglesAreAskedFor) {
+  MixedSquare square;
+  square.options.elements = Elements::all_triangle;
+  EXPECT_FALSE(square.can_help());
+  EXPECT_TRUE(square.improve().places.empty());
+  EXPECT_EQ(square.count(3), 4);
+}
+
+}  // namespace
+}  // namespace paver
