@@ -37,6 +37,22 @@ bool is_positive(const MappedBlock& block) {
 
 }  // namespace
 
+Meridian::Meridian(const ClosedFace& face) : face_(face), arc_{0} {
+  constexpr int cells = 64;
+  const MeridianTable table(face.surface, face.box, cells);
+  for (int i = 0; i < table.cells(); ++i) arc_.push_back(arc_.back() + table.height(i));
+}
+
+Vec2 Meridian::uv(double turns, double share) const {
+  const double wish = share * arc_.back();
+  const int last = static_cast<int>(arc_.size()) - 2;
+  int i = static_cast<int>(std::upper_bound(arc_.begin(), arc_.end(), wish) - arc_.begin()) - 1;
+  i = std::clamp(i, 0, last);
+  const double step = (face_.box.hi.y - face_.box.lo.y) / (last + 1);
+  const double y = face_.box.lo.y + step * (i + (wish - arc_[i]) / (arc_[i + 1] - arc_[i]));
+  return face_.uv({face_.box.lo.x + turns * face_.period, std::clamp(y, face_.box.lo.y, face_.box.hi.y)});
+}
+
 std::shared_ptr<const Chart> make_plain_chart(Vec2 scale) { return std::make_shared<PlainChart>(scale); }
 
 FaceExtent measure_extent(const ClosedFace& face) {

@@ -1,4 +1,5 @@
-// Structured layouts of faces without a border: a cube's six sides on a sphere, columns around a torus.
+// Structured layouts of faces without a border: the sides of a cube or a prism on a sphere, columns around
+// a torus.
 #pragma once
 
 #include <memory>
@@ -32,16 +33,33 @@ struct ClosedLayout {
   std::vector<std::shared_ptr<const MappedBlock>> blocks;
 };
 
-/// Six blocks, eight nodes of valence 3, all others of valence 4; for a face that goes round between two smooth poles.
-/// Null where elements would come out too uneven (long thin bodies).
+/// Six blocks, eight nodes of valence 3, all others of valence 4; for a face that goes round between two smooth poles;
+/// where its counts are far off a prism. Null where elements would come out too uneven (long thin bodies).
 std::shared_ptr<const ClosedLayout> lay_cube(const ClosedFace& face, const Progress& progress);
+
+/// The same by a prism's sides: n blocks of three to five about each pole, rings between them. Of few elements, where
+/// no cube has about as many as are asked for. Null where no such prism is nearer than `most_off` of these, or all come
+/// out too uneven.
+std::shared_ptr<const ClosedLayout> lay_prism(const ClosedFace& face, double most_off, const Progress& progress);
 
 /// Columns around a face that goes round both ways: no irregular node where these are about equally wide everywhere,
 /// else more columns on the outer side than on the inner, with a few pairs of valence 3 and 5 between. Null where
 /// elements would come out too uneven.
 std::shared_ptr<const ClosedLayout> lay_torus(const ClosedFace& face, const Progress& progress);
 
-// What the two have in common.
+// What these have in common.
+
+/// Places along the way between two poles, by length.
+class Meridian {
+ public:
+  explicit Meridian(const ClosedFace& face);
+  /// (u, v) at `turns` of the way round and `share` of the way from the low pole.
+  Vec2 uv(double turns, double share) const;
+
+ private:
+  const ClosedFace& face_;
+  std::vector<double> arc_;
+};
 
 /// Chart of the parameters themselves, times `scale`, for nodes away from poles.
 std::shared_ptr<const Chart> make_plain_chart(Vec2 scale = {1, 1});

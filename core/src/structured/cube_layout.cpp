@@ -16,6 +16,7 @@ constexpr double most_turn = 2.1;     // radians across an element: beyond, it m
 constexpr double most_uneven = 0.4;   // two polar charts are no better where lengths vary so much
 constexpr int most_change = 3;        // of counts, from those that are even
 constexpr double near_enough = 0.04;  // of the elements asked for
+constexpr double too_far_off = 0.05;  // a prism is tried
 constexpr double off_price = 10;      // of what is beyond that, against the squares of uneven counts' logarithms
 constexpr double fairly_even = 0.3;   // of these squares: counts of 3 and 5
 constexpr double uneven_price = 100;  // of what is beyond that
@@ -29,10 +30,7 @@ struct CubeCounts {
 
 class Cube {
  public:
-  Cube(const ClosedFace& face, CubeCounts counts) : face_(face), counts_(counts) {
-    MeridianTable table(face.surface, face.box, 64);
-    arc_.push_back(0);
-    for (int i = 0; i < table.cells(); ++i) arc_.push_back(arc_.back() + table.height(i));
+  Cube(const ClosedFace& face, CubeCounts counts) : face_(face), counts_(counts), meridian_(face) {
     layout_.period = face.periods();
     for (int k = 0; k < 4; ++k) add_side(k);
     ParameterBox low = face.box, high = face.box;
@@ -82,26 +80,17 @@ class Cube {
   }
 
   // Parameters at `turns` of the way round and `share` of the cube's meridian.
-  Vec2 at(double turns, double share) const {
-    double wish = stretched(share) * arc_.back();
-    int last = static_cast<int>(arc_.size()) - 2;
-    int i = static_cast<int>(std::upper_bound(arc_.begin(), arc_.end(), wish) - arc_.begin()) - 1;
-    i = std::clamp(i, 0, last);
-    double step = (face_.box.hi.y - face_.box.lo.y) / (last + 1);
-    double y = face_.box.lo.y + step * (i + (wish - arc_[i]) / (arc_[i + 1] - arc_[i]));
-    return face_.uv({face_.box.lo.x + turns * face_.period, std::clamp(y, face_.box.lo.y, face_.box.hi.y)});
-  }
+  Vec2 at(double turns, double share) const { return meridian_.uv(turns, stretched(share)); }
 
   const ClosedFace& face_;
   const CubeCounts counts_;
-  std::vector<double> arc_;
+  const Meridian meridian_;
   BlockLayout layout_;
 };
 
 /// Of the counts that come near enough to the elements asked for the most even ones; on the sphere girth and meridians
 /// ask for equal numbers.
-CubeCounts choose_counts(const ClosedFace& face) {
-  const FaceExtent extent = measure_extent(face);
+CubeCounts choose_counts(const ClosedFace& face, const FaceExtent& extent) {
   const double ratio = 4 * extent.tall / extent.girth - 1;  // of m to a and b
   if (!(ratio > 0.2)) return {};
   const double exact = std::sqrt(extent.elements / (2 + 4 * ratio));
@@ -135,8 +124,12 @@ std::shared_ptr<const ClosedLayout> lay(const ClosedFace& face, CubeCounts count
 }  // namespace
 
 std::shared_ptr<const ClosedLayout> lay_cube(const ClosedFace& face, const Progress& progress) {
-  const CubeCounts counts = choose_counts(face);
+  const FaceExtent extent = measure_extent(face);
+  const CubeCounts counts = choose_counts(face, extent);
   if (counts.a == 0) return nullptr;
+  const double off = std::fabs(counts.quads() / extent.elements - 1);
+  if (off > too_far_off)
+    if (auto prism = lay_prism(face, off, progress)) return prism;
   // A few elements may be too few for the ends of a long body: then more, and at last as many as twice whatever they
   // miss.
   const int n = counts.a, most = n <= most_coarse ? 2 * n : n;
