@@ -40,6 +40,10 @@
         <translation>An scharfen Außenkanten wird die Ziellänge durch R geteilt; 1: nicht [1]</translation>
     </message>
     <message>
+        <source>Faces narrower than 0.7 target lengths: one element across; refine:K: shorter ones, about K across [one]</source>
+        <translation>Flächen, die schmaler als 0,7 Ziellängen sind: ein Element quer; refine:K: kürzere, etwa K quer [one]</translation>
+    </message>
+    <message>
         <source>Largest distance between mesh and surface: faces farther off get shorter lengths [as it comes]. 0: not given</source>
         <translation>Größter Abstand zwischen Netz und Oberfläche: Flächen, die weiter abliegen, erhalten kürzere Längen [wie er sich ergibt]. 0: nicht gegeben</translation>
     </message>
@@ -1067,6 +1071,10 @@
         <translation>Selbsttätig</translation>
     </message>
     <message>
+        <source>One element across</source>
+        <translation>Ein Element quer</translation>
+    </message>
+    <message>
         <source>Yes</source>
         <translation>Ja</translation>
     </message>
@@ -1095,6 +1103,10 @@
         <translation>{}-mal so lang</translation>
     </message>
     <message>
+        <source>{} elements across</source>
+        <translation>{} Elemente quer</translation>
+    </message>
+    <message>
         <source>Target length</source>
         <translation>Ziellänge</translation>
     </message>
@@ -1117,6 +1129,10 @@
     <message>
         <source>Finer at edges by</source>
         <translation>An Kanten feiner um</translation>
+    </message>
+    <message>
+        <source>Narrow gaps</source>
+        <translation>Schmale Streifen</translation>
     </message>
     <message>
         <source>Merge edges below</source>

@@ -137,7 +137,9 @@ class Result:
 
 def mesh(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Frequency] = None,
          divisions: Optional[float] = None, eps_r: Optional[float] = None, mu_r: Optional[float] = None,
-         max_turn: Optional[Angle] = None, gradation: Optional[float] = None, tip: Optional[float] = None, grade_edges: Optional[float] = None, chord_error: Optional[Length] = None,
+         max_turn: Optional[Angle] = None, gradation: Optional[float] = None, tip: Optional[float] = None, grade_edges: Optional[float] = None,
+         gap: Optional[Literal["one", "refine:2", "refine:3", "refine:4", "refine:5", "refine:6", "refine:7", "refine:8"]] = None,
+         chord_error: Optional[Length] = None,
          local: Optional[Local] = None, max_elements: Optional[int] = None, merge: Optional[float] = None, merge_width: Optional[float] = None, order: Optional[int] = None,
          elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
          multilevel: Optional[Literal["off", "auto", "4", "5", "6", "7", "8"]] = None,
@@ -149,7 +151,9 @@ def mesh(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Fr
          cancel: Optional[threading.Event] = None, name: Optional[str] = None) -> Result: ...
 def predict(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Frequency] = None,
             divisions: Optional[float] = None, eps_r: Optional[float] = None, mu_r: Optional[float] = None,
-            max_turn: Optional[Angle] = None, gradation: Optional[float] = None, tip: Optional[float] = None, grade_edges: Optional[float] = None, chord_error: Optional[Length] = None,
+            max_turn: Optional[Angle] = None, gradation: Optional[float] = None, tip: Optional[float] = None, grade_edges: Optional[float] = None,
+         gap: Optional[Literal["one", "refine:2", "refine:3", "refine:4", "refine:5", "refine:6", "refine:7", "refine:8"]] = None,
+         chord_error: Optional[Length] = None,
             local: Optional[Local] = None, max_elements: Optional[int] = None, merge: Optional[float] = None, merge_width: Optional[float] = None, order: Optional[int] = None,
             elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
             multilevel: Optional[Literal["off", "auto", "4", "5", "6", "7", "8"]] = None,

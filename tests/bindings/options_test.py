@@ -19,6 +19,7 @@ VALUES = {
     "gradation": ("0.2", 0.2, {"max_turn": "15"}, True),
     "tip": ("2", 2, {}, False),
     "grade_edges": ("2", 2, {}, True),
+    "gap": ("refine:3", "refine:3", {}, True),
     "merge": ("off", 0, {}, False),
     "merge_width": ("0.01", 0.01, {}, False),
     "chord_error": ("1 mm", 1, {}, False),

@@ -55,6 +55,7 @@ struct Options {
   double gradation = 0.6;          ///< largest growth of h per unit of length, 0.05 to 2
   double tip = 32;                 ///< the target length is divided by it where a surface comes to a point, 1 to 64
   double grade_edges = 1;          ///< the target length is divided by it at sharp outer edges, 1 to 64
+  int gap_elements = 1;            ///< across what is narrower than 0.7 of the target length, 1 to 8
   double merge = 0.1;  ///< of the target length, 0 to 0.5: shorter edges are merged with others; 0: nothing is merged
   double merge_width = 0.05;  ///< of the target length, 0 to 0.5: narrower faces are merged with neighbours
   /// Largest distance between mesh and surface, mm, > 0: faces that are farther off are meshed again with shorter

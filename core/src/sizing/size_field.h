@@ -27,16 +27,16 @@ class FaceSize {
   /// `surface` is the face's: only asked where lengths of parts are given.
   double at(Vec2 uv, const Surface& surface) const {
     double limited = by_curvature(uv);
-    return local_ && near_parts_.contains(uv) ? std::min(limited, around_parts(surface.point(uv))) : limited;
+    return local_ && near_parts_.contains(uv) ? around_parts(surface.point(uv), limited) : limited;
   }
   /// Without the part of other parts of the model.
   double by_curvature(Vec2 uv) const;
-  /// What lengths of parts leave around them; infinity where none are given.
-  double around_parts(Vec3 x) const {
-    return local_ ? scale_ * local_->at(x) : std::numeric_limits<double>::infinity();
+  /// What lengths of parts leave of `most` around them.
+  double around_parts(Vec3 x, double most) const {
+    return local_ ? std::min(most, scale_ * local_->at(x, most / scale_)) : most;
   }
   /// Without curvature, at a point of the surface.
-  double given_at(Vec3 x) const { return std::min(h_, around_parts(x)); }
+  double given_at(Vec3 x) const { return around_parts(x, h_); }
   /// What a radian of the normal counts, in target lengths; 0: nothing, at() comes down where the face turns.
   double turn_weight() const { return turn_weight_; }
   /// Null where turns count for nothing.
@@ -97,7 +97,7 @@ struct SizeField {
   }
   /// h, or what is given for parts of the model, at a point of an edge.
   double given_at(const Edge& edge, Vec3 x) const {
-    return local->is_empty() ? h : std::min({h, local->on_edge(edge), local->at(x)});
+    return local->is_empty() ? h : local->at(x, std::min(h, local->on_edge(edge)));
   }
   /// Longest boundary edge along a curve of this curvature (1 / mm).
   double longest_edge(double curvature) const;

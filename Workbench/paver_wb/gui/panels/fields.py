@@ -187,10 +187,13 @@ def field_for(info):
     if info["kind"] == "choice":
         names = {"quad-dominant": translate("Paver", "Quad-dominant"), "all-quad": translate("Paver", "All quads"),
                  "all-triangle": translate("Paver", "All triangles"), "off": translate("Paver", "No"),
-                 "auto": translate("Paver", "Automatic")}
+                 "auto": translate("Paver", "Automatic"), "one": translate("Paver", "One element across")}
         labels = [names.get(choice, choice) for choice in info["choices"]]
         if info["name"] == "multilevel":
             labels = [translate("Paver", "{} times as long").format(label) if label.isdigit() else label
+                      for label in labels]
+        elif info["name"] == "gap":
+            labels = [translate("Paver", "{} elements across").format(label.partition(":")[2]) if ":" in label else label
                       for label in labels]
         return ChoiceField(info["choices"], labels)
     if info["kind"] == "flag":

@@ -21,7 +21,7 @@ def labels():
             "divisions": translate("Paver", "Elements per \u03bb"), "eps_r": translate("Paver", "Medium \u03b5r"),
             "mu_r": translate("Paver", "\u03bcr"), "max_turn": translate("Paver", "Turn per edge"),
             "gradation": translate("Paver", "Gradation"), "tip": translate("Paver", "Finer at tips by"),
-            "grade_edges": translate("Paver", "Finer at edges by"),
+            "grade_edges": translate("Paver", "Finer at edges by"), "gap": translate("Paver", "Narrow gaps"),
             "merge": translate("Paver", "Merge edges below"), "merge_width": translate("Paver", "Merge faces below"),
             "chord_error": translate("Paver", "Largest distance"), "max_elements": translate("Paver", "Most elements"),
             "order": translate("Paver", "Order"), "elements": translate("Paver", "Elements"),

@@ -45,6 +45,11 @@ const std::vector<Connect>& ways_to_connect() {
   return ways;
 }
 
+/// Choices of gap, of one element across and more.
+std::vector<std::string> gap_choices() {
+  return {"one", "refine:2", "refine:3", "refine:4", "refine:5", "refine:6", "refine:7", "refine:8"};
+}
+
 /// Choices of multilevel; from the third on the numbers from 4.
 std::vector<std::string> level_choices() { return {"off", "auto", "4", "5", "6", "7", "8"}; }
 
@@ -126,6 +131,10 @@ std::vector<Entry> grading_entries(const Options& d) {
         "",
         {}},
        [](Options& o, const Value& v) { o.grade_edges = v.number; }},
+      {{"gap", OptionKind::choice, "HOW",
+        "Faces narrower than 0.7 target lengths: one element across; refine:K: shorter ones, about K across",
+        gap_choices()[static_cast<std::size_t>(d.gap_elements) - 1], "", "", gap_choices()},
+       [](Options& o, const Value& v) { o.gap_elements = v.index + 1; }},
       {{"chord_error",
         OptionKind::length,
         "E",

@@ -106,6 +106,7 @@ void check(const Options& options) {
   check_range("gradation", options.gradation, 0.05, 2);
   check_range("tip", options.tip, 1, 64);
   check_range("grade_edges", options.grade_edges, 1, 64);
+  check_range("gap_elements", options.gap_elements, 1, 8);
   check_range("merge", options.merge, 0, 0.5);
   check_range("merge_width", options.merge_width, 0, 0.5);
   if (options.max_turn) {

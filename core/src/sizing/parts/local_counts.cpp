@@ -24,7 +24,8 @@ class CellCounter {
     surface_.d1(middle, x, xu, xv);
     double wide = norm(xu) * (hi.x - lo.x), high = norm(xv) * (hi.y - lo.y), reach = wide + high;
     double h = size_.at(middle, surface_), plain = size_.by_curvature(middle);
-    bool is_near = size_.around_parts(x) - 0.5 * gradation_ * reach < plain;
+    const double least_far = plain + 0.5 * gradation_ * reach;
+    bool is_near = size_.around_parts(x, least_far) < least_far;
     if (depth < deepest_cell && is_near && gradation_ * reach > coarse_cell * h) {
       add(lo, middle, depth + 1);
       add(middle, hi, depth + 1);

@@ -11,6 +11,7 @@
 
 #include "base/local_parts.h"
 #include "paver/error.h"
+#include "sizing/parts/find_gaps.h"
 #include "sizing/parts/find_tips.h"
 #include "sizing/parts/sharp_edges.h"
 
@@ -19,6 +20,7 @@ namespace {
 
 constexpr int fewest_pieces = 32, most_pieces = 20000;  // of an edge
 constexpr double piece_share = 2;                       // of the length asked for
+constexpr double narrowest_gap = 0.02;                  // of the target length: narrower ones count as that
 constexpr double same_point = 1e-3;                     // of the length at a tip: what lies nearer is the tip
 
 [[noreturn]] void refuse(const LocalSize& local, const std::string& kind, std::size_t count) {
@@ -51,6 +53,7 @@ LocalSizes::LocalSizes(const Model& model, const Options& options, double h) {
   }
   if (options.grade_edges > 1) put_on_sharp_edges(model, options, h);
   if (options.tip > 1) put_on_tips(model, options, h);
+  if (options.gap_elements > 1) put_on_gaps(model, options, h);
   if (!is_empty()) add_sources(model, options.gradation);
 }
 
@@ -85,6 +88,22 @@ void LocalSizes::put_on_sharp_edges(const Model& model, const Options& options, 
     length /= options.grade_edges;
     least_ = std::min(least_, length);
     for (int origin : model.edges[e].origins) entry(of_edge_, origin) = std::min(entry(of_edge_, origin), length);
+  }
+}
+
+// Lines along the gap as far apart as elements are to be, for the length grows between them.
+void LocalSizes::put_on_gaps(const Model& model, const Options& options, double h) {
+  auto length_on = [&](int face) { return std::min(h, on_face(face)); };
+  const int lines = options.gap_elements;
+  for (const GapPiece& gap : find_gaps(model, length_on)) {
+    if (is_empty()) begin(model);
+    const double length = std::max(gap.width, narrowest_gap * h) / lines;
+    for (int i = 0; i <= lines; ++i) {
+      const double share = static_cast<double>(i) / lines;
+      across_gaps_.push_back(
+          {(1 - share) * gap.from + share * gap.to, (1 - share) * gap.next_from + share * gap.next_to, length});
+    }
+    least_ = std::min(least_, length);
   }
 }
 
@@ -139,7 +158,7 @@ double LocalSizes::on_edge(const Edge& edge) const {
 }
 
 void LocalSizes::add_sources(const Model& model, double gradation) {
-  std::vector<SizeSource> sources;
+  std::vector<SizeSource> sources = across_gaps_;
   for (auto [point, length] : points_) sources.push_back({point, point, length});
   for (const Edge& edge : model.edges) {
     double length = on_edge(edge);

@@ -14,6 +14,8 @@ namespace paver {
 
 /// Lengths in mm; infinity where nothing is asked for.
 class LocalSizes {
+  static constexpr double none = std::numeric_limits<double>::infinity();
+
  public:
   LocalSizes() = default;
   /// Throws bad_option for parts that the model does not have. `h` is the target length of the run.
@@ -24,25 +26,26 @@ class LocalSizes {
   double on_face(int face) const { return is_empty() ? none : of_face_[static_cast<std::size_t>(face)]; }
   /// Length asked for on a whole edge: its own and those of its faces.
   double on_edge(const Edge& edge) const;
-  /// Least over all parts of their length plus gradation times the distance to their edges or vertex.
-  double at(Vec3 x) const { return sources_.least(x); }
+  /// Least over all parts of their length plus gradation times the distance to their edges or vertex, and `most`.
+  double at(Vec3 x, double most = none) const { return sources_.least(x, most); }
   /// Least of all.
   double least() const { return least_; }
   /// Lengths that have no effect, or less than asked for, in sentences.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
-  static constexpr double none = std::numeric_limits<double>::infinity();
   void begin(const Model& model);
   void note_inside(const Model& model, const LocalSize& local);
   void put(const Model& model, const LocalSize& local, double length);
   void put_on_sharp_edges(const Model& model, const Options& options, double h);
   void put_on_tips(const Model& model, const Options& options, double h);
+  void put_on_gaps(const Model& model, const Options& options, double h);
   void add_sources(const Model& model, double gradation);
 
   std::vector<double> of_face_;  // per face of the model
   std::vector<double> of_edge_;  // per edge of the shape as read
   std::vector<std::pair<Vec3, double>> points_;
+  std::vector<SizeSource> across_gaps_;
   NearestSource sources_;
   double least_ = none;
   std::vector<std::string> notes_;

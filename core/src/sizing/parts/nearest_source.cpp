@@ -59,8 +59,8 @@ double NearestSource::bound(const Box& box, Vec3 x) const {
   return box.h + gradation_ * norm(away);
 }
 
-double NearestSource::least(Vec3 x) const {
-  double best = std::numeric_limits<double>::infinity();
+double NearestSource::least(Vec3 x, double most) const {
+  double best = most;
   if (boxes_.empty()) return best;
   std::array<int, 64> open;  // depth of a tree over an int's count of sources, two boxes a level
   int count = 0;

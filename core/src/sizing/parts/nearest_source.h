@@ -21,8 +21,9 @@ class NearestSource {
   NearestSource() = default;
   NearestSource(std::vector<SizeSource> sources, double gradation);
 
-  /// Least over all sources of h + gradation * distance from x; infinity without sources.
-  double least(Vec3 x) const;
+  /// Least over all sources of h + gradation * distance from x; `most` where that is more. What cannot matter is not
+  /// looked at, so that far from all sources an answer costs next to nothing.
+  double least(Vec3 x, double most = std::numeric_limits<double>::infinity()) const;
 
  private:
   struct Box {
