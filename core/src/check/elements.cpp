@@ -6,15 +6,18 @@
 #include <mutex>
 
 #include "base/tasks/tasks.h"
+#include "check/distance/element_patch.h"
 #include "check/vector_area.h"
 #include "curving/near_surface.h"
 
 namespace paver {
 namespace {
 
-constexpr double off_corner = 1e-6;  // of the target length; corners are placed on the surface itself
-constexpr double off_inner = 1e-4;   // of the chord or diagonal
-constexpr double doubtful = 0.5;     // cosine between an element's normal and the mean of its corners'
+constexpr double off_corner = 1e-6;   // of the target length; corners are placed on the surface itself
+constexpr double off_inner = 1e-4;    // of the chord or diagonal
+constexpr double steep = 0.7;         // cosine between an element's normal and that of the surface at a corner
+constexpr double most_inside = 0.25;  // of the target length
+constexpr double doubtful = 0.5;      // cosine between an element's normal and the mean of its corners'
 
 class PartElementCheck {
  public:
@@ -71,10 +74,12 @@ class PartElementCheck {
       area += mesh_.order == 1 ? swept(a, b) : swept(a, node(n_ + k) - origin, b);
     }
     least_along_ = least_along(unit(area));
-    if (mesh_.order > 1)
+    if (mesh_.order > 1) {
       check_inner_nodes();
-    else
+      if (least_along_ < steep) check_inside();
+    } else {
       check_chords();
+    }
     check_direction(unit(area));
     slack_.add(element_slack(0.5 * norm(area), least_along_, mesh_.order > 1 && !is_moved_));
   }
@@ -133,6 +138,20 @@ class PartElementCheck {
         add_chord(x);
     }
     if (!is_near_surface(centre, middle_of_corners(), norm(node(2) - node(0)), most_off_centre * h)) add_chord(centre);
+  }
+
+  /// Of order 2, where the surface turns far from it: its nodes may lie on the surface and all between elsewhere.
+  void check_inside() {
+    ElementPatch patch;
+    patch.corners = n_, patch.order = mesh_.order;
+    for (int k = 0; k < (n_ == 4 ? 9 : 6); ++k) patch.nodes[static_cast<std::size_t>(k)] = node(k);
+    for (double s : {0.25, 0.75})
+      for (double t : {0.25, 0.75}) {
+        if (n_ == 3 && s + t > 1) continue;
+        const Vec3 x = patch.at({s, t});
+        if (!is_near_surface(x, place(s, t), norm(node(2) - node(0)), most_inside * part_.region->h))
+          return add_chord(x);
+      }
   }
 
   void add_chord(Vec3 x) { faults_.add(face(), FaultKind::chord, x); }

@@ -170,6 +170,18 @@ TEST(CheckMesh, FindsStraightElementsThatCutAcrossABend) {
   EXPECT_GT(model.check().count(0, FaultKind::chord), 0);
 }
 
+// A quad of 45 degrees a side on a sphere of radius 3 is 0.01 off between its nodes.
+TEST(CheckMesh, FindsElementsThatAreFarOffBetweenTheirNodesWhereTheSurfaceIsSteep) {
+  CheckedModel model(fake::ball(3), 3, 2);
+  for (Region& region : model.regions) region.h = 0.01;
+  EXPECT_EQ(model.check().count(0, FaultKind::chord), 0);
+  for (RegionMesh& mesh : model.paved)
+    for (int v = 0; v < mesh.node_count(); ++v) mesh.xp[v] += 1.2 * norm(mesh.xp[v]) * unit(mesh.normal(v));
+  EXPECT_GT(model.check().count(0, FaultKind::chord), 0);
+  for (Region& region : model.regions) region.h = 3;
+  EXPECT_EQ(model.check().count(0, FaultKind::chord), 0);
+}
+
 TEST(CheckMesh, FindsMiddlesFarOffTheirEdge) {
   CheckedModel model(fake::tube(4, 10), 1, 2);
   model.target_length = 1;

@@ -31,7 +31,8 @@ constexpr Vec2 on_sides_of_quad[] = {{half_step, 0}, {other_step, 0}, {1, half_s
                                      {half_step, 1}, {other_step, 1}, {0, half_step}, {0, other_step}};
 constexpr Vec2 on_sides_of_triangle[] = {{half_step, 0},  {other_step, 0},         {0, half_step},
                                          {0, other_step}, {half_step, other_step}, {other_step, half_step}};
-constexpr double bent = 0.1;  // radians from the surface: its points may miss what an element bridges
+constexpr double doubtful = 0.1;  // of the target length: the search may have ended elsewhere
+constexpr double bent = 0.1;      // radians from the surface: its points may miss what an element bridges
 constexpr int grid_steps = 8;
 
 struct Totals {
@@ -103,11 +104,19 @@ class PartSampler {
     }
   }
 
-  double sample(Vec2 uv) {
+  /// Of a point of the element, looked for from another one's place.
+  Foot foot_from(Vec2 start, Vec2 uv) const {
     constexpr FootSearch search{.most_turn = 0.01, .least_step = 1e-7, .least_halved = 1e-7};
-    const Foot foot = foot_on_surface(*part_.region, place_at(*part_.region, n_, places_, uv), patch_.at(uv),
-                                      norm(patch_.nodes[2] - patch_.nodes[0]), search);
+    return foot_on_surface(*part_.region, place_at(*part_.region, n_, places_, start), patch_.at(uv),
+                           norm(patch_.nodes[2] - patch_.nodes[0]), search);
+  }
+
+  double sample(Vec2 uv) {
+    Foot foot = foot_from(uv, uv);
     if (!std::isfinite(foot.distance)) return 0;
+    if (foot.distance > doubtful * part_.region->h)
+      for (Vec2 start : points_inside())
+        if (const Foot other = foot_from(start, uv); other.distance < foot.distance) foot = other;
     const std::array<Vec3, 2> slopes = patch_.slopes(uv);
     const Vec3 normal = cross(slopes[0], slopes[1]), wanted = is_reversed_ ? -1 * foot.normal : foot.normal;
     const bool is_inside = uv.x > 0 && uv.y > 0 && (n_ == 4 ? std::max(uv.x, uv.y) : uv.x + uv.y) < 1;
