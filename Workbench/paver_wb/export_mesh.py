@@ -49,8 +49,8 @@ def write_own(mesh, path, msh_version="4.1", ascii=False, progress=None, cancel=
     paver = core.load()
     try:
         statistics.surface_mesh(mesh).write(path, face_names=mesh_file.labels(mesh), edge_names=mesh.edge_names,
-                                            edge_groups=mesh.edge_groups, msh_version=msh_version, ascii=ascii,
-                                            progress=progress, cancel=cancel)
+                                            edge_groups=mesh.edge_groups, point_names=mesh.point_names,
+                                            msh_version=msh_version, ascii=ascii, progress=progress, cancel=cancel)
     except paver.Cancelled:
         raise
     except paver.Error as error:

@@ -88,7 +88,8 @@ def edge_lengths(mesh, edges):
 def surface_mesh(mesh):
     """paver.SurfaceMesh of a StoredMesh."""
     names = ("order", "nodes", "quads", "triangles", "quad_faces", "triangle_faces", "lines", "line_edges")
-    return core.load().SurfaceMesh(**{name: getattr(mesh, name) for name in names})
+    points = () if mesh.points is None else mesh.points
+    return core.load().SurfaceMesh(**{name: getattr(mesh, name) for name in names}, points=points)
 
 
 def of_mesh(mesh, name="", wave=None):

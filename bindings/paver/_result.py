@@ -39,12 +39,14 @@ class Result:
     further_edges = of_data("further_edges", """(k, 2) int32: (line, edge) where edges of
         the shape were sewn to one: those that a line lies on besides its own of `line_edges`.""")
     node_edges = of_data("node_edges", "(n,) int32: an edge each node lies on, or -1.")
+    points = of_data("points", "(k,) int32: rows of `nodes` that are vertices which end no edge, feed points for instance.")
     node_targets = of_data("node_targets", "(n,) float64: target length at each corner node, mm; 0 at the others.")
     face_names = of_data("face_names", 'Name of each face in the file, else "Face12".')
     edge_names = of_data("edge_names", """"Edge7"; "Added1" for edges that Paver added; "Junction1" for pieces of an edge
         where more than two faces meet, if its other pieces are ordinary.""")
     edge_groups = of_data("edge_groups", """Group of each edge in mesh files: "Junctions" where more than two faces
         meet, the name of a wire ("Wire1"), else empty.""")
+    point_names = of_data("point_names", "Name of each of `points`, which is its group in mesh files: \"Point1\".")
 
     @property
     def report(self):

@@ -43,7 +43,7 @@ class BareMesh {
  public:
   BareMesh(int order, const Doubles& nodes, const Integers& quads, const Integers& triangles,
            const Integers& quad_faces, const Integers& triangle_faces, const Integers& lines,
-           const Integers& line_edges) {
+           const Integers& line_edges, const Integers& points) {
     constexpr std::size_t any = 1u << 31;
     if (order < 1 || order > 9) throw py::value_error(fmt::format("order is {}; it must be from 1 to 9.", order));
     if (nodes.ndim() != 2 || nodes.shape(1) != 3) throw py::value_error("nodes must have 3 numbers per row.");
@@ -58,6 +58,7 @@ class BareMesh {
     mesh_.triangle_face = numbers("triangle_faces", triangle_faces, 1, any);
     mesh_.lines = numbers("lines", lines, order + 1, mesh_.nodes.size());
     mesh_.line_edge = numbers("line_edges", line_edges, 1, any);
+    mesh_.points = numbers("points", points, 1, mesh_.nodes.size());
     check_count("quad_faces", mesh_.quad_face.size(), mesh_.quads.size() / mesh_.nodes_per_quad());
     check_count("triangle_faces", mesh_.triangle_face.size(), mesh_.triangles.size() / mesh_.nodes_per_triangle());
     check_count("line_edges", mesh_.line_edge.size(), mesh_.lines.size() / static_cast<std::size_t>(order + 1));
@@ -65,15 +66,16 @@ class BareMesh {
 
   const SurfaceMesh& mesh() const { return mesh_; }
 
-  /// As a result with these names of faces, edges and their groups is written, without a report.
+  /// As a result with these names of faces, edges, their groups and points is written, without a report.
   void write(const OutputFiles& files, std::vector<std::string> face_names, std::vector<std::string> edge_names,
-             std::vector<std::string> edge_groups, const py::object& poll) const {
+             std::vector<std::string> edge_groups, std::vector<std::string> point_names, const py::object& poll) const {
     run_job(poll, [&](Progress& progress) {
       MeshResult result;
       result.mesh = mesh_;
       result.face_names = std::move(face_names);
       result.edge_names = std::move(edge_names);
       result.edge_groups = std::move(edge_groups);
+      result.point_names = std::move(point_names);
       write_outputs(result, files, progress);
     });
   }
@@ -161,12 +163,13 @@ py::dict quality_arrays(const std::shared_ptr<const ElementQuality>& figures) {
 void bind_display(py::module_& module) {
   py::class_<BareMesh>(module, "BareMesh")
       .def(py::init<int, const Doubles&, const Integers&, const Integers&, const Integers&, const Integers&,
-                    const Integers&, const Integers&>())
+                    const Integers&, const Integers&, const Integers&>())
       .def("write",
            [](const BareMesh& mesh, const FileArguments& files, std::vector<std::string> face_names,
-              std::vector<std::string> edge_names, std::vector<std::string> edge_groups, const py::object& poll) {
+              std::vector<std::string> edge_names, std::vector<std::string> edge_groups,
+              std::vector<std::string> point_names, const py::object& poll) {
              mesh.write(output_files(files), std::move(face_names), std::move(edge_names), std::move(edge_groups),
-                        poll);
+                        std::move(point_names), poll);
            })
       .def("quality", [](BareMesh& mesh) { return quality_arrays(mesh.quality()); })
       .def("tessellate", [](const BareMesh& mesh, int subdivision, bool apart) {

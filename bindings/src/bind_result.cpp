@@ -83,6 +83,8 @@ void bind_arrays(py::class_<MeshData>& data) {
     return view(d.owner(), reinterpret_cast<const int*>(d.mesh().further_edges.data()),
                 {static_cast<py::ssize_t>(d.mesh().further_edges.size()), 2});
   });
+  data.def_property_readonly("points", [](Data d) { return column(d.owner(), d.mesh().points); });
+  data.def_property_readonly("point_names", [](Data d) { return names(d.result().point_names); });
   data.def_property_readonly("face_names", [](Data d) { return names(d.result().face_names); });
   data.def_property_readonly("edge_groups", [](Data d) { return names(d.result().edge_groups); });
   data.def_property_readonly("edge_names", [](Data d) { return names(d.result().edge_names); });

@@ -119,6 +119,7 @@ class Run {
     result_.report.tasks.insert(result_.report.tasks.end(), paver.times().begin(), paver.times().end());
     finish(assembler);
     name_edges();
+    name_points();
     return std::move(share_);
   }
 
@@ -351,6 +352,23 @@ class Run {
     }
     for (int& edge : mesh.node_edge)
       if (edge >= 0) edge = entities.of_edge[edge];
+  }
+
+  void name_points() {
+    std::vector<int> nodes;
+    std::string lost;
+    for (std::size_t i = 0; i < model_.points.size(); ++i) {
+      const int node = result_.mesh.points[i];
+      const std::string& name = model_.parts[static_cast<std::size_t>(model_.points[i].part)];
+      if (node < 0) {
+        if (!model_.points[i].is_apart) lost += (lost.empty() ? "" : ", ") + name;
+        continue;
+      }
+      nodes.push_back(node);
+      result_.point_names.push_back(name);
+    }
+    result_.mesh.points = std::move(nodes);
+    if (!lost.empty()) result_.report.notes.push_back(fmt::format("No nodes, as the mesh has none there: {}.", lost));
   }
 
   void measure_wires() {

@@ -18,7 +18,8 @@ class Dealer {
     hold(mesh.quads, quad_rank_, mesh.nodes_per_quad());
     hold(mesh.triangles, triangle_rank_, mesh.nodes_per_triangle());
     for (auto& held : holds_)
-      for (int node : mesh.lines) held[static_cast<std::size_t>(node)] = 1;
+      for (const std::vector<int>* nodes : {&mesh.lines, &mesh.points})
+        for (int node : *nodes) held[static_cast<std::size_t>(node)] = 1;
     choose_owners();
     std::vector<MeshShare> shares;
     for (int rank = 0; rank < ranks_; ++rank) shares.push_back(share_of(rank));
@@ -64,6 +65,7 @@ class Dealer {
     share.result.face_names = whole_.face_names;
     share.result.edge_names = whole_.edge_names;
     share.result.edge_groups = whole_.edge_groups;
+    share.result.point_names = whole_.point_names;
     share.nodes = static_cast<long>(from.nodes.size());
     share.quads = static_cast<long>(from.quad_count());
     share.triangles = static_cast<long>(from.triangle_count());
@@ -74,6 +76,7 @@ class Dealer {
     add_elements(from.triangles, from.triangle_face, triangle_rank_, rank, local, mesh.triangles, mesh.triangle_face,
                  share.triangle_number);
     for (int node : from.lines) mesh.lines.push_back(local[static_cast<std::size_t>(node)]);
+    for (int node : from.points) mesh.points.push_back(local[static_cast<std::size_t>(node)]);
     mesh.line_edge = from.line_edge;
     mesh.further_edges = from.further_edges;
     return share;

@@ -188,6 +188,19 @@ class Meshing(InDocument):
             self.assertEqual(obj.FemMesh.EdgeCount, obj.Lines)
             self.assertGreater(obj.Lines, 5)
 
+    def test_points_are_nodes_with_a_group(self):
+        self.box.Length = 10
+        feed = self.document.addObject("Part::Feature", "Feed")
+        feed.Shape = Part.Vertex(FreeCAD.Vector(3, 5, BOX[2]))
+        self.document.recompute()
+        obj = mesh_object.add(self.document, [self.box, feed], size=5)
+        meshing.mesh(obj)
+        self.reopen()
+        obj, = mesh_object.meshes_of(self.document)
+        meshing.fill(obj)
+        groups = {obj.FemMesh.getGroupName(i): obj.FemMesh.getGroupElements(i) for i in obj.FemMesh.Groups}
+        self.assertEqual([obj.FemMesh.Nodes[node] for node in groups["Feed"]], [FreeCAD.Vector(3, 5, BOX[2])])
+
     def test_the_radius_of_wires_leaves_the_mesh_as_it_is(self):
         obj = mesh_object.add(self.document, self.box, size=5)
         meshing.mesh(obj)

@@ -16,11 +16,12 @@ import numpy as np
 MAGIC = b"PaverM1\n"
 ARRAYS = {"nodes": "<f8", "quads": "<i4", "triangles": "<i4", "quad_faces": "<i4", "triangle_faces": "<i4",
           "lines": "<i4", "line_edges": "<i4"}
-OPTIONAL = {"node_targets": "<f8"}  # arrays that older files and imported meshes do not have
+OPTIONAL = {"node_targets": "<f8", "points": "<i4"}  # arrays that older files and imported meshes do not have
 
 JUNCTIONS = "Junctions"  # the group of edges where more than two faces meet
 BOTH = " + "  # between names of faces, in the name of what they have in common
 NAMES = ("order", "face_names", "edge_names", "report")
+LATER_NAMES = ("edge_groups", "point_names")  # that older files do not have
 
 
 class StoredMesh(NamedTuple):
@@ -39,6 +40,8 @@ class StoredMesh(NamedTuple):
     report: dict
     node_targets: object = None
     edge_groups: tuple = ()
+    points: object = None
+    point_names: tuple = ()
 
 
 class DamagedMesh(ValueError):
@@ -60,6 +63,11 @@ def wires(mesh):
     return {name: mesh.lines[of_line == name] for name in names}
 
 
+def points(mesh):
+    """{name: node} of a mesh's vertices that end no edge."""
+    return {} if mesh.points is None else dict(zip(mesh.point_names, np.asarray(mesh.points).tolist()))
+
+
 def used_nodes(count, *tables):
     """(count,) whether a node is in one of the tables of rows."""
     is_used = np.zeros(count, dtype=bool)
@@ -73,7 +81,8 @@ def of_result(result, face_names):
     arrays = {name: getattr(result, name) for name in ARRAYS}
     arrays.update({name: getattr(result, name, None) for name in OPTIONAL})
     return StoredMesh(order=result.order, face_names=list(face_names), edge_names=list(result.edge_names),
-                      edge_groups=list(result.edge_groups), report=result.report, **arrays)
+                      edge_groups=list(result.edge_groups), point_names=list(result.point_names), report=result.report,
+                      **arrays)
 
 
 def padding(size):
@@ -101,7 +110,7 @@ def unpack(part, kind, shape, packed):
 
 def write(mesh, path):
     """Writes a StoredMesh to `path`."""
-    head = {name: getattr(mesh, name) for name in (*NAMES, "edge_groups")}
+    head = {name: getattr(mesh, name) for name in (*NAMES, *LATER_NAMES)}
     head["arrays"], blocks, offset = {}, [], 0
     for name, kind in {**ARRAYS, **OPTIONAL}.items():
         if name in OPTIONAL and getattr(mesh, name) is None:
@@ -146,5 +155,5 @@ def read(path):
                   for name in [*ARRAYS, *(name for name in OPTIONAL if name in head["arrays"])]}
     except (ValueError, KeyError, TypeError, struct.error) as error:
         raise DamagedMesh(f"The mesh kept in the document is damaged ({error}); mesh the object again.") from None
-    # Files of earlier versions have no groups of edges.
-    return StoredMesh(**arrays, **{name: head[name] for name in NAMES}, edge_groups=head.get("edge_groups", ()))
+    later = {name: head.get(name, ()) for name in LATER_NAMES}
+    return StoredMesh(**arrays, **{name: head[name] for name in NAMES}, **later)

@@ -30,6 +30,7 @@ struct SurfaceMesh {
   /// (line, 0-based B-rep edge): where sewing made edges common, those a line lies on besides its line_edge.
   std::vector<std::array<int, 2>> further_edges;
   std::vector<double> node_target;  ///< per node: target length h there, mm (corner nodes; 0 elsewhere)
+  std::vector<int> points;          ///< nodes of vertices that end no edge
 
   int nodes_per_quad() const { return (order + 1) * (order + 1); }
   int nodes_per_triangle() const { return (order + 1) * (order + 2) / 2; }
@@ -230,6 +231,7 @@ struct MeshResult {
   /// that are junctions where other pieces are not.
   std::vector<std::string> edge_names;
   std::vector<std::string> edge_groups;  ///< per B-rep edge: `junctions`, the wire it is of ("Wire1"), or empty
+  std::vector<std::string> point_names;  ///< per entry of the mesh's points: "Point1"
 };
 
 /// Whether there are neither elements nor lines of wires.

@@ -65,15 +65,15 @@ void fields(A& archive, Is<RunReport> auto& run) {
 template <class A>
 void fields(A& archive, Is<SurfaceMesh> auto& mesh) {
   auto& [order, nodes, quads, quad_face, triangles, triangle_face, lines, line_edge, node_edge, further_edges,
-         node_target] = mesh;
+         node_target, points] = mesh;
   archive(order, nodes, quads, quad_face, triangles, triangle_face, lines, line_edge, node_edge, further_edges,
-          node_target);
+          node_target, points);
 }
 
 template <class A>
 void fields(A& archive, Is<MeshResult> auto& result) {
-  auto& [mesh, report, face_names, edge_names, edge_groups] = result;
-  archive(mesh, report, face_names, edge_names, edge_groups);
+  auto& [mesh, report, face_names, edge_names, edge_groups, point_names] = result;
+  archive(mesh, report, face_names, edge_names, edge_groups, point_names);
 }
 
 template <class A>

@@ -10,8 +10,7 @@
 namespace paver {
 namespace {
 
-// Node of each vertex, -1 where no divided edge uses it.
-std::vector<int> number_vertices(const Model& model, const std::vector<int>& counts, EdgeNodes& result) {
+void number_vertices(const Model& model, const std::vector<int>& counts, EdgeNodes& result) {
   std::vector<int> edge_of_vertex(model.vertices.size(), -1);
   for (std::size_t e = 0; e < model.edges.size(); ++e) {
     if (counts[e] <= 0) continue;
@@ -20,14 +19,13 @@ std::vector<int> number_vertices(const Model& model, const std::vector<int>& cou
       if (first < 0) first = static_cast<int>(e);
     }
   }
-  std::vector<int> node_of_vertex(model.vertices.size(), -1);
+  result.node_of_vertex.assign(model.vertices.size(), -1);
   for (std::size_t v = 0; v < model.vertices.size(); ++v) {
     if (edge_of_vertex[v] < 0) continue;
-    node_of_vertex[v] = static_cast<int>(result.nodes.size());
+    result.node_of_vertex[v] = static_cast<int>(result.nodes.size());
     result.nodes.push_back(model.vertices[v]);
     result.node_edge.push_back(edge_of_vertex[v]);
   }
-  return node_of_vertex;
 }
 
 constexpr double table_cost = 50, node_cost = 2;  // microseconds
@@ -97,7 +95,7 @@ void append(int edge, Places places, int start, int end, EdgeNodes& result) {
 EdgeNodes divide_edges(const Model& model, const SizeField& size, const std::vector<int>& counts, SharedTasks& tasks) {
   EdgeNodes result;
   result.edges.resize(model.edges.size());
-  const std::vector<int> node_of_vertex = number_vertices(model, counts, result);
+  number_vertices(model, counts, result);
   result.node_target.assign(result.nodes.size(), size.h);
   std::vector<int> divided;
   std::vector<double> costs;
@@ -113,8 +111,8 @@ EdgeNodes divide_edges(const Model& model, const SizeField& size, const std::vec
   });
   for (std::size_t i = 0; i < divided.size(); ++i) {
     const Edge& edge = edge_at(i);
-    append(divided[i], std::move(places[i]), node_of_vertex[static_cast<std::size_t>(edge.start)],
-           node_of_vertex[static_cast<std::size_t>(edge.end)], result);
+    append(divided[i], std::move(places[i]), result.node_of_vertex[static_cast<std::size_t>(edge.start)],
+           result.node_of_vertex[static_cast<std::size_t>(edge.end)], result);
   }
   return result;
 }

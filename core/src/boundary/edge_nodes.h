@@ -25,6 +25,7 @@ struct EdgeNodes {
   std::vector<int> node_edge;       ///< per node: an edge it lies on
   std::vector<double> node_target;  ///< per node: target length there
   std::vector<EdgeDivision> edges;  ///< per edge of the model; degenerate edges: no intervals
+  std::vector<int> node_of_vertex;  ///< per vertex of the model; -1 where no divided edge uses it
 };
 
 /// Interval counts per edge: max(1, round(integral of ds/h)), at least 3 on an edge that closes on itself, no interval

@@ -57,6 +57,7 @@ class Raiser {
     mesh().quad_face = from.quad_face;
     mesh().triangle_face = from.triangle_face;
     mesh().line_edge = from.line_edge;
+    mesh().points = from.points;
   }
 
   void number_lines() {

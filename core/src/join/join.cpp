@@ -36,6 +36,7 @@ class Joiner {
     reserve();
     add_boundary();
     add_lines();
+    add_points();
     add_outlines();
     joined_.node_of.resize(parts_.size());
     joined_.sizes.resize(parts_.size());
@@ -77,6 +78,13 @@ class Joiner {
         mesh.lines.push_back(boundary_node_[d.node[i + 1]]);
         mesh.line_edge.push_back(static_cast<int>(e));
       }
+    }
+  }
+
+  void add_points() {
+    for (const PartPoint& point : model_.points) {
+      const int node = edges_.node_of_vertex[static_cast<std::size_t>(point.vertex)];
+      joined_.mesh.points.push_back(node < 0 ? -1 : boundary_node_[static_cast<std::size_t>(node)]);
     }
   }
 

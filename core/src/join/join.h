@@ -39,9 +39,9 @@ struct BoundaryUse {
 };
 
 /// Nodes: those of the boundary stage that are in `use` first, the outline nodes (`outlines` of all regions) that are
-/// used, then each part's own in order. Lines: of the edges in `use`. Elements of reversed faces are turned, so all run
-/// counter-clockwise against the outward normal. Throws Error{face_failed} naming the face when an element would use a
-/// node twice.
+/// used, then each part's own in order. Lines: of the edges in `use`. Points: one per point of the model, -1 where it
+/// is no node. Elements of reversed faces are turned, so all run counter-clockwise against the outward normal. Throws
+/// Error{face_failed} naming the face when an element would use a node twice.
 JoinedMesh join_regions(const Model& model, const EdgeNodes& edges, const BoundaryUse& use,
                         const std::vector<JoinPart>& parts, int outlines = 0);
 

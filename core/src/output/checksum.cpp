@@ -21,7 +21,7 @@ using Word = std::uint64_t;
 using Bits = std::array<Word, 3>;
 __extension__ typedef unsigned __int128 DoubleWord;
 
-enum class Kind : Word { quad = 1, triangle, line, further_edge, nodes };
+enum class Kind : Word { quad = 1, triangle, line, further_edge, nodes, point };
 
 // Odd numbers without pattern: the fraction digits of the golden ratio and of square roots.
 constexpr Word key_a = 0x9e3779b97f4a7c15, key_b = 0x6a09e667f3bcc909, key_c = 0xbb67ae8584caa73b;
@@ -119,7 +119,7 @@ Word line_number(const SurfaceMesh& mesh, Kind kind, std::size_t line, int edge)
   return mix.value();
 }
 
-/// Lines, and the number of nodes: it tells joined elements from such that only lie side by side.
+/// Lines, points, and the number of nodes: it tells joined elements from such that only lie side by side.
 Word sum_of_rest(const SurfaceMesh& mesh, long nodes) {
   Mix count(Kind::nodes, mesh.order, 0);
   count.add(static_cast<Word>(nodes));
@@ -127,6 +127,11 @@ Word sum_of_rest(const SurfaceMesh& mesh, long nodes) {
   for (std::size_t i = 0; i < mesh.line_edge.size(); ++i) sum += line_number(mesh, Kind::line, i, mesh.line_edge[i]);
   for (auto [line, edge] : mesh.further_edges)
     sum += line_number(mesh, Kind::further_edge, static_cast<std::size_t>(line), edge);
+  for (int node : mesh.points) {
+    Mix mix(Kind::point, mesh.order, 0);
+    mix.add(bits_of(mesh.nodes[static_cast<std::size_t>(node)]));
+    sum += mix.value();
+  }
   return sum;
 }
 

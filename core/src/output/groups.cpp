@@ -71,7 +71,7 @@ Groups find_groups(const MeshResult& result, const std::vector<char>& has_elemen
     if (is_new) names.push_back(name);
     return at->second;
   };
-  std::unordered_map<std::string, int> of_faces, of_edges;
+  std::unordered_map<std::string, int> of_faces, of_edges, of_points;
   for (std::size_t face = 0; face < has_elements.size(); ++face)
     groups.of_face.push_back(has_elements[face] ? number(of_faces, name_of_face(result, face), 0, groups.face_names)
                                                 : 0);
@@ -82,6 +82,12 @@ Groups find_groups(const MeshResult& result, const std::vector<char>& has_elemen
     const std::string name = quotable(result.edge_groups[edge]);
     bool is_in_one = has_lines[edge] && !name.empty();
     groups.of_edge.push_back(is_in_one ? number(of_edges, name, groups.face_names.size(), groups.edge_names) : 0);
+  }
+  const std::size_t before = groups.face_names.size() + groups.edge_names.size();
+  for (std::size_t i = 0; i < result.mesh.points.size(); ++i) {
+    const std::string name = i < result.point_names.size() ? quotable(result.point_names[i]) : "";
+    groups.of_point.push_back(
+        number(of_points, name.empty() ? "Point" + std::to_string(i + 1) : name, before, groups.point_names));
   }
   return groups;
 }

@@ -190,6 +190,9 @@ Numbering::Numbering(HeldMesh held, Ranks& ranks) {
   quads = place_rows(mesh.quad_face, faces, numbers.quad_number, {}, ranks);
   triangles = place_rows(mesh.triangle_face, faces, numbers.triangle_number, {}, ranks);
   lines = deal_groups(mesh.line_edge, edges, ranks);
+  std::vector<int> itself(mesh.points.size());
+  std::iota(itself.begin(), itself.end(), 0);
+  points = deal_groups(itself, static_cast<int>(itself.size()), ranks);
   const std::vector<int> curve = curve_of_nodes(mesh, lines.held), face = faces_of_nodes(held, curve, ranks);
   curve_nodes = deal_groups(curve, edges, ranks);
   surface_nodes = place_rows(face, faces, numbers.node_number, numbers.is_own_node, ranks);

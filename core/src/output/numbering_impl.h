@@ -21,11 +21,13 @@ struct Grouping {
 /// `group_of`: per row its group, from 0 to groups - 1; -1 leaves it out.
 Grouping group_rows(const std::vector<int>& group_of, int groups);
 
-/// Physical groups: faces of one name share one, and so do edges; numbers of edges' groups follow those of faces.
+/// Physical groups: faces of one name share one, and so do edges, and points; the numbers of edges' groups follow those
+/// of faces, those of points come last.
 struct Groups {
-  std::vector<int> of_face;                         ///< number of the group, or 0 when the face has no elements
-  std::vector<int> of_edge;                         ///< number of the group, or 0 when the edge is in none
-  std::vector<std::string> face_names, edge_names;  ///< of group 1, 2, ...
+  std::vector<int> of_face;   ///< number of the group, or 0 when the face has no elements
+  std::vector<int> of_edge;   ///< number of the group, or 0 when the edge is in none
+  std::vector<int> of_point;  ///< number of the group
+  std::vector<std::string> face_names, edge_names, point_names;  ///< of group 1, 2, ...
 
   int of_line(int edge) const { return edge < static_cast<int>(of_edge.size()) ? of_edge[edge] : 0; }
 };
@@ -81,6 +83,7 @@ struct Numbering {
   NodeTags tags;                             ///< all nodes that an element or line uses
   PlacedRows quads, triangles;               ///< by face
   PlacedRows lines;                          ///< by edge
+  PlacedRows points;                         ///< each by itself
   PlacedRows curve_nodes;                    ///< by edge: nodes on lines
   PlacedRows surface_nodes;                  ///< by face: the others
   Groups groups;                             ///< physical groups
@@ -88,6 +91,7 @@ struct Numbering {
 };
 
 /// Gmsh's numbers of the Lagrange elements of order 1 to 4.
+inline constexpr int gmsh_point_type = 15;
 int gmsh_line_type(int order);
 int gmsh_quad_type(int order);
 int gmsh_triangle_type(int order);

@@ -56,6 +56,7 @@ void add_share(const MeshShare& share, MeshResult& whole) {
   whole.face_names = share.result.face_names;
   whole.edge_names = share.result.edge_names;
   whole.edge_groups = share.result.edge_groups;
+  whole.point_names = share.result.point_names;
   resize(share, mesh);
   place(part.nodes, share.node_number, mesh.nodes);
   place(part.node_edge, share.node_number, mesh.node_edge);
@@ -66,8 +67,13 @@ void add_share(const MeshShare& share, MeshResult& whole) {
   place_elements(part.triangles, static_cast<std::size_t>(mesh.nodes_per_triangle()), share.triangle_number,
                  share.node_number, mesh.triangles);
   place(part.triangle_face, share.triangle_number, mesh.triangle_face);
-  mesh.lines.clear();  // all shares have all of them
-  for (int node : part.lines) mesh.lines.push_back(static_cast<int>(share.node_number[static_cast<std::size_t>(node)]));
+  auto number_all = [&](const std::vector<int>& nodes) {  // all shares have all of them
+    std::vector<int> numbers;
+    for (int node : nodes) numbers.push_back(static_cast<int>(share.node_number[static_cast<std::size_t>(node)]));
+    return numbers;
+  };
+  mesh.lines = number_all(part.lines);
+  mesh.points = number_all(part.points);
   mesh.line_edge = part.line_edge;
   mesh.further_edges = part.further_edges;
 }

@@ -42,8 +42,8 @@ class RegionBuilder {
     Slits slits;
     for (const Loop& loop : loops) add_loop(loop, region, slits);
     settle_loops(slits, region);
-    for (const InnerPoint& point : face_.points) add_point(point, region);
     if (is_polar && (layout_.box.low_pole || layout_.box.high_pole)) add_fan(layout_.box, region);
+    for (const InnerPoint& point : face_.points) add_point(point, region);
     regions.push_back(std::move(region));
   }
 
@@ -307,12 +307,12 @@ class RegionBuilder {
     }
     a.loops.push_back(std::move(backward));
     b.loops.push_back(std::move(forward));
+    add_fan(low, a);
+    add_fan(high, b);
     for (const InnerPoint& point : face_.points) {
       double meridian = layout_.box.is_swapped ? point.uv.x : point.uv.y;
       add_point(point, meridian < layout_.cut ? a : b);
     }
-    add_fan(low, a);
-    add_fan(high, b);
     regions.push_back(std::move(a));
     regions.push_back(std::move(b));
   }
@@ -380,7 +380,8 @@ class RegionBuilder {
     fan.centre.x = shape.apex;
     fan.centre.h = std::min(h, radius);
     fan.centre.p = {0, 0};
-    fan.centre.global = append(shape.apex, fan.centre.h);
+    const int vertex = pole_vertex(shape.apex);
+    fan.centre.global = vertex >= 0 ? node_at(vertex, fan.centre.h) : append(shape.apex, fan.centre.h);
     double half = shape.cone_angle / (2 * quads);
     for (int i = 0; i < 2 * quads; ++i) {
       const double reach =
@@ -430,8 +431,9 @@ class RegionBuilder {
     Fan fan;
     fan.centre.p = region.chart->to_chart(point.uv);
     fan.centre.h = std::min(size_.h, size_.faces[index_].at(point.uv, *face_.surface));
-    fan.centre.global = node_of_vertex(point.vertex);
-    if (fan.centre.global < 0) fan.centre.global = append(model_.vertices[point.vertex], fan.centre.h);
+    fan.centre.global = node_at(point.vertex, fan.centre.h);
+    auto has_fan = [&](const Fan& other) { return other.centre.global == fan.centre.global; };
+    if (std::any_of(region.fans.begin(), region.fans.end(), has_fan)) return;  // an apex
     fan.centre.x = nodes_.nodes[fan.centre.global];
     double room = nearest_facet(region, fan.centre.x);
     for (const InnerPoint& other : face_.points)
@@ -459,14 +461,22 @@ class RegionBuilder {
     return {(qq * p - pq * q) / det, (pp * q - pq * p) / det};
   }
 
-  int node_of_vertex(int vertex) const {
-    for (std::size_t e = 0; e < model_.edges.size(); ++e) {
-      const std::vector<int>& node = nodes_.edges[e].node;
-      if (node.empty()) continue;
-      if (model_.edges[e].start == vertex) return node.front();
-      if (model_.edges[e].end == vertex) return node.back();
-    }
-    return -1;
+  int node_at(int vertex, double h) {
+    int& known = nodes_.node_of_vertex[static_cast<std::size_t>(vertex)];
+    if (known < 0) known = append(model_.vertices[static_cast<std::size_t>(vertex)], h);
+    return known;
+  }
+
+  /// The vertex of the face's pole next to `apex`, or -1.
+  int pole_vertex(Vec3 apex) const {
+    int nearest = -1;
+    auto distance = [&](int vertex) { return norm(model_.vertices[static_cast<std::size_t>(vertex)] - apex); };
+    for (const Loop& loop : face_.loops)
+      for (const Coedge& coedge : loop.coedges) {
+        const Edge& edge = model_.edges[static_cast<std::size_t>(coedge.edge)];
+        if (edge.is_degenerate && (nearest < 0 || distance(edge.start) < distance(nearest))) nearest = edge.start;
+      }
+    return nearest;
   }
 
   // A long body closed by a pole, with a rim of few nodes: rows need something to start from.

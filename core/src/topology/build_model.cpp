@@ -373,7 +373,7 @@ class ModelBuilder {
       if (!face.fault.empty()) faulty.push_back(face.name);
     }
     for (int i : sewn_.lost_faces) lost.push_back(face_name(i));
-    note("On no face and on no edge, so that they are no nodes", points_apart());
+    note("On no face and on no edge, so that they are no nodes", find_points_apart());
     if (work_.left_points > 0)
       model_.notes.push_back(std::to_string(work_.left_points) + " points were left out: more than " +
                              std::to_string(most_points) + " are not taken for parts.");
@@ -392,8 +392,8 @@ class ModelBuilder {
     note("Curves lie up to " + std::to_string(model_.report.curve_distance) + " mm off their faces", stray);
   }
 
-  /// Points that nothing of the model has.
-  std::vector<std::string> points_apart() const {
+  /// Marks points that nothing of the model has, and gives their names.
+  std::vector<std::string> find_points_apart() {
     std::vector<char> is_used(model_.vertices.size(), 0);
     for (const Edge& edge : model_.edges)
       if (!edge.faces.empty() || edge.is_wire())
@@ -401,9 +401,10 @@ class ModelBuilder {
     for (const Face& face : model_.faces)
       for (const InnerPoint& point : face.points) is_used[static_cast<std::size_t>(point.vertex)] = 1;
     std::vector<std::string> names;
-    for (const PartPoint& point : model_.points)
-      if (!is_used[static_cast<std::size_t>(point.vertex)])
-        names.push_back(model_.parts[static_cast<std::size_t>(point.part)]);
+    for (PartPoint& point : model_.points) {
+      point.is_apart = !is_used[static_cast<std::size_t>(point.vertex)];
+      if (point.is_apart) names.push_back(model_.parts[static_cast<std::size_t>(point.part)]);
+    }
     return names;
   }
 

@@ -46,6 +46,7 @@ struct InnerPoint {
 /// A part that is a vertex.
 struct PartPoint {
   int part = -1, vertex = -1;
+  bool is_apart = false;  ///< nothing of the model has it
 };
 
 struct Face {

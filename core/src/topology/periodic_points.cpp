@@ -1,5 +1,5 @@
 // Vertices on a periodic edge. The edge disappears when its face is meshed, and its vertices with it; those that others
-// have as well (a wire that ends there, the corner of another part) must be nodes inside the face.
+// have as well (a wire that ends there, the corner of another part, a point) must be nodes inside the face.
 #include <set>
 
 #include "topology/build_parts_impl.h"
@@ -15,6 +15,7 @@ bool has_stranger(const Model& model, std::size_t edge, int face) {
 class PeriodicPoints {
  public:
   explicit PeriodicPoints(Model& model) : model_(model), edges_at_(model.vertices.size()) {
+    for (const PartPoint& point : model.points) points_.insert(point.vertex);
     for (std::size_t e = 0; e < model.edges.size(); ++e)
       for (int vertex : {model.edges[e].start, model.edges[e].end})
         edges_at_[static_cast<std::size_t>(vertex)].push_back(e);
@@ -43,6 +44,7 @@ class PeriodicPoints {
   }
 
   bool is_shared(int vertex, int face) const {
+    if (points_.count(vertex)) return true;
     for (std::size_t e : edges_at_[static_cast<std::size_t>(vertex)])
       if (has_stranger(model_, e, face)) return true;
     return false;
@@ -50,6 +52,7 @@ class PeriodicPoints {
 
   Model& model_;
   std::vector<std::vector<std::size_t>> edges_at_;
+  std::set<int> points_;
 };
 
 }  // namespace

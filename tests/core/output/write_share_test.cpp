@@ -86,7 +86,10 @@ TEST_F(WriteShare, LeavesOutNodesThatNothingUses) {
   expect_same_bytes(whole, "half of the elements");
   whole.edge_groups = {"", "Wire1", junctions, "", "Wire1"};
   expect_same_bytes(whole, "half of the elements and wires");
-  mesh.lines.clear(), mesh.line_edge.clear();
+  mesh.points = {mesh.quads[8], mesh.quads[0]};
+  whole.point_names = {"Feed", "Probe"};
+  expect_same_bytes(whole, "half of the elements, wires and points");
+  mesh.lines.clear(), mesh.line_edge.clear(), mesh.points.clear();
   expect_same_bytes(whole, "no lines");
   mesh.quads.clear(), mesh.quad_face.clear();
   expect_same_bytes(whole, "nothing");

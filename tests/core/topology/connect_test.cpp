@@ -5,7 +5,9 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <algorithm>
 #include <gp_Ax2.hxx>
@@ -186,11 +188,18 @@ bool has_node(const SurfaceMesh& mesh, Vec3 at) {
   return std::any_of(mesh.nodes.begin(), mesh.nodes.end(), [&](Vec3 node) { return norm(node - at) < 1e-9; });
 }
 
+/// That the mesh has this one point, by its name.
+void expect_point(const MeshResult& result, Vec3 at) {
+  EXPECT_EQ(result.point_names, (std::vector<std::string>{"Point1"}));
+  ASSERT_EQ(result.mesh.points.size(), 1u);
+  EXPECT_LT(norm(result.mesh.nodes[static_cast<std::size_t>(result.mesh.points[0])] - at), 1e-9);
+}
+
 TEST(Connect, APointIsANodeInAFaceOnAnEdgeAndOnAWire) {
   for (gp_Pnt at : {gp_Pnt(41, 33, 0), gp_Pnt(41, 0, 0), gp_Pnt(100, 100, 0), gp_Pnt(50, 50, 13)}) {
     SCOPED_TRACE(at.X() + at.Z());
     const auto result = mesh_of(compound({sheet(0, 0, 100, 0, 100), wire({50, 50, 0}, {50, 50, 40}), point(at)}), 10);
-    EXPECT_TRUE(has_node(result.mesh, {at.X(), at.Y(), at.Z()}));
+    expect_point(result, {at.X(), at.Y(), at.Z()});
     EXPECT_EQ(result.report.components, (std::vector<std::vector<std::string>>{{"Sheet1", "Wire1", "Point1"}}));
     const auto& contacts = result.report.model.contacts;
     ASSERT_EQ(contacts.size(), 2u);
@@ -204,6 +213,7 @@ TEST(Connect, APointOfSeveralFacesIsOneNode) {
   const auto result = mesh_of(
       compound({box(0, 0, 0, 50, 50, 50), box(50, 10, 10, 50, 50, 50), point({50, 30, 30}), point({50, 30, 30})}), 10);
   EXPECT_TRUE(has_node(result.mesh, {50, 30, 30}));
+  EXPECT_EQ(result.point_names, (std::vector<std::string>{"Point1", "Point2"}));
   EXPECT_EQ(result.report.quality.border_edges, 0);
   EXPECT_EQ(result.report.components.size(), 1u);
   EXPECT_EQ(result.report.components[0].size(), 4u);
@@ -212,9 +222,30 @@ TEST(Connect, APointOfSeveralFacesIsOneNode) {
 TEST(Connect, APointWhereAnEdgeEndsCostsNoFuse) {
   const auto result = mesh_of(compound({box(0, 0, 0, 50, 50, 50), point({50, 50, 50})}), 10);
   EXPECT_EQ(result.report.components, (std::vector<std::vector<std::string>>{{"Solid1", "Point1"}}));
+  expect_point(result, {50, 50, 50});
   ASSERT_EQ(result.report.model.contacts.size(), 1u);
   EXPECT_EQ(result.report.model.contacts[0].kind, ContactKind::point);
   EXPECT_EQ(result.report.model.vertices, 8);
+}
+
+TEST(Connect, PointsAtPolesAndOnPeriodicEdgesAreNodes) {
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(10, 0, 20).Shape(), ball = BRepPrimAPI_MakeSphere(10).Shape();
+  for (const auto& [body, at] : {std::pair{cone, gp_Pnt(0, 0, 20)}, {ball, {0, 0, 10}}, {ball, {10, 0, 0}}}) {
+    SCOPED_TRACE(at.Z());
+    const auto result = mesh_of(compound({body, point(at)}), 3);
+    expect_point(result, {at.X(), at.Y(), at.Z()});
+    EXPECT_TRUE(result.report.quality.watertight);
+    EXPECT_STREQ(verdict(result.report), "sound");
+  }
+}
+
+TEST(Connect, AWireOnTheApexOfAConeSharesItsNode) {
+  const auto result = mesh_of(compound({BRepPrimAPI_MakeCone(10, 0, 20).Shape(), wire({0, 0, 20}, {0, 0, 40})}), 3);
+  EXPECT_EQ(result.report.components, (std::vector<std::vector<std::string>>{{"Solid1", "Wire1"}}));
+  const std::vector<int>& quads = result.mesh.quads;
+  EXPECT_TRUE(std::any_of(result.mesh.lines.begin(), result.mesh.lines.end(), [&](int node) {
+    return norm(result.mesh.nodes[node] - Vec3{0, 0, 20}) < 1e-9 && std::count(quads.begin(), quads.end(), node) > 0;
+  }));
 }
 
 TEST(Connect, PointsFromDrawingAreLeftOut) {
@@ -229,6 +260,7 @@ TEST(Connect, PointsFromDrawingAreLeftOut) {
 TEST(Connect, APointApartIsNamedAndNoNode) {
   const auto result = mesh_of(compound({sheet(0, 0, 100, 0, 100), point({50, 50, 5})}), 10);
   EXPECT_FALSE(has_node(result.mesh, {50, 50, 5}));
+  EXPECT_TRUE(result.mesh.points.empty() && result.point_names.empty());
   EXPECT_EQ(result.report.components, (std::vector<std::vector<std::string>>{{"Sheet1"}}));
   EXPECT_EQ(result.report.notes,
             std::vector<std::string>{"On no face and on no edge, so that they are no nodes: Point1."});

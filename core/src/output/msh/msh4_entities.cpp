@@ -1,4 +1,4 @@
-// Curves and surfaces of a .msh 4.1 file with the boxes about them.
+// Points, curves and surfaces of a .msh 4.1 file with the boxes about them.
 #include "base/box.h"
 #include "base/tasks/gather.h"
 #include "output/msh/msh4_impl.h"
@@ -41,8 +41,14 @@ void write_msh4_beginning(const SurfaceMesh& mesh, const Numbering& numbering, R
 
   write_msh_beginning("4.1", numbering.groups, out.is_ascii(), out.sink());
   out.sink().write("$Entities\n");
-  for (std::size_t count : {std::size_t{0}, present(curves), present(surfaces), std::size_t{0}}) out.count(count);
+  for (std::size_t count : {mesh.points.size(), present(curves), present(surfaces), std::size_t{0}}) out.count(count);
   out.end_line();
+  for (std::size_t point = 0; point < mesh.points.size(); ++point) {
+    out.integer(static_cast<int>(point) + 1);
+    out.point(unsigned_zeros(mesh.nodes[static_cast<std::size_t>(mesh.points[point])]));
+    out.count(1), out.integer(numbering.groups.of_point[point]);
+    out.end_line();
+  }
   for (std::size_t edge = 0; edge < curves.size(); ++edge) {
     if (curves[edge].is_empty()) continue;
     write_entity(curves[edge], edge, out);

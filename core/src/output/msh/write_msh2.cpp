@@ -1,5 +1,5 @@
-// Gmsh .msh 2.2, ASCII and binary. Elements in the order lines, triangles, quads, each with two tags: physical group
-// and entity.
+// Gmsh .msh 2.2, ASCII and binary. Elements in the order points, lines, triangles, quads, each with two tags: physical
+// group and entity.
 #include <fmt/format.h>
 
 #include <iterator>
@@ -79,12 +79,14 @@ class Msh2Writer : public MeshWriter {
   void write(AtomicFile& file) const override {
     write_msh_beginning("2.2", numbering_.groups, is_ascii_, file);
     write_nodes(mesh_, numbering_, is_ascii_, file);
-    file.write(fmt::format("$Elements\n{}\n", mesh_.line_edge.size() + mesh_.triangle_count() + mesh_.quad_count()));
+    file.write(fmt::format("$Elements\n{}\n", numbering_.points.total() + mesh_.line_edge.size() +
+                                                  mesh_.triangle_count() + mesh_.quad_count()));
     const int p = mesh_.order;
     const std::vector<int>& groups = numbering_.groups.of_face;
     int number = 0;
     for (const Table& table :
-         {Table{gmsh_line_type(p), p + 1, mesh_.lines, mesh_.line_edge, numbering_.groups.of_edge},
+         {Table{gmsh_point_type, 1, mesh_.points, numbering_.points.held.rows, numbering_.groups.of_point},
+          Table{gmsh_line_type(p), p + 1, mesh_.lines, mesh_.line_edge, numbering_.groups.of_edge},
           Table{gmsh_triangle_type(p), mesh_.nodes_per_triangle(), mesh_.triangles, mesh_.triangle_face, groups},
           Table{gmsh_quad_type(p), mesh_.nodes_per_quad(), mesh_.quads, mesh_.quad_face, groups}})
       write_table(table, numbering_, is_ascii_, number, file);
@@ -106,12 +108,13 @@ void write_msh_beginning(const char* version, const Groups& groups, bool is_asci
     sink.write("\n");
   }
   sink.write("$EndMeshFormat\n");
-  const std::size_t count = groups.face_names.size() + groups.edge_names.size();
+  const std::size_t count = groups.face_names.size() + groups.edge_names.size() + groups.point_names.size();
   if (count == 0) return;
   sink.write(fmt::format("$PhysicalNames\n{}\n", count));
   int number = 0;
   for (const std::string& name : groups.face_names) sink.write(fmt::format("2 {} \"{}\"\n", ++number, name));
   for (const std::string& name : groups.edge_names) sink.write(fmt::format("1 {} \"{}\"\n", ++number, name));
+  for (const std::string& name : groups.point_names) sink.write(fmt::format("0 {} \"{}\"\n", ++number, name));
   sink.write("$EndPhysicalNames\n");
 }
 

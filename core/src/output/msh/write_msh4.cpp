@@ -1,6 +1,6 @@
-// Gmsh .msh 4.1, ASCII and binary. Sections: format, physical names, entities (curves and surfaces, no points),
-// nodes by entity, elements by entity and kind. In binary all counts and tags of nodes and elements are 64-bit, and all
-// records of a block have one size, so that the number of records before one is its place.
+// Gmsh .msh 4.1, ASCII and binary. Sections: format, physical names, entities (points that end no edge, curves,
+// surfaces), nodes by entity, elements by entity and kind. In binary all counts and tags of nodes and elements are
+// 64-bit, and all records of a block have one size, so that the number of records before one is its place.
 //
 // All ranks know the whole layout. Rank 0 writes the beginning and what stands between the sections; of the blocks each
 // rank writes its own runs, the first run with the head of the block.
@@ -57,7 +57,7 @@ class Msh4Writer : public MeshWriter {
     for (const PlacedRun& run : numbering_.surface_nodes.runs)
       write_nodes(2, numbering_.surface_nodes, surface_blocks_, run, out);
     write_text(middle_at_, middle_, out);
-    for (const Table* table : {&lines_, &triangles_, &quads_})
+    for (const Table* table : {&points_, &lines_, &triangles_, &quads_})
       for (const PlacedRun& run : table->rows.runs) write_elements(*table, run, out);
     write_text(end_, ending_, out);
   }
@@ -74,7 +74,7 @@ class Msh4Writer : public MeshWriter {
     middle.write("$Elements\n");
     std::size_t blocks = 0;
     long total = 0;
-    for (const Table* table : {&lines_, &triangles_, &quads_})
+    for (const Table* table : {&points_, &lines_, &triangles_, &quads_})
       blocks += table->rows.used_groups(), total += table->rows.total();
     write_msh4_head(blocks, total, between);
     middle_ = middle.content();
@@ -87,7 +87,7 @@ class Msh4Writer : public MeshWriter {
     surface_blocks_ = lay_out(surface_nodes, tag_bytes + point_bytes, end_, nodes);
     middle_at_ = end_;
     end_ += static_cast<long>(middle_.size());
-    for (Table* table : {&lines_, &triangles_, &quads_})
+    for (Table* table : {&points_, &lines_, &triangles_, &quads_})
       table->blocks = lay_out(table->rows, table->record_bytes(), end_, elements);
   }
 
@@ -138,6 +138,7 @@ class Msh4Writer : public MeshWriter {
   const SurfaceMesh& mesh_;
   const bool is_ascii_, is_first_;
   const Numbering numbering_;
+  Table points_{0, gmsh_point_type, 1, mesh_.points, numbering_.points};
   Table lines_{1, gmsh_line_type(mesh_.order), mesh_.order + 1, mesh_.lines, numbering_.lines};
   Table triangles_{2, gmsh_triangle_type(mesh_.order), mesh_.nodes_per_triangle(), mesh_.triangles,
                    numbering_.triangles};
