@@ -4,13 +4,16 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
@@ -18,6 +21,7 @@
 #include <GProp_GProps.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Curve.hxx>
+#include <Geom2d_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_Surface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
@@ -33,9 +37,11 @@
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Wire.hxx>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 #include <map>
 
@@ -111,7 +117,8 @@ std::vector<TopoDS_Wire> chained(std::vector<TopoDS_Shape> edges) {
 /// Calls `change` with image and range for edges of curved faces, each use by itself, `every` counting over all.
 TopoDS_Shape with_images(
     const TopoDS_Shape& shape, int every,
-    const std::function<Handle(Geom2d_Curve)(const Handle(Geom2d_Curve) &, const TopoDS_Face&, double, double)>& make) {
+    const std::function<Handle(Geom2d_Curve)(const Handle(Geom2d_Curve) &, const TopoDS_Face&, double, double)>& make,
+    double tolerance = 0) {
   const TopoDS_Shape copy = copy_of(shape);
   int count = 0;
   for (const TopoDS_Shape& part : parts_of(copy, TopAbs_FACE)) {
@@ -122,7 +129,8 @@ TopoDS_Shape with_images(
       if (BRep_Tool::IsClosed(edge, face) || BRep_Tool::Degenerated(edge) || count++ % every) continue;
       double first = 0, last = 0;
       const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, face, first, last);
-      BRep_Builder().UpdateEdge(edge, make(image, face, first, last), face, BRep_Tool::Tolerance(edge));
+      BRep_Builder().UpdateEdge(edge, make(image, face, first, last), face,
+                                std::max(tolerance, BRep_Tool::Tolerance(edge)));
       BRep_Builder().Range(edge, face, first, last);
     }
   }
@@ -143,6 +151,71 @@ TopoDS_Shape slotted_tube() {
 TopoDS_Shape cone_on_ball() {
   const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 30, -std::acos(0.0), 0);
   return BRepAlgoAPI_Fuse(ball, BRepPrimAPI_MakeCone(30, 0, 70));
+}
+
+TopoDS_Shape frustum() { return BRepPrimAPI_MakeCone(20, 12, 30).Shape(); }
+
+TopoDS_Shape quarter_ring() {
+  BRepBuilderAPI_MakeWire profile;
+  const gp_Ax2 corner(gp_Pnt(30, 0, 12), gp_Dir(0, -1, 0), gp_Dir(1, 0, 0));
+  profile.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(10, 0, 0), gp_Pnt(38, 0, 0)));
+  profile.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(38, 0, 0), gp_Pnt(38, 0, 12)));
+  profile.Add(BRepBuilderAPI_MakeEdge(gp_Circ(corner, 8), gp_Pnt(38, 0, 12), gp_Pnt(30, 0, 20)));
+  profile.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(30, 0, 20), gp_Pnt(10, 0, 20)));
+  profile.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(10, 0, 20), gp_Pnt(10, 0, 0)));
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(profile.Wire());
+  return BRepPrimAPI_MakeRevol(face, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), std::acos(0.0));
+}
+
+TopoDS_Shape with_false_poles(const TopoDS_Shape& shape) {
+  return with_faces(shape, [](const TopoDS_Face& face) -> TopoDS_Shape {
+    if (is_flat(face)) return face;
+    const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+    BRep_Builder builder;
+    std::vector<TopoDS_Shape> edges;
+    TopoDS_Shape seam;
+    for (const TopoDS_Shape& wire : members(face))
+      for (const TopoDS_Shape& part : members(wire)) {
+        const TopoDS_Edge edge = TopoDS::Edge(part);
+        if (BRep_Tool::IsClosed(edge, face)) {
+          if (seam.IsNull()) edges.push_back(seam = edge);
+          continue;
+        }
+        double first = 0, last = 0;
+        const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, face, first, last);
+        const double v = image->Value(first).Y(), period = surface->UPeriod();
+        TopoDS_Edge pole;
+        builder.MakeEdge(pole);
+        builder.UpdateEdge(pole, new Geom2d_Line(gp_Pnt2d(-period, v), gp_Dir2d(1, 0)), face, 1e-7);
+        builder.Range(pole, 0, period);
+        builder.Degenerated(pole, true);
+        const TopoDS_Vertex vertex = TopExp::FirstVertex(edge);
+        builder.Add(pole, vertex.Oriented(TopAbs_FORWARD));
+        builder.Add(pole, vertex.Oriented(TopAbs_REVERSED));
+        builder.UpdateVertex(vertex, 20);
+        if (edges.size() > 1)  // the second loop ends up a period aside
+          builder.UpdateEdge(edge, Handle(Geom2d_Curve)::DownCast(image->Translated(gp_Vec2d(-period, 0))), face, 1e-7);
+        edges.insert(edges.end(), {pole, edge});
+      }
+    return with_loops(face, {wire_of(edges)});
+  });
+}
+
+TopoDS_Shape with_allowed_images(const TopoDS_Shape& shape) {
+  constexpr double allowed = 40;
+  return with_images(
+      shape, 1,
+      [](const Handle(Geom2d_Curve) & image, const TopoDS_Face& face, double first, double last) {
+        const double aside = BRep_Tool::Surface(face)->IsUPeriodic() ? 2 * std::acos(0.0) : 0;
+        TColgp_Array1OfPnt2d points(1, 2);
+        TColStd_Array1OfReal knots(1, 2);
+        TColStd_Array1OfInteger multiplicities(1, 2);
+        points(1) = image->Value(first).Translated(gp_Vec2d(aside, 0)), points(2) = image->Value(last);
+        knots(1) = first, knots(2) = last;
+        multiplicities.Init(2);
+        return Handle(Geom2d_Curve)(new Geom2d_BSplineCurve(points, knots, multiplicities, 1));
+      },
+      allowed);
 }
 
 TopoDS_Shape with_loose_vertices(const TopoDS_Shape& shape, double gap) {
@@ -323,6 +396,8 @@ std::vector<FaultyShape> faulty_shapes() {
       {"ConeWithShiftedImages", cone_on_ball, with_shifted_images, {"images"}},
       {"TubeWithWrongImages", slotted_tube, with_wrong_images, {"images"}},
       {"ConeWithWrongImages", cone_on_ball, with_wrong_images, {"images"}},
+      {"RingWithAllowedImages", quarter_ring, with_allowed_images, {"images"}},
+      {"FrustumWithFalsePoles", frustum, with_false_poles, {"poles"}},
       {"TubeWithUnevenImages", slotted_tube, with_uneven_images, {"images"}},
       {"ShuffledTube", slotted_tube, with_shuffled_loops, {}},
       {"TubeWithTurnedFaces", slotted_tube, with_turned_faces, {"turned faces"}},

@@ -30,6 +30,19 @@ TopoDS_Shape with_wrong_images(const TopoDS_Shape& shape);
 /// Images on curved faces that run at another pace than their edges.
 TopoDS_Shape with_uneven_images(const TopoDS_Shape& shape);
 
+/// A truncated cone: a ring between two flat ends.
+TopoDS_Shape frustum();
+
+/// A quarter of a ring with a rounded rim.
+TopoDS_Shape quarter_ring();
+
+/// Loops of rings closed by poles instead of the second use of the periodic edge; vertices that take what these are
+/// off.
+TopoDS_Shape with_false_poles(const TopoDS_Shape& shape);
+
+/// Images on round faces whose starts lie half a period aside, and tolerances that allow it.
+TopoDS_Shape with_allowed_images(const TopoDS_Shape& shape);
+
 /// Poles without an edge.
 TopoDS_Shape without_poles(const TopoDS_Shape& shape);
 

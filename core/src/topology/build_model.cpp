@@ -238,6 +238,7 @@ class ModelBuilder {
 
   /// Images must be where their curves are: those that are not are replaced by projected ones where that helps.
   void check_images(Face& face, const TopoDS_Face& shape) {
+    double moved = 0;
     for (Loop& loop : face.loops) {
       for (Coedge& c : loop.coedges) {
         const Edge& edge = model_.edges[static_cast<std::size_t>(c.edge)];
@@ -250,6 +251,7 @@ class ModelBuilder {
             c.pcurve = projected;
             // Images of what connecting made are the kernel's, not the file's.
             if (connected_.contacts.empty()) work_.note_repair(RepairKind::image, 1, worst, face.name);
+            moved = std::max(moved, worst);
             worst = better;
           }
         }
@@ -259,6 +261,35 @@ class ModelBuilder {
         model_.report.stray_edges.push_back(edge.name);
       }
     }
+    if (moved <= coarse_share * work_.diagonal) return;
+    for (Loop& loop : face.loops) chain_images(loop, face.surface->period());
+    // The kernel's area is that of its images.
+    face.area = area_of(face).value_or(face.area);
+  }
+
+  /// Images that were looked for each by itself begin where the one before ends, not periods away.
+  void chain_images(Loop& loop, Vec2 period) const {
+    auto ends = [&](const Coedge& c) {
+      const Edge& edge = model_.edges[static_cast<std::size_t>(c.edge)];
+      const std::array<Vec2, 2> uv{c.pcurve->uv(edge.t0), c.pcurve->uv(edge.t1)};
+      return c.is_reversed ? std::array{uv[1], uv[0]} : uv;
+    };
+    auto periods = [](double gap, double length) { return length > 0 ? length * std::round(gap / length) : 0.0; };
+    for (std::size_t i = 1; i < loop.coedges.size(); ++i) {
+      const Vec2 gap = ends(loop.coedges[i - 1])[1] - ends(loop.coedges[i])[0];
+      const Vec2 shift{periods(gap.x, period.x), periods(gap.y, period.y)};
+      if (shift.x != 0 || shift.y != 0) loop.coedges[i].pcurve = make_shifted_image(loop.coedges[i].pcurve, shift);
+    }
+  }
+
+  std::optional<double> area_of(const Face& face) const {
+    std::vector<BorderImage> border;
+    for (const Loop& loop : face.loops)
+      for (const Coedge& c : loop.coedges) {
+        const Edge& edge = model_.edges[static_cast<std::size_t>(c.edge)];
+        border.push_back({c.pcurve, edge.t0, edge.t1, c.is_reversed});
+      }
+    return area_within(*face.surface, border);
   }
 
   /// Nodes at the ends of edges lie in the vertices: their images must lie there, too, or elements turn over that are

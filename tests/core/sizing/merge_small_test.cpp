@@ -73,6 +73,26 @@ double shortest_line(const SurfaceMesh& mesh) {
   return shortest;
 }
 
+/// A block whose edge is cut off by a face of `width`, all else at right angles.
+TopoDS_Shape block_with_hairline(double width) {
+  return BRepPrimAPI_MakePrism(polygon({{width, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {0, width, 0}}),
+                               gp_Vec(0, 0, 8))
+      .Shape();
+}
+
+TEST(MergeSmall, HairlinesGoWhateverTheAngles) {
+  for (const double width : {1e-6, 2e-5}) {
+    SCOPED_TRACE(width);
+    const MeshResult result = test::mesh_of(block_with_hairline(width), 2);
+    ASSERT_EQ(result.report.merges.size(), 1u);
+    EXPECT_EQ(result.report.merges[0].kind, MergeKind::face);
+    EXPECT_TRUE(result.report.quality.watertight);
+    EXPECT_STREQ(verdict(result.report), "sound");
+    EXPECT_EQ(result.report.quality.quads, 4 * 5 * 4 + 2 * 5 * 5);
+  }
+  EXPECT_TRUE(test::mesh_of(block_with_hairline(0.01), 2).report.merges.empty());
+}
+
 TEST(MergeSmall, ABoxWithSmallFilletsIsABox) {
   const MeshResult result = test::mesh_of(box_with_fillets(0.05), 2);
   EXPECT_STREQ(verdict(result.report), "sound");

@@ -1,9 +1,11 @@
 // Shapes with faults of all kinds are meshed as the clean ones, and the report says what was repaired.
 #include <gtest/gtest.h>
 
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <algorithm>
 #include <cmath>
 
+#include "core/brep/shape_files.h"
 #include "support/faulty_shapes.h"
 #include "support/report_of.h"
 
@@ -49,6 +51,14 @@ TEST(Mend, PutsImagesWhereTheVerticesAre) {
   ASSERT_EQ(report.model.repairs.size(), 1u);
   EXPECT_EQ(report.model.repairs[0].kind, RepairKind::image);
   EXPECT_NEAR(report.model.repairs[0].distance, 0.7 * std::sqrt(2), 1e-6);
+}
+
+TEST(Mend, ConnectsWhatItHasMended) {
+  const TopoDS_Shape ring = test::with_false_poles(test::frustum());
+  const TopoDS_Shape board = BRepPrimAPI_MakeBox(gp_Pnt(-30, -30, 10), 60, 60, 8).Shape();
+  const RunReport report = test::report_of(test::compound({ring, board}), size);
+  EXPECT_EQ(report.components.size(), 1u);
+  EXPECT_TRUE(faults(report).empty()) << faults(report).front();
 }
 
 TEST(Mend, KeepsFacesThatLieSideBySide) {

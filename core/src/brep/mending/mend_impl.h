@@ -43,6 +43,14 @@ struct LoopFaults {
 /// Of a FORWARD face. Takes a few evaluations per edge.
 LoopFaults find_loop_faults(const TopoDS_Face& face, double diagonal);
 
+/// A flagged pole whose image on the surface has length after all: readers compare only a few of its points, and a
+/// nose or tip pressed flat runs out and back through the same point.
+bool is_false_pole(const TopoDS_Edge& edge, const TopoDS_Face& face, double diagonal);
+
+/// A FORWARD face between two loops that go round, without the false poles that it has besides; nothing for other
+/// faces.
+std::optional<TopoDS_Face> ring_without_poles(const TopoDS_Face& face, double diagonal);
+
 struct CompletedFace {
   TopoDS_Face face;
   TopoDS_Edge periodic_edge;

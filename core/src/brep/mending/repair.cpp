@@ -1,7 +1,9 @@
 // Small repairs that later stages rely on, done on a copy when there is anything to do:
 // 1. a face without loops (a whole sphere or torus in some files) gets the natural bounds of its surface;
 // 2. an edge without an image in a face's (u, v) gets one, by projection, and the face its area;
-// 3. an edge flagged as a pole (of no length) that has length becomes an ordinary edge.
+// 3. an edge flagged as a pole (of no length) that has length becomes an ordinary edge, or goes where it only leads
+// from
+//    one loop of a ring to the other.
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepLib.hxx>
@@ -18,8 +20,9 @@
 #include <cmath>
 #include <gp.hxx>
 #include <optional>
+#include <vector>
 
-#include "brep/connecting/workpiece_impl.h"
+#include "brep/mending/mend_impl.h"
 #include "brep/occt_impl.h"
 
 namespace paver {
@@ -37,24 +40,6 @@ bool is_pole(const TopoDS_Edge& edge) { return BRep_Tool::Degenerated(edge); }
 bool has_image(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   double first = 0, last = 0;
   return !BRep_Tool::CurveOnSurface(edge, face, first, last).IsNull();
-}
-
-/// A flagged pole whose image on the surface has length after all: readers compare only a few of its points, and a
-/// nose or tip pressed flat runs out and back through the same point.
-bool is_false_pole(const TopoDS_Edge& edge, const TopoDS_Face& face, double diagonal) {
-  if (!is_pole(edge)) return false;
-  double first = 0, last = 0;
-  Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, face, first, last);
-  if (image.IsNull()) return false;
-  BRepAdaptor_Surface surface(face, Standard_False);
-  auto at = [&](double share) {
-    gp_Pnt2d uv = image->Value(first + share * (last - first));
-    return surface.Value(uv.X(), uv.Y());
-  };
-  gp_Pnt start = at(0);
-  double reach = 0;
-  for (int i = 1; i <= pole_samples; ++i) reach = std::max(reach, start.Distance(at(double(i) / pole_samples)));
-  return reach > std::max(pole_share * diagonal, 2 * BRep_Tool::Tolerance(edge));
 }
 
 TopoDS_Face forward(const TopoDS_Face& face) { return TopoDS::Face(face.Oriented(TopAbs_FORWARD)); }
@@ -127,6 +112,16 @@ void add_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   }
 }
 
+/// Whether the face was a ring with false poles.
+bool mend_ring(WorkFace& face, Workpiece& work) {
+  const auto ring = ring_without_poles(forward(face.face), work.diagonal);
+  if (!ring) return false;
+  face.face = TopoDS::Face(ring->Oriented(face.face.Orientation()));
+  work.note_repair(RepairKind::pole, 2, 0, face_name(face.origin));
+  work.is_rebuilt = true;
+  return true;
+}
+
 void repair_edges(WorkFace& face, Workpiece& work) {
   TopoDS_Face plain = forward(face.face);
   for (TopExp_Explorer edges(plain, TopAbs_EDGE); edges.More(); edges.Next()) {
@@ -165,6 +160,22 @@ std::optional<std::string> attempt(auto&& work_on_face) {
 
 }  // namespace
 
+bool is_false_pole(const TopoDS_Edge& edge, const TopoDS_Face& face, double diagonal) {
+  if (!is_pole(edge)) return false;
+  double first = 0, last = 0;
+  Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, face, first, last);
+  if (image.IsNull()) return false;
+  BRepAdaptor_Surface surface(face, Standard_False);
+  auto at = [&](double share) {
+    gp_Pnt2d uv = image->Value(first + share * (last - first));
+    return surface.Value(uv.X(), uv.Y());
+  };
+  gp_Pnt start = at(0);
+  double reach = 0;
+  for (int i = 1; i <= pole_samples; ++i) reach = std::max(reach, start.Distance(at(double(i) / pole_samples)));
+  return reach > std::max(pole_share * diagonal, 2 * BRep_Tool::Tolerance(edge));
+}
+
 void repair(Workpiece& work, Progress& progress) {
   for (std::size_t i = 0; i < work.faces.size(); ++i) {
     progress.advance(repair_units);
@@ -176,8 +187,9 @@ void repair(Workpiece& work, Progress& progress) {
       if (!has_loops(face.face)) {
         add_natural_bounds(face, work);
       } else {
+        const bool is_ring = mend_ring(face, work);
         repair_edges(face, work);
-        if (!face.has_area) measure_again(face, work);
+        if (is_ring || !face.has_area) measure_again(face, work);
       }
     });
     if (!failure) continue;

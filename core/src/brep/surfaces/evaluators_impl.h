@@ -8,6 +8,8 @@
 #include <array>
 #include <gp_Trsf.hxx>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "brep/surfaces/surface.h"
 
@@ -33,6 +35,9 @@ std::shared_ptr<const ParameterCurve> make_parameter_curve(const TopoDS_Edge& ed
 std::shared_ptr<const ParameterCurve> make_projected_image(const TopoDS_Face& face, std::shared_ptr<const Curve> curve,
                                                            const ParameterCurve& rough, double t0, double t1);
 
+/// The image elsewhere in (u, v), for surfaces that are periodic.
+std::shared_ptr<const ParameterCurve> make_shifted_image(std::shared_ptr<const ParameterCurve> image, Vec2 shift);
+
 /// The image with its ends at the feet of the vertices `ends`, where those are more than `allowed` off and the feet are
 /// nearer by half: for vertices that lie beside their edges. `off`: the larger of these distances, where it grows. Null
 /// where there is nothing to change.
@@ -40,6 +45,17 @@ std::shared_ptr<const ParameterCurve> make_image_with_ends(const TopoDS_Face& fa
                                                            std::shared_ptr<const ParameterCurve> image, double t0,
                                                            double t1, const std::array<Vec3, 2>& ends, double allowed,
                                                            double& off);
+
+/// One piece of the border of a face.
+struct BorderImage {
+  std::shared_ptr<const ParameterCurve> image;
+  double t0 = 0, t1 = 0;
+  bool is_reversed = false;  ///< runs from t1 to t0
+};
+
+/// Area of the part of a surface that lies to the left of the border in (u, v), to about 1e-3. Nothing where the border
+/// does not say: it goes round without another one that goes back, or the surface is periodic in v.
+std::optional<double> area_within(const Surface& surface, const std::vector<BorderImage>& border);
 
 /// Straight line from `a` at t0 to `b` at t1: stands in for the missing image of a pole.
 std::shared_ptr<const ParameterCurve> make_straight_parameter_curve(Vec2 a, Vec2 b, double t0, double t1);

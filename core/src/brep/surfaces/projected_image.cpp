@@ -20,6 +20,9 @@ namespace {
 constexpr int table_intervals = 128;
 constexpr int table_steps = 30, query_steps = 6;
 constexpr int halvings = 8;
+constexpr int seeds = 24;  // each way
+/// A foot farther off than this share of the curve's length is looked for all over the surface.
+constexpr double lost_share = 0.01;
 
 struct Foot {
   Vec2 uv;
@@ -36,6 +39,8 @@ class FootFinder {
       surface_ = trimmed->BasisSurface();
     placement_ = location.Transformation();
     surface_->Bounds(lo_.x, hi_.x, lo_.y, hi_.y);
+    if (surface_->IsUPeriodic()) period_.x = surface_->UPeriod();
+    if (surface_->IsVPeriodic()) period_.y = surface_->VPeriod();
     is_bounded_u_ = !surface_->IsUPeriodic() && !Precision::IsInfinite(lo_.x) && !Precision::IsInfinite(hi_.x);
     is_bounded_v_ = !surface_->IsVPeriodic() && !Precision::IsInfinite(lo_.y) && !Precision::IsInfinite(hi_.y);
   }
@@ -55,6 +60,31 @@ class FootFinder {
       if (!improve(x, step, foot, s, su, sv)) break;
     }
     return foot;
+  }
+
+  /// The same from the nearest of many places all over the surface; along a direction without ends only from the guess.
+  Foot find_anywhere(Vec3 x, Vec2 guess, int steps) const {
+    auto places = [](double lo, double hi, double guessed) {
+      std::vector<double> result{guessed};
+      for (int i = 0; i <= seeds && !Precision::IsInfinite(lo) && !Precision::IsInfinite(hi); ++i)
+        result.push_back(lo + (hi - lo) * i / seeds);
+      return result;
+    };
+    Vec2 nearest = guess;
+    double least = INFINITY;
+    for (const double u : places(lo_.x, hi_.x, guess.x))
+      for (const double v : places(lo_.y, hi_.y, guess.y)) {
+        const Vec3 away = x - point({u, v});
+        if (dot(away, away) < least) least = dot(away, away), nearest = {u, v};
+      }
+    return find(x, nearest, steps);
+  }
+
+  /// The same place of a periodic surface nearest to `other`.
+  Vec2 next_to(Vec2 uv, Vec2 other) const {
+    if (period_.x > 0) uv.x += period_.x * std::round((other.x - uv.x) / period_.x);
+    if (period_.y > 0) uv.y += period_.y * std::round((other.y - uv.y) / period_.y);
+    return uv;
   }
 
   Vec3 point(Vec2 uv) const {
@@ -97,7 +127,7 @@ class FootFinder {
 
   Handle(Geom_Surface) surface_;
   gp_Trsf placement_;
-  Vec2 lo_, hi_;
+  Vec2 lo_, hi_, period_;
   bool is_bounded_u_ = false, is_bounded_v_ = false;
 };
 
@@ -106,6 +136,7 @@ class ProjectedImage : public ParameterCurve {
   ProjectedImage(const TopoDS_Face& face, std::shared_ptr<const Curve> curve, const ParameterCurve& rough, double t0,
                  double t1)
       : finder_(face), curve_(std::move(curve)), t0_(t0), t1_(t1) {
+    const double lost = lost_share * curve_length();
     for (int i = 0; i <= table_intervals; ++i) {
       double t = t0 + (t1 - t0) * i / table_intervals;
       Vec3 x = curve_->point(t);
@@ -114,7 +145,12 @@ class ProjectedImage : public ParameterCurve {
         Foot walked = finder_.find(x, table_.back(), table_steps);
         if (walked.distance2 <= foot.distance2) foot = walked;
       }
-      table_.push_back(foot.uv);
+      if (foot.distance2 > lost * lost) {
+        const Foot found = finder_.find_anywhere(x, foot.uv, table_steps);
+        is_lost_ = true;
+        if (found.distance2 < foot.distance2) foot = found;
+      }
+      table_.push_back(i > 0 ? finder_.next_to(foot.uv, table_.back()) : foot.uv);
     }
     keep_end(rough, 0);
     keep_end(rough, table_intervals);
@@ -141,7 +177,7 @@ class ProjectedImage : public ParameterCurve {
     Vec2 uv = rough.uv(t);
     auto& entry = table_[static_cast<std::size_t>(i)];
     double reach = 1e-6 * (curve_length() + 1e-300);
-    if (norm(finder_.point(uv) - finder_.point(entry)) <= reach) entry = uv;
+    if (norm(finder_.point(uv) - finder_.point(entry)) <= reach) entry = is_lost_ ? finder_.next_to(uv, entry) : uv;
   }
 
   double curve_length() const {
@@ -155,6 +191,7 @@ class ProjectedImage : public ParameterCurve {
   std::shared_ptr<const Curve> curve_;
   double t0_, t1_;
   std::vector<Vec2> table_;
+  bool is_lost_ = false;  // the rough image is elsewhere
 };
 
 /// Another image, but for its ends.
@@ -170,7 +207,22 @@ class ImageWithEnds : public ParameterCurve {
   Vec2 start_, end_;
 };
 
+/// Another image, periods away.
+class ShiftedImage : public ParameterCurve {
+ public:
+  ShiftedImage(std::shared_ptr<const ParameterCurve> image, Vec2 shift) : image_(std::move(image)), shift_(shift) {}
+  Vec2 uv(double t) const override { return image_->uv(t) + shift_; }
+
+ private:
+  std::shared_ptr<const ParameterCurve> image_;
+  Vec2 shift_;
+};
+
 }  // namespace
+
+std::shared_ptr<const ParameterCurve> make_shifted_image(std::shared_ptr<const ParameterCurve> image, Vec2 shift) {
+  return std::make_shared<ShiftedImage>(std::move(image), shift);
+}
 
 std::shared_ptr<const ParameterCurve> make_image_with_ends(const TopoDS_Face& face,
                                                            std::shared_ptr<const ParameterCurve> image, double t0,

@@ -18,6 +18,7 @@ constexpr std::size_t most_edges = 64;  // of a face
 constexpr std::size_t most_pairs = 8;   // of sides that are measured
 constexpr double end_share = 1.5;       // of the limit: edges so short end a face between its sides
 constexpr double wider = 3;             // than a face: so wide are neighbours that take its place
+constexpr double hairline = 1e-4;       // target lengths: what is narrower goes whatever the angles
 constexpr double opposite = 2;          // times the limit: vertices so near are opposite each other
 
 struct Sides {
@@ -60,7 +61,7 @@ class ThinFaces {
     const Face& thin = face(f);
     if (!thin.has_area || !thin.surface || thin.loops.empty() || limits_.is_protected_face(f)) return std::nullopt;
     std::vector<int> periodic;
-    std::vector<Side> loops = border(thin, periodic);
+    std::vector<Side> loops = border(thin, is_hairline(f), periodic);
     std::size_t count = 0;
     for (const Side& loop : loops) count += loop.size();
     if (count < 2 || count > most_edges || loops.size() > 2 || !limits_.is_thin(f)) return std::nullopt;
@@ -76,20 +77,22 @@ class ThinFaces {
     return can_go(f, *sides) ? sides : std::nullopt;
   }
 
-  /// Loops without periodic edges, which tie the two loops of a ring. None where the face has poles or images fail.
-  std::vector<Side> border(const Face& thin, std::vector<int>& periodic) const {
+  /// Loops without periodic edges, which tie the two loops of a ring. None where the face has poles or images fail;
+  /// edges at the ends of a hairline have no length and count as poles.
+  std::vector<Side> border(const Face& thin, bool may_have_poles, std::vector<int>& periodic) const {
     std::vector<Side> loops;
     for (const Loop& loop : thin.loops) {
       const std::size_t n = loop.coedges.size();
       std::size_t first = 0;
       for (std::size_t i = 0; i < n; ++i) {
         const Coedge& coedge = loop.coedges[i];
-        if (edits_.edge(coedge.edge).is_degenerate || !coedge.pcurve || coedge.is_slit) return {};
+        if (edits_.edge(coedge.edge).is_degenerate ? !may_have_poles : !coedge.pcurve || coedge.is_slit) return {};
         if (edits_.edge(coedge.edge).is_periodic) first = i;
       }
       loops.emplace_back();
       for (std::size_t i = 0; i < n; ++i) {
         const Coedge& coedge = loop.coedges[(first + i) % n];
+        if (edits_.edge(coedge.edge).is_degenerate) continue;
         if (!edits_.edge(coedge.edge).is_periodic)
           loops.back().push_back({coedge.edge, coedge.is_reversed});
         else if (!loops.back().empty())
@@ -169,7 +172,7 @@ class ThinFaces {
   void merge(int f, Sides& sides) {
     Side &kept = sides.one, &gone = sides.two;
     for (const SideEdge& e : kept)
-      if (!limits_.is_sharp(e.edge)) edits_.note_smooth(e.edge);
+      if (!is_hairline(f) && !limits_.is_sharp(e.edge)) edits_.note_smooth(e.edge);
     if (!divide_alike(edits_, kept, gone, opposite * sides.limit)) return;
     const Vec3 where = edits_.edge(kept.front().edge).curve->point(edits_.edge(kept.front().edge).t0);
     const double width = distance_between(edits_, kept, gone);
@@ -188,6 +191,9 @@ class ThinFaces {
 
   void take_out_face(int f, const Side& kept, const Side& gone, const std::vector<int>& ends) {
     Face& thin = face(f);
+    for (const Loop& loop : thin.loops)
+      for (const Coedge& coedge : loop.coedges)
+        if (edits_.edge(coedge.edge).is_degenerate) std::erase(edits_.edge(coedge.edge).faces, f);
     thin.loops.clear();
     thin.has_area = false;
     thin.is_merged = true;
@@ -206,7 +212,13 @@ class ThinFaces {
       if (!corner || limits_.width(neighbour(f, e.edge)) < wider * limits_.width(f)) return std::nullopt;
       most = std::max(most, *corner);
     }
-    return most <= smooth_angle * M_PI / 180 ? std::optional(most) : std::nullopt;
+    return most <= smooth_angle * M_PI / 180 || is_hairline(f) ? std::optional(most) : std::nullopt;
+  }
+
+  /// Of files whose parts were placed with too few digits: nothing that a mesh could show.
+  bool is_hairline(int f) const {
+    const int longest = limits_.longest_edge(f);
+    return longest >= 0 && edits_.edge(longest).curve && limits_.width(f) <= hairline * limits_.length(longest);
   }
 
   /// What goes is nobody else's, and all faces about it keep a border.
@@ -218,7 +230,8 @@ class ThinFaces {
       const bool is_held =
           limits_.holds(start_of(e), own, limits_.width(f)) || limits_.holds(end_of(e), own, limits_.width(f));
       if (edits_.is_fixed(start_of(e)) || edits_.is_fixed(end_of(e)) || is_held) return false;
-      if (limits_.is_sharp(e.edge) && edits_.edge(e.edge).length >= limits_.short_edge(e.edge)) return false;
+      if (!is_hairline(f) && limits_.is_sharp(e.edge) && edits_.edge(e.edge).length >= limits_.short_edge(e.edge))
+        return false;
     }
     for (const SideEdge& e : gone)
       for (const SideEdge& k : kept)

@@ -1,0 +1,125 @@
+// Rings that readers have given poles: where they take the images of the two loops for each other's, they close the
+// loop with edges of no length along the ends of the surface, and use the seam once. In: the face. Out: the ring.
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <Precision.hxx>
+#include <ShapeFix_ShapeTolerance.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Wire.hxx>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "brep/mending/mend_impl.h"
+
+namespace paver {
+namespace {
+
+/// A face between two loops that go round a periodic surface, and the edge that leads from one to the other.
+class Ring {
+ public:
+  /// Nothing where a FORWARD face is none.
+  static std::optional<Ring> of(const TopoDS_Face& face, double diagonal) {
+    Ring ring(face);
+    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
+      if (!ring.add(TopoDS::Edge(edges.Current()), diagonal)) return std::nullopt;
+    if (ring.loops_.size() != 2 || ring.loops_[0].IsSame(ring.loops_[1]) || ring.seam_.IsNull()) return std::nullopt;
+    return ring.surface_->IsUPeriodic() && ring.joins_loops() ? std::optional(ring) : std::nullopt;
+  }
+
+  bool has_false_poles() const { return has_false_poles_; }
+
+  /// The same face, once round the first loop, along the seam, back round the second, and back along the seam.
+  TopoDS_Face rebuilt() const {
+    const double period = surface_->UPeriod();
+    const auto [start, end] = ends_of(loops_[0]);
+    const double shift = end - ends_of(loops_[1]).first;
+    move(loops_[1], period * std::round(shift / period));
+    const TopoDS_Edge out = TopoDS::Edge(seam_.Oriented(leaves_first() ? TopAbs_FORWARD : TopAbs_REVERSED));
+    const Handle(Geom2d_Curve) there = image_at(end), back = image_at(start);
+    BRep_Builder builder;
+    builder.UpdateEdge(seam_, leaves_first() ? there : back, leaves_first() ? back : there, surface_, location_,
+                       BRep_Tool::Tolerance(seam_));
+    TopoDS_Face face;
+    builder.MakeFace(face, surface_, location_, BRep_Tool::Tolerance(face_));
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    for (const TopoDS_Shape& edge :
+         {TopoDS_Shape(loops_[0]), TopoDS_Shape(out), TopoDS_Shape(loops_[1]), out.Reversed()})
+      builder.Add(wire, edge);
+    wire.Closed(Standard_True);
+    builder.Add(face, wire);
+    // Vertices have been given what the false poles are off; the fuse takes all within for one.
+    double tolerance = Precision::Confusion();
+    for (const TopoDS_Edge& edge : {loops_[0], loops_[1], seam_})
+      tolerance = std::max(tolerance, BRep_Tool::Tolerance(edge));
+    ShapeFix_ShapeTolerance().SetTolerance(face, tolerance, TopAbs_VERTEX);
+    return face;
+  }
+
+ private:
+  explicit Ring(const TopoDS_Face& face) : face_(face), surface_(BRep_Tool::Surface(face, location_)) {}
+
+  bool add(const TopoDS_Edge& edge, double diagonal) {
+    if (BRep_Tool::Degenerated(edge)) {
+      has_false_poles_ = true;
+      return is_false_pole(edge, face_, diagonal);
+    }
+    const bool is_loop = TopExp::FirstVertex(edge).IsSame(TopExp::LastVertex(edge));
+    if (is_loop) loops_.push_back(edge);
+    if (!is_loop && !seam_.IsNull() && !seam_.IsSame(edge)) return false;
+    if (!is_loop) seam_ = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
+    return true;
+  }
+
+  bool leaves_first() const { return TopExp::FirstVertex(seam_).IsSame(TopExp::FirstVertex(loops_[0])); }
+
+  bool joins_loops() const {
+    const TopoDS_Vertex first = TopExp::FirstVertex(loops_[0]), second = TopExp::FirstVertex(loops_[1]),
+                        from = TopExp::FirstVertex(seam_), to = TopExp::LastVertex(seam_);
+    return (from.IsSame(first) && to.IsSame(second)) || (from.IsSame(second) && to.IsSame(first));
+  }
+
+  /// u where a loop begins and ends as it is walked.
+  std::pair<double, double> ends_of(const TopoDS_Edge& loop) const {
+    double first = 0, last = 0;
+    const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(loop, face_, first, last);
+    const double a = image->Value(first).X(), b = image->Value(last).X();
+    return loop.Orientation() == TopAbs_REVERSED ? std::pair{b, a} : std::pair{a, b};
+  }
+
+  void move(const TopoDS_Edge& loop, double by) const {
+    double first = 0, last = 0;
+    const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(loop, face_, first, last);
+    if (by == 0) return;
+    const auto moved = Handle(Geom2d_Curve)::DownCast(image->Translated(gp_Vec2d(by, 0)));
+    BRep_Builder().UpdateEdge(loop, moved, surface_, location_, BRep_Tool::Tolerance(loop));
+  }
+
+  Handle(Geom2d_Curve) image_at(double u) const {
+    double first = 0, last = 0;
+    const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(seam_, face_, first, last);
+    return Handle(Geom2d_Curve)::DownCast(image->Translated(gp_Vec2d(u - image->Value(first).X(), 0)));
+  }
+
+  TopoDS_Face face_;
+  TopLoc_Location location_;
+  Handle(Geom_Surface) surface_;
+  std::vector<TopoDS_Edge> loops_;
+  TopoDS_Edge seam_;
+  bool has_false_poles_ = false;
+};
+
+}  // namespace
+
+std::optional<TopoDS_Face> ring_without_poles(const TopoDS_Face& face, double diagonal) {
+  const auto ring = Ring::of(face, diagonal);
+  return ring && ring->has_false_poles() ? std::optional(ring->rebuilt()) : std::nullopt;
+}
+
+}  // namespace paver
