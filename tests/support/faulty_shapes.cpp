@@ -167,8 +167,8 @@ TopoDS_Shape quarter_ring() {
   return BRepPrimAPI_MakeRevol(face, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), std::acos(0.0));
 }
 
-TopoDS_Shape with_false_poles(const TopoDS_Shape& shape) {
-  return with_faces(shape, [](const TopoDS_Face& face) -> TopoDS_Shape {
+TopoDS_Shape with_garbled_rings(const TopoDS_Shape& shape, bool has_poles) {
+  return with_faces(shape, [has_poles](const TopoDS_Face& face) -> TopoDS_Shape {
     if (is_flat(face)) return face;
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
     BRep_Builder builder;
@@ -193,9 +193,10 @@ TopoDS_Shape with_false_poles(const TopoDS_Shape& shape) {
         builder.Add(pole, vertex.Oriented(TopAbs_FORWARD));
         builder.Add(pole, vertex.Oriented(TopAbs_REVERSED));
         builder.UpdateVertex(vertex, 20);
-        if (edges.size() > 1)  // the second loop ends up a period aside
+        if (!seam.IsNull())  // the second loop ends up a period aside
           builder.UpdateEdge(edge, Handle(Geom2d_Curve)::DownCast(image->Translated(gp_Vec2d(-period, 0))), face, 1e-7);
-        edges.insert(edges.end(), {pole, edge});
+        if (has_poles) edges.push_back(pole);
+        edges.push_back(edge);
       }
     return with_loops(face, {wire_of(edges)});
   });
@@ -383,6 +384,9 @@ double FaultyShape::area() const {
 }
 
 std::vector<FaultyShape> faulty_shapes() {
+  auto garbled = [](bool has_poles) {
+    return [has_poles](const TopoDS_Shape& shape) { return with_garbled_rings(shape, has_poles); };
+  };
   auto loose = [](double gap) { return [gap](const TopoDS_Shape& shape) { return with_loose_vertices(shape, gap); }; };
   return {
       {"CleanTube", slotted_tube, copy_of, {}},
@@ -397,7 +401,8 @@ std::vector<FaultyShape> faulty_shapes() {
       {"TubeWithWrongImages", slotted_tube, with_wrong_images, {"images"}},
       {"ConeWithWrongImages", cone_on_ball, with_wrong_images, {"images"}},
       {"RingWithAllowedImages", quarter_ring, with_allowed_images, {"images"}},
-      {"FrustumWithFalsePoles", frustum, with_false_poles, {"poles"}},
+      {"FrustumWithFalsePoles", frustum, garbled(true), {"poles"}},
+      {"FrustumWithImagesApart", frustum, garbled(false), {"periodic edges"}},
       {"TubeWithUnevenImages", slotted_tube, with_uneven_images, {"images"}},
       {"ShuffledTube", slotted_tube, with_shuffled_loops, {}},
       {"TubeWithTurnedFaces", slotted_tube, with_turned_faces, {"turned faces"}},

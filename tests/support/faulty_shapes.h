@@ -36,9 +36,9 @@ TopoDS_Shape frustum();
 /// A quarter of a ring with a rounded rim.
 TopoDS_Shape quarter_ring();
 
-/// Loops of rings closed by poles instead of the second use of the periodic edge; vertices that take what these are
-/// off.
-TopoDS_Shape with_false_poles(const TopoDS_Shape& shape);
+/// Rings that use the periodic edge once, with images of the two borders a period apart and vertices that take what is
+/// off; `has_poles`: with poles in place of the second use.
+TopoDS_Shape with_garbled_rings(const TopoDS_Shape& shape, bool has_poles);
 
 /// Images on round faces whose starts lie half a period aside, and tolerances that allow it.
 TopoDS_Shape with_allowed_images(const TopoDS_Shape& shape);

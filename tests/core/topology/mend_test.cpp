@@ -54,7 +54,7 @@ TEST(Mend, PutsImagesWhereTheVerticesAre) {
 }
 
 TEST(Mend, ConnectsWhatItHasMended) {
-  const TopoDS_Shape ring = test::with_false_poles(test::frustum());
+  const TopoDS_Shape ring = test::with_garbled_rings(test::frustum(), true);
   const TopoDS_Shape board = BRepPrimAPI_MakeBox(gp_Pnt(-30, -30, 10), 60, 60, 8).Shape();
   const RunReport report = test::report_of(test::compound({ring, board}), size);
   EXPECT_EQ(report.components.size(), 1u);

@@ -47,9 +47,12 @@ LoopFaults find_loop_faults(const TopoDS_Face& face, double diagonal);
 /// nose or tip pressed flat runs out and back through the same point.
 bool is_false_pole(const TopoDS_Edge& edge, const TopoDS_Face& face, double diagonal);
 
-/// A FORWARD face between two loops that go round, without the false poles that it has besides; nothing for other
-/// faces.
-std::optional<TopoDS_Face> ring_without_poles(const TopoDS_Face& face, double diagonal);
+/// Whether a FORWARD face lies between two loops that go round a periodic surface, and its images do not make one
+/// border of that, or it has false poles besides.
+bool is_garbled_ring(const TopoDS_Face& face, double diagonal);
+
+/// Such a face, put right.
+TopoDS_Face mended_ring(const TopoDS_Face& face, double diagonal);
 
 struct CompletedFace {
   TopoDS_Face face;

@@ -60,7 +60,7 @@ bool needs_repair(const TopoDS_Face& face, double diagonal) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
     if (is_false_pole(edge, plain, diagonal)) return true;
   }
-  return lacks_image(face);
+  return lacks_image(face) || is_garbled_ring(plain, diagonal);
 }
 
 void add_natural_bounds(WorkFace& face, Workpiece& work) {
@@ -112,12 +112,15 @@ void add_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   }
 }
 
-/// Whether the face was a ring with false poles.
+/// Whether the face was a ring that readers have garbled.
 bool mend_ring(WorkFace& face, Workpiece& work) {
-  const auto ring = ring_without_poles(forward(face.face), work.diagonal);
-  if (!ring) return false;
-  face.face = TopoDS::Face(ring->Oriented(face.face.Orientation()));
-  work.note_repair(RepairKind::pole, 2, 0, face_name(face.origin));
+  const TopoDS_Face plain = forward(face.face);
+  if (!is_garbled_ring(plain, work.diagonal)) return false;
+  bool has_poles = false;
+  for (TopExp_Explorer edges(plain, TopAbs_EDGE); edges.More(); edges.Next())
+    has_poles = has_poles || is_pole(TopoDS::Edge(edges.Current()));
+  face.face = TopoDS::Face(mended_ring(plain, work.diagonal).Oriented(face.face.Orientation()));
+  work.note_repair(has_poles ? RepairKind::pole : RepairKind::periodic_edge, 1, 0, face_name(face.origin));
   work.is_rebuilt = true;
   return true;
 }

@@ -17,9 +17,9 @@ namespace {
 constexpr std::size_t most_edges = 64;  // of a face
 constexpr std::size_t most_pairs = 8;   // of sides that are measured
 constexpr double end_share = 1.5;       // of the limit: edges so short end a face between its sides
-constexpr double wider = 3;             // than a face: so wide are neighbours that take its place
-constexpr double hairline = 1e-4;       // target lengths: what is narrower goes whatever the angles
-constexpr double opposite = 2;          // times the limit: vertices so near are opposite each other
+constexpr double wider = 3;        // than a face: so wide are neighbours that take its place, and those at its ends
+constexpr double hairline = 1e-4;  // target lengths: what is narrower goes whatever the angles
+constexpr double opposite = 2;     // times the limit: vertices so near are opposite each other
 
 struct Sides {
   Side one, two;          // run the same way
@@ -240,7 +240,8 @@ class ThinFaces {
       if (limits_.is_protected(end)) return false;
       for (int user : edits_.edge(end).faces)
         if (user != f && !may_go_[static_cast<std::size_t>(user)] &&
-            (edge_count(user) < 4 || limits_.sharpens(user, end)))
+            (edge_count(user) < 4 || limits_.width(user) < wider * edits_.edge(end).length ||
+             limits_.sharpens(user, end)))
           return false;
     }
     return true;

@@ -12,6 +12,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -29,10 +30,14 @@ class Ring {
     for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
       if (!ring.add(TopoDS::Edge(edges.Current()), diagonal)) return std::nullopt;
     if (ring.loops_.size() != 2 || ring.loops_[0].IsSame(ring.loops_[1]) || ring.seam_.IsNull()) return std::nullopt;
-    return ring.surface_->IsUPeriodic() && ring.joins_loops() ? std::optional(ring) : std::nullopt;
+    return ring.surface_->IsUPeriodic() && ring.joins_loops() && ring.goes_back() ? std::optional(ring) : std::nullopt;
   }
 
-  bool has_false_poles() const { return has_false_poles_; }
+  /// Whether the second loop does not begin where the first ends, or there are poles.
+  bool is_garbled() const {
+    const double gap = ends_of(loops_[0]).second - ends_of(loops_[1]).first;
+    return has_false_poles_ || std::abs(gap) > 0.5 * surface_->UPeriod();
+  }
 
   /// The same face, once round the first loop, along the seam, back round the second, and back along the seam.
   TopoDS_Face rebuilt() const {
@@ -85,6 +90,18 @@ class Ring {
     return (from.IsSame(first) && to.IsSame(second)) || (from.IsSame(second) && to.IsSame(first));
   }
 
+  /// Whether each loop goes once round, one against the other.
+  bool goes_back() const {
+    std::array<double, 2> turn{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      double first = 0, last = 0;
+      if (BRep_Tool::CurveOnSurface(loops_[i], face_, first, last).IsNull()) return false;
+      const auto [start, end] = ends_of(loops_[i]);
+      turn[i] = (end - start) / surface_->UPeriod();
+    }
+    return std::abs(std::abs(turn[0]) - 1) < 0.01 && std::abs(turn[0] + turn[1]) < 0.01;
+  }
+
   /// u where a loop begins and ends as it is walked.
   std::pair<double, double> ends_of(const TopoDS_Edge& loop) const {
     double first = 0, last = 0;
@@ -117,9 +134,11 @@ class Ring {
 
 }  // namespace
 
-std::optional<TopoDS_Face> ring_without_poles(const TopoDS_Face& face, double diagonal) {
+bool is_garbled_ring(const TopoDS_Face& face, double diagonal) {
   const auto ring = Ring::of(face, diagonal);
-  return ring && ring->has_false_poles() ? std::optional(ring->rebuilt()) : std::nullopt;
+  return ring && ring->is_garbled();
 }
+
+TopoDS_Face mended_ring(const TopoDS_Face& face, double diagonal) { return Ring::of(face, diagonal)->rebuilt(); }
 
 }  // namespace paver
