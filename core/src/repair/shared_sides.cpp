@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "curving/near_surface.h"
 #include "repair/edits/patch.h"
 
 namespace paver {
@@ -33,25 +34,32 @@ class SideDivider {
 
   void divide(int a, int b) {
     const int e = across(mesh_, b, a), other = across(mesh_, a, b);
-    if (e >= 0 && other >= 0) divide(e, other, a, b);
+    if (e < 0 || other < 0) return;
+    const Vec2 halfway = 0.5 * (mesh_.p[a] + mesh_.p[b]);
+    if (divide(e, other, a, b, halfway)) return;
+    // In a polar chart that lies beside the side, by more than a thin element is wide.
+    const Vec3 middle = 0.5 * (mesh_.x[a] + mesh_.x[b]);
+    Vec2 nearest = halfway;
+    nearest_point(region_, nearest, middle, norm(mesh_.x[b] - mesh_.x[a]));
+    divide(e, other, a, b, nearest);
   }
 
   std::vector<Vec3> take_made() { return std::move(made_); }
 
  private:
-  void divide(int e, int other, int a, int b) {
-    const Vec2 p = 0.5 * (mesh_.p[a] + mesh_.p[b]);
+  bool divide(int e, int other, int a, int b, Vec2 p) {
     const int middle = mesh_.add_node(region_.place(p), 0.5 * (mesh_.h[a] + mesh_.h[b]));
     const auto here = best_of(mesh_.elements[e], a, b, middle), there = best_of(mesh_.elements[other], b, a, middle);
     if (!here || !there) {
       mesh_.drop_last_node();
-      return;
+      return false;
     }
     mesh_.remove_element(e);
     mesh_.remove_element(other);
     for (const auto& elements : {*here, *there})
       for (const Corners& corners : elements) mesh_.add_element(corners);
     made_.push_back(mesh_.x[middle]);
+    return true;
   }
 
   /// The element with a node between its corners a and b: the better of two ways, if one has positive elements only.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "charts/chart.h"
+#include "support/fake_model.h"
 #include "support/planar_region.h"
 
 namespace paver {
@@ -56,6 +58,24 @@ TEST(DivideInnerSides, DividesTriangles) {
   divide_inner_sides(t.region, std::vector<InnerSide>{{0, 4, 0, 0, 4}}, t.mesh);
   EXPECT_EQ(t.alive(), 5);
   EXPECT_DOUBLE_EQ(test::chart_area(t.mesh), 2);
+}
+
+TEST(DivideInnerSides, DividesThinElementsInAPolarChart) {
+  // About a wall a chord of the chart lies farther up than the thin quad between two of them is high.
+  Region region;
+  region.surface = std::make_shared<fake::Cylinder>(2);
+  region.chart = make_polar_chart(*region.surface, {{0, 0}, {2 * fake::pi, 5}}, 2 * fake::pi);
+  RegionMesh mesh;
+  for (const Vec2 uv : {Vec2{1.1, 2.6}, {2.0, 2.6}, {2.0, 2.7}, {1.1, 2.7}, {1.1, 1.5}, {2.0, 1.5}}) {
+    mesh.add_node(region.place(region.chart->to_chart(uv)), 1);
+    mesh.is_fixed.back() = 1, mesh.global.back() = mesh.node_count() - 1;
+  }
+  const bool is_turned = cross(mesh.p[1] - mesh.p[0], mesh.p[3] - mesh.p[0]) < 0;
+  mesh.add_element(is_turned ? std::array{0, 3, 2, 1} : std::array{0, 1, 2, 3});
+  mesh.add_element(is_turned ? std::array{4, 0, 1, 5} : std::array{4, 5, 1, 0});
+  const auto made = divide_inner_sides(region, std::vector<InnerSide>{{0, 1, 0, 0, 1}}, mesh);
+  ASSERT_EQ(made.size(), 1u);
+  EXPECT_NEAR(made[0].z, 2.6, 1e-6);
 }
 
 TEST(InnerSides, AreThoseBetweenTwoElementsAndTwoNodesOfTheBoundary) {
