@@ -30,7 +30,9 @@ class Ring {
     for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
       if (!ring.add(TopoDS::Edge(edges.Current()), diagonal)) return std::nullopt;
     if (ring.loops_.size() != 2 || ring.loops_[0].IsSame(ring.loops_[1]) || ring.seam_.IsNull()) return std::nullopt;
-    return ring.surface_->IsUPeriodic() && ring.joins_loops() && ring.goes_back() ? std::optional(ring) : std::nullopt;
+    return !ring.surface_.IsNull() && ring.surface_->IsUPeriodic() && ring.joins_loops() && ring.goes_back()
+               ? std::optional(ring)
+               : std::nullopt;
   }
 
   /// Whether the second loop does not begin where the first ends, or there are poles.

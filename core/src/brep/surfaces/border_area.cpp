@@ -32,7 +32,7 @@ double area_per_u(const Surface& surface, double from, Vec2 uv) {
 std::optional<double> area_within(const Surface& surface, const std::vector<BorderImage>& border) {
   if (border.empty() || surface.period().y > 0) return std::nullopt;
   const double from = border.front().image->uv(border.front().t0).y;
-  double area = 0, round = 0;
+  double area = 0, round = 0, walked = 0;
   for (const BorderImage& piece : border) {
     auto uv = [&](double share) { return piece.image->uv(piece.t0 + share * (piece.t1 - piece.t0)); };
     Vec2 last = uv(0);
@@ -40,12 +40,12 @@ std::optional<double> area_within(const Surface& surface, const std::vector<Bord
       const Vec2 next = uv(static_cast<double>(i) / pieces), middle = uv((i - 0.5) / pieces);
       const double du = piece.is_reversed ? last.x - next.x : next.x - last.x;
       area -= du * area_per_u(surface, from, middle);
-      round += du;
+      round += du, walked += std::abs(du);
       last = next;
     }
   }
   // A border that goes once round encloses something only with the pole.
-  if (std::abs(round) > 1e-3 * surface.period().x + 1e-9 || !(area > 0)) return std::nullopt;
+  if (std::abs(round) > 1e-3 * walked || !(area > 0)) return std::nullopt;
   return area;
 }
 
