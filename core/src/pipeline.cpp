@@ -368,7 +368,8 @@ class Run {
       result_.point_names.push_back(name);
     }
     result_.mesh.points = std::move(nodes);
-    if (!lost.empty()) result_.report.notes.push_back(fmt::format("Points without a node, as nothing was meshed there: {}.", lost));
+    if (!lost.empty())
+      result_.report.notes.push_back(fmt::format("Points without a node, as nothing was meshed there: {}.", lost));
   }
 
   void measure_wires() {
