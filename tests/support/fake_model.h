@@ -259,6 +259,23 @@ inline Model polygon(const std::vector<Vec3>& corners) {
   return builder.take();
 }
 
+/// Square ring in z = 0: edges 0 to 3 outside, counter-clockwise, 4 to 7 inside, each beside its own outside.
+inline Model frame(double side, double width) {
+  Builder builder;
+  for (const double inset : {0.0, width})
+    for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+      builder.vertex({inset + x * (side - 2 * inset), inset + y * (side - 2 * inset), 0});
+  std::vector<std::vector<Coedge>> loops(2);
+  for (int ring : {0, 4})
+    for (int i = 0; i < 4; ++i) {
+      const int edge = builder.line(ring + i, ring + (i + 1) % 4);
+      if (ring == 0) loops[0].push_back(builder.use(edge));
+      if (ring > 0) loops[1].insert(loops[1].begin(), builder.use(edge, true));
+    }
+  builder.face(std::make_shared<Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}), 4 * width * (side - width), loops);
+  return builder.take();
+}
+
 /// Box a x b x c: six planes, twelve shared edges. Edges 0-3 bottom, 4-7 top (0, 2, 4, 6 along x), 8-11 upright.
 inline Model box(double a, double b, double c) {
   Builder builder;

@@ -71,6 +71,18 @@ TEST(OppositeSides, OfARingAreMatchedByWhereTheyLie) {
   EXPECT_EQ(pairs[0].second, (Side{2, 3}));
 }
 
+TEST(OppositeSides, OfAThinRingWithCornersAreItsSides) {
+  const auto pairs = pairs_of(fake::frame(4, 0.1));
+  ASSERT_EQ(pairs.size(), 4u);
+  for (const OppositeSides& pair : pairs) {
+    ASSERT_EQ(pair.first.size(), 1u);
+    EXPECT_EQ(pair.second, Side{pair.first[0] + 4});
+    EXPECT_EQ(pair.partner, -1);
+    EXPECT_NEAR(pair.width, 0.1, 1e-9);
+  }
+  EXPECT_TRUE(pairs_of(fake::frame(4, 1)).empty()) << "too wide";
+}
+
 TEST(OppositeSides, ATriangleAndADiskHaveNone) {
   EXPECT_TRUE(pairs_of(fake::polygon({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}})).empty());
   fake::Builder builder;

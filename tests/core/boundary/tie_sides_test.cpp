@@ -89,6 +89,14 @@ TEST(TieSides, TheCirclesOfARingTakeOneCountWhileLengthsStayWithinAQuarterOfTheT
     }
 }
 
+TEST(TieSides, SidesOfAThinRingWithCornersTakeOneCount) {
+  const std::vector<double> wishes{1.6, 1.6, 1.6, 1.6, 1.4, 1.4, 1.4, 1.4};
+  const std::vector<int> narrow = tied(fake::frame(4, 0.1), wishes),
+                         wide = tied(fake::frame(4, 0.4), {16, 16, 16, 16, 13, 13, 13, 13});
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(narrow[k], narrow[k + 4]);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NE(wide[k], wide[k + 4]) << "there is room for more than one row";
+}
+
 TEST(TieSides, ChainsOfRingsTakeOneCountWhileItFitsAll) {
   fake::Builder builder;
   std::vector<int> circles;

@@ -19,6 +19,7 @@ namespace {
 constexpr double largest_change = 0.12;  // of an edge's wish
 // Intervals on the rims of a ring, by the target length: cones up to 1 : 1.67 come out regular (decision frusta).
 constexpr double shortest_on_rim = 0.75, longest_on_rim = 1.25;
+constexpr double narrow = 0.7;           // intervals
 constexpr double rounding = 0.9;         // intervals: short edges may change by more than that share
 constexpr int most_on_short = 4;         // intervals: on an edge shorter than the target length no length is right
 constexpr double rounding_slack = 1e-6;  // equal wishes at a half round alike
@@ -65,6 +66,14 @@ class Tying {
 
   bool is_divided(const std::vector<int>& side) const {
     return std::all_of(side.begin(), side.end(), [&](int e) { return counts_[at(e)].count > 0; });
+  }
+
+  /// Whether there is one row at most between the sides of a ring with corners: in wider ones rows need not meet.
+  bool is_narrow(const Model& model, const OppositeSides& pair) const {
+    double length = 0, wish = 0;
+    for (const std::vector<int>* side : {&pair.first, &pair.second})
+      for (int e : *side) length += model.edges[at(e)].length, wish += counts_[at(e)].wish;
+    return pair.width * wish <= narrow * length;
   }
 
   /// Whether equal sums of the sides are in reach.
@@ -216,7 +225,8 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<std::vector<
       if (loop.coedges.size() == 1 && counts[at(loop.coedges[0].edge)].count > 0) tying.mark_even(loop.coedges[0].edge);
   std::vector<bool> can_equal;
   for (const OppositeSides& p : pairs)
-    can_equal.push_back(tying.is_divided(p.first) && tying.is_divided(p.second) && tying.can_equal(p));
+    can_equal.push_back(tying.is_divided(p.first) && tying.is_divided(p.second) && tying.is_narrow(model, p) &&
+                        tying.can_equal(p));
   std::vector<int> order(pairs.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
