@@ -7,6 +7,7 @@
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -15,6 +16,7 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GC_MakeArcOfCircle.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
@@ -231,6 +233,48 @@ TEST(BuildModel, ClosesAGapWithinTheToleranceOnly) {
   Model open = model_of(pair, options);
   EXPECT_EQ(open.report.sewn_edges, 0);
   EXPECT_EQ(open.report.free_edges, 8);
+}
+
+/// A block with a narrow bevel, in loose faces; one of them ends in an arc that bulges away from its neighbour.
+TopoDS_Compound block_with_a_crack(double bulge, double bevel) {
+  const std::vector<gp_Pnt> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {bevel, 1, 0}, {0, 1 - bevel, 0}};
+  auto raised = [](gp_Pnt p) { return gp_Pnt(p.X(), p.Y(), 1); };
+  auto face_of = [](const std::vector<gp_Pnt>& points) {
+    BRepBuilderAPI_MakePolygon polygon;
+    for (const gp_Pnt& point : points) polygon.Add(point);
+    polygon.Close();
+    return BRepBuilderAPI_MakeFace(polygon.Wire(), true).Face();
+  };
+  std::vector<gp_Pnt> top;
+  for (gp_Pnt p : corners) top.push_back(raised(p));
+  std::vector<TopoDS_Shape> faces{face_of(corners), face_of(top)};
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const gp_Pnt a = corners[i], b = corners[(i + 1) % corners.size()];
+    faces.push_back(face_of({a, b, raised(b), raised(a)}));
+  }
+  const gp_Pnt a = corners[0], b = corners[1];
+  BRepBuilderAPI_MakeWire front(
+      BRepBuilderAPI_MakeEdge(a, b),
+      BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(b, gp_Pnt(1 - bulge, 0, 0.5), raised(b)).Value()),
+      BRepBuilderAPI_MakeEdge(raised(b), raised(a)), BRepBuilderAPI_MakeEdge(raised(a), a));
+  faces.push_back(BRepBuilderAPI_MakeFace(front.Wire(), true).Face());
+  TopoDS_Compound all;
+  BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (const TopoDS_Shape& face : faces) builder.Add(all, face);
+  return all;
+}
+
+TEST(BuildModel, ClosesACrackThoughAnEdgeElsewhereIsShorter) {
+  Model model = model_of(block_with_a_crack(4e-4, 1e-3));
+  EXPECT_EQ(model.report.free_edges, 0);
+  EXPECT_EQ(model.edges.size(), 15u);
+  EXPECT_GT(model.report.sew_tolerance, 4e-4);
+  EXPECT_LT(model.report.sew_tolerance, 1e-3);
+}
+
+TEST(BuildModel, LeavesACrackAsWideAsTheEdgesAtIt) {
+  EXPECT_EQ(model_of(block_with_a_crack(0.1, 1e-3)).report.free_edges, 2);
 }
 
 TEST(BuildModel, LeavesTouchingSolidsApartWhenToldSo) {

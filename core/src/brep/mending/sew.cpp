@@ -3,9 +3,10 @@
 // are, so sharing in the input is never undone. Faces keep their order and number.
 //
 // The tolerance is chosen by what it closes. First what fits as drawn is sewn. Where free edges stay that have other
-// free edges along them, the gap between these is tried; it counts when it closes the group, or most of what was open,
-// and when nothing collapses: no face is lost, none comes to lie on another one. Ends of edges may lie farther apart
-// than the edges do, which leaves short pieces between them: what makes these vanish, too, is better.
+// free edges along them, the gap between these is tried, on what was sewn before; it counts when it closes the group,
+// the borders that run along others all round (a crack, as drawn faces that hang together elsewhere), or most of what
+// was open, and when nothing collapses: no face is lost, none comes to lie on another one. Ends of edges may lie
+// farther apart than the edges do, which leaves short pieces between them: what makes these vanish, too, is better.
 #include <BOPTools_AlgoTools3D.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
@@ -22,6 +23,7 @@
 #include <limits>
 #include <map>
 
+#include "base/union_find.h"
 #include "brep/connecting/workpiece_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
@@ -84,71 +86,93 @@ struct Sewn {
 class GroupSewer {
  public:
   GroupSewer(const Workpiece& work, const std::vector<int>& group, Progress& progress)
-      : work_(work), group_(group), progress_(progress) {
+      : work_(work), progress_(progress) {
     std::vector<WorkFace> faces;
     for (int i : group) faces.push_back(work.faces[static_cast<std::size_t>(i)]);
-    uses_ = count_uses(faces);
-    free_ = free_count(uses_);
-    most_ = gap_share * work.diagonal;
-    for (int i = 1; i <= uses_.edges.Extent(); ++i) {
-      double length = edge_length(TopoDS::Edge(uses_.edges(i)));
-      if (length > sliver_share * work.diagonal) most_ = std::min(most_, edge_share * length);
-    }
+    as_drawn_.uses = count_uses(faces);
+    as_drawn_.free = free_count(as_drawn_.uses);
+    for (const WorkFace& face : faces) as_drawn_.faces.push_back(face.face);
   }
 
   /// Sewn at this tolerance, whatever comes of it.
-  Sewn sew_at(double tolerance) {
-    Sewn sewn;
-    sewn.tolerance = tolerance;
-    BRepBuilderAPI_Sewing sewing(tolerance);
-    for (int i : group_) sewing.Add(work_.faces[static_cast<std::size_t>(i)].face);
-    Handle(OcctProgress) indicator = new OcctProgress(progress_, 0);
-    sewing.Perform(indicator->Start());
-    progress_.check();
-    std::vector<WorkFace> after;
-    for (int i : group_) {
-      const TopoDS_Face& face = work_.faces[static_cast<std::size_t>(i)].face;
-      TopoDS_Shape image = sewing.IsModified(face) ? sewing.Modified(face) : TopoDS_Shape(face);
-      bool is_face = !image.IsNull() && image.ShapeType() == TopAbs_FACE;
-      sewn.has_lost |= !is_face;
-      sewn.faces.push_back(is_face ? TopoDS::Face(image) : TopoDS_Face());
-      if (is_face) after.emplace_back().face = sewn.faces.back();
-    }
-    for (int i = 1; i <= uses_.edges.Extent(); ++i) {
-      TopoDS_Shape image = sewing.ModifiedSubShape(uses_.edges(i));
-      if (!image.IsNull() && !image.IsSame(uses_.edges(i))) sewn.edges.push_back({uses_.edges(i), image});
-    }
-    sewn.uses = count_uses(after);
-    sewn.free = free_count(sewn.uses);
-    return sewn;
-  }
+  Sewn sew_at(double tolerance) const { return sew_at(tolerance, as_drawn_); }
 
   /// Sewn at the tolerance that fits.
-  Sewn sew_well() {
-    Sewn best = sew_at(std::min(fitting_share * work_.diagonal, most_));
-    if (best.free == 0) return best;
-    std::vector<double> gaps = gaps_between(best.uses);
-    std::sort(gaps.begin(), gaps.end());
-    const std::size_t enough = gaps.size() - static_cast<std::size_t>(open_share * static_cast<double>(gaps.size()));
-    for (double gap : {gaps.back(), gaps[enough - 1]}) {
-      double tolerance = corner_factor * gap;
-      if (!(tolerance <= most_) || tolerance <= best.tolerance) continue;
-      Sewn wider = sew_at(tolerance);
-      bool is_sewn = wider.free == 0 || static_cast<double>(wider.free) <= open_share * static_cast<double>(best.free);
-      if (is_sewn && !wider.has_lost && !collapses(wider)) return without_short_pieces(std::move(wider));
+  Sewn sew_well() const {
+    const double most = most_tolerance(as_drawn_.uses);
+    const Sewn fitting = sew_at(std::min(fitting_share * work_.diagonal, most));
+    if (fitting.free == 0) return fitting;
+    const double most_left = most_tolerance(fitting.uses);
+    for (const Gap& gap : gaps_to_close(fitting.uses, std::max(most, most_left))) {
+      const double tolerance = corner_factor * gap.width;
+      const bool is_anew = tolerance <= most;  // what fits in part leaves short pieces
+      if (!(is_anew || tolerance <= most_left) || tolerance <= fitting.tolerance) continue;
+      const Sewn& before = is_anew ? as_drawn_ : fitting;
+      Sewn wider = sew_at(tolerance, before);
+      const double left = static_cast<double>(wider.free - fitting.free) + gap.edges;
+      if (left <= open_share * gap.edges && !wider.has_lost && !collapses(wider, before))
+        return without_short_pieces(std::move(wider), before, is_anew ? most : most_left);
     }
-    return best;
+    return fitting;
   }
 
-  long free_before() const { return free_; }
+  long free_before() const { return as_drawn_.free; }
 
  private:
+  /// What a tolerance is to close.
+  struct Gap {
+    double width = 0;
+    double edges = 0;  ///< how many are free at it
+  };
+
   struct Polyline {
     std::shared_ptr<const Curve> curve;
     std::vector<double> t;
     std::vector<Vec3> points;
     Bnd_Box box;
   };
+
+  /// At which no free edge collapses, and none that has an end of one; all others stay as they are.
+  double most_tolerance(const EdgeUses& uses) const {
+    TopTools_IndexedMapOfShape ends;
+    for (int i = 1; i <= uses.edges.Extent(); ++i)
+      if (uses.is_free(i)) TopExp::MapShapes(uses.edges(i), TopAbs_VERTEX, ends);
+    double most = gap_share * work_.diagonal;
+    for (int i = 1; i <= uses.edges.Extent(); ++i) {
+      const TopoDS_Edge& edge = TopoDS::Edge(uses.edges(i));
+      if (!ends.Contains(TopExp::FirstVertex(edge)) && !ends.Contains(TopExp::LastVertex(edge))) continue;
+      double length = edge_length(edge);
+      if (length > sliver_share * work_.diagonal) most = std::min(most, edge_share * length);
+    }
+    return most;
+  }
+
+  Sewn sew_at(double tolerance, const Sewn& before) const {
+    Sewn sewn;
+    sewn.tolerance = tolerance;
+    BRepBuilderAPI_Sewing sewing(tolerance);
+    for (const TopoDS_Face& face : before.faces)
+      if (!face.IsNull()) sewing.Add(face);
+    Handle(OcctProgress) indicator = new OcctProgress(progress_, 0);
+    sewing.Perform(indicator->Start());
+    progress_.check();
+    std::vector<WorkFace> after;
+    for (const TopoDS_Face& face : before.faces) {
+      TopoDS_Shape image = !face.IsNull() && sewing.IsModified(face) ? sewing.Modified(face) : TopoDS_Shape(face);
+      bool is_face = !image.IsNull() && image.ShapeType() == TopAbs_FACE;
+      sewn.has_lost |= !is_face;
+      sewn.faces.push_back(is_face ? TopoDS::Face(image) : TopoDS_Face());
+      if (is_face) after.emplace_back().face = sewn.faces.back();
+    }
+    sewn.edges = before.edges;
+    for (int i = 1; i <= before.uses.edges.Extent(); ++i) {
+      TopoDS_Shape image = sewing.ModifiedSubShape(before.uses.edges(i));
+      if (!image.IsNull() && !image.IsSame(before.uses.edges(i))) sewn.edges.push_back({before.uses.edges(i), image});
+    }
+    sewn.uses = count_uses(after);
+    sewn.free = free_count(sewn.uses);
+    return sewn;
+  }
 
   static Polyline polyline(const TopoDS_Edge& edge) {
     constexpr int pieces = 32;
@@ -179,17 +203,17 @@ class GroupSewer {
     return least;
   }
 
-  Sewn without_short_pieces(Sewn sewn) {
+  Sewn without_short_pieces(Sewn sewn, const Sewn& before, double most) const {
     double longest = 0;
     for (int i = 1; i <= sewn.uses.edges.Extent(); ++i) {
       const double length = edge_length(TopoDS::Edge(sewn.uses.edges(i)));
       if (length < short_factor * sewn.tolerance) longest = std::max(longest, length);
     }
     const double tolerance = corner_factor * longest;
-    if (!(tolerance > sewn.tolerance && tolerance <= most_)) return sewn;
-    Sewn wider = sew_at(tolerance);
+    if (!(tolerance > sewn.tolerance && tolerance <= most)) return sewn;
+    Sewn wider = sew_at(tolerance, before);
     const bool has_fewer = wider.free <= sewn.free && wider.uses.edges.Extent() < sewn.uses.edges.Extent();
-    return has_fewer && !wider.has_lost && !collapses(wider) ? wider : sewn;
+    return has_fewer && !wider.has_lost && !collapses(wider, before) ? wider : sewn;
   }
 
   static double distance(Vec3 x, Vec3 a, Vec3 b) {
@@ -199,12 +223,46 @@ class GroupSewer {
     return norm(x - (a + share * side));
   }
 
-  /// Per free edge, how far it is from other free edges all along; infinite where that is no gap.
-  std::vector<double> gaps_between(const EdgeUses& uses) const {
-    std::vector<Polyline> lines;
+  /// The widest that are worth a try: of all free edges, of borders along which there is something all round, and of
+  /// most free edges.
+  static std::vector<Gap> gaps_to_close(const EdgeUses& uses, double most) {
+    std::vector<TopoDS_Edge> edges;
     for (int i = 1; i <= uses.edges.Extent(); ++i)
-      if (uses.is_free(i)) lines.push_back(polyline(TopoDS::Edge(uses.edges(i))));
-    for (Polyline& line : lines) line.box.Enlarge(most_);
+      if (uses.is_free(i)) edges.push_back(TopoDS::Edge(uses.edges(i)));
+    std::vector<double> widths = gaps_between(edges, most);
+    Gap cracks;
+    for (const std::vector<std::size_t>& border : borders(edges)) {
+      double width = 0;
+      for (std::size_t i : border) width = std::max(width, widths[i]);
+      if (width > most) continue;
+      cracks.width = std::max(cracks.width, width);
+      cracks.edges += static_cast<double>(border.size());
+    }
+    std::sort(widths.begin(), widths.end());
+    const auto all = static_cast<double>(edges.size());
+    const std::size_t enough = edges.size() - static_cast<std::size_t>(open_share * all);
+    return {{widths.back(), all}, cracks, {widths[enough - 1], all}};
+  }
+
+  /// Edges that hang together.
+  static std::vector<std::vector<std::size_t>> borders(const std::vector<TopoDS_Edge>& edges) {
+    TopTools_IndexedMapOfShape ends;
+    for (const TopoDS_Edge& edge : edges) TopExp::MapShapes(edge, TopAbs_VERTEX, ends);
+    UnionFind sets(static_cast<std::size_t>(ends.Extent()) + 1);
+    auto first = [&](const TopoDS_Edge& edge) { return ends.FindIndex(TopExp::FirstVertex(edge)); };
+    for (const TopoDS_Edge& edge : edges) sets.merge(first(edge), ends.FindIndex(TopExp::LastVertex(edge)));
+    std::map<int, std::vector<std::size_t>> found;
+    for (std::size_t i = 0; i < edges.size(); ++i) found[sets.find(first(edges[i]))].push_back(i);
+    std::vector<std::vector<std::size_t>> all;
+    for (auto& [set, border] : found) all.push_back(std::move(border));
+    return all;
+  }
+
+  /// Per free edge, how far it is from other free edges all along; infinite where that is no gap.
+  static std::vector<double> gaps_between(const std::vector<TopoDS_Edge>& edges, double most) {
+    std::vector<Polyline> lines;
+    for (const TopoDS_Edge& edge : edges) lines.push_back(polyline(edge));
+    for (Polyline& line : lines) line.box.Enlarge(most);
     std::vector<double> gaps;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       double gap = 0;
@@ -233,8 +291,9 @@ class GroupSewer {
     return least;
   }
 
-  /// Whether a face lies on another one, as near as what was sewn: two sheets that face each other are no body.
-  bool collapses(const Sewn& sewn) const {
+  /// Whether a face that had free edges lies on another one, as near as what was sewn: two sheets that face each other
+  /// are no body.
+  bool collapses(const Sewn& sewn, const Sewn& before) const {
     std::vector<Bnd_Box> boxes;
     for (const TopoDS_Face& face : sewn.faces) {
       BRepBndLib::Add(face, boxes.emplace_back(), Standard_False);
@@ -242,6 +301,7 @@ class GroupSewer {
     }
     Handle(IntTools_Context) context = new IntTools_Context;
     for (std::size_t i = 0; i < sewn.faces.size(); ++i) {
+      if (!has_free_edge(before.faces[i], before.uses)) continue;
       gp_Pnt point;
       gp_Pnt2d uv;
       if (BOPTools_AlgoTools3D::PointInFace(sewn.faces[i], point, uv, context) != 0) continue;
@@ -255,11 +315,8 @@ class GroupSewer {
   }
 
   const Workpiece& work_;
-  const std::vector<int>& group_;
   Progress& progress_;
-  EdgeUses uses_;
-  long free_ = 0;
-  double most_ = 0;  ///< tolerance
+  Sewn as_drawn_;
 };
 
 void put(Workpiece& work, const std::vector<int>& group, const Sewn& sewn, SewResult& result) {
