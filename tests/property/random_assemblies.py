@@ -19,6 +19,7 @@ import tempfile
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+import judged  # noqa: E402
 import runs  # noqa: E402
 
 MEMORY = 6_000_000 << 10
@@ -80,14 +81,6 @@ def faults_of(run, components):
     return faults
 
 
-def judged(path, out, size):
-    """The judge knows elements only: it is given the model without its wires."""
-    verdict = runs.judge(path, out, size, "--fuse")["verdict"]
-    if verdict["good"]:
-        return []
-    return [f"quality.py: {verdict.get('error') or [k for k, v in verdict.items() if v is False and k != 'good']}"]
-
-
 def outcome_of(run, faces, out, components, size, has_judge):
     """(kind, why) of one run."""
     if run.code == 4 and run.report:
@@ -99,8 +92,8 @@ def outcome_of(run, faces, out, components, size, has_judge):
     if run.code != 0 or run.mesh is None:
         return ENDED, f"exit code {run.code}: {run.output.strip()[-300:]}"
     faults = faults_of(run, components)
-    if has_judge:
-        faults += judged(faces, out, size)
+    if has_judge:  # it knows elements only, and is given the model without its wires
+        faults += [f"quality.py: {what}" for what in judged.faults_of(run.mesh, out, faces, size)]
     if faults:
         return WRONG, "; ".join(faults)
     return (DOUBTFUL, "; ".join(run.report["doubts"])) if run.report["verdict"] == "doubtful" else (GOOD, "")

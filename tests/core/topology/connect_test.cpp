@@ -1,6 +1,7 @@
 // Parts that touch: what they share, who is on which side, what is told of it.
 #include <gtest/gtest.h>
 
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
@@ -9,6 +10,11 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
+#include <Bnd_Box.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <algorithm>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
@@ -174,6 +180,31 @@ TEST(Connect, WhatLiesInsideIsKnownAndAUnionDropsIt) {
                               with(Connect::united));
   EXPECT_EQ(faces_with_area(foot), 8);
   EXPECT_EQ(junctions(foot), 0);
+}
+
+/// A solid whose shell lacks the face at the top.
+TopoDS_Shape open_box(double size) {
+  BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  for (TopExp_Explorer faces(box(0, 0, 0, size, size, size), TopAbs_FACE); faces.More(); faces.Next()) {
+    Bnd_Box bounds;
+    BRepBndLib::Add(faces.Current(), bounds);
+    if (bounds.CornerMin().Z() < size / 2) builder.Add(shell, faces.Current());
+  }
+  TopoDS_Solid solid;
+  builder.MakeSolid(solid);
+  builder.Add(solid, shell);
+  return solid;
+}
+
+TEST(Connect, FacesThatAUnionLeavesOpenAreNamed) {
+  const Model model = model_of(compound({open_box(50), box(10, 10, 25, 30, 30, 60), box(40, 40, -10, 30, 30, 30)}),
+                               with(Connect::united));
+  const auto failed = std::count_if(model.faces.begin(), model.faces.end(), [](const Face& face) {
+    return face.fault.find("the union leaves it open") != std::string::npos;
+  });
+  EXPECT_EQ(failed, 4);  // sides of the box whose bottom lies inside and whose top does not
 }
 
 TEST(Connect, NoneLeavesPartsAsDrawnAndReportsContacts) {

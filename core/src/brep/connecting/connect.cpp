@@ -2,6 +2,7 @@
 // others found, contacts listed.
 #include <BOPTools_AlgoTools.hxx>
 #include <IntTools_Context.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <map>
@@ -213,7 +214,25 @@ class Connector {
   Handle(IntTools_Context) context_ = new IntTools_Context;
 };
 
+/// Faces fail that lost a neighbour: closed skins stay closed unless a solid cannot tell inside from outside.
+void fault_open_skins(Workpiece& work, const EdgeUses& before) {
+  const EdgeUses after = count_uses(work.faces);
+  auto is_opened = [&](const TopoDS_Shape& edge) {
+    const int was = before.edges.FindIndex(edge), is = after.edges.FindIndex(edge);
+    return was > 0 && is > 0 && !before.is_free(was) && after.is_free(is);
+  };
+  for (WorkFace& face : work.faces) {
+    if (!face.is_usable()) continue;
+    for (TopExp_Explorer edges(face.face, TopAbs_EDGE); edges.More(); edges.Next())
+      if (is_opened(edges.Current()))
+        face.fault =
+            "the union leaves it open along an edge: a solid there runs into itself; repair the solid in the CAD "
+            "program or use connect imprint";
+  }
+}
+
 void drop_inside(Workpiece& work) {
+  const EdgeUses before = count_uses(work.faces);
   for (WorkFace& face : work.faces) {
     bool has_front = !face.inside_of.empty(), has_back = has_front;
     for (const FaceUse& use : face.uses) {
@@ -225,6 +244,7 @@ void drop_inside(Workpiece& work) {
     face.has_area = false;
     face.area = 0;
   }
+  fault_open_skins(work, before);
 }
 
 }  // namespace

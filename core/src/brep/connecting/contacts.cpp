@@ -1,11 +1,5 @@
-// Contacts between connected parts, from what faces, edges and vertices have in common; and which faces lie inside
-// solids that they do not bound.
-#include <BOPTools_AlgoTools3D.hxx>
-#include <BRepBndLib.hxx>
-#include <BRepClass3d_SolidClassifier.hxx>
+// Contacts between connected parts, from what faces, edges and vertices have in common.
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
-#include <IntTools_Context.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -165,58 +159,9 @@ class ContactFinder {
   std::set<std::pair<int, Pair>> bordered_, touched_;  // edges of common faces; vertices of common edges and faces
 };
 
-/// Which solids hold points.
-class InsideFinder {
- public:
-  explicit InsideFinder(Workpiece& work) : work_(work) {}
-
-  void run() {
-    for (std::size_t p = 0; p < work_.parts.size(); ++p)
-      if (work_.parts[p].solid >= 0) look_inside(static_cast<int>(p));
-  }
-
- private:
-  void look_inside(int part) {
-    const TopoDS_Shape solid = solids()(work_.parts[static_cast<std::size_t>(part)].solid + 1);
-    if (boxes_.empty()) measure_faces();
-    Bnd_Box box;
-    BRepBndLib::Add(solid, box, Standard_False);
-    std::unique_ptr<BRepClass3d_SolidClassifier> classifier;
-    for (std::size_t f = 0; f < work_.faces.size(); ++f) {
-      WorkFace& face = work_.faces[f];
-      if (!face.is_usable() || face.has_part(part) || box.IsOut(boxes_[f])) continue;
-      gp_Pnt point;
-      gp_Pnt2d uv;
-      if (BOPTools_AlgoTools3D::PointInFace(face.face, point, uv, context_) != 0 || box.IsOut(point)) continue;
-      if (!classifier) classifier = std::make_unique<BRepClass3d_SolidClassifier>(solid);
-      classifier->Perform(point, Precision::Confusion());
-      if (classifier->State() == TopAbs_IN) face.inside_of.push_back(part);
-    }
-  }
-
-  void measure_faces() {
-    for (const WorkFace& face : work_.faces) {
-      boxes_.emplace_back();
-      if (face.is_usable()) BRepBndLib::Add(face.face, boxes_.back(), Standard_False);
-    }
-  }
-
-  const TopTools_IndexedMapOfShape& solids() {
-    if (solids_.IsEmpty()) TopExp::MapShapes(work_.shape, TopAbs_SOLID, solids_);
-    return solids_;
-  }
-
-  Workpiece& work_;
-  std::vector<Bnd_Box> boxes_;  ///< per face
-  TopTools_IndexedMapOfShape solids_;
-  Handle(IntTools_Context) context_ = new IntTools_Context;
-};
-
 }  // namespace
 
 std::vector<Contact> find_contacts(const Workpiece& work) { return ContactFinder(work).run(); }
-
-void find_insides(Workpiece& work) { InsideFinder(work).run(); }
 
 const char* contact_name(ContactKind kind) {
   switch (kind) {
