@@ -15,6 +15,7 @@ from examples_test import MODELS, OPEN  # noqa: E402
 from models_test import is_closed  # noqa: E402
 
 FEWEST = {"box": 6, "pyramid": 5, "sphere": 24, "torus": 64}
+LEAST_SJ = {"plate_nine_holes": 0.5, "plane_11_loops": 0.3}  # sides are divided as the holes about them ask for
 FAILED = {"airliner_vsp": 2, "uav_vsp": 4}  # faces at most
 
 
@@ -42,6 +43,8 @@ def check(job):
     count = len(run.mesh.quads) + len(run.mesh.triangles)
     if euler is not None and runs.euler(run.mesh) != euler:
         faults.append(f"Euler characteristic {runs.euler(run.mesh)}, not {euler}")
+    if run.report["quality"]["sj"]["all"]["min"] < LEAST_SJ.get(name, 0):
+        faults.append(f"scaled Jacobian {run.report['quality']['sj']['all']['min']:.3f}, not {LEAST_SJ[name]}")
     if count != FEWEST.get(name, count):
         faults.append(f"{count} elements, not {FEWEST[name]}")
     return f"{name}: {count} elements", faults

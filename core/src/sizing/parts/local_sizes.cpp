@@ -11,6 +11,7 @@
 
 #include "base/local_parts.h"
 #include "paver/error.h"
+#include "sizing/face_extent.h"
 #include "sizing/parts/find_gaps.h"
 #include "sizing/parts/find_tips.h"
 #include "sizing/parts/sharp_edges.h"
@@ -21,6 +22,8 @@ namespace {
 constexpr int fewest_pieces = 32, most_pieces = 20000;  // of an edge
 constexpr double piece_share = 2;                       // of the length asked for
 constexpr double narrowest_gap = 0.02;                  // of the target length: narrower ones count as that
+constexpr double hole_intervals = 6;                    // a small hole is divided into about so many
+constexpr double small_hole = 0.1;                      // of the face's extent: interval of a hole that counts as small
 constexpr double same_point = 1e-3;                     // of the length at a tip: what lies nearer is the tip
 
 [[noreturn]] void refuse(const LocalSize& local, const std::string& kind, std::size_t count) {
@@ -39,6 +42,17 @@ bool is_of(const Model& model, int entry, int face) {
 
 double& entry(std::vector<double>& list, int index) { return list[static_cast<std::size_t>(index)]; }
 
+void add_pieces(const Edge& edge, double length, int count, std::vector<SizeSource>& sources) {
+  if (edge.is_degenerate || !edge.curve) return;
+  Vec3 last = edge.curve->point(edge.t0);
+  for (int i = 1; i <= count; ++i) {
+    const double share = static_cast<double>(i) / count;
+    const Vec3 next = edge.curve->point((1 - share) * edge.t0 + share * edge.t1);
+    sources.push_back({last, next, length});
+    last = next;
+  }
+}
+
 }  // namespace
 
 LocalSizes::LocalSizes(const Model& model, const Options& options, double h) {
@@ -54,6 +68,7 @@ LocalSizes::LocalSizes(const Model& model, const Options& options, double h) {
   if (options.grade_edges > 1) put_on_sharp_edges(model, options, h);
   if (options.tip > 1) put_on_tips(model, options, h);
   if (options.gap_elements > 1) put_on_gaps(model, options, h);
+  put_on_holes(model, h);
   if (!is_empty()) add_sources(model, options.gradation);
 }
 
@@ -100,10 +115,32 @@ void LocalSizes::put_on_gaps(const Model& model, const Options& options, double 
     const double length = std::max(gap.width, narrowest_gap * h) / lines;
     for (int i = 0; i <= lines; ++i) {
       const double share = static_cast<double>(i) / lines;
-      across_gaps_.push_back(
+      lines_.push_back(
           {(1 - share) * gap.from + share * gap.to, (1 - share) * gap.next_from + share * gap.next_to, length});
     }
     least_ = std::min(least_, length);
+  }
+}
+
+// At the lowest frequencies, where a face is smaller than h: what is divided about its small holes would meet sides
+// that are not divided. A single hole gets a ring of quads instead.
+void LocalSizes::put_on_holes(const Model& model, double h) {
+  auto edge_of = [&](const Coedge& coedge) -> const Edge& {
+    return model.edges[static_cast<std::size_t>(coedge.edge)];
+  };
+  for (const Face& face : model.faces) {
+    if (!face.has_area || face.is_merged || face.loops.size() < 3) continue;
+    const double extent = face_extent(model, face);
+    if (extent >= h) continue;
+    for (const Loop& loop : face.loops) {
+      double around = 0;
+      for (const Coedge& coedge : loop.coedges) around += edge_of(coedge).length;
+      const double length = around / hole_intervals;
+      if (!(length > 0) || length > small_hole * extent) continue;
+      if (is_empty()) begin(model);
+      least_ = std::min(least_, length);
+      for (const Coedge& coedge : loop.coedges) add_pieces(edge_of(coedge), length, fewest_pieces, lines_);
+    }
   }
 }
 
@@ -158,7 +195,7 @@ double LocalSizes::on_edge(const Edge& edge) const {
 }
 
 void LocalSizes::add_sources(const Model& model, double gradation) {
-  std::vector<SizeSource> sources = across_gaps_;
+  std::vector<SizeSource> sources = lines_;
   for (auto [point, length] : points_) sources.push_back({point, point, length});
   for (const Edge& edge : model.edges) {
     double length = on_edge(edge);
@@ -170,13 +207,7 @@ void LocalSizes::add_sources(const Model& model, double gradation) {
     }
     int count = std::clamp(static_cast<int>(std::min(edge.length / (piece_share * length), 1.0 * most_pieces)),
                            fewest_pieces, most_pieces);
-    Vec3 last = edge.curve->point(edge.t0);
-    for (int i = 1; i <= count; ++i) {
-      double share = static_cast<double>(i) / count;
-      Vec3 next = edge.curve->point((1 - share) * edge.t0 + share * edge.t1);
-      sources.push_back({last, next, length});
-      last = next;
-    }
+    add_pieces(edge, length, count, sources);
   }
   sources_ = NearestSource(std::move(sources), gradation);
 }

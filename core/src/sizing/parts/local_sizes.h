@@ -1,4 +1,5 @@
-// Target lengths that the user gives for parts of a model, or that its tips ask for, and what follows around them.
+// Target lengths that the user gives for parts of a model, or that its tips, gaps and holes ask for, and what follows
+// around them.
 #pragma once
 
 #include <limits>
@@ -40,12 +41,13 @@ class LocalSizes {
   void put_on_sharp_edges(const Model& model, const Options& options, double h);
   void put_on_tips(const Model& model, const Options& options, double h);
   void put_on_gaps(const Model& model, const Options& options, double h);
+  void put_on_holes(const Model& model, double h);
   void add_sources(const Model& model, double gradation);
 
   std::vector<double> of_face_;  // per face of the model
   std::vector<double> of_edge_;  // per edge of the shape as read
   std::vector<std::pair<Vec3, double>> points_;
-  std::vector<SizeSource> across_gaps_;
+  std::vector<SizeSource> lines_;  // across gaps, about small holes
   NearestSource sources_;
   double least_ = none;
   std::vector<std::string> notes_;
