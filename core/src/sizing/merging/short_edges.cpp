@@ -155,18 +155,22 @@ class ShortEdges {
   /// Against the target length, and its neighbours: these go on without a corner unless it is far smaller.
   bool is_tiny(int f, const std::vector<Coedge>& coedges) const {
     double limit = INFINITY, largest = 0, corner = 0;
+    for (const Coedge& coedge : coedges) limit = std::min(limit, short_edge(coedge.edge));
+    if (!(limits_.extent(f) < limit)) return false;  // before neighbours are looked at, which may have many edges
     for (const Coedge& coedge : coedges) {
       const Edge& edge = edits_.edge(coedge.edge);
       const std::optional<double> across = limits_.corner_across(f, coedge.edge);
       if (!edge.curve || !across || edits_.is_fixed(edge.start) || edits_.is_fixed(edge.end)) return false;
       const int other = limits_.neighbour(f, coedge.edge);
       if (!leaves_loop(other, coedges)) return false;
-      limit = std::min(limit, limits_.short_edge(coedge.edge));
       largest = std::max(largest, limits_.extent(other));
       corner = std::max(corner, *across);
     }
     return limits_.extent(f) < (corner <= smooth_angle * M_PI / 180 ? 1 : tiny_share) * limit && largest > limit;
   }
+
+  /// Edges shorter than this are merged; poles are no edges.
+  double short_edge(int e) const { return edits_.edge(e).curve ? limits_.short_edge(e) : 0; }
 
   /// Whether the face keeps a border of some edges, or none at all of a hole that the small face fills.
   bool leaves_loop(int f, const std::vector<Coedge>& gone) const {
@@ -176,9 +180,10 @@ class ShortEdges {
     for (std::size_t l = 0; l < face(f).loops.size(); ++l) {
       const std::vector<Coedge>& coedges = face(f).loops[l].coedges;
       const auto going = static_cast<std::size_t>(std::count_if(coedges.begin(), coedges.end(), is_gone));
+      if (going == 0) continue;
       const bool is_hole = face(f).loops.size() > 1 && going == coedges.size() && going == gone.size();
       const std::size_t fewest = limits_.may_be_merged(f) ? 2 : fewest_edges;
-      if (going > 0 && !is_hole && coedges.size() < going + fewest) return false;
+      if (!is_hole && coedges.size() < going + fewest) return false;
       for (const Coedge& coedge : coedges)
         if (going == 1 && fewest == fewest_edges && is_gone(coedge) && limits_.sharpens(f, coedge.edge)) return false;
     }
