@@ -50,6 +50,7 @@ class GapSearch {
 
   std::vector<Gap> run() {
     find_neighbours();
+    if (model_.parts.size() > 1) longest_ = longest_element();
     find_partners();
     if (std::all_of(partners_.begin(), partners_.end(), [](const Parts& of) { return of.empty(); })) return {};
     gather();
@@ -130,12 +131,24 @@ class GapSearch {
           piece.node_edge[k] = mesh_.node_edge[rows[i * stride + k]];
         }
         for (int k = 0; k < corners; ++k) piece.target += mesh_.node_target[rows[i * stride + k]] / corners;
+        piece.target = std::min(piece.target, longest_);
         visit(piece);
       }
     };
     all(mesh_.quads, mesh_.quad_face, 4, mesh_.nodes_per_quad());
     all(mesh_.triangles, mesh_.triangle_face, 3, mesh_.nodes_per_triangle());
     all(mesh_.lines, mesh_.line_edge, 2, mesh_.order + 1);
+  }
+
+  // Of all ranks. At the lowest frequencies the target length is beyond all elements, and all parts were near each
+  // other.
+  double longest_element() const {
+    double longest = 0;
+    for_pieces([&](const Piece& piece) {
+      const Vec3* x = piece.patch.nodes.data();
+      for (int k = 1; k < piece.patch.corners; ++k) longest = std::max(longest, norm(x[k] - x[0]));
+    });
+    return greatest(longest, ranks_);
   }
 
   // Parts apart whose boxes meet. The boxes of all ranks.
@@ -248,6 +261,7 @@ class GapSearch {
   const SurfaceMesh& mesh_;
   const Model& model_;
   Ranks& ranks_;
+  double longest_ = std::numeric_limits<double>::infinity();  // mm, of the elements
   std::vector<std::set<int>> vertex_parts_;
   std::set<Pair> neighbours_;
   std::vector<Parts> partners_;  // per part: parts apart from it whose boxes meet its own
