@@ -9,7 +9,7 @@
 
 namespace paver {
 
-/// Largest gap that is told, of the target length.
+/// Largest gap that is told, of the target length or the longest element.
 inline constexpr double told_gap = 0.01;
 
 /// Collective: pairs of parts that share no vertex and whose elements come nearer than told_gap, by the mesh as it is,
