@@ -266,7 +266,7 @@ class GroupSewer {
     std::vector<double> gaps;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       double gap = 0;
-      for (std::size_t k = 1; k < lines[i].points.size(); k += 6)
+      for (std::size_t k = 1; k < lines[i].points.size() && std::isfinite(gap); k += 6)
         gap = std::max(gap, nearest(lines, i, lines[i].points[k], gap));
       gaps.push_back(gap);
     }
