@@ -27,8 +27,7 @@ MOST_SECONDS, SLOW = 120, 60
 ELEMENTS = 200_000
 DIVISIONS = 20
 TOGETHER = 1e-6  # mm: nodes nearer than this are in one place
-GENERATOR = os.environ.get("PAVER_RANDOM_ASSEMBLY") or os.path.join(
-    os.path.dirname(os.path.dirname(os.path.abspath(runs.PROGRAM))), "tests", "paver_random_assembly")
+GENERATOR = os.environ.get("PAVER_RANDOM_ASSEMBLY") or os.path.join(judged.TOOLS, "paver_random_assembly")
 GOOD, DOUBTFUL, FAILED, UNCONNECTED, WRONG, ENDED = (
     "good", "named gap", "failed faces", "named unconnected", "WRONG with exit 0", "ended by a limit or an error")
 

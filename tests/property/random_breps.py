@@ -20,7 +20,6 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 import judged  # noqa: E402
 import runs  # noqa: E402
 
-TOOLS = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(runs.PROGRAM))), "tests")
 MEMORY = 8 << 30
 MOST_SECONDS = 60
 KINDS = (("--elements", "quad-dominant"),) * 5 + (("--elements", "all-quad"), ("--elements", "all-triangle"), ("--order", "1"))
@@ -58,7 +57,7 @@ def run(seed, keep=None):
     with tempfile.TemporaryDirectory() as folder:
         model = os.path.join(folder, f"{seed}" + dice.choice((".brep", ".step")))
         try:
-            made = subprocess.run([os.path.join(TOOLS, "paver_random_brep"), str(seed), model], capture_output=True, text=True, timeout=MOST_SECONDS)
+            made = subprocess.run([os.path.join(judged.TOOLS, "paver_random_brep"), str(seed), model], capture_output=True, text=True, timeout=MOST_SECONDS)
         except subprocess.TimeoutExpired:
             return outcome
         if made.returncode:

@@ -8,7 +8,7 @@ import bodies
 
 
 def section(chord, thickness, place, end=0.004):
-    """The outline of a symmetric profile (NACA four digits) with an end of finite thickness: (upper, lower, end) edges."""
+    """The outline of a symmetric profile (NACA four digits) with an end of finite thickness."""
     shares = [(1 - k / 16) ** 2 for k in range(17)]  # denser at the nose
 
     def half(s):
@@ -64,7 +64,7 @@ def engine(length=3200.0, radius=900.0, wall=90.0, depth=0.5):
 
 
 def airplane():
-    """An airliner 33 m long: fuselage, wings, tail, two engines on pylons."""
+    """An airliner: fuselage of 33 m, wings, tail, two engines on pylons."""
     body = fuselage(4500, 17000, 11500, 1975, 250)
     parts = [body, placed(wing(3600, 1500, 0.09, 5800, 3600), 29000, 0, 1000, 90)]
     half_wing = wing(6800, 1700, 0.11, 16500, 7600, 1200)
