@@ -56,6 +56,18 @@
         <translation>Vor dem Vernetzen anhalten, wenn mehr Elemente vorhergesagt sind [2000000]</translation>
     </message>
     <message>
+        <source>What solids are made of: FR4=Solid1,eps-r:4.4,tan-d:0.02, Metal=Solid2,conductor; may be repeated. Besides those that are objects of their own</source>
+        <translation>Woraus Volumenkörper bestehen: FR4=Solid1,eps-r:4.4,tan-d:0.02, Metal=Solid2,conductor; auch mehrfach. Neben denen, die eigene Objekte sind</translation>
+    </message>
+    <message>
+        <source>Faces, edges, vertices that are a group of the mesh: Feed=Edge5; never merged with others; may be repeated. Besides those that are objects of their own</source>
+        <translation>Flächen, Kanten, Punkte, die eine Gruppe des Netzes sind: Feed=Edge5; nie mit anderen verschmolzen; auch mehrfach. Neben denen, die eigene Objekte sind</translation>
+    </message>
+    <message>
+        <source>Edges that stand for a thin wire: Mast=Edge5,radius:0.5mm; may be repeated. Besides those that are objects of their own</source>
+        <translation>Kanten, die für einen dünnen Draht stehen: Mast=Edge5,radius:0.5mm; auch mehrfach. Neben denen, die eigene Objekte sind</translation>
+    </message>
+    <message>
         <source>Edges shorter than E target lengths are merged with others; off: nothing is merged [0.1]</source>
         <translation>Kanten, die kürzer sind als das E-fache der Ziellänge, werden mit anderen zusammengefasst; off: nichts wird zusammengefasst [0.1]</translation>
     </message>
@@ -116,8 +128,20 @@
         <translation>Verfeinerungen: Ziellängen von Flächen, Kanten, Punkte und Körpern</translation>
     </message>
     <message>
-        <source>Radius of the wires, for solvers and scripts: the mesh does not depend on it; 0: not given</source>
-        <translation>Radius der Drähte, für Löser und Skripte: das Netz hängt nicht von ihm ab; 0: nicht angegeben</translation>
+        <source>Media: what solids are made of</source>
+        <translation>Medien: woraus Volumenkörper bestehen</translation>
+    </message>
+    <message>
+        <source>Ports: faces, edges and vertices under names of their own</source>
+        <translation>Ports: Flächen, Kanten und Punkte unter eigenen Namen</translation>
+    </message>
+    <message>
+        <source>Wires: edges with a radius</source>
+        <translation>Drähte: Kanten mit einem Radius</translation>
+    </message>
+    <message>
+        <source>Radius of edges without a wire of their own, for solvers and scripts: the mesh does not depend on it; 0: not given</source>
+        <translation>Radius von Kanten ohne eigenen Draht, für Löser und Skripte: das Netz hängt nicht davon ab; 0: nicht gegeben</translation>
     </message>
     <message>
         <source>Where the window's commands mesh; own process: FreeCAD survives a crash; automatic: there from HeavyElements of the preferences on</source>
@@ -218,6 +242,50 @@
     <message>
         <source>Relative permeability of the medium</source>
         <translation>Relative Permeabilität des Mediums</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Medium</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Wire</source>
+        <translation>Draht</translation>
+    </message>
+    <message>
+        <source>Solids that are made of it; a whole object means its solids</source>
+        <translation>Volumenkörper, die daraus bestehen; ein ganzes Objekt meint seine Volumenkörper</translation>
+    </message>
+    <message>
+        <source>Faces, edges and vertices of the port; a whole object means its faces, or its edges where it has none</source>
+        <translation>Flächen, Kanten und Punkte des Ports; ein ganzes Objekt meint seine Flächen, oder seine Kanten, wo es keine hat</translation>
+    </message>
+    <message>
+        <source>Edges that stand for the wire; a whole object means all its edges</source>
+        <translation>Kanten, die für den Draht stehen; ein ganzes Objekt meint alle seine Kanten</translation>
+    </message>
+    <message>
+        <source>Relative permittivity</source>
+        <translation>Relative Permittivität</translation>
+    </message>
+    <message>
+        <source>Relative permeability</source>
+        <translation>Relative Permeabilität</translation>
+    </message>
+    <message>
+        <source>Loss tangent: imaginary by real part of the permittivity</source>
+        <translation>Verlustfaktor: Imaginär- durch Realteil der Permittivität</translation>
+    </message>
+    <message>
+        <source>The solid is a conductor: no waves inside, its target length is that around it</source>
+        <translation>Der Volumenkörper leitet: keine Wellen im Inneren, seine Ziellänge ist die um ihn herum</translation>
+    </message>
+    <message>
+        <source>Radius of the wire, for solvers</source>
+        <translation>Radius des Drahts, für Löser</translation>
     </message>
     <message>
         <source>Paver colours</source>
@@ -639,6 +707,86 @@
         <translation>Hilfe zu Paver</translation>
     </message>
     <message>
+        <source>Relative permittivity</source>
+        <translation>Relative Permittivität</translation>
+    </message>
+    <message>
+        <source>Relative permeability</source>
+        <translation>Relative Permeabilität</translation>
+    </message>
+    <message>
+        <source>Loss tangent</source>
+        <translation>Verlustfaktor</translation>
+    </message>
+    <message>
+        <source>Imaginary by real part of the permittivity</source>
+        <translation>Imaginär- durch Realteil der Permittivität</translation>
+    </message>
+    <message>
+        <source>Conductor</source>
+        <translation>Leiter</translation>
+    </message>
+    <message>
+        <source>No waves inside: the target length is that around it</source>
+        <translation>Keine Wellen im Inneren: die Ziellänge ist die um ihn herum</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Radius of the wire, for solvers</source>
+        <translation>Radius des Drahts, für Löser</translation>
+    </message>
+    <message>
+        <source>Its name in files of the mesh</source>
+        <translation>Sein Name in Dateien des Netzes</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Takes the values of a material of the document or of FreeCAD's cards that have some</source>
+        <translation>Nimmt die Werte eines Materials des Dokuments oder der Karten von FreeCAD, die welche haben</translation>
+    </message>
+    <message>
+        <source>As typed</source>
+        <translation>Wie eingegeben</translation>
+    </message>
+    <message>
+        <source>It has no name; write one.</source>
+        <translation>Der Name fehlt; geben Sie einen ein.</translation>
+    </message>
+    <message>
+        <source>It refers to nothing; add faces, edges, vertices or objects.</source>
+        <translation>Es ist nichts gewählt; fügen Sie Flächen, Kanten, Punkte oder Objekte hinzu.</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Change {}</source>
+        <translation>{} ändern</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>{} is not above 0; write a larger number.</source>
+        <translation>{} ist nicht größer als 0; schreiben Sie eine größere Zahl.</translation>
+    </message>
+    <message>
         <source>By</source>
         <translation>Durch</translation>
     </message>
@@ -655,16 +803,8 @@
         <translation>μr</translation>
     </message>
     <message>
-        <source>What is refined; a click shows it in the 3D view</source>
-        <translation>Was verfeinert wird; ein Klick zeigt es in der 3D-Ansicht</translation>
-    </message>
-    <message>
         <source>Nothing is refined; add faces, edges, vertices or objects.</source>
         <translation>Nichts wird verfeinert; fügen Sie Flächen, Kanten, Punkte oder Objekte hinzu.</translation>
-    </message>
-    <message>
-        <source>Where</source>
-        <translation>Wo</translation>
     </message>
     <message>
         <source>Target length there, such as 2 mm</source>
@@ -677,34 +817,6 @@
     <message>
         <source>Relative permeability of the medium there</source>
         <translation>Relative Permeabilität des Mediums dort</translation>
-    </message>
-    <message>
-        <source>Add selection</source>
-        <translation>Auswahl hinzufügen</translation>
-    </message>
-    <message>
-        <source>Adds what is selected in the 3D view</source>
-        <translation>Fügt hinzu, was in der 3D-Ansicht ausgewählt ist</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Removes the chosen lines</source>
-        <translation>Entfernt die gewählten Zeilen</translation>
-    </message>
-    <message>
-        <source>Nothing of the model is selected; select faces, edges, vertices or objects in the 3D view.</source>
-        <translation>Vom Modell ist nichts ausgewählt; wählen Sie Flächen, Kanten, Punkte oder Objekte in der 3D-Ansicht.</translation>
-    </message>
-    <message>
-        <source>{} is not above 0; write a larger number.</source>
-        <translation>{} ist nicht größer als 0; schreiben Sie eine größere Zahl.</translation>
-    </message>
-    <message>
-        <source>all</source>
-        <translation>alles</translation>
     </message>
     <message>
         <source>Size of {}</source>
@@ -927,6 +1039,10 @@
         <translation>Kein Netz hat, was ausgewählt ist. Wählen Sie sein Netz dazu aus, oder legen Sie mit „Netz anlegen“ eines an.</translation>
     </message>
     <message>
+        <source>There are several meshes; select the one that it belongs to, too.</source>
+        <translation>Es gibt mehrere Netze; wählen Sie auch das, zu dem es gehört.</translation>
+    </message>
+    <message>
         <source>Quad</source>
         <translation>Viereck</translation>
     </message>
@@ -1063,20 +1179,12 @@
         <translation>Nur Dreiecke</translation>
     </message>
     <message>
-        <source>No</source>
-        <translation>Nein</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Selbsttätig</translation>
     </message>
     <message>
         <source>One element across</source>
         <translation>Ein Element quer</translation>
-    </message>
-    <message>
-        <source>Yes</source>
-        <translation>Ja</translation>
     </message>
     <message>
         <source>1 (straight)</source>
@@ -1225,6 +1333,34 @@
     <message>
         <source>In a process of its own a crash cannot harm FreeCAD; automatic: from {} predicted elements on</source>
         <translation>In einem eigenen Prozess kann ein Absturz FreeCAD nicht schaden; selbsttätig: ab {} vorhergesagten Elementen</translation>
+    </message>
+    <message>
+        <source>What it refers to; a click shows it in the 3D view</source>
+        <translation>Worauf es sich bezieht; ein Klick zeigt es in der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Add selection</source>
+        <translation>Auswahl hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds what is selected in the 3D view</source>
+        <translation>Fügt hinzu, was in der 3D-Ansicht ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the chosen lines</source>
+        <translation>Entfernt die gewählten Zeilen</translation>
+    </message>
+    <message>
+        <source>Nothing of the model is selected; select faces, edges, vertices or objects in the 3D view.</source>
+        <translation>Vom Modell ist nichts ausgewählt; wählen Sie Flächen, Kanten, Punkte oder Objekte in der 3D-Ansicht.</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alles</translation>
     </message>
     <message>
         <source>Quads and triangles</source>
@@ -1824,6 +1960,17 @@
     </message>
 </context>
 <context>
+    <name>Paver_Medium</name>
+    <message>
+        <source>Medium</source>
+        <translation>Medium</translation>
+    </message>
+    <message>
+        <source>Says what the selected solids are made of: sets the target length there, and is written to files</source>
+        <translation>Sagt, woraus die gewählten Volumenkörper bestehen: bestimmt die Ziellänge dort und steht in Dateien</translation>
+    </message>
+</context>
+<context>
     <name>Paver_Mesh</name>
     <message>
         <source>Mesh</source>
@@ -1832,6 +1979,17 @@
     <message>
         <source>Meshes the selected mesh objects with their options, while FreeCAD can be used; double click on one for its panel</source>
         <translation>Vernetzt die ausgewählten Netzobjekte mit ihren Optionen, während FreeCAD benutzbar bleibt; ein Doppelklick auf eines öffnet sein Aufgabenfenster</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_Port</name>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Gives the selected faces, edges and vertices a name in the mesh and its files, for feeds and loads</source>
+        <translation>Gibt den gewählten Flächen, Kanten und Punkten einen Namen im Netz und in seinen Dateien, für Speisungen und Lasten</translation>
     </message>
 </context>
 <context>
@@ -1920,6 +2078,17 @@
     <message>
         <source>Lengths, areas and quality in millimetres and wavelengths, histograms, unknowns and matrix memory</source>
         <translation>Längen, Flächeninhalte und Güte in Millimetern und Wellenlängen, Histogramme, Unbekannte und Matrixspeicher</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_Wire</name>
+    <message>
+        <source>Wire</source>
+        <translation>Draht</translation>
+    </message>
+    <message>
+        <source>Meshes the selected edges or sketches as a thin wire, joined to the faces that it ends on</source>
+        <translation>Vernetzt die gewählten Kanten oder Skizzen als dünnen Draht, verbunden mit den Flächen, auf denen er endet</translation>
     </message>
 </context>
 <context>

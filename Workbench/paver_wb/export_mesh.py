@@ -48,8 +48,8 @@ def write_own(mesh, path, msh_version="4.1", ascii=False, progress=None, cancel=
     """Writes a StoredMesh to .msh or .vtu, in any thread. NotWritten; paver.Cancelled when it is stopped."""
     paver = core.load()
     try:
-        statistics.surface_mesh(mesh).write(path, face_names=mesh_file.labels(mesh), edge_names=mesh.edge_names,
-                                            edge_groups=mesh.edge_groups, point_names=mesh.point_names,
+        statistics.surface_mesh(mesh).write(path, face_names=mesh_file.group_names(mesh), edge_names=mesh.edge_names,
+                                            edge_groups=mesh.edge_groups, point_names=mesh.point_names, volumes=mesh.volumes,
                                             msh_version=msh_version, ascii=ascii, progress=progress, cancel=cancel)
     except paver.Cancelled:
         raise

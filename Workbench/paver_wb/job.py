@@ -35,6 +35,7 @@ def parser():
     for info in core.load().options():
         default = f" [{info['default']}]" if info["default"] else ""
         group.add_argument("--" + info["name"].replace("_", "-"), metavar=info["letter"],
+                           action="append" if info["kind"] in properties.REPEATED else "store",
                            help=(info["help"] + default).replace("%", "%%"))
     return made
 

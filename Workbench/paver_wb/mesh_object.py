@@ -15,6 +15,7 @@ from paver_wb.base import source_shapes
 from paver_wb.base.proxies import (MESH, Stateless, attach_view, is_mesh, is_restoring, meshes_of,  # noqa: F401
                                    new_object, sources)
 from paver_wb.base.texts import tip
+from paver_wb.children import named_parts
 from paver_wb.formats import fem_mesh, mesh_file
 
 INPUT, RESULT = tip("Input"), tip("Result")
@@ -35,8 +36,11 @@ PROPERTIES = {
                   "stands"), ()),
     REFINEMENTS: ("App::PropertyLinkListGlobal", INPUT, tip("Refinements: target lengths of faces, edges, vertices and "
                   "solids"), ()),
-    "WireRadius": ("App::PropertyLength", INPUT, tip("Radius of the wires, for solvers and scripts: the mesh does not depend "
-                   "on it; 0: not given"), ()),
+    "Media": ("App::PropertyLinkListGlobal", INPUT, tip("Media: what solids are made of"), ()),
+    "Ports": ("App::PropertyLinkListGlobal", INPUT, tip("Ports: faces, edges and vertices under names of their own"), ()),
+    "Wires": ("App::PropertyLinkListGlobal", INPUT, tip("Wires: edges with a radius"), ()),
+    "WireRadius": ("App::PropertyLength", INPUT, tip("Radius of edges without a wire of their own, for solvers and scripts: "
+                   "the mesh does not depend on it; 0: not given"), ()),
     "RunIn": ("App::PropertyEnumeration", INPUT, tip("Where the window's commands mesh; own process: FreeCAD survives a "
               "crash; automatic: there from HeavyElements of the preferences on"), ()),
     RANKS: ("App::PropertyInteger", INPUT, tip("Processes that share the work, by MPI; 0: without MPI"), ()),
@@ -115,8 +119,9 @@ def shape_digest(obj):
 
 
 def decisive(obj, options=None):
-    """Text that is equal for equal options, those that a mesh object has unless `options` are given, and refinements."""
-    return properties.text_of(properties.given(obj) if options is None else options) + refinement.decisive(obj)
+    """Text that is equal for equal options, those that a mesh object has unless `options` are given, and children."""
+    own = properties.text_of(properties.given(obj) if options is None else options)
+    return own + refinement.decisive(obj) + named_parts.decisive(obj)
 
 
 def has_meshed_options(obj):
@@ -264,7 +269,7 @@ class MeshProxy(Stateless):
     def onChanged(self, obj, name):
         if SHOWN_STATUS not in obj.PropertiesList:
             return
-        if name not in (*LINKS, REFINEMENTS) and not properties.is_option(obj, name):
+        if name not in (*LINKS, REFINEMENTS, *named_parts.LINKS) and not properties.is_option(obj, name):
             return
         if is_restoring(obj) or "ShapeChanged" not in obj.PropertiesList:
             return

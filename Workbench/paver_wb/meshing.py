@@ -3,6 +3,7 @@ from contextlib import contextmanager
 
 from paver_wb import core, mesh_object, properties, refinement
 from paver_wb.base import source_shapes
+from paver_wb.children import named_parts
 from paver_wb.formats import fem_mesh, mesh_file
 from paver_wb.processes import mesh_job
 from paver_wb.processes.mesh_job import Job
@@ -43,11 +44,11 @@ def prepare(obj, **changes):
 
 
 def options_of(obj, changes):
-    """Options of a mesh object with `changes`, as paver.mesh takes them, with its refinements."""
-    options = properties.merged(obj, changes)
-    texts = refinement.local_texts(obj, mesh_object.sources(obj))
-    if texts:
-        options["local"] = options.get("local", []) + texts
+    """Options of a mesh object with `changes`, as paver.mesh takes them, with its refinements, media, ports and wires."""
+    options, sources = properties.merged(obj, changes), mesh_object.sources(obj)
+    for name, texts in {"local": refinement.local_texts(obj, sources), **named_parts.option_texts(obj, sources)}.items():
+        if texts:
+            options[name] = options.get(name, []) + texts
     return options
 
 
@@ -64,7 +65,7 @@ def show_results(obj, mesh):
     """The properties that tell about the mesh."""
     quality = mesh.report["quality"]
     obj.Quads, obj.Triangles, obj.Nodes = len(mesh.quads), len(mesh.triangles), len(mesh.nodes)
-    obj.Lines = sum(map(len, mesh_file.wires(mesh).values()))
+    obj.Lines = quality.get("wire_lines", 0)
     obj.TargetLength = mesh.report["target_length"]
     obj.WorstScaledJacobian = quality["sj"]["all"]["min"]
     obj.Watertight = quality["watertight"]

@@ -7,7 +7,8 @@ from paver_wb.base.texts import has_default, tip, tooltip
 GROUP = tip("Mesh options")
 TYPES = {"length": "App::PropertyLength", "frequency": "App::PropertyFrequency", "angle": "App::PropertyAngle",
          "number": "App::PropertyFloat", "integer": "App::PropertyInteger", "choice": "App::PropertyEnumeration",
-         "flag": "App::PropertyBool", "local": "App::PropertyStringList"}
+         "flag": "App::PropertyBool", "local": "App::PropertyStringList", "named": "App::PropertyStringList"}
+REPEATED = ("local", "named")  # kinds of which a list of texts is given
 RANKS = "ranks"
 WITHOUT_EFFECT = {"threads", "max_elements", "strict", RANKS}  # on a mesh that was made
 
@@ -23,7 +24,7 @@ def type_of(info):
 
 
 def initial(info):
-    if info["kind"] == "local":
+    if info["kind"] in REPEATED:
         return []
     if not has_default(info):
         return -1 if info["may_be_zero"] else 0
@@ -69,7 +70,7 @@ def value_of(obj, info):
     value = getattr(value, "Value", value)
     if has_default(info):
         return value
-    if info["kind"] == "local":
+    if info["kind"] in REPEATED:
         return list(value) or None
     return None if (value < 0 if info["may_be_zero"] else value == 0) else value
 
@@ -99,8 +100,8 @@ def plain(info, value):
     """A value that put takes, as value_of gives it back."""
     if value is None:
         return initial(info) if has_default(info) else None
-    if info["kind"] == "local":
-        return texts_of(value) or None
+    if info["kind"] in REPEATED:
+        return texts_of(info, value) or None
     if info["kind"] == "flag":
         if value not in (True, False, "on", "off"):
             raise ValueError(f"{info['name']} is {value!r}; it is: {info['help']}.")
@@ -119,11 +120,11 @@ def text_of(options):
     return repr(sorted((n, v) for n, v in options.items() if n not in WITHOUT_EFFECT))
 
 
-def texts_of(value):
-    """Lengths of parts as paver.mesh takes them, as a list of text."""
+def texts_of(info, value):
+    """What is said of parts, as paver.mesh takes it, as a list of text."""
     core.load()
     from paver import _run
-    return _run.local_texts("local", value)
+    return {"local": _run.local_texts, "named": _run.named_texts}[info["kind"]](info["name"], value)
 
 
 def put(obj, options):
@@ -138,8 +139,8 @@ def put(obj, options):
             value = number_of(name, table[name]["kind"], value)
         if table[name]["kind"] == "flag":
             value = plain(table[name], value)
-        if table[name]["kind"] == "local":
-            value = None if value is None else texts_of(value)
+        if table[name]["kind"] in REPEATED:
+            value = None if value is None else texts_of(table[name], value)
         try:
             setattr(obj, property_name(name), initial(table[name]) if value is None else value)
         except Exception:  # FreeCAD raises all sorts, with texts for programmers

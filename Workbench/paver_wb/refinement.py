@@ -3,18 +3,16 @@ solids of what is meshed.
 
 Documents name this module and RefinementProxy: neither may be moved.
 """
-import re
-
 from paver_wb import properties
 from paver_wb.base import proxies
 from paver_wb.base.proxies import Stateless, attach_view, is_refinement
 from paver_wb.base.texts import tip
 from paver_wb.base.waves import wavelength
+from paver_wb.children.references import (Numbers, ReferenceMissing, as_references, check_references,  # noqa: F401
+                                          find, names_in_whole)
 
 GROUP = tip("Refinement")
 LENGTH, MEDIUM = BY = ("Length", "Medium")
-KINDS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
-ELEMENT = re.compile(r"(Face|Edge|Vertex|Solid)([1-9]\d*)")
 
 # name: (type, tooltip)
 PROPERTIES = {
@@ -26,10 +24,6 @@ PROPERTIES = {
     "EpsR": ("App::PropertyFloat", tip("Relative permittivity of the medium; needs Frequency of the mesh")),
     "MuR": ("App::PropertyFloat", tip("Relative permeability of the medium")),
 }
-
-
-class ReferenceMissing(ValueError):
-    """A refinement refers to what its mesh does not have. The text is one sentence."""
 
 
 def add_properties(obj):
@@ -133,14 +127,6 @@ def change(obj, references, length=None, eps_r=None, mu_r=None):
     set_value(obj, length, eps_r, mu_r)
 
 
-def check_references(meshes, listed):
-    """ReferenceMissing where one of [(object, elements)] is in none of what a mesh object meshes."""
-    for mesh in meshes:
-        for thing, elements in listed:
-            for element in elements:
-                find(proxies.sources(mesh), mesh, thing, element)
-
-
 def set_value(obj, length=None, eps_r=None, mu_r=None):
     """Length, or medium where that is None."""
     if length is None and eps_r is None and mu_r is None:
@@ -154,19 +140,6 @@ def set_value(obj, length=None, eps_r=None, mu_r=None):
         obj.Length = 0
     if not obj.Length.Value > 0:
         raise ValueError(f"The length of '{obj.Label}' is {length!r}; give one above 0, like 2 or \"2 mm\".")
-
-
-def as_references(mesh, references):
-    """[(object, [names of elements, "" for all])]."""
-    listed = []
-    for entry in references:
-        if isinstance(entry, str):
-            entry = (mesh.Part, entry)
-        thing, elements = entry if isinstance(entry, (tuple, list)) else (entry, "")
-        listed.append((thing, [elements] if isinstance(elements, str) else list(elements) or [""]))
-    if not listed:
-        raise ReferenceMissing(f"A refinement of '{mesh.Label}' refers to nothing; select faces, edges or vertices.")
-    return listed
 
 
 def decisive(mesh):
@@ -186,121 +159,8 @@ def local_texts(mesh, sources):
     numbers = Numbers(sources)
     texts = []
     for obj in of_mesh(mesh):
-        names = []
-        for thing, elements in obj.References:
-            for element in elements or ("",):
-                names += numbers.names(*find(sources, obj, thing, element))
+        names = names_in_whole(numbers, obj, obj.References)
         value = f"{obj.Length.Value!r}" if obj.By == LENGTH else f"eps-r:{obj.EpsR!r},mu-r:{obj.MuR!r}"
         if names:
-            texts.append(",".join(dict.fromkeys(names)) + "=" + value)
+            texts.append(",".join(names) + "=" + value)
     return texts
-
-
-def find(sources, owner, thing, element):
-    """(number of the source, names of its elements) that a reference means."""
-    from paver import _shapes
-    for number, source in enumerate(sources):
-        shape = _shapes.shape_of(source) if thing == source else None
-        if shape is not None and "." not in element:
-            return number, known(owner, thing, shape, element)
-    for number, source in enumerate(sources):
-        found = inside(source, thing, element)
-        if found:
-            return number, found
-    what = f"{element or 'all'} of '{thing.Label}'"
-    raise ReferenceMissing(f"'{owner.Label}' refers to {what}, which is not among the objects that are meshed; refer to "
-                           "elements of those.")
-
-
-def known(owner, thing, shape, element):
-    """Names of the elements of a source's shape; `element` may be empty for the whole of it."""
-    if not element:
-        kind = "Solid" if shape.Solids else "Face"
-        return [f"{kind}{i + 1}" for i in range(len(getattr(shape, KINDS[kind])))]
-    match = ELEMENT.fullmatch(element)
-    count = len(getattr(shape, KINDS[match.group(1)])) if match else 0
-    if not match or int(match.group(2)) > count:
-        raise ReferenceMissing(f"'{owner.Label}' refers to {element}, which '{thing.Label}' does not have; choose the "
-                               "elements again.")
-    return [element]
-
-
-def inside(source, thing, element):
-    """Names of the elements of a source that are an element of something inside it: of an object in an App::Part, of a
-    feature of a Body. Empty: not inside."""
-    import Part
-
-    from paver import _shapes
-    shape = _shapes.shape_of(source)
-    if thing == source:
-        wanted = Part.getShape(source, element, needSubElement=True)
-    elif thing in source.OutListRecursive:
-        path = path_to(source, thing)
-        wanted = Part.getShape(source, path + element, needSubElement=bool(element)) if path is not None else None
-        if wanted is None or wanted.isNull():
-            wanted = thing.Shape if not element else thing.getSubObject(element)
-    else:
-        return []
-    parts = [wanted] if element else wanted.Solids or wanted.Faces
-    names = [name_in(shape, part) for part in parts]
-    return names if all(names) else []
-
-
-def path_to(source, thing):
-    """"Group.Box." leading from an object to one inside it; None when there is no such way."""
-    for child in getattr(source, "Group", []):
-        if child == thing:
-            return child.Name + "."
-        further = path_to(child, thing)
-        if further is not None:
-            return f"{child.Name}.{further}"
-    return None
-
-
-def name_in(shape, part):
-    """Name of a shape's element that is, or lies where, `part` does; empty when there is none."""
-    kind = part.ShapeType
-    if kind not in KINDS:
-        return ""
-    elements = getattr(shape, KINDS[kind])
-    for number, element in enumerate(elements, 1):
-        if element.isSame(part):
-            return f"{kind}{number}"
-    near = 1e-7 * max(shape.BoundBox.DiagonalLength, 1e-300)
-    for number, element in enumerate(elements, 1):
-        if place(element).distanceToPoint(place(part)) <= near and abs(measure(element) - measure(part)) <= near * (
-                1 + measure(part)):
-            return f"{kind}{number}"
-    return ""
-
-
-def place(element):
-    return element.Point if element.ShapeType == "Vertex" else element.CenterOfMass
-
-
-def measure(element):
-    return {"Vertex": lambda: 0, "Edge": lambda: element.Length}.get(element.ShapeType, lambda: element.Area)()
-
-
-class Numbers:
-    """From elements of sources to those of the compound that is meshed."""
-
-    def __init__(self, sources):
-        self.sources, self.shapes, self.whole = sources, None, None
-
-    def names(self, number, elements):
-        """Names in the whole of elements of a source."""
-        if len(self.sources) == 1:
-            return elements
-        return [self.name(number, *ELEMENT.fullmatch(element).groups()) for element in elements]
-
-    def name(self, number, kind, index):
-        import Part
-
-        from paver import _shapes
-        if self.shapes is None:
-            self.shapes = [_shapes.shape_of(source) for source in self.sources]
-            self.whole = Part.Compound(self.shapes)
-        wanted = getattr(self.shapes[number], KINDS[kind])[int(index) - 1]
-        return next(f"{kind}{i}" for i, element in enumerate(getattr(self.whole, KINDS[kind]), 1)
-                    if element.isSame(wanted))

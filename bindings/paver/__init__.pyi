@@ -12,6 +12,7 @@ Length = Union[float, str, Quantity]  # mm, or "30 mm"
 Frequency = Union[float, str, Quantity]  # Hz, or "9 GHz"
 Angle = Union[float, str, Quantity]  # degrees, or "0.5 rad"
 Medium = dict[str, float]  # eps_r, mu_r
+Named = Union[dict[str, Union[str, Sequence[str], dict[str, Any]]], str, Sequence[str]]  # {"Feed": ["Edge5"]}
 Local = Union[dict[Union[str, tuple[str, ...]], Union[Length, Medium]], str, Sequence[str]]  # {"Face3": "2 mm"}
 Path = Union[str, os.PathLike[str]]
 Shape = Any  # Part.Shape, or an object of a FreeCAD document
@@ -78,6 +79,7 @@ class SurfaceMesh:
                  line_edges: NDArray[np.int32], points: NDArray[np.int32] = ...) -> None: ...
     def write(self, path: Path, *, face_names: Sequence[str] = (), edge_names: Sequence[str] = (),
               edge_groups: Sequence[str] = (), point_names: Sequence[str] = (),
+              volumes: Sequence[tuple[str, str, Sequence[int]]] = (),
               msh_version: Literal["4.1", "2.2"] = "4.1", ascii: bool = False, progress: Optional[Progress] = None,
               cancel: Optional[threading.Event] = None) -> None: ...
     def quality(self) -> ElementQuality: ...
@@ -121,6 +123,10 @@ class Result:
     @property
     def face_names(self) -> list[str]: ...
     @property
+    def face_groups(self) -> list[str]: ...
+    @property
+    def volumes(self) -> list[tuple[str, str, list[int]]]: ...
+    @property
     def edge_groups(self) -> list[str]: ...
     @property
     def point_names(self) -> list[str]: ...
@@ -145,7 +151,8 @@ def mesh(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Fr
          max_turn: Optional[Angle] = None, gradation: Optional[float] = None, tip: Optional[float] = None, grade_edges: Optional[float] = None,
          gap: Optional[Literal["one", "refine:2", "refine:3", "refine:4", "refine:5", "refine:6", "refine:7", "refine:8"]] = None,
          chord_error: Optional[Length] = None,
-         local: Optional[Local] = None, max_elements: Optional[int] = None, merge: Optional[float] = None, merge_width: Optional[float] = None, order: Optional[int] = None,
+         local: Optional[Local] = None, max_elements: Optional[int] = None, medium: Optional[Named] = None,
+         port: Optional[Named] = None, wire: Optional[Named] = None, merge: Optional[float] = None, merge_width: Optional[float] = None, order: Optional[int] = None,
          elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
          multilevel: Optional[Literal["off", "auto", "4", "5", "6", "7", "8"]] = None,
          threads: Optional[int] = None, ranks: Optional[int] = None,
@@ -159,7 +166,8 @@ def predict(shape: Source, *, size: Optional[Length] = None, frequency: Optional
             max_turn: Optional[Angle] = None, gradation: Optional[float] = None, tip: Optional[float] = None, grade_edges: Optional[float] = None,
          gap: Optional[Literal["one", "refine:2", "refine:3", "refine:4", "refine:5", "refine:6", "refine:7", "refine:8"]] = None,
          chord_error: Optional[Length] = None,
-            local: Optional[Local] = None, max_elements: Optional[int] = None, merge: Optional[float] = None, merge_width: Optional[float] = None, order: Optional[int] = None,
+            local: Optional[Local] = None, max_elements: Optional[int] = None, medium: Optional[Named] = None,
+         port: Optional[Named] = None, wire: Optional[Named] = None, merge: Optional[float] = None, merge_width: Optional[float] = None, order: Optional[int] = None,
             elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
             multilevel: Optional[Literal["off", "auto", "4", "5", "6", "7", "8"]] = None,
             threads: Optional[int] = None, ranks: Optional[int] = None,

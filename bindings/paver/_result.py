@@ -35,18 +35,23 @@ class Result:
     quad_faces = of_data("quad_faces", "(q,) int32: face of each quad.")
     triangle_faces = of_data("triangle_faces", "(t,) int32: face of each triangle.")
     line_edges = of_data("line_edges", """(l,) int32: edge of each line. Numbers from the
-        shape's count of edges on are edges that Paver added, see `edge_names`.""")
+        shape's count of edges on are edges that Paver added, or pieces, see `edge_names`.""")
     further_edges = of_data("further_edges", """(k, 2) int32: (line, edge) where edges of
         the shape were sewn to one: those that a line lies on besides its own of `line_edges`.""")
     node_edges = of_data("node_edges", "(n,) int32: an edge each node lies on, or -1.")
-    points = of_data("points", "(k,) int32: rows of `nodes` that are vertices which end no edge, feed points for instance.")
+    points = of_data("points", """(k,) int32: rows of `nodes` that are vertices which end no edge, feed points for
+        instance, or vertices of ports.""")
     node_targets = of_data("node_targets", "(n,) float64: target length at each corner node, mm; 0 at the others.")
     face_names = of_data("face_names", 'Name of each face in the file, else "Face12".')
     edge_names = of_data("edge_names", """"Edge7"; "Added1" for edges that Paver added; "Junction1" for pieces of an edge
         where more than two faces meet, if its other pieces are ordinary.""")
-    edge_groups = of_data("edge_groups", """Group of each edge in mesh files: "Junctions" where more than two faces
-        meet, the name of a wire ("Wire1"), else empty.""")
-    point_names = of_data("point_names", "Name of each of `points`, which is its group in mesh files: \"Point1\".")
+    face_groups = of_data("face_groups", "The port that each face is in, which is its group in mesh files; else empty.")
+    edge_groups = of_data("edge_groups", """Group of each edge in mesh files: the port or wire it was named in, the name
+        of the wire it is of ("Wire1"), "Junctions" where more than two faces meet, else empty.""")
+    point_names = of_data("point_names", """Name of each of `points`, which is its group in mesh files: "Point1", or the
+        port it is in.""")
+    volumes = of_data("volumes", """[(name, medium, sides)] of the solids that have a medium: "Solid2", "FR4", and numbers
+        from 1 of the faces that bound it, negative where the outward normal looks into the solid.""")
 
     @property
     def report(self):

@@ -68,14 +68,37 @@ def local_texts(name, value):
     return texts
 
 
+def named_texts(name, value):
+    """Texts of parts under names, which may be a dict, one text or several."""
+    if isinstance(value, str):
+        return [value]
+    if not hasattr(value, "items"):
+        return [text_of(name, "named", text) for text in value]
+    texts = []
+    for own, parts in value.items():
+        facts = {}
+        if hasattr(parts, "items"):
+            facts = {fact: said for fact, said in parts.items() if fact != "parts"}
+            parts = parts.get("parts", ())
+        listed = [parts] if isinstance(parts, str) else list(parts)
+        for fact, said in facts.items():
+            if isinstance(said, bool):
+                listed += [fact] if said else []
+            else:
+                listed.append(f"{fact}:{text_of(name, 'length' if fact == 'radius' else 'number', said)}")
+        texts.append(f"{own}={','.join(listed)}")
+    return texts
+
+
 def given_options(options):
     kinds = {info["name"]: info["kind"] for info in _paver.options()}
+    repeated = {"local": local_texts, "named": named_texts}
     given = []
     for name, value in options.items():
         if value is None:
             continue
-        is_local = kinds.get(name) == "local"
-        texts = local_texts(name, value) if is_local else [text_of(name, kinds.get(name), value)]
+        kind = kinds.get(name)
+        texts = repeated[kind](name, value) if kind in repeated else [text_of(name, kind, value)]
         given += [(name, text) for text in texts]
     return given
 
@@ -135,7 +158,7 @@ def predict(shape, *, progress=None, cancel=None, name=None, **options):
 def options():
     """The options of mesh() and predict(), in order.
 
-    Dicts with `name`, `kind` (length, frequency, angle, number, integer, choice, flag, local), `letter` (stands for the value in
+    Dicts with `name`, `kind` (length, frequency, angle, number, integer, choice, flag, local, named), `letter` (stands for the value in
     help texts), `help`, `default` (text, maybe empty), `needs`, `excludes` (another option's name, or empty), `choices`,
     `may_be_zero` (without a default: 0 is a value of its own, which a form must not use for "none").
     """
@@ -152,7 +175,9 @@ def describe(function):
     lines = [f"    {i['name']} ({i['kind']}): {i['help']}" + (f" [{i['default']}]" if i["default"] else "")
              for i in table]
     notes = ('Options, as numbers (mm, Hz, degrees), text with a unit ("30 mm", "9 GHz") or FreeCAD quantities; local '
-             'as {"Face3": "2 mm", ("Edge5", "Vertex2"): 0.5, "Solid1": {"eps_r": 4}}:')
+             'as {"Face3": "2 mm", ("Edge5", "Vertex2"): 0.5, "Solid1": {"eps_r": 4}}; medium as {"FR4": {"parts": "Solid1", '
+             '"eps_r": 4.4, "tan_d": 0.02}, "Metal": {"parts": ["Solid2"], "conductor": True}}, port as {"Feed": '
+             '["Edge5"]}, wire as {"Mast": {"parts": ["Edge7"], "radius": 0.5}}:')
     function.__doc__ = "\n".join([inspect.cleandoc(function.__doc__), "", notes, *lines])
 
 

@@ -56,16 +56,17 @@ class SurfaceMesh:
     def __init__(self, order, nodes, quads, triangles, quad_faces, triangle_faces, lines, line_edges, points=()):
         self._data = _paver.BareMesh(order, nodes, quads, triangles, quad_faces, triangle_faces, lines, line_edges, points)
 
-    def write(self, path, *, face_names=(), edge_names=(), edge_groups=(), point_names=(), msh_version="4.1",
+    def write(self, path, *, face_names=(), edge_names=(), edge_groups=(), point_names=(), volumes=(), msh_version="4.1",
               ascii=False, progress=None, cancel=None):
         """Writes the mesh to `path` (.msh or .vtu, by its ending), whole or not at all, as Result.write does.
 
         face_names, edge_names: of the faces and edges by number, for groups; without them "Face1", "Edge1".
         edge_groups: by number the group that an edge is in, or an empty text. point_names: of `points`, for groups.
+        volumes: as those of a Result.
         """
         files = (os.fsencode(path), b"", str(msh_version), bool(ascii), b"", b"", b"")
         self._data.write(files, list(face_names), list(edge_names), list(edge_groups), list(point_names),
-                         poll_of(progress, cancel))
+                         [(name, medium, list(sides)) for name, medium, sides in volumes], poll_of(progress, cancel))
 
     def quality(self):
         """ElementQuality: figures of every element, measured at the first call."""

@@ -18,6 +18,8 @@
 namespace paver::python {
 namespace {
 
+using VolumeArguments = std::tuple<std::string, std::string, std::vector<int>>;
+
 using Integers = py::array_t<int, py::array::c_style | py::array::forcecast>;
 using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
@@ -66,9 +68,11 @@ class BareMesh {
 
   const SurfaceMesh& mesh() const { return mesh_; }
 
-  /// As a result with these names of faces, edges, their groups and points is written, without a report.
+  /// As a result with these names of faces, edges, their groups and points, and these volumes, is written, without a
+  /// report. `volumes`: name, medium and sides of each.
   void write(const OutputFiles& files, std::vector<std::string> face_names, std::vector<std::string> edge_names,
-             std::vector<std::string> edge_groups, std::vector<std::string> point_names, const py::object& poll) const {
+             std::vector<std::string> edge_groups, std::vector<std::string> point_names,
+             const std::vector<VolumeArguments>& volumes, const py::object& poll) const {
     run_job(poll, [&](Progress& progress) {
       MeshResult result;
       result.mesh = mesh_;
@@ -76,6 +80,7 @@ class BareMesh {
       result.edge_names = std::move(edge_names);
       result.edge_groups = std::move(edge_groups);
       result.point_names = std::move(point_names);
+      for (const auto& [name, medium, sides] : volumes) result.volumes.push_back({name, medium, sides});
       write_outputs(result, files, progress);
     });
   }
@@ -167,9 +172,10 @@ void bind_display(py::module_& module) {
       .def("write",
            [](const BareMesh& mesh, const FileArguments& files, std::vector<std::string> face_names,
               std::vector<std::string> edge_names, std::vector<std::string> edge_groups,
-              std::vector<std::string> point_names, const py::object& poll) {
+              std::vector<std::string> point_names, const std::vector<VolumeArguments>& volumes,
+              const py::object& poll) {
              mesh.write(output_files(files), std::move(face_names), std::move(edge_names), std::move(edge_groups),
-                        std::move(point_names), poll);
+                        std::move(point_names), volumes, poll);
            })
       .def("quality", [](BareMesh& mesh) { return quality_arrays(mesh.quality()); })
       .def("tessellate", [](const BareMesh& mesh, int subdivision, bool apart) {

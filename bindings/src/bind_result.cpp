@@ -86,6 +86,13 @@ void bind_arrays(py::class_<MeshData>& data) {
   data.def_property_readonly("points", [](Data d) { return column(d.owner(), d.mesh().points); });
   data.def_property_readonly("point_names", [](Data d) { return names(d.result().point_names); });
   data.def_property_readonly("face_names", [](Data d) { return names(d.result().face_names); });
+  data.def_property_readonly("face_groups", [](Data d) { return names(d.result().face_groups); });
+  data.def_property_readonly("volumes", [](Data d) {
+    py::list list;
+    for (const Volume& volume : d.result().volumes)
+      list.append(py::make_tuple(to_python(volume.name), to_python(volume.medium), volume.sides));
+    return list;
+  });
   data.def_property_readonly("edge_groups", [](Data d) { return names(d.result().edge_groups); });
   data.def_property_readonly("edge_names", [](Data d) { return names(d.result().edge_names); });
 }

@@ -28,8 +28,9 @@
 #include "sizing/chord_lengths.h"
 #include "sizing/merging/merge_small.h"
 #include "topology/build_model.h"
-#include "topology/components.h"
-#include "topology/edge_entities.h"
+#include "topology/naming/components.h"
+#include "topology/naming/edge_entities.h"
+#include "topology/naming/named_parts.h"
 
 namespace paver {
 namespace {
@@ -39,7 +40,10 @@ constexpr const char* kernel_failure = "The CAD kernel failed at this model; rep
 class Run {
  public:
   Run(const Options& options, Progress& progress, Ranks& ranks)
-      : options_(options), progress_(progress), ranks_(ranks), shared_(options.threads, progress, ranks) {}
+      : options_(options), progress_(progress), ranks_(ranks), shared_(options.threads, progress, ranks) {
+    const std::vector<LocalSize> in_media = lengths_in_media(options);
+    options_.local.insert(options_.local.end(), in_media.begin(), in_media.end());
+  }
 
   MeshShare mesh(const CadModel& model) {
     start();
@@ -120,6 +124,9 @@ class Run {
     finish(assembler);
     name_edges();
     name_points();
+    result_.face_groups = model_.face_group;
+    result_.volumes = list_volumes(model_);
+    result_.report.lost_parts = lost_parts(options_, model_, result_);
     return std::move(share_);
   }
 
@@ -168,6 +175,10 @@ class Run {
     result_.report.stage_seconds.push_back({stage_name(Stage::read), model.read_seconds});
     begin(Stage::topology);
     model_ = build_model(*model.shape, options_, model.report, progress_, shared_);
+    name_parts(model_, options_);
+    result_.report.media = options_.media;
+    result_.report.ports = options_.ports;
+    result_.report.wires = options_.wires;
     result_.report.merges = merge_small(model_, options_);
     result_.report.model = model_.report;
     result_.report.notes = model_.notes;
@@ -182,6 +193,8 @@ class Run {
       if (face.is_merged) report.status = FaceStatus::merged;
       for (int part : face.front) report.front.push_back(model_.parts[part]);
       for (int part : face.back) report.back.push_back(model_.parts[part]);
+      report.front_medium = medium_of(model_, face.front);
+      report.back_medium = medium_of(model_, face.back);
       if (face.has_area && !face.fault.empty()) {
         report.status = FaceStatus::failed;
         report.stage = "topology";
@@ -291,6 +304,8 @@ class Run {
       face.where = piece.where;
     }
     if (face.front != piece.front || face.back != piece.back) face.front.clear(), face.back.clear();
+    if (face.front_medium != piece.front_medium) face.front_medium.clear();
+    if (face.back_medium != piece.back_medium) face.back_medium.clear();
     face.cad_area += piece.cad_area;
     face.closed_by_triangulation += piece.closed_by_triangulation;
   }
@@ -359,7 +374,7 @@ class Run {
     std::string lost;
     for (std::size_t i = 0; i < model_.points.size(); ++i) {
       const int node = result_.mesh.points[i];
-      const std::string& name = model_.parts[static_cast<std::size_t>(model_.points[i].part)];
+      const std::string& name = model_.points[i].name;
       if (node < 0) {
         if (!model_.points[i].is_apart) lost += (lost.empty() ? "" : ", ") + name;
         continue;

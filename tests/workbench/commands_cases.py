@@ -115,7 +115,7 @@ class Commands(WithCommands):
         select(mesh)
         self.assertEqual(self.active(), ["Paver_Mesh", "Paver_FillFemMesh", *NEEDS_NOTHING])
         select((self.box, "Face1"))
-        self.assertEqual(self.active(), ["Paver_CreateMesh", "Paver_Refine", *NEEDS_NOTHING])
+        self.assertEqual(self.active(), ["Paver_CreateMesh", "Paver_Refine", "Paver_Medium", "Paver_Port", "Paver_Wire", *NEEDS_NOTHING])
         meshing.mesh(mesh)
         select()
         self.assertEqual(sorted(self.active()), sorted(ON_MESHED + NEEDS_NOTHING), "the only mesh is meant")

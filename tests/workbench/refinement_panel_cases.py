@@ -130,3 +130,80 @@ class RefinementPanel(PanelCase):
         shown = [w for w in window.widgets(QtGui.QWidget) if w.objectName().startswith("Paver_Refinement")]
         self.assertGreater(len(shown), 6)
         self.assertEqual([w.objectName() for w in shown if not w.toolTip()], [])
+
+
+class NamedPanel(PanelCase):
+    """Panels of media, ports and wires."""
+
+    def select(self, *elements):
+        FreeCADGui.Selection.clearSelection()
+        for element in elements:
+            FreeCADGui.Selection.addSelection(self.box, element)
+
+    def run_command(self, name):
+        FreeCADGui.runCommand(name)
+        window.wait(lambda: window.widget("Paver_NamedLabel"), "for the panel")
+
+    def ok(self):
+        window.click(self.button(QtGui.QDialogButtonBox.Ok))
+        window.pause(50)
+
+    def test_a_medium_of_a_card_for_the_solid_of_the_selected_face(self):
+        mesh = self.add_mesh(frequency="30 GHz")
+        self.select("Face6")
+        self.run_command("Paver_Medium")
+        medium, = mesh.Media
+        self.assertEqual(medium.References, [(self.box, ("",))])
+        self.assertEqual(mesh.ViewObject.Proxy.claimChildren(), [medium])
+        choice = window.widget("Paver_NamedMaterial")
+        choice.setCurrentIndex(choice.findText("Water"))
+        choice.activated.emit(choice.currentIndex())
+        self.assertEqual((self.text("NamedEpsR"), self.text("NamedLabel")), ("80", "Water"))
+        window.type_into(window.widget("Paver_NamedLossTangent"), "0.1")
+        window.pause(300)
+        window.picture("panel_medium")
+        self.ok()
+        self.assertEqual((medium.Label, medium.EpsR, medium.LossTangent), ("Water", 80, 0.1))
+        self.assertEqual(self.document.UndoNames, ["Change Medium", "Medium"])
+        self.document.undo()
+        self.assertEqual((medium.Label, medium.EpsR), ("Medium", 1))
+
+    def test_cancel_takes_a_new_port_back_and_a_fault_is_a_sentence(self):
+        mesh = self.add_mesh()
+        self.select("Edge1", "Face3")
+        self.run_command("Paver_Port")
+        self.assertEqual(len(mesh.Ports), 1)
+        window.widget("Paver_NamedLabel").setText("")
+        self.ok()
+        self.assertIn("no name", self.text("FaultText"))
+        window.picture("panel_port")
+        window.click(self.button(QtGui.QDialogButtonBox.Cancel))
+        window.pause(100)
+        self.assertEqual((mesh.Ports, self.document.UndoCount), ([], 0))
+
+    def test_a_sketch_becomes_a_wire_that_is_meshed(self):
+        mesh = self.add_mesh()
+        line = self.document.addObject("Part::Line", "Whip")
+        line.Z1, line.Z2 = 10, 30
+        self.document.recompute()
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(line)
+        self.run_command("Paver_Wire")
+        window.type_into(window.widget("Paver_NamedRadius"), "0.2 mm")
+        self.ok()
+        wire, = mesh.Wires
+        self.assertEqual((wire.Radius.Value, mesh.MoreParts), (0.2, [line]))
+        self.open(mesh)
+        self.mesh_and_wait()
+        self.assertGreater(mesh.Lines, 3)
+        window.pause(300)
+        window.picture("panel_wire")
+
+    def test_what_cannot_be_in_a_wire_is_said(self):
+        mesh = self.add_mesh()
+        self.select("Face1")
+        FreeCADGui.runCommand("Paver_Wire")
+        window.wait(lambda: window.widget("Paver_Complaint"), "for the complaint")
+        self.assertIn("cannot be in a wire", window.widget("Paver_Complaint").text())
+        window.widget("Paver_Complaint").close()
+        self.assertEqual((mesh.Wires, self.document.UndoCount), ([], 0))

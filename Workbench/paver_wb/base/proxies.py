@@ -4,6 +4,7 @@ from contextlib import contextmanager
 import FreeCAD
 
 MESH, REFINEMENT = "Paver::Mesh", "Paver::Refinement"
+NAMED = MEDIUM, PORT, WIRE = "Paver::Medium", "Paver::Port", "Paver::Wire"
 views = {}  # {Type of a proxy: class of its view provider}: the window fills it
 
 
@@ -49,6 +50,16 @@ def is_mesh(obj):
 
 def is_refinement(obj):
     return type_of(obj) == REFINEMENT
+
+
+def is_named(obj):
+    """Whether it is a medium, a port or a wire."""
+    return type_of(obj) in NAMED
+
+
+def is_child(obj):
+    """Whether it belongs to a mesh object."""
+    return is_refinement(obj) or is_named(obj)
 
 
 def meshes_of(document):

@@ -19,4 +19,6 @@ def tooltip(info):
         return f"{text} [{info['default']}]"
     if info["kind"] == "local":
         return text + ". Besides those of the refinements"
+    if info["kind"] == "named":
+        return text + ". Besides those that are objects of their own"
     return text + (". Negative: automatic" if info["may_be_zero"] else ". 0: not given")

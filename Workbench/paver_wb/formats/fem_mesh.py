@@ -1,5 +1,6 @@
 """FreeCAD's FemMesh of a stored mesh: tri3, tri6, quad4 and quad8 with a group of faces for each B-rep face, seg2 and seg3
-with a group of edges for each wire, and a group of one node for each vertex that ends no edge.
+with a group of edges for each wire, port and for junctions, a group of faces for each port that has some, and a group of nodes for
+each vertex that ends no edge and the vertices of each port.
 
 FreeCAD has no quad9: the node in the middle is left out. Elements have the numbers 1, 2, ..., quads first, as in Paver, lines
 last; nodes are numbered without gaps. Faces go through a VTU file with raw data, the fastest way in: one call for each
@@ -28,13 +29,14 @@ def serendipity(mesh):
 
 
 def numbered(mesh):
-    """(points, quads, triangles, {wire: lines}, {name: node of a vertex}) with only the nodes that these use."""
-    (quads, triangles), wires = serendipity(mesh), mesh_file.wires(mesh)
+    """(points, quads, triangles, {name: lines}, {name: nodes of vertices}) with only the nodes that these use."""
+    (quads, triangles), wires = serendipity(mesh), mesh_file.line_groups(mesh, True)
+    vertices = mesh_file.points(mesh)
     is_used = mesh_file.used_nodes(len(mesh.nodes), quads, triangles, *wires.values())
     number = np.cumsum(is_used) - 1
     return (np.asarray(mesh.nodes)[is_used], number[quads], number[triangles],
             {name: number[lines] for name, lines in wires.items()},
-            {name: int(number[node]) for name, node in mesh_file.points(mesh).items()})
+            {name: [int(number[node]) for node in nodes if is_used[node]] for name, nodes in vertices.items()})
 
 
 def write_vtu(path, points, blocks):
@@ -100,7 +102,7 @@ def empty():
 
 
 def of_mesh(mesh, groups):
-    """Fem.FemMesh of a StoredMesh, with `groups`, {name: numbers of faces}, besides one for each face, wire and vertex that ends no edge.
+    """Fem.FemMesh of a StoredMesh, with `groups`, {name: numbers of faces}, besides one for each face, wire, port and vertex that ends no edge.
 
     NoFemMesh for orders that FreeCAD does not have.
     """
@@ -108,10 +110,10 @@ def of_mesh(mesh, groups):
     blocks = [(VTK_TYPES[kind, mesh.order][0], rows) for kind, rows in (("quad", quads), ("triangle", triangles))
               if len(rows)]
     fem = of_faces(points, blocks) if blocks else of_points(points)
-    add_groups(fem, mesh, groups)
+    add_groups(fem, mesh, {**groups, **mesh_file.port_faces(mesh)})
     add_wires(fem, wires, len(quads) + len(triangles) + 1)
-    for name, node in vertices.items():
-        fem.addGroupElements(fem.addGroup(name, "Node"), [node + 1])
+    for name, nodes in vertices.items():
+        fem.addGroupElements(fem.addGroup(name, "Node"), [node + 1 for node in nodes])
     return fem
 
 

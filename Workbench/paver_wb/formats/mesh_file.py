@@ -21,7 +21,7 @@ OPTIONAL = {"node_targets": "<f8", "points": "<i4"}  # arrays that older files a
 JUNCTIONS = "Junctions"  # the group of edges where more than two faces meet
 BOTH = " + "  # between names of faces, in the name of what they have in common
 NAMES = ("order", "face_names", "edge_names", "report")
-LATER_NAMES = ("edge_groups", "point_names")  # that older files do not have
+LATER_NAMES = ("edge_groups", "point_names", "face_groups", "volumes")  # that older files do not have
 
 
 class StoredMesh(NamedTuple):
@@ -42,6 +42,8 @@ class StoredMesh(NamedTuple):
     edge_groups: tuple = ()
     points: object = None
     point_names: tuple = ()
+    face_groups: tuple = ()
+    volumes: tuple = ()
 
 
 class DamagedMesh(ValueError):
@@ -55,17 +57,41 @@ def labels(mesh):
     return [name if label == face["name"] else label for name, label, face in zip(mesh.face_names, given, mesh.report["faces"])]
 
 
-def wires(mesh):
-    """{name: (n, p + 1) rows of nodes} of a mesh's lines that are on no face, by wire."""
+def group_names(mesh):
+    """Names of a mesh's faces as groups of files: the port that a face is in, else as labels()."""
+    names = labels(mesh)
+    return [port or name for port, name in zip([*mesh.face_groups, *[""] * len(names)], names)]
+
+
+def line_groups(mesh, has_junctions=False):
+    """{name: (n, p + 1) rows of nodes} of a mesh's lines that are wires or in ports; of junctions too."""
     groups = np.array([*mesh.edge_groups, ""], dtype=object)  # the last one is that of no edge
     of_line = groups[np.minimum(mesh.line_edges, len(groups) - 1)] if len(mesh.line_edges) else groups[:0]
-    names = dict.fromkeys(name for name in of_line.tolist() if name not in ("", JUNCTIONS))
+    names = dict.fromkeys(name for name in of_line.tolist() if name and (has_junctions or name != JUNCTIONS))
     return {name: mesh.lines[of_line == name] for name in names}
 
 
+def wires(mesh):
+    """line_groups() less those of ports."""
+    ports = {port["name"] for port in mesh.report.get("ports", [])}
+    return {name: lines for name, lines in line_groups(mesh).items() if name not in ports}
+
+
 def points(mesh):
-    """{name: node} of a mesh's vertices that end no edge."""
-    return {} if mesh.points is None else dict(zip(mesh.point_names, np.asarray(mesh.points).tolist()))
+    """{name: nodes} of a mesh's vertices that end no edge or are in ports."""
+    found = {}
+    for name, node in zip(mesh.point_names, () if mesh.points is None else np.asarray(mesh.points).tolist()):
+        found.setdefault(name, []).append(node)
+    return found
+
+
+def port_faces(mesh):
+    """{name: numbers of faces, from 0} of ports."""
+    found = {}
+    for face, name in enumerate(mesh.face_groups):
+        if name:
+            found.setdefault(name, set()).add(face)
+    return found
 
 
 def used_nodes(count, *tables):
@@ -81,7 +107,8 @@ def of_result(result, face_names):
     arrays = {name: getattr(result, name) for name in ARRAYS}
     arrays.update({name: getattr(result, name, None) for name in OPTIONAL})
     return StoredMesh(order=result.order, face_names=list(face_names), edge_names=list(result.edge_names),
-                      edge_groups=list(result.edge_groups), point_names=list(result.point_names), report=result.report,
+                      edge_groups=list(result.edge_groups), point_names=list(result.point_names), face_groups=list(result.face_groups),
+                      volumes=list(result.volumes), report=result.report,
                       **arrays)
 
 

@@ -6,39 +6,38 @@ for this panel.
 import os
 
 import FreeCAD
-import FreeCADGui
 from PySide import QtGui
 
 from paver_wb import refinement
 from paver_wb.base.paths import ICONS
 from paver_wb.gui.base import edit_panel
 from paver_wb.gui.base.edit_panel import edit_new, unset_edit  # noqa: F401, for commands and the view provider
-from paver_wb.gui.base.steps import in_step, python_name
-from paver_wb.gui.base.widgets import FaultBox, button, named
+from paver_wb.gui.base.steps import python_name
+from paver_wb.gui.base.widgets import FaultBox, named
 from paver_wb.gui.panels import fields
-from paver_wb.gui.panels.sizes_box import references_text, selected_references, view_buttons
+from paver_wb.gui.panels.child_panel import ChildPanel
+from paver_wb.gui.panels.references_box import ReferencesBox
 
 translate = FreeCAD.Qt.translate
-LIST_HEIGHT = 120  # pixels
 
 
 class RefinementBox(QtGui.QWidget):
-    """The fields. references: [[object, element]] as they shall be."""
+    """The fields."""
 
     def __init__(self, obj):
         super().__init__()
         self.obj = obj
-        self.references = [[thing, element] for thing, elements in obj.References for element in elements or ("",)]
         self.setWindowTitle(obj.Label)
         self.setWindowIcon(QtGui.QIcon(os.path.join(ICONS, "Paver_Refine.svg")))
         layout = QtGui.QVBoxLayout(self)
         layout.addLayout(self.values())
         layout.addWidget(QtGui.QLabel(translate("Paver", "Where")))
-        layout.addWidget(self.make_list())
-        layout.addLayout(self.buttons())
+        self.where = ReferencesBox(obj, "Refinement", self.mesh, self.checked)
+        layout.addWidget(self.where)
         self.fault = FaultBox()
         layout.addWidget(self.fault)
-        self.refresh()
+        self.where.failed.connect(self.fault.tell)
+        self.fault.tell("")
 
     def values(self):
         self.length = fields.QuantityField("length")
@@ -72,73 +71,15 @@ class RefinementBox(QtGui.QWidget):
             field.setVisible(is_shown)
             self.form.labelForField(field).setVisible(is_shown)
 
-    def make_list(self):
-        self.list = named(QtGui.QListWidget(), "RefinementWhere", translate(
-            "Paver", "What is refined; a click shows it in the 3D view"))
-        self.list.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
-        self.list.setFixedHeight(LIST_HEIGHT)
-        self.list.itemSelectionChanged.connect(self.show_chosen)
-        return self.list
-
-    def buttons(self):
-        rows = QtGui.QGridLayout()
-        rows.addWidget(button("RefinementAdd", translate("Paver", "Add selection"), translate(
-            "Paver", "Adds what is selected in the 3D view"), self.add_selected), 0, 0)
-        rows.addWidget(button("RefinementRemove", translate("Paver", "Remove"), translate(
-            "Paver", "Removes the chosen lines"), self.remove_chosen), 0, 1)
-        for column, shown in enumerate(view_buttons("Refinement", self.mesh)):
-            rows.addWidget(shown, 1, column)
-        return rows
-
     def mesh(self):
         meshes = refinement.meshes_of(self.obj)
         return meshes[0] if meshes else None
 
-    def refresh(self):
-        """Shows the references, none of them chosen."""
-        self.list.blockSignals(True)
-        self.list.clear()
-        for thing, element in self.references:
-            self.list.addItem(f"{thing.Label}: {element or translate('Paver', 'all')}")
-        self.list.blockSignals(False)
-        self.fault.tell("")
-
-    def select(self, numbers):
-        """Selects references in the 3D view."""
-        FreeCADGui.Selection.clearSelection()
-        for thing, element in [self.references[number] for number in numbers]:
-            FreeCADGui.Selection.addSelection(thing, element)
-
-    def chosen(self):
-        return sorted(index.row() for index in self.list.selectedIndexes())
-
-    def show_chosen(self):
-        self.select(self.chosen())
-
-    def add_selected(self):
-        found = [[thing, element] for thing, elements in selected_references() for element in elements]
-        new = [entry for entry in found if entry not in self.references]
+    def checked(self, references):
+        """[(object, elements)] as they are; ReferenceMissing where the mesh does not have one."""
         mesh = self.mesh()
-        try:
-            if not found:
-                raise ValueError(translate("Paver", "Nothing of the model is selected; select faces, edges, vertices or "
-                                                    "objects in the 3D view."))
-            refinement.check_references([mesh] if mesh else [], [(thing, [element]) for thing, element in new])
-        except ValueError as error:
-            self.fault.tell(str(error))
-            return
-        self.references += new
-        self.refresh()
-
-    def remove_chosen(self):
-        gone = self.chosen()
-        self.references = [entry for number, entry in enumerate(self.references) if number not in gone]
-        self.refresh()
-
-    def grouped(self):
-        """[(object, elements)] of the references."""
-        things = list(dict.fromkeys(thing for thing, _ in self.references))
-        return [(thing, [element for other, element in self.references if other == thing]) for thing in things]
+        refinement.check_references([mesh] if mesh else [], references)
+        return references
 
     def text_fault(self):
         """Empty, or a sentence on what is no value."""
@@ -148,7 +89,7 @@ class RefinementBox(QtGui.QWidget):
                 return field.fault()
             if not field.value() > 0:
                 return translate("Paver", "{} is not above 0; write a larger number.").format(field.text())
-        return "" if self.references else translate("Paver", "Nothing is refined; add faces, edges, vertices or objects.")
+        return "" if self.where.references else translate("Paver", "Nothing is refined; add faces, edges, vertices or objects.")
 
     def line(self):
         """What OK does, as Python."""
@@ -156,46 +97,21 @@ class RefinementBox(QtGui.QWidget):
             value = f"length={self.length.value()!r}"
         else:
             value = f"eps_r={self.eps_r.value()!r}, mu_r={self.mu_r.value()!r}"
-        return f"paver_wb.refinement.change({python_name(self.obj)}, {references_text(self.grouped())}, {value})"
+        return f"paver_wb.refinement.change({python_name(self.obj)}, {self.where.text()}, {value})"
 
 
-class RefinementPanel(edit_panel.EditPanel):
+class RefinementPanel(ChildPanel):
     """The panel of a refinement."""
 
-    def __init__(self, obj, is_new):
-        super().__init__(obj, is_new)
-        self.box = RefinementBox(obj)
-        self.form, self.before = [self.box], self.box.line()
+    box_class, module = RefinementBox, "paver_wb.refinement"
+
+    def step(self):
+        return translate("Paver", "Size of {}").format(self.obj.Label)
 
     def shown(self):
-        self.box.select(range(len(self.box.references)))
+        super().shown()
         self.box.length.setFocus()
         self.box.length.selectAll()
-
-    def accept(self):
-        fault = self.box.text_fault()
-        try:
-            if not fault and self.box.line() != self.before:
-                in_step(self.document, translate("Paver", "Size of {}").format(self.obj.Label), ["paver_wb.refinement"],
-                        [self.box.line()])
-        except ValueError as error:
-            fault = str(error)
-        if fault:
-            self.box.fault.tell(fault)
-            return False
-        self.close()
-        return True
-
-    def reject(self):
-        is_unused = self.is_new and self.document.UndoCount == self.steps
-        self.close()
-        if is_unused:
-            self.document.undo()
-        return True
-
-    def slotDeletedObject(self, obj):
-        if obj == self.obj or any(obj == thing for thing, _ in self.box.references):
-            self.vanish()
 
 
 def set_edit(obj):

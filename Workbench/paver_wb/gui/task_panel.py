@@ -10,8 +10,10 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from paver_wb import mesh_object, refinement
+from paver_wb import mesh_object
+from paver_wb.base import proxies
 from paver_wb.base.paths import ICONS
+from paver_wb.children import named_parts
 from paver_wb.gui import run_control
 from paver_wb.gui.base import edit_panel
 from paver_wb.gui.base.edit_panel import edit_new, unset_edit  # noqa: F401, for commands and the view provider
@@ -232,13 +234,13 @@ class TaskPanel(edit_panel.EditPanel):
 
     def slotDeletedObject(self, obj):
         super().slotDeletedObject(obj)
-        if refinement.is_refinement(obj) and not self.is_closed:
+        if proxies.is_child(obj) and not self.is_closed:
             self.sizes_changed()
 
     def slotChangedObject(self, obj, name):
         if self.is_closed or mesh_object.is_restoring(obj):
             return
-        if name == mesh_object.REFINEMENTS or refinement.is_refinement(obj):
+        if name in (mesh_object.REFINEMENTS, *named_parts.LINKS) or proxies.is_child(obj):
             self.sizes_changed()
         elif obj != self.obj:
             return

@@ -1,5 +1,6 @@
 """How a mesh object looks in the tree and in the 3D view. Documents name this module and MeshViewProvider."""
 from paver_wb import refinement
+from paver_wb.children import named_parts
 from paver_wb.gui.base.view import ViewProvider
 
 FIRST = {"BackfaceCulling": False,  # an open surface has two sides
@@ -65,10 +66,10 @@ class MeshViewProvider(ViewProvider):
         return self.display.picker.element_picked(picked)
 
     def claimChildren(self):
-        return refinement.of_mesh(self.Object) if hasattr(self, "Object") else []
+        return [*named_parts.of_mesh(self.Object), *refinement.of_mesh(self.Object)] if hasattr(self, "Object") else []
 
     def onDelete(self, vobj, subelements):
-        """Deletes the refinements too, which are of no use without their mesh."""
-        for child in refinement.of_mesh(vobj.Object):
+        """Deletes the children too, which are of no use without their mesh."""
+        for child in self.claimChildren():
             child.Document.removeObject(child.Name)
         return True

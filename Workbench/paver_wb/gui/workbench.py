@@ -8,6 +8,7 @@ from PySide import QtCore
 from paver_wb import core
 from paver_wb.base import proxies
 from paver_wb.base.paths import FORMS, ICONS, TRANSLATIONS
+from paver_wb.gui.named_view import MediumViewProvider, PortViewProvider, WireViewProvider
 from paver_wb.gui.refinement_view import RefinementViewProvider
 from paver_wb.gui.view_provider import MeshViewProvider
 
@@ -24,7 +25,8 @@ def register():
     FreeCADGui.addPreferencePage(os.path.join(FORMS, "preferences.ui"), "Paver")
     PaverWorkbench.ToolTip = FreeCAD.Qt.translate("Paver", PaverWorkbench.ToolTip)
     FreeCADGui.addWorkbench(PaverWorkbench())
-    proxies.views.update({proxies.MESH: MeshViewProvider, proxies.REFINEMENT: RefinementViewProvider})
+    proxies.views.update({proxies.MESH: MeshViewProvider, proxies.REFINEMENT: RefinementViewProvider, proxies.MEDIUM: MediumViewProvider,
+                          proxies.PORT: PortViewProvider, proxies.WIRE: WireViewProvider})
 
 
 def load_what_takes_a_moment():

@@ -20,9 +20,10 @@ enum class OptionKind {
   choice,  ///< one of OptionInfo::choices
   flag,    ///< "on" or "off"; on the command line "on" where it is named
   local,   ///< parts of the model with their lengths; may be given repeatedly
+  named,   ///< parts of the model under a name; may be given repeatedly
 };
 
-/// "length", "frequency", "angle", "number", "integer", "choice", "flag", "local".
+/// "length", "frequency", "angle", "number", "integer", "choice", "flag", "local", "named".
 const char* kind_name(OptionKind kind);
 
 struct OptionInfo {
@@ -42,9 +43,12 @@ const std::vector<OptionInfo>& option_table();
 /// An option that was given: its name and the text of its value.
 using GivenOption = std::pair<std::string, std::string>;
 
+/// Whether options of a kind add up; of others the last one counts.
+bool is_repeated(OptionKind kind);
+
 /// Options as given, the others at their defaults. Throws Error{bad_option} for an unknown name, for text that is not
-/// of the option's kind, and for options that need or exclude others. Options of kind `local` add up; of others the
-/// last one counts. Ranges are left to check(Options).
+/// of the option's kind, and for options that need or exclude others. Options that is_repeated() names add up. Ranges
+/// are left to check(Options).
 Options read_options(const std::vector<GivenOption>& given);
 
 }  // namespace paver

@@ -34,6 +34,29 @@ struct LocalSize {
   double eps_r = 1, mu_r = 1;  ///< > 0
 };
 
+/// What solids are made of, under a name in the mesh. Where `frequency` is given their faces get the wavelength in it
+/// where that is shorter, unless it conducts.
+struct Medium {
+  std::string name;
+  std::vector<std::string> parts;  ///< "Solid1"
+  double eps_r = 1, mu_r = 1;      ///< > 0
+  double loss_tangent = 0;         ///< >= 0
+  bool is_conductor = false;
+};
+
+/// Faces, edges and vertices that are a group of the mesh by themselves, and are never merged with others.
+struct Port {
+  std::string name;
+  std::vector<std::string> parts;  ///< "Face3", "Edge5", "Vertex2"
+};
+
+/// Edges that stand for a thin wire: a group of lines, kept as ports are.
+struct Wire {
+  std::string name;
+  std::vector<std::string> parts;  ///< "Edge5"
+  double radius = 0;               ///< mm, > 0
+};
+
 /// Value of Options::multilevel: levels as the number of elements suggests.
 constexpr int automatic_levels = -1;
 
@@ -66,6 +89,9 @@ struct Options {
   Connect connect = Connect::imprint;
   bool strict = false;           ///< a model that needs repairs, or has faces that cannot be meshed, is refused
   std::vector<LocalSize> local;  ///< target lengths of parts of the model; the least counts
+  std::vector<Medium> media;     ///< a solid has one at most
+  std::vector<Port> ports;       ///< a part is in one of the ports and wires at most
+  std::vector<Wire> wires;
 
   double turn_limit() const { return max_turn ? *max_turn : 0.7853981633974483; }
 };
@@ -78,5 +104,9 @@ double target_length(const Options& options);
 
 /// The target length of a part in mm. Options must have passed check().
 double local_length(const Options& options, const LocalSize& local);
+
+/// The wavelengths in media that are shorter than the target length allows, as lengths of their solids. None without
+/// a frequency. Options must have passed check().
+std::vector<LocalSize> lengths_in_media(const Options& options);
 
 }  // namespace paver

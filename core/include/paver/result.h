@@ -30,7 +30,7 @@ struct SurfaceMesh {
   /// (line, 0-based B-rep edge): where sewing made edges common, those a line lies on besides its line_edge.
   std::vector<std::array<int, 2>> further_edges;
   std::vector<double> node_target;  ///< per node: target length h there, mm (corner nodes; 0 elsewhere)
-  std::vector<int> points;          ///< nodes of vertices that end no edge
+  std::vector<int> points;          ///< nodes of vertices that end no edge, then of those in ports
 
   int nodes_per_quad() const { return (order + 1) * (order + 1); }
   int nodes_per_triangle() const { return (order + 1) * (order + 2) / 2; }
@@ -55,8 +55,9 @@ struct SurfaceDistance {
 };
 
 struct FaceReport {
-  std::string name;                      ///< "Face12"; "Face3 + Face9" for what these have in common
-  std::vector<std::string> front, back;  ///< solids in front of it, where its normal looks, and behind it
+  std::string name;                       ///< "Face12"; "Face3 + Face9" for what these have in common
+  std::vector<std::string> front, back;   ///< solids in front of it, where its normal looks, and behind it
+  std::string front_medium, back_medium;  ///< of the first of these that has one; empty: that around the solids
   FaceStatus status = FaceStatus::meshed;
   std::string stage, reason;  ///< when not meshed: where it stopped and why
   std::optional<Vec3> where;  ///< when failed: a point near the trouble, where one is known
@@ -211,6 +212,10 @@ struct RunReport {
   Elements elements = Elements::quad_dominant;
   QualityReport quality;
   std::vector<FaceReport> faces;  ///< the faces as read, then what several of them have in common
+  std::vector<Medium> media;      ///< as given, like ports and wires
+  std::vector<Port> ports;
+  std::vector<Wire> wires;
+  std::vector<std::string> lost_parts;  ///< of ports and wires that are not in the mesh: "Edge5 of 'Feed'"
   std::vector<Merge> merges;
   std::vector<ElementRepair> element_repairs;
   std::vector<std::string> notes;                             ///< one sentence each
@@ -223,15 +228,24 @@ struct RunReport {
 /// The group of edges where more than two faces meet.
 inline constexpr const char* junctions = "Junctions";
 
+/// A solid that has a medium.
+struct Volume {
+  std::string name, medium;  ///< "Solid2", "FR4"
+  std::vector<int> sides;    ///< B-rep faces that bound it, from 1; negative where the outward normal looks into it
+};
+
 struct MeshResult {
   SurfaceMesh mesh;
   RunReport report;
-  std::vector<std::string> face_names;  ///< per B-rep face: its name in the file, else "Face12"
-  /// Per B-rep edge: "Edge7"; "Added1" for those that dividing and connecting added, "Junction1" for pieces of an edge
-  /// that are junctions where other pieces are not.
+  std::vector<std::string> face_names;   ///< per B-rep face: its name in the file, else "Face12"
+  std::vector<std::string> face_groups;  ///< per B-rep face: the port it is in, or empty
+  /// Per B-rep edge: "Edge7"; "Added1" for those that dividing and connecting added; "Junction1", "Piece1" for pieces
+  /// of an edge that are in another group than its other pieces.
   std::vector<std::string> edge_names;
-  std::vector<std::string> edge_groups;  ///< per B-rep edge: `junctions`, the wire it is of ("Wire1"), or empty
-  std::vector<std::string> point_names;  ///< per entry of the mesh's points: "Point1"
+  /// Per B-rep edge: the port or wire it is named in, the wire it is of ("Wire1"), `junctions`, or empty.
+  std::vector<std::string> edge_groups;
+  std::vector<std::string> point_names;  ///< per entry of the mesh's points: "Point1", or the port it is in
+  std::vector<Volume> volumes;           ///< solids that have a medium
 };
 
 /// Whether there are neither elements nor lines of wires.

@@ -76,4 +76,24 @@ std::optional<std::vector<LocalSize>> parse_local(const std::string& text) {
   return list;
 }
 
+std::optional<NamedParts> parse_named(const std::string& text, const std::vector<std::string>& flags) {
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string::npos) return std::nullopt;
+  NamedParts named;
+  named.name = trimmed(std::string_view(text).substr(0, equals));
+  for (const std::string& item : pieces(text.substr(equals + 1), ',')) {
+    const std::size_t colon = item.find(':');
+    if (colon != std::string::npos) {
+      std::string fact = trimmed(std::string_view(item).substr(0, colon));
+      std::replace(fact.begin(), fact.end(), '_', '-');
+      named.facts.emplace_back(fact, trimmed(std::string_view(item).substr(colon + 1)));
+    } else if (std::find(flags.begin(), flags.end(), item) != flags.end()) {
+      named.facts.emplace_back(item, "");
+    } else {
+      named.parts.push_back(item);
+    }
+  }
+  return named;
+}
+
 }  // namespace paver

@@ -36,10 +36,10 @@ void fields(A& archive, Is<ModelReport> auto& model) {
 
 template <class A>
 void fields(A& archive, Is<FaceReport> auto& face) {
-  auto& [name, front, back, status, stage, reason, where, quads, triangles, worst_sj, cad_area, mesh_area, distance,
-         closed_by_triangulation] = face;
-  archive(name, front, back, status, stage, reason, where, quads, triangles, worst_sj, cad_area, mesh_area, distance,
-          closed_by_triangulation);
+  auto& [name, front, back, front_medium, back_medium, status, stage, reason, where, quads, triangles, worst_sj,
+         cad_area, mesh_area, distance, closed_by_triangulation] = face;
+  archive(name, front, back, front_medium, back_medium, status, stage, reason, where, quads, triangles, worst_sj,
+          cad_area, mesh_area, distance, closed_by_triangulation);
 }
 
 template <class A>
@@ -55,11 +55,35 @@ void fields(A& archive, Is<Merge> auto& merge) {
 }
 
 template <class A>
+void fields(A& archive, Is<Medium> auto& medium) {
+  auto& [name, parts, eps_r, mu_r, loss_tangent, is_conductor] = medium;
+  archive(name, parts, eps_r, mu_r, loss_tangent, is_conductor);
+}
+
+template <class A>
+void fields(A& archive, Is<Port> auto& port) {
+  auto& [name, parts] = port;
+  archive(name, parts);
+}
+
+template <class A>
+void fields(A& archive, Is<Wire> auto& wire) {
+  auto& [name, parts, radius] = wire;
+  archive(name, parts, radius);
+}
+
+template <class A>
+void fields(A& archive, Is<Volume> auto& volume) {
+  auto& [name, medium, sides] = volume;
+  archive(name, medium, sides);
+}
+
+template <class A>
 void fields(A& archive, Is<RunReport> auto& run) {
-  auto& [model, components, gaps, target_length, order, threads, elements, quality, faces, merges, element_repairs,
-         notes, stage_seconds, stage_runs, tasks, peak_memory_mib] = run;
-  archive(model, components, gaps, target_length, order, threads, elements, quality, faces, merges, element_repairs,
-          notes, stage_seconds, stage_runs, tasks, peak_memory_mib);
+  auto& [model, components, gaps, target_length, order, threads, elements, quality, faces, media, ports, wires,
+         lost_parts, merges, element_repairs, notes, stage_seconds, stage_runs, tasks, peak_memory_mib] = run;
+  archive(model, components, gaps, target_length, order, threads, elements, quality, faces, media, ports, wires,
+          lost_parts, merges, element_repairs, notes, stage_seconds, stage_runs, tasks, peak_memory_mib);
 }
 
 template <class A>
@@ -72,8 +96,8 @@ void fields(A& archive, Is<SurfaceMesh> auto& mesh) {
 
 template <class A>
 void fields(A& archive, Is<MeshResult> auto& result) {
-  auto& [mesh, report, face_names, edge_names, edge_groups, point_names] = result;
-  archive(mesh, report, face_names, edge_names, edge_groups, point_names);
+  auto& [mesh, report, face_names, face_groups, edge_names, edge_groups, point_names, volumes] = result;
+  archive(mesh, report, face_names, face_groups, edge_names, edge_groups, point_names, volumes);
 }
 
 template <class A>

@@ -47,7 +47,7 @@ void add_options(CLI::App& mesh, Texts& texts) {
     }
     CLI::Option* option = mesh.add_option(command_line_name(info.name), texts.options[info.name], info.help);
     option->type_name(info.letter)->allow_extra_args(false);
-    if (info.kind == OptionKind::local) {
+    if (is_repeated(info.kind)) {
       option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     } else {
       option->expected(1);

@@ -27,6 +27,7 @@ std::string quotable(std::string name) {
 }
 
 std::string name_of_face(const MeshResult& result, std::size_t face) {
+  if (face < result.face_groups.size() && !result.face_groups[face].empty()) return quotable(result.face_groups[face]);
   std::string name = face < result.face_names.size() ? quotable(result.face_names[face]) : "";
   return name.empty() ? "Face" + std::to_string(face + 1) : name;
 }
@@ -88,6 +89,16 @@ Groups find_groups(const MeshResult& result, const std::vector<char>& has_elemen
     const std::string name = i < result.point_names.size() ? quotable(result.point_names[i]) : "";
     groups.of_point.push_back(
         number(of_points, name.empty() ? "Point" + std::to_string(i + 1) : name, before, groups.point_names));
+  }
+  std::unordered_map<std::string, int> of_volumes;
+  for (const Volume& volume : result.volumes) {
+    bool has_sides = std::any_of(volume.sides.begin(), volume.sides.end(), [&](int side) {
+      const auto face = static_cast<std::size_t>(std::abs(side)) - 1;
+      return face < has_elements.size() && has_elements[face];
+    });
+    groups.of_volume.push_back(
+        has_sides ? number(of_volumes, quotable(volume.medium), before + groups.point_names.size(), groups.volume_names)
+                  : 0);
   }
   return groups;
 }

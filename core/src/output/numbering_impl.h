@@ -24,10 +24,11 @@ Grouping group_rows(const std::vector<int>& group_of, int groups);
 /// Physical groups: faces of one name share one, and so do edges, and points; the numbers of edges' groups follow those
 /// of faces, those of points come last.
 struct Groups {
-  std::vector<int> of_face;   ///< number of the group, or 0 when the face has no elements
-  std::vector<int> of_edge;   ///< number of the group, or 0 when the edge is in none
-  std::vector<int> of_point;  ///< number of the group
-  std::vector<std::string> face_names, edge_names, point_names;  ///< of group 1, 2, ...
+  std::vector<int> of_face;    ///< number of the group, or 0 when the face has no elements
+  std::vector<int> of_edge;    ///< number of the group, or 0 when the edge is in none
+  std::vector<int> of_point;   ///< number of the group
+  std::vector<int> of_volume;  ///< number of the group, or 0 when no face of the volume has elements
+  std::vector<std::string> face_names, edge_names, point_names, volume_names;  ///< of group 1, 2, ...
 
   int of_line(int edge) const { return edge < static_cast<int>(of_edge.size()) ? of_edge[edge] : 0; }
 };

@@ -54,6 +54,8 @@ void add_share(const MeshShare& share, MeshResult& whole) {
   SurfaceMesh& mesh = whole.mesh;
   whole.report = share.result.report;
   whole.face_names = share.result.face_names;
+  whole.face_groups = share.result.face_groups;
+  whole.volumes = share.result.volumes;
   whole.edge_names = share.result.edge_names;
   whole.edge_groups = share.result.edge_groups;
   whole.point_names = share.result.point_names;

@@ -66,6 +66,11 @@ std::string stray_curves(const RunReport& report) {
       edges.size() > named ? fmt::format(" and {} more", edges.size() - named) : "");
 }
 
+std::string lost(const std::vector<std::string>& parts) {
+  return fmt::format("Not in the mesh: {}; name faces, edges and vertices that stay, or mend those that fail.",
+                     fmt::join(parts, ", "));
+}
+
 constexpr const char* no_mesh = "None of the faces has an area, so there is no mesh.";
 
 }  // namespace
@@ -86,6 +91,7 @@ std::vector<std::string> faults(const RunReport& report) {
   if (!report.model.unconnected.empty()) sentences.push_back(unconnected_parts(report.model.unconnected));
   if (!report.model.one_sided.empty()) sentences.push_back(one_sided_solids(report.model.one_sided));
   if (has_stray_curves(report)) sentences.push_back(stray_curves(report));
+  if (!report.lost_parts.empty()) sentences.push_back(lost(report.lost_parts));
   if (const long folded = quality.inverted + quality.undecided; folded > 0)
     sentences.push_back(fmt::format("Elements that fold or may fold: {}; use a smaller size.", folded));
   return sentences;
@@ -127,6 +133,8 @@ std::optional<Error> shortfall(const MeshResult& result) {
   if (has_stray_curves(result.report))
     return Error(ErrorCode::face_failed, stray_curves(result.report), {"topology", -1, -1, {}});
   if (!has_mesh) return Error(ErrorCode::no_faces, no_mesh);
+  if (!result.report.lost_parts.empty())
+    return Error(ErrorCode::face_failed, lost(result.report.lost_parts), {"join", -1, -1, {}});
   return std::nullopt;
 }
 

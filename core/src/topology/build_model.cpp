@@ -320,7 +320,10 @@ class ModelBuilder {
   void fill_parts(const EdgeIndex& index) {
     model_.read_faces = work_.read_faces;
     model_.common = work_.common;
-    for (const WorkPart& part : work_.parts) model_.parts.push_back(part.name);
+    for (const WorkPart& part : work_.parts) {
+      model_.parts.push_back(part.name);
+      model_.part_solid.push_back(part.solid);
+    }
     for (const WorkFace& face : work_.faces) {
       std::vector<int>& parts = model_.face_parts.emplace_back();
       for (const FaceUse& use : face.uses) parts.push_back(use.part);
@@ -332,7 +335,8 @@ class ModelBuilder {
     }
     for (const WorkPoint& point : work_.points) {
       const int position = index.vertex_map.FindIndex(point.vertex);
-      model_.points.push_back({point.part, index.vertex[static_cast<std::size_t>(position)]});
+      model_.points.push_back({point.part, index.vertex[static_cast<std::size_t>(position)], false,
+                               model_.parts[static_cast<std::size_t>(point.part)]});
     }
     model_.report.contacts = connected_.contacts;
     for (auto [a, b] : connected_.failed)
@@ -434,7 +438,7 @@ class ModelBuilder {
     std::vector<std::string> names;
     for (PartPoint& point : model_.points) {
       point.is_apart = !is_used[static_cast<std::size_t>(point.vertex)];
-      if (point.is_apart) names.push_back(model_.parts[static_cast<std::size_t>(point.part)]);
+      if (point.is_apart) names.push_back(point.name);
     }
     return names;
   }

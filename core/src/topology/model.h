@@ -43,10 +43,11 @@ struct InnerPoint {
   Vec2 uv;
 };
 
-/// A part that is a vertex.
+/// A vertex that is a part, or in a port.
 struct PartPoint {
-  int part = -1, vertex = -1;
-  bool is_apart = false;  ///< nothing of the model has it
+  int part = -1, vertex = -1;  ///< part: -1 of a port
+  bool is_apart = false;       ///< nothing of the model has it
+  std::string name;            ///< of the part or port
 };
 
 struct Face {
@@ -74,14 +75,18 @@ struct Model {
   /// Names of solids ("Solid2"), of faces that hang together without one ("Sheet1"), of edges that bound no face
   /// ("Wire1"), of vertices that end no edge ("Point1").
   std::vector<std::string> parts;
+  std::vector<int> part_solid;                ///< per part: the solid of the shape as read that it is, or -1
   std::vector<std::vector<int>> face_parts;   ///< per face: the parts that have it
   std::vector<int> edge_part;                 ///< per edge: the part that it is a wire of, or -1
-  std::vector<PartPoint> points;              ///< parts that are vertices
+  std::vector<PartPoint> points;              ///< parts that are vertices, then vertices of ports
   int read_faces = 0;                         ///< of the shape as read: the first entries of the report
   std::vector<std::vector<int>> common;       ///< per further entry: the faces as read that have it in common, rising
   int read_edges = 0;                         ///< edges of the shape as read, used or not
   std::vector<Vec3> read_vertices;            ///< of the shape as read
   std::vector<std::vector<int>> solid_faces;  ///< per solid of the shape as read: its faces, as Face::origin
+  /// What they were named by ports and wires, empty where by none: entries of the report, edges as read.
+  std::vector<std::string> face_group, edge_group;
+  std::vector<std::string> solid_medium;  ///< per solid of the shape as read; empty: none
   ModelReport report;
   std::vector<std::string> notes;
 };

@@ -37,5 +37,15 @@ TEST(ParseLocal, RefusesOtherText) {
     EXPECT_FALSE(parse_local(bad)) << bad;
 }
 
+TEST(ParseNamed, TakesPartsFlagsAndFactsBehindTheLastEqualsSign) {
+  auto named = parse_named("a = b, c=Solid1 , conductor,mu_r: 2", {"conductor"});
+  ASSERT_TRUE(named);
+  EXPECT_EQ(named->name, "a = b, c");
+  EXPECT_EQ(named->parts, std::vector<std::string>{"Solid1"});
+  using Facts = std::vector<std::pair<std::string, std::string>>;
+  EXPECT_EQ(named->facts, (Facts{{"conductor", ""}, {"mu-r", "2"}}));
+  EXPECT_FALSE(parse_named("Solid1", {}));
+}
+
 }  // namespace
 }  // namespace paver

@@ -3,8 +3,9 @@ import FreeCAD
 import FreeCADGui
 
 from paver_wb import mesh_object, preferences, refinement
+from paver_wb.base import proxies
 from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, Command, complain, do, in_step, python_name, run,
-                                          selected, shown_as, translate)
+                                          selected, shown_as, target_mesh, translate)
 
 
 class CreateMesh(Command):
@@ -27,7 +28,7 @@ class CreateMesh(Command):
 
 def parts_selected():
     """Selected objects that may be meshed."""
-    return [thing for thing in selected()[1] if not refinement.is_refinement(thing)]
+    return [thing for thing in selected()[1] if not proxies.is_child(thing)]
 
 
 class OnMeshes(Command):
@@ -73,8 +74,41 @@ class Refine(Command):
                 do("edit_new(refinement)", "paver_wb.gui.refinement_panel")
 
 
+class Name(Command):
+    """A medium, a port or a wire of what is selected in the 3D view."""
+
+    def __init__(self, kind, resources):
+        self.kind, self.resources = kind, resources
+
+    def IsActive(self):
+        document = FreeCAD.ActiveDocument
+        return document is not None and bool(mesh_object.meshes_of(document)) and bool(parts_selected())
+
+    def Activated(self):
+        mesh = target_mesh()
+        if mesh is None:
+            complain(translate("Paver", "There are several meshes; select the one that it belongs to, too."))
+            return
+        references = [(s.Object, list(s.SubElementNames) or [""]) for s in FreeCADGui.Selection.getSelectionEx()
+                      if s.Object in parts_selected()]
+        FreeCADGui.addModule("paver_wb.children.named_parts")
+        listed = ", ".join(f"({python_name(thing)}, {elements!r})" for thing, elements in references)
+        if in_step(self.resources["MenuText"],
+                   f"named = paver_wb.children.named_parts.make_{self.kind}({python_name(mesh)}, [{listed}])"):
+            FreeCADGui.Selection.clearSelection()
+            do("FreeCADGui.Selection.addSelection(named)")
+            if not FreeCADGui.Control.activeDialog():
+                do("edit_new(named)", "paver_wb.gui.named_panel")
+
+
 COMMANDS = {
     "Paver_CreateMesh": CreateMesh(), "Paver_Refine": Refine(),
+    "Paver_Medium": Name("medium", shown_as("Paver_Medium", QT_TRANSLATE_NOOP("Paver_Medium", "Medium"), QT_TRANSLATE_NOOP(
+        "Paver_Medium", "Says what the selected solids are made of: sets the target length there, and is written to files"))),
+    "Paver_Port": Name("port", shown_as("Paver_Port", QT_TRANSLATE_NOOP("Paver_Port", "Port"), QT_TRANSLATE_NOOP(
+        "Paver_Port", "Gives the selected faces, edges and vertices a name in the mesh and its files, for feeds and loads"))),
+    "Paver_Wire": Name("wire", shown_as("Paver_Wire", QT_TRANSLATE_NOOP("Paver_Wire", "Wire"), QT_TRANSLATE_NOOP(
+        "Paver_Wire", "Meshes the selected edges or sketches as a thin wire, joined to the faces that it ends on"))),
     "Paver_Mesh": OnMeshes("paver_wb.gui.run_control", "start", shown_as(
         "Paver_Mesh", QT_TRANSLATE_NOOP("Paver_Mesh", "Mesh"), QT_TRANSLATE_NOOP(
             "Paver_Mesh", "Meshes the selected mesh objects with their options, while FreeCAD can be used; double click "

@@ -150,7 +150,7 @@ class DrawnMesh:
     @cached_property
     def wire_lines(self):
         """(lines, n + 1, 3): points along each line of a wire, by the polynomial through its nodes."""
-        rows = list(mesh_file.wires(self.stored).values())
+        rows = list(mesh_file.line_groups(self.stored).values())
         nodes = self.stored.nodes[np.concatenate(rows)] if rows else np.zeros((0, self.order + 1, 3))
         return np.einsum("sk,lkx->lsx", line_shapes(self.order, MOST_SUBDIVISION if self.order > 1 else 1), nodes)
 

@@ -60,7 +60,7 @@ class OptionsBox(QtGui.QWidget):
     def __init__(self, obj):
         super().__init__()
         self.obj = obj
-        self.table = {info["name"]: info for info in core.load().options() if info["kind"] != "local"}
+        self.table = {info["name"]: info for info in core.load().options() if info["kind"] not in properties.REPEATED}
         self.fields = {name: fields.field_for(info) for name, info in self.table.items()}
         for name, field in self.fields.items():
             tooltip = properties.tooltip(self.table[name])

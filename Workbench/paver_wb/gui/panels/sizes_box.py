@@ -8,6 +8,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb import mesh_object, refinement
+from paver_wb.base import proxies
 from paver_wb.gui.base.steps import do, in_step, python_name
 from paver_wb.gui.base.widgets import button, named, row
 from paver_wb.gui.panels import fields
@@ -56,7 +57,7 @@ def references_text(references):
 def selected_references():
     """[(object, elements)] of what is selected in the 3D view and may be refined."""
     return [(s.Object, list(s.SubElementNames) or [""]) for s in FreeCADGui.Selection.getSelectionEx()
-            if not mesh_object.is_mesh(s.Object) and not refinement.is_refinement(s.Object)]
+            if not mesh_object.is_mesh(s.Object) and not proxies.is_child(s.Object)]
 
 
 def as_arguments(obj):

@@ -8,17 +8,19 @@
 #include <optional>
 
 #include "base/local_parts.h"
+#include "base/options/named_options.h"
 #include "paver/error.h"
 #include "paver/units.h"
 
 namespace paver {
 namespace {
 
-/// A value as read: numbers in mm, Hz, radians; `index` of a choice; `local` of parts.
+/// A value as read: numbers in mm, Hz, radians; `index` of a choice; `local` of parts; the text of what is named.
 struct Value {
   double number = 0;
   int index = 0;
   std::vector<LocalSize> local;
+  std::string text;
 };
 
 struct Entry {
@@ -165,6 +167,38 @@ std::vector<Entry> grading_entries(const Options& d) {
   };
 }
 
+std::vector<Entry> named_entries() {
+  return {
+      {{"medium",
+        OptionKind::named,
+        "NAME=PARTS",
+        "What solids are made of: FR4=Solid1,eps-r:4.4,tan-d:0.02, Metal=Solid2,conductor; may be repeated",
+        "",
+        "",
+        "",
+        {}},
+       [](Options& o, const Value& v) { o.media.push_back(*parse_medium(v.text)); }},
+      {{"port",
+        OptionKind::named,
+        "NAME=PARTS",
+        "Faces, edges, vertices that are a group of the mesh: Feed=Edge5; never merged with others; may be repeated",
+        "",
+        "",
+        "",
+        {}},
+       [](Options& o, const Value& v) { o.ports.push_back(*parse_port(v.text)); }},
+      {{"wire",
+        OptionKind::named,
+        "NAME=PARTS",
+        "Edges that stand for a thin wire: Mast=Edge5,radius:0.5mm; may be repeated",
+        "",
+        "",
+        "",
+        {}},
+       [](Options& o, const Value& v) { o.wires.push_back(*parse_wire(v.text)); }},
+  };
+}
+
 std::vector<Entry> merging_entries(const Options& d) {
   return {
       {{"merge",
@@ -242,7 +276,7 @@ const std::vector<Entry>& entries() {
     Options defaults;
     std::vector<Entry> list = size_entries(defaults);
     for (const std::vector<Entry>& more :
-         {grading_entries(defaults), merging_entries(defaults), other_entries(defaults)})
+         {grading_entries(defaults), named_entries(), merging_entries(defaults), other_entries(defaults)})
       list.insert(list.end(), more.begin(), more.end());
     return list;
   }();
@@ -271,6 +305,8 @@ std::string examples_of(const OptionInfo& info) {
       return "2, a whole number";
     case OptionKind::local:
       return "Face3=2mm, Edge5,Vertex2=0.5mm or Solid1=eps-r:4";
+    case OptionKind::named:
+      return info.name == "medium" ? medium_example : info.name == "port" ? port_example : wire_example;
     case OptionKind::flag:
       return "on or off";
     case OptionKind::choice:
@@ -282,9 +318,15 @@ std::string examples_of(const OptionInfo& info) {
   return names;
 }
 
+/// Whether text is of the form that an option of the kind `named` has.
+bool is_named(const std::string& name, const std::string& text) {
+  if (name == "medium") return parse_medium(text).has_value();
+  return name == "port" ? parse_port(text).has_value() : parse_wire(text).has_value();
+}
+
 std::optional<Value> read_value(const OptionInfo& info, const std::string& text) {
   auto number = [](std::optional<double> value) {
-    return value ? std::optional<Value>({*value, 0, {}}) : std::nullopt;
+    return value ? std::optional<Value>({*value, 0, {}, {}}) : std::nullopt;
   };
   switch (info.kind) {
     case OptionKind::length:
@@ -298,17 +340,19 @@ std::optional<Value> read_value(const OptionInfo& info, const std::string& text)
     case OptionKind::integer:
       return number(parse_integer(text));
     case OptionKind::local:
-      if (auto local = parse_local(text)) return Value{0, 0, *std::move(local)};
+      if (auto local = parse_local(text)) return Value{0, 0, *std::move(local), {}};
       return std::nullopt;
+    case OptionKind::named:
+      return is_named(info.name, text) ? std::optional<Value>({0, 0, {}, text}) : std::nullopt;
     case OptionKind::flag:
-      if (text == flag_texts[0] || text == flag_texts[1]) return Value{0, text == flag_texts[1], {}};
+      if (text == flag_texts[0] || text == flag_texts[1]) return Value{0, text == flag_texts[1], {}, {}};
       return std::nullopt;
     case OptionKind::choice:
       break;
   }
   auto found = std::find(info.choices.begin(), info.choices.end(), text);
   if (found == info.choices.end()) return std::nullopt;
-  return Value{0, static_cast<int>(found - info.choices.begin()), {}};
+  return Value{0, static_cast<int>(found - info.choices.begin()), {}, {}};
 }
 
 const Entry& entry_of(const std::string& name) {
@@ -345,6 +389,8 @@ const char* kind_name(OptionKind kind) {
       return "integer";
     case OptionKind::local:
       return "local";
+    case OptionKind::named:
+      return "named";
     case OptionKind::flag:
       return "flag";
     case OptionKind::choice:
@@ -361,6 +407,8 @@ const std::vector<OptionInfo>& option_table() {
   }();
   return table;
 }
+
+bool is_repeated(OptionKind kind) { return kind == OptionKind::local || kind == OptionKind::named; }
 
 Options read_options(const std::vector<GivenOption>& given) {
   Options options;

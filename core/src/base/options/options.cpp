@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "base/local_parts.h"
+#include "base/options/named_options.h"
 #include "paver/error.h"
 
 namespace paver {
@@ -124,6 +125,7 @@ void check(const Options& options) {
                        *options.sew_tolerance));
   }
   for (const LocalSize& local : options.local) check_local(options, local);
+  check_named(options);
 }
 
 double target_length(const Options& options) {

@@ -25,6 +25,24 @@ void write_entity(const Box& box, std::size_t entity, Msh4Numbers& out) {
   out.point(unsigned_zeros(box.low)), out.point(unsigned_zeros(box.high));
 }
 
+/// A volume of the solid with its signed surfaces, as far as these have elements.
+void write_volume(const Volume& volume, int number, int group, const std::vector<Box>& surfaces, Msh4Numbers& out) {
+  std::vector<int> sides;
+  Box box;
+  for (int side : volume.sides) {
+    const auto face = static_cast<std::size_t>(std::abs(side)) - 1;
+    if (face >= surfaces.size() || surfaces[face].is_empty()) continue;
+    sides.push_back(side);
+    box.add(surfaces[face].low), box.add(surfaces[face].high);
+  }
+  out.integer(number);
+  out.point(unsigned_zeros(box.low)), out.point(unsigned_zeros(box.high));
+  out.count(1), out.integer(group);
+  out.count(sides.size());
+  for (int side : sides) out.integer(side);
+  out.end_line();
+}
+
 std::size_t present(const std::vector<Box>& boxes) {
   return static_cast<std::size_t>(
       std::count_if(boxes.begin(), boxes.end(), [](const Box& box) { return !box.is_empty(); }));
@@ -32,7 +50,11 @@ std::size_t present(const std::vector<Box>& boxes) {
 
 }  // namespace
 
-void write_msh4_beginning(const SurfaceMesh& mesh, const Numbering& numbering, Ranks& ranks, Msh4Numbers& out) {
+void write_msh4_beginning(const MeshResult& result, const Numbering& numbering, Ranks& ranks, Msh4Numbers& out) {
+  const SurfaceMesh& mesh = result.mesh;
+  const std::vector<int>& volume_groups = numbering.groups.of_volume;
+  const auto volumes = static_cast<std::size_t>(
+      std::count_if(volume_groups.begin(), volume_groups.end(), [](int group) { return group > 0; }));
   std::vector<Box> curves(numbering.lines.size.size()), surfaces(numbering.quads.size.size());
   add_boxes(mesh, mesh.lines, mesh.line_edge, curves);
   add_boxes(mesh, mesh.triangles, mesh.triangle_face, surfaces);
@@ -41,7 +63,7 @@ void write_msh4_beginning(const SurfaceMesh& mesh, const Numbering& numbering, R
 
   write_msh_beginning("4.1", numbering.groups, out.is_ascii(), out.sink());
   out.sink().write("$Entities\n");
-  for (std::size_t count : {mesh.points.size(), present(curves), present(surfaces), std::size_t{0}}) out.count(count);
+  for (std::size_t count : {mesh.points.size(), present(curves), present(surfaces), volumes}) out.count(count);
   out.end_line();
   for (std::size_t point = 0; point < mesh.points.size(); ++point) {
     out.integer(static_cast<int>(point) + 1);
@@ -66,6 +88,8 @@ void write_msh4_beginning(const SurfaceMesh& mesh, const Numbering& numbering, R
     for (int edge : numbering.face_edges[face]) out.integer(edge + 1);
     out.end_line();
   }
+  for (std::size_t v = 0; v < result.volumes.size(); ++v)
+    if (volume_groups[v] > 0) write_volume(result.volumes[v], static_cast<int>(v) + 1, volume_groups[v], surfaces, out);
   out.end_section("Entities");
   out.sink().write("$Nodes\n");
 }

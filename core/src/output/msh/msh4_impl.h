@@ -48,7 +48,7 @@ class Msh4Numbers {
 };
 
 /// Collective. The file down to the head of its section for nodes: format, physical names, entities.
-void write_msh4_beginning(const SurfaceMesh& mesh, const Numbering& numbering, Ranks& ranks, Msh4Numbers& out);
+void write_msh4_beginning(const MeshResult& result, const Numbering& numbering, Ranks& ranks, Msh4Numbers& out);
 
 /// Blocks, total, lowest and highest tag: how the sections for nodes and elements begin.
 void write_msh4_head(std::size_t blocks, long total, Msh4Numbers& out);

@@ -43,7 +43,11 @@ struct Table {
 class Msh4Writer : public MeshWriter {
  public:
   Msh4Writer(HeldMesh held, bool is_ascii, Ranks& ranks)
-      : mesh_(held.result.mesh), is_ascii_(is_ascii), is_first_(ranks.rank() == 0), numbering_(held, ranks) {
+      : result_(held.result),
+        mesh_(held.result.mesh),
+        is_ascii_(is_ascii),
+        is_first_(ranks.rank() == 0),
+        numbering_(held, ranks) {
     lay_out_file(ranks);
   }
 
@@ -66,7 +70,7 @@ class Msh4Writer : public MeshWriter {
   void lay_out_file(Ranks& ranks) {
     MemorySink beginning, middle, ending;
     Msh4Numbers first(beginning, is_ascii_), between(middle, is_ascii_), last(ending, is_ascii_);
-    write_msh4_beginning(mesh_, numbering_, ranks, first);
+    write_msh4_beginning(result_, numbering_, ranks, first);
     const PlacedRows &curve_nodes = numbering_.curve_nodes, &surface_nodes = numbering_.surface_nodes;
     write_msh4_head(curve_nodes.used_groups() + surface_nodes.used_groups(), numbering_.tags.count, first);
     beginning_ = beginning.content();
@@ -135,6 +139,7 @@ class Msh4Writer : public MeshWriter {
     }
   }
 
+  const MeshResult& result_;
   const SurfaceMesh& mesh_;
   const bool is_ascii_, is_first_;
   const Numbering numbering_;

@@ -115,12 +115,29 @@ Json quality_json(const QualityReport& q) {
           {"metric", metric_json(q.metric)}};
 }
 
+Json named_json(const RunReport& run) {
+  Json json = {{"media", Json::array()}, {"ports", Json::array()}, {"wires", Json::array()}};
+  for (const auto& [name, parts, eps_r, mu_r, loss_tangent, is_conductor] : run.media)
+    json["media"].push_back({{"name", name},
+                             {"parts", parts},
+                             {"eps_r", eps_r},
+                             {"mu_r", mu_r},
+                             {"tan_d", loss_tangent},
+                             {"conductor", is_conductor}});
+  for (const auto& [name, parts] : run.ports) json["ports"].push_back({{"name", name}, {"parts", parts}});
+  for (const auto& [name, parts, radius] : run.wires)
+    json["wires"].push_back({{"name", name}, {"parts", parts}, {"radius", radius}});
+  return json;
+}
+
 Json face_json(const FaceReport& face, const std::string& label) {
   bool has_elements = face.quads + face.triangles > 0;
   Json json = {{"name", face.name},
                {"label", label},
                {"front", face.front},
                {"back", face.back},
+               {"front_medium", face.front_medium},
+               {"back_medium", face.back_medium},
                {"status", status_name(face.status)},
                {"stage", face.stage},
                {"reason", face.reason},
@@ -170,6 +187,7 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
     const std::string& label = i < result.face_names.size() ? result.face_names[i] : run.faces[i].name;
     json["faces"].push_back(face_json(run.faces[i], label));
   }
+  json.update(named_json(run));
   for (const auto& [kind, name, into, size, where] : run.merges)
     json["merges"].push_back({{"kind", merge_name(kind)},
                               {"name", name},

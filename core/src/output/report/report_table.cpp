@@ -82,6 +82,13 @@ void add_quality(const RunReport& run, Text& text) {
   text.line("mesh", "{} quad{}, {} triangle{}, {} nodes, {}", q.quads, plural(q.quads), q.triangles,
             plural(q.triangles), q.nodes,
             q.watertight ? "watertight" : fmt::format("{} border edge{}", q.border_edges, plural(q.border_edges)));
+  for (const Medium& medium : run.media)
+    text.line("medium", "{}: {}, {}", medium.name,
+              medium.is_conductor ? "conductor" : fmt::format("eps_r {:.6g}, mu_r {:.6g}", medium.eps_r, medium.mu_r),
+              fmt::join(medium.parts, ", "));
+  for (const Port& port : run.ports) text.line("port", "{}: {}", port.name, fmt::join(port.parts, ", "));
+  for (const Wire& wire : run.wires)
+    text.line("wire", "{}: {}, radius {:.6g} mm", wire.name, fmt::join(wire.parts, ", "), wire.radius);
   if (q.wire_lines > 0) text.line("wires", "{} line element{}", q.wire_lines, plural(q.wire_lines));
   text.line("SJ", "min {:.3f}, mean {:.3f}, below 0.3: {:.2f} %", q.sj_all.min, q.sj_all.mean, 100 * q.sj_all.below_03);
   text.line("curved", "{} inverted, {} undecided, Jacobian at least {:.3f} of its mean", q.inverted, q.undecided,

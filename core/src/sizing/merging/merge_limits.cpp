@@ -22,6 +22,11 @@ MergeLimits::MergeLimits(const ModelEdits& edits, const Options& options)
     if (part.kind == PartKind::face) is_local_face_[static_cast<std::size_t>(part.index)] = 1;
     if (part.kind == PartKind::edge) is_local_edge_[static_cast<std::size_t>(part.index)] = 1;
   }
+  const Model& model = edits.model();
+  for (std::size_t f = 0; f < is_local_face_.size() && f < model.face_group.size(); ++f)
+    if (!model.face_group[f].empty()) is_local_face_[f] = 1;
+  for (std::size_t e = 0; e < is_local_edge_.size() && e < model.edge_group.size(); ++e)
+    if (!model.edge_group[e].empty()) is_local_edge_[e] = 1;
 }
 
 double MergeLimits::extent(int face) const {

@@ -10,11 +10,11 @@
 #include <cmath>
 
 #include "base/local_parts.h"
-#include "paver/error.h"
 #include "sizing/face_extent.h"
 #include "sizing/parts/find_gaps.h"
 #include "sizing/parts/find_tips.h"
 #include "sizing/parts/sharp_edges.h"
+#include "topology/naming/named_parts.h"
 
 namespace paver {
 namespace {
@@ -25,20 +25,6 @@ constexpr double narrowest_gap = 0.02;                  // of the target length:
 constexpr double hole_intervals = 6;                    // a small hole is divided into about so many
 constexpr double small_hole = 0.1;                      // of the face's extent: interval of a hole that counts as small
 constexpr double same_point = 1e-3;                     // of the length at a tip: what lies nearer is the tip
-
-[[noreturn]] void refuse(const LocalSize& local, const std::string& kind, std::size_t count) {
-  std::string has = count == 0   ? "no " + kind + "; name another part"
-                    : count == 1 ? "only " + kind + "1; name that"
-                                 : fmt::format("{0}1 to {0}{1}; name one of these", kind, count);
-  throw Error(ErrorCode::bad_option, fmt::format("local names {}, but the model has {}.", local.part, has));
-}
-
-/// Whether an entry of the report is the face as read, or what it has in common with others.
-bool is_of(const Model& model, int entry, int face) {
-  if (entry < model.read_faces) return entry == face;
-  const std::vector<int>& faces = model.common[static_cast<std::size_t>(entry - model.read_faces)];
-  return std::find(faces.begin(), faces.end(), face) != faces.end();
-}
 
 double& entry(std::vector<double>& list, int index) { return list[static_cast<std::size_t>(index)]; }
 
@@ -159,28 +145,22 @@ void LocalSizes::note_inside(const Model& model, const LocalSize& local) {
 void LocalSizes::put(const Model& model, const LocalSize& local, double length) {
   const PartName part = *parse_part(local.part);
   const auto index = static_cast<std::size_t>(part.index);
-  auto check_index = [&](const char* kind, std::size_t count) {
-    if (index >= count) refuse(local, kind, count);
-  };
+  check_part(model, local.part, "local");
   auto put_on_face = [&](int origin) {
     for (std::size_t f = 0; f < model.faces.size(); ++f)
-      if (is_of(model, model.faces[f].origin, origin)) of_face_[f] = std::min(of_face_[f], length);
+      if (is_of_face(model, model.faces[f].origin, origin)) of_face_[f] = std::min(of_face_[f], length);
   };
   least_ = std::min(least_, length);
   switch (part.kind) {
     case PartKind::face:
-      check_index("Face", static_cast<std::size_t>(model.read_faces));
       return put_on_face(part.index);
     case PartKind::edge:
-      check_index("Edge", of_edge_.size());
       entry(of_edge_, part.index) = std::min(entry(of_edge_, part.index), length);
       return;
     case PartKind::vertex:
-      check_index("Vertex", model.read_vertices.size());
       points_.push_back({model.read_vertices[index], length});
       return;
     case PartKind::solid:
-      check_index("Solid", model.solid_faces.size());
       for (int face : model.solid_faces[index]) put_on_face(face);
       return;
   }

@@ -11,7 +11,7 @@ namespace paver {
 struct EdgeEntities {
   std::vector<int> of_edge;  ///< per edge of the model: its entity
   /// Per entity. The first are the edges of the shape as read, then follow those that dividing and connecting added,
-  /// and junctions that are pieces of an edge of which other pieces are none.
+  /// and pieces of an edge that are in another group than its other pieces ("Junction1", "Piece2").
   std::vector<std::string> names, groups;
 };
 

@@ -1,5 +1,5 @@
 // In: model, reports of faces. Out: parts by component. Faces, wires and points that share a vertex share its node.
-#include "topology/components.h"
+#include "topology/naming/components.h"
 
 #include <map>
 
@@ -30,7 +30,8 @@ class Components {
     for (std::size_t e = 0; e < model_.edges.size(); ++e)
       if (is_wire(e)) note(edge_item(e), model_.edge_part[e]);
     for (const PartPoint& point : model_.points)
-      if (parts.contains(together_.find(vertex_item(point.vertex)))) note(vertex_item(point.vertex), point.part);
+      if (point.part >= 0 && parts.contains(together_.find(vertex_item(point.vertex))))
+        note(vertex_item(point.vertex), point.part);
     std::vector<std::vector<std::string>> components;
     for (const auto& [root, has] : parts) {
       std::vector<std::string>& names = components.emplace_back();

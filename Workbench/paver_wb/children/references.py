@@ -1,0 +1,166 @@
+"""What children of a mesh object refer to: elements of its sources, as names in the shape that is meshed."""
+import re
+
+from paver_wb.base import proxies
+
+KINDS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
+ELEMENT = re.compile(r"(Face|Edge|Vertex|Solid)([1-9]\d*)")
+SOLIDS_FIRST = ("Solid", "Face")  # what a whole object means: the first of these kinds that it has
+
+
+class ReferenceMissing(ValueError):
+    """A child of a mesh object refers to what the mesh does not have. The text is one sentence."""
+
+
+def check_references(meshes, listed, whole=SOLIDS_FIRST):
+    """ReferenceMissing where one of [(object, elements)] is in none of what a mesh object meshes."""
+    for mesh in meshes:
+        for thing, elements in listed:
+            for element in elements:
+                find(proxies.sources(mesh), mesh, thing, element, whole)
+
+
+def as_references(mesh, references):
+    """[(object, [names of elements, "" for all])]."""
+    listed = []
+    for entry in references:
+        if isinstance(entry, str):
+            entry = (mesh.Part, entry)
+        thing, elements = entry if isinstance(entry, (tuple, list)) else (entry, "")
+        listed.append((thing, [elements] if isinstance(elements, str) else list(elements) or [""]))
+    if not listed:
+        raise ReferenceMissing(f"What is to belong to '{mesh.Label}' refers to nothing; select faces, edges, vertices or objects.")
+    return listed
+
+
+def find(sources, owner, thing, element, whole=SOLIDS_FIRST):
+    """(number of the source, names of its elements) that a reference means."""
+    from paver import _shapes
+    for number, source in enumerate(sources):
+        shape = _shapes.shape_of(source) if thing == source else None
+        if shape is not None and "." not in element:
+            return number, known(owner, thing, shape, element, whole)
+    for number, source in enumerate(sources):
+        found = inside(source, thing, element, whole)
+        if found:
+            return number, found
+    what = f"{element or 'all'} of '{thing.Label}'"
+    raise ReferenceMissing(f"'{owner.Label}' refers to {what}, which is not among the objects that are meshed; refer to "
+                           "elements of those.")
+
+
+def elements_of(shape, whole):
+    """The elements that the whole of a shape means."""
+    return next(filter(None, (getattr(shape, KINDS[kind]) for kind in whole)), [])
+
+
+def known(owner, thing, shape, element, whole):
+    """Names of the elements of a source's shape; `element` may be empty for the whole of it."""
+    if not element:
+        found = elements_of(shape, whole)
+        if not found:
+            kinds = ", ".join(kind.lower() for kind in whole)
+            raise ReferenceMissing(f"'{owner.Label}' refers to '{thing.Label}', which has no {kinds}; choose another object.")
+        return [f"{found[0].ShapeType}{i + 1}" for i in range(len(found))]
+    match = ELEMENT.fullmatch(element)
+    count = len(getattr(shape, KINDS[match.group(1)])) if match else 0
+    if not match or int(match.group(2)) > count:
+        raise ReferenceMissing(f"'{owner.Label}' refers to {element}, which '{thing.Label}' does not have; choose the "
+                               "elements again.")
+    return [element]
+
+
+def inside(source, thing, element, whole):
+    """Names of the elements of a source that are an element of something inside it: of an object in an App::Part, of a
+    feature of a Body. Empty: not inside."""
+    import Part
+
+    from paver import _shapes
+    shape = _shapes.shape_of(source)
+    if thing == source:
+        wanted = Part.getShape(source, element, needSubElement=True)
+    elif thing in source.OutListRecursive:
+        path = path_to(source, thing)
+        wanted = Part.getShape(source, path + element, needSubElement=bool(element)) if path is not None else None
+        if wanted is None or wanted.isNull():
+            wanted = thing.Shape if not element else thing.getSubObject(element)
+    else:
+        return []
+    parts = [wanted] if element else elements_of(wanted, whole)
+    names = [name_in(shape, part) for part in parts]
+    return names if all(names) else []
+
+
+def path_to(source, thing):
+    """"Group.Box." leading from an object to one inside it; None when there is no such way."""
+    for child in getattr(source, "Group", []):
+        if child == thing:
+            return child.Name + "."
+        further = path_to(child, thing)
+        if further is not None:
+            return f"{child.Name}.{further}"
+    return None
+
+
+def name_in(shape, part):
+    """Name of a shape's element that is, or lies where, `part` does; empty when there is none."""
+    kind = part.ShapeType
+    if kind not in KINDS:
+        return ""
+    elements = getattr(shape, KINDS[kind])
+    for number, element in enumerate(elements, 1):
+        if element.isSame(part):
+            return f"{kind}{number}"
+    near = 1e-7 * max(shape.BoundBox.DiagonalLength, 1e-300)
+    for number, element in enumerate(elements, 1):
+        if place(element).distanceToPoint(place(part)) <= near and abs(measure(element) - measure(part)) <= near * (
+                1 + measure(part)):
+            return f"{kind}{number}"
+    return ""
+
+
+def place(element):
+    return element.Point if element.ShapeType == "Vertex" else element.CenterOfMass
+
+
+def measure(element):
+    return {"Vertex": lambda: 0, "Edge": lambda: element.Length}.get(element.ShapeType, lambda: element.Area)()
+
+
+class Numbers:
+    """From elements of sources to those of the compound that is meshed."""
+
+    def __init__(self, sources):
+        self.sources, self.shapes, self.whole = sources, None, None
+
+    def names(self, number, elements):
+        """Names in the whole of elements of a source."""
+        if len(self.sources) == 1:
+            return elements
+        return [self.name(number, *ELEMENT.fullmatch(element).groups()) for element in elements]
+
+    def name(self, number, kind, index):
+        import Part
+
+        from paver import _shapes
+        if self.shapes is None:
+            self.shapes = [_shapes.shape_of(source) for source in self.sources]
+            self.whole = Part.Compound(self.shapes)
+        wanted = getattr(self.shapes[number], KINDS[kind])[int(index) - 1]
+        return next(f"{kind}{i}" for i, element in enumerate(getattr(self.whole, KINDS[kind]), 1)
+                    if element.isSame(wanted))
+
+
+def grouped(references):
+    """[(object, elements)] of [[object, element]], each object once."""
+    things = list(dict.fromkeys(thing for thing, _ in references))
+    return [(thing, [element for other, element in references if other == thing]) for thing in things]
+
+
+def names_in_whole(numbers, owner, references, whole=SOLIDS_FIRST):
+    """Names, in the shape that is meshed, of what (object, elements) refer to. numbers: Numbers of the sources."""
+    names = []
+    for thing, elements in references:
+        for element in elements or ("",):
+            names += numbers.names(*find(numbers.sources, owner, thing, element, whole))
+    return list(dict.fromkeys(names))

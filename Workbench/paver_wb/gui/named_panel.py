@@ -1,0 +1,147 @@
+"""The task panel of a medium, a port or a wire: its name, its values, and what it refers to, chosen in the 3D view.
+
+Everything is put into it by OK, in one step of undo; Cancel drops it, and takes back what was made for this panel.
+"""
+import os
+
+import FreeCAD
+from PySide import QtGui
+
+from paver_wb.base import proxies
+from paver_wb.base.paths import ICONS
+from paver_wb.children import named_parts
+from paver_wb.gui.base import edit_panel
+from paver_wb.gui.base.edit_panel import edit_new, unset_edit  # noqa: F401, for commands and the view provider
+from paver_wb.gui.base.steps import python_name
+from paver_wb.gui.base.widgets import FaultBox, named
+from paver_wb.gui.panels import fields
+from paver_wb.gui.panels.child_panel import ChildPanel
+from paver_wb.gui.panels.references_box import ReferencesBox
+
+translate = FreeCAD.Qt.translate
+
+
+def labels():
+    """{property: (label, tooltip)}."""
+    return {"EpsR": ("\u03b5r", translate("Paver", "Relative permittivity")),
+            "MuR": ("\u03bcr", translate("Paver", "Relative permeability")),
+            "LossTangent": (translate("Paver", "Loss tangent"), translate(
+                "Paver", "Imaginary by real part of the permittivity")),
+            "Conductor": (translate("Paver", "Conductor"), translate(
+                "Paver", "No waves inside: the target length is that around it")),
+            "Radius": (translate("Paver", "Radius"), translate("Paver", "Radius of the wire, for solvers"))}
+
+
+class NamedBox(QtGui.QWidget):
+    """The fields."""
+
+    def __init__(self, obj):
+        super().__init__()
+        self.obj, self.fields = obj, {}
+        self.kind = named_parts.kind_of(obj)
+        self.setWindowTitle(obj.Label)
+        self.setWindowIcon(QtGui.QIcon(os.path.join(ICONS, f"Paver_{self.kind.option.capitalize()}.svg")))
+        layout = QtGui.QVBoxLayout(self)
+        layout.addLayout(self.values())
+        layout.addWidget(QtGui.QLabel(translate("Paver", "Where")))
+        self.where = ReferencesBox(obj, "Named", self.mesh, self.checked)
+        layout.addWidget(self.where)
+        self.fault = FaultBox()
+        layout.addWidget(self.fault)
+        self.where.failed.connect(self.fault.tell)
+        self.fault.tell("")
+
+    def values(self):
+        form = QtGui.QFormLayout()
+        form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+        self.label = named(QtGui.QLineEdit(self.obj.Label), "NamedLabel", translate("Paver", "Its name in files of the mesh"))
+        form.addRow(translate("Paver", "Name"), self.label)
+        if proxies.type_of(self.obj) == proxies.MEDIUM:
+            form.addRow(translate("Paver", "Material"), self.material_field())
+        for name in self.kind.properties:
+            text, tip = labels()[name]
+            field = self.fields[name] = named(self.field_for(name), "Named" + name)
+            field.set_tip(tip)
+            field.set_value(getattr(getattr(self.obj, name), "Value", getattr(self.obj, name)))
+            form.addRow(text, field)
+        if "Conductor" in self.fields:
+            self.fields["Conductor"].changed.connect(self.show_what_counts)
+            self.show_what_counts()
+        return form
+
+    @staticmethod
+    def field_for(name):
+        if name == "Conductor":
+            return fields.ChoiceField([False, True], [translate("Paver", "No"), translate("Paver", "Yes")])
+        return fields.QuantityField("length") if name == "Radius" else fields.NumberField()
+
+    def material_field(self):
+        """Takes the values of a material of the document or of FreeCAD's cards."""
+        self.materials = named_parts.materials(self.obj.Document)
+        self.material = named(QtGui.QComboBox(), "NamedMaterial", translate(
+            "Paver", "Takes the values of a material of the document or of FreeCAD's cards that have some"))
+        self.material.addItem(translate("Paver", "As typed"))
+        self.material.addItems(list(self.materials))
+        self.material.activated.connect(lambda _index: self.take_material())
+        return self.material
+
+    def take_material(self):
+        material = self.materials.get(self.material.currentText())
+        if material is None:
+            return
+        for name, value in named_parts.values_of_material(material).items():
+            self.fields[name].set_value(value)
+        if self.label.text().startswith("Medium"):
+            self.label.setText(self.material.currentText())
+        self.show_what_counts()
+
+    def show_what_counts(self):
+        for name in ("EpsR", "MuR", "LossTangent"):
+            self.fields[name].setEnabled(not self.fields["Conductor"].value())
+
+    def mesh(self):
+        meshes = named_parts.meshes_of(self.obj)
+        return meshes[0] if meshes else None
+
+    def checked(self, references):
+        """[(object, elements)] as this kind refers to them; ReferenceMissing where it cannot."""
+        listed, mesh = named_parts.fitting(self.kind, references), self.mesh()
+        if mesh and proxies.type_of(self.obj) != proxies.WIRE:  # that of a wire is taken in
+            named_parts.check_references([mesh], listed, self.kind.elements)
+        return listed
+
+    def text_fault(self):
+        """Empty, or a sentence on what is no value."""
+        for name, field in self.fields.items():
+            if field.fault():
+                return field.fault()
+            if name not in ("Conductor", "LossTangent") and not field.value() > 0:
+                return translate("Paver", "{} is not above 0; write a larger number.").format(field.text())
+        if not self.label.text().strip():
+            return translate("Paver", "It has no name; write one.")
+        return "" if self.where.references else translate("Paver", "It refers to nothing; add faces, edges, vertices or objects.")
+
+    def line(self):
+        """What OK does, as Python."""
+        values = "".join(f", {name}={field.value()!r}" for name, field in self.fields.items() if not field.fault())
+        return (f"paver_wb.children.named_parts.change({python_name(self.obj)}, {self.where.text()}, "
+                f"label={self.label.text().strip()!r}{values})")
+
+
+class NamedPanel(ChildPanel):
+    """The panel of a medium, a port or a wire."""
+
+    box_class, module = NamedBox, "paver_wb.children.named_parts"
+
+    def step(self):
+        return translate("Paver", "Change {}").format(self.obj.Label)
+
+    def shown(self):
+        super().shown()
+        self.box.label.setFocus()
+        self.box.label.selectAll()
+
+
+def set_edit(obj):
+    """What the view provider does when the object is to be edited."""
+    return edit_panel.set_edit(obj, NamedPanel, obj.Label + ": ")

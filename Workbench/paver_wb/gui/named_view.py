@@ -1,0 +1,18 @@
+"""How media, ports and wires look in the tree. Documents name this module and its view providers."""
+from paver_wb.gui.base.view import ViewProvider
+
+
+class NamedViewProvider(ViewProvider):
+    panel = "paver_wb.gui.named_panel"
+
+
+class MediumViewProvider(NamedViewProvider):
+    icon = "Paver_Medium.svg"
+
+
+class PortViewProvider(NamedViewProvider):
+    icon = "Paver_Port.svg"
+
+
+class WireViewProvider(NamedViewProvider):
+    icon = "Paver_Wire.svg"

@@ -1,0 +1,149 @@
+// By numbers of the shape as read: edges of the model know their origins, faces their entry of the report, vertices are
+// found by their place, as what connects parts may have moved one onto another.
+#include "topology/naming/named_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "base/local_parts.h"
+#include "paver/error.h"
+
+namespace paver {
+namespace {
+
+std::size_t count_of(const Model& model, PartKind kind) {
+  switch (kind) {
+    case PartKind::face:
+      return static_cast<std::size_t>(model.read_faces);
+    case PartKind::edge:
+      return static_cast<std::size_t>(model.read_edges);
+    case PartKind::vertex:
+      return model.read_vertices.size();
+    case PartKind::solid:
+      break;
+  }
+  return model.solid_faces.size();
+}
+
+const char* kind_of(PartKind kind) {
+  constexpr const char* names[] = {"Face", "Edge", "Vertex", "Solid"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+/// The nearest one that an edge ends at; -1 in a model without edges.
+int nearest_vertex(const Model& model, Vec3 x) {
+  int nearest = -1;
+  auto visit = [&](int vertex) {
+    auto distance = [&](int v) { return norm(model.vertices[static_cast<std::size_t>(v)] - x); };
+    if (nearest < 0 || distance(vertex) < distance(nearest)) nearest = vertex;
+  };
+  for (const Edge& edge : model.edges) visit(edge.start), visit(edge.end);
+  return nearest;
+}
+
+void put_group(Model& model, const std::string& name, const std::vector<std::string>& parts) {
+  for (const std::string& text : parts) {
+    check_part(model, text, fmt::format("'{}'", name));
+    const PartName part = *parse_part(text);
+    const auto index = static_cast<std::size_t>(part.index);
+    if (part.kind == PartKind::edge) model.edge_group[index] = name;
+    if (part.kind == PartKind::face)
+      for (std::size_t entry = 0; entry < model.face_group.size(); ++entry)
+        if (is_of_face(model, static_cast<int>(entry), part.index)) model.face_group[entry] = name;
+    if (part.kind == PartKind::vertex)
+      if (const int vertex = nearest_vertex(model, model.read_vertices[index]); vertex >= 0)
+        model.points.push_back({-1, vertex, false, name});
+  }
+}
+
+bool has(const std::vector<int>& list, int value) { return std::find(list.begin(), list.end(), value) != list.end(); }
+
+bool is_meshed(const Face& face) {
+  return face.has_area && face.fault.empty() && !face.is_common && !face.is_dropped && !face.is_merged;
+}
+
+}  // namespace
+
+void check_part(const Model& model, const std::string& part, const std::string& who) {
+  const PartName name = *parse_part(part);
+  const std::size_t count = count_of(model, name.kind);
+  if (static_cast<std::size_t>(name.index) < count) return;
+  const std::string kind = kind_of(name.kind);
+  const std::string has = count == 0   ? "no " + kind + "; name another part"
+                          : count == 1 ? "only " + kind + "1; name that"
+                                       : fmt::format("{0}1 to {0}{1}; name one of these", kind, count);
+  throw Error(ErrorCode::bad_option, fmt::format("{} names {}, but the model has {}.", who, part, has));
+}
+
+bool is_of_face(const Model& model, int entry, int face) {
+  if (entry < model.read_faces) return entry == face;
+  return has(model.common[static_cast<std::size_t>(entry - model.read_faces)], face);
+}
+
+void name_parts(Model& model, const Options& options) {
+  model.face_group.assign(static_cast<std::size_t>(model.read_faces) + model.common.size(), "");
+  model.edge_group.assign(static_cast<std::size_t>(model.read_edges), "");
+  model.solid_medium.assign(model.solid_faces.size(), "");
+  for (const Port& port : options.ports) put_group(model, port.name, port.parts);
+  for (const Wire& wire : options.wires) put_group(model, wire.name, wire.parts);
+  for (const Medium& medium : options.media)
+    for (const std::string& part : medium.parts) {
+      check_part(model, part, fmt::format("medium '{}'", medium.name));
+      model.solid_medium[static_cast<std::size_t>(parse_part(part)->index)] = medium.name;
+    }
+}
+
+std::string medium_of(const Model& model, const std::vector<int>& parts) {
+  for (int part : parts) {
+    const int solid = model.part_solid[static_cast<std::size_t>(part)];
+    if (solid >= 0 && !model.solid_medium[static_cast<std::size_t>(solid)].empty())
+      return model.solid_medium[static_cast<std::size_t>(solid)];
+  }
+  return "";
+}
+
+std::vector<Volume> list_volumes(const Model& model) {
+  std::vector<Volume> volumes;
+  for (std::size_t p = 0; p < model.parts.size(); ++p) {
+    const int part = static_cast<int>(p);
+    const std::string medium = medium_of(model, {part});
+    if (medium.empty()) continue;
+    std::map<int, std::set<int>> sides;  // by entry
+    for (const Face& face : model.faces)
+      if (is_meshed(face)) sides[face.origin].insert(has(face.back, part) - has(face.front, part));
+    Volume volume{model.parts[p], medium, {}};
+    for (const auto& [entry, side] : sides)
+      if (side.size() == 1 && *side.begin() != 0) volume.sides.push_back(*side.begin() * (entry + 1));
+    if (!volume.sides.empty()) volumes.push_back(volume);
+  }
+  return volumes;
+}
+
+std::vector<std::string> lost_parts(const Options& options, const Model& model, const MeshResult& result) {
+  std::vector<std::string> lost;
+  std::set<int> edges;  // as read, that have lines
+  edges.insert(result.mesh.line_edge.begin(), result.mesh.line_edge.end());
+  for (const auto& [line, edge] : result.mesh.further_edges) edges.insert(edge);
+  auto is_there = [&](const std::string& name, const PartName& part) {
+    if (part.kind == PartKind::edge) return edges.contains(part.index);
+    if (part.kind == PartKind::vertex)
+      return std::find(result.point_names.begin(), result.point_names.end(), name) != result.point_names.end();
+    const std::vector<FaceReport>& entries = result.report.faces;  // of the whole mesh, on any rank
+    for (std::size_t entry = 0; entry < entries.size(); ++entry)
+      if (entries[entry].quads + entries[entry].triangles > 0 && is_of_face(model, static_cast<int>(entry), part.index))
+        return true;
+    return false;
+  };
+  auto look = [&](const std::string& name, const std::vector<std::string>& parts) {
+    for (const std::string& part : parts)
+      if (!is_there(name, *parse_part(part))) lost.push_back(fmt::format("{} of '{}'", part, name));
+  };
+  for (const Port& port : options.ports) look(port.name, port.parts);
+  for (const Wire& wire : options.wires) look(wire.name, wire.parts);
+  return lost;
+}
+
+}  // namespace paver

@@ -1,0 +1,31 @@
+// What users name in a model: parts as read, groups of the mesh, solids with their media.
+#pragma once
+
+#include <string>
+
+#include "paver/options.h"
+#include "topology/model.h"
+
+namespace paver {
+
+/// Throws Error{bad_option} when the model has no such part: "`who` names Face9, but the model has only Face1; ...".
+void check_part(const Model& model, const std::string& part, const std::string& who);
+
+/// Whether an entry of the report is the face as read, or what it has in common with others.
+bool is_of_face(const Model& model, int entry, int face);
+
+/// Puts the groups of ports and wires, the vertices of ports as points, and the media of solids into the model. Throws
+/// as check_part.
+void name_parts(Model& model, const Options& options);
+
+/// The medium of the first of some parts that has one; empty: of none.
+std::string medium_of(const Model& model, const std::vector<int>& parts);
+
+/// The solids that have a medium, with the faces that bound them. Pieces of a face that bound it from both sides, and
+/// faces inside of it, are left out.
+std::vector<Volume> list_volumes(const Model& model);
+
+/// Parts of ports and wires that are not in the mesh under their name: "Edge5 of 'Feed'".
+std::vector<std::string> lost_parts(const Options& options, const Model& model, const MeshResult& result);
+
+}  // namespace paver

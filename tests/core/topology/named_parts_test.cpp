@@ -1,0 +1,110 @@
+// Parts keep their names in the mesh, whatever becomes of them.
+#include "topology/naming/named_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <algorithm>
+#include <set>
+
+#include "core/brep/shape_files.h"
+#include "paver/mesher.h"
+#include "topology/naming/edge_entities.h"
+
+namespace paver {
+namespace {
+
+/// Two boxes on each other: Face6 of the lower one and a face of the upper one have half of each in common.
+TopoDS_Shape two_boxes() {
+  return test::compound(
+      {BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 4, 4, 4).Shape(), BRepPrimAPI_MakeBox(gp_Pnt(2, 0, 4), 4, 4, 4).Shape()});
+}
+
+MeshResult mesh(const TopoDS_Shape& shape, Options options, double size = 1) {
+  options.size = size;
+  std::ostringstream out;
+  BRepTools::Write(shape, out);
+  Progress progress;
+  return mesh_model(read_bytes(out.str(), "shape", progress), options, progress);
+}
+
+TEST(NamedParts, CommonFacesAreInThePortOfOneOfThem) {
+  Options options;
+  options.ports = {{"Gap", {"Face6"}}};
+  MeshResult result = mesh(two_boxes(), options);
+  std::set<std::string> names;
+  for (std::size_t face = 0; face < result.face_groups.size(); ++face)
+    if (result.face_groups[face] == "Gap" && result.report.faces[face].quads > 0)
+      names.insert(result.report.faces[face].name);
+  ASSERT_EQ(names.size(), 2u) << "what is left of the face, and what it has in common";
+  EXPECT_TRUE(names.contains("Face6"));
+  EXPECT_TRUE(result.report.lost_parts.empty());
+}
+
+TEST(NamedParts, VerticesOfPortsHaveANodeThere) {
+  Options options;
+  options.ports = {{"Pin", {"Vertex1"}}};
+  MeshResult result = mesh(two_boxes(), options);
+  ASSERT_EQ(result.point_names, std::vector<std::string>{"Pin"});
+  const Vec3 x = result.mesh.nodes[static_cast<std::size_t>(result.mesh.points.at(0))];
+  EXPECT_TRUE((x.x == 0 || x.x == 4) && (x.y == 0 || x.y == 4) && (x.z == 0 || x.z == 4));
+}
+
+TEST(NamedParts, PiecesInAPortAndJunctionsAreEntitiesOfTheirOwn) {
+  Options options;
+  Model model = test::model_of(two_boxes());
+  name_parts(model, options);
+  const EdgeEntities plain = list_edge_entities(model);
+  EXPECT_NE(std::find(plain.groups.begin(), plain.groups.end(), junctions), plain.groups.end());
+  for (int e = 0; e < model.read_edges; ++e) {
+    options.ports = {{"Feed", {"Edge" + std::to_string(e + 1)}}};
+    name_parts(model, options);
+    const EdgeEntities named = list_edge_entities(model);
+    for (std::size_t k = 0; k < model.edges.size(); ++k) {
+      const std::vector<int>& origins = model.edges[k].origins;
+      const bool is_named = std::find(origins.begin(), origins.end(), e) != origins.end();
+      EXPECT_EQ(named.groups[static_cast<std::size_t>(named.of_edge[k])] == "Feed", is_named) << e << ", " << k;
+    }
+  }
+}
+
+TEST(NamedParts, VolumesHaveTheirFacesSignedByTheOutwardNormal) {
+  Options options;
+  options.media = {{"Lower", {"Solid1"}}, {"Upper", {"Solid2"}}};
+  MeshResult result = mesh(two_boxes(), options);
+  ASSERT_EQ(result.volumes.size(), 2u);
+  std::set<int> lower(result.volumes[0].sides.begin(), result.volumes[0].sides.end());
+  int common = 0;
+  for (int side : result.volumes[1].sides)
+    if (lower.contains(side) || lower.contains(-side)) {
+      ++common;
+      EXPECT_TRUE(lower.contains(-side)) << "out of one, into the other";
+    }
+  EXPECT_EQ(common, 1);
+  EXPECT_EQ(result.volumes[0].medium, "Lower");
+  for (const FaceReport& face : result.report.faces) {
+    if (face.quads == 0) continue;
+    EXPECT_TRUE(face.back_medium == "Lower" || face.back_medium == "Upper") << face.name;
+  }
+}
+
+TEST(NamedParts, WhatAUnionLeavesOutIsAFault) {
+  Options options;
+  options.connect = Connect::united;
+  options.ports = {{"Gap", {"Face6"}}, {"Side", {"Face1"}}};
+  const TopoDS_Shape boxes = test::compound(
+      {BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 4, 4, 4).Shape(), BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 4), 4, 4, 4).Shape()});
+  MeshResult result = mesh(boxes, options);
+  EXPECT_EQ(result.report.lost_parts, std::vector<std::string>{"Face6 of 'Gap'"});
+  EXPECT_STREQ(verdict(result.report), "faulty");
+  EXPECT_TRUE(shortfall(result));
+}
+
+TEST(NamedParts, RefusesPartsThatAreNotThere) {
+  Options options;
+  options.media = {{"FR4", {"Solid3"}}};
+  EXPECT_THROW(mesh(two_boxes(), options), Error);
+}
+
+}  // namespace
+}  // namespace paver
