@@ -22,13 +22,13 @@ from ._errors import (Cancelled, Error, FaceError, InputError, InternalError, Li
 from ._jobs import Cancel  # noqa: E402
 from ._model import Model, Part  # noqa: E402
 from ._result import Result  # noqa: E402
-from ._run import Prediction, mesh, options, predict  # noqa: E402
+from ._run import Prediction, mesh, options, predict, target_lengths  # noqa: E402
 from ._surface_mesh import ElementQuality, PickTree, SurfaceMesh, Tessellation  # noqa: E402
 
 __version__ = _paver.version
 __all__ = ["Cancel", "Cancelled", "ElementQuality", "Error", "FaceError", "InputError", "InternalError", "LimitError",
            "Model", "OptionError", "OutOfMemory", "OutputError", "Part", "PickTree", "Prediction", "Result", "SurfaceMesh",
-           "Tessellation", "mesh", "options", "predict"]
+           "Tessellation", "mesh", "options", "predict", "target_lengths"]
 
 for _name in __all__:
     globals()[_name].__module__ = __name__  # where users find it, and what tracebacks show

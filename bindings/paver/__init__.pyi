@@ -174,4 +174,17 @@ def predict(shape: Source, *, size: Optional[Length] = None, frequency: Optional
             connect: Optional[Literal["imprint", "union", "none"]] = None, sew_tolerance: Optional[Length] = None,
             strict: Optional[bool] = None, progress: Optional[Progress] = None, cancel: Optional[threading.Event] = None,
             name: Optional[str] = None) -> Prediction: ...
+def target_lengths(shape: Source, faces: object, uv: object, points: object, *, size: Optional[Length] = None, frequency: Optional[Frequency] = None,
+            divisions: Optional[float] = None, eps_r: Optional[float] = None, mu_r: Optional[float] = None,
+            max_turn: Optional[Angle] = None, gradation: Optional[float] = None, tip: Optional[float] = None, grade_edges: Optional[float] = None,
+         gap: Optional[Literal["one", "refine:2", "refine:3", "refine:4", "refine:5", "refine:6", "refine:7", "refine:8"]] = None,
+         chord_error: Optional[Length] = None,
+            local: Optional[Local] = None, max_elements: Optional[int] = None, medium: Optional[Named] = None,
+         port: Optional[Named] = None, wire: Optional[Named] = None, merge: Optional[float] = None, merge_width: Optional[float] = None, order: Optional[int] = None,
+            elements: Optional[Literal["quad-dominant", "all-quad", "all-triangle"]] = None,
+            multilevel: Optional[Literal["off", "auto", "4", "5", "6", "7", "8"]] = None,
+            threads: Optional[int] = None, ranks: Optional[int] = None,
+            connect: Optional[Literal["imprint", "union", "none"]] = None, sew_tolerance: Optional[Length] = None,
+            strict: Optional[bool] = None, progress: Optional[Progress] = None, cancel: Optional[threading.Event] = None,
+            name: Optional[str] = None) -> object: ...
 def options() -> list[dict[str, Any]]: ...

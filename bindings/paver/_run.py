@@ -155,6 +155,19 @@ def predict(shape, *, progress=None, cancel=None, name=None, **options):
     return Prediction(**_paver.predict(as_model(shape, name)._source, given, poll_of(progress, cancel)))
 
 
+def target_lengths(shape, faces, uv, points, *, progress=None, cancel=None, name=None, **options):
+    """(n,) float64: target length, mm, that mesh() with the same options has at points of faces: how short elements get
+    there, across the strongest turn of the surface. 0 on faces that will not be meshed.
+
+    faces: (n,) numbers from 0; uv: (n, 2) parameters on their surfaces; points: (n, 3), mm. Costs what predict() does, with
+    its errors.
+    """
+    import numpy as np
+    arrays = (np.ascontiguousarray(faces, "i4"), np.ascontiguousarray(uv, "f8"), np.ascontiguousarray(points, "f8"))
+    return _paver.target_lengths(as_model(shape, name)._source, given_options(options), *arrays,
+                                 poll_of(progress, cancel))
+
+
 def options():
     """The options of mesh() and predict(), in order.
 
@@ -169,9 +182,10 @@ def describe(function):
     """Gives a function the options of the table as arguments and in its help."""
     signature = inspect.signature(function)
     own = [p for p in signature.parameters.values() if p.kind is not inspect.Parameter.VAR_KEYWORD]
+    first = [p for p in own if p.kind is not inspect.Parameter.KEYWORD_ONLY]
     table = _paver.options()
     added = [inspect.Parameter(info["name"], inspect.Parameter.KEYWORD_ONLY, default=None) for info in table]
-    function.__signature__ = signature.replace(parameters=own[:1] + added + own[1:])
+    function.__signature__ = signature.replace(parameters=first + added + own[len(first):])
     lines = [f"    {i['name']} ({i['kind']}): {i['help']}" + (f" [{i['default']}]" if i["default"] else "")
              for i in table]
     notes = ('Options, as numbers (mm, Hz, degrees), text with a unit ("30 mm", "9 GHz") or FreeCAD quantities; local '
@@ -181,5 +195,5 @@ def describe(function):
     function.__doc__ = "\n".join([inspect.cleandoc(function.__doc__), "", notes, *lines])
 
 
-for described in (mesh, predict):
+for described in (mesh, predict, target_lengths):
     describe(described)

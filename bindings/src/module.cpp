@@ -101,6 +101,28 @@ py::dict predict(Source& source, const std::vector<GivenOption>& given, const py
   return result;
 }
 
+using Integers = py::array_t<int, py::array::c_style | py::array::forcecast>;
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+py::array_t<double> target_lengths(Source& source, const std::vector<GivenOption>& given, const Integers& faces,
+                                   const Doubles& uv, const Doubles& points, const py::object& poll) {
+  Options options = read_options(given);
+  check(options);
+  const py::ssize_t count = faces.size();
+  if (faces.ndim() != 1 || uv.ndim() != 2 || points.ndim() != 2 || uv.shape(0) != count || points.shape(0) != count ||
+      uv.shape(1) != 2 || points.shape(1) != 3)
+    throw py::value_error("faces, uv and points must be (n,), (n, 2) and (n, 3).");
+  std::vector<FacePoint> places(static_cast<std::size_t>(count));
+  for (py::ssize_t i = 0; i < count; ++i)
+    places[static_cast<std::size_t>(i)] = {
+        faces.at(i), {uv.at(i, 0), uv.at(i, 1)}, {points.at(i, 0), points.at(i, 1), points.at(i, 2)}};
+  std::vector<double> found;
+  run_job(poll, [&](Progress& progress) {
+    found = paver::target_lengths(source.model(progress), options, places, progress);
+  });
+  return py::array_t<double>(static_cast<py::ssize_t>(found.size()), found.data());
+}
+
 py::bytes repaired(Source& source, const std::vector<GivenOption>& given, const py::object& poll) {
   Options options = read_options(given);
   check(options);
@@ -190,6 +212,7 @@ PYBIND11_MODULE(_paver, module) {
   bind_display(module);
   module.def("mesh", mesh);
   module.def("predict", predict);
+  module.def("target_lengths", target_lengths);
   module.def("repaired", repaired);
   module.def("parts", parts);
   module.def("options", options);

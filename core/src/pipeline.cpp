@@ -27,6 +27,7 @@
 #include "repair/repair_parts.h"
 #include "sizing/chord_lengths.h"
 #include "sizing/merging/merge_small.h"
+#include "sizing/point_lengths.h"
 #include "topology/build_model.h"
 #include "topology/naming/components.h"
 #include "topology/naming/edge_entities.h"
@@ -57,6 +58,13 @@ class Run {
     check(options_);
     build_model(*model.shape, options_, model.report, progress_, shared_, &brep);
     return brep;
+  }
+
+  std::vector<double> target_lengths(const CadModel& model, const std::vector<FacePoint>& points) {
+    start();
+    build(model);
+    begin(Stage::sizing);
+    return point_lengths(model_, build_size_field(model_, options_, progress_), points);
   }
 
   Prediction predict(const CadModel& model) {
@@ -437,6 +445,15 @@ Prediction predict(const CadModel& model, const Options& options, Progress& prog
   SingleRank alone;
   return guard_occt(ErrorCode::internal, kernel_failure,
                     [&] { return Run(unlimited, progress, alone).predict(model); });
+}
+
+std::vector<double> target_lengths(const CadModel& model, const Options& options, const std::vector<FacePoint>& points,
+                                   Progress& progress) {
+  Options unlimited = options;
+  unlimited.max_elements = std::numeric_limits<long>::max();
+  SingleRank alone;
+  return guard_occt(ErrorCode::internal, kernel_failure,
+                    [&] { return Run(unlimited, progress, alone).target_lengths(model, points); });
 }
 
 }  // namespace paver

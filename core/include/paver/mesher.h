@@ -104,4 +104,16 @@ struct Prediction {
 /// Costs a small part of meshing: topology and sizing only. Options::max_elements is no limit here.
 Prediction predict(const CadModel& model, const Options& options, Progress& progress);
 
+/// A point on a face as read.
+struct FacePoint {
+  int face = -1;  ///< 0-based
+  Vec2 uv;        ///< on its surface
+  Vec3 x;         ///< mm
+};
+
+/// Target length at each point, mm: how short elements get there, across the strongest turn of the surface. 0: on a
+/// face that will not be meshed. Costs what predict() does.
+std::vector<double> target_lengths(const CadModel& model, const Options& options, const std::vector<FacePoint>& points,
+                                   Progress& progress);
+
 }  // namespace paver

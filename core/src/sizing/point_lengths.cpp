@@ -1,0 +1,61 @@
+// A face as read may be several of the model: divided at creases, or connected with others. Where its surface is still
+// the one of before, its (u, v) tell how far it turns there; else only lengths of parts count.
+#include "sizing/point_lengths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "topology/naming/named_parts.h"
+
+namespace paver {
+namespace {
+
+constexpr double same_place = 1e-3;  // of the target length: how near a point must be to be that of its (u, v)
+
+/// Largest curvature that the table of normals shows, 1 / mm.
+double largest_curvature(const NormalTable& normals, Vec2 uv, Vec3 xu, Vec3 xv) {
+  Vec3 nu, nv;
+  normals.slopes(uv, {norm(xu), norm(xv)}, nu, nv);
+  const double e = dot(xu, xu), f = dot(xu, xv), g = dot(xv, xv), a = dot(nu, nu), b = dot(nu, nv), c = dot(nv, nv);
+  const double det = e * g - f * f;
+  if (!(det > 0)) return 0;
+  const double half_trace = (a * g - 2 * b * f + c * e) / (2 * det), product = (a * c - b * b) / det;
+  return std::sqrt(std::max(0.0, half_trace + std::sqrt(std::max(0.0, half_trace * half_trace - product))));
+}
+
+double length_on(const Face& face, const FaceSize& size, const FacePoint& point) {
+  Vec3 x, xu, xv;
+  face.surface->d1(point.uv, x, xu, xv);
+  if (!(norm(x - point.x) < same_place * size.own())) return size.given_at(point.x);
+  const double h = size.at(point.uv, *face.surface);
+  if (!size.normals() || !(size.turn_weight() > 0)) return h;
+  const double turn = size.turn_weight() * largest_curvature(*size.normals(), point.uv, xu, xv);
+  return h / std::sqrt(1 + turn * h * turn * h);
+}
+
+}  // namespace
+
+std::vector<double> point_lengths(const Model& model, const SizeField& size, const std::vector<FacePoint>& points) {
+  std::vector<std::vector<std::size_t>> pieces(static_cast<std::size_t>(model.read_faces));
+  for (std::size_t f = 0; f < model.faces.size(); ++f) {
+    const Face& face = model.faces[f];
+    if (!face.has_area || !face.fault.empty() || face.is_common || face.is_dropped || face.is_merged) continue;
+    if (face.origin < model.read_faces)
+      pieces[static_cast<std::size_t>(face.origin)].push_back(f);
+    else
+      for (int of : model.common[static_cast<std::size_t>(face.origin - model.read_faces)])
+        pieces[static_cast<std::size_t>(of)].push_back(f);
+  }
+  std::vector<double> lengths;
+  for (const FacePoint& point : points) {
+    double least = std::numeric_limits<double>::infinity();
+    if (point.face >= 0 && point.face < model.read_faces)
+      for (std::size_t f : pieces[static_cast<std::size_t>(point.face)])
+        least = std::min(least, length_on(model.faces[f], size.faces[f], point));
+    lengths.push_back(std::isfinite(least) ? least : 0);
+  }
+  return lengths;
+}
+
+}  // namespace paver
