@@ -1,4 +1,4 @@
-"""Target lengths at points, before meshing: as asked for, and as the meshes then have them."""
+"""Target lengths at points, before meshing. How turns count: tests/core/sizing/point_lengths_test.cpp."""
 import numpy as np
 import pytest
 
@@ -17,18 +17,6 @@ def test_lengths_of_parts_and_of_the_run(example):
     found = lengths("box.step", example, [0] * 2, [[1e9, 1e9]] * 2, [vertex, far], size=8, local={"Vertex1": 0.5})
     assert found[0] == pytest.approx(0.5, rel=1e-6) and found[1] == pytest.approx(8), "without (u, v) of the place too"
     assert lengths("box.step", example, [99, -1], [[0, 0]] * 2, np.repeat(corner, 2, 0), size=8).tolist() == [0, 0]
-
-
-def test_a_sphere_gets_shorter_lengths_the_less_it_may_turn(example):
-    result = paver.mesh(example("sphere.step"), size=1e6, max_turn=30)
-    centre = np.round(result.nodes.mean(axis=0))
-    radius = np.linalg.norm(result.nodes[0] - centre)
-    uv = np.array([[0.5, 0.2], [2.0, -0.7]])
-    points = centre + radius * np.column_stack([np.cos(uv[:, 0]) * np.cos(uv[:, 1]), np.sin(uv[:, 0]) * np.cos(uv[:, 1]),
-                                                np.sin(uv[:, 1])])
-    found = [lengths("sphere.step", example, [0, 0], uv, points, size=1e6, max_turn=turn) for turn in (15, 30)]
-    assert found[1] == pytest.approx(2 * found[0], rel=0.2)
-    assert found[1][0] == pytest.approx(radius * np.pi / 6, rel=0.3)
 
 
 def test_shapes_of_arrays_are_checked(example):
