@@ -10,6 +10,8 @@ from addon_cases import *  # noqa: E402, F401, F403
 from analysis_cases import *  # noqa: E402, F401, F403
 from child_cases import *  # noqa: E402, F401, F403
 from files_cases import *  # noqa: E402, F401, F403
+from look_cases import *  # noqa: E402, F401, F403
 from mesh_cases import *  # noqa: E402, F401, F403
 from named_cases import *  # noqa: E402, F401, F403
 from refinement_cases import *  # noqa: E402, F401, F403
+from series_cases import *  # noqa: E402, F401, F403

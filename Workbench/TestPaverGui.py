@@ -5,7 +5,10 @@ from file_task_cases import *  # noqa: F401, F403
 from first_use_cases import *  # noqa: F401, F403
 from gui_cases import *  # noqa: F401, F403
 from panel_cases import *  # noqa: F401, F403
+from panel_log_cases import *  # noqa: F401, F403
+from panel_preview_cases import *  # noqa: F401, F403
 from panel_run_cases import *  # noqa: F401, F403
 from panel_size_cases import *  # noqa: F401, F403
 from refinement_panel_cases import *  # noqa: F401, F403
+from series_dialog_cases import *  # noqa: F401, F403
 from translation_cases import *  # noqa: F401, F403

@@ -244,6 +244,42 @@
         <translation>Relative Permeabilität des Mediums</translation>
     </message>
     <message>
+        <source>Series</source>
+        <translation>Reihe</translation>
+    </message>
+    <message>
+        <source>The mesh object whose options, refinements and objects all steps have</source>
+        <translation>Das Netzobjekt, dessen Optionen, Verfeinerungen und Objekte alle Schritte haben</translation>
+    </message>
+    <message>
+        <source>A mesh object for each step; none where the meshes are files only</source>
+        <translation>Ein Netzobjekt für jeden Schritt; keines, wo die Netze nur Dateien sind</translation>
+    </message>
+    <message>
+        <source>The option that differs: frequency, divisions (elements per wavelength), size</source>
+        <translation>Die Option, die sich ändert: frequency (Frequenz), divisions (Elemente je Wellenlänge), size (Ziellänge)</translation>
+    </message>
+    <message>
+        <source>Its value at each step: Hz, elements per wavelength, mm</source>
+        <translation>Ihr Wert in jedem Schritt: Hz, Elemente je Wellenlänge, mm</translation>
+    </message>
+    <message>
+        <source>Endings of the files that are written for each step</source>
+        <translation>Endungen der Dateien, die für jeden Schritt geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Where the files are written</source>
+        <translation>Wohin die Dateien geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Names of the mesh objects, one for each step</source>
+        <translation>Namen der Netzobjekte, einer für jeden Schritt</translation>
+    </message>
+    <message>
+        <source>What came of each step, as JSON; empty where nothing has yet</source>
+        <translation>Was aus jedem Schritt geworden ist, als JSON; leer, wo noch nichts ist</translation>
+    </message>
+    <message>
         <source>Medium</source>
         <translation>Medium</translation>
     </message>
@@ -266,6 +302,10 @@
     <message>
         <source>Edges that stand for the wire; a whole object means all its edges</source>
         <translation>Kanten, die für den Draht stehen; ein ganzes Objekt meint alle seine Kanten</translation>
+    </message>
+    <message>
+        <source>Its name in files of the mesh; empty: the label</source>
+        <translation>Sein Name in Dateien des Netzes; leer: die Bezeichnung</translation>
     </message>
     <message>
         <source>Relative permittivity</source>
@@ -663,6 +703,34 @@
         <translation>Veraltet</translation>
     </message>
     <message>
+        <source>A series varies one thing; give it frequencies, or divisions, or sizes.</source>
+        <translation>Eine Reihe ändert eine Sache; geben Sie ihr frequencies oder divisions oder sizes.</translation>
+    </message>
+    <message>
+        <source>The {} {} of a series cannot be read; write a value above 0, such as {}.</source>
+        <translation>{} {} einer Reihe ist nicht lesbar; schreiben Sie einen Wert über 0, etwa {}.</translation>
+    </message>
+    <message>
+        <source>A range of a series goes from a value to a larger one in 2 to {} steps, such as 1GHz:4GHz:7 or 1GHz:4GHz:7:log.</source>
+        <translation>Ein Bereich einer Reihe geht von einem Wert zu einem größeren in 2 bis {} Schritten, etwa 1GHz:4GHz:7 oder 1GHz:4GHz:7:log.</translation>
+    </message>
+    <message>
+        <source>A series has 1 to {} values of {}, not {}.</source>
+        <translation>Eine Reihe hat 1 bis {} Werte von {}, nicht {}.</translation>
+    </message>
+    <message>
+        <source>'{}' has no object to mesh; set its property Part.</source>
+        <translation>'{}' hat kein Objekt zum Vernetzen; setzen Sie seine Eigenschaft Part.</translation>
+    </message>
+    <message>
+        <source>'{}' has no frequency, so there are no elements per wavelength to vary; give it one, or vary the size.</source>
+        <translation>'{}' hat keine Frequenz, daher auch keine Elemente je Wellenlänge; geben Sie ihm eine oder ändern Sie die Ziellänge.</translation>
+    </message>
+    <message>
+        <source>Files cannot be written to the folder '{}'; choose one that exists and can be written to.</source>
+        <translation>In den Ordner '{}' kann nicht geschrieben werden; wählen Sie einen, den es gibt und in den geschrieben werden darf.</translation>
+    </message>
+    <message>
         <source>The mesh has errors.</source>
         <translation>Das Netz hat Fehler.</translation>
     </message>
@@ -823,6 +891,14 @@
         <translation>Länge von {}</translation>
     </message>
     <message>
+        <source>Meshing in a process of its own</source>
+        <translation>Vernetzt in einem eigenen Prozess</translation>
+    </message>
+    <message>
+        <source>{} faces are meshed.</source>
+        <translation>{} Flächen sind vernetzt.</translation>
+    </message>
+    <message>
         <source>Meshing of '{}' was stopped, as it was deleted.</source>
         <translation>Das Vernetzen von „{}“ wurde angehalten, weil es gelöscht wurde.</translation>
     </message>
@@ -833,6 +909,22 @@
     <message>
         <source>, but {} could not be meshed: {}.</source>
         <translation>, aber {} ließ sich nicht vernetzen: {}.</translation>
+    </message>
+    <message>
+        <source>{} faces are not meshed.</source>
+        <translation>{} Flächen sind nicht vernetzt.</translation>
+    </message>
+    <message>
+        <source>{} elements were repaired: {}.</source>
+        <translation>{} Elemente wurden repariert: {}.</translation>
+    </message>
+    <message>
+        <source>Shape of {:.2f} MB handed over in {:.2f} s</source>
+        <translation>Form von {:.2f} MB übergeben in {:.2f} s</translation>
+    </message>
+    <message>
+        <source>{:.2f} s of meshing, {:.2f} s to take it into the document</source>
+        <translation>{:.2f} s vernetzt, {:.2f} s für die Aufnahme ins Dokument</translation>
     </message>
     <message>
         <source>Meshing of '{}' was stopped; it is as before.</source>
@@ -1009,6 +1101,22 @@
     <message>
         <source>Stopped: {}</source>
         <translation>Angehalten: {}</translation>
+    </message>
+    <message>
+        <source>a few seconds left</source>
+        <translation>noch einige Sekunden</translation>
+    </message>
+    <message>
+        <source>about {} h left</source>
+        <translation>noch etwa {} h</translation>
+    </message>
+    <message>
+        <source>about {} s left</source>
+        <translation>noch etwa {} s</translation>
+    </message>
+    <message>
+        <source>about {} min left</source>
+        <translation>noch etwa {} min</translation>
     </message>
     <message>
         <source>What went wrong, and what to do</source>
@@ -1527,12 +1635,20 @@
         <translation>Wählt es in der 3D-Ansicht aus und bringt es ins Bild</translation>
     </message>
     <message>
-        <source>What has been done since the panel was opened</source>
-        <translation>Was getan wurde, seit das Fenster offen ist</translation>
+        <source>What the last run has done and is doing</source>
+        <translation>Was der letzte Lauf getan hat und gerade tut</translation>
     </message>
     <message>
         <source>Log</source>
         <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Stages of the last run and their seconds, and what came of it</source>
+        <translation>Schritte des letzten Laufs und ihre Sekunden, und was daraus geworden ist</translation>
+    </message>
+    <message>
+        <source>Nothing has been meshed since FreeCAD was started</source>
+        <translation>Seit dem Start von FreeCAD ist nichts vernetzt worden</translation>
     </message>
     <message>
         <source>Not meshed yet</source>
@@ -1551,24 +1667,12 @@
         <translation>Vernetzt; FreeCAD bleibt dabei benutzbar</translation>
     </message>
     <message>
-        <source>Meshing in a process of its own</source>
-        <translation>Vernetzt in einem eigenen Prozess</translation>
-    </message>
-    <message>
         <source>Options have been edited; Mesh or Apply puts them into effect</source>
         <translation>Optionen sind bearbeitet; Vernetzen oder Anwenden macht sie wirksam</translation>
     </message>
     <message>
-        <source>Shape of {:.2f} MB handed over in {:.2f} s</source>
-        <translation>Form von {:.2f} MB übergeben in {:.2f} s</translation>
-    </message>
-    <message>
         <source>Show {}</source>
         <translation>{} zeigen</translation>
-    </message>
-    <message>
-        <source>{:.2f} s of meshing, {:.2f} s to take it into the document</source>
-        <translation>{:.2f} s vernetzt, {:.2f} s für die Aufnahme ins Dokument</translation>
     </message>
     <message>
         <source>Show model</source>
@@ -1625,6 +1729,222 @@
     <message>
         <source>Delete {}</source>
         <translation>{} löschen</translation>
+    </message>
+    <message>
+        <source>No parts touch, and nothing is small</source>
+        <translation>Keine Teile berühren sich, und nichts ist klein</translation>
+    </message>
+    <message>
+        <source>Shows on the model where parts touch, and edges and faces that are small against the target length</source>
+        <translation>Zeigt am Modell, wo sich Teile berühren, und Kanten und Flächen, die gegen die Ziellänge klein sind</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Looking...</source>
+        <translation>Wird angesehen...</translation>
+    </message>
+    <message>
+        <source>{} pairs of parts touch</source>
+        <translation>{} Paare von Teilen berühren sich</translation>
+    </message>
+    <message>
+        <source>{} short edges and {} thin faces: merged where the shape runs on without a corner, else meshed as they are</source>
+        <translation>{} kurze Kanten und {} schmale Flächen: zusammengefasst, wo die Form ohne Knick weiterläuft, sonst vernetzt, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Unknowns</source>
+        <translation>Unbekannte</translation>
+    </message>
+    <message>
+        <source>Full matrix</source>
+        <translation>Volle Matrix</translation>
+    </message>
+    <message>
+        <source>Least SJ</source>
+        <translation>Kleinste SJ</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Of an electric-field integral equation on a conductor, with rooftops and RWG functions</source>
+        <translation>Einer Integralgleichung des elektrischen Feldes auf einem Leiter, mit Rooftop- und RWG-Funktionen</translation>
+    </message>
+    <message>
+        <source>Memory of the matrix of all these unknowns, in double precision</source>
+        <translation>Speicher der Matrix all dieser Unbekannten, in doppelter Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Of meshing</source>
+        <translation>Der Vernetzung</translation>
+    </message>
+    <message>
+        <source>Smallest scaled Jacobian of all elements</source>
+        <translation>Kleinste skalierte Jacobi-Determinante aller Elemente</translation>
+    </message>
+    <message>
+        <source>What Check mesh finds, the worst first</source>
+        <translation>Was Netz prüfen findet, das Schlimmste zuerst</translation>
+    </message>
+    <message>
+        <source>Click on a row to see its mesh</source>
+        <translation>Ein Klick auf eine Zeile zeigt ihr Netz</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Meshes a new series with these values, one step after the other; FreeCAD can be used meanwhile</source>
+        <translation>Vernetzt eine neue Reihe mit diesen Werten, einen Schritt nach dem anderen; FreeCAD ist währenddessen benutzbar</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Meshes the steps of this series that have not been done</source>
+        <translation>Vernetzt die Schritte dieser Reihe, die noch nicht getan sind</translation>
+    </message>
+    <message>
+        <source>Stops within a second; what is done stays</source>
+        <translation>Hält innerhalb einer Sekunde an; was getan ist, bleibt</translation>
+    </message>
+    <message>
+        <source>Save table...</source>
+        <translation>Tabelle speichern...</translation>
+    </message>
+    <message>
+        <source>Writes the table to a file, as CSV</source>
+        <translation>Schreibt die Tabelle in eine Datei, als CSV</translation>
+    </message>
+    <message>
+        <source>A series that runs goes on</source>
+        <translation>Eine laufende Reihe geht weiter</translation>
+    </message>
+    <message>
+        <source>Save table</source>
+        <translation>Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Not done</source>
+        <translation>Nicht getan</translation>
+    </message>
+    <message>
+        <source>The mesh has been changed or is out of date; this row is of before.</source>
+        <translation>Das Netz ist geändert worden oder veraltet; diese Zeile ist von vorher.</translation>
+    </message>
+    <message>
+        <source>Series of {}</source>
+        <translation>Reihe von {}</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>'{}' is being meshed; wait for that or stop it first.</source>
+        <translation>'{}' wird gerade vernetzt; warten Sie darauf oder halten Sie das zuerst an.</translation>
+    </message>
+    <message>
+        <source>The mesh object of '{}' is gone; make a series of another one.</source>
+        <translation>Das Netzobjekt von '{}' gibt es nicht mehr; machen Sie eine Reihe eines anderen.</translation>
+    </message>
+    <message>
+        <source>Step {} of '{}' has no mesh in the document; mesh it first.</source>
+        <translation>Schritt {} von '{}' hat kein Netz im Dokument; vernetzen Sie ihn zuerst.</translation>
+    </message>
+    <message>
+        <source>What differs from mesh to mesh; all else is as in the mesh object</source>
+        <translation>Was sich von Netz zu Netz ändert; alles andere ist wie im Netzobjekt</translation>
+    </message>
+    <message>
+        <source>Values with commas between them, or semicolons, such as 1 GHz, 2 GHz, 4 GHz</source>
+        <translation>Werte, getrennt durch Kommas oder Strichpunkte, etwa 1 GHz, 2 GHz, 4 GHz</translation>
+    </message>
+    <message>
+        <source>Vary</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>How many values</source>
+        <translation>Wie viele Werte</translation>
+    </message>
+    <message>
+        <source>By equal steps, or by equal factors</source>
+        <translation>In gleichen Schritten oder mit gleichen Faktoren</translation>
+    </message>
+    <message>
+        <source>Fill in</source>
+        <translation>Eintragen</translation>
+    </message>
+    <message>
+        <source>Writes the values of the range into the field above</source>
+        <translation>Schreibt die Werte des Bereichs in das Feld darüber</translation>
+    </message>
+    <message>
+        <source>A mesh object for each value, below the series in the tree</source>
+        <translation>Ein Netzobjekt für jeden Wert, unter der Reihe im Baum</translation>
+    </message>
+    <message>
+        <source>A file for each value and format, and the table as CSV, in the folder; nothing large in the document</source>
+        <translation>Eine Datei für jeden Wert und jedes Format und die Tabelle als CSV, im Ordner; nichts Großes im Dokument</translation>
+    </message>
+    <message>
+        <source>Where the files are written</source>
+        <translation>Wohin die Dateien geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Chooses the folder</source>
+        <translation>Wählt den Ordner</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Meshes in the document</source>
+        <translation>Netze im Dokument</translation>
+    </message>
+    <message>
+        <source>Files only</source>
+        <translation>Nur Dateien</translation>
+    </message>
+    <message>
+        <source>A series needs values; write some, such as 1 GHz, 2 GHz, 4 GHz.</source>
+        <translation>Eine Reihe braucht Werte; schreiben Sie welche, etwa 1 GHz, 2 GHz, 4 GHz.</translation>
+    </message>
+    <message>
+        <source>evenly</source>
+        <translation>gleichmäßig</translation>
+    </message>
+    <message>
+        <source>logarithmic</source>
+        <translation>logarithmisch</translation>
+    </message>
+    <message>
+        <source>No format is chosen for the files; choose one, or keep the meshes in the document.</source>
+        <translation>Für die Dateien ist kein Format gewählt; wählen Sie eines oder behalten Sie die Netze im Dokument.</translation>
     </message>
     <message>
         <source>Building Paver</source>
@@ -2012,6 +2332,17 @@
     <message>
         <source>Shorter elements on the selected faces, edges, vertices or solids of what is meshed, and around them; opens a panel for the length</source>
         <translation>Kürzere Elemente auf den gewählten Flächen, Kanten, Punkte oder Körpern des Vernetzten und um sie herum; öffnet ein Fenster für die Länge</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_Series</name>
+    <message>
+        <source>Series...</source>
+        <translation>Reihe...</translation>
+    </message>
+    <message>
+        <source>Meshes for several frequencies, elements per wavelength or target lengths, one after the other, and a table of elements, unknowns, memory and quality</source>
+        <translation>Netze für mehrere Frequenzen, Elemente je Wellenlänge oder Ziellängen, eines nach dem anderen, und eine Tabelle von Elementen, Unbekannten, Speicher und Güte</translation>
     </message>
 </context>
 <context>

@@ -3,4 +3,4 @@
 # Modules and folders, from the lowest on: none imports what comes later. "" is this folder, "gui" that folder, less what
 # has an entry of its own. tests/repo/layers_test.py checks it.
 LAYERS = ("core", "base", "formats", "processes", "children", "", "gui.base", "gui.display", "gui.run_place", "gui.setup",
-          "gui.commands", "gui.panels", "gui")
+          "gui.commands", "gui.preview", "gui.panels", "gui")

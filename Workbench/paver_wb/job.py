@@ -6,9 +6,10 @@ import sys
 
 import FreeCAD
 
-from paver_wb import core, export_mesh, mesh_object, meshing, properties
+from paver_wb import core, export_mesh, mesh_object, meshing, properties, series
 
 FORMATS = ("msh", "vtu", "unv", "inp", "med")
+SERIES_ARGUMENTS = {series.FREQUENCY: "frequencies", series.DIVISIONS: "divisions", series.SIZE: "sizes"}
 EPILOG = ("Exit codes: 0 all is meshed, {internal} internal error, {bad_option} bad usage or option, {damaged_file} bad model, "
           "{face_failed} some face failed, {too_many_elements} more elements predicted than allowed, {unwritable_output} an "
           "output cannot be written, {cancelled} cancelled; of several the first.")
@@ -31,6 +32,10 @@ def parser():
                       help="files to write for each mesh: " + ", ".join(FORMATS))
     made.add_argument("--folder", metavar="DIR", help="for exports and documents of CAD files [that of the model]")
     made.add_argument("--report", metavar="R.json", help="report of all runs")
+    made.add_argument("--series", metavar="OPTION=A,B", type=series_of, help="a mesh for each value of frequency, divisions or "
+                      "size, such as divisions=6,8,10 or frequency=1GHz:4GHz:7:log, and a table of them, NAME-series.csv")
+    made.add_argument("--frequencies", metavar="A,B", dest="series", type=lambda text: series_of("frequency=" + text),
+                      help="the same as --series frequency=A,B")
     group = made.add_argument_group("options of the mesh, in place of those of the mesh objects")
     for info in core.load().options():
         default = f" [{info['default']}]" if info["default"] else ""
@@ -44,6 +49,17 @@ def names_of(text):
     return [name.strip() for name in text.split(",") if name.strip()]
 
 
+def series_of(text):
+    """(option, its values) of --series."""
+    option, _, values = text.partition("=")
+    try:
+        if option not in series.VARIED:
+            raise ValueError(f"A series varies {', '.join(series.VARIED)}, not '{option}'; write for instance divisions=6,8,10.")
+        return option, series.values_of(option, values)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+
+
 def check_arguments(arguments):
     """An error for what can be seen before any work."""
     bad = [name for name in arguments.export if name not in FORMATS]
@@ -51,7 +67,7 @@ def check_arguments(arguments):
         raise fault(f"--export has '{bad[0]}'; write some of {', '.join(FORMATS)}.", "bad_option")
     stems = [output_stem(arguments, path) for path in arguments.models]
     twice = [path for path, stem in zip(arguments.models, stems) if stems.count(stem) > 1]
-    if twice and (arguments.export or arguments.save):
+    if twice and (arguments.export or arguments.save or arguments.series):
         raise fault(f"The outputs of {' and '.join(twice)} would have the same names; run them one by one with "
                     "another --folder.", "bad_option")
     folders = {os.path.dirname(stem) for stem in stems}
@@ -105,7 +121,8 @@ def targets(document, path, names):
     if names:
         things = [named(document, path, name) for name in names]
     elif is_document(path):
-        things = mesh_object.meshes_of(document)
+        steps = [child for made in series.of_document(document) for child in made.Meshes]
+        things = [mesh for mesh in mesh_object.meshes_of(document) if mesh not in steps]
         if not things:
             raise fault(f"{path} has no mesh object; name the objects to mesh with --objects.", "bad_option")
     else:
@@ -149,6 +166,36 @@ def run_object(obj, stem, options, formats):
     return entry
 
 
+def run_series(obj, stem, options, arguments):
+    """Meshes the steps of a series of one object; their entries of the report."""
+    entries, (option, values) = [], arguments.series
+    try:
+        properties.put(obj, options)
+        made = series.add(obj, **{SERIES_ARGUMENTS[option]: values}, formats=arguments.export, folder=os.path.dirname(stem),
+                          keep=arguments.save)
+        for done in series.work(made, stem=stem):
+            entries.append(entry_of(obj, done))
+        entries[-1]["files"].append(series.write_csv(made, stem + "-series.csv"))
+    except Exception as error:
+        entries.append({"object": obj.Name, "label": obj.Label, "files": [], "report": None, **failure(error)})
+    return entries
+
+
+def entry_of(obj, done):
+    """The entry of the report of a step that has ended."""
+    entry = {"object": obj.Name, "label": obj.Label, "status": "meshed", "exit_code": 0, "error": None,
+             "files": list(done.row.files), "report": done.mesh and done.mesh.report,
+             "step": {done.step.option: done.step.value}, "table": done.row._asdict()}
+    lost = meshing.failed_faces(done.mesh) if done.mesh else []
+    if done.error:
+        entry.update(failure(done.error))
+    elif lost:
+        entry.update(status="faces_failed", exit_code=core.exit_code("face_failed"), error="; ".join(lost))
+    elif done.row.error:
+        entry.update(status="failed", exit_code=core.exit_code("unwritable_output"), error=done.row.error)
+    return entry
+
+
 def save(document, path, stem):
     """Saves the document; its path."""
     saved = path if is_document(path) else stem + "-mesh.FCStd"
@@ -167,7 +214,8 @@ def run_model(path, arguments, options):
         meshes = targets(document, path, arguments.objects)
         for obj in meshes:
             of_object = stem if len(meshes) == 1 and not is_document(path) else f"{stem}-{obj.Name}"
-            entries.append(run_object(obj, of_object, options, arguments.export))
+            entries += run_series(obj, of_object, options, arguments) if arguments.series else [
+                run_object(obj, of_object, options, arguments.export)]
         if arguments.save and any(entry["status"] != "failed" for entry in entries):
             entries[0]["files"].append(save(document, path, stem))
     except Exception as error:
@@ -181,6 +229,7 @@ def run_model(path, arguments, options):
 def show(entry):
     """A line on what became of a mesh; errors go to the error output."""
     where = entry["model"] + (f", {entry['object']}" if entry["object"] else "")
+    where += "".join(f", {series.Step(0, *step).text}" for step in entry.get("step", {}).items())
     if entry["report"]:
         quality = entry["report"]["quality"]
         print(f"{where}: {quality['quads']} quads, {quality['triangles']} triangles", flush=True)

@@ -43,6 +43,11 @@ def prepare(obj, **changes):
                source_shapes.digest_of(shape), decisive)
 
 
+def prepare_like(job, obj, **changes):
+    """The same where a mesh object meshes the very shapes of a Job that is there."""
+    return job._replace(options=options_of(obj, changes), decisive=mesh_object.decisive(obj, properties.merged(obj, changes)))
+
+
 def options_of(obj, changes):
     """Options of a mesh object with `changes`, as paver.mesh takes them, with its refinements, media, ports and wires."""
     options, sources = properties.merged(obj, changes), mesh_object.sources(obj)
@@ -69,8 +74,13 @@ def show_results(obj, mesh):
     obj.TargetLength = mesh.report["target_length"]
     obj.WorstScaledJacobian = quality["sj"]["all"]["min"]
     obj.Watertight = quality["watertight"]
-    obj.FailedFaces = [f"{label}: {face['reason']}" for label, face in zip(mesh_file.labels(mesh), mesh.report["faces"])
-                       if face["status"] == "failed"]
+    obj.FailedFaces = failed_faces(mesh)
+
+
+def failed_faces(mesh):
+    """["Face3: reason"] of a StoredMesh."""
+    return [f"{label}: {face['reason']}" for label, face in zip(mesh_file.labels(mesh), mesh.report["faces"])
+            if face["status"] == "failed"]
 
 
 def keep(obj, job, mesh, file=None, is_outdated=False, run_in=None, **changes):

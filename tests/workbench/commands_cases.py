@@ -113,12 +113,13 @@ class Commands(WithCommands):
         self.assertEqual(self.active(), ["Paver_CreateMesh", *NEEDS_NOTHING])
         mesh = self.mesh(is_meshed=False)
         select(mesh)
-        self.assertEqual(self.active(), ["Paver_Mesh", "Paver_FillFemMesh", *NEEDS_NOTHING])
+        self.assertEqual(self.active(), ["Paver_Series", "Paver_Mesh", "Paver_FillFemMesh", *NEEDS_NOTHING])
         select((self.box, "Face1"))
-        self.assertEqual(self.active(), ["Paver_CreateMesh", "Paver_Refine", "Paver_Medium", "Paver_Port", "Paver_Wire", *NEEDS_NOTHING])
+        self.assertEqual(self.active(), ["Paver_CreateMesh", "Paver_Refine", "Paver_Series", "Paver_Medium", "Paver_Port",
+                                         "Paver_Wire", *NEEDS_NOTHING])
         meshing.mesh(mesh)
         select()
-        self.assertEqual(sorted(self.active()), sorted(ON_MESHED + NEEDS_NOTHING), "the only mesh is meant")
+        self.assertEqual(sorted(self.active()), sorted(["Paver_Series"] + ON_MESHED + NEEDS_NOTHING), "the only mesh is meant")
 
     def test_refine_from_the_view_is_one_step_and_is_in_the_console(self):
         mesh = self.mesh(size=3)

@@ -1,4 +1,5 @@
 """Workbench/mesh.FCMacro: documents and CAD files, exports, the report, exit codes."""
+import csv
 import json
 import os
 import re
@@ -113,10 +114,41 @@ def test_bad_models_do_not_keep_the_next_back(job, models, tmp_path):
     assert "There is no file" in errors and "damaged.FCStd cannot be read" in errors
 
 
+def test_a_series_of_frequencies_gives_files_a_table_and_entries(job, models, tmp_path):
+    out = tmp_path / "out"
+    out.mkdir()
+    code, runs, errors = job(*models, "--frequencies", "3GHz,900THz,6 GHz", "--export", "msh", "--folder", out)
+    assert (code, [r["exit_code"] for r in runs]) == (5, [0, 0, 5] * 2)
+    assert [r["step"] for r in runs[:3]] == [{"frequency": f} for f in (3e9, 6e9, 9e14)]
+    assert "box.step, ShapeMesh, 900 THz: About" in errors
+    assert set(os.listdir(out)) == {f"{stem}-{end}" for stem in ("box", "conesphere")
+                                    for end in ("3GHz.msh", "6GHz.msh", "series.csv")}
+    with open(out / "box-series.csv", newline="") as file:
+        table = list(csv.DictReader(file))
+    assert [float(row["frequency_Hz"]) for row in table] == [3e9, 6e9, 9e14]
+    for row, run in zip(table[:2], runs):
+        assert int(row["unknowns"]) == run["table"]["unknowns"] == 2 * run["report"]["quality"]["quads"]  # closed, all quads
+        assert int(row["matrix_bytes"]) == 16 * int(row["unknowns"]) ** 2 and row["verdict"] == "good"
+    assert (table[2]["elements"], table[2]["error"]) == ("", runs[2]["error"])
+
+
+def test_a_series_of_divisions_is_saved_in_the_document(job, document):
+    code, runs, errors = job(document, "--frequency", "30 GHz", "--series", "divisions=4,6", "--save")
+    assert (code, len(runs)) == (0, 2), errors
+    code, runs, _ = job(document, "--objects", "PaverMesh_1,PaverMesh_2")
+    lengths = [run["report"]["target_length"] for run in runs]
+    assert code == 0 and abs(lengths[0] / lengths[1] - 1.5) < 1e-9
+    code, runs, _ = job(document)  # the steps of a series are no mesh objects to mesh unasked
+    assert [run["object"] for run in runs] == ["PaverMesh"]
+    code, runs, _ = job(document, "--size", "4", "--series", "divisions=4,6")
+    assert (code, len(runs)) == (2, 1) and "no frequency" in runs[0]["error"]
+
+
 @pytest.mark.parametrize("arguments, code, text_", [
     (["--size", "3", "--order", "7"], 2, "order is 7"), (["--size", "x"], 2, "size of"), ([], 2, "size"),
     (["--size", "3", "--divisions", "none"], 2, "divisions is 'none'"),
     (["--size", "3", "--max-elements", "4"], 5, "max_elements"), (["--export", "stl"], 2, "--export has 'stl'"),
+    (["--series", "order=1,2"], 2, "not 'order'"), (["--frequencies", "3 mm"], 2, "'3 mm' of a series cannot be read"),
     (["--size", "9", "--folder", "nowhere"], 6, "does not exist"), (["--no-such"], 2, "unrecognized arguments")])
 def test_what_is_refused(job, models, arguments, code, text_):
     got, _, errors = job(models[0], *arguments)
@@ -150,7 +182,7 @@ def test_the_examples_of_the_page_run(home, document, tmp_path):
     (tmp_path / "out").mkdir()
     lines = [line.strip() for line in text("Workbench/README.md").splitlines()
              if line.startswith("    freecadcmd Workbench/mesh.FCMacro")]
-    assert len(lines) == 3
+    assert len(lines) == 5
     for line in lines:
         words = shlex.split(line.replace("Body,Reflector", "Box,Ball"))
         words = [str(tmp_path / w) if w.endswith((".FCStd", ".step", ".json")) or w == "out" else w for w in words]
@@ -158,3 +190,4 @@ def test_the_examples_of_the_page_run(home, document, tmp_path):
         assert done.returncode == 0, line + done.stdout + done.stderr
     assert {"wing.msh", "torus.inp", "report.json"} <= set(os.listdir(tmp_path / "out"))
     assert (tmp_path / "satellite-BallMesh.vtu").exists()
+    assert {f"antenna-PaverMesh-{end}" for end in ("1GHz.msh", "4GHz.msh", "series.csv")} <= set(os.listdir(tmp_path))

@@ -5,7 +5,7 @@ import freecad_program
 import pytest
 
 
-@pytest.mark.parametrize("case", ["Panel", "Runs", "Sizes", "RefinementPanel", "NamedPanel"])
+@pytest.mark.parametrize("case", ["Panel", "Runs", "Logs", "Previews", "Sizes", "RefinementPanel", "NamedPanel"])
 def test_all_cases_in_the_window(home, case):
     done = freecad_program.run_window(["-t", "TestPaverGui." + case], home)
     output = done.stdout + done.stderr

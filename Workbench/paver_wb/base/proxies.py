@@ -3,7 +3,7 @@ from contextlib import contextmanager
 
 import FreeCAD
 
-MESH, REFINEMENT = "Paver::Mesh", "Paver::Refinement"
+MESH, REFINEMENT, SERIES = "Paver::Mesh", "Paver::Refinement", "Paver::Series"
 NAMED = MEDIUM, PORT, WIRE = "Paver::Medium", "Paver::Port", "Paver::Wire"
 views = {}  # {Type of a proxy: class of its view provider}: the window fills it
 

@@ -1,4 +1,5 @@
-"""Media, ports and wires: children of a mesh object that give parts of what is meshed a name, which is their label.
+"""Media, ports and wires: children of a mesh object that give parts of what is meshed a name: their label, or
+NameInFiles where that is not empty, as labels are unique in a document.
 
 Documents name this module and its proxies: none may be moved.
 """
@@ -14,6 +15,7 @@ from paver_wb.base.texts import tip
 from paver_wb.children.references import Numbers, ReferenceMissing, as_references, check_references, names_in_whole
 
 MEDIA, PORTS, WIRES = LINKS = ("Media", "Ports", "Wires")  # properties of a mesh object
+NAME = "NameInFiles"
 CONDUCTING = 1e4  # S/m: a material that conducts better counts as a conductor
 GROUPS = {proxies.MEDIUM: tip("Medium"), proxies.PORT: tip("Port"), proxies.WIRE: tip("Wire")}
 
@@ -54,6 +56,8 @@ def add_properties(obj):
     kind = proxies.type_of(obj)
     if "References" not in obj.PropertiesList:
         obj.addProperty("App::PropertyLinkSubListGlobal", "References", GROUPS[kind], REFERENCES[kind])
+    if NAME not in obj.PropertiesList:
+        obj.addProperty("App::PropertyString", NAME, GROUPS[kind], tip("Its name in files of the mesh; empty: the label"))
     for name, (type_, tooltip, first) in KINDS[kind].properties.items():
         if name not in obj.PropertiesList:
             obj.addProperty(type_, name, GROUPS[kind], tooltip)
@@ -68,7 +72,7 @@ class NamedProxy(Stateless):
         add_properties(obj)
 
     def onChanged(self, obj, name):
-        if name not in ("Label", "References", *KINDS[self.Type].properties) or proxies.is_restoring(obj):
+        if name not in ("Label", NAME, "References", *KINDS[self.Type].properties) or proxies.is_restoring(obj):
             return
         for mesh in meshes_of(obj):
             mesh.Proxy.update_status(mesh)
@@ -195,6 +199,20 @@ def put(obj, listed, values):
                              "0.")
 
 
+def copy(obj, mesh):
+    """The same for another mesh object, under the same name in files."""
+    values = {name: getattr(obj, name) for name in kind_of(obj).properties}
+    made = make(proxies.type_of(obj), mesh, [(thing, elements or ("",)) for thing, elements in obj.References], obj.Label,
+                **values)
+    setattr(made, NAME, name_of(obj))
+    return made
+
+
+def name_of(obj):
+    """In files."""
+    return getattr(obj, NAME, "") or obj.Label
+
+
 def facts(obj):
     """What the core is told of a child besides its parts."""
     type_ = proxies.type_of(obj)
@@ -209,7 +227,7 @@ def facts(obj):
 
 def decisive(mesh):
     """Text that is equal for equal children; empty without any."""
-    entries = [(kind_of(obj).option, obj.Label, [(thing.Name, tuple(elements)) for thing, elements in obj.References],
+    entries = [(kind_of(obj).option, name_of(obj), [(thing.Name, tuple(elements)) for thing, elements in obj.References],
                 facts(obj)) for obj in of_mesh(mesh)]
     return repr(sorted(entries)) if entries else ""
 
@@ -224,7 +242,7 @@ def option_texts(mesh, sources):
         kind = kind_of(obj)
         names = names_in_whole(numbers, obj, obj.References, kind.elements)
         if names:
-            texts.setdefault(kind.option, []).append(f"{obj.Label}={','.join(names + facts(obj))}")
+            texts.setdefault(kind.option, []).append(f"{name_of(obj)}={','.join(names + facts(obj))}")
     return texts
 
 

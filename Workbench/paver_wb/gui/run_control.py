@@ -6,13 +6,14 @@ from typing import NamedTuple
 import FreeCAD
 from PySide import QtCore
 
-from paver_wb import core, mesh_object, meshing, properties
+from paver_wb import core, mesh_check, mesh_object, meshing, properties
 from paver_wb.base import source_shapes
 from paver_wb.gui import run_place
-from paver_wb.gui.base import background, run_status
-from paver_wb.gui.base.run_task import DONE, STOPPED, WAITING, Task
+from paver_wb.gui.base import background, run_log, run_status, time_left
+from paver_wb.gui.base.run_task import DONE, RUNNING, STOPPED, WAITING, Task
 from paver_wb.gui.display import drawn_mesh, mesh_display
 from paver_wb.processes import child_process, mesh_job
+from paver_wb.statistics import number
 
 MESHED, CANCELLED, FAILED = "meshed", "cancelled", "failed"
 NAMED = 3  # faces in a message
@@ -39,7 +40,7 @@ class Outcome(NamedTuple):
 
 class MeshThread(background.Background):
     """Does a job, in this process or in one of its own; `result` is the StoredMesh, `path` its file in `folder`, `drawn`
-    the DrawnMesh for the 3D view.
+    the DrawnMesh for the 3D view, `told_of_mesh` sentences on what was done to the model and the elements.
 
     run_in: a value of mesh_object.RUN_IN; from so many `heavy` predicted elements on "Automatic" means an own process.
     subdivision: of the drawing, 0 the one that fits; None: it is not shown, so nothing is made for it.
@@ -50,7 +51,7 @@ class MeshThread(background.Background):
     def __init__(self, job, folder, run_in, heavy, model=None, subdivision=None):
         super().__init__()
         self.job, self.folder, self.run_in, self.heavy, self.model = job, folder, run_in, heavy, model
-        self.subdivision, self.drawn, self.path = subdivision, None, None
+        self.subdivision, self.drawn, self.path, self.told_of_mesh = subdivision, None, None, []
 
     def is_for_child(self):
         if self.run_in != mesh_object.AUTOMATIC:
@@ -62,6 +63,7 @@ class MeshThread(background.Background):
 
     def work(self):
         made = self.made()
+        self.told_of_mesh = what_was_done(made)
         if self.subdivision is not None:
             self.tell(run_status.DRAWING, 0.0)
             drawn = drawn_mesh.DrawnMesh(made)
@@ -79,34 +81,83 @@ class MeshThread(background.Background):
         return mesh_job.store(self.job, self.path, self.tell, self.stop, self.model)
 
 
+def what_was_done(mesh):
+    """[sentence] on faces, repairs and merges of a StoredMesh, in any thread."""
+    faces, repairs = mesh.report["faces"], mesh.report.get("element_repairs", [])
+    failed = sum(face["status"] == "failed" for face in faces)
+    told = [translate("Paver", "{} faces are meshed.").format(number(len(faces) - failed))]
+    told += [translate("Paver", "{} faces are not meshed.").format(number(failed))] if failed else []
+    told += [finding.text for finding in (*mesh_check.repairs(mesh), *mesh_check.merges(mesh))]
+    if repairs:
+        names = list(dict.fromkeys(repair["entity"] for repair in repairs))
+        named = ", ".join(names[:NAMED]) + (" \u2026" if names[NAMED:] else "")
+        told.append(translate("Paver", "{} elements were repaired: {}.").format(number(len(repairs)), named))
+    return told
+
+
 class Run(Task):
     """One meshing of a mesh object."""
 
     moved = QtCore.Signal()
+    thread_kind = MeshThread
 
-    def __init__(self, obj, run_in, changes):
-        start, job, shapes = time.monotonic(), meshing.prepare(obj, **changes), source_shapes.of(mesh_object.sources(obj))
+    def __init__(self, obj, run_in, changes, like=None):
+        """like: a Run of the same objects, whose shape this one takes."""
+        start = time.monotonic()
+        job, shapes = (meshing.prepare_like(like.job, obj, **changes), like.shapes) if like else (
+            meshing.prepare(obj, **changes), source_shapes.of(mesh_object.sources(obj)))
         super().__init__(obj.Label, obj.Document)
         self.begun, self.job, self.shapes = start, job, shapes
         self.obj, self.name, self.run_in, self.changes, self.fraction = obj, obj.Name, run_in, changes, 0.0
-        self.follow(MeshThread(job, self.folder, run_in or obj.RunIn, mesh_object.heavy_elements(),
-                               offered.take(job.digest), shown_subdivision(obj)))
+        self.follow(self.thread_kind(job, self.folder, run_in or obj.RunIn, mesh_object.heavy_elements(),
+                                     offered.take(job.digest), shown_subdivision(obj)))
         self.thread.moved.connect(self.moved)
+        self.thread.moved.connect(self.note_moved)
         self.end_text, self.place = "", None
-        self.seconds = {"hand over": time.monotonic() - start}
+        self.seconds, self.estimate, self.log = {"hand over": time.monotonic() - start}, time_left.TimeLeft(), run_log.new(obj)
+        self.log.note(translate("Paver", "Shape of {:.2f} MB handed over in {:.2f} s").format(
+            len(job.shape) / 1e6, self.seconds["hand over"]))
+        self.progressed.connect(self.note_progress)
+        self.ended.connect(self.note_end)
 
     def is_of(self, obj):
         return (self.document, self.name) == (obj.Document.Name, obj.Name)
 
     def line(self):
-        return f"{self.text}: {run_status.stage_text(self.stage)}"
+        return f"{self.text}: {self.stage_line()}"
+
+    def stage_line(self):
+        return run_status.stage_text(self.stage)
 
     def percent(self):
         return run_status.percent(self.stage, self.fraction)
 
+    def left_text(self):
+        """How long it will still take; empty while that cannot be told."""
+        if self.state != RUNNING:
+            return ""
+        return time_left.text_of(self.estimate.left(run_status.share(self.stage, self.fraction), time.monotonic() - self.begun))
+
     def begin(self):
         self.begun = time.monotonic()
         super().begin()
+
+    @QtCore.Slot(str, float)
+    def note_progress(self, stage, fraction):
+        self.log.tell(stage, fraction)
+
+    @QtCore.Slot()
+    def note_moved(self):
+        self.log.note(translate("Paver", "Meshing in a process of its own"))
+
+    def note_end(self, outcome):
+        """Into the log: what has come of it."""
+        for line in filter(None, [*(self.thread.told_of_mesh if outcome.kind == MESHED else ()), outcome.text,
+                                  *outcome.log.splitlines()]):
+            self.log.note(line)
+        if outcome.kind == MESHED:
+            self.log.note(translate("Paver", "{:.2f} s of meshing, {:.2f} s to take it into the document").format(
+                outcome.seconds["mesh"], outcome.seconds["take back"]))
 
     def abandon(self):
         """Stops it when its mesh object has gone."""
@@ -191,7 +242,11 @@ def start(obj, run_in=None, **changes):
     """
     if run_of(obj):
         raise ValueError(f"'{obj.Label}' is being meshed; wait for that or stop it first.")
-    run = Run(obj, run_in, changes)
+    return queue(Run(obj, run_in, changes))
+
+
+def queue(run):
+    """Begins a Run when those before it have ended, and gives it."""
     _runs.append(run)
     run_status.watch(run)
     announcer.started.emit(run)
@@ -219,6 +274,7 @@ class Observer:
             run.abandon()
 
     def slotDeletedDocument(self, document):
+        run_log.forget(document.Name)
         for run in [run for run in _runs if run.document == document.Name]:
             run.abandon()
 

@@ -68,6 +68,7 @@ class TaskPanel(edit_panel.EditPanel):
         else:
             self.runner.prediction.setText(translate("Paver", "Predicting..."))
             self.predictor.ask(self.options.changes())
+        self.runner.preview.ask(None if fault or self.run else self.options.changes())
         if self.run is None:
             self.runner.show_status(bool(fault or self.changes()))
         self.runner.mesh.setEnabled(not fault and self.run is None)
@@ -212,6 +213,8 @@ class TaskPanel(edit_panel.EditPanel):
             return
         self.predictor.drop()
         self.results.drop()
+        self.runner.follow_log(None)
+        self.runner.preview.close_preview()
         run_control.announcer.started.disconnect(self.watch)
         if self.run is not None:
             self.run.ended.disconnect(self.show_end)

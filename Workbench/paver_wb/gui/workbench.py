@@ -10,6 +10,7 @@ from paver_wb.base import proxies
 from paver_wb.base.paths import FORMS, ICONS, TRANSLATIONS
 from paver_wb.gui.named_view import MediumViewProvider, PortViewProvider, WireViewProvider
 from paver_wb.gui.refinement_view import RefinementViewProvider
+from paver_wb.gui.series.view import SeriesViewProvider
 from paver_wb.gui.view_provider import MeshViewProvider
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -25,8 +26,9 @@ def register():
     FreeCADGui.addPreferencePage(os.path.join(FORMS, "preferences.ui"), "Paver")
     PaverWorkbench.ToolTip = FreeCAD.Qt.translate("Paver", PaverWorkbench.ToolTip)
     FreeCADGui.addWorkbench(PaverWorkbench())
-    proxies.views.update({proxies.MESH: MeshViewProvider, proxies.REFINEMENT: RefinementViewProvider, proxies.MEDIUM: MediumViewProvider,
-                          proxies.PORT: PortViewProvider, proxies.WIRE: WireViewProvider})
+    proxies.views.update({proxies.MESH: MeshViewProvider, proxies.REFINEMENT: RefinementViewProvider,
+                          proxies.MEDIUM: MediumViewProvider, proxies.PORT: PortViewProvider, proxies.WIRE: WireViewProvider,
+                          proxies.SERIES: SeriesViewProvider})
 
 
 def load_what_takes_a_moment():

@@ -7,7 +7,7 @@ import threading
 
 from paver_wb import core
 from paver_wb.formats import mesh_file
-from paver_wb.processes import child_process, mesh_job
+from paver_wb.processes import child_process, mesh_job, model_look
 
 NICENESS = 5  # FreeCAD's window comes first
 
@@ -30,10 +30,14 @@ def end_with_parent(folder, has_finished):
     threading.Thread(target=wait, daemon=True).start()
 
 
+def job_of(content):
+    with open(content["input"], "rb") as file:
+        return mesh_job.Job(file.read(), content["name"], content["labels"], content["options"], content["sources"], "", "")
+
+
 def mesh(content, say):
     """The mesh of a shape."""
-    with open(content["input"], "rb") as file:
-        job = mesh_job.Job(file.read(), content["name"], content["labels"], content["options"], content["sources"], "", "")
+    job = job_of(content)
 
     def tell(stage, fraction):
         say(event="progress", stage=stage, percent=int(100 * fraction))
@@ -41,9 +45,12 @@ def mesh(content, say):
 
 
 def convert(content):
-    """A mesh into a file of FreeCAD's formats, or out of one."""
+    """A mesh into a file of FreeCAD's formats, or out of one; or what is seen of a shape before it is meshed."""
     sys.path.extend(folder for folder in content["folders"] if folder not in sys.path)
     import FreeCAD  # noqa: F401, before any of its modules
+    if "options" in content:
+        model_look.save(model_look.look(job_of(content)), content["mesh"])
+        return
     from paver_wb.formats import fem_mesh, raw_mesh, read_fem
     if "groups" in content:
         fem_mesh.write(mesh_file.read(content["input"]), content["groups"], content["mesh"])

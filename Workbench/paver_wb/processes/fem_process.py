@@ -1,6 +1,6 @@
-"""FreeCAD's formats of files, read and written in a process of its own.
+"""FreeCAD's formats of files, read and written in a process of its own, and looks at shapes before they are meshed.
 
-FreeCAD reads and writes them in one call that keeps every other Python waiting, and with it the window; half a million
+FreeCAD reads and writes files in one call that keeps every other Python waiting, and with it the window; half a million
 elements take it many seconds. The process is Python with FreeCAD's modules.
 """
 import os
@@ -8,9 +8,9 @@ import shutil
 import sys
 
 from paver_wb.formats import fem_mesh, mesh_file, raw_mesh, read_fem
-from paver_wb.processes import child_process
+from paver_wb.processes import child_process, model_look
 
-TABLES = "tables.npz"
+TABLES, LOOK = "tables.npz", "look.npz"
 ERRORS = {"Damaged": raw_mesh.Damaged, "NoFemMesh": fem_mesh.NoFemMesh}
 
 
@@ -30,7 +30,12 @@ def death(status, _last):
             "as before, use .msh or .vtu instead.")
 
 
-def run(content, folder, cancel):
+def look_death(status, _last):
+    return (f"Looking at the shapes ended without a result (exit code {status}); FreeCAD itself is as before, mesh without a "
+            "preview.")
+
+
+def run(content, folder, cancel, error_of=error_of, death=death):
     """Does a job in a process that uses `folder`. ValueError with the process's own sentence, ChildDied when it ends
     without one, Cancelled when it is stopped."""
     child_process.write_content({**content, "folders": folders()}, folder)
@@ -55,6 +60,17 @@ def read(path, folder, cancel=None):
         return read_fem.tables(path)
     run({"input": os.path.abspath(path), "mesh": TABLES}, folder, cancel)
     return raw_mesh.load(os.path.join(folder, TABLES))
+
+
+def look(job, folder, cancel=None):
+    """model_look.Look of a mesh_job.Job. Errors as those of paver.mesh, ChildDied, Cancelled."""
+    if not is_possible():
+        return model_look.look(job)
+    with open(os.path.join(folder, child_process.SHAPE), "wb") as file:
+        file.write(job.shape)
+    run({"input": child_process.SHAPE, "name": job.name, "labels": job.labels, "options": job.options,
+         "sources": job.sources, "mesh": LOOK}, folder, cancel, child_process.error_of, look_death)
+    return model_look.load(os.path.join(folder, LOOK))
 
 
 def is_possible():

@@ -6,21 +6,26 @@ from PySide import QtCore, QtGui
 from paver_wb import core
 
 translate = FreeCAD.Qt.translate
-BAR_WIDTH, LABEL_WIDTH = 160, 220
+BAR_WIDTH, LABEL_WIDTH = 190, 220
+TICK = 1000  # ms, in which the time left goes on while nothing else is told
 _box = None
 
 DRAWING = "drawing"  # what the window does after the core's stages
 SHARE_OF_DRAWING = 2
 
 
-def percent(stage, fraction):
-    """Part of a whole run that is done."""
+def share(stage, fraction):
+    """Part of a whole run that is done, 0 to 1."""
     done = 0
-    for name, _, share in [*core.stages(), (DRAWING, "", SHARE_OF_DRAWING)]:
+    for name, _, percents in [*core.stages(), (DRAWING, "", SHARE_OF_DRAWING)]:
         if name == stage:
-            return int(done + share * fraction)
-        done += share
-    return 0
+            return (done + percents * fraction) / 100
+        done += percents
+    return 0.0
+
+
+def percent(stage, fraction):
+    return int(100 * share(stage, fraction) + 1e-9)
 
 
 def stage_text(stage):
@@ -29,6 +34,11 @@ def stage_text(stage):
         return translate("Paver", "Drawing") if stage else translate("Paver", "Starting")
     text = next((text for name, text, _ in core.stages() if name == stage), stage)
     return translate("Paver", text)
+
+
+def bar_text(run, stage=""):
+    """Format of a progress bar: the stage, the share, how long it will still take."""
+    return "  ".join(filter(None, [stage, "%p %", run.left_text()]))
 
 
 class Box(QtGui.QWidget):
@@ -47,6 +57,9 @@ class Box(QtGui.QWidget):
         self.button.setObjectName("PaverStatusStop")
         self.button.setToolTip(translate("Paver", "Stops it; the document stays as it was"))
         self.button.clicked.connect(self.stop)
+        self.ticking = QtCore.QTimer(self)
+        self.ticking.setInterval(TICK)
+        self.ticking.timeout.connect(self.refresh)
         for widget in (self.label, self.bar, self.button):
             layout.addWidget(widget)
 
@@ -68,16 +81,20 @@ class Box(QtGui.QWidget):
     def refresh(self, *_):
         self.setVisible(bool(self.runs))
         if not self.runs:
+            self.ticking.stop()
             return
+        if not self.ticking.isActive():
+            self.ticking.start()
         run = self.runs[0]
         text = run.line() + (f" (+{len(self.runs) - 1})" if len(self.runs) > 1 else "")
         if text != self.label.toolTip():
             self.label.setToolTip(text)
             self.label.setText(self.label.fontMetrics().elidedText(text, QtCore.Qt.ElideMiddle, LABEL_WIDTH))
-        share = run.percent()
-        self.bar.setRange(0, 0 if share is None else 100)  # without a share it only shows that something goes on
-        if share is not None:
-            self.bar.setValue(share)
+        done = run.percent()
+        self.bar.setRange(0, 0 if done is None else 100)  # without a share it only shows that something goes on
+        if done is not None:
+            self.bar.setFormat(bar_text(run))
+            self.bar.setValue(done)
 
 
 def watch(run):

@@ -61,6 +61,10 @@ class Task(QtCore.QObject):
     def percent(self):
         return None if self.fraction is None else int(100 * self.fraction)
 
+    def left_text(self):
+        """How long it will still take; empty where that cannot be told."""
+        return ""
+
     @QtCore.Slot(str, float)
     def show(self, stage, fraction):
         if self.state == RUNNING and stage != "done":

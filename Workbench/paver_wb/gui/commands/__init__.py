@@ -6,7 +6,8 @@ from paver_wb.gui.commands import about, files, look, mesh
 COMMANDS = {**mesh.COMMANDS, **look.COMMANDS, "Paver_Export": files.Export(), "Paver_Import": files.Import(),
             "Paver_Preferences": about.Preferences(), "Paver_Help": about.Help(), "Paver_About": about.About()}
 SEPARATOR = "Separator"
-TOOLBAR = ["Paver_CreateMesh", "Paver_Refine", "Paver_Medium", "Paver_Port", "Paver_Wire", "Paver_Mesh", SEPARATOR, "Paver_Check", "Paver_Statistics", SEPARATOR,
+TOOLBAR = ["Paver_CreateMesh", "Paver_Refine", "Paver_Medium", "Paver_Port", "Paver_Wire", "Paver_Mesh", "Paver_Series", SEPARATOR,
+           "Paver_Check", "Paver_Statistics", SEPARATOR,
            "Paver_FillFemMesh", "Paver_Export", "Paver_Import", SEPARATOR, "Paver_Help"]
 MENU = TOOLBAR[:-2] + [SEPARATOR, "Paver_Preferences"]
 ABOUT = [SEPARATOR, "Paver_Help", "Paver_About"]

@@ -2,7 +2,7 @@
 import FreeCAD
 import FreeCADGui
 
-from paver_wb import mesh_object, preferences, refinement
+from paver_wb import mesh_object, preferences, refinement, series
 from paver_wb.base import proxies
 from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, Command, complain, do, in_step, python_name, run,
                                           selected, shown_as, target_mesh, translate)
@@ -28,7 +28,7 @@ class CreateMesh(Command):
 
 def parts_selected():
     """Selected objects that may be meshed."""
-    return [thing for thing in selected()[1] if not proxies.is_child(thing)]
+    return [thing for thing in selected()[1] if not proxies.is_child(thing) and not series.is_series(thing)]
 
 
 class OnMeshes(Command):
@@ -74,6 +74,26 @@ class Refine(Command):
                 do("edit_new(refinement)", "paver_wb.gui.refinement_panel")
 
 
+class Series(Command):
+    """Opens the dialog of the selected series, else for one of the selected mesh or the document's only one."""
+
+    resources = shown_as("Paver_Series", QT_TRANSLATE_NOOP("Paver_Series", "Series..."), QT_TRANSLATE_NOOP(
+        "Paver_Series", "Meshes for several frequencies, elements per wavelength or target lengths, one after the other, "
+        "and a table of elements, unknowns, memory and quality"), "Q, L")
+
+    def IsActive(self):
+        return series_target() is not None
+
+    def Activated(self):
+        run(f"show({python_name(series_target())})", "paver_wb.gui.series.panel")
+
+
+def series_target():
+    """A series, else a mesh object; None where neither is meant."""
+    chosen = next(filter(series.is_series, FreeCADGui.Selection.getSelection()), None)
+    return chosen or target_mesh()
+
+
 class Name(Command):
     """A medium, a port or a wire of what is selected in the 3D view."""
 
@@ -102,7 +122,7 @@ class Name(Command):
 
 
 COMMANDS = {
-    "Paver_CreateMesh": CreateMesh(), "Paver_Refine": Refine(),
+    "Paver_CreateMesh": CreateMesh(), "Paver_Refine": Refine(), "Paver_Series": Series(),
     "Paver_Medium": Name("medium", shown_as("Paver_Medium", QT_TRANSLATE_NOOP("Paver_Medium", "Medium"), QT_TRANSLATE_NOOP(
         "Paver_Medium", "Says what the selected solids are made of: sets the target length there, and is written to files"))),
     "Paver_Port": Name("port", shown_as("Paver_Port", QT_TRANSLATE_NOOP("Paver_Port", "Port"), QT_TRANSLATE_NOOP(

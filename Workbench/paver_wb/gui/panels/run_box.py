@@ -1,20 +1,20 @@
 """The part of the task panel that predicts, meshes, shows the progress, stops, and tells what went wrong."""
 import os
-import time
 
 import FreeCAD
 from PySide import QtCore, QtGui
 
-from paver_wb import mesh_object
+from paver_wb import mesh_object, preferences
 from paver_wb.base.paths import ICONS
 from paver_wb.gui import run_place
-from paver_wb.gui.base import run_status
+from paver_wb.gui.base import run_log, run_status
 from paver_wb.gui.base.widgets import FaultBox, button, named, row, text_label
 from paver_wb.gui.panels.options_box import with_labels
+from paver_wb.gui.preview.box import PreviewBox
 from paver_wb.statistics import number
 
 translate = FreeCAD.Qt.translate
-LOG_LINES, LOG_HEIGHT = 200, 90
+LOG_HEIGHT, SHOW_LOG = 110, "ShowLog"
 SCROLL_DELAY = 50  # ms
 
 
@@ -51,10 +51,13 @@ class RunBox(QtGui.QWidget):
 
     def __init__(self, obj):
         super().__init__()
-        self.obj, self.stage, self.place, self.in_sight = obj, None, None, self
+        self.obj, self.run, self.lines, self.place, self.in_sight = obj, None, None, None, self
         self.scrolling = QtCore.QTimer(self)
         self.scrolling.setSingleShot(True)
         self.scrolling.timeout.connect(self.scroll)
+        self.ticking = QtCore.QTimer(self)
+        self.ticking.setInterval(run_status.TICK)
+        self.ticking.timeout.connect(self.tell)
         self.setWindowTitle(translate("Paver", "Mesh"))
         layout = QtGui.QVBoxLayout(self)
         self.status = text_label("Status", translate("Paver", "Whether the mesh fits the options and the shapes of its objects"))
@@ -62,12 +65,15 @@ class RunBox(QtGui.QWidget):
             "Paver", "What meshing with these options comes to, or has come to"))
         layout.addWidget(self.status)
         layout.addWidget(self.prediction)
+        self.preview = PreviewBox(obj)
+        layout.addWidget(self.preview)
         layout.addLayout(self.buttons())
         self.bar = named(QtGui.QProgressBar(), "Progress", translate(
             "Paver", "Stage of the work, and how much of all work is done"))
         layout.addWidget(self.bar)
         layout.addWidget(self.fault_box())
-        layout.addWidget(self.log_box())
+        layout.addLayout(self.log_box())
+        self.follow_log(run_log.of(obj))
         self.idle()
 
     def buttons(self):
@@ -86,12 +92,42 @@ class RunBox(QtGui.QWidget):
         return self.fault
 
     def log_box(self):
-        self.log = named(QtGui.QPlainTextEdit(), "Log", translate("Paver", "What has been done since the panel was opened"))
+        self.fold = named(QtGui.QToolButton(), "LogFold", translate("Paver", "What the last run has done and is doing"))
+        self.fold.setText(translate("Paver", "Log"))
+        self.fold.setCheckable(True)
+        self.fold.setAutoRaise(True)
+        self.fold.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
+        self.log = named(QtGui.QPlainTextEdit(), "Log", translate(
+            "Paver", "Stages of the last run and their seconds, and what came of it"))
         self.log.setReadOnly(True)
-        self.log.setMaximumBlockCount(LOG_LINES)
         self.log.setFixedHeight(LOG_HEIGHT)
-        self.log.setPlaceholderText(translate("Paver", "Log"))
-        return self.log
+        self.log.setPlaceholderText(translate("Paver", "Nothing has been meshed since FreeCAD was started"))
+        self.fold.toggled.connect(self.show_log)
+        self.fold.setChecked(preferences.parameters().GetBool(SHOW_LOG, True))
+        self.show_log(self.fold.isChecked())
+        column = QtGui.QVBoxLayout()
+        column.addWidget(self.fold)
+        column.addWidget(self.log)
+        return column
+
+    @QtCore.Slot(bool)
+    def show_log(self, is_open):
+        self.fold.setArrowType(QtCore.Qt.DownArrow if is_open else QtCore.Qt.RightArrow)
+        self.log.setVisible(is_open)
+        preferences.parameters().SetBool(SHOW_LOG, is_open)
+
+    def follow_log(self, lines):
+        """Shows a RunLog, or None, in place of the one before."""
+        if self.lines is not None:
+            self.lines.changed = lambda: None
+        self.lines = lines
+        if lines is not None:
+            lines.changed = self.refresh_log
+        self.refresh_log()
+
+    def refresh_log(self):
+        self.log.setPlainText(self.lines.text() if self.lines else "")
+        self.log.moveCursor(QtGui.QTextCursor.End)
 
     def bring_into_sight(self, part):
         """Scrolls the panel to a part of it, when that has got its size."""
@@ -105,9 +141,6 @@ class RunBox(QtGui.QWidget):
             area = area.parent()
         if area is not None:
             area.ensureWidgetVisible(self.in_sight)
-
-    def note(self, text):
-        self.log.appendPlainText(time.strftime("%H:%M:%S  ") + text)
 
     def go_to_place(self):
         import FreeCADGui
@@ -137,50 +170,36 @@ class RunBox(QtGui.QWidget):
     def idle(self):
         self.mesh.setEnabled(True)
         self.stop.setEnabled(False)
+        self.ticking.stop()
         self.bar.hide()
         self.show_fault("")
         self.show_status()
 
     def watch(self, run):
         """Follows a run; show() of its end is the panel's."""
-        self.stage = None
+        self.run = run
         self.show_fault("")
         self.status.setText(translate("Paver", "Meshing; FreeCAD can be used meanwhile"))
         self.mesh.setEnabled(False)
         self.stop.setEnabled(True)
-        self.bar.setValue(0)
         self.bar.show()
         self.bring_into_sight(self.log)
-        self.note(translate("Paver", "Shape of {:.2f} MB handed over in {:.2f} s").format(
-            len(run.job.shape) / 1e6, run.seconds["hand over"]))
+        self.follow_log(run.log)
         run.progressed.connect(self.tell)
-        run.moved.connect(self.tell_moved)
-        self.tell(run.stage, run.fraction)
+        self.ticking.start()
+        self.tell()
 
     def leave(self, run):
         """Follows it no longer."""
+        self.ticking.stop()
         run.progressed.disconnect(self.tell)
-        run.moved.disconnect(self.tell_moved)
 
     @QtCore.Slot()
-    def tell_moved(self):
-        self.note(translate("Paver", "Meshing in a process of its own"))
-
-    @QtCore.Slot(str, float)
-    def tell(self, stage, fraction):
-        self.bar.setValue(run_status.percent(stage, fraction))
-        if stage != self.stage:
-            self.bar.setFormat(run_status.stage_text(stage) + "  %p %")
-            self.note(run_status.stage_text(stage))
-            self.stage = stage
+    def tell(self, *_):
+        self.bar.setFormat(run_status.bar_text(self.run, run_status.stage_text(self.run.stage)))
+        self.bar.setValue(self.run.percent())
 
     def show_end(self, outcome):
         self.idle()
-        self.note(outcome.text)
-        for line in filter(None, outcome.log.splitlines()):
-            self.note(line)
-        if outcome.kind == "meshed":
-            self.note(translate("Paver", "{:.2f} s of meshing, {:.2f} s to take it into the document").format(
-                outcome.seconds["mesh"], outcome.seconds["take back"]))
         if outcome.kind == "failed" or outcome.place:
             self.show_fault(outcome.text, outcome.place)

@@ -1,0 +1,130 @@
+"""The check box of the panel that shows, before meshing, where parts touch and what is small."""
+import shutil
+import tempfile
+
+import FreeCAD
+from PySide import QtCore, QtGui
+
+from paver_wb import meshing, preferences
+from paver_wb.base import proxies, source_shapes
+from paver_wb.gui.base.background import Latest
+from paver_wb.gui.base.widgets import named, text_label
+from paver_wb.gui.preview.drawing import CONTACT, SMALL, Drawing
+from paver_wb.processes import fem_process
+from paver_wb.statistics import number
+
+translate = FreeCAD.Qt.translate
+DELAY = 400  # ms without an edit
+SHOWN = "ShowPreview"
+
+
+def html(colour):
+    return "#{:02x}{:02x}{:02x}".format(*(int(255 * c) for c in colour))
+
+
+def look_at(job, cancel=None):
+    """The Look of a job, in any thread."""
+    folder = tempfile.mkdtemp(prefix="paver")
+    try:
+        return fem_process.look(job, folder, cancel)
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def text_of(look):
+    """What a Look has, each in the colour it is drawn in."""
+    lines = []
+    if look.pairs:
+        lines.append((CONTACT, translate("Paver", "{} pairs of parts touch").format(number(look.pairs))))
+    if look.short or look.thin:
+        lines.append((SMALL, translate("Paver", "{} short edges and {} thin faces: merged where the shape runs on without a corner, "
+                                       "else meshed as they are").format(number(look.short), number(look.thin))))
+    if not lines:
+        return translate("Paver", "No parts touch, and nothing is small")
+    return "<br>".join(f'<span style="color: {html(colour)}">\u25a0</span> {text}' for colour, text in lines)
+
+
+def show(obj, **changes):
+    """Draws it for a mesh object, but with `changes` of its options, and gives the Drawing, whose clear() takes it away."""
+    drawing = Drawing(obj.Document.Name)
+    drawing.show(look_at(meshing.prepare(obj, **changes)))
+    return drawing
+
+
+class PreviewBox(QtGui.QWidget):
+    """ask(changes): of the options, as properties.put takes them, or None where these have no values."""
+
+    def __init__(self, obj):
+        super().__init__()
+        self.obj, self.changes, self.drawing, self.shapes = obj, None, Drawing(obj.Document.Name), None
+        self.latest = Latest(self.show_look, self.show_fault)
+        self.timer = QtCore.QTimer(self)
+        self.timer.setSingleShot(True)
+        self.timer.setInterval(DELAY)
+        self.timer.timeout.connect(self.begin)
+        self.check = named(QtGui.QCheckBox(translate("Paver", "Preview")), "Preview", translate(
+            "Paver", "Shows on the model where parts touch, and edges and faces that are small against the target length"))
+        self.text = text_label("PreviewText")
+        layout = QtGui.QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.check)
+        layout.addWidget(self.text)
+        self.text.hide()
+        self.check.setChecked(preferences.parameters().GetBool(SHOWN, False))
+        self.check.toggled.connect(self.switch)
+        FreeCAD.addDocumentObserver(self)
+
+    def switch(self, is_on):
+        preferences.parameters().SetBool(SHOWN, is_on)
+        self.ask(self.changes)
+
+    def ask(self, changes):
+        self.drop()
+        self.changes = changes
+        if self.check.isChecked() and changes is not None:
+            self.tell(translate("Paver", "Looking..."))
+            self.timer.start()
+        else:
+            self.tell("")
+
+    def drop(self):
+        """Draws nothing, and asks for nothing any more."""
+        self.timer.stop()
+        self.latest.drop()
+        self.drawing.clear()
+        self.shapes = None
+
+    def close_preview(self):
+        FreeCAD.removeDocumentObserver(self)
+        self.drop()
+
+    def slotRecomputedDocument(self, document):
+        """FreeCAD calls it: what is meshed may have another shape or place."""
+        if self.shapes is None or document.Name != self.drawing.document:
+            return
+        try:
+            if not source_shapes.are_same(source_shapes.of(proxies.sources(self.obj)), self.shapes):
+                self.ask(self.changes)
+        except Exception:  # something has no shape; a run would tell
+            self.drop()
+
+    @QtCore.Slot()
+    def begin(self):
+        try:
+            self.shapes = source_shapes.of(proxies.sources(self.obj))
+            job = meshing.prepare(self.obj, **self.changes)
+        except Exception as error:
+            self.show_fault(error)
+            return
+        self.latest.ask(lambda cancel: look_at(job, cancel))
+
+    def tell(self, text):
+        self.text.setText(text)
+        self.text.setVisible(bool(text))
+
+    def show_look(self, look):
+        self.drawing.show(look)
+        self.tell(text_of(look))
+
+    def show_fault(self, error):
+        self.tell(str(error) or type(error).__name__)

@@ -1,0 +1,68 @@
+"""Draws a model_look.Look over the 3D view, seen through the model."""
+import FreeCADGui
+import numpy as np
+from pivy import coin
+
+from paver_wb.gui.display.fields import FLOATS, INTEGERS, colour_node, fill, line_style, put, separator, unlit, unpickable
+
+NAME = "PaverPreview"
+CONTACT, SMALL = (0.05, 0.55, 0.95), (0.95, 0.35, 0.0)
+LINE_WIDTH, MARK_SIZE, TRANSPARENCY = 3, 9, 0.55
+
+
+def lines_of(points):
+    """A node of (n, k, 3) points along each line."""
+    vertices, lines = coin.SoCoordinate3(), coin.SoIndexedLineSet()
+    fill(vertices.point, points.reshape(-1, 3), FLOATS)
+    numbers = np.arange(points[..., 0].size).reshape(points.shape[:2])
+    fill(lines.coordIndex, np.concatenate([numbers, np.full((len(numbers), 1), -1)], axis=1).ravel(), INTEGERS)
+    return put(coin.SoGroup(), vertices, lines)
+
+
+def marks_of(points):
+    vertices, marks = coin.SoCoordinate3(), coin.SoPointSet()
+    fill(vertices.point, points, FLOATS)
+    return put(coin.SoGroup(), vertices, marks)
+
+
+def triangles_of(corners):
+    vertices, faces, material, hints = coin.SoCoordinate3(), coin.SoIndexedFaceSet(), coin.SoMaterial(), coin.SoShapeHints()
+    material.diffuseColor = CONTACT
+    material.transparency = TRANSPARENCY
+    hints.vertexOrdering, hints.shapeType = coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
+    fill(vertices.point, corners.reshape(-1, 3), FLOATS)
+    numbers = np.arange(3 * len(corners)).reshape(-1, 3)
+    fill(faces.coordIndex, np.concatenate([numbers, np.full((len(numbers), 1), -1)], axis=1).ravel(), INTEGERS)
+    return separator(hints, material, vertices, faces)
+
+
+def node_of(look):
+    """The Coin node of a Look. Lines and marks come after the faces, which they lie on."""
+    node = put(coin.SoAnnotation(), unpickable(), unlit())
+    node.setName(NAME)
+    for points, make, colour in ((look.contact_triangles, triangles_of, CONTACT), (look.contact_lines, lines_of, CONTACT),
+                                 (look.contact_points, marks_of, CONTACT), (look.small_lines, lines_of, SMALL),
+                                 (look.small_places, marks_of, SMALL)):
+        if len(points):
+            put(node, separator(colour_node(colour), line_style(LINE_WIDTH, MARK_SIZE), make(points)))
+    return node
+
+
+class Drawing:
+    """What is drawn over the views of a document; nothing at first."""
+
+    def __init__(self, document):
+        self.document, self.shown = document, []  # [(scene of a view, node)]
+
+    def show(self, look):
+        self.clear()
+        for view in FreeCADGui.getDocument(self.document).mdiViewsOfType("Gui::View3DInventor"):
+            scene, node = view.getSceneGraph(), node_of(look)
+            scene.addChild(node)
+            self.shown.append((scene, node))
+
+    def clear(self):
+        for scene, node in self.shown:
+            if scene.findChild(node) >= 0:
+                scene.removeChild(node)
+        self.shown = []

@@ -1,0 +1,72 @@
+"""What is seen of a model before it is meshed. Run inside FreeCAD: freecadcmd -t TestPaver."""
+import FreeCAD
+import numpy as np
+import Part
+
+from mesh_cases import InDocument
+from paver_wb import core, mesh_object, meshing
+from paver_wb.processes import fem_process, mesh_job, model_look
+
+V = FreeCAD.Vector
+
+
+class Looks(InDocument):
+    def job(self, *shapes, **options):
+        parts = []
+        for shape in shapes:
+            parts.append(self.document.addObject("Part::Feature", "Shape"))
+            parts[-1].Shape = shape
+        return meshing.prepare(mesh_object.add(self.document, parts, **(options or {"size": 2})))
+
+    def expect_pairs_of_the_report(self, job, look):
+        report = mesh_job.run(job).report["model"]
+        self.assertEqual(look.pairs, len({tuple(sorted(contact["parts"])) for contact in report["contacts"]}))
+
+    def test_contacts_are_those_that_meshing_finds(self):
+        upright = Part.Face(Part.makePolygon([V(5, y, z) for y, z in ((2, 10), (8, 10), (8, 18), (2, 18), (2, 10))]))
+        box, cone = Part.makeBox(10, 10, 10), Part.makeCone(3, 0, 5, V(5, 5, 15), V(0, 0, -1))
+        for shapes, pairs, area, edges, points in (
+                ([box, Part.makeBox(4, 4, 4, V(3, 3, 10))], 1, 16, 4, 0),
+                ([box, upright], 1, 0, 1, 0),
+                ([box, Part.makeBox(10, 10, 10, V(20, 0, 0))], 0, 0, 0, 0),
+                ([box, Part.makeBox(10, 10, 10, V(10, 0, 0)), Part.makeBox(10, 10, 10, V(20, 0, 0))], 2, 200, 8, 0),
+                ([box, cone], 1, 0, 0, 1)):
+            job = self.job(*shapes)
+            look = model_look.look(job)
+            corners = look.contact_triangles.astype(float)
+            sides = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+            self.assertAlmostEqual(0.5 * np.linalg.norm(sides, axis=1).sum(), area, 4)
+            self.assertEqual((look.pairs, len(look.contact_points)), (pairs, points))
+            self.assertEqual(len(look.contact_lines), edges)
+            self.expect_pairs_of_the_report(job, look)
+
+    def test_small_things_are_where_merging_goes(self):
+        box = Part.makeBox(10, 10, 10)
+        job = self.job(box.makeFillet(0.05, box.Edges))
+        look, merges = model_look.look(job), mesh_job.run(job).report["merges"]
+        self.assertEqual((look.target, look.short, look.thin), (2, 0, len(merges)))
+        for merge in merges:
+            nearest = np.linalg.norm(look.small_lines.reshape(-1, 3) - np.array(merge["where"]), axis=1).min()
+            self.assertLess(nearest, 1)
+        off = model_look.look(job._replace(options={**job.options, "merge": 0.001, "merge_width": 0.001}))
+        self.assertEqual((off.short, off.thin, len(off.small_places)), (0, 0, 0))
+        coarse = model_look.look(job._replace(options={**job.options, "size": 0.2}))
+        self.assertEqual(coarse.thin, 0)
+
+    def test_short_edges(self):
+        corners = [(0, 0), (10, 0), (10, 10), (5.05, 10), (5, 10.02), (0, 10), (0, 0)]
+        look = model_look.look(self.job(Part.Face(Part.makePolygon([V(*corner) for corner in corners]))))
+        self.assertEqual((look.short, look.thin), (1, 0))
+        np.testing.assert_allclose(look.small_places, [[5.025, 10.01, 0]], atol=1e-5)
+
+    def test_a_process_of_its_own_sees_the_same_and_tells_what_is_wrong(self):
+        job = self.job(Part.makeBox(10, 10, 10), Part.makeBox(4, 4, 4, V(3, 3, 10)))
+        here, there = model_look.look(job), fem_process.look(job, self.folder.name)
+        for name in model_look.Look._fields:
+            np.testing.assert_array_equal(getattr(here, name), getattr(there, name), name)
+        with self.assertRaisesRegex(core.load().Error, "size"):
+            fem_process.look(job._replace(options={}), self.folder.name)
+        stop = core.load().Cancel()
+        stop.set()
+        with self.assertRaises(core.load().Cancelled):
+            fem_process.look(job, self.folder.name, stop)
