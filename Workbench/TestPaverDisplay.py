@@ -2,5 +2,6 @@
 import TestPaver  # noqa: F401, makes the folder of the cases known
 from display_cases import *  # noqa: F401, F403
 from display_life_cases import *  # noqa: F401, F403
+from display_look_cases import *  # noqa: F401, F403
 from display_pick_cases import *  # noqa: F401, F403
 from mouse_cases import *  # noqa: F401, F403

@@ -1,6 +1,7 @@
 """Tests of the workbench that need FreeCAD's window: `freecad -t TestPaverGui`; see TestPaver.py."""
 import TestPaver  # noqa: F401, makes the folder of the cases known
 from commands_cases import *  # noqa: F401, F403
+from create_cases import *  # noqa: F401, F403
 from file_task_cases import *  # noqa: F401, F403
 from first_use_cases import *  # noqa: F401, F403
 from gui_cases import *  # noqa: F401, F403
@@ -12,3 +13,4 @@ from panel_size_cases import *  # noqa: F401, F403
 from refinement_panel_cases import *  # noqa: F401, F403
 from series_dialog_cases import *  # noqa: F401, F403
 from translation_cases import *  # noqa: F401, F403
+from units_cases import *  # noqa: F401, F403

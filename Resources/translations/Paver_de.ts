@@ -364,6 +364,10 @@
         <translation>Zeigt den Farbbalken mit Histogramm in der Ansicht</translation>
     </message>
     <message>
+        <source>Corner of the view for the colour bar; those of several meshes stand side by side</source>
+        <translation>Ecke der Ansicht für die Farbskala; die mehrerer Netze stehen nebeneinander</translation>
+    </message>
+    <message>
         <source>Light and shade; without them the colours are those of the colour bar exactly</source>
         <translation>Licht und Schatten; ohne sie sind die Farben genau die des Farbbalkens</translation>
     </message>
@@ -390,6 +394,10 @@
     <message>
         <source>Marks mesh edges with one element only, and those with more than two</source>
         <translation>Markiert Netzkanten mit nur einem Element und solche mit mehr als zweien</translation>
+    </message>
+    <message>
+        <source>Shows the nodes, with PointSize and PointColor</source>
+        <translation>Zeigt die Knoten, mit PointSize und PointColor</translation>
     </message>
     <message>
         <source>Marks the triangles</source>
@@ -449,6 +457,10 @@
     <message>
         <source>Storing</source>
         <translation>Ablegen</translation>
+    </message>
+    <message>
+        <source>'{}' has several meshes now, {}; solvers take one, so remove the others from it.</source>
+        <translation>„{}“ hat jetzt mehrere Netze, {}; Löser nehmen eines, entfernen Sie also die anderen daraus.</translation>
     </message>
     <message>
         <source>Box</source>
@@ -703,6 +715,10 @@
         <translation>Veraltet</translation>
     </message>
     <message>
+        <source>'{}' refers to no face of what '{}' meshes, so solvers leave it out; refer to faces of that.</source>
+        <translation>„{}“ bezieht sich auf keine Fläche dessen, was „{}“ vernetzt, sodass Löser es auslassen; wählen Sie Flächen davon.</translation>
+    </message>
+    <message>
         <source>A series varies one thing; give it frequencies, or divisions, or sizes.</source>
         <translation>Eine Reihe ändert eine Sache; geben Sie ihr frequencies oder divisions oder sizes.</translation>
     </message>
@@ -855,6 +871,10 @@
         <translation>{} ist nicht größer als 0; schreiben Sie eine größere Zahl.</translation>
     </message>
     <message>
+        <source>Whether elements become shorter</source>
+        <translation>Ob die Elemente kürzer werden</translation>
+    </message>
+    <message>
         <source>By</source>
         <translation>Durch</translation>
     </message>
@@ -871,14 +891,6 @@
         <translation>μr</translation>
     </message>
     <message>
-        <source>Nothing is refined; add faces, edges, vertices or objects.</source>
-        <translation>Nichts wird verfeinert; fügen Sie Flächen, Kanten, Punkte oder Objekte hinzu.</translation>
-    </message>
-    <message>
-        <source>Target length there, such as 2 mm</source>
-        <translation>Ziellänge dort, etwa 2 mm</translation>
-    </message>
-    <message>
         <source>Relative permittivity of the medium there</source>
         <translation>Relative Permittivität des Mediums dort</translation>
     </message>
@@ -887,8 +899,16 @@
         <translation>Relative Permeabilität des Mediums dort</translation>
     </message>
     <message>
+        <source>Nothing is refined; add faces, edges, vertices or objects.</source>
+        <translation>Nichts wird verfeinert; fügen Sie Flächen, Kanten, Punkte oder Objekte hinzu.</translation>
+    </message>
+    <message>
         <source>Size of {}</source>
         <translation>Länge von {}</translation>
+    </message>
+    <message>
+        <source>Target length there, such as {}</source>
+        <translation>Ziellänge dort, etwa {}</translation>
     </message>
     <message>
         <source>Meshing in a process of its own</source>
@@ -1043,16 +1063,16 @@
         <translation>Statistik von {}</translation>
     </message>
     <message>
-        <source>Applies the options and closes; a run goes on</source>
-        <translation>Übernimmt die Optionen und schließt; ein Lauf geht weiter</translation>
+        <source>Puts the options into the mesh object, without meshing, and closes; a run goes on</source>
+        <translation>Übernimmt die Optionen in das Netzobjekt, ohne zu vernetzen, und schließt; ein Lauf geht weiter</translation>
     </message>
     <message>
-        <source>Puts the options into the mesh object; does not mesh</source>
-        <translation>Übernimmt die Optionen in das Netzobjekt; vernetzt nicht</translation>
+        <source>Meshes with these options, like the button Mesh; the panel stays open</source>
+        <translation>Vernetzt mit diesen Optionen, wie die Schaltfläche Vernetzen; das Fenster bleibt offen</translation>
     </message>
     <message>
-        <source>Drops changes that were not applied, stops a run and closes</source>
-        <translation>Verwirft Änderungen, die nicht übernommen sind, hält einen Lauf an und schließt</translation>
+        <source>Drops changes that were neither meshed with nor confirmed by OK, stops a run and closes</source>
+        <translation>Verwirft Änderungen, mit denen weder vernetzt wurde noch die OK bestätigt hat, hält einen Lauf an und schließt</translation>
     </message>
     <message>
         <source>Predicting...</source>
@@ -1187,8 +1207,8 @@
         <translation>Längste Kante / örtliche Ziellänge</translation>
     </message>
     <message>
-        <source>target {} mm</source>
-        <translation>Ziellänge {} mm</translation>
+        <source>target {}</source>
+        <translation>Ziel {}</translation>
     </message>
     <message>
         <source>Certificate, order {}</source>
@@ -1243,8 +1263,8 @@
         <translation>Flächeninhalt</translation>
     </message>
     <message>
-        <source>edges {} mm</source>
-        <translation>Kanten {} mm</translation>
+        <source>edges {}</source>
+        <translation>Kanten {}</translation>
     </message>
     <message>
         <source>Order {}</source>
@@ -1273,6 +1293,10 @@
     <message>
         <source>Medium</source>
         <translation>Medium</translation>
+    </message>
+    <message>
+        <source>No effect: {} is not below the target length of the mesh, {}.</source>
+        <translation>Ohne Wirkung: {} liegt nicht unter der Ziellänge des Netzes, {}.</translation>
     </message>
     <message>
         <source>Quad-dominant</source>
@@ -1399,20 +1423,12 @@
         <translation>Optionen</translation>
     </message>
     <message>
-        <source>Size from the frequency</source>
-        <translation>Größe aus der Frequenz</translation>
+        <source>Elements of one target length</source>
+        <translation>Elemente einer Ziellänge</translation>
     </message>
     <message>
         <source>Elements as long as a part of the wavelength</source>
         <translation>Elemente so lang wie ein Teil der Wellenlänge</translation>
-    </message>
-    <message>
-        <source>Size as a length</source>
-        <translation>Größe als Länge</translation>
-    </message>
-    <message>
-        <source>Elements of one target length</source>
-        <translation>Elemente einer Ziellänge</translation>
     </message>
     <message>
         <source>Wavelength in the medium, at the frequency</source>
@@ -1579,6 +1595,10 @@
         <translation>Noch ist nichts vernetzt.</translation>
     </message>
     <message>
+        <source>min {}, mean {}</source>
+        <translation>min {}, Mittel {}</translation>
+    </message>
+    <message>
         <source>{}; separate meshes: {}</source>
         <translation>{}; getrennte Netze: {}</translation>
     </message>
@@ -1623,8 +1643,8 @@
         <translation>Stufe der Arbeit, und wie viel der ganzen Arbeit getan ist</translation>
     </message>
     <message>
-        <source>Applies the options and meshes; FreeCAD can be used meanwhile</source>
-        <translation>Übernimmt die Optionen und vernetzt; FreeCAD bleibt dabei benutzbar</translation>
+        <source>Meshes with these options, as Apply does; FreeCAD can be used meanwhile</source>
+        <translation>Vernetzt mit diesen Optionen, wie Anwenden; FreeCAD bleibt dabei benutzbar</translation>
     </message>
     <message>
         <source>Stops meshing within a second; the mesh stays as it was</source>
@@ -1647,10 +1667,6 @@
         <translation>Schritte des letzten Laufs und ihre Sekunden, und was daraus geworden ist</translation>
     </message>
     <message>
-        <source>Nothing has been meshed since FreeCAD was started</source>
-        <translation>Seit dem Start von FreeCAD ist nichts vernetzt worden</translation>
-    </message>
-    <message>
         <source>Not meshed yet</source>
         <translation>Noch nicht vernetzt</translation>
     </message>
@@ -1667,8 +1683,8 @@
         <translation>Vernetzt; FreeCAD bleibt dabei benutzbar</translation>
     </message>
     <message>
-        <source>Options have been edited; Mesh or Apply puts them into effect</source>
-        <translation>Optionen sind bearbeitet; Vernetzen oder Anwenden macht sie wirksam</translation>
+        <source>Options have been edited; Apply meshes with them</source>
+        <translation>Optionen sind bearbeitet; Anwenden vernetzt mit ihnen</translation>
     </message>
     <message>
         <source>Show {}</source>
@@ -1703,12 +1719,16 @@
         <translation>Aus der Auswahl</translation>
     </message>
     <message>
-        <source>A shorter length on the faces, edges, vertices or objects that are selected in the 3D view</source>
-        <translation>Eine kürzere Länge auf den Flächen, Kanten, Punkten oder Objekten, die in der 3D-Ansicht ausgewählt sind</translation>
+        <source>A shorter length on the faces, edges, vertices or objects that are selected in the 3D view, or on the faces under selected elements</source>
+        <translation>Eine kürzere Länge auf den Flächen, Kanten, Punkten oder Objekten, die in der 3D-Ansicht gewählt sind, oder auf den Flächen unter gewählten Elementen</translation>
     </message>
     <message>
         <source>Deletes the chosen local sizes</source>
         <translation>Löscht die gewählten örtlichen Längen</translation>
+    </message>
+    <message>
+        <source>Local sizes that are not shorter than the rest</source>
+        <translation>Örtliche Längen, die nicht kürzer sind als der Rest</translation>
     </message>
     <message>
         <source>Refine</source>
@@ -1721,6 +1741,10 @@
     <message>
         <source>Drop local sizes</source>
         <translation>Lokale Größen verwerfen</translation>
+    </message>
+    <message>
+        <source>{} of {}</source>
+        <translation>{} von {}</translation>
     </message>
     <message>
         <source>'{}' is no medium; write its εr, or εr and μr, such as 4, 1.</source>
@@ -2330,8 +2354,8 @@
         <translation>Verfeinern</translation>
     </message>
     <message>
-        <source>Shorter elements on the selected faces, edges, vertices or solids of what is meshed, and around them; opens a panel for the length</source>
-        <translation>Kürzere Elemente auf den gewählten Flächen, Kanten, Punkte oder Körpern des Vernetzten und um sie herum; öffnet ein Fenster für die Länge</translation>
+        <source>Shorter elements on the selected faces, edges, vertices or solids of what is meshed, or on the faces under selected elements, and around them; opens a panel for the length</source>
+        <translation>Kürzere Elemente auf den gewählten Flächen, Kanten, Punkten oder Körpern dessen, was vernetzt wird, oder auf den Flächen unter gewählten Elementen, und um sie herum; öffnet ein Fenster für die Länge</translation>
     </message>
 </context>
 <context>

@@ -5,11 +5,32 @@ thicknesses are found faster so. Without such a group a pressure is left out of 
 """
 import re
 
+import FreeCAD
+
+from paver_wb import core, refinement
+from paver_wb.formats import fem_mesh
 from paver_wb.formats.mesh_file import BOTH
+
+SUFFIX = "_Faces"  # of a member's group
+translate = FreeCAD.Qt.translate
 
 
 def analyses_of(obj):
     return [thing for thing in obj.InList if thing.isDerivedFrom("Fem::FemAnalysis")]
+
+
+def join_active(obj):
+    """Puts a mesh object into the analysis of its document that is active in the window, as the FEM workbench does with its
+    own meshes."""
+    import FemGui
+    active = FemGui.getActiveAnalysis()
+    if active is None or active.Document != obj.Document or obj in active.Group:
+        return
+    others = [member.Label for member in active.Group if member.isDerivedFrom("Fem::FemMeshObject")]
+    active.addObject(obj)
+    if others:
+        FreeCAD.Console.PrintWarning(translate("Paver", "'{}' has several meshes now, {}; solvers take one, so remove the "
+                                               "others from it.").format(active.Label, ", ".join([*others, obj.Label])) + "\n")
 
 
 def face_numbers(names, source, subelements, is_alone):
@@ -25,8 +46,30 @@ def face_numbers(names, source, subelements, is_alone):
 
 def references(obj, sources):
     """[(name of a member of the mesh object's analyses, name of a source, elements of it that the member refers to)]."""
-    return [(member.Name, source.Name, list(subelements)) for analysis in analyses_of(obj) for member in analysis.Group
-            for source, subelements in getattr(member, "References", None) or [] if source in sources]
+    return [(member.Name, source, elements) for analysis in analyses_of(obj) for member in analysis.Group
+            for thing, subelements in getattr(member, "References", None) or []
+            for source, elements in located(obj, sources, thing, list(subelements))]
+
+
+def located(obj, sources, thing, elements):
+    """[(name of a source, its elements)] that elements of a thing are: of a source, or of what is inside of one, as features
+    of a Body are."""
+    if thing in sources:
+        return [(thing.Name, elements)]
+    found = {}
+    for element in elements or [""]:
+        try:
+            number, names = refinement.find(sources, obj, thing, element)
+        except (ValueError, AttributeError, RuntimeError, core.CoreMissing):  # elsewhere, or nothing that has faces
+            continue
+        found.setdefault(sources[number].Name, []).extend(names)
+    return list(found.items())
+
+
+def without_effect(obj, groups):
+    """Pressures of the mesh object's analyses that find none of its faces, and would not act."""
+    return [member for analysis in analyses_of(obj) for member in analysis.Group
+            if member.isDerivedFrom("Fem::ConstraintPressure") and member.References and member.Name + SUFFIX not in groups]
 
 
 def groups_of(wanted, names, is_alone):
@@ -35,7 +78,7 @@ def groups_of(wanted, names, is_alone):
     for member, source, subelements in wanted:
         faces = face_numbers(names, source, subelements, is_alone)
         if faces:
-            groups.setdefault(member + "_Faces", set()).update(faces)
+            groups.setdefault(member + SUFFIX, set()).update(faces)
     return groups
 
 
@@ -43,3 +86,20 @@ def face_groups(obj, sources, names):
     """{name of a group: numbers of faces} for every member of the mesh object's analyses that refers to faces of what
     is meshed."""
     return groups_of(references(obj, sources), names, len(sources) < 2)
+
+
+def renew_groups(fem, obj, sources):
+    """Makes the groups of a filled FemMesh those that members of the analyses need now, and gives their names. Its groups of
+    faces tell which elements these have."""
+    present = {fem.getGroupName(group): group for group in fem.Groups if fem.getGroupElementType(group) == "Face"}
+    names = [name for name in present if not name.endswith(SUFFIX)]
+    wanted = {name: set().union(*(fem.getGroupElements(present[names[face]]) for face in faces))
+              for name, faces in face_groups(obj, sources, names).items()}
+    new = dict(wanted)
+    for name in [name for name in present if name.endswith(SUFFIX)]:
+        if set(fem.getGroupElements(present[name])) == wanted.get(name):
+            del new[name]
+        else:
+            fem.removeGroup(present[name])
+    fem_mesh.add_elements(fem, {name: sorted(elements) for name, elements in new.items()})
+    return set(wanted)

@@ -31,7 +31,7 @@ def write(obj, path, msh_version="4.1", ascii=False):
         write_own(mesh, path, msh_version, ascii)
     else:
         with whole_file(path) as part:
-            mesh_object.fem_mesh_of(obj, mesh).write(part)
+            fem_mesh.write(mesh, mesh_object.groups_of(obj, mesh), part)
     return path
 
 
@@ -72,5 +72,7 @@ def whole_file(path):
         raise
     except fem_mesh.NoFemMesh as error:
         raise CannotHold(str(error)) from None
+    except fem_mesh.Incomplete as error:
+        raise NotWritten(str(error)) from None
     except Exception as error:
         raise NotWritten(f"{path} cannot be written ({str(error).strip()}); check the folder.") from None

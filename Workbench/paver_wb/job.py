@@ -2,6 +2,7 @@
 import argparse
 import json
 import os
+import re
 import sys
 
 import FreeCAD
@@ -15,6 +16,16 @@ EPILOG = ("Exit codes: 0 all is meshed, {internal} internal error, {bad_option} 
           "output cannot be written, {cancelled} cancelled; of several the first.")
 
 
+class Parser(argparse.ArgumentParser):
+    """With errors as the core has them."""
+
+    def error(self, message):
+        unknown = "unrecognized arguments: "
+        if message.startswith(unknown):
+            message = "The following argument was not expected: " + message[len(unknown):].split()[0]
+        raise fault(message + ("" if message.endswith(".") else "."), "bad_option")
+
+
 def fault(text, code):
     """An error as the core has them: one sentence, and what went wrong."""
     return core.load().Error(text, code)
@@ -22,7 +33,7 @@ def fault(text, code):
 
 def parser():
     """Arguments; those of the mesh come from the core's table of options."""
-    made = argparse.ArgumentParser(prog="freecadcmd mesh.FCMacro --", allow_abbrev=False, epilog=EPILOG.format(**core.load()._paver.exit_codes()),
+    made = Parser(prog="freecadcmd mesh.FCMacro --", allow_abbrev=False, epilog=EPILOG.format(**core.load()._paver.exit_codes()),
                                    description="Meshes FreeCAD documents and CAD files without a window.")
     made.add_argument("models", nargs="+", metavar="MODEL", help="document (.FCStd) or CAD file (STEP, IGES, BREP)")
     made.add_argument("--objects", metavar="A,B", type=names_of, help="mesh objects, or objects to mesh, by name or "
@@ -39,10 +50,46 @@ def parser():
     group = made.add_argument_group("options of the mesh, in place of those of the mesh objects")
     for info in core.load().options():
         default = f" [{info['default']}]" if info["default"] else ""
-        group.add_argument("--" + info["name"].replace("_", "-"), metavar=info["letter"],
-                           action="append" if info["kind"] in properties.REPEATED else "store",
-                           help=(info["help"] + default).replace("%", "%%"))
+        group.add_argument(dashed(info["name"]), metavar=info["letter"],
+                           action="append" if info["kind"] in properties.REPEATED else "store", help=(info["help"] + default).replace("%", "%%"))
     return made
+
+
+def dashed(name):
+    return "--" + name.replace("_", "-")
+
+
+def with_dashes(text):
+    """A sentence of the core with the options called as they are written here: "max_turn" becomes "--max-turn"."""
+    for name in (info["name"] for info in core.load().options()):
+        if "_" in name:
+            text = re.sub(rf"(?<![\w-]){name}\b", dashed(name), text)
+        else:
+            text = re.sub(rf"(^|(?<=: )|(?<= needs )|(?<= excludes )|(?<= leave )){name}\b(?=[ ;])", dashed(name), text, count=1)
+    return text
+
+
+def given_options(arguments):
+    """{option: text, or texts of `local`} of the arguments."""
+    names = [info["name"] for info in core.load().options()]
+    return {name: getattr(arguments, name) for name in names if getattr(arguments, name) is not None}
+
+
+def check_options(options, is_whole):
+    """The core's error for a value that it does not read, with its words; is_whole: there are no others than these."""
+    paver, texts = core.load(), dict(options)
+    if not is_whole:  # those of the mesh objects come to them
+        needs = {info["name"]: info["needs"] for info in paver.options()}
+        texts = {name: value for name, value in texts.items() if not needs[name] or needs[name] in texts}
+        texts = texts if {"size", "frequency"} & set(texts) else {**texts, "size": "1"}
+    listed = [(name, text) for name, value in texts.items() for text in (value if isinstance(value, list) else [value])]
+    nothing = paver._paver.Source.of_bytes(b"", b"", [])
+    try:
+        paver._paver.predict(nothing, listed, None)  # which looks at the options first
+    except paver.OptionError:
+        raise
+    except paver.InputError:
+        pass
 
 
 def names_of(text):
@@ -73,6 +120,11 @@ def check_arguments(arguments):
     folders = {os.path.dirname(stem) for stem in stems}
     if arguments.report:
         folders.add(os.path.dirname(os.path.abspath(arguments.report)))
+    first = [arguments.report] if arguments.report else []
+    first += [f"{stem}.{ending}" for stem in stems for ending in arguments.export[:1]]
+    for path in first:
+        if not os.path.isdir(os.path.dirname(os.path.abspath(path))):
+            raise fault(f"Cannot write '{path}': no such file or directory.", "unwritable_output")
     missing = [folder for folder in sorted(folders) if not os.path.isdir(folder)]
     if missing and (arguments.folder or arguments.report):
         raise fault(f"The folder {missing[0]} does not exist; make it, or name another.", "unwritable_output")
@@ -88,9 +140,11 @@ def is_document(path):
 
 
 def open_model(path):
-    """The document of a file; for a CAD file a new one with its shape as the only object."""
-    if not os.path.isfile(path):
-        raise fault(f"There is no file {path}; check the name.", "file_missing")
+    """The document of a file; for a CAD file a new one with its shape as the only object, labelled by its name."""
+    if not is_document(path):
+        core.load().Model(path).parts()  # an error of the core where it is no model: FreeCAD reads half of a cut one
+    elif not os.path.isfile(path):
+        raise fault(f"'{path}' does not exist; check the path.", "file_missing")
     try:
         if is_document(path):
             return FreeCAD.openDocument(path, hidden=True)
@@ -99,10 +153,9 @@ def open_model(path):
     except Exception as error:
         raise fault(f"{path} cannot be read ({str(error).strip()}); pass a document or a STEP, IGES or BREP file.",
                     "damaged_file") from None
-    if shape.isNull() or not shape.Faces:
-        raise fault(f"{path} has no faces; pass a model that has.", "no_faces")
     document = FreeCAD.newDocument("Model", hidden=True)
-    document.addObject("Part::Feature", "Shape").Shape = shape
+    model = document.addObject("Part::Feature", "Shape")
+    model.Shape, model.Label = shape, os.path.basename(path)
     return document
 
 
@@ -144,10 +197,19 @@ def export(obj, stem, formats):
     return paths
 
 
+def failed_faces(result):
+    """The core's sentence on faces that could not be meshed."""
+    try:
+        result._data.check()
+    except core.load().FaceError as error:
+        return str(error)
+    return None
+
+
 def failure(error):
     """What an exception puts into an entry of the report."""
     code = getattr(error, "code", "bad_option" if isinstance(error, ValueError) else "internal")
-    return {"status": "failed", "exit_code": core.exit_code(code), "error": str(error)}
+    return {"status": "failed", "exit_code": core.exit_code(code), "error": with_dashes(str(error))}
 
 
 def run_object(obj, stem, options, formats):
@@ -159,7 +221,7 @@ def run_object(obj, stem, options, formats):
         result = meshing.mesh(obj)
         entry["report"] = result.report
         if obj.FailedFaces:
-            entry.update(status="faces_failed", exit_code=core.exit_code("face_failed"), error="; ".join(obj.FailedFaces))
+            entry.update(status="faces_failed", exit_code=core.exit_code("face_failed"), error=failed_faces(result))
         entry["files"] = export(obj, stem, formats)
     except Exception as error:
         entry.update(failure(error))
@@ -252,8 +314,8 @@ def main(arguments):
     try:
         arguments = parser().parse_args(arguments)
         check_arguments(arguments)
-        options = {info["name"]: getattr(arguments, info["name"]) for info in core.load().options()
-                   if getattr(arguments, info["name"]) is not None}
+        options = given_options(arguments)
+        check_options(options, not any(map(is_document, arguments.models)))
         entries = []
         for path in arguments.models:
             of_model = run_model(path, arguments, options)
@@ -268,5 +330,5 @@ def main(arguments):
         print(error, file=sys.stderr)
         return 1
     except core.load().Error as error:
-        print(error, file=sys.stderr)
+        print(with_dashes(str(error)), file=sys.stderr)
         return core.exit_code(error.code)

@@ -184,9 +184,35 @@ def stored(obj):
     return mesh_file.read(path_of(obj))
 
 
+def faces_under(obj, elements):
+    """[(source, ["Face3"])] that elements of the mesh, numbered from 0, lie on. ValueError when the object is not meshed, or
+    its faces are no longer those that were."""
+    if has_other_shape(obj):
+        raise ValueError(f"The shape of '{obj.Label}' has changed since meshing, so its elements tell no faces; mesh it again, "
+                         "or select faces of the model.")
+    mesh, things, found = stored(obj), sources(obj), {}
+    faces = [*mesh.quad_faces, *mesh.triangle_faces]
+    for face in sorted({faces[element] for element in elements if element < len(faces)}):
+        for name in mesh.face_names[face].split(mesh_file.BOTH):
+            source, _, element = name.rpartition("_")
+            thing = next((thing for thing in things if len(things) == 1 or thing.Name == source), None)
+            if thing is not None:
+                found.setdefault(thing, []).append(element)
+    return list(found.items())
+
+
+def has_other_shape(obj):
+    return check(obj) == OUT_OF_DATE and obj.ShapeChanged
+
+
+def groups_of(obj, mesh):
+    """{name of a group: numbers of faces} that the object's analyses need."""
+    return analysis.face_groups(obj, sources(obj), mesh.face_names)
+
+
 def fem_mesh_of(obj, mesh):
     """Fem.FemMesh of a StoredMesh with all groups."""
-    return fem_mesh.of_mesh(mesh, analysis.face_groups(obj, sources(obj), mesh.face_names))
+    return fem_mesh.of_mesh(mesh, groups_of(obj, mesh))
 
 
 def fill(obj, mesh=None):
@@ -194,6 +220,23 @@ def fill(obj, mesh=None):
     obj.FemMesh = fem_mesh_of(obj, mesh or stored(obj))
     if not obj.FemMeshFilled:
         obj.FemMeshFilled = True
+
+
+def follow_analysis(obj):
+    """Makes FemMesh have what the analyses that the object is in need, whatever the size. Solvers take what is there: a
+    pressure without its group would be left out, without a mesh nothing is solved."""
+    if not obj.MeshFile or not analysis.analyses_of(obj):
+        return
+    try:
+        if not obj.FemMeshFilled:
+            fill(obj)
+        groups = analysis.renew_groups(obj.FemMesh, obj, sources(obj))
+    except (mesh_file.DamagedMesh, fem_mesh.NoFemMesh) as error:
+        FreeCAD.Console.PrintError(f"{obj.Label}: {error}\n")
+        return
+    for member in analysis.without_effect(obj, groups):
+        FreeCAD.Console.PrintWarning(translate("Paver", "'{}' refers to no face of what '{}' meshes, so solvers leave it out; "
+                                               "refer to faces of that.").format(member.Label, obj.Label) + "\n")
 
 
 def keep(obj, mesh):
@@ -295,7 +338,16 @@ class MeshProxy(Stateless):
 
 
 class Observer:
-    """Fills FemMesh again, which FreeCAD's undo leaves as it is; compares shapes before they are saved."""
+    """Fills FemMesh again, which FreeCAD's undo leaves as it is, and where members of an analysis change; compares shapes
+    before they are saved."""
+
+    def slotChangedObject(self, obj, name):
+        if name not in ("Group", "References"):
+            return
+        changed = [obj] if name == "Group" else obj.InList
+        for group in [thing for thing in changed if thing.isDerivedFrom("Fem::FemAnalysis") and not is_restoring(thing)]:
+            for member in filter(is_mesh, group.Group):
+                follow_analysis(member)
 
     def slotUndoDocument(self, document):
         for obj in meshes_of(document):

@@ -1,7 +1,7 @@
 """Meshing of a mesh object, as it is asked for by commands, scripts and jobs."""
 from contextlib import contextmanager
 
-from paver_wb import core, mesh_object, properties, refinement
+from paver_wb import analysis, core, mesh_object, properties, refinement
 from paver_wb.base import source_shapes
 from paver_wb.children import named_parts
 from paver_wb.formats import fem_mesh, mesh_file
@@ -90,7 +90,7 @@ def keep(obj, job, mesh, file=None, is_outdated=False, run_in=None, **changes):
     not that of the job any more. The first mesh hides its sources.
     """
     hides_sources = not obj.MeshFile and obj.Visibility  # the 3D view would show spots of both
-    is_filled = is_filled_unasked(mesh)
+    is_filled = is_filled_unasked(mesh) or bool(analysis.analyses_of(obj))
     fem = mesh_object.fem_mesh_of(obj, mesh) if is_filled else fem_mesh.empty()
     with transaction(obj.Document, "Mesh " + obj.Label):
         properties.put(obj, changes)

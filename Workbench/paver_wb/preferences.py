@@ -15,8 +15,8 @@ def parameters():
 def first_size(things, along):
     """Target length for a first mesh, mm, of one digit; 1 for things without an extent."""
     import Part
-    diagonals = [Part.getShape(thing).BoundBox.DiagonalLength for thing in things
-                 if not Part.getShape(thing).isNull()]
+    boxes = [shape.BoundBox for shape in map(Part.getShape, things) if not shape.isNull()]
+    diagonals = [box.DiagonalLength for box in boxes if box.isValid()]  # that of an empty compound is not
     size = max(diagonals, default=0) / along
     return float(f"{size:.0e}") if size > 0 else 1.0
 

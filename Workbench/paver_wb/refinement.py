@@ -106,16 +106,39 @@ def meshes_with(document, references):
     return [mesh for mesh in proxies.meshes_of(document) if has_all(mesh)]
 
 
+def target_of(mesh):
+    """(target length, mm; eps_r times mu_r) as the options of a mesh have them; None for what they do not give."""
+    options = properties.given(mesh)
+    if "size" in options or "frequency" not in options:
+        return options.get("size"), None
+    medium = options.get("eps_r", 1), options.get("mu_r", 1)
+    length = wavelength(options["frequency"], *medium)
+    return length and length / options["divisions"], medium[0] * medium[1]
+
+
 def first_length(mesh):
     """A third of the mesh's target length, mm, of one digit; 1 where it has none yet."""
-    options = properties.given(mesh)
-    if "size" not in options and "frequency" not in options:
-        return 1.0
-    if "size" in options:
-        length = options["size"]
-    else:
-        length = wavelength(options["frequency"], options.get("eps_r", 1), options.get("mu_r", 1)) / options["divisions"]
-    return float(f"{length / 3:.0e}")
+    length, _ = target_of(mesh)
+    return float(f"{length / 3:.0e}") if length else 1.0
+
+
+def asked_length(value, target, medium):
+    """The length that arguments of set_value come to in a mesh with that target_of(), mm; None where that is not known."""
+    if value.get("length") is not None:
+        return value["length"]
+    square = (value.get("eps_r") or 1) * (value.get("mu_r") or 1)
+    return target * (medium / square) ** 0.5 if target and medium and square > 0 else None
+
+
+def has_effect(value, target, medium):
+    """Whether arguments of set_value make elements shorter; unknown counts as yes."""
+    length = asked_length(value, target, medium)
+    return not target or length is None or length < target * (1 - 1e-9)
+
+
+def value_of(obj):
+    """Arguments of set_value for what a refinement has."""
+    return {"length": obj.Length.Value} if obj.By == LENGTH else {"eps_r": obj.EpsR, "mu_r": obj.MuR}
 
 
 def change(obj, references, length=None, eps_r=None, mu_r=None):

@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from paver_wb import core, mesh_object
+from paver_wb.base.units import MM
 from paver_wb.base.waves import wavelength, wavelength_of
 from paver_wb.formats import mesh_file
 
@@ -129,32 +130,37 @@ def memory(size):
 
 
 def spread(group, values, unit, wave, power):
-    """Rows for least, mean and largest."""
+    """Rows for least, mean and largest; unit: the Unit of lengths, None for a number without one."""
     if not len(values):
         return []
     rows = []
     for name, value in (("Least", values.min()), ("Mean", values.mean()), ("Largest", values.max())):
         in_waves = f"{number(value / wave.length ** power)} {'λ' if power == 1 else 'λ²'}" if wave else ""
-        rows.append(Row(group, name, f"{number(value)} {unit}".strip(), in_waves if power else ""))
+        rows.append(Row(group, name, measured(value, unit, power) if power else number(value), in_waves if power else ""))
     return rows
 
 
-def rows(figures):
-    """The table."""
+def measured(value, unit, power):
+    """A length, or with power 2 an area, in that unit."""
+    return f"{number(value / unit.size ** power)} {unit.name}{'²' if power == 2 else ''}"
+
+
+def rows(figures, unit=MM):
+    """The table; unit: of lengths, and of areas."""
     wave, elements = figures.wave, figures.quads + figures.triangles
     table = [Row("Elements", "Quads", number(figures.quads)), Row("Elements", "Triangles", number(figures.triangles)),
              Row("Elements", "Nodes", number(figures.nodes)), Row("Elements", "Edges", number(len(figures.edges)))]
     if figures.target:
         in_waves = f"{number(figures.target / wave.length)} λ" if wave else ""
-        table.append(Row("Edge length", "Target", f"{number(figures.target)} mm", in_waves))
-    table += spread("Edge length", figures.lengths, "mm", wave, 1) + spread("Element area", figures.areas, "mm²", wave, 2)
+        table.append(Row("Edge length", "Target", measured(figures.target, unit, 1), in_waves))
+    table += spread("Edge length", figures.lengths, unit, wave, 1) + spread("Element area", figures.areas, unit, wave, 2)
     total = figures.areas.sum()
-    table.append(Row("Element area", "Total", f"{number(total)} mm²", f"{number(total / wave.length ** 2)} λ²" if wave
+    table.append(Row("Element area", "Total", measured(total, unit, 2), f"{number(total / wave.length ** 2)} λ²" if wave
                      else ""))
     if wave and total > 0:
         per_area = elements / (total / wave.length ** 2)
         table.append(Row("Element area", "Elements per λ²", "", number(per_area)))
-    table += spread("Scaled Jacobian", figures.sj, "", None, 0)
+    table += spread("Scaled Jacobian", figures.sj, None, None, 0)
     for order in BASIS_ORDERS:
         count = unknowns(figures, order)
         table.append(Row("Unknowns (conductor)", f"Basis order {order}", number(count),
@@ -162,9 +168,9 @@ def rows(figures):
     return table
 
 
-def text(figures):
+def text(figures, unit=MM):
     """The table as lines, with tabs between columns."""
-    lines = [figures.name] + ["\t".join(row) for row in rows(figures)]
+    lines = [figures.name] + ["\t".join(row) for row in rows(figures, unit)]
     return "\n".join(lines) + "\n"
 
 

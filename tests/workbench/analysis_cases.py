@@ -130,6 +130,90 @@ class Strip(InAnalysis):
         self.assertGreater(largest, 0.98 * (1 - POISSON**2) * beam)
 
 
+class Later(Strip):
+    """What is added to an analysis, or changed in it, when the mesh is there."""
+
+    def setUp(self):
+        super().setUp()
+        preferences = FreeCAD.ParamGet(mesh_object.PREFERENCES)
+        self.addCleanup(preferences.RemInt, "FillLimit")
+        preferences.SetInt("FillLimit", 10)  # all meshes here are larger
+
+    def largest(self):
+        return max(vector.Length for vector in self.displacements().values())
+
+    def beam(self, pressure=PRESSURE):
+        return 12 * pressure * LENGTH**4 / (8 * YOUNG * THICKNESS**3)
+
+    def without_pressure(self, source=None):
+        """(mesh, analysis), the mesh made before it joins the analysis, which has no pressure."""
+        mesh, pressure = self.add_analysis(size=5)
+        self.document.removeObject(pressure.Name)
+        self.document.Analysis.removeObject(mesh)
+        if source:
+            mesh.Part = source
+        meshing.mesh(mesh)
+        self.assertFalse(mesh.FemMeshFilled)
+        self.document.Analysis.addObject(mesh)
+        return mesh, self.document.Analysis
+
+    def add_pressure(self, source, element="Face1"):
+        pressure = ObjectsFem.makeConstraintPressure(self.document)
+        pressure.References, pressure.Pressure = [(source, element)], PRESSURE
+        return pressure
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_a_pressure_that_is_added_later_acts_at_any_size(self):
+        mesh, analysis = self.without_pressure()
+        self.assertTrue(mesh.FemMeshFilled)
+        analysis.addObject(self.add_pressure(self.plane))
+        self.assertAlmostEqual(self.largest() / self.beam(), 1, delta=0.1)
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_a_pressure_on_a_feature_inside_of_what_is_meshed_acts(self):
+        part = self.document.addObject("App::Part", "Assembly")
+        part.addObject(self.plane)
+        self.document.recompute()
+        mesh, analysis = self.without_pressure(part)
+        analysis.addObject(self.add_pressure(self.plane))
+        self.assertAlmostEqual(self.largest() / self.beam(), 1, delta=0.1)
+
+    def test_groups_follow_members(self):
+        mesh, analysis = self.without_pressure()
+        count, pressure = mesh.Quads + mesh.Triangles, self.add_pressure(self.plane)
+        name = pressure.Name + "_Faces"
+        self.assertEqual(self.group_sizes(mesh), {"Face1": count})
+        analysis.addObject(pressure)
+        self.assertEqual(self.group_sizes(mesh), {"Face1": count, name: count})
+        pressure.References = []
+        self.assertEqual(self.group_sizes(mesh), {"Face1": count})
+        pressure.References = [(self.plane, "Face1")]
+        self.assertEqual(self.group_sizes(mesh), {"Face1": count, name: count})
+        meshing.mesh(mesh)
+        self.assertEqual(self.group_sizes(mesh), {"Face1": count, name: count})
+        self.document.removeObject(pressure.Name)
+        self.assertEqual(self.group_sizes(mesh), {"Face1": count})
+        for kind, make in (("thickness", lambda: ObjectsFem.makeElementGeometry2D(self.document, THICKNESS)),
+                           ("material", lambda: ObjectsFem.makeMaterialSolid(self.document))):
+            member = make()
+            analysis.addObject(member)
+            member.References = [(self.plane, "Face1")]
+            self.assertEqual(self.group_sizes(mesh)[member.Name + "_Faces"], count, kind)
+
+    def test_undo_takes_groups_back(self):
+        mesh, analysis = self.without_pressure()
+        self.document.UndoMode = 1
+        before = self.group_sizes(mesh)
+        self.document.openTransaction("Pressure")
+        analysis.addObject(self.add_pressure(self.plane))
+        self.document.commitTransaction()
+        after = self.group_sizes(mesh)
+        self.document.undo()
+        self.assertEqual(self.group_sizes(mesh), before)
+        self.document.redo()
+        self.assertEqual(self.group_sizes(mesh), after)
+
+
 class Pipe(InAnalysis):
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_calculix_widens_a_pipe_as_theory_says(self):

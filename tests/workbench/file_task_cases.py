@@ -58,6 +58,15 @@ class FileTasks(WithCommands):
         self.assertIn(pressure.Name + "_Faces", self.content(self.path("a.unv")).decode())
         self.assertEqual(analysis.face_groups(mesh, [self.box], ["Face1", "Face2"]), {pressure.Name + "_Faces": {1}})
 
+    def test_what_a_format_cannot_hold_is_told_and_leaves_no_file(self):
+        mesh = self.mesh(size=2, order=1)
+        task = self.done(file_tasks.export(mesh, self.path("a.z88")), run_task.FAILED)
+        self.assertRegex(str(task.error), "no faces of order 1 to .z88; mesh with order 2")
+        self.assertIn("order 1", window.widget("Paver_Complaint").text())
+        window.picture("export_refused")
+        window.widget("Paver_Complaint").close()
+        self.assertEqual(os.listdir(self.folder), [])
+
     def test_what_an_undo_takes_away_is_still_written(self):
         mesh = self.mesh()
         count = mesh.Quads

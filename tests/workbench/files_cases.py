@@ -7,7 +7,7 @@ import Part
 
 from mesh_cases import InDocument
 from paver_wb import core, export_mesh, file_types, import_mesh, mesh_check, mesh_object, meshing, statistics
-from paver_wb.formats import raw_mesh
+from paver_wb.formats import fem_mesh, raw_mesh
 
 
 class WithMesh(InDocument):
@@ -120,6 +120,63 @@ class Files(WithMesh):
             self.assertGreater(os.path.getsize(path), 1000, ending)
         self.assertFalse(mesh.FemMeshFilled)
         self.assertEqual(len(os.listdir(self.folder.name)), len(export_mesh.OWN) + len(export_mesh.FEM))
+
+    def test_every_export_is_read_back_with_all_it_has(self):
+        """Quads and triangles of both orders, alone and with a wire, and the wire alone."""
+        cone = self.add("Part::Cone", Radius1=3, Radius2=9, Height=8)
+        wire = self.add("Part::Feature", Shape=Part.makeLine(FreeCAD.Vector(30, 0, 0), FreeCAD.Vector(30, 0, 20)))
+        refused = []
+        for parts, elements, order in [(parts, *way) for parts in ([cone], [cone, wire], [wire])
+                                       for way in (("quad-dominant", 2), ("all-triangle", 2), ("quad-dominant", 1))]:
+            mesh, result = self.meshed(*parts, size=3, elements=elements, order=order)
+            wanted = mesh.Quads + mesh.Triangles, mesh.Lines
+            for ending in (*export_mesh.OWN, *export_mesh.FEM):
+                path, what = self.path("mesh." + ending), (len(parts), elements, order, ending)
+                try:
+                    export_mesh.write(mesh, path)
+                except export_mesh.CannotHold as error:
+                    self.assertRegex(str(error), "use (another format|[.]msh)")
+                    refused.append((ending, order, bool(wanted[0]), bool(wanted[1])))
+                    continue
+                if ending in export_mesh.FEM:
+                    nodes, faces, lines = fem_mesh.counts_in(path, "." + ending)
+                    self.assertEqual((faces, lines) if ending != "stl" else faces >= wanted[0],
+                                     wanted if ending != "stl" else True, what)
+                elif wanted[0]:
+                    read = import_mesh.read(path)
+                    self.assertEqual(len(read.quads) + len(read.triangles), wanted[0], what)
+                os.remove(path)
+            self.document.removeObject(mesh.Name)
+        self.assertEqual(set(refused), {("z88", 1, True, False), ("z88", 1, True, True), ("z88", 2, True, True),
+                                        ("stl", 1, False, True), ("stl", 2, False, True)})
+        self.assertEqual(os.listdir(self.folder.name), [])
+
+    def test_an_empty_or_cut_file_is_an_error_and_does_not_stay(self):
+        mesh, _ = self.meshed()
+        real = fem_mesh.of_mesh
+        self.addCleanup(setattr, fem_mesh, "of_mesh", real)
+
+        class Cut:
+            """A FemMesh that does not write all of itself, as on a full disk."""
+
+            def __init__(self, fem, share):
+                self.fem, self.share = fem, share
+
+            def __getattr__(self, name):
+                return getattr(self.fem, name)
+
+            def write(self, path):
+                self.fem.write(path)
+                os.truncate(path, int(self.share * os.path.getsize(path)))
+
+            def writeABAQUS(self, path, *_):
+                self.write(path)
+        for share in (0, 0.5, 0.9):
+            fem_mesh.of_mesh = lambda *arguments: Cut(real(*arguments), share)
+            for ending in export_mesh.FEM:
+                with self.assertRaises(export_mesh.NotWritten, msg=(share, ending)):
+                    export_mesh.write(mesh, self.path("mesh." + ending))
+        self.assertEqual(os.listdir(self.folder.name), [])
 
     def test_what_cannot_be_written_is_said(self):
         mesh, _ = self.meshed()

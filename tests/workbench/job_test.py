@@ -5,6 +5,7 @@ import os
 import re
 import shlex
 import shutil
+import subprocess
 
 import pytest
 
@@ -111,7 +112,7 @@ def test_bad_models_do_not_keep_the_next_back(job, models, tmp_path):
     damaged.write_bytes(b"no document")
     code, runs, errors = job(tmp_path / "none.step", damaged, models[0], "--size", "20")
     assert (code, [r["exit_code"] for r in runs]) == (3, [3, 3, 0])
-    assert "There is no file" in errors and "damaged.FCStd cannot be read" in errors
+    assert "does not exist" in errors and "damaged.FCStd cannot be read" in errors
 
 
 def test_a_series_of_frequencies_gives_files_a_table_and_entries(job, models, tmp_path):
@@ -145,14 +146,53 @@ def test_a_series_of_divisions_is_saved_in_the_document(job, document):
 
 
 @pytest.mark.parametrize("arguments, code, text_", [
-    (["--size", "3", "--order", "7"], 2, "order is 7"), (["--size", "x"], 2, "size of"), ([], 2, "size"),
-    (["--size", "3", "--divisions", "none"], 2, "divisions is 'none'"),
-    (["--size", "3", "--max-elements", "4"], 5, "max_elements"), (["--export", "stl"], 2, "--export has 'stl'"),
+    (["--size", "3", "--order", "7"], 2, "order is 7"), (["--size", "x"], 2, "size is"), ([], 2, "size"),
+    (["--size", "3", "--divisions", "none"], 2, "--divisions needs --frequency"),
+    (["--size", "3", "--max-elements", "4"], 5, "raise --max-elements"), (["--export", "stl"], 2, "--export has 'stl'"),
     (["--series", "order=1,2"], 2, "not 'order'"), (["--frequencies", "3 mm"], 2, "'3 mm' of a series cannot be read"),
-    (["--size", "9", "--folder", "nowhere"], 6, "does not exist"), (["--no-such"], 2, "unrecognized arguments")])
+    (["--size", "9", "--folder", "nowhere"], 6, "does not exist"), (["--no-such"], 2, "was not expected")])
 def test_what_is_refused(job, models, arguments, code, text_):
     got, _, errors = job(models[0], *arguments)
     assert got == code and text_ in errors and "Traceback" not in errors, errors
+
+
+FAULTS = [
+    "none.step --size 2", "empty.step --size 2", "text.step --size 2", "cut.step --size 2", "note.txt --size 2", ". --size 2",
+    "none.brep --size 2", "bad.brep --size 2", "box.step", "box.step --size x", "box.step --size -1", "box.step --size 2 --order 9",
+    "box.step --size 2 --divisions none", "box.step --size 1 --max-elements 10", "box.step --size 2 --no-such",
+    "box.step --size 2 --frequency 3GHz", "box.step --size 20 --report nowhere/r.json", "box.step --size 20 --local Face99=1",
+    "box.step --size 20 --local Face1=9 --local Face99=1", "box.step --size 20 --local Face1=x",
+    "box.step --size 20 --elements hexa", "box.step --size 2mm --gradation nan", "none.step --size x"]
+SHAPES = """
+import sys, FreeCAD, Part
+Part.makeCompound([Part.makePlane(5, 5), Part.Plane().toShape()]).exportBrep("bad.brep")
+Part.makeCompound([]).exportBrep("none.brep")
+sys.exit(0)
+"""
+
+
+def test_faults_have_the_codes_and_sentences_of_the_command_line(home, models, tmp_path):
+    content = (tmp_path / "box.step").read_bytes()
+    for name, what in (("empty.step", b""), ("text.step", b"hello"), ("cut.step", content[:len(content) // 2]),
+                       ("note.txt", b"x"), ("shapes.FCMacro", SHAPES.encode())):
+        (tmp_path / name).write_bytes(what)
+    environment = {**os.environ, "FREECAD_USER_HOME": home}
+
+    def told(*command):
+        done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, stdin=subprocess.DEVNULL, env=environment,
+                              timeout=120)
+        return done.returncode, done.stderr.strip().splitlines()[-1:]
+    assert told(freecad_program.program(), "shapes.FCMacro")[0] == 0
+    for fault in FAULTS:
+        words = shlex.split(fault)
+        code, (sentence,) = told(os.path.join(os.environ["PAVER_BUILD"], "core", "paver"), "mesh", *words, "-o", "o.msh")
+        got, (text_,) = told(freecad_program.program(), MACRO, "--", *words)
+        assert (got, text_[-len(sentence) + len("paver: "):]) == (code, sentence[len("paver: "):]), (fault, text_)
+
+
+def test_nothing_but_what_is_asked_for_is_printed(home, models):
+    done = freecad_program.run([MACRO, "--", models[0], "--size", "20"], home)
+    assert done.returncode == 0 and "Group" not in done.stdout and "Face1" not in done.stdout, done.stdout
 
 
 def test_models_of_one_name_are_refused_before_any_work(job, models, tmp_path):

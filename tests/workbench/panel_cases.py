@@ -186,20 +186,85 @@ class Panel(PanelCase):
         self.assertFalse(window.widget("Paver_MeshButton").isEnabled())
         window.picture("panel_bad_value")
 
-    def test_apply_is_one_step_and_cancel_drops_the_rest(self):
+    def test_apply_meshes_in_one_step_and_cancel_drops_the_rest(self):
         mesh = self.add_mesh()
         self.open(mesh)
         window.type_into(window.widget("Paver_size"), "1.5")
         window.widget("Paver_order").setCurrentIndex(0)
         self.assertEqual((mesh.Size.Value, mesh.Order, self.document.UndoNames), (2, 2, []))
         window.click(self.button(QtGui.QDialogButtonBox.Apply))
-        self.assertEqual((mesh.Size.Value, mesh.Order, self.document.UndoCount), (1.5, 1, 1))
+        self.assertFalse(self.button(QtGui.QDialogButtonBox.Apply).isEnabled())
+        window.wait(lambda: mesh.Status == "Up to date", "for the mesh")
+        window.wait(lambda: self.button(QtGui.QDialogButtonBox.Apply).isEnabled())
+        self.assertEqual((mesh.Size.Value, mesh.Order, self.document.UndoNames), (1.5, 1, ["Mesh PaverMesh"]))
         window.type_into(window.widget("Paver_size"), "1.2")
         window.click(self.button(QtGui.QDialogButtonBox.Cancel))
         window.wait(lambda: not FreeCADGui.Control.activeDialog())
-        self.assertEqual((mesh.Size.Value, self.document.UndoCount), (1.5, 1))
+        self.assertEqual((mesh.Size.Value, mesh.Status, self.document.UndoCount), (1.5, "Up to date", 1))
         self.document.undo()
-        self.assertEqual((mesh.Size.Value, mesh.Order), (2, 2))
+        self.assertEqual((mesh.Size.Value, mesh.Order, mesh.Status), (2, 2, "Not meshed"))
+
+    def test_apply_needs_fields_with_values(self):
+        self.open(self.add_mesh())
+        window.type_into(window.widget("Paver_size"), "wide")
+        self.assertFalse(self.button(QtGui.QDialogButtonBox.Apply).isEnabled())
+        window.click(self.button(QtGui.QDialogButtonBox.Ok))
+        self.assertIn("cannot be read", self.text("FaultText"))
+        window.type_into(window.widget("Paver_size"), "2 mm")
+        self.assertIsNone(window.widget("Paver_FaultText"))  # its cause has gone
+        self.assertTrue(self.button(QtGui.QDialogButtonBox.Apply).isEnabled())
+
+    def test_an_error_goes_with_its_cause(self):
+        mesh = self.add_mesh(size=0.5, max_elements=100)
+        self.open(mesh)
+        changes = (lambda: window.type_into(window.widget("Paver_size"), "0.4"), lambda: setattr(mesh, "Size", 0.6),
+                   lambda: self.set_height(11), lambda: refinement.make(mesh, ["Face1"], 0.3))
+        for change in changes:
+            self.mesh_and_wait()
+            self.assertIn("raise 'Most elements'", self.text("FaultText"))
+            change()
+            self.assertIsNone(window.widget("Paver_FaultText"))
+
+    def test_what_cannot_be_read_is_seen_in_every_theme(self):
+        """White on red, whatever colours the theme has for fields."""
+        self.addCleanup(QtGui.QApplication.instance().setStyleSheet, QtGui.QApplication.instance().styleSheet())
+        QtGui.QApplication.instance().setStyleSheet("QLineEdit { color: #eeeeee; background-color: #202020 }")
+        self.open(self.add_mesh())
+        field = window.widget("Paver_size")
+        window.type_into(field, "wide")
+        field.deselect()
+        window.picture("panel_dark_fault")
+        image = field.grab().toImage()
+        colours = [image.pixelColor(x, y) for x in range(image.width()) for y in range(image.height())]
+        self.assertGreater([colour.name() for colour in colours].count("#c01c28"), len(colours) / 2)
+        self.assertGreater(sum(min(colour.getRgb()[:3]) > 150 for colour in colours), 20)
+
+    def test_figures_keep_their_units_where_the_panel_is_narrow(self):
+        mesh = self.add_mesh(size=1.2345)
+        self.open(mesh)
+        self.mesh_and_wait()
+        window.wait(lambda: window.widget("Paver_Result"), "for figures")
+        table = window.widget("Paver_Result")
+        for name in ("Skalierte Jacobi-Determinante aller Elemente", "Elements"):  # as long as other languages have it
+            table.item(0, 0).setText(name)
+            for row in range(table.rowCount()):
+                needed = table.fontMetrics().horizontalAdvance(table.item(row, 1).text())
+                self.assertLess(needed, table.columnWidth(1))
+            self.assertLessEqual(table.columnWidth(0) + table.columnWidth(1), table.viewport().width())
+        told = {table.item(row, 0).text(): table.item(row, 1).text() for row in range(table.rowCount())}
+        self.assertRegex(told["Scaled Jacobian"], "^min .*, mean ")
+        self.assertRegex(told["Edge length"], " mm$")
+
+    def test_a_small_screen_shows_what_meshes_and_the_prediction(self):
+        FreeCADGui.getMainWindow().resize(1024, 768)
+        window.dock("Report view")
+        self.open(self.add_mesh())
+        window.wait(lambda: "elements" in self.text("Prediction"), "for a prediction")
+        window.pause(200)
+        window.picture("panel_small_screen")
+        for name in ("MeshButton", "Prediction", "size", "frequency"):
+            part = window.widget("Paver_" + name)
+            self.assertEqual(part.visibleRegion().boundingRect(), part.rect(), name)
 
     def test_ok_applies_and_closes(self):
         mesh = self.add_mesh()

@@ -42,7 +42,7 @@ class Runs(PanelCase):
         window.click(window.widget("Paver_StopButton"))
         window.wait(lambda: window.widget("Paver_MeshButton").isEnabled(), "for the stop")
         self.assertEqual((mesh.Quads, mesh.MeshFile, mesh.Size.Value, self.document.UndoCount), before)
-        self.assertEqual((mesh.Status, self.text("size")), ("Up to date", "30 \u00b5m"))
+        self.assertEqual((mesh.Status, self.text("size")), ("Up to date", "0.03 mm"))
         window.picture("panel_stopped")
 
     def test_mesh_command_runs_beside_the_window_one_object_after_the_other(self):

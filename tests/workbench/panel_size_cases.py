@@ -2,6 +2,7 @@
 import FreeCADGui
 
 import window
+from paver_wb import mesh_object, refinement
 from paver_wb.gui import run_control
 from panel_cases import PanelCase
 from PySide import QtGui
@@ -29,7 +30,7 @@ class Sizes(PanelCase):
         self.open(mesh)
         before = self.elements()
         self.add("Face6", "Edge1")
-        self.assertEqual(self.row(), ["Box: Face6, Edge1", "Length", "0.7 mm"])
+        self.assertEqual(self.row(), ["Face6, Edge1 of Box", "Length", "0.7 mm"])
         self.assertGreater(self.elements(), 2 * before)
         window.widget("Paver_Sizes").item(0, 2).setText("0.5 mm")
         child, = mesh.Refinements
@@ -67,7 +68,7 @@ class Sizes(PanelCase):
         window.pause(50)
         table.item(1, 2).setText("4, 2")
         window.pause(50)
-        self.assertEqual(self.row(1), ["Box: Face1", "Medium", "4, 2"])
+        self.assertEqual(self.row(1), ["Face1 of Box", "Medium", "4, 2"])
         self.assertEqual((mesh.Refinements[1].EpsR, mesh.Refinements[1].MuR), (4, 2))
         table.item(1, 2).setText("glass")
         self.assertIn("write its", self.text("FaultText"))
@@ -78,14 +79,16 @@ class Sizes(PanelCase):
         self.assertEqual(FreeCADGui.Selection.getSelectionEx()[0].SubElementNames, ("Face1",))
         window.click(window.widget("Paver_RemoveSize"))
         window.pause(50)
-        self.assertEqual((len(mesh.Refinements), self.row()[0]), (1, "Box: Face6"))
+        self.assertEqual((len(mesh.Refinements), self.row()[0]), (1, "Face6 of Box"))
 
     def test_cancel_brings_the_sizes_back(self):
         mesh = self.add_mesh(frequency="30 GHz", divisions=6)
         self.open(mesh)
         self.add("Face6")
         self.add("Face1", "Edge3")
-        window.click(self.button(QtGui.QDialogButtonBox.Apply))
+        window.click(self.button(QtGui.QDialogButtonBox.Ok))
+        window.wait(lambda: not FreeCADGui.Control.activeDialog())
+        self.open(mesh)
         names = [child.Name for child in mesh.Refinements]
         before, label = (mesh.Status, len(mesh.Refinements)), mesh.Refinements[1].Label
         texts = [self.row(0), self.row(1)]
@@ -126,3 +129,45 @@ class Sizes(PanelCase):
         self.add()
         self.assertIn("select", self.text("FaultText"))
         self.assertEqual((mesh.Refinements, self.document.UndoCount), ([], 0))
+
+    def test_what_has_no_effect_is_told(self):
+        mesh = self.add_mesh(frequency="30 GHz", divisions=10)  # 1 mm
+        self.open(mesh)
+        self.add("Face6")
+        self.assertIsNone(window.widget("Paver_SizesNote"))
+        window.widget("Paver_Sizes").item(0, 2).setText("3 mm")
+        window.pause(50)
+        self.assertIn("Face6 of Box: No effect: 3 mm is not below", self.text("SizesNote"))
+        window.picture("panel_sizes_no_effect")
+        window.type_into(window.widget("Paver_divisions"), "2")
+        self.assertIsNone(window.widget("Paver_SizesNote"))
+        window.type_into(window.widget("Paver_divisions"), "10")
+        self.assertIn("No effect", self.text("SizesNote"))
+        refinement.set_value(mesh.Refinements[0], eps_r=4)
+        window.pause(50)
+        self.assertIsNone(window.widget("Paver_SizesNote"))
+        window.type_into(window.widget("Paver_eps_r"), "5")
+        self.assertIn("No effect", self.text("SizesNote"))
+
+    def test_the_face_is_seen_in_a_narrow_panel(self):
+        self.box.Label = "The large reflector of the antenna on the mast"
+        mesh = self.add_mesh()
+        self.open(mesh)
+        self.add("Face6", "Face3")
+        table = window.widget("Paver_Sizes", QtGui.QTableWidget)
+        begin = "Face3, Face6" if self.row()[0].startswith("Face3") else "Face6, Face3"
+        self.assertTrue(self.row()[0].startswith(begin))
+        self.assertLess(table.fontMetrics().horizontalAdvance(begin + "..."), table.columnWidth(0))
+        window.picture("panel_sizes_where")
+
+    def test_elements_of_the_mesh_stand_for_their_faces(self):
+        mesh = self.add_mesh()
+        self.open(mesh)
+        self.mesh_and_wait()
+        stored = mesh_object.stored(mesh)
+        element = next(i for i, face in enumerate(stored.quad_faces, 1) if stored.face_names[face] == "Face4")
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(mesh, f"Elem{element}")
+        window.click(window.widget("Paver_AddSize"))
+        window.pause(50)
+        self.assertEqual(self.row()[0], "Face4 of Box")

@@ -3,7 +3,7 @@ import FreeCADGui
 from PySide import QtGui
 
 import window
-from paver_wb import refinement
+from paver_wb import mesh_object, meshing, refinement
 from panel_cases import PanelCase
 
 
@@ -130,6 +130,43 @@ class RefinementPanel(PanelCase):
         shown = [w for w in window.widgets(QtGui.QWidget) if w.objectName().startswith("Paver_Refinement")]
         self.assertGreater(len(shown), 6)
         self.assertEqual([w.objectName() for w in shown if not w.toolTip()], [])
+
+    def test_elements_of_the_mesh_are_refined_by_their_faces(self):
+        other = self.document.addObject("Part::Box", "Other")
+        other.Placement.Base.x = 30
+        self.document.recompute()
+        for parts, expected in (([self.box], ["Box: Face2", "Box: Face5"]), ([self.box, other], ["Other: Face3"])):
+            mesh = self.add_mesh(*parts, size=5)
+            meshing.mesh(mesh)
+            stored = mesh_object.stored(mesh)
+            wanted = [line.replace("Box: ", "" if len(parts) < 2 else "Box_").replace("Other: ", "Other_") for line in expected]
+            FreeCADGui.Selection.clearSelection()
+            for i, face in enumerate(stored.quad_faces, 1):
+                if stored.face_names[face] in wanted:
+                    FreeCADGui.Selection.addSelection(mesh, f"Elem{i}")
+            FreeCADGui.runCommand("Paver_Refine")
+            window.wait(lambda: window.widget("Paver_RefinementWhere"), "for the panel")
+            self.assertEqual(self.lines(), expected)
+            self.ok()
+            self.assertEqual(mesh.Refinements[0].References[0][1], tuple(line.split(": ")[1] for line in expected))
+        self.box.Length = 12
+        self.document.recompute()
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(mesh, "Elem1")
+        FreeCADGui.runCommand("Paver_Refine")
+        window.wait(lambda: window.widget("Paver_Complaint"), "for an error")
+        self.assertIn("has changed since meshing", window.widget("Paver_Complaint").text())
+        window.widget("Paver_Complaint").close()
+
+    def test_a_length_without_effect_is_told(self):
+        mesh, child = self.refined()  # of 2 mm
+        self.open_panel(child)
+        self.assertIsNone(window.widget("Paver_RefinementNote"))
+        window.type_into(window.widget("Paver_RefinementLength"), "2")
+        self.assertIn("No effect: 2 mm is not below the target length of the mesh, 2 mm.", self.text("RefinementNote"))
+        window.picture("panel_refinement_no_effect")
+        window.type_into(window.widget("Paver_RefinementLength"), "1.5")
+        self.assertIsNone(window.widget("Paver_RefinementNote"))
 
 
 class NamedPanel(PanelCase):

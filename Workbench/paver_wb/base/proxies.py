@@ -62,6 +62,11 @@ def is_child(obj):
     return is_refinement(obj) or is_named(obj)
 
 
+def is_own(obj):
+    """Whether it is one of Paver's objects, which are not meshed and not referred to."""
+    return is_mesh(obj) or is_child(obj) or type_of(obj) == SERIES
+
+
 def meshes_of(document):
     """All meshes of a document, in its order."""
     return [obj for obj in document.Objects if is_mesh(obj)]

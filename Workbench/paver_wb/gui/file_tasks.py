@@ -77,6 +77,7 @@ def import_file(document, path):
         mesh, file, drawn = made
         with meshing.transaction(document, "Import mesh"):
             obj = import_mesh.add_mesh(document, mesh, label, file)
+            analysis.join_active(obj)
         drawn_mesh.offered.put(obj.MeshFile, drawn)
         remember(path)
         FreeCADGui.SendMsgToActiveView("ViewFit")

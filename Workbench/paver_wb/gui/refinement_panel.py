@@ -10,10 +10,11 @@ from PySide import QtGui
 
 from paver_wb import refinement
 from paver_wb.base.paths import ICONS
+from paver_wb.base.units import example
 from paver_wb.gui.base import edit_panel
 from paver_wb.gui.base.edit_panel import edit_new, unset_edit  # noqa: F401, for commands and the view provider
 from paver_wb.gui.base.steps import python_name
-from paver_wb.gui.base.widgets import FaultBox, named
+from paver_wb.gui.base.widgets import FaultBox, named, text_label
 from paver_wb.gui.panels import fields
 from paver_wb.gui.panels.child_panel import ChildPanel
 from paver_wb.gui.panels.references_box import ReferencesBox
@@ -31,21 +32,23 @@ class RefinementBox(QtGui.QWidget):
         self.setWindowIcon(QtGui.QIcon(os.path.join(ICONS, "Paver_Refine.svg")))
         layout = QtGui.QVBoxLayout(self)
         layout.addLayout(self.values())
+        self.note = text_label("RefinementNote", translate("Paver", "Whether elements become shorter"))
+        layout.addWidget(self.note)
         layout.addWidget(QtGui.QLabel(translate("Paver", "Where")))
         self.where = ReferencesBox(obj, "Refinement", self.mesh, self.checked)
         layout.addWidget(self.where)
         self.fault = FaultBox()
         layout.addWidget(self.fault)
         self.where.failed.connect(self.fault.tell)
-        self.fault.tell("")
+        self.edited()
 
     def values(self):
         self.length = fields.QuantityField("length")
         self.eps_r, self.mu_r = fields.NumberField(), fields.NumberField()
         first = refinement.first_length(self.mesh()) if self.mesh() else 1.0
         for name, field, tip, value in (
-                ("RefinementLength", self.length, translate("Paver", "Target length there, such as 2 mm"),
-                 self.obj.Length.Value or first),
+                ("RefinementLength", self.length, translate("Paver", "Target length there, such as {}").format(
+                    example("length")), self.obj.Length.Value or first),
                 ("RefinementEpsR", self.eps_r, translate("Paver", "Relative permittivity of the medium there"),
                  self.obj.EpsR),
                 ("RefinementMuR", self.mu_r, translate("Paver", "Relative permeability of the medium there"),
@@ -53,8 +56,10 @@ class RefinementBox(QtGui.QWidget):
             named(field, name)
             field.set_tip(tip)
             field.set_value(value)
+            field.changed.connect(self.edited)
         self.by = named(fields.by_field(self.obj), "RefinementBy")
         self.by.changed.connect(self.show_what_counts)
+        self.by.changed.connect(self.edited)
         form = QtGui.QFormLayout()
         form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
         form.addRow(translate("Paver", "By"), self.by)
@@ -71,6 +76,14 @@ class RefinementBox(QtGui.QWidget):
             field.setVisible(is_shown)
             self.form.labelForField(field).setVisible(is_shown)
 
+    def edited(self):
+        """Says when the value changes nothing; an error may have lost its cause."""
+        text = "" if self.value_fault() or not self.mesh() else fields.effect_text(
+            self.value(), *refinement.target_of(self.mesh()))
+        self.note.setText(text)
+        self.note.setVisible(bool(text))
+        self.fault.tell("")
+
     def mesh(self):
         meshes = refinement.meshes_of(self.obj)
         return meshes[0] if meshes else None
@@ -81,7 +94,7 @@ class RefinementBox(QtGui.QWidget):
         refinement.check_references([mesh] if mesh else [], references)
         return references
 
-    def text_fault(self):
+    def value_fault(self):
         """Empty, or a sentence on what is no value."""
         used = (self.length,) if self.by.value() == refinement.LENGTH else (self.eps_r, self.mu_r)
         for field in used:
@@ -89,14 +102,22 @@ class RefinementBox(QtGui.QWidget):
                 return field.fault()
             if not field.value() > 0:
                 return translate("Paver", "{} is not above 0; write a larger number.").format(field.text())
-        return "" if self.where.references else translate("Paver", "Nothing is refined; add faces, edges, vertices or objects.")
+        return ""
+
+    def text_fault(self):
+        """The same, or one that nothing is refined."""
+        return self.value_fault() or ("" if self.where.references else translate(
+            "Paver", "Nothing is refined; add faces, edges, vertices or objects."))
+
+    def value(self):
+        """Arguments of refinement.set_value."""
+        if self.by.value() == refinement.LENGTH:
+            return {"length": self.length.value()}
+        return {"eps_r": self.eps_r.value(), "mu_r": self.mu_r.value()}
 
     def line(self):
         """What OK does, as Python."""
-        if self.by.value() == refinement.LENGTH:
-            value = f"length={self.length.value()!r}"
-        else:
-            value = f"eps_r={self.eps_r.value()!r}, mu_r={self.mu_r.value()!r}"
+        value = ", ".join(f"{name}={number!r}" for name, number in self.value().items())
         return f"paver_wb.refinement.change({python_name(self.obj)}, {self.where.text()}, {value})"
 
 

@@ -3,6 +3,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import statistics
+from paver_wb.base.units import length_text, unit_of
 from paver_wb.formats import mesh_file
 from paver_wb.gui.base import measuring
 from paver_wb.gui.base.histogram import Histogram
@@ -92,16 +93,20 @@ class StatisticsPanel(measuring.MeasuringDialog):
         frequency = self.frequency.value() * 1e9
         wave = statistics.wave_at(frequency, self.obj.EpsR, self.obj.MuR) if frequency > 0 else None
         self.figures = self.base._replace(wave=wave)
-        self.note.setText(f"λ = {statistics.number(wave.length)} mm" if wave else translate(
+        self.note.setText(f"λ = {length_text(wave.length)}" if wave else translate(
             "Paver", "Give a frequency to see wavelengths"))
         self.fill_table()
         self.draw(wave)
+
+    def unit(self):
+        """Of lengths: the user's, for the target length."""
+        return unit_of("length", self.figures.target)
 
     def fill_table(self):
         words = names()
         self.table.clear()
         group = None
-        for entry in statistics.rows(self.figures):
+        for entry in statistics.rows(self.figures, self.unit()):
             if group is None or group.data(0, QtCore.Qt.UserRole) != entry.group:
                 group = QtGui.QTreeWidgetItem(self.table, [words[entry.group]])
                 group.setData(0, QtCore.Qt.UserRole, entry.group)
@@ -116,20 +121,20 @@ class StatisticsPanel(measuring.MeasuringDialog):
             self.table.resizeColumnToContents(column)
 
     def draw(self, wave):
-        figures, (lengths, areas, sj) = self.figures, self.histograms
-        long = wave.length if wave else 1
+        figures, (lengths, areas, sj), unit = self.figures, self.histograms, self.unit()
+        long = wave.length if wave else unit.size
         counts, limits = self.charts.lengths
-        lengths.show_counts(translate("Paver", "Edge lengths"), counts, limits / long, "λ" if wave else "mm",
+        lengths.show_counts(translate("Paver", "Edge lengths"), counts, limits / long, "λ" if wave else unit.name,
                             figures.target / long if figures.target else None)
         counts, limits = self.charts.areas
-        areas.show_counts(translate("Paver", "Element areas"), counts, limits / long ** 2, "λ²" if wave else "mm²")
+        areas.show_counts(translate("Paver", "Element areas"), counts, limits / long ** 2, "λ²" if wave else unit.name + "²")
         sj.show_counts(translate("Paver", "Scaled Jacobian"), *self.charts.sj, "")
 
     def copy(self):
         """Into the clipboard. Through a text field: a wrapper of QClipboard makes FreeCAD crash when it ends."""
         if self.figures is None:
             return
-        field = QtGui.QPlainTextEdit(statistics.text(self.figures))
+        field = QtGui.QPlainTextEdit(statistics.text(self.figures, self.unit()))
         field.selectAll()
         field.copy()
 

@@ -1,8 +1,9 @@
 """The task panel of a mesh object.
 
-Options are changed in the fields only, until Apply, OK or Mesh puts them into the mesh object, in one step of undo.
-Local sizes are put in at once, each in a step of its own. Cancel drops what was not applied, local sizes too, stops a run,
-and takes back a mesh object that was made for this panel and is unused.
+Options are changed in the fields only. Apply meshes with them, as the button Mesh does, and puts them into the mesh object
+together with the mesh, in one step of undo; OK puts them in without meshing and closes. Local sizes are put in at once, each
+in a step of its own. Cancel drops what no mesh and no OK has confirmed, local sizes too, stops a run, and takes back a mesh
+object that was made for this panel and is unused.
 """
 import os
 
@@ -35,14 +36,14 @@ class TaskPanel(edit_panel.EditPanel):
         super().__init__(obj, is_new)
         self.run = None
         self.options = options_box.OptionsBox(obj)
-        self.sizes = sizes_box.SizesBox(obj)
+        self.sizes = sizes_box.SizesBox(obj, self.options.target)
         self.runner = run_box.RunBox(obj)
         self.results = result_box.ResultBox(obj)
         self.predictor = run_predict.Predictor(obj)
-        self.form = [self.options, self.sizes, self.runner, self.results]
+        self.form = [self.runner, self.options, self.sizes, self.results]
         for part in self.form:
             part.setWindowIcon(QtGui.QIcon(os.path.join(ICONS, "Paver_CreateMesh.svg")))
-        self.options.changed.connect(self.predict)
+        self.options.changed.connect(self.edited)
         self.sizes.failed.connect(self.runner.show_fault)
         self.runner.mesh_asked.connect(self.mesh)
         self.runner.stop_asked.connect(self.stop)
@@ -55,6 +56,17 @@ class TaskPanel(edit_panel.EditPanel):
         self.predict()
 
     # Predicting
+
+    def edited(self):
+        """What kept a run from its end may no longer be so."""
+        self.forgive()
+        self.sizes.show_effects()
+        self.predict()
+
+    def forgive(self):
+        """Takes an error away: its cause may be gone, and the next run tells if it is not."""
+        if self.run is None:
+            self.runner.show_fault("")
 
     def predict(self):
         """Tells what the options come to: at once where the mesh has been made with them, else by a prediction."""
@@ -71,12 +83,12 @@ class TaskPanel(edit_panel.EditPanel):
         self.runner.preview.ask(None if fault or self.run else self.options.changes())
         if self.run is None:
             self.runner.show_status(bool(fault or self.changes()))
-        self.runner.mesh.setEnabled(not fault and self.run is None)
+        self.enable(not fault and self.run is None)
 
     def sizes_changed(self):
         self.sizes.refresh_soon()
         if self.run is None:
-            self.predict()
+            self.edited()
 
     def show_prediction(self, prediction):
         self.runner.prediction.setText(run_box.prediction_text(
@@ -117,6 +129,7 @@ class TaskPanel(edit_panel.EditPanel):
         for part in (self.options, self.sizes):
             part.setEnabled(False)
         self.runner.watch(run)
+        self.enable(False)
 
     def show_end(self, outcome):
         self.run = None
@@ -139,7 +152,7 @@ class TaskPanel(edit_panel.EditPanel):
     # Applying
 
     def apply(self):
-        """Puts the options into the mesh object. False when a field has no value."""
+        """Puts the options into the mesh object, without meshing. False when a field has no value."""
         fault = self.options.fault()
         if fault:
             self.runner.show_fault(fault)
@@ -174,19 +187,31 @@ class TaskPanel(edit_panel.EditPanel):
     def open(self):
         # Not in modifyStandardButtons(): FreeCAD hands out a box there that Python never learns the end of, and takes
         # whatever comes to lie at its place for it.
-        tips = {QtGui.QDialogButtonBox.Ok: translate("Paver", "Applies the options and closes; a run goes on"),
-                QtGui.QDialogButtonBox.Apply: translate("Paver", "Puts the options into the mesh object; does not mesh"),
-                QtGui.QDialogButtonBox.Cancel: translate("Paver", "Drops changes that were not applied, stops a run and "
-                                                         "closes")}
-        for box in QtGui.QApplication.allWidgets():
-            if isinstance(box, QtGui.QDialogButtonBox) and box.standardButtons() == self.buttons:
-                for button, tip in tips.items():
-                    box.button(button).setToolTip(tip)
+        tips = {QtGui.QDialogButtonBox.Ok: translate("Paver", "Puts the options into the mesh object, without meshing, and "
+                                                     "closes; a run goes on"),
+                QtGui.QDialogButtonBox.Apply: translate("Paver", "Meshes with these options, like the button Mesh; the panel "
+                                                        "stays open"),
+                QtGui.QDialogButtonBox.Cancel: translate("Paver", "Drops changes that were neither meshed with nor confirmed "
+                                                         "by OK, stops a run and closes")}
+        for box in self.button_boxes():
+            for button, tip in tips.items():
+                box.button(button).setToolTip(tip)
+
+    def button_boxes(self):
+        """FreeCAD's box of OK, Apply and Cancel, where it is there yet."""
+        return [box for box in QtGui.QApplication.allWidgets()
+                if isinstance(box, QtGui.QDialogButtonBox) and box.standardButtons() == self.buttons]
+
+    def enable(self, may_mesh):
+        """The buttons that mesh."""
+        self.runner.mesh.setEnabled(may_mesh)
+        for box in self.button_boxes():
+            box.button(QtGui.QDialogButtonBox.Apply).setEnabled(may_mesh)
 
     def clicked(self, button):
         apply = QtGui.QDialogButtonBox.Apply  # which Qt 6 does not take for equal to its number
         if button in (apply, getattr(apply, "value", apply)):
-            self.apply()
+            self.mesh()
 
     def accept(self):
         if not self.apply():
@@ -225,13 +250,25 @@ class TaskPanel(edit_panel.EditPanel):
 
     def widen(self):
         """Makes the dock wide enough for the panel: FreeCAD cuts off what a new profile's has no room for."""
-        dock = None if self.is_closed else self.options
-        while dock is not None and not isinstance(dock, QtGui.QDockWidget):
-            dock = dock.parentWidget()
-        if dock is not None and not dock.isFloating():
-            wanted = max(part.minimumSizeHint().width() for part in self.form) + FRAME
-            if dock.width() < wanted:
-                FreeCADGui.getMainWindow().resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
+        self.resize_dock(lambda dock: max(part.minimumSizeHint().width() for part in self.form) + FRAME)
+        QtCore.QTimer.singleShot(0, lambda: self.resize_dock(self.width_without_scrolling))  # themes have other frames
+
+    def enclosing(self, kind):
+        """The next widget around the panel of a kind, or None."""
+        found = None if self.is_closed else self.options
+        while found is not None and not isinstance(found, kind):
+            found = found.parentWidget()
+        return found
+
+    def width_without_scrolling(self, dock):
+        area = self.enclosing(QtGui.QScrollArea)
+        return dock.width() + (area.horizontalScrollBar().maximum() if area is not None else 0)
+
+    def resize_dock(self, wanted):
+        """wanted(dock): its least width."""
+        dock = self.enclosing(QtGui.QDockWidget)
+        if dock is not None and not dock.isFloating() and dock.width() < wanted(dock):
+            FreeCADGui.getMainWindow().resizeDocks([dock], [wanted(dock)], QtCore.Qt.Horizontal)
 
     # What changes in the document
 
@@ -245,12 +282,14 @@ class TaskPanel(edit_panel.EditPanel):
             return
         if name in (mesh_object.REFINEMENTS, *named_parts.LINKS) or proxies.is_child(obj):
             self.sizes_changed()
+        elif name == "Shape" and obj in mesh_object.sources(self.obj):
+            self.edited()
         elif obj != self.obj:
             return
         elif name == "Status" and self.run is None:
             self.predict()
         elif self.options.show_property(name) or name in mesh_object.LINKS:
-            self.predict()
+            self.edited()
 
     def slotUndoDocument(self, document):
         if document.Name == self.document_name and self.run is None and not self.is_closed:

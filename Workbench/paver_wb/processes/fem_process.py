@@ -11,7 +11,7 @@ from paver_wb.formats import fem_mesh, mesh_file, raw_mesh, read_fem
 from paver_wb.processes import child_process, model_look
 
 TABLES, LOOK = "tables.npz", "look.npz"
-ERRORS = {"Damaged": raw_mesh.Damaged, "NoFemMesh": fem_mesh.NoFemMesh}
+ERRORS = {"Damaged": raw_mesh.Damaged, "NoFemMesh": fem_mesh.NoFemMesh, "Incomplete": fem_mesh.Incomplete}
 
 
 def folders():

@@ -4,6 +4,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 translate = FreeCAD.Qt.translate
+MARGINS, SPACING = (6, 4, 6, 4), 4  # pixels, of a part of a panel: small screens shall show what counts
 
 
 def named(widget, name, tip=""):

@@ -68,10 +68,10 @@ def run(line, module=""):
     return True
 
 
-def in_step(name, line, module=""):
-    """run() as one step of undo; an error leaves no trace."""
+def in_step(name, *lines, module=""):
+    """run() of each as one step of undo; an error leaves no trace."""
     document = FreeCAD.ActiveDocument
     document.openTransaction(name)
-    is_done = run(line, module)
+    is_done = all(run(line, module) for line in lines)
     document.commitTransaction() if is_done else document.abortTransaction()
     return is_done

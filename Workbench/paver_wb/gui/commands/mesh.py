@@ -6,6 +6,7 @@ from paver_wb import mesh_object, preferences, refinement, series
 from paver_wb.base import proxies
 from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, Command, complain, do, in_step, python_name, run,
                                           selected, shown_as, target_mesh, translate)
+from paver_wb.gui.display import selection
 
 
 class CreateMesh(Command):
@@ -17,10 +18,12 @@ class CreateMesh(Command):
 
     def Activated(self):
         things = parts_selected()
-        FreeCADGui.addModule("paver_wb.mesh_object")
+        for module in ("paver_wb.mesh_object", "paver_wb.analysis"):
+            FreeCADGui.addModule(module)
         parts = ", ".join(python_name(thing) for thing in things)
         options = ", ".join(f"{name}={value!r}" for name, value in preferences.new_options(things).items())
-        if in_step("Create mesh", f"mesh = paver_wb.mesh_object.add(FreeCAD.ActiveDocument, [{parts}], {options})"):
+        if in_step("Create mesh", f"mesh = paver_wb.mesh_object.add(FreeCAD.ActiveDocument, [{parts}], {options})",
+                   "paver_wb.analysis.join_active(mesh)"):
             FreeCADGui.Selection.clearSelection()
             do("FreeCADGui.Selection.addSelection(mesh)")
             do("edit_new(mesh)", "paver_wb.gui.task_panel")
@@ -28,7 +31,7 @@ class CreateMesh(Command):
 
 def parts_selected():
     """Selected objects that may be meshed."""
-    return [thing for thing in selected()[1] if not proxies.is_child(thing) and not series.is_series(thing)]
+    return [thing for thing in selected()[1] if not proxies.is_own(thing)]
 
 
 class OnMeshes(Command):
@@ -49,16 +52,19 @@ class Refine(Command):
     """A refinement of what is selected in the 3D view: of the selected mesh, else of the one that has it."""
 
     resources = shown_as("Paver_Refine", QT_TRANSLATE_NOOP("Paver_Refine", "Refine"), QT_TRANSLATE_NOOP(
-        "Paver_Refine", "Shorter elements on the selected faces, edges, vertices or solids of what is meshed, and "
-        "around them; opens a panel for the length"), "Q, R")
+        "Paver_Refine", "Shorter elements on the selected faces, edges, vertices or solids of what is meshed, or on the "
+        "faces under selected elements, and around them; opens a panel for the length"), "Q, R")
 
     def IsActive(self):
         document = FreeCAD.ActiveDocument
-        return document is not None and bool(mesh_object.meshes_of(document)) and bool(parts_selected())
+        return document is not None and bool(mesh_object.meshes_of(document)) and selection.may_refine()
 
     def Activated(self):
-        references = [(s.Object, list(s.SubElementNames) or [""]) for s in FreeCADGui.Selection.getSelectionEx()
-                      if s.Object in parts_selected()]
+        try:
+            references = selection.references()
+        except ValueError as error:
+            complain(str(error))
+            return
         meshes = selected()[0] or refinement.meshes_with(FreeCAD.ActiveDocument, references)
         if not meshes:
             complain(translate("Paver", "No mesh has what is selected. Select its mesh, too, or make one with Create "
@@ -102,15 +108,18 @@ class Name(Command):
 
     def IsActive(self):
         document = FreeCAD.ActiveDocument
-        return document is not None and bool(mesh_object.meshes_of(document)) and bool(parts_selected())
+        return document is not None and bool(mesh_object.meshes_of(document)) and selection.may_refine()
 
     def Activated(self):
         mesh = target_mesh()
         if mesh is None:
             complain(translate("Paver", "There are several meshes; select the one that it belongs to, too."))
             return
-        references = [(s.Object, list(s.SubElementNames) or [""]) for s in FreeCADGui.Selection.getSelectionEx()
-                      if s.Object in parts_selected()]
+        try:
+            references = selection.references()
+        except ValueError as error:
+            complain(str(error))
+            return
         FreeCADGui.addModule("paver_wb.children.named_parts")
         listed = ", ".join(f"({python_name(thing)}, {elements!r})" for thing, elements in references)
         if in_step(self.resources["MenuText"],

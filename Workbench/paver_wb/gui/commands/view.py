@@ -22,7 +22,7 @@ COLOURS = {
 class OnShown(OnMeshed):
     def act(self, step, call):
         """Calls a function of display.actions; `call` has {} in place of the mesh object."""
-        in_step(step, call.format(python_name(target_mesh())), "paver_wb.gui.display.actions")
+        in_step(step, call.format(python_name(target_mesh())), module="paver_wb.gui.display.actions")
 
 
 class Colour(OnShown):

@@ -40,6 +40,11 @@ def dimmed(colours, factor):
     return made.view(np.uint32).ravel() | np.uint32(255)
 
 
+def seen_through(colours, opacity):
+    """Packed colours that let through what lies behind; opacity: from 0 to 1."""
+    return np.asarray(colours, np.uint32) & np.uint32(0xffffff00) | np.uint32(round(255 * opacity))
+
+
 def distinct(count):
     """`count` colours of which neighbours in the list differ well."""
     golden = 0.61803398875

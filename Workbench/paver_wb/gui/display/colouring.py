@@ -4,6 +4,7 @@ from typing import NamedTuple
 import FreeCAD
 import numpy as np
 
+from paver_wb.base.units import lengths_text
 from paver_wb.gui.display import colour_maps
 
 NONE, SJ, LENGTH, LOCAL_LENGTH, KIND, FACE, CERTIFICATE = CHOICES = (
@@ -77,8 +78,8 @@ def of_mesh(mesh, wish):
 
 def range_text(low, high):
     """Of lengths in mm."""
-    text = f"{low:.4g}" if np.isclose(low, high, rtol=1e-3) else f"{low:.4g} \u2013 {high:.4g}"
-    return translate("Paver", "target {} mm").format(text)
+    ends = [low] if np.isclose(low, high, rtol=1e-3) else [low, high]
+    return translate("Paver", "target {}").format(lengths_text(ends, " \u2013 "))
 
 
 def limits_of(values, standard, wish):

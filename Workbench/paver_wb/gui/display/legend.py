@@ -47,9 +47,13 @@ def key_rows(key):
     return rows[:kept] + [(more, count_text(hidden), None)]
 
 
-def picture(legend):
-    """QImage of a Scale or a Key."""
-    return picture_of_scale(legend) if isinstance(legend, colouring.Scale) else picture_of_key(legend)
+def picture(legend, label=""):
+    """QImage of a Scale or a Key; label: the mesh that it is of, where there are others."""
+    return (picture_of_scale if isinstance(legend, colouring.Scale) else picture_of_key)(titled(legend, label))
+
+
+def titled(legend, label):
+    return legend._replace(title=f"{label}: {legend.title}") if label else legend
 
 
 def ink(painter, colour=INK, **style):

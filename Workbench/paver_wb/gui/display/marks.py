@@ -101,6 +101,26 @@ class EdgeMark(Mark):
         self.show(np.zeros((0, 3), np.float32), np.zeros((0, 2), np.int64))
 
 
+class NodeMark(Mark):
+    """The nodes as points."""
+
+    def __init__(self):
+        self.points, self.dots, self.style = coin.SoCoordinate3(), coin.SoPointSet(), coin.SoDrawStyle()
+        self.colour = colour_node((0, 0, 0))
+        self.root = separator(unpickable(), unlit(), self.colour, self.style, self.points, self.dots)
+        self.empty()
+
+    def show(self, nodes, colour, size):
+        self.count = len(nodes)
+        self.colour.rgb, self.style.pointSize = colour, size
+        self.dots.numPoints = 0
+        fill(self.points.point, nodes, FLOATS)
+        self.dots.numPoints = self.count
+
+    def empty(self):
+        self.show(np.zeros((0, 3), np.float32), (0, 0, 0), 1)
+
+
 class NormalMark(Mark):
     """A line along the normal of every element, brighter towards its end."""
 

@@ -3,6 +3,7 @@ is back in its event loop."""
 import weakref
 
 import FreeCAD
+import FreeCADGui
 import numpy as np
 from pivy import coin
 from PySide import QtCore
@@ -13,15 +14,19 @@ from paver_wb.formats import mesh_file
 from paver_wb.gui.base.background import Latest
 from paver_wb.gui.display import colour_maps, colouring, drawn_mesh, legend, marks, report, view_properties
 from paver_wb.gui.display.fields import put
-from paver_wb.gui.display.panels import ViewPanel
+from paver_wb.gui.display.panels import CORNERS, MARGIN, TAKEN, ViewPanel, moved
 from paver_wb.gui.display.picking import Picker
 from paver_wb.gui.display.scene import DIMMED, Scene, rows_as_indices
 
 CURVED, CURVED_EDGES, EDGES = MODES = ("Curved", "Curved + edges", "Edges only")
+WITH_LEGEND = (CURVED, CURVED_EDGES)
+OTHER_CORNER, _, REPORT_CORNER, _ = CORNERS  # of the report of an element
 MESH, POINTS, PAINT, MARKED, CHOSEN = LAYERS = ("mesh", "points", "paint", "marks", "chosen")  # each needs those before
 LAYER_OF = {"Subdivision": POINTS, "ShrinkFactor": POINTS, "AlwaysAllEdges": POINTS, "ColourBy": PAINT,
             "ColourMap": PAINT, "ColourRange": PAINT, "RangeLow": PAINT, "RangeHigh": PAINT, "ColourBar": PAINT,
-            "Shaded": PAINT, "EdgeColour": PAINT, "ShapeColor": PAINT, "ShapeAppearance": PAINT, "ShowNormals": MARKED,
+            "Shaded": PAINT, "EdgeColour": PAINT, "Transparency": PAINT,
+            "LineWidth": PAINT, "PointSize": PAINT, "PointColor": MARKED, "ShowNodes": MARKED, "LegendCorner": PAINT,
+            "ShapeColor": PAINT, "ShapeAppearance": PAINT, "ShowNormals": MARKED,
             "ShowFreeEdges": MARKED, "ShowTriangles": MARKED, "ShowWorst": MARKED, "ElementReport": CHOSEN}
 _displays = weakref.WeakSet()
 HEAVY = 10000  # elements from which on a mesh is read and cut into triangles on a thread
@@ -36,10 +41,11 @@ class MeshDisplay:
         self.mesh, self.tessellation, self.subdivision, self.tree = None, None, 1, None
         self.colouring, self.stale, self.is_waiting = colouring.Colouring(None, None), set(LAYERS), False
         self.selected, self.hovered, self.reported = (), None, None
+        self.legend_size = 0, 0  # pixels from the left side of the view, and of height
         self.loading = Latest(self.take_loaded, self.complain)
         self.scene, self.picker = Scene(), Picker(self.hits)
         self.make_marks()
-        self.bar, self.report_panel = ViewPanel(top=True), ViewPanel(top=False)
+        self.bar, self.report_panel = ViewPanel(), ViewPanel(REPORT_CORNER)
         self.modes = {}
         _displays.add(self)
         shared = [self.scene.wires, self.marks, self.picker.node, self.report_panel.switch]
@@ -54,12 +60,16 @@ class MeshDisplay:
         self.selection = marks.ElementMark(self.scene, marks.selection_colour())
         self.hover = marks.ElementMark(self.scene, marks.hover_colour(), has_faces=False)
         self.free, self.crowded = marks.EdgeMark(marks.FREE), marks.EdgeMark(marks.CROWDED)
-        self.normals, self.labels = marks.NormalMark(), marks.Labels()
-        self.every_mark = (self.triangles, self.worst, self.selection, self.hover, self.free, self.crowded, self.normals)
+        self.normals, self.labels, self.nodes = marks.NormalMark(), marks.Labels(), marks.NodeMark()
+        self.every_mark = (self.triangles, self.worst, self.selection, self.hover, self.free, self.crowded, self.normals,
+                           self.nodes)
         self.marks = put(coin.SoGroup(), *[mark.root for mark in (*self.every_mark, self.labels)])
 
     def attach(self, vobj):
         """Makes the modes known to FreeCAD."""
+        culling = vobj.RootNode.getField("renderCulling")
+        if culling is not None:
+            culling.setValue(coin.SoSeparator.OFF)  # the legend stays where a clipping plane takes the whole mesh away
         for name, node in self.modes.items():
             vobj.addDisplayMode(node, name)
 
@@ -99,8 +109,10 @@ class MeshDisplay:
     def property_changed(self, name):
         if name in LAYER_OF:
             self.changed(LAYER_OF[name])
-        elif name in ("Visibility", "DisplayMode") and self.stale:
-            self.changed(CHOSEN)
+        elif name in ("Visibility", "DisplayMode"):
+            if self.stale:
+                self.changed(CHOSEN)
+            arrange_soon(self.names[0])
 
     def report(self, element):
         """Shows the report of an element, as long as it is selected."""
@@ -183,6 +195,8 @@ class MeshDisplay:
         self.scene.set_wires(np.zeros((0, 2, 3)))
         for panel in (self.bar, self.report_panel):
             panel.show(None)
+        self.colouring = colouring.Colouring(None, None)
+        arrange_soon(self.names[0])
 
     def draw(self):
         mesh, vobj = self.mesh, self.vobj
@@ -212,13 +226,31 @@ class MeshDisplay:
             colours = colour_maps.packed(np.array([view_properties.shape_colour(vobj)]))
         if vobj.Shaded:
             colours = colour_maps.dimmed(colours, DIMMED)
+        opacity, line_width, point_size = view_properties.look(vobj)
+        colours = colour_maps.seen_through(colours, opacity)
+        self.scene.set_look(opacity, line_width, point_size)
         self.scene.set_edge_colour(vobj.EdgeColour, colours)
         if self.colouring.colours is None:
             self.scene.set_one_colour(colours[0])
         else:
             self.scene.set_colours(self.mesh.per_point(colours, self.subdivision))
-        is_shown = vobj.ColourBar and self.colouring.legend is not None and self.mesh.count
-        self.bar.show(legend.picture(self.colouring.legend) if is_shown else None)
+        arrange(self.names[0])
+
+    def has_legend(self):
+        """Whether the view shows one."""
+        vobj = self.vobj
+        return bool(vobj.ColourBar and self.colouring.legend is not None and self.mesh and self.mesh.count
+                    and vobj.Visibility and vobj.DisplayMode in WITH_LEGEND)
+
+    def show_legend(self, label, along):
+        """In its corner, at least `along` pixels from the side; label: empty where there is no other. Gives where it ends."""
+        image, corner = legend.picture(self.colouring.legend, label), self.vobj.LegendCorner
+        along = max(along, TAKEN.get(corner, 0))
+        self.bar.stand_at(corner)
+        self.bar.show(moved(image, corner, along))
+        end = along + image.width() - MARGIN
+        self.legend_size = (end, image.height()) if corner.endswith("left") else (0, 0)
+        return end
 
     def mark(self):
         mesh, vobj, drawn = self.mesh, self.vobj, self.tessellation
@@ -232,6 +264,10 @@ class MeshDisplay:
                 mark.show(drawn.points, drawn.outlines[wanted])
             else:
                 mark.clear()
+        if vobj.ShowNodes:
+            self.nodes.show(np.asarray(mesh.stored.nodes), view_properties.point_colour(vobj), view_properties.look(vobj)[2])
+        else:
+            self.nodes.clear()
         if vobj.ShowNormals:
             self.normals.show(mesh)
         else:
@@ -248,6 +284,10 @@ class MeshDisplay:
         self.mark_elements(self.hover, [] if self.hovered is None or count > MOST_TO_HOVER else [self.hovered])
         is_shown = self.vobj.ElementReport and self.reported is not None and self.reported in self.selected
         image = legend.picture_of_report(report.rows(self.information(self.reported))) if is_shown else None
+        corner = OTHER_CORNER if self.vobj.LegendCorner == REPORT_CORNER else REPORT_CORNER
+        self.report_panel.stand_at(corner)
+        if image is not None and self.legend_size[1] + image.height() > view_height(self.names[0]):
+            image = moved(image, corner, self.legend_size[0])  # beside the legend, as there is no room above or below it
         self.report_panel.show(image)
 
     # ---- questions
@@ -274,8 +314,51 @@ class MeshDisplay:
         return report.information(self.mesh, element, wavelength_of(self.obj))
 
 
+def view_height(document):
+    """Of the view of a document, pixels; endless where it is none that shows meshes."""
+    view = FreeCADGui.getDocument(document).ActiveView
+    return view.getSize()[1] if hasattr(view, "getSize") else float("inf")
+
+
+def arrange(document):
+    """Puts the legends of a document's meshes side by side, with the names of these where there are several."""
+    shown = []
+    for display in _displays:
+        try:
+            if display.names[0] == document and display.mesh is not None:
+                if display.has_legend():
+                    shown.append((display.obj.ID, display))
+                else:
+                    display.bar.show(None)
+                    display.legend_size = 0, 0
+        except ReferenceError:  # deleted
+            continue
+    ends = {}  # {side of the view: where the next one begins}
+    for _, display in sorted(shown, key=lambda entry: entry[0]):
+        side, label = display.vobj.LegendCorner.split()[1], display.obj.Label if len(shown) > 1 else ""
+        ends[side] = display.show_legend(label, ends.get(side, 0))
+
+
+_waiting = set()  # documents whose legends are to be arranged
+
+
+def arrange_soon(document):
+    """When FreeCAD is back in its event loop."""
+    if document not in _waiting:
+        _waiting.add(document)
+        QtCore.QTimer.singleShot(0, lambda: (_waiting.discard(document), arrange(document)))
+
+
 class Closing:
     """Follows FreeCAD's documents."""
+
+    def slotDeletedObject(self, obj):
+        if mesh_object.is_mesh(obj):
+            arrange_soon(obj.Document.Name)
+
+    def slotChangedObject(self, obj, name):
+        if name == "Label" and mesh_object.is_mesh(obj):
+            arrange_soon(obj.Document.Name)
 
     def slotDeletedDocument(self, document):
         for display in [one for one in _displays if one.names[0] == document.Name]:

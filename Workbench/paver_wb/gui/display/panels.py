@@ -1,8 +1,11 @@
 """Pictures painted by Qt that lie on top of the 3D view, at a place of the view or of the model."""
+import ctypes
+import sys
+
 from pivy import coin
 from PySide import QtCore, QtGui
 
-from paver_wb.gui.display.fields import put, separator, unpickable
+from paver_wb.gui.display.fields import callback, put, separator, unpickable
 
 MARGIN = 10  # between a panel and the rim of the view, pixels
 SHEET, RIM, INK, FAINT = (255, 255, 255, 225), (0, 0, 0, 70), (25, 28, 32), (105, 110, 118)
@@ -48,6 +51,71 @@ def give_ray_back(_, action):
         coin.cast(action, "SoRayPickAction").computeWorldSpaceRay()
 
 
+def graphics():
+    """The system's OpenGL; None where it is called otherwise."""
+    names = {"win32": "opengl32", "darwin": "/System/Library/Frameworks/OpenGL.framework/OpenGL"}
+    try:
+        library = ctypes.CDLL(names.get(sys.platform, "libGL.so.1"))
+        library.glIsEnabled.restype = ctypes.c_ubyte
+        return library
+    except (OSError, AttributeError):
+        return None
+
+
+class Unclipped:
+    """`begin` and `end`: nodes between which FreeCAD's clipping planes do not count, which Coin cannot take back.
+
+    stand_in(point): called with a place where Coin does not leave out what lies there, and with None afterwards.
+    """
+
+    PLANES = range(0x3000, 0x3006)  # GL_CLIP_PLANE0 on
+
+    def __init__(self, stand_in):
+        self.library, self.planes, self.is_inside, self.stand_in = graphics(), [], False, stand_in
+        self.begin, self.end = callback(self), callback(self)
+
+    def called(self, action):
+        if not action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
+            return
+        state = action.getState()
+        coin.SoCacheElement.invalidate(state)  # it would keep what is switched at one time
+        self.is_inside = not self.is_inside
+        element = coin.SoClipPlaneElement.getInstance(state)
+        if self.is_inside:
+            self.planes = [plane for plane in self.PLANES if self.library is not None and self.library.glIsEnabled(plane)]
+        if element.getNum():
+            self.stand_in([element.get(i) for i in range(element.getNum())] if self.is_inside else None)
+        for plane in self.planes:
+            (self.library.glDisable if self.is_inside else self.library.glEnable)(plane)
+
+
+def kept_point(point, planes, margin):
+    """A point near `point` that no clipping plane takes away, by at least `margin`."""
+    at = coin.SbVec3f(*point)
+    for _ in range(20):
+        for plane in planes:
+            missing = margin - plane.getDistance(at)
+            if missing > 0:
+                at = at + plane.getNormal() * missing
+    return at.getValue()
+
+
+CORNERS = ("Upper left", "Upper right", "Lower left", "Lower right")
+TAKEN = {"Upper right": 150, "Lower right": 70}  # pixels of width that FreeCAD's navigation cube and axes have there
+
+
+def moved(image, corner, along):
+    """A QImage with room so that it stands `along` pixels from the side of the view."""
+    if not along:
+        return image
+    made = QtGui.QImage(image.width() + along, image.height(), QtGui.QImage.Format_RGBA8888)
+    made.fill(QtCore.Qt.transparent)
+    painter = QtGui.QPainter(made)
+    painter.drawImage(0 if corner.endswith("right") else along, 0, image)
+    painter.end()
+    return made
+
+
 class ViewPanel:
     """A picture in a corner of the view.
 
@@ -55,27 +123,48 @@ class ViewPanel:
     "fit all" and the camera's clipping go by.
     """
 
-    def __init__(self, right=False, top=True):
+    def __init__(self, corner=CORNERS[0]):
         self.camera, self.place, self.node = coin.SoOrthographicCamera(), coin.SoTranslation(), coin.SoImage()
         self.camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
-        self.corner = (1 if right else -1, 1 if top else -1)
-        self.node.horAlignment = coin.SoImage.RIGHT if right else coin.SoImage.LEFT
-        self.node.vertAlignment = coin.SoImage.TOP if top else coin.SoImage.BOTTOM
         self.root, self.switch, self.after = coin.SoAnnotation(), coin.SoSwitch(), coin.SoCallback()
         self.after.setCallback(give_ray_back, None)
-        put(self.switch, put(coin.SoGroup(), put(self.root, unpickable(), self.camera, self.place, self.node),
-                             self.after))
-        self.stand_in((0, 0, 0), 1)
+        self.root.renderCulling = coin.SoSeparator.OFF  # what is clipped away would not be drawn at all
+        self.unclipped = Unclipped(self.stand_between)
+        put(self.switch, put(coin.SoGroup(), put(self.root, self.unclipped.begin, unpickable(), self.camera, self.place,
+                                                 self.node, self.unclipped.end), self.after))
+        self.corner, self.middle = corner, ((0, 0, 0), 1)
+        self.stand_at(corner)
+
+    def stand_at(self, corner):
+        """One of CORNERS."""
+        self.corner = corner
+        self.node.horAlignment = coin.SoImage.RIGHT if corner.endswith("right") else coin.SoImage.LEFT
+        self.node.vertAlignment = coin.SoImage.TOP if corner.startswith("Upper") else coin.SoImage.BOTTOM
+        self.stand_in(*self.middle)
 
     def stand_in(self, centre, size):
         """Inside a model of that centre and extent."""
+        self.middle = centre, size
+        self.stand(centre, size)
+
+    def stand_between(self, planes):
+        """Where clipping planes leave it alone, for the frame that is being drawn; None: back in the model. Nobody is told."""
+        centre, size = self.middle
+        for node in (self.camera, self.place):
+            node.enableNotify(False)
+        self.stand(centre if planes is None else kept_point(centre, planes, 0.01 * size), size)
+        for node in (self.camera, self.place):
+            node.enableNotify(True)
+
+    def stand(self, centre, size):
         half = size * 1e-3
         self.camera.position = (float(centre[0]), float(centre[1]), float(centre[2]) + half)
         self.camera.height = 2 * half
         self.camera.aspectRatio = 1
         self.camera.nearDistance, self.camera.farDistance = half * 0.5, half * 1.5
-        inside = 0.9999
-        x, y = (float(c) + s * half * inside for c, s in zip(centre, self.corner))
+        inside = 0.9999 * half
+        x = float(centre[0]) + (inside if self.corner.endswith("right") else -inside)
+        y = float(centre[1]) + (inside if self.corner.startswith("Upper") else -inside)
         self.place.translation = (x, y, float(centre[2]))
 
     def show(self, image):

@@ -1,4 +1,5 @@
 """What is told about an element."""
+from paver_wb.base.units import area_text, lengths_text
 from paver_wb.gui.display.colouring import translate
 
 
@@ -41,18 +42,18 @@ def rows(info):
             (translate("Paver", "Scaled Jacobian"), f"{info['sj']:.4f}"),
             (translate("Paver", "Order {}").format(info["order"]),
              shown + ", " + translate("Paver", "Jacobian ratio {}").format(f"{info['jacobian_ratio']:.3f}")),
-            (translate("Paver", "Edges"), ", ".join(f"{x:.4g}" for x in info["lengths"]) + " mm")]
+            (translate("Paver", "Edges"), lengths_text(info["lengths"]))]
     if "lengths_in_wavelengths" in info:
         made.append((translate("Paver", "Edges / \u03bb"), ", ".join(f"{x:.3g}" for x in info["lengths_in_wavelengths"])))
     if info["target"]:
         made.append((translate("Paver", "Longest / target"), f"{max(info['lengths']) / info['target']:.3f}"))
-    return made + [(translate("Paver", "Area"), f"{info['area']:.4g} mm\u00b2")]
+    return made + [(translate("Paver", "Area"), area_text(info["area"]))]
 
 
 def line(info):
     """All of it in one line, for the status bar."""
     text = f"{kind_text(info)} {info['name']}, {info['face']}, SJ {info['sj']:.3f}, " + translate(
-        "Paver", "edges {} mm").format(", ".join(f"{x:.4g}" for x in info["lengths"]))
+        "Paver", "edges {}").format(lengths_text(info["lengths"]))
     if "lengths_in_wavelengths" in info:
         text += " = " + ", ".join(f"{x:.3g}" for x in info["lengths_in_wavelengths"]) + " \u03bb"
     return text

@@ -3,10 +3,11 @@ import numpy as np
 from pivy import coin
 
 from paver_wb.gui.display.edge_density import EdgeDensity
-from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, line_style, put, separator,
-                                         unlit, unpickable)
+from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, put, separator, unlit,
+                                         unpickable)
 
-EDGE_WIDTH, MODEL_EDGE_WIDTH, WIRE_WIDTH, WIRE_NODE = 1, 2, 3, 7
+# Of FreeCAD's LineWidth: edges of elements, of the model, wires; of its PointSize: ends of lines of wires.
+EDGE_WIDTH, MODEL_EDGE_WIDTH, WIRE_WIDTH, WIRE_NODE = 0.5, 1, 1.5, 1.4
 DIMMED = 0.85  # colours where they are lit, as all lights together are brighter than one
 FILL_DIRECTIONS, FILL_INTENSITY = ((0.3, 0.2, -1), (-0.3, -0.2, 1), (1, -0.6, 0), (-1, 0.6, 0)), 0.16
 FAINT = 0.55  # of the elements' colour in edges that lie close together
@@ -29,18 +30,27 @@ class Scene:
         self.lines, self.model_lines = coin.SoIndexedLineSet(), coin.SoIndexedLineSet()
         self.edge_density = EdgeDensity(put(coin.SoGroup(), self.edge_colour, self.lines),
                                         put(coin.SoGroup(), self.faint_colour, self.lines))
+        self.edge_style, self.model_edge_style, self.wire_style = (coin.SoDrawStyle() for _ in range(3))
+        self.veil = coin.SoMaterial()  # of edges that have no faces between them
         self.edges = separator(unpickable(), unlit(), self.edge_colour, self.points,
-                               separator(line_style(EDGE_WIDTH), *self.edge_density.nodes),
-                               line_style(MODEL_EDGE_WIDTH), self.model_lines)
-        self.edges_alone = separator(unpickable(), unlit(), self.edge_colour, self.points,
-                                     separator(line_style(EDGE_WIDTH), self.lines),
-                                     line_style(MODEL_EDGE_WIDTH), self.model_lines)
+                               separator(self.edge_style, *self.edge_density.nodes),
+                               self.model_edge_style, self.model_lines)
+        self.edges_alone = separator(unpickable(), unlit(), self.veil, self.edge_colour, self.points,
+                                     separator(self.edge_style, self.lines), self.model_edge_style, self.model_lines)
 
         self.wire_points, self.wire_nodes = coin.SoCoordinate3(), coin.SoCoordinate3()
         self.wire_lines, self.wire_dots = coin.SoIndexedLineSet(), coin.SoPointSet()
-        self.wires = separator(unpickable(), unlit(), self.edge_colour, line_style(WIRE_WIDTH, WIRE_NODE), self.wire_points,
+        self.wires = separator(unpickable(), unlit(), self.edge_colour, self.wire_style, self.wire_points,
                                self.wire_lines, self.wire_nodes, self.wire_dots)
         self.set_wires(np.zeros((0, 2, 3)))
+
+    def set_look(self, opacity, line_width, point_size):
+        """Of the edges, as view_properties.look() has it."""
+        self.veil.transparency = 1 - opacity
+        for style, share in ((self.edge_style, EDGE_WIDTH), (self.model_edge_style, MODEL_EDGE_WIDTH),
+                             (self.wire_style, WIRE_WIDTH)):
+            style.lineWidth = max(share * line_width, 1)
+        self.wire_style.pointSize = max(WIRE_NODE * point_size, 1)
 
     def set_wires(self, lines):
         """lines: (n, k, 3) points along each line of a wire; dots show where one ends."""

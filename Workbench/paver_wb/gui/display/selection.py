@@ -4,6 +4,7 @@ import FreeCADGui
 from PySide import QtCore
 
 from paver_wb import mesh_object
+from paver_wb.base import proxies
 from paver_wb.gui.display import mesh_display, report
 
 STATUS_TIME = 8000  # ms
@@ -34,6 +35,24 @@ def selected_elements(document):
         if mesh_object.is_mesh(part.Object):
             numbers = [report.element_number(name.rsplit(".", 1)[-1]) for name in part.SubElementNames]
             found.setdefault(part.Object, []).extend(n for n in numbers if n is not None)
+    return found
+
+
+def may_refine():
+    """Whether anything that refinements refer to is selected."""
+    if any(selected_elements(FreeCAD.ActiveDocument.Name).values()):
+        return True
+    return any(not proxies.is_own(part.Object)
+               for part in FreeCADGui.Selection.getSelectionEx())
+
+
+def references():
+    """[(object, elements)] of what is selected in the 3D view and may be refined; elements of a mesh stand for the faces that
+    they lie on. ValueError as from mesh_object.faces_under."""
+    found = [(part.Object, list(part.SubElementNames) or [""]) for part in FreeCADGui.Selection.getSelectionEx()
+             if not proxies.is_own(part.Object)]
+    for mesh, elements in selected_elements(FreeCAD.ActiveDocument.Name).items():
+        found += mesh_object.faces_under(mesh, elements) if elements else []
     return found
 
 

@@ -1,6 +1,7 @@
 """The properties of the view object that say what is drawn. They are saved with the document."""
 from paver_wb.base.texts import tip
 from paver_wb.gui.display import colour_maps, colouring
+from paver_wb.gui.display.panels import CORNERS
 
 COLOURS, SHAPE, MARKS = tip("Paver colours"), tip("Paver shape"), tip("Paver marks")
 
@@ -15,6 +16,8 @@ PROPERTIES = {
     "RangeLow": ("App::PropertyFloat", COLOURS, tip("Lower end of the colours with ColourRange Manual"), 0.0),
     "RangeHigh": ("App::PropertyFloat", COLOURS, tip("Upper end of the colours with ColourRange Manual"), 1.0),
     "ColourBar": ("App::PropertyBool", COLOURS, tip("Shows the colour bar with its histogram in the view"), True),
+    "LegendCorner": ("App::PropertyEnumeration", COLOURS, tip("Corner of the view for the colour bar; those of several meshes "
+                     "stand side by side"), list(CORNERS)),
     "Shaded": ("App::PropertyBool", COLOURS, tip("Light and shade; without them the colours are those of the colour bar "
                "exactly"), True),
     "Subdivision": ("App::PropertyIntegerConstraint", SHAPE, tip("Straight pieces per element edge; 0: as many as the "
@@ -27,6 +30,7 @@ PROPERTIES = {
     "ShowNormals": ("App::PropertyBool", MARKS, tip("Shows the outward normal of every element"), False),
     "ShowFreeEdges": ("App::PropertyBool", MARKS, tip("Marks mesh edges with one element only, and those with more than two"),
                       False),
+    "ShowNodes": ("App::PropertyBool", MARKS, tip("Shows the nodes, with PointSize and PointColor"), False),
     "ShowTriangles": ("App::PropertyBool", MARKS, tip("Marks the triangles"), False),
     "ShowWorst": ("App::PropertyIntegerConstraint", MARKS, tip("Marks so many elements with the least scaled Jacobian"),
                   (0, 0, 1000, 1)),
@@ -43,6 +47,15 @@ def add_to(vobj):
             setattr(vobj, name, value)
             if name in FIRST_CHOICES:
                 setattr(vobj, name, FIRST_CHOICES[name])
+
+
+def look(vobj):
+    """(opacity from 0 to 1, width of lines, size of points) of FreeCAD's own properties."""
+    return 1 - vobj.Transparency / 100, float(getattr(vobj, "LineWidth", 2)), float(getattr(vobj, "PointSize", 5))
+
+
+def point_colour(vobj):
+    return tuple(getattr(vobj, "PointColor", vobj.EdgeColour))[:3]
 
 
 def shape_colour(vobj):

@@ -1,67 +1,35 @@
-"""Fields for options. Each has `value()`, `set_value(v)` and the signal `changed`, which only the user's edits emit.
-
-FreeCAD's own fields for quantities give back what they show, rounded to two digits; 9.375 GHz would become 9.38.
-"""
+"""Fields for options. Each has `value()`, `set_value(v)` and the signal `changed`, which only the user's edits emit."""
 import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import refinement
+from paver_wb.base import units
+from paver_wb.base.units import number_text, quantity_text  # noqa: F401, for the parts of the panels
 
 translate = FreeCAD.Qt.translate
-DIGITS = 7
-# kind: (unit of a number without one, units to show values in, from the largest on; None: those of FreeCAD's preferences)
-UNITS = {"frequency": ("GHz", (("THz", 1e12), ("GHz", 1e9), ("MHz", 1e6), ("kHz", 1e3), ("Hz", 1.0))),
-         "length": ("mm", None), "angle": ("deg", (("°", 1.0),))}
-FACES = {"frequency": "9 GHz", "length": "3 mm", "angle": "45°"}
+# Both colours, as themes choose theirs.
+BAD = "QLineEdit { color: #ffffff; background-color: #c01c28; selection-color: #c01c28; selection-background-color: #ffffff }"
 
 
-def number_text(value):
-    return f"{value:.{DIGITS}g}"
-
-
-def unit_of(kind, value):
-    """(unit, its size in FreeCAD's own) to show a value in."""
-    choices = UNITS[kind][1]
-    if choices is None:
-        _, factor, unit = FreeCAD.Units.Quantity(value, FreeCAD.Units.Length).getUserPreferred()
-        return (unit, factor) if unit.isalpha() else ("mm", 1.0)  # feet and inches come without letters
-    return next((choice for choice in choices if abs(value) >= choice[1]), choices[-1])
-
-
-def quantity_text(kind, value):
-    """"9.375 GHz" of 9.375e9, exact to DIGITS."""
-    if value is None:
-        return ""
-    unit, factor = unit_of(kind, value)
-    return number_text(value / factor) + ("" if unit == "°" else " ") + unit
-
-
-def parsed(kind, text):
-    """Value of what the user wrote. ValueError when it is no such quantity."""
-    unit = UNITS[kind][0]
+def parsed(kind, text, unit=None):
+    """units.parsed. ValueError, a sentence."""
     try:
-        return float(FreeCAD.Units.Quantity(f"{float(text.replace(',', '.'))} {unit}").Value)
-    except ValueError:
-        pass
-    try:
-        quantity = FreeCAD.Units.Quantity(text.replace("°", " deg"))
-        wanted = FreeCAD.Units.Quantity(f"1 {unit}")
-        if quantity.Unit != wanted.Unit:
-            raise ValueError(text)
+        return units.parsed(kind, text, unit)
     except (ValueError, ArithmeticError, SyntaxError):
         raise ValueError(translate("Paver", "'{}' cannot be read; write a number and a unit, such as {}.").format(
-            text, FACES[kind])) from None
-    return float(quantity.Value)
+            text, units.example(kind))) from None
 
 
 class QuantityField(QtGui.QLineEdit):
-    """A length, frequency or angle with a unit; empty is "not given" where that is allowed."""
+    """A length, frequency or angle with a unit; empty is "not given" where that is allowed. A number without a unit has the
+    one that was shown before the edit."""
 
     changed = QtCore.Signal()
 
     def __init__(self, kind, may_be_empty=False, empty_text=""):
         super().__init__()
         self.kind, self.may_be_empty, self.stored, self.tip = kind, may_be_empty, None, ""
+        self.unit = self.shown_unit()
         self.setPlaceholderText(empty_text)
         self.textEdited.connect(self.read)
         self.editingFinished.connect(self.tidy)
@@ -76,7 +44,14 @@ class QuantityField(QtGui.QLineEdit):
     def set_value(self, value):
         self.stored = value
         self.mark("")
-        self.setText(self.shown(value))
+        self.show_stored()
+
+    def show_stored(self):
+        self.unit = self.shown_unit()
+        self.setText(self.shown(self.stored))
+
+    def shown_unit(self):
+        return units.unit_of(self.kind, self.stored)
 
     def shown(self, value):
         return quantity_text(self.kind, value)
@@ -84,8 +59,9 @@ class QuantityField(QtGui.QLineEdit):
     def parse(self, text):
         """The value of a text. ValueError, a sentence, when it has none."""
         if not text.strip():
-            raise ValueError(translate("Paver", "A value is missing; write one, such as {}.").format(FACES[self.kind]))
-        return parsed(self.kind, text)
+            raise ValueError(translate("Paver", "A value is missing; write one, such as {}.").format(
+                units.example(self.kind)))
+        return parsed(self.kind, text, self.unit)
 
     def fault(self):
         """Empty, or the sentence that says why the text is no value."""
@@ -118,10 +94,10 @@ class QuantityField(QtGui.QLineEdit):
 
     def tidy(self):
         if not self.fault():
-            self.setText(self.shown(self.stored))
+            self.show_stored()
 
     def mark(self, fault):
-        self.setStyleSheet("color: #c01c28" if fault else "")
+        self.setStyleSheet(BAD if fault else "")
         self.setToolTip(fault or self.tip)
 
 
@@ -131,6 +107,9 @@ class NumberField(QuantityField):
     def __init__(self, is_whole=False, may_be_empty=False, empty_text=""):
         super().__init__("number", may_be_empty, empty_text)
         self.is_whole = is_whole
+
+    def shown_unit(self):
+        return None
 
     def shown(self, value):
         return "" if value is None else str(value) if self.is_whole else number_text(value)
@@ -180,6 +159,15 @@ def by_field(obj):
     return field
 
 
+def effect_text(value, target, medium):
+    """Empty, or a sentence that arguments of refinement.set_value change nothing in a mesh with that target_of()."""
+    if refinement.has_effect(value, target, medium):
+        return ""
+    asked = refinement.asked_length(value, target, medium)
+    return translate("Paver", "No effect: {} is not below the target length of the mesh, {}.").format(
+        units.length_text(asked), units.length_text(target))
+
+
 def field_for(info):
     """The field for an option of the core's table."""
     may_be_empty = info["default"] == ""
@@ -200,6 +188,6 @@ def field_for(info):
         return ChoiceField([False, True], [translate("Paver", "No"), translate("Paver", "Yes")])
     if info["name"] == "order":
         return ChoiceField([1, 2], [translate("Paver", "1 (straight)"), translate("Paver", "2 (curved)")])
-    if info["kind"] in UNITS:
+    if info["kind"] in units.UNITS:
         return QuantityField(info["kind"], may_be_empty, empty)
     return NumberField(info["kind"] == "integer", may_be_empty, empty)

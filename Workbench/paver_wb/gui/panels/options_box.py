@@ -5,8 +5,9 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import core, mesh_object, properties
+from paver_wb.base.units import length_text
 from paver_wb.base.waves import wavelength
-from paver_wb.gui.base.widgets import named, row
+from paver_wb.gui.base.widgets import MARGINS, SPACING, named, row
 from paver_wb.gui.panels import fields
 
 translate = FreeCAD.Qt.translate
@@ -41,6 +42,7 @@ def with_labels(text):
 def new_form():
     form = QtGui.QFormLayout()
     form.setContentsMargins(0, 0, 0, 0)
+    form.setVerticalSpacing(SPACING)
     form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
     return form
 
@@ -75,19 +77,17 @@ class OptionsBox(QtGui.QWidget):
     def build(self):
         self.setWindowTitle(translate("Paver", "Options"))
         layout = QtGui.QVBoxLayout(self)
+        layout.setContentsMargins(*MARGINS)
+        layout.setSpacing(SPACING)
         form = new_form()
-        self.by_frequency = self.radio("ByFrequency", translate("Paver", "Size from the frequency"),
+        self.by_length = self.radio("ByLength", labels()["size"], translate("Paver", "Elements of one target length"))
+        self.by_frequency = self.radio("ByFrequency", labels()["frequency"],
                                        translate("Paver", "Elements as long as a part of the wavelength"))
-        self.by_length = self.radio("ByLength", translate("Paver", "Size as a length"),
-                                    translate("Paver", "Elements of one target length"))
         self.wavelength = named(QtGui.QLabel(), "Wavelength", translate("Paver", "Wavelength in the medium, at the frequency"))
-        form.addRow(self.by_frequency)
-        self.add_row(form, "frequency")
+        form.addRow(self.by_length, self.fields["size"])
+        form.addRow(self.by_frequency, self.fields["frequency"])
         self.add_row(form, "divisions", self.wavelength)
-        medium = self.label("mu_r")
-        self.add_row(form, "eps_r", medium, self.fields["mu_r"])
-        form.addRow(self.by_length)
-        self.add_row(form, "size")
+        self.add_row(form, "eps_r", self.label("mu_r"), self.fields["mu_r"])
         form.addRow(separator())
         for name in SHAPE_OF_ELEMENTS:
             self.add_row(form, name)
@@ -191,7 +191,7 @@ class OptionsBox(QtGui.QWidget):
         length = None
         if is_by_frequency and not any(self.fields[name].fault() for name in BY_FREQUENCY):
             length = wavelength(*(self.fields[name].value() for name in ("frequency", "eps_r", "mu_r")))
-        text = fields.quantity_text("length", float(f"{length:.4g}")) if length else "\u2013"
+        text = length_text(length) if length else "\u2013"
         self.wavelength.setText(f"\u03bb = {text}")
         self.wavelength.setVisible(is_by_frequency)
         divisions = self.fields["divisions"].value()
@@ -203,6 +203,13 @@ class OptionsBox(QtGui.QWidget):
         unused = ("size",) if self.by_frequency.isChecked() else BY_FREQUENCY
         faults = [(name, field.fault()) for name, field in self.fields.items() if name not in unused]
         return next((f"{labels().get(name, name)}: {text}" for name, text in faults if text), "")
+
+    def target(self):
+        """refinement.target_of() a mesh with what the fields have."""
+        if self.by_length.isChecked():
+            return self.fields["size"].value(), None
+        medium = [self.fields[name].value() for name in ("eps_r", "mu_r")]
+        return self.fields["size"].value(), medium[0] * medium[1] if all(medium) else None
 
     def values(self):
         """{option: value or None}: what the mesh object has after Apply. Needs fields without a fault."""

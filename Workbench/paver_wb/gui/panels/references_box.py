@@ -5,7 +5,8 @@ from PySide import QtCore, QtGui
 
 from paver_wb.children import references
 from paver_wb.gui.base.widgets import button, named
-from paver_wb.gui.panels.sizes_box import references_text, selected_references, view_buttons
+from paver_wb.gui.display import selection
+from paver_wb.gui.panels.sizes_box import references_text, view_buttons
 
 translate = FreeCAD.Qt.translate
 LIST_HEIGHT = 120  # pixels
@@ -73,7 +74,7 @@ class ReferencesBox(QtGui.QWidget):
 
     def add_selected(self):
         try:
-            found = self.check(selected_references())
+            found = self.check(selection.references())
             if not found:
                 raise ValueError(translate("Paver", "Nothing of the model is selected; select faces, edges, vertices or "
                                                     "objects in the 3D view."))

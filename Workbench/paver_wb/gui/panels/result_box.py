@@ -4,14 +4,16 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from paver_wb import statistics
+from paver_wb.base.units import length_text, lengths_text
 from paver_wb.formats import mesh_file
 from paver_wb.gui.base import run_status
 from paver_wb.gui.base.background import Latest
-from paver_wb.gui.base.widgets import named, text_label
-from paver_wb.gui.panels.fields import quantity_text
+from paver_wb.gui.base.widgets import MARGINS, SPACING, named, text_label
 from paver_wb.statistics import number
 
 translate = FreeCAD.Qt.translate
+NAME, VALUE = range(2)  # columns: where there is no room for both, names are cut and figures are not
+NARROWEST = 60  # pixels of a column
 
 
 def edge_lengths(mesh):
@@ -23,20 +25,20 @@ def edge_lengths(mesh):
 def figures(mesh):
     """[(name, value, tooltip)] of a StoredMesh."""
     quality, report, lengths = mesh.report["quality"], mesh.report, edge_lengths(mesh)
-    sj, millimetres = quality["sj"]["all"], [quantity_text("length", float(f"{v:.4g}")) for v in (
-        lengths.min(), lengths.mean(), lengths.max(), report["target_length"])]
+    sj = quality["sj"]["all"]
     count = len(mesh.quads) + len(mesh.triangles)
     rows = [
         (translate("Paver", "Elements"), number(count), translate("Paver", "Quads and triangles")),
         (translate("Paver", "Quads"), number(len(mesh.quads)), translate("Paver", "Elements with four sides")),
         (translate("Paver", "Triangles"), number(len(mesh.triangles)), translate("Paver", "Elements with three sides")),
         (translate("Paver", "Nodes"), number(len(mesh.nodes)), translate("Paver", "Of all orders")),
-        (translate("Paver", "Scaled Jacobian"), f"{sj['min']:.3f} \u2013 {sj['mean']:.3f}",
+        (translate("Paver", "Scaled Jacobian"), translate("Paver", "min {}, mean {}").format(
+            f"{sj['min']:.3f}", f"{sj['mean']:.3f}"),
          translate("Paver", "Smallest and mean; 1 is a square or an equilateral triangle, 0 a degenerate element")),
-        (translate("Paver", "Edge length"), f"{millimetres[0]} \u2013 {millimetres[2]}",
+        (translate("Paver", "Edge length"), lengths_text([lengths.min(), lengths.max()], " \u2013 "),
          translate("Paver", "Shortest and longest element edge, end to end")),
-        (translate("Paver", "Mean edge"), f"{millimetres[1]}", translate("Paver", "Mean length of the element edges")),
-        (translate("Paver", "Target length"), millimetres[3], translate("Paver", "Away from bends and local sizes")),
+        (translate("Paver", "Mean edge"), length_text(lengths.mean()), translate("Paver", "Mean length of the element edges")),
+        (translate("Paver", "Target length"), length_text(report["target_length"]), translate("Paver", "Away from bends and local sizes")),
         (translate("Paver", "Edges 0.7\u20131.4 target"), f"{100 * quality['length_in_band']:.1f} %",
          translate("Paver", "Edges between 0.7 and 1.4 of the length wanted there")),
         (translate("Paver", "Irregular nodes"), f"{100 * quality['irregular_share']:.1f} %",
@@ -85,11 +87,17 @@ class ResultBox(QtGui.QWidget):
         self.obj, self.latest = obj, Latest(self.show_figures, self.show_error)
         self.setWindowTitle(translate("Paver", "Result"))
         layout = QtGui.QVBoxLayout(self)
+        layout.setContentsMargins(*MARGINS)
+        layout.setSpacing(SPACING)
         self.text = text_label("ResultText", translate("Paver", "What keeps figures or faces from being here"))
         self.table = named(QtGui.QTableWidget(0, 2), "Result", translate("Paver", "Figures of the mesh that the object has"))
         self.table.horizontalHeader().hide()
         self.table.verticalHeader().hide()
-        self.table.horizontalHeader().setStretchLastSection(True)
+        self.table.setWordWrap(False)
+        self.table.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        for column, mode in ((NAME, QtGui.QHeaderView.Stretch), (VALUE, QtGui.QHeaderView.ResizeToContents)):
+            self.table.horizontalHeader().setSectionResizeMode(column, mode)
+        self.table.horizontalHeader().setMinimumSectionSize(NARROWEST)
         self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.table.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
         self.table.setShowGrid(False)
@@ -128,9 +136,9 @@ class ResultBox(QtGui.QWidget):
         for at, (name, value, tip) in enumerate(rows):
             for column, text in enumerate((name, value)):
                 item = QtGui.QTableWidgetItem(text)
-                item.setToolTip(tip)
+                item.setToolTip(f"{name}: {tip}")
                 self.table.setItem(at, column, item)
-        self.table.resizeColumnsToContents()
+        self.table.resizeColumnToContents(VALUE)
         self.table.resizeRowsToContents()
         height = sum(self.table.rowHeight(i) for i in range(len(rows))) + 2 * self.table.frameWidth()
         self.table.setFixedHeight(height)

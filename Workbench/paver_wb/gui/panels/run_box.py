@@ -8,7 +8,7 @@ from paver_wb import mesh_object, preferences
 from paver_wb.base.paths import ICONS
 from paver_wb.gui import run_place
 from paver_wb.gui.base import run_log, run_status
-from paver_wb.gui.base.widgets import FaultBox, button, named, row, text_label
+from paver_wb.gui.base.widgets import MARGINS, SPACING, FaultBox, button, named, row, text_label
 from paver_wb.gui.panels.options_box import with_labels
 from paver_wb.gui.preview.box import PreviewBox
 from paver_wb.statistics import number
@@ -60,14 +60,16 @@ class RunBox(QtGui.QWidget):
         self.ticking.timeout.connect(self.tell)
         self.setWindowTitle(translate("Paver", "Mesh"))
         layout = QtGui.QVBoxLayout(self)
+        layout.setContentsMargins(*MARGINS)
+        layout.setSpacing(SPACING)
         self.status = text_label("Status", translate("Paver", "Whether the mesh fits the options and the shapes of its objects"))
         self.prediction = text_label("Prediction", translate(
             "Paver", "What meshing with these options comes to, or has come to"))
+        layout.addLayout(self.buttons())
         layout.addWidget(self.status)
         layout.addWidget(self.prediction)
         self.preview = PreviewBox(obj)
         layout.addWidget(self.preview)
-        layout.addLayout(self.buttons())
         self.bar = named(QtGui.QProgressBar(), "Progress", translate(
             "Paver", "Stage of the work, and how much of all work is done"))
         layout.addWidget(self.bar)
@@ -78,7 +80,7 @@ class RunBox(QtGui.QWidget):
 
     def buttons(self):
         self.mesh = button("MeshButton", translate("Paver", "Mesh"), translate(
-            "Paver", "Applies the options and meshes; FreeCAD can be used meanwhile"), self.mesh_asked.emit)
+            "Paver", "Meshes with these options, as Apply does; FreeCAD can be used meanwhile"), self.mesh_asked.emit)
         self.mesh.setIcon(QtGui.QIcon(os.path.join(ICONS, "Paver_Mesh.svg")))
         self.stop = button("StopButton", translate("Paver", "Stop"), translate(
             "Paver", "Stops meshing within a second; the mesh stays as it was"), self.stop_asked.emit)
@@ -101,7 +103,6 @@ class RunBox(QtGui.QWidget):
             "Paver", "Stages of the last run and their seconds, and what came of it"))
         self.log.setReadOnly(True)
         self.log.setFixedHeight(LOG_HEIGHT)
-        self.log.setPlaceholderText(translate("Paver", "Nothing has been meshed since FreeCAD was started"))
         self.fold.toggled.connect(self.show_log)
         self.fold.setChecked(preferences.parameters().GetBool(SHOW_LOG, True))
         self.show_log(self.fold.isChecked())
@@ -113,7 +114,7 @@ class RunBox(QtGui.QWidget):
     @QtCore.Slot(bool)
     def show_log(self, is_open):
         self.fold.setArrowType(QtCore.Qt.DownArrow if is_open else QtCore.Qt.RightArrow)
-        self.log.setVisible(is_open)
+        self.log.setVisible(is_open and self.lines is not None)  # the options stand below it
         preferences.parameters().SetBool(SHOW_LOG, is_open)
 
     def follow_log(self, lines):
@@ -127,6 +128,7 @@ class RunBox(QtGui.QWidget):
 
     def refresh_log(self):
         self.log.setPlainText(self.lines.text() if self.lines else "")
+        self.log.setVisible(self.fold.isChecked() and self.lines is not None)
         self.log.moveCursor(QtGui.QTextCursor.End)
 
     def bring_into_sight(self, part):
@@ -150,7 +152,7 @@ class RunBox(QtGui.QWidget):
     def show_status(self, has_edits=False):
         """has_edits: fields differ from what the mesh object has."""
         if has_edits:
-            self.status.setText(translate("Paver", "Options have been edited; Mesh or Apply puts them into effect"))
+            self.status.setText(translate("Paver", "Options have been edited; Apply meshes with them"))
             return
         texts = {mesh_object.NOT_MESHED: translate("Paver", "Not meshed yet"),
                  mesh_object.UP_TO_DATE: translate("Paver", "The mesh is up to date"),

@@ -7,10 +7,11 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from paver_wb import mesh_object, refinement
-from paver_wb.base import proxies
+from paver_wb import refinement
+from paver_wb.base.units import example, unit_of
 from paver_wb.gui.base.steps import do, in_step, python_name
-from paver_wb.gui.base.widgets import button, named, row
+from paver_wb.gui.base.widgets import MARGINS, SPACING, button, named, row, text_label
+from paver_wb.gui.display import selection
 from paver_wb.gui.panels import fields
 
 translate = FreeCAD.Qt.translate
@@ -20,11 +21,11 @@ VALUE_WIDTH = 70
 
 
 def where_text(obj):
-    """"Box: Face1, Face3" of a refinement."""
+    """"Face1, Face3 of Box" of a refinement; what the column has no room for is the object."""
     texts = []
     for thing, elements in obj.References:
         names = ", ".join(filter(None, elements)) or translate("Paver", "all")
-        texts.append(f"{thing.Label}: {names}")
+        texts.append(translate("Paver", "{} of {}").format(names, thing.Label))
     return "; ".join(texts)
 
 
@@ -37,7 +38,7 @@ def value_text(obj):
 def value_of(obj, text):
     """Arguments of refinement.set_value for what the user wrote. ValueError, in one sentence."""
     if obj.By == refinement.LENGTH:
-        return {"length": fields.parsed("length", text)}
+        return {"length": fields.parsed("length", text, unit_of("length", obj.Length.Value))}
     try:
         numbers = [float(number) for number in text.replace(";", ",").split(",")]
         if len(numbers) > 2 or min(numbers) <= 0:
@@ -52,12 +53,6 @@ def references_text(references):
     """[(object, elements)] as text for Python."""
     listed = ", ".join(f"({python_name(thing)}, {list(elements) or ['']!r})" for thing, elements in references)
     return f"[{listed}]"
-
-
-def selected_references():
-    """[(object, elements)] of what is selected in the 3D view and may be refined."""
-    return [(s.Object, list(s.SubElementNames) or [""]) for s in FreeCADGui.Selection.getSelectionEx()
-            if not mesh_object.is_mesh(s.Object) and not proxies.is_child(s.Object)]
 
 
 def as_arguments(obj):
@@ -81,16 +76,20 @@ def view_buttons(name, mesh):
 
 
 class SizesBox(QtGui.QWidget):
-    """`steps`: how many steps of undo were made here. `failed`: a sentence on what could not be done."""
+    """`steps`: how many steps of undo were made here. `failed`: a sentence on what could not be done. target(): the mesh's
+    refinement.target_of(), as it will be."""
 
     failed = QtCore.Signal(str)
 
-    def __init__(self, obj):
+    def __init__(self, obj, target=None):
         super().__init__()
         self.obj, self.shown, self.steps = obj, [], 0
+        self.target = target or (lambda: refinement.target_of(obj))
         self.settle()
         self.setWindowTitle(translate("Paver", "Local sizes"))
         layout = QtGui.QVBoxLayout(self)
+        layout.setContentsMargins(*MARGINS)
+        layout.setSpacing(SPACING)
         self.table = named(QtGui.QTableWidget(0, 3), "Sizes", translate(
             "Paver", "Target lengths of parts of the model; elements grow from there on"))
         self.table.setHorizontalHeaderLabels([translate("Paver", "Where"), translate("Paver", "By"),
@@ -102,11 +101,14 @@ class SizesBox(QtGui.QWidget):
         self.table.itemChanged.connect(self.edited)
         self.table.itemSelectionChanged.connect(self.show_chosen)
         self.add = button("AddSize", translate("Paver", "Add from selection"), translate(
-            "Paver", "A shorter length on the faces, edges, vertices or objects that are selected in the 3D view"),
+            "Paver", "A shorter length on the faces, edges, vertices or objects that are selected in the 3D view, "
+            "or on the faces under selected elements"),
             self.add_selected)
         self.remove = button("RemoveSize", translate("Paver", "Remove"),
                              translate("Paver", "Deletes the chosen local sizes"), self.remove_chosen)
+        self.note = text_label("SizesNote", translate("Paver", "Local sizes that are not shorter than the rest"))
         layout.addWidget(self.table)
+        layout.addWidget(self.note)
         layout.addLayout(row(self.add, self.remove, shares=(2, 1)))
         layout.addLayout(row(*view_buttons("View", lambda: self.obj), shares=(1, 1)))
         self.timer = QtCore.QTimer(self)
@@ -129,15 +131,32 @@ class SizesBox(QtGui.QWidget):
         self.table.blockSignals(False)
         self.table.setVisible(bool(self.shown))
         self.remove.setVisible(bool(self.shown))
-        height = self.table.verticalHeader().defaultSectionSize() * min(len(self.shown), MOST_ROWS)
+        height = sum(self.table.rowHeight(i) for i in range(min(len(self.shown), MOST_ROWS)))
         self.table.setFixedHeight(height + self.table.horizontalHeader().sizeHint().height() + 4)
+        self.show_effects()
+
+    def show_effects(self):
+        """Says which local sizes change nothing, which the mesh's target length decides too."""
+        self.table.blockSignals(True)
+        notes = []
+        for number, obj in enumerate(self.shown):
+            text = fields.effect_text(refinement.value_of(obj), *self.target())
+            for item in (self.table.item(number, WHERE), self.table.item(number, VALUE)):
+                font = item.font()
+                font.setStrikeOut(bool(text))
+                item.setFont(font)
+            if text:
+                notes.append(f"{where_text(obj)}: {text}")
+        self.note.setText("\n".join(notes))
+        self.note.setVisible(bool(notes))
+        self.table.blockSignals(False)
 
     def fill_row(self, number, obj):
         where = QtGui.QTableWidgetItem(where_text(obj))
         where.setFlags(where.flags() & ~QtCore.Qt.ItemIsEditable)
         where.setToolTip(f"{obj.Label}: {where_text(obj)}")
         value = QtGui.QTableWidgetItem(value_text(obj))
-        value.setToolTip(translate("Paver", "Target length there, such as 2 mm") if obj.By == refinement.LENGTH else
+        value.setToolTip(translate("Paver", "Target length there, such as {}").format(example("length")) if obj.By == refinement.LENGTH else
                          translate("Paver", "\u03b5r, \u03bcr of the medium there, whose wavelength counts"))
         self.table.setItem(number, WHERE, where)
         self.table.setItem(number, VALUE, value)
@@ -176,7 +195,11 @@ class SizesBox(QtGui.QWidget):
             in_step(self.obj.Document, translate("Paver", "Drop local sizes"), ["paver_wb.refinement"], lines)
 
     def add_selected(self):
-        listed = references_text(selected_references())
+        try:
+            listed = references_text(selection.references())
+        except ValueError as error:
+            self.failed.emit(str(error))
+            return
         self.do(translate("Paver", "Refine"), f"paver_wb.refinement.make({python_name(self.obj)}, {listed}, "
                                               f"{refinement.first_length(self.obj)!r})")
 
