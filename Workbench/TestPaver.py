@@ -15,3 +15,4 @@ from mesh_cases import *  # noqa: E402, F401, F403
 from named_cases import *  # noqa: E402, F401, F403
 from refinement_cases import *  # noqa: E402, F401, F403
 from series_cases import *  # noqa: E402, F401, F403
+from state_cases import *  # noqa: E402, F401, F403

@@ -5,6 +5,8 @@ from create_cases import *  # noqa: F401, F403
 from file_task_cases import *  # noqa: F401, F403
 from first_use_cases import *  # noqa: F401, F403
 from gui_cases import *  # noqa: F401, F403
+from out_of_date_cases import OldExport  # noqa: F401
+from emphasis_cases import CheckDialog, IsolateCommands  # noqa: F401
 from panel_cases import *  # noqa: F401, F403
 from panel_log_cases import *  # noqa: F401, F403
 from panel_preview_cases import *  # noqa: F401, F403
@@ -14,3 +16,4 @@ from refinement_panel_cases import *  # noqa: F401, F403
 from series_dialog_cases import *  # noqa: F401, F403
 from translation_cases import *  # noqa: F401, F403
 from units_cases import *  # noqa: F401, F403
+from verdict_cases import Verdicts  # noqa: F401

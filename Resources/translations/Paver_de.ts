@@ -408,6 +408,18 @@
         <translation>Markiert so viele Elemente mit der kleinsten skalierten Jacobi-Determinante</translation>
     </message>
     <message>
+        <source>Shows a part of the mesh alone; Worst elements: as many as ShowWorst asks for; Listed elements: those of IsolatedElements</source>
+        <translation>Zeigt einen Teil des Netzes allein; Worst elements: so viele, wie ShowWorst verlangt; Listed elements: die von IsolatedElements</translation>
+    </message>
+    <message>
+        <source>Numbers of the elements that Isolate shows</source>
+        <translation>Nummern der Elemente, die Isolate zeigt</translation>
+    </message>
+    <message>
+        <source>Names of faces and objects whose elements are not shown: Face3, Box/Face3, Box</source>
+        <translation>Namen von Flächen und Objekten, deren Elemente nicht gezeigt werden: Face3, Box/Face3, Box</translation>
+    </message>
+    <message>
         <source>Shows figures of the element that was clicked last in the view</source>
         <translation>Zeigt Werte des Elements, das zuletzt in der Ansicht angeklickt wurde</translation>
     </message>
@@ -583,12 +595,24 @@
         <translation>Eine schmale Hinterkante neben großen Flächen</translation>
     </message>
     <message>
+        <source>The mesh of '{}' is out of date ({}).</source>
+        <translation>Das Netz von '{}' ist veraltet ({}).</translation>
+    </message>
+    <message>
+        <source>The mesh of '{}' has holes: {} could not be meshed.</source>
+        <translation>Das Netz von '{}' hat Löcher: {} ließ sich nicht vernetzen.</translation>
+    </message>
+    <message>
+        <source>{} It is written as it is.</source>
+        <translation>{} Es wird geschrieben, wie es ist.</translation>
+    </message>
+    <message>
         <source>{} small edges and faces were merged, up to {} mm: {}.</source>
         <translation>{} kleine Kanten und Flächen wurden zusammengefasst, bis zu {} mm: {}.</translation>
     </message>
     <message>
-        <source>The mesh is out of date: an option or a shape has changed; mesh again.</source>
-        <translation>Das Netz ist veraltet: Eine Option oder eine Form hat sich geändert; vernetzen Sie neu.</translation>
+        <source>{} edges are far shorter than wanted, the worst {} mm instead of {} mm; remove small details of the model, or refine there.</source>
+        <translation>{} Kanten sind viel kürzer als gewünscht, die schlimmste {} mm statt {} mm; kleine Details des Modells entfernen oder dort verfeinern.</translation>
     </message>
     <message>
         <source>All elements are proven not to fold, curved as they are.</source>
@@ -639,6 +663,10 @@
         <translation>Alle Elemente sind Vierecke.</translation>
     </message>
     <message>
+        <source>The mesh is out of date ({}).</source>
+        <translation>Das Netz ist veraltet ({}).</translation>
+    </message>
+    <message>
         <source>No scaled Jacobian is below {}; the least is {}.</source>
         <translation>Keine skalierte Jacobi-Determinante liegt unter {}; die kleinste ist {}.</translation>
     </message>
@@ -651,8 +679,8 @@
         <translation>{} von {} Elementen sind Dreiecke.</translation>
     </message>
     <message>
-        <source>A face is not meshed: {}.</source>
-        <translation>Eine Fläche ist nicht vernetzt: {}.</translation>
+        <source>{} is not meshed: {}.</source>
+        <translation>{} ist nicht vernetzt: {}.</translation>
     </message>
     <message>
         <source>{} elements fold, or may fold; use a smaller size there.</source>
@@ -667,6 +695,14 @@
         <translation>Das Modell wurde repariert: {}.</translation>
     </message>
     <message>
+        <source>{} pairs of parts touch: {}.</source>
+        <translation>{} Paare von Teilen berühren sich: {}.</translation>
+    </message>
+    <message>
+        <source>There are {} separate meshes, which share no node: {}.</source>
+        <translation>Es sind {} getrennte Netze ohne gemeinsame Knoten: {}.</translation>
+    </message>
+    <message>
         <source>{} edges are longer than {} of the target length.</source>
         <translation>{} Kanten sind länger als das {}-Fache der Ziellänge.</translation>
     </message>
@@ -677,10 +713,6 @@
     <message>
         <source>{} mesh edges are free: the surface is open there.</source>
         <translation>{} Netzkanten sind frei: Dort ist die Oberfläche offen.</translation>
-    </message>
-    <message>
-        <source>{} pairs of parts touch: {}.</source>
-        <translation>{} Paare von Teilen berühren sich: {}.</translation>
     </message>
     <message>
         <source>{} touch but could not be connected; repair or fuse them.</source>
@@ -695,12 +727,16 @@
         <translation>{} kommen einander auf {} mm nahe und haben keinen Knoten gemeinsam.</translation>
     </message>
     <message>
-        <source>There are {} separate meshes, which share no node: {}.</source>
-        <translation>Es sind {} getrennte Netze ohne gemeinsame Knoten: {}.</translation>
-    </message>
-    <message>
         <source>No edge is longer than {} of the target length.</source>
         <translation>Keine Kante ist länger als das {}-Fache der Ziellänge.</translation>
+    </message>
+    <message>
+        <source>No edge is shorter than {} of the target length at its place.</source>
+        <translation>Keine Kante ist kürzer als {} der Ziellänge an ihrem Ort.</translation>
+    </message>
+    <message>
+        <source>an option or a shape has changed; mesh again</source>
+        <translation>eine Option oder Form hat sich geändert; neu vernetzen</translation>
     </message>
     <message>
         <source>Not meshed</source>
@@ -713,6 +749,22 @@
     <message>
         <source>Out of date</source>
         <translation>Veraltet</translation>
+    </message>
+    <message>
+        <source>Faces failed</source>
+        <translation>Flächen nicht vernetzt</translation>
+    </message>
+    <message>
+        <source>a shape</source>
+        <translation>eine Form</translation>
+    </message>
+    <message>
+        <source>a refinement</source>
+        <translation>eine Verfeinerung</translation>
+    </message>
+    <message>
+        <source>changed: {}; mesh again</source>
+        <translation>geändert: {}; neu vernetzen</translation>
     </message>
     <message>
         <source>'{}' refers to no face of what '{}' meshes, so solvers leave it out; refer to faces of that.</source>
@@ -759,8 +811,48 @@
         <translation>Das Netz ist in Ordnung.</translation>
     </message>
     <message>
-        <source>Click on a line to select its elements in the 3D view</source>
-        <translation>Ein Klick auf eine Zeile wählt ihre Elemente in der 3D-Ansicht aus</translation>
+        <source>Click on a line to go to its elements in the 3D view, which get rings</source>
+        <translation>Klick auf eine Zeile führt zu ihren Elementen in der 3D-Ansicht, die Ringe bekommen</translation>
+    </message>
+    <message>
+        <source>Figures of the element in the middle of the view</source>
+        <translation>Zahlen des Elements in der Mitte der Ansicht</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Goes to the previous element of the finding</source>
+        <translation>Führt zum vorigen Element des Befunds</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Goes to the next element of the finding</source>
+        <translation>Führt zum nächsten Element des Befunds</translation>
+    </message>
+    <message>
+        <source>Shows the elements of the finding alone</source>
+        <translation>Zeigt die Elemente des Befunds allein</translation>
+    </message>
+    <message>
+        <source>Number of an element; Return goes to it</source>
+        <translation>Nummer eines Elements; Eingabetaste führt zu ihm</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Isolieren</translation>
+    </message>
+    <message>
+        <source>Only these</source>
+        <translation>Nur diese</translation>
+    </message>
+    <message>
+        <source>Element</source>
+        <translation>Element</translation>
     </message>
     <message>
         <source>Check again</source>
@@ -769,6 +861,14 @@
     <message>
         <source>Check of {}</source>
         <translation>Prüfung von {}</translation>
+    </message>
+    <message>
+        <source>{} elements</source>
+        <translation>{} Elemente</translation>
+    </message>
+    <message>
+        <source>{} of {}</source>
+        <translation>{} von {}</translation>
     </message>
     <message>
         <source>Writing {}</source>
@@ -781,6 +881,10 @@
     <message>
         <source>Written: {}</source>
         <translation>Geschrieben: {}</translation>
+    </message>
+    <message>
+        <source>{} Nothing was written.</source>
+        <translation>{} Es wurde nichts geschrieben.</translation>
     </message>
     <message>
         <source>The document was closed before '{}' was read.</source>
@@ -1139,16 +1243,64 @@
         <translation>noch etwa {} min</translation>
     </message>
     <message>
+        <source>Good: nothing is wrong with the mesh.</source>
+        <translation>Gut: Am Netz ist nichts auszusetzen.</translation>
+    </message>
+    <message>
+        <source>Error: {}</source>
+        <translation>Fehler: {}</translation>
+    </message>
+    <message>
+        <source>Warning: {}</source>
+        <translation>Warnung: {}</translation>
+    </message>
+    <message>
+        <source>The worst that a check of the mesh has found</source>
+        <translation>Das Schlimmste, was eine Prüfung des Netzes gefunden hat</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Details</translation>
+    </message>
+    <message>
+        <source>Opens the list of all that was found, and goes to its places</source>
+        <translation>Öffnet die Liste von allem, was gefunden wurde, und führt zu den Stellen</translation>
+    </message>
+    <message>
+        <source>Checking the mesh...</source>
+        <translation>Netz wird geprüft ...</translation>
+    </message>
+    <message>
+        <source>Good. {}</source>
+        <translation>Gut. {}</translation>
+    </message>
+    <message>
+        <source>({} more)</source>
+        <translation>({} weitere)</translation>
+    </message>
+    <message>
         <source>What went wrong, and what to do</source>
         <translation>Was schiefging, und was zu tun ist</translation>
     </message>
     <message>
-        <source>text</source>
-        <translation>Text</translation>
-    </message>
-    <message>
         <source>Export mesh</source>
         <translation>Netz exportieren</translation>
+    </message>
+    <message>
+        <source>Export the old mesh</source>
+        <translation>Altes Netz exportieren</translation>
+    </message>
+    <message>
+        <source>Export with holes</source>
+        <translation>Mit Löchern exportieren</translation>
+    </message>
+    <message>
+        <source>Mesh first</source>
+        <translation>Erst vernetzen</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
     </message>
     <message>
         <source>Import mesh</source>
@@ -1169,6 +1321,10 @@
     <message>
         <source>There are several meshes; select the one that it belongs to, too.</source>
         <translation>Es gibt mehrere Netze; wählen Sie auch das, zu dem es gehört.</translation>
+    </message>
+    <message>
+        <source>Nothing of the mesh is selected. Click on its elements in the 3D view first, with Ctrl on several.</source>
+        <translation>Vom Netz ist nichts ausgewählt. Erst in der 3D-Ansicht auf seine Elemente klicken, mit Strg auf mehrere.</translation>
     </message>
     <message>
         <source>Quad</source>
@@ -1231,10 +1387,6 @@
         <translation>{} weitere</translation>
     </message>
     <message>
-        <source>{} elements</source>
-        <translation>{} Elemente</translation>
-    </message>
-    <message>
         <source>valid, proven</source>
         <translation>gültig, bewiesen</translation>
     </message>
@@ -1273,6 +1425,10 @@
     <message>
         <source>Jacobian ratio {}</source>
         <translation>Jacobi-Verhältnis {}</translation>
+    </message>
+    <message>
+        <source>Out of date: {}</source>
+        <translation>Veraltet: {}</translation>
     </message>
     <message>
         <source>A length, or the wavelength in a medium, which needs a frequency</source>
@@ -1607,10 +1763,6 @@
         <translation>nein, {} freie Kanten</translation>
     </message>
     <message>
-        <source>Not meshed: {}</source>
-        <translation>Nicht vernetzt: {}</translation>
-    </message>
-    <message>
         <source>About {} elements, up to {} of memory</source>
         <translation>Etwa {} Elemente, bis zu {} Speicher</translation>
     </message>
@@ -1673,6 +1825,10 @@
     <message>
         <source>The mesh is up to date</source>
         <translation>Das Netz ist aktuell</translation>
+    </message>
+    <message>
+        <source>The mesh has holes: faces could not be meshed</source>
+        <translation>Das Netz hat Löcher: Flächen ließen sich nicht vernetzen</translation>
     </message>
     <message>
         <source>Options or shapes have changed since meshing</source>
@@ -1741,10 +1897,6 @@
     <message>
         <source>Drop local sizes</source>
         <translation>Lokale Größen verwerfen</translation>
-    </message>
-    <message>
-        <source>{} of {}</source>
-        <translation>{} von {}</translation>
     </message>
     <message>
         <source>'{}' is no medium; write its εr, or εr and μr, such as 4, 1.</source>
@@ -2184,8 +2336,8 @@
         <translation>Netz prüfen</translation>
     </message>
     <message>
-        <source>Looks for folded and poor elements, free edges, triangles, long edges, and says what it finds</source>
-        <translation>Sucht gefaltete und schlechte Elemente, freie Kanten, Dreiecke, lange Kanten, und sagt, was es findet</translation>
+        <source>Looks for faces that failed, folded and poor elements, free edges, triangles, long and short edges, says what it finds, and goes there</source>
+        <translation>Sucht Flächen, die sich nicht vernetzen ließen, umgeschlagene und schlechte Elemente, freie Kanten, Dreiecke, lange und kurze Kanten, sagt, was es findet, und führt hin</translation>
     </message>
 </context>
 <context>
@@ -2293,6 +2445,13 @@
     </message>
 </context>
 <context>
+    <name>Paver_HideFaces</name>
+    <message>
+        <source>Hide faces of the selection</source>
+        <translation>Flächen der Auswahl ausblenden</translation>
+    </message>
+</context>
+<context>
     <name>Paver_Import</name>
     <message>
         <source>Import mesh...</source>
@@ -2301,6 +2460,17 @@
     <message>
         <source>Makes a mesh object of a file: Gmsh, VTK, and the formats of the FEM workbench</source>
         <translation>Macht aus einer Datei ein Netzobjekt: Gmsh, VTK, und die Formate des FEM-Arbeitsbereichs</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_Isolate</name>
+    <message>
+        <source>Parts of the mesh alone</source>
+        <translation>Teile des Netzes allein</translation>
+    </message>
+    <message>
+        <source>Hides faces, or shows only some elements; what is hidden is not picked</source>
+        <translation>Blendet Flächen aus oder zeigt nur einige Elemente; was ausgeblendet ist, lässt sich nicht anklicken</translation>
     </message>
 </context>
 <context>
@@ -2323,6 +2493,34 @@
     <message>
         <source>Meshes the selected mesh objects with their options, while FreeCAD can be used; double click on one for its panel</source>
         <translation>Vernetzt die ausgewählten Netzobjekte mit ihren Optionen, während FreeCAD benutzbar bleibt; ein Doppelklick auf eines öffnet sein Aufgabenfenster</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_OnlyFaces</name>
+    <message>
+        <source>Only faces of the selection</source>
+        <translation>Nur Flächen der Auswahl</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_OnlyFreeEdges</name>
+    <message>
+        <source>Only free edges</source>
+        <translation>Nur freie Kanten</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_OnlySelected</name>
+    <message>
+        <source>Only selected elements</source>
+        <translation>Nur ausgewählte Elemente</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_OnlyWorst</name>
+    <message>
+        <source>Only the worst elements</source>
+        <translation>Nur die schlechtesten Elemente</translation>
     </message>
 </context>
 <context>
@@ -2367,6 +2565,13 @@
     <message>
         <source>Meshes for several frequencies, elements per wavelength or target lengths, one after the other, and a table of elements, unknowns, memory and quality</source>
         <translation>Netze für mehrere Frequenzen, Elemente je Wellenlänge oder Ziellängen, eines nach dem anderen, und eine Tabelle von Elementen, Unbekannten, Speicher und Güte</translation>
+    </message>
+</context>
+<context>
+    <name>Paver_ShowEverything</name>
+    <message>
+        <source>Everything again</source>
+        <translation>Wieder alles</translation>
     </message>
 </context>
 <context>

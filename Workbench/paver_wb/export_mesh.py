@@ -3,6 +3,8 @@ import os
 import tempfile
 from contextlib import contextmanager
 
+import FreeCAD
+
 from paver_wb import core, mesh_object, statistics
 from paver_wb.formats import fem_mesh, mesh_file
 from paver_wb.processes import child_process
@@ -11,6 +13,7 @@ from paver_wb.processes import child_process
 OWN = {"msh": "Gmsh", "vtu": "VTK"}
 FEM = {"unv": "I-DEAS universal file", "inp": "Abaqus, CalculiX", "med": "Salome MED", "z88": "Z88", "dat": "Nastran-like DAT",
        "stl": "STL, flat triangles"}
+translate = FreeCAD.Qt.translate
 
 
 class NotWritten(ValueError):
@@ -27,12 +30,35 @@ def write(obj, path, msh_version="4.1", ascii=False):
     msh_version "4.1" or "2.2", ascii: for .msh and .vtu. NotWritten with what to do; ValueError when it is not meshed.
     """
     ending, mesh = ending_of(path), mesh_object.stored(obj)
+    warn(obj)
     if ending in OWN:
         write_own(mesh, path, msh_version, ascii)
     else:
         with whole_file(path) as part:
             fem_mesh.write(mesh, mesh_object.groups_of(obj, mesh), part)
     return path
+
+
+def fault_of(obj):
+    """A sentence on why a mesh object's mesh is not what its options and shapes ask for; empty where it is."""
+    try:
+        mesh_object.check(obj)
+    except core.CoreMissing:  # what is recorded has to do
+        pass
+    state = mesh_object.state_of(obj)
+    if state == mesh_object.OUT_OF_DATE:
+        return translate("Paver", "The mesh of '{}' is out of date ({}).").format(obj.Label, mesh_object.changes_text(obj))
+    if state == mesh_object.FACES_FAILED:
+        return translate("Paver", "The mesh of '{}' has holes: {} could not be meshed.").format(
+            obj.Label, ", ".join(text.split(":")[0] for text in obj.FailedFaces))
+    return ""
+
+
+def warn(obj):
+    """Tells the report view what is wrong with a mesh that is written all the same."""
+    fault = fault_of(obj)
+    if fault:
+        FreeCAD.Console.PrintWarning(translate("Paver", "{} It is written as it is.").format(fault) + "\n")
 
 
 def ending_of(path):

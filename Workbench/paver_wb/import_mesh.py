@@ -67,6 +67,7 @@ def add_mesh(document, mesh, label, file=None):
         if meshing.is_filled_unasked(mesh):
             mesh_object.fill(obj, mesh)
         mesh_object.update_status(obj)
+        mesh_object.untouch(obj)
     except BaseException:
         document.removeObject(obj.Name)
         raise

@@ -1,25 +1,31 @@
 """What is right and what is wrong with a mesh, in sentences."""
+import itertools
 from typing import NamedTuple
 
 import FreeCAD
 import numpy as np
 
 from paver_wb import mesh_object, statistics
+from paver_wb.formats import mesh_file
 
 translate = FreeCAD.Qt.translate
 GOOD, NOTE, WARNING, ERROR = "good", "note", "warning", "error"
 POOR = 0.3  # scaled Jacobian
 LONGEST = 1.6  # of the target length
+SHORTEST = 0.1  # of the local target length: what `merge` takes for small, too
+ROUNDING = 1e-6  # of a length
 MOST_CONTACTS = 3  # are named
 MOST_MERGES, MOST_PLACES = 5, 50  # are named, are shown
 
 
 class Finding(NamedTuple):
-    """level: GOOD, NOTE, WARNING or ERROR; text: a sentence; elements: their numbers from 1, quads first."""
+    """level: GOOD, NOTE, WARNING or ERROR; text: a sentence; elements: their numbers from 1, quads first; places: (x, y, z)
+    where there are no elements."""
 
     level: str
     text: str
     elements: tuple = ()
+    places: tuple = ()
 
 
 def check(obj):
@@ -27,15 +33,16 @@ def check(obj):
     return in_order(of_document(obj) + of_mesh(mesh_object.stored(obj)))
 
 
-def of_document(obj):
-    """[Finding] of what the mesh's own file does not tell."""
-    return [finding for finding in (status(obj), *failed_faces(obj)) if finding]
+def of_document(obj, looks=True):
+    """[Finding] of what the mesh's own file does not tell. looks: whether the shapes are compared again."""
+    return [finding for finding in (status(obj, looks),) if finding]
 
 
 def of_mesh(mesh):
     """[Finding] of a StoredMesh; looks at no document, so any thread may ask."""
     figures = statistics.of_mesh(mesh)
-    return [validity(figures), shape(figures), *repairs(mesh), *merges(mesh), *parts(mesh), *borders(mesh, figures), triangles(figures), *lengths(mesh, figures)]
+    return [*failed_faces(mesh), validity(figures), shape(figures), *repairs(mesh), *merges(mesh), *parts(mesh),
+            *borders(mesh, figures), triangles(figures), *lengths(mesh, figures), *short_edges(mesh, figures)]
 
 
 def in_order(findings):
@@ -48,17 +55,19 @@ def verdict(findings):
     return findings[0].level if findings else GOOD
 
 
-def status(obj):
-    if obj.Part is None and not obj.MoreParts:
-        return None
-    if mesh_object.check(obj) == mesh_object.UP_TO_DATE:
+def status(obj, looks=True):
+    if obj.Part is None and not obj.MoreParts and obj.Status == mesh_object.UP_TO_DATE:
+        return None  # it was imported
+    if (mesh_object.check(obj) if looks else obj.Status) == mesh_object.UP_TO_DATE:
         return Finding(GOOD, translate("Paver", "The mesh fits its options and shapes."))
-    return Finding(WARNING, translate("Paver", "The mesh is out of date: an option or a shape has changed; mesh again."))
+    return Finding(WARNING, translate("Paver", "The mesh is out of date ({}).").format(mesh_object.changes_text(obj)))
 
 
-def failed_faces(obj):
-    return [Finding(ERROR, translate("Paver", "A face is not meshed: {}.").format(text.rstrip(".")))
-            for text in obj.FailedFaces]
+def failed_faces(mesh):
+    """Of a StoredMesh, each with the place of its fault where that is known."""
+    return [Finding(ERROR, translate("Paver", "{} is not meshed: {}.").format(label, face["reason"].rstrip(".")),
+                    places=(tuple(face["where"]),) if "where" in face else ())
+            for label, face in zip(mesh_file.labels(mesh), mesh.report["faces"]) if face["status"] == "failed"]
 
 
 def validity(figures):
@@ -72,6 +81,7 @@ def validity(figures):
 def shape(figures):
     sj = figures.sj
     poor = np.flatnonzero(sj < POOR) + 1
+    poor = poor[np.argsort(sj[poor - 1], kind="stable")]  # the worst first
     if len(poor):
         return Finding(WARNING, translate("Paver", "{} elements have a scaled Jacobian below {}; the least is {}.").format(
             len(poor), POOR, f"{sj.min():.3f}"), tuple(poor.tolist()))
@@ -82,8 +92,7 @@ def shape(figures):
 def with_edges(mesh, edges):
     """Numbers of the elements that have one of these edges."""
     wanted = statistics.edge_keys(mesh, edges)
-    has = np.concatenate([np.isin(keys, wanted).any(axis=1) for keys in statistics.element_edges(mesh)])
-    return tuple((np.flatnonzero(has) + 1).tolist())
+    return numbers(np.concatenate([np.isin(keys, wanted).any(axis=1) for keys in statistics.element_edges(mesh)]))
 
 
 def borders(mesh, figures):
@@ -135,30 +144,78 @@ def merges(mesh):
 def at_places(mesh, places):
     """Numbers of the elements about the nodes nearest to the places."""
     nodes = [np.argmin(((mesh.nodes - np.array(place)) ** 2).sum(axis=1)) for place in places]
-    has = np.concatenate([np.isin(elements, nodes).any(axis=1) for elements in (mesh.quads, mesh.triangles)])
+    return numbers(np.concatenate([np.isin(elements, nodes).any(axis=1) for elements in (mesh.quads, mesh.triangles)]))
+
+
+def elements_of(mesh, names):
+    """(elements,) whether an element is on a face of one of these parts."""
+    wanted = set(names)
+    is_theirs = np.array([bool(wanted.intersection((*face.get("front", ()), *face.get("back", ()), *owners(label))))
+                          for face, label in zip(mesh.report["faces"], mesh_file.labels(mesh))], dtype=bool)
+    return is_theirs[np.concatenate([mesh.quad_faces, mesh.triangle_faces])]
+
+
+def owners(label):
+    """Names of the objects of a face: ["A", "B"] of "A/Face2 + B/Face1"."""
+    return [part.rpartition("/")[0] for part in label.split(mesh_file.BOTH) if "/" in part]
+
+
+def nodes_of(mesh, chosen):
+    """(nodes,) whether a node is in one of the chosen elements."""
+    return mesh_file.used_nodes(len(mesh.nodes), mesh.quads[chosen[:len(mesh.quads)]],
+                                mesh.triangles[chosen[len(mesh.quads):]])
+
+
+def between(mesh, names):
+    """Numbers of the elements where two parts share nodes."""
+    shared = np.flatnonzero(np.logical_and.reduce([nodes_of(mesh, elements_of(mesh, [name])) for name in names]))
+    has = np.concatenate([np.isin(rows, shared).any(axis=1) for rows in (mesh.quads, mesh.triangles)])
+    return numbers(has)
+
+
+def numbers(has):
+    """Of elements, from 1."""
     return tuple((np.flatnonzero(has) + 1).tolist())
+
+
+def named(names, most):
+    return ", ".join(names[:most]) + ("" if len(names) <= most else " \u2026")
+
+
+def contacts(mesh):
+    found = mesh.report["model"].get("contacts", [])
+    if not found:
+        return []
+    elements = dict.fromkeys(itertools.chain.from_iterable(between(mesh, contact["parts"]) for contact in found[:MOST_PLACES]))
+    texts = [" \u2013 ".join(contact["parts"]) for contact in found]
+    return [Finding(NOTE, translate("Paver", "{} pairs of parts touch: {}.").format(len(found), named(texts, MOST_CONTACTS)),
+                    tuple(sorted(elements)))]
+
+
+def separate_meshes(mesh):
+    """All but the largest are shown."""
+    components = mesh.report.get("components", [])
+    if len(components) < 2:
+        return []
+    members = sorted((elements_of(mesh, names) for names in components), key=lambda has: has.sum())
+    texts = "; ".join(names[0] for names in components[:MOST_CONTACTS]) + (" \u2026" if components[MOST_CONTACTS:] else "")
+    return [Finding(WARNING, translate("Paver", "There are {} separate meshes, which share no node: {}.").format(
+        len(components), texts), numbers(np.logical_or.reduce(members[:-1])))]
 
 
 def parts(mesh):
     """What touches what, and how many meshes come of it. None of documents that were saved before this was known."""
-    contacts, components = mesh.report["model"].get("contacts", []), mesh.report.get("components", [])
-    findings = []
-    if contacts:
-        named = ", ".join(" \u2013 ".join(contact["parts"]) for contact in contacts[:MOST_CONTACTS])
-        more = "" if len(contacts) <= MOST_CONTACTS else " \u2026"
-        findings.append(Finding(NOTE, translate("Paver", "{} pairs of parts touch: {}.").format(len(contacts), named + more)))
+    findings = contacts(mesh)
     for pair in mesh.report["model"].get("unconnected", []):
         findings.append(Finding(ERROR, translate("Paver", "{} touch but could not be connected; repair or fuse them.").format(
-            " \u2013 ".join(pair))))
+            " \u2013 ".join(pair)), numbers(elements_of(mesh, pair))))
     for solid in mesh.report["model"].get("one_sided", []):
-        findings.append(Finding(ERROR, translate("Paver", "The faces of {} cannot all look outwards; repair the solid.").format(solid)))
+        findings.append(Finding(ERROR, translate("Paver", "The faces of {} cannot all look outwards; repair the solid.").format(
+            solid), numbers(elements_of(mesh, [solid]))))
     for gap in mesh.report.get("gaps", []):
         findings.append(Finding(WARNING, translate("Paver", "{} come within {} mm of each other and share no node.").format(
-            " \u2013 ".join(gap["parts"]), f"{gap['distance']:.3g}")))
-    if len(components) > 1:
-        findings.append(Finding(WARNING, translate("Paver", "There are {} separate meshes, which share no node: {}.").format(
-            len(components), "; ".join(names[0] for names in components[:MOST_CONTACTS]))))
-    return findings
+            " \u2013 ".join(gap["parts"]), f"{gap['distance']:.3g}"), at_places(mesh, [gap["where"]])))
+    return findings + separate_meshes(mesh)
 
 
 def triangles(figures):
@@ -177,3 +234,20 @@ def lengths(mesh, figures):
         return [Finding(GOOD, translate("Paver", "No edge is longer than {} of the target length.").format(LONGEST))]
     return [Finding(WARNING, translate("Paver", "{} edges are longer than {} of the target length.").format(
         int(long.sum()), LONGEST), with_edges(mesh, figures.edges[long]))]
+
+
+def short_edges(mesh, figures):
+    """Edges far shorter than wanted at their place: what refinements, tips and sharp edges ask for is wanted there. None where
+    that is not known: of imported meshes, and in older documents."""
+    if mesh.node_targets is None or not len(mesh.node_targets) or not len(figures.edges):
+        return []
+    wanted = np.asarray(mesh.node_targets)[figures.edges].mean(axis=1)
+    short = figures.lengths < (1 - ROUNDING) * SHORTEST * wanted
+    if not short.any():
+        return [Finding(GOOD, translate("Paver", "No edge is shorter than {} of the target length at its place.").format(
+            SHORTEST))]
+    least = np.flatnonzero(short)[np.argmin(figures.lengths[short] / wanted[short])]
+    text = translate("Paver", "{} edges are far shorter than wanted, the worst {} mm instead of {} mm; remove small details of "
+                              "the model, or refine there.")
+    return [Finding(WARNING, text.format(int(short.sum()), f"{figures.lengths[least]:.3g}", f"{wanted[least]:.3g}"),
+                    with_edges(mesh, figures.edges[short]))]

@@ -5,6 +5,7 @@ made from that file: FreeCAD neither undoes it nor stores more than plain quadra
 
 Documents name this module and MeshProxy: neither may be moved.
 """
+import ast
 import itertools
 import os
 
@@ -20,6 +21,8 @@ from paver_wb.formats import fem_mesh, mesh_file
 
 INPUT, RESULT = tip("Input"), tip("Result")
 NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = STATES = ("Not meshed", "Up to date", "Out of date")
+FACES_FAILED = "Faces failed"  # what state() gives besides
+MOST_CHANGES = 3  # are named
 RUN_IN = AUTOMATIC, IN_FREECAD, IN_PROCESS = ("Automatic", "FreeCAD", "Own process")
 ENUMERATIONS = {"Status": STATES, "RunIn": RUN_IN}
 LINKS = ("Part", "MoreParts")
@@ -139,24 +142,75 @@ def update_status(obj):
         state = UP_TO_DATE if not obj.ShapeChanged and has_meshed_options(obj) else OUT_OF_DATE
     if obj.Status != state:
         obj.Status = state
-    if getattr(obj, SHOWN_STATUS) != status_text(state):
-        setattr(obj, SHOWN_STATUS, status_text(state))
+    shown = status_text(state_of(obj))
+    if getattr(obj, SHOWN_STATUS) != shown:
+        setattr(obj, SHOWN_STATUS, shown)
+
+
+def state_of(obj):
+    """The Status, or FACES_FAILED where the mesh is up to date but not whole."""
+    return FACES_FAILED if obj.Status == UP_TO_DATE and obj.FailedFaces else obj.Status
 
 
 def status_text(state):
-    """One of STATES in the user's language."""
+    """What state_of() gives, in the user's language."""
     return {NOT_MESHED: translate("Paver", "Not meshed"), UP_TO_DATE: translate("Paver", "Up to date"),
-            OUT_OF_DATE: translate("Paver", "Out of date")}[state]
+            OUT_OF_DATE: translate("Paver", "Out of date"), FACES_FAILED: translate("Paver", "Faces failed")}[state]
+
+
+def changes(obj):
+    """What has changed since meshing, as far as that is known: names of options as properties, and words for the rest."""
+    found = [translate("Paver", "a shape")] if obj.ShapeChanged else []
+    try:
+        now, node = properties.given(obj), ast.parse(obj.MeshedOptions, mode="eval").body
+        options = node.value if isinstance(node, ast.Subscript) else node  # the list of refinements follows that of options
+        then = dict(ast.literal_eval(options))
+        now = dict(ast.literal_eval(properties.text_of(now)))
+    except (core.CoreMissing, ValueError, SyntaxError, TypeError):
+        return found
+    found += [properties.property_name(name) for name in sorted({*then, *now}) if then.get(name) != now.get(name)]
+    if obj.MeshedOptions[options.end_col_offset:] != refinement.decisive(obj):
+        found.append(translate("Paver", "a refinement"))
+    return found
+
+
+def changes_text(obj):
+    """Why the mesh is out of date, and what to do: a sentence without a beginning."""
+    found = changes(obj)
+    if not found:
+        return translate("Paver", "an option or a shape has changed; mesh again")
+    named = ", ".join(found[:MOST_CHANGES]) + (" \u2026" if found[MOST_CHANGES:] else "")
+    return translate("Paver", "changed: {}; mesh again").format(named)
+
+
+def untouch(obj):
+    """Takes away FreeCAD's mark that an object is to be recomputed, which a mesh that is put into it leaves: a recompute
+    would only compare shapes, and the tree would show a fresh mesh as if something were still to be done."""
+    obj.purgeTouched()
 
 
 def check(obj):
     """Compares the shapes with those that were meshed, also where FreeCAD reports no change (a moved App::Part around
-    the object), and gives the Status."""
-    changed = bool(obj.MeshFile) and not has_meshed_shape(obj)
-    if obj.ShapeChanged != changed:
-        obj.ShapeChanged = changed
+    the object), and gives the Status. Where one is to be recomputed, what is recorded holds until then."""
+    if not any(map(is_to_be_recomputed, parts_of(obj))):
+        changed = bool(obj.MeshFile) and not has_meshed_shape(obj)
+        if obj.ShapeChanged != changed:
+            obj.ShapeChanged = changed
     update_status(obj)
     return obj.Status
+
+
+def parts_of(obj):
+    """All that a mesh object's shapes come from."""
+    things = sources(obj)
+    return {*things, *(part for thing in things for part in thing.OutListRecursive)}
+
+
+def is_to_be_recomputed(thing):
+    """Whether a thing makes its shape by and by: until then it is that of before, though FreeCAD's undo gives it back as a
+    copy, with bytes of its own."""
+    is_made = thing.isDerivedFrom("Part::Feature") and thing.TypeId != "Part::Feature"  # that one's is put in
+    return is_made and "Touched" in thing.State
 
 
 def has_meshed_shape(obj):
@@ -217,9 +271,12 @@ def fem_mesh_of(obj, mesh):
 
 def fill(obj, mesh=None):
     """Fills FemMesh, whatever the size, with a group for each face and for what the object's analysis needs."""
+    was_touched = "Touched" in obj.State
     obj.FemMesh = fem_mesh_of(obj, mesh or stored(obj))
     if not obj.FemMeshFilled:
         obj.FemMeshFilled = True
+    if not was_touched:
+        untouch(obj)
 
 
 def follow_analysis(obj):
@@ -332,6 +389,7 @@ class MeshProxy(Stateless):
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {error}\n")
         part_from_original(obj)
         refill(obj)
+        untouch(obj)
         view = attach_view(obj)
         if view:
             view.look_later()
@@ -352,6 +410,7 @@ class Observer:
     def slotUndoDocument(self, document):
         for obj in meshes_of(document):
             refill(obj)
+            untouch(obj)
 
     slotRedoDocument = slotUndoDocument
 

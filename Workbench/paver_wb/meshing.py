@@ -104,6 +104,7 @@ def keep(obj, job, mesh, file=None, is_outdated=False, run_in=None, **changes):
             if may_be_hidden(source):
                 source.Visibility = False
         mesh_object.update_status(obj)
+    mesh_object.untouch(obj)
 
 
 def may_be_hidden(source):

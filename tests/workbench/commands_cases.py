@@ -82,7 +82,7 @@ class Commands(WithCommands):
         self.assertEqual(bench.getToolbarItems()["Paver"], commands.TOOLBAR)
         self.assertEqual(bench.getToolbarItems()["Paver view"], list(view.COMMANDS))
         known = [n for n in FreeCADGui.listCommands() if n.startswith("Paver_") and "Example" not in n]
-        self.assertEqual(known, sorted([*commands.COMMANDS, *view.COMMANDS, *view.COLOURS]))
+        self.assertEqual(known, sorted([*commands.COMMANDS, *view.COMMANDS, *view.COLOURS, *view.ISOLATES]))
         keys = []
         for name in known:
             info = FreeCADGui.Command.get(name).getInfo()

@@ -5,8 +5,8 @@ import freecad_program
 import pytest
 
 
-@pytest.mark.parametrize("case, count", [("Commands", 6), ("Dialogs", 4), ("Preferences", 2), ("Translations", 3), ("FileTasks", 8),
-                                         ("SeriesDialogs", 7)])
+@pytest.mark.parametrize("case, count", [("OldExport", 5), ("CheckDialog", 6), ("IsolateCommands", 2), ("Commands", 6), ("Dialogs", 4),
+                                         ("Preferences", 2), ("Translations", 3), ("FileTasks", 8), ("SeriesDialogs", 7)])
 def test_all_cases_in_the_window(home, case, count):
     done = freecad_program.run_window(["-t", "TestPaverGui." + case], home)
     output = done.stdout + done.stderr

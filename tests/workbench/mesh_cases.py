@@ -438,7 +438,7 @@ class Status(InDocument):
         for parts in ([self.box], [group, self.box], [inner, link]):
             obj = mesh_object.add(self.document, parts, size=5)
             meshing.mesh(obj)
-            self.document.recompute()
+            mesh_object.check(obj)  # from here on they are known
             made.clear()
             for _ in range(3):
                 obj.touch()

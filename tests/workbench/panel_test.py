@@ -11,7 +11,7 @@ def test_solvers_find_what_is_added_later_in_the_window_too(home):
     assert done.returncode == 0 and "Traceback" not in output, output[-8000:]
 
 
-@pytest.mark.parametrize("case", ["Panel", "Runs", "Logs", "Previews", "Sizes", "RefinementPanel", "NamedPanel", "Units", "Create"])
+@pytest.mark.parametrize("case", ["Panel", "Runs", "Logs", "Previews", "Sizes", "RefinementPanel", "NamedPanel", "Units", "Create", "Verdicts"])
 def test_all_cases_in_the_window(home, case):
     done = freecad_program.run_window(["-t", "TestPaverGui." + case], home)
     output = done.stdout + done.stderr

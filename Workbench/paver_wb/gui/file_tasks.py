@@ -4,10 +4,13 @@ import shutil
 
 import FreeCAD
 import FreeCADGui
+from PySide import QtCore
 
 from paver_wb import analysis, export_mesh, import_mesh, mesh_object, meshing, preferences
 from paver_wb.formats import mesh_file
+from paver_wb.gui import run_control
 from paver_wb.gui.base import run_task
+from paver_wb.gui.base.widgets import complain
 from paver_wb.gui.display import drawn_mesh
 from paver_wb.processes import fem_process
 
@@ -37,6 +40,7 @@ def export(obj, path, msh_version="4.1", ascii=False):
     mesh_object.path_of(obj)
     ending, sources = export_mesh.ending_of(path), mesh_object.sources(obj)
     references, is_alone = analysis.references(obj, sources), len(sources) < 2
+    export_mesh.warn(obj)
 
     def work(task):
         mesh = mesh_file.read(file)
@@ -54,6 +58,22 @@ def export(obj, path, msh_version="4.1", ascii=False):
     file = kept(obj, task.folder)
     task.begin()
     return task
+
+
+def mesh_and_export(obj, path, msh_version="4.1", ascii=False):
+    """Meshes a mesh object beside the window, then writes it as export() does; gives the run_control.Run. Nothing is written
+    where that fails, is stopped, or leaves holes."""
+    export_mesh.ending_of(path)
+
+    def go_on(outcome):
+        fault = export_mesh.fault_of(obj) if outcome.kind == run_control.MESHED else ""
+        if fault:
+            complain(translate("Paver", "{} Nothing was written.").format(fault))
+        elif outcome.kind == run_control.MESHED:
+            export(obj, path, msh_version, ascii)
+    run = run_control.start(obj)
+    run.ended.connect(lambda outcome: QtCore.QTimer.singleShot(0, lambda: go_on(outcome)))
+    return run
 
 
 def import_file(document, path):

@@ -143,6 +143,8 @@ class TaskPanel(edit_panel.EditPanel):
             if not self.obj.ViewObject.Visibility:
                 sizes_box.show_in_view(self.obj, True)
             self.results.refresh(outcome.mesh)
+            if outcome.place is None:  # else what is wrong is in sight
+                self.runner.bring_into_sight(self.results.verdict)
         self.predict()
 
     def stop(self):
@@ -286,8 +288,10 @@ class TaskPanel(edit_panel.EditPanel):
             self.edited()
         elif obj != self.obj:
             return
-        elif name == "Status" and self.run is None:
-            self.predict()
+        elif name == "Status":
+            self.results.show_verdict()
+            if self.run is None:
+                self.predict()
         elif self.options.show_property(name) or name in mesh_object.LINKS:
             self.edited()
 

@@ -1,11 +1,18 @@
 """How a mesh object looks in the tree and in the 3D view. Documents name this module and MeshViewProvider."""
-from paver_wb import refinement
+import os
+
+from paver_wb import mesh_object, refinement
+from paver_wb.base.paths import ICONS
 from paver_wb.children import named_parts
 from paver_wb.gui.base.view import ViewProvider
 
 FIRST = {"BackfaceCulling": False,  # an open surface has two sides
          "MaxFacesShowInner": 1,  # FreeCAD's search for faces inside solids takes seconds, and a surface has none
          "SelectionStyle": "BoundBox"}  # FreeCAD would paint over colours that tell something
+STATE_ICONS = {mesh_object.NOT_MESHED: "Paver_StateNotMeshed.svg", mesh_object.UP_TO_DATE: "Paver_StateUpToDate.svg",
+               mesh_object.OUT_OF_DATE: "Paver_StateOutOfDate.svg",
+               mesh_object.FACES_FAILED: "Paver_StateFacesFailed.svg"}
+OF_STATE = ("Status", "FailedFaces")  # properties
 
 
 class MeshViewProvider(ViewProvider):
@@ -53,7 +60,19 @@ class MeshViewProvider(ViewProvider):
     def setDisplayMode(self, mode):
         return mode
 
+    def getIcon(self):
+        """Tells the state of the mesh."""
+        obj = getattr(self, "Object", None)
+        is_known = obj is not None and "FailedFaces" in obj.PropertiesList
+        return os.path.join(ICONS, STATE_ICONS[mesh_object.state_of(obj)] if is_known else self.icon)
+
     def updateData(self, obj, name):
+        if name in OF_STATE and getattr(self, "Object", None) is not None and "FailedFaces" in obj.PropertiesList:
+            obj.ViewObject.signalChangeIcon()
+        if getattr(self, "display", None) and name == "Status":
+            self.display.status_changed()
+        elif getattr(self, "display", None) and obj.Status == mesh_object.OUT_OF_DATE:
+            self.display.reason_changed()
         if name == "MeshFile" and getattr(self, "display", None):
             from paver_wb.gui.display.mesh_display import MESH
             self.display.changed(MESH)

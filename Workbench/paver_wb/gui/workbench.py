@@ -26,6 +26,7 @@ def register():
     FreeCADGui.addPreferencePage(os.path.join(FORMS, "preferences.ui"), "Paver")
     PaverWorkbench.ToolTip = FreeCAD.Qt.translate("Paver", PaverWorkbench.ToolTip)
     FreeCADGui.addWorkbench(PaverWorkbench())
+    from paver_wb.gui import moved_parts  # noqa: F401, starts to follow documents
     proxies.views.update({proxies.MESH: MeshViewProvider, proxies.REFINEMENT: RefinementViewProvider,
                           proxies.MEDIUM: MediumViewProvider, proxies.PORT: PortViewProvider, proxies.WIRE: WireViewProvider,
                           proxies.SERIES: SeriesViewProvider})

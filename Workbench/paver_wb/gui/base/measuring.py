@@ -57,6 +57,10 @@ class MeasuringDialog(QtGui.QDialog):
         self.show_fault(str(error) or type(error).__name__)
 
 
+def is_open(kind, obj):
+    return (kind, obj.Document.Name, obj.Name) in _open
+
+
 def show(kind, obj):
     """Opens the dialog of a mesh object, or brings it up to date and to the front. ValueError when it is not meshed."""
     mesh_object.path_of(obj)

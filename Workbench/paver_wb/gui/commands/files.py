@@ -7,6 +7,7 @@ from PySide import QtGui
 
 from paver_wb import examples, export_mesh, import_mesh, preferences
 from paver_wb.gui.base import first_view
+from paver_wb.gui.commands import export_question
 from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, Command, OnMeshed, python_name, run, shown_as, target_mesh,
                                           translate)
 
@@ -37,15 +38,26 @@ class Export(OnMeshed):
         path, chosen = QtGui.QFileDialog.getSaveFileName(FreeCADGui.getMainWindow(), translate("Paver", "Export mesh"),
                                                          start, ";;".join(filters))
         if path:
-            self.write(obj, path, *filters[chosen])
+            self.ask_and_write(obj, path, *filters[chosen])
+
+    def ask_and_write(self, obj, path, ending, more):
+        """Writes the mesh; asks first where it is not what its options and shapes ask for."""
+        fault = export_mesh.fault_of(obj)
+        if not fault:
+            self.write(obj, path, ending, more)
+            return
+        answer = export_question.ask(obj, fault)
+        if answer != export_question.CANCEL:
+            self.write(obj, path, ending, more, "mesh_and_export" if answer == export_question.MESH else "export")
 
     @staticmethod
-    def write(obj, path, ending, more):
+    def write(obj, path, ending, more, function="export"):
+        """function: of gui.file_tasks."""
         known = [*export_mesh.OWN, *export_mesh.FEM]
         if os.path.splitext(path)[1].lower().lstrip(".") not in known:
             path += "." + ending
         arguments = "".join(f", {name}={value!r}" for name, value in more.items())
-        run(f"export({python_name(obj)}, {path!r}{arguments})", "paver_wb.gui.file_tasks")
+        run(f"{function}({python_name(obj)}, {path!r}{arguments})", "paver_wb.gui.file_tasks")
 
 
 class Import(Command):

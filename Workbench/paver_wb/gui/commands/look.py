@@ -15,8 +15,8 @@ class Look(OnMeshed):
 COMMANDS = {
     "Paver_Check": Look("paver_wb.gui.check_panel", shown_as(
         "Paver_Check", QT_TRANSLATE_NOOP("Paver_Check", "Check mesh"), QT_TRANSLATE_NOOP(
-            "Paver_Check", "Looks for folded and poor elements, free edges, triangles, long edges, and says what it "
-            "finds"), "Q, K")),
+            "Paver_Check", "Looks for faces that failed, folded and poor elements, free edges, triangles, long and "
+            "short edges, says what it finds, and goes there"), "Q, K")),
     "Paver_Statistics": Look("paver_wb.gui.statistics_panel", shown_as(
         "Paver_Statistics", QT_TRANSLATE_NOOP("Paver_Statistics", "Statistics"), QT_TRANSLATE_NOOP(
             "Paver_Statistics", "Lengths, areas and quality in millimetres and wavelengths, histograms, unknowns and "

@@ -1,8 +1,9 @@
 """Commands for the mesh in the 3D view: each sets a property of its view object, as one step of undo."""
 import FreeCADGui
 
-from paver_wb.gui.commands.common import QT_TRANSLATE_NOOP, OnMeshed, in_step, python_name, shown_as, target_mesh
-from paver_wb.gui.display import colouring
+from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, OnMeshed, complain, in_step, python_name, shown_as,
+                                          target_mesh, translate)
+from paver_wb.gui.display import actions, colouring
 
 WORST, SHRUNK = 10, 0.75  # what the buttons choose; the property editor has any number
 
@@ -17,6 +18,17 @@ COLOURS = {
     "Paver_ColourCertificate": (colouring.CERTIFICATE, QT_TRANSLATE_NOOP("Paver_ColourCertificate",
                                                                          "Colours by certificate")),
 }
+
+# name: (function of display.actions, the one that gives what of the selection it is for, text)
+ISOLATES = {
+    "Paver_HideFaces": ("hide", "faces_of_selection", QT_TRANSLATE_NOOP("Paver_HideFaces", "Hide faces of the selection")),
+    "Paver_OnlyFaces": ("show_only", "faces_of_selection", QT_TRANSLATE_NOOP("Paver_OnlyFaces",
+                                                                             "Only faces of the selection")),
+    "Paver_OnlySelected": ("isolate", "elements_of_selection", QT_TRANSLATE_NOOP("Paver_OnlySelected",
+                                                                                 "Only selected elements")),
+    "Paver_OnlyWorst": ("isolate_worst", None, QT_TRANSLATE_NOOP("Paver_OnlyWorst", "Only the worst elements")),
+    "Paver_OnlyFreeEdges": ("isolate_free_edges", None, QT_TRANSLATE_NOOP("Paver_OnlyFreeEdges", "Only free edges")),
+    "Paver_ShowEverything": ("show_everything", None, QT_TRANSLATE_NOOP("Paver_ShowEverything", "Everything again"))}
 
 
 class OnShown(OnMeshed):
@@ -45,6 +57,35 @@ class Colours(OnShown):
 
     def GetDefaultCommand(self):
         return 1
+
+
+class Isolate(OnShown):
+    """Shows a part of the mesh alone, by a function of display.actions."""
+
+    def __init__(self, name):
+        self.function, self.selected, text = ISOLATES[name]
+        self.resources = shown_as("Paver_Isolate", text, text)
+
+    def Activated(self):
+        arguments = "" if self.selected is None else f", {getattr(actions, self.selected)(target_mesh())!r}"
+        if arguments == ", []":
+            complain(translate("Paver", "Nothing of the mesh is selected. Click on its elements in the 3D view first, with Ctrl on "
+                                        "several."))
+            return
+        self.act("Isolate", f"{self.function}({{}}{arguments})")
+
+
+class Isolates(OnShown):
+    """All of them behind one button."""
+
+    resources = shown_as("Paver_Isolate", QT_TRANSLATE_NOOP("Paver_Isolate", "Parts of the mesh alone"), QT_TRANSLATE_NOOP(
+        "Paver_Isolate", "Hides faces, or shows only some elements; what is hidden is not picked"))
+
+    def GetCommands(self):
+        return tuple(ISOLATES)
+
+    def GetDefaultCommand(self):
+        return 0
 
 
 class Worst(OnShown):
@@ -77,7 +118,7 @@ class Shrink(OnShown):
 
 
 COMMANDS = {
-    "Paver_Colours": Colours(), "Paver_ShowWorst": Worst(),
+    "Paver_Colours": Colours(), "Paver_Isolate": Isolates(), "Paver_ShowWorst": Worst(),
     "Paver_ShowFreeEdges": Toggle("ShowFreeEdges", "show_free_edges", shown_as(
         "Paver_ShowFreeEdges", QT_TRANSLATE_NOOP("Paver_ShowFreeEdges", "Free edges"), QT_TRANSLATE_NOOP(
             "Paver_ShowFreeEdges", "Marks mesh edges with one element only, and those with more than two, or no longer"))),
@@ -92,6 +133,7 @@ COMMANDS = {
 
 def add_all():
     """Makes the commands known to FreeCAD; their names in the order of the toolbar."""
-    for name, command in {**{name: Colour(name) for name in COLOURS}, **COMMANDS}.items():
+    for name, command in {**{name: Colour(name) for name in COLOURS},
+                          **{name: Isolate(name) for name in ISOLATES}, **COMMANDS}.items():
         FreeCADGui.addCommand(name, command)
     return list(COMMANDS)

@@ -9,6 +9,7 @@
 | `colouring`, `colour_maps` | a colour for every element, and what the colour bar tells |
 | `scene`, `marks`, `fields` | Coin nodes: faces and edges; marked elements; filling by memory copy |
 | `edge_density` | element edges fainter, or left out, where elements are small in the view |
+| `emphasis` | banner of meshes that are out of date, rings, labels; parts of a mesh alone |
 | `panels`, `legend` | pictures on top of the view: colour bar with histogram, report of the element clicked |
 | `picking`, `selection` | the element under the mouse; highlight of what is selected |
 | `report` | what is told about an element |

@@ -1,4 +1,4 @@
-"""What is marked of a mesh: elements, free edges, normals, labels. All lie over the drawing and none is picked."""
+"""What is marked of a mesh: elements, free edges, normals. All lie over the drawing and none is picked."""
 import FreeCAD
 import numpy as np
 from pivy import coin
@@ -6,14 +6,12 @@ from pivy import coin
 from paver_wb.gui.display import colour_maps
 from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, line_style, put, separator,
                                          unlit, unpickable)
-from paver_wb.gui.display.panels import label_at
 from paver_wb.gui.display.scene import both_sides, by_index, rows_as_indices
 
 FREE, CROWDED = (0.95, 0.05, 0.25), (0.60, 0.10, 0.85)  # mesh edges of one element, of more than two
 WORST, TRIANGLE = (0.90, 0.05, 0.55), (0.20, 0.35, 0.95)
 NORMAL_ROOT, NORMAL_TIP = (0.05, 0.15, 0.55), (0.15, 0.75, 0.95)
 NORMAL_LENGTH = 0.6  # of an element's longest edge
-MOST_LABELS = 20
 VIEW = "User parameter:BaseApp/Preferences/View"
 
 
@@ -131,9 +129,11 @@ class NormalMark(Mark):
         self.root = separator(unpickable(), unlit(), line_style(2), self.lines)
         self.empty()
 
-    def show(self, mesh):
+    def show(self, mesh, shown=None):
+        """shown: (elements,) which ones, None for all."""
         ends = mesh.centres + NORMAL_LENGTH * mesh.longest_edges[:, None] * mesh.normals
-        self.put(np.stack([mesh.centres, ends], axis=1))
+        pairs = np.stack([mesh.centres, ends], axis=1)
+        self.put(pairs if shown is None else pairs[shown])
 
     def put(self, pairs):
         self.count = len(pairs)
@@ -145,17 +145,3 @@ class NormalMark(Mark):
 
     def empty(self):
         self.put(np.zeros((0, 2, 3)))
-
-
-class Labels:
-    """Short texts at points of the model, never hidden by it."""
-
-    def __init__(self):
-        self.root, self.texts = coin.SoAnnotation(), []
-
-    def show(self, points, texts):
-        if not self.texts and not len(texts):
-            return
-        self.root.removeAllChildren()
-        self.texts = list(texts)[:MOST_LABELS]
-        put(self.root, unpickable(), *[label_at(p, text) for p, text in zip(points, self.texts)])

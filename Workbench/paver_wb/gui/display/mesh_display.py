@@ -13,6 +13,7 @@ from paver_wb.base.waves import wavelength_of
 from paver_wb.formats import mesh_file
 from paver_wb.gui.base.background import Latest
 from paver_wb.gui.display import colour_maps, colouring, drawn_mesh, legend, marks, report, view_properties
+from paver_wb.gui.display.emphasis import banner, isolation, labels, rings
 from paver_wb.gui.display.fields import put
 from paver_wb.gui.display.panels import CORNERS, MARGIN, TAKEN, ViewPanel, moved
 from paver_wb.gui.display.picking import Picker
@@ -22,30 +23,34 @@ CURVED, CURVED_EDGES, EDGES = MODES = ("Curved", "Curved + edges", "Edges only")
 WITH_LEGEND = (CURVED, CURVED_EDGES)
 OTHER_CORNER, _, REPORT_CORNER, _ = CORNERS  # of the report of an element
 MESH, POINTS, PAINT, MARKED, CHOSEN = LAYERS = ("mesh", "points", "paint", "marks", "chosen")  # each needs those before
-LAYER_OF = {"Subdivision": POINTS, "ShrinkFactor": POINTS, "AlwaysAllEdges": POINTS, "ColourBy": PAINT,
+LAYER_OF = {"Subdivision": POINTS, "ShrinkFactor": POINTS, "AlwaysAllEdges": POINTS, "Isolate": POINTS,
+            "IsolatedElements": POINTS, "HiddenFaces": POINTS, "ColourBy": PAINT,
             "ColourMap": PAINT, "ColourRange": PAINT, "RangeLow": PAINT, "RangeHigh": PAINT, "ColourBar": PAINT,
             "Shaded": PAINT, "EdgeColour": PAINT, "Transparency": PAINT,
             "LineWidth": PAINT, "PointSize": PAINT, "PointColor": MARKED, "ShowNodes": MARKED, "LegendCorner": PAINT,
             "ShapeColor": PAINT, "ShapeAppearance": PAINT, "ShowNormals": MARKED,
             "ShowFreeEdges": MARKED, "ShowTriangles": MARKED, "ShowWorst": MARKED, "ElementReport": CHOSEN}
+OUTDATED = (0.74, 0.74, 0.74)  # elements of a mesh that is out of date, whatever they would tell
 _displays = weakref.WeakSet()
 HEAVY = 10000  # elements from which on a mesh is read and cut into triangles on a thread
 MOST_TO_HOVER = 100000  # elements: above, a frame for every element that the mouse passes would be too many
 
 
 class MeshDisplay:
-    """mesh: the DrawnMesh, None while nothing is shown; selected, hovered: elements; reported: that of the report."""
+    """mesh: the DrawnMesh, None while nothing is shown; shown: what of it is drawn; path: of its file; selected, hovered:
+    elements; reported: that of the report; ringed: places with rings."""
 
     def __init__(self, vobj):
         self.names = vobj.Object.Document.Name, vobj.Object.Name
         self.mesh, self.tessellation, self.subdivision, self.tree = None, None, 1, None
         self.colouring, self.stale, self.is_waiting = colouring.Colouring(None, None), set(LAYERS), False
-        self.selected, self.hovered, self.reported = (), None, None
+        self.selected, self.hovered, self.reported, self.ringed = (), None, None, ()
+        self.shown, self.path = isolation.ALL, None
         self.legend_size = 0, 0  # pixels from the left side of the view, and of height
         self.loading = Latest(self.take_loaded, self.complain)
         self.scene, self.picker = Scene(), Picker(self.hits)
         self.make_marks()
-        self.bar, self.report_panel = ViewPanel(), ViewPanel(REPORT_CORNER)
+        self.bar, self.report_panel, self.banner = ViewPanel(), ViewPanel(REPORT_CORNER), banner.Banner()
         self.modes = {}
         _displays.add(self)
         shared = [self.scene.wires, self.marks, self.picker.node, self.report_panel.switch]
@@ -60,10 +65,11 @@ class MeshDisplay:
         self.selection = marks.ElementMark(self.scene, marks.selection_colour())
         self.hover = marks.ElementMark(self.scene, marks.hover_colour(), has_faces=False)
         self.free, self.crowded = marks.EdgeMark(marks.FREE), marks.EdgeMark(marks.CROWDED)
-        self.normals, self.labels, self.nodes = marks.NormalMark(), marks.Labels(), marks.NodeMark()
+        self.normals, self.labels, self.rings = marks.NormalMark(), labels.Labels(), rings.Rings()
+        self.nodes = marks.NodeMark()
         self.every_mark = (self.triangles, self.worst, self.selection, self.hover, self.free, self.crowded, self.normals,
                            self.nodes)
-        self.marks = put(coin.SoGroup(), *[mark.root for mark in (*self.every_mark, self.labels)])
+        self.marks = put(coin.SoGroup(), *[mark.root for mark in (*self.every_mark, self.labels, self.rings)])
 
     def attach(self, vobj):
         """Makes the modes known to FreeCAD."""
@@ -72,6 +78,8 @@ class MeshDisplay:
             culling.setValue(coin.SoSeparator.OFF)  # the legend stays where a clipping plane takes the whole mesh away
         for name, node in self.modes.items():
             vobj.addDisplayMode(node, name)
+        self.banner.attach(vobj)
+        banner.renew_later(vobj.Object.Document)
 
     @property
     def obj(self):
@@ -108,15 +116,32 @@ class MeshDisplay:
 
     def property_changed(self, name):
         if name in LAYER_OF:
-            self.changed(LAYER_OF[name])
+            is_shape = name == "ShowWorst" and self.vobj.Isolate == isolation.WORST
+            self.changed(POINTS if is_shape else LAYER_OF[name])
         elif name in ("Visibility", "DisplayMode"):
             if self.stale:
                 self.changed(CHOSEN)
             arrange_soon(self.names[0])
+        if name == "Visibility":
+            self.reason_changed()
+
+    def status_changed(self):
+        """The mesh fits what it was made of no longer, or again."""
+        self.changed(PAINT)
+        self.reason_changed()
+
+    def reason_changed(self):
+        """The banner has another text, or another place."""
+        banner.renew_later(self.obj.Document)
 
     def report(self, element):
         """Shows the report of an element, as long as it is selected."""
         self.reported = element
+        self.changed(CHOSEN)
+
+    def ring(self, places):
+        """Shows rings around points of the mesh, and takes away those that were there."""
+        self.ringed = tuple(places)
         self.changed(CHOSEN)
 
     def is_pending(self):
@@ -154,7 +179,11 @@ class MeshDisplay:
     def forget(self):
         self.loading.drop()
         self.mesh, self.tessellation, self.tree = None, None, None
-        self.hovered = self.reported = None
+        self.hovered, self.reported, self.ringed = None, None, ()
+        obj = self.obj
+        if self.path not in (None, obj.MeshFile) and obj.ViewObject.Isolate == isolation.LISTED:
+            obj.ViewObject.Isolate = isolation.EVERYTHING  # the numbers mean other elements now
+        self.path = obj.MeshFile
 
     def load(self):
         """Reads the mesh from the document, or shows nothing."""
@@ -190,6 +219,7 @@ class MeshDisplay:
         for mark in self.every_mark:
             mark.clear()
         self.labels.show([], [])
+        self.rings.show([])
         self.scene.set_points(empty, empty)
         self.scene.set_colours(np.zeros(0, np.uint32))
         self.scene.set_wires(np.zeros((0, 2, 3)))
@@ -205,25 +235,38 @@ class MeshDisplay:
         drawn, points, outlines = self.tessellation, self.tessellation.points, self.tessellation.outline_indices
         for mark in (self.triangles, self.worst, self.selection, self.hover):
             mark.clear()
-        on_model = drawn.outline_edges >= 0
+        on_model, triangles = drawn.outline_edges >= 0, drawn.triangle_indices
+        self.shown = isolation.of_view(mesh, vobj, self.worst_elements)
+        elements = self.shown.elements
+        if elements is not None:
+            triangles = triangles.reshape(-1, 4)[elements[drawn.triangle_elements]].ravel()
+            outlines = mesh.element_outlines(np.flatnonzero(elements), self.subdivision)
+            on_model &= elements[self.outline_owners()]
         if vobj.ShrinkFactor < 1:
             points = mesh.shrunk(points, vobj.ShrinkFactor, self.subdivision)
-            outlines, on_model = mesh.element_outlines(np.arange(mesh.count), self.subdivision), np.zeros_like(on_model)
+            every = np.arange(mesh.count) if elements is None else np.flatnonzero(elements)
+            outlines, on_model = mesh.element_outlines(every, self.subdivision), np.zeros_like(on_model)
         self.scene.set_points(points, drawn.normals)
-        self.scene.set_indices(drawn.triangle_indices, outlines, rows_as_indices(drawn.outlines[on_model]))
-        self.scene.set_wires(mesh.wire_lines)
+        self.scene.set_indices(triangles, outlines, rows_as_indices(drawn.outlines[on_model]))
+        self.scene.set_wires(mesh.wire_lines[:0] if self.shown.is_part else mesh.wire_lines)
         low, high = mesh.extent
         self.scene.edge_density.set_mesh(low, high, 0 if vobj.AlwaysAllEdges else mesh.mean_area)
         for panel in (self.bar, self.report_panel):
             panel.stand_in((low + high) / 2, float(np.linalg.norm(high - low)) or 1.0)
 
+    def outline_owners(self):
+        """(outlines,) an element that has each outline of the tessellation."""
+        return self.mesh.per_point(np.arange(self.mesh.count), self.subdivision)[self.tessellation.outlines[:, 0]]
+
     def paint(self):
         vobj = self.vobj
         self.scene.set_shaded(vobj.Shaded)
-        self.colouring = colouring.of_mesh(self.mesh, view_properties.wish(vobj))
+        is_outdated = self.obj.Status == mesh_object.OUT_OF_DATE
+        wish = view_properties.wish(vobj)
+        self.colouring = colouring.of_mesh(self.mesh, wish._replace(by=colouring.NONE) if is_outdated else wish)
         colours = self.colouring.colours
         if colours is None:
-            colours = colour_maps.packed(np.array([view_properties.shape_colour(vobj)]))
+            colours = colour_maps.packed(np.array([OUTDATED if is_outdated else view_properties.shape_colour(vobj)]))
         if vobj.Shaded:
             colours = colour_maps.dimmed(colours, DIMMED)
         opacity, line_width, point_size = view_properties.look(vobj)
@@ -239,7 +282,8 @@ class MeshDisplay:
     def has_legend(self):
         """Whether the view shows one."""
         vobj = self.vobj
-        return bool(vobj.ColourBar and self.colouring.legend is not None and self.mesh and self.mesh.count
+        is_drawn = self.shown.elements is None or self.shown.elements.any()
+        return bool(vobj.ColourBar and self.colouring.legend is not None and self.mesh and self.mesh.count and is_drawn
                     and vobj.Visibility and vobj.DisplayMode in WITH_LEGEND)
 
     def show_legend(self, label, along):
@@ -254,14 +298,15 @@ class MeshDisplay:
 
     def mark(self):
         mesh, vobj, drawn = self.mesh, self.vobj, self.tessellation
-        worst = self.worst_elements(vobj.ShowWorst)
+        worst = self.drawn_of(self.worst_elements(vobj.ShowWorst))
         self.mark_elements(self.worst, worst)
         self.labels.show(mesh.centres[worst] if len(worst) else (), [f"{i + 1}: {mesh.quality.sj[e]:.2f}" for i, e in enumerate(worst)])
         is_marked = vobj.ShowTriangles
         self.mark_elements(self.triangles, np.arange(mesh.quad_count, mesh.count) if is_marked else ())
+        is_drawn = True if self.shown.edges is None else self.shown.edges[self.outline_owners()]
         for mark, wanted in ((self.free, drawn.outline_elements == 1), (self.crowded, drawn.outline_elements > 2)):
-            if vobj.ShowFreeEdges:
-                mark.show(drawn.points, drawn.outlines[wanted])
+            if vobj.ShowFreeEdges or vobj.Isolate == isolation.FREE:
+                mark.show(drawn.points, drawn.outlines[wanted & is_drawn])
             else:
                 mark.clear()
         if vobj.ShowNodes:
@@ -269,12 +314,17 @@ class MeshDisplay:
         else:
             self.nodes.clear()
         if vobj.ShowNormals:
-            self.normals.show(mesh)
+            self.normals.show(mesh, self.shown.elements)
         else:
             self.normals.clear()
 
+    def drawn_of(self, elements):
+        """Those of some elements that are not hidden."""
+        elements = np.asarray(elements, np.int64)
+        return elements if self.shown.elements is None else elements[self.shown.elements[elements]]
+
     def mark_elements(self, mark, elements):
-        mark.show(self.mesh, self.tessellation, self.subdivision, elements)
+        mark.show(self.mesh, self.tessellation, self.subdivision, self.drawn_of(elements))
 
     def choose(self):
         """What depends on the selection and the mouse."""
@@ -282,13 +332,15 @@ class MeshDisplay:
         self.selection.set_colour(marks.selection_colour())
         self.mark_elements(self.selection, [e for e in self.selected if e < count])
         self.mark_elements(self.hover, [] if self.hovered is None or count > MOST_TO_HOVER else [self.hovered])
-        is_shown = self.vobj.ElementReport and self.reported is not None and self.reported in self.selected
+        is_shown = self.vobj.ElementReport and self.reported is not None and self.reported in self.drawn_of(
+            [e for e in self.selected if e < count])
         image = legend.picture_of_report(report.rows(self.information(self.reported))) if is_shown else None
         corner = OTHER_CORNER if self.vobj.LegendCorner == REPORT_CORNER else REPORT_CORNER
         self.report_panel.stand_at(corner)
         if image is not None and self.legend_size[1] + image.height() > view_height(self.names[0]):
             image = moved(image, corner, self.legend_size[0])  # beside the legend, as there is no room above or below it
         self.report_panel.show(image)
+        self.rings.show(self.ringed)
 
     # ---- questions
 
@@ -300,14 +352,14 @@ class MeshDisplay:
         return few[np.lexsort((few, values[few]))]
 
     def hits(self, origin, direction):
-        """[(element, point)] under a ray in the coordinates of the mesh, nearest first."""
+        """[(element, point)] under a ray in the coordinates of the mesh, nearest first, of those that are drawn."""
         if self.tessellation is None:
             return []
         if self.tree is None:
             self.tree = core.load().PickTree(self.tessellation)
-        elements = self.tessellation.triangle_elements
+        elements, shown = self.tessellation.triangle_elements, self.shown.elements
         return [(int(elements[triangle]), [o + along * d for o, d in zip(origin, direction)])
-                for triangle, along in self.tree.hits(origin, direction)]
+                for triangle, along in self.tree.hits(origin, direction) if shown is None or shown[elements[triangle]]]
 
     def information(self, element):
         """Figures of an element as a dict."""
@@ -355,6 +407,7 @@ class Closing:
     def slotDeletedObject(self, obj):
         if mesh_object.is_mesh(obj):
             arrange_soon(obj.Document.Name)
+            banner.renew_later(obj.Document)  # others move up
 
     def slotChangedObject(self, obj, name):
         if name == "Label" and mesh_object.is_mesh(obj):

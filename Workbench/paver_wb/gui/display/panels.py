@@ -5,7 +5,7 @@ import sys
 from pivy import coin
 from PySide import QtCore, QtGui
 
-from paver_wb.gui.display.fields import callback, put, separator, unpickable
+from paver_wb.gui.display.fields import callback, put, unpickable
 
 MARGIN = 10  # between a panel and the rim of the view, pixels
 SHEET, RIM, INK, FAINT = (255, 255, 255, 225), (0, 0, 0, 70), (25, 28, 32), (105, 110, 118)
@@ -100,6 +100,7 @@ def kept_point(point, planes, margin):
     return at.getValue()
 
 
+UPPER_MIDDLE = "Upper middle"  # of the banner
 CORNERS = ("Upper left", "Upper right", "Lower left", "Lower right")
 TAKEN = {"Upper right": 150, "Lower right": 70}  # pixels of width that FreeCAD's navigation cube and axes have there
 
@@ -136,9 +137,10 @@ class ViewPanel:
         self.stand_at(corner)
 
     def stand_at(self, corner):
-        """One of CORNERS."""
+        """One of CORNERS, or UPPER_MIDDLE."""
         self.corner = corner
-        self.node.horAlignment = coin.SoImage.RIGHT if corner.endswith("right") else coin.SoImage.LEFT
+        self.node.horAlignment = {"right": coin.SoImage.RIGHT, "left": coin.SoImage.LEFT}.get(corner.split()[1],
+                                                                                              coin.SoImage.CENTER)
         self.node.vertAlignment = coin.SoImage.TOP if corner.startswith("Upper") else coin.SoImage.BOTTOM
         self.stand_in(*self.middle)
 
@@ -163,7 +165,7 @@ class ViewPanel:
         self.camera.aspectRatio = 1
         self.camera.nearDistance, self.camera.farDistance = half * 0.5, half * 1.5
         inside = 0.9999 * half
-        x = float(centre[0]) + (inside if self.corner.endswith("right") else -inside)
+        x = float(centre[0]) + {"right": inside, "left": -inside}.get(self.corner.split()[1], 0)
         y = float(centre[1]) + (inside if self.corner.startswith("Upper") else -inside)
         self.place.translation = (x, y, float(centre[2]))
 
@@ -184,12 +186,3 @@ def label(text):
     painter.drawText(QtCore.QRectF(0, 0, size.width() + 8, size.height() + 2), QtCore.Qt.AlignCenter, text)
     painter.end()
     return image
-
-
-def label_at(point, text):
-    """Node of a label at a point of the model."""
-    place, node = coin.SoTranslation(), coin.SoImage()
-    place.translation = tuple(float(x) for x in point)
-    node.horAlignment, node.vertAlignment = coin.SoImage.LEFT, coin.SoImage.BOTTOM
-    set_image(node, label(text))
-    return separator(place, node)

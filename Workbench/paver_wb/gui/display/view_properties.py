@@ -1,6 +1,7 @@
 """The properties of the view object that say what is drawn. They are saved with the document."""
 from paver_wb.base.texts import tip
 from paver_wb.gui.display import colour_maps, colouring
+from paver_wb.gui.display.emphasis import isolation
 from paver_wb.gui.display.panels import CORNERS
 
 COLOURS, SHAPE, MARKS = tip("Paver colours"), tip("Paver shape"), tip("Paver marks")
@@ -34,6 +35,11 @@ PROPERTIES = {
     "ShowTriangles": ("App::PropertyBool", MARKS, tip("Marks the triangles"), False),
     "ShowWorst": ("App::PropertyIntegerConstraint", MARKS, tip("Marks so many elements with the least scaled Jacobian"),
                   (0, 0, 1000, 1)),
+    "Isolate": ("App::PropertyEnumeration", MARKS, tip("Shows a part of the mesh alone; Worst elements: as many as ShowWorst "
+                "asks for; Listed elements: those of IsolatedElements"), list(isolation.CHOICES)),
+    "IsolatedElements": ("App::PropertyIntegerList", MARKS, tip("Numbers of the elements that Isolate shows"), []),
+    "HiddenFaces": ("App::PropertyStringList", MARKS, tip("Names of faces and objects whose elements are not shown: Face3, "
+                    "Box/Face3, Box"), []),
     "ElementReport": ("App::PropertyBool", MARKS, tip("Shows figures of the element that was clicked last in the view"), True),
 }
 FIRST_CHOICES = {"ColourBy": colouring.SJ}

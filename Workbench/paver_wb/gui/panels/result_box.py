@@ -3,11 +3,12 @@ import FreeCAD
 import numpy as np
 from PySide import QtCore, QtGui
 
-from paver_wb import statistics
+from paver_wb import mesh_check, statistics
 from paver_wb.base.units import length_text, lengths_text
 from paver_wb.formats import mesh_file
-from paver_wb.gui.base import run_status
+from paver_wb.gui.base import run_status, verdict
 from paver_wb.gui.base.background import Latest
+from paver_wb.gui.base.steps import do, python_name
 from paver_wb.gui.base.widgets import MARGINS, SPACING, named, text_label
 from paver_wb.statistics import number
 
@@ -79,16 +80,24 @@ def times(report):
                    if spent >= 0.01 * total]
 
 
+def looked_at(mesh):
+    """(figures, findings) of a StoredMesh."""
+    return figures(mesh), mesh_check.of_mesh(mesh)
+
+
 class ResultBox(QtGui.QWidget):
-    """A table of the figures of a mesh. They are worked out on a thread: large meshes take a while to read."""
+    """What a check of a mesh comes to, and a table of its figures. They are worked out on a thread: large meshes take a
+    while to read. `found`: the findings in the mesh, None until there are some."""
 
     def __init__(self, obj):
         super().__init__()
-        self.obj, self.latest = obj, Latest(self.show_figures, self.show_error)
+        self.obj, self.latest, self.found = obj, Latest(self.show_figures, self.show_error), None
         self.setWindowTitle(translate("Paver", "Result"))
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(*MARGINS)
         layout.setSpacing(SPACING)
+        self.verdict = verdict.VerdictLine(self.show_details)
+        layout.addWidget(self.verdict)
         self.text = text_label("ResultText", translate("Paver", "What keeps figures or faces from being here"))
         self.table = named(QtGui.QTableWidget(0, 2), "Result", translate("Paver", "Figures of the mesh that the object has"))
         self.table.horizontalHeader().hide()
@@ -109,25 +118,36 @@ class ResultBox(QtGui.QWidget):
         """Shows the mesh that the object has now; `mesh`: the StoredMesh, where it is at hand."""
         path = self.obj.MeshFile
         self.drop()
+        self.found = None
         if not path:
             self.fill([])
+            self.verdict.tell([])
             self.text.setText(translate("Paver", "Nothing is meshed yet."))
             return
-        self.latest.ask(lambda _cancel: figures(mesh or mesh_file.read(path)))
+        self.verdict.tell_busy()
+        self.latest.ask(lambda _cancel: looked_at(mesh or mesh_file.read(path)))
 
     def drop(self):
         """Forgets figures that are being worked out."""
         self.latest.drop()
 
-    def show_figures(self, rows):
+    def show_figures(self, looked):
+        rows, self.found = looked
         self.fill(rows)
-        failed = list(self.obj.FailedFaces)
-        self.text.setText(translate("Paver", "Not meshed: {}").format("; ".join(failed)) if failed else "")
-        self.text.setVisible(bool(failed))
+        self.show_verdict()
+
+    def show_verdict(self):
+        """Also when only the mesh object's state has changed."""
+        if self.found is not None:
+            self.verdict.tell(mesh_check.in_order(mesh_check.of_document(self.obj, looks=False) + self.found))
+
+    def show_details(self):
+        do(f"show({python_name(self.obj)})", "paver_wb.gui.check_panel")
 
     def show_error(self, error):
         self.fill([])
-        self.text.setText(str(error))
+        self.verdict.tell([mesh_check.Finding(mesh_check.ERROR, str(error))])
+        self.text.hide()
 
     def fill(self, rows):
         self.text.setVisible(not rows)

@@ -156,8 +156,9 @@ class RunBox(QtGui.QWidget):
             return
         texts = {mesh_object.NOT_MESHED: translate("Paver", "Not meshed yet"),
                  mesh_object.UP_TO_DATE: translate("Paver", "The mesh is up to date"),
+                 mesh_object.FACES_FAILED: translate("Paver", "The mesh has holes: faces could not be meshed"),
                  mesh_object.OUT_OF_DATE: translate("Paver", "Options or shapes have changed since meshing")}
-        self.status.setText(texts[self.obj.Status])
+        self.status.setText(texts[mesh_object.state_of(self.obj)])
 
     def show_fault(self, text, place=None):
         """A sentence, or none; with a place a button goes there."""
