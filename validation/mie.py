@@ -2,6 +2,8 @@
 import numpy as np
 from scipy.special import spherical_jn, spherical_yn
 
+import scattering
+
 
 def amplitudes(ka, angles):
     """(S1, S2) at scattering angles from forward (radians): across and along the plane of incidence. The radar cross-section
@@ -24,3 +26,14 @@ def amplitudes(ka, angles):
         along += factor * (a[i - 1] * slope + b[i - 1] * here)
         below, here = here, ((2 * i + 1) * cosine * here - (i + 1) * below) / i
     return across, along
+
+
+def errors(functions, ka, share=1.0, threads=0):
+    """Relative rms of the amplitude of a unit sphere along and across the plane of incidence; `functions` of its mesh."""
+    equation = scattering._scattering.Scatterer(functions, ka, share, threads)
+    theta = np.radians(np.arange(0, 181, 3.0))
+    along = equation.bistatic([0, 0], 0, np.c_[theta, 0 * theta])[:, 0]
+    across = equation.bistatic([0, 0], 0, np.c_[theta, 0 * theta + np.pi / 2])[:, 1]
+    exact_across, exact_along = amplitudes(ka, np.pi - theta)
+    return tuple(np.sqrt(np.mean((np.abs(found) * ka - np.abs(exact)) ** 2) / np.mean(np.abs(exact) ** 2))
+                 for found, exact in ((along, exact_along), (across, exact_across)))

@@ -41,7 +41,7 @@ def of_document(obj, looks=True):
 def of_mesh(mesh):
     """[Finding] of a StoredMesh; looks at no document, so any thread may ask."""
     figures = statistics.of_mesh(mesh)
-    return [*failed_faces(mesh), validity(figures), shape(figures), *repairs(mesh), *merges(mesh), *parts(mesh),
+    return [*failed_faces(mesh), *lost_parts(mesh), validity(figures), shape(figures), *repairs(mesh), *merges(mesh), *parts(mesh),
             *borders(mesh, figures), triangles(figures), *lengths(mesh, figures), *short_edges(mesh, figures)]
 
 
@@ -68,6 +68,12 @@ def failed_faces(mesh):
     return [Finding(ERROR, translate("Paver", "{} is not meshed: {}.").format(label, face["reason"].rstrip(".")),
                     places=(tuple(face["where"]),) if "where" in face else ())
             for label, face in zip(mesh_file.labels(mesh), mesh.report["faces"]) if face["status"] == "failed"]
+
+
+def lost_parts(mesh):
+    """Parts of ports and wires that the mesh has not got. None of documents that were saved before this was known."""
+    return [Finding(ERROR, translate("Paver", "Not in the mesh: {}; name what stays, or mend what fails.").format(part))
+            for part in mesh.report.get("lost_parts", [])]
 
 
 def validity(figures):

@@ -162,15 +162,18 @@ def changes(obj):
     """What has changed since meshing, as far as that is known: names of options as properties, and words for the rest."""
     found = [translate("Paver", "a shape")] if obj.ShapeChanged else []
     try:
-        now, node = properties.given(obj), ast.parse(obj.MeshedOptions, mode="eval").body
-        options = node.value if isinstance(node, ast.Subscript) else node  # the list of refinements follows that of options
+        now, options = properties.given(obj), ast.parse(obj.MeshedOptions, mode="eval").body
+        while isinstance(options, ast.Subscript):  # lists of children follow that of options
+            options = options.value
         then = dict(ast.literal_eval(options))
         now = dict(ast.literal_eval(properties.text_of(now)))
     except (core.CoreMissing, ValueError, SyntaxError, TypeError):
         return found
     found += [properties.property_name(name) for name in sorted({*then, *now}) if then.get(name) != now.get(name)]
-    if obj.MeshedOptions[options.end_col_offset:] != refinement.decisive(obj):
-        found.append(translate("Paver", "a refinement"))
+    children, sizes, names = obj.MeshedOptions[options.end_col_offset:], refinement.decisive(obj), named_parts.decisive(obj)
+    if children != sizes + names:
+        is_size = not children.startswith(sizes) or children == names
+        found.append(translate("Paver", "a refinement") if is_size else translate("Paver", "a medium, port or wire"))
     return found
 
 

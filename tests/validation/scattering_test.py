@@ -27,14 +27,7 @@ def sphere(count, **options):
 def errors(mesh, ka, share=1.0):
     """(unknowns, relative rms of the amplitude along and across the plane of incidence)."""
     functions = scattering.surface(mesh)
-    equation = scattering._scattering.Scatterer(functions, ka, share)
-    theta = np.radians(np.arange(0, 181, 3.0))
-    along = equation.bistatic([0, 0], 0, np.c_[theta, 0 * theta])[:, 0]
-    across = equation.bistatic([0, 0], 0, np.c_[theta, 0 * theta + np.pi / 2])[:, 1]
-    exact_across, exact_along = mie.amplitudes(ka, np.pi - theta)
-    return functions.unknowns, *(
-        np.sqrt(np.mean((np.abs(found) * ka - np.abs(exact)) ** 2) / np.mean(np.abs(exact) ** 2))
-        for found, exact in ((along, exact_along), (across, exact_across)))
+    return functions.unknowns, *mie.errors(functions, ka, share)
 
 
 def test_a_sphere_of_four_hundred_unknowns_is_right_to_a_quarter_of_a_percent():

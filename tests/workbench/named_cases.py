@@ -6,7 +6,7 @@ import FreeCAD
 import Part
 
 from mesh_cases import InDocument
-from paver_wb import core, export_mesh, import_mesh, mesh_object, meshing, refinement
+from paver_wb import core, export_mesh, import_mesh, mesh_check, mesh_object, meshing, refinement
 from paver_wb.children import named_parts
 from paver_wb.formats import mesh_file
 
@@ -102,6 +102,10 @@ class Named(InDocument):
         self.assertEqual(len(meshing.mesh(mesh).quads), len(coarse.quads))
         medium.Label = "Metal"
         self.assertEqual(mesh.Status, "Out of date", "files have the name")
+        self.assertEqual(mesh_object.changes(mesh), ["a medium, port or wire"])
+        meshing.mesh(mesh)
+        refinement.make(mesh, ["Face1"], 1)
+        self.assertEqual(mesh_object.changes(mesh), ["a refinement"])
 
     def test_ports_are_not_merged_with_others(self):
         box, rounded = self.add("Part::Box", Length=20, Width=20, Height=20), self.document.addObject("Part::Fillet", "Step")
@@ -169,6 +173,9 @@ class Named(InDocument):
         named_parts.make_port(mesh, [(plate, "Face6")], name="Inside")
         with self.assertRaisesRegex(core.load().FaceError, "Not in the mesh: Face6 of 'Inside'"):
             core.load().mesh(mesh_object.sources(mesh), **meshing.options_of(mesh, {}))
+        meshing.mesh(mesh)
+        finding = mesh_check.check(mesh)[0]
+        self.assertEqual((finding.level, "Face6 of 'Inside'" in finding.text), (mesh_check.ERROR, True))
 
     def test_materials_of_freecad(self):
         found = named_parts.materials(self.document)

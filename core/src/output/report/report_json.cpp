@@ -188,6 +188,7 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
     json["faces"].push_back(face_json(run.faces[i], label));
   }
   json.update(named_json(run));
+  json["lost_parts"] = run.lost_parts;
   for (const auto& [kind, name, into, size, where] : run.merges)
     json["merges"].push_back({{"kind", merge_name(kind)},
                               {"name", name},
