@@ -683,6 +683,10 @@
         <translation>{} ist nicht vernetzt: {}.</translation>
     </message>
     <message>
+        <source>Not in the mesh: {}; name what stays, or mend what fails.</source>
+        <translation>Nicht im Netz: {}; benennen Sie, was bleibt, oder beheben Sie, was misslingt.</translation>
+    </message>
+    <message>
         <source>{} elements fold, or may fold; use a smaller size there.</source>
         <translation>{} Elemente falten sich oder könnten es; nehmen Sie dort eine kleinere Länge.</translation>
     </message>
@@ -759,12 +763,16 @@
         <translation>eine Form</translation>
     </message>
     <message>
+        <source>changed: {}; mesh again</source>
+        <translation>geändert: {}; neu vernetzen</translation>
+    </message>
+    <message>
         <source>a refinement</source>
         <translation>eine Verfeinerung</translation>
     </message>
     <message>
-        <source>changed: {}; mesh again</source>
-        <translation>geändert: {}; neu vernetzen</translation>
+        <source>a medium, port or wire</source>
+        <translation>ein Medium, Port oder Draht</translation>
     </message>
     <message>
         <source>'{}' refers to no face of what '{}' meshes, so solvers leave it out; refer to faces of that.</source>
@@ -1911,8 +1919,16 @@
         <translation>Keine Teile berühren sich, und nichts ist klein</translation>
     </message>
     <message>
-        <source>Shows on the model where parts touch, and edges and faces that are small against the target length</source>
-        <translation>Zeigt am Modell, wo sich Teile berühren, und Kanten und Flächen, die gegen die Ziellänge klein sind</translation>
+        <source>Target length: {} to {}</source>
+        <translation>Ziellänge: {} bis {}</translation>
+    </message>
+    <message>
+        <source>Shows on the model how long elements will be, where parts touch, and edges and faces that are small against the target length</source>
+        <translation>Zeigt am Modell, wie lang Elemente werden, wo Teile sich berühren, und Kanten und Flächen, die klein gegen die Ziellänge sind</translation>
+    </message>
+    <message>
+        <source>Target length everywhere: {}</source>
+        <translation>Ziellänge überall: {}</translation>
     </message>
     <message>
         <source>Preview</source>

@@ -70,3 +70,23 @@ class Looks(InDocument):
         stop.set()
         with self.assertRaises(core.load().Cancelled):
             fem_process.look(job, self.folder.name, stop)
+
+    def test_lengths_cover_the_faces_and_follow_refinements_and_bends(self):
+        box, rod = Part.makeBox(40, 40, 40), Part.makeCylinder(2, 30, V(100, 0, 0))
+        job = self.job(box, rod, size=8, local=["Vertex1=0.5"], max_turn=45)
+        look = model_look.look(job)
+        corners = look.size_triangles.astype(float)
+        sides = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        self.assertAlmostEqual(0.5 * np.linalg.norm(sides, axis=1).sum() / (box.Area + rod.Area), 1, 2)
+        places, lengths = corners.reshape(-1, 3), look.size_lengths.ravel()
+        at = np.linalg.norm(places - np.array(tuple(job_vertex(box))), axis=1)
+        self.assertAlmostEqual(lengths[at < 1e-6].min(), 0.5, 5)
+        self.assertAlmostEqual(lengths[(at > 30) & (places[:, 0] < 50)].max(), 8, 5)
+        is_wall = (places[:, 0] > 90) & (places[:, 2] > 5) & (places[:, 2] < 25) & (
+            np.abs(np.hypot(places[:, 0] - 100, places[:, 1]) - 2) < 1e-3)
+        self.assertAlmostEqual(np.median(lengths[is_wall]) / (np.pi / 4 * 2), 1, delta=0.1)
+        self.assertLess(len(corners), 60000)
+
+
+def job_vertex(shape):
+    return shape.Vertexes[0].Point

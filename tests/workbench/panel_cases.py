@@ -13,7 +13,7 @@ except ImportError:
 import window
 from paver_wb import core, mesh_object, refinement
 from paver_wb.gui import run_control
-from paver_wb.gui.base import background, first_view
+from paver_wb.gui.base import background, edit_panel, first_view
 
 PANEL_WIDTH = 360
 LONG = {"size": 0.03, "max_elements": 3000000}  # a run that takes a while
@@ -75,6 +75,17 @@ class PanelCase(unittest.TestCase):
 
 
 class Panel(PanelCase):
+    def test_a_script_that_closes_the_panel_leaves_nothing_that_follows_the_document(self):
+        mesh = self.add_mesh()
+        self.open(mesh)
+        FreeCADGui.Control.closeDialog()
+        window.pause(100)
+        mesh.Size = 3  # a traceback of something that is gone would fail the whole test
+        self.box.Length = 12
+        self.document.recompute()
+        window.pause(100)
+        self.assertIsNone(edit_panel._open)
+
     def test_create_opens_it_predicts_meshes_and_shows_figures(self):
         FreeCADGui.Selection.addSelection(self.box)
         FreeCADGui.runCommand("Paver_CreateMesh")

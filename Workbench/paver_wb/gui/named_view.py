@@ -1,8 +1,8 @@
 """How media, ports and wires look in the tree. Documents name this module and its view providers."""
-from paver_wb.gui.base.view import ViewProvider
+from paver_wb.gui.base.view import ChildViewProvider
 
 
-class NamedViewProvider(ViewProvider):
+class NamedViewProvider(ChildViewProvider):
     panel = "paver_wb.gui.named_panel"
 
 

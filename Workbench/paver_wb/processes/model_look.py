@@ -7,17 +7,20 @@ from typing import NamedTuple
 import numpy as np
 
 from paver_wb import core
+from paver_wb.processes import size_look
 
 PIECES = 12  # straight ones that an edge is drawn with
 CHORD = 0.01  # distance of drawn triangles from their face, of the model's diagonal
 MOST = 5000  # edges, faces or places of a kind
-ARRAYS = ("contact_triangles", "contact_lines", "contact_points", "small_lines", "small_places")
+ARRAYS = ("contact_triangles", "contact_lines", "contact_points", "small_lines", "small_places",
+          "size_triangles", "size_lengths")
 
 
 class Look(NamedTuple):
     """contact_triangles: (n, 3, 3) of faces that several parts have; contact_lines: (n, PIECES + 1, 3) of edges that several
     parts or more than two faces have; contact_points: (n, 3) vertices that several parts have, and no edge of these;
     small_lines: of the edges that are short, or about faces that are thin; small_places: (n, 3) a point on each of these.
+    size_triangles: (n, 3, 3) over all faces; size_lengths: (n, 3) target lengths at their corners, mm.
     target: the target length, mm; pairs: of parts that touch; short, thin: how many edges and faces.
     """
 
@@ -26,6 +29,8 @@ class Look(NamedTuple):
     contact_points: object
     small_lines: object
     small_places: object
+    size_triangles: object
+    size_lengths: object
     target: float
     pairs: int
     short: int
@@ -172,7 +177,7 @@ def look(job):
                 rows([tuple(vertex.Point) for vertex in touching.vertices], (3,)),
                 rows([line(edge) for edge in (short + edges_of(thin[:MOST]))[:MOST]], (PIECES + 1, 3)),
                 rows([middle(edge) for edge in short[:MOST]] + [on_face(face) for face in thin[:MOST]], (3,)),
-                target, touching.pairs, len(short), len(thin))
+                *size_look.sizes(job), target, touching.pairs, len(short), len(thin))
 
 
 def save(found, path):

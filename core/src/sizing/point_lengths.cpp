@@ -11,12 +11,23 @@
 namespace paver {
 namespace {
 
-constexpr double same_place = 1e-3;  // of the target length: how near a point must be to be that of its (u, v)
+constexpr double same_place = 1e-3;      // of the target length: how near a point must be to be that of its (u, v)
+constexpr double probe = 1e-3;           // of the target length: step over which turns are measured
+constexpr double sharpest = M_PI / 0.4;  // by the target length: turns within less than 0.4 of it are spread over that
 
-/// Largest curvature that the table of normals shows, 1 / mm.
-double largest_curvature(const NormalTable& normals, Vec2 uv, Vec3 xu, Vec3 xv) {
-  Vec3 nu, nv;
-  normals.slopes(uv, {norm(xu), norm(xv)}, nu, nv);
+Vec3 normal(const Surface& surface, Vec2 uv) {
+  Vec3 x, xu, xv;
+  surface.d1(uv, x, xu, xv);
+  const Vec3 n = cross(xu, xv);
+  const double length = norm(n);
+  return length > 0 ? (1 / length) * n : Vec3{};
+}
+
+/// Largest curvature of the surface, 1 / mm; `step`: mm.
+double largest_curvature(const Surface& surface, Vec2 uv, Vec3 xu, Vec3 xv, double step) {
+  auto slope = [&](Vec2 d) { return 0.5 * (normal(surface, uv + d) - normal(surface, uv - d)); };
+  const double du = step / std::max(norm(xu), 1e-300), dv = step / std::max(norm(xv), 1e-300);
+  const Vec3 nu = (1 / du) * slope({du, 0}), nv = (1 / dv) * slope({0, dv});
   const double e = dot(xu, xu), f = dot(xu, xv), g = dot(xv, xv), a = dot(nu, nu), b = dot(nu, nv), c = dot(nv, nv);
   const double det = e * g - f * f;
   if (!(det > 0)) return 0;
@@ -30,8 +41,9 @@ double length_on(const Face& face, const FaceSize& size, const FacePoint& point)
   if (!(norm(x - point.x) < same_place * size.own())) return size.given_at(point.x);
   const double h = size.at(point.uv, *face.surface);
   if (!size.normals() || !(size.turn_weight() > 0)) return h;
-  const double turn = size.turn_weight() * largest_curvature(*size.normals(), point.uv, xu, xv);
-  return h / std::sqrt(1 + turn * h * turn * h);
+  const double curvature = largest_curvature(*face.surface, point.uv, xu, xv, probe * h);
+  const double turn = size.turn_weight() * std::min(curvature * h, sharpest);
+  return h / std::sqrt(1 + turn * turn);
 }
 
 }  // namespace

@@ -59,6 +59,13 @@ class EditPanel:
         if document.Name == self.document_name:
             self.vanish()
 
+    def widgets_gone(self, _widget=None):
+        """FreeCAD has taken the panel away by itself, as scripts can ask it to."""
+        try:
+            self.forget()
+        except RuntimeError:  # of what its parts are no more
+            pass
+
     def vanish(self):
         """What it is about goes away."""
         self.forget()
@@ -91,6 +98,7 @@ def set_edit(obj, kind, prefix=""):
     _open = kind(obj, is_new)
     FreeCAD.addDocumentObserver(_open)
     FreeCADGui.Control.showDialog(_open)
+    _open.form[0].destroyed.connect(_open.widgets_gone)
     _open.shown()
     return True
 

@@ -27,3 +27,11 @@ class ViewProvider(Stateless):
 
     def unsetEdit(self, vobj, mode=0):
         importlib.import_module(self.panel).unset_edit()
+
+
+class ChildViewProvider(ViewProvider):
+    """Of what has no picture in the 3D view."""
+
+    def __init__(self, vobj):
+        super().__init__(vobj)
+        vobj.Visibility = True  # else the tree greys it out

@@ -1,20 +1,23 @@
-"""The check box of the panel that shows, before meshing, where parts touch and what is small."""
+"""The check box of the panel that shows, before meshing, how long elements will be, where parts touch and what is small."""
 import shutil
 import tempfile
 
 import FreeCAD
+import numpy as np
 from PySide import QtCore, QtGui
 
 from paver_wb import meshing, preferences
 from paver_wb.base import proxies, source_shapes
+from paver_wb.base.units import length_text
 from paver_wb.gui.base.background import Latest
 from paver_wb.gui.base.widgets import named, text_label
-from paver_wb.gui.preview.drawing import CONTACT, SMALL, Drawing
+from paver_wb.gui.preview.drawing import CONTACT, SMALL, Drawing, size_colours
 from paver_wb.processes import fem_process
 from paver_wb.statistics import number
 
 translate = FreeCAD.Qt.translate
 DELAY = 400  # ms without an edit
+SQUARES = 6  # of a scale
 SHOWN = "ShowPreview"
 
 
@@ -33,15 +36,25 @@ def look_at(job, cancel=None):
 
 def text_of(look):
     """What a Look has, each in the colour it is drawn in."""
-    lines = []
+    lines, sizes = [], size_text(look)
     if look.pairs:
         lines.append((CONTACT, translate("Paver", "{} pairs of parts touch").format(number(look.pairs))))
     if look.short or look.thin:
         lines.append((SMALL, translate("Paver", "{} short edges and {} thin faces: merged where the shape runs on without a corner, "
                                        "else meshed as they are").format(number(look.short), number(look.thin))))
     if not lines:
-        return translate("Paver", "No parts touch, and nothing is small")
-    return "<br>".join(f'<span style="color: {html(colour)}">\u25a0</span> {text}' for colour, text in lines)
+        return sizes + "<br>" + translate("Paver", "No parts touch, and nothing is small")
+    return sizes + "<br>" + "<br>".join(f'<span style="color: {html(colour)}">\u25a0</span> {text}' for colour, text in lines)
+
+
+def size_text(look):
+    """The range of target lengths, between squares in their colours."""
+    low = float(look.size_lengths.min(initial=look.target))
+    if low > 0.999 * look.target:
+        return translate("Paver", "Target length everywhere: {}").format(length_text(look.target))
+    squares = "".join(f'<span style="color: {html(colour)}">\u25a0</span>' for colour in size_colours(
+        np.geomspace(low, look.target, SQUARES), look.target))
+    return translate("Paver", "Target length: {} to {}").format(f"{length_text(low)} {squares}", length_text(look.target))
 
 
 def show(obj, **changes):
@@ -63,7 +76,8 @@ class PreviewBox(QtGui.QWidget):
         self.timer.setInterval(DELAY)
         self.timer.timeout.connect(self.begin)
         self.check = named(QtGui.QCheckBox(translate("Paver", "Preview")), "Preview", translate(
-            "Paver", "Shows on the model where parts touch, and edges and faces that are small against the target length"))
+            "Paver", "Shows on the model how long elements will be, where parts touch, and edges and faces that are small against the "
+            "target length"))
         self.text = text_label("PreviewText")
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)

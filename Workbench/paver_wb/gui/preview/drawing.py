@@ -1,12 +1,15 @@
-"""Draws a model_look.Look over the 3D view, seen through the model."""
+"""Draws a model_look.Look: target lengths in colours on the faces; the rest over the 3D view, seen through the model."""
 import FreeCADGui
 import numpy as np
 from pivy import coin
 
-from paver_wb.gui.display.fields import FLOATS, INTEGERS, colour_node, fill, line_style, put, separator, unlit, unpickable
+from paver_wb.gui.display import colour_maps
+from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, line_style, put, separator, unlit,
+                                         unpickable)
 
 NAME = "PaverPreview"
 CONTACT, SMALL = (0.05, 0.55, 0.95), (0.95, 0.35, 0.0)
+MAP = "Viridis"  # dark: short
 LINE_WIDTH, MARK_SIZE, TRANSPARENCY = 3, 9, 0.55
 
 
@@ -36,10 +39,39 @@ def triangles_of(corners):
     return separator(hints, material, vertices, faces)
 
 
+def size_colours(lengths, target):
+    """(n, 3) colours of lengths: equal factors are equal steps, up to the target length."""
+    low = min(float(lengths.min(initial=target)), target * (1 - 1e-6))
+    share = np.log(np.maximum(lengths, low) / low) / np.log(target / low)
+    return colour_maps.table(MAP)[(np.clip(share, 0, 1) * (colour_maps.SIZE - 1)).astype(int)]
+
+
+def sizes_of(triangles, lengths, target):
+    """A node of the faces in colours of their target lengths, on top of what is drawn there."""
+    vertices, colours, binding = coin.SoCoordinate3(), coin.SoPackedColor(), coin.SoMaterialBinding()
+    faces, nearer, hints = coin.SoIndexedFaceSet(), coin.SoPolygonOffset(), coin.SoShapeHints()
+    hints.vertexOrdering, hints.shapeType = coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
+    nearer.factor, nearer.units = -1, -1
+    binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
+    fill(vertices.point, triangles.reshape(-1, 3), FLOATS)
+    fill(colours.orderedRGBA, colour_maps.packed(size_colours(lengths.ravel(), target)), COLOURS)
+    numbers = np.arange(3 * len(triangles)).reshape(-1, 3)
+    fill(faces.coordIndex, np.concatenate([numbers, np.full((len(numbers), 1), -1)], axis=1).ravel(), INTEGERS)
+    return separator(unpickable(), unlit(), hints, nearer, colours, binding, vertices, faces)
+
+
 def node_of(look):
-    """The Coin node of a Look. Lines and marks come after the faces, which they lie on."""
-    node = put(coin.SoAnnotation(), unpickable(), unlit())
+    """The Coin node of a Look."""
+    node = coin.SoSeparator()
     node.setName(NAME)
+    if len(look.size_triangles):
+        put(node, sizes_of(look.size_triangles, look.size_lengths, look.target))
+    return put(node, over_all(look))
+
+
+def over_all(look):
+    """What is seen through the model. Lines and marks come after the faces, which they lie on."""
+    node = put(coin.SoAnnotation(), unpickable(), unlit())
     for points, make, colour in ((look.contact_triangles, triangles_of, CONTACT), (look.contact_lines, lines_of, CONTACT),
                                  (look.contact_points, marks_of, CONTACT), (look.small_lines, lines_of, SMALL),
                                  (look.small_places, marks_of, SMALL)):
