@@ -1115,6 +1115,26 @@
         <translation>Elemente je λ²</translation>
     </message>
     <message>
+        <source>In the densest medium</source>
+        <translation>Im dichtesten Medium</translation>
+    </message>
+    <message>
+        <source>Wavelength</source>
+        <translation>Wellenlänge</translation>
+    </message>
+    <message>
+        <source>Shortest edge</source>
+        <translation>Kürzeste Kante</translation>
+    </message>
+    <message>
+        <source>Longest edge</source>
+        <translation>Längste Kante</translation>
+    </message>
+    <message>
+        <source>Fewest elements per λ²</source>
+        <translation>Wenigste Elemente je λ²</translation>
+    </message>
+    <message>
         <source>Scaled Jacobian</source>
         <translation>Skalierte Jacobi-Determinante</translation>
     </message>
@@ -1133,6 +1153,10 @@
     <message>
         <source>Basis order 3</source>
         <translation>Basisordnung 3</translation>
+    </message>
+    <message>
+        <source>What may trouble a solver</source>
+        <translation>Was einem Löser Mühe machen kann</translation>
     </message>
     <message>
         <source>Frequency for the figures in wavelengths; the mesh stays as it is</source>

@@ -9,6 +9,7 @@ from paver_wb.base.units import MM
 from paver_wb.base.waves import wavelength, wavelength_of
 from paver_wb.formats import mesh_file
 
+FEWEST = 5  # faces that are named
 BASIS_ORDERS = (1, 2, 3)
 BYTES_DOUBLE = 16  # of a complex number
 
@@ -26,7 +27,8 @@ class Figures(NamedTuple):
     edges: (e, 2) mesh edges between corners, once each; lengths: (e,) chords, mm; users: (e,) elements at each.
     areas: (elements,) mm^2, of the curved elements, quads first; sj: (elements,); validity: (elements,) as
     paver.ElementQuality has it; target: target length, mm.
-    wave: Wave, or None.
+    wave: Wave around the solids, or None; densest: by how much the shortest wavelength of the media is shorter.
+    faces: FaceFigures of each face that has elements; segment: least length of a wire's lines by its radius, 0: none.
     """
 
     name: str
@@ -41,6 +43,18 @@ class Figures(NamedTuple):
     validity: object
     target: float
     wave: object
+    densest: float = 1.0
+    faces: tuple = ()
+    segment: float = 0.0
+
+
+class FaceFigures(NamedTuple):
+    """elements: how many; area: mm^2; densest: by how much the wavelength of the media beside it is shorter."""
+
+    label: str
+    elements: int
+    area: float
+    densest: float
 
 
 class Row(NamedTuple):
@@ -99,7 +113,43 @@ def of_mesh(mesh, name="", wave=None):
     quality = surface_mesh(mesh).quality()
     nodes = int(mesh_file.used_nodes(len(mesh.nodes), mesh.quads, mesh.triangles).sum())
     return Figures(name, len(mesh.quads), len(mesh.triangles), nodes, edges, edge_lengths(mesh, edges), users,
-                   quality.area, quality.sj, quality.validity, mesh.report.get("target_length") or 0.0, wave)
+                   quality.area, quality.sj, quality.validity, mesh.report.get("target_length") or 0.0, wave,
+                   shorter_by(mesh.report), faces_of(mesh, quality.area), mesh.report.get("solver", {}).get("segment") or 0.0)
+
+
+def shorter_by(report):
+    """The shortest wavelength of the media by that around the solids; 1 where there is none, or was not yet told."""
+    solver = report.get("solver", {})
+    return solver["wavelength"] / solver["wavelength_around"] if solver.get("wavelength") else 1.0
+
+
+def faces_of(mesh, areas):
+    """(FaceFigures,) of a StoredMesh. areas: of the elements."""
+    faces = np.concatenate([mesh.quad_faces, mesh.triangle_faces])
+    labels = mesh_file.labels(mesh)
+    elements, sizes = np.bincount(faces, minlength=len(labels)), np.bincount(faces, areas, minlength=len(labels))
+    around = mesh.report.get("solver", {}).get("wavelength_around")
+    found = []
+    for face, label in enumerate(labels):
+        if elements[face] and sizes[face] > 0:
+            told = mesh.report["faces"][face].get("elements_per_square_wavelength")
+            plain = elements[face] / sizes[face] * around ** 2 if around else 0
+            found.append(FaceFigures(label, int(elements[face]), float(sizes[face]), (told / plain) ** 0.5 if told and plain else 1.0))
+    return tuple(found)
+
+
+def per_square(face, wave):
+    """Elements of a FaceFigures per square wavelength."""
+    return face.elements / face.area * (face.densest * wave.length) ** 2
+
+
+def hints(figures):
+    """What may trouble a solver, one sentence each, as the core has them."""
+    if not len(figures.lengths):
+        return []
+    wave = figures.densest * figures.wave.length if figures.wave else 0
+    return core.load()._paver.solver_hints(float(figures.lengths.min()), float(figures.lengths.max()), float(wave),
+                                           int((figures.users > 2).sum()), float(figures.segment))
 
 
 def of_object(obj, frequency=None):
@@ -160,6 +210,14 @@ def rows(figures, unit=MM):
     if wave and total > 0:
         per_area = elements / (total / wave.length ** 2)
         table.append(Row("Element area", "Elements per λ²", "", number(per_area)))
+    if wave and figures.densest < 1 and len(figures.lengths):
+        length = figures.densest * wave.length
+        table += [Row("In the densest medium", "Wavelength", measured(length, unit, 1)),
+                  Row("In the densest medium", "Shortest edge", "", f"{number(figures.lengths.min() / length)} λ"),
+                  Row("In the densest medium", "Longest edge", "", f"{number(figures.lengths.max() / length)} λ")]
+    if wave and len(figures.faces) > 1:
+        fewest = sorted(figures.faces, key=lambda face: per_square(face, wave))[:FEWEST]
+        table += [Row("Fewest elements per λ²", face.label, "", number(per_square(face, wave))) for face in fewest]
     table += spread("Scaled Jacobian", figures.sj, None, None, 0)
     for order in BASIS_ORDERS:
         count = unknowns(figures, order)
@@ -170,7 +228,7 @@ def rows(figures, unit=MM):
 
 def text(figures, unit=MM):
     """The table as lines, with tabs between columns."""
-    lines = [figures.name] + ["\t".join(row) for row in rows(figures, unit)]
+    lines = [figures.name] + ["\t".join(row) for row in rows(figures, unit)] + hints(figures)
     return "\n".join(lines) + "\n"
 
 

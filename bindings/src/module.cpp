@@ -17,6 +17,7 @@
 #include "paver/launch.h"
 #include "paver/mesher.h"
 #include "paver/option_table.h"
+#include "paver/solver.h"
 #include "paver/stage_table.h"
 
 namespace py = pybind11;
@@ -123,6 +124,16 @@ py::array_t<double> target_lengths(Source& source, const std::vector<GivenOption
   return py::array_t<double>(static_cast<py::ssize_t>(found.size()), found.data());
 }
 
+/// Lengths in mm; wavelength, least_segment: 0: not known.
+std::vector<std::string> hints(double shortest, double longest, double wavelength, long junctions,
+                               double least_segment) {
+  SolverFigures figures;
+  figures.shortest_edge = shortest, figures.longest_edge = longest, figures.junction_edges = junctions;
+  if (wavelength > 0) figures.wavelength = wavelength;
+  if (least_segment > 0) figures.least_segment = least_segment;
+  return solver_hints(figures);
+}
+
 py::bytes repaired(Source& source, const std::vector<GivenOption>& given, const py::object& poll) {
   Options options = read_options(given);
   check(options);
@@ -213,6 +224,7 @@ PYBIND11_MODULE(_paver, module) {
   module.def("mesh", mesh);
   module.def("predict", predict);
   module.def("target_lengths", target_lengths);
+  module.def("solver_hints", hints);
   module.def("repaired", repaired);
   module.def("parts", parts);
   module.def("options", options);

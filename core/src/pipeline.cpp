@@ -132,6 +132,7 @@ class Run {
     finish(assembler);
     name_edges();
     name_points();
+    measure_segments();
     result_.face_groups = model_.face_group;
     result_.volumes = list_volumes(model_);
     result_.report.lost_parts = lost_parts(options_, model_, result_);
@@ -184,6 +185,7 @@ class Run {
     begin(Stage::topology);
     model_ = build_model(*model.shape, options_, model.report, progress_, shared_);
     name_parts(model_, options_);
+    result_.report.wavelength = wavelength(options_);
     result_.report.media = options_.media;
     result_.report.ports = options_.ports;
     result_.report.wires = options_.wires;
@@ -203,6 +205,7 @@ class Run {
       for (int part : face.back) report.back.push_back(model_.parts[part]);
       report.front_medium = medium_of(model_, face.front);
       report.back_medium = medium_of(model_, face.back);
+      report.wavelength = shortest_wavelength(options_, {report.front_medium, report.back_medium});
       if (face.has_area && !face.fault.empty()) {
         report.status = FaceStatus::failed;
         report.stage = "topology";
@@ -397,6 +400,20 @@ class Run {
 
   void measure_wires() {
     for (int edge : result_.mesh.line_edge) result_.report.quality.wire_lines += model_.edges[edge].is_wire();
+  }
+
+  /// By the names that lines have in the end.
+  void measure_segments() {
+    const SurfaceMesh& mesh = result_.mesh;
+    const std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
+    for (std::size_t line = 0; line < mesh.line_edge.size(); ++line)
+      for (const Wire& wire : options_.wires) {
+        if (result_.edge_groups[static_cast<std::size_t>(mesh.line_edge[line])] != wire.name) continue;
+        auto end = [&](std::size_t k) { return mesh.nodes[static_cast<std::size_t>(mesh.lines[line * stride + k])]; };
+        const double segment = norm(end(1) - end(0)) / wire.radius;
+        std::optional<double>& least = result_.report.least_segment;
+        least = std::min(segment, least.value_or(segment));
+      }
   }
 
   Options options_;  // with the lengths that chord_error asks for

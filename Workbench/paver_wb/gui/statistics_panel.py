@@ -7,7 +7,7 @@ from paver_wb.base.units import length_text, unit_of
 from paver_wb.formats import mesh_file
 from paver_wb.gui.base import measuring
 from paver_wb.gui.base.histogram import Histogram
-from paver_wb.gui.base.widgets import button, named, row
+from paver_wb.gui.base.widgets import button, named, row, text_label
 
 translate = FreeCAD.Qt.translate
 
@@ -21,6 +21,10 @@ def names():
             "Mean": translate("Paver", "Mean"), "Largest": translate("Paver", "Largest"),
             "Element area": translate("Paver", "Element area"), "Total": translate("Paver", "Total"),
             "Elements per λ²": translate("Paver", "Elements per λ²"),
+            "In the densest medium": translate("Paver", "In the densest medium"),
+            "Wavelength": translate("Paver", "Wavelength"), "Shortest edge": translate("Paver", "Shortest edge"),
+            "Longest edge": translate("Paver", "Longest edge"),
+            "Fewest elements per λ²": translate("Paver", "Fewest elements per λ²"),
             "Scaled Jacobian": translate("Paver", "Scaled Jacobian"),
             "Unknowns (conductor)": translate("Paver", "Unknowns (conductor)"),
             "Basis order 1": translate("Paver", "Basis order 1 (rooftops, RWG)"),
@@ -53,6 +57,8 @@ class StatisticsPanel(measuring.MeasuringDialog):
         both.addLayout(charts, 4)
         layout = QtGui.QVBoxLayout(self)
         layout.addLayout(both)
+        self.hints = text_label("StatisticsHints", translate("Paver", "What may trouble a solver"))
+        layout.addWidget(self.hints)
         layout.addWidget(self.busy)
         layout.addLayout(self.bottom())
 
@@ -96,6 +102,9 @@ class StatisticsPanel(measuring.MeasuringDialog):
         self.note.setText(f"λ = {length_text(wave.length)}" if wave else translate(
             "Paver", "Give a frequency to see wavelengths"))
         self.fill_table()
+        hints = statistics.hints(self.figures)
+        self.hints.setText("\n".join("\u26a0 " + hint for hint in hints))
+        self.hints.setVisible(bool(hints))
         self.draw(wave)
 
     def unit(self):
@@ -113,7 +122,7 @@ class StatisticsPanel(measuring.MeasuringDialog):
                 bold = group.font(0)
                 bold.setBold(True)
                 group.setFont(0, bold)
-            item = QtGui.QTreeWidgetItem(group, [words[entry.name], entry.value, entry.in_waves])
+            item = QtGui.QTreeWidgetItem(group, [words.get(entry.name, entry.name), entry.value, entry.in_waves])
             for column in (1, 2):
                 item.setTextAlignment(column, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
         self.table.expandAll()

@@ -105,6 +105,12 @@ double target_length(const Options& options);
 /// The target length of a part in mm. Options must have passed check().
 double local_length(const Options& options, const LocalSize& local);
 
+/// Wavelength around the solids, mm; none without a frequency.
+std::optional<double> wavelength(const Options& options);
+
+/// The shortest in some of the media, by name, empty: around the solids; none where all of them conduct.
+std::optional<double> shortest_wavelength(const Options& options, const std::vector<std::string>& media);
+
 /// The wavelengths in media that are shorter than the target length allows, as lengths of their solids. None without
 /// a frequency. Options must have passed check().
 std::vector<LocalSize> lengths_in_media(const Options& options);

@@ -57,6 +57,7 @@ struct SurfaceDistance {
 struct FaceReport {
   std::string name;                       ///< "Face12"; "Face3 + Face9" for what these have in common
   std::vector<std::string> front, back;   ///< solids in front of it, where its normal looks, and behind it
+  std::optional<double> wavelength;       ///< mm, the shortest of the media on both sides; none without a frequency
   std::string front_medium, back_medium;  ///< of the first of these that has one; empty: that around the solids
   FaceStatus status = FaceStatus::meshed;
   std::string stage, reason;  ///< when not meshed: where it stopped and why
@@ -91,9 +92,11 @@ struct QualityReport {
   double irregular_share =
       0;  ///< nodes inside faces (off B-rep edges, periodic edges do not count) with other than 4 edges
   long irregular_nodes = 0, face_interior_nodes = 0;
-  double length_mean = 0;     ///< mean of edge length / target length of the run
-  double length_cv = 0;       ///< coefficient of variation
-  double length_in_band = 0;  ///< share of edges within 0.7 to 1.4 of the target length
+  long edges = 0;                              ///< mesh edges, each once
+  double shortest_edge = 0, longest_edge = 0;  ///< chords, mm
+  double length_mean = 0;                      ///< mean of edge length / target length of the run
+  double length_cv = 0;                        ///< coefficient of variation
+  double length_in_band = 0;                   ///< share of edges within 0.7 to 1.4 of the target length
   double mesh_area = 0, cad_area = 0;
   SurfaceDistance distance;
   long inverted = 0, undecided = 0;              ///< curved elements whose Jacobian is not proven positive
@@ -215,6 +218,8 @@ struct RunReport {
   std::vector<Medium> media;      ///< as given, like ports and wires
   std::vector<Port> ports;
   std::vector<Wire> wires;
+  std::optional<double> wavelength;     ///< mm, around the solids; none without a frequency
+  std::optional<double> least_segment;  ///< of the lines of wires with a radius: length by radius
   std::vector<std::string> lost_parts;  ///< of ports and wires that are not in the mesh: "Edge5 of 'Feed'"
   std::vector<Merge> merges;
   std::vector<ElementRepair> element_repairs;

@@ -36,10 +36,10 @@ void fields(A& archive, Is<ModelReport> auto& model) {
 
 template <class A>
 void fields(A& archive, Is<FaceReport> auto& face) {
-  auto& [name, front, back, front_medium, back_medium, status, stage, reason, where, quads, triangles, worst_sj,
-         cad_area, mesh_area, distance, closed_by_triangulation] = face;
-  archive(name, front, back, front_medium, back_medium, status, stage, reason, where, quads, triangles, worst_sj,
-          cad_area, mesh_area, distance, closed_by_triangulation);
+  auto& [name, front, back, wavelength, front_medium, back_medium, status, stage, reason, where, quads, triangles,
+         worst_sj, cad_area, mesh_area, distance, closed_by_triangulation] = face;
+  archive(name, front, back, wavelength, front_medium, back_medium, status, stage, reason, where, quads, triangles,
+          worst_sj, cad_area, mesh_area, distance, closed_by_triangulation);
 }
 
 template <class A>
@@ -81,9 +81,11 @@ void fields(A& archive, Is<Volume> auto& volume) {
 template <class A>
 void fields(A& archive, Is<RunReport> auto& run) {
   auto& [model, components, gaps, target_length, order, threads, elements, quality, faces, media, ports, wires,
-         lost_parts, merges, element_repairs, notes, stage_seconds, stage_runs, tasks, peak_memory_mib] = run;
+         wavelength, least_segment, lost_parts, merges, element_repairs, notes, stage_seconds, stage_runs, tasks,
+         peak_memory_mib] = run;
   archive(model, components, gaps, target_length, order, threads, elements, quality, faces, media, ports, wires,
-          lost_parts, merges, element_repairs, notes, stage_seconds, stage_runs, tasks, peak_memory_mib);
+          wavelength, least_segment, lost_parts, merges, element_repairs, notes, stage_seconds, stage_runs, tasks,
+          peak_memory_mib);
 }
 
 template <class A>

@@ -51,6 +51,7 @@ struct FaceTotals {
 
 struct EdgeTotals {
   long count = 0, in_band = 0, border = 0, nonmanifold = 0;
+  double shortest = infinity, minus_longest = infinity;
   ExactSum length, squares;  ///< of the lengths, and of their distances from the mean
 };
 
@@ -178,13 +179,17 @@ class Measurement {
     run_stretches(edges.chords.size(), 1, [&](std::size_t i, std::size_t) {
       ExactSum length(h_);
       long in_band = 0;
+      double shortest = infinity, minus_longest = infinity;
       for (double chord : edges.chords[i]) {
         length.add(chord);
+        shortest = std::min(shortest, chord), minus_longest = std::min(minus_longest, -chord);
         in_band += chord >= band_low * h_ && chord <= band_high * h_;
       }
       std::lock_guard lock(mutex_);
       edge_totals_.length.add(length);
       edge_totals_.in_band += in_band;
+      edge_totals_.shortest = std::min(edge_totals_.shortest, shortest);
+      edge_totals_.minus_longest = std::min(edge_totals_.minus_longest, minus_longest);
       edge_totals_.count += static_cast<long>(edges.chords[i].size());
     });
     reduce(ranks);
@@ -214,6 +219,7 @@ class Measurement {
     EdgeTotals& e = edge_totals_;
     for (long* count : {&e.count, &e.in_band, &e.border, &e.nonmanifold}) reduction.sum(*count);
     reduction.sum(e.length);
+    reduction.least(e.shortest), reduction.least(e.minus_longest);
     reduction.run(ranks);
   }
 
@@ -257,7 +263,10 @@ class Measurement {
     report.irregular_nodes = nodes_.irregular;
     if (nodes_.face_interior > 0)
       report.irregular_share = static_cast<double>(nodes_.irregular) / static_cast<double>(nodes_.face_interior);
+    report.edges = e.count;
     if (e.count == 0) return;
+    report.shortest_edge = e.shortest;
+    report.longest_edge = -e.minus_longest;
     double n = static_cast<double>(e.count), mean = e.length.total() / n;
     report.length_mean = mean / h_;
     report.length_cv = mean > 0 ? std::sqrt(e.squares.total() / n) / mean : 0;

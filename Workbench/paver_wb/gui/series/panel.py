@@ -6,7 +6,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb import mesh_check, series, statistics
-from paver_wb.gui import check_panel
+from paver_wb.gui.base import verdict
 from paver_wb.gui.base.steps import do, python_name
 from paver_wb.gui.base.widgets import FaultBox, button, named, row
 from paver_wb.gui.series import run as series_run
@@ -207,15 +207,14 @@ class SeriesDialog(QtGui.QDialog):
             text, level = translate("Paver", "The mesh has been changed or is out of date; this row is of before."), mesh_check.WARNING
         if found is None and not text:
             text = translate("Paver", "Not done")
-        mark = check_panel.MARKS[level] + "  " if level else ""
-        for column, content in enumerate([shown(step.option, step.value), *figures_of(found), mark + text]):
+        for column, content in enumerate([shown(step.option, step.value), *figures_of(found), text]):
             item = QtGui.QTableWidgetItem(content)
             if column != VERDICT:
                 item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
             else:
                 item.setToolTip("\n".join([text, *(found.files if found else ())]))
                 if level:
-                    item.setForeground(QtGui.QColor(check_panel.COLOURS[level]))
+                    item.setIcon(verdict.sign(level))
             self.table.setItem(step.number, column, item)
 
     # What FreeCAD calls

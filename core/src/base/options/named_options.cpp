@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -65,6 +67,9 @@ void take(const char* option, const std::string& name, const std::vector<std::st
   }
 }
 
+/// Losses shorten the wavelength: the real part of sqrt(eps_r (1 - j tan d)).
+double loss(const Medium& medium) { return (1 + std::hypot(1.0, medium.loss_tangent)) / 2; }
+
 }  // namespace
 
 std::optional<Medium> parse_medium(const std::string& text) {
@@ -111,15 +116,31 @@ void check_named(const Options& options) {
   }
 }
 
+std::optional<double> wavelength(const Options& options) {
+  if (!options.frequency) return std::nullopt;
+  return options.divisions * local_length(options, {"", std::nullopt, options.eps_r, options.mu_r});
+}
+
+std::optional<double> shortest_wavelength(const Options& options, const std::vector<std::string>& media) {
+  if (!options.frequency) return std::nullopt;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::string& name : media) {
+    if (name.empty()) least = std::min(least, *wavelength(options));
+    for (const Medium& medium : options.media)
+      if (medium.name == name && !medium.is_conductor)
+        least = std::min(least, options.divisions * local_length(options, {"", std::nullopt,
+                                                                           medium.eps_r * loss(medium), medium.mu_r}));
+  }
+  return std::isfinite(least) ? std::optional(least) : std::nullopt;
+}
+
 std::vector<LocalSize> lengths_in_media(const Options& options) {
   std::vector<LocalSize> lengths;
   if (!options.frequency) return lengths;
   for (const Medium& medium : options.media) {
     if (medium.is_conductor) continue;
-    // Losses shorten the wavelength: the real part of sqrt(eps_r (1 - j tan d)).
-    const double loss = (1 + std::hypot(1.0, medium.loss_tangent)) / 2;
     for (const std::string& part : medium.parts) {
-      const LocalSize local{part, std::nullopt, medium.eps_r * loss, medium.mu_r};
+      const LocalSize local{part, std::nullopt, medium.eps_r * loss(medium), medium.mu_r};
       if (local_length(options, local) < target_length(options)) lengths.push_back(local);
     }
   }

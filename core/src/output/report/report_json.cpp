@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "paver/output.h"
+#include "paver/solver.h"
 
 namespace paver {
 namespace {
@@ -99,6 +100,9 @@ Json quality_json(const QualityReport& q) {
           {"irregular_share", q.irregular_share},
           {"irregular_nodes", q.irregular_nodes},
           {"face_interior_nodes", q.face_interior_nodes},
+          {"edges", q.edges},
+          {"shortest_edge", q.shortest_edge},
+          {"longest_edge", q.longest_edge},
           {"length_mean", q.length_mean},
           {"length_cv", q.length_cv},
           {"length_in_band", q.length_in_band},
@@ -130,24 +134,48 @@ Json named_json(const RunReport& run) {
   return json;
 }
 
+/// Elements per square wavelength; null without a frequency or elements.
+Json density(long elements, double area, std::optional<double> wavelength) {
+  if (!wavelength || elements == 0 || !(area > 0)) return nullptr;
+  return static_cast<double>(elements) * *wavelength * *wavelength / area;
+}
+
+Json solver_json(const RunReport& run) {
+  const SolverFigures figures = solver_figures(run);
+  const std::optional<double> wave = figures.wavelength;
+  auto in_waves = [&](double length) { return wave ? Json(length / *wave) : Json(nullptr); };
+  return {{"unknowns", figures.unknowns},
+          {"matrix_mib", figures.matrix_mib},
+          {"wavelength", wave ? Json(*wave) : Json(nullptr)},
+          {"wavelength_around", run.wavelength ? Json(*run.wavelength) : Json(nullptr)},
+          {"shortest_edge_wavelengths", in_waves(figures.shortest_edge)},
+          {"longest_edge_wavelengths", in_waves(figures.longest_edge)},
+          {"elements_per_square_wavelength",
+           density(run.quality.quads + run.quality.triangles, run.quality.mesh_area, run.wavelength)},
+          {"segment", figures.least_segment ? Json(*figures.least_segment) : Json(nullptr)},
+          {"hints", solver_hints(figures)}};
+}
+
 Json face_json(const FaceReport& face, const std::string& label) {
   bool has_elements = face.quads + face.triangles > 0;
-  Json json = {{"name", face.name},
-               {"label", label},
-               {"front", face.front},
-               {"back", face.back},
-               {"front_medium", face.front_medium},
-               {"back_medium", face.back_medium},
-               {"status", status_name(face.status)},
-               {"stage", face.stage},
-               {"reason", face.reason},
-               {"quads", face.quads},
-               {"triangles", face.triangles},
-               {"worst_sj", has_elements ? Json(face.worst_sj) : Json(nullptr)},
-               {"cad_area", face.cad_area},
-               {"distance", distance_json(face.distance)},
-               {"mesh_area", face.mesh_area},
-               {"closed_by_triangulation", face.closed_by_triangulation}};
+  Json json = {
+      {"name", face.name},
+      {"label", label},
+      {"front", face.front},
+      {"back", face.back},
+      {"front_medium", face.front_medium},
+      {"back_medium", face.back_medium},
+      {"status", status_name(face.status)},
+      {"stage", face.stage},
+      {"reason", face.reason},
+      {"quads", face.quads},
+      {"triangles", face.triangles},
+      {"worst_sj", has_elements ? Json(face.worst_sj) : Json(nullptr)},
+      {"cad_area", face.cad_area},
+      {"distance", distance_json(face.distance)},
+      {"mesh_area", face.mesh_area},
+      {"elements_per_square_wavelength", density(face.quads + face.triangles, face.mesh_area, face.wavelength)},
+      {"closed_by_triangulation", face.closed_by_triangulation}};
   if (face.where) json["where"] = {face.where->x, face.where->y, face.where->z};
   return json;
 }
@@ -171,6 +199,7 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
                {"faults", faults(run)},
                {"doubts", doubts(run)},
                {"quality", quality_json(run.quality)},
+               {"solver", solver_json(run)},
                {"faces", Json::array()},
                {"merges", Json::array()},
                {"element_repairs", Json::array()},

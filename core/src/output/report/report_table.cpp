@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "paver/output.h"
+#include "paver/solver.h"
 
 namespace paver {
 namespace {
@@ -94,6 +95,12 @@ void add_quality(const RunReport& run, Text& text) {
   text.line("curved", "{} inverted, {} undecided, Jacobian at least {:.3f} of its mean", q.inverted, q.undecided,
             q.min_jacobian_ratio);
   text.line("irregular", "{:.2f} % of {} nodes inside faces", 100 * q.irregular_share, q.face_interior_nodes);
+  const SolverFigures solver = solver_figures(run);
+  text.line("unknowns", "{} of first order, full matrix {:.4g} MiB{}", solver.unknowns, solver.matrix_mib,
+            solver.wavelength
+                ? fmt::format("; edges from {:.2g} to {:.2g} wavelengths", solver.shortest_edge / *solver.wavelength,
+                              solver.longest_edge / *solver.wavelength)
+                : "");
   text.line("edge length", "mean {:.3f} h, CV {:.3f}, within 0.7 to 1.4 h: {:.2f} %", q.length_mean, q.length_cv,
             100 * q.length_in_band);
   if (q.cad_area > 0) {
