@@ -315,7 +315,8 @@ def main(arguments):
         arguments = parser().parse_args(arguments)
         check_arguments(arguments)
         options = given_options(arguments)
-        check_options(options, not any(map(is_document, arguments.models)))
+        first = {arguments.series[0]: repr(arguments.series[1][0])} if arguments.series else {}
+        check_options({**options, **first}, not any(map(is_document, arguments.models)))
         entries = []
         for path in arguments.models:
             of_model = run_model(path, arguments, options)

@@ -124,7 +124,9 @@ def shorter_by(report):
 
 
 def faces_of(mesh, areas):
-    """(FaceFigures,) of a StoredMesh. areas: of the elements."""
+    """(FaceFigures,) of a StoredMesh; none where its report does not know faces. areas: of the elements."""
+    if "faces" not in mesh.report:
+        return ()
     faces = np.concatenate([mesh.quad_faces, mesh.triangle_faces])
     labels = mesh_file.labels(mesh)
     elements, sizes = np.bincount(faces, minlength=len(labels)), np.bincount(faces, areas, minlength=len(labels))
