@@ -100,6 +100,18 @@ TEST(NamedParts, WhatAUnionLeavesOutIsAFault) {
   EXPECT_TRUE(shortfall(result));
 }
 
+TEST(NamedParts, VerticesThatAUnionLeavesOutAreAFaultThoughOthersOfThePortStay) {
+  Options options;
+  options.connect = Connect::united;
+  // The second box lies within the first.
+  const TopoDS_Shape boxes = test::compound(
+      {BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 8, 8, 8).Shape(), BRepPrimAPI_MakeBox(gp_Pnt(2, 2, 2), 4, 4, 4).Shape()});
+  options.ports = {{"Pins", {"Vertex1", "Vertex9"}}};
+  const MeshResult result = mesh(boxes, options, 2);
+  EXPECT_EQ(result.point_names, std::vector<std::string>{"Pins"});
+  EXPECT_EQ(result.report.lost_parts, std::vector<std::string>{"Vertex9 of 'Pins'"});
+}
+
 TEST(NamedParts, RefusesPartsThatAreNotThere) {
   Options options;
   options.media = {{"FR4", {"Solid3"}}};

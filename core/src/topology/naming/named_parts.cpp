@@ -33,18 +33,24 @@ const char* kind_of(PartKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-/// The nearest one that an edge ends at; -1 in a model without edges.
-int nearest_vertex(const Model& model, Vec3 x) {
+constexpr double same_place = 0.01;  // of the target length: how far connecting may have moved a vertex
+
+double reach(const Model& model, const Options& options) {
+  return model.report.sew_tolerance + same_place * target_length(options);
+}
+
+/// The nearest one that an edge ends at, no farther than `most`; -1: none.
+int nearest_vertex(const Model& model, Vec3 x, double most) {
   int nearest = -1;
   auto visit = [&](int vertex) {
-    auto distance = [&](int v) { return norm(model.vertices[static_cast<std::size_t>(v)] - x); };
-    if (nearest < 0 || distance(vertex) < distance(nearest)) nearest = vertex;
+    const double distance = norm(model.vertices[static_cast<std::size_t>(vertex)] - x);
+    if (distance <= most) nearest = vertex, most = distance;
   };
   for (const Edge& edge : model.edges) visit(edge.start), visit(edge.end);
   return nearest;
 }
 
-void put_group(Model& model, const std::string& name, const std::vector<std::string>& parts) {
+void put_group(Model& model, const std::string& name, const std::vector<std::string>& parts, double most) {
   for (const std::string& text : parts) {
     check_part(model, text, fmt::format("'{}'", name));
     const PartName part = *parse_part(text);
@@ -54,7 +60,7 @@ void put_group(Model& model, const std::string& name, const std::vector<std::str
       for (std::size_t entry = 0; entry < model.face_group.size(); ++entry)
         if (is_of_face(model, static_cast<int>(entry), part.index)) model.face_group[entry] = name;
     if (part.kind == PartKind::vertex)
-      if (const int vertex = nearest_vertex(model, model.read_vertices[index]); vertex >= 0)
+      if (const int vertex = nearest_vertex(model, model.read_vertices[index], most); vertex >= 0)
         model.points.push_back({-1, vertex, false, name});
   }
 }
@@ -87,8 +93,9 @@ void name_parts(Model& model, const Options& options) {
   model.face_group.assign(static_cast<std::size_t>(model.read_faces) + model.common.size(), "");
   model.edge_group.assign(static_cast<std::size_t>(model.read_edges), "");
   model.solid_medium.assign(model.solid_faces.size(), "");
-  for (const Port& port : options.ports) put_group(model, port.name, port.parts);
-  for (const Wire& wire : options.wires) put_group(model, wire.name, wire.parts);
+  const double most = reach(model, options);
+  for (const Port& port : options.ports) put_group(model, port.name, port.parts, most);
+  for (const Wire& wire : options.wires) put_group(model, wire.name, wire.parts, most);
   for (const Medium& medium : options.media)
     for (const std::string& part : medium.parts) {
       check_part(model, part, fmt::format("medium '{}'", medium.name));
@@ -129,8 +136,14 @@ std::vector<std::string> lost_parts(const Options& options, const Model& model, 
   for (const auto& [line, edge] : result.mesh.further_edges) edges.insert(edge);
   auto is_there = [&](const std::string& name, const PartName& part) {
     if (part.kind == PartKind::edge) return edges.contains(part.index);
-    if (part.kind == PartKind::vertex)
-      return std::find(result.point_names.begin(), result.point_names.end(), name) != result.point_names.end();
+    if (part.kind == PartKind::vertex) {
+      const Vec3 x = model.read_vertices[static_cast<std::size_t>(part.index)];
+      for (std::size_t i = 0; i < result.point_names.size(); ++i)
+        if (result.point_names[i] == name &&
+            norm(result.mesh.nodes[static_cast<std::size_t>(result.mesh.points[i])] - x) <= reach(model, options))
+          return true;
+      return false;
+    }
     const std::vector<FaceReport>& entries = result.report.faces;  // of the whole mesh, on any rank
     for (std::size_t entry = 0; entry < entries.size(); ++entry)
       if (entries[entry].quads + entries[entry].triangles > 0 && is_of_face(model, static_cast<int>(entry), part.index))
