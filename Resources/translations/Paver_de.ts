@@ -1939,16 +1939,16 @@
         <translation>{} löschen</translation>
     </message>
     <message>
-        <source>No parts touch, and nothing is small</source>
-        <translation>Keine Teile berühren sich, und nichts ist klein</translation>
+        <source>No parts touch, and nothing is merged</source>
+        <translation>Keine Teile berühren sich, und nichts wird verschmolzen</translation>
     </message>
     <message>
         <source>Target length: {} to {}</source>
         <translation>Ziellänge: {} bis {}</translation>
     </message>
     <message>
-        <source>Shows on the model how long elements will be, where parts touch, and edges and faces that are small against the target length</source>
-        <translation>Zeigt am Modell, wie lang Elemente werden, wo Teile sich berühren, und Kanten und Flächen, die klein gegen die Ziellänge sind</translation>
+        <source>Shows on the model how long elements will be, where parts touch, and edges and faces that are merged with others</source>
+        <translation>Zeigt am Modell, wie lang Elemente werden, wo Teile sich berühren, und Kanten und Flächen, die mit anderen verschmolzen werden</translation>
     </message>
     <message>
         <source>Target length everywhere: {}</source>
@@ -1967,8 +1967,8 @@
         <translation>{} Paare von Teilen berühren sich</translation>
     </message>
     <message>
-        <source>{} short edges and {} thin faces: merged where the shape runs on without a corner, else meshed as they are</source>
-        <translation>{} kurze Kanten und {} schmale Flächen: zusammengefasst, wo die Form ohne Knick weiterläuft, sonst vernetzt, wie sie sind</translation>
+        <source>{} short edges and {} small faces are merged with others</source>
+        <translation>{} kurze Kanten und {} kleine Flächen werden mit anderen verschmolzen</translation>
     </message>
     <message>
         <source>Step</source>

@@ -49,6 +49,8 @@ class Prediction(NamedTuple):
     elements: float
     memory_mib: float
     face_elements: NDArray[np.float64]
+    merges: list[dict[str, Any]]
+    contacts: list[dict[str, Any]]
 
 class Part(NamedTuple):
     faces: NDArray[np.int32]

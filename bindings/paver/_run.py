@@ -19,12 +19,16 @@ class Prediction(NamedTuple):
     elements: about how many, all faces together. core/docs/prediction.md says how near it comes.
     memory_mib: what meshing takes at most on top of what the process has, MiB.
     face_elements: (faces,) float64, elements by face; 0 for faces that will not be meshed.
+    merges: [dict] of what will be merged, as it is small: `kind` ("edge", "face"), `name`, `into`, `size` (mm), `where`.
+    contacts: [dict] of where parts touch: `parts`, `kind`, `size` (mm^2, mm or a number), `gap` (mm).
     """
 
     target_length: float
     elements: float
     memory_mib: float
     face_elements: object
+    merges: list
+    contacts: list
 
 
 def text_of_quantity(kind, value):

@@ -99,6 +99,21 @@ py::dict predict(Source& source, const std::vector<GivenOption>& given, const py
   result["memory_mib"] = found.memory_mib;
   result["face_elements"] =
       py::array_t<double>(static_cast<py::ssize_t>(found.face_elements.size()), found.face_elements.data());
+  py::list merges, contacts;
+  for (const auto& [kind, name, into, size, where] : found.merges) {
+    py::dict merge;
+    merge["kind"] = merge_name(kind), merge["name"] = to_python(name), merge["into"] = to_python(into);
+    merge["size"] = size, merge["where"] = py::make_tuple(where.x, where.y, where.z);
+    merges.append(merge);
+  }
+  for (const auto& [parts, kind, faces, size, gap] : found.contacts) {
+    py::dict contact;
+    contact["parts"] = py::make_tuple(to_python(parts[0]), to_python(parts[1])), contact["kind"] = contact_name(kind);
+    contact["size"] = size, contact["gap"] = gap;
+    contacts.append(contact);
+  }
+  result["merges"] = merges;
+  result["contacts"] = contacts;
   return result;
 }
 

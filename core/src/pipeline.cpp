@@ -80,6 +80,8 @@ class Run {
       prediction.face_elements[static_cast<std::size_t>(model_.faces[i].origin)] += elements[i];
       prediction.elements += elements[i];
     }
+    prediction.merges = result_.report.merges;
+    prediction.contacts = result_.report.model.contacts;
     prediction.memory_mib = predict_memory_mib(prediction.elements, options_);
     return prediction;
   }

@@ -24,3 +24,12 @@ def test_shapes_of_arrays_are_checked(example):
         lengths("box.step", example, [0, 1], [[0, 0]], [[0, 0, 0]], size=8)
     with pytest.raises(paver.OptionError):
         lengths("box.step", example, [0], [[0, 0]], [[0, 0, 0]])
+
+
+def test_a_prediction_tells_merges_and_contacts_of_the_run(example):
+    for name in ("conesphere_gap.step", "box_cylinder.step"):
+        for size in (2, 40):
+            predicted, report = paver.predict(example(name), size=size), paver.mesh(example(name), size=size).report
+            assert [(m["kind"], m["name"], m["into"]) for m in predicted.merges] == [
+                (m["kind"], m["name"], m["into"]) for m in report["merges"]]
+            assert [list(c["parts"]) for c in predicted.contacts] == [c["parts"] for c in report["model"]["contacts"]]

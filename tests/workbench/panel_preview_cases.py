@@ -55,7 +55,7 @@ class Previews(PanelCase):
     def test_it_follows_the_options_and_the_shapes(self):
         self.open_with_preview()
         window.type_into(window.widget("Paver_size"), "90 mm")
-        self.wait_for("thin faces")
+        self.wait_for("90 mm")
         window.type_into(window.widget("Paver_size"), "fast")
         self.assertEqual(self.drawn(), 0)
         window.type_into(window.widget("Paver_size"), "2 mm")

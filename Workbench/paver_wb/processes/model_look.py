@@ -1,6 +1,7 @@
-"""A look at a model before it is meshed: where its parts touch, and what is small against the target length. For a process of
+"""A look at a model before it is meshed: where its parts touch, and what is merged as it is small. For a process of
 its own: FreeCAD's part of it keeps every other Python waiting, and with it the window."""
 import json
+import re
 from itertools import combinations
 from typing import NamedTuple
 
@@ -19,9 +20,9 @@ ARRAYS = ("contact_triangles", "contact_lines", "contact_points", "small_lines",
 class Look(NamedTuple):
     """contact_triangles: (n, 3, 3) of faces that several parts have; contact_lines: (n, PIECES + 1, 3) of edges that several
     parts or more than two faces have; contact_points: (n, 3) vertices that several parts have, and no edge of these;
-    small_lines: of the edges that are short, or about faces that are thin; small_places: (n, 3) a point on each of these.
+    small_lines: of the edges that are merged, and about the faces that are; small_places: (n, 3) a point on each of these.
     size_triangles: (n, 3, 3) over all faces; size_lengths: (n, 3) target lengths at their corners, mm.
-    target: the target length, mm; pairs: of parts that touch; short, thin: how many edges and faces.
+    target: the target length, mm; pairs: of parts that touch; short, thin: how many edges and faces are merged.
     """
 
     contact_triangles: object
@@ -74,15 +75,15 @@ class Contacts(NamedTuple):
 
 
 def connected(job):
-    """(Part.Shape as it is meshed, of which nothing is merged yet; target length) of a mesh_job.Job. Errors as in paver.mesh."""
+    """(Part.Shape as it is meshed, of which nothing is merged yet; Prediction) of a mesh_job.Job. Errors as in paver.mesh."""
     import Part
     paver = core.load()
     from paver import _run
     model = job.model()
-    target = paver.predict(model, **job.options).target_length
+    prediction = paver.predict(model, **job.options)
     shape = Part.Shape()
     shape.importBrepFromString(paver._paver.repaired(model._source, _run.given_options(job.options), None).decode())
-    return shape, target
+    return shape, prediction
 
 
 def parts_of(shape):
@@ -111,37 +112,19 @@ def contacts(shape):
                     [vertex for vertex in users["Vertexes"].with_at_least(2) if not on_edges.has(vertex)], len(pairs))
 
 
-def small(shape, target, merge, merge_width):
-    """(edges shorter than `merge` target lengths, faces smaller than that or thinner than `merge_width`): what merging goes
-    through. Edges of such faces are not named again."""
-    thin, of_thin = [], Users()
-    for number, face in enumerate(shape.Faces):
-        around = sum(edge.Length for edge in face.Edges if not edge.Degenerated)
-        is_thin = around > 0 and 2 * face.Area / around < merge_width * target
-        if is_thin or face.BoundBox.DiagonalLength < merge * target:
-            thin.append(face)
-            for edge in face.Edges:
-                of_thin.add(edge, number)
-    known = Users()
-    for edge in shape.Edges:
-        if not edge.Degenerated and 0 < edge.Length < merge * target:
-            known.add(edge, 0)
-    return [edge for edge in known.with_at_least(1) if not of_thin.has(edge)], thin
+def small(shape, merges):
+    """(edges, faces) of a shape as read that a prediction's merges name; pieces of what was divided have no name there."""
+    found = {"edge": (shape.Edges, []), "face": (shape.Faces, [])}
+    for merge in merges:
+        number = re.fullmatch(r"(?:Edge|Face)(\d+)", merge["name"])
+        things, named = found[merge["kind"]]
+        if number and int(number.group(1)) <= len(things):
+            named.append(things[int(number.group(1)) - 1])
+    return found["edge"][1], found["face"][1]
 
 
 def line(edge):
     return [tuple(point) for point in edge.discretize(PIECES + 1)]
-
-
-def middle(edge):
-    low, high = edge.ParameterRange
-    return tuple(edge.valueAt(0.5 * (low + high)))
-
-
-def on_face(face):
-    """A point of a face, about its middle."""
-    u0, u1, v0, v1 = face.ParameterRange
-    return tuple(face.valueAt(0.5 * (u0 + u1), 0.5 * (v0 + v1)))
 
 
 def triangles(faces, chord):
@@ -168,16 +151,16 @@ def rows(points, shape):
 
 def look(job):
     """The Look of a mesh_job.Job."""
-    shape, target = connected(job)
+    shape, prediction = connected(job)
     touching = contacts(shape)
-    short, thin = small(shape, target, job.options.get("merge") or 0.0, job.options.get("merge_width") or 0.0)
+    short, thin = small(size_look.original(job), prediction.merges)
     chord = CHORD * shape.BoundBox.DiagonalLength
     lines = [edge for edge in touching.edges if not edge.Degenerated]
     return Look(triangles(touching.faces[:MOST], chord), rows([line(edge) for edge in lines[:MOST]], (PIECES + 1, 3)),
                 rows([tuple(vertex.Point) for vertex in touching.vertices], (3,)),
                 rows([line(edge) for edge in (short + edges_of(thin[:MOST]))[:MOST]], (PIECES + 1, 3)),
-                rows([middle(edge) for edge in short[:MOST]] + [on_face(face) for face in thin[:MOST]], (3,)),
-                *size_look.sizes(job), target, touching.pairs, len(short), len(thin))
+                rows([merge["where"] for merge in prediction.merges], (3,)),
+                *size_look.sizes(job), prediction.target_length, touching.pairs, len(short), len(thin))
 
 
 def save(found, path):

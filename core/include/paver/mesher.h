@@ -99,6 +99,8 @@ struct Prediction {
   double elements = 0;                ///< all faces together; see core/docs/prediction.md for how near it comes
   double memory_mib = 0;              ///< that the run takes on top of what the process already has
   std::vector<double> face_elements;  ///< per face; 0 for faces that will not be meshed
+  std::vector<Merge> merges;          ///< as the run will make them
+  std::vector<Contact> contacts;
 };
 
 /// Costs a small part of meshing: topology and sizing only. Options::max_elements is no limit here.

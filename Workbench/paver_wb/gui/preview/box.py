@@ -40,10 +40,10 @@ def text_of(look):
     if look.pairs:
         lines.append((CONTACT, translate("Paver", "{} pairs of parts touch").format(number(look.pairs))))
     if look.short or look.thin:
-        lines.append((SMALL, translate("Paver", "{} short edges and {} thin faces: merged where the shape runs on without a corner, "
-                                       "else meshed as they are").format(number(look.short), number(look.thin))))
+        lines.append((SMALL, translate("Paver", "{} short edges and {} small faces are merged with others").format(
+            number(look.short), number(look.thin))))
     if not lines:
-        return sizes + "<br>" + translate("Paver", "No parts touch, and nothing is small")
+        return sizes + "<br>" + translate("Paver", "No parts touch, and nothing is merged")
     return sizes + "<br>" + "<br>".join(f'<span style="color: {html(colour)}">\u25a0</span> {text}' for colour, text in lines)
 
 
@@ -76,8 +76,7 @@ class PreviewBox(QtGui.QWidget):
         self.timer.setInterval(DELAY)
         self.timer.timeout.connect(self.begin)
         self.check = named(QtGui.QCheckBox(translate("Paver", "Preview")), "Preview", translate(
-            "Paver", "Shows on the model how long elements will be, where parts touch, and edges and faces that are small against the "
-            "target length"))
+            "Paver", "Shows on the model how long elements will be, where parts touch, and edges and faces that are merged with others"))
         self.text = text_label("PreviewText")
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
