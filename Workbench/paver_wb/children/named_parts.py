@@ -5,6 +5,7 @@ Documents name this module and its proxies: none may be moved.
 """
 import glob
 import os
+import re
 from typing import NamedTuple
 
 import FreeCAD
@@ -17,6 +18,7 @@ from paver_wb.children.references import Numbers, ReferenceMissing, as_reference
 MEDIA, PORTS, WIRES = LINKS = ("Media", "Ports", "Wires")  # properties of a mesh object
 NAME = "NameInFiles"
 CONDUCTING = 1e4  # S/m: a material that conducts better counts as a conductor
+ENTRY = re.compile(r"\s*(\w+)\s*[=:]\s*(.*)")  # of a card
 GROUPS = {proxies.MEDIUM: tip("Medium"), proxies.PORT: tip("Port"), proxies.WIRE: tip("Wire")}
 
 
@@ -279,7 +281,7 @@ def materials(document):
     for obj in document.Objects:
         if isinstance(getattr(obj, "Material", None), dict):
             found.setdefault(obj.Label, obj.Material)
-    for path in sorted(glob.glob(os.path.join(FreeCAD.getResourceDir(), "Mod", "Material", "*", "*.FCMat"))):
+    for path in sorted(glob.glob(os.path.join(FreeCAD.getResourceDir(), "Mod", "Material", "**", "*.FCMat"), recursive=True)):
         name = os.path.splitext(os.path.basename(path))[0]
         if name not in ("TEMPLATE", "None"):
             found.setdefault(name, read_card(path))
@@ -294,11 +296,7 @@ def is_medium(material):
 
 
 def read_card(path):
-    """The entries of a material card as a dict."""
-    entries = {}
+    """The entries of a material card as a dict: "Name = value" up to FreeCAD 0.21, 'Name: "value"' from 1.0 on."""
     with open(path, encoding="utf-8", errors="replace") as file:
-        for line in file:
-            name, equals, value = line.partition("=")
-            if equals and not line.startswith((";", "#", "[")):
-                entries[name.strip()] = value.strip()
-    return entries
+        found = [ENTRY.match(line) for line in file]
+    return {entry.group(1): entry.group(2).strip().strip("\"'") for entry in found if entry}
