@@ -17,7 +17,12 @@ class Units(PanelCase):
     def setUp(self):
         super().setUp()
         self.addCleanup(FreeCAD.Units.setSchema, FreeCAD.Units.getSchema())
-        FreeCAD.Units.setSchema(IMPERIAL)
+        self.choose(IMPERIAL)
+
+    def choose(self, schema):
+        if "UnitSystem" in self.document.PropertiesList:  # from FreeCAD 1.0 on each document has its own
+            self.document.UnitSystem = self.document.getEnumerationsOfProperty("UnitSystem")[schema]
+        FreeCAD.Units.setSchema(schema)
 
     def add_box(self):
         self.box.Length = self.box.Width = self.box.Height = 20 * INCH
