@@ -115,6 +115,19 @@ def draw_both(vv, hh, degrees, found, number, label, more=()):
     hh.legend()
 
 
+def draw(found, body, folder, name, label):
+    """Differences, and cross-sections over the angles of a half circle; label: of the angles."""
+    figure, (left, middle, right) = pictures.axes(3)
+    draw_differences(left, found, body)
+    left.legend()
+    draw_both(middle, right, np.linspace(0, 180, len(body.angles)), found, 0, label)
+    pictures.save(figure, folder, name)
+
+
+def table(found):
+    return "\n".join([TABLE_HEAD, *rows(found, 1), check_row(found)])
+
+
 def row(name, found, fine):
     vv, hh = differences(found, fine)
     return f"| {name} | {found['unknowns']:,} | {found['triangles']} of {found['elements']} | {vv:.3f} | {hh:.3f} |"

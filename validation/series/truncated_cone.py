@@ -4,15 +4,11 @@ The gallery's model at a third of its size: half angle 12 degrees, sphere of rad
 """
 import os
 
-import numpy as np
-
-import pictures
 from series import body
 
 SCALE = 1 / 3
 BODY = body.Body(os.path.join(body.meshes.EXAMPLES, "gallery", "truncated_cone_sphere.step"), 10e9, body.around(91), 12,
                  (600, 1200, 2000), 3800, 3600, scale=SCALE)
-DEGREES = np.linspace(0, 180, 91)
 
 
 def compute(stored):
@@ -20,12 +16,8 @@ def compute(stored):
 
 
 def draw(found, folder):
-    figure, (left, middle, right) = pictures.axes(3)
-    body.draw_differences(left, found, BODY)
-    left.legend()
-    body.draw_both(middle, right, DEGREES, found, 0, "angle from the sphere's end")
-    pictures.save(figure, folder, "truncated_cone")
+    body.draw(found, BODY, folder, "truncated_cone", "angle from the sphere's end")
 
 
 def tables(found):
-    return {"truncated cone": "\n".join([body.TABLE_HEAD, *body.rows(found, 1), body.check_row(found)])}
+    return {"truncated cone": body.table(found)}

@@ -34,7 +34,6 @@ class CheckPanel(measuring.MeasuringDialog):
     def __init__(self, obj):
         super().__init__(obj, "Paver_CheckPanel", translate("Paver", "Check of {}").format(obj.Label))
         self.resize(WIDTH, HEIGHT)
-        FreeCAD.addDocumentObserver(self)
 
     def stand_aside(self):
         """Leaves the middle of the 3D view free, where places are shown: in its lower right corner, else in the window's lower
@@ -201,16 +200,7 @@ class CheckPanel(measuring.MeasuringDialog):
         except (ReferenceError, RuntimeError):  # gone meanwhile
             self.close()
 
-    def slotDeletedObject(self, obj):
-        if obj == self.obj:
-            self.close()
-
-    def slotDeletedDocument(self, document):
-        if document.Name == self.key[1]:
-            self.close()
-
     def leave(self, result):
-        FreeCAD.removeDocumentObserver(self)
         try:
             self.isolate.setChecked(False)
             actions.display_of(self.obj).ring(())

@@ -39,7 +39,6 @@ class StatisticsPanel(measuring.MeasuringDialog):
     def __init__(self, obj):
         super().__init__(obj, "Paver_StatisticsPanel", translate("Paver", "Statistics of {}").format(obj.Label))
         self.resize(900, 620)
-        FreeCAD.addDocumentObserver(self)
 
     def build(self):
         self.table = named(QtGui.QTreeWidget(), "StatisticsTable")
@@ -158,18 +157,6 @@ class StatisticsPanel(measuring.MeasuringDialog):
                 self.refresh()
         except (ReferenceError, RuntimeError, ValueError):  # gone meanwhile
             self.close()
-
-    def slotDeletedObject(self, obj):
-        if obj == self.obj:
-            self.close()
-
-    def slotDeletedDocument(self, document):
-        if document.Name == self.key[1]:
-            self.close()
-
-    def leave(self, result):
-        FreeCAD.removeDocumentObserver(self)
-        super().leave(result)
 
 
 def show(obj):

@@ -74,15 +74,14 @@ class Contacts(NamedTuple):
     pairs: int
 
 
-def connected(job):
-    """(Part.Shape as it is meshed, of which nothing is merged yet; Prediction) of a mesh_job.Job. Errors as in paver.mesh."""
+def connected(model, options):
+    """(Part.Shape as it is meshed, of which nothing is merged yet; Prediction) of a paver.Model. Errors as in paver.mesh."""
     import Part
     paver = core.load()
     from paver import _run
-    model = job.model()
-    prediction = paver.predict(model, **job.options)
+    prediction = paver.predict(model, **options)
     shape = Part.Shape()
-    shape.importBrepFromString(paver._paver.repaired(model._source, _run.given_options(job.options), None).decode())
+    shape.importBrepFromString(paver._paver.repaired(model._source, _run.given_options(options), None).decode())
     return shape, prediction
 
 
@@ -151,16 +150,17 @@ def rows(points, shape):
 
 def look(job):
     """The Look of a mesh_job.Job."""
-    shape, prediction = connected(job)
+    model, original = job.model(), size_look.original(job)
+    shape, prediction = connected(model, job.options)
     touching = contacts(shape)
-    short, thin = small(size_look.original(job), prediction.merges)
+    short, thin = small(original, prediction.merges)
     chord = CHORD * shape.BoundBox.DiagonalLength
     lines = [edge for edge in touching.edges if not edge.Degenerated]
     return Look(triangles(touching.faces[:MOST], chord), rows([line(edge) for edge in lines[:MOST]], (PIECES + 1, 3)),
                 rows([tuple(vertex.Point) for vertex in touching.vertices], (3,)),
                 rows([line(edge) for edge in (short + edges_of(thin[:MOST]))[:MOST]], (PIECES + 1, 3)),
                 rows([merge["where"] for merge in prediction.merges], (3,)),
-                *size_look.sizes(job), prediction.target_length, touching.pairs, len(short), len(thin))
+                *size_look.sizes(model, original, job.options), prediction.target_length, touching.pairs, len(short), len(thin))
 
 
 def save(found, path):

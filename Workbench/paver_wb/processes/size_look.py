@@ -52,11 +52,10 @@ def tessellated(face, chord):
     return points[np.array(triangles, np.int64).reshape(-1, 3)]
 
 
-def sizes(job):
+def sizes(model, shape, options):
     """((n, 3, 3) float32 corners of triangles over all faces that will be meshed, (n, 3) float32 target lengths there, mm).
-    Errors as in paver.mesh."""
+    model: paver.Model of the shape. Errors as in paver.mesh."""
     import FreeCAD
-    shape = original(job)
     diagonal = max(shape.BoundBox.DiagonalLength, 1e-9)
     coarse = [tessellated(face, CHORD * diagonal) for face in shape.Faces]
     area = sum(np.linalg.norm(np.cross(t[:, 1] - t[:, 0], t[:, 2] - t[:, 0]), axis=1).sum() / 2 for t in coarse)
@@ -71,7 +70,7 @@ def sizes(job):
             uv.append((u, v))
             points.append(tuple(surface.value(u, v)))
     points = np.array(points).reshape(-1, 3)
-    lengths = core.load().target_lengths(job.model(), faces, np.array(uv).reshape(-1, 2), points, **job.options)
+    lengths = core.load().target_lengths(model, faces, np.array(uv).reshape(-1, 2), points, **options)
     corners, lengths = points.reshape(-1, 3, 3).astype(np.float32), lengths.reshape(-1, 3).astype(np.float32)
     is_meshed = (lengths > 0).all(axis=1)
     return corners[is_meshed], lengths[is_meshed]

@@ -2,21 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <BRepPrimAPI_MakeBox.hxx>
-#include <sstream>
 
 #include "core/brep/shape_files.h"
 #include "paver/mesher.h"
 #include "paver/solver.h"
+#include "support/report_of.h"
 
 namespace paver {
 namespace {
-
-MeshResult mesh(const TopoDS_Shape& shape, const Options& options) {
-  std::ostringstream out;
-  BRepTools::Write(shape, out);
-  Progress progress;
-  return mesh_model(read_bytes(out.str(), "shape", progress), options, progress);
-}
 
 TEST(SolverFigures, CountUnknownsByEdgesAndMeasureInTheDensestMedium) {
   Options options;
@@ -24,7 +17,7 @@ TEST(SolverFigures, CountUnknownsByEdgesAndMeasureInTheDensestMedium) {
   options.media = {{"Dense", {"Solid1"}, 4.0}};
   const TopoDS_Shape boxes = test::compound({BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 20, 20, 20).Shape(),
                                              BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 20), 20, 20, 20).Shape()});
-  const MeshResult result = mesh(boxes, options);
+  const MeshResult result = test::mesh_of(boxes, options);
   const SolverFigures figures = solver_figures(result.report);
   const QualityReport& quality = result.report.quality;
   ASSERT_EQ(quality.triangles, 0);
@@ -63,7 +56,7 @@ TEST(SolverFigures, SegmentsAreMeasuredByTheRadiusOfTheirWire) {
   Options options;
   options.size = 2;
   options.wires = {{"Rim", {"Edge1"}, 1.0}};
-  const MeshResult result = mesh(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), options);
+  const MeshResult result = test::mesh_of(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), options);
   EXPECT_NEAR(*solver_figures(result.report).least_segment, 2, 1e-9);
 }
 

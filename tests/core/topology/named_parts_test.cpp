@@ -9,6 +9,7 @@
 
 #include "core/brep/shape_files.h"
 #include "paver/mesher.h"
+#include "support/report_of.h"
 #include "topology/naming/edge_entities.h"
 
 namespace paver {
@@ -22,10 +23,7 @@ TopoDS_Shape two_boxes() {
 
 MeshResult mesh(const TopoDS_Shape& shape, Options options, double size = 1) {
   options.size = size;
-  std::ostringstream out;
-  BRepTools::Write(shape, out);
-  Progress progress;
-  return mesh_model(read_bytes(out.str(), "shape", progress), options, progress);
+  return test::mesh_of(shape, options);
 }
 
 TEST(NamedParts, CommonFacesAreInThePortOfOneOfThem) {

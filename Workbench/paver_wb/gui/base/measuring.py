@@ -14,7 +14,7 @@ _open = {}  # (class, names of document and mesh object): the dialog on screen
 
 
 class MeasuringDialog(QtGui.QDialog):
-    """Subclasses have build(), which puts the bar `busy` somewhere, refresh(), which calls measure(), and
+    """Goes with its mesh object. Subclasses have build(), which puts the bar `busy` somewhere, refresh(), which calls measure(), and
     show_measured(result), show_fault(sentence)."""
 
     def __init__(self, obj, name, title):
@@ -33,6 +33,16 @@ class MeasuringDialog(QtGui.QDialog):
         self.finished.connect(self.leave)
         self.build()
         self.refresh()
+        FreeCAD.addDocumentObserver(self)
+
+    def slotDeletedObject(self, obj):
+        """FreeCAD calls it, like the next."""
+        if obj == self.obj:
+            self.close()
+
+    def slotDeletedDocument(self, document):
+        if document.Name == self.key[1]:
+            self.close()
 
     def close_button(self):
         made = button("Close", translate("Paver", "Close"), "", self.close)
@@ -45,6 +55,7 @@ class MeasuringDialog(QtGui.QDialog):
         self.busy.show()
 
     def leave(self, _result):
+        FreeCAD.removeDocumentObserver(self)
         self.latest.drop()
         _open.pop(self.key, None)
 
