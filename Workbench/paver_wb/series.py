@@ -15,7 +15,7 @@ from typing import NamedTuple
 import FreeCAD
 
 from paver_wb import analysis, core, export_mesh, mesh_check, mesh_object, meshing, properties, refinement, statistics
-from paver_wb.base import proxies
+from paver_wb.base import proxies, units
 from paver_wb.base.proxies import Stateless, attach_view
 from paver_wb.base.texts import tip
 from paver_wb.children import named_parts
@@ -28,7 +28,6 @@ MOST_STEPS = 200
 LOGARITHMIC = "log"
 SPREADS = ("", LOGARITHMIC)
 COLUMNS = ("value", "elements", "unknowns", "matrix_bytes", "seconds", "least_sj", "verdict", "reason", "error", "files")
-FREQUENCIES = (("THz", 1e12), ("GHz", 1e9), ("MHz", 1e6), ("kHz", 1e3), ("Hz", 1.0))
 MESHES, ROWS = "Meshes", "Rows"
 
 # name: (type, tooltip)
@@ -59,10 +58,7 @@ class Step(NamedTuple):
 
     @property
     def plain(self):
-        if self.option != FREQUENCY:
-            return f"{self.value:.7g}"
-        unit, factor = next((u for u in FREQUENCIES if self.value >= u[1]), FREQUENCIES[-1])
-        return f"{self.value / factor:.7g} {unit}"
+        return units.quantity_text("frequency", self.value) if self.option == FREQUENCY else units.number_text(self.value)
 
     @property
     def file_text(self):
@@ -225,8 +221,7 @@ def new_mesh(mesh, step):
 def copy_children(mesh, child):
     """Gives a mesh object children of its own like those of another one: what is changed there later changes no step."""
     for other in refinement.of_mesh(mesh):
-        value = {"length": other.Length.Value} if other.By == refinement.LENGTH else {"eps_r": other.EpsR, "mu_r": other.MuR}
-        refinement.make(child, other.References, **value).Label = other.Label
+        refinement.make(child, other.References, **refinement.value_of(other)).Label = other.Label
     for other in named_parts.of_mesh(mesh):
         named_parts.copy(other, child)
 
