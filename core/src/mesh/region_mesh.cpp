@@ -135,10 +135,12 @@ bool has_corners(const Sides<V>& s, double bound) {
   return true;
 }
 
+/// Of the corners but those with a bit in `left_out`.
 template <class V>
-double worst_corner(const Sides<V>& s) {
+double worst_corner(const Sides<V>& s, unsigned left_out = 0) {
   double worst = 2;
   for (int i = 0; i < s.count; ++i) {
+    if (left_out >> i & 1U) continue;
     const int j = i > 0 ? i - 1 : s.count - 1;
     const double scale = std::sqrt(s.length2[i] * s.length2[j] * std::max(s.area2, 0.0));
     worst = std::min(worst, scale > 0 ? s.corner(j, i) / scale : -1);
@@ -182,9 +184,23 @@ bool has_jacobian(const RegionMesh& mesh, const Element& e, double bound) {
   return has_corners(Sides<Vec3>(mesh, e), bound / skew_allowance) && has_corners(Sides<MetricVec>(mesh, e), bound);
 }
 
-double scaled_jacobian(const RegionMesh& mesh, const Element& e) {
-  const double plain = worst_corner(Sides<Vec3>(mesh, e));
-  return counts_turns(mesh, e) ? std::min(skew_allowance * plain, worst_corner(Sides<MetricVec>(mesh, e))) : plain;
+namespace {
+
+double worst_corner(const RegionMesh& mesh, const Element& e, unsigned left_out) {
+  const double plain = worst_corner(Sides<Vec3>(mesh, e), left_out);
+  if (!counts_turns(mesh, e)) return plain;
+  return std::min(skew_allowance * plain, worst_corner(Sides<MetricVec>(mesh, e), left_out));
+}
+
+}  // namespace
+
+double scaled_jacobian(const RegionMesh& mesh, const Element& e) { return worst_corner(mesh, e, 0); }
+
+double free_jacobian(const RegionMesh& mesh, const Element& e) {
+  unsigned left_out = 0;
+  for (int i = 0, n = e.corners(); i < n; ++i)
+    if (mesh.is_fixed[e.v[i]] && mesh.star[e.v[i]].size() == 1) left_out |= 1U << i;
+  return worst_corner(mesh, e, left_out);
 }
 
 }  // namespace paver

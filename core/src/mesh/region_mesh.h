@@ -163,4 +163,8 @@ bool has_jacobian(const RegionMesh& mesh, const Element& e, double bound);
 /// Smallest corner value (e1 x e2).n / (|e1||e2|), n the element's own area vector; triangles times 2/sqrt 3.
 double scaled_jacobian(const RegionMesh& mesh, const Element& e);
 
+/// The same without the corners that are as the boundary has them, whatever is done inside: the only ones at a fixed
+/// node.
+double free_jacobian(const RegionMesh& mesh, const Element& e);
+
 }  // namespace paver

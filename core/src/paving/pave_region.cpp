@@ -26,6 +26,7 @@ struct Attempt {
 constexpr Attempt all_quad_attempts[] = {{1, 1}, {1, 0}, {0.95, 1}, {1.05, 1}, {0.9, 1}, {0.8, 1}, {0.5, 1}, {0.25, 1}};
 constexpr double sharpest_corner = 6 * M_PI / 180;  // sharper corners take a triangle, unless none is wanted
 constexpr double gap_widths[] = {0.8, 1.2};         // of the target length: about small holes
+constexpr std::size_t few_elements = 100;           // on larger regions a second way is as often worse as better
 constexpr double few_flat = 0.01;                   // of the elements: not worth four times as many
 
 Region scaled(const Region& region, double size) {
@@ -49,11 +50,11 @@ bool grows(const Region& region) {
 /// How much rows ran into each other.
 struct Tangle {
   long off_surface = 0;  ///< elements
-  double worst = 1;      ///< scaled Jacobian
+  double worst = 1;      ///< scaled Jacobian, where the boundary leaves it free
 
   explicit Tangle(const RegionMesh& mesh) : off_surface(count_faults(mesh).off_surface) {
     for (const Element& e : mesh.elements)
-      if (e.is_alive() && !has_jacobian(mesh, e, worst)) worst = scaled_jacobian(mesh, e);
+      if (e.is_alive() && !has_jacobian(mesh, e, worst)) worst = std::min(worst, free_jacobian(mesh, e));
   }
   bool is_bad() const { return off_surface > 0 || worst < 0.2; }
   bool is_less_than(const Tangle& other) const {
@@ -165,7 +166,7 @@ PavedRegion pave_region(const Region& region, const Progress& progress, Elements
   PavedRegion best = pave_region_once(region, progress, elements);
   Tangle least(best.mesh);
   auto try_way = [&](const Region& other, const Attempt& way) {
-    if (!least.is_bad()) return;
+    if (!least.is_bad() || best.mesh.elements.size() > few_elements) return;
     PavedRegion paved = finish(pave_once(other, way, progress, elements), elements);
     const Tangle tangle(paved.mesh);
     if (tangle.is_less_than(least)) best = std::move(paved), least = tangle;

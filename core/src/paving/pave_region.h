@@ -14,10 +14,9 @@ struct PavedRegion {
   PavingCounts counts;
 };
 
-/// Self-contained and deterministic. Where elements are off the surface and lengths grow, a second way is tried, and
-/// the better one given. Where no triangle is wanted other ways are tried while one is left or an element
-/// is unsound, and the best is given. Throws Error{face_failed} with a point when the region's loops cross in the
-/// chart, Error{cancelled} on cancel.
+/// Self-contained and deterministic. Where few elements tangle a second way is tried, and the better one given. Where
+/// no triangle is wanted other ways are tried while one is left or an element is unsound, and the best is given. Throws
+/// Error{face_failed} with a point when the region's loops cross in the chart, Error{cancelled} on cancel.
 PavedRegion pave_region(const Region& region, const Progress& progress, Elements elements = Elements::quad_dominant);
 
 /// In the first way only, whatever comes out.

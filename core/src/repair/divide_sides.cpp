@@ -76,7 +76,8 @@ class RegionDivider {
     const std::vector<int> outline = with_nodes_between(
         mesh_.elements[e], [&](int v, int w) { return std::minmax(v, w) == std::minmax(a, b) ? middle : -1; });
     Filling filling = fill_outline(
-        outline, kinds_, [&](const Corners& v) { return judge_.value(v); }, [](int, int) { return false; });
+        outline, kinds_, [&](const Corners& v, double floor) { return judge_.value(v, floor); },
+        [](int, int) { return false; });
     if (filling.elements.empty()) filling.elements = fan_at(outline, middle);
     mesh_.remove_element(e);
     for (const Corners& corners : filling.elements) mesh_.add_element(corners);

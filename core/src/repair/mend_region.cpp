@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <deque>
 #include <optional>
+#include <unordered_map>
 
 #include "repair/edits/divide_inside.h"
 #include "repair/edits/move_corners.h"
@@ -21,6 +22,21 @@ constexpr double least_bend = 0.01;     // of the chord: below, a side counts as
 constexpr double fair = 0.2;            // value from which on an element needs no more mending
 constexpr double as_good = 1e-9;        // merits nearer than this are equal, the first is taken
 constexpr double least_gain = 0.05;     // of value, of an element that is valid
+
+struct CornersHash {
+  std::size_t operator()(const Corners& v) const {
+    std::size_t hash = 0;
+    for (int node : v) hash = (hash ^ static_cast<std::size_t>(node)) * 0x9E3779B97F4A7C15U;
+    return hash ^ hash >> 32U;
+  }
+};
+
+/// The same element with its smallest corner first.
+Corners rotated(Corners v) {
+  const auto end = v.begin() + Element{v}.corners();
+  std::rotate(v.begin(), std::min_element(v.begin(), end), end);
+  return v;
+}
 
 class Mender {
  public:
@@ -58,9 +74,15 @@ class Mender {
     double merit = -10;
   };
 
+  /// A value, exact where it is above the floor it was asked for with.
+  struct Known {
+    double value = -2, floor = INFINITY;
+  };
+
   bool is_bad(int e) const { return mesh_.elements[e].is_alive() && judge_.value(e) <= 0; }
 
   bool mend(int e) {
+    known_.clear(), first_tried_ = mesh_.node_count();
     const double now = judge_.value(e);
     floor_ = now > 0 ? now + least_gain : 0;
     const Vec3 where = middle(e);
@@ -95,6 +117,15 @@ class Mender {
     return true;
   }
 
+  /// Fillings of places that overlap ask for the same elements again and again.
+  double value_of(const Corners& v, double floor) {
+    floor = std::max(floor, floor_);
+    if (*std::max_element(v.begin(), v.end()) >= first_tried_) return judge_.value(v, floor);
+    Known& known = known_.try_emplace(rotated(v)).first->second;
+    if (known.value > known.floor || known.floor <= floor) return known.value;
+    return (known = {judge_.value(v, floor), floor}).value;
+  }
+
   void note(ElementRepairKind kind, Vec3 where) { mended_.places.push_back({kind, where}); }
 
   Vec3 middle(int e) const {
@@ -112,7 +143,7 @@ class Mender {
   void try_set(const ElementSet& set, Candidate& best) {
     const PatchOutline outline = outline_of(mesh_, set, most_outline);
     if (outline.loop.empty()) return;
-    auto value = [&](const Corners& v) { return judge_.value(v, floor_); };
+    auto value = [&](const Corners& v, double floor) { return value_of(v, floor); };
     std::vector<int> fixed;
     for (int v : outline.inside)
       if (mesh_.is_fixed[v]) fixed.push_back(v);
@@ -135,9 +166,9 @@ class Mender {
   }
 
   /// For the place of some elements.
-  Filling fill(const std::vector<int>& outline, const ElementSet& set, std::size_t most_nodes = most_outline) const {
+  Filling fill(const std::vector<int>& outline, const ElementSet& set, std::size_t most_nodes = most_outline) {
     return fill_outline(
-        outline, kinds_, [&](const Corners& v) { return judge_.value(v, floor_); },
+        outline, kinds_, [&](const Corners& v, double floor) { return value_of(v, floor); },
         [&](int a, int b) { return is_side_outside(mesh_, set, a, b); }, most_nodes);
   }
 
@@ -182,7 +213,7 @@ class Mender {
     }
   }
 
-  Filling fill_with(int e, int a, int b, int node, const ElementSet& set) const {
+  Filling fill_with(int e, int a, int b, int node, const ElementSet& set) {
     const std::vector<int> outline = with_nodes_between(
         mesh_.elements[e], [&](int v, int w) { return std::minmax(v, w) == std::minmax(a, b) ? node : -1; });
     return fill(outline, set);
@@ -231,7 +262,9 @@ class Mender {
   RegionMesh& mesh_;
   const ElementJudge& judge_;
   const ElementKinds kinds_;
-  double floor_ = 0;  // value that what comes must exceed
+  double floor_ = 0;                                       // value that what comes must exceed
+  std::unordered_map<Corners, Known, CornersHash> known_;  // of elements between nodes that stay where they are
+  int first_tried_ = 0;                                    // nodes from here on are for trying
   int growths_ = 0;
   Mended mended_;
 };

@@ -31,7 +31,7 @@ struct Circle {
   }
   Filling fill(ElementKinds kinds) const {
     return fill_outline(
-        outline_of_size(mesh.node_count()), kinds, [&](const Corners& v) { return value(v); }, none_taken);
+        outline_of_size(mesh.node_count()), kinds, [&](const Corners& v, double) { return value(v); }, none_taken);
   }
   RegionMesh mesh;
 };
@@ -59,21 +59,21 @@ TEST(FillOutline, MakesOnlyTheKindsThatAreAskedFor) {
 
 TEST(FillOutline, NeverUsesAnElementWithoutValue) {
   // Everything with nodes 0 and 2 together is worthless.
-  auto value = [](const Corners& v) {
+  auto value = [](const Corners& v, double) {
     const bool has_0 = std::count(v.begin(), v.end(), 0) > 0, has_2 = std::count(v.begin(), v.end(), 2) > 0;
     return has_0 && has_2 ? -1.0 : 1.0;
   };
   const Filling filling = fill_outline(outline_of_size(5), both, value, none_taken);
   ASSERT_FALSE(filling.elements.empty());
-  for (const Corners& v : filling.elements) EXPECT_GT(value(v), 0);
+  for (const Corners& v : filling.elements) EXPECT_GT(value(v, 0), 0);
   EXPECT_TRUE(fill_outline(
-                  outline_of_size(3), both, [](const Corners&) { return 0.0; }, none_taken)
+                  outline_of_size(3), both, [](const Corners&, double) { return 0.0; }, none_taken)
                   .elements.empty());
 }
 
 TEST(FillOutline, LeavesSidesThatOthersHave) {
   const Filling filling = fill_outline(
-      outline_of_size(4), only_triangles, [](const Corners&) { return 1.0; },
+      outline_of_size(4), only_triangles, [](const Corners&, double) { return 1.0; },
       [](int a, int b) { return a + b == 2; });  // 0 and 2
   ASSERT_EQ(filling.elements.size(), 2U);
   for (const Corners& v : filling.elements)
@@ -82,10 +82,26 @@ TEST(FillOutline, LeavesSidesThatOthersHave) {
 
 TEST(FillOutline, RefusesOutlinesThatAreTooLong) { EXPECT_TRUE(Circle(most_outline + 1).fill(both).elements.empty()); }
 
+TEST(FillOutline, NeedsNoExactValuesAtTheFloorAndBelow) {
+  for (int n : {5, 6, 7, 8}) {
+    const Circle circle(n);
+    const Filling exact = circle.fill(both);
+    const Filling rough = fill_outline(
+        outline_of_size(n), both,
+        [&](const Corners& v, double floor) {
+          const double value = circle.value(v);
+          return value <= floor ? std::min(floor, 0.0) - 1 : value;
+        },
+        none_taken);
+    EXPECT_EQ(rough.elements, exact.elements) << n;
+    EXPECT_EQ(rough.worst, exact.worst) << n;
+  }
+}
+
 TEST(FillAbout, JoinsTheCentreWithQuadsByTurns) {
   Circle circle(6);
   const int centre = circle.mesh.add_node({}, {}, {1, 0, 0}, {0, 1, 0}, 1);
-  auto value = [&](const Corners& v) { return circle.value(v); };
+  auto value = [&](const Corners& v, double) { return circle.value(v); };
   const Filling quads = fill_about(centre, outline_of_size(6), both, value);
   EXPECT_EQ(quads.elements.size(), 3U);
   EXPECT_EQ(quads.triangles, 0);

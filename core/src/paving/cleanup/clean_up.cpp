@@ -78,7 +78,8 @@ class CleanUp {
     int left = 50 + static_cast<int>(mesh_.elements.size()) / 100;
     for (int e = 0, n = static_cast<int>(mesh_.elements.size()); e < n && left > 0; ++e) {
       const Element element = mesh_.elements[e];
-      if (!element.is_alive() || scaled_jacobian(mesh_, element) >= poor_jacobian) continue;
+      if (!element.is_alive() || has_jacobian(mesh_, element, poor_jacobian)) continue;
+      if (free_jacobian(mesh_, element) >= poor_jacobian) continue;
       progress_.check();
       --left;
       for (int i = 0; i < element.corners() && mesh_.elements[e].is_alive(); ++i) mend_once(element.v[i]);

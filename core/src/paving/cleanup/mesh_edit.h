@@ -126,7 +126,7 @@ class MeshEdit {
   void collect_near();
   void measure(const Element& e, Measure& worst) const;
   void measure_lengths(const Element& e, Measure& worst) const;
-  bool is_promising(const Demand& demand, double spread_before) const;
+  bool is_promising(const Demand& demand, const Measure& before) const;
   const Measure& measured(int id, const Element& e);
   Measure measure_before();
 

@@ -74,11 +74,12 @@ class BendDivider {
     const std::vector<int> outline =
         with_nodes_between(mesh_.elements[e], [&](int a, int b) { return node_between(a, b); });
     Filling filling = fill_outline(
-        outline, kinds_, [&](const Corners& v) { return judge_.value(v); },
+        outline, kinds_, [&](const Corners& v, double floor) { return judge_.value(v, floor); },
         [&](int a, int b) { return is_side_outside(mesh_, {e}, a, b); });
     if (filling.elements.empty())  // what the others gain may be worth it
       filling = fill_outline(
-          outline, kinds_, [&](const Corners& v) { return 2 + judge_.value(v); }, [](int, int) { return false; });
+          outline, kinds_, [&](const Corners& v, double) { return 2 + judge_.value(v); },
+          [](int, int) { return false; });
     mesh_.remove_element(e);
     for (const Corners& corners : filling.elements) mesh_.add_element(corners);
   }

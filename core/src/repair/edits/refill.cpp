@@ -9,9 +9,14 @@ namespace {
 
 constexpr double triangle_price = 0.02;
 
+/// What the elements of a filling must exceed to be better than one that is there, if any.
+double value_needed(double worst, double merit, int triangles) {
+  return worst > 0 ? std::max(merit + triangle_price * triangles, 0.0) : 0;
+}
+
 class Outline {
  public:
-  Outline(std::span<const int> nodes, ElementKinds kinds, const std::function<double(const Corners&)>& value,
+  Outline(std::span<const int> nodes, ElementKinds kinds, const ElementValue& value,
           const std::function<bool(int, int)>& is_taken)
       : nodes_(nodes),
         kinds_(kinds),
@@ -67,7 +72,8 @@ class Outline {
       found.triangles += chord(a, b).best.triangles;
     }
     if (found.merit() <= best.merit()) return;
-    found.worst = std::min(found.worst, value_(corners));
+    const double floor = value_needed(best.worst, best.merit(), found.triangles);
+    found.worst = std::min(found.worst, value_(corners, floor));
     if (found.worst > 0 && found.merit() > best.merit()) best = found;
   }
 
@@ -83,7 +89,7 @@ class Outline {
 
   std::span<const int> nodes_;
   const ElementKinds kinds_;
-  const std::function<double(const Corners&)>& value_;
+  const ElementValue& value_;
   const int n_;
   std::vector<Chord> chords_;  // per pair of nodes, the first before the second
 };
@@ -92,27 +98,26 @@ class Outline {
 
 double merit(double worst, int triangles) { return std::min(worst, good_enough) - triangle_price * triangles; }
 
-Filling fill_outline(std::span<const int> outline, ElementKinds kinds,
-                     const std::function<double(const Corners&)>& value, const std::function<bool(int, int)>& is_taken,
-                     std::size_t most_nodes) {
+Filling fill_outline(std::span<const int> outline, ElementKinds kinds, const ElementValue& value,
+                     const std::function<bool(int, int)>& is_taken, std::size_t most_nodes) {
   if (outline.size() < 3 || outline.size() > most_nodes) return {};
   return Outline(outline, kinds, value, is_taken).run();
 }
 
-Filling fill_about(int centre, std::span<const int> outline, ElementKinds kinds,
-                   const std::function<double(const Corners&)>& value) {
+Filling fill_about(int centre, std::span<const int> outline, ElementKinds kinds, const ElementValue& value) {
   const auto n = outline.size();
   auto at = [&](std::size_t i) { return outline[i % n]; };
   Filling best;
   auto improve = [&](std::size_t start, std::size_t quads) {
     Filling found{1, static_cast<int>(n - 2 * quads), {}};
+    const double floor = value_needed(best.worst, merit(best.worst, best.triangles), found.triangles);
     for (std::size_t i = start; i < start + n;) {
       const bool is_quad = i < start + 2 * quads;
       found.elements.push_back(is_quad ? Corners{centre, at(i), at(i + 1), at(i + 2)}
                                        : Corners{centre, at(i), at(i + 1), -1});
       i += is_quad ? 2 : 1;
-      found.worst = std::min(found.worst, value(found.elements.back()));
-      if (found.worst <= 0) return;
+      found.worst = std::min(found.worst, value(found.elements.back(), floor));
+      if (found.worst <= floor) return;
     }
     if (best.worst <= 0 || merit(found.worst, found.triangles) > merit(best.worst, best.triangles))
       best = std::move(found);

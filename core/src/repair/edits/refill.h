@@ -32,14 +32,15 @@ constexpr double good_enough = 0.2;
 
 constexpr int most_outline = 10;  ///< nodes: what is filled anew many times
 
-/// Values as ElementJudge::value; `is_taken`: whether a side between two nodes is there already outside.
-/// Of at most `most_nodes` nodes, counter-clockwise; nothing where no division has elements of positive value only.
-Filling fill_outline(std::span<const int> outline, ElementKinds kinds,
-                     const std::function<double(const Corners&)>& value, const std::function<bool(int, int)>& is_taken,
-                     std::size_t most_nodes = most_outline);
+/// As ElementJudge::value; need not be exact at `floor` and below.
+using ElementValue = std::function<double(const Corners&, double floor)>;
+
+/// `is_taken`: whether a side between two nodes is there already outside. Of at most `most_nodes` nodes,
+/// counter-clockwise; nothing where no division has elements of positive value only.
+Filling fill_outline(std::span<const int> outline, ElementKinds kinds, const ElementValue& value,
+                     const std::function<bool(int, int)>& is_taken, std::size_t most_nodes = most_outline);
 
 /// The same with a node inside: triangles and quads about it, by turns as few triangles as there may be.
-Filling fill_about(int centre, std::span<const int> outline, ElementKinds kinds,
-                   const std::function<double(const Corners&)>& value);
+Filling fill_about(int centre, std::span<const int> outline, ElementKinds kinds, const ElementValue& value);
 
 }  // namespace paver
