@@ -154,8 +154,8 @@ PavedRegion finish(PavedRegion paved, Elements elements) {
 
 }  // namespace
 
-PavedRegion pave_region_once(const Region& region, const Progress& progress, Elements elements) {
-  return finish(pave_once(region, {}, progress, elements), elements);
+PavedRegion pave_region_once(const Region& region, const Progress& progress, Elements elements, RowRule rule) {
+  return finish(pave_once(region, {1, rule == RowRule::fit ? 1.0 : 0.0}, progress, elements), elements);
 }
 
 PavedRegion pave_region(const Region& region, const Progress& progress, Elements elements) {

@@ -19,8 +19,11 @@ struct PavedRegion {
 /// Error{face_failed} with a point when the region's loops cross in the chart, Error{cancelled} on cancel.
 PavedRegion pave_region(const Region& region, const Progress& progress, Elements elements = Elements::quad_dominant);
 
-/// In the first way only, whatever comes out.
+/// Which rows are laid first: by how well they fit to the sides at their ends as well, or not.
+enum class RowRule { fit, no_fit };
+
+/// In one way only, whatever comes out.
 PavedRegion pave_region_once(const Region& region, const Progress& progress,
-                             Elements elements = Elements::quad_dominant);
+                             Elements elements = Elements::quad_dominant, RowRule rule = RowRule::fit);
 
 }  // namespace paver

@@ -68,7 +68,8 @@ bool OtherWays::is_coarse_and_mixed(const RegionMesh& mesh) const {
 }
 
 bool OtherWays::make_whole(Mended& mended, PavedRegion& paved) const {
-  return lay_dome_again(mended, paved) || pave_without_turns(mended, paved);
+  if (lay_dome_again(mended, paved) || pave_without_turns(mended, paved)) return true;
+  return pave_by_other_rule(region_, mended, paved);
 }
 
 bool OtherWays::lay_dome_again(Mended& mended, PavedRegion& paved) const {
@@ -83,8 +84,19 @@ bool OtherWays::pave_without_turns(Mended& mended, PavedRegion& paved) const {
   if (!paved.mesh.has_turns()) return false;
   Region plain = region_;
   plain.size.count_no_turns();
+  auto pave = [&] { return pave_region(plain, progress_, options_.elements); };
+  return take_paved(plain, pave, mended, paved) || pave_by_other_rule(plain, mended, paved);
+}
+
+bool OtherWays::pave_by_other_rule(const Region& region, Mended& mended, PavedRegion& paved) const {
+  auto pave = [&] { return pave_region_once(region, progress_, options_.elements, RowRule::no_fit); };
+  return take_paved(region, pave, mended, paved);
+}
+
+template <class Pave>
+bool OtherWays::take_paved(const Region& region, Pave pave, Mended& mended, PavedRegion& paved) const {
   try {
-    return take(plain, pave_region(plain, progress_, options_.elements), mended, paved);
+    return take(region, pave(), mended, paved);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::face_failed) throw;
     return false;

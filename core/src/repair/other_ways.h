@@ -18,9 +18,9 @@ class OtherWays {
   /// Whether there is something to look at in a mesh without bad elements.
   bool can_help(const RegionMesh& mesh) const;
 
-  /// Where elements are left that are not valid, or the face is not whole, takes the first of a dome and of paving that
-  /// counts no turns that, mended, leaves nothing. Where a few elements, some of them triangles, are worse than a grid
-  /// of about as many, takes that.
+  /// Where elements are left that are not valid, or the face is not whole, takes the first of a dome, of paving that
+  /// counts no turns, and of either paving by the other rule for rows that, mended, leaves nothing. Where a few
+  /// elements, some of them triangles, are worse than a grid of about as many, takes that.
   void improve(Mended& mended, PavedRegion& paved) const;
 
  private:
@@ -30,6 +30,9 @@ class OtherWays {
   bool make_regular(Mended& mended, PavedRegion& paved) const;
   bool lay_dome_again(Mended& mended, PavedRegion& paved) const;
   bool pave_without_turns(Mended& mended, PavedRegion& paved) const;
+  bool pave_by_other_rule(const Region& region, Mended& mended, PavedRegion& paved) const;
+  template <class Pave>
+  bool take_paved(const Region& region, Pave pave, Mended& mended, PavedRegion& paved) const;
   bool take(const Region& region, PavedRegion second, Mended& mended, PavedRegion& paved) const;
 
   const Region& region_;

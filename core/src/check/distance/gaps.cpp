@@ -22,6 +22,7 @@ using Pair = std::array<int, 2>;
 
 /// Of how far a quadratic element reaches beyond its nodes, of their extent.
 constexpr double overshoot = 0.3;
+constexpr double no_gap = 1e-9;  // of the target length: nothing is nearer
 
 /// An element or a line of a wire, as ranks give it to each other.
 struct Piece {
@@ -248,14 +249,22 @@ class GapSearch {
     for (int p : of_a)
       for (int q : of_b)
         if (are_apart(p, q)) pairs.push_back({std::min(p, q), std::max(p, q)});
+    const double target = std::min(a.target, b.target);
+    std::erase_if(pairs, [&](Pair pair) { return meets_already(pair, target); });
     if (pairs.empty() || have_common(about_[i], about_[j])) return;
     const PatchDistance found = distance(a.patch, b.patch);
-    if (found.distance > told_gap * std::min(a.target, b.target)) return;
+    if (found.distance > told_gap * target) return;
     for (Pair pair : pairs) {
       auto [known, is_new] = nearest_.try_emplace(pair, found);
       auto key = [](const PatchDistance& d) { return std::tuple(d.distance, d.where.x, d.where.y, d.where.z); };
       if (!is_new && key(found) < key(known->second)) known->second = found;
     }
+  }
+
+  // Parts that run through each other do so in many elements, and one place is told.
+  bool meets_already(Pair pair, double target) const {
+    const auto known = nearest_.find(pair);
+    return known != nearest_.end() && known->second.distance <= no_gap * target;
   }
 
   const SurfaceMesh& mesh_;
