@@ -2,6 +2,7 @@
 import os
 
 import matplotlib
+import numpy as np
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
@@ -44,6 +45,21 @@ def angle_axis(ax, label, step=30, most=180):
     ax.set_xlim(0, most)
     ax.set_xticks(range(0, most + 1, step))
     ax.set_xlabel(f"{label}, degrees")
+
+
+def bars(ax, names, values, kinds, form):
+    """Logarithmic bars from top to bottom, each with its value; `kinds`: of LOOKS."""
+    places, least = range(len(names))[::-1], min(values) / 2
+    ax.barh(places, np.subtract(values, least), left=least, color=[LOOKS[kind][0] for kind in kinds], height=0.6)
+    ax.set_yticks(list(places), names)
+    ax.set_xscale("log")
+    ax.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if max(values) < 20 * least else (1,)))
+    ax.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    ax.xaxis.set_minor_formatter(NullFormatter())
+    ax.set_xlim(least, max(values) * 4)
+    ax.grid(False, axis="y")
+    for y, value in zip(places, values):
+        ax.text(value * 1.08, y, form.format(value), va="center", fontsize=8)
 
 
 def save(figure, folder, name):

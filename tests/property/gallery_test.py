@@ -1,5 +1,8 @@
 """The models of the gallery that are shipped: meshed as the page says, sound, and closed where they are unions."""
+import importlib.machinery
+import importlib.util
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -17,6 +20,14 @@ MESHES = [("plate_triangular_hole.step", ("--frequency", "6GHz"), 1), ("plate_sm
           ("conesphere_slot.step", ("--frequency", "869MHz"), 1), ("satellite.step", ("--frequency", "300MHz"), 1),
           ("armoured_vehicle.step", ("--frequency", "100MHz", *UNION), 1), ("airplane.step", ("--frequency", "60MHz", *UNION), 1),
           ("drone.step", ("--frequency", "200MHz", *UNION), 1)]
+
+
+def program():
+    """scripts/gallery as a module."""
+    loader = importlib.machinery.SourceFileLoader("gallery", os.path.join(runs.ROOT, "scripts", "gallery"))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("gallery", loader))
+    loader.exec_module(module)
+    return module
 
 
 class Gallery(unittest.TestCase):
@@ -43,6 +54,17 @@ class Gallery(unittest.TestCase):
             with open(os.path.join(folder, "index.html")) as f:
                 self.assertEqual(f.read().count("<figure><img"), 4)
             self.assertTrue(os.path.exists(os.path.join(folder, "sheet.png")))
+            with open(os.path.join(folder, "gallery.pdf"), "rb") as f:
+                pdf = f.read()
+            self.assertEqual((pdf[:5], len(re.findall(rb"/Type\s*/Page\b", pdf))), (b"%PDF-", 2))
+
+    def test_ranks_stand_beside_those_of_the_paper(self):
+        gallery = program()
+        ranks = [{"ranks": 1, "seconds": 2.0, "how": "measured"}, {"ranks": 32, "seconds": 0.4, "how": "simulated"}]
+        self.assertEqual(gallery.rank_cells(ranks)[1], [["1", "measured", "2.00 s", "1.00", "2,908 s", "1.0"],
+                                                        ["32", "simulated", "0.40 s", "5.00", "126 s", "23.1"]])
+        self.assertEqual(gallery.ranks_table(ranks).count("<td>"), 12)
+        self.assertEqual((gallery.timed_ranks([{"paper": None}]), gallery.ranks_table([])), ([], ""))
 
 
 if __name__ == "__main__":

@@ -38,8 +38,9 @@ def test_errors_on_the_sphere_fall_by_the_order_of_the_elements(tmp_path):
     assert again == found
 
 
-def test_a_fin_that_shares_no_nodes_with_its_plate_is_wrong_at_every_size(tmp_path):
-    subject = connection.SUBJECTS[0]._replace(sizes=(20, 13))
+@pytest.mark.parametrize("number, sizes", [(0, (20, 13)), (3, (14, 9))])
+def test_sheets_that_touch_without_common_nodes_are_wrong_at_every_size(number, sizes, tmp_path):
+    subject = connection.SUBJECTS[number]._replace(sizes=sizes)
     found = connection.compute(stored.Stored(str(tmp_path / "connection.json")), [subject])[subject.title]
     fine = found["imprint", "fine"]
     by_size = body.differences(found["imprint", "coarse"], fine)[0]
@@ -62,7 +63,7 @@ def test_the_grid_of_a_cube_is_closed_and_regular_but_for_eight_nodes():
     assert body.scattering.surface(grid).is_closed
 
 
-@pytest.mark.parametrize("name", FIGURES.SERIES)
+@pytest.mark.parametrize("name", FIGURES.SERIES + FIGURES.LONG)
 def test_pictures_and_tables_come_of_what_is_stored(name, tmp_path):
     module = importlib.import_module(f"series.{name}")
     results = module.compute(kept(name))
@@ -71,6 +72,13 @@ def test_pictures_and_tables_come_of_what_is_stored(name, tmp_path):
     with open(os.path.join(FIGURES.DOCS, "figures.md"), encoding="utf-8") as f:
         page = f.read()
     assert FIGURES.with_tables(page, module.tables(results)) == page
+
+
+def test_long_series_are_solved_only_where_asked_for(monkeypatch):
+    monkeypatch.setattr(sys, "argv", ["figures"])
+    assert not set(FIGURES.arguments().series or FIGURES.SERIES) & set(FIGURES.LONG)
+    monkeypatch.setattr(sys, "argv", ["figures", *FIGURES.LONG])
+    assert tuple(FIGURES.arguments().series) == FIGURES.LONG
 
 
 def test_a_page_without_a_place_for_a_table_is_refused():

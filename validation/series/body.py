@@ -38,9 +38,10 @@ def around(count, theta=90.0, most=180.0):
     return np.c_[np.full(count, np.radians(theta)), phi]
 
 
-def solved(mesh, frequency, angles):
+def solved(mesh, frequency, angles, share=1.0):
+    """share: of the electric field equation in the combined one."""
     functions = scattering.surface(mesh)
-    equation = scattering.scatterer(functions, frequency, threads=1)
+    equation = scattering.scatterer(functions, frequency, share, threads=1)
     curves = scattering.monostatic(equation, angles)
     return {"unknowns": functions.unknowns, "elements": len(mesh.quads) + len(mesh.triangles),
             "triangles": len(mesh.triangles), "vv": [round(x, 3) for x in curves[:, 0]],
@@ -119,6 +120,7 @@ def draw(found, body, folder, name, label):
     """Differences, and cross-sections over the angles of a half circle; label: of the angles."""
     figure, (left, middle, right) = pictures.axes(3)
     draw_differences(left, found, body)
+    left.set_title(f"{body.frequency / 1e9:g} GHz: against {found['fine']['unknowns']:,} unknowns")
     left.legend()
     draw_both(middle, right, np.linspace(0, 180, len(body.angles)), found, 0, label)
     pictures.save(figure, folder, name)

@@ -24,7 +24,9 @@ class Subject(NamedTuple):
 
 
 SUBJECTS = (Subject("fin on a plate", "fin", 2.5e9, 90, (12, 7)), Subject("strip on a plate", "strip", 1.15e9, 90, (22, 12)),
-            Subject("two patches with walls", "patches", 2.9e9, 0, (10, 6)))
+            Subject("two patches with walls", "patches", 2.9e9, 0, (10, 6)),
+            Subject("three patches on posts", "posts", 1.8e9, 0, (9, 5)))
+HEIGHTS = (3, 6, 9)  # mm, of the patches on posts
 
 
 def _sheet(occ, x, y, z, width, height, stands=""):
@@ -43,6 +45,11 @@ def _add_sheets(occ, name):
     elif name == "strip":
         _sheet(occ, 0, 0, 0, 200, 200)
         _sheet(occ, 98, 100, 0, 4, 60, "x")
+    elif name == "posts":
+        _sheet(occ, 0, 0, 0, 150, 60)
+        for x, height in zip((15, 63, 111), HEIGHTS):
+            _sheet(occ, x, 18, height, 24, 24)
+            _sheet(occ, x + 2, 28, 0, 4, height, "y")
     else:
         _sheet(occ, 0, 0, 0, 120, 60)
         for x in (20, 80):
@@ -80,7 +87,8 @@ def compute(stored, subjects=SUBJECTS):
 
 
 def draw(results, folder):
-    figure, panels = pictures.axes(len(results))
+    figure, panels = pictures.plt.subplots(2, 2, figsize=(8.8, 6.4), layout="constrained", squeeze=False)
+    panels = panels.ravel()
     for ax, (title, found), subject in zip(panels, results.items(), SUBJECTS):
         lines = [("connected", "quads", found["imprint", "fine"]), ("not connected", "wrong", found["none", "fine"])]
         body.draw_curves(ax, DEGREES, lines, 0, "angle from the plate's normal")

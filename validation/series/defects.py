@@ -89,21 +89,10 @@ POINTED = {**{f"tip {tip}": f"tip h / {tip}" if tip > 1 else "tip h" for tip in 
 COLOURS = {"Gmsh": "gmsh-quads", "flat": "wrong", "cut": "wrong", "grid": "other"}
 
 
-def bars(ax, names, values, colours, form):
-    places, least = range(len(names))[::-1], min(values) / 2
-    ax.barh(places, np.subtract(values, least), left=least, color=[pictures.LOOKS[c][0] for c in colours], height=0.6)
-    ax.set_yticks(list(places), names)
-    ax.set_xscale("log")
-    ax.set_xlim(least, max(values) * 4)
-    ax.grid(False, axis="y")
-    for y, value in zip(places, values):
-        ax.text(value * 1.08, y, form.format(value), va="center", fontsize=8)
-
-
 def draw(found, folder):
     figure, (left, right) = pictures.axes(2)
     values = {k: 100 * c["rms"] for k, c in found["sphere"].items()}
-    bars(left, [NAMES[k] for k in values], list(values.values()), [COLOURS.get(k, "quads") for k in values], "{:.2g} %")
+    pictures.bars(left, [NAMES[k] for k in values], list(values.values()), [COLOURS.get(k, "quads") for k in values], "{:.2g} %")
     left.set_xlabel("rms error of the amplitude, %")
     left.set_title(f"sphere, ka 2.01, about {UNKNOWNS} unknowns")
     names, values, colours = [], [], []
@@ -112,7 +101,7 @@ def draw(found, folder):
             names.append(f"{POINTED[key]}: {way}")
             values.append(value)
             colours.append(COLOURS.get(key, "quads"))
-    bars(right, names, values, colours, "{:.3f} dB")
+    pictures.bars(right, names, values, colours, "{:.3f} dB")
     right.set_xlabel("mean difference, dB")
     right.set_title("cone-sphere, 869 MHz, about 1,000 unknowns")
     pictures.save(figure, folder, "defects")

@@ -1,6 +1,8 @@
 // Moments of the electric, magnetic and combined field integral equations on perfectly conducting surfaces.
 #pragma once
 
+#include <complex>
+
 #include "surface.h"
 
 namespace paver::validation {
@@ -15,8 +17,10 @@ struct Settings {
   int singular_points = 4;  ///< in each of four directions, where elements touch
 };
 
+using Matrix = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// Tested by the functions themselves, one row and one column per function. Times depend as exp(j w t).
-Eigen::MatrixXcd moment_matrix(const MeshedSurface& surface, const Settings& settings);
+Matrix moment_matrix(const MeshedSurface& surface, const Settings& settings);
 
 /// Throws std::invalid_argument where the settings do not fit the surface.
 void check(const MeshedSurface& surface, const Settings& settings);

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include "quadrature.h"
 
@@ -20,11 +21,22 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 Scatterer::Scatterer(const MeshedSurface& surface, const Settings& settings) : surface_(surface), settings_(settings) {
   auto start = std::chrono::steady_clock::now();
-  Eigen::MatrixXcd matrix = moment_matrix(surface, settings);
+  Matrix matrix = moment_matrix(surface, settings);
   fill_seconds_ = seconds_since(start);
   start = std::chrono::steady_clock::now();
-  factors_.compute(matrix);
+  factors_ = std::make_unique<Factors>(std::move(matrix));
   solve_seconds_ = seconds_since(start);
+  for (const CurvedElement& element : surface.elements()) {
+    std::vector<Place>& there = places_.emplace_back();
+    for (const RulePoint& q : product_rule(element.corners(), wave_points)) {
+      const ElementPoint at = element.at(q.u, q.v);
+      Place& place = there.emplace_back(at.x, surface.outward() * at.by_u.cross(at.by_v).normalized());
+      for (int side = 0; side < element.corners(); ++side) {
+        const Density d = rooftop(element.corners(), side, q.u, q.v);
+        place.density.push_back(q.weight * (d.a * at.by_u + d.b * at.by_v));
+      }
+    }
+  }
 }
 
 Scatterer::Direction Scatterer::direction(const Eigen::Vector2d& angles) {
@@ -35,20 +47,17 @@ Scatterer::Direction Scatterer::direction(const Eigen::Vector2d& angles) {
 
 Eigen::VectorXcd Scatterer::moments(const Direction& from, const Vec& field, bool magnetic) const {
   Eigen::VectorXcd found = Eigen::VectorXcd::Zero(surface_.functions());
-  for (std::size_t e = 0; e < surface_.elements().size(); ++e) {
-    const CurvedElement& element = surface_.elements()[e];
-    for (const RulePoint& q : product_rule(element.corners(), wave_points)) {
-      const ElementPoint at = element.at(q.u, q.v);
-      Vec tested = field;
-      if (magnetic) tested = surface_.outward() * at.by_u.cross(at.by_v).normalized().cross(field);
-      const double phase = settings_.wave_number * from.out.dot(at.x);
-      const Complex wave = q.weight * Complex(std::cos(phase), std::sin(phase));
-      for (int side = 0; side < element.corners(); ++side) {
-        const Density d = rooftop(element.corners(), side, q.u, q.v);
-        const Complex moment = (d.a * at.by_u + d.b * at.by_v).dot(tested) * wave;
-        for (const Share& share : surface_.shares(e, side)) found(share.function) += share.sign * moment;
-      }
+  for (std::size_t e = 0; e < places_.size(); ++e) {
+    Complex sums[4] = {};
+    for (const Place& place : places_[e]) {
+      const Vec tested = magnetic ? place.normal.cross(field) : field;
+      const double phase = settings_.wave_number * from.out.dot(place.x);
+      const Complex wave(std::cos(phase), std::sin(phase));
+      for (std::size_t side = 0; side < place.density.size(); ++side)
+        sums[side] += place.density[side].dot(tested) * wave;
     }
+    for (int side = 0; side < surface_.elements()[e].corners(); ++side)
+      for (const Share& share : surface_.shares(e, side)) found(share.function) += share.sign * sums[side];
   }
   return found;
 }
@@ -69,18 +78,21 @@ Eigen::MatrixX2cd Scatterer::monostatic(const Eigen::MatrixX2d& angles) const {
   Eigen::MatrixXcd given(surface_.functions(), 2 * angles.rows());
   for (Eigen::Index i = 0; i < angles.rows(); ++i)
     for (int p = 0; p < 2; ++p) given.col(2 * i + p) = excitation(direction(angles.row(i)), p);
-  const Eigen::MatrixXcd currents = factors_.solve(given);
-  for (Eigen::Index i = 0; i < angles.rows(); ++i) {
-    const Direction there = direction(angles.row(i));
-    for (int p = 0; p < 2; ++p)
-      found(i, p) = factor * moments(there, there.polarisation[p], false).cwiseProduct(currents.col(2 * i + p)).sum();
-  }
+  const Eigen::MatrixXcd currents = factors_->solve(given);
+  if (settings_.electric_share < 1)  // else these are the moments already
+    for (Eigen::Index i = 0; i < angles.rows(); ++i)
+      for (int p = 0; p < 2; ++p) {
+        const Direction there = direction(angles.row(i));
+        given.col(2 * i + p) = moments(there, there.polarisation[p], false);
+      }
+  for (Eigen::Index i = 0; i < angles.rows(); ++i)
+    for (int p = 0; p < 2; ++p) found(i, p) = factor * given.col(2 * i + p).cwiseProduct(currents.col(2 * i + p)).sum();
   return found;
 }
 
 Eigen::MatrixX2cd Scatterer::bistatic(const Eigen::Vector2d& from, int polarisation, const Eigen::MatrixX2d& to) const {
   const Complex factor = -Complex(0, 1) * settings_.wave_number * free_space_impedance / (4 * M_PI);
-  const Eigen::VectorXcd current = factors_.solve(excitation(direction(from), polarisation));
+  const Eigen::VectorXcd current = factors_->solve(excitation(direction(from), polarisation));
   Eigen::MatrixX2cd found(to.rows(), 2);
   for (Eigen::Index i = 0; i < to.rows(); ++i) {
     const Direction there = direction(to.row(i));

@@ -1,7 +1,10 @@
 // What a conducting surface scatters when a plane wave meets it.
 #pragma once
 
-#include "moments.h"
+#include <memory>
+#include <vector>
+
+#include "factors.h"
 
 namespace paver::validation {
 
@@ -26,13 +29,19 @@ class Scatterer {
     Vec polarisation[2];
   };
   static Direction direction(const Eigen::Vector2d& angles);
+  /// A place on an element: the densities of its sides there, times the weight.
+  struct Place {
+    Vec x, normal;
+    std::vector<Vec> density;
+  };
   /// Moments of a plane wave from there with this electric field; `magnetic`: of its magnetic field across the normal.
   Eigen::VectorXcd moments(const Direction& from, const Vec& field, bool magnetic) const;
   Eigen::VectorXcd excitation(const Direction& from, int polarisation) const;
 
   const MeshedSurface& surface_;
   Settings settings_;
-  Eigen::PartialPivLU<Eigen::MatrixXcd> factors_;
+  std::vector<std::vector<Place>> places_;  // by element
+  std::unique_ptr<Factors> factors_;
   double fill_seconds_ = 0, solve_seconds_ = 0;
 };
 
