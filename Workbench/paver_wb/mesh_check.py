@@ -188,12 +188,17 @@ def named(names, most):
     return ", ".join(names[:most]) + ("" if len(names) <= most else " \u2026")
 
 
+def touching(report):
+    """Pairs of parts that touch or cross, each once, in however many places they do."""
+    return list({frozenset(contact["parts"]): contact["parts"] for contact in report["model"].get("contacts", [])}.values())
+
+
 def contacts(mesh):
-    found = mesh.report["model"].get("contacts", [])
+    found = touching(mesh.report)
     if not found:
         return []
-    elements = dict.fromkeys(itertools.chain.from_iterable(between(mesh, contact["parts"]) for contact in found[:MOST_PLACES]))
-    texts = [" \u2013 ".join(contact["parts"]) for contact in found]
+    elements = dict.fromkeys(itertools.chain.from_iterable(between(mesh, pair) for pair in found[:MOST_PLACES]))
+    texts = [" \u2013 ".join(pair) for pair in found]
     return [Finding(NOTE, translate("Paver", "{} pairs of parts touch: {}.").format(len(found), named(texts, MOST_CONTACTS)),
                     tuple(sorted(elements)))]
 

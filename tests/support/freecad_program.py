@@ -3,8 +3,6 @@ import os
 import shutil
 import subprocess
 
-import pytest
-
 from repo import ROOT
 
 # Without the start page, which needs a browser and does not start for root.
@@ -34,13 +32,25 @@ def run(arguments, home, timeout=600, **environment):
                           timeout=timeout, cwd=home, env={**os.environ, "FREECAD_USER_HOME": home, **environment})
 
 
-def run_window(arguments, home, timeout=600, **environment):
-    """CompletedProcess of FreeCAD with its window, on a screen of its own, with output as text."""
-    window, screen = shutil.which("freecad") or shutil.which("FreeCAD"), shutil.which("xvfb-run")
-    if not window or not screen:
+def window_programs():
+    """FreeCAD with its window, and what gives it a screen; None for one that is not installed."""
+    return shutil.which("freecad") or shutil.which("FreeCAD"), shutil.which("xvfb-run")
+
+
+def need_window():
+    """Ends a test as skipped where there is none; in CI nothing may be missing."""
+    import pytest
+    if not all(window_programs()):
         (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)("FreeCAD's window or Xvfb is not installed")
+
+
+def run_window(arguments, home, timeout=600, size="1600x1000x24", **environment):
+    """CompletedProcess of FreeCAD with its window, on a screen of its own, with output as text. size: what Xvfb has behind -screen 0."""
+    window, screen = window_programs()
+    if not window or not screen:
+        need_window()
     with open(os.path.join(home, "user.cfg"), "w") as file:
         file.write(PREFERENCES)
-    return subprocess.run([screen, "-a", "-s", "-screen 0 1600x1000x24", window, *arguments], capture_output=True,
+    return subprocess.run([screen, "-a", "-s", f"-screen 0 {size}", window, *arguments], capture_output=True,
                           text=True, stdin=subprocess.DEVNULL, timeout=timeout, cwd=home,
                           env={**os.environ, "FREECAD_USER_HOME": home, **environment})

@@ -168,6 +168,13 @@ class Commands(WithCommands):
         self.assertIn("A mesh in four steps", page.toPlainText())
         self.assertIn("paver_wb.gui.help_page.show()", self.console())
         window.picture("commands_help")
+        for link, words in (("tutorials/README.md", "One closed body"), ("one_body.md", "Create mesh")):
+            page.anchorClicked.emit(QtCore.QUrl(link))
+            self.assertIn(words, page.toPlainText())
+        window.picture("commands_tutorial")
+        self.assertFalse(page.loadResource(QtGui.QTextDocument.ImageResource, QtCore.QUrl("pictures/one_body_01.png")).isEmpty())
+        FreeCADGui.runCommand("Paver_Help")
+        self.assertIn("A mesh in four steps", page.toPlainText())
         window.dock("Paver_HelpPage").close()
 
     def test_examples_open_in_documents_of_their_own(self):

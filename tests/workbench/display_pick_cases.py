@@ -136,6 +136,16 @@ class Picking(WithPlaces):
             self.assertAlmostEqual(np.linalg.norm([info[k] for k in "xyz"]), RADIUS, delta=0.05)
         self.assertIsNone(self.view.getObjectInfo((2, 2)))
 
+    def test_elements_of_the_mesh_of_before_are_selected_no_longer(self):
+        display = self.run_mesh()
+        actions.select(self.mesh, ["Elem3", "Elem5"])
+        wait()
+        self.assertEqual(display.selected, (2, 4))
+        self.mesh.Size = 0.5 * self.mesh.TargetLength
+        self.run_mesh()
+        part, = FreeCADGui.Selection.getSelectionEx()
+        self.assertEqual((part.Object, part.SubElementNames, display.selected), (self.mesh, (), ()))
+
     def test_where_the_mesh_is_moved(self):
         display = self.run_mesh()
         self.mesh.Placement = FreeCAD.Placement(FreeCAD.Vector(50, 20, -30), FreeCAD.Rotation(10, 20, 30))

@@ -4,7 +4,7 @@ import numpy as np
 import Part
 
 from mesh_cases import InDocument
-from paver_wb import core, mesh_object, meshing
+from paver_wb import core, mesh_check, mesh_object, meshing
 from paver_wb.processes import fem_process, mesh_job, model_look
 
 V = FreeCAD.Vector
@@ -19,8 +19,18 @@ class Looks(InDocument):
         return meshing.prepare(mesh_object.add(self.document, parts, **(options or {"size": 2})))
 
     def expect_pairs_of_the_report(self, job, look):
-        report = mesh_job.run(job).report["model"]
-        self.assertEqual(look.pairs, len({tuple(sorted(contact["parts"])) for contact in report["contacts"]}))
+        report = mesh_job.run(job).report
+        self.assertEqual(look.pairs, len(mesh_check.touching(report)))
+        return report["model"]["contacts"]
+
+    def test_parts_that_touch_in_two_places_are_one_pair(self):
+        box = Part.makeBox(10, 10, 10)
+        edge_on = Part.Face(Part.makePolygon([V(x, 0, z) for x, z in ((7, 12), (9, 12), (8, 10), (7, 12))])).extrude(V(0, 10, 0))
+        bridge = Part.makeBox(10, 10, 2, V(0, 0, 12)).fuse([Part.makeBox(3, 10, 2, V(0, 0, 10)), edge_on]).removeSplitter()
+        job = self.job(box, bridge)
+        look = model_look.look(job)
+        self.assertEqual(look.pairs, 1)
+        self.assertGreater(len(self.expect_pairs_of_the_report(job, look)), 1)
 
     def test_contacts_are_those_that_meshing_finds(self):
         upright = Part.Face(Part.makePolygon([V(5, y, z) for y, z in ((2, 10), (8, 10), (8, 18), (2, 18), (2, 10))]))

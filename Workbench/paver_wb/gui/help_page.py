@@ -24,6 +24,15 @@ def page():
     return path if os.path.exists(path) else os.path.join(PAGES, "help_en.md")
 
 
+def follow(browser, url):
+    """Goes to another page there; anything else is the desktop's."""
+    target = browser.source().resolved(url)
+    if target.isLocalFile() and target.path().endswith(".md"):
+        browser.setSource(target)
+    else:
+        QtGui.QDesktopServices.openUrl(target)
+
+
 def show():
     """Shows the page; gives its dock."""
     main = FreeCADGui.getMainWindow()
@@ -33,13 +42,13 @@ def show():
         dock.setObjectName(NAME)
         browser = QtGui.QTextBrowser()
         browser.setObjectName(NAME + "Text")
-        browser.setOpenExternalLinks(True)
+        browser.setOpenLinks(False)
+        browser.anchorClicked.connect(lambda url: follow(browser, url))
         browser.document().setDocumentMargin(12)
         dock.setWidget(browser)
         main.addDockWidget(QtCore.Qt.RightDockWidgetArea, dock)
         main.resizeDocks([dock], [460], QtCore.Qt.Horizontal)
-    with open(page(), encoding="utf-8") as file:
-        dock.widget().setMarkdown(file.read())
+    dock.widget().setSource(QtCore.QUrl.fromLocalFile(page()))
     dock.show()
     dock.raise_()
     return dock

@@ -181,9 +181,21 @@ class MeshDisplay:
         self.mesh, self.tessellation, self.tree = None, None, None
         self.hovered, self.reported, self.ringed = None, None, ()
         obj = self.obj
-        if self.path not in (None, obj.MeshFile) and obj.ViewObject.Isolate == isolation.LISTED:
-            obj.ViewObject.Isolate = isolation.EVERYTHING  # the numbers mean other elements now
+        if self.path not in (None, obj.MeshFile):  # the numbers mean other elements now
+            self.deselect()
+            if obj.ViewObject.Isolate == isolation.LISTED:
+                obj.ViewObject.Isolate = isolation.EVERYTHING
         self.path = obj.MeshFile
+
+    def deselect(self):
+        """The whole mesh is selected in place of its elements."""
+        if not self.selected:
+            return
+        elements, self.selected = self.selected, ()
+        document, name = self.obj.Document.Name, self.obj.Name
+        for element in elements:
+            FreeCADGui.Selection.removeSelection(document, name, report.element_name(element))
+        FreeCADGui.Selection.addSelection(document, name)
 
     def load(self):
         """Reads the mesh from the document, or shows nothing."""

@@ -62,7 +62,7 @@ def wires(mesh):
 
 def parts(report):
     """A row for what touches and how many meshes come of it; none for a single part."""
-    contacts, meshes = report["model"].get("contacts", []), report.get("components", [])
+    contacts, meshes = mesh_check.touching(report), report.get("components", [])
     if not contacts and len(meshes) < 2:
         return []
     return [(translate("Paver", "Contacts"), translate("Paver", "{}; separate meshes: {}").format(
