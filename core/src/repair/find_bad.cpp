@@ -2,19 +2,32 @@
 
 #include <algorithm>
 
+#include "curving/near_surface.h"
+
 namespace paver {
 namespace {
 
-// Where all three hold, a curved side leaves its chord by less than a tenth of it, and no two sides of a corner meet.
+// Where all hold, a curved side leaves its chord by less than a tenth of it, and no two sides of a corner meet.
 constexpr double least_along = 0.94;    // cosine, from the element's normal to the surface's at its corners
 constexpr double least_jacobian = 0.4;  // scaled
-constexpr double most_bulge = 0.1;      // of its chord, of a side on a B-rep edge
+// Between the derivatives at the ends of a side, of its chord; where it turns more the surface may do anything between.
+constexpr double most_side_turn = 0.4;
+constexpr double most_bulge = 0.1;  // of its chord, of a side on a B-rep edge
 
 bool is_flat(const RegionMesh& mesh, const Element& e, int n) {
   Vec3 area;
   for (int k = 1; k + 1 < n; ++k) area += cross(mesh.x[e.v[k]] - mesh.x[e.v[0]], mesh.x[e.v[k + 1]] - mesh.x[e.v[0]]);
   area = unit(area);
   return std::all_of(e.v.begin(), e.v.begin() + n, [&](int v) { return dot(area, mesh.normal(v)) > least_along; });
+}
+
+bool has_even_sides(const RegionMesh& mesh, const Element& e, int n) {
+  for (int k = 0; k < n; ++k) {
+    const SideCubic side(mesh, e.v[k], e.v[k + 1 < n ? k + 1 : 0]);
+    const Vec3 turn = side.last - side.first, chord = side.b - side.a;
+    if (dot(turn, turn) > most_side_turn * most_side_turn * dot(chord, chord)) return false;
+  }
+  return true;
 }
 
 bool has_flat_sides(const RegionMesh& mesh, const Element& e, int n, const BoundarySides& sides) {
@@ -39,7 +52,7 @@ std::vector<int> find_bad(const ElementJudge& judge) {
     if (!e.is_alive()) continue;
     const int n = e.corners();
     const bool is_plain = has_jacobian(mesh, e, least_jacobian) && is_flat(mesh, e, n) && is_positive(mesh, e) &&
-                          has_flat_sides(mesh, e, n, judge.sides());
+                          has_flat_sides(mesh, e, n, judge.sides()) && has_even_sides(mesh, e, n);
     if (!is_plain && (!has_jacobian(mesh, e, poor) || judge.value(e.v) <= 0)) bad.push_back(static_cast<int>(i));
   }
   return bad;

@@ -52,7 +52,10 @@ class Mender {
       queue.pop_front();
       if (!mesh_.elements[e].is_alive()) continue;
       const std::size_t made = mesh_.elements.size();
-      if (!mend(e)) left.push_back(e);
+      if (!mend(e))
+        left.push_back(e);
+      else if (is_bad(e))
+        queue.push_back(e);  // what helped others may help it yet
       for (std::size_t i = made; i < mesh_.elements.size(); ++i)
         if (is_bad(static_cast<int>(i))) queue.push_back(static_cast<int>(i));
     }

@@ -12,6 +12,7 @@
 #include "repair/edits/divide_inside.h"
 #include "repair/edits/patch.h"
 #include "repair/find_bad.h"
+#include "support/dome.h"
 #include "support/fake_model.h"
 #include "support/planar_region.h"
 
@@ -125,6 +126,24 @@ TEST(MendRegion, MakesNoTrianglesWhereNoneAreWanted) {
   square.put(12, {3.4, 3.3});
   square.mend(Elements::all_quad);
   for (const Element& e : square.mesh.elements) EXPECT_TRUE(!e.is_alive() || e.corners() == 4);
+}
+
+TEST(MendRegion, TellsEveryElementThatStaysBad) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> off(-0.12, 0.12), height(1, 6);
+  for (int i = 0; i < 60; ++i) {
+    Square square;
+    square.region = test::dome(height(random), 12, 0.3);
+    square.region.loops.clear();
+    for (int v = 0; v < 25; ++v) {
+      Vec2 uv = 0.15 * square.mesh.p[v] + Vec2{0.2, 0.2};
+      if (!square.mesh.is_fixed[v]) uv = uv + Vec2{off(random), off(random)};
+      square.mesh.put(v, square.region.place(square.region.chart->to_chart(uv)));
+      square.mesh.h[v] = 0.3;
+    }
+    const Mended mended = square.mend();
+    for (int e : square.bad()) EXPECT_TRUE(std::ranges::count(mended.left, e)) << i << " " << e;
+  }
 }
 
 TEST(MendRegion, IsTheSameEveryTime) {
