@@ -38,6 +38,7 @@ constexpr Demand all_quad_demands[] = {{-100, 0.2, 0.2, 0}, {-1e6, 0.05, 0.05, 0
 constexpr int most_partners = 8;  // other triangles tried for one
 // An element this poor may go at the cost of some energy when the worst about it rises.
 constexpr double poor_jacobian = 0.6, most_energy = 4;
+constexpr double sharp_jacobian = 0.2;  // an element at a sharper corner of the boundary is as good as it can be
 constexpr Demand mending_demand{-100, 0.45, 0.4, 0.1};
 
 class CleanUp {
@@ -79,7 +80,7 @@ class CleanUp {
     for (int e = 0, n = static_cast<int>(mesh_.elements.size()); e < n && left > 0; ++e) {
       const Element element = mesh_.elements[e];
       if (!element.is_alive() || has_jacobian(mesh_, element, poor_jacobian)) continue;
-      if (free_jacobian(mesh_, element) >= poor_jacobian) continue;
+      if (!has_jacobian(mesh_, element, sharp_jacobian) && free_jacobian(mesh_, element) >= poor_jacobian) continue;
       progress_.check();
       --left;
       for (int i = 0; i < element.corners() && mesh_.elements[e].is_alive(); ++i) mend_once(element.v[i]);

@@ -13,9 +13,8 @@ constexpr double widest = 155 * M_PI / 180;  // corner angle above which an elem
 constexpr int local_sweeps = 4;
 constexpr double early_share = 0.3;  // of the fall in spread that a dear change must show after one sweep
 constexpr double early_excess = 4;   // energy and spread together that a change may still lack after one sweep
-constexpr double any_price = -100;   // of energy: lengths count no more
-constexpr double early_lack = 0.4;   // of the scaled Jacobian such a change is to leave, after one sweep
-constexpr double early_loss = 0.2;   // of the worst, where it is to rise
+constexpr double early_lack = 0.4;   // of the scaled Jacobian that mending is to leave, after one sweep
+constexpr double early_loss = 0.2;   // of the worst, which is to rise
 
 double corner_angle(const RegionMesh& mesh, const Element& e, int node) {
   const MetricVec out = mesh.between(node, e.after(node)), in = mesh.between(node, e.before(node));
@@ -299,7 +298,7 @@ double MeshEdit::spread_about(std::span<const int> elements) {
 }
 
 void MeshEdit::measure(const Element& e, Measure& worst) const {
-  worst.jacobian = std::min(worst.jacobian, static_cast<float>(free_jacobian(mesh_, e)));
+  worst.jacobian = std::min(worst.jacobian, static_cast<float>(scaled_jacobian(mesh_, e)));
   measure_lengths(e, worst);
 }
 
@@ -329,16 +328,15 @@ MeshEdit::Measure MeshEdit::measure_before() {
 // Most changes come to nothing, which one sweep tells. Measured on a wavy patch: of the dear changes that pay all but 2
 // % have a fifth of the fall in spread by then, which four in five of the others have not; of the cavities filled anew
 // that pay all but 2 % are within `early_excess` by then, which two thirds of the others are not. On real models: of
-// the changes wanted at any price that pay all but 2 % have no worse shapes by then, which two thirds of the others
-// have.
+// those that mend all but 2 % have no worse shapes by then, which two thirds of the others have. Triangles joined are
+// too rare to lose any.
 bool MeshEdit::is_promising(const Demand& demand, const Measure& before) const {
-  const double wanted = demand.gain + demand.fall;
-  if (wanted <= any_price) {
-    const double shape = demand.jacobian - early_lack;
-    const double least = demand.rise > 0 ? std::max(shape, before.jacobian - early_loss) : shape;
+  if (demand.rise > 0) {
+    const double least = std::max(demand.jacobian - early_lack, before.jacobian - early_loss);
     return std::all_of(near_.begin(), near_.end(),
-                       [&](int e) { return free_jacobian(mesh_, mesh_.elements[e]) >= least; });
+                       [&](int e) { return scaled_jacobian(mesh_, mesh_.elements[e]) >= least; });
   }
+  const double wanted = demand.gain + demand.fall;
   Measure now;
   for (int e : near_) measure_lengths(mesh_.elements[e], now);
   const double fall = spread_price * (before.spread - now.spread);
