@@ -7,7 +7,7 @@ import catalogue
 
 PICTURES = "pictures"
 COLOURS = (160, 100, 60)  # of a picture, until it is small enough
-SIGNALS = [235, 85, 0, 200, 30, 45, 250, 200, 50, 40, 130, 60, 30, 140, 240, 0, 0, 0]  # red, green, blue of colours that stay
+SIGNALS = [235, 85, 0, 200, 30, 45, 250, 200, 50, 40, 130, 60, 30, 140, 240, 153, 26, 217, 0, 0, 0]  # red, green, blue of colours that stay
 LARGEST = 60_000          # bytes
 MOST_STEPS = 10
 MADE = "Made by `scripts/tutorial`, in the window of FreeCAD {}; numbers are those of that run."
