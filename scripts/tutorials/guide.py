@@ -301,14 +301,6 @@ class Guide:
                 return f"**{face}**"
         raise AssertionError(f"no element on {face} is seen")
 
-    def click_nothing(self):
-        """Clicks where the 3D view is empty, which selects nothing any more."""
-        port = window.viewport()
-        window.QTest.mouseClick(port, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, QtCore.QPoint(port.width() - 6, port.height() - 6))
-        window.pause(100)
-        self.expect(not FreeCADGui.Selection.getSelection(), "nothing is selected")
-        return ""
-
     def refine(self, face):
         """Begins a refinement of the face of the mesh, at an element of it that is seen."""
         self.pick_mesh(face)

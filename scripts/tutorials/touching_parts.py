@@ -33,7 +33,7 @@ def walk(it):
     it.step("Walk through the findings", f"Press {it.press('Details')} beside the verdict, and click on *{it.finding('parts touch')}*.",
             "The elements where parts meet get rings, and are selected.")
     it.step("See the junctions", f"Click on *{it.finding('more than two elements')}*, and {it.press('Next')} to see one of these from near. "
-            f"{it.press('Close')} that, press {it.press('OK')} and choose {it.command('Paver_ShowFreeEdges')}.", "Junctions, where more than two elements meet at an edge, are violet; free "
-            "edges, as those of the panels, are red.")
+            f"{it.press('Close')} that, press {it.press('OK')} and choose {it.command('Paver_ShowFreeEdges')}.",
+            "Junctions, where more than two elements meet at an edge, are violet; free edges, as those of the panels, are red.")
     it.step("Export", f"Choose {it.export('satellite.msh')}, write a name and press **Save**.",
             f"The file has a group for each face, and the group **{it.group('satellite.msh', 'Feed')}** for the edges of the port.")
