@@ -17,6 +17,7 @@ constexpr double steep = 0.7;       // cosine between its normal and the surface
 constexpr double cusp_sine = 0.05;  // between two edges
 constexpr double value_of_cusp = 0.05;
 constexpr double doubtful = 0.5;  // cosine between an element's normal and the mean of its corners'
+constexpr double far = 0.4;       // of the distance that may be: from there on an element is poor
 
 }  // namespace
 
@@ -90,7 +91,7 @@ double ElementJudge::off_surface(const Corners& v, int n, const std::array<Vec3,
   if (order_ == 1) return chords_off(v, n);
   std::array<Vec2, 4> places;
   for (int k = 0; k < n; ++k) places[static_cast<std::size_t>(k)] = mesh_.p[v[static_cast<std::size_t>(k)]];
-  return deviation(region_, {n, order_, x}, places, 0.5 * most_off_moved * region_.h) / (most_off_moved * region_.h);
+  return deviation(region_, {n, order_, x}, places, far * most_off_moved * region_.h) / (most_off_moved * region_.h);
 }
 
 std::array<Vec3, 9> ElementJudge::curved(const Corners& v, int n) const {
@@ -198,7 +199,13 @@ double ElementJudge::value(const Corners& v, double floor) const {
     return is_valid_cusp(v, n, x) ? value_of_cusp : std::clamp(bound.ratio, -1.0, 0.0) - 1e-3;
   if (runs_against(v, n, x)) return folded;
   const double off = along < (order_ == 1 ? nearly_flat : steep) ? off_surface(v, n, x) : 0;
-  return off > 1 ? std::max(1 - off, -1.0) : std::min(sj, bound.ratio);
+  if (off > 1) return std::max(1 - off, -1.0);
+  return std::min({sj, bound.ratio, order_ > 1 && off > far ? poor * (1 - off) / (1 - far) : 1});
+}
+
+bool ElementJudge::is_far_off(const Corners& v) const {
+  const int n = Element{v}.corners();
+  return least_along(v, n) < steep && off_surface(v, n, nodes(v, n)) > far;
 }
 
 }  // namespace paver

@@ -14,6 +14,8 @@ namespace paver {
 
 using Corners = std::array<int, 4>;  ///< as Element::v
 
+constexpr double poor = 0.1;  ///< value of an element below which better ones are looked for
+
 /// An interval of a B-rep edge.
 struct BoundarySide {
   int edge = -1;
@@ -48,6 +50,9 @@ class ElementJudge {
   /// boundary twice. Elements of a scaled Jacobian up to `floor` are not looked at any further: theirs is the value.
   double value(const Corners& v, double floor = -1) const;
   double value(int element) const { return value(mesh_.elements[element].v); }
+
+  /// Of a valid element: whether it lies so far off the surface that it is poor.
+  bool is_far_off(const Corners& v) const;
 
   ElementArea area(const Corners& v) const;
 

@@ -42,6 +42,12 @@ bool has_flat_sides(const RegionMesh& mesh, const Element& e, int n, const Bound
   return true;
 }
 
+bool is_bad(const ElementJudge& judge, const Element& e) {
+  if (!has_jacobian(judge.mesh(), e, poor)) return true;
+  const double value = judge.value(e.v);
+  return value <= 0 || (value < poor && judge.order() > 1 && judge.is_far_off(e.v));
+}
+
 }  // namespace
 
 std::vector<int> find_bad(const ElementJudge& judge) {
@@ -53,7 +59,7 @@ std::vector<int> find_bad(const ElementJudge& judge) {
     const int n = e.corners();
     const bool is_plain = has_jacobian(mesh, e, least_jacobian) && is_flat(mesh, e, n) && is_positive(mesh, e) &&
                           has_flat_sides(mesh, e, n, judge.sides()) && has_even_sides(mesh, e, n);
-    if (!is_plain && (!has_jacobian(mesh, e, poor) || judge.value(e.v) <= 0)) bad.push_back(static_cast<int>(i));
+    if (!is_plain && is_bad(judge, e)) bad.push_back(static_cast<int>(i));
   }
   return bad;
 }

@@ -5,10 +5,9 @@
 
 namespace paver {
 
-constexpr double poor = 0.1;
-
-/// Those that are not valid, and those of a scaled Jacobian below `poor`, rising. Elements that plainly are valid are
-/// not curved for it: those of well-shaped corners along whose sides and across which the surface hardly turns.
+/// Those that are not valid, those of a scaled Jacobian below `poor`, and those far off the surface, rising. Elements
+/// that plainly are valid are not curved for it: those of well-shaped corners along whose sides and across which the
+/// surface hardly turns.
 std::vector<int> find_bad(const ElementJudge& judge);
 
 }  // namespace paver

@@ -88,6 +88,7 @@ class Mender {
     known_.clear(), first_tried_ = mesh_.node_count();
     const double now = judge_.value(e);
     floor_ = now > 0 ? now + least_gain : 0;
+    may_have_triangles_ = now <= 0 || !has_jacobian(mesh_, mesh_.elements[e], poor);
     const Vec3 where = middle(e);
     if (move_corners(judge_, e, fair, mesh_)) {
       note(ElementRepairKind::moved, where);
@@ -227,6 +228,7 @@ class Mender {
     const auto triangles = std::count_if(candidate.gone.begin(), candidate.gone.end(),
                                          [&](int e) { return mesh_.elements[e].corners() == 3; });
     const int more = candidate.filling.triangles - static_cast<int>(triangles);
+    if (more > 0 && !may_have_triangles_) return;
     candidate.merit = merit(candidate.filling.worst, more);
     if (candidate.merit > best.merit + as_good) best = std::move(candidate);
   }
@@ -266,6 +268,7 @@ class Mender {
   const ElementJudge& judge_;
   const ElementKinds kinds_;
   double floor_ = 0;                                       // value that what comes must exceed
+  bool may_have_triangles_ = true;                         // more of them than what goes
   std::unordered_map<Corners, Known, CornersHash> known_;  // of elements between nodes that stay where they are
   int first_tried_ = 0;                                    // nodes from here on are for trying
   int growths_ = 0;

@@ -42,9 +42,22 @@ struct Square {
     return found;
   }
   std::vector<int> bad() const { return worth_less_than(1e-12); }
-  Mended mend(Elements elements = Elements::quad_dominant) {
+  Mended mend(const std::vector<int>& which, Elements elements = Elements::quad_dominant) {
     const BoundarySides sides(region, edges);
-    return mend_region({region, mesh, sides, 2}, kinds_of(elements), bad(), mesh);
+    return mend_region({region, mesh, sides, 2}, kinds_of(elements), which, mesh);
+  }
+  Mended mend(Elements elements = Elements::quad_dominant) { return mend(bad(), elements); }
+  /// The square over a dome of this height, smaller than it; `offset` of the nodes that are free.
+  template <class Offset>
+  void lay_on_dome(double height, Offset offset) {
+    region = test::dome(height, 12, 0.3);
+    region.loops.clear();
+    for (int v = 0; v < 25; ++v) {
+      Vec2 uv = 0.15 * mesh.p[v] + Vec2{0.2, 0.2};
+      if (!mesh.is_fixed[v]) uv = uv + offset();
+      mesh.put(v, region.place(region.chart->to_chart(uv)));
+      mesh.h[v] = 0.3;
+    }
   }
 
   Region region;
@@ -133,17 +146,37 @@ TEST(MendRegion, TellsEveryElementThatStaysBad) {
   std::uniform_real_distribution<double> off(-0.12, 0.12), height(1, 6);
   for (int i = 0; i < 60; ++i) {
     Square square;
-    square.region = test::dome(height(random), 12, 0.3);
-    square.region.loops.clear();
-    for (int v = 0; v < 25; ++v) {
-      Vec2 uv = 0.15 * square.mesh.p[v] + Vec2{0.2, 0.2};
-      if (!square.mesh.is_fixed[v]) uv = uv + Vec2{off(random), off(random)};
-      square.mesh.put(v, square.region.place(square.region.chart->to_chart(uv)));
-      square.mesh.h[v] = 0.3;
-    }
+    square.lay_on_dome(height(random), [&] { return Vec2{off(random), off(random)}; });
     const Mended mended = square.mend();
     for (int e : square.bad()) EXPECT_TRUE(std::ranges::count(mended.left, e)) << i << " " << e;
   }
+}
+
+TEST(MendRegion, BringsElementsThatAreFarOffNearerWithoutTriangles) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> off(-0.03, 0.03);
+  int before = 0, after = 0;
+  for (int i = 0; i < 100; ++i) {
+    Square square;
+    square.lay_on_dome(1 + 0.05 * i, [&] { return Vec2{off(random), off(random)}; });
+    if (!square.bad().empty()) continue;
+    const BoundarySides sides(square.region, square.edges);
+    auto count_far = [&] {
+      const ElementJudge judge(square.region, square.mesh, sides, 2);
+      return std::ranges::count_if(square.mesh.elements,
+                                   [&](const Element& e) { return e.is_alive() && judge.is_far_off(e.v); });
+    };
+    const std::vector<int> found = find_bad({square.region, square.mesh, sides, 2});
+    const auto far = count_far();
+    EXPECT_GE(static_cast<long>(found.size()), far) << i;
+    before += static_cast<int>(far);
+    square.mend(found);
+    after += static_cast<int>(count_far());
+    EXPECT_TRUE(square.bad().empty()) << i;
+    for (const Element& e : square.mesh.elements) EXPECT_TRUE(!e.is_alive() || e.corners() == 4) << i;
+  }
+  EXPECT_GT(before, 50);
+  EXPECT_LT(after, before / 2);
 }
 
 TEST(MendRegion, IsTheSameEveryTime) {
