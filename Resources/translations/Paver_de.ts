@@ -28,6 +28,10 @@
         <translation>Größte Drehung der Fläche je Elementkante in Grad [45; 75, wo das gleich nahe bleibt]. 0: nicht gegeben</translation>
     </message>
     <message>
+        <source>Across a ridge elements are at most so many times narrower than along it; 1: not narrower [8]</source>
+        <translation>Quer zu einem Grat sind Elemente höchstens so vielmal schmaler als längs; 1: nicht schmaler [8]</translation>
+    </message>
+    <message>
         <source>Largest growth of the element size per unit of length [0.6]</source>
         <translation>Größtes Wachstum der Elementgröße je Längeneinheit [0.6]</translation>
     </message>
@@ -1545,6 +1549,10 @@
     <message>
         <source>Turn per edge</source>
         <translation>Drehung je Kante</translation>
+    </message>
+    <message>
+        <source>Narrower at ridges by</source>
+        <translation>An Graten schmaler um</translation>
     </message>
     <message>
         <source>Gradation</source>

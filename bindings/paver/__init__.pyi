@@ -150,7 +150,7 @@ class Result:
 
 def mesh(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Frequency] = None,
          divisions: Optional[float] = None, eps_r: Optional[float] = None, mu_r: Optional[float] = None,
-         max_turn: Optional[Angle] = None, gradation: Optional[float] = None, tip: Optional[float] = None, grade_edges: Optional[float] = None,
+         max_turn: Optional[Angle] = None, aspect: Optional[float] = None, gradation: Optional[float] = None, tip: Optional[float] = None, grade_edges: Optional[float] = None,
          gap: Optional[Literal["one", "refine:2", "refine:3", "refine:4", "refine:5", "refine:6", "refine:7", "refine:8"]] = None,
          chord_error: Optional[Length] = None,
          local: Optional[Local] = None, max_elements: Optional[int] = None, medium: Optional[Named] = None,
@@ -165,7 +165,7 @@ def mesh(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Fr
          cancel: Optional[threading.Event] = None, name: Optional[str] = None) -> Result: ...
 def predict(shape: Source, *, size: Optional[Length] = None, frequency: Optional[Frequency] = None,
             divisions: Optional[float] = None, eps_r: Optional[float] = None, mu_r: Optional[float] = None,
-            max_turn: Optional[Angle] = None, gradation: Optional[float] = None, tip: Optional[float] = None, grade_edges: Optional[float] = None,
+            max_turn: Optional[Angle] = None, aspect: Optional[float] = None, gradation: Optional[float] = None, tip: Optional[float] = None, grade_edges: Optional[float] = None,
          gap: Optional[Literal["one", "refine:2", "refine:3", "refine:4", "refine:5", "refine:6", "refine:7", "refine:8"]] = None,
          chord_error: Optional[Length] = None,
             local: Optional[Local] = None, max_elements: Optional[int] = None, medium: Optional[Named] = None,
@@ -178,7 +178,7 @@ def predict(shape: Source, *, size: Optional[Length] = None, frequency: Optional
             name: Optional[str] = None) -> Prediction: ...
 def target_lengths(shape: Source, faces: object, uv: object, points: object, *, size: Optional[Length] = None, frequency: Optional[Frequency] = None,
             divisions: Optional[float] = None, eps_r: Optional[float] = None, mu_r: Optional[float] = None,
-            max_turn: Optional[Angle] = None, gradation: Optional[float] = None, tip: Optional[float] = None, grade_edges: Optional[float] = None,
+            max_turn: Optional[Angle] = None, aspect: Optional[float] = None, gradation: Optional[float] = None, tip: Optional[float] = None, grade_edges: Optional[float] = None,
          gap: Optional[Literal["one", "refine:2", "refine:3", "refine:4", "refine:5", "refine:6", "refine:7", "refine:8"]] = None,
          chord_error: Optional[Length] = None,
             local: Optional[Local] = None, max_elements: Optional[int] = None, medium: Optional[Named] = None,

@@ -16,6 +16,7 @@ VALUES = {
     "eps_r": ("1.5", 1.5, {"size": None, "frequency": "4GHz"}, True),
     "mu_r": ("0.75", 0.75, {"size": None, "frequency": "4GHz"}, True),
     "max_turn": ("20 deg", 20, {}, True),
+    "aspect": ("1", 1, {}, True),
     "gradation": ("0.2", 0.2, {"max_turn": "15"}, True),
     "tip": ("2", 2, {}, False),
     "grade_edges": ("2", 2, {}, True),

@@ -75,6 +75,7 @@ struct Options {
   int threads = 0;                 ///< worker threads; 0: all cores
   int ranks = 0;                   ///< processes, for those who start them (paver/launch.h); 0: this one alone
   std::optional<double> max_turn;  ///< largest turn per element edge, radians; default pi/4, more on short ones
+  double aspect = 8;               ///< how far elements may be narrower across a ridge than along it, 1 (not) to 64
   double gradation = 0.6;          ///< largest growth of h per unit of length, 0.05 to 2
   double tip = 32;                 ///< the target length is divided by it where a surface comes to a point, 1 to 64
   double grade_edges = 1;          ///< the target length is divided by it at sharp outer edges, 1 to 64

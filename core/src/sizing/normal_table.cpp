@@ -32,8 +32,8 @@ void shorten(std::vector<Vec3>& normals) {
 /// Values between `lo` and `hi` at equal steps of the length along the longest track; `place` maps a share along it and
 /// the share across to (u, v).
 template <class Place>
-std::vector<double> lines_between(const Surface& surface, double lo, double hi, double spacing, double& whole,
-                                  const Place& place) {
+std::vector<double> lines_between(const Surface& surface, double lo, double hi, double spacing, bool is_least,
+                                  double& whole, const Place& place) {
   std::vector<double> length(track_steps + 1, 0);
   std::vector<double> longest(track_steps, 0);
   for (int track = 0; track < tracks; ++track) {
@@ -51,8 +51,9 @@ std::vector<double> lines_between(const Surface& surface, double lo, double hi, 
     length[static_cast<std::size_t>(i) + 1] =
         length[static_cast<std::size_t>(i)] + longest[static_cast<std::size_t>(i)];
   whole = length.back();
-  const auto cells = std::clamp<std::size_t>(
-      static_cast<std::size_t>(std::ceil(std::min(length.back() / spacing, 1e6))), 2, most_lines);
+  const double fitting = std::min(length.back() / spacing, 1e6);
+  const auto cells =
+      std::clamp<std::size_t>(static_cast<std::size_t>(is_least ? fitting : std::ceil(fitting)), 2, most_lines);
   std::vector<double> lines;
   std::size_t i = 0;
   for (std::size_t k = 0; k <= cells; ++k) {
@@ -70,11 +71,14 @@ std::vector<double> lines_between(const Surface& surface, double lo, double hi, 
 
 }  // namespace
 
-NormalTable::NormalTable(const Surface& surface, const SampleBox& box, double spacing, double reach) : reach_(reach) {
+NormalTable::NormalTable(const Surface& surface, const SampleBox& box, double spacing, double reach, bool is_least)
+    : reach_(reach) {
   u_.period = surface.period().x, v_.period = surface.period().y;
   double wide, high;
-  u_.at = lines_between(surface, box.lo.x, box.hi.x, spacing, wide, [&](double a, double b) { return box.at(a, b); });
-  v_.at = lines_between(surface, box.lo.y, box.hi.y, spacing, high, [&](double a, double b) { return box.at(b, a); });
+  u_.at = lines_between(surface, box.lo.x, box.hi.x, spacing, is_least, wide,
+                        [&](double a, double b) { return box.at(a, b); });
+  v_.at = lines_between(surface, box.lo.y, box.hi.y, spacing, is_least, high,
+                        [&](double a, double b) { return box.at(b, a); });
   for (double v : v_.at)
     for (double u : u_.at) {
       points_.emplace_back();
@@ -87,10 +91,11 @@ NormalTable::NormalTable(const Surface& surface, const SampleBox& box, double sp
   };
   for (std::size_t i = 0; i < nu; ++i) borrow(i, i + nu), borrow((nv - 1) * nu + i, (nv - 2) * nu + i);
   for (std::size_t j = 0; j < nv; ++j) borrow(j * nu, j * nu + 1), borrow(j * nu + nu - 1, j * nu + nu - 2);
-  if (wide < spacing)
-    for (std::size_t j = 0; j < nv; ++j) flatten(j * nu, 1, nu, wide / spacing);
-  if (high < spacing)
-    for (std::size_t i = 0; i < nu; ++i) flatten(i, nu, nv, high / spacing);
+  const double least = is_least ? 2 * spacing : spacing;  // in each of the two cells it has
+  if (wide < least)
+    for (std::size_t j = 0; j < nv; ++j) flatten(j * nu, 1, nu, wide / least);
+  if (high < least)
+    for (std::size_t i = 0; i < nu; ++i) flatten(i, nu, nv, high / least);
 }
 
 // A strip narrower than the spacing: its turn would be spread beyond it, and only its share of that is its own.

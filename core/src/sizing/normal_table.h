@@ -13,8 +13,9 @@ namespace paver {
 /// ripples of a spline that are finer than that count for nothing.
 class NormalTable {
  public:
-  /// `spacing` and the reach of derivatives are in mm.
-  NormalTable(const Surface& surface, const SampleBox& box, double spacing, double reach);
+  /// `spacing` and the reach of derivatives are in mm. `is_least`: no turn is spread over less than the spacing, so
+  /// that opposite normals are 2 / spacing apart per mm at most.
+  NormalTable(const Surface& surface, const SampleBox& box, double spacing, double reach, bool is_least = false);
 
   /// Of length one where the surface turns little; beyond the box that of its border, or of the image a period away.
   Vec3 at(Vec2 uv) const;

@@ -23,9 +23,10 @@ constexpr double smallest_share = 0.25;  // of H inside faces: a tiny fillet mus
 constexpr double one_way_turn = 2.5;
 constexpr double least_stretch = 1.12, large_stretch = 1.6;  // of lengths by turns: less is not worth it
 constexpr double table_spacing = 0.4;                        // of h: turns sharper than that are spread over it
-constexpr double slope_reach = 0.25;                  // of h: derivatives of normals are taken so far to either side
-constexpr double large_face = 13500;                  // of h^2: about where levels begin
-constexpr double chord_turn = 1.25;                   // the same for sides as long as h that are straight
+constexpr double most_normals_apart = 2;                     // normals that look opposite ways
+constexpr double slope_reach = 0.625;  // of the spacing: derivatives of normals are taken so far to either side
+constexpr double large_face = 13500;   // of h^2: about where levels begin
+constexpr double chord_turn = 1.25;    // the same for sides as long as h that are straight
 constexpr double short_turn_limit = 75 * M_PI / 180;  // decision turn-of-short-edges
 constexpr double degenerate_area = 1e-9;  // of the largest |xu x xv| on the face: such a point counts as a pole
 
@@ -124,7 +125,12 @@ bool turns_count(const Model& model, const Face& face, double h, double stretch)
   return !is_closed && stretch > (face.area > large_face * h * h ? large_stretch : least_stretch);
 }
 
-SampledFace sample_face(const Model& model, const Face& face, double h, double turn_limit, bool is_straight) {
+/// Of a table of normals, mm, so that no turn stretches lengths by more than `aspect`.
+double least_spacing(double h, double turn_limit, double aspect) {
+  return most_normals_apart * h / turn_limit / std::sqrt(aspect * aspect - 1);
+}
+
+SampledFace sample_face(const Model& model, const Face& face, double h, double turn_limit, const Options& options) {
   SampledFace flat{FaceSize(h), 1 / (h * h)};
   if (!face.surface || face.surface->kind() == SurfaceKind::plane) return flat;
   SampleBox box = sample_box(model, face);
@@ -144,12 +150,14 @@ SampledFace sample_face(const Model& model, const Face& face, double h, double t
   for (const CurvatureSample& sample : samples) {
     bool is_degenerate = !std::isfinite(sample.curvature) || sample.area <= degenerate_area * largest_area;
     sizes.push_back(is_degenerate ? std::numeric_limits<double>::quiet_NaN()
-                                  : limited_size(sample, h, turn_limit, is_straight));
+                                  : limited_size(sample, h, turn_limit, options.order == 1));
   }
   fill_degenerate(sizes, h);
 
-  if (turns_count(model, face, h, largest_stretch(samples, h / turn_limit))) {
-    const auto normals = std::make_shared<const NormalTable>(*face.surface, box, table_spacing * h, slope_reach * h);
+  if (options.aspect > 1 && turns_count(model, face, h, largest_stretch(samples, h / turn_limit))) {
+    const double least = least_spacing(h, turn_limit, options.aspect), spacing = std::max(table_spacing * h, least);
+    const auto normals =
+        std::make_shared<const NormalTable>(*face.surface, box, spacing, slope_reach * spacing, spacing == least);
     flat.mean_density *= normals->stretched_area(h / turn_limit);
     flat.size.count_turns(1 / turn_limit, normals);
     return flat;
@@ -263,7 +271,7 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
     const Face& face = model.faces[f];
     bool is_meshed = face.has_area && face.fault.empty();
-    SampledFace sampled = is_meshed ? sample_face(model, face, field.face_h[f], field.turn_limit, options.order == 1)
+    SampledFace sampled = is_meshed ? sample_face(model, face, field.face_h[f], field.turn_limit, options)
                                     : SampledFace{FaceSize(field.h), 0};
     field.perimeter.push_back(perimeter(model, face) / field.face_h[f]);
     if (is_meshed && !field.local->is_empty()) {

@@ -82,6 +82,27 @@ TEST(BuildSizeField, OnACylinderThatTurnsMuchTurnsCountAndTheLengthStays) {
   EXPECT_NEAR(field.predicted[0], 2 * fake::pi * 4 * 20 / 36 * stretch, 0.1 * field.predicted[0]);
 }
 
+TEST(BuildSizeField, AnAspectBoundsHowFarTurnsStretchLengths) {
+  Options options = with_size(6);
+  options.max_turn = 0.1;
+  for (double radius : {1.0, 4.0, 20.0}) {
+    const Model tube = fake::tube(radius, 100);
+    for (double aspect : {1.5, 3.0, 8.0}) {
+      options.aspect = aspect;
+      const SizeField field = size_of(tube, options);
+      const NormalTable* normals = field.faces[0].normals();
+      ASSERT_NE(normals, nullptr) << radius << " " << aspect;
+      const double weight = field.faces[0].own() * field.faces[0].turn_weight(), step = 0.01;
+      for (double u = 0; u < 2 * fake::pi; u += 0.37) {
+        const double turn = norm(normals->at({u + step, 5}) - normals->at({u, 5})) / (step * radius);
+        EXPECT_LE(std::hypot(1, weight * turn), aspect * 1.001) << radius << " " << aspect << " " << u;
+      }
+    }
+    options.aspect = 1;
+    EXPECT_EQ(size_of(tube, options).faces[0].normals(), nullptr);
+  }
+}
+
 TEST(BuildSizeField, OnOneThatTurnsLittleTheyDoNot) {
   SizeField field = size_of(fake::tube(4, 20), with_size(0.5));
   EXPECT_EQ(field.faces[0].turn_weight(), 0);

@@ -104,6 +104,7 @@ void check(const Options& options) {
   }
   check_range("threads", options.threads, 0, most_threads);
   check_range("ranks", options.ranks, 0, most_ranks);
+  check_range("aspect", options.aspect, 1, 64);
   check_range("gradation", options.gradation, 0.05, 2);
   check_range("tip", options.tip, 1, 64);
   check_range("grade_edges", options.grade_edges, 1, 64);
