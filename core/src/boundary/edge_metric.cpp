@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 
+#include "boundary/small_bends.h"
+
 namespace paver {
 namespace {
 
@@ -21,6 +23,7 @@ constexpr double standstill = 1e-9;         // of the top speed: the tangent the
 constexpr double standstill_step = 1e-6;    // of the parameter range
 constexpr double length_tolerance = 1e-9;   // of the edge's length, per panel
 constexpr double most_change = 0.3;         // of h between rows, where lengths of parts make it vary
+constexpr double small_share = 0.03;        // of the edge: bends that are longer are not small
 constexpr double most_by_curvature = 4096;  // intervals on one edge that its own curvature may ask for
 
 Vec3 finite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z) ? a : Vec3{}; }
@@ -52,6 +55,7 @@ EdgeMetric::EdgeMetric(const Edge& edge, const SizeField& size, std::span<const 
     : curve_(edge.curve.get()), t0_(edge.t0), t1_(edge.t1) {
   tabulate();
   if (!size.local->is_empty()) refine_rows(edge, size);
+  if (size.small_bend > 0) make_kinks_of_small_bends(edge, size);
   set_sizes(edge, size);
   for (const TurningSide& side : sides) count_turns(*side.pcurve, size.faces[static_cast<std::size_t>(side.face)]);
   weigh();
@@ -185,6 +189,54 @@ void EdgeMetric::refine_between(const Row& a, const Row& b, const Edge& edge, co
   refine_between(middle, b, edge, size, fine);
 }
 
+void EdgeMetric::make_kinks_of_small_bends(const Edge& edge, const SizeField& size) {
+  if (turn() <= size.turn_limit) return;
+  std::vector<TurnedTo> places;
+  std::vector<double> width;
+  for (const Row& row : rows_) {
+    places.push_back({row.s, row.turn});
+    width.push_back(std::min(size.small_bend * size.given_at(edge, curve_->point(row.t)), small_share * length()));
+  }
+  const std::vector<SmallBend> bends = find_small_bends(places, width, size.turn_limit);
+  for (auto bend = bends.rbegin(); bend != bends.rend(); ++bend)  // rows before stay where they are
+    make_kink(bend->first, bend->last, width[static_cast<std::size_t>(bend->first)]);
+}
+
+EdgeMetric::Row EdgeMetric::row_at_turn(double turn, std::size_t first) const {
+  std::size_t i = first;
+  while (rows_[i + 1].turn < turn) ++i;
+  const Row &a = rows_[i], &b = rows_[i + 1];
+  const double t = a.t + (b.t - a.t) * (turn - a.turn) / (b.turn - a.turn);
+  return {t, std::clamp(a.s + quadrature(a.t, t), a.s, b.s), turn, 0, 0};
+}
+
+// All its turn is in its middle; near an end of the edge it is the vertex's, and no turn of the edge.
+void EdgeMetric::make_kink(int first, int last, double width) {
+  const auto from = static_cast<std::size_t>(first), to = static_cast<std::size_t>(last);
+  const double before = rows_[from].turn, behind = rows_[to].turn;
+  Row middle = row_at_turn(0.5 * (before + behind), from);
+  const bool is_at_end = middle.s <= width || middle.s >= length() - width;
+  std::erase_if(kinks_, [&](const Kink& kink) { return kink.row > from && kink.row <= to; });
+  for (std::size_t i = from; i <= to; ++i) {
+    rows_[i].is_in_small_bend = true;
+    rows_[i].turn = rows_[i].s < middle.s || is_at_end ? before : behind;
+  }
+  if (is_at_end) {
+    for (std::size_t i = to + 1; i < rows_.size(); ++i) rows_[i].turn -= behind - before;
+    return;
+  }
+  std::size_t at = from;
+  while (rows_[at].s < middle.s) ++at;
+  middle.is_in_small_bend = true;
+  middle.turn = behind;
+  rows_.insert(rows_.begin() + static_cast<std::ptrdiff_t>(at), 2, middle);
+  rows_[at].turn = before;
+  for (Kink& kink : kinks_)
+    if (kink.row > to) kink.row += 2;
+  kinks_.push_back({at + 1, behind - before});
+  std::ranges::sort(kinks_, {}, &Kink::row);
+}
+
 // By what the curve turns nearby, where that is far less than its curvature says: a bend of a curve of intersection
 // that ends on another may be all rounding.
 double EdgeMetric::length_at_bend(double s, double by_curvature, const SizeField& size) const {
@@ -206,7 +258,8 @@ void EdgeMetric::set_sizes(const Edge& edge, const SizeField& size) {
     double bend = curvature(*curve_, row.t);
     row.pace = 1 / std::max(norm(velocity(*curve_, row.t)), standstill * top_speed_);
     row.h = row.given = size.given_at(edge, curve_->point(row.t));
-    if (bend > 0) row.h = std::min(row.h, length_at_bend(row.s, std::max(size.longest_edge(bend), least), size));
+    if (bend > 0 && !row.is_in_small_bend)
+      row.h = std::min(row.h, length_at_bend(row.s, std::max(size.longest_edge(bend), least), size));
   }
   // A second round carries the size through the point where a closed edge meets itself.
   for (int round = 0; round < (is_closed ? 2 : 1); ++round) {

@@ -12,8 +12,8 @@ namespace paver {
 /// Table along one non-degenerate edge: parameter t, arc length s (mm), turn of the tangent (radians), target length h
 /// and the integral of ds/h, called weight. h is the least of the global h, of lengths given for parts of the model,
 /// and of the edge's own turn limit, smoothed along the edge by the gradation: an edge that runs straight along a
-/// fillet keeps the global h. Where the tangent jumps (a kink inside the edge) a node is placed. Keeps a reference to
-/// the edge's curve.
+/// fillet keeps the global h. Where the tangent jumps (a kink inside the edge), or turns within a stretch that is small
+/// against h, a node is placed. Keeps a reference to the edge's curve.
 class EdgeMetric {
  public:
   /// `sides`: the edge on faces whose turns count.
@@ -41,6 +41,7 @@ class EdgeMetric {
     double t = 0, s = 0, turn = 0, h = 0, weight = 0;
     double pace = 0;   // dt/ds
     double given = 0;  // target length without any turn
+    bool is_in_small_bend = false;
   };
   struct Panel {
     double a = 0, b = 0;
@@ -60,6 +61,9 @@ class EdgeMetric {
   void refine_rows(const Edge& edge, const SizeField& size);
   void refine_between(const Row& a, const Row& b, const Edge& edge, const SizeField& size,
                       std::vector<Row>& fine) const;
+  void make_kinks_of_small_bends(const Edge& edge, const SizeField& size);
+  void make_kink(int first, int last, double width);
+  Row row_at_turn(double turn, std::size_t first) const;
   void set_sizes(const Edge& edge, const SizeField& size);
   void count_turns(const ParameterCurve& pcurve, const FaceSize& face);
   void weigh();

@@ -11,9 +11,11 @@
 namespace paver {
 namespace {
 
-constexpr double end_share = 1e-3;  // of an interval: as near to its end tangents are taken
-constexpr double small = 0.01;      // of an interval: as far from a node its angle in the chart is measured
-constexpr double fan_radius = 0.8;  // of the target length: the quads about an apex
+constexpr double end_share = 1e-3;             // of an interval: as near to its end tangents are taken
+constexpr double bent = 0.8, straight = 0.95;  // cosines between tangents and the chord to the interval's middle
+constexpr double behind_bend = 0.2;            // of an interval
+constexpr double small = 0.01;                 // of an interval: as far from a node its angle in the chart is measured
+constexpr double fan_radius = 0.8;             // of the target length: the quads about an apex
 constexpr double fan_room = 0.45, point_room = 0.4;  // of the distance to the nearest loop, about an apex and a point
 constexpr double dip = 0.6;  // per radian of half a quad about an apex: its outer corner lies so far behind the line
 constexpr double wide_cone = 5.2;   // radians about an apex: four quads, else three
@@ -203,13 +205,21 @@ class RegionBuilder {
     return std::min(target, std::max(edge_target, size_.longest_edge(within)));
   }
 
-  // Direction of travel on a coedge at share 0 (start) to 1 (end) of interval i of its division, just inside it.
+  // Direction of travel on a coedge at share 0 (start) to 1 (end) of interval i of its division, just inside it; behind
+  // the bend where it has a small one there (boundary/small_bends).
   Vec3 travel(const Coedge& c, int i, double share) const {
     const EdgeDivision& d = nodes_.edges[c.edge];
-    double a = d.t[2 * i], b = d.t[2 * i + 2];
-    Vec3 x, xt;
-    model_.edges[c.edge].curve->d1(a + (end_share + (1 - 2 * end_share) * share) * (b - a), x, xt);
-    return c.is_reversed ? -1 * unit(xt) : unit(xt);
+    const Vec3 middle = d.x[2 * i + 1], chord = unit(share < 0.5 ? middle - d.x[2 * i] : d.x[2 * i + 2] - middle);
+    auto tangent = [&](double inside) {
+      const double a = d.t[2 * i], b = d.t[2 * i + 2];
+      Vec3 x, xt;
+      model_.edges[c.edge].curve->d1(a + (inside + (1 - 2 * inside) * share) * (b - a), x, xt);
+      return unit(xt);
+    };
+    Vec3 way = tangent(end_share);
+    if (dot(way, chord) < bent)
+      if (const Vec3 behind = tangent(behind_bend); dot(behind, chord) > straight) way = behind;
+    return c.is_reversed ? -1 * way : way;
   }
 
   static double interior_angle(Vec3 in, Vec3 out, const Place& place) {

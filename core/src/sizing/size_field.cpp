@@ -265,7 +265,7 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
   field.h = target_length(options);
   field.gradation = options.gradation;
   field.turn_limit = options.turn_limit();
-  if (!options.max_turn) field.short_turn_limit = short_turn_limit;
+  if (!options.max_turn) field.short_turn_limit = short_turn_limit, field.small_bend = options.merge;
   give_local(model, options, field);
   field.turning.resize(model.edges.size());
   for (std::size_t f = 0; f < model.faces.size(); ++f) {

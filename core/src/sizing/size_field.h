@@ -84,6 +84,8 @@ struct SizeField {
   /// Radians per boundary edge shorter than h, where it stays as close to its curve as an edge of length h that turns
   /// by turn_limit; 0: turn_limit holds for it, too.
   double short_turn_limit = 0;
+  /// Bends of edges shorter than this, in target lengths, are corners; 0: none.
+  double small_bend = 0;
   std::vector<FaceSize> faces;                    ///< per face of the model
   std::vector<std::vector<TurningSide>> turning;  ///< per edge of the model
   std::vector<double> predicted;                  ///< elements, per face of the model; 0 for faces that are not meshed

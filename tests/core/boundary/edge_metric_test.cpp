@@ -162,6 +162,82 @@ TEST(EdgeMetric, AKinkAtTheEndOfAnEdgeIsNoTurnOfIt) {
   EXPECT_NEAR(metric.turn(), 0, 1e-12);
 }
 
+// Along x, a quarter of a circle, along y; t is the length, the arc begins at t = 1.
+class RoundedCorner : public Curve {
+ public:
+  explicit RoundedCorner(double radius) : radius_(radius) {}
+  double arc() const { return 0.5 * fake::pi * radius_; }
+  Vec3 point(double t) const override {
+    const double a = angle(t);
+    const Vec3 on_arc{1 + radius_ * std::sin(a), radius_ * (1 - std::cos(a)), 0};
+    return on_arc + Vec3{std::min(t - 1, 0.0), std::max(t - 1 - arc(), 0.0), 0};
+  }
+  void d1(double t, Vec3& x, Vec3& xt) const override {
+    x = point(t);
+    xt = {std::cos(angle(t)), std::sin(angle(t)), 0};
+  }
+  void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override {
+    d1(t, x, xt);
+    const bool is_on_arc = t > 1 && t < 1 + arc();
+    xtt = is_on_arc ? (1 / radius_) * Vec3{-xt.y, xt.x, 0} : Vec3{};
+  }
+
+ private:
+  double angle(double t) const { return std::clamp(t - 1, 0.0, arc()) / radius_; }
+  double radius_;
+};
+
+SizeField size_with_small_bends(double share) {
+  SizeField size = size_of(0.5, fake::pi / 4);
+  size.short_turn_limit = 75 * fake::pi / 180;
+  size.small_bend = share;
+  return size;
+}
+
+TEST(EdgeMetric, ABendThatIsSmallAgainstHIsAKinkInItsMiddle) {
+  const auto corner = std::make_shared<RoundedCorner>(0.01);
+  const Edge edge = edge_on(corner, 0, 2 + corner->arc(), false);
+  const SizeField size = size_with_small_bends(0.1);
+  const EdgeMetric metric(edge, size);
+  ASSERT_EQ(metric.kink_count(), 1);
+  EXPECT_NEAR(metric.turn(), fake::pi / 2, 0.02);
+  EXPECT_NEAR(metric.smooth_turn(), 0, 0.02);
+  EXPECT_NEAR(metric.weight(), 4, 0.1);
+  const std::vector<double> lengths = metric.node_lengths(4);
+  EXPECT_NEAR(lengths[2], 1 + 0.5 * corner->arc(), 1e-3);
+  for (double length : lengths) EXPECT_NEAR(metric.parameter_at_length(length), length, 1e-9);
+  EXPECT_TRUE(metric.turns_within(4, size));
+  EXPECT_GT(EdgeMetric(edge, size_with_small_bends(0)).weight(), 8);
+}
+
+TEST(EdgeMetric, ABendThatIsNotSmallStaysOne) {
+  for (double radius : {0.05, 0.2}) {
+    const auto corner = std::make_shared<RoundedCorner>(radius);
+    const EdgeMetric metric(edge_on(corner, 0, 2 + corner->arc(), false), size_with_small_bends(0.1));
+    EXPECT_EQ(metric.kink_count(), 0);
+    EXPECT_NEAR(metric.smooth_turn(), fake::pi / 2, 1e-9);
+  }
+}
+
+TEST(EdgeMetric, ASmallBendAtTheEndOfAnEdgeIsNoTurnOfIt) {
+  const auto corner = std::make_shared<RoundedCorner>(0.01);
+  for (auto [from, to] : {std::array{0.0, 1.01 + corner->arc()}, std::array{0.99, 2.0}}) {
+    const EdgeMetric metric(edge_on(corner, from, to, false), size_with_small_bends(0.1));
+    EXPECT_EQ(metric.kink_count(), 0);
+    EXPECT_NEAR(metric.turn(), 0, 0.02);
+    EXPECT_NEAR(metric.weight(), 2, 0.1);
+  }
+}
+
+TEST(EdgeMetric, ASmallCircleHasNoKink) {
+  for (double radius : {0.005, 0.02, 0.1}) {
+    const EdgeMetric metric(edge_on(std::make_shared<fake::Ellipse>(Vec3{}, radius, radius), 0, 2 * fake::pi, true),
+                            size_with_small_bends(0.1));
+    EXPECT_EQ(metric.kink_count(), 0) << radius;
+    EXPECT_NEAR(metric.turn(), 2 * fake::pi, 1e-9) << radius;
+  }
+}
+
 TEST(EdgeMetric, AnEdgeWithoutLengthHasOneRowOfNothing) {
   Edge edge = edge_on(std::make_shared<fake::Line>(Vec3{1, 1, 1}, Vec3{1, 1, 1}), 0, 1, false);
   EdgeMetric metric(edge, size_of(1));
