@@ -140,10 +140,34 @@ TEST(VoidTriangulation, TakesInsertionsAndErasesThemAgain) {
   }
   for (std::size_t i : {std::size_t{3}, std::size_t{0}, std::size_t{6}, std::size_t{1}, std::size_t{5}, std::size_t{2},
                         std::size_t{4}}) {
-    c.empty.erase(static_cast<int>(first + i), c.triangle_at(static_cast<int>(first + i)));
+    const int node = static_cast<int>(first + i);
+    c.empty.erase(node, c.triangle_at(node), node);
     ASSERT_EQ(c.faults(), "") << i;
   }
   EXPECT_EQ(c.live_triangles(), before);
+}
+
+TEST(VoidTriangulation, ErasesANodeInLineWithAllItsNeighbours) {
+  Case c;
+  c.add(square);
+  c.points.push_back({2, 2});
+  ASSERT_FALSE(c.empty.build(c.facets));
+  ASSERT_TRUE(c.empty.insert(4, c.empty.walk(c.triangle_at(0), 0, {2, 2})));
+  ASSERT_EQ(c.live_triangles(), 4);
+  c.empty.erase(4, c.triangle_at(0), 0);
+  EXPECT_EQ(c.faults(), "");
+  EXPECT_EQ(c.live_triangles(), 2);
+}
+
+TEST(VoidTriangulation, ErasesANodeThatItsOriginDoesNotSee) {
+  Case c;
+  c.add(square);
+  c.add(reversed(circle({2, 2}, 0.2, 4)));
+  c.points.push_back({3, 3});
+  ASSERT_FALSE(c.empty.build(c.facets));
+  ASSERT_TRUE(c.empty.insert(8, c.empty.walk(c.triangle_at(2), 2, {3, 3})));
+  c.empty.erase(8, c.triangle_at(0), 0);
+  EXPECT_EQ(c.faults(), "");
 }
 
 TEST(VoidTriangulation, WalksStopAtFacetsAndFindVertices) {

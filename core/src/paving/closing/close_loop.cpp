@@ -125,10 +125,7 @@ bool close_star(Front& front, const std::vector<int>& loop, const std::vector<in
   int offset = even >= odd ? 0 : 1, level = front.facets[loop[0]].level + 1;
   for (int k = offset; k < n + offset; k += 2)
     if (!front.form_element(loop[k % n], v[(k + 2) % n], centre, level)) {
-      if (front.sectors(centre) == 0) {
-        Location at = front.empty.walk(front.empty.facet_side(loop[0]).triangle, v[0], p);
-        if (at.kind == Location::Kind::on_vertex) front.empty.erase(centre, at.triangle);
-      }
+      if (front.sectors(centre) == 0) front.empty.erase(centre, front.empty.facet_side(loop[0]).triangle, v[0]);
       return k > offset;
     }
   return true;
@@ -203,12 +200,12 @@ void insert_triangle(Front& front, const std::vector<int>& loop) {
     int apex = front.add_node(p);
     front.mesh.h[apex] = std::min(mesh.h[apex], norm(side));
     if (!faces_surface(mesh, {{a, b, apex, -1}})) continue;
-    if (front.empty.insert(apex, where) && front.form_element(f, apex, -1, front.facets[f].level)) {
+    if (!front.empty.insert(apex, where)) continue;
+    if (front.form_element(f, apex, -1, front.facets[f].level)) {
       ++front.counts.triangles;
       return;
     }
-    Location at = front.empty.walk(front.empty.facet_side(f).triangle, a, p);
-    if (at.kind == Location::Kind::on_vertex) front.empty.erase(apex, at.triangle);
+    front.empty.erase(apex, front.empty.facet_side(f).triangle, a);
   }
 }
 

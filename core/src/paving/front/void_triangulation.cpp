@@ -144,50 +144,34 @@ void VoidTriangulation::divide_side(Side side, const int (&node)[2], const int (
   legalise(stack_);
 }
 
-void VoidTriangulation::erase(int node, int start) {
-  stack_.clear();
-  // Flips take the node's edges away one by one; a star of more than three always has one that can go.
-  int t = start;
-  for (int tries = 0; degree(node, t) > 3;) {
-    int next = rotate_ccw(t, node), k = corner_of(t, node);
-    int a = triangles_[t].v[(k + 1) % 3], b = triangles_[t].v[(k + 2) % 3];
-    int c = triangles_[next].v[(corner_of(next, node) + 2) % 3];
-    Vec2 o = at(node);
-    bool is_convex = orientation(at(a), at(b), at(c)) > 0 && orientation(o, at(a), at(c)) > 0;
-    if (!is_convex) {
-      t = next;
-      if (++tries > 100000) return;
-      continue;
-    }
-    flip(t, (k + 1) % 3);  // the edge node - b becomes a - c; one of the two triangles keeps the node
-    int other = has_node(t, node) ? next : t;
-    stack_.push_back(other);
-    if (!has_node(t, node)) t = next;
-    tries = 0;
-  }
-  int second = rotate_ccw(t, node), third = rotate_ccw(second, node);
-  outer_.clear();
-  std::array<int, 3> corner{};
-  int n = 0;
-  for (int s : {t, second, third}) {
-    int k = corner_of(s, node);
-    corner[n++] = triangles_[s].v[(k + 1) % 3];
-    outer_.push_back({triangles_[s].v[(k + 1) % 3], triangles_[s].v[(k + 2) % 3], triangles_[s].n[k]});
-  }
-  for (int s : {t, second, third}) remove(s);
-  made_.assign(1, make(corner[0], corner[1], corner[2]));
-  link_cavity();
-  stack_.push_back(made_[0]);
-  legalise(stack_);
+// A walk along a line through other vertices may end at a facet between them.
+int VoidTriangulation::triangle_at(int node, int start, int near) const {
+  const Location at = walk(start, near, this->at(node));
+  if (at.kind == Location::Kind::on_vertex && has_node(at.triangle, node)) return at.triangle;
+  int t = 0;
+  while (!triangles_[t].is_alive || !has_node(t, node)) ++t;
+  return t;
 }
 
-int VoidTriangulation::degree(int node, int start) const {
-  int count = 0, t = start;
+// The hole is filled by ears, whatever lies in line with the node.
+void VoidTriangulation::erase(int node, int start, int near) {
+  const int first = triangle_at(node, start, near);
+  std::vector<int> ring;
+  crossed_.clear(), outer_.clear(), made_.clear();
+  int t = first;
   do {
-    ++count;
+    const auto& [v, n, is_alive] = triangles_[t];
+    const int k = corner_of(t, node);
+    crossed_.push_back(t);
+    ring.push_back(v[(k + 1) % 3]);
+    outer_.push_back({v[(k + 1) % 3], v[(k + 2) % 3], n[k]});
     t = rotate_ccw(t, node);
-  } while (t != start && count < 4);
-  return count;
+  } while (t != first);
+  clip_ears(ring);
+  for (int c : crossed_) remove(c);
+  link_cavity();
+  stack_ = made_;
+  legalise(stack_);
 }
 
 // Links the triangles of made_ with one another and with the sides in outer_.

@@ -81,8 +81,9 @@ class VoidTriangulation {
   /// False, and nothing changed, when it would lie on a facet.
   bool insert(int node, const Location& where);
 
-  /// Takes out a node that lies inside the void; `start` is any triangle at it.
-  void erase(int node, int start);
+  /// Takes out a node that lies inside the void; `start` is any triangle of the fan at `near` that the node is seen
+  /// from.
+  void erase(int node, int start, int near);
 
   /// Makes a-b a side; `start` is any triangle of the fan at a that b is seen from.
   /// False, and nothing changed, when a facet or a node is in the way.
@@ -107,7 +108,7 @@ class VoidTriangulation {
     int a, b, neighbour;
   };
   Vec2 at(int v) const { return v >= 0 ? points_[v] : frame_[-1 - v]; }
-  int degree(int node, int start) const;  // up to 4
+  int triangle_at(int node, int start, int near) const;
   int make(int a, int b, int c);
   bool first_in_fan(int start, int node, Vec2 target, int& t) const;
   void flip(int t, int corner);

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 namespace paver {
-namespace {}  // namespace
 
 bool lay_quad(Front& front, int f, const Wish* left, const Wish* right, int level, std::vector<int>& new_nodes) {
   const Facet facet = front.facets[f];
@@ -18,10 +17,6 @@ bool lay_quad(Front& front, int f, const Wish* left, const Wish* right, int leve
   auto put = [&](const Granted& g, int base) {
     return !g.is_new || front.empty.insert(g.node, front.empty.walk(start(), base, front.mesh.p[g.node]));
   };
-  auto take_out = [&](const Granted& g, int base) {
-    Location at = front.empty.walk(start(), base, front.mesh.p[g.node]);
-    if (at.kind == Location::Kind::on_vertex) front.empty.erase(g.node, at.triangle);
-  };
   bool is_laid = false;
   if (c.node >= 0 && c.node != d.node) {
     const Element quad{{a, b, c.node, d.node}};
@@ -30,9 +25,9 @@ bool lay_quad(Front& front, int f, const Wish* left, const Wish* right, int leve
     if (is_fit && put(d, a)) {
       if (put(c, b)) {
         is_laid = front.form_element(f, c.node, d.node, level);
-        if (!is_laid && c.is_new) take_out(c, b);
+        if (!is_laid && c.is_new) front.empty.erase(c.node, start(), b);
       }
-      if (!is_laid && d.is_new) take_out(d, a);
+      if (!is_laid && d.is_new) front.empty.erase(d.node, start(), a);
     }
   }
   if (is_laid) {
