@@ -134,9 +134,34 @@ class LayoutPlanner {
       if (make_polar_chart(*face_.surface, low, layout_.period) &&
           make_polar_chart(*face_.surface, high, layout_.period))
         layout_.kind = LayoutKind::two_polar;
-    } else if (make_polar_chart(*face_.surface, layout_.box, layout_.period)) {
+    } else if (!is_long_bent_tube() && make_polar_chart(*face_.surface, layout_.box, layout_.period)) {
       layout_.kind = LayoutKind::polar;
     }
+  }
+
+  // Rings about it would tilt bend by bend; with its seam as a cut it is a grid along the axis.
+  bool is_long_bent_tube() const {
+    constexpr double longest = 4;             // in circumferences
+    constexpr double bent = 45 * M_PI / 180;  // of the axis, in all
+    constexpr int cells = 16, across = 8;
+    const ParameterBox& box = layout_.box;
+    if (box.low_pole || box.high_pole || face_.loops.size() > 1 || !face_.points.empty()) return false;
+    const MeridianTable table(*face_.surface, box, cells);
+    double rounds = 0, turn = 0;
+    Vec3 last_centre, last_way;
+    for (int i = 0; i <= cells; ++i) {
+      Vec3 centre;
+      for (int j = 0; j < across; ++j) {
+        const double u = box.lo.x + layout_.period * j / across, v = table.lo() + i * table.step();
+        centre += (1.0 / across) * face_.surface->point(box.is_swapped ? Vec2{v, u} : Vec2{u, v});
+      }
+      const Vec3 way = i > 0 ? unit(centre - last_centre) : Vec3{};
+      if (i > 1) turn += std::acos(std::clamp(dot(way, last_way), -1.0, 1.0));
+      if (i > 0)
+        rounds += table.step() * table.height(i - 1) / (0.5 * (table.width(i - 1) + table.width(i)) * layout_.period);
+      last_centre = centre, last_way = way;
+    }
+    return rounds > longest && turn > bent;
   }
 
   // The widest stretch of the meridian that no other loop or point reaches into, cut in its middle.

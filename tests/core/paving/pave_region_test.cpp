@@ -77,6 +77,24 @@ TEST(PaveRegion, Disks) {
   }
 }
 
+// Nodes of many holes lie in line with one another, and all are far nearer to each other than h.
+TEST(PaveRegion, ArraysOfHoles) {
+  constexpr int holes = 12;
+  constexpr double pitch = 6.55, side = (holes - 1) * pitch + 10;
+  for (double h : {7.0, 8.0, 14.0, 17.0}) {
+    SCOPED_TRACE(h);
+    Loops loops{divided(box(side, side, {-0.5 * side, 0}), h)};
+    for (int i = 0; i < holes; ++i)
+      for (int j = 0; j < holes; ++j)
+        loops.push_back(reversed(circle({5 - 0.5 * side + pitch * i, 5 + pitch * j}, 2.2, 6)));
+    Region region = planar_region(loops, h);
+    for (auto& loop : region.loops)
+      if (loop.size() == 6)
+        for (LoopNode& node : loop) node.h = 2.3;
+    EXPECT_EQ(test::paved_faults(region, pave_region(region, Progress()).mesh), "");
+  }
+}
+
 TEST(PaveRegion, AComb) {
   for (double gap : {0.05, 0.5, 1.0, 2.3}) {  // of the target length 1, between teeth 1.6 wide
     SCOPED_TRACE(gap);

@@ -1,0 +1,94 @@
+#include "regions/face_layout.h"
+
+#include <gtest/gtest.h>
+
+#include "support/fake_model.h"
+
+namespace paver {
+namespace {
+
+using fake::pi;
+
+/// About an arc that starts along z and bends towards x; u is the angle about it, v the length along it.
+class BentTube : public Surface {
+ public:
+  BentTube(double radius, double bend) : radius_(radius), bend_(bend) {}
+  Vec3 point(Vec2 uv) const override {
+    const double a = uv.y / bend_, reach = bend_ - radius_ * std::cos(uv.x);
+    return {bend_ - reach * std::cos(a), radius_ * std::sin(uv.x), reach * std::sin(a)};
+  }
+  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
+    const double a = uv.y / bend_, c = std::cos(a), s = std::sin(a);
+    x = point(uv);
+    xu = radius_ * Vec3{-std::sin(uv.x) * c, std::cos(uv.x), std::sin(uv.x) * s};
+    xv = (1 - radius_ / bend_ * std::cos(uv.x)) * Vec3{s, 0, c};
+  }
+  void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
+    d1(uv, x, xu, xv);
+    xuu = xuv = xvv = {};
+  }
+  SurfaceKind kind() const override { return SurfaceKind::bspline; }
+  Vec2 period() const override { return {2 * pi, 0}; }
+  std::unique_ptr<Surface> clone() const override { return std::make_unique<BentTube>(*this); }
+
+ private:
+  double radius_, bend_;
+};
+
+/// Curve of constant v (`is_rim`) or u on a surface.
+class Isoline : public Curve {
+ public:
+  Isoline(std::shared_ptr<const Surface> surface, double at, bool is_rim)
+      : surface_(std::move(surface)), at_(at), is_rim_(is_rim) {}
+  Vec3 point(double t) const override { return surface_->point(is_rim_ ? Vec2{t, at_} : Vec2{at_, t}); }
+  void d1(double t, Vec3& x, Vec3& xt) const override {
+    Vec3 xu, xv;
+    surface_->d1(is_rim_ ? Vec2{t, at_} : Vec2{at_, t}, x, xu, xv);
+    xt = is_rim_ ? xu : xv;
+  }
+  void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override {
+    d1(t, x, xt);
+    xtt = {};
+  }
+
+ private:
+  std::shared_ptr<const Surface> surface_;
+  double at_;
+  bool is_rim_;
+};
+
+Model tube(const std::shared_ptr<const Surface>& surface, double length) {
+  fake::Builder builder;
+  const int low = builder.vertex(surface->point({0, 0})), high = builder.vertex(surface->point({0, length}));
+  const auto rim = [&](double v) { return std::make_shared<Isoline>(surface, v, true); };
+  const int first = builder.edge(rim(0), 0, 2 * pi, low, low, 2 * pi);
+  const int seam = builder.edge(std::make_shared<Isoline>(surface, 0, false), 0, length, low, high, length);
+  const int last = builder.edge(rim(length), 0, 2 * pi, high, high, 2 * pi);
+  builder.face(
+      surface, 2 * pi * length,
+      {{builder.use(first, false, {0, 0}, {2 * pi, 0}), builder.use(seam, false, {2 * pi, 0}, {2 * pi, length}),
+        builder.use(last, true, {0, length}, {2 * pi, length}), builder.use(seam, true, {0, 0}, {0, length})}});
+  return builder.take();
+}
+
+LayoutKind kind_of(const std::shared_ptr<const Surface>& surface, double length) {
+  const Model model = tube(surface, length);
+  Options options;
+  options.size = 1;
+  Progress progress;
+  const SizeField size = build_size_field(model, options, progress);
+  return plan_layouts(model, size, ClosedLayouts::made, progress).front().kind;
+}
+
+TEST(PlanLayouts, LongBentTubesKeepTheirSeam) {
+  EXPECT_EQ(kind_of(std::make_shared<BentTube>(1, 30), 60), LayoutKind::row);
+}
+
+TEST(PlanLayouts, ShortTubesAndStraightOnesHaveNone) {
+  EXPECT_EQ(kind_of(std::make_shared<BentTube>(1, 10), 20), LayoutKind::polar);
+  EXPECT_EQ(kind_of(std::make_shared<BentTube>(1, 200), 60), LayoutKind::polar);
+  EXPECT_EQ(kind_of(std::make_shared<fake::Cylinder>(1), 60), LayoutKind::polar);
+}
+
+}  // namespace
+}  // namespace paver
