@@ -180,5 +180,45 @@ TEST(LocalSizes, ArePartOfThePredictionAndOfTheLimit) {
   EXPECT_THROW(size_of(model, options), Error);
 }
 
+/// Square plate of side 100 with n x n square holes of side 2 at equal distances.
+Model perforated(int n) {
+  fake::Builder builder;
+  std::vector<std::vector<Coedge>> loops;
+  auto add_square = [&](Vec3 at, double side, bool is_hole) {
+    const int first = builder.vertex(at);
+    for (Vec3 to : {Vec3{side, 0, 0}, Vec3{side, side, 0}, Vec3{0, side, 0}}) builder.vertex(at + to);
+    std::vector<Coedge>& loop = loops.emplace_back();
+    for (int i = 0; i < 4; ++i) {
+      const Coedge coedge = builder.use(builder.line(first + i, first + (i + 1) % 4), is_hole);
+      loop.insert(is_hole ? loop.begin() : loop.end(), coedge);
+    }
+  };
+  add_square({}, 100, false);
+  const double pitch = 100.0 / n;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) add_square({(i + 0.5) * pitch - 1, (j + 0.5) * pitch - 1, 0}, 2, true);
+  builder.face(std::make_shared<fake::Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}), 1e4, loops);
+  Model model = builder.take();
+  for (Face& face : model.faces) add_images(model, face), face.origin = 0;
+  for (std::size_t e = 0; e < model.edges.size(); ++e) model.edges[e].origins = {static_cast<int>(e)};
+  model.read_edges = static_cast<int>(model.edges.size());
+  return model;
+}
+
+TEST(LocalSizes, HolesNearerToEachOtherThanHGiveTheirSidesLength) {
+  Options options;
+  auto at_hole = [&](int holes, double h) {
+    options.size = h;
+    const double corner = 50.0 / holes - 1;
+    return LocalSizes(perforated(holes), options, h).at({corner, corner, 0}, h);
+  };
+  EXPECT_NEAR(at_hole(10, 12), 2, 1e-9);
+  EXPECT_EQ(at_hole(10, 9), 9) << "10 apart";
+  EXPECT_EQ(at_hole(10, 3.9), 3.9);
+  EXPECT_EQ(at_hole(5, 12), 12) << "20 apart";
+  EXPECT_NEAR(at_hole(2, 200), 2, 1e-9) << "the face is smaller than h";
+  EXPECT_EQ(at_hole(1, 200), 200) << "a single hole";
+}
+
 }  // namespace
 }  // namespace paver

@@ -22,8 +22,9 @@ namespace {
 constexpr int fewest_pieces = 32, most_pieces = 20000;  // of an edge
 constexpr double piece_share = 2;                       // of the length asked for
 constexpr double narrowest_gap = 0.02;                  // of the target length: narrower ones count as that
-constexpr double hole_intervals = 6;                    // a small hole is divided into about so many
+constexpr double hole_intervals = 6;                    // a small round hole is divided into about so many
 constexpr double small_hole = 0.1;                      // of the face's extent: interval of a hole that counts as small
+constexpr double small_interval = 0.5;                  // of the target length: the same
 constexpr double same_point = 1e-3;                     // of the length at a tip: what lies nearer is the tip
 
 double& entry(std::vector<double>& list, int index) { return list[static_cast<std::size_t>(index)]; }
@@ -37,6 +38,24 @@ void add_pieces(const Edge& edge, double length, int count, std::vector<SizeSour
     sources.push_back({last, next, length});
     last = next;
   }
+}
+
+bool is_straight(const Edge& edge) {
+  constexpr double straight = 0.999;
+  return edge.curve && norm(edge.curve->point(edge.t1) - edge.curve->point(edge.t0)) >= straight * edge.length;
+}
+
+/// About what a loop is divided into where the target length is far longer: sides, and turns of 60 degrees.
+double longest_interval(const Model& model, const Loop& loop) {
+  double straight = 0, bent = 0;
+  int sides = 0;
+  for (const Coedge& coedge : loop.coedges) {
+    const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
+    (is_straight(edge) ? straight : bent) += edge.length;
+    sides += is_straight(edge);
+  }
+  const double around = straight + bent;
+  return around > 0 ? around / (sides + std::ceil(hole_intervals * bent / around)) : 0;
 }
 
 }  // namespace
@@ -108,24 +127,22 @@ void LocalSizes::put_on_gaps(const Model& model, const Options& options, double 
   }
 }
 
-// At the lowest frequencies, where a face is smaller than h: what is divided about its small holes would meet sides
-// that are not divided. A single hole gets a ring of quads instead.
+// Where holes lie nearer to each other than h is long, or the face is smaller than h: what is divided about them would
+// meet sides that are not divided. A single hole gets a ring of quads instead.
 void LocalSizes::put_on_holes(const Model& model, double h) {
-  auto edge_of = [&](const Coedge& coedge) -> const Edge& {
-    return model.edges[static_cast<std::size_t>(coedge.edge)];
-  };
   for (const Face& face : model.faces) {
     if (!face.has_area || face.is_merged || face.loops.size() < 3) continue;
-    const double extent = face_extent(model, face);
-    if (extent >= h) continue;
+    const double extent = face_extent(model, face), holes = static_cast<double>(face.loops.size() - 1);
+    if (extent >= h && std::sqrt(face.area / holes) >= h) continue;
     for (const Loop& loop : face.loops) {
-      double around = 0;
-      for (const Coedge& coedge : loop.coedges) around += edge_of(coedge).length;
-      const double length = around / hole_intervals;
-      if (!(length > 0) || length > small_hole * extent) continue;
+      const double length = longest_interval(model, loop);
+      if (!(length > 0) || length > std::min(small_hole * extent, small_interval * h)) continue;
       if (is_empty()) begin(model);
       least_ = std::min(least_, length);
-      for (const Coedge& coedge : loop.coedges) add_pieces(edge_of(coedge), length, fewest_pieces, lines_);
+      for (const Coedge& coedge : loop.coedges) {
+        const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
+        add_pieces(edge, length, is_straight(edge) ? 1 : fewest_pieces, lines_);
+      }
     }
   }
 }
