@@ -45,7 +45,8 @@ bool is_straight(const Edge& edge) {
   return edge.curve && norm(edge.curve->point(edge.t1) - edge.curve->point(edge.t0)) >= straight * edge.length;
 }
 
-/// About what a loop is divided into where the target length is far longer: sides, and turns of 60 degrees.
+/// About what a loop is divided into where the target length is far longer: its sides, turns of 60 degrees, six at
+/// most.
 double longest_interval(const Model& model, const Loop& loop) {
   double straight = 0, bent = 0;
   int sides = 0;
@@ -55,7 +56,7 @@ double longest_interval(const Model& model, const Loop& loop) {
     sides += is_straight(edge);
   }
   const double around = straight + bent;
-  return around > 0 ? around / (sides + std::ceil(hole_intervals * bent / around)) : 0;
+  return around > 0 ? around / std::min(sides + std::ceil(hole_intervals * bent / around), hole_intervals) : 0;
 }
 
 }  // namespace
