@@ -148,8 +148,8 @@ void VoidTriangulation::divide_side(Side side, const int (&node)[2], const int (
 int VoidTriangulation::triangle_at(int node, int start, int near) const {
   const Location at = walk(start, near, this->at(node));
   if (at.kind == Location::Kind::on_vertex && has_node(at.triangle, node)) return at.triangle;
-  int t = 0;
-  while (!triangles_[t].is_alive || !has_node(t, node)) ++t;
+  int t = triangle_count() - 1;
+  while (t >= 0 && !(triangles_[t].is_alive && has_node(t, node))) --t;
   return t;
 }
 
@@ -160,6 +160,7 @@ void VoidTriangulation::erase(int node, int start, int near) {
   crossed_.clear(), outer_.clear(), made_.clear();
   int t = first;
   do {
+    if (t < 0) return;  // not in the void, or on its border
     const auto& [v, n, is_alive] = triangles_[t];
     const int k = corner_of(t, node);
     crossed_.push_back(t);
