@@ -4,6 +4,37 @@
 #include <cmath>
 
 namespace paver {
+namespace {
+
+// Square of the sine between a tangent and the surface at a node; 0 where the surface has no normal.
+double leaning(const RegionMesh& mesh, int node, Vec3 tangent) {
+  const Vec3 normal = cross(mesh.xp[node], mesh.xq[node]);
+  const double off = dot(tangent, normal), all = dot(tangent, tangent) * dot(normal, normal);
+  return all > 0 ? off * off / all : 0;
+}
+
+/// How far a side from a at p to b at q lies off the surface, mm.
+struct SideOff {
+  const Region& region;
+  Vec2 p, q;
+  Vec3 a, b;
+
+  /// The half before or after the middle, which is `x` at `m`.
+  double half(Vec2 m, Vec3 x, bool is_first) const {
+    double most = 0;
+    const Vec2 end = is_first ? p : q;
+    Vec2 place = half_way(region, end, m);
+    for (double t : {0.25, 0.125}) {
+      const Vec3 y =
+          (1 - 2 * t) * (1 - t) * (is_first ? a : b) + 4 * t * (1 - t) * x - t * (1 - 2 * t) * (is_first ? b : a);
+      most = std::max(most, distance_to_surface(region, place, y, norm(b - a), most));
+      place = half_way(region, end, place);
+    }
+    return most;
+  }
+};
+
+}  // namespace
 
 Vec2 guess_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec3 off) {
   const SideCubic cubic(mesh, v, w);
@@ -43,6 +74,31 @@ Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
     at = region.chart->approach(p, step);
   }
   return nearest;
+}
+
+// About a nose at one end a parabola through the middle is flat where the surface turns. Its Jacobian at an end is 4
+// times the share of the chord before the middle, less 1: 0.4 of the mean at the limit.
+Vec3 side_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec3 a, Vec3 b, Vec2& p) {
+  constexpr double most_leaning = 0.2 * 0.2;
+  constexpr double shift = 0.05;
+  constexpr int most_shifts = 3;
+  const double scale = norm(b - a);
+  Vec3 x = nearest_point(region, p, 0.5 * (a + b), scale);
+  if (leaning(mesh, v, 4 * x - 3 * a - b) <= most_leaning && leaning(mesh, w, a + 3 * b - 4 * x) <= most_leaning)
+    return x;
+  SideOff off{region, mesh.p[v], mesh.p[w], a, b};
+  double least = off.half(p, x, true), other = off.half(p, x, false);
+  const double way = least > other ? -shift : shift;
+  least = std::max(least, other);
+  for (int i = 1; i <= most_shifts; ++i) {
+    const double along = 0.5 + i * way;
+    Vec2 next = p;
+    const Vec3 y = nearest_point(region, next, (1 - along) * a + along * b, scale);
+    const double most = std::max(off.half(next, y, true), off.half(next, y, false));
+    if (!(most < least)) break;
+    x = y, p = next, least = most;
+  }
+  return x;
 }
 
 Foot foot_on_surface(const Region& region, Vec2 p, Vec3 target, double scale, const FootSearch& search) {

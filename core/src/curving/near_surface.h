@@ -62,6 +62,11 @@ Vec2 guess_centre(const Region& region, const RegionMesh& mesh, const std::array
 /// nearest on the way where that does not settle. Gives the point there.
 Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale);
 
+/// The middle node of a curved side from node v at a to w at b: the point of the surface nearest to the middle of the
+/// chord or, where the parabola through that would leave the surface steeply at one end, to a place up to 0.15 of the
+/// chord nearer to this end. `p`: where it may be and is in the chart.
+Vec3 side_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec3 a, Vec3 b, Vec2& p);
+
 /// When a search for a foot point may end.
 struct FootSearch {
   double known = 0;            ///< mm: any bound of the distance that is not above it will do

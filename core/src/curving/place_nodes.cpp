@@ -16,10 +16,6 @@ std::vector<double> sizes(const std::vector<CurvingPart>& parts) {
   return cost;
 }
 
-Vec3 side_middle(const Region& region, Vec2& p, Vec3 a, Vec3 b) {
-  return nearest_point(region, p, 0.5 * (a + b), norm(b - a));
-}
-
 /// Per side inside the part: its middle's place in the chart.
 std::vector<Vec2> place_sides(const CurvingPart& part, const std::vector<std::array<int, 2>>& sides, int first,
                               SurfaceMesh& mesh) {
@@ -29,7 +25,7 @@ std::vector<Vec2> place_sides(const CurvingPart& part, const std::vector<std::ar
     auto [v, w] = sides[k];
     places[k] = guess_middle(*part.region, *part.mesh, v, w, {});
     mesh.nodes[first + static_cast<int>(k)] =
-        side_middle(*part.region, places[k], mesh.nodes[node_of[v]], mesh.nodes[node_of[w]]);
+        side_middle(*part.region, *part.mesh, v, w, mesh.nodes[node_of[v]], mesh.nodes[node_of[w]], places[k]);
   }
   return places;
 }
@@ -44,8 +40,9 @@ void place_cuts(const OrderTwoMesh& raised, const Cuts& cuts, const CurvingPart&
     const CutSide& cut = cuts.sides()[static_cast<std::size_t>(number)];
     auto [v, w] = raised.sides[i].border[k];
     Vec2 middle = 0.5 * (cut.region ? cut.pa + cut.pb : part.mesh->p[v] + part.mesh->p[w]);
-    mesh.nodes[raised.border_node[i][k]] = side_middle(cut.region ? *cut.region : *part.region, middle,
-                                                       mesh.nodes[(*part.node_of)[v]], mesh.nodes[(*part.node_of)[w]]);
+    const Vec3 a = mesh.nodes[(*part.node_of)[v]], b = mesh.nodes[(*part.node_of)[w]];
+    mesh.nodes[raised.border_node[i][k]] =
+        nearest_point(cut.region ? *cut.region : *part.region, middle, 0.5 * (a + b), norm(b - a));
   }
 }
 

@@ -105,7 +105,7 @@ std::array<Vec3, 9> ElementJudge::curved(const Corners& v, int n) const {
       places[k] = guess_middle(region_, mesh_, a, b, side->middle - 0.5 * (mesh_.x[a] + mesh_.x[b]));
     } else {
       places[k] = guess_middle(region_, mesh_, a, b, {});
-      x[n + k] = nearest_point(region_, places[k], 0.5 * (mesh_.x[a] + mesh_.x[b]), norm(mesh_.x[b] - mesh_.x[a]));
+      x[n + k] = side_middle(region_, mesh_, a, b, mesh_.x[a], mesh_.x[b], places[k]);
     }
   }
   if (n == 3) return x;

@@ -73,5 +73,72 @@ TEST(NearestPoint, HalvesStepsThatLeadAstray) {
   EXPECT_LT(norm(nearest_point(sphere, p, target, 1) - sphere.surface->point({2.2, 0.3})), 1e-3);
 }
 
+/// The parabola x = sharpness y^2, y = u, swept along z: a nose at u = 0.
+class Nose : public Surface {
+ public:
+  explicit Nose(double sharpness) : sharpness_(sharpness) {}
+  Vec3 point(Vec2 uv) const override { return {sharpness_ * uv.x * uv.x, uv.x, uv.y}; }
+  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
+    x = point(uv), xu = {2 * sharpness_ * uv.x, 1, 0}, xv = {0, 0, 1};
+  }
+  void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
+    d1(uv, x, xu, xv);
+    xuu = {2 * sharpness_, 0, 0}, xuv = {}, xvv = {};
+  }
+  SurfaceKind kind() const override { return SurfaceKind::other; }
+  Vec2 period() const override { return {}; }
+  std::unique_ptr<Surface> clone() const override { return std::make_unique<Nose>(*this); }
+
+ private:
+  double sharpness_;
+};
+
+struct Side {
+  Region region;
+  RegionMesh mesh;
+  int v = 0, w = 0;
+
+  Side(std::shared_ptr<const Surface> surface, Vec2 from, Vec2 to) {
+    region.chart = make_row_chart(*surface, {{-0.2, -1}, {1.4, 1}, false, false, false});
+    region.surface = std::move(surface);
+    v = mesh.add_node(region.place(region.chart->to_chart(from)), 1);
+    w = mesh.add_node(region.place(region.chart->to_chart(to)), 1);
+  }
+  Vec3 middle() const {
+    Vec2 p = guess_middle(region, mesh, v, w, {});
+    return side_middle(region, mesh, v, w, mesh.x[v], mesh.x[w], p);
+  }
+  Vec3 nearest_to_chord() const {
+    Vec2 p = guess_middle(region, mesh, v, w, {});
+    return nearest_point(region, p, 0.5 * (mesh.x[v] + mesh.x[w]), norm(mesh.x[w] - mesh.x[v]));
+  }
+  /// Of the parabola through the ends and `x`, from the surface.
+  double off(Vec3 x) const {
+    double most = 0;
+    for (double t = 0.05; t < 1; t += 0.05) {
+      const Vec3 at = (1 - 2 * t) * (1 - t) * mesh.x[v] + 4 * t * (1 - t) * x - t * (1 - 2 * t) * mesh.x[w];
+      double nearest = INFINITY;
+      for (double u = -0.2; u < 1.2; u += 1e-3) nearest = std::min(nearest, norm(region.surface->point({u, 0}) - at));
+      most = std::max(most, nearest);
+    }
+    return most;
+  }
+};
+
+TEST(SideMiddle, LiesNearerToANoseThanToTheOtherEnd) {
+  for (bool is_turned : {false, true}) {
+    const Side side(std::make_shared<Nose>(6), {is_turned ? 1.0 : 0.0, 0}, {is_turned ? 0.0 : 1.0, 0});
+    EXPECT_GT(side.off(side.nearest_to_chord()), 0.04);
+    EXPECT_LT(side.off(side.middle()), 0.6 * side.off(side.nearest_to_chord())) << is_turned;
+    EXPECT_LT(std::abs(side.middle().x - 6 * side.middle().y * side.middle().y), 1e-3);
+    EXPECT_GT(side.middle().x, 0.3 * 6);  // not so near that the Jacobian would be small
+  }
+}
+
+TEST(SideMiddle, IsTheNearestToTheMiddleOfTheChordWhereTheSideBendsEvenly) {
+  const Side side(std::make_shared<fake::Cylinder>(2), {0.3, 0}, {1.2, 0.5});
+  EXPECT_EQ(norm(side.middle() - side.nearest_to_chord()), 0);
+}
+
 }  // namespace
 }  // namespace paver

@@ -87,22 +87,28 @@ TEST(AcuteCorners, BothEndsOfALensAreFilled) {
   EXPECT_GT(figures.worst, 0.2);
 }
 
-TEST(AcuteCorners, OnesThatAHoleReachesIntoAreLeftToRows) {
+TEST(AcuteCorners, ColumnsEndBeforeWhatReachesIntoThem) {
   Region region = slice(0.4, 20);
   std::vector<Vec2> points;
   for (const auto& loop : region.loops)
     for (const LoopNode& node : loop) points.push_back(node.p);
-  for (bool is_free : {true, false}) {
-    if (!is_free) points.push_back({2.5, 0.3});
+  std::size_t free_rows = 0;
+  for (double hole : {100.0, 3.7, 1.2}) {
+    SCOPED_TRACE(hole);
+    points.push_back({hole, 0.3});
     RegionMesh mesh;
     std::vector<int> nodes;
     for (const LoopNode& node : region.loops[0])
       nodes.push_back(mesh.add_node(node.p, node.x, {1, 0, 0}, {0, 1, 0}, node.h));
     std::size_t before = nodes.size();
     lay_acute_corners(region, mesh, region.loops[0], nodes, points, 0.1);
-    EXPECT_EQ(mesh.elements.empty(), !is_free);
-    EXPECT_EQ(nodes.size() < before, is_free);
     EXPECT_EQ(nodes.size() % 2, before % 2);
+    const std::size_t rows = (before - nodes.size()) / 2;
+    if (hole > 20) free_rows = rows;
+    EXPECT_EQ(mesh.elements.empty(), hole < 2);  // one row is none
+    EXPECT_TRUE(hole > 20 || rows < free_rows);
+    for (const Element& e : mesh.elements)
+      for (int v : e.v) EXPECT_LT(mesh.x[v].x, hole);
   }
 }
 
@@ -139,6 +145,18 @@ TEST(AcuteCorners, PolesThatSurfacesTurnAboutHaveTwoQuadsOnEitherHalf) {
     EXPECT_EQ(quads, 2) << end;
     EXPECT_EQ(triangles, 0) << end;
   }
+}
+
+// The bottom of a drilled hole: its sides may be one element long, and then no ring fits before the rim.
+TEST(AcuteCorners, HalvesOfShortConesAreMeshedAtEverySize) {
+  for (double half_angle : {30.0, 45.0, 59.0, 70.0})
+    for (double h = 0.3; h < 3; h *= 1.07) {
+      SCOPED_TRACE(testing::Message() << half_angle << " degrees, size " << h);
+      const double height = 1 / std::tan(half_angle * std::numbers::pi / 180);
+      const test::PavedModel half = paved_half({{0, 0}, {height, 1}}, h);
+      ASSERT_EQ(half.paved.size(), 1U);
+      EXPECT_EQ(test::paved_faults(half.regions[0], half.paved[0]), "");
+    }
 }
 
 TEST(AcuteCorners, ColumnsEndWhereTheSidesRunSideBySide) {

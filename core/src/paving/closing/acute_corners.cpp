@@ -27,6 +27,7 @@ constexpr double wide_enough = 0.6;          // of the target length: width of a
 constexpr double dip = 0.35;           // of the first row's width: the apex quad's fourth node lies so far behind it
 constexpr double most_uneven = 1.25;   // ratio of the two sides' lengths up to facing nodes
 constexpr double least_opening = 0.4;  // of the mean of the rows before: sides that run side by side end the corner
+constexpr double room = 0.5;           // of the last row's depth: nothing else lies so near before it
 constexpr int most_rows = 64;
 
 class AcuteCorner {
@@ -54,8 +55,8 @@ class AcuteCorner {
       count = k, last = width;
       if (width > columns_ * wide_enough * target(k)) break;
     }
-    if ((columns_ == 2 && count < 2) || count == 0 || holds_any(count, others)) return 0;
-    return count;
+    while (count > 0 && holds_any(count, others)) --count;
+    return columns_ == 2 && count < 2 ? 0 : count;
   }
 
   /// The nodes within the last row, over which the loop runs from b to a.
@@ -118,11 +119,14 @@ class AcuteCorner {
     return mesh_.add_node(region_.place(p), region_.target(p));
   }
 
-  // All quads turn left in the chart, and nothing lies among them.
+  // All quads turn left in the chart, and nothing lies among them or so near before them that no row fits in between.
   bool holds_any(int count, const std::vector<Vec2>& others) const {
     std::vector<Vec2> outline;
     for (int k = count; k > 0; --k) outline.push_back(mesh_.p[b(k)]);
     for (int k = 0; k <= count; ++k) outline.push_back(mesh_.p[a(k)]);
+    const Vec2 ahead =
+        room * (0.5 * (mesh_.p[a(count)] + mesh_.p[b(count)]) - 0.5 * (mesh_.p[a(count - 1)] + mesh_.p[b(count - 1)]));
+    outline.push_back(mesh_.p[a(count)] + ahead), outline.push_back(mesh_.p[b(count)] + ahead);
     auto at = [&](int k, int j) {
       return k == 0 ? mesh_.p[a(0)] : j == 0 ? mesh_.p[a(k)] : j == columns_ ? mesh_.p[b(k)] : inner(k, j);
     };
