@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -10,7 +11,9 @@
 #include <GeomAbs_SurfaceType.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <array>
 #include <cmath>
+#include <gp_GTrsf.hxx>
 #include <string>
 
 #include "support/report_of.h"
@@ -81,6 +84,24 @@ TEST(RegularShapes, Spheres) {
     RunReport report = report_of(BRepPrimAPI_MakeSphere(50).Solid(), size);
     EXPECT_EQ(report.quality.irregular_nodes, 8) << size;
     EXPECT_LT(report.quality.length_cv, size > 10 ? 0.12 : 0.1);  // few elements: sides of the layout differ
+  }
+}
+
+// As one face. Long ones have no layout for one length, flat ones a ridge all round.
+TEST(RegularShapes, EllipsoidsAreMeshedAtEverySize) {
+  for (auto [a, b, c] : {std::array{5, 2, 1}, {3, 2, 1}, {10, 10, 1}, {1, 1, 4}, {1, 1, 8}}) {
+    gp_GTrsf scale;
+    scale.SetVectorialPart(gp_Mat(a, 0, 0, 0, b, 0, 0, 0, c));
+    const TopoDS_Shape shape = BRepBuilderAPI_GTransform(BRepPrimAPI_MakeSphere(1).Solid(), scale, true).Shape();
+    const double diagonal = 2 * std::sqrt(a * a + b * b + c * c);
+    for (double share : {0.5, 1.0, 2.0, 4.0, 6.0, 7.0, 8.5, 9.5, 10.5, 12.0, 16.0, 18.0, 30.0}) {
+      SCOPED_TRACE(testing::Message() << a << " x " << b << " x " << c << ", diagonal/" << share);
+      RunReport report = report_of(shape, diagonal / share);
+      EXPECT_STREQ(verdict(report), "sound");
+      EXPECT_LE(report.quality.triangles, 8);
+      const double by_predicted = (report.quality.quads + report.quality.triangles) / report.quality.metric.predicted;
+      EXPECT_TRUE(share < 8 || by_predicted < 1.4) << by_predicted;
+    }
   }
 }
 

@@ -20,7 +20,11 @@ double element_slack(double area, double least_along, bool is_curved) {
 }
 
 bool can_be_area(double mesh_area, const Face& face, double slack) {
-  return std::fabs(mesh_area - face.area) <= cad_share * face.area + face.merged_area + slack;
+  return can_be_area(mesh_area, face, face.area, slack);
+}
+
+bool can_be_area(double mesh_area, const Face& face, double own_area, double slack) {
+  return std::fabs(mesh_area - own_area) <= cad_share * own_area + face.merged_area + slack;
 }
 
 AreaSlack::AreaSlack(const Model& model) {

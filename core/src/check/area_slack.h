@@ -16,6 +16,9 @@ double element_slack(double area, double least_along, bool is_curved);
 /// Whether a mesh of this area, whose elements may lack `slack` of it, can be one of the face.
 bool can_be_area(double mesh_area, const Face& face, double slack);
 
+/// The same of a part of the face that has the area `own_area`.
+bool can_be_area(double mesh_area, const Face& face, double own_area, double slack);
+
 /// Per face of the model; sums that do not depend on the order of their terms. mm^2.
 class AreaSlack {
  public:

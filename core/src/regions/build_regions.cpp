@@ -39,6 +39,7 @@ class RegionBuilder {
     }
     Region region = make_region();
     bool is_polar = region.goes_round = layout_.kind == LayoutKind::polar;
+    region.own_area = face_.area;
     region.chart = is_polar ? make_polar_chart(*region.surface, layout_.box, layout_.period)
                             : make_row_chart(*region.surface, layout_.box);
     Slits slits;
@@ -296,6 +297,10 @@ class RegionBuilder {
     low.high_pole = high.low_pole = false;
     Region a = make_region(), b = make_region();
     a.goes_round = b.goes_round = true;
+    if (loops.empty()) {
+      const double of_low = area_of(low), of_high = area_of(high);
+      a.own_area = face_.area * of_low / (of_low + of_high), b.own_area = face_.area - a.own_area;
+    }
     a.chart = make_polar_chart(*a.surface, low, layout_.period);
     b.chart = make_polar_chart(*b.surface, high, layout_.period);
     Slits slits_a, slits_b;
@@ -327,9 +332,41 @@ class RegionBuilder {
     regions.push_back(std::move(b));
   }
 
+  /// How far to go along the meridian from a pole for a way of length `reach`; `guess` as if it went on as it starts.
+  double meridian_step(double along, double pole, double guess, double reach) const {
+    constexpr int chords = 16, most_tries = 8;
+    constexpr double near_enough = 0.02;
+    double step = std::fabs(guess);
+    for (int i = 0; i < most_tries; ++i) {
+      double length = 0;
+      Vec3 last = face_.surface->point(parameters(along, pole));
+      for (int k = 1; k <= chords; ++k) {
+        const Vec3 x = face_.surface->point(parameters(along, pole + std::copysign(step, guess) * k / chords));
+        length += norm(x - last), last = x;
+      }
+      if (std::fabs(length - reach) <= near_enough * reach) break;
+      step *= std::clamp(reach / length, 0.25, 4.0);
+    }
+    return step;
+  }
+
+  double area_of(const ParameterBox& box) const {
+    constexpr int across = 32, along = 64;
+    const Vec2 step{(box.hi.x - box.lo.x) / across, (box.hi.y - box.lo.y) / along};
+    double sum = 0;
+    for (int i = 0; i < across; ++i)
+      for (int j = 0; j < along; ++j) {
+        Vec3 x, xu, xv;
+        face_.surface->d1(parameters(box.lo.x + (i + 0.5) * step.x, box.lo.y + (j + 0.5) * step.y), x, xu, xv);
+        sum += norm(cross(xu, xv)) * step.x * step.y;
+      }
+    return sum;
+  }
+
   std::vector<LoopNode> cut_nodes() {
     constexpr int samples = 256;
-    double integral = 0, turn = 0;
+    std::vector<double> weight{0};  // up to each sample
+    double turn = 0;
     Vec3 last, last_tangent, last_normal;
     for (int i = 0; i <= samples; ++i) {
       Vec2 uv = parameters(layout_.box.lo.x + layout_.period * i / samples, layout_.cut);
@@ -341,17 +378,21 @@ class RegionBuilder {
       if (i > 0) {
         const double step = norm(x - last), turned = size_.faces[index_].turn_weight() * norm(normal - last_normal);
         const double facets = step / std::min(size_.h, size_.faces[index_].at(uv, *face_.surface));
-        integral += std::sqrt(facets * facets + turned * turned);
+        weight.push_back(weight.back() + std::sqrt(facets * facets + turned * turned));
         turn += std::acos(std::clamp(dot(tangent, last_tangent), -1.0, 1.0));
       }
       last = x, last_tangent = tangent, last_normal = normal;
     }
     int n = std::max(
-        {4, static_cast<int>(std::lround(integral)), static_cast<int>(std::ceil(turn / size_.turn_limit - 1e-9))});
+        {4, static_cast<int>(std::lround(weight.back())), static_cast<int>(std::ceil(turn / size_.turn_limit - 1e-9))});
     n = 4 * ((n + 3) / 4);
     std::vector<LoopNode> ring;
-    for (int i = 0; i < n; ++i) {
-      uv_.push_back(parameters(layout_.box.lo.x + layout_.period * i / n, layout_.cut));
+    for (int i = 0, k = 0; i < n; ++i) {
+      const double wish = weight.back() * i / n;
+      while (weight[static_cast<std::size_t>(k) + 1] < wish) ++k;
+      const double low = weight[static_cast<std::size_t>(k)], high = weight[static_cast<std::size_t>(k) + 1];
+      const double turns = (k + (high > low ? (wish - low) / (high - low) : 0)) / samples;
+      uv_.push_back(parameters(layout_.box.lo.x + layout_.period * turns, layout_.cut));
       LoopNode node;
       node.x = face_.surface->point(uv_.back());
       node.h = std::min(size_.h, size_.faces[index_].at(uv_.back(), *face_.surface));
@@ -379,7 +420,8 @@ class RegionBuilder {
     double room = nearest_node(region, shape.apex);
     double h = size_.faces[index_].given_at(shape.apex), radius = std::min(fan_radius * h, fan_room * room);
     auto at = [&](double share, double reach) {
-      return parameters(box.lo.x + layout_.period * share, pole + inward * per_length * reach);
+      const double along = box.lo.x + layout_.period * share;
+      return parameters(along, pole + inward * meridian_step(along, pole, inward * per_length * reach, reach));
     };
     // Two sides of each within the limit of turn, where turns count.
     const std::vector<double> turned = turns_about([&](double share) { return at(share, radius); });

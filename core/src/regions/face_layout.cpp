@@ -94,7 +94,7 @@ class LayoutPlanner {
 
   // A face without border: all its edges are its own periodic ones or poles.
   bool lay_closed() {
-    if (size_.faces[index_].is_graded()) return false;  // layouts have one length
+    if (size_.faces[index_].is_graded() || size_.faces[index_].turn_weight() > 0) return false;  // not one length
     if (!face_.points.empty()) return false;
     if (!linked_loops(model_, index_, layout_.dropped).empty()) return false;
     for (const Loop& loop : face_.loops)

@@ -41,6 +41,7 @@ struct Region {
   double gradation = 0.3;
   double evenness = 1;                       ///< what even lengths are worth against regular nodes
   double area = 0;                           ///< mm^2, of the whole face: bounds the work
+  double own_area = 0;                       ///< mm^2, of the region alone; 0: not known
   std::vector<std::vector<LoopNode>> loops;  ///< region on the left of each loop
   std::vector<Fan> fans;
   std::optional<MappedFill> fill;  ///< of its one loop, where it is part of a structured layout

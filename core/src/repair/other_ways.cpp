@@ -52,7 +52,8 @@ void OtherWays::improve(Mended& mended, PavedRegion& paved) const {
 /// As far as can be told from its elements, where these are few: a front may close across a body instead of around it
 /// where lengths are about the body's own.
 bool OtherWays::can_be_whole(const RegionMesh& mesh) const {
-  if (!face_ || face_->surface->kind() == SurfaceKind::plane || mesh.elements.size() > few_elements) return true;
+  if (!(region_.own_area > 0) || face_.surface->kind() == SurfaceKind::plane || mesh.elements.size() > few_elements)
+    return true;
   const ElementJudge judge(region_, mesh, sides_, options_.order);
   ElementArea sum;
   for (const Element& e : mesh.elements) {
@@ -60,7 +61,7 @@ bool OtherWays::can_be_whole(const RegionMesh& mesh) const {
     const ElementArea one = judge.area(e.v);
     sum.area += one.area, sum.slack += one.slack;
   }
-  return can_be_area(sum.area, *face_, sum.slack);
+  return can_be_area(sum.area, face_, region_.own_area, sum.slack);
 }
 
 bool OtherWays::is_coarse_and_mixed(const RegionMesh& mesh) const {

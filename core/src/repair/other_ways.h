@@ -10,8 +10,7 @@ namespace paver {
 /// At the same size as paving, for what repair alone cannot make good. References are kept.
 class OtherWays {
  public:
-  /// `face`: null where the region is but a part of one.
-  OtherWays(const Region& region, const Face* face, const BoundarySides& sides, const Options& options,
+  OtherWays(const Region& region, const Face& face, const BoundarySides& sides, const Options& options,
             const Progress& progress)
       : region_(region), face_(face), sides_(sides), options_(options), progress_(progress) {}
 
@@ -36,7 +35,7 @@ class OtherWays {
   bool take(const Region& region, PavedRegion second, Mended& mended, PavedRegion& paved) const;
 
   const Region& region_;
-  const Face* const face_;
+  const Face& face_;
   const BoundarySides& sides_;
   const Options& options_;
   const Progress& progress_;

@@ -50,10 +50,7 @@ class PartRepairer {
         ranks_(ranks),
         parts_(paver.parts()),
         is_due_(parts_.size(), 1),
-        findings_(parts_.size()),
-        regions_of_face_(model.faces.size()) {
-    for (const Region& region : regions) ++regions_of_face_[static_cast<std::size_t>(region.face)];
-  }
+        findings_(parts_.size()) {}
 
   std::vector<ElementRepair> run() {
     for (; round_ < most_rounds && is_any_due(); ++round_) {
@@ -113,8 +110,8 @@ class PartRepairer {
   }
 
   OtherWays other_ways(std::size_t i, const BoundarySides& sides) const {
-    const auto face = static_cast<std::size_t>(region_of(i).face);
-    return {region_of(i), regions_of_face_[face] == 1 ? &model_.faces[face] : nullptr, sides, options_, progress_};
+    const Region& region = region_of(i);
+    return {region, model_.faces[static_cast<std::size_t>(region.face)], sides, options_, progress_};
   }
 
   // Only on the rank that has the part.
@@ -196,7 +193,6 @@ class PartRepairer {
   std::vector<Part> parts_;
   std::vector<char> is_due_;            // per part: to be looked at
   std::vector<PartFindings> findings_;  // per part
-  std::vector<int> regions_of_face_;    // per face: how many
   std::vector<RepairedPlace> places_;
 };
 

@@ -8,10 +8,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "base/box.h"
 #include "sizing/face_extent.h"
 #include "sizing/parts/local_counts.h"
 
@@ -21,6 +23,9 @@ namespace {
 constexpr int grid_size = 17;            // samples per direction: enough for a B-spline of about 8 spans
 constexpr double smallest_share = 0.25;  // of H inside faces: a tiny fillet must not explode the count
 constexpr double one_way_turn = 2.5;
+constexpr double even_lengths = 1.5;                         // longest by shortest, over a face without a border
+constexpr double least_ridge = 0.25;                         // of the diagonal
+constexpr double small_face = 6;                             // of h^2
 constexpr double least_stretch = 1.12, large_stretch = 1.6;  // of lengths by turns: less is not worth it
 constexpr double table_spacing = 0.4;                        // of h: turns sharper than that are spread over it
 constexpr double most_normals_apart = 2;                     // normals that look opposite ways
@@ -113,16 +118,46 @@ double largest_stretch(const std::vector<CurvatureSample>& samples, double weigh
   return most;
 }
 
-// Turns count where they matter, and sides can follow them (decision metric); not on faces without a border, whose
-// layouts are made for one length, nor on large ones that bend gently, which are meshed by levels.
-bool turns_count(const Model& model, const Face& face, double h, double stretch) {
-  const bool is_closed = std::all_of(face.loops.begin(), face.loops.end(), [&](const Loop& loop) {
-    return std::all_of(loop.coedges.begin(), loop.coedges.end(), [&](const Coedge& coedge) {
+bool has_border(const Model& model, const Face& face) {
+  return std::any_of(face.loops.begin(), face.loops.end(), [&](const Loop& loop) {
+    return std::any_of(loop.coedges.begin(), loop.coedges.end(), [&](const Coedge& coedge) {
       const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
-      return edge.is_periodic || edge.is_degenerate;
+      return !edge.is_periodic && !edge.is_degenerate;
     });
   });
-  return !is_closed && stretch > (face.area > large_face * h * h ? large_stretch : least_stretch);
+}
+
+/// Whether lengths differ much over the face, and are shortest along a line across which it bends: not about a tip.
+bool has_ridge(const std::vector<CurvatureSample>& samples, const std::vector<double>& sizes) {
+  const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
+  if (!(*most > even_lengths * *least)) return false;
+  Box extent;
+  for (const CurvatureSample& sample : samples) extent.add(sample.x);
+  auto is_sharp = [&](int i) {
+    const CurvatureSample& sample = samples[static_cast<std::size_t>(i)];
+    return sizes[static_cast<std::size_t>(i)] <= even_lengths * *least &&
+           sample.curvature <= sample.larger / one_way_turn;
+  };
+  // The longest along a row or a column: about a tip that many lines run up to it is sharp across each of them.
+  double longest = 0;
+  for (int line = 0; line < grid_size; ++line)
+    for (auto [first, step] : {std::array{line * grid_size, 1}, {line, grid_size}}) {
+      double length = 0;
+      for (int k = 0, i = first; k + 1 < grid_size; ++k, i += step)
+        if (is_sharp(i) && is_sharp(i + step))
+          length += norm(samples[static_cast<std::size_t>(i + step)].x - samples[static_cast<std::size_t>(i)].x);
+      longest = std::max(longest, length);
+    }
+  return longest > least_ridge * norm(extent.high - extent.low);
+}
+
+// Turns count where they matter, and sides can follow them (decision metric); not on large faces that bend gently,
+// which are meshed by levels. Faces without a border have layouts for one length, or are cut and paved: where only
+// ridges ask for that, and the face is not so small that a few quads go round it.
+bool turns_count(const Model& model, const Face& face, double h, double stretch,
+                 const std::vector<CurvatureSample>& samples, const std::vector<double>& sizes) {
+  if (!has_border(model, face) && !(face.area > small_face * h * h && has_ridge(samples, sizes))) return false;
+  return stretch > (face.area > large_face * h * h ? large_stretch : least_stretch);
 }
 
 /// Of a table of normals, mm, so that no turn stretches lengths by more than `aspect`.
@@ -154,7 +189,7 @@ SampledFace sample_face(const Model& model, const Face& face, double h, double t
   }
   fill_degenerate(sizes, h);
 
-  if (options.aspect > 1 && turns_count(model, face, h, largest_stretch(samples, h / turn_limit))) {
+  if (options.aspect > 1 && turns_count(model, face, h, largest_stretch(samples, h / turn_limit), samples, sizes)) {
     const double least = least_spacing(h, turn_limit, options.aspect), spacing = std::max(table_spacing * h, least);
     const auto normals =
         std::make_shared<const NormalTable>(*face.surface, box, spacing, slope_reach * spacing, spacing == least);

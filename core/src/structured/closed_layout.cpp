@@ -10,6 +10,8 @@ namespace paver {
 namespace {
 
 constexpr double least_jacobian = 0.3;
+constexpr double far_turn = 60 * M_PI / 180;  // of a grid: below, curved elements follow the surface
+constexpr double most_off = 0.08;             // of the lesser of target length and diagonal
 
 class PlainChart : public Chart {
  public:
@@ -32,6 +34,83 @@ bool is_positive(const MappedBlock& block) {
       for (int k = 0; k < 4; ++k)
         if (orientation(p[k], p[(k + 1) % 4], p[(k + 2) % 4]) * wanted <= 0) return false;
     }
+  return true;
+}
+
+/// The surface's point nearest to `target`, sought from chart point p.
+Vec3 foot(const MappedBlock& block, const Surface& surface, Vec2 p, Vec3 target) {
+  constexpr int steps = 5;
+  Vec3 nearest;
+  double least = INFINITY;
+  for (int i = 0; i < steps; ++i) {
+    Vec3 x, xp, xq;
+    evaluate(*block.chart, surface, p, x, xp, xq);
+    const Vec3 off = target - x;
+    if (const double d = norm(off); d < least) least = d, nearest = x;
+    const double a = dot(xp, xp), b = dot(xp, xq), c = dot(xq, xq), det = a * c - b * b;
+    if (!(det > 1e-12 * a * c)) break;
+    const double s = dot(off, xp), t = dot(off, xq);
+    p = block.chart->approach(p, {(c * s - b * t) / det, (a * t - b * s) / det});
+  }
+  return nearest;
+}
+
+/// The quad between four coarse places as it will be curved: nine nodes, row by row.
+class CurvedQuad {
+ public:
+  CurvedQuad(const MappedBlock& block, const Surface& surface, int i, int j)
+      : block_(block), surface_(surface), i_(i), j_(j) {
+    for (std::size_t k : {0, 2, 6, 8}) x_[k] = on_surface(static_cast<int>(k), {});
+    for (auto [k, a, b] : {std::array{1, 0, 2}, {3, 0, 6}, {5, 2, 8}, {7, 6, 8}})
+      x_[k] = on_surface(k, 0.5 * (x_[a] + x_[b]));
+    x_[4] = on_surface(4, 0.5 * (x_[1] + x_[3] + x_[5] + x_[7]) - 0.25 * (x_[0] + x_[2] + x_[6] + x_[8]));
+  }
+
+  /// Whether it lies near the surface, a quarter of the way in from its sides and on these.
+  bool is_near(double h) const {
+    constexpr std::array<double, 3> shares{0.25, 0.5, 0.75};
+    const double most = most_off * std::min({h, norm(x_[8] - x_[0]), norm(x_[6] - x_[2])});
+    for (double s : shares)
+      for (double t : shares)
+        if (const Vec3 y = at(s, t); norm(foot(block_, surface_, place(s, t), y) - y) > most) return false;
+    for (double s : {0.25, 0.75})
+      for (const Vec2 on : {Vec2{s, 0}, {0, s}})
+        if (const Vec3 y = at(on.x, on.y); norm(foot(block_, surface_, place(on.x, on.y), y) - y) > most) return false;
+    return true;
+  }
+
+ private:
+  Vec3 on_surface(int k, Vec3 target) const {
+    const Vec2 p = place(0.5 * (k % 3), 0.5 * (k / 3));
+    if (k % 2 == 1 || k == 4) return foot(block_, surface_, p, target);
+    Vec3 x, xp, xq;
+    evaluate(*block_.chart, surface_, p, x, xp, xq);
+    return x;
+  }
+
+  Vec2 place(double s, double t) const {
+    const GridPlaces& at = block_.coarse;
+    return (1 - t) * ((1 - s) * at(i_, j_) + s * at(i_ + 1, j_)) +
+           t * ((1 - s) * at(i_, j_ + 1) + s * at(i_ + 1, j_ + 1));
+  }
+
+  Vec3 at(double s, double t) const {
+    auto shape = [](double r) { return std::array{(1 - r) * (1 - 2 * r), 4 * r * (1 - r), r * (2 * r - 1)}; };
+    Vec3 sum;
+    for (std::size_t k = 0; k < 9; ++k) sum += shape(s)[k % 3] * shape(t)[k / 3] * x_[k];
+    return sum;
+  }
+
+  const MappedBlock& block_;
+  const Surface& surface_;
+  const int i_, j_;
+  std::array<Vec3, 9> x_;
+};
+
+bool follows(const MappedBlock& block, const Surface& surface, double h) {
+  for (int j = 0; j < block.coarse.n; ++j)
+    for (int i = 0; i < block.coarse.m; ++i)
+      if (!CurvedQuad(block, surface, i, j).is_near(h)) return false;
   return true;
 }
 
@@ -87,7 +166,8 @@ BlockGrid placed_grid(const ClosedFace& face, const BlockLayout& layout, const B
   return smoothed_grid(layout.limited(most), layout, face.surface, face.size, places, {}, {}, progress);
 }
 
-std::shared_ptr<const ClosedLayout> mapped(const BlockLayout& layout, const BlockGrid& grid) {
+std::shared_ptr<const ClosedLayout> mapped(const ClosedFace& face, const BlockLayout& layout, const BlockGrid& grid,
+                                           double turn) {
   auto closed = std::make_shared<ClosedLayout>();
   closed->layout = layout;
   for (std::size_t b = 0; b < layout.blocks.size(); ++b) {
@@ -96,7 +176,7 @@ std::shared_ptr<const ClosedLayout> mapped(const BlockLayout& layout, const Bloc
     block->coarse = grid.places(b);
     block->fine = layout.blocks[b].count;
     block->is_clockwise = grid.is_clockwise(b);
-    if (!is_positive(*block)) return nullptr;
+    if (!is_positive(*block) || (turn > far_turn && !follows(*block, face.surface, face.size.own()))) return nullptr;
     closed->blocks.push_back(std::move(block));
   }
   return closed;

@@ -83,7 +83,9 @@ constexpr long most_placed = 4000;
 BlockGrid placed_grid(const ClosedFace& face, const BlockLayout& layout, const BlockGrid::Places& places, long most,
                       const Progress& progress);
 
-/// Null where a quad is not positive in its block's chart.
-std::shared_ptr<const ClosedLayout> mapped(const BlockLayout& layout, const BlockGrid& grid);
+/// Null where a quad is not positive in its block's chart, or where `turn` (of GridFigures) is large and the quads,
+/// curved, do not follow the surface.
+std::shared_ptr<const ClosedLayout> mapped(const ClosedFace& face, const BlockLayout& layout, const BlockGrid& grid,
+                                           double turn);
 
 }  // namespace paver

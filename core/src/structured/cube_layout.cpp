@@ -11,7 +11,6 @@
 namespace paver {
 namespace {
 
-constexpr int most_coarse = 4;        // quads along a cap: up to here finer grids are tried as well
 constexpr double most_turn = 2.1;     // radians across an element: beyond, it misses what the surface does there
 constexpr double most_uneven = 0.4;   // two polar charts are no better where lengths vary so much
 constexpr int most_change = 3;        // of counts, from those that are even
@@ -112,13 +111,13 @@ CubeCounts choose_counts(const ClosedFace& face, const FaceExtent& extent) {
   return best;
 }
 
-std::shared_ptr<const ClosedLayout> lay(const ClosedFace& face, CubeCounts counts, double turn_limit,
-                                        const Progress& progress) {
+std::shared_ptr<const ClosedLayout> lay(const ClosedFace& face, CubeCounts counts, const Progress& progress) {
   const Cube cube(face, counts);
   if (!cube.is_possible()) return nullptr;
   auto place = [&](std::size_t block, double s, double t) { return cube.place(block, s, t); };
   const BlockGrid grid = placed_grid(face, cube.layout(), place, most_placed, progress);
-  return is_good(measure_grid(grid.grid()), most_uneven, turn_limit) ? mapped(cube.layout(), grid) : nullptr;
+  const GridFigures figures = measure_grid(grid.grid());
+  return is_good(figures, most_uneven, most_turn) ? mapped(face, cube.layout(), grid, figures.turn) : nullptr;
 }
 
 }  // namespace
@@ -130,15 +129,7 @@ std::shared_ptr<const ClosedLayout> lay_cube(const ClosedFace& face, const Progr
   const double off = std::fabs(counts.quads() / extent.elements - 1);
   if (off > too_far_off)
     if (auto prism = lay_prism(face, off, progress)) return prism;
-  // A few elements may be too few for the ends of a long body: then more, and at last as many as twice whatever they
-  // miss.
-  const int n = counts.a, most = n <= most_coarse ? 2 * n : n;
-  for (int finer = n; finer <= most; ++finer) {
-    const double turn = finer > n && finer == most ? M_PI : most_turn;
-    auto more = [&](int count) { return (count * finer + n - 1) / n; };
-    if (auto layout = lay(face, {finer, more(counts.b), more(counts.m)}, turn, progress)) return layout;
-  }
-  return nullptr;
+  return lay(face, counts, progress);
 }
 
 }  // namespace paver

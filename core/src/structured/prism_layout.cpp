@@ -208,7 +208,7 @@ std::shared_ptr<const ClosedLayout> lay_prism(const ClosedFace& face, double mos
     const GridFigures figures = measure_grid(grid.grid());
     const double cost = figures.energy + counts.off_price;
     if (cost >= least || !is_good(figures, most_uneven, most_turn)) continue;
-    if (auto layout = mapped(prism.layout(), grid)) best = std::move(layout), least = cost;
+    if (auto layout = mapped(face, prism.layout(), grid, figures.turn)) best = std::move(layout), least = cost;
   }
   return best;
 }

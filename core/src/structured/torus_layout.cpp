@@ -265,7 +265,7 @@ std::shared_ptr<const ClosedLayout> lay_torus(const ClosedFace& face, const Prog
   Candidate best = columns.plain();
   auto place = [&](std::size_t b, double s, double t) { return columns.place(best, b, s, t); };
   if (columns.is_thin())
-    return mapped(best.layout, BlockGrid(best.layout, best.layout, face.surface, face.size, place));
+    return mapped(face, best.layout, BlockGrid(best.layout, best.layout, face.surface, face.size, place), 0);
   auto energy = [&] {
     return measure_grid(placed_grid(face, best.layout, place, compared_quads, progress).grid()).energy;
   };
@@ -275,7 +275,8 @@ std::shared_ptr<const ClosedLayout> lay_torus(const ClosedFace& face, const Prog
     if (energy() >= of_plain) std::swap(best, *graded);
   }
   const BlockGrid grid = placed_grid(face, best.layout, place, most_placed, progress);
-  return is_good(measure_grid(grid.grid()), most_uneven, M_PI) ? mapped(best.layout, grid) : nullptr;
+  const GridFigures figures = measure_grid(grid.grid());
+  return is_good(figures, most_uneven, M_PI) ? mapped(face, best.layout, grid, figures.turn) : nullptr;
 }
 
 }  // namespace paver

@@ -29,7 +29,7 @@ struct Trial {
     ways().improve(mended, paved);
     return mended;
   }
-  OtherWays ways() const { return {region, &face, sides, options, progress}; }
+  OtherWays ways() const { return {region, face, sides, options, progress}; }
   long count(int corners) const {
     return std::count_if(paved.mesh.elements.begin(), paved.mesh.elements.end(),
                          [&](const Element& e) { return e.is_alive() && e.corners() == corners; });
@@ -61,7 +61,7 @@ double area_of(const Surface& surface) {
 
 TEST(OtherWays, AFaceThatItsElementsDoNotCoverBecomesADome) {
   Trial trial(test::dome(2, 12, 1));
-  trial.face.area = area_of(*trial.region.surface);
+  trial.region.own_area = area_of(*trial.region.surface);
   for (int i = 0; i < 5; ++i) trial.paved.mesh.add_element({i, i + 1, 10 - i, 11 - i});  // straight across
   EXPECT_TRUE(trial.can_help());
   const Mended mended = trial.improve();
@@ -73,7 +73,7 @@ TEST(OtherWays, AFaceThatItsElementsDoNotCoverBecomesADome) {
 
 TEST(OtherWays, AFaceThatItsElementsCoverStays) {
   Trial trial(test::dome(0, 12, 1));
-  trial.face.area = 0.75;
+  trial.region.own_area = 0.75;
   for (int i = 0; i < 5; ++i) trial.paved.mesh.add_element({i, i + 1, 10 - i, 11 - i});
   EXPECT_FALSE(trial.can_help());
   EXPECT_TRUE(trial.improve().places.empty());
@@ -83,7 +83,7 @@ TEST(OtherWays, AFaceThatItsElementsCoverStays) {
 /// A square of two intervals a side, as four triangles and a quad.
 struct MixedSquare : Trial {
   MixedSquare() : Trial(test::planar_region({test::divided({{0, 0}, {2, 0}, {2, 2}, {0, 2}}, 1)}, 1)) {
-    face.area = 4;
+    region.own_area = 4;
     for (std::size_t i = 0; i < 8; ++i) region.loops[0][i].angle = i % 2 == 0 ? fake::pi / 2 : fake::pi;
     for (int k = 0; k < 4; ++k) paved.mesh.add_element({2 * k, 2 * k + 1, (2 * k + 7) % 8, -1});
     paved.mesh.add_element({1, 3, 5, 7});
