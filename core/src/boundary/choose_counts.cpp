@@ -95,6 +95,20 @@ void divide_lone_slits(const Model& model, std::vector<EdgeCount>& counts) {
       }
 }
 
+// Where a body is pressed flat its border runs back at once: elements about the turning point need a node before it.
+void divide_flat_ends(const Model& model, std::vector<EdgeCount>& counts) {
+  for (std::size_t f = 0; f < model.faces.size(); ++f)
+    for (std::size_t l = 0; l < model.faces[f].loops.size(); ++l) {
+      const std::vector<Coedge>& coedges = model.faces[f].loops[l].coedges;
+      for (std::size_t i = 0, n = coedges.size(); i < n; ++i) {
+        const Coedge &there = coedges[i], &back = coedges[(i + 1) % n];
+        if (there.edge == back.edge && there.is_reversed != back.is_reversed && !there.is_slit &&
+            !periodic_coedges(model, static_cast<int>(f))[l][i])
+          want_two(counts[static_cast<std::size_t>(there.edge)]);
+      }
+    }
+}
+
 /// Two odd loops of one face are even together; a face that stays odd may have a short edge split.
 void even_out_faces(const std::vector<std::vector<Loop>>& loops, TiedCounts& tied) {
   std::vector<std::vector<int>> face_edges;
@@ -120,6 +134,7 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
   });
   divide_lenses(model, counts);
   divide_lone_slits(model, counts);
+  divide_flat_ends(model, counts);
 
   std::vector<std::vector<Loop>> loops;
   std::vector<std::vector<int>> loop_edges;

@@ -5,11 +5,13 @@
 #include "boundary/region_loops.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace paver {
 namespace {
 
+constexpr std::array<double, 3> shares{0, 0.5, 1};
 constexpr double apart = 0.25;  // of the period: two uses this far apart in (u, v) are the sides of a periodic edge
 
 const Edge& edge_of(const Model& model, const Coedge& coedge) {
@@ -18,9 +20,12 @@ const Edge& edge_of(const Model& model, const Coedge& coedge) {
 
 bool lie_apart(const Edge& edge, const Coedge& a, const Coedge& b, Vec2 period) {
   if (!a.pcurve || !b.pcurve) return edge.is_periodic;
-  double middle = 0.5 * (edge.t0 + edge.t1);
-  Vec2 gap = a.pcurve->uv(middle) - b.pcurve->uv(middle);
-  return (period.x > 0 && std::abs(gap.x) > apart * period.x) || (period.y > 0 && std::abs(gap.y) > apart * period.y);
+  // All along: where a body is pressed flat, border runs back from a turning point that both uses have.
+  return std::all_of(shares.begin(), shares.end(), [&](double share) {
+    const double t = edge.t0 + share * (edge.t1 - edge.t0);
+    const Vec2 gap = a.pcurve->uv(t) - b.pcurve->uv(t);
+    return (period.x > 0 && std::abs(gap.x) > apart * period.x) || (period.y > 0 && std::abs(gap.y) > apart * period.y);
+  });
 }
 
 // One coedge that stays, with its links; `place` counts all coedges of the face in order.

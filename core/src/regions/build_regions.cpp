@@ -83,6 +83,8 @@ class RegionBuilder {
         node.h = target_at(c, d.t[2 * k], place, nodes_.node_target[node.global]);
         node.angle = i == 0 ? angle_at(*before, c, place) : angle_inside(c, k, place);
         if (i > 0 && (node.angle < fold || node.angle > 2 * M_PI - fold)) node.angle = chart_angle(c, k, region);
+        if (i == 0 && before->edge == c.edge && before->is_reversed != c.is_reversed && !c.is_slit)
+          node.angle = chart_angle(*before, c, region);
         out.push_back(node);
         is_slit.push_back(c.is_slit || is_slit_of_layout(c.edge));
       }
@@ -250,6 +252,16 @@ class RegionBuilder {
     double t = d.t[2 * k];
     Vec2 p = chart(t), low = chart(t + small * (d.t[2 * k - 2] - t)), high = chart(t + small * (d.t[2 * k + 2] - t));
     return turn((c.is_reversed ? low : high) - p, (c.is_reversed ? high : low) - p);
+  }
+
+  // The same where it turns back at a vertex.
+  double chart_angle(const Coedge& before, const Coedge& c, const Region& region) const {
+    const EdgeDivision& d = nodes_.edges[c.edge];
+    const std::size_t end = c.is_reversed ? d.t.size() - 1 : 0, next = c.is_reversed ? end - 2 : 2;
+    auto chart = [&](const Coedge& use, double t) { return region.chart->to_chart(use.pcurve->uv(t)); };
+    const double t = d.t[end], beside = t + small * (d.t[next] - t);
+    const Vec2 p = chart(c, t);
+    return turn(chart(before, beside) - p, chart(c, beside) - p);
   }
 
   Vec2 parameters(double along, double meridian) const {

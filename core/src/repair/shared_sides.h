@@ -26,7 +26,11 @@ std::vector<InnerSide> inner_sides(const RegionMesh& mesh, int part, int boundar
 std::vector<InnerSide> sides_to_part(std::vector<InnerSide> all, std::span<const Region> regions,
                                      const EdgeNodes& nodes);
 
-/// Gives sides inside, between nodes of the boundary stage, a node in their middle; the two elements at one are
+/// Sides of a part's mesh from one node inside to several that are the same node of the boundary stage, on both uses of
+/// an edge: all but the first, which would be one mesh edge with it. `low` is that node, `high` -1.
+std::vector<InnerSide> twin_sides(const RegionMesh& mesh, int part);
+
+/// Gives sides inside a node in their middle; the two elements at one are
 /// divided, so there are triangles. Stays where an element made would not be positive. Gives the new nodes' places.
 std::vector<Vec3> divide_inner_sides(const Region& region, std::span<const InnerSide> sides, RegionMesh& mesh);
 

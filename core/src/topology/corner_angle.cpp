@@ -7,6 +7,7 @@ namespace paver {
 namespace {
 
 constexpr int pole_chords = 16;
+constexpr double turn_step = 1e-2;  // of an edge's parameter range
 constexpr double pole_step = 1e-3;  // of the parameter range of the pole's coedge
 
 const Edge& edge_of(const Model& model, const Coedge& coedge) {
@@ -23,9 +24,34 @@ Vec3 travel_direction(const Model& model, const Coedge& coedge, bool at_end) {
 
 double angle_between(Vec3 a, Vec3 b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
 
+// Where the border runs back along the edge it came by, its tangents tell nothing: a slit ends there, or the face is
+// pressed flat. Summed up between points on an arc about the corner, from `after` to the left.
+double angle_about_turn(const Face& face, const Edge& edge, const Coedge& before, const Coedge& after) {
+  const double corner = after.is_reversed ? edge.t1 : edge.t0;
+  const double beside = corner + turn_step * (after.is_reversed ? edge.t0 - edge.t1 : edge.t1 - edge.t0);
+  const Vec2 at = after.pcurve->uv(corner), from = after.pcurve->uv(beside) - at, to = before.pcurve->uv(beside) - at;
+  double turn = std::atan2(cross(from, to), dot(from, to));
+  if (turn <= 0) turn += 2 * M_PI;
+  const Vec3 x = face.surface->point(at);
+  double sum = 0;
+  Vec3 last{};
+  for (int i = 0; i <= pole_chords; ++i) {
+    const double share = static_cast<double>(i) / pole_chords, c = std::cos(share * turn), s = std::sin(share * turn);
+    const Vec2 step =
+        ((1 - share) + share * norm(to) / norm(from)) * Vec2{c * from.x - s * from.y, s * from.x + c * from.y};
+    const Vec3 way = face.surface->point(at + step) - x;
+    if (i > 0) sum += angle_between(last, way);
+    last = way;
+  }
+  return sum;
+}
+
 }  // namespace
 
 double corner_angle(const Model& model, const Face& face, const Coedge& before, const Coedge& after) {
+  const bool turns_back = before.edge == after.edge && before.is_reversed != after.is_reversed;
+  if (turns_back && before.pcurve && after.pcurve && face.surface)
+    return angle_about_turn(face, edge_of(model, after), before, after);
   Vec3 back = -1 * travel_direction(model, before, true), ahead = travel_direction(model, after, false);
   double angle = angle_between(back, ahead);
   if (!after.pcurve || !face.surface) return angle;

@@ -92,7 +92,7 @@ class GridDivider {
     return !surface_.IsNull();
   }
 
-  /// Every edge must lie on one of the sides, whole.
+  /// Every edge must lie on one of the sides, whole, and once: not back along itself, where the face is pressed flat.
   bool find_sides() {
     for (TopExp_Explorer edges(face_, TopAbs_EDGE); edges.More(); edges.Next()) {
       const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
@@ -119,6 +119,9 @@ class GridDivider {
           is_on &= std::abs(coordinate(image->Value(t0 + (t1 - t0) * i / line_samples), 1 - axis) - value) <=
                    slack(1 - axis);
         if (!is_on) continue;
+        const Line& side = sides_[axis][end];
+        if (std::any_of(side.begin(), side.end(), [&](const SideEdge& part) { return part.edge.IsSame(edge); }))
+          return false;
         double a = coordinate(image->Value(t0), axis), b = coordinate(image->Value(t1), axis);
         sides_[axis][end].push_back(
             {TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)), std::min(a, b), std::max(a, b), a < b, image});

@@ -47,6 +47,15 @@ LoopFaults find_loop_faults(const TopoDS_Face& face, double diagonal);
 /// nose or tip pressed flat runs out and back through the same point.
 bool is_false_pole(const TopoDS_Edge& edge, const TopoDS_Face& face, double diagonal);
 
+struct PressedFlat {
+  TopoDS_Face face;
+  std::vector<TopoDS_Edge> edges;  ///< each twice, with the orientation of its use
+};
+
+/// A FORWARD face with an edge (or two, where it starts in between) that it uses twice in place of a false pole that is
+/// an iso-line and runs out and back along itself, as the end of a body pressed flat does; nothing for others.
+std::optional<PressedFlat> pressed_flat(const TopoDS_Face& face, const TopoDS_Edge& pole, double diagonal);
+
 /// Whether a FORWARD face lies between two loops that go round a periodic surface, and its images do not make one
 /// border of that, or it has false poles besides.
 bool is_garbled_ring(const TopoDS_Face& face, double diagonal);

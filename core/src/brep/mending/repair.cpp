@@ -125,7 +125,27 @@ bool mend_ring(WorkFace& face, Workpiece& work) {
   return true;
 }
 
+/// Ends that are pressed flat become common to both of their sides.
+void close_flat_ends(WorkFace& face, Workpiece& work) {
+  const TopoDS_Face plain = forward(face.face);
+  std::vector<TopoDS_Edge> poles;
+  for (TopExp_Explorer edges(plain, TopAbs_EDGE); edges.More(); edges.Next())
+    if (is_false_pole(TopoDS::Edge(edges.Current()), plain, work.diagonal))
+      poles.push_back(TopoDS::Edge(edges.Current()));
+  for (const TopoDS_Edge& pole : poles) {
+    const std::vector<int> origins = edge_origins(work, pole);
+    const auto flat = pressed_flat(forward(face.face), pole, work.diagonal);
+    if (!flat) continue;
+    face.face = TopoDS::Face(flat->face.Oriented(face.face.Orientation()));
+    for (const TopoDS_Edge& edge : flat->edges)
+      if (edge.Orientation() == TopAbs_FORWARD) add_edge_origins(work, edge, origins);
+    work.note_repair(RepairKind::pole, 1, 0, face_name(face.origin));
+    work.is_rebuilt = true;
+  }
+}
+
 void repair_edges(WorkFace& face, Workpiece& work) {
+  close_flat_ends(face, work);
   TopoDS_Face plain = forward(face.face);
   for (TopExp_Explorer edges(plain, TopAbs_EDGE); edges.More(); edges.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
