@@ -353,6 +353,7 @@ class Run {
     measure_wires();
     report.components = find_components(model_, report.faces);
     if (options_.elements == Elements::all_quad) note_triangles();
+    if (options_.order > 1) note_far_faces();
     end_stage();
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -364,6 +365,24 @@ class Run {
     for (const FaceReport& face : result_.report.faces)
       if (face.triangles > 0) faces += fmt::format("{}{} ({})", faces.empty() ? "" : ", ", face.name, face.triangles);
     if (!faces.empty()) result_.report.notes.push_back(fmt::format("Triangles remain in {}.", faces));
+  }
+
+  // Where the surface bends within less than the narrowest elements, or curved ones would fold.
+  void note_far_faces() {
+    constexpr double far = 0.05;  // of the target length
+    constexpr int most_listed = 6;
+    RunReport& report = result_.report;
+    std::string faces;
+    int count = 0;
+    for (const FaceReport& face : report.faces) {
+      const double off = face.distance.largest / report.target_length;
+      if (off > far && ++count <= most_listed)
+        faces += fmt::format("{}{} ({:.2f})", count > 1 ? ", " : "", face.name, off);
+    }
+    if (count > most_listed) faces += fmt::format(" and {} more", count - most_listed);
+    if (count > 0)
+      report.notes.push_back(fmt::format(
+          "Farther off the surface than {} of the target length: {}; a smaller size there follows it.", far, faces));
   }
 
   // Lines and nodes get the edges of the shape as read; in the model's own list there are pieces of these and others.

@@ -80,6 +80,7 @@ Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
 // times the share of the chord before the middle, less 1: 0.4 of the mean at the limit.
 Vec3 side_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec3 a, Vec3 b, Vec2& p) {
   constexpr double most_leaning = 0.2 * 0.2;
+  constexpr double fair_off = 0.02;  // of the target length: even sides serve a solver better than that
   constexpr double shift = 0.05;
   constexpr int most_shifts = 3;
   const double scale = norm(b - a);
@@ -90,6 +91,7 @@ Vec3 side_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec
   double least = off.half(p, x, true), other = off.half(p, x, false);
   const double way = least > other ? -shift : shift;
   least = std::max(least, other);
+  if (least <= fair_off * std::min(mesh.h[v], mesh.h[w])) return x;
   for (int i = 1; i <= most_shifts; ++i) {
     const double along = 0.5 + i * way;
     Vec2 next = p;
