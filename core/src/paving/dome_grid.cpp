@@ -49,6 +49,17 @@ class Ray {
   std::vector<double> reached_{0};
 };
 
+double mean_length(const std::vector<Ray>& rays) {
+  double sum = 0;
+  for (const Ray& ray : rays) sum += ray.length();
+  return sum / static_cast<double>(rays.size());
+}
+
+bool is_all_positive(const RegionMesh& mesh) {
+  return std::all_of(mesh.elements.begin(), mesh.elements.end(),
+                     [&](const Element& e) { return is_positive(mesh, e); });
+}
+
 class Dome {
  public:
   explicit Dome(const Region& region) : region_(region), loop_(region.loops[0]), middle_(find_middle()) {}
@@ -73,9 +84,7 @@ class Dome {
     for (const LoopNode& node : loop_) outer.push_back(add_node(region_, node, mesh_));
     for (int row = rows; row > 0; --row) outer = add_row(outer, static_cast<double>(row) / (rows + 1), row == 1);
     add_fan(outer);
-    for (const Element& e : mesh_.elements)
-      if (!is_positive(mesh_, e)) return std::nullopt;
-    return std::move(mesh_);
+    return is_all_positive(mesh_) ? std::optional(std::move(mesh_)) : std::nullopt;
   }
 
  private:
@@ -89,10 +98,7 @@ class Dome {
 
   // Fans are a target length wide, one row more and they need none of their own.
   int count_rows() const {
-    double sum = 0;
-    for (const Ray& ray : rays_) sum += ray.length();
-    const double mean = sum / static_cast<double>(rays_.size());
-    return static_cast<int>(std::clamp(std::lround(mean) - 1, 1L, long{most_rows}));
+    return static_cast<int>(std::clamp(std::lround(mean_length(rays_)) - 1, 1L, long{most_rows}));
   }
 
   std::vector<int> add_row(const std::vector<int>& outer, double share, bool is_fan) {
@@ -123,7 +129,68 @@ class Dome {
   RegionMesh mesh_;
 };
 
+class Tube {
+ public:
+  explicit Tube(const Region& region) : region_(region), from_(region.loops[0]), to_(region.loops[1]) {}
+
+  std::optional<RegionMesh> lay() {
+    mesh_.turn_weight = region_.size.turn_weight();
+    const std::size_t n = from_.size(), shift = find_shift();
+    for (std::size_t i = 0; i < n; ++i) rays_.emplace_back(region_, from_[i].p, opposite(i, shift).p);
+    const int rows = static_cast<int>(std::clamp(std::lround(mean_length(rays_)), 1L, long{most_rows}));
+    std::vector<int> last, next;
+    for (int row = 0; row <= rows; ++row, last = std::move(next)) {
+      next.clear();
+      for (std::size_t i = 0; i < n; ++i) next.push_back(add(i, row, rows, shift));
+      for (std::size_t i = 0; row > 0 && i < n; ++i)
+        mesh_.add_element({last[i], last[(i + 1) % n], next[(i + 1) % n], next[i]});
+    }
+    return is_all_positive(mesh_) ? std::optional(std::move(mesh_)) : std::nullopt;
+  }
+
+ private:
+  /// Loops have the region on their left: they run opposite ways round.
+  const LoopNode& opposite(std::size_t i, std::size_t shift) const {
+    const std::size_t n = to_.size();
+    return to_[(shift + n - i) % n];
+  }
+
+  /// For which nodes face each other nearest, all of them together.
+  std::size_t find_shift() const {
+    std::size_t best = 0;
+    double least = INFINITY;
+    for (std::size_t shift = 0; shift < to_.size(); ++shift) {
+      double sum = 0;
+      for (std::size_t i = 0; i < from_.size(); ++i) {
+        const Vec2 way = opposite(i, shift).p - from_[i].p;
+        sum += dot(way, way);
+      }
+      if (sum < least * (1 - 1e-9)) least = sum, best = shift;
+    }
+    return best;
+  }
+
+  int add(std::size_t i, int row, int rows, std::size_t shift) {
+    if (row == 0) return add_node(region_, from_[i], mesh_);
+    if (row == rows) return add_node(region_, opposite(i, shift), mesh_);
+    const Vec2 p = rays_[i].at(static_cast<double>(row) / rows);
+    return mesh_.add_node(region_.place(p), region_.target(p));
+  }
+
+  const Region& region_;
+  const std::vector<LoopNode>&from_, &to_;
+  std::vector<Ray> rays_;
+  RegionMesh mesh_;
+};
+
 }  // namespace
+
+std::optional<RegionMesh> lay_tube(const Region& region) {
+  if (region.loops.size() != 2 || !region.fans.empty()) return std::nullopt;
+  const std::size_t nodes = region.loops[0].size();
+  if (nodes != region.loops[1].size() || nodes < 3 || nodes > most_nodes) return std::nullopt;
+  return Tube(region).lay();
+}
 
 std::optional<RegionMesh> lay_dome(const Region& region, Elements elements) {
   if (region.loops.size() != 1 || region.fans.size() > 1) return std::nullopt;

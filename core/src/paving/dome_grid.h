@@ -1,4 +1,4 @@
-// Rows and a fan for a region that is a coarse dome: one loop of few nodes about the middle.
+// Rows and a fan for a region that is a coarse dome: one loop of few nodes about the middle. Rows for a coarse tube.
 #pragma once
 
 #include <optional>
@@ -14,5 +14,8 @@ namespace paver {
 /// One triangle where the loop is odd. Nothing where the region is no such dome, its loop has many nodes, or an element
 /// is not positive in the chart.
 std::optional<RegionMesh> lay_dome(const Region& region, Elements elements);
+
+/// The same of a region between two loops of equally many nodes, a short bent pipe: rows from one loop to the other.
+std::optional<RegionMesh> lay_tube(const Region& region);
 
 }  // namespace paver

@@ -75,6 +75,7 @@ bool OtherWays::make_whole(Mended& mended, PavedRegion& paved) const {
 
 bool OtherWays::lay_dome_again(Mended& mended, PavedRegion& paved) const {
   std::optional<RegionMesh> dome = lay_dome(region_, options_.elements);
+  if (!dome) dome = lay_tube(region_);
   if (!dome) return false;
   if (options_.elements == Elements::all_triangle) split_all_quads(*dome);
   return take(region_, {std::move(*dome), {}}, mended, paved);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "support/dome.h"
+#include "support/planar_region.h"
 
 namespace paver {
 namespace {
@@ -74,6 +75,32 @@ TEST(DomeGrid, LeavesToPavingWhatHasManyNodesOrLoopsOrIsNoStar) {
   const auto plane = std::make_shared<fake::Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0});
   const Region ell = region_on(plane, {{0, 0}, {0.5, 0}, {1, 0}, {1, 0.1}, {0.1, 0.1}, {0.1, 1}, {0, 1}, {0, 0.5}}, 1);
   EXPECT_FALSE(lay_dome(ell, Elements::quad_dominant));
+}
+
+/// Two circles of n nodes, the inner one from another node on.
+Region ring(int n, int inner_n) {
+  std::vector<Vec2> outer, inner;
+  for (int i = 0; i < n; ++i) outer.push_back({3 * std::cos(2 * M_PI * i / n), 3 * std::sin(2 * M_PI * i / n)});
+  for (int i = 0; i < inner_n; ++i) {
+    const double angle = -2 * M_PI * (i + 4) / inner_n;
+    inner.push_back({std::cos(angle), std::sin(angle)});
+  }
+  return test::planar_region({outer, inner}, 1);
+}
+
+TEST(TubeGrid, HasRowsFromLoopToLoopWhereNodesFaceEachOther) {
+  const auto mesh = lay_tube(ring(12, 12));
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(mesh->elements.size(), 24U);
+  EXPECT_EQ(triangles(*mesh), 0);
+  EXPECT_NEAR(chart_area(*mesh), 3 * (9 - 1), 1e-12) << "between regular twelve-gons";
+  for (const Element& e : mesh->elements) EXPECT_GT(scaled_jacobian(*mesh, e), 0.9);
+}
+
+TEST(TubeGrid, IsNoneWhereTheLoopsDifferOrAreMany) {
+  EXPECT_FALSE(lay_tube(ring(12, 11)));
+  EXPECT_FALSE(lay_tube(ring(60, 60)));
+  EXPECT_FALSE(lay_tube(dome(0, 12, 1)));
 }
 
 }  // namespace
