@@ -11,23 +11,22 @@ namespace {
 
 constexpr std::size_t fewest_nodes = 5, most_nodes = 24;
 constexpr int most_rows = 8;
-constexpr int samples = 32;          // of a ray
-constexpr double far_corner = 1.25;  // of the way to the fan's other nodes, to those opposite the middle
+constexpr int chart_steps = 32;
+constexpr std::size_t most_samples = 49;  // of a ray
+constexpr double far_corner = 1.25;       // of the way to the fan's other nodes, to those opposite the middle
 
-/// From the middle to a node of the loop, straight in the chart.
+/// From the middle, or from a node of one loop, to a node of a loop, straight in the chart.
 class Ray {
  public:
-  Ray(const Region& region, Vec2 middle, Vec2 end) : middle_(middle), end_(end) {
-    NodePlace last;
-    for (int i = 0; i <= samples; ++i) {
-      const NodePlace at = region.place(point(static_cast<double>(i) / samples));
-      if (i > 0) {
-        const double length = norm(at.x - last.x) / region.h;
-        // An apex has no normal: the turn begins behind it.
-        const double turn = i > 1 ? region.size.turn_weight() * norm(at.n - last.n) : 0;
-        reached_.push_back(reached_.back() + std::sqrt(length * length + turn * turn));
-      }
-      last = at;
+  Ray(const Region& region, Vec2 from, Vec2 end, DomeRows rows) : from_(from), end_(end) {
+    const std::vector<Sample> samples = rows == DomeRows::even ? even_samples(region) : chart_samples(region);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      shares_.push_back(samples[i].share);
+      if (i == 0) continue;
+      const double length = norm(samples[i].at.x - samples[i - 1].at.x) / region.h;
+      // An apex has no normal: the turn begins behind it.
+      const double turn = i > 1 ? region.size.turn_weight() * norm(samples[i].at.n - samples[i - 1].at.n) : 0;
+      reached_.push_back(reached_.back() + std::sqrt(length * length + turn * turn));
     }
   }
 
@@ -38,15 +37,44 @@ class Ray {
     const double wanted = share * length();
     const auto after = std::upper_bound(reached_.begin() + 1, reached_.end() - 1, wanted);
     const double before = *(after - 1), step = *after - before;
-    return point((static_cast<double>(after - reached_.begin()) - 1 + (step > 0 ? (wanted - before) / step : 0)) /
-                 samples);
+    const auto k = static_cast<std::size_t>(after - reached_.begin());
+    return point(shares_[k - 1] + (step > 0 ? (wanted - before) / step : 0) * (shares_[k] - shares_[k - 1]));
   }
 
  private:
-  Vec2 point(double s) const { return middle_ + s * (end_ - middle_); }
+  struct Sample {
+    double share = 0;
+    NodePlace at;
+  };
 
-  Vec2 middle_, end_;
-  std::vector<double> reached_{0};
+  Vec2 point(double s) const { return from_ + s * (end_ - from_); }
+
+  std::vector<Sample> chart_samples(const Region& region) const {
+    std::vector<Sample> samples;
+    for (int i = 0; i <= chart_steps; ++i) {
+      const double share = static_cast<double>(i) / chart_steps;
+      samples.push_back({share, region.place(point(share))});
+    }
+    return samples;
+  }
+
+  // Polar charts of long bodies have nearly all of them near the middle: the longest piece is halved again and again.
+  std::vector<Sample> even_samples(const Region& region) const {
+    std::vector<Sample> samples;
+    for (double share : {0.0, 0.5, 1.0}) samples.push_back({share, region.place(point(share))});
+    while (samples.size() < most_samples) {
+      std::size_t longest = 1;
+      double most = -1;
+      for (std::size_t i = 1; i < samples.size(); ++i)
+        if (const double d = norm(samples[i].at.x - samples[i - 1].at.x); d > most * (1 + 1e-9)) most = d, longest = i;
+      const double share = 0.5 * (samples[longest - 1].share + samples[longest].share);
+      samples.insert(samples.begin() + static_cast<std::ptrdiff_t>(longest), {share, region.place(point(share))});
+    }
+    return samples;
+  }
+
+  Vec2 from_, end_;
+  std::vector<double> shares_, reached_{0};
 };
 
 double mean_length(const std::vector<Ray>& rays) {
@@ -62,7 +90,8 @@ bool is_all_positive(const RegionMesh& mesh) {
 
 class Dome {
  public:
-  explicit Dome(const Region& region) : region_(region), loop_(region.loops[0]), middle_(find_middle()) {}
+  Dome(const Region& region, DomeRows rows)
+      : region_(region), loop_(region.loops[0]), kind_(rows), middle_(find_middle()) {}
 
   /// Whether every facet runs counter-clockwise about the middle, all of them once.
   bool is_star() const {
@@ -78,7 +107,7 @@ class Dome {
 
   std::optional<RegionMesh> lay() {
     mesh_.turn_weight = region_.size.turn_weight();
-    for (const LoopNode& node : loop_) rays_.emplace_back(region_, middle_, node.p);
+    for (const LoopNode& node : loop_) rays_.emplace_back(region_, middle_, node.p, kind_);
     const int rows = count_rows();
     std::vector<int> outer;
     for (const LoopNode& node : loop_) outer.push_back(add_node(region_, node, mesh_));
@@ -124,6 +153,7 @@ class Dome {
 
   const Region& region_;
   const std::vector<LoopNode>& loop_;
+  const DomeRows kind_;
   const Vec2 middle_;
   std::vector<Ray> rays_;
   RegionMesh mesh_;
@@ -136,7 +166,7 @@ class Tube {
   std::optional<RegionMesh> lay() {
     mesh_.turn_weight = region_.size.turn_weight();
     const std::size_t n = from_.size(), shift = find_shift();
-    for (std::size_t i = 0; i < n; ++i) rays_.emplace_back(region_, from_[i].p, opposite(i, shift).p);
+    for (std::size_t i = 0; i < n; ++i) rays_.emplace_back(region_, from_[i].p, opposite(i, shift).p, DomeRows::even);
     const int rows = static_cast<int>(std::clamp(std::lround(mean_length(rays_)), 1L, long{most_rows}));
     std::vector<int> last, next;
     for (int row = 0; row <= rows; ++row, last = std::move(next)) {
@@ -192,12 +222,12 @@ std::optional<RegionMesh> lay_tube(const Region& region) {
   return Tube(region).lay();
 }
 
-std::optional<RegionMesh> lay_dome(const Region& region, Elements elements) {
+std::optional<RegionMesh> lay_dome(const Region& region, Elements elements, DomeRows rows) {
   if (region.loops.size() != 1 || region.fans.size() > 1) return std::nullopt;
   const std::size_t nodes = region.loops[0].size();
   if (nodes < fewest_nodes || nodes > most_nodes) return std::nullopt;
   if (nodes % 2 == 1 && elements == Elements::all_quad) return std::nullopt;
-  Dome dome(region);
+  Dome dome(region, rows);
   return dome.is_star() ? dome.lay() : std::nullopt;
 }
 

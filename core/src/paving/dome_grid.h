@@ -9,11 +9,17 @@
 
 namespace paver {
 
+/// Where the rows of a dome lie.
+enum class DomeRows {
+  even,     ///< at equal lengths
+  in_chart  ///< the same as a few steps in the chart tell: those of long bodies near the loop, where these need it most
+};
+
 /// The whole mesh of a region whose one loop goes once about a point, an apex or the chart's pole or its own middle:
 /// rows of quads from the loop inwards, as many as the turn asks for, and a fan of half as many quads about that point.
 /// One triangle where the loop is odd. Nothing where the region is no such dome, its loop has many nodes, or an element
 /// is not positive in the chart.
-std::optional<RegionMesh> lay_dome(const Region& region, Elements elements);
+std::optional<RegionMesh> lay_dome(const Region& region, Elements elements, DomeRows rows = DomeRows::even);
 
 /// The same of a region between two loops of equally many nodes, a short bent pipe: rows from one loop to the other.
 std::optional<RegionMesh> lay_tube(const Region& region);

@@ -69,16 +69,18 @@ bool OtherWays::is_coarse_and_mixed(const RegionMesh& mesh) const {
 }
 
 bool OtherWays::make_whole(Mended& mended, PavedRegion& paved) const {
-  if (lay_dome_again(mended, paved) || pave_without_turns(mended, paved)) return true;
+  if (lay_rows(mended, paved) || pave_without_turns(mended, paved)) return true;
   return pave_by_other_rule(region_, mended, paved);
 }
 
-bool OtherWays::lay_dome_again(Mended& mended, PavedRegion& paved) const {
-  std::optional<RegionMesh> dome = lay_dome(region_, options_.elements);
-  if (!dome) dome = lay_tube(region_);
-  if (!dome) return false;
-  if (options_.elements == Elements::all_triangle) split_all_quads(*dome);
-  return take(region_, {std::move(*dome), {}}, mended, paved);
+bool OtherWays::lay_rows(Mended& mended, PavedRegion& paved) const {
+  auto take_rows = [&](std::optional<RegionMesh> rows) {
+    if (rows && options_.elements == Elements::all_triangle) split_all_quads(*rows);
+    return rows && take(region_, {std::move(*rows), {}}, mended, paved);
+  };
+  for (const DomeRows rows : {DomeRows::even, DomeRows::in_chart})
+    if (take_rows(lay_dome(region_, options_.elements, rows))) return true;
+  return take_rows(lay_tube(region_));
 }
 
 // It may be that no element fits lengths that count turns.

@@ -27,7 +27,7 @@ class OtherWays {
   bool is_coarse_and_mixed(const RegionMesh& mesh) const;
   bool make_whole(Mended& mended, PavedRegion& paved) const;
   bool make_regular(Mended& mended, PavedRegion& paved) const;
-  bool lay_dome_again(Mended& mended, PavedRegion& paved) const;
+  bool lay_rows(Mended& mended, PavedRegion& paved) const;
   bool pave_without_turns(Mended& mended, PavedRegion& paved) const;
   bool pave_by_other_rule(const Region& region, Mended& mended, PavedRegion& paved) const;
   template <class Pave>
