@@ -214,9 +214,30 @@ double perimeter(const Model& model, const Face& face) {
   return sum;
 }
 
+/// In target lengths, as lengths count turns of the face.
+double turned_perimeter(const Model& model, const Face& face, const FaceSize& size) {
+  constexpr int steps = 24;
+  double sum = 0;
+  for (const Loop& loop : face.loops)
+    for (const Coedge& coedge : loop.coedges) {
+      const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
+      Vec3 last;
+      for (int i = 0; coedge.pcurve && i <= steps; ++i) {
+        const Vec3 normal = size.normals()->at(coedge.pcurve->uv(edge.t0 + (edge.t1 - edge.t0) * i / steps));
+        if (i > 0) sum += std::hypot(edge.length / (steps * size.own()), size.turn_weight() * norm(normal - last));
+        last = normal;
+      }
+      if (!coedge.pcurve) sum += edge.length / size.own();
+    }
+  return sum;
+}
+
 // A strip narrower than h still gets an element per h of its length: half the perimeter counts as well as the area.
-double predicted_elements(const Model& model, const Face& face, double mean_density) {
-  return std::max({1.0, face.area * mean_density, 0.5 * perimeter(model, face) * std::sqrt(mean_density) - 1});
+// Turns make elements narrow, not short.
+double predicted_elements(const Model& model, const Face& face, const SampledFace& sampled) {
+  const bool has_turns = sampled.size.turn_weight() > 0;
+  const double along = has_turns ? 1 / sampled.size.own() : std::sqrt(sampled.mean_density);
+  return std::max({1.0, face.area * sampled.mean_density, 0.5 * perimeter(model, face) * along - 1});
 }
 
 // Lengths that are given for whole faces; none is longer than the face, whose turns were lost on it otherwise.
@@ -308,7 +329,8 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
     bool is_meshed = face.has_area && face.fault.empty();
     SampledFace sampled = is_meshed ? sample_face(model, face, field.face_h[f], field.turn_limit, options)
                                     : SampledFace{FaceSize(field.h), 0};
-    field.perimeter.push_back(perimeter(model, face) / field.face_h[f]);
+    field.perimeter.push_back(sampled.size.turn_weight() > 0 ? turned_perimeter(model, face, sampled.size)
+                                                             : perimeter(model, face) / field.face_h[f]);
     if (is_meshed && !field.local->is_empty()) {
       sampled.size.set_local(field.local, sample_box(model, face));
       LocalCounts counts = count_with_local(model, face, sampled.size, field);
@@ -317,9 +339,9 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
       field.perimeter.back() = counts.perimeter;
       sampled.size.set_graded(counts.is_graded);
     }
+    field.predicted.push_back(is_meshed ? predicted_elements(model, face, sampled) : 0);
     field.faces.push_back(std::move(sampled.size));
     if (field.faces.back().turn_weight() > 0) add_turning_sides(face, static_cast<int>(f), field);
-    field.predicted.push_back(is_meshed ? predicted_elements(model, face, sampled.mean_density) : 0);
     progress.advance();
   }
   double predicted = std::accumulate(field.predicted.begin(), field.predicted.end(), 0.0);

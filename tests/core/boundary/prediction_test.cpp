@@ -1,10 +1,15 @@
 // Predictions against meshes.
 #include <gtest/gtest.h>
 
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <cmath>
+#include <gp.hxx>
+#include <gp_Ax2.hxx>
 #include <numeric>
 #include <string>
 
 #include "paver/mesher.h"
+#include "support/report_of.h"
 
 namespace paver {
 namespace {
@@ -32,6 +37,17 @@ TEST_P(Predict, ComesNearTheMesh) {
     EXPECT_NEAR(std::accumulate(prediction.face_elements.begin(), prediction.face_elements.end(), 0.0),
                 prediction.elements, 1e-6 * elements);
   }
+}
+
+// Edges across a bend have as many intervals as it takes elements: these do not count again for them.
+TEST(Predict, ShortBendsCountOnce) {
+  for (double radius : {0.3, 0.5, 1.0})
+    for (double length : {2.0, 4.0, 9.0}) {
+      SCOPED_TRACE(testing::Message() << radius << " by " << length);
+      const TopoDS_Shape half = BRepPrimAPI_MakeCylinder(gp_Ax2(gp::Origin(), gp::DZ()), radius, length, M_PI).Face();
+      const QualityReport quality = test::report_of(half, 1).quality;
+      EXPECT_NEAR(static_cast<double>(quality.quads + quality.triangles) / quality.metric.predicted, 1, 0.25);
+    }
 }
 
 TEST(Predict, MemoryGrowsWithElementsAndOrder) {
