@@ -81,7 +81,8 @@ class CurvedQuad {
 
  private:
   Vec3 on_surface(int k, Vec3 target) const {
-    const Vec2 p = place(0.5 * (k % 3), 0.5 * (k / 3));
+    const int column = k % 3, row = k / 3;
+    const Vec2 p = place(0.5 * column, 0.5 * row);
     if (k % 2 == 1 || k == 4) return foot(block_, surface_, p, target);
     Vec3 x, xp, xq;
     evaluate(*block_.chart, surface_, p, x, xp, xq);
