@@ -17,8 +17,8 @@ class OtherWays {
   /// Whether there is something to look at in a mesh without bad elements.
   bool can_help(const RegionMesh& mesh) const;
 
-  /// Where elements are left that are not valid, or the face is not whole, takes the first of a dome or tube, of paving that
-  /// counts no turns, and of either paving by the other rule for rows that, mended, leaves nothing. Where a few
+  /// Where elements are left that are not valid, or the face is not whole, takes the first of a dome or tube, of paving
+  /// that counts no turns, and of either paving by the other rule for rows that, mended, leaves nothing. Where a few
   /// elements, some of them triangles, are worse than a grid of about as many, takes that.
   void improve(Mended& mended, PavedRegion& paved) const;
 

@@ -27,7 +27,8 @@ constexpr int samples = 96;       // in which turning points are sought
 constexpr int most_steps = 60;    // of a search in an interval
 constexpr int checks = 32;        // points whose twins must be there
 constexpr double snap = 1e-6;     // of the range: so near to a sample a turning point is one
-constexpr double flat = 1e-6;     // of the diagonal: how far its two halves may be apart
+constexpr double flat = 1e-6;     // of the diagonal: how far its two halves may be apart, or as far as its tolerance
+constexpr double thin = 1e-3;     // of its length: but never farther
 constexpr double exactly = 1e-9;  // of the range: a way back as even as the way there
 
 class Border {
@@ -58,6 +59,7 @@ class Border {
       for (int j = 0; j < i; ++j)
         if (const double d = sample(i).Distance(sample(j)); d > farthest * (1 + snap))
           farthest = d, turn_[0] = parameter(j), turn_[1] = parameter(i);
+    tolerance_ = std::min(tolerance_, thin * farthest);
     for (const int k : {0, 1, 0, 1}) turn_[k] = farthest_from(at(turn_[1 - k]), turn_[k]);
     if (turn_[0] > turn_[1]) std::swap(turn_[0], turn_[1]);
     const double room = 2 * (high_ - low_) / samples;
@@ -172,7 +174,7 @@ class Border {
   }
 
   const TopoDS_Face& face_;
-  const double tolerance_;
+  double tolerance_;
   Handle(Geom_Curve) curve_;
   TopLoc_Location location_;
   TopoDS_Vertex start_;
