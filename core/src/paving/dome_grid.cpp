@@ -19,7 +19,7 @@ constexpr double far_corner = 1.25;       // of the way to the fan's other nodes
 class Ray {
  public:
   Ray(const Region& region, Vec2 from, Vec2 end, DomeRows rows) : from_(from), end_(end) {
-    const std::vector<Sample> samples = rows == DomeRows::even ? even_samples(region) : chart_samples(region);
+    const std::vector<Sample> samples = rows == DomeRows::in_chart ? chart_samples(region) : even_samples(region);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       shares_.push_back(samples[i].share);
       if (i == 0) continue;
@@ -127,7 +127,8 @@ class Dome {
 
   // Fans are a target length wide, one row more and they need none of their own.
   int count_rows() const {
-    return static_cast<int>(std::clamp(std::lround(mean_length(rays_)) - 1, 1L, long{most_rows}));
+    const long rows = std::clamp(std::lround(mean_length(rays_)) - 1, 1L, long{most_rows});
+    return static_cast<int>(kind_ == DomeRows::many ? 2 * rows + 1 : rows);
   }
 
   std::vector<int> add_row(const std::vector<int>& outer, double share, bool is_fan) {

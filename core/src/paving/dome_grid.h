@@ -12,6 +12,7 @@ namespace paver {
 /// Where the rows of a dome lie.
 enum class DomeRows {
   even,     ///< at equal lengths
+  many,     ///< more than twice as many of them
   in_chart  ///< the same as a few steps in the chart tell: those of long bodies near the loop, where these need it most
 };
 
