@@ -6,8 +6,8 @@
 #include <Geom_Parabola.hxx>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <gp.hxx>
+#include <numbers>
 
 #include "support/report_of.h"
 
