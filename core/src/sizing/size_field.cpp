@@ -129,13 +129,13 @@ bool has_border(const Model& model, const Face& face) {
 
 /// Whether lengths differ much over the face, and are shortest along a line across which it bends: not about a tip.
 bool has_ridge(const std::vector<CurvatureSample>& samples, const std::vector<double>& sizes) {
-  const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
-  if (!(*most > even_lengths * *least)) return false;
+  const double least = *std::min_element(sizes.begin(), sizes.end());
+  if (!(*std::max_element(sizes.begin(), sizes.end()) > even_lengths * least)) return false;
   Box extent;
   for (const CurvatureSample& sample : samples) extent.add(sample.x);
   auto is_sharp = [&](int i) {
     const CurvatureSample& sample = samples[static_cast<std::size_t>(i)];
-    return sizes[static_cast<std::size_t>(i)] <= even_lengths * *least &&
+    return sizes[static_cast<std::size_t>(i)] <= even_lengths * least &&
            sample.curvature <= sample.larger / one_way_turn;
   };
   // The longest along a row or a column: about a tip that many lines run up to it is sharp across each of them.
