@@ -125,12 +125,22 @@ bool mend_ring(WorkFace& face, Workpiece& work) {
   return true;
 }
 
-/// Ends that are pressed flat become common to both of their sides.
+bool is_shared(const TopoDS_Edge& edge, const WorkFace& owner, const Workpiece& work) {
+  return std::any_of(work.faces.begin(), work.faces.end(), [&](const WorkFace& face) {
+    if (&face == &owner) return false;
+    for (TopExp_Explorer edges(face.face, TopAbs_EDGE); edges.More(); edges.Next())
+      if (edges.Current().IsSame(edge)) return true;
+    return false;
+  });
+}
+
+/// Ends that are pressed flat become common to both of their sides, unless another face goes on there.
 void close_flat_ends(WorkFace& face, Workpiece& work) {
   const TopoDS_Face plain = forward(face.face);
   std::vector<TopoDS_Edge> poles;
   for (TopExp_Explorer edges(plain, TopAbs_EDGE); edges.More(); edges.Next())
-    if (is_false_pole(TopoDS::Edge(edges.Current()), plain, work.diagonal))
+    if (is_false_pole(TopoDS::Edge(edges.Current()), plain, work.diagonal) &&
+        !is_shared(TopoDS::Edge(edges.Current()), face, work))
       poles.push_back(TopoDS::Edge(edges.Current()));
   for (const TopoDS_Edge& pole : poles) {
     const std::vector<int> origins = edge_origins(work, pole);
