@@ -18,10 +18,11 @@ struct SideOff {
   const Region& region;
   Vec2 p, q;
   Vec3 a, b;
+  double fair;
 
-  /// The half before or after the middle, which is `x` at `m`.
+  /// The half before or after the middle, which is `x` at `m`; `fair` where it is less.
   double half(Vec2 m, Vec3 x, bool is_first) const {
-    double most = 0;
+    double most = fair;
     const Vec2 end = is_first ? p : q;
     Vec2 place = half_way(region, end, m);
     for (double t : {0.25, 0.125}) {
@@ -87,12 +88,11 @@ Vec3 side_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec
   Vec3 x = nearest_point(region, p, 0.5 * (a + b), scale);
   if (leaning(mesh, v, 4 * x - 3 * a - b) <= most_leaning && leaning(mesh, w, a + 3 * b - 4 * x) <= most_leaning)
     return x;
-  SideOff off{region, mesh.p[v], mesh.p[w], a, b};
+  const SideOff off{region, mesh.p[v], mesh.p[w], a, b, fair_off * std::min(mesh.h[v], mesh.h[w])};
   double least = off.half(p, x, true), other = off.half(p, x, false);
   const double way = least > other ? -shift : shift;
   least = std::max(least, other);
-  if (least <= fair_off * std::min(mesh.h[v], mesh.h[w])) return x;
-  for (int i = 1; i <= most_shifts; ++i) {
+  for (int i = 1; i <= most_shifts && least > off.fair; ++i) {
     const double along = 0.5 + i * way;
     Vec2 next = p;
     const Vec3 y = nearest_point(region, next, (1 - along) * a + along * b, scale);
