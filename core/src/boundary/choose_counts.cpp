@@ -82,29 +82,21 @@ void divide_lenses(const Model& model, std::vector<EdgeCount>& counts) {
   }
 }
 
-// The two sides of a slit that meets no other edge, or just periodic ones, would be one mesh edge, and no loop.
-void divide_lone_slits(const Model& model, std::vector<EdgeCount>& counts) {
+// Where a border turns back along an edge: the two sides of a slit that meets no other edge, or just periodic ones,
+// would be one mesh edge, and no loop; elements about the end of a body pressed flat need a node before it.
+void divide_where_borders_turn_back(const Model& model, std::vector<EdgeCount>& counts) {
   auto is_periodic = [&](const Coedge& c) { return model.edges[static_cast<std::size_t>(c.edge)].is_periodic; };
-  for (const Face& face : model.faces)
-    for (const Loop& loop : face.loops)
-      for (std::size_t i = 0, n = loop.coedges.size(); i < n; ++i) {
-        const Coedge &there = loop.coedges[i], &back = loop.coedges[(i + 1) % n];
-        if (!there.is_slit || there.edge != back.edge) continue;
-        if (n == 2 || (is_periodic(loop.coedges[(i + n - 1) % n]) && is_periodic(loop.coedges[(i + 2) % n])))
-          want_two(counts[static_cast<std::size_t>(there.edge)]);
-      }
-}
-
-// Where a body is pressed flat its border runs back at once: elements about the turning point need a node before it.
-void divide_flat_ends(const Model& model, std::vector<EdgeCount>& counts) {
   for (std::size_t f = 0; f < model.faces.size(); ++f)
     for (std::size_t l = 0; l < model.faces[f].loops.size(); ++l) {
       const std::vector<Coedge>& coedges = model.faces[f].loops[l].coedges;
       for (std::size_t i = 0, n = coedges.size(); i < n; ++i) {
         const Coedge &there = coedges[i], &back = coedges[(i + 1) % n];
-        if (there.edge == back.edge && there.is_reversed != back.is_reversed && !there.is_slit &&
-            !periodic_coedges(model, static_cast<int>(f))[l][i])
-          want_two(counts[static_cast<std::size_t>(there.edge)]);
+        if (there.edge != back.edge) continue;
+        const bool is_lone_slit =
+            there.is_slit && (n == 2 || (is_periodic(coedges[(i + n - 1) % n]) && is_periodic(coedges[(i + 2) % n])));
+        const bool is_flat_end = !there.is_slit && there.is_reversed != back.is_reversed &&
+                                 !periodic_coedges(model, static_cast<int>(f))[l][i];
+        if (is_lone_slit || is_flat_end) want_two(counts[static_cast<std::size_t>(there.edge)]);
       }
     }
 }
@@ -133,8 +125,7 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
     return is_divided(edge) ? count_for_edge(edge, size, size.turning_sides(static_cast<std::size_t>(e))) : EdgeCount{};
   });
   divide_lenses(model, counts);
-  divide_lone_slits(model, counts);
-  divide_flat_ends(model, counts);
+  divide_where_borders_turn_back(model, counts);
 
   std::vector<std::vector<Loop>> loops;
   std::vector<std::vector<int>> loop_edges;

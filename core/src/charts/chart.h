@@ -39,6 +39,15 @@ inline Vec2 evaluate(const Chart& chart, const Surface& surface, Vec2 p, Vec3& x
   return uv;
 }
 
+/// Step in the chart whose image comes nearest to r, by the derivatives there; false where these are parallel.
+inline bool pull_back(Vec3 xp, Vec3 xq, Vec3 r, Vec2& step) {
+  const double a = dot(xp, xp), b = dot(xp, xq), c = dot(xq, xq), det = a * c - b * b;
+  if (!(det > 1e-12 * a * c)) return false;
+  const double s = dot(r, xp), t = dot(r, xq);
+  step = {(c * s - b * t) / det, (a * t - b * s) / det};
+  return true;
+}
+
 /// Box of a face's (u, v) and how its sides close.
 struct ParameterBox {
   Vec2 lo, hi;

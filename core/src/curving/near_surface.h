@@ -8,15 +8,6 @@
 
 namespace paver {
 
-/// Step in the chart whose image comes nearest to r, by the derivatives there; false where these are parallel.
-inline bool pull_back(Vec3 xp, Vec3 xq, Vec3 r, Vec2& step) {
-  const double a = dot(xp, xp), b = dot(xp, xq), c = dot(xq, xq), det = a * c - b * b;
-  if (!(det > 1e-12 * a * c)) return false;
-  const double s = dot(r, xp), t = dot(r, xq);
-  step = {(c * s - b * t) / det, (a * t - b * s) / det};
-  return true;
-}
-
 /// Whether a step is not long against the way from a node to another.
 inline bool is_short(Vec2 step, Vec2 way) {
   constexpr double most_step = 0.25;

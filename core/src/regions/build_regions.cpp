@@ -399,11 +399,8 @@ class RegionBuilder {
         {4, static_cast<int>(std::lround(weight.back())), static_cast<int>(std::ceil(turn / size_.turn_limit - 1e-9))});
     n = 4 * ((n + 3) / 4);
     std::vector<LoopNode> ring;
-    for (int i = 0, k = 0; i < n; ++i) {
-      const double wish = weight.back() * i / n;
-      while (weight[static_cast<std::size_t>(k) + 1] < wish) ++k;
-      const double low = weight[static_cast<std::size_t>(k)], high = weight[static_cast<std::size_t>(k) + 1];
-      const double turns = (k + (high > low ? (wish - low) / (high - low) : 0)) / samples;
+    for (int i = 0; i < n; ++i) {
+      const double turns = share_of(weight, weight.back() * i / n);
       uv_.push_back(parameters(layout_.box.lo.x + layout_.period * turns, layout_.cut));
       LoopNode node;
       node.x = face_.surface->point(uv_.back());
@@ -481,8 +478,12 @@ class RegionBuilder {
 
   /// The share of the way where that share of the whole is reached.
   static double share_at(const std::vector<double>& sums, double share) {
-    const double wanted = share * sums.back(), steps = static_cast<double>(sums.size() - 1);
-    if (!(sums.back() > 0)) return share;
+    return sums.back() > 0 ? share_of(sums, share * sums.back()) : share;
+  }
+
+  /// The share of the way where the sum is `wanted`.
+  static double share_of(const std::vector<double>& sums, double wanted) {
+    const double steps = static_cast<double>(sums.size() - 1);
     const auto after = std::upper_bound(sums.begin() + 1, sums.end() - 1, wanted);
     const double before = *(after - 1), step = *after - before;
     return (static_cast<double>(after - sums.begin()) - 1 + (step > 0 ? std::min(1.0, (wanted - before) / step) : 0)) /

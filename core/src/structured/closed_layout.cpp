@@ -47,10 +47,9 @@ Vec3 foot(const MappedBlock& block, const Surface& surface, Vec2 p, Vec3 target)
     evaluate(*block.chart, surface, p, x, xp, xq);
     const Vec3 off = target - x;
     if (const double d = norm(off); d < least) least = d, nearest = x;
-    const double a = dot(xp, xp), b = dot(xp, xq), c = dot(xq, xq), det = a * c - b * b;
-    if (!(det > 1e-12 * a * c)) break;
-    const double s = dot(off, xp), t = dot(off, xq);
-    p = block.chart->approach(p, {(c * s - b * t) / det, (a * t - b * s) / det});
+    Vec2 step;
+    if (!pull_back(xp, xq, off, step)) break;
+    p = block.chart->approach(p, step);
   }
   return nearest;
 }

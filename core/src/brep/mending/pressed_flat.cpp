@@ -2,7 +2,6 @@
 // face uses twice, so that the body is closed there. Steps: its turning points, which are farthest from each other;
 // which of its points are the same; an edge from turning point to turning point, or two where the pole starts in
 // between.
-#include <BRepAdaptor_Surface.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2dAPI_Interpolate.hxx>
