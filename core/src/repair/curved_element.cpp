@@ -17,7 +17,7 @@ constexpr double steep = 0.7;       // cosine between its normal and the surface
 constexpr double cusp_sine = 0.05;  // between two edges
 constexpr double value_of_cusp = 0.05;
 constexpr double doubtful = 0.5;  // cosine between an element's normal and the mean of its corners'
-constexpr double far = 0.4;       // of the distance that may be: from there on an element is poor
+constexpr double far = 0.25;      // of the distance that may be: from there on an element is poor
 
 }  // namespace
 
