@@ -128,6 +128,7 @@ class Dome {
   // Fans are a target length wide, one row more and they need none of their own.
   int count_rows() const {
     const long rows = std::clamp(std::lround(mean_length(rays_)) - 1, 1L, long{most_rows});
+    if (kind_ == DomeRows::most) return most_rows;
     return static_cast<int>(kind_ == DomeRows::many ? 2 * rows + 1 : rows);
   }
 

@@ -13,6 +13,7 @@ namespace paver {
 enum class DomeRows {
   even,     ///< at equal lengths
   many,     ///< more than twice as many of them
+  most,     ///< eight
   in_chart  ///< the same as a few steps in the chart tell: those of long bodies near the loop, where these need it most
 };
 

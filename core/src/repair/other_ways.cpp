@@ -78,7 +78,7 @@ bool OtherWays::lay_rows(Mended& mended, PavedRegion& paved) const {
     if (rows && options_.elements == Elements::all_triangle) split_all_quads(*rows);
     return rows && take(region_, {std::move(*rows), {}}, mended, paved);
   };
-  for (const DomeRows rows : {DomeRows::even, DomeRows::in_chart, DomeRows::many})
+  for (const DomeRows rows : {DomeRows::even, DomeRows::in_chart, DomeRows::many, DomeRows::most})
     if (take_rows(lay_dome(region_, options_.elements, rows))) return true;
   return take_rows(lay_tube(region_));
 }
