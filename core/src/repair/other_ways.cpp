@@ -9,6 +9,8 @@
 #include "paving/dome_grid.h"
 #include "paving/strip_grid.h"
 #include "repair/find_bad.h"
+#include "repair/mend_mesh.h"
+#include "repair/shared_sides.h"
 
 namespace paver {
 namespace {
@@ -49,9 +51,10 @@ void OtherWays::improve(Mended& mended, PavedRegion& paved) const {
   if (is_changed) mended.places.push_back({ElementRepairKind::paved_again, where});
 }
 
-/// As far as can be told from its elements, where these are few: a front may close across a body instead of around it
-/// where lengths are about the body's own.
+/// As far as can be told from its sides and, where these are few, its elements: a front may close across a body instead
+/// of around it where lengths are about the body's own.
 bool OtherWays::can_be_whole(const RegionMesh& mesh) const {
+  if (!twin_sides(mesh, 0).empty()) return false;
   if (!(region_.own_area > 0) || face_.surface->kind() == SurfaceKind::plane || mesh.elements.size() > few_elements)
     return true;
   const ElementJudge judge(region_, mesh, sides_, options_.order);
@@ -109,7 +112,7 @@ bool OtherWays::take_paved(const Region& region, Pave pave, Mended& mended, Pave
 
 bool OtherWays::take(const Region& region, PavedRegion second, Mended& mended, PavedRegion& paved) const {
   const ElementJudge judge(region, second.mesh, sides_, options_.order);
-  Mended again = mend_region(judge, kinds_of(options_.elements), find_bad(judge), second.mesh);
+  Mended again = mend_mesh(judge, kinds_of(options_.elements), find_bad(judge), second.mesh);
   if (!again.left.empty() || !can_be_whole(second.mesh)) return false;
   mended = std::move(again), paved = std::move(second);
   return true;

@@ -8,12 +8,13 @@
 #include <memory>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "base/tasks/gather.h"
 #include "base/tasks/tasks.h"
 #include "repair/divide_sides.h"
 #include "repair/find_bad.h"
-#include "repair/mend_region.h"
+#include "repair/mend_mesh.h"
 #include "repair/other_ways.h"
 #include "repair/shared_sides.h"
 
@@ -92,15 +93,14 @@ class PartRepairer {
     PartFindings& found = findings_[i];
     const BoundarySides sides(region_of(i), nodes_);
     const Region& place = paver_.place_of(parts_[i]);
-    const std::vector<int> bad = find_bad({place, parts_[i].paved->mesh, sides, options_.order});
+    std::vector<int> bad = find_bad({place, parts_[i].paved->mesh, sides, options_.order});
     const bool has_twins = kinds_.triangles && !twin_sides(parts_[i].paved->mesh, static_cast<int>(i)).empty();
     const OtherWays ways = other_ways(i, sides);
     const bool is_first = round_ == 0 && parts_[i].piece < 0;
     if (!bad.empty() || has_twins || (is_first && ways.can_help(parts_[i].paved->mesh))) {
       auto copy = std::make_shared<PavedRegion>(*parts_[i].paved);
-      Mended mended = mend_region({place, copy->mesh, sides, options_.order}, kinds_, bad, copy->mesh);
+      Mended mended = mend_mesh({place, copy->mesh, sides, options_.order}, kinds_, std::move(bad), copy->mesh);
       if (is_first) ways.improve(mended, *copy);
-      if (kinds_.triangles) divide_twins(i, sides, copy->mesh, mended);
       if (!mended.places.empty()) parts_[i].paved = std::move(copy);
       found.places = std::move(mended.places);
       found.sides = std::move(mended.sides);
@@ -109,17 +109,6 @@ class PartRepairer {
     if (!kinds_.triangles) return;
     found.inner = inner_sides(mesh, static_cast<int>(i), static_cast<int>(nodes_.nodes.size()));
     std::ranges::move(sides_beside_nodes({place, mesh, sides, options_.order}), std::back_inserter(found.sides));
-  }
-
-  void divide_twins(std::size_t i, const BoundarySides& sides, RegionMesh& mesh, Mended& mended) {
-    const Region& place = paver_.place_of(parts_[i]);
-    const std::vector<Vec3> made = divide_inner_sides(place, twin_sides(mesh, static_cast<int>(i)), mesh);
-    if (made.empty()) return;
-    for (Vec3 x : made) mended.places.push_back({ElementRepairKind::divided, x});
-    const ElementJudge judge(place, mesh, sides, options_.order);
-    Mended again = mend_region(judge, kinds_, find_bad(judge), mesh);
-    mended.sides = std::move(again.sides);
-    std::ranges::move(again.places, std::back_inserter(mended.places));
   }
 
   OtherWays other_ways(std::size_t i, const BoundarySides& sides) const {
