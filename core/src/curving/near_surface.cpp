@@ -55,7 +55,19 @@ Vec2 guess_centre(const Region& region, const RegionMesh& mesh, const std::array
   return place;
 }
 
-Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
+namespace {
+
+/// Normals at both ends of a side, of any length.
+struct Facing {
+  Vec3 one, other;
+  /// Whether a normal is opposite to both, and these agree: the surface is thin there, and this is its other side.
+  bool is_behind(Vec3 normal) const {
+    return dot(normal, one) < 0 && dot(normal, other) < 0 && dot(one, other) > 0;
+  }
+};
+
+/// As nearest_point. Places behind `ends`, if any, are not taken.
+Vec3 approach(const Region& region, Vec2& p, Vec3 target, double scale, const Facing* ends) {
   constexpr double settled = 1e-4;  // of `scale`: a step along the surface that is not worth an evaluation
   constexpr int most_points = 16;   // with good guesses two or three
   Vec3 nearest, x, xp, xq;
@@ -65,7 +77,7 @@ Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
     region.evaluate(at, x, xp, xq);
     const Vec3 r = target - x;
     const double d = norm(r);
-    if (i == 0 || d <= best * (1 + 1e-12)) {
+    if (i == 0 || (d <= best * (1 + 1e-12) && !(ends && ends->is_behind(cross(xp, xq))))) {
       nearest = x, best = d, p = at;
       if (!pull_back(xp, xq, r, step) || norm(step.x * xp + step.y * xq) <= settled * scale) break;
     } else {
@@ -77,6 +89,12 @@ Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
   return nearest;
 }
 
+}  // namespace
+
+Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
+  return approach(region, p, target, scale, nullptr);
+}
+
 // About a nose at one end a parabola through the middle is flat where the surface turns. Its Jacobian at an end is 4
 // times the share of the chord before the middle, less 1: 0.4 of the mean at the limit.
 Vec3 side_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec3 a, Vec3 b, Vec2& p) {
@@ -85,7 +103,8 @@ Vec3 side_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec
   constexpr double shift = 0.05;
   constexpr int most_shifts = 3;
   const double scale = norm(b - a);
-  Vec3 x = nearest_point(region, p, 0.5 * (a + b), scale);
+  const Facing ends{cross(mesh.xp[v], mesh.xq[v]), cross(mesh.xp[w], mesh.xq[w])};
+  Vec3 x = approach(region, p, 0.5 * (a + b), scale, &ends);
   if (leaning(mesh, v, 4 * x - 3 * a - b) <= most_leaning && leaning(mesh, w, a + 3 * b - 4 * x) <= most_leaning)
     return x;
   const SideOff off{region, mesh.p[v], mesh.p[w], a, b, fair_off * std::min(mesh.h[v], mesh.h[w])};
@@ -95,7 +114,7 @@ Vec3 side_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec
   for (int i = 1; i <= most_shifts && least > off.fair; ++i) {
     const double along = 0.5 + i * way;
     Vec2 next = p;
-    const Vec3 y = nearest_point(region, next, (1 - along) * a + along * b, scale);
+    const Vec3 y = approach(region, next, (1 - along) * a + along * b, scale, &ends);
     const double most = std::max(off.half(next, y, true), off.half(next, y, false));
     if (!(most < least)) break;
     x = y, p = next, least = most;
