@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "base/tasks/tasks.h"
+#include "check/direction.h"
 #include "check/distance/element_patch.h"
 #include "check/vector_area.h"
 #include "curving/near_surface.h"
@@ -16,8 +17,7 @@ namespace {
 constexpr double off_corner = 1e-6;   // of the target length; corners are placed on the surface itself
 constexpr double off_inner = 1e-4;    // of the chord or diagonal
 constexpr double steep = 0.7;         // cosine between an element's normal and that of the surface at a corner
-constexpr double most_inside = 0.25;  // of the target length
-constexpr double doubtful = 0.5;      // cosine between an element's normal and the mean of its corners'
+constexpr double most_inside = 0.25;  // of the target length, and of the element's own
 
 class PartElementCheck {
  public:
@@ -80,19 +80,20 @@ class PartElementCheck {
     } else {
       check_chords();
     }
-    check_direction(unit(area));
+    check_direction(area);
     slack_.add(element_slack(0.5 * norm(area), least_along_, mesh_.order > 1 && !is_moved_));
   }
 
-  void check_direction(Vec3 normal) {
-    Vec3 corners;
-    for (int k = 0; k < n_; ++k) corners += normals_[static_cast<std::size_t>(c_[k])];
-    corners = unit(corners);
-    const Vec3 centre = mesh_.order == 1 ? normal : unit(centre_normal());
-    const double along = dot(normal, corners), centre_along = dot(centre, corners);
-    if (along >= doubtful && centre_along >= doubtful) return;
-    if (along > 0 && dot(centre, surface_normal()) > 0) return;
-    faults_.add(face(), FaultKind::turned, 0.5 * (node(0) + node(2)));
+  void check_direction(Vec3 area) {
+    ElementNormals normals{area, mesh_.order == 1 ? area : centre_normal(), {}};
+    std::array<Vec2, 4> places;
+    for (int k = 0; k < n_; ++k) {
+      normals.corners += normals_[static_cast<std::size_t>(c_[k])];
+      places[static_cast<std::size_t>(k)] = region_.p[c_[k]];
+    }
+    if (is_reversed_) normals = {-1 * normals.area, -1 * normals.centre, -1 * normals.corners};
+    if (!runs_with_surface(*part_.region, n_, places, normals))
+      faults_.add(face(), FaultKind::turned, 0.5 * (node(0) + node(2)));
   }
 
   /// Of a curved element, at its centre.
@@ -105,12 +106,6 @@ class PartElementCheck {
     Vec2 p;
     for (int k = 0; k < n_; ++k) p = p + (1.0 / n_) * region_.p[c_[k]];
     return p;
-  }
-
-  Vec3 surface_normal() const {
-    Vec3 x, xp, xq;
-    part_.region->evaluate(middle_of_corners(), x, xp, xq);
-    return outward(cross(xp, xq));
   }
 
   /// Cosine of the largest angle from the element's normal to the surface's at a corner.
@@ -145,12 +140,13 @@ class PartElementCheck {
     ElementPatch patch;
     patch.corners = n_, patch.order = mesh_.order;
     for (int k = 0; k < (n_ == 4 ? 9 : 6); ++k) patch.nodes[static_cast<std::size_t>(k)] = node(k);
+    const double size = std::max(norm(node(2) - node(0)), norm(node(n_ - 1) - node(1)));
+    const double most = most_inside * std::min(part_.region->h, size);
     for (double s : {0.25, 0.75})
       for (double t : {0.25, 0.75}) {
         if (n_ == 3 && s + t > 1) continue;
         const Vec3 x = patch.at({s, t});
-        if (!is_near_surface(x, place(s, t), norm(node(2) - node(0)), most_inside * part_.region->h))
-          return add_chord(x);
+        if (!is_near_surface(x, place(s, t), norm(node(2) - node(0)), most)) return add_chord(x);
       }
   }
 

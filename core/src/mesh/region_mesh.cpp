@@ -172,12 +172,14 @@ bool faces_surface(const RegionMesh& mesh, const Element& e) {
   return dot(area_vector(mesh, e), normal) >= 0;
 }
 
-bool is_positive(const RegionMesh& mesh, const Element& e) {
+bool turns_left(const RegionMesh& mesh, const Element& e) {
   const int n = e.corners();
   for (int i = 0; i < (n == 3 ? 1 : 4); ++i)
     if (orientation(mesh.p[e.v[i]], mesh.p[e.v[(i + 1) % n]], mesh.p[e.v[(i + 2) % n]]) <= 0) return false;
-  return faces_surface(mesh, e);
+  return true;
 }
+
+bool is_positive(const RegionMesh& mesh, const Element& e) { return turns_left(mesh, e) && faces_surface(mesh, e); }
 
 bool has_jacobian(const RegionMesh& mesh, const Element& e, double bound) {
   if (!counts_turns(mesh, e)) return has_corners(Sides<Vec3>(mesh, e), bound);

@@ -154,7 +154,10 @@ struct RegionMesh {
 /// straight lines has room between a chord of the boundary and its curve, where there is no surface.
 bool faces_surface(const RegionMesh& mesh, const Element& e);
 
-/// Whether all corners turn left in the chart and it faces the surface.
+/// Whether all corners turn left in the chart.
+bool turns_left(const RegionMesh& mesh, const Element& e);
+
+/// Whether it turns left and faces the surface.
 bool is_positive(const RegionMesh& mesh, const Element& e);
 
 /// Whether the scaled Jacobian is at least `bound`, positive; takes no root.

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t fewest_nodes = 5, most_nodes = 24;
 constexpr int most_rows = 8;
+constexpr double longest_row = 1.5;  // target lengths, of rays that would ask for more rows
 constexpr int chart_steps = 32;
 constexpr std::size_t most_samples = 49;  // of a ray
 constexpr double far_corner = 1.25;       // of the way to the fan's other nodes, to those opposite the middle
@@ -109,6 +110,7 @@ class Dome {
     mesh_.turn_weight = region_.size.turn_weight();
     for (const LoopNode& node : loop_) rays_.emplace_back(region_, middle_, node.p, kind_);
     const int rows = count_rows();
+    if (mean_length(rays_) > longest_row * (rows + 1)) return std::nullopt;
     std::vector<int> outer;
     for (const LoopNode& node : loop_) outer.push_back(add_node(region_, node, mesh_));
     for (int row = rows; row > 0; --row) outer = add_row(outer, static_cast<double>(row) / (rows + 1), row == 1);

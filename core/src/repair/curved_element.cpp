@@ -4,6 +4,7 @@
 
 #include "check/area_slack.h"
 #include "check/checked_mesh.h"
+#include "check/direction.h"
 #include "check/distance/deviation.h"
 #include "check/vector_area.h"
 #include "curving/near_surface.h"
@@ -16,8 +17,7 @@ constexpr double folded = -0.5;     // value of an element that faces away or ha
 constexpr double steep = 0.7;       // cosine between its normal and the surface's at a corner: may miss the surface
 constexpr double cusp_sine = 0.05;  // between two edges
 constexpr double value_of_cusp = 0.05;
-constexpr double doubtful = 0.5;  // cosine between an element's normal and the mean of its corners'
-constexpr double far = 0.25;      // of the distance that may be: from there on an element is poor
+constexpr double far = 0.25;  // of the distance that may be: from there on an element is poor
 
 }  // namespace
 
@@ -49,67 +49,71 @@ bool ElementJudge::has_node_twice(const Corners& v, int n) const {
   return false;
 }
 
+bool ElementJudge::has_forbidden_side(const Corners& v, int n) const {
+  for (int k = 0; k < n; ++k)
+    if (std::find(forbidden_.begin(), forbidden_.end(), std::pair<int, int>(std::minmax(v[k], v[(k + 1) % n]))) !=
+        forbidden_.end())
+      return true;
+  return false;
+}
+
+std::array<Vec2, 4> ElementJudge::places(const Corners& v, int n) const {
+  std::array<Vec2, 4> places;
+  for (int k = 0; k < n; ++k) places[static_cast<std::size_t>(k)] = mesh_.p[v[static_cast<std::size_t>(k)]];
+  return places;
+}
+
 double ElementJudge::least_along(const Corners& v, int n) const {
-  Vec3 area, normals;
-  Vec2 centre;
+  Vec3 area, corners;
+  double least = 1;
   for (int k = 0; k < n; ++k) {
     area += cross(mesh_.x[v[k]] - mesh_.x[v[0]], mesh_.x[v[(k + 1) % n]] - mesh_.x[v[0]]);
-    normals += mesh_.normal(v[k]);
-    centre = centre + (1.0 / n) * mesh_.p[v[k]];
+    corners += mesh_.normal(v[k]);
   }
   area = unit(area);
-  double least = 1;
   for (int k = 0; k < n; ++k) least = std::min(least, dot(area, mesh_.normal(v[k])));
-  const double along = dot(area, unit(normals));
-  if (along >= doubtful) return std::max(least, 0.0);
-  Vec3 x, xp, xq;
-  region_.evaluate(centre, x, xp, xq);
-  return along > 0 && dot(area, cross(xp, xq)) > 0 ? std::max(least, 0.0) : -1;
+  return runs_with_surface(region_, n, places(v, n), {area, area, corners}) ? std::max(least, 0.0) : -1;
 }
 
 // The element as curved, all of it and at its centre, as the check that follows measures it: its chords may run with
 // the surface where it does not.
 bool ElementJudge::runs_against(const Corners& v, int n, const std::array<Vec3, 9>& x) const {
   if (order_ == 1) return false;
-  const Vec3 centre = n == 4 ? cross(x[5] - x[7], x[6] - x[4])
-                             : cross(x[1] - x[0] + 4 * (x[4] - x[5]), x[2] - x[0] + 4 * (x[4] - x[3]));
-  Vec3 area, normals;
-  Vec2 middle;
+  ElementNormals normals;
+  normals.centre = n == 4 ? cross(x[5] - x[7], x[6] - x[4])
+                          : cross(x[1] - x[0] + 4 * (x[4] - x[5]), x[2] - x[0] + 4 * (x[4] - x[3]));
   for (int k = 0; k < n; ++k) {
-    area += swept(x[k] - x[0], x[n + k] - x[0], x[(k + 1) % n] - x[0]);
-    normals += mesh_.normal(v[k]), middle = middle + (1.0 / n) * mesh_.p[v[k]];
+    normals.area += swept(x[k] - x[0], x[n + k] - x[0], x[(k + 1) % n] - x[0]);
+    normals.corners += mesh_.normal(v[k]);
   }
-  const double along = dot(unit(area), unit(normals));
-  if (along >= doubtful && dot(unit(centre), unit(normals)) >= doubtful) return false;
-  Vec3 at, xp, xq;
-  region_.evaluate(middle, at, xp, xq);
-  return !(along > 0 && dot(centre, cross(xp, xq)) > 0);
+  return !runs_with_surface(region_, n, places(v, n), normals);
 }
 
-// As the check that follows measures it, by what it allows.
+// As a share of what may be: of the target length, and no more than that of the element's own size.
 double ElementJudge::off_surface(const Corners& v, int n, const std::array<Vec3, 9>& x) const {
   if (order_ == 1) return chords_off(v, n);
-  std::array<Vec2, 4> places;
-  for (int k = 0; k < n; ++k) places[static_cast<std::size_t>(k)] = mesh_.p[v[static_cast<std::size_t>(k)]];
-  return deviation(region_, {n, order_, x}, places, far * most_off_moved * region_.h) / (most_off_moved * region_.h);
+  const double size = std::max(norm(x[2] - x[0]), norm(x[n - 1] - x[1]));
+  const double most = most_off_moved * region_.h, most_of_own = std::min(most, most_off_moved * size);
+  const double off = deviation(region_, {n, order_, x}, places(v, n), far * most_of_own);
+  return off / (off > most_of_own ? most_of_own : most);
 }
 
 std::array<Vec3, 9> ElementJudge::curved(const Corners& v, int n) const {
   std::array<Vec3, 9> x;
-  std::array<Vec2, 4> places;
+  std::array<Vec2, 4> middles;
   for (int k = 0; k < n; ++k) x[k] = mesh_.x[v[k]];
   for (int k = 0; k < n; ++k) {
     const int a = v[k], b = v[(k + 1) % n];
     if (const BoundarySide* side = sides_.find(mesh_.global[a], mesh_.global[b])) {
       x[n + k] = side->middle;
-      places[k] = guess_middle(region_, mesh_, a, b, side->middle - 0.5 * (mesh_.x[a] + mesh_.x[b]));
+      middles[k] = guess_middle(region_, mesh_, a, b, side->middle - 0.5 * (mesh_.x[a] + mesh_.x[b]));
     } else {
-      places[k] = guess_middle(region_, mesh_, a, b, {});
-      x[n + k] = side_middle(region_, mesh_, a, b, mesh_.x[a], mesh_.x[b], places[k]);
+      middles[k] = guess_middle(region_, mesh_, a, b, {});
+      x[n + k] = side_middle(region_, mesh_, a, b, mesh_.x[a], mesh_.x[b], middles[k]);
     }
   }
   if (n == 3) return x;
-  Vec2 place = guess_centre(region_, mesh_, v, places);
+  Vec2 place = guess_centre(region_, mesh_, v, middles);
   Vec3 blend;
   for (int k = 0; k < 4; ++k) blend += 0.5 * x[4 + k] - 0.25 * x[k];
   x[8] = nearest_point(region_, place, blend, norm(x[2] - x[0]));
@@ -186,7 +190,8 @@ ElementArea ElementJudge::area(const Corners& v) const {
 double ElementJudge::value(const Corners& v, double floor) const {
   const Element element{v};
   const int n = element.corners();
-  if (has_node_twice(v, n) || !is_positive(mesh_, element)) return folded;
+  if (has_node_twice(v, n) || !turns_left(mesh_, element)) return folded;
+  if (!forbidden_.empty() && has_forbidden_side(v, n)) return folded;
   const double along = least_along(v, n);
   if (along < 0) return folded;
   const double sj = scaled_jacobian(mesh_, element);

@@ -1,10 +1,12 @@
 // Elements of one part as they will be: curved, judged one by one, before anything is joined.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "boundary/edge_nodes.h"
 #include "mesh/region_mesh.h"
@@ -45,6 +47,9 @@ class ElementJudge {
   ElementJudge(const Region& region, const RegionMesh& mesh, const BoundarySides& sides, int order)
       : region_(region), mesh_(mesh), sides_(sides), order_(order) {}
 
+  /// No element may have a side between these nodes any more: it counts as folded.
+  void forbid(int a, int b) { forbidden_.push_back(std::minmax(a, b)); }
+
   /// From 1, as good as can be, down to 0: the lesser of scaled Jacobian and of the lower bound of the curved Jacobian
   /// over its mean. Negative where it is folded, turned over, farther off the surface than may be, or has a node of the
   /// boundary twice. Elements of a scaled Jacobian up to `floor` are not looked at any further: theirs is the value.
@@ -65,10 +70,12 @@ class ElementJudge {
   static constexpr double least_height = 1e-6;  // scaled Jacobian: flatter ones are not curved to be judged
 
   bool has_node_twice(const Corners& v, int n) const;
+  bool has_forbidden_side(const Corners& v, int n) const;
   /// Cosine between the element's normal and that of the surface at the corner where it is least; below 0 where the
   /// element runs against the surface.
   double least_along(const Corners& v, int n) const;
-  /// By what there may be.
+  /// Of the corners in the chart.
+  std::array<Vec2, 4> places(const Corners& v, int n) const;
   bool runs_against(const Corners& v, int n, const std::array<Vec3, 9>& x) const;
   double off_surface(const Corners& v, int n, const std::array<Vec3, 9>& x) const;
   double chords_off(const Corners& v, int n) const;
@@ -83,6 +90,7 @@ class ElementJudge {
   const RegionMesh& mesh_;
   const BoundarySides& sides_;
   const int order_;
+  std::vector<std::pair<int, int>> forbidden_;
 };
 
 }  // namespace paver

@@ -5,8 +5,8 @@
 
 namespace paver {
 
-/// Mends `bad` elements of the judge's mesh, `mesh`; then, where triangles may be, gives twin sides a node and mends
-/// again, in a bounded number of rounds.
+/// Mends `bad` elements of the judge's mesh, `mesh`; then, where triangles may be, fills places with twin sides anew
+/// without these, gives a node to those that stay, and mends again, in a bounded number of rounds.
 Mended mend_mesh(const ElementJudge& judge, ElementKinds kinds, std::vector<int> bad, RegionMesh& mesh);
 
 }  // namespace paver

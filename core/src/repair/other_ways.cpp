@@ -19,6 +19,12 @@ constexpr std::size_t few_elements = 100;  // of a region, looked at as a whole
 constexpr double fair = 0.2;               // value of the worst element of a grid
 constexpr double least_share = 0.5;        // of the elements that paving takes
 
+bool has_few_elements(const RegionMesh& mesh) {
+  const auto alive =
+      std::count_if(mesh.elements.begin(), mesh.elements.end(), [](const Element& e) { return e.is_alive(); });
+  return static_cast<std::size_t>(alive) <= few_elements;
+}
+
 /// Triangles count half.
 double quads_in(const RegionMesh& mesh) {
   double count = 0;
@@ -55,8 +61,7 @@ void OtherWays::improve(Mended& mended, PavedRegion& paved) const {
 /// of around it where lengths are about the body's own.
 bool OtherWays::can_be_whole(const RegionMesh& mesh) const {
   if (!twin_sides(mesh, 0).empty()) return false;
-  if (!(region_.own_area > 0) || face_.surface->kind() == SurfaceKind::plane || mesh.elements.size() > few_elements)
-    return true;
+  if (!(region_.own_area > 0) || face_.surface->kind() == SurfaceKind::plane || !has_few_elements(mesh)) return true;
   const ElementJudge judge(region_, mesh, sides_, options_.order);
   ElementArea sum;
   for (const Element& e : mesh.elements) {
@@ -68,22 +73,19 @@ bool OtherWays::can_be_whole(const RegionMesh& mesh) const {
 }
 
 bool OtherWays::is_coarse_and_mixed(const RegionMesh& mesh) const {
-  return options_.elements == Elements::quad_dominant && mesh.elements.size() <= few_elements && has_triangles(mesh);
+  return options_.elements == Elements::quad_dominant && has_few_elements(mesh) && has_triangles(mesh);
 }
 
 bool OtherWays::make_whole(Mended& mended, PavedRegion& paved) const {
-  if (lay_rows(mended, paved) || pave_without_turns(mended, paved)) return true;
-  return pave_by_other_rule(region_, mended, paved);
+  auto lay = [&](DomeRows rows) { return take_rows(lay_dome(region_, options_.elements, rows), mended, paved); };
+  return lay(DomeRows::even) || lay(DomeRows::in_chart) || lay(DomeRows::many) ||
+         take_rows(lay_tube(region_), mended, paved) || pave_without_turns(mended, paved) ||
+         pave_by_other_rule(region_, mended, paved) || lay(DomeRows::most);
 }
 
-bool OtherWays::lay_rows(Mended& mended, PavedRegion& paved) const {
-  auto take_rows = [&](std::optional<RegionMesh> rows) {
-    if (rows && options_.elements == Elements::all_triangle) split_all_quads(*rows);
-    return rows && take(region_, {std::move(*rows), {}}, mended, paved);
-  };
-  for (const DomeRows rows : {DomeRows::even, DomeRows::in_chart, DomeRows::many, DomeRows::most})
-    if (take_rows(lay_dome(region_, options_.elements, rows))) return true;
-  return take_rows(lay_tube(region_));
+bool OtherWays::take_rows(std::optional<RegionMesh> rows, Mended& mended, PavedRegion& paved) const {
+  if (rows && options_.elements == Elements::all_triangle) split_all_quads(*rows);
+  return rows && take(region_, {std::move(*rows), {}}, mended, paved);
 }
 
 // It may be that no element fits lengths that count turns.

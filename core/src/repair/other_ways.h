@@ -1,6 +1,8 @@
 // Regions of few elements meshed in other ways than paving.
 #pragma once
 
+#include <optional>
+
 #include "paver/progress.h"
 #include "paving/pave_region.h"
 #include "repair/mend_region.h"
@@ -18,7 +20,8 @@ class OtherWays {
   bool can_help(const RegionMesh& mesh) const;
 
   /// Where elements are left that are not valid, or the face is not whole, takes the first of a dome or tube, of paving
-  /// that counts no turns, and of either paving by the other rule for rows that, mended, leaves nothing. Where a few
+  /// that counts no turns, of either paving by the other rule for rows, and of a dome of many rows that, mended, leaves
+  /// nothing. Where a few
   /// elements, some of them triangles, are worse than a grid of about as many, takes that.
   void improve(Mended& mended, PavedRegion& paved) const;
 
@@ -27,7 +30,7 @@ class OtherWays {
   bool is_coarse_and_mixed(const RegionMesh& mesh) const;
   bool make_whole(Mended& mended, PavedRegion& paved) const;
   bool make_regular(Mended& mended, PavedRegion& paved) const;
-  bool lay_rows(Mended& mended, PavedRegion& paved) const;
+  bool take_rows(std::optional<RegionMesh> rows, Mended& mended, PavedRegion& paved) const;
   bool pave_without_turns(Mended& mended, PavedRegion& paved) const;
   bool pave_by_other_rule(const Region& region, Mended& mended, PavedRegion& paved) const;
   template <class Pave>

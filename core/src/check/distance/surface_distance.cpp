@@ -31,9 +31,9 @@ constexpr Vec2 on_sides_of_quad[] = {{half_step, 0}, {other_step, 0}, {1, half_s
                                      {half_step, 1}, {other_step, 1}, {0, half_step}, {0, other_step}};
 constexpr Vec2 on_sides_of_triangle[] = {{half_step, 0},  {other_step, 0},         {0, half_step},
                                          {0, other_step}, {half_step, other_step}, {other_step, half_step}};
-constexpr double doubtful = 0.1;  // of the target length: the search may have ended elsewhere
+constexpr double doubtful = 0.1;  // of the target length or the element's own: the search may have ended elsewhere
 constexpr double bent = 0.1;      // radians from the surface: its points may miss what an element bridges
-constexpr int grid_steps = 8;
+constexpr int few_steps = 4, many_steps = 8;  // of a grid of points
 
 struct Totals {
   double largest = 0, angle = 0;
@@ -114,9 +114,10 @@ class PartSampler {
   double sample(Vec2 uv) {
     Foot foot = foot_from(uv, uv);
     if (!std::isfinite(foot.distance)) return 0;
-    if (foot.distance > doubtful * part_.region->h)
-      for (Vec2 start : points_inside())
+    if (foot.distance > doubtful * std::min(part_.region->h, norm(patch_.nodes[2] - patch_.nodes[0])))
+      for_grid(few_steps, [&](Vec2 start) {
         if (const Foot other = foot_from(start, uv); other.distance < foot.distance) foot = other;
+      });
     const std::array<Vec3, 2> slopes = patch_.slopes(uv);
     const Vec3 normal = cross(slopes[0], slopes[1]), wanted = is_reversed_ ? -1 * foot.normal : foot.normal;
     const bool is_inside = uv.x > 0 && uv.y > 0 && (n_ == 4 ? std::max(uv.x, uv.y) : uv.x + uv.y) < 1;
@@ -133,14 +134,15 @@ class PartSampler {
     const std::span<const Vec2> inside = points_inside();
     for (Vec2 uv : inside) sum += sample(uv);
     for (Vec2 uv : further_points()) sample(uv);
-    if (angle_ > bent) sample_grid();
+    if (angle_ > bent) for_grid(many_steps, [&](Vec2 uv) { sample(uv); });
     return sum / static_cast<double>(inside.size());
   }
 
-  void sample_grid() {
-    for (int i = 0; i <= grid_steps; ++i)
-      for (int j = 0; j <= (n_ == 4 ? grid_steps : grid_steps - i); ++j)
-        sample({static_cast<double>(i) / grid_steps, static_cast<double>(j) / grid_steps});
+  template <class Visit>
+  void for_grid(int steps, Visit visit) const {
+    for (int i = 0; i <= steps; ++i)
+      for (int j = 0; j <= (n_ == 4 ? steps : steps - i); ++j)
+        visit(Vec2{static_cast<double>(i) / steps, static_cast<double>(j) / steps});
   }
 
   std::span<const Vec2> points_inside() const { return n_ == 4 ? std::span<const Vec2>(inside_quad) : inside_triangle; }
