@@ -61,9 +61,7 @@ namespace {
 struct Facing {
   Vec3 one, other;
   /// Whether a normal is opposite to both, and these agree: the surface is thin there, and this is its other side.
-  bool is_behind(Vec3 normal) const {
-    return dot(normal, one) < 0 && dot(normal, other) < 0 && dot(one, other) > 0;
-  }
+  bool is_behind(Vec3 normal) const { return dot(normal, one) < 0 && dot(normal, other) < 0 && dot(one, other) > 0; }
 };
 
 /// As nearest_point. Places behind `ends`, if any, are not taken.
