@@ -20,16 +20,6 @@ bool operator<(const Line& one, const Line& other) {
   return std::tie(one.a, one.b, one.edge) < std::tie(other.a, other.b, other.edge);
 }
 
-// The element on the other side of element e's side from a to b, or -1.
-int across(const RegionMesh& mesh, int e, int a, int b) {
-  for (int other : mesh.star[a]) {
-    if (other == e) continue;
-    const Element& element = mesh.elements[other];
-    if (element.corner_of(b) >= 0 && element.after(b) == a) return other;
-  }
-  return -1;
-}
-
 class Raiser {
  public:
   Raiser(const JoinedMesh& linear, const EdgeNodes& edges, const Model& model, const Cuts& cuts,
@@ -197,7 +187,7 @@ PartSides number_sides(const RegionMesh& mesh) {
     const Element& element = mesh.elements[e];
     if (!element.is_alive()) continue;
     for (int k = 0, n = element.corners(); k < n; ++k) {
-      const int a = element.v[k], b = element.v[(k + 1) % n], other = across(mesh, static_cast<int>(e), a, b);
+      const int a = element.v[k], b = element.v[(k + 1) % n], other = mesh.across(a, b);
       int& side = sides.of_element[e][k];
       if (other < 0) {
         side = -1 - static_cast<int>(sides.border.size());

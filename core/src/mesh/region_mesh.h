@@ -20,8 +20,14 @@ struct Element {
       if (v[i] == node) return i;
     return -1;
   }
-  int after(int node) const { return v[(corner_of(node) + 1) % corners()]; }
-  int before(int node) const { return v[(corner_of(node) + corners() - 1) % corners()]; }
+  int after(int node) const {
+    const int k = corner_of(node) + 1;
+    return v[k < corners() ? k : 0];
+  }
+  int before(int node) const {
+    const int k = corner_of(node);
+    return v[(k > 0 ? k : corners()) - 1];
+  }
 };
 
 /// Elements about one node, unordered; in place as long as they are few, which is nearly always.
@@ -117,6 +123,14 @@ struct RegionMesh {
   /// Takes back its removal.
   void restore_element(int e, const std::array<int, 4>& corners);
   void replace_node(int e, int from, int to);
+  /// The element on the other side of a side from a to b, which has it from b to a; -1 where there is none.
+  int across(int a, int b) const {
+    for (int e : star[a])
+      if (elements[e].before(a) == b) return e;
+    return -1;
+  }
+  /// Whether an element has a side between two nodes.
+  bool has_side(int a, int b) const { return across(a, b) >= 0 || across(b, a) >= 0; }
   /// Scale of the mesh at a node: its target length or, where that is shorter, its shortest side.
   double scale_at(int node) const;
   Vec3 normal(int node) const { return unit(cross(xp[node], xq[node])); }

@@ -16,13 +16,6 @@ double value(const RegionMesh& mesh, const Corners& corners) {
   return is_positive(mesh, element) ? scaled_jacobian(mesh, element) : -1;
 }
 
-bool is_side(const RegionMesh& mesh, int a, int b) {
-  return std::any_of(mesh.star[a].begin(), mesh.star[a].end(), [&](int e) {
-    const Element& element = mesh.elements[e];
-    return element.after(a) == b || element.before(a) == b;
-  });
-}
-
 void split_quad(RegionMesh& mesh, int quad) {
   const Corners v = mesh.elements[quad].v;
   const int least = static_cast<int>(std::min_element(v.begin(), v.end()) - v.begin()) % 2;
@@ -31,7 +24,7 @@ void split_quad(RegionMesh& mesh, int quad) {
   for (int i : {least, 1 - least}) {
     const int a = v[i], b = v[i + 1], c = v[i + 2], d = v[(i + 3) % 4];
     const std::array<Corners, 2> halves{{{a, b, c, -1}, {a, c, d, -1}}};
-    const double both = is_side(mesh, a, c) ? -1 : std::min(value(mesh, halves[0]), value(mesh, halves[1]));
+    const double both = mesh.has_side(a, c) ? -1 : std::min(value(mesh, halves[0]), value(mesh, halves[1]));
     if (both > worst + as_good) worst = both, best = halves;
   }
   if (worst <= 0) return;

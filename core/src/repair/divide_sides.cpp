@@ -52,7 +52,7 @@ class RegionDivider {
 
  private:
   void divide(int a, int b, int global) {
-    const int left = across(mesh_, b, a), right = across(mesh_, a, b);
+    const int left = mesh_.across(b, a), right = mesh_.across(a, b);
     if (left < 0 && right < 0) return;
     const int middle = add_node(a, b, global);
     for (int e : {left, right})

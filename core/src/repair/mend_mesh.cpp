@@ -22,7 +22,7 @@ void append(Mended again, Mended& mended) {
 std::vector<int> elements_at(const std::vector<InnerSide>& sides, const RegionMesh& mesh) {
   std::vector<int> found;
   for (const InnerSide& side : sides)
-    for (int e : {across(mesh, side.a, side.b), across(mesh, side.b, side.a)})
+    for (int e : {mesh.across(side.a, side.b), mesh.across(side.b, side.a)})
       if (e >= 0) found.push_back(e);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());

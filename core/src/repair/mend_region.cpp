@@ -203,7 +203,7 @@ class Mender {
   void try_sides(int e, Candidate& best) {
     const Element element = mesh_.elements[e];
     for (int k = 0, n = element.corners(); k < n; ++k) {
-      const int a = element.v[k], b = element.v[(k + 1) % n], other = across(mesh_, a, b);
+      const int a = element.v[k], b = element.v[(k + 1) % n], other = mesh_.across(a, b);
       if (other < 0 || norm(mesh_.x[b] - mesh_.x[a]) < shortest_side * std::min(mesh_.h[a], mesh_.h[b])) continue;
       const int node = add_node_between(region_, a, b, mesh_);
       Filling here = fill_with(e, a, b, node, {e, other}), there = fill_with(other, a, b, node, {e, other});

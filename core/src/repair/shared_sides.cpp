@@ -33,7 +33,7 @@ class SideDivider {
   SideDivider(const Region& region, RegionMesh& mesh) : region_(region), mesh_(mesh) {}
 
   void divide(int a, int b) {
-    const int e = across(mesh_, b, a), other = across(mesh_, a, b);
+    const int e = mesh_.across(b, a), other = mesh_.across(a, b);
     if (e < 0 || other < 0) return;
     const Vec2 halfway = 0.5 * (mesh_.p[a] + mesh_.p[b]);
     if (divide(e, other, a, b, halfway)) return;
@@ -94,7 +94,7 @@ std::vector<InnerSide> inner_sides(const RegionMesh& mesh, int part, int boundar
     if (!e.is_alive()) continue;
     for (int k = 0, n = e.corners(); k < n; ++k) {
       const int a = e.v[k], b = e.v[(k + 1) % n];
-      if (!is_shared(a) || !is_shared(b) || mesh.global[a] >= mesh.global[b] || across(mesh, a, b) < 0) continue;
+      if (!is_shared(a) || !is_shared(b) || mesh.global[a] >= mesh.global[b] || mesh.across(a, b) < 0) continue;
       sides.push_back({mesh.global[a], mesh.global[b], part, a, b});
     }
   }

@@ -225,7 +225,7 @@ TEST(DivideBoundarySides, GivesTheElementThereTheNode) {
   ASSERT_EQ(square.mesh.node_count(), 26);
   EXPECT_EQ(square.mesh.global[25], 5);
   EXPECT_TRUE(square.mesh.is_fixed[25]);
-  EXPECT_EQ(across(square.mesh, 2, 1), -1);
+  EXPECT_EQ(square.mesh.across(2, 1), -1);
   EXPECT_NEAR(test::chart_area(square.mesh), 16, 1e-9);
   EXPECT_TRUE(square.bad().empty());
 }

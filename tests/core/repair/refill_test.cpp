@@ -121,9 +121,9 @@ RegionMesh grid() {
 
 TEST(Patch, KnowsWhatLiesAcrossAndAbout) {
   const RegionMesh mesh = grid();
-  EXPECT_EQ(across(mesh, 1, 5), 1);
-  EXPECT_EQ(across(mesh, 5, 1), 0);
-  EXPECT_EQ(across(mesh, 0, 1), -1);
+  EXPECT_EQ(mesh.across(1, 5), 1);
+  EXPECT_EQ(mesh.across(5, 1), 0);
+  EXPECT_EQ(mesh.across(0, 1), -1);
   EXPECT_EQ(neighbours_of(mesh, 1), (ElementSet{2, 4, 0}));
   EXPECT_EQ(ring_about(mesh, 0), (ElementSet{0, 1, 3, 4}));
 }

@@ -37,7 +37,7 @@ class ChordRemover {
     for (int pass = 0; pass < passes; ++pass) {
       int before = removed;
       for (auto [length, a, b] : chords()) {
-        int one = element_from(a, b), other = element_from(b, a);
+        int one = mesh_.across(b, a), other = mesh_.across(a, b);
         if (one >= 0 && other >= 0) removed += divide(one, other, a, b);
       }
       if (removed == before) break;
@@ -86,12 +86,6 @@ class ChordRemover {
 
   bool is_boundary(int node) const {
     return node < static_cast<int>(facets_from_.size()) && !facets_from_[node].empty();
-  }
-
-  int element_from(int a, int b) const {
-    for (int e : mesh_.star[a])
-      if (mesh_.elements[e].after(a) == b) return e;
-    return -1;
   }
 
   bool divide(int one, int other, int a, int b) {

@@ -98,17 +98,6 @@ double MeshEdit::energy_gain(const Change& change) {
   return gain;
 }
 
-int MeshEdit::across(int e, int a, int b) const {
-  for (int g : mesh_.star[a]) {
-    const auto& v = mesh_.elements[g].v;
-    bool is_triangle = v[3] < 0;
-    bool has_edge = (v[0] == b && v[1] == a) || (v[1] == b && v[2] == a) ||
-                    (v[2] == b && v[is_triangle ? 0 : 3] == a) || (!is_triangle && v[3] == b && v[0] == a);
-    if (has_edge && g != e) return g;
-  }
-  return -1;
-}
-
 bool MeshEdit::is_sound(const std::array<int, 4>& v) const {
   int n = v[3] < 0 ? 3 : 4;
   for (int i = 0; i < n; ++i)

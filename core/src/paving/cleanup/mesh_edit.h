@@ -84,8 +84,6 @@ class MeshEdit {
   void commit();
   /// Nodes of all elements made or removed since the last commit.
   const std::vector<int>& touched() const { return touched_; }
-  /// The element on the other side of e's edge a -> b, or -1.
-  int across(int e, int a, int b) const;
 
  private:
   enum class Kind : char { made, gone, node, move, place };

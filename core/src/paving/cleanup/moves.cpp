@@ -61,7 +61,7 @@ bool Moves::find_pair(int e, int node, int k) {
   const Element& one = mesh_.elements[e];
   int n = one.corners(), at = one.corner_of(node);
   int a = one.v[(at + k) % n], b = one.v[(at + k + 1) % n];
-  int f = edit_.across(e, a, b);
+  int f = mesh_.across(a, b);
   if (f < 0) return false;
   const Element& other = mesh_.elements[f];
   int count = 0;
@@ -137,7 +137,7 @@ bool Moves::collect_ring(int node) {
   if (star.size() < 4 || edit_.energy(node, -1) > edit_.energy(node) + 1) return false;  // has too few already
   int first = *star.begin(), size = star.size();
   for (int guard = 0; guard < size; ++guard) {  // back to the border, where there is one
-    int before = edit_.across(first, node, mesh_.elements[first].after(node));
+    int before = mesh_.across(node, mesh_.elements[first].after(node));
     if (before < 0 || before == *star.begin()) break;
     first = before;
   }

@@ -27,7 +27,7 @@ bool TrianglePairs::search(int triangle, int nearer) {
       return true;
     }
     for (int k = 0, n = e.corners(); k < n; ++k) {
-      int g = edit_.across(queue_[i], e.v[k], e.v[(k + 1) % n]);
+      int g = mesh_.across(e.v[k], e.v[(k + 1) % n]);
       if (g < 0 || stamp_[g] == run_) continue;
       stamp_[g] = run_;
       parent_[g] = queue_[i];

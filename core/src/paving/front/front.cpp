@@ -558,11 +558,8 @@ bool Front::close_seam(int f, Vec2 p) {
 //   b <---f---- a        b-m1-----m2-a      (the void is below)
 int Front::divide_facet(int f) {
   const Facet old = facets[f];
-  int a = old.a, b = old.b, behind = -1;
-  for (int e : mesh.star[a])
-    if (mesh.elements[e].corners() == 4 && mesh.elements[e].corner_of(b) >= 0 && mesh.elements[e].after(b) == a)
-      behind = e;
-  if (behind < 0) return -1;
+  const int a = old.a, b = old.b, behind = mesh.across(a, b);
+  if (behind < 0 || mesh.elements[behind].corners() != 4) return -1;
   int s = mesh.elements[behind].after(a), r = mesh.elements[behind].before(b);
   Vec2 pa = mesh.p[a], pb = mesh.p[b], ps = mesh.p[s], pr = mesh.p[r];
   auto inside = [&](double along, double up) {

@@ -51,7 +51,7 @@ class BendDivider {
     for (int e : bad_) {
       const Element element = mesh_.elements[e];
       for (int k = 0, n = element.corners(); k < n; ++k) {
-        const int a = element.v[k], b = element.v[(k + 1) % n], other = across(mesh_, a, b);
+        const int a = element.v[k], b = element.v[(k + 1) % n], other = mesh_.across(a, b);
         if (other < 0 || nodes_.contains(std::minmax(a, b)) ||
             dot(mesh_.normal(a), mesh_.normal(b)) > (judge_.order() == 1 ? bend_of_chords : bend) ||
             norm(mesh_.x[b] - mesh_.x[a]) < shortest_side * std::min(mesh_.h[a], mesh_.h[b]))

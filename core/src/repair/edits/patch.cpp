@@ -4,17 +4,11 @@
 
 namespace paver {
 
-int across(const RegionMesh& mesh, int a, int b) {
-  for (int e : mesh.star[b])
-    if (mesh.elements[e].after(b) == a) return e;
-  return -1;
-}
-
 ElementSet neighbours_of(const RegionMesh& mesh, int element) {
   ElementSet about;
   const Element& of = mesh.elements[element];
   for (int k = 0, n = of.corners(); k < n; ++k) {
-    const int other = across(mesh, of.v[k], of.v[(k + 1) % n]);
+    const int other = mesh.across(of.v[k], of.v[(k + 1) % n]);
     if (other >= 0 && std::find(about.begin(), about.end(), other) == about.end()) about.push_back(other);
   }
   return about;
@@ -34,7 +28,7 @@ PatchOutline outline_of(const RegionMesh& mesh, const ElementSet& set, std::size
   for (int e : set) {
     const Element& element = mesh.elements[e];
     for (int k = 0, n = element.corners(); k < n; ++k) {
-      const int a = element.v[k], b = element.v[(k + 1) % n], other = across(mesh, a, b);
+      const int a = element.v[k], b = element.v[(k + 1) % n], other = mesh.across(a, b);
       if (other < 0 || std::find(set.begin(), set.end(), other) == set.end()) sides.push_back({a, b});
     }
   }

@@ -9,9 +9,6 @@ namespace paver {
 
 using ElementSet = std::vector<int>;
 
-/// The element that has the side b -> a, or -1.
-int across(const RegionMesh& mesh, int a, int b);
-
 /// Elements across the sides of one, each once.
 ElementSet neighbours_of(const RegionMesh& mesh, int element);
 
