@@ -9,6 +9,7 @@
 #include "boundary/edge_metric.h"
 #include "boundary/edge_nodes.h"
 #include "boundary/facing/match_gaps.h"
+#include "boundary/facing/match_strips.h"
 #include "boundary/facing/tie_sides.h"
 #include "boundary/parity.h"
 #include "boundary/region_loops.h"
@@ -138,7 +139,9 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
     }
   }
   match_gaps(model, size, loops, counts);
-  TiedCounts tied = tie_opposite_sides(model, loops, counts);
+  const std::vector<OppositeSides> pairs = find_opposite_sides(model, loops);
+  match_bent_strips(model, pairs, counts);
+  TiedCounts tied = tie_opposite_sides(model, pairs, loops, counts);
   progress.check();
   for (std::vector<int>& edges : loop_edges)
     for (int& e : edges) e = tied.group[static_cast<std::size_t>(e)];

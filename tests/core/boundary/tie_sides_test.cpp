@@ -18,7 +18,7 @@ std::vector<int> tied(const Model& model, const std::vector<double>& wishes, int
   std::vector<EdgeCount> counts;
   for (double wish : wishes)
     counts.push_back({wish, minimum, std::max(minimum, static_cast<int>(wish + 0.5)), false, are_short});
-  TiedCounts result = tie_opposite_sides(model, loops, counts);
+  TiedCounts result = tie_opposite_sides(model, find_opposite_sides(model, loops), loops, counts);
   std::vector<int> chosen;
   for (int group : result.group) chosen.push_back(result.groups[static_cast<std::size_t>(group)].count);
   return chosen;

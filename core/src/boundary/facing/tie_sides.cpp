@@ -11,8 +11,6 @@
 #include <limits>
 #include <numeric>
 
-#include "boundary/facing/opposite_sides.h"
-
 namespace paver {
 namespace {
 
@@ -211,9 +209,8 @@ class Tying {
 
 }  // namespace
 
-TiedCounts tie_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops,
-                              const std::vector<EdgeCount>& counts) {
-  const std::vector<OppositeSides> pairs = find_opposite_sides(model, loops);
+TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSides>& pairs,
+                              const std::vector<std::vector<Loop>>& loops, const std::vector<EdgeCount>& counts) {
   std::vector<bool> is_rim(counts.size(), false);
   for (const OppositeSides& pair : pairs)
     if (pair.partner < 0)

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "boundary/facing/opposite_sides.h"
 #include "boundary/parity.h"
 #include "topology/model.h"
 
@@ -18,8 +19,8 @@ struct TiedCounts {
 /// the two loops of a ring (a tube, an annulus), as long as no member's count comes to differ from its wish by more
 /// than rounding or 12 %; where the other two sides of a face cannot be equal, by rounding only. Sides of several edges
 /// are tied edge by edge where they have equally many, else by their sums. Large faces come first. A group with an edge
-/// that makes a whole loop gets an even count. `loops[f]`: linked_loops of face f without periodic edges.
-TiedCounts tie_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops,
-                              const std::vector<EdgeCount>& counts);
+/// that makes a whole loop gets an even count. `pairs`: of find_opposite_sides with the same `loops`.
+TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSides>& pairs,
+                              const std::vector<std::vector<Loop>>& loops, const std::vector<EdgeCount>& counts);
 
 }  // namespace paver
