@@ -9,10 +9,8 @@
 // 4. Faces take over the divided edges of their neighbours; every edge keeps the number of the one it came from.
 // A face that the kernel cannot divide stays whole.
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepGProp.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
@@ -51,7 +49,6 @@ constexpr int strip_samples = 8;
 /// Pieces that the kernel makes must have the area of their face up to this share; measured across creases it is some
 /// parts in a thousand off.
 constexpr double area_share = 1e-2;
-constexpr double area_accuracy = 1e-5;
 /// Images of edges that lie further off than this many ranges of the surface are damage: the kernel would cut them at
 /// every period on the way, without end.
 constexpr double most_turns = 8;
@@ -236,13 +233,6 @@ std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
   return faces;
 }
 
-/// The kernel's usual rule is percents off on creased surfaces of high degree.
-double exact_area(const TopoDS_Face& face) {
-  GProp_GProps properties;
-  BRepGProp::SurfaceProperties(face, properties, area_accuracy);
-  return std::abs(properties.Mass());
-}
-
 class CreaseDivider {
  public:
   explicit CreaseDivider(Workpiece& work) : work_(work), context_(new ShapeBuild_ReShape) {}
@@ -292,7 +282,7 @@ class CreaseDivider {
         return true;
       }
       if (!has_near_images(current[0])) return false;
-      double area = exact_area(current[0]);
+      double area = face_area(current[0]);
       // A trial first: the kernel records divided edges even where it fails.
       Handle(ShapeBuild_ReShape) trial = new ShapeBuild_ReShape;
       if (!is_sound(faces_of(compose(current[0], cuts, trial)), area)) return false;
@@ -353,7 +343,7 @@ class CreaseDivider {
 
   static bool is_sound(const std::vector<TopoDS_Face>& pieces, double area) {
     double sum = 0;
-    for (const TopoDS_Face& piece : pieces) sum += exact_area(piece);
+    for (const TopoDS_Face& piece : pieces) sum += face_area(piece);
     return pieces.size() > 1 && std::abs(sum - area) <= area_share * area;
   }
 
@@ -367,7 +357,7 @@ class CreaseDivider {
         if (is_reversed) piece.Reverse();
         part.face = piece;
         if (pieces.size() > 1) {
-          part.area = exact_area(piece);
+          part.area = face_area(piece);
           part.has_area = part.area > no_area_share * work_.diagonal * work_.diagonal;
         }
         replaced.push_back(std::move(part));
