@@ -13,6 +13,9 @@
 namespace paver {
 namespace {
 
+constexpr double no_step = 1e-9;        // of the length: rows so near each other are not parted further
+constexpr double exact_length = 1e-13;  // of the length: what a parameter for a length is right to
+constexpr int most_newton_steps = 40;
 constexpr int first_panels = 16;            // catches size changes of faces along straight edges
 constexpr int deepest_split = 10;           // of a first panel: a kink ends the halving here
 constexpr double panel_turn = 0.25;         // radians; the table keeps half panels
@@ -176,7 +179,7 @@ void EdgeMetric::refine_between(const Row& a, const Row& b, const Edge& edge, co
   double step = b.s - a.s, change = size.gradation * step;
   double h_a = size.given_at(edge, curve_->point(a.t)), h_b = size.given_at(edge, curve_->point(b.t));
   bool is_far = 0.5 * (h_a + h_b - change) >= size.h;
-  bool is_fine = change <= most_change * std::min(h_a, h_b) || !(step > 1e-9 * length());
+  bool is_fine = change <= most_change * std::min(h_a, h_b) || !(step > no_step * length());
   bool is_constant = std::max(h_a, h_b) <= size.local->least();
   double t = 0.5 * (a.t + b.t);
   if (is_far || is_fine || is_constant || !(t > a.t && t < b.t)) {
@@ -333,8 +336,8 @@ double EdgeMetric::parameter_at_length(double s) const {
   if (!(b.s > a.s)) return a.t;
   double share = std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0);
   double lo = a.t, hi = b.t, t = first_guess(a, b, share);
-  const double tolerance = 1e-13 * length();
-  for (int iteration = 0; iteration < 40; ++iteration) {
+  const double tolerance = exact_length * length();
+  for (int iteration = 0; iteration < most_newton_steps; ++iteration) {
     double error = a.s + quadrature(a.t, t) - s;
     if (std::abs(error) <= tolerance) break;
     (error > 0 ? hi : lo) = t;

@@ -133,7 +133,8 @@ double fine_elements(const LevelPlan& plan, int element) {
   const double m = 0.5 * plan.counts[edges[0]], n = 0.5 * plan.counts[edges[1]];
   if (plan.mesh.elements[element].corners() == 3) {
     const double mean = (2 * m + 2 * n + plan.counts[edges[2]]) / 3;
-    return 0.75 * mean * mean;
+    constexpr double of_quad = 0.75;  // three quads of half the side
+    return of_quad * mean * mean;
   }
   return (m + 0.5 * plan.counts[edges[2]]) * (n + 0.5 * plan.counts[edges[3]]);
 }

@@ -13,8 +13,12 @@
 namespace paver {
 namespace {
 
-constexpr double corner = 0.52;  // radians (30 degrees): a loop that turns more at a node has a corner there
-constexpr int fewest_nodes = 8;  // on the loop
+constexpr double round_ratio = 1.02;  // of the extents, up to which a rim has no direction
+constexpr double corner_stretch = 0.3;
+constexpr double most_rings = 1e6;
+constexpr double of_a_line = 1e9;  // ratio of the extents
+constexpr double corner = 0.52;    // radians (30 degrees): a loop that turns more at a node has a corner there
+constexpr int fewest_nodes = 8;    // on the loop
 // Coefficient of variation of the lengths. Paving reaches 0.16 on round discs, 0.1 on ellipses of 2 : 1.
 constexpr double most_uneven = 0.14;
 constexpr double least_jacobian = 0.5;
@@ -43,9 +47,9 @@ class Rim {
       xx += d.x * d.x, xy += d.x * d.y, yy += d.y * d.y;
     }
     double mean = 0.5 * (xx + yy), spread = std::sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy);
-    if (!(mean > spread)) return {1e9, 0};
+    if (!(mean > spread)) return {of_a_line, 0};
     double ratio = std::sqrt((mean + spread) / (mean - spread));
-    if (ratio < 1.02) return {ratio, 0};  // round: anywhere
+    if (ratio < round_ratio) return {ratio, 0};  // round: anywhere
     double angle = 0.5 * std::atan2(2 * xy, xx - yy) + M_PI_2;
     Vec2 shorter{std::cos(angle), std::sin(angle)};
     int best = 0;
@@ -147,7 +151,8 @@ class Disc {
     else
       i = 2 * a + b + 0.5 * (1 - t) * b;
     // Corners reach as far as sides; inside, the square turns into itself.
-    double corners = std::min(std::fabs(s), std::fabs(t)), stretch = 1 + (1 - reach) * 0.3 * corners * corners;
+    double corners = std::min(std::fabs(s), std::fabs(t)),
+           stretch = 1 + (1 - reach) * corner_stretch * corners * corners;
     return rim_.middle() + (core_share() * reach * stretch) * (rim_place(i) - rim_.middle());
   }
   Vec2 row_place(double i, double t) const {
@@ -193,7 +198,7 @@ std::optional<Counts> choose_counts(const Region& region, const Rim& rim) {
   counts.b = half - counts.a;
   if (counts.b < 2) return std::nullopt;
   double m = (count_elements(region, rim) - static_cast<double>(counts.a) * counts.b) / rim.size();
-  if (!(m > -0.5 && m < 1e6)) return std::nullopt;
+  if (!(m > -0.5 && m < most_rings)) return std::nullopt;
   counts.m = std::max(1, static_cast<int>(std::lround(m)));
   const int half_side = counts.a / 2;
   counts.first = furthest - half_side;

@@ -31,11 +31,14 @@ class VoidFiller {
   // More than any sound run needs: rows before short facets, and the area in the least squares that curvature, or a
   // length given for a part of the face, asks for. On all models at hand paving makes a quarter of it at most.
   long most_elements() const {
+    constexpr double shortest = 0.02;  // of the target length: what gradation is taken to reach at most
+    constexpr double of_area = 8, most_by_area = 1e12;
+    constexpr long at_least = 10000, per_facet = 100;
     double least = std::min(region_.h, region_.size.least());
     if (region_.size.is_graded())
-      for (double h : front_.mesh.h) least = std::min(least, std::max(h, 0.02 * region_.h));
-    return 10000 + 100 * static_cast<long>(front_.facets.size()) +
-           static_cast<long>(std::min(8 * region_.area / (least * least), 1e12));
+      for (double h : front_.mesh.h) least = std::min(least, std::max(h, shortest * region_.h));
+    return at_least + per_facet * static_cast<long>(front_.facets.size()) +
+           static_cast<long>(std::min(of_area * region_.area / (least * least), most_by_area));
   }
 
   void check_budget() const {

@@ -18,6 +18,8 @@ namespace paver {
 
 namespace {
 
+constexpr double tangled = 0.2;  // scaled Jacobian below which a region is paved in a second way
+
 /// One way of paving: the other rule for rows takes other ways, and so does a slightly other size.
 struct Attempt {
   double size = 1;
@@ -56,7 +58,7 @@ struct Tangle {
     for (const Element& e : mesh.elements)
       if (e.is_alive() && !has_jacobian(mesh, e, worst)) worst = std::min(worst, free_jacobian(mesh, e));
   }
-  bool is_bad() const { return off_surface > 0 || worst < 0.2; }
+  bool is_bad() const { return off_surface > 0 || worst < tangled; }
   bool is_less_than(const Tangle& other) const {
     return off_surface != other.off_surface ? off_surface < other.off_surface : worst > other.worst;
   }

@@ -193,7 +193,8 @@ class RegionBuilder {
     Vec3 x, xu, xv;
     face_.surface->d1(uv, x, xu, xv);
     const Vec3 normal = cross(xu, xv);
-    return {uv, normal, norm(normal) > 1e-6 * norm(xu) * norm(xv)};
+    constexpr double degenerate = 1e-6;  // sine between the derivatives
+    return {uv, normal, norm(normal) > degenerate * norm(xu) * norm(xv)};
   }
 
   // An edge is divided finely where it turns. Where it turns within the face (a small hole in a plate) the face follows
@@ -347,7 +348,7 @@ class RegionBuilder {
   /// How far to go along the meridian from a pole for a way of length `reach`; `guess` as if it went on as it starts.
   double meridian_step(double along, double pole, double guess, double reach) const {
     constexpr int chords = 16, most_tries = 8;
-    constexpr double near_enough = 0.02;
+    constexpr double near_enough = 0.02, most_change = 4;
     double step = std::fabs(guess);
     for (int i = 0; i < most_tries; ++i) {
       double length = 0;
@@ -357,7 +358,7 @@ class RegionBuilder {
         length += norm(x - last), last = x;
       }
       if (std::fabs(length - reach) <= near_enough * reach) break;
-      step *= std::clamp(reach / length, 0.25, 4.0);
+      step *= std::clamp(reach / length, 1 / most_change, most_change);
     }
     return step;
   }
@@ -443,10 +444,12 @@ class RegionBuilder {
     fan.centre.p = {0, 0};
     const int vertex = pole_vertex(shape.apex);
     fan.centre.global = vertex >= 0 ? node_at(vertex, fan.centre.h) : append(shape.apex, fan.centre.h);
+    constexpr double farthest = 1.4, least_cosine = 0.7;  // of the corners between a fan's spokes
     double half = shape.cone_angle / (2 * quads);
     for (int i = 0; i < 2 * quads; ++i) {
       const double reach =
-          radius * (i % 2 ? std::min(1.4, std::max(1 / std::max(0.7, std::cos(half)), 1 + dip * half)) : 1.0);
+          radius *
+          (i % 2 ? std::min(farthest, std::max(1 / std::max(least_cosine, std::cos(half)), 1 + dip * half)) : 1.0);
       LoopNode node;
       const Vec2 uv = at(share_at(turned, static_cast<double>(i) / (2 * quads)), reach);
       node.p = region.chart->to_chart(uv);

@@ -13,6 +13,9 @@
 namespace paver {
 namespace {
 
+constexpr int edge_samples = 16;   // per edge, of the parameters that a face takes
+constexpr double least_cut = 0.1;  // of the box's height: a gap that is wide enough to cut a closed face there
+
 struct Range {
   double lo = 1e300, hi = -1e300;
   void add(double v) { lo = std::min(lo, v), hi = std::max(hi, v); }
@@ -57,8 +60,8 @@ class LayoutPlanner {
     for (std::size_t l = 0; l < face_.loops.size(); ++l)
       for (std::size_t c = 0; c < face_.loops[l].coedges.size(); ++c) {
         const Coedge& coedge = face_.loops[l].coedges[c];
-        for (int i = 0; i <= 16; ++i) {
-          Vec2 uv = image(model_, coedge, i / 16.0);
+        for (int i = 0; i <= edge_samples; ++i) {
+          Vec2 uv = image(model_, coedge, i / double{edge_samples});
           u_.add(uv.x), v_.add(uv.y);
         }
         if (!periodic_[l][c]) continue;
@@ -173,8 +176,8 @@ class LayoutPlanner {
         const Coedge& coedge = face_.loops[l].coedges[c];
         if (layout_.dropped[l][c] || model_.edges[coedge.edge].is_degenerate) continue;
         Range r;
-        for (int i = 0; i <= 16; ++i) {
-          Vec2 uv = image(model_, coedge, i / 16.0);
+        for (int i = 0; i <= edge_samples; ++i) {
+          Vec2 uv = image(model_, coedge, i / double{edge_samples});
           r.add(box.is_swapped ? uv.x : uv.y);
         }
         taken.push_back({r.lo, r.hi});
@@ -189,7 +192,7 @@ class LayoutPlanner {
       if (lo - reach > best) best = lo - reach, layout_.cut = 0.5 * (lo + reach);
       reach = std::max(reach, hi);
     }
-    return best > 0.1 * (box.hi.y - box.lo.y);
+    return best > least_cut * (box.hi.y - box.lo.y);
   }
 
   // A torus goes round twice: what wraps the second direction stays as a cut. What others have stays as a slit.

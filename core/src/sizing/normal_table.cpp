@@ -7,8 +7,9 @@
 namespace paver {
 namespace {
 
-constexpr int tracks = 9;         // rows (columns) along which lengths are measured
-constexpr int track_steps = 128;  // samples along each
+constexpr double nearly_whole = 0.999;  // of a period
+constexpr int tracks = 9;               // rows (columns) along which lengths are measured
+constexpr int track_steps = 128;        // samples along each
 constexpr std::size_t most_lines = 400;
 constexpr double degenerate = 1e-6;     // sine between the tangents: no normal there
 constexpr double only_rounding = 1e-9;  // of the largest |xu x xv|: a pole
@@ -137,7 +138,7 @@ void NormalTable::slopes(Vec2 uv, Vec2 speed, Vec3& by_u, Vec3& by_v) const {
   auto slope = [&](const Lines& lines, double value, double pace, auto place) {
     const double step = std::min(pace > 0 ? reach_ / pace : 0.0, 0.25 * (lines.at.back() - lines.at.front()));
     if (!(step > 0)) return Vec3{};
-    const bool is_whole = lines.period > 0 && lines.at.back() - lines.at.front() > 0.999 * lines.period;
+    const bool is_whole = lines.period > 0 && lines.at.back() - lines.at.front() > nearly_whole * lines.period;
     const double low = is_whole ? value - step : std::max(value - step, lines.at.front()),
                  high = is_whole ? value + step : std::min(value + step, lines.at.back());
     return high > low ? (1 / (high - low)) * (at(place(high)) - at(place(low))) : Vec3{};

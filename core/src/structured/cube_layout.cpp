@@ -11,6 +11,8 @@
 namespace paver {
 namespace {
 
+constexpr double flattest = 0.2;  // ratio of m to a and b
+constexpr double tie_price = 1e-3;
 constexpr double most_turn = 2.1;     // radians across an element: beyond, it misses what the surface does there
 constexpr double most_uneven = 0.4;   // two polar charts are no better where lengths vary so much
 constexpr int most_change = 3;        // of counts, from those that are even
@@ -91,7 +93,7 @@ class Cube {
 /// ask for equal numbers.
 CubeCounts choose_counts(const ClosedFace& face, const FaceExtent& extent) {
   const double ratio = 4 * extent.tall / extent.girth - 1;  // of m to a and b
-  if (!(ratio > 0.2)) return {};
+  if (!(ratio > flattest)) return {};
   const double exact = std::sqrt(extent.elements / (2 + 4 * ratio));
   const int least = std::max(1, static_cast<int>(std::ceil(0.5 * M_PI / face.turn_limit - 1e-9)));
   auto from = [&](double count) { return std::max(least, static_cast<int>(std::lround(count)) - most_change); };
@@ -105,7 +107,7 @@ CubeCounts choose_counts(const ClosedFace& face, const FaceExtent& extent) {
         const double x = std::log(1.0 * b / a), y = std::log(m / (ratio * std::sqrt(1.0 * a * b)));
         const double uneven = x * x + y * y;
         const double cost = off_price * std::max(0.0, off - near_enough) + uneven +
-                            uneven_price * std::max(0.0, uneven - fairly_even) + 1e-3 * off;
+                            uneven_price * std::max(0.0, uneven - fairly_even) + tie_price * off;
         if (cost < least_cost) least_cost = cost, best = counts;
       }
   return best;

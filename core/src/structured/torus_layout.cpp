@@ -24,6 +24,7 @@ namespace {
 
 // Coefficient of variation of the lengths: paving reaches 0.07 to 0.13 on the fattest tubes.
 constexpr double most_uneven = 0.15;
+constexpr double dip_share = 0.3;                                  // of a cell's height
 constexpr int fewest_cells = 3, most_cells = 12, usual_cells = 6;  // of usual ones the worst element is best
 constexpr int profile_cells = 256;
 constexpr double cell_price = 0.006;  // per cell more or less than usual, of the columns' misfit
@@ -213,7 +214,7 @@ class Columns {
     enum { v, a, b, w, corners };
     const int cells = counts.cells, s = counts.s, q = counts.q, o = counts.o, i = counts.i;
     Candidate result;
-    const double height = static_cast<double>(s) / counts.rows(), dip = 0.3 * height;
+    const double height = static_cast<double>(s) / counts.rows(), dip = dip_share * height;
     auto number = [&](int cell, bool is_up, int corner) { return (cell % cells * 2 + is_up) * corners + corner; };
     auto place = [&](int cell, bool is_up, int corner) {
       const double turn = corner == a ? 0 : corner == b ? 2 * s : s;

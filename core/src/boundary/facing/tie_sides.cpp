@@ -14,6 +14,7 @@
 namespace paver {
 namespace {
 
+constexpr double most_intervals = 1e8;   // keeps counts within int
 constexpr double largest_change = 0.12;  // of an edge's wish
 // Intervals on the rims of a ring, by the target length: cones up to 1 : 1.67 come out regular (decision frusta).
 constexpr double shortest_on_rim = 0.75, longest_on_rim = 1.25;
@@ -37,7 +38,7 @@ Range range_of(const EdgeCount& edge, bool is_rim) {
     lowest = std::min(lowest, edge.wish / longest_on_rim), highest = std::max(highest, edge.wish / shortest_on_rim);
   // The count it has is always allowed: its minimum may lie far above its wish.
   int least = std::max(edge.minimum, static_cast<int>(std::ceil(std::max(lowest, 1.0))));
-  int most = static_cast<int>(std::floor(std::min(highest, 1e8)));
+  int most = static_cast<int>(std::floor(std::min(highest, most_intervals)));
   if (edge.is_short) most = std::max(most, std::min(2 * edge.count, most_on_short));
   return {std::min(least, edge.count), std::max(most, edge.count)};
 }
@@ -177,7 +178,7 @@ class Tying {
   static int nearest_count(const Members& group) {
     double mean = group.wish / group.size;
     int step = group.is_even ? 2 : 1;
-    int rounded = step * static_cast<int>(std::min(mean / step + 0.5 + rounding_slack, 5e7));
+    int rounded = step * static_cast<int>(std::min(mean / step + 0.5 + rounding_slack, 0.5 * most_intervals));
     int least = step * ((group.range.least + step - 1) / step), most = group.range.most / step * step;
     return std::max(least, std::min(rounded, most));
   }

@@ -16,6 +16,8 @@
 namespace paver {
 namespace {
 
+constexpr double towards_nodes[] = {0.2, 0.4, 0.6};  // shares of the way that a node inside a hexagon tries
+
 /// An edge longer than this share of its chord bulges too far to be mistaken for it.
 constexpr double longest_arc = 1.6;
 constexpr double fair = 0.1;  // least scaled Jacobian of a new division, unless the old one was below
@@ -142,7 +144,7 @@ class ChordRemover {
     mesh_.h[centre] = std::min(h, mesh_.h[centre]);
     Division best = stars(centre, v);
     Vec2 place = middle;
-    for (double share : {0.2, 0.4, 0.6})
+    for (double share : towards_nodes)
       for (int node : v) {
         Vec2 p = middle + share * (mesh_.p[node] - middle);
         move(centre, p);

@@ -18,6 +18,9 @@
 namespace paver {
 namespace {
 
+constexpr double least_gain = 0.1;         // of energy, by which a change of connectivity is worth a trial
+constexpr double least_after_gain = 0.45;  // scaled Jacobian
+
 // Larger cavities lower the irregular share further, at twice the time and with
 // more uneven lengths.
 constexpr int most_rings = 4, most_elements = 60;
@@ -179,7 +182,7 @@ class CleanUp {
     found_.clear();
     std::size_t used = 0;
     auto is_worth = [&](double gain, std::span<const int> gone, int made) {
-      return gain <= -0.1 || may_even_lengths(gain, gone, made);
+      return gain <= -least_gain || may_even_lengths(gain, gone, made);
     };
     moves_.each(node, is_worth, [&](const Change& change, double gain) {
       if (pool_.size() <= used) pool_.emplace_back();
@@ -190,7 +193,7 @@ class CleanUp {
     std::stable_sort(found_.begin(), found_.end(), [](auto p, auto q) { return p.first < q.first; });
     for (auto [gain, i] : found_) {
       if (edit_.apply(pool_[i]) &&
-          take({.gain = gain, .jacobian = gain > 0 ? even_jacobian : 0.45, .fall = least_fall}))
+          take({.gain = gain, .jacobian = gain > 0 ? even_jacobian : least_after_gain, .fall = least_fall}))
         return true;
       edit_.roll_back(0);
     }

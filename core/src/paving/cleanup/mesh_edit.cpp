@@ -240,7 +240,8 @@ void MeshEdit::smooth_touched(bool is_first) {
     int size = mesh_.star[node].size();
     if (mesh_.is_fixed[node] || size == 0) continue;
     MetricVec step = (1.0 / size) * sum_[k];
-    double most = 0.8 * mesh_.h[node], length = norm(step);
+    constexpr double longest_step = 0.8;  // target lengths
+    double most = longest_step * mesh_.h[node], length = norm(step);
     if (length > most) step = (most / length) * step;
     move(node, mesh_.p[node] + mesh_.pull_back(node, step), is_first);
   }
@@ -263,7 +264,8 @@ void MeshEdit::collect_near() {
 const MeshEdit::Measure& MeshEdit::measured(int id, const Element& e) {
   if (measures_.size() <= static_cast<std::size_t>(id)) measures_.resize(mesh_.elements.size() + 1024);
   Measure& m = measures_[id];
-  if (m.jacobian > 1.5) {
+  constexpr float measured = 1.5F;  // less than what it starts with
+  if (m.jacobian > measured) {
     measure(e, m);
     m.area = static_cast<float>(area_in_targets(mesh_, e));
   }

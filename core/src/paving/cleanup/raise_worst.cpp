@@ -8,10 +8,16 @@
 namespace paver {
 namespace {
 
+constexpr double shortest = 0.75, longest = 1.35;  // of the target length: sides outside cost
+constexpr double length_price = 0.5, most_excess = 0.4;
+constexpr double least_gain = 1e-4;
+constexpr double first_step = 0.16;  // target lengths
+constexpr int halvings = 4, repeats = 3;
+
 struct Merit {
   double worst = 2;   // scaled Jacobian about the node
-  double excess = 0;  // what its worst edge lies outside 0.75 to 1.35 of the target length
-  double value() const { return worst - 0.5 * std::min(excess, 0.4); }
+  double excess = 0;  // what its worst side lies outside, target lengths
+  double value() const { return worst - length_price * std::min(excess, most_excess); }
 };
 
 Merit merit(const RegionMesh& mesh, int node) {
@@ -21,7 +27,7 @@ Merit merit(const RegionMesh& mesh, int node) {
     m.worst = std::min(m.worst, scaled_jacobian(mesh, e));
     int other = e.after(node);
     double ratio = 2 * mesh.length(node, other) / (mesh.h[other] + mesh.h[node]);
-    m.excess = std::max(m.excess, std::max(0.75 - ratio, ratio - 1.35));
+    m.excess = std::max(m.excess, std::max(shortest - ratio, ratio - longest));
   }
   return m;
 }
@@ -37,7 +43,8 @@ bool move_if_better(Front& front, int node, Vec2 p, Merit& best) {
   Merit now = merit(mesh, node);
   const bool is_facing = faces_surface(front, node);
   mesh.put(node, old);
-  if (!is_facing || now.value() < best.value() + 1e-4 || now.worst < std::min(best.worst, good_jacobian)) return false;
+  if (!is_facing || now.value() < best.value() + least_gain || now.worst < std::min(best.worst, good_jacobian))
+    return false;
   best = now;
   front.set_position(node, at);
   return true;
@@ -49,10 +56,10 @@ bool search(Front& front, int node) {
   RegionMesh& mesh = front.mesh;
   Merit best = merit(mesh, node);
   const double start = best.value();
-  double step = 0.16 * mesh.h[node];
-  for (int level = 0; level < 4; ++level, step *= 0.5) {
+  double step = first_step * mesh.h[node];
+  for (int level = 0; level < halvings; ++level, step *= 0.5) {
     bool is_better = true;
-    for (int repeat = 0; is_better && repeat < 3; ++repeat) {
+    for (int repeat = 0; is_better && repeat < repeats; ++repeat) {
       is_better = false;
       for (auto [du, dw] : directions) {
         Vec2 p = mesh.p[node] + mesh.pull_back(node, mesh.frame(node).at({step * du, step * dw}));

@@ -10,6 +10,8 @@
 namespace paver {
 namespace {
 
+constexpr double collinear = 1e-24;  // square of a diagonal's height over the other, by that one's square
+
 // With momentum a dozen sweeps even out lengths as thirty over-relaxed ones or sixty plain ones do.
 constexpr double over_relaxation = 1.3, momentum = 0.7;
 constexpr double still = 0.004;  // step by the scale of the mesh below which a node rests
@@ -23,7 +25,7 @@ template <class V>
 bool square_steps(const V at[4], double target, V step[4]) {
   const V centre = 0.25 * (at[0] + at[1] + at[2] + at[3]), d1 = at[2] - at[0], d2 = at[3] - at[1];
   const double first2 = dot(d1, d1), mixed = dot(d1, d2), area2 = first2 * dot(d2, d2) - mixed * mixed;
-  if (!(first2 > 0 && area2 > 1e-24 * first2 * first2)) return false;
+  if (!(first2 > 0 && area2 > collinear * first2 * first2)) return false;
   const double length = std::sqrt(first2), height = std::sqrt(area2) / length;  // of d2 over d1
   const V f1 = (1 / length) * d1, f2 = (1 / height) * (d2 - (mixed / first2) * d1);
   const double rx = length + height, ry = -mixed / length;
@@ -40,7 +42,7 @@ bool triangle_steps(const V at[3], double target, V step[3]) {
   constexpr double s = 0.86602540378443865;
   const V centre = (1.0 / 3) * (at[0] + at[1] + at[2]), d1 = at[1] - at[0], d2 = at[2] - at[0];
   const double first2 = dot(d1, d1), mixed = dot(d1, d2), area2 = first2 * dot(d2, d2) - mixed * mixed;
-  if (!(first2 > 0 && area2 > 1e-24 * first2 * first2)) return false;
+  if (!(first2 > 0 && area2 > collinear * first2 * first2)) return false;
   const double length = std::sqrt(first2), height = std::sqrt(area2) / length;
   const V f1 = (1 / length) * d1, f2 = (1 / height) * (d2 - (mixed / first2) * d1);
   auto flat = [&](const V& v) { return Vec2{dot(v, f1), dot(v, f2)}; };

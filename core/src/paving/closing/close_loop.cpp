@@ -193,8 +193,9 @@ void insert_triangle(Front& front, const std::vector<int>& loop) {
     const RegionMesh& mesh = front.mesh;
     int a = front.facets[f].a, b = front.facets[f].b;
     const MetricFrame frame = mesh.frame(a);
+    constexpr double height_of_unit = 0.866;  // of an equilateral triangle
     const Vec2 side = frame.of(mesh.between(a, b)), up{-side.y, side.x};
-    Vec2 p = mesh.p[a] + mesh.pull_back(a, frame.at(0.5 * side + 0.866 * up));
+    Vec2 p = mesh.p[a] + mesh.pull_back(a, frame.at(0.5 * side + height_of_unit * up));
     Location where = front.empty.walk(front.empty.facet_side(f).triangle, a, p);
     if (where.kind != Location::Kind::inside && where.kind != Location::Kind::on_side) continue;
     int apex = front.add_node(p);

@@ -13,6 +13,10 @@
 
 namespace paver {
 
+constexpr double degenerate = 1e-6, further_inside = 1e-3;  // sine between derivatives; of the way to the next node
+constexpr double expected = 1.1, most_expected = 5e7;       // elements, the first by area / h^2
+constexpr double up_of_tuck = 0.45;                         // of the quad behind a divided facet
+
 /// A new element about to be made: corners, and per side the facet it uses up or the triangle behind it.
 struct Front::Outline {
   int count = 0;
@@ -31,16 +35,15 @@ Front::Front(const Region& r, RegionMesh& m) : region(r), mesh(m), empty(m.p) {
 int Front::add_loop_node(const LoopNode& node, Vec2 towards, bool is_fixed) {
   NodePlace at = region.place(node.p);
   double size = norm(at.xp) * norm(at.xq);
-  if (!(norm(cross(at.xp, at.xq)) > 1e-6 * size) || !std::isfinite(size)) {
+  if (!(norm(cross(at.xp, at.xq)) > degenerate * size) || !std::isfinite(size)) {
     // At a pole the surface has no tangent plane: take the one a little further inside.
     const Vec3 x = at.x;
-    at = region.place(node.p + 1e-3 * (towards - node.p));
+    at = region.place(node.p + further_inside * (towards - node.p));
     at.p = node.p, at.x = x, at.n = {};
   }
   if (node.global >= 0) at.x = node.x;
   int i = mesh.add_node(at, node.h);
-  mesh.is_fixed[i] = is_fixed;
-  mesh.global[i] = node.global;
+  mesh.is_fixed[i] = is_fixed, mesh.global[i] = node.global;
   return i;
 }
 
@@ -89,7 +92,7 @@ void Front::set_apex(int centre, const std::vector<int>& ring) {
 
 std::optional<Crossing> Front::start(std::optional<double> sharpest_corner) {
   // About as many as a uniform mesh has: growing by doubling would take half as much memory again.
-  mesh.reserve(static_cast<std::size_t>(std::min(1.1 * region.area / (region.h * region.h), 5e7)));
+  mesh.reserve(static_cast<std::size_t>(std::min(expected * region.area / (region.h * region.h), most_expected)));
   std::vector<std::vector<int>> loops = number_loop_nodes(region).of_loop;
   for (std::size_t l = 0; l < loops.size(); ++l) {
     const std::vector<LoopNode>& loop = region.loops[l];
@@ -566,7 +569,7 @@ int Front::divide_facet(int f) {
     return (1 - up) * ((1 - along) * pb + along * pa) + up * ((1 - along) * pr + along * ps);
   };
   int m1 = add_node(inside(1.0 / 3, 0)), m2 = add_node(inside(2.0 / 3, 0));
-  int n1 = add_node(inside(1.0 / 3, 0.45)), n2 = add_node(inside(2.0 / 3, 0.45));
+  int n1 = add_node(inside(1.0 / 3, up_of_tuck)), n2 = add_node(inside(2.0 / 3, up_of_tuck));
   const std::array<int, 4> quads[4] = {{b, m1, n1, r}, {m1, m2, n2, n1}, {m2, a, s, n2}, {n1, n2, s, r}};
   Side side = empty.facet_side(f);
   int z = empty.triangle(side.triangle).v[side.corner];

@@ -367,9 +367,11 @@ std::optional<Crossing> VoidTriangulation::insert_all(const std::vector<std::pai
     lo[0] = std::min(lo[0], p.x), hi[0] = std::max(hi[0], p.x);
     lo[1] = std::min(lo[1], p.y), hi[1] = std::max(hi[1], p.y);
   }
-  double span = 64 * std::max(hi[0] - lo[0], hi[1] - lo[1]);
+  // Far away, and askew: no facet is in line with two of its corners.
+  constexpr double away = 64, left = 0.6, right = 0.61, top = 0.02;
+  double span = away * std::max(hi[0] - lo[0], hi[1] - lo[1]);
   Vec2 centre{0.5 * (lo[0] + hi[0]), 0.5 * (lo[1] + hi[1])};
-  frame_ = {centre + Vec2{-span, -0.6 * span}, centre + Vec2{span, -0.61 * span}, centre + Vec2{0.02 * span, span}};
+  frame_ = {centre + Vec2{-span, -left * span}, centre + Vec2{span, -right * span}, centre + Vec2{top * span, span}};
   int last = make(-1, -2, -3);
   for (int i = 0; i < 3; ++i) link(last, i, facet_code(static_cast<int>(facets.size()) + i));
   std::vector<int> order;

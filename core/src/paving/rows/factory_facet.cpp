@@ -20,8 +20,9 @@ bool lay_quad(Front& front, int f, const Wish* left, const Wish* right, int leve
   bool is_laid = false;
   if (c.node >= 0 && c.node != d.node) {
     const Element quad{{a, b, c.node, d.node}};
-    bool is_fit =
-        is_positive(front.mesh, quad) && scaled_jacobian(front.mesh, quad) > (d.is_new || c.is_new ? 0.05 : 1e-3);
+    constexpr double least_of_new = 0.05, least_of_old = 1e-3;  // scaled Jacobian
+    bool is_fit = is_positive(front.mesh, quad) &&
+                  scaled_jacobian(front.mesh, quad) > (d.is_new || c.is_new ? least_of_new : least_of_old);
     if (is_fit && put(d, a)) {
       if (put(c, b)) {
         is_laid = front.form_element(f, c.node, d.node, level);

@@ -10,7 +10,11 @@ namespace paver {
 
 namespace {
 
-constexpr double fair_misfit = 0.35;  // logarithm of a side's length by the row's height
+constexpr double deg = M_PI / 180;
+constexpr double sharpest_of_side = 100 * deg;  // a row ends at sharper corners
+constexpr double widest_of_side = 140 * deg;
+constexpr double widest_wish = M_PI / 2 + 0.2;  // radians from the facet to the side that starts a row
+constexpr double fair_misfit = 0.35;            // logarithm of a side's length by the row's height
 constexpr double cost_step = 0.35;  // radians (20 degrees): of rows whose costs lie in one step the shorter goes first
 
 /// How badly the row would fit the sides at its ends: they are as long as its end quads are high.
@@ -108,13 +112,13 @@ int lay_row(Front& front, const Row& row, std::vector<int>& new_nodes) {
       const NodePlan& last = plans[n - 1];
       if (last.count == 0) continue;
       left = &last.wish[last.count - 1];
-    } else if (before > 140 * M_PI / 180) {
+    } else if (before > widest_of_side) {
       // The left side was not laid (a quad before failed): start the row anew at this facet.
-      started = make_wish(front, front.facets[f].prev, std::min(0.5 * before, M_PI / 2 + 0.2),
+      started = make_wish(front, front.facets[f].prev, std::min(0.5 * before, widest_wish),
                           0.5 * (front.mesh.h[front.facets[f].a] + front.length(f)));
       left = &started;
     }
-    bool ends_here = here.state == NodeState::end || after < 100 * M_PI / 180;
+    bool ends_here = here.state == NodeState::end || after < sharpest_of_side;
     const Wish* right = ends_here || here.count == 0 ? nullptr : &here.wish[0];
     if (!right && !ends_here) continue;
     if (!lay_quad(front, f, left, right, level, new_nodes)) {

@@ -88,7 +88,8 @@ std::optional<double> MergeLimits::corner_across(int f, int edge) const {
 
 double MergeLimits::angle_along(int one, int two, int edge) const {
   double most = 0;
-  for (double share : {0.02, 0.25, 0.5, 0.75, 0.98})
+  constexpr double beside_ends = 0.02;
+  for (double share : {beside_ends, 0.25, 0.5, 0.75, 1 - beside_ends})
     most = std::max(most, angle_between(normal(one, edge, share), normal(two, edge, share)));
   return most;
 }
