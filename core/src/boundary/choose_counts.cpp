@@ -37,23 +37,23 @@ EdgeCount count_for_edge(const Edge& edge, const SizeField& size, std::span<cons
   EdgeCount result;
   result.wish = std::isfinite(metric.weight()) ? metric.weight() : 1;
   // The turn of kinks counts for no interval where they take nodes.
-  double turns = std::min(std::ceil(metric.smooth_turn() / size.largest_turn() - turn_slack), most_by_turn);
+  double turns = std::min(std::ceil(metric.smooth_turn() / metric.turn_limit().largest() - turn_slack), most_by_turn);
   double rounded = std::min(std::max({1.0, std::floor(result.wish + 0.5 + rounding_slack), turns}), most_intervals);
   result.minimum = least_for_shape(edge, metric.turn());
   result.is_short = edge.length < size.h;
   result.count = std::max(static_cast<int>(rounded), result.minimum);
   // Equal weights bound the turn once n reaches the weight of every piece between kinks.
   const int enough = static_cast<int>(std::min(std::ceil(result.wish), most_intervals)) + metric.kink_count();
-  while (result.count < enough && !metric.turns_within(result.count, size)) ++result.count;
+  while (result.count < enough && !metric.turns_within(result.count)) ++result.count;
   // Ties and parity may take some away.
   int lowest = std::max(result.minimum, static_cast<int>((1 - largest_change) * result.wish) - 1);
   if (lowest >= result.count) {
     result.minimum = result.count;
-  } else if (metric.turns_within(lowest, size)) {
+  } else if (metric.turns_within(lowest)) {
     result.minimum = lowest;
   } else {
     int least = result.count;
-    while (least - 1 > lowest && least > result.count - 2 && metric.turns_within(least - 1, size)) --least;
+    while (least - 1 > lowest && least > result.count - 2 && metric.turns_within(least - 1)) --least;
     result.minimum = least;
   }
   return result;

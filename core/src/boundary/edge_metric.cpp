@@ -55,7 +55,7 @@ double curvature(const Curve& curve, double t) {
 }  // namespace
 
 EdgeMetric::EdgeMetric(const Edge& edge, const SizeField& size, std::span<const TurningSide> sides)
-    : curve_(edge.curve.get()), t0_(edge.t0), t1_(edge.t1) {
+    : curve_(edge.curve.get()), t0_(edge.t0), t1_(edge.t1), limit_(size.turn_limit_of(edge)) {
   tabulate();
   if (!size.local->is_empty()) refine_rows(edge, size);
   if (size.small_bend > 0) make_kinks_of_small_bends(edge, size);
@@ -242,11 +242,11 @@ void EdgeMetric::make_kink(int first, int last, double width) {
 
 // By what the curve turns nearby, where that is far less than its curvature says: a bend of a curve of intersection
 // that ends on another may be all rounding.
-double EdgeMetric::length_at_bend(double s, double by_curvature, const SizeField& size) const {
+double EdgeMetric::length_at_bend(double s, double by_curvature) const {
   constexpr double about = 4;  // less than what nearby intervals turn, were the curvature the same there
   auto may_span = [&](double width) {
     const double from = std::max(0.0, s - 0.5 * width), to = std::min(length(), s + 0.5 * width);
-    return size.may_turn(turn_at_length(to, KinkSide::behind) - turn_at_length(from, KinkSide::before), to - from);
+    return limit_.may_turn(turn_at_length(to, KinkSide::behind) - turn_at_length(from, KinkSide::before), to - from);
   };
   double width = about * by_curvature;
   if (!may_span(width)) return by_curvature;
@@ -262,7 +262,7 @@ void EdgeMetric::set_sizes(const Edge& edge, const SizeField& size) {
     row.pace = 1 / std::max(norm(velocity(*curve_, row.t)), standstill * top_speed_);
     row.h = row.given = size.given_at(edge, curve_->point(row.t));
     if (bend > 0 && !row.is_in_small_bend)
-      row.h = std::min(row.h, length_at_bend(row.s, std::max(size.longest_edge(bend), least), size));
+      row.h = std::min(row.h, length_at_bend(row.s, std::max(limit_.longest_edge(bend), least)));
   }
   // A second round carries the size through the point where a closed edge meets itself.
   for (int round = 0; round < (is_closed ? 2 : 1); ++round) {
@@ -429,14 +429,14 @@ double EdgeMetric::turn_at_length(double s, KinkSide side) const {
   return (1 - share) * a.turn + share * b.turn;
 }
 
-bool EdgeMetric::turns_within(int n, const SizeField& size) const {
+bool EdgeMetric::turns_within(int n) const {
   constexpr double slack = 1.001;  // the turn is linear between rows only
-  if (turn() <= size.turn_limit * slack) return true;
+  if (turn() <= limit_.usual * slack) return true;
   const std::vector<double> lengths = node_lengths(n);
   for (std::size_t i = 1; i < lengths.size(); ++i) {
     double end = i + 1 == lengths.size() ? turn() : turn_at_length(lengths[i], KinkSide::before);
     double turn = end - turn_at_length(lengths[i - 1], KinkSide::behind);
-    if (!size.may_turn(turn / slack, (lengths[i] - lengths[i - 1]) / slack)) return false;
+    if (!limit_.may_turn(turn / slack, (lengths[i] - lengths[i - 1]) / slack)) return false;
   }
   return true;
 }

@@ -34,7 +34,8 @@ class EdgeMetric {
   double parameter_at_length(double s) const;
   double size_at_length(double s) const;
   /// Whether none of `n` intervals turns more than it may; the turn of a kink on a node counts for none.
-  bool turns_within(int n, const SizeField& size) const;
+  bool turns_within(int n) const;
+  const TurnLimit& turn_limit() const { return limit_; }
 
  private:
   struct Row {
@@ -67,7 +68,7 @@ class EdgeMetric {
   void set_sizes(const Edge& edge, const SizeField& size);
   void count_turns(const ParameterCurve& pcurve, const FaceSize& face);
   void weigh();
-  double length_at_bend(double s, double by_curvature, const SizeField& size) const;
+  double length_at_bend(double s, double by_curvature) const;
   double quadrature(double a, double b) const;
   std::vector<Kink> kinks_with_nodes(int n) const;
   std::vector<int> share_intervals(const std::vector<Row>& ends, int n) const;
@@ -78,6 +79,7 @@ class EdgeMetric {
 
   const Curve* curve_;
   double t0_, t1_;
+  const TurnLimit limit_;
   double top_speed_ = 0;
   std::vector<Row> rows_;  // at least two
   std::vector<Kink> kinks_;

@@ -206,7 +206,7 @@ class RegionBuilder {
     double within = std::fabs(dot(bend, unit(cross(unit(place.normal), tangent)))) / dot(yt, yt);
     double target = std::min(size_.h, size_.faces[index_].at(place.uv, *face_.surface));
     if (!(within * target > size_.turn_limit)) return std::isfinite(within) ? target : std::min(target, edge_target);
-    return std::min(target, std::max(edge_target, size_.longest_edge(within)));
+    return std::min(target, std::max(edge_target, size_.turn_limit_of(model_.edges[coedge.edge]).longest_edge(within)));
   }
 
   // Direction of travel on a coedge at share 0 (start) to 1 (end) of interval i of its division, just inside it; behind

@@ -304,15 +304,20 @@ double FaceSize::by_curvature(Vec2 uv) const {
   return (1 - b) * ((1 - a) * low[0] + a * low[1]) + b * ((1 - a) * high[0] + a * high[1]);
 }
 
-double SizeField::longest_edge(double curvature) const {
+double TurnLimit::longest_edge(double curvature) const {
   if (!(curvature > 0)) return h;
-  double strict = turn_limit / curvature;
-  if (strict >= h || short_turn_limit <= turn_limit) return std::min(strict, h);
-  return std::min(short_turn_limit / curvature, std::sqrt(strict * h));  // length * turn == h * turn_limit
+  double strict = usual / curvature;
+  if (strict >= h || of_short <= usual) return std::min(strict, h);
+  return std::min(of_short / curvature, std::sqrt(strict * h));  // length * turn == h * usual
 }
 
-bool SizeField::may_turn(double turn, double length) const {
-  return turn <= turn_limit || (turn <= short_turn_limit && turn * length <= turn_limit * h);
+bool TurnLimit::may_turn(double turn, double length) const {
+  return turn <= usual || (turn <= of_short && turn * length <= usual * h);
+}
+
+TurnLimit SizeField::turn_limit_of(const Edge& edge) const {
+  const bool is_inside = edge.faces.size() == 2 && edge.faces[0] == edge.faces[1];
+  return {h, turn_limit, is_inside ? 0 : short_turn_limit};
 }
 
 SizeField build_size_field(const Model& model, const Options& options, Progress& progress) {

@@ -76,6 +76,19 @@ struct TurningSide {
   std::shared_ptr<const ParameterCurve> pcurve;  ///< over the edge's t
 };
 
+/// How far boundary edges may turn, radians.
+struct TurnLimit {
+  double h = 0;         ///< mm
+  double usual = 0;     ///< per element edge
+  double of_short = 0;  ///< see SizeField::short_turn_limit
+
+  /// Longest boundary edge along a curve of this curvature (1 / mm).
+  double longest_edge(double curvature) const;
+  /// Whether a boundary edge of this length may turn so much.
+  bool may_turn(double turn, double length) const;
+  double largest() const { return std::max(usual, of_short); }
+};
+
 struct SizeField {
   double h = 0;  ///< target length of the run, mm
   std::shared_ptr<const LocalSizes> local = std::make_shared<LocalSizes>();
@@ -101,11 +114,9 @@ struct SizeField {
   double given_at(const Edge& edge, Vec3 x) const {
     return local->is_empty() ? h : local->at(x, std::min(h, local->on_edge(edge)));
   }
-  /// Longest boundary edge along a curve of this curvature (1 / mm).
-  double longest_edge(double curvature) const;
-  /// Whether a boundary edge of this length may turn so much.
-  bool may_turn(double turn, double length) const;
-  double largest_turn() const { return std::max(turn_limit, short_turn_limit); }
+  /// Short edges turn no more than others where one face is on both sides: about a bent pipe that is thinner than
+  /// their bulge the elements along them would lie on its inner side.
+  TurnLimit turn_limit_of(const Edge& edge) const;
 };
 
 /// Samples curvature; predicts the element count and throws too_many_elements above options.max_elements.

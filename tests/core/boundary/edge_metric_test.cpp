@@ -83,9 +83,9 @@ TEST(EdgeMetric, ABendThatTurnsLittleInAllDoesNotMakeSmallIntervals) {
 
 TEST(EdgeMetric, TellsHowManyIntervalsTheTurnNeeds) {
   Edge edge = edge_on(std::make_shared<fake::Ellipse>(Vec3{}, 1, 1), 0, fake::pi, false);
-  EdgeMetric metric(edge, size_of(100));
-  EXPECT_FALSE(metric.turns_within(3, size_of(100, fake::pi / 4)));
-  EXPECT_TRUE(metric.turns_within(4, size_of(100, fake::pi / 4)));
+  EdgeMetric metric(edge, size_of(100, fake::pi / 4));
+  EXPECT_FALSE(metric.turns_within(3));
+  EXPECT_TRUE(metric.turns_within(4));
 }
 
 TEST(EdgeMetric, AnEdgeMuchShorterThanHMayTurnMore) {
@@ -93,13 +93,23 @@ TEST(EdgeMetric, AnEdgeMuchShorterThanHMayTurnMore) {
   size.short_turn_limit = fake::pi / 2;
   Edge tiny = edge_on(std::make_shared<fake::Ellipse>(Vec3{}, 1, 1), 0, fake::pi, false);
   EdgeMetric tiny_metric(tiny, size);
-  EXPECT_FALSE(tiny_metric.turns_within(1, size));
-  EXPECT_TRUE(tiny_metric.turns_within(2, size)) << "a quarter turn on 1.6 of 10";
+  EXPECT_FALSE(tiny_metric.turns_within(1));
+  EXPECT_TRUE(tiny_metric.turns_within(2)) << "a quarter turn on 1.6 of 10";
   EXPECT_NEAR(tiny_metric.weight(), 2, 1e-9);
   Edge middling = edge_on(std::make_shared<fake::Ellipse>(Vec3{}, 6, 6), 0, fake::pi, false);
   EdgeMetric middling_metric(middling, size);
-  EXPECT_FALSE(middling_metric.turns_within(2, size)) << "a quarter turn on 9.4 of 10";
-  EXPECT_TRUE(middling_metric.turns_within(3, size));
+  EXPECT_FALSE(middling_metric.turns_within(2)) << "a quarter turn on 9.4 of 10";
+  EXPECT_TRUE(middling_metric.turns_within(3));
+}
+
+TEST(EdgeMetric, AnEdgeWithOneFaceOnBothSidesMayNot) {
+  SizeField size = size_of(10, fake::pi / 4);
+  size.short_turn_limit = fake::pi / 2;
+  Edge seam = edge_on(std::make_shared<fake::Ellipse>(Vec3{}, 1, 1), 0, fake::pi, false);
+  seam.faces = {0, 0};
+  const EdgeMetric metric(seam, size);
+  EXPECT_FALSE(metric.turns_within(3));
+  EXPECT_TRUE(metric.turns_within(4));
 }
 
 // Two straight pieces with a jump of the tangent at t = 0.3.
@@ -118,13 +128,13 @@ class BentLine : public Curve {
 
 TEST(EdgeMetric, AKinkTakesANode) {
   Edge edge = edge_on(std::make_shared<BentLine>(), 0, 1, false);
-  EdgeMetric metric(edge, size_of(0.25));
+  EdgeMetric metric(edge, size_of(0.25, 0.7));
   EXPECT_EQ(metric.kink_count(), 1);
   EXPECT_NEAR(metric.length(), 1, 1e-9);
   EXPECT_NEAR(metric.turn(), fake::pi / 2, 1e-12);
   EXPECT_NEAR(metric.smooth_turn(), 0, 1e-12);
-  EXPECT_FALSE(metric.turns_within(1, size_of(0.25, 0.7)));
-  EXPECT_TRUE(metric.turns_within(2, size_of(0.25, 0.7)));
+  EXPECT_FALSE(metric.turns_within(1));
+  EXPECT_TRUE(metric.turns_within(2));
   std::vector<double> lengths = metric.node_lengths(4);
   ASSERT_EQ(lengths.size(), 5u);
   const std::vector<double> expected = {0, 0.3, 0.3 + 0.7 / 3, 0.3 + 1.4 / 3, 1};
@@ -206,7 +216,7 @@ TEST(EdgeMetric, ABendThatIsSmallAgainstHIsAKinkInItsMiddle) {
   const std::vector<double> lengths = metric.node_lengths(4);
   EXPECT_NEAR(lengths[2], 1 + 0.5 * corner->arc(), 1e-3);
   for (double length : lengths) EXPECT_NEAR(metric.parameter_at_length(length), length, 1e-9);
-  EXPECT_TRUE(metric.turns_within(4, size));
+  EXPECT_TRUE(metric.turns_within(4));
   EXPECT_GT(EdgeMetric(edge, size_with_small_bends(0)).weight(), 8);
 }
 

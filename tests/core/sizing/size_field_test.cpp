@@ -50,25 +50,27 @@ TEST(BuildSizeField, NoFaceHasALengthAboveItsOwnSize) {
 // Where a surface bends one way only, rows of long elements follow it: their sides may turn 2.5 times the limit.
 TEST(SizeField, AShortEdgeStaysAsCloseToItsCurveAsALongOne) {
   SizeField field = size_of(fake::box(1, 2, 3), with_size(2));
+  const TurnLimit limit = field.turn_limit_of({});
   const double sagitta = 2 * field.turn_limit / 8;  // of an edge of length h that turns by the limit
-  EXPECT_DOUBLE_EQ(field.longest_edge(0), 2);
-  EXPECT_DOUBLE_EQ(field.longest_edge(0.5 * field.turn_limit), 2);
+  EXPECT_DOUBLE_EQ(limit.longest_edge(0), 2);
+  EXPECT_DOUBLE_EQ(limit.longest_edge(0.5 * field.turn_limit), 2);
   for (double radius : {2.0, 1.5, 1.0}) {
-    double length = field.longest_edge(1 / radius);
+    double length = limit.longest_edge(1 / radius);
     EXPECT_NEAR(length * length / (8 * radius), sagitta, 1e-12);
-    EXPECT_TRUE(field.may_turn(0.999 * length / radius, length));
-    EXPECT_FALSE(field.may_turn(1.001 * length / radius, length));
+    EXPECT_TRUE(limit.may_turn(0.999 * length / radius, length));
+    EXPECT_FALSE(limit.may_turn(1.001 * length / radius, length));
   }
-  EXPECT_NEAR(field.longest_edge(100), field.short_turn_limit / 100, 1e-15);
-  EXPECT_FALSE(field.may_turn(1.01 * field.short_turn_limit, 1e-6));
+  EXPECT_NEAR(limit.longest_edge(100), field.short_turn_limit / 100, 1e-15);
+  EXPECT_FALSE(limit.may_turn(1.01 * field.short_turn_limit, 1e-6));
 }
 
 TEST(SizeField, ALimitThatTheUserSetsHoldsForShortEdgesToo) {
   Options options = with_size(2);
   options.max_turn = 0.5;
   SizeField field = size_of(fake::box(1, 2, 3), options);
-  EXPECT_DOUBLE_EQ(field.longest_edge(1), 0.5);
-  EXPECT_FALSE(field.may_turn(0.51, 1e-6));
+  const TurnLimit limit = field.turn_limit_of({});
+  EXPECT_DOUBLE_EQ(limit.longest_edge(1), 0.5);
+  EXPECT_FALSE(limit.may_turn(0.51, 1e-6));
 }
 
 TEST(BuildSizeField, OnACylinderThatTurnsMuchTurnsCountAndTheLengthStays) {
