@@ -10,7 +10,7 @@ namespace paver {
 namespace {
 
 constexpr std::size_t fewest_nodes = 5, most_nodes = 24;
-constexpr int most_rows = 8;
+constexpr int most_rows = 24, rows_of_most = 8;
 constexpr double longest_row = 1.5;  // target lengths, of rays that would ask for more rows
 constexpr int chart_steps = 32;
 constexpr std::size_t most_samples = 49;  // of a ray
@@ -130,7 +130,7 @@ class Dome {
   // Fans are a target length wide, one row more and they need none of their own.
   int count_rows() const {
     const long rows = std::clamp(std::lround(mean_length(rays_)) - 1, 1L, long{most_rows});
-    if (kind_ == DomeRows::most) return most_rows;
+    if (kind_ == DomeRows::most) return rows_of_most;
     return static_cast<int>(kind_ == DomeRows::many ? 2 * rows + 1 : rows);
   }
 
