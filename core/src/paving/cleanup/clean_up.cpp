@@ -52,7 +52,7 @@ class CleanUp {
         edit_(front),
         moves_(edit_),
         cavity_(edit_),
-        pairs_(edit_),
+        pairs_(mesh_),
         first_node_(first_node),
         most_made_(1000 + most_growth * front.mesh.elements.size()) {}
 

@@ -7,7 +7,7 @@ namespace paver {
 
 class TrianglePairs {
  public:
-  explicit TrianglePairs(MeshEdit& edit) : edit_(edit), mesh_(edit.mesh()) {}
+  explicit TrianglePairs(const RegionMesh& mesh) : mesh_(mesh) {}
 
   /// The change that turns a triangle, the nearest other one and the quads
   /// between into quads: every quad is cut along a diagonal and its halves join
@@ -19,8 +19,7 @@ class TrianglePairs {
   bool make(Change& change) const;
 
   static constexpr int most_visited = 4000;
-  MeshEdit& edit_;
-  RegionMesh& mesh_;
+  const RegionMesh& mesh_;
   std::vector<int> queue_, parent_, stamp_, path_;
   int run_ = 0;
 };
