@@ -4,7 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "repair/edits/patch.h"
 #include "repair/find_bad.h"
 #include "repair/shared_sides.h"
 
@@ -13,20 +12,21 @@ namespace {
 
 constexpr int most_rounds = 4;  // what mends the elements about a twin may make others
 
+/// `again`: of all bad elements.
 void append(Mended again, Mended& mended) {
   mended.left = std::move(again.left), mended.sides = std::move(again.sides);
   std::ranges::move(again.places, std::back_inserter(mended.places));
 }
 
-/// The elements on both sides of each.
-std::vector<int> elements_at(const std::vector<InnerSide>& sides, const RegionMesh& mesh) {
-  std::vector<int> found;
-  for (const InnerSide& side : sides)
-    for (int e : {mesh.across(side.a, side.b), mesh.across(side.b, side.a)})
-      if (e >= 0) found.push_back(e);
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
+/// All bad elements, those on both sides of the twins among them.
+std::vector<int> bad_with(const std::vector<InnerSide>& twins, const ElementJudge& judge) {
+  std::vector<int> bad = find_bad(judge);
+  for (const InnerSide& side : twins)
+    for (int e : {judge.mesh().across(side.a, side.b), judge.mesh().across(side.b, side.a)})
+      if (e >= 0) bad.push_back(e);
+  std::sort(bad.begin(), bad.end());
+  bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
+  return bad;
 }
 
 }  // namespace
@@ -38,11 +38,10 @@ Mended mend_mesh(const ElementJudge& judge, ElementKinds kinds, std::vector<int>
     const std::vector<InnerSide> twins = twin_sides(mesh, 0);
     if (twins.empty()) break;
     for (const InnerSide& side : twins) strict.forbid(side.a, side.b);
-    append(mend_region(strict, kinds, elements_at(twins, mesh), mesh), mended);
+    append(mend_region(strict, kinds, bad_with(twins, strict), mesh), mended);
     const std::vector<Vec3> made = divide_inner_sides(judge.region(), twin_sides(mesh, 0), mesh);
-    if (made.empty()) continue;
     for (Vec3 x : made) mended.places.push_back({ElementRepairKind::divided, x});
-    append(mend_region(strict, kinds, find_bad(strict), mesh), mended);
+    if (!made.empty()) append(mend_region(strict, kinds, find_bad(strict), mesh), mended);
   }
   return mended;
 }

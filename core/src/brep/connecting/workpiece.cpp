@@ -240,8 +240,7 @@ EdgeUses count_uses(const std::vector<WorkFace>& faces) {
 
 double face_area(const TopoDS_Face& face) {
   constexpr double accuracy = 1e-5;  // with 1e-4 wings are still 0.6 % off
-  constexpr double sliver =
-      1e-6;  // of the square of its border: what is left there is rounding, less of the usual rule
+  constexpr double sliver = 1e-6;    // of its border squared: less is rounding, and smaller by the usual rule
   try {
     if (!has_splines(face)) return area_by_rule(face, std::nullopt);
     const double area = area_by_rule(face, accuracy), border = border_chords(face);
