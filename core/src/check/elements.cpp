@@ -66,13 +66,8 @@ class PartElementCheck {
   }
 
   void check_element() {
-    const Vec3 origin = node(0);
-    Vec3 area;
+    const Vec3 area = twice_area(n_, mesh_.order > 1, [&](int k) { return node(k); });
     is_moved_ = false;
-    for (int k = 0; k < n_; ++k) {
-      const Vec3 a = node(k) - origin, b = node(next(k)) - origin;
-      area += mesh_.order == 1 ? swept(a, b) : swept(a, node(n_ + k) - origin, b);
-    }
     least_along_ = least_along(unit(area));
     if (mesh_.order > 1) {
       check_inner_nodes();
@@ -85,7 +80,7 @@ class PartElementCheck {
   }
 
   void check_direction(Vec3 area) {
-    ElementNormals normals{area, mesh_.order == 1 ? area : centre_normal(), {}};
+    ElementNormals normals{area, mesh_.order == 1 ? area : centre_normal(n_, [&](int k) { return node(k); }), {}};
     std::array<Vec2, 4> places;
     for (int k = 0; k < n_; ++k) {
       normals.corners += normals_[static_cast<std::size_t>(c_[k])];
@@ -94,12 +89,6 @@ class PartElementCheck {
     if (is_reversed_) normals = {-1 * normals.area, -1 * normals.centre, -1 * normals.corners};
     if (!runs_with_surface(*part_.region, n_, places, normals))
       faults_.add(face(), FaultKind::turned, 0.5 * (node(0) + node(2)));
-  }
-
-  /// Of a curved element, at its centre.
-  Vec3 centre_normal() const {
-    if (n_ == 4) return cross(node(5) - node(7), node(6) - node(4));
-    return cross(node(1) - node(0) + 4 * (node(4) - node(5)), node(2) - node(0) + 4 * (node(4) - node(3)));
   }
 
   Vec2 middle_of_corners() const {

@@ -6,9 +6,8 @@
 namespace paver {
 namespace {
 
-// Square of the sine between a tangent and the surface at a node; 0 where the surface has no normal.
-double leaning(const RegionMesh& mesh, int node, Vec3 tangent) {
-  const Vec3 normal = cross(mesh.xp[node], mesh.xq[node]);
+// Square of the sine between a tangent and the surface; 0 where that has no normal.
+double leaning(Vec3 normal, Vec3 tangent) {
   const double off = dot(tangent, normal), all = dot(tangent, tangent) * dot(normal, normal);
   return all > 0 ? off * off / all : 0;
 }
@@ -34,28 +33,6 @@ struct SideOff {
     return most;
   }
 };
-
-}  // namespace
-
-Vec2 guess_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec3 off) {
-  const SideCubic cubic(mesh, v, w);
-  Vec2 step;
-  const bool is_found = cubic.is_smooth() &&
-                        pull_back(0.5 * (mesh.xp[v] + mesh.xp[w]), 0.5 * (mesh.xq[v] + mesh.xq[w]),
-                                  off + 0.125 * (cubic.last - cubic.first), step) &&
-                        is_short(step, mesh.p[w] - mesh.p[v]);
-  return is_found ? 0.5 * (mesh.p[v] + mesh.p[w]) + step : half_way(region, mesh.p[v], mesh.p[w]);
-}
-
-Vec2 guess_centre(const Region& region, const RegionMesh& mesh, const std::array<int, 4>& corners,
-                  const std::array<Vec2, 4>& middles) {
-  if (region.chart->bends()) return half_way(region, middles[0], middles[2]);
-  Vec2 place;
-  for (int k = 0; k < 4; ++k) place = place + 0.5 * middles[k] - 0.25 * mesh.p[corners[k]];
-  return place;
-}
-
-namespace {
 
 /// Normals at both ends of a side, of any length.
 struct Facing {
@@ -89,6 +66,24 @@ Vec3 approach(const Region& region, Vec2& p, Vec3 target, double scale, const Fa
 
 }  // namespace
 
+Vec2 guess_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec3 off) {
+  const SideCubic cubic(mesh, v, w);
+  Vec2 step;
+  const bool is_found = cubic.is_smooth() &&
+                        pull_back(0.5 * (mesh.xp[v] + mesh.xp[w]), 0.5 * (mesh.xq[v] + mesh.xq[w]),
+                                  off + 0.125 * (cubic.last - cubic.first), step) &&
+                        is_short(step, mesh.p[w] - mesh.p[v]);
+  return is_found ? 0.5 * (mesh.p[v] + mesh.p[w]) + step : half_way(region, mesh.p[v], mesh.p[w]);
+}
+
+Vec2 guess_centre(const Region& region, const RegionMesh& mesh, const std::array<int, 4>& corners,
+                  const std::array<Vec2, 4>& middles) {
+  if (region.chart->bends()) return half_way(region, middles[0], middles[2]);
+  Vec2 place;
+  for (int k = 0; k < 4; ++k) place = place + 0.5 * middles[k] - 0.25 * mesh.p[corners[k]];
+  return place;
+}
+
 Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
   return approach(region, p, target, scale, nullptr);
 }
@@ -103,7 +98,7 @@ Vec3 side_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec
   const double scale = norm(b - a);
   const Facing ends{cross(mesh.xp[v], mesh.xq[v]), cross(mesh.xp[w], mesh.xq[w])};
   Vec3 x = approach(region, p, 0.5 * (a + b), scale, &ends);
-  if (leaning(mesh, v, 4 * x - 3 * a - b) <= most_leaning && leaning(mesh, w, a + 3 * b - 4 * x) <= most_leaning)
+  if (leaning(ends.one, 4 * x - 3 * a - b) <= most_leaning && leaning(ends.other, a + 3 * b - 4 * x) <= most_leaning)
     return x;
   const SideOff off{region, mesh.p[v], mesh.p[w], a, b, fair_off * std::min(mesh.h[v], mesh.h[w])};
   double least = off.half(p, x, true), other = off.half(p, x, false);

@@ -79,13 +79,9 @@ double ElementJudge::least_along(const Corners& v, int n) const {
 // the surface where it does not.
 bool ElementJudge::runs_against(const Corners& v, int n, const std::array<Vec3, 9>& x) const {
   if (order_ == 1) return false;
-  ElementNormals normals;
-  normals.centre = n == 4 ? cross(x[5] - x[7], x[6] - x[4])
-                          : cross(x[1] - x[0] + 4 * (x[4] - x[5]), x[2] - x[0] + 4 * (x[4] - x[3]));
-  for (int k = 0; k < n; ++k) {
-    normals.area += swept(x[k] - x[0], x[n + k] - x[0], x[(k + 1) % n] - x[0]);
-    normals.corners += mesh_.normal(v[k]);
-  }
+  const auto node = [&](int k) { return x[k]; };
+  ElementNormals normals{twice_area(n, true, node), centre_normal(n, node), {}};
+  for (int k = 0; k < n; ++k) normals.corners += mesh_.normal(v[k]);
   return !runs_with_surface(region_, n, places(v, n), normals);
 }
 
@@ -174,11 +170,7 @@ std::array<Vec3, 9> ElementJudge::nodes(const Corners& v, int n) const {
 ElementArea ElementJudge::area(const Corners& v) const {
   const int n = Element{v}.corners();
   const std::array<Vec3, 9> x = nodes(v, n);
-  Vec3 twice;
-  for (int k = 0; k < n; ++k) {
-    const Vec3 a = x[k] - x[0], b = x[(k + 1) % n] - x[0];
-    twice += order_ == 1 ? swept(a, b) : swept(a, x[n + k] - x[0], b);
-  }
+  const Vec3 twice = twice_area(n, order_ > 1, [&](int k) { return x[k]; });
   double along = 1;
   for (int k = 0; k < n; ++k)
     if (const Vec3 normal = mesh_.normal(v[k]); dot(normal, normal) > 0)

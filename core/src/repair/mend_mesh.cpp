@@ -35,11 +35,11 @@ Mended mend_mesh(const ElementJudge& judge, ElementKinds kinds, std::vector<int>
   Mended mended = mend_region(judge, kinds, std::move(bad), mesh);
   ElementJudge strict = judge;
   for (int round = 0; kinds.triangles && round < most_rounds; ++round) {
-    const std::vector<InnerSide> twins = twin_sides(mesh, 0);
+    const std::vector<InnerSide> twins = twin_sides(mesh);
     if (twins.empty()) break;
     for (const InnerSide& side : twins) strict.forbid(side.a, side.b);
     append(mend_region(strict, kinds, bad_with(twins, strict), mesh), mended);
-    const std::vector<Vec3> made = divide_inner_sides(judge.region(), twin_sides(mesh, 0), mesh);
+    const std::vector<Vec3> made = divide_inner_sides(judge.region(), twin_sides(mesh), mesh);
     for (Vec3 x : made) mended.places.push_back({ElementRepairKind::divided, x});
     if (!made.empty()) append(mend_region(strict, kinds, find_bad(strict), mesh), mended);
   }

@@ -51,16 +51,17 @@ bool OtherWays::can_help(const RegionMesh& mesh) const { return is_coarse_and_mi
 
 void OtherWays::improve(Mended& mended, PavedRegion& paved) const {
   const Vec3 where = paved.mesh.x[mended.left.empty() ? 0 : paved.mesh.elements[mended.left[0]].v[0]];
-  const bool is_whole = mended.left.empty() && can_be_whole(paved.mesh);
+  const bool is_whole = mended.left.empty() && is_sound(paved.mesh);
   bool is_changed = !is_whole && make_whole(mended, paved);
   is_changed = make_regular(mended, paved) || is_changed;
   if (is_changed) mended.places.push_back({ElementRepairKind::paved_again, where});
 }
 
-/// As far as can be told from its sides and, where these are few, its elements: a front may close across a body instead
-/// of around it where lengths are about the body's own.
+bool OtherWays::is_sound(const RegionMesh& mesh) const { return twin_sides(mesh).empty() && can_be_whole(mesh); }
+
+/// As far as can be told from its elements, where these are few: a front may close across a body instead of around it
+/// where lengths are about the body's own.
 bool OtherWays::can_be_whole(const RegionMesh& mesh) const {
-  if (!twin_sides(mesh, 0).empty()) return false;
   if (!(region_.own_area > 0) || face_.surface->kind() == SurfaceKind::plane || !has_few_elements(mesh)) return true;
   const ElementJudge judge(region_, mesh, sides_, options_.order);
   ElementArea sum;
@@ -115,7 +116,7 @@ bool OtherWays::take_paved(const Region& region, Pave pave, Mended& mended, Pave
 bool OtherWays::take(const Region& region, PavedRegion second, Mended& mended, PavedRegion& paved) const {
   const ElementJudge judge(region, second.mesh, sides_, options_.order);
   Mended again = mend_mesh(judge, kinds_of(options_.elements), find_bad(judge), second.mesh);
-  if (!again.left.empty() || !can_be_whole(second.mesh)) return false;
+  if (!again.left.empty() || !is_sound(second.mesh)) return false;
   mended = std::move(again), paved = std::move(second);
   return true;
 }
@@ -126,7 +127,7 @@ bool OtherWays::make_regular(Mended& mended, PavedRegion& paved) const {
   if (!grid || static_cast<double>(grid->elements.size()) < least_share * quads_in(paved.mesh)) return false;
   const double value = worst_value({region_, *grid, sides_, options_.order});
   if (value < fair || value <= worst_value({region_, paved.mesh, sides_, options_.order})) return false;
-  if (!can_be_whole(*grid)) return false;
+  if (!is_sound(*grid)) return false;
   mended = {}, paved = {std::move(*grid), {}};
   return true;
 }

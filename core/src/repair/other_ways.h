@@ -16,16 +16,16 @@ class OtherWays {
             const Progress& progress)
       : region_(region), face_(face), sides_(sides), options_(options), progress_(progress) {}
 
-  /// Whether there is something to look at in a mesh without bad elements.
+  /// Whether there is something to look at in a mesh without bad elements and twin sides.
   bool can_help(const RegionMesh& mesh) const;
 
   /// Where elements are left that are not valid, or the face is not whole, takes the first of a dome or tube, of paving
   /// that counts no turns, of either paving by the other rule for rows, and of a dome of many rows that, mended, leaves
-  /// nothing. Where a few
-  /// elements, some of them triangles, are worse than a grid of about as many, takes that.
+  /// nothing. Where a few elements, some of them triangles, are worse than a grid of about as many, takes that.
   void improve(Mended& mended, PavedRegion& paved) const;
 
  private:
+  bool is_sound(const RegionMesh& mesh) const;
   bool can_be_whole(const RegionMesh& mesh) const;
   bool is_coarse_and_mixed(const RegionMesh& mesh) const;
   bool make_whole(Mended& mended, PavedRegion& paved) const;

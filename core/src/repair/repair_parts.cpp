@@ -94,7 +94,7 @@ class PartRepairer {
     const BoundarySides sides(region_of(i), nodes_);
     const Region& place = paver_.place_of(parts_[i]);
     std::vector<int> bad = find_bad({place, parts_[i].paved->mesh, sides, options_.order});
-    const bool has_twins = kinds_.triangles && !twin_sides(parts_[i].paved->mesh, static_cast<int>(i)).empty();
+    const bool has_twins = !twin_sides(parts_[i].paved->mesh).empty();
     const OtherWays ways = other_ways(i, sides);
     const bool is_first = round_ == 0 && parts_[i].piece < 0;
     if (!bad.empty() || has_twins || (is_first && ways.can_help(parts_[i].paved->mesh))) {

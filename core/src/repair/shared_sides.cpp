@@ -101,7 +101,7 @@ std::vector<InnerSide> inner_sides(const RegionMesh& mesh, int part, int boundar
   return sides;
 }
 
-std::vector<InnerSide> twin_sides(const RegionMesh& mesh, int part) {
+std::vector<InnerSide> twin_sides(const RegionMesh& mesh) {
   std::vector<std::pair<int, int>> copies;  // node of the boundary stage, node
   for (int v = 0; v < mesh.node_count(); ++v)
     if (mesh.global[v] >= 0) copies.emplace_back(mesh.global[v], v);
@@ -114,14 +114,14 @@ std::vector<InnerSide> twin_sides(const RegionMesh& mesh, int part) {
     if (!has_twin) continue;
     for (int e : mesh.star[v]) {
       const int w = mesh.elements[e].after(v);
-      if (mesh.global[w] < 0) sides.push_back({global, w, part, v, w});
+      if (mesh.global[w] < 0) sides.push_back({global, w, -1, v, w});
     }
   }
   std::sort(sides.begin(), sides.end());
   std::vector<InnerSide> twins;
   for (std::size_t i = 1; i < sides.size(); ++i)
     if (sides[i].low == sides[i - 1].low && sides[i].high == sides[i - 1].high && sides[i].a != sides[i - 1].a)
-      twins.push_back({sides[i].low, -1, part, sides[i].a, sides[i].b});
+      twins.push_back({sides[i].low, -1, -1, sides[i].a, sides[i].b});
   return twins;
 }
 

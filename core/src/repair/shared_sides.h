@@ -27,8 +27,8 @@ std::vector<InnerSide> sides_to_part(std::vector<InnerSide> all, std::span<const
                                      const EdgeNodes& nodes);
 
 /// Sides of a part's mesh from one node inside to several that are the same node of the boundary stage, on both uses of
-/// an edge: all but the first, which would be one mesh edge with it. `low` is that node, `high` -1.
-std::vector<InnerSide> twin_sides(const RegionMesh& mesh, int part);
+/// an edge: all but the first, which would be one mesh edge with it. `low` is that node; `high` and `part` are -1.
+std::vector<InnerSide> twin_sides(const RegionMesh& mesh);
 
 /// Gives sides inside a node in their middle; the two elements at one are
 /// divided, so there are triangles. Stays where an element made would not be positive. Gives the new nodes' places.

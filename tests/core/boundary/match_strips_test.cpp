@@ -3,32 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <array>
 
 #include "support/fake_model.h"
 
 namespace paver {
 namespace {
-
-/// Half a circle, t from 0 to 1.
-class HalfCircle : public Curve {
- public:
-  explicit HalfCircle(double radius) : radius_(radius) {}
-  Vec3 point(double t) const override {
-    return {radius_ * std::cos(fake::pi * t), radius_ * std::sin(fake::pi * t), 0};
-  }
-  void d1(double t, Vec3& x, Vec3& xt) const override {
-    x = point(t);
-    xt = fake::pi * Vec3{-x.y, x.x, 0};
-  }
-  void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override {
-    d1(t, x, xt);
-    xtt = -fake::pi * fake::pi * x;
-  }
-
- private:
-  double radius_;
-};
 
 /// Counts of both arcs of half a ring between these radii, from 5 and 7.
 std::array<int, 2> matched(double inner, double outer) {
@@ -36,8 +16,8 @@ std::array<int, 2> matched(double inner, double outer) {
   model.edges.resize(4);
   for (std::size_t e : {0, 2}) {
     const double radius = e == 0 ? inner : outer;
-    model.edges[e].curve = std::make_shared<HalfCircle>(radius);
-    model.edges[e].t0 = 0, model.edges[e].t1 = 1, model.edges[e].length = fake::pi * radius;
+    model.edges[e].curve = std::make_shared<fake::Ellipse>(Vec3{}, radius, radius);
+    model.edges[e].t0 = 0, model.edges[e].t1 = fake::pi, model.edges[e].length = fake::pi * radius;
   }
   model.faces.resize(1);
   model.faces[0].area = 0.5 * fake::pi * (outer * outer - inner * inner);

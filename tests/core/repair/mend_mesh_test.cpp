@@ -41,9 +41,9 @@ struct Wheel {
 
 TEST(MendMesh, FillsThePlaceOfTwinSidesAnew) {
   Wheel wheel;
-  ASSERT_EQ(twin_sides(wheel.mesh, 0).size(), 1u);
+  ASSERT_EQ(twin_sides(wheel.mesh).size(), 1u);
   const Mended mended = wheel.mend(Elements::quad_dominant);
-  EXPECT_TRUE(twin_sides(wheel.mesh, 0).empty());
+  EXPECT_TRUE(twin_sides(wheel.mesh).empty());
   EXPECT_TRUE(mended.left.empty());
   EXPECT_EQ(mended.places.size(), 1u);
   EXPECT_EQ(wheel.mesh.node_count(), 9) << "none was needed";
@@ -54,7 +54,7 @@ TEST(MendMesh, FillsThePlaceOfTwinSidesAnew) {
 TEST(MendMesh, LeavesTwinsToOtherWaysWhereNoTriangleMayBe) {
   Wheel wheel;
   EXPECT_TRUE(wheel.mend(Elements::all_quad).places.empty());
-  EXPECT_EQ(twin_sides(wheel.mesh, 0).size(), 1u);
+  EXPECT_EQ(twin_sides(wheel.mesh).size(), 1u);
 }
 
 }  // namespace

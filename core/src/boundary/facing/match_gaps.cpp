@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boundary/facing/raised_counts.h"
 #include "quality/metrics.h"
 
 namespace paver {
@@ -42,37 +43,25 @@ class GapBetween {
     if (equal % 2 == 0 && static_cast<double>(equal) <= most_more_of_both * static_cast<double>(wanted_))
       wanted_ = equal;
     if (wanted_ > most_nodes || static_cast<double>(wanted_) > most_more * static_cast<double>(least_)) return;
-    const std::vector<int> of_fewer = raised(*fewer_), of_more = raised(*more_);
+    const std::vector<int> fewer = edges_of(*fewer_), more = edges_of(*more_);
+    const std::vector<int> of_fewer = raised_counts(model_, fewer, counts_, wanted_),
+                           of_more = raised_counts(model_, more, counts_, wanted_);
     if (of_fewer.empty() || of_more.empty()) return;
     if (quality(nodes(*fewer_, of_fewer), nodes(*more_, of_more)) < least_jacobian) return;
-    take(*fewer_, of_fewer);
-    take(*more_, of_more);
+    take_counts(fewer, of_fewer, counts_);
+    take_counts(more, of_more, counts_);
   }
 
  private:
   const Edge& edge(const Coedge& coedge) const { return model_.edges[static_cast<std::size_t>(coedge.edge)]; }
-  EdgeCount& count(const Coedge& coedge) const { return counts_[static_cast<std::size_t>(coedge.edge)]; }
 
-  long sum(const Loop& loop) const {
-    long total = 0;
-    for (const Coedge& coedge : loop.coedges) total += count(coedge).count;
-    return total;
+  static std::vector<int> edges_of(const Loop& loop) {
+    std::vector<int> edges;
+    for (const Coedge& coedge : loop.coedges) edges.push_back(coedge.edge);
+    return edges;
   }
 
-  /// Counts of its coedges with more where intervals are longest; none where an edge is not divided.
-  std::vector<int> raised(const Loop& loop) const {
-    std::vector<int> result;
-    for (const Coedge& coedge : loop.coedges) result.push_back(count(coedge).count);
-    if (std::count(result.begin(), result.end(), 0) > 0) return {};
-    for (long total = sum(loop); total < wanted_; ++total) {
-      std::size_t longest = 0;
-      const auto interval = [&](std::size_t i) { return edge(loop.coedges[i]).length / result[i]; };
-      for (std::size_t i = 1; i < result.size(); ++i)
-        if (interval(i) > interval(longest)) longest = i;
-      ++result[longest];
-    }
-    return result;
-  }
+  long sum(const Loop& loop) const { return sum_of_counts(edges_of(loop), counts_); }
 
   std::vector<Vec3> nodes(const Loop& loop, const std::vector<int>& number) const {
     std::vector<Vec3> result;
@@ -106,15 +95,6 @@ class GapBetween {
       worst = std::min(worst, scaled_jacobian(one[i], one[next], two[(turn + n - next) % n], two[(turn + n - i) % n]));
     }
     return worst;
-  }
-
-  void take(const Loop& loop, const std::vector<int>& number) {
-    for (std::size_t k = 0; k < number.size(); ++k) {
-      EdgeCount& taken = count(loop.coedges[k]);
-      if (number[k] <= taken.count) continue;
-      taken.count = taken.minimum = number[k];
-      taken.wish = std::max(taken.wish, static_cast<double>(number[k]));
-    }
   }
 
   const Model& model_;

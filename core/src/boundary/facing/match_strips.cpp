@@ -1,7 +1,8 @@
 #include "boundary/facing/match_strips.h"
 
 #include <algorithm>
-#include <utility>
+
+#include "boundary/facing/raised_counts.h"
 
 namespace paver {
 namespace {
@@ -21,58 +22,35 @@ double bulge(const Edge& edge, int n) {
   return most;
 }
 
-class Strip {
- public:
-  Strip(const Model& model, const OppositeSides& pair, std::vector<EdgeCount>& counts)
-      : model_(model), counts_(counts), fewer_(&pair.first), more_(&pair.second) {
-    if (sum(*fewer_) > sum(*more_)) std::swap(fewer_, more_);
-    width_ = 2 * model.faces[static_cast<std::size_t>(pair.face)].area / (length(*fewer_) + length(*more_));
-  }
+using Side = std::vector<int>;
 
-  /// Whether a count was raised.
-  bool match() {
-    const long wanted = sum(*more_);
-    if (sum(*fewer_) == wanted || !is_divided(*fewer_) || !is_divided(*more_)) return false;
-    if (std::max(most_bulge(*fewer_), most_bulge(*more_)) <= largest_bulge * width_) return false;
-    while (sum(*fewer_) < wanted) raise(*std::ranges::max_element(*fewer_, {}, [&](int e) { return interval(e); }));
-    return true;
-  }
+double length(const Model& model, const Side& side) {
+  double total = 0;
+  for (int e : side) total += model.edges[static_cast<std::size_t>(e)].length;
+  return total;
+}
 
- private:
-  using Side = std::vector<int>;
+double most_bulge(const Model& model, const Side& side, const std::vector<EdgeCount>& counts) {
+  double most = 0;
+  for (int e : side)
+    most = std::max(most, bulge(model.edges[static_cast<std::size_t>(e)], counts[static_cast<std::size_t>(e)].count));
+  return most;
+}
 
-  const Edge& edge(int e) const { return model_.edges[static_cast<std::size_t>(e)]; }
-  EdgeCount& count(int e) const { return counts_[static_cast<std::size_t>(e)]; }
-  double interval(int e) const { return edge(e).length / count(e).count; }
-  bool is_divided(const Side& side) const {
-    return std::ranges::all_of(side, [&](int e) { return count(e).count > 0; });
-  }
-  long sum(const Side& side) const {
-    long total = 0;
-    for (int e : side) total += count(e).count;
-    return total;
-  }
-  double length(const Side& side) const {
-    double total = 0;
-    for (int e : side) total += edge(e).length;
-    return total;
-  }
-  double most_bulge(const Side& side) const {
-    double most = 0;
-    for (int e : side) most = std::max(most, bulge(edge(e), count(e).count));
-    return most;
-  }
-  void raise(int e) {
-    EdgeCount& raised = count(e);
-    raised.minimum = std::max(raised.minimum, ++raised.count);
-    raised.wish = std::max(raised.wish, static_cast<double>(raised.count));
-  }
-
-  const Model& model_;
-  std::vector<EdgeCount>& counts_;
-  const Side *fewer_, *more_;
-  double width_ = 0;
-};
+/// Whether a count was raised.
+bool match(const Model& model, const OppositeSides& pair, std::vector<EdgeCount>& counts) {
+  const long first = sum_of_counts(pair.first, counts), second = sum_of_counts(pair.second, counts);
+  if (first == second) return false;
+  auto is_divided = [&](int e) { return counts[static_cast<std::size_t>(e)].count > 0; };
+  if (!std::ranges::all_of(pair.first, is_divided) || !std::ranges::all_of(pair.second, is_divided)) return false;
+  const double width = 2 * model.faces[static_cast<std::size_t>(pair.face)].area /
+                       (length(model, pair.first) + length(model, pair.second));
+  if (std::max(most_bulge(model, pair.first, counts), most_bulge(model, pair.second, counts)) <= largest_bulge * width)
+    return false;
+  const Side& fewer = first < second ? pair.first : pair.second;
+  take_counts(fewer, raised_counts(model, fewer, counts, std::max(first, second)), counts);
+  return true;
+}
 
 }  // namespace
 
@@ -81,7 +59,7 @@ void match_bent_strips(const Model& model, const std::vector<OppositeSides>& pai
   for (int round = 0; is_changed && round < most_rounds; ++round) {
     is_changed = false;
     for (const OppositeSides& pair : pairs)
-      if (pair.partner >= 0) is_changed = Strip(model, pair, counts).match() || is_changed;
+      if (pair.partner >= 0) is_changed = match(model, pair, counts) || is_changed;
   }
 }
 

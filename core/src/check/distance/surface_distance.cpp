@@ -98,6 +98,7 @@ class PartSampler {
     const int* v = &(n_ == 4 ? mesh.quads : mesh.triangles)[stride * row.row];
     patch_.corners = n_, patch_.order = mesh.order;
     for (std::size_t k = 0; k < stride; ++k) patch_.nodes[k] = mesh.nodes[static_cast<std::size_t>(v[k])];
+    size_ = norm(patch_.nodes[2] - patch_.nodes[0]);
     for (int k = 0; k < n_; ++k) {
       const int corner = row.element->v[static_cast<std::size_t>(is_reversed_ ? (n_ - k) % n_ : k)];
       places_[static_cast<std::size_t>(k)] = part_.mesh->p[static_cast<std::size_t>(corner)];
@@ -107,14 +108,13 @@ class PartSampler {
   /// Of a point of the element, looked for from another one's place.
   Foot foot_from(Vec2 start, Vec2 uv) const {
     constexpr FootSearch search{.most_turn = 0.01, .least_step = 1e-7, .least_halved = 1e-7};
-    return foot_on_surface(*part_.region, place_at(*part_.region, n_, places_, start), patch_.at(uv),
-                           norm(patch_.nodes[2] - patch_.nodes[0]), search);
+    return foot_on_surface(*part_.region, place_at(*part_.region, n_, places_, start), patch_.at(uv), size_, search);
   }
 
   double sample(Vec2 uv) {
     Foot foot = foot_from(uv, uv);
     if (!std::isfinite(foot.distance)) return 0;
-    if (foot.distance > doubtful * std::min(part_.region->h, norm(patch_.nodes[2] - patch_.nodes[0])))
+    if (foot.distance > doubtful * std::min(part_.region->h, size_))
       for_grid(few_steps, [&](Vec2 start) {
         if (const Foot other = foot_from(start, uv); other.distance < foot.distance) foot = other;
       });
@@ -158,7 +158,7 @@ class PartSampler {
   std::vector<Row> rows_;
   Totals totals_;
   int n_ = 4;
-  double angle_ = 0;  // of the element
+  double size_ = 0, angle_ = 0;  // of the element
   ElementPatch patch_;
   std::array<Vec2, 4> places_{};
 };
