@@ -304,6 +304,7 @@ class Run {
     face.distance =
         join_distances(face.distance, face.quads + face.triangles, piece.distance, piece.quads + piece.triangles);
     if (piece.quads + piece.triangles > 0) face.worst_sj = std::min(face.worst_sj, piece.worst_sj);
+    face.longest_side = std::max(face.longest_side, piece.longest_side);
     face.quads += piece.quads;
     face.triangles += piece.triangles;
     face.mesh_area += piece.mesh_area;

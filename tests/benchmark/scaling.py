@@ -16,8 +16,9 @@ Simulated: this machine runs few ranks at once, the others are worked out from o
 - tasks are those measured: of topology (areas, volumes), of boundary (edges, crossing divisions), then regions and coarse meshes of large ones, then pieces
   of these, dearest first as the queues have them. Each goes to the rank that is free first, and after each queue all
   wait for the last (list scheduling);
-- join, curving, quality and write each treat a rank's own elements only, so they take the share of the rank that has
-  most. So does the end, when the system takes the memory back: what wall time less all stages is above the start. A rank's elements are taken to be in proportion to the time of its tasks;
+- repair, join, curving, quality and write each treat a rank's own elements only, so they take the share of the rank
+  that has most: a coarse mesh has none. So does the end, when the system takes the memory back: what wall time less all
+  stages is above the start;
 - messages, waiting for memory or disk that ranks share, and mpirun's own start are not in it.
 The same sum for two ranks stands beside the measured time, to show how near it comes.
 """
@@ -153,29 +154,29 @@ def start_seconds():
 
 
 def schedule(tasks, ranks):
-    """(when the last rank is done, load of each) of tasks in the order of the queue."""
+    """(when the last rank is done, elements of each) of tasks in the order of the queue."""
     free = [(0.0, rank) for rank in range(ranks)]
-    load = [0.0] * ranks
-    for seconds in tasks:
+    laid = [0] * ranks
+    for seconds, elements in tasks:
         start, rank = heapq.heappop(free)
         heapq.heappush(free, (start + seconds, rank))
-        load[rank] += seconds
-    return max(load), load
+        laid[rank] += elements
+    return max(free)[0], laid
 
 
 def simulate(run, ranks):
     """{part: seconds} with that many ranks."""
     stages, tasks = run["report"]["stage_seconds"], run["report"]["tasks"]
     parts = {stage: stages.get(stage, 0) for stage in REPEATED[:5]}
-    paving = sum(tasks.get("regions", [])) + sum(tasks.get("paving", []))
+    paving = sum(seconds for stage in ("regions", "paving") for seconds, _ in tasks.get(stage, []))
     for stage in ("topology", "boundary"):
-        parts[stage] = max(0.0, parts[stage] - sum(tasks.get(stage, [])))
+        parts[stage] = max(0.0, parts[stage] - sum(seconds for seconds, _ in tasks.get(stage, [])))
         parts[f"tasks of {stage}"] = schedule(tasks.get(stage, []), ranks)[0]
     parts["rest of paving"] = max(0.0, stages.get("paving", 0) - paving)
     parts["regions, coarse meshes"], of_regions = schedule(tasks.get("regions", []), ranks)
     parts["pieces"], of_pieces = schedule(tasks.get("paving", []), ranks)
-    load = [a + b for a, b in zip(of_regions, of_pieces)]
-    share = max(load) / sum(load) if sum(load) else 1
+    laid = [a + b for a, b in zip(of_regions, of_pieces)]
+    share = max(laid) / sum(laid) if sum(laid) else 1
     for stage in SHARED_OUT:
         parts[stage] = stages.get(stage, 0) * share
     outside = max(0.0, run["wall"] - sum(stages.values()))

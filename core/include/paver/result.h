@@ -63,9 +63,10 @@ struct FaceReport {
   std::string stage, reason;  ///< when not meshed: where it stopped and why
   std::optional<Vec3> where;  ///< when failed: a point near the trouble, where one is known
   long quads = 0, triangles = 0;
-  double worst_sj = 1;   ///< worst straight-sided scaled Jacobian
-  double cad_area = 0;   ///< mm^2
-  double mesh_area = 0;  ///< mm^2, of the curved elements
+  double worst_sj = 1;      ///< worst straight-sided scaled Jacobian
+  double longest_side = 0;  ///< of its elements, chord, mm
+  double cad_area = 0;      ///< mm^2
+  double mesh_area = 0;     ///< mm^2, of the curved elements
   SurfaceDistance distance;
   long closed_by_triangulation = 0;  ///< pieces of front that paving left to triangulate-and-merge
 };
@@ -181,11 +182,12 @@ struct ModelReport {
   std::vector<Repair> repairs;           ///< in the order of RepairKind, those that occurred
 };
 
-/// How long one piece of work that may run on any thread or rank took; those of one stage in the order of the queue.
+/// One piece of work that may run on any thread or rank; those of one stage in the order of the queue.
 struct TaskTime {
   Stage stage =
       Stage::paving;   ///< regions: a region paved or, when on levels, its coarse mesh; paving: one of its pieces
   double seconds = 0;  ///< wall time
+  long elements = 0;   ///< of the mesh, those that it laid: none by a coarse mesh
 };
 
 /// How an element that would fold or miss its surface, or was poor, was mended where it was.

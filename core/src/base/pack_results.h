@@ -37,9 +37,9 @@ void fields(A& archive, Is<ModelReport> auto& model) {
 template <class A>
 void fields(A& archive, Is<FaceReport> auto& face) {
   auto& [name, front, back, wavelength, front_medium, back_medium, status, stage, reason, where, quads, triangles,
-         worst_sj, cad_area, mesh_area, distance, closed_by_triangulation] = face;
+         worst_sj, longest_side, cad_area, mesh_area, distance, closed_by_triangulation] = face;
   archive(name, front, back, wavelength, front_medium, back_medium, status, stage, reason, where, quads, triangles,
-          worst_sj, cad_area, mesh_area, distance, closed_by_triangulation);
+          worst_sj, longest_side, cad_area, mesh_area, distance, closed_by_triangulation);
 }
 
 template <class A>

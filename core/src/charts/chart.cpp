@@ -3,6 +3,7 @@
 #include "charts/chart.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace paver {
@@ -21,41 +22,68 @@ Cell cell_of(double v, double lo, double step, int cells) {
   return {i, s - i};
 }
 
+/// Arc length along one parameter by its mean speed in equal cells, from lo on; past the ends the last speeds go on.
+class ArcTable {
+ public:
+  ArcTable(double lo, double step, const std::vector<double>& speeds) : lo_(lo), step_(step), arc_{0} {
+    double fastest = *std::max_element(speeds.begin(), speeds.end());
+    if (!(fastest > 0)) fastest = 1;
+    for (double speed : speeds) arc_.push_back(arc_.back() + step_ * std::max(speed, slowest * fastest));
+    cells_per_arc_ = static_cast<double>(cells()) / arc_.back();
+  }
+
+  int cells() const { return static_cast<int>(arc_.size()) - 1; }
+  Cell at(double value) const { return cell_of(value, lo_, step_, cells()); }
+  double rise(int cell) const { return arc_[cell + 1] - arc_[cell]; }
+  double arc(Cell c) const { return arc_[c.i] + c.t * rise(c.i); }
+  /// Searched from where it is with cells of equal height.
+  Cell at_arc(double arc) const {
+    const double guess = arc * cells_per_arc_;
+    int i = guess > 0 ? static_cast<int>(std::min(guess, cells() - 1.0)) : 0;
+    while (i + 1 < cells() && arc_[i + 1] <= arc) ++i;
+    while (i > 0 && arc < arc_[i]) --i;
+    return {i, (arc - arc_[i]) / rise(i)};
+  }
+  double value(Cell c) const { return lo_ + step_ * (c.i + c.t); }
+  double step() const { return step_; }
+
+ private:
+  static constexpr double slowest = 1e-6;  // of the fastest cell
+  double lo_, step_, cells_per_arc_ = 0;
+  std::vector<double> arc_;
+};
+
 class RowChart : public Chart {
  public:
-  RowChart(const MeridianTable& table, const ParameterBox& box)
-      : box_(box), mid_(0.5 * (box.lo.x + box.hi.x)), lo_(table.lo()), step_(table.step()), cells_(table.cells()) {
-    for (int i = 0; i <= cells_; ++i) width_.push_back(table.width(i));
+  RowChart(const MeridianTable& table, const ParameterBox& box, ArcTable along)
+      : box_(box), along_(std::move(along)), across_(table.lo(), table.step(), table.heights()) {
+    middle_ = along_.arc(along_.at(0.5 * (box.lo.x + box.hi.x)));
+    for (int i = 0; i <= table.cells(); ++i) width_.push_back(table.width(i));
     double widest = *std::max_element(width_.begin(), width_.end());
     if (!(widest > 0)) widest = 1;
     smallest_ = 1e-9 * widest;
     for (double& w : width_) w = std::max(w, smallest_);
     if (box.low_pole) width_.front() = smallest_;
     if (box.high_pole) width_.back() = smallest_;
-    double tallest = 0;
-    for (int i = 0; i < cells_; ++i) tallest = std::max(tallest, table.height(i));
-    if (!(tallest > 0)) tallest = 1;
-    arc_.push_back(0);
-    for (int i = 0; i < cells_; ++i) arc_.push_back(arc_.back() + step_ * std::max(table.height(i), 1e-6 * tallest));
-    cells_per_arc_ = cells_ / arc_.back();
     sign_ = box.is_swapped ? -1 : 1;
   }
 
   Vec2 to_chart(Vec2 uv) const override {
-    Vec2 q = swapped(uv, box_.is_swapped);
-    Cell c = cell_of(q.y, lo_, step_, cells_);
-    return {sign_ * (q.x - mid_) * width_at(c), arc_[c.i] + c.t * (arc_[c.i + 1] - arc_[c.i])};
+    const Vec2 q = swapped(uv, box_.is_swapped);
+    const Cell c = across_.at(q.y);
+    return {sign_ * (along_.arc(along_.at(q.x)) - middle_) * width_at(c), across_.arc(c)};
   }
 
   void to_uv(Vec2 p, Vec2& uv, Vec2& uv_x, Vec2& uv_y) const override {
-    const int i = find_cell(p.y);
-    double rise = arc_[i + 1] - arc_[i], t = (p.y - arc_[i]) / rise;
-    Cell c{i, t};
-    double a = width_at(c), da = t < 0 || t > 1 ? 0 : (width_[i + 1] - width_[i]) / rise;
-    double u = mid_ + sign_ * p.x / a;
-    uv = swapped({u, lo_ + step_ * (i + t)}, box_.is_swapped);
-    uv_x = swapped({sign_ / a, 0}, box_.is_swapped);
-    uv_y = swapped({-(u - mid_) * da / a, step_ / rise}, box_.is_swapped);
+    const Cell c = across_.at_arc(p.y);
+    const double rise = across_.rise(c.i);
+    const double a = width_at(c), da = c.t < 0 || c.t > 1 ? 0 : (width_[c.i + 1] - width_[c.i]) / rise;
+    const double way = sign_ * p.x / a;
+    const Cell b = along_.at_arc(middle_ + way);
+    const double pace = along_.step() / along_.rise(b.i);
+    uv = swapped({along_.value(b), across_.value(c)}, box_.is_swapped);
+    uv_x = swapped({pace * sign_ / a, 0}, box_.is_swapped);
+    uv_y = swapped({-pace * way * da / a, across_.step() / rise}, box_.is_swapped);
   }
 
  private:
@@ -64,19 +92,10 @@ class RowChart : public Chart {
     return std::max(smallest_, width_[c.i] + t * (width_[c.i + 1] - width_[c.i]));
   }
 
-  // The last cell that starts at or below y, searched from where it is with cells of equal height.
-  int find_cell(double y) const {
-    const double guess = y * cells_per_arc_;
-    int i = guess > 0 ? static_cast<int>(std::min(guess, cells_ - 1.0)) : 0;
-    while (i + 1 < cells_ && arc_[i + 1] <= y) ++i;
-    while (i > 0 && y < arc_[i]) --i;
-    return i;
-  }
-
   ParameterBox box_;
-  double mid_, lo_, step_, sign_ = 1, smallest_ = 0, cells_per_arc_ = 0;
-  int cells_;
-  std::vector<double> width_, arc_;
+  ArcTable along_, across_;
+  double middle_ = 0, sign_ = 1, smallest_ = 0;  // along_ at the middle of the box
+  std::vector<double> width_;
 };
 
 class PolarChart : public Chart {
@@ -184,29 +203,66 @@ class PolarChart : public Chart {
 };
 
 constexpr int table_cells = 64;
+constexpr int tracks = 8;  // across, on which speeds are averaged
+
+/// |S_u| and |S_v| at a share of the box along u and a value of v.
+std::array<double, 2> speeds_at(const Surface& surface, const ParameterBox& box, double share, double v) {
+  Vec3 x, along, across;
+  surface.d1(swapped({box.lo.x + share * (box.hi.x - box.lo.x), v}, box.is_swapped), x, along, across);
+  if (box.is_swapped) std::swap(along, across);
+  return {norm(along), norm(across)};
+}
+
+/// Mean |S_u| of some rows at a share of the box along u.
+double row_speed(const Surface& surface, const ParameterBox& box, double share) {
+  double sum = 0;
+  for (int j = 0; j < tracks; ++j) {
+    const double v = box.lo.y + (j + 0.5) / tracks * (box.hi.y - box.lo.y);
+    const double speed = speeds_at(surface, box, share, v)[0];
+    if (std::isfinite(speed)) sum += speed / tracks;
+  }
+  return sum;
+}
+
+/// Lengths along u where rows start or end slowly, else u by itself. A slow stretch in the middle, such as a lip, keeps
+/// the room that u gives it.
+ArcTable rows_of(const Surface& surface, const ParameterBox& box) {
+  constexpr double slow = 0.2;  // of the mean
+  std::vector<double> speeds, from_end;
+  for (int i = 0; !surface.elementary() && i < table_cells; ++i)
+    speeds.push_back(row_speed(surface, box, (i + 0.5) / table_cells));
+  from_end = speeds;
+  for (std::size_t i = 1; i < speeds.size(); ++i) speeds[i] = std::max(speeds[i], speeds[i - 1]);
+  for (std::size_t i = speeds.size(); i-- > 1;) from_end[i - 1] = std::max(from_end[i - 1], from_end[i]);
+  double mean = 0;
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    speeds[i] = std::min(speeds[i], from_end[i]);
+    mean += speeds[i] / table_cells;
+  }
+  if (speeds.empty() || !(std::min(speeds.front(), speeds.back()) < slow * mean))
+    return {0.5 * (box.lo.x + box.hi.x), 1, {1}};
+  for (double& speed : speeds) speed /= mean;
+  return {box.lo.x, (box.hi.x - box.lo.x) / table_cells, speeds};
+}
 
 }  // namespace
 
 MeridianTable::MeridianTable(const Surface& surface, const ParameterBox& box, int cells)
     : lo_(box.lo.y), step_((box.hi.y - box.lo.y) / cells) {
-  constexpr int across = 8;
   std::vector<double> height(cells + 1, 0);
   width_.assign(cells + 1, 0);
   for (int i = 0; i <= cells; ++i)
-    for (int j = 0; j < across; ++j) {
-      double u = box.lo.x + (j + 0.5) / across * (box.hi.x - box.lo.x);
-      Vec3 x, a, b;
-      surface.d1(swapped({u, lo_ + i * step_}, box.is_swapped), x, a, b);
-      if (box.is_swapped) std::swap(a, b);
-      width_[i] += norm(a) / across;
-      height[i] += norm(b) / across;
+    for (int j = 0; j < tracks; ++j) {
+      const auto [along, across] = speeds_at(surface, box, (j + 0.5) / tracks, lo_ + i * step_);
+      width_[i] += along / tracks;
+      height[i] += across / tracks;
     }
   for (int i = 0; i < cells; ++i) height_.push_back(0.5 * (height[i] + height[i + 1]));
 }
 
 std::shared_ptr<const Chart> make_row_chart(const Surface& surface, const ParameterBox& box) {
-  bool is_even = surface.kind() == SurfaceKind::plane || surface.kind() == SurfaceKind::cylinder;
-  return std::make_shared<RowChart>(MeridianTable(surface, box, is_even ? 1 : table_cells), box);
+  const bool is_even = surface.kind() == SurfaceKind::plane || surface.kind() == SurfaceKind::cylinder;
+  return std::make_shared<RowChart>(MeridianTable(surface, box, is_even ? 1 : table_cells), box, rows_of(surface, box));
 }
 
 std::shared_ptr<const Chart> make_polar_chart(const Surface& surface, const ParameterBox& box, double period) {

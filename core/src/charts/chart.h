@@ -66,13 +66,15 @@ class MeridianTable {
   double width(int i) const { return width_[i]; }
   /// Mean |S_v| over cell i.
   double height(int i) const { return height_[i]; }
+  const std::vector<double>& heights() const { return height_; }
 
  private:
   double lo_, step_;
   std::vector<double> width_, height_;
 };
 
-/// p = ((u - u_mid) A(v), S(v)): isometric on planes, cylinders; poles become points.
+/// p = ((u - u_mid) A(v), S(v)): isometric on planes, cylinders; poles become points. Where rows start or end slowly
+/// the length along them has u's place.
 std::shared_ptr<const Chart> make_row_chart(const Surface& surface, const ParameterBox& box);
 
 /// p = R(v) (cos phi, sin phi), phi once around per period of u, R so that the map is about conformal: the periodic

@@ -110,6 +110,8 @@ struct RegionMesh {
   /// Makes room for so many nodes and as many elements.
   void reserve(std::size_t count);
   int node_count() const { return static_cast<int>(p.size()); }
+  /// Without those that are taken out.
+  long living_elements() const;
   /// Takes back the node added last; no element may use it.
   void drop_last_node();
   int add_node(const NodePlace& at, double target);

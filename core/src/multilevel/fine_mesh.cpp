@@ -51,7 +51,7 @@ int FineMesh::corner_node(int v) {
   } else {
     node = front.add_placed_node(mesh.place(v));
     if (plan.outline_of_node[v] >= 0) share(node, plan.outline_of_node[v]);
-    if (mesh.is_fixed[v]) {
+    if (is_pole(v)) {
       fine_.is_fixed[node] = 1;
       fine_.global[node] = mesh.global[v];
     }

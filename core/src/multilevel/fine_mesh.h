@@ -22,7 +22,7 @@ class FineMesh {
   int corner_node(int v);
   /// Nodes of coarse edge `e`, ends included, from coarse node `from`. Made when first asked for.
   Row row_of(int e, int from);
-  /// The fixed coarse node inside the region among the element's corners, or -1.
+  /// The pole among the element's corners, or -1.
   int pole_of(int e) const;
   /// Divides coarse element `e` in a grid, a triangle in three. False, and nothing done but on its edges, where counts
   /// do not fit or an element would not be sound.
@@ -49,7 +49,8 @@ class FineMesh {
   bool lay_triangle(const std::vector<Row>& rows);
   Row straight_row(int a, int b, int n);
 
-  bool is_pole(int v) const { return mesh.is_fixed[v] && plan.place_on_loop[v][0] < 0; }
+  /// Rings of fans are fixed, too.
+  bool is_pole(int v) const { return mesh.is_fixed[v] && mesh.global[v] >= 0 && plan.place_on_loop[v][0] < 0; }
 
   const Region& whole_;
   const std::vector<int>& counts_;

@@ -22,14 +22,16 @@
 namespace paver {
 namespace {
 
-constexpr int least_ratio = 3, moderate_ratio = 6, largest_ratio = 12;
-constexpr double fewest_coarse = 1500;  // elements that the coarse mesh should have: large elements vary more in length
-constexpr double many_coarse = 6000;    // the same for ratios above the moderate one
+constexpr int least_ratio = 2, moderate_ratio = 6, large_ratio = 12;
+constexpr double fewest_coarse = 1000;  // elements that the coarse mesh should have: large elements vary more in length
+constexpr double many_coarse = 2000;    // the same for ratios above the moderate one
+constexpr double most_coarse = 20000;   // from here on ratios are larger still: one task makes the coarse mesh
 constexpr double fewest_coarser = 800;  // and for the mesh under a coarse one, whose lengths are evened out afterwards
 constexpr double evenness = 2.1;        // of coarse meshes: their irregular nodes are few among the fine ones
 constexpr int even_sweeps = 4, count_sweeps = 12, fine_sweeps = 1;
 constexpr double worst_goal = 0.74;
 constexpr double piece_elements = 4096;  // fine ones: enough pieces for many ranks, few nodes between them
+constexpr double most_flat = 0.005;      // of a piece's elements: repair is left that many
 constexpr int whole = -1;                // for boundary_nodes: one piece
 
 /// Ratio of the target lengths for which the coarse mesh is not too small; 0: none.
@@ -40,7 +42,7 @@ int ratio_for(const Region& region, int multilevel) {
   const int most = multilevel == automatic_levels ? moderate_ratio : multilevel;
   int ratio = std::min(most, fitting(is_coarse ? fewest_coarser : fewest_coarse));
   if (multilevel == automatic_levels && !is_coarse)
-    ratio = std::max(ratio, std::min(largest_ratio, fitting(many_coarse)));
+    ratio = std::max({ratio, std::min(large_ratio, fitting(many_coarse)), fitting(most_coarse)});
   return ratio >= least_ratio ? ratio : 0;
 }
 
@@ -119,15 +121,22 @@ class Planner {
   const Progress& progress_;
 };
 
-/// The mesh of a coarse region, itself on levels where it is large. A coarse mesh is paved in one way only: where it is
-/// poor the fine one will be paved.
-PavedRegion pave_coarse(const Region& region, int multilevel, const Progress& progress, Elements elements) {
+/// The mesh of a whole region on levels; nothing where it is better paved directly.
+std::optional<PavedRegion> pave_on_levels(const Region& region, int multilevel, const Progress& progress,
+                                          Elements elements) {
   try {
     if (auto plan = plan_levels(region, multilevel, whole, progress, elements))
       return lay_piece(region, region, *plan, 0, progress, elements);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::face_failed) throw;
   }
+  return std::nullopt;
+}
+
+/// The mesh of a coarse region, itself on levels where it is large. A coarse mesh is paved in one way only: where it is
+/// poor the fine one will be paved.
+PavedRegion pave_coarse(const Region& region, int multilevel, const Progress& progress, Elements elements) {
+  if (auto paved = pave_on_levels(region, multilevel, progress, elements)) return std::move(*paved);
   if (auto disc = lay_disc(region, progress)) return {std::move(*disc), {}};
   return pave_region_once(region, progress, elements);
 }
@@ -168,6 +177,7 @@ std::optional<LevelPlan> plan_levels(const Region& region, int multilevel, int b
   for (int ratio = first; ratio > 0; ratio = ratio > least_ratio ? std::max(least_ratio, ratio / 2) : 0) {
     std::optional<LevelPlan> plan = plan_level(region, multilevel, ratio, progress, quads);
     if (!plan) continue;
+    plan->multilevel = multilevel;
     plan->boundary_nodes = boundary_nodes;
     cut_in_pieces(*plan, boundary_nodes == whole ? 0 : piece_elements);
     number_outlines(*plan);
@@ -188,10 +198,16 @@ PavedRegion lay_piece(const Region& region, const Region& part, const LevelPlan&
     if (e % 64 == 0) progress.check();
     if (plan.is_paved[e] || !fine.lay(e)) marked.push_back(e);
   }
-  const std::vector<int> rests = pave_patches(fine, marked, progress, quads);
+  const std::vector<int> rests = pave_patches(fine, marked, [&](const Region& patch) {
+    auto paved = pave_on_levels(patch, plan.multilevel, progress, quads);
+    if (!paved) paved = pave_region(patch, progress, quads);
+    result.counts.closed_by_triangulation += paved->counts.closed_by_triangulation;
+    return std::move(paved->mesh);
+  });
   if (marked.size() < plan.pieces[i].size()) smooth(front, rests, progress);
   front.end_slides();
-  if (count_faults(result.mesh).sum() > 0)
+  const Faults faults = count_faults(result.mesh);
+  if (faults.off_surface > 0 || faults.flat > most_flat * static_cast<double>(result.mesh.living_elements()))
     throw Error(ErrorCode::face_failed, "a piece of the coarse mesh cannot be divided",
                 {"paving", region.face, -1, {}});
   if (elements == Elements::all_triangle) split_all_quads(result.mesh);

@@ -7,8 +7,6 @@
 #include <map>
 #include <set>
 
-#include "paving/pave_region.h"
-
 namespace paver {
 namespace {
 
@@ -36,8 +34,8 @@ std::multimap<int, OutlineEdge> outline_of(const std::vector<int>& part, const R
 
 class PatchPaver {
  public:
-  PatchPaver(FineMesh& fine, const std::vector<int>& marked, const Progress& progress, Elements elements)
-      : fine_(fine), front_(fine.front), mesh_(fine.mesh), progress_(progress), elements_(elements) {
+  PatchPaver(FineMesh& fine, const std::vector<int>& marked, const std::function<RegionMesh(const Region&)>& pave)
+      : fine_(fine), front_(fine.front), mesh_(fine.mesh), pave_region_(pave) {
     waits_.insert(marked.begin(), marked.end());
   }
 
@@ -67,7 +65,7 @@ class PatchPaver {
     for (int e : part) region.area += area_of(e);
     add_loops(part, region);
     for (int e : part) add_fan(e, region);
-    take_over(pave_region(region, progress_, elements_).mesh, !region.fans.empty());
+    take_over(pave_region_(region), !region.fans.empty());
   }
 
   double area_of(int e) const {
@@ -136,8 +134,7 @@ class PatchPaver {
   FineMesh& fine_;
   Front& front_;
   const RegionMesh& mesh_;
-  const Progress& progress_;
-  const Elements elements_;
+  const std::function<RegionMesh(const Region&)>& pave_region_;
   std::set<int> waits_;
   std::vector<int> about_poles_;
 };
@@ -159,9 +156,9 @@ void settle_marks(const RegionMesh& mesh, const CoarseNet& net, std::vector<char
   }
 }
 
-std::vector<int> pave_patches(FineMesh& fine, const std::vector<int>& marked, const Progress& progress,
-                              Elements elements) {
-  return PatchPaver(fine, marked, progress, elements).run();
+std::vector<int> pave_patches(FineMesh& fine, const std::vector<int>& marked,
+                              const std::function<RegionMesh(const Region&)>& pave) {
+  return PatchPaver(fine, marked, pave).run();
 }
 
 }  // namespace paver

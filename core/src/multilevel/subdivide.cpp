@@ -10,6 +10,7 @@ namespace {
 
 // Mean length of the fine edges along a coarse one, by their target length.
 constexpr double shortest = 0.72, longest = 1.4;
+constexpr double bent = 0.7071;     // cosine between the normals at the ends of a coarse edge, 45 degrees
 constexpr int rings = 2;            // of coarse elements about the marked ones
 constexpr double most_paved = 0.5;  // of the area
 
@@ -17,6 +18,11 @@ bool is_far_off(int e, const CoarseNet& net, const std::vector<int>& counts, con
   if (net.edges[e].loop >= 0) return false;
   double length = lengths[e] / counts[e];
   return length < shortest || length > longest;
+}
+
+// The elements beside it cannot follow the surface, and what is divided from them lies on it askew.
+bool is_bent(const CoarseEdge& edge, const RegionMesh& mesh) {
+  return dot(unit(mesh.normal(edge.a)), unit(mesh.normal(edge.b))) < bent;
 }
 
 std::vector<char> marks(const RegionMesh& mesh, const CoarseNet& net, const std::vector<int>& counts,
@@ -34,6 +40,13 @@ std::vector<char> marks(const RegionMesh& mesh, const CoarseNet& net, const std:
   return is_marked;
 }
 
+void mark_bent(const RegionMesh& mesh, const CoarseNet& net, std::vector<char>& is_marked) {
+  for (const CoarseEdge& edge : net.edges)
+    if (is_bent(edge, mesh))
+      for (int e : edge.element)
+        if (e >= 0) is_marked[e] = 1;
+}
+
 // Paving needs some room.
 void grow(const RegionMesh& mesh, std::vector<char>& is_marked) {
   const std::vector<char> before = is_marked;
@@ -48,8 +61,7 @@ void grow(const RegionMesh& mesh, std::vector<char>& is_marked) {
 
 bool is_too_much(const std::vector<char>& is_marked, const RegionMesh& mesh) {
   long marked = std::count_if(is_marked.begin(), is_marked.end(), [](char mark) { return mark != 0; });
-  long alive = std::count_if(mesh.elements.begin(), mesh.elements.end(), [](const Element& e) { return e.is_alive(); });
-  return static_cast<double>(marked) > most_paved * static_cast<double>(alive);
+  return static_cast<double>(marked) > most_paved * static_cast<double>(mesh.living_elements());
 }
 
 }  // namespace
@@ -57,7 +69,10 @@ bool is_too_much(const std::vector<char>& is_marked, const RegionMesh& mesh) {
 std::vector<char> choose_paved(const RegionMesh& mesh, const CoarseNet& net, const std::vector<int>& counts,
                                const std::vector<double>& lengths) {
   std::vector<char> is_marked = marks(mesh, net, counts, lengths);
-  for (int ring = 0; ring < rings; ++ring) grow(mesh, is_marked);
+  for (int ring = 0; ring < rings; ++ring) {
+    if (ring == 1) mark_bent(mesh, net, is_marked);
+    grow(mesh, is_marked);
+  }
   settle_marks(mesh, net, is_marked);
   if (is_too_much(is_marked, mesh)) is_marked.clear();
   return is_marked;

@@ -77,6 +77,7 @@ std::vector<RegionFailure> PartPaver::pave_regions() {
     plans_[i] = plan_levels(region, options_.multilevel, boundary_nodes_, progress_, options_.elements);
     if (!plans_[i]) paved[i] = std::make_shared<PavedRegion>(pave_region(region, progress_, options_.elements));
     advance(plans_[i] ? planning_share * costs_[i] : costs_[i]);
+    return paved[i] ? paved[i]->mesh.living_elements() : 0;
   });
   exchange_plans();
   replace(std::vector<char>(regions_.size(), 0));
@@ -102,6 +103,7 @@ std::vector<RegionFailure> PartPaver::lay_pieces() {
     part.paved = std::make_shared<PavedRegion>(
         lay_piece(region, *part.place, plan, static_cast<std::size_t>(part.piece), progress_, options_.elements));
     advance((1 - planning_share) * costs_[part.region] / static_cast<double>(plan.pieces.size()));
+    return part.paved->mesh.living_elements();
   });
 }
 
@@ -117,21 +119,24 @@ std::vector<RegionFailure> PartPaver::pave_whole(const std::vector<char>& is_wan
     costs.push_back(costs_[region]);
   }
   return run(Stage::regions, region_of, costs, [&](int k) {
-    parts_[which[k]].paved =
-        std::make_shared<PavedRegion>(pave_region(regions_[region_of[k]], progress_, options_.elements));
+    const auto paved = std::make_shared<PavedRegion>(pave_region(regions_[region_of[k]], progress_, options_.elements));
+    parts_[which[k]].paved = paved;
+    return paved->mesh.living_elements();
   });
 }
 
-// Failures are the same on all ranks, by region.
+// Tasks give the number of elements they laid. Failures are the same on all ranks, by region.
 std::vector<RegionFailure> PartPaver::run(Stage stage, const std::vector<int>& region_of,
-                                          const std::vector<double>& costs, const std::function<void(int)>& task) {
+                                          const std::vector<double>& costs, const std::function<long(int)>& task) {
+  std::vector<long> elements(costs.size(), 0);
   std::vector<RegionFailure> mine;
   std::mutex mutex;
   const std::vector<DoneTask> done = run_tasks(
       options_.threads, costs, [&] { return ranks_.take(queue_); },
       [&](int k) {
         try {
-          guard_kernel({stage_name(Stage::paving), regions_[region_of[k]].face, -1, {}}, [&] { task(k); });
+          guard_kernel({stage_name(Stage::paving), regions_[region_of[k]].face, -1, {}},
+                       [&] { elements[k] = task(k); });
         } catch (const Error& error) {
           if (error.code() == ErrorCode::cancelled) throw;
           std::lock_guard lock(mutex);
@@ -139,7 +144,7 @@ std::vector<RegionFailure> PartPaver::run(Stage stage, const std::vector<int>& r
         }
       });
   ++queue_;
-  for (const DoneTask& one : done) times_.push_back({stage, one.seconds});
+  for (const DoneTask& one : done) times_.push_back({stage, one.seconds, elements[one.task]});
   return gather_failures(mine, ranks_);
 }
 

@@ -69,7 +69,7 @@ class PartPaver {
 
  private:
   std::vector<RegionFailure> run(Stage stage, const std::vector<int>& region_of, const std::vector<double>& costs,
-                                 const std::function<void(int)>& task);
+                                 const std::function<long(int)>& task);
   std::vector<RegionFailure> pave_regions();
   std::vector<RegionFailure> lay_pieces();
   std::vector<RegionFailure> pave_whole(const std::vector<char>& is_wanted);

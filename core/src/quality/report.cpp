@@ -39,12 +39,13 @@ struct Totals {
 
 struct FaceTotals {
   long quads = 0, triangles = 0;
-  double least_sj = infinity;
+  double least_sj = infinity, minus_longest2 = 0;  // of the squared sides
   ExactSum area;
 
   void add(const FaceTotals& other) {
     quads += other.quads, triangles += other.triangles;
     least_sj = std::min(least_sj, other.least_sj);
+    minus_longest2 = std::min(minus_longest2, other.minus_longest2);
     area.add(other.area);
   }
 };
@@ -117,8 +118,22 @@ class Measurement {
       FaceTotals& face = faces_.at(static_cast<std::size_t>(face_of[i]));
       ++(is_quad ? face.quads : face.triangles);
       face.least_sj = std::min(face.least_sj, f->sj);
+      face.minus_longest2 = std::min(face.minus_longest2, -longest_side2(is_quad, i));
       face.area.add(f->area);
     }
+  }
+
+  double longest_side2(bool is_quad, std::size_t element) const {
+    const int corners = is_quad ? 4 : 3;
+    const int* node = is_quad ? &mesh_.quads[element * static_cast<std::size_t>(mesh_.nodes_per_quad())]
+                              : &mesh_.triangles[element * static_cast<std::size_t>(mesh_.nodes_per_triangle())];
+    auto at = [&](int k) { return mesh_.nodes[static_cast<std::size_t>(node[k % corners])]; };
+    double longest2 = 0;
+    for (int k = 0; k < corners; ++k) {
+      const Vec3 side = at(k + 1) - at(k);
+      longest2 = std::max(longest2, dot(side, side));
+    }
+    return longest2;
   }
 
   void mark_used(bool is_quad, std::size_t begin, std::size_t end) {
@@ -213,7 +228,7 @@ class Measurement {
     }
     for (FaceTotals& face : faces_) {
       reduction.sum(face.quads), reduction.sum(face.triangles), reduction.sum(face.area);
-      reduction.least(face.least_sj);
+      reduction.least(face.least_sj), reduction.least(face.minus_longest2);
     }
     for (long* count : {&nodes_.used, &nodes_.face_interior, &nodes_.irregular}) reduction.sum(*count);
     EdgeTotals& e = edge_totals_;
@@ -245,6 +260,7 @@ class Measurement {
       faces[i].quads = faces_[i].quads;
       faces[i].triangles = faces_[i].triangles;
       faces[i].mesh_area = faces_[i].area.total();
+      faces[i].longest_side = std::sqrt(-faces_[i].minus_longest2);
       if (faces[i].quads + faces[i].triangles > 0) faces[i].worst_sj = faces_[i].least_sj;
       report.mesh_area += faces[i].mesh_area;
       report.cad_area += faces[i].cad_area;

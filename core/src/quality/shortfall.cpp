@@ -71,6 +71,21 @@ std::string lost(const std::vector<std::string>& parts) {
                      fmt::join(parts, ", "));
 }
 
+constexpr double far_too_long = 4;  // sides, by the target length
+
+std::string long_sides(const RunReport& report) {
+  std::vector<std::string> faces;
+  for (const FaceReport& face : report.faces)
+    if (face.longest_side > far_too_long * report.target_length)
+      faces.push_back(fmt::format("{} ({:.1f})", face.name, face.longest_side / report.target_length));
+  if (faces.empty()) return {};
+  const std::size_t more = faces.size() - std::min(faces.size(), most_named_faces);
+  faces.resize(faces.size() - more);
+  return fmt::format(
+      "Elements are many times as long as the target length: {}{}; a slightly different size may mesh it.",
+      fmt::join(faces, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
 constexpr const char* no_mesh = "None of the faces has an area, so there is no mesh.";
 
 }  // namespace
@@ -104,6 +119,7 @@ std::vector<std::string> doubts(const RunReport& report) {
         "{} and {} come within {:.3g} mm of each other at ({:.6g}, {:.6g}, {:.6g}) and share no node; where "
         "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
         gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
+  if (std::string sentence = long_sides(report); !sentence.empty()) sentences.push_back(sentence);
   return sentences;
 }
 

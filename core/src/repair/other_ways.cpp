@@ -15,15 +15,11 @@
 namespace paver {
 namespace {
 
-constexpr std::size_t few_elements = 100;  // of a region, looked at as a whole
-constexpr double fair = 0.2;               // value of the worst element of a grid
-constexpr double least_share = 0.5;        // of the elements that paving takes
+constexpr long few_elements = 100;   // of a region, looked at as a whole
+constexpr double fair = 0.2;         // value of the worst element of a grid
+constexpr double least_share = 0.5;  // of the elements that paving takes
 
-bool has_few_elements(const RegionMesh& mesh) {
-  const auto alive =
-      std::count_if(mesh.elements.begin(), mesh.elements.end(), [](const Element& e) { return e.is_alive(); });
-  return static_cast<std::size_t>(alive) <= few_elements;
-}
+bool has_few_elements(const RegionMesh& mesh) { return mesh.living_elements() <= few_elements; }
 
 /// Triangles count half.
 double quads_in(const RegionMesh& mesh) {

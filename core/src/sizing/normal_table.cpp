@@ -72,13 +72,13 @@ std::vector<double> lines_between(const Surface& surface, double lo, double hi, 
 
 }  // namespace
 
-NormalTable::NormalTable(const Surface& surface, const SampleBox& box, double spacing, double reach, bool is_least)
+NormalTable::NormalTable(const Surface& surface, const SampleBox& box, Vec2 spacing, double reach, bool is_least)
     : reach_(reach) {
   u_.period = surface.period().x, v_.period = surface.period().y;
   double wide, high;
-  u_.at = lines_between(surface, box.lo.x, box.hi.x, spacing, is_least, wide,
+  u_.at = lines_between(surface, box.lo.x, box.hi.x, spacing.x, is_least, wide,
                         [&](double a, double b) { return box.at(a, b); });
-  v_.at = lines_between(surface, box.lo.y, box.hi.y, spacing, is_least, high,
+  v_.at = lines_between(surface, box.lo.y, box.hi.y, spacing.y, is_least, high,
                         [&](double a, double b) { return box.at(b, a); });
   for (double v : v_.at)
     for (double u : u_.at) {
@@ -92,11 +92,11 @@ NormalTable::NormalTable(const Surface& surface, const SampleBox& box, double sp
   };
   for (std::size_t i = 0; i < nu; ++i) borrow(i, i + nu), borrow((nv - 1) * nu + i, (nv - 2) * nu + i);
   for (std::size_t j = 0; j < nv; ++j) borrow(j * nu, j * nu + 1), borrow(j * nu + nu - 1, j * nu + nu - 2);
-  const double least = is_least ? 2 * spacing : spacing;  // in each of the two cells it has
-  if (wide < least)
-    for (std::size_t j = 0; j < nv; ++j) flatten(j * nu, 1, nu, wide / least);
-  if (high < least)
-    for (std::size_t i = 0; i < nu; ++i) flatten(i, nu, nv, high / least);
+  const Vec2 least = (is_least ? 2.0 : 1.0) * spacing;  // in each of the two cells it has
+  if (wide < least.x)
+    for (std::size_t j = 0; j < nv; ++j) flatten(j * nu, 1, nu, wide / least.x);
+  if (high < least.y)
+    for (std::size_t i = 0; i < nu; ++i) flatten(i, nu, nv, high / least.y);
 }
 
 // A strip narrower than the spacing: its turn would be spread beyond it, and only its share of that is its own.

@@ -8,14 +8,14 @@
 
 namespace paver {
 
-/// Normals on lines of constant u and v about `spacing` mm apart, bilinear between. Where the surface turns within one
-/// spacing its turn is spread over it: lengths across a ridge are stretched no further, however sharp it is, and
-/// ripples of a spline that are finer than that count for nothing.
+/// Normals on lines of constant u about `spacing.x` mm apart, and of constant v `spacing.y`, bilinear between. Where
+/// the surface turns within one spacing its turn is spread over it: lengths across a ridge are stretched no further,
+/// however sharp it is, and ripples of a spline that are finer than that count for nothing.
 class NormalTable {
  public:
   /// `spacing` and the reach of derivatives are in mm. `is_least`: no turn is spread over less than the spacing, so
   /// that opposite normals are 2 / spacing apart per mm at most.
-  NormalTable(const Surface& surface, const SampleBox& box, double spacing, double reach, bool is_least = false);
+  NormalTable(const Surface& surface, const SampleBox& box, Vec2 spacing, double reach, bool is_least = false);
 
   /// Of length one where the surface turns little; beyond the box that of its border, or of the image a period away.
   Vec3 at(Vec2 uv) const;

@@ -28,10 +28,12 @@ constexpr double least_ridge = 0.25;                         // of the diagonal
 constexpr double small_face = 6;                             // of h^2
 constexpr double least_stretch = 1.12, large_stretch = 1.6;  // of lengths by turns: less is not worth it
 constexpr double table_spacing = 0.4;                        // of h: turns sharper than that are spread over it
-constexpr double most_normals_apart = 2;                     // normals that look opposite ways
-constexpr double slope_reach = 0.625;  // of the spacing: derivatives of normals are taken so far to either side
-constexpr double large_face = 13500;   // of h^2: about where levels begin
-constexpr double chord_turn = 1.25;    // the same for sides as long as h that are straight
+constexpr double cell_turn = 0.1;         // radians: from one line of the table to the next, where turns are slow
+constexpr double most_spacing = 16;       // times table_spacing, there
+constexpr double most_normals_apart = 2;  // normals that look opposite ways
+constexpr double slope_reach = 0.625;     // of the spacing: derivatives of normals are taken so far to either side
+constexpr double large_face = 13500;      // of h^2: about where levels begin
+constexpr double chord_turn = 1.25;       // the same for sides as long as h that are straight
 constexpr double short_turn_limit = 75 * M_PI / 180;  // decision turn-of-short-edges
 constexpr double degenerate_area = 1e-9;  // of the largest |xu x xv| on the face: such a point counts as a pole
 
@@ -100,8 +102,9 @@ void fill_degenerate(std::vector<double>& sizes, double h) {
   }
 }
 
-/// Largest stretch of lengths by turns along rows and columns of samples; `weight` is what a radian counts, mm.
-double largest_stretch(const std::vector<CurvatureSample>& samples, double weight) {
+/// Largest stretch of lengths by turns, x along rows of samples (u) and y along columns (v); `weight` is what a radian
+/// counts, mm.
+Vec2 largest_stretch(const std::vector<CurvatureSample>& samples, double weight) {
   auto at = [&](int row, int column) { return samples[static_cast<std::size_t>(row * grid_size + column)]; };
   auto stretch = [&](const CurvatureSample& a, const CurvatureSample& b) {
     const double step = norm(b.x - a.x);
@@ -109,11 +112,11 @@ double largest_stretch(const std::vector<CurvatureSample>& samples, double weigh
     const double turn = weight * norm(b.n - a.n) / step;
     return std::sqrt(1 + turn * turn);
   };
-  double most = 1;
+  Vec2 most{1, 1};
   for (int row = 0; row < grid_size; ++row)
     for (int column = 0; column < grid_size; ++column) {
-      if (column + 1 < grid_size) most = std::max(most, stretch(at(row, column), at(row, column + 1)));
-      if (row + 1 < grid_size) most = std::max(most, stretch(at(row, column), at(row + 1, column)));
+      if (column + 1 < grid_size) most.x = std::max(most.x, stretch(at(row, column), at(row, column + 1)));
+      if (row + 1 < grid_size) most.y = std::max(most.y, stretch(at(row, column), at(row + 1, column)));
     }
   return most;
 }
@@ -165,6 +168,12 @@ double least_spacing(double h, double turn_limit, double aspect) {
   return most_normals_apart * h / turn_limit / std::sqrt(aspect * aspect - 1);
 }
 
+/// Of a table's lines in a direction along which turns stretch lengths by so much at most; `weight` as there.
+double line_spacing(double spacing, double stretch, double weight) {
+  const double turn = std::sqrt(stretch * stretch - 1) / weight;  // radians per mm
+  return turn * most_spacing * spacing > cell_turn ? std::max(spacing, cell_turn / turn) : most_spacing * spacing;
+}
+
 SampledFace sample_face(const Model& model, const Face& face, double h, double turn_limit, const Options& options) {
   SampledFace flat{FaceSize(h), 1 / (h * h)};
   if (!face.surface || face.surface->kind() == SurfaceKind::plane) return flat;
@@ -189,21 +198,24 @@ SampledFace sample_face(const Model& model, const Face& face, double h, double t
   }
   fill_degenerate(sizes, h);
 
-  if (options.aspect > 1 && turns_count(model, face, h, largest_stretch(samples, h / turn_limit), samples, sizes)) {
+  const double weight = h / turn_limit;
+  const Vec2 stretch = largest_stretch(samples, weight);
+  if (options.aspect > 1 && turns_count(model, face, h, std::max(stretch.x, stretch.y), samples, sizes)) {
     const double least = least_spacing(h, turn_limit, options.aspect), spacing = std::max(table_spacing * h, least);
+    const Vec2 apart{line_spacing(spacing, stretch.x, weight), line_spacing(spacing, stretch.y, weight)};
     const auto normals =
-        std::make_shared<const NormalTable>(*face.surface, box, spacing, slope_reach * spacing, spacing == least);
-    flat.mean_density *= normals->stretched_area(h / turn_limit);
+        std::make_shared<const NormalTable>(*face.surface, box, apart, slope_reach * spacing, spacing == least);
+    flat.mean_density *= normals->stretched_area(weight);
     flat.size.count_turns(1 / turn_limit, normals);
     return flat;
   }
-  double weight = 0, density = 0;
+  double area = 0, density = 0;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
-    weight += samples[i].area;
+    area += samples[i].area;
     density += samples[i].area / (sizes[i] * sizes[i]);
   }
   return {FaceSize(h, box.lo, box.hi, grid_size, grid_size, std::move(sizes)),
-          weight > 0 ? density / weight : flat.mean_density};
+          area > 0 ? density / area : flat.mean_density};
 }
 
 double perimeter(const Model& model, const Face& face) {

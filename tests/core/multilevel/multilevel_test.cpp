@@ -57,7 +57,7 @@ TEST(PlanLevels, IsSoundAndRegular) {
 }
 
 TEST(PlanLevels, SmallRegionsAreNotDividedUnasked) {
-  Region region = with_area({divided({{0, 0}, {100, 0}, {100, 120}, {0, 120}}, 1)}, 1);
+  Region region = with_area({divided({{0, 0}, {50, 0}, {50, 60}, {0, 60}}, 1)}, 1);
   RegionMesh direct = pave_on_levels(region, 0, Progress());
   RegionMesh unasked = pave_on_levels(region, automatic_levels, Progress());
   EXPECT_TRUE(direct.p == unasked.p);

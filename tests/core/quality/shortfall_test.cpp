@@ -98,5 +98,18 @@ TEST(Faults, NameEachFaceThatFailed) {
                                       "Face3 failed (quality): an element folds; use a smaller size."}));
 }
 
+TEST(Doubts, NameFacesWithElementsThatAreFarTooLong) {
+  RunReport report;
+  report.target_length = 2;
+  report.faces.resize(3);
+  report.faces[0].name = "Face1", report.faces[0].longest_side = 3;
+  report.faces[2].name = "Face3", report.faces[2].longest_side = 25;
+  report.quality.quads = 10;
+  ASSERT_EQ(doubts(report).size(), 1U);
+  EXPECT_NE(doubts(report)[0].find("Face3 (12.5)"), std::string::npos) << doubts(report)[0];
+  EXPECT_EQ(doubts(report)[0].find("Face1"), std::string::npos);
+  EXPECT_STREQ(verdict(report), "doubtful");
+}
+
 }  // namespace
 }  // namespace paver

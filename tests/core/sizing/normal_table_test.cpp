@@ -11,7 +11,7 @@ constexpr double radius = 10;
 
 NormalTable table_of(const Model& model, double spacing, double reach) {
   const Face& face = model.faces[0];
-  return NormalTable(*face.surface, sample_box(model, face), spacing, reach);
+  return NormalTable(*face.surface, sample_box(model, face), {spacing, spacing}, reach);
 }
 
 TEST(NormalTable, FollowsTheNormalsOfACylinder) {
@@ -55,6 +55,17 @@ TEST(NormalTable, StretchesAreasByTheTurn) {
   EXPECT_NEAR(table.stretched_area(0), 1, 1e-12);
   for (double weight : {2.0, 10.0, 50.0})
     EXPECT_NEAR(table.stretched_area(weight), std::sqrt(1 + weight * weight / (radius * radius)), 0.01) << weight;
+}
+
+// Along a cylinder's axis a few lines do.
+TEST(NormalTable, LinesMayLieFartherApartWhereNothingTurns) {
+  const Model tube = fake::tube(radius, 40);
+  const Face& face = tube.faces[0];
+  const SampleBox box = sample_box(tube, face);
+  const NormalTable wide(*face.surface, box, {0.5, 16}, 0.5), narrow(*face.surface, box, {0.5, 0.5}, 0.5);
+  for (double u : {0.1, 3.3, 6.2})
+    for (double v : {0.0, 7.0, 39.0}) EXPECT_NEAR(norm(wide.at({u, v}) - narrow.at({u, v})), 0, 1e-12);
+  EXPECT_NEAR(wide.stretched_area(5), narrow.stretched_area(5), 1e-9);
 }
 
 TEST(NormalTable, PolesTakeTheNormalsBesideThem) {

@@ -171,6 +171,7 @@ Json face_json(const FaceReport& face, const std::string& label) {
       {"quads", face.quads},
       {"triangles", face.triangles},
       {"worst_sj", has_elements ? Json(face.worst_sj) : Json(nullptr)},
+      {"longest_side", face.longest_side},
       {"cad_area", face.cad_area},
       {"distance", distance_json(face.distance)},
       {"mesh_area", face.mesh_area},
@@ -229,7 +230,8 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
         {{"kind", element_repair_name(kind)}, {"entity", entity}, {"where", {where.x, where.y, where.z}}});
   for (const auto& [stage, runs] : run.stage_runs) json["stage_runs"][stage] = runs;
   for (const auto& [stage, seconds] : run.stage_seconds) json["stage_seconds"][stage] = seconds;
-  for (const TaskTime& task : run.tasks) json["tasks"][stage_name(task.stage)].push_back(task.seconds);
+  for (const auto& [stage, seconds, elements] : run.tasks)
+    json["tasks"][stage_name(stage)].push_back({seconds, elements});
   // Names from CAD files may not be UTF-8: replace what is not, rather than fail.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

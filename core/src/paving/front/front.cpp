@@ -9,13 +9,13 @@
 #include "mesh/spatial_order.h"
 #include "paving/closing/acute_corners.h"
 #include "paving/closing/fan_rings.h"
+#include "paving/front/loop_node.h"
 #include "regions/crossing_facets.h"
 
 namespace paver {
 
-constexpr double degenerate = 1e-6, further_inside = 1e-3;  // sine between derivatives; of the way to the next node
-constexpr double expected = 1.1, most_expected = 5e7;       // elements, the first by area / h^2
-constexpr double up_of_tuck = 0.45;                         // of the quad behind a divided facet
+constexpr double expected = 1.1, most_expected = 5e7;  // elements, the first by area / h^2
+constexpr double up_of_tuck = 0.45;                    // of the quad behind a divided facet
 
 /// A new element about to be made: corners, and per side the facet it uses up or the triangle behind it.
 struct Front::Outline {
@@ -32,21 +32,6 @@ Front::Front(const Region& r, RegionMesh& m) : region(r), mesh(m), empty(m.p) {
   if (mesh.p.empty()) mesh.turn_weight = region.size.turn_weight();
 }
 
-int Front::add_loop_node(const LoopNode& node, Vec2 towards, bool is_fixed) {
-  NodePlace at = region.place(node.p);
-  double size = norm(at.xp) * norm(at.xq);
-  if (!(norm(cross(at.xp, at.xq)) > degenerate * size) || !std::isfinite(size)) {
-    // At a pole the surface has no tangent plane: take the one a little further inside.
-    const Vec3 x = at.x;
-    at = region.place(node.p + further_inside * (towards - node.p));
-    at.p = node.p, at.x = x, at.n = {};
-  }
-  if (node.global >= 0) at.x = node.x;
-  int i = mesh.add_node(at, node.h);
-  mesh.is_fixed[i] = is_fixed, mesh.global[i] = node.global;
-  return i;
-}
-
 void Front::add_start_loop(const std::vector<int>& nodes) {
   int base = static_cast<int>(facets.size()), count = static_cast<int>(nodes.size());
   for (int i = 0; i < count; ++i)
@@ -56,7 +41,9 @@ void Front::add_start_loop(const std::vector<int>& nodes) {
 
 int Front::add_boundary_node(const std::vector<LoopNode>& loop, std::size_t i) {
   const std::size_t n = loop.size();
-  int node = add_loop_node(loop[i], 0.5 * (loop[(i + 1) % n].p + loop[(i + n - 1) % n].p), true);
+  const Vec2 next = loop[(i + 1) % n].p, before = loop[(i + n - 1) % n].p;
+  int node = add_loop_node(region, loop[i], 0.5 * (next + before), true, mesh);
+  take_clear_tangents(region, node, next - before, mesh);
   true_angle_.resize(node, -1);
   true_angle_.push_back(loop[i].angle);
   out_facet_.resize(node + 1, -1), sectors_.resize(node + 1, 0), colour_.resize(node + 1);
@@ -108,9 +95,9 @@ std::optional<Crossing> Front::start(std::optional<double> sharpest_corner) {
     add_start_loop(loops[l]);
   }
   for (const Fan& fan : region.fans) {
-    int centre = add_loop_node(fan.centre, fan.ring[0].p, true);
+    int centre = add_loop_node(region, fan.centre, fan.ring[0].p, true, mesh);
     std::vector<int> ring;
-    for (const LoopNode& node : fan.ring) ring.push_back(add_loop_node(node, fan.centre.p, false));
+    for (const LoopNode& node : fan.ring) ring.push_back(add_loop_node(region, node, fan.centre.p, false, mesh));
     for (std::size_t i = 0; i < ring.size(); i += 2)
       mesh.add_element({centre, ring[i], ring[i + 1], ring[(i + 2) % ring.size()]});
     if (fan.is_apex && mesh.has_turns()) {

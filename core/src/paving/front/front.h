@@ -119,7 +119,6 @@ class Front {
   };
   struct Outline;
   void link_sectors();
-  int add_loop_node(const LoopNode& node, Vec2 towards, bool is_fixed);
   void set_apex(int centre, const std::vector<int>& ring);
   std::optional<Crossing> open_void();
   void add_start_loop(const std::vector<int>& nodes);
