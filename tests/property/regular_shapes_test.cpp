@@ -4,6 +4,9 @@
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_GTransform.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -13,6 +16,8 @@
 #include <TopoDS.hxx>
 #include <array>
 #include <cmath>
+#include <gp_Ax2.hxx>
+#include <gp_Elips.hxx>
 #include <gp_GTrsf.hxx>
 #include <string>
 
@@ -77,6 +82,17 @@ TEST(RegularShapes, Cylinders) {
     EXPECT_EQ(report.quality.irregular_nodes, 0) << size;
     EXPECT_GT(report.quality.sj_all.min, 0.95);
   }
+}
+
+// Two triangles that meet along a thin face leave no elements as long as it is wide.
+TEST(RegularShapes, ThinEllipses) {
+  for (double ratio : {0.1, 0.15, 0.2, 0.3})
+    for (double size : {7.1, 5.9, 5.0, 4.2, 3.6}) {
+      const gp_Elips ellipse(gp_Ax2(), 50, 50 * ratio);
+      const TopoDS_Wire rim = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(ellipse).Edge()).Wire();
+      const RunReport report = report_of(BRepBuilderAPI_MakeFace(rim, true).Face(), size);
+      EXPECT_LT(report.quality.longest_edge, 1.8 * size) << ratio << " at " << size;
+    }
 }
 
 TEST(RegularShapes, Spheres) {

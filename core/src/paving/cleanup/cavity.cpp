@@ -235,7 +235,7 @@ double Cavity::spread_gain(const Change& fill) {
   for (const auto& v : fill.made)
     for (int i = 0; i < 4; ++i) {
       int a = v[i], b = v[(i + 1) % 4];
-      if (a < old && b < old && mesh_.is_fixed[a] && mesh_.is_fixed[b]) continue;
+      if (a < old && b < old && edit_.is_border(a, b)) continue;
       const double wished = 0.5 * (target(a) + target(b));
       sum += MeshEdit::spread(norm(mesh_.step(place(a), place(b), wished)) / wished);
     }

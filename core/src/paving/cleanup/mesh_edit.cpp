@@ -63,6 +63,7 @@ MeshEdit::MeshEdit(Front& front)
       aims_(front.mesh.node_count()) {
   delta_.assign(mesh_.node_count(), 0);
   commit();
+  find_border();
   for (int i = 0; i < mesh_.node_count(); ++i) {
     if (!mesh_.is_fixed[i]) continue;
     if (mesh_.global[i] < 0 && is_surrounded(mesh_, i)) {
@@ -74,6 +75,14 @@ MeshEdit::MeshEdit(Front& front)
     aims_[i].ideal = static_cast<float>(ideal_elements(angle));
     aims_[i].least = std::max(1, static_cast<int>(std::ceil(angle / widest - 1e-9)));
   }
+}
+
+void MeshEdit::find_border() {
+  for (const Element& e : mesh_.elements)
+    for (int i = 0, n = e.corners(); e.is_alive() && i < n; ++i) {
+      const int a = e.v[i], b = e.v[(i + 1) % n];
+      if (mesh_.is_fixed[a] && mesh_.is_fixed[b] && mesh_.across(a, b) < 0) border_.insert(side_key(a, b));
+    }
 }
 
 double MeshEdit::energy_gain(const Change& change) {
@@ -296,7 +305,7 @@ void MeshEdit::measure(const Element& e, Measure& worst) const {
 void MeshEdit::measure_lengths(const Element& e, Measure& worst) const {
   for (int i = 0, n = e.corners(); i < n; ++i) {
     int a = e.v[i], b = e.v[(i + 1) % n];
-    if (mesh_.is_fixed[a] && mesh_.is_fixed[b]) continue;
+    if (is_border(a, b)) continue;
     const auto ratio = static_cast<float>(mesh_.relative_length(a, b));
     worst.shortest = std::min(worst.shortest, ratio);
     worst.longest = std::max(worst.longest, ratio);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
+#include <unordered_set>
 #include <vector>
 
 #include "paving/front/front.h"
@@ -64,6 +66,10 @@ class MeshEdit {
     double off = 0.5 * (ratio - 1 / ratio);
     return std::min(off * off, hopeless);
   }
+  /// Whether the side between two nodes is one of the boundary, which no edit changes.
+  bool is_border(int a, int b) const {
+    return mesh_.is_fixed[a] && mesh_.is_fixed[b] && border_.contains(side_key(a, b));
+  }
   double spread_of(int e) { return measured(e, mesh_.elements[e]).spread; }
   /// Area of an element in squares of its target length.
   double area(int e) { return measured(e, mesh_.elements[e]).area; }
@@ -114,6 +120,10 @@ class MeshEdit {
       spread += m.spread;
     }
   };
+  static std::uint64_t side_key(int a, int b) {
+    return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint32_t>(std::max(a, b));
+  }
+  void find_border();
   double target_between(int node, std::size_t count) const;
   bool is_sound(const std::array<int, 4>& corners) const;
   bool has_shared_edges(int node) const;
@@ -130,7 +140,8 @@ class MeshEdit {
 
   Front& front_;
   RegionMesh& mesh_;
-  std::vector<Aim> aims_;  // of all nodes and more
+  std::vector<Aim> aims_;                     // of all nodes and more
+  std::unordered_set<std::uint64_t> border_;  // sides
   std::vector<Entry> journal_;
   std::vector<int> touched_, near_, list_;
   std::vector<MetricVec> sum_;  // of the steps its elements wish, per entry of touched_
