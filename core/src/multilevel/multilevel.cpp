@@ -30,9 +30,9 @@ constexpr double fewest_coarser = 800;  // and for the mesh under a coarse one, 
 constexpr double evenness = 2.1;        // of coarse meshes: their irregular nodes are few among the fine ones
 constexpr int even_sweeps = 4, count_sweeps = 12, fine_sweeps = 1;
 constexpr double worst_goal = 0.74;
-constexpr double piece_elements = 4096;  // fine ones: enough pieces for many ranks, few nodes between them
-constexpr double most_flat = 0.005;      // of a piece's elements: repair is left that many
-constexpr int whole = -1;                // for boundary_nodes: one piece
+constexpr double piece_elements = 4096;           // fine ones: enough pieces for many ranks, few nodes between them
+constexpr double poor = 0.2, most_poor = 0.0005;  // scaled Jacobian where the boundary leaves it free; of a piece
+constexpr int whole = -1;                         // for boundary_nodes: one piece
 
 /// Ratio of the target lengths for which the coarse mesh is not too small; 0: none.
 int ratio_for(const Region& region, int multilevel) {
@@ -155,6 +155,14 @@ std::optional<LevelPlan> plan_level(const Region& region, int multilevel, int ra
   }
 }
 
+/// More than repair should be left.
+bool has_many_poor(const RegionMesh& mesh) {
+  const auto count = std::count_if(mesh.elements.begin(), mesh.elements.end(), [&](const Element& e) {
+    return e.is_alive() && !has_jacobian(mesh, e, poor) && free_jacobian(mesh, e) < poor;
+  });
+  return static_cast<double>(count) > most_poor * static_cast<double>(mesh.living_elements());
+}
+
 void smooth(Front& front, const std::vector<int>& rests, const Progress& progress) {
   for (int v : rests) front.mesh.is_fixed[v] = 1;
   Sweeper sweeper(front);
@@ -174,7 +182,8 @@ std::optional<LevelPlan> plan_levels(const Region& region, int multilevel, int b
   const int first = region.fill || multilevel == 0 ? 0 : ratio_for(region, multilevel);
   if (first == 0) return std::nullopt;
   const Elements quads = elements == Elements::all_triangle ? Elements::quad_dominant : elements;
-  for (int ratio = first; ratio > 0; ratio = ratio > least_ratio ? std::max(least_ratio, ratio / 2) : 0) {
+  for (int ratio : {first, first / 2}) {
+    if (ratio < least_ratio) break;
     std::optional<LevelPlan> plan = plan_level(region, multilevel, ratio, progress, quads);
     if (!plan) continue;
     plan->multilevel = multilevel;
@@ -206,8 +215,7 @@ PavedRegion lay_piece(const Region& region, const Region& part, const LevelPlan&
   });
   if (marked.size() < plan.pieces[i].size()) smooth(front, rests, progress);
   front.end_slides();
-  const Faults faults = count_faults(result.mesh);
-  if (faults.off_surface > 0 || faults.flat > most_flat * static_cast<double>(result.mesh.living_elements()))
+  if (count_faults(result.mesh).off_surface > 0 || has_many_poor(result.mesh))
     throw Error(ErrorCode::face_failed, "a piece of the coarse mesh cannot be divided",
                 {"paving", region.face, -1, {}});
   if (elements == Elements::all_triangle) split_all_quads(result.mesh);
