@@ -154,8 +154,9 @@ double NormalTable::stretched_area(double weight) const {
   for (std::size_t j = 0; j + 1 < v_.at.size(); ++j)
     for (std::size_t i = 0; i + 1 < nu; ++i) {
       const std::size_t k = j * nu + i;
-      const Vec3 s = points_[k + 1] - points_[k], t = points_[k + nu] - points_[k];
-      const Vec3 m = weight * (normals_[k + 1] - normals_[k]), n = weight * (normals_[k + nu] - normals_[k]);
+      auto along = [&](const std::vector<Vec3>& x) { return 0.5 * (x[k + 1] - x[k] + x[k + nu + 1] - x[k + nu]); };
+      auto across = [&](const std::vector<Vec3>& x) { return 0.5 * (x[k + nu] - x[k] + x[k + nu + 1] - x[k + 1]); };
+      const Vec3 s = along(points_), t = across(points_), m = weight * along(normals_), n = weight * across(normals_);
       auto area = [](double ss, double st, double tt) { return std::sqrt(std::max(0.0, ss * tt - st * st)); };
       const double ss = dot(s, s), st = dot(s, t), tt = dot(t, t);
       plain += area(ss, st, tt);
