@@ -70,7 +70,7 @@ std::vector<char> choose_paved(const RegionMesh& mesh, const CoarseNet& net, con
                                const std::vector<double>& lengths) {
   std::vector<char> is_marked = marks(mesh, net, counts, lengths);
   for (int ring = 0; ring < rings; ++ring) {
-    if (ring == 1) mark_bent(mesh, net, is_marked);
+    if (ring == 1) mark_bent(mesh, net, is_marked);  // one ring is room enough about these
     grow(mesh, is_marked);
   }
   settle_marks(mesh, net, is_marked);

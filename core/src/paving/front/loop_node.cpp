@@ -7,7 +7,7 @@ namespace {
 
 constexpr double degenerate = 1e-6;      // sine between derivatives: no tangent plane
 constexpr double further_inside = 1e-3;  // of the way to the next node
-constexpr double clear = 0.5;            // sine between derivatives
+constexpr double clear = 0.3;            // sine between derivatives
 constexpr double least_gain = 1.5;       // of the sine: not worth it where the surface is as skew all over
 constexpr double inwards[] = {0.004, 0.016, 0.06, 0.25};  // of the way between the neighbours: no farther than need be
 
