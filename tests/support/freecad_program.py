@@ -5,12 +5,15 @@ import subprocess
 
 from repo import ROOT
 
-# Without the start page, which needs a browser and does not start for root.
+# Without the start page, which needs a browser and does not start for root, and without FreeCAD 1.0's questions about
+# STEP files.
 PREFERENCES = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
 <FCParamGroup Name="General"><FCText Name="AutoloadModule">PartWorkbench</FCText>
 <FCBool Name="ShowSplasher" Value="0"/></FCParamGroup>
-<FCParamGroup Name="Mod"><FCParamGroup Name="Start"><FCBool Name="ShowOnStartup" Value="0"/></FCParamGroup></FCParamGroup>
+<FCParamGroup Name="Mod"><FCParamGroup Name="Start"><FCBool Name="ShowOnStartup" Value="0"/></FCParamGroup>
+<FCParamGroup Name="Part"><FCParamGroup Name="STEP"><FCBool Name="VisibleImportDialog" Value="0"/></FCParamGroup>
+</FCParamGroup></FCParamGroup>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 """
 

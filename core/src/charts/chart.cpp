@@ -108,6 +108,10 @@ class PolarChart : public Chart {
       double w = 0.5 * (table.width(i) + table.width(i + 1));
       log_r[i + 1] = log_r[i] + (w > 0 ? turn_ * step_ * table.height(i) / w : 0);
     }
+    // About the pole of a slim cone it would rise beyond all numbers; there it rises more slowly everywhere.
+    const double steep = log_r.back() / most_span;
+    if ((box.low_pole || box.high_pole) && steep > 1 && steep <= most_slowed)
+      for (double& value : log_r) value /= steep;
     span_ = log_r.back();
     rises_ = box.low_pole;
     double middle = 0.5 * span_;
@@ -125,8 +129,7 @@ class PolarChart : public Chart {
     sign_ = rises_ == box.is_swapped ? 1 : -1;  // keeps the chart's orientation that of (u, v)
   }
 
-  /// Beyond this the products of four coordinates leave the range of double.
-  bool is_usable() const { return span_ < 150 && std::isfinite(span_) && span_ > 0; }
+  bool is_usable() const { return span_ <= most_span * (1 + 1e-9) && span_ > 0; }
 
   // Without a pole the chart is the exponential of (phi, meridian): in complex numbers p exp(step / p).
   bool bends() const override { return !box_.low_pole && !box_.high_pole; }
@@ -194,6 +197,8 @@ class PolarChart : public Chart {
   }
 
   ParameterBox box_;
+  static constexpr double most_slowed = 4;  // slimmer ones are as well paved as a row that narrows
+  static constexpr double most_span = 150;  // of log R: beyond, products of four coordinates leave the range of double
   double turn_, lo_, step_, span_ = 0, least_ = 0;  // nearer to the pole than least_ is at it
   int cells_;
   bool rises_ = false, has_apex_ = false;

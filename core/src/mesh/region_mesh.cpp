@@ -190,23 +190,10 @@ bool has_jacobian(const RegionMesh& mesh, const Element& e, double bound) {
   return has_corners(Sides<Vec3>(mesh, e), bound / skew_allowance) && has_corners(Sides<MetricVec>(mesh, e), bound);
 }
 
-namespace {
-
-double worst_corner(const RegionMesh& mesh, const Element& e, unsigned left_out) {
+double scaled_jacobian(const RegionMesh& mesh, const Element& e, unsigned left_out) {
   const double plain = worst_corner(Sides<Vec3>(mesh, e), left_out);
   if (!counts_turns(mesh, e)) return plain;
   return std::min(skew_allowance * plain, worst_corner(Sides<MetricVec>(mesh, e), left_out));
-}
-
-}  // namespace
-
-double scaled_jacobian(const RegionMesh& mesh, const Element& e) { return worst_corner(mesh, e, 0); }
-
-double free_jacobian(const RegionMesh& mesh, const Element& e) {
-  unsigned left_out = 0;
-  for (int i = 0, n = e.corners(); i < n; ++i)
-    if (mesh.is_fixed[e.v[i]] && mesh.star[e.v[i]].size() == 1) left_out |= 1U << i;
-  return worst_corner(mesh, e, left_out);
 }
 
 }  // namespace paver

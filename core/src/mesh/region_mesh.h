@@ -179,11 +179,8 @@ bool is_positive(const RegionMesh& mesh, const Element& e);
 /// Whether the scaled Jacobian is at least `bound`, positive; takes no root.
 bool has_jacobian(const RegionMesh& mesh, const Element& e, double bound);
 
-/// Smallest corner value (e1 x e2).n / (|e1||e2|), n the element's own area vector; triangles times 2/sqrt 3.
-double scaled_jacobian(const RegionMesh& mesh, const Element& e);
-
-/// The same without the corners that are as the boundary has them, whatever is done inside: the only ones at a fixed
-/// node.
-double free_jacobian(const RegionMesh& mesh, const Element& e);
+/// Smallest corner value (e1 x e2).n / (|e1||e2|), n the element's own area vector; triangles times 2/sqrt 3. Without
+/// the corners whose bits are set in `left_out`.
+double scaled_jacobian(const RegionMesh& mesh, const Element& e, unsigned left_out = 0);
 
 }  // namespace paver

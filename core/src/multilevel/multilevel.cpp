@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "mesh/split_quads.h"
 #include "multilevel/coarse/coarse_net.h"
@@ -14,10 +15,10 @@
 #include "multilevel/fine_mesh.h"
 #include "multilevel/patches.h"
 #include "multilevel/subdivide.h"
-#include "paving/cleanup/raise_worst.h"
-#include "paving/cleanup/sweeper.h"
 #include "paving/disc_grid.h"
 #include "paving/faults.h"
+#include "paving/smoothing/raise_worst.h"
+#include "paving/smoothing/sweeper.h"
 
 namespace paver {
 namespace {
@@ -30,6 +31,7 @@ constexpr double fewest_coarser = 800;  // and for the mesh under a coarse one, 
 constexpr double evenness = 2.1;        // of coarse meshes: their irregular nodes are few among the fine ones
 constexpr int even_sweeps = 4, count_sweeps = 12, fine_sweeps = 1;
 constexpr double worst_goal = 0.74;
+constexpr double mean_slack = 0.05;               // of the mean length of fine edges, by their target
 constexpr double piece_elements = 4096;           // fine ones: enough pieces for many ranks, few nodes between them
 constexpr double poor = 0.2, most_poor = 0.0005;  // scaled Jacobian where the boundary leaves it free; of a piece
 constexpr int whole = -1;                         // for boundary_nodes: one piece
@@ -58,7 +60,7 @@ class Planner {
     std::optional<CoarseNet> net = build_net(coarse_, mesh);
     if (!net) return std::nullopt;
     auto counts = choose_edge_counts(coarse_, *net, find_chords(coarse_, mesh, *net), lengths(mesh, *net));
-    if (!counts) return std::nullopt;
+    if (!counts || !fits(lengths(mesh, *net), *counts)) return std::nullopt;
     move_boundary(mesh, *net, *counts);
     even_out(coarse_.region, mesh, wishes(mesh, *net, *counts), count_sweeps, progress_);
     LevelPlan plan;
@@ -75,12 +77,18 @@ class Planner {
  private:
   double ratio() const { return coarse_.region.h / region_.h; }
 
+  /// Whether edges would be about their target length on average: most counts are given by the region's sides.
+  static bool fits(const std::vector<double>& lengths, const std::vector<int>& counts) {
+    const double length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+    return std::fabs(length / std::accumulate(counts.begin(), counts.end(), 0.0) - 1) < mean_slack;
+  }
+
   // Of coarse edges, in fine target lengths.
   std::vector<double> lengths(const RegionMesh& mesh, const CoarseNet& net) const {
     std::vector<double> result;
     for (const CoarseEdge& edge : net.edges) {
-      double h = 0.5 * (mesh.h[edge.a] + mesh.h[edge.b]) / ratio();
-      result.push_back(mesh.length(edge.a, edge.b) / h);
+      const double h = 0.5 * (mesh.h[edge.a] + mesh.h[edge.b]) / ratio();
+      result.push_back(norm(mesh.step(mesh.point(edge.a), mesh.point(edge.b), h)) / h);
     }
     return result;
   }
@@ -156,9 +164,9 @@ std::optional<LevelPlan> plan_level(const Region& region, int multilevel, int ra
 }
 
 /// More than repair should be left.
-bool has_many_poor(const RegionMesh& mesh) {
+bool has_many_poor(const Region& region, const RegionMesh& mesh) {
   const auto count = std::count_if(mesh.elements.begin(), mesh.elements.end(), [&](const Element& e) {
-    return e.is_alive() && !has_jacobian(mesh, e, poor) && free_jacobian(mesh, e) < poor;
+    return e.is_alive() && !has_jacobian(mesh, e, poor) && free_jacobian(region, mesh, e) < poor;
   });
   return static_cast<double>(count) > most_poor * static_cast<double>(mesh.living_elements());
 }
@@ -215,7 +223,7 @@ PavedRegion lay_piece(const Region& region, const Region& part, const LevelPlan&
   });
   if (marked.size() < plan.pieces[i].size()) smooth(front, rests, progress);
   front.end_slides();
-  if (count_faults(result.mesh).off_surface > 0 || has_many_poor(result.mesh))
+  if (count_faults(result.mesh).off_surface > 0 || has_many_poor(region, result.mesh))
     throw Error(ErrorCode::face_failed, "a piece of the coarse mesh cannot be divided",
                 {"paving", region.face, -1, {}});
   if (elements == Elements::all_triangle) split_all_quads(result.mesh);

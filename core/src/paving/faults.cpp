@@ -38,10 +38,22 @@ Faults count_faults(const RegionMesh& mesh) {
   for (const Element& e : mesh.elements) {
     if (!e.is_alive()) continue;
     bool is_off = faces_away(mesh, e) || cuts_through(mesh, e);
+
     faults.off_surface += is_off;
     faults.flat += !is_off && scaled_jacobian(mesh, e) < sound_jacobian;
   }
   return faults;
+}
+
+double free_jacobian(const Region& region, const RegionMesh& mesh, const Element& e) {
+  unsigned left_out = 0;
+  for (int i = 0; i < e.corners(); ++i) {
+    const int v = e.v[i];
+    auto is_apex = [&](const Fan& fan) { return fan.is_apex && fan.centre.global == mesh.global[v]; };
+    if (mesh.is_fixed[v] && (mesh.star[v].size() == 1 || std::any_of(region.fans.begin(), region.fans.end(), is_apex)))
+      left_out |= 1U << i;
+  }
+  return scaled_jacobian(mesh, e, left_out);
 }
 
 }  // namespace paver

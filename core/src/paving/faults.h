@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/region_mesh.h"
+#include "regions/region.h"
 
 namespace paver {
 
@@ -12,5 +13,9 @@ struct Faults {
 };
 
 Faults count_faults(const RegionMesh& mesh);
+
+/// Scaled Jacobian without the corners that are as the region has them, whatever is done inside: the only ones at a
+/// fixed node, and those at apexes.
+double free_jacobian(const Region& region, const RegionMesh& mesh, const Element& e);
 
 }  // namespace paver

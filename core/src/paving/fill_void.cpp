@@ -6,7 +6,7 @@
 #include "paving/closing/close_loop.h"
 #include "paving/rows/row.h"
 #include "paving/rows/seam.h"
-#include "paving/rows/smooth.h"
+#include "paving/smoothing/smooth_nodes.h"
 
 namespace paver {
 namespace {

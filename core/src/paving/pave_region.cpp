@@ -54,9 +54,9 @@ struct Tangle {
   long off_surface = 0;  ///< elements
   double worst = 1;      ///< scaled Jacobian, where the boundary leaves it free
 
-  explicit Tangle(const RegionMesh& mesh) : off_surface(count_faults(mesh).off_surface) {
+  Tangle(const Region& region, const RegionMesh& mesh) : off_surface(count_faults(mesh).off_surface) {
     for (const Element& e : mesh.elements)
-      if (e.is_alive() && !has_jacobian(mesh, e, worst)) worst = std::min(worst, free_jacobian(mesh, e));
+      if (e.is_alive() && !has_jacobian(mesh, e, worst)) worst = std::min(worst, free_jacobian(region, mesh, e));
   }
   bool is_bad() const { return off_surface > 0 || worst < tangled; }
   bool is_less_than(const Tangle& other) const {
@@ -166,11 +166,11 @@ PavedRegion pave_region(const Region& region, const Progress& progress, Elements
   if (auto strip = lay_strip(region)) return finish({std::move(*strip), {}}, elements);
   if (elements == Elements::all_quad) return pave_without_triangles(region, progress);
   PavedRegion best = pave_region_once(region, progress, elements);
-  Tangle least(best.mesh);
+  Tangle least(region, best.mesh);
   auto try_way = [&](const Region& other, const Attempt& way) {
     if (!least.is_bad() || best.mesh.elements.size() > few_elements) return;
     PavedRegion paved = finish(pave_once(other, way, progress, elements), elements);
-    const Tangle tangle(paved.mesh);
+    const Tangle tangle(region, paved.mesh);
     if (tangle.is_less_than(least)) best = std::move(paved), least = tangle;
   };
   if (least.off_surface == 0) try_way(region, {1, 0});

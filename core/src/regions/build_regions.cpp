@@ -433,7 +433,7 @@ class RegionBuilder {
       const double along = box.lo.x + layout_.period * share;
       return parameters(along, pole + inward * meridian_step(along, pole, inward * per_length * reach, reach));
     };
-    // Two sides of each within the limit of turn, where turns count.
+    // Two sides of each within the limit of turn.
     const std::vector<double> turned = turns_about([&](double share) { return at(share, radius); });
     const int quads =
         std::max(shape.cone_angle > wide_cone ? 4 : 3, static_cast<int>(std::lround(0.5 * turned.back())));
@@ -464,18 +464,21 @@ class RegionBuilder {
     region.fans.push_back(std::move(fan));
   }
 
-  /// Turns in limits of turn, added up at equal steps about an apex; `place` gives (u, v) by the share of the way
-  /// round. All equal where turns do not count.
+  /// Turns in limits of turn, added up at equal steps about a pole; `place` gives (u, v) by the share of the way
+  /// round.
   template <class Place>
   std::vector<double> turns_about(const Place& place) const {
     constexpr int steps = 64;
     const NormalTable* normals = size_.faces[index_].normals();
+    auto normal = [&](double share) {
+      if (normals) return normals->at(place(share));
+      Vec3 x, xu, xv;
+      face_.surface->d1(place(share), x, xu, xv);
+      return unit(cross(xu, xv));
+    };
     std::vector<double> turned{0};
-    for (int i = 0; i < steps; ++i) {
-      const double step =
-          normals ? norm(normals->at(place((i + 1.0) / steps)) - normals->at(place(i / double{steps}))) : 0;
-      turned.push_back(turned.back() + size_.faces[index_].turn_weight() * step);
-    }
+    for (int i = 0; i < steps; ++i)
+      turned.push_back(turned.back() + norm(normal((i + 1.0) / steps) - normal(i / double{steps})) / size_.turn_limit);
     return turned;
   }
 

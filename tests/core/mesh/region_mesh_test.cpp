@@ -114,21 +114,6 @@ TEST(RegionMesh, ScaledJacobianHasKnownValues) {
   EXPECT_NEAR(jacobian_of({{5, 7, 0}, {5, 7, -4}, {5, 11, -4.8}, {5, 11, 0}}), flat, 1e-14);  // turned and scaled
 }
 
-TEST(FreeJacobian, LeavesOutCornersThatTheBoundaryHasSo) {
-  RegionMesh mesh;
-  auto add = [&](double x, double y) { return mesh.add_node({x, y}, {x, y, 0}, {1, 0, 0}, {0, 1, 0}, 1); };
-  const int tip = add(0, 0), a = add(2, 0), b = add(2, 0.3);
-  const Element triangle{{tip, a, b, -1}};
-  mesh.add_element(triangle.v);
-  const double whole = scaled_jacobian(mesh, triangle);
-  EXPECT_LT(whole, 0.2);
-  EXPECT_EQ(free_jacobian(mesh, triangle), whole);  // a free node may go elsewhere
-  mesh.is_fixed[tip] = 1;
-  EXPECT_GT(free_jacobian(mesh, triangle), 0.9);
-  mesh.add_element({tip, b, add(0, 1), -1});  // two share the corner: other connections leave it to one
-  EXPECT_EQ(free_jacobian(mesh, triangle), whole);
-}
-
 TEST(ScaledJacobian, IsToldFromABoundWithoutRoots) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> jitter(-0.6, 0.6);

@@ -27,4 +27,23 @@ TEST(Faults, AnElementTurnedOverIsOffTheSurface) {
 }
 
 }  // namespace
+TEST(FreeJacobian, LeavesOutCornersThatTheBoundaryHasSo) {
+  Region region;
+  RegionMesh mesh;
+  auto add = [&](double x, double y) { return mesh.add_node({x, y}, {x, y, 0}, {1, 0, 0}, {0, 1, 0}, 1); };
+  const int tip = add(0, 0), a = add(2, 0), b = add(2, 0.3);
+  const Element triangle{{tip, a, b, -1}};
+  mesh.add_element(triangle.v);
+  const double whole = scaled_jacobian(mesh, triangle);
+  EXPECT_LT(whole, 0.2);
+  EXPECT_EQ(free_jacobian(region, mesh, triangle), whole);  // a free node may go elsewhere
+  mesh.is_fixed[tip] = 1;
+  EXPECT_GT(free_jacobian(region, mesh, triangle), 0.9);
+  mesh.add_element({tip, b, add(0, 1), -1});  // two share the corner: other connections leave it to one
+  EXPECT_EQ(free_jacobian(region, mesh, triangle), whole);
+  region.fans.emplace_back().is_apex = true;
+  mesh.global[tip] = region.fans[0].centre.global = 7;
+  EXPECT_GT(free_jacobian(region, mesh, triangle), 0.9);  // those about an apex are as narrow as the surface turns
+}
+
 }  // namespace paver

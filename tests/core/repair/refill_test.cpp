@@ -66,9 +66,8 @@ TEST(FillOutline, NeverUsesAnElementWithoutValue) {
   const Filling filling = fill_outline(outline_of_size(5), both, value, none_taken);
   ASSERT_FALSE(filling.elements.empty());
   for (const Corners& v : filling.elements) EXPECT_GT(value(v, 0), 0);
-  EXPECT_TRUE(fill_outline(
-                  outline_of_size(3), both, [](const Corners&, double) { return 0.0; }, none_taken)
-                  .elements.empty());
+  auto worthless = [](const Corners&, double) { return 0.0; };
+  EXPECT_TRUE(fill_outline(outline_of_size(3), both, worthless, none_taken).elements.empty());
 }
 
 TEST(FillOutline, LeavesSidesThatOthersHave) {

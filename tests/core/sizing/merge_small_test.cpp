@@ -133,10 +133,10 @@ TEST(MergeSmall, AnEdgeThatIsNotShortKeepsItsEnds) {
   std::vector<gp_Pnt> points{{0, 0, 0}, {5, 0, 0}, {5.05, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
   const MeshResult result = test::mesh_of(polygon(points), 2);
   EXPECT_TRUE(result.report.merges.empty());
-  for (const double x : {5.0, 5.05})
-    EXPECT_TRUE(std::any_of(result.mesh.nodes.begin(), result.mesh.nodes.end(), [x](Vec3 node) {
-      return norm(node - Vec3{x, 0, 0}) < 1e-9;
-    }));
+  for (const double x : {5.0, 5.05}) {
+    auto is_there = [x](Vec3 node) { return norm(node - Vec3{x, 0, 0}) < 1e-9; };
+    EXPECT_TRUE(std::any_of(result.mesh.nodes.begin(), result.mesh.nodes.end(), is_there));
+  }
 }
 
 TEST(MergeSmall, AStripGoesToAWideNeighbour) {

@@ -11,9 +11,10 @@
 #include "paving/cleanup/cavity.h"
 #include "paving/cleanup/mesh_edit.h"
 #include "paving/cleanup/moves.h"
-#include "paving/cleanup/raise_worst.h"
-#include "paving/cleanup/sweeper.h"
 #include "paving/cleanup/triangle_pairs.h"
+#include "paving/faults.h"
+#include "paving/smoothing/raise_worst.h"
+#include "paving/smoothing/sweeper.h"
 
 namespace paver {
 namespace {
@@ -47,7 +48,8 @@ constexpr Demand mending_demand{-100, 0.45, 0.4, 0.1};
 class CleanUp {
  public:
   CleanUp(Front& front, const Progress& progress, int first_node)
-      : mesh_(front.mesh),
+      : region_(front.region),
+        mesh_(front.mesh),
         progress_(progress),
         edit_(front),
         moves_(edit_),
@@ -83,7 +85,8 @@ class CleanUp {
     for (int e = 0, n = static_cast<int>(mesh_.elements.size()); e < n && left > 0; ++e) {
       const Element element = mesh_.elements[e];
       if (!element.is_alive() || has_jacobian(mesh_, element, poor_jacobian)) continue;
-      if (!has_jacobian(mesh_, element, sharp_jacobian) && free_jacobian(mesh_, element) >= poor_jacobian) continue;
+      if (!has_jacobian(mesh_, element, sharp_jacobian) && free_jacobian(region_, mesh_, element) >= poor_jacobian)
+        continue;
       progress_.check();
       --left;
       for (int i = 0; i < element.corners() && mesh_.elements[e].is_alive(); ++i) mend_once(element.v[i]);
@@ -262,6 +265,7 @@ class CleanUp {
     return is_done;
   }
 
+  const Region& region_;
   RegionMesh& mesh_;
   const Progress& progress_;
   MeshEdit edit_;

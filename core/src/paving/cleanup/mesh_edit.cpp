@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "paving/cleanup/sweeper.h"
+#include "paving/smoothing/fit.h"
 
 namespace paver {
 namespace {
@@ -240,7 +240,7 @@ void MeshEdit::smooth_touched(bool is_first) {
   for (int e : near_) {
     const Element& element = mesh_.elements[e];
     MetricVec steps[4];
-    if (!wished_steps(mesh_, element, steps)) continue;
+    if (!fit(mesh_, element, 0, steps)) continue;
     for (int i = 0; i < element.corners(); ++i)
       if (const int slot = slot_[element.v[i]]; slot >= 0) sum_[slot] += steps[i];
   }

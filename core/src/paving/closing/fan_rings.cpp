@@ -9,8 +9,9 @@
 namespace paver {
 namespace {
 
-constexpr double wide_enough = 1.2;  // target lengths, turns counted, between two columns
-constexpr double room = 0.45;        // of the distance from the apex to the nearest loop
+constexpr double wide_enough = 1.2;     // target lengths, turns counted, between two columns
+constexpr double wide_in_space = 0.75;  // the same where turns do not count by themselves
+constexpr double room = 0.45;           // of the distance from the apex to the nearest loop
 constexpr int most_rings = 64;
 constexpr int corrections = 6;
 constexpr double first_growth = 2, most_growth = 1e6;  // of a ring in the chart
@@ -21,7 +22,7 @@ class FanRings {
       : region_(region), mesh_(mesh), apex_(fan.centre), nearest_(nearest_node(region, apex_.x)) {}
 
   std::vector<int> run(std::vector<int> ring) {
-    for (int k = 0; k < most_rings && mean_width(ring) < wide_enough; ++k) {
+    for (int k = 0; k < most_rings && mean_width(ring) < (mesh_.has_turns() ? wide_enough : wide_in_space); ++k) {
       const double growth = next_ring(ring);
       if (!(growth > 1) || distance(ring, growth) > room * nearest_) break;
       ring = lay(ring, growth);

@@ -100,8 +100,8 @@ std::optional<Crossing> Front::start(std::optional<double> sharpest_corner) {
     for (const LoopNode& node : fan.ring) ring.push_back(add_loop_node(region, node, fan.centre.p, false, mesh));
     for (std::size_t i = 0; i < ring.size(); i += 2)
       mesh.add_element({centre, ring[i], ring[i + 1], ring[(i + 2) % ring.size()]});
-    if (fan.is_apex && mesh.has_turns()) {
-      set_apex(centre, ring);
+    if (fan.is_apex) {
+      if (mesh.has_turns()) set_apex(centre, ring);
       ring = lay_fan_rings(region, mesh, fan, std::move(ring));
     }
     add_start_loop({ring.rbegin(), ring.rend()});

@@ -1,43 +1,27 @@
-// Smoothing by fitting elements to squares.
-#include "paving/rows/smooth.h"
+// Smoothing beside the front, while rows are laid.
+#include "paving/smoothing/smooth_nodes.h"
 
 #include <algorithm>
 
 #include "paving/front/facing.h"
+#include "paving/smoothing/fit.h"
 
 namespace paver {
 namespace {
 
 constexpr double good_jacobian = 0.7;          // above this a node may trade shape for length
 constexpr double shares[] = {1.0, 0.4, 0.15};  // of the step, until one is no worse
-constexpr double height_of_unit = 0.8660254;   // of an equilateral triangle of side 1
+constexpr double own_share = 0.5;              // of an element's own size in what it is to become: rows come and go
 constexpr double still = 0.01;                 // step by the scale of the mesh that is not worth it
 
-// Steps from corner k to where the element wants it.
-MetricVec quad_wish(const RegionMesh& mesh, const Element& e, int k) {
-  const int v = e.v[k];
-  const MetricVec x1 = mesh.between(v, e.v[(k + 1) % 4]), x2 = mesh.between(v, e.v[(k + 2) % 4]),
-                  x3 = mesh.between(v, e.v[(k + 3) % 4]);
-  const MetricVec e1 = 0.5 * (x1 + x2 - x3), e2 = 0.5 * (x3 + x2 - x1);
-  const MetricFrame frame(e1, e2);
-  if (!frame.is_plane) return {};
-  const Vec2 one = frame.of(e1), other = frame.of(e2);
-  const Vec2 r{one.x + other.y, one.y - other.x};  // the mean of the first and of the second turned back
-  const double own = 0.5 * norm(r);
-  if (!(own > 0)) return {};
-  double target = 0.25 * (mesh.h[e.v[0]] + mesh.h[e.v[1]] + mesh.h[e.v[2]] + mesh.h[e.v[3]]);
-  double half = 0.5 * (0.5 * own + 0.5 * target);  // of a square between the element's own and the wished
-  const double scale = half / norm(r);
-  return 0.25 * (x1 + x2 + x3) + frame.at({scale * (r.y - r.x), scale * (-r.x - r.y)});
-}
-
-MetricVec triangle_wish(const RegionMesh& mesh, const Element& e, int k) {
-  const int v = e.v[k];
-  const MetricVec a = mesh.between(v, e.v[(k + 1) % 3]), b = mesh.between(v, e.v[(k + 2) % 3]), side = b - a;
-  const MetricFrame frame(side, -1.0 * a);
-  if (!frame.is_plane) return {};
-  double target = 0.5 * (mesh.h[e.v[0]] + norm(side));
-  return 0.5 * (a + b) + height_of_unit * target * frame.second;
+// Mean of where its elements would have it.
+MetricVec wished_step(const RegionMesh& mesh, int node) {
+  MetricVec sum, step[4];
+  for (int i : mesh.star[node]) {
+    const Element& e = mesh.elements[i];
+    if (fit(mesh, e, own_share, step)) sum += step[e.corner_of(node)];
+  }
+  return (1.0 / mesh.star[node].size()) * sum;
 }
 
 double worst_about(const RegionMesh& mesh, int node) {
@@ -56,7 +40,7 @@ bool is_good_about(const RegionMesh& mesh, int node) {
 bool smooth_node(Front& front, int node) {
   RegionMesh& mesh = front.mesh;
   const NodePlace old = mesh.place(node);
-  const MetricVec step = ideal_step(mesh, node);
+  const MetricVec step = wished_step(mesh, node);
   const double scale = mesh.scale_at(node);
   if (norm(step) < still * scale) return false;
   double before = -2;  // worst scaled Jacobian; worked out when needed
@@ -77,18 +61,6 @@ bool smooth_node(Front& front, int node) {
 }
 
 }  // namespace
-
-MetricVec ideal_step(const RegionMesh& mesh, int node) {
-  MetricVec sum;
-  int count = 0;
-  for (int i : mesh.star[node]) {
-    const Element& e = mesh.elements[i];
-    int k = e.corner_of(node);
-    sum += e.corners() == 4 ? quad_wish(mesh, e, k) : triangle_wish(mesh, e, k);
-    ++count;
-  }
-  return count ? (1.0 / count) * sum : sum;
-}
 
 void smooth_nodes(Front& front, const std::vector<int>& nodes, int sweeps) {
   std::vector<int> moved;

@@ -1,5 +1,5 @@
 // Pattern search about the nodes of poor elements.
-#include "paving/cleanup/raise_worst.h"
+#include "paving/smoothing/raise_worst.h"
 
 #include <algorithm>
 

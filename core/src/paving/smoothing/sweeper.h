@@ -1,16 +1,11 @@
 // Smoothing of a finished mesh, all nodes at a time.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "paving/front/front.h"
 
 namespace paver {
-
-/// Steps from an element's corners to those of the square (equilateral triangle) of the target length nearest to it;
-/// false for a degenerate element.
-bool wished_steps(const RegionMesh& mesh, const Element& e, MetricVec step[4]);
 
 /// Sweeps over the elements: each fits its best square (equilateral triangle)
 /// of the target length, and each free node goes to

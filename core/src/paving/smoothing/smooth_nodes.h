@@ -8,10 +8,6 @@
 
 namespace paver {
 
-/// Where the elements about `node` would have it: mean of the places that fit each to its best square (equilateral
-/// triangle) of a side between its own and the target length.
-MetricVec ideal_step(const RegionMesh& mesh, int node);
-
 /// Moves the given nodes in turn, `sweeps` times. A node moves only if every element and void triangle about it stays
 /// positive in the chart and the worst scaled Jacobian about it does not fall, or stays above 0.7.
 /// Fixed nodes stay.
