@@ -196,4 +196,10 @@ double scaled_jacobian(const RegionMesh& mesh, const Element& e, unsigned left_o
   return std::min(skew_allowance * plain, worst_corner(Sides<MetricVec>(mesh, e), left_out));
 }
 
+double worst_about(const RegionMesh& mesh, int node) {
+  double worst = 2;
+  for (int e : mesh.star[node]) worst = std::min(worst, scaled_jacobian(mesh, mesh.elements[e]));
+  return worst;
+}
+
 }  // namespace paver

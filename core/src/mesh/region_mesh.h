@@ -182,5 +182,7 @@ bool has_jacobian(const RegionMesh& mesh, const Element& e, double bound);
 /// Smallest corner value (e1 x e2).n / (|e1||e2|), n the element's own area vector; triangles times 2/sqrt 3. Without
 /// the corners whose bits are set in `left_out`.
 double scaled_jacobian(const RegionMesh& mesh, const Element& e, unsigned left_out = 0);
+/// Smallest of the elements about a node; 2 where there are none.
+double worst_about(const RegionMesh& mesh, int node);
 
 }  // namespace paver

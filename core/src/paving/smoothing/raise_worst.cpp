@@ -1,76 +1,48 @@
-// Pattern search about the nodes of poor elements.
+// Searches about the nodes of poor elements: one node at a time, in smaller and smaller steps.
 #include "paving/smoothing/raise_worst.h"
 
 #include <algorithm>
 
 #include "paving/front/facing.h"
+#include "paving/smoothing/search_about.h"
 
 namespace paver {
 namespace {
 
 constexpr double shortest = 0.75, longest = 1.35;  // of the target length: sides outside cost
 constexpr double length_price = 0.5, most_excess = 0.4;
-constexpr double least_gain = 1e-4;
-constexpr double first_step = 0.16;  // target lengths
+constexpr double good_jacobian = 0.7;  // shape is never given up for length below this
+constexpr double first_step = 0.16;    // target lengths
 constexpr int halvings = 4, repeats = 3;
 
-struct Merit {
-  double worst = 2;   // scaled Jacobian about the node
-  double excess = 0;  // what its worst side lies outside, target lengths
-  double value() const { return worst - length_price * std::min(excess, most_excess); }
-};
-
-Merit merit(const RegionMesh& mesh, int node) {
-  Merit m;
-  for (int i : mesh.star[node]) {
-    const Element& e = mesh.elements[i];
-    m.worst = std::min(m.worst, scaled_jacobian(mesh, e));
-    int other = e.after(node);
-    double ratio = 2 * mesh.length(node, other) / (mesh.h[other] + mesh.h[node]);
-    m.excess = std::max(m.excess, std::max(shortest - ratio, ratio - longest));
+/// What the node's worst side lies outside, target lengths.
+double excess(const RegionMesh& mesh, int node) {
+  double most = 0;
+  for (int e : mesh.star[node]) {
+    const double ratio = mesh.relative_length(node, mesh.elements[e].after(node));
+    most = std::max({most, shortest - ratio, ratio - longest});
   }
-  return m;
+  return most;
 }
 
-// Shape is never given up for length below this.
-constexpr double good_jacobian = 0.7;
-
-bool move_if_better(Front& front, int node, Vec2 p, Merit& best) {
-  if (!front.can_move(node, p)) return false;
-  RegionMesh& mesh = front.mesh;
-  const NodePlace old = mesh.place(node), at = front.region.place(p);
-  mesh.put(node, at);
-  Merit now = merit(mesh, node);
-  const bool is_facing = faces_surface(front, node);
-  mesh.put(node, old);
-  if (!is_facing || now.value() < best.value() + least_gain || now.worst < std::min(best.worst, good_jacobian))
-    return false;
-  best = now;
-  front.set_position(node, at);
-  return true;
-}
-
+/// Whether the node has moved.
 bool search(Front& front, int node) {
-  static constexpr double d = 0.70710678118654752;
-  static constexpr double directions[8][2] = {{1, 0}, {d, d}, {0, 1}, {-d, d}, {-1, 0}, {-d, -d}, {0, -1}, {d, -d}};
   RegionMesh& mesh = front.mesh;
-  Merit best = merit(mesh, node);
-  const double start = best.value();
+  double least = -INFINITY;  // scaled Jacobian that a place must have
+  auto value = [&](double) -> double {
+    const double worst = worst_about(mesh, node);
+    if (worst < least || !front.can_move(node, mesh.p[node]) || !faces_surface(front, node)) return -INFINITY;
+    return worst - length_price * std::min(excess(mesh, node), most_excess);
+  };
+  bool has_moved = false;
   double step = first_step * mesh.h[node];
-  for (int level = 0; level < halvings; ++level, step *= 0.5) {
-    bool is_better = true;
-    for (int repeat = 0; is_better && repeat < repeats; ++repeat) {
-      is_better = false;
-      for (auto [du, dw] : directions) {
-        Vec2 p = mesh.p[node] + mesh.pull_back(node, mesh.frame(node).at({step * du, step * dw}));
-        if (move_if_better(front, node, p, best)) {
-          is_better = true;
-          break;
-        }
-      }
+  for (int level = 0; level < halvings; ++level, step *= 0.5)
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+      least = std::min(worst_about(mesh, node), good_jacobian);
+      if (!search_about(front.region, mesh, node, step, value)) break;
+      has_moved = true;
     }
-  }
-  return best.value() > start;
+  return has_moved;
 }
 
 }  // namespace

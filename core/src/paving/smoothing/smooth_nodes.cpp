@@ -24,12 +24,6 @@ MetricVec wished_step(const RegionMesh& mesh, int node) {
   return (1.0 / mesh.star[node].size()) * sum;
 }
 
-double worst_about(const RegionMesh& mesh, int node) {
-  double worst = 2;
-  for (int e : mesh.star[node]) worst = std::min(worst, scaled_jacobian(mesh, mesh.elements[e]));
-  return worst;
-}
-
 bool is_good_about(const RegionMesh& mesh, int node) {
   for (int e : mesh.star[node])
     if (!has_jacobian(mesh, mesh.elements[e], good_jacobian)) return false;
