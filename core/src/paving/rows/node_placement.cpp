@@ -67,11 +67,10 @@ bool is_allowed(const Front& front, const Wish& wish, int node, int avoid_a, int
 }
 
 /// The better end of a facet to connect to: small turn from the wished direction, length near the gap.
-int choose_end(const Front& front, const Wish& wish, int f, double gap, int avoid_a, int avoid_b) {
+int choose_end(const Front& front, const Wish& wish, const Facet& facet, double gap, int avoid_a, int avoid_b) {
   int best = -1;
   bool is_thin = gap < thin_gap * wish.length;
   double best_cost = is_thin ? 1 : dearest_end;
-  const Facet& facet = front.facets[f];
   for (int node : {facet.a, facet.b, front.facets[facet.prev].a, front.facets[facet.next].b}) {
     if (!is_allowed(front, wish, node, avoid_a, avoid_b)) continue;
     const MetricVec v = front.mesh.between(wish.base, node);
@@ -151,10 +150,17 @@ Granted grant(Front& front, const Wish& wish, int start, int avoid_a, int avoid_
   Location seen = front.empty.walk(start, wish.base, far);
   if (seen.triangle < 0) return {};
   if (seen.kind == Location::Kind::blocked) {
-    int f = facet_of(front.empty.triangle(seen.triangle).n[seen.corner]);
-    double gap = distance_to_facet(front, wish.base, far, front.facets[f].a, front.facets[f].b);
+    const Facet& facet = front.facets[facet_of(front.empty.triangle(seen.triangle).n[seen.corner])];
+    double gap = distance_to_facet(front, wish.base, far, facet.a, facet.b);
     if (gap < connect_reach * length) {
-      int node = choose_end(front, wish, f, gap, avoid_a, avoid_b);
+      int node = choose_end(front, wish, facet, gap, avoid_a, avoid_b);
+      const bool leans = facet.b == avoid_a;  // over the base, the side that the row laid last
+      if (leans && !wish.is_turned && node >= 0 && norm(mesh.between(wish.base, node)) > connect_reach * length) {
+        Wish beside = wish;
+        beside.direction = unit(mesh.between(facet.b, facet.a));
+        beside.is_turned = true;
+        return grant(front, beside, start, avoid_a, avoid_b);
+      }
       if (node >= 0) return {node, false};
       if (gap < 2 * least_step * length) return {};
       length = 0.5 * gap;

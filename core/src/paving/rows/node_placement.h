@@ -8,9 +8,10 @@ namespace paver {
 /// A wished node: at `length` from `base` in direction `angle`, counter-clockwise from the outgoing facet.
 struct Wish {
   int base = -1;
-  MetricVec direction;  ///< unit tangent vector at base
-  double length = 0;    ///< mm
-  double width = 0;     ///< mm, the longer facet at base: how near a front node may lie beside the wished one
+  MetricVec direction;     ///< unit tangent vector at base
+  double length = 0;       ///< mm
+  double width = 0;        ///< mm, the longer facet at base: how near a front node may lie beside the wished one
+  bool is_turned = false;  ///< beside a side that leans
 };
 
 /// Direction at the end node of facet f, `angle` radians counter-clockwise from its next facet.
