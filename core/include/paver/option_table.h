@@ -29,11 +29,11 @@ const char* kind_name(OptionKind kind);
 struct OptionInfo {
   std::string name;  ///< of the field of Options, e.g. "max_turn"; --max-turn on the command line
   OptionKind kind;
-  std::string letter;                ///< stands for the value in help texts, e.g. "DEG"
-  std::string help;                  ///< one line, without the default
-  std::string default_text;          ///< as the text of a value; empty: none, or as `help` says
-  std::string needs, excludes;       ///< name of another option, or empty
-  std::vector<std::string> choices;  ///< of OptionKind::choice
+  std::string letter;                  ///< stands for the value in help texts, e.g. "DEG"
+  std::string help;                    ///< one line, without the default
+  std::string default_text{};          ///< as the text of a value; empty: none, or as `help` says
+  std::string needs{}, excludes{};     ///< name of another option, or empty
+  std::vector<std::string> choices{};  ///< of OptionKind::choice
   bool may_be_zero = false;  ///< without a default: 0 is a value of its own, which a form must not use for "none"
 };
 

@@ -4,91 +4,39 @@
 namespace paver {
 namespace {
 
-const char* general_remedy(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::bad_option:
-      return "correct the option";
-    case ErrorCode::file_missing:
-      return "check the path";
-    case ErrorCode::not_a_cad_file:
-    case ErrorCode::damaged_file:
-      return "export the model again as STEP, IGES or BREP";
-    case ErrorCode::no_faces:
-      return "use a model that has surfaces";
-    case ErrorCode::too_many_elements:
-      return "choose a larger target length";
-    case ErrorCode::unwritable_output:
-      return "choose another folder or free some space";
-    case ErrorCode::cancelled:
-      return "start again";
-    case ErrorCode::out_of_memory:
-      return "choose a larger target length or fewer threads";
-    case ErrorCode::face_failed:
-      return "repair the face in the CAD program or choose a smaller target length";
-    case ErrorCode::internal:
-      break;
-  }
-  return "report it with the model";
-}
+struct CodeInfo {
+  const char* name;
+  int exit_code;
+  const char* remedy;
+};
+
+constexpr CodeInfo codes[] = {
+    {"bad_option", 2, "correct the option"},
+    {"file_missing", 3, "check the path"},
+    {"not_a_cad_file", 3, "export the model again as STEP, IGES or BREP"},
+    {"damaged_file", 3, "export the model again as STEP, IGES or BREP"},
+    {"no_faces", 3, "use a model that has surfaces"},
+    {"too_many_elements", 5, "choose a larger target length"},
+    {"unwritable_output", 6, "choose another folder or free some space"},
+    {"cancelled", 130, "start again"},
+    {"out_of_memory", 1, "choose a larger target length or fewer threads"},
+    {"face_failed", 4, "repair the face in the CAD program or choose a smaller target length"},
+    {"internal", 1, "report it with the model"},
+};
+static_assert(std::size(codes) == static_cast<std::size_t>(ErrorCode::internal) + 1);
+
+const CodeInfo& info_of(ErrorCode code) { return codes[static_cast<std::size_t>(code)]; }
 
 }  // namespace
 
-const char* code_name(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::bad_option:
-      return "bad_option";
-    case ErrorCode::file_missing:
-      return "file_missing";
-    case ErrorCode::not_a_cad_file:
-      return "not_a_cad_file";
-    case ErrorCode::damaged_file:
-      return "damaged_file";
-    case ErrorCode::no_faces:
-      return "no_faces";
-    case ErrorCode::too_many_elements:
-      return "too_many_elements";
-    case ErrorCode::unwritable_output:
-      return "unwritable_output";
-    case ErrorCode::cancelled:
-      return "cancelled";
-    case ErrorCode::out_of_memory:
-      return "out_of_memory";
-    case ErrorCode::face_failed:
-      return "face_failed";
-    case ErrorCode::internal:
-      break;
-  }
-  return "internal";
-}
+const char* code_name(ErrorCode code) { return info_of(code).name; }
 
-int exit_code(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::bad_option:
-      return 2;
-    case ErrorCode::file_missing:
-    case ErrorCode::not_a_cad_file:
-    case ErrorCode::damaged_file:
-    case ErrorCode::no_faces:
-      return 3;
-    case ErrorCode::face_failed:
-      return 4;
-    case ErrorCode::too_many_elements:
-      return 5;
-    case ErrorCode::unwritable_output:
-      return 6;
-    case ErrorCode::cancelled:
-      return 130;
-    case ErrorCode::out_of_memory:
-    case ErrorCode::internal:
-      break;
-  }
-  return 1;
-}
+int exit_code(ErrorCode code) { return info_of(code).exit_code; }
 
 std::string Error::remedy() const {
   std::string text = what();
   std::size_t start = text.rfind("; ");
-  if (start == std::string::npos || code_ == ErrorCode::cancelled) return general_remedy(code_);
+  if (start == std::string::npos || code_ == ErrorCode::cancelled) return info_of(code_).remedy;
   text = text.substr(start + 2);
   bool is_opened = text.find('(') != std::string::npos;
   while (text.ends_with('.') || (text.ends_with(')') && !is_opened)) text.pop_back();

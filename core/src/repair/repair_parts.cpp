@@ -201,19 +201,9 @@ class PartRepairer {
 }  // namespace
 
 const char* element_repair_name(ElementRepairKind kind) {
-  switch (kind) {
-    case ElementRepairKind::moved:
-      return "moved";
-    case ElementRepairKind::refilled:
-      return "refilled";
-    case ElementRepairKind::divided:
-      return "divided";
-    case ElementRepairKind::paved_again:
-      return "paved again";
-    case ElementRepairKind::divided_edge:
-      return "divided edge";
-  }
-  return "unknown";
+  static constexpr const char* names[] = {"moved", "refilled", "divided", "paved again", "divided edge"};
+  static_assert(std::size(names) == static_cast<std::size_t>(ElementRepairKind::divided_edge) + 1);
+  return names[static_cast<std::size_t>(kind)];
 }
 
 std::vector<ElementRepair> repair_parts(const Model& model, const std::vector<Region>& regions, const Options& options,

@@ -28,24 +28,15 @@ struct Entry {
   void (*put)(Options&, const Value&);
 };
 
-const std::vector<Elements>& kinds_of_elements() {
-  static const std::vector<Elements> kinds{Elements::quad_dominant, Elements::all_quad, Elements::all_triangle};
-  return kinds;
-}
-
+/// Of a choice whose values are those of an enumeration, in its order.
 template <class T>
-std::vector<std::string> names_of(const std::vector<T>& choices, const char* (*name)(T)) {
+std::vector<std::string> names_of(int choices, const char* (*name)(T)) {
   std::vector<std::string> names;
-  for (T choice : choices) names.emplace_back(name(choice));
+  for (int i = 0; i < choices; ++i) names.emplace_back(name(static_cast<T>(i)));
   return names;
 }
 
 constexpr const char* flag_texts[] = {"off", "on"};
-
-const std::vector<Connect>& ways_to_connect() {
-  static const std::vector<Connect> ways{Connect::imprint, Connect::united, Connect::none};
-  return ways;
-}
 
 /// Choices of gap, of one element across and more.
 std::vector<std::string> gap_choices() {
@@ -68,196 +59,99 @@ std::string text_of(T value) {
 
 std::vector<Entry> size_entries(const Options& d) {
   return {
-      {{"size",
-        OptionKind::length,
-        "H",
-        "Target length of the element edges, e.g. 30, \"30 mm\", 1.5in",
-        "",
-        "",
-        "",
-        {}},
+      {{"size", OptionKind::length, "H", "Target length of the element edges, e.g. 30, \"30 mm\", 1.5in"},
        [](Options& o, const Value& v) { o.size = v.number; }},
-      {{"frequency",
-        OptionKind::frequency,
-        "F",
-        "Working frequency instead of size, e.g. 3GHz, \"300 MHz\", 9e9",
-        "",
-        "",
-        "size",
-        {}},
+      {{"frequency", OptionKind::frequency, "F", "Working frequency instead of size, e.g. 3GHz, \"300 MHz\", 9e9", "",
+        "", "size"},
        [](Options& o, const Value& v) { o.frequency = v.number; }},
-      {{"divisions", OptionKind::number, "N", "Elements per wavelength", text_of(d.divisions), "frequency", "", {}},
+      {{"divisions", OptionKind::number, "N", "Elements per wavelength", text_of(d.divisions), "frequency"},
        [](Options& o, const Value& v) { o.divisions = v.number; }},
-      {{"eps_r", OptionKind::number, "E", "Relative permittivity of the medium", text_of(d.eps_r), "frequency", "", {}},
+      {{"eps_r", OptionKind::number, "E", "Relative permittivity of the medium", text_of(d.eps_r), "frequency"},
        [](Options& o, const Value& v) { o.eps_r = v.number; }},
-      {{"mu_r", OptionKind::number, "M", "Relative permeability of the medium", text_of(d.mu_r), "frequency", "", {}},
+      {{"mu_r", OptionKind::number, "M", "Relative permeability of the medium", text_of(d.mu_r), "frequency"},
        [](Options& o, const Value& v) { o.mu_r = v.number; }},
   };
 }
 
 std::vector<Entry> grading_entries(const Options& d) {
   return {
-      {{"max_turn",
-        OptionKind::angle,
-        "DEG",
-        "Largest turn of the surface per element edge, degrees [45; 75 where that stays as close]",
-        "",
-        "",
-        "",
-        {}},
+      {{"max_turn", OptionKind::angle, "DEG",
+        "Largest turn of the surface per element edge, degrees [45; 75 where that stays as close]"},
        [](Options& o, const Value& v) { o.max_turn = v.number; }},
-      {{"aspect",
-        OptionKind::number,
-        "A",
-        "Across a ridge elements are at most so many times narrower than along it; 1: not narrower",
-        text_of(d.aspect),
-        "",
-        "",
-        {}},
+      {{"aspect", OptionKind::number, "A",
+        "Across a ridge elements are at most so many times narrower than along it; 1: not narrower", text_of(d.aspect)},
        [](Options& o, const Value& v) { o.aspect = v.number; }},
-      {{"gradation",
-        OptionKind::number,
-        "G",
-        "Largest growth of the element size per unit of length",
-        text_of(d.gradation),
-        "",
-        "",
-        {}},
+      {{"gradation", OptionKind::number, "G", "Largest growth of the element size per unit of length",
+        text_of(d.gradation)},
        [](Options& o, const Value& v) { o.gradation = v.number; }},
-      {{"tip",
-        OptionKind::number,
-        "R",
-        "Where the surface comes to a point the target length is divided by R; 1: not",
-        text_of(d.tip),
-        "",
-        "",
-        {}},
+      {{"tip", OptionKind::number, "R", "Where the surface comes to a point the target length is divided by R; 1: not",
+        text_of(d.tip)},
        [](Options& o, const Value& v) { o.tip = v.number; }},
-      {{"grade_edges",
-        OptionKind::number,
-        "R",
-        "At sharp outer edges the target length is divided by R; 1: not",
-        text_of(d.grade_edges),
-        "",
-        "",
-        {}},
+      {{"grade_edges", OptionKind::number, "R", "At sharp outer edges the target length is divided by R; 1: not",
+        text_of(d.grade_edges)},
        [](Options& o, const Value& v) { o.grade_edges = v.number; }},
       {{"gap", OptionKind::choice, "HOW",
         "Faces narrower than 0.7 target lengths: one element across; refine:K: shorter ones, about K across",
         gap_choices()[static_cast<std::size_t>(d.gap_elements) - 1], "", "", gap_choices()},
        [](Options& o, const Value& v) { o.gap_elements = v.index + 1; }},
-      {{"chord_error",
-        OptionKind::length,
-        "E",
-        "Largest distance between mesh and surface: faces farther off get shorter lengths [as it comes]",
-        "",
-        "",
-        "",
-        {}},
+      {{"chord_error", OptionKind::length, "E",
+        "Largest distance between mesh and surface: faces farther off get shorter lengths [as it comes]"},
        [](Options& o, const Value& v) { o.chord_error = v.number; }},
-      {{"local",
-        OptionKind::local,
-        "PART=H",
-        "Target length of a part where shorter: Face3=2mm, Edge5,Vertex2=0.5, Solid1=eps-r:4; may be repeated",
-        "",
-        "",
-        "",
-        {}},
+      {{"local", OptionKind::local, "PART=H",
+        "Target length of a part where shorter: Face3=2mm, Edge5,Vertex2=0.5, Solid1=eps-r:4; may be repeated"},
        [](Options& o, const Value& v) { o.local.insert(o.local.end(), v.local.begin(), v.local.end()); }},
-      {{"max_elements",
-        OptionKind::integer,
-        "N",
-        "Stop before meshing when more elements are predicted",
-        text_of(d.max_elements),
-        "",
-        "",
-        {}},
+      {{"max_elements", OptionKind::integer, "N", "Stop before meshing when more elements are predicted",
+        text_of(d.max_elements)},
        [](Options& o, const Value& v) { o.max_elements = static_cast<long>(v.number); }},
   };
 }
 
 std::vector<Entry> named_entries() {
   return {
-      {{"medium",
-        OptionKind::named,
-        "NAME=PARTS",
-        "What solids are made of: FR4=Solid1,eps-r:4.4,tan-d:0.02, Metal=Solid2,conductor; may be repeated",
-        "",
-        "",
-        "",
-        {}},
+      {{"medium", OptionKind::named, "NAME=PARTS",
+        "What solids are made of: FR4=Solid1,eps-r:4.4,tan-d:0.02, Metal=Solid2,conductor; may be repeated"},
        [](Options& o, const Value& v) { o.media.push_back(*parse_medium(v.text)); }},
-      {{"port",
-        OptionKind::named,
-        "NAME=PARTS",
-        "Faces, edges, vertices that are a group of the mesh: Feed=Edge5; never merged with others; may be repeated",
-        "",
-        "",
-        "",
-        {}},
+      {{"port", OptionKind::named, "NAME=PARTS",
+        "Faces, edges, vertices that are a group of the mesh: Feed=Edge5; never merged with others; may be repeated"},
        [](Options& o, const Value& v) { o.ports.push_back(*parse_port(v.text)); }},
-      {{"wire",
-        OptionKind::named,
-        "NAME=PARTS",
-        "Edges that stand for a thin wire: Mast=Edge5,radius:0.5mm; may be repeated",
-        "",
-        "",
-        "",
-        {}},
+      {{"wire", OptionKind::named, "NAME=PARTS",
+        "Edges that stand for a thin wire: Mast=Edge5,radius:0.5mm; may be repeated"},
        [](Options& o, const Value& v) { o.wires.push_back(*parse_wire(v.text)); }},
   };
 }
 
 std::vector<Entry> merging_entries(const Options& d) {
   return {
-      {{"merge",
-        OptionKind::number,
-        "E",
-        "Edges shorter than E target lengths are merged with others; off: nothing is merged",
-        text_of(d.merge),
-        "",
-        "",
-        {}},
+      {{"merge", OptionKind::number, "E",
+        "Edges shorter than E target lengths are merged with others; off: nothing is merged", text_of(d.merge)},
        [](Options& o, const Value& v) { o.merge = v.number; }},
-      {{"merge_width",
-        OptionKind::number,
-        "W",
+      {{"merge_width", OptionKind::number, "W",
         "Faces narrower than W target lengths are merged with neighbours that run on without a corner",
-        text_of(d.merge_width),
-        "",
-        "",
-        {}},
+        text_of(d.merge_width)},
        [](Options& o, const Value& v) { o.merge_width = v.number; }},
   };
 }
 
 std::vector<Entry> other_entries(const Options& d) {
   return {
-      {{"order", OptionKind::integer, "P", "Order of the elements, 1 or 2", text_of(d.order), "", "", {}},
+      {{"order", OptionKind::integer, "P", "Order of the elements, 1 or 2", text_of(d.order)},
        [](Options& o, const Value& v) { o.order = static_cast<int>(v.number); }},
       {{"elements", OptionKind::choice, "KIND",
         "quad-dominant; all-quad: triangles only where nothing else is possible; all-triangle",
-        elements_name(d.elements), "", "", names_of(kinds_of_elements(), elements_name)},
-       [](Options& o, const Value& v) { o.elements = kinds_of_elements()[static_cast<std::size_t>(v.index)]; }},
+        elements_name(d.elements), "", "", names_of(3, elements_name)},
+       [](Options& o, const Value& v) { o.elements = static_cast<Elements>(v.index); }},
       {{"multilevel", OptionKind::choice, "K",
         "Mesh large faces at K times the target length first and divide that mesh: off, auto, 4 to 8",
         level_choices()[1], "", "", level_choices()},
        [](Options& o, const Value& v) { o.multilevel = level_value(v.index); }},
-      {{"threads", OptionKind::integer, "T", "Threads to work on; 0: all cores", text_of(d.threads), "", "", {}},
+      {{"threads", OptionKind::integer, "T", "Threads to work on; 0: all cores", text_of(d.threads)},
        [](Options& o, const Value& v) { o.threads = static_cast<int>(v.number); }},
-      {{"ranks",
-        OptionKind::integer,
-        "N",
-        "Processes that share the work, by MPI; 0: without MPI",
-        text_of(d.ranks),
-        "",
-        "",
-        {}},
+      {{"ranks", OptionKind::integer, "N", "Processes that share the work, by MPI; 0: without MPI", text_of(d.ranks)},
        [](Options& o, const Value& v) { o.ranks = static_cast<int>(v.number); }},
       {{"connect", OptionKind::choice, "HOW",
         "Parts that touch: imprint: share faces and edges; union: only the outer skin is left; none: as drawn",
-        connect_name(d.connect), "", "", names_of(ways_to_connect(), connect_name)},
-       [](Options& o, const Value& v) { o.connect = ways_to_connect()[static_cast<std::size_t>(v.index)]; }},
+        connect_name(d.connect), "", "", names_of(3, connect_name)},
+       [](Options& o, const Value& v) { o.connect = static_cast<Connect>(v.index); }},
       {{"sew_tolerance",
         OptionKind::length,
         "T",
@@ -268,14 +162,8 @@ std::vector<Entry> other_entries(const Options& d) {
         {},
         true},
        [](Options& o, const Value& v) { o.sew_tolerance = v.number; }},
-      {{"strict",
-        OptionKind::flag,
-        "ON",
-        "Refuse models that are not clean, naming what is wrong, instead of repairing them",
-        flag_texts[d.strict],
-        "",
-        "",
-        {}},
+      {{"strict", OptionKind::flag, "ON",
+        "Refuse models that are not clean, naming what is wrong, instead of repairing them", flag_texts[d.strict]},
        [](Options& o, const Value& v) { o.strict = v.index != 0; }},
   };
 }
@@ -385,27 +273,10 @@ void check_company(const OptionInfo& info, const std::vector<GivenOption>& given
 }  // namespace
 
 const char* kind_name(OptionKind kind) {
-  switch (kind) {
-    case OptionKind::length:
-      return "length";
-    case OptionKind::frequency:
-      return "frequency";
-    case OptionKind::angle:
-      return "angle";
-    case OptionKind::number:
-      return "number";
-    case OptionKind::integer:
-      return "integer";
-    case OptionKind::local:
-      return "local";
-    case OptionKind::named:
-      return "named";
-    case OptionKind::flag:
-      return "flag";
-    case OptionKind::choice:
-      break;
-  }
-  return "choice";
+  static constexpr const char* names[] = {"length", "frequency", "angle", "number", "integer",
+                                          "choice", "flag",      "local", "named"};
+  static_assert(std::size(names) == static_cast<std::size_t>(OptionKind::named) + 1);
+  return names[static_cast<std::size_t>(kind)];
 }
 
 const std::vector<OptionInfo>& option_table() {

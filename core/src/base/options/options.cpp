@@ -73,27 +73,15 @@ double length_in_medium(const Options& options, double eps_r, double mu_r) {
 }  // namespace
 
 const char* elements_name(Elements elements) {
-  switch (elements) {
-    case Elements::all_quad:
-      return "all-quad";
-    case Elements::all_triangle:
-      return "all-triangle";
-    case Elements::quad_dominant:
-      break;
-  }
-  return "quad-dominant";
+  static constexpr const char* names[] = {"quad-dominant", "all-quad", "all-triangle"};
+  static_assert(std::size(names) == static_cast<std::size_t>(Elements::all_triangle) + 1);
+  return names[static_cast<std::size_t>(elements)];
 }
 
 const char* connect_name(Connect connect) {
-  switch (connect) {
-    case Connect::united:
-      return "union";
-    case Connect::none:
-      return "none";
-    case Connect::imprint:
-      break;
-  }
-  return "imprint";
+  static constexpr const char* names[] = {"imprint", "union", "none"};
+  static_assert(std::size(names) == static_cast<std::size_t>(Connect::none) + 1);
+  return names[static_cast<std::size_t>(connect)];
 }
 
 void check(const Options& options) {

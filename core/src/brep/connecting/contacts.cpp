@@ -164,17 +164,9 @@ class ContactFinder {
 std::vector<Contact> find_contacts(const Workpiece& work) { return ContactFinder(work).run(); }
 
 const char* contact_name(ContactKind kind) {
-  switch (kind) {
-    case ContactKind::face:
-      return "face";
-    case ContactKind::edge:
-      return "edge";
-    case ContactKind::point:
-      return "point";
-    case ContactKind::crossing:
-      break;
-  }
-  return "crossing";
+  static constexpr const char* names[] = {"face", "edge", "point", "crossing"};
+  static_assert(std::size(names) == static_cast<std::size_t>(ContactKind::crossing) + 1);
+  return names[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace paver

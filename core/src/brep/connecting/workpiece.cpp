@@ -92,27 +92,11 @@ double border_chords(const TopoDS_Face& face) {
 }  // namespace
 
 const char* repair_name(RepairKind kind) {
-  switch (kind) {
-    case RepairKind::sewn_edge:
-      return "sewn edges";
-    case RepairKind::closed_loop:
-      return "closed loops";
-    case RepairKind::turned_loop:
-      return "turned loops";
-    case RepairKind::image:
-      return "images";
-    case RepairKind::periodic_edge:
-      return "periodic edges";
-    case RepairKind::pole:
-      return "poles";
-    case RepairKind::border:
-      return "borders";
-    case RepairKind::turned_face:
-      return "turned faces";
-    case RepairKind::dropped_face:
-      break;
-  }
-  return "dropped faces";
+  static constexpr const char* names[] = {"sewn edges", "closed loops",   "turned loops",
+                                          "images",     "periodic edges", "poles",
+                                          "borders",    "turned faces",   "dropped faces"};
+  static_assert(std::size(names) == static_cast<std::size_t>(RepairKind::dropped_face) + 1);
+  return names[static_cast<std::size_t>(kind)];
 }
 
 void measure_diagonal(Workpiece& work) {

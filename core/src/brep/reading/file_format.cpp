@@ -127,14 +127,9 @@ bool is_iges_complete(std::string_view tail) {
 }  // namespace
 
 const char* format_name(FileFormat format) {
-  switch (format) {
-    case FileFormat::step:
-      return "STEP";
-    case FileFormat::iges:
-      return "IGES";
-    default:
-      return "BREP";
-  }
+  static constexpr const char* names[] = {"STEP", "IGES", "BREP", "BREP"};
+  static_assert(std::size(names) == static_cast<std::size_t>(FileFormat::binary_brep) + 1);
+  return names[static_cast<std::size_t>(format)];
 }
 
 FileFormat find_format(const std::string& path, const std::string& name) {

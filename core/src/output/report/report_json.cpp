@@ -14,21 +14,9 @@ using Json = nlohmann::ordered_json;
 constexpr int report_version = 1;  // grows when a key changes its meaning or goes
 
 const char* status_name(FaceStatus status) {
-  switch (status) {
-    case FaceStatus::meshed:
-      return "meshed";
-    case FaceStatus::no_area:
-      return "no_area";
-    case FaceStatus::failed:
-      return "failed";
-    case FaceStatus::common:
-      return "common";
-    case FaceStatus::dropped:
-      return "dropped";
-    case FaceStatus::merged:
-      return "merged";
-  }
-  return "failed";
+  static constexpr const char* names[] = {"meshed", "no_area", "failed", "common", "dropped", "merged"};
+  static_assert(std::size(names) == static_cast<std::size_t>(FaceStatus::merged) + 1);
+  return names[static_cast<std::size_t>(status)];
 }
 
 Json contacts_json(const std::vector<Contact>& contacts) {
