@@ -172,15 +172,9 @@ inline CubicPatch hill(double height) {
 }
 
 /// Straight in (u, v) between its values at t0 and t1.
-class StraightPcurve : public ParameterCurve {
- public:
-  StraightPcurve(double t0, double t1, Vec2 a, Vec2 b) : t0_(t0), t1_(t1), a_(a), b_(b) {}
-  Vec2 uv(double t) const override { return a_ + ((t - t0_) / (t1_ - t0_)) * (b_ - a_); }
-
- private:
-  double t0_, t1_;
-  Vec2 a_, b_;
-};
+inline std::shared_ptr<const ParameterCurve> straight_image(double t0, double t1, Vec2 a, Vec2 b) {
+  return image_by([=](double t) { return a + ((t - t0) / (t1 - t0)) * (b - a); });
+}
 
 /// Builds a Model item by item. Edges count 0, 1, 2 ... in order of adding.
 class Builder {
@@ -217,7 +211,7 @@ class Builder {
   /// Coedge whose image runs from `a` (at t0) to `b` (at t1).
   Coedge use(int edge, bool is_reversed, Vec2 a, Vec2 b) const {
     const Edge& e = model_.edges[static_cast<std::size_t>(edge)];
-    return {edge, is_reversed, std::make_shared<StraightPcurve>(e.t0, e.t1, a, b)};
+    return {edge, is_reversed, straight_image(e.t0, e.t1, a, b)};
   }
   int face(std::shared_ptr<const Surface> surface, double area, std::vector<std::vector<Coedge>> loops) {
     const int index = static_cast<int>(model_.faces.size());

@@ -1,7 +1,6 @@
 // Numbers of a share in the whole mesh. Nodes of the whole, in this order: boundary stage, outlines, each part's own;
 // at order 2 the middles of the lines, of the cuts, then each part's middles and centres. Elements: part by part.
 #include "assemble/assembler.h"
-#include "base/bytes.h"
 #include "base/tasks/gather.h"
 
 namespace paver {
@@ -20,9 +19,9 @@ struct Shared {
   long count = 0;
 
   Shared(const std::vector<int>& mine, std::size_t things, Ranks& ranks) : owner(things, -1), number(things, -1) {
-    const std::vector<std::string> all = ranks.gather(bytes_of(mine));
+    const std::vector<std::string> all = ranks.gather(pack(mine));
     for (int rank = 0; rank < ranks.count(); ++rank)
-      for (int thing : from_bytes<int>(all[rank]))
+      for (int thing : unpack<std::vector<int>>(all[rank]))
         if (owner[thing] < 0) owner[thing] = rank;
     for (std::size_t i = 0; i < things; ++i)
       if (owner[i] >= 0) number[i] = count++;

@@ -5,16 +5,21 @@
 #include <Interface_InterfaceModel.hxx>
 #include <Interface_ReportEntity.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_TShape.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_Reader.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <cstring>
+#include <string>
+#include <unordered_map>
 
 #include "brep/reading/format_library_impl.h"
 #include "brep/reading/readers_impl.h"
-#include "formats/face_labels_impl.h"
 
 namespace paver {
 
@@ -47,16 +52,24 @@ void transfer(XSControl_Reader& reader, Shape& shape, Progress& progress, NameOf
   indicator->finish();
   shape.shape = reader.OneShape();
   if (shape.shape.IsNull()) return;
-  FaceLabels labels;
+  std::unordered_map<const TopoDS_TShape*, std::string> labels;
   Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
   Handle(Interface_InterfaceModel) model = reader.Model();
   for (int i = 1; i <= model->NbEntities(); ++i) {
     Handle(Standard_Transient) entity = model->Value(i);
     Handle(TCollection_HAsciiString) name = name_of(entity);
-    if (name.IsNull() || name->IsEmpty()) continue;
-    labels.add(TransferBRep::ShapeResult(process, entity), name->ToCString());
+    if (name.IsNull()) continue;
+    const std::string label = name->ToCString();
+    if (label.empty() || label == "NONE" || label == "none") continue;  // these say nothing
+    for (TopExp_Explorer of(TransferBRep::ShapeResult(process, entity), TopAbs_FACE); of.More(); of.Next())
+      labels[of.Current().TShape().get()] = label;
   }
-  shape.labels = labels.in_face_order(shape.shape);
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape.shape, TopAbs_FACE, faces);
+  shape.labels.assign(static_cast<std::size_t>(faces.Extent()), {});
+  for (int i = 1; i <= faces.Extent(); ++i)
+    if (const auto found = labels.find(faces(i).TShape().get()); found != labels.end())
+      shape.labels[static_cast<std::size_t>(i - 1)] = found->second;
 }
 
 }  // namespace paver

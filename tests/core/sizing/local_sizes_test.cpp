@@ -23,7 +23,7 @@ void add_images(Model& model, Face& face) {
   for (Loop& loop : face.loops)
     for (Coedge& coedge : loop.coedges) {
       const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
-      coedge.pcurve = std::make_shared<fake::StraightPcurve>(edge.t0, edge.t1, uv(edge.start), uv(edge.end));
+      coedge.pcurve = fake::straight_image(edge.t0, edge.t1, uv(edge.start), uv(edge.end));
     }
 }
 

@@ -11,6 +11,7 @@
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
 #include <array>
 #include <gp_Lin.hxx>
 #include <memory>
@@ -55,53 +56,32 @@ class InsideClassifier {
   IntCurvesFace_ShapeIntersector rays_;
 };
 
-class InsideFinder {
- public:
-  explicit InsideFinder(Workpiece& work) : work_(work) {}
+}  // namespace
 
-  void run() {
-    for (std::size_t p = 0; p < work_.parts.size(); ++p)
-      if (work_.parts[p].solid >= 0) look_inside(static_cast<int>(p));
-  }
-
- private:
-  void look_inside(int part) {
-    const TopoDS_Shape solid = solids()(work_.parts[static_cast<std::size_t>(part)].solid + 1);
-    if (boxes_.empty()) measure_faces();
+void find_insides(Workpiece& work) {
+  if (std::none_of(work.parts.begin(), work.parts.end(), [](const auto& part) { return part.solid >= 0; })) return;
+  TopTools_IndexedMapOfShape solids;
+  TopExp::MapShapes(work.shape, TopAbs_SOLID, solids);
+  std::vector<Bnd_Box> boxes(work.faces.size());
+  for (std::size_t f = 0; f < boxes.size(); ++f)
+    if (work.faces[f].is_usable()) BRepBndLib::Add(work.faces[f].face, boxes[f], Standard_False);
+  const Handle(IntTools_Context) context = new IntTools_Context;
+  for (std::size_t part = 0; part < work.parts.size(); ++part) {
+    if (work.parts[part].solid < 0) continue;
+    const TopoDS_Shape solid = solids(work.parts[part].solid + 1);
     Bnd_Box box;
     BRepBndLib::Add(solid, box, Standard_False);
     std::unique_ptr<InsideClassifier> classifier;
-    for (std::size_t f = 0; f < work_.faces.size(); ++f) {
-      WorkFace& face = work_.faces[f];
-      if (!face.is_usable() || face.has_part(part) || box.IsOut(boxes_[f])) continue;
+    for (std::size_t f = 0; f < work.faces.size(); ++f) {
+      WorkFace& face = work.faces[f];
+      if (!face.is_usable() || face.has_part(static_cast<int>(part)) || box.IsOut(boxes[f])) continue;
       gp_Pnt point;
       gp_Pnt2d uv;
-      if (BOPTools_AlgoTools3D::PointInFace(face.face, point, uv, context_) != 0 || box.IsOut(point)) continue;
+      if (BOPTools_AlgoTools3D::PointInFace(face.face, point, uv, context) != 0 || box.IsOut(point)) continue;
       if (!classifier) classifier = std::make_unique<InsideClassifier>(solid);
-      if (classifier->holds(point)) face.inside_of.push_back(part);
+      if (classifier->holds(point)) face.inside_of.push_back(static_cast<int>(part));
     }
   }
-
-  void measure_faces() {
-    for (const WorkFace& face : work_.faces) {
-      boxes_.emplace_back();
-      if (face.is_usable()) BRepBndLib::Add(face.face, boxes_.back(), Standard_False);
-    }
-  }
-
-  const TopTools_IndexedMapOfShape& solids() {
-    if (solids_.IsEmpty()) TopExp::MapShapes(work_.shape, TopAbs_SOLID, solids_);
-    return solids_;
-  }
-
-  Workpiece& work_;
-  std::vector<Bnd_Box> boxes_;  ///< per face
-  TopTools_IndexedMapOfShape solids_;
-  Handle(IntTools_Context) context_ = new IntTools_Context;
-};
-
-}  // namespace
-
-void find_insides(Workpiece& work) { InsideFinder(work).run(); }
+}
 
 }  // namespace paver

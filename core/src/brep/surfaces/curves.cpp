@@ -118,40 +118,6 @@ class CurveOnSurface : public Curve {
   gp_Trsf placement_;
 };
 
-class PlaneCurve : public ParameterCurve {
- public:
-  /// uv at t is curve(scale t + shift).
-  PlaneCurve(Handle(Geom2d_Curve) curve, double scale, double shift)
-      : curve_(std::move(curve)), scale_(scale), shift_(shift) {}
-
-  Vec2 uv(double t) const override {
-    gp_Pnt2d p;
-    try {
-      curve_->D0(scale_ * t + shift_, p);
-    } catch (const Standard_Failure& failure) {
-      throw_no_value(t, failure);
-    }
-    return {p.X(), p.Y()};
-  }
-
- private:
-  Handle(Geom2d_Curve) curve_;
-  double scale_, shift_;
-};
-
-class StraightParameterCurve : public ParameterCurve {
- public:
-  StraightParameterCurve(Vec2 a, Vec2 b, double t0, double t1) : a_(a), b_(b), t0_(t0), t1_(t1) {}
-  Vec2 uv(double t) const override {
-    double s = t1_ > t0_ ? (t - t0_) / (t1_ - t0_) : 0;
-    return (1 - s) * a_ + s * b_;
-  }
-
- private:
-  Vec2 a_, b_;
-  double t0_, t1_;
-};
-
 }  // namespace
 
 std::shared_ptr<const Curve> make_curve(const TopoDS_Edge& edge) {
@@ -181,11 +147,22 @@ std::shared_ptr<const ParameterCurve> make_parameter_curve(const TopoDS_Edge& ed
   bool is_same = std::abs(first - t0) <= same_range * width && std::abs(last - t1) <= same_range * width;
   double scale = is_same || width <= 0 ? 1 : (last - first) / width;
   double shift = is_same ? 0 : first - scale * t0;
-  return std::make_shared<PlaneCurve>(curve, scale, shift);
+  return image_by([curve, scale, shift](double t) -> Vec2 {
+    gp_Pnt2d p;
+    try {
+      curve->D0(scale * t + shift, p);
+    } catch (const Standard_Failure& failure) {
+      throw_no_value(t, failure);
+    }
+    return {p.X(), p.Y()};
+  });
 }
 
 std::shared_ptr<const ParameterCurve> make_straight_parameter_curve(Vec2 a, Vec2 b, double t0, double t1) {
-  return std::make_shared<StraightParameterCurve>(a, b, t0, t1);
+  return image_by([=](double t) {
+    const double s = t1 > t0 ? (t - t0) / (t1 - t0) : 0;
+    return (1 - s) * a + s * b;
+  });
 }
 
 }  // namespace paver

@@ -194,34 +194,10 @@ class ProjectedImage : public ParameterCurve {
   bool is_lost_ = false;  // the rough image is elsewhere
 };
 
-/// Another image, but for its ends.
-class ImageWithEnds : public ParameterCurve {
- public:
-  ImageWithEnds(std::shared_ptr<const ParameterCurve> image, double t0, double t1, Vec2 start, Vec2 end)
-      : image_(std::move(image)), t0_(t0), t1_(t1), start_(start), end_(end) {}
-  Vec2 uv(double t) const override { return t <= t0_ ? start_ : t >= t1_ ? end_ : image_->uv(t); }
-
- private:
-  std::shared_ptr<const ParameterCurve> image_;
-  double t0_, t1_;
-  Vec2 start_, end_;
-};
-
-/// Another image, periods away.
-class ShiftedImage : public ParameterCurve {
- public:
-  ShiftedImage(std::shared_ptr<const ParameterCurve> image, Vec2 shift) : image_(std::move(image)), shift_(shift) {}
-  Vec2 uv(double t) const override { return image_->uv(t) + shift_; }
-
- private:
-  std::shared_ptr<const ParameterCurve> image_;
-  Vec2 shift_;
-};
-
 }  // namespace
 
 std::shared_ptr<const ParameterCurve> make_shifted_image(std::shared_ptr<const ParameterCurve> image, Vec2 shift) {
-  return std::make_shared<ShiftedImage>(std::move(image), shift);
+  return image_by([image = std::move(image), shift](double t) { return image->uv(t) + shift; });
 }
 
 std::shared_ptr<const ParameterCurve> make_image_with_ends(const TopoDS_Face& face,
@@ -241,7 +217,10 @@ std::shared_ptr<const ParameterCurve> make_image_with_ends(const TopoDS_Face& fa
       off = std::max(off, distance);
       is_changed = true;
     }
-    return is_changed ? std::make_shared<ImageWithEnds>(std::move(image), t0, t1, uv[0], uv[1]) : nullptr;
+    if (!is_changed) return nullptr;
+    return image_by([image = std::move(image), t0, t1, uv](double t) {
+      return t <= t0 ? uv[0] : t >= t1 ? uv[1] : image->uv(t);
+    });
   } catch (const Standard_Failure&) {
     return nullptr;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "paver/vec.h"
 
@@ -57,5 +58,21 @@ class ParameterCurve {
   virtual ~ParameterCurve() = default;
   virtual Vec2 uv(double t) const = 0;
 };
+
+template <class F>
+class ParameterFunction final : public ParameterCurve {
+ public:
+  explicit ParameterFunction(F f) : f_(std::move(f)) {}
+  Vec2 uv(double t) const override { return f_(t); }
+
+ private:
+  F f_;
+};
+
+/// The image whose (u, v) at a parameter `f` gives.
+template <class F>
+std::shared_ptr<const ParameterCurve> image_by(F f) {
+  return std::make_shared<ParameterFunction<F>>(std::move(f));
+}
 
 }  // namespace paver

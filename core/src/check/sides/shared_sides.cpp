@@ -19,51 +19,44 @@ struct WantedSide {
 auto ends(const SharedSide& side) { return std::tie(side.low, side.high); }
 auto key(const SharedSide& side) { return std::tie(side.low, side.high, side.face, side.direction, side.middle); }
 
-/// The edges' intervals as the loops of the meshed faces run along them. Edges that only one face has, twice, need not
-/// be followed by its elements.
-class WantedSides {
- public:
-  WantedSides(const CheckedMesh& checked, Ranks& ranks) : checked_(checked), ranks_(ranks) {}
+/// Edges that only one face has, twice, need not be followed by its elements.
+bool is_wanted(const Edge& edge) {
+  const std::vector<int>& faces = edge.faces;
+  const bool is_of_one = std::all_of(faces.begin(), faces.end(), [&](int face) { return face == faces.front(); });
+  return faces.size() == 1 || !is_of_one;
+}
 
-  std::vector<WantedSide> run() {
-    for (std::size_t f = 0; f < checked_.model.faces.size(); ++f) {
-      if (!checked_.is_meshed[f]) continue;
-      for (const Loop& loop : checked_.model.faces[f].loops)
-        for (const Coedge& coedge : loop.coedges)
-          if (is_wanted(coedge.edge)) add(static_cast<int>(f), coedge);
-    }
-    std::sort(wanted_.begin(), wanted_.end(),
-              [](const WantedSide& a, const WantedSide& b) { return key(a.side) < key(b.side); });
-    return std::move(wanted_);
+/// The edges' intervals as the loop of a meshed face runs along them.
+void add_wanted(const CheckedMesh& checked, const Ranks& ranks, int face, const Coedge& coedge,
+                std::vector<WantedSide>& wanted) {
+  const SurfaceMesh& mesh = checked.mesh;
+  const bool is_backward = coedge.is_reversed != checked.model.faces[static_cast<std::size_t>(face)].is_reversed;
+  const std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
+  auto [first, last] = std::equal_range(mesh.line_edge.begin(), mesh.line_edge.end(), coedge.edge);
+  for (auto line = first; line != last; ++line) {
+    const int* v = &mesh.lines[static_cast<std::size_t>(line - mesh.line_edge.begin()) * stride];
+    const long from = checked.number(v[is_backward ? 1 : 0]), to = checked.number(v[is_backward ? 0 : 1]);
+    if (std::min(from, to) % ranks.count() != ranks.rank()) continue;
+    const long middle = mesh.order == 1 ? -1 : checked.number(v[2]);
+    wanted.push_back(
+        {{std::min(from, to), std::max(from, to), middle, face, from < to ? 1 : -1, checked.middle(v[0], v[1])},
+         coedge.edge});
   }
+}
 
- private:
-  bool is_wanted(int edge) const {
-    const std::vector<int>& faces = checked_.model.edges[static_cast<std::size_t>(edge)].faces;
-    const bool is_of_one = std::all_of(faces.begin(), faces.end(), [&](int face) { return face == faces.front(); });
-    return faces.size() == 1 || !is_of_one;
+std::vector<WantedSide> wanted_sides(const CheckedMesh& checked, const Ranks& ranks) {
+  std::vector<WantedSide> wanted;
+  for (std::size_t f = 0; f < checked.model.faces.size(); ++f) {
+    if (!checked.is_meshed[f]) continue;
+    for (const Loop& loop : checked.model.faces[f].loops)
+      for (const Coedge& coedge : loop.coedges)
+        if (is_wanted(checked.model.edges[static_cast<std::size_t>(coedge.edge)]))
+          add_wanted(checked, ranks, static_cast<int>(f), coedge, wanted);
   }
-
-  void add(int face, const Coedge& coedge) {
-    const SurfaceMesh& mesh = checked_.mesh;
-    const bool is_backward = coedge.is_reversed != checked_.model.faces[static_cast<std::size_t>(face)].is_reversed;
-    const std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
-    auto [first, last] = std::equal_range(mesh.line_edge.begin(), mesh.line_edge.end(), coedge.edge);
-    for (auto line = first; line != last; ++line) {
-      const int* v = &mesh.lines[static_cast<std::size_t>(line - mesh.line_edge.begin()) * stride];
-      const long from = checked_.number(v[is_backward ? 1 : 0]), to = checked_.number(v[is_backward ? 0 : 1]);
-      if (std::min(from, to) % ranks_.count() != ranks_.rank()) continue;
-      const long middle = mesh.order == 1 ? -1 : checked_.number(v[2]);
-      wanted_.push_back(
-          {{std::min(from, to), std::max(from, to), middle, face, from < to ? 1 : -1, checked_.middle(v[0], v[1])},
-           coedge.edge});
-    }
-  }
-
-  const CheckedMesh& checked_;
-  Ranks& ranks_;
-  std::vector<WantedSide> wanted_;
-};
+  std::sort(wanted.begin(), wanted.end(),
+            [](const WantedSide& a, const WantedSide& b) { return key(a.side) < key(b.side); });
+  return wanted;
+}
 
 /// Those of all ranks that this one answers for.
 template <class T, class Lowest>
@@ -191,7 +184,7 @@ void check_elements(std::vector<SharedElement> elements, MeshFaults& faults) {
 void check_shared(const CheckedMesh& checked, const SharedLists& mine, Ranks& ranks, MeshFaults& faults) {
   std::vector<SharedSide> sides = exchange(mine.sides, ranks, [](const SharedSide& side) { return side.low; });
   std::sort(sides.begin(), sides.end(), [](const SharedSide& a, const SharedSide& b) { return key(a) < key(b); });
-  check_sides(checked, sides, WantedSides(checked, ranks).run(), faults);
+  check_sides(checked, sides, wanted_sides(checked, ranks), faults);
   auto lowest = [](const SharedElement& element) { return std::max(element.corners[0], element.corners[1]); };
   check_elements(exchange(mine.elements, ranks, lowest), faults);
 }

@@ -58,20 +58,6 @@ class ChainCurve : public Curve {
   std::vector<std::shared_ptr<const Curve>> curves_;
 };
 
-class ChainImage : public ParameterCurve {
- public:
-  ChainImage(std::shared_ptr<const Pieces> pieces, std::vector<std::shared_ptr<const ParameterCurve>> images)
-      : pieces_(std::move(pieces)), images_(std::move(images)) {}
-  Vec2 uv(double s) const override {
-    double t, pace;
-    return images_[pieces_->find(s, t, pace)]->uv(t);
-  }
-
- private:
-  std::shared_ptr<const Pieces> pieces_;
-  std::vector<std::shared_ptr<const ParameterCurve>> images_;
-};
-
 class ChainJoiner {
  public:
   ChainJoiner(ModelEdits& edits, const MergeLimits& limits) : edits_(edits), limits_(limits) {}
@@ -231,7 +217,10 @@ class ChainJoiner {
         }
         if (!images.front()) continue;
         coedge.edge = kept;
-        coedge.pcurve = std::make_shared<ChainImage>(pieces, std::move(images));
+        coedge.pcurve = image_by([pieces, images = std::move(images)](double s) {
+          double t, pace;
+          return images[pieces->find(s, t, pace)]->uv(t);
+        });
         uses.push_back({&loop, coedge});
       }
     for (const Use& use : uses)

@@ -7,17 +7,6 @@
 namespace paver {
 namespace {
 
-class MatchedCurve : public ParameterCurve {
- public:
-  MatchedCurve(std::shared_ptr<const ParameterCurve> image, std::shared_ptr<const ParameterMatch> match)
-      : image_(std::move(image)), match_(std::move(match)) {}
-  Vec2 uv(double t) const override { return image_->uv((*match_)(t)); }
-
- private:
-  std::shared_ptr<const ParameterCurve> image_;
-  std::shared_ptr<const ParameterMatch> match_;
-};
-
 template <class F>
 void for_uses(Model& model, const Edge& edge, int index, F&& f) {
   std::vector<int> faces = edge.faces;
@@ -147,7 +136,7 @@ void ModelEdits::replace(int gone, int kept, bool same_direction, const std::sha
     Coedge& coedge = coedges[i];
     coedge.edge = kept;
     coedge.is_reversed = coedge.is_reversed == same_direction;
-    coedge.pcurve = std::make_shared<MatchedCurve>(coedge.pcurve, match);
+    coedge.pcurve = image_by([image = coedge.pcurve, match](double t) { return image->uv((*match)(t)); });
   });
   Edge &from = edge(gone), &to = edge(kept);
   to.faces.insert(to.faces.end(), from.faces.begin(), from.faces.end());
