@@ -12,8 +12,10 @@
 
 namespace paver {
 
-/// What to say of a process that a signal ended in a stage of meshing the model `name`.
-Error breakdown(const std::string& name, Stage stage, int signal);
+/// What to say of a process that a signal ended in a stage of meshing the model `name`: `who` it is called, and what to
+/// choose where memory ran out.
+Error breakdown(const std::string& name, Stage stage, int signal, const std::string& who = "Paver",
+                const std::string& choice = "a larger target length or fewer threads");
 
 /// Makes this process one that another watches and that may break down: doubtful files are read at once.
 void allow_breakdown();

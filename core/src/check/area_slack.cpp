@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "quality/reduction.h"
+
 namespace paver {
 namespace {
 
@@ -19,10 +21,6 @@ double element_slack(double area, double least_along, bool is_curved) {
   return area * (is_curved ? curved_share * turn * turn : chords_share * turn);
 }
 
-bool can_be_area(double mesh_area, const Face& face, double slack) {
-  return can_be_area(mesh_area, face, face.area, slack);
-}
-
 bool can_be_area(double mesh_area, const Face& face, double own_area, double slack) {
   return std::fabs(mesh_area - own_area) <= cad_share * own_area + face.merged_area + slack;
 }
@@ -33,12 +31,9 @@ AreaSlack::AreaSlack(const Model& model) {
 }
 
 void AreaSlack::unite(Ranks& ranks) {
-  std::vector<long> parts;
-  for (const ExactSum& sum : faces_)
-    for (long part : sum.parts()) parts.push_back(part);
-  ranks.add_up(parts);
-  const long* at = parts.data();
-  for (ExactSum& sum : faces_) sum.set_parts(at), at += ExactSum::part_count;
+  Reduction all;
+  for (ExactSum& sum : faces_) all.sum(sum);
+  all.run(ranks);
 }
 
 }  // namespace paver

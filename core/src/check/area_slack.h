@@ -13,10 +13,8 @@ namespace paver {
 /// surface's at a corner; whether its sides are curved as the surface is.
 double element_slack(double area, double least_along, bool is_curved);
 
-/// Whether a mesh of this area, whose elements may lack `slack` of it, can be one of the face.
-bool can_be_area(double mesh_area, const Face& face, double slack);
-
-/// The same of a part of the face that has the area `own_area`.
+/// Whether a mesh of this area, whose elements may lack `slack` of it, can be one of the face, or of
+/// the part of it that has the area `own_area`.
 bool can_be_area(double mesh_area, const Face& face, double own_area, double slack);
 
 /// Per face of the model; sums that do not depend on the order of their terms. mm^2.
@@ -33,7 +31,7 @@ class AreaSlack {
 
   /// Whether a mesh of this area can be one of the face.
   bool allows(const Face& face, int index, double mesh_area) const {
-    return can_be_area(mesh_area, face, faces_[static_cast<std::size_t>(index)].total());
+    return can_be_area(mesh_area, face, face.area, faces_[static_cast<std::size_t>(index)].total());
   }
 
  private:

@@ -55,39 +55,27 @@ long MeshFaults::count(int face, FaultKind kind) const {
 }
 
 std::string MeshFaults::reason(int face) const {
-  const auto& [key, entry] = gravest(face);
-  const long n = entry.count;
-  auto counted = [n](const char* one, const char* several) {
-    return n == 1 ? std::string(one) : fmt::format("{} {}", n, several);
+  struct Words {
+    const char *before, *one, *several, *after, *remedy = "use a smaller size or max-turn";
   };
-  constexpr const char* remedy = "; use a smaller size or max-turn";
-  switch (key.second) {
-    case FaultKind::folded:
-      return counted("an element folds", "elements fold") + " or cannot be proven not to" + remedy;
-    case FaultKind::turned:
-      return counted("an element runs", "elements run") + " against the normal of the face" + remedy;
-    case FaultKind::same_element:
-      return counted("an element has", "elements have") + " the same corners as another" + remedy;
-    case FaultKind::overlap:
-      return counted("an element lies", "elements lie") +
-             " on those of another face; remove one of the faces in the CAD model";
-    case FaultKind::side:
-      return counted("a mesh edge", "mesh edges") + " inside it would not lie in two elements side by side" + remedy;
-    case FaultKind::boundary:
-      return "its elements do not fit " + counted("a mesh edge", "mesh edges") + " of its boundary" + remedy;
-    case FaultKind::shared:
-      return counted("a mesh edge", "mesh edges") + " of it would have elements of faces that do not meet there" +
-             remedy;
-    case FaultKind::off_edge:
-      return counted("a node lies", "nodes lie") + " off the B-rep edge; repair the edge in the CAD model";
-    case FaultKind::off_surface:
-      return counted("a node lies", "nodes lie") + " off its surface" + remedy;
-    case FaultKind::chord:
-      return counted("an element cuts", "elements cut") + " far across a bend of it" + remedy;
-    case FaultKind::area:
-      return std::string("its elements do not cover its area") + remedy;
-  }
-  return "";
+  static constexpr Words words[] = {
+      {"", "an element folds", "elements fold", " or cannot be proven not to"},
+      {"", "an element runs", "elements run", " against the normal of the face"},
+      {"", "an element has", "elements have", " the same corners as another"},
+      {"", "an element lies", "elements lie", " on those of another face", "remove one of the faces in the CAD model"},
+      {"", "a mesh edge", "mesh edges", " inside it would not lie in two elements side by side"},
+      {"its elements do not fit ", "a mesh edge", "mesh edges", " of its boundary"},
+      {"", "a mesh edge", "mesh edges", " of it would have elements of faces that do not meet there"},
+      {"", "a node lies", "nodes lie", " off the B-rep edge", "repair the edge in the CAD model"},
+      {"", "a node lies", "nodes lie", " off its surface"},
+      {"", "an element cuts", "elements cut", " far across a bend of it"},
+      {"its elements do not cover its area", "", "", ""},
+  };
+  static_assert(std::size(words) == static_cast<std::size_t>(FaultKind::area) + 1);
+  const auto& [key, entry] = gravest(face);
+  const auto& [before, one, several, after, remedy] = words[static_cast<std::size_t>(key.second)];
+  const std::string counted = entry.count == 1 || !*several ? one : fmt::format("{} {}", entry.count, several);
+  return fmt::format("{}{}{}; {}", before, counted, after, remedy);
 }
 
 }  // namespace paver

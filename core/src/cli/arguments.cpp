@@ -12,10 +12,6 @@
 #include "paver/error.h"
 #include "paver/option_table.h"
 
-#ifndef PAVER_VERSION
-#define PAVER_VERSION "0.1.0"
-#endif
-
 namespace paver {
 namespace {
 

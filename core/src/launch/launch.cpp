@@ -15,7 +15,6 @@
 #include <cctype>
 #include <charconv>
 #include <chrono>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -180,19 +179,8 @@ std::optional<Error> lost_rank(const std::string& name, const std::string& outpu
   std::string_view rest = line;
   const std::optional<int> rank = number_after("process rank ", rest), signal = number_after("exited on signal ", rest);
   if (!rank || !signal) return std::nullopt;
-  if (progress.stage() == Stage::read || progress.stage() == Stage::topology) {
-    Error broken = breakdown(name, progress.stage(), *signal);
-    if (broken.code() == ErrorCode::damaged_file) return broken;
-  }
-  constexpr int killed = 9;
-  std::string who = fmt::format("Rank {} of {} was ended by signal {} ({}) in stage {}", *rank, ranks, *signal,
-                                ::strsignal(*signal), stage_name(progress.stage()));
-  if (*signal == killed)
-    return Error(ErrorCode::out_of_memory,
-                 who +
-                     ", as the system does when memory runs out; nothing was written, choose fewer ranks or a larger "
-                     "target length.");
-  return Error(ErrorCode::internal, who + "; nothing was written, report it with the model.");
+  return breakdown(name, progress.stage(), *signal, fmt::format("Rank {} of {}", *rank, ranks),
+                   "fewer ranks or a larger target length");
 }
 
 /// What the system says when it cannot start the ranks for want of a library.

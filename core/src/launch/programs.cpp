@@ -46,13 +46,6 @@ std::optional<std::string> from_variable(const char* variable, int ranks) {
       fmt::format("ranks is {}, but {} names '{}', which is no program; correct or unset it.", ranks, variable, path));
 }
 
-/// Beside this library or program, or where the build folder has it from there.
-std::optional<std::string> beside_us(const char* name) {
-  for (const fs::path& folder : own_folders())
-    if (is_program(folder / name)) return (folder / name).string();
-  return std::nullopt;
-}
-
 /// Whether a variable belongs to a run of MPI or to the batch system around it.
 bool is_of_a_run(std::string_view variable, bool is_in_a_run) {
   if (!is_in_a_run)  // the user's own settings
@@ -117,7 +110,7 @@ std::string find_mpirun(int ranks) {
 
 std::string find_worker(int ranks) {
   if (auto path = from_variable("PAVER_WORKER", ranks)) return *path;
-  if (auto path = beside_us("paver-worker")) return *path;
+  if (auto path = beside_us("paver-worker", X_OK)) return *path;
   if (auto path = on_path("paver-worker")) return *path;
   throw Error(ErrorCode::bad_option,
               fmt::format("ranks is {}, but there is no program paver-worker; build Paver where Open MPI is installed "
@@ -128,7 +121,7 @@ std::string find_worker(int ranks) {
 std::string find_watcher(const std::string& worker, int ranks) {
   fs::path beside_worker = fs::path(worker).parent_path() / "paver-watch";
   if (is_program(beside_worker)) return beside_worker.string();
-  if (auto path = beside_us("paver-watch")) return *path;
+  if (auto path = beside_us("paver-watch", X_OK)) return *path;
   if (auto path = on_path("paver-watch")) return *path;
   throw Error(
       ErrorCode::bad_option,

@@ -1,7 +1,6 @@
 // Shape of one straight-sided element. Definitions: core/docs/quality.md, "Shape".
 #pragma once
 
-#include <array>
 #include <numbers>
 
 #include "paver/vec.h"
@@ -17,11 +16,5 @@ double scaled_jacobian(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
 
 /// The same for the triangle a b c, times triangle_scale: 1 for an equilateral one, never negative.
 double scaled_jacobian(Vec3 a, Vec3 b, Vec3 c);
-
-/// Interior angles in radians at a, b, c, d, against the quad's own normal: above pi where it is concave.
-std::array<double, 4> interior_angles(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
-
-/// Interior angles in radians at a, b, c.
-std::array<double, 3> interior_angles(Vec3 a, Vec3 b, Vec3 c);
 
 }  // namespace paver

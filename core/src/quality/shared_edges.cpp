@@ -21,33 +21,19 @@ struct NodeRecord {
   int is_outside;
 };
 
-/// Edges of the same ends become one.
-void unite_edges(std::vector<EdgeRecord>& edges) {
-  auto key = [](const EdgeRecord& edge) { return std::tie(edge.low, edge.high); };
-  std::sort(edges.begin(), edges.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+/// Those of the same key become one.
+template <class T, class Key, class Add>
+void unite(std::vector<T>& all, Key key, Add add) {
+  std::sort(all.begin(), all.end(), [&](const T& a, const T& b) { return key(a) < key(b); });
   std::size_t count = 0;
-  for (const EdgeRecord& edge : edges) {
-    if (count > 0 && key(edges[count - 1]) == key(edge)) {
-      edges[count - 1].uses += edge.uses;
+  for (const T& one : all) {
+    if (count > 0 && key(all[count - 1]) == key(one)) {
+      add(all[count - 1], one);
     } else {
-      edges[count++] = edge;
+      all[count++] = one;
     }
   }
-  edges.resize(count);
-}
-
-void unite_nodes(std::vector<NodeRecord>& nodes) {
-  std::sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
-  std::size_t count = 0;
-  for (const NodeRecord& node : nodes) {
-    if (count > 0 && nodes[count - 1].number == node.number) {
-      nodes[count - 1].twice_valence += node.twice_valence;
-      nodes[count - 1].is_outside |= node.is_outside;
-    } else {
-      nodes[count++] = node;
-    }
-  }
-  nodes.resize(count);
+  all.resize(count);
 }
 
 void add_odd_edge(std::vector<NodeRecord>& nodes, long number, long uses) {
@@ -75,8 +61,15 @@ SharedFigures measure_shared(const SurfaceMesh& mesh, const ShareNumbers& number
       gather_wanted(shared_edges, ranks, [&](const EdgeRecord& edge) { return is_own(edge.low) || is_own(edge.high); });
   std::vector<NodeRecord> all_nodes =
       gather_wanted(shared_nodes, ranks, [&](const NodeRecord& node) { return is_own(node.number); });
-  unite_edges(all_edges);
-  unite_nodes(all_nodes);
+  unite(
+      all_edges, [](const EdgeRecord& edge) { return std::tie(edge.low, edge.high); },
+      [](EdgeRecord& edge, const EdgeRecord& more) { edge.uses += more.uses; });
+  unite(
+      all_nodes, [](const NodeRecord& node) { return node.number; },
+      [](NodeRecord& node, const NodeRecord& more) {
+        node.twice_valence += more.twice_valence;
+        node.is_outside |= more.is_outside;
+      });
 
   SharedFigures figures;
   for (const EdgeRecord& edge : all_edges) {

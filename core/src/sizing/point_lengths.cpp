@@ -52,7 +52,7 @@ std::vector<double> point_lengths(const Model& model, const SizeField& size, con
   std::vector<std::vector<std::size_t>> pieces(static_cast<std::size_t>(model.read_faces));
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
     const Face& face = model.faces[f];
-    if (!face.has_area || !face.fault.empty() || face.is_common || face.is_dropped || face.is_merged) continue;
+    if (!face.is_meshed()) continue;
     if (face.origin < model.read_faces)
       pieces[static_cast<std::size_t>(face.origin)].push_back(f);
     else

@@ -66,6 +66,7 @@ struct Face {
   std::string fault;             ///< not empty: cannot be meshed, and why (e.g. an edge without a curve on the face)
   std::vector<Loop> loops;
   std::vector<InnerPoint> points;
+  bool is_meshed() const { return has_area && fault.empty() && !is_common && !is_dropped && !is_merged; }
 };
 
 struct Model {

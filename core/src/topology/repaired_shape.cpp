@@ -2,7 +2,6 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
@@ -10,7 +9,6 @@
 #include <map>
 #include <sstream>
 
-#include "base/union_find.h"
 #include "topology/build_parts_impl.h"
 
 namespace paver {
@@ -18,38 +16,27 @@ namespace {
 
 struct Shell {
   TopoDS_Shell shell;
-  TopTools_IndexedMapOfShape edges;
-  std::vector<int> uses{0};  ///< at index of `edges`
+  EdgeUses uses;
 
   void add(const TopoDS_Face& face) {
     BRep_Builder().Add(shell, face);
-    for (TopExp_Explorer parts(face, TopAbs_EDGE); parts.More(); parts.Next()) {
-      const auto index = static_cast<std::size_t>(edges.Add(parts.Current()));
-      if (index == uses.size()) uses.push_back(0);
-      ++uses[index];
-    }
+    uses.add(face);
   }
   bool is_closed() const {
-    for (int i = 1; i <= edges.Extent(); ++i)
-      if (uses[static_cast<std::size_t>(i)] != 2 && !BRep_Tool::Degenerated(TopoDS::Edge(edges(i)))) return false;
+    for (int i = 1; i <= uses.edges.Extent(); ++i)
+      if (uses.uses[static_cast<std::size_t>(i)] != 2 && !BRep_Tool::Degenerated(TopoDS::Edge(uses.edges(i))))
+        return false;
     return true;
   }
 };
 
 /// Of faces that hang together by edges.
 std::vector<Shell> shells_of(const std::vector<TopoDS_Face>& faces) {
-  UnionFind together(faces.size());
-  TopTools_IndexedMapOfShape edges;
-  std::vector<int> first{-1};
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (TopExp_Explorer parts(faces[f], TopAbs_EDGE); parts.More(); parts.Next()) {
-      const auto index = static_cast<std::size_t>(edges.Add(parts.Current()));
-      if (index == first.size()) first.push_back(static_cast<int>(f));
-      together.merge(first[index], static_cast<int>(f));
-    }
+  Hanging together(faces.size(), TopAbs_EDGE);
+  for (std::size_t f = 0; f < faces.size(); ++f) together.add(f, faces[f]);
   std::map<int, Shell> shells;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    Shell& shell = shells[together.find(static_cast<int>(f))];
+    Shell& shell = shells[together.group_of(f)];
     if (shell.shell.IsNull()) BRep_Builder().MakeShell(shell.shell);
     shell.add(faces[f]);
   }

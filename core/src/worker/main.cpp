@@ -21,10 +21,6 @@
 #include "worker/mpi_ranks.h"
 #include "worker/reporter.h"
 
-#ifndef PAVER_VERSION
-#define PAVER_VERSION "0.1.0"
-#endif
-
 namespace paver {
 namespace {
 

@@ -29,14 +29,5 @@ TEST(ScaledJacobian, IsNegativeForConcaveQuadsAndZeroForFlatOnes) {
   EXPECT_EQ(scaled_jacobian({0, 0, 0}, {1, 0, 0}, {2, 0, 0}), 0);
 }
 
-TEST(InteriorAngles, AddUpToTheWholeAndExceedPiWhereConcave) {
-  auto quad = interior_angles({0, 0, 0}, {1, 0, 0}, {0.2, 0.2, 0}, {0, 1, 0});
-  EXPECT_NEAR(quad[0] + quad[1] + quad[2] + quad[3], 2 * pi, 1e-14);
-  EXPECT_GT(quad[2], pi);
-  auto triangle = interior_angles({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-  EXPECT_NEAR(triangle[0], pi / 2, 1e-15);
-  EXPECT_NEAR(triangle[1], pi / 4, 1e-15);
-}
-
 }  // namespace
 }  // namespace paver

@@ -1,27 +1,29 @@
 #include "base/process/own_folders.h"
 
 #include <dlfcn.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <system_error>
+#include <vector>
 
 namespace paver {
 namespace fs = std::filesystem;
 
-std::vector<fs::path> own_folders() {
+std::optional<std::string> beside_us(const std::string& name, int mode) {
   Dl_info info{};
   std::error_code ignored;
   std::vector<fs::path> ours{fs::read_symlink("/proc/self/exe", ignored)};
-  if (::dladdr(reinterpret_cast<const void*>(&own_folders), &info) && info.dli_fname)
+  if (::dladdr(reinterpret_cast<const void*>(&beside_us), &info) && info.dli_fname)
     ours.insert(ours.begin(), fs::weakly_canonical(info.dli_fname, ignored));
-  std::vector<fs::path> folders;
   for (const fs::path& own : ours) {
     const fs::path folder = own.parent_path(), above = folder.parent_path(), top = above.parent_path();
-    for (const fs::path& one : {folder, above / "core", top / "core"}) folders.push_back(one);
-    for (const fs::path& one :
-         {above / "lib" / "paver", top.parent_path() / "paver", top.parent_path().parent_path() / "bin"})
-      folders.push_back(one);
+    for (const fs::path& one : {folder, above / "core", top / "core", above / "lib" / "paver",
+                                top.parent_path() / "paver", top.parent_path().parent_path() / "bin"})
+      if (const fs::path path = one / name; fs::is_regular_file(path, ignored) && ::access(path.c_str(), mode) == 0)
+        return path.string();
   }
-  return folders;
+  return std::nullopt;
 }
 
 }  // namespace paver

@@ -37,7 +37,7 @@ double processor_seconds(pid_t process) {
 
 }  // namespace
 
-Error breakdown(const std::string& name, Stage stage, int signal) {
+Error breakdown(const std::string& name, Stage stage, int signal, const std::string& who, const std::string& choice) {
   if (is_of_kernel(stage) && is_fault(signal))
     return Error(ErrorCode::damaged_file, fmt::format("'{}' could not be read: the CAD kernel broke down on it ({}, in "
                                                       "stage {}); export the model again.",
@@ -47,11 +47,11 @@ Error breakdown(const std::string& name, Stage stage, int signal) {
                                                       "(in stage {}); export the model again.",
                                                       name, stage_name(stage)));
   std::string what =
-      fmt::format("Paver was ended by signal {} ({}) in stage {}", signal, ::strsignal(signal), stage_name(stage));
+      fmt::format("{} was ended by signal {} ({}) in stage {}", who, signal, ::strsignal(signal), stage_name(stage));
   if (signal == SIGKILL)
-    return Error(ErrorCode::out_of_memory, what +
-                                               ", as the system does when memory runs out; nothing was written, "
-                                               "choose a larger target length or fewer threads.");
+    return Error(
+        ErrorCode::out_of_memory,
+        fmt::format("{}, as the system does when memory runs out; nothing was written, choose {}.", what, choice));
   return Error(ErrorCode::internal, what + "; nothing was written, report it with the model.");
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <numeric>
 #include <vector>
 
 #include "base/packing.h"
@@ -24,8 +25,9 @@ class SharedTasks {
   std::vector<Result> run(Stage stage, const std::vector<double>& costs, const std::function<Result(int)>& task) {
     std::vector<Result> results(costs.size());
     auto keep = [&](int i) { results[static_cast<std::size_t>(i)] = task(i); };
-    if (!is_worth_sharing(costs)) {
-      do_all(costs.size(), keep);
+    constexpr double least_shared = 2000;  // microseconds: below, messages would take longer than they spare
+    if (std::accumulate(costs.begin(), costs.end(), 0.0) < least_shared) {
+      for (std::size_t i = 0; i < costs.size(); ++i) progress_.check(), keep(static_cast<int>(i));
       return results;
     }
     const std::vector<int> mine = do_mine(stage, costs, keep);
@@ -48,8 +50,6 @@ class SharedTasks {
   const std::vector<TaskTime>& times() const { return times_; }
 
  private:
-  static bool is_worth_sharing(const std::vector<double>& costs);
-  void do_all(std::size_t tasks, const std::function<void(int)>& task) const;
   /// Numbers of the tasks done here.
   std::vector<int> do_mine(Stage stage, const std::vector<double>& costs, const std::function<void(int)>& task);
 

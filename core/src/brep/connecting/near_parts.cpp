@@ -20,12 +20,6 @@ constexpr int cells = 16;  // per direction
 constexpr int most_tries = 200;
 constexpr double sag_factor = 2;  // what a cell's box grows by, of how far its middle is from its corners' mean
 
-bool is_free_form(const BRepAdaptor_Surface& surface) {
-  const GeomAbs_SurfaceType kind = surface.GetType();
-  return kind == GeomAbs_BSplineSurface || kind == GeomAbs_BezierSurface || kind == GeomAbs_OffsetSurface ||
-         kind == GeomAbs_OtherSurface || kind == GeomAbs_SurfaceOfExtrusion || kind == GeomAbs_SurfaceOfRevolution;
-}
-
 /// A face, wire or point of a part.
 class Piece {
  public:
@@ -35,7 +29,7 @@ class Piece {
     if (shape.ShapeType() != TopAbs_FACE) return;
     BRepAdaptor_Surface surface(TopoDS::Face(shape), Standard_False);
     is_flat_ = surface.GetType() == GeomAbs_Plane;
-    is_free_form_ = paver::is_free_form(surface);
+    is_free_form_ = surface.GetType() > GeomAbs_Torus;
   }
 
   const Bnd_Box& box() const { return box_; }

@@ -9,32 +9,10 @@
 #include <map>
 #include <set>
 
-#include "base/union_find.h"
 #include "brep/connecting/connect_impl.h"
 
 namespace paver {
 namespace {
-
-/// Items that hang together by the edges, or vertices, of their shapes.
-class Hanging {
- public:
-  Hanging(std::size_t items, TopAbs_ShapeEnum by) : by_(by), groups_(items) {}
-  void add(std::size_t item, const TopoDS_Shape& shape) {
-    for (TopExp_Explorer inner(shape, by_); inner.More(); inner.Next()) {
-      const auto index = static_cast<std::size_t>(joints_.Add(inner.Current()));
-      if (index == first_item_.size()) first_item_.push_back(static_cast<int>(item));
-      groups_.merge(first_item_[index], static_cast<int>(item));
-    }
-  }
-  /// The first item of the group.
-  int group_of(std::size_t item) { return groups_.find(static_cast<int>(item)); }
-
- private:
-  TopAbs_ShapeEnum by_;
-  UnionFind groups_;
-  TopTools_IndexedMapOfShape joints_;
-  std::vector<int> first_item_{-1};
-};
 
 class PartLister {
  public:

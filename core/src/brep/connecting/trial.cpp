@@ -7,8 +7,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <filesystem>
-
 #include "base/process/child.h"
 #include "base/process/own_folders.h"
 #include "paver/breakdown.h"
@@ -19,9 +17,7 @@ namespace {
 constexpr int look_milliseconds = 20;
 
 std::string program(const FileSource& file) {
-  std::error_code ignored;
-  for (const auto& folder : own_folders())
-    if (auto path = folder / "paver"; std::filesystem::is_regular_file(path, ignored)) return path.string();
+  if (auto path = beside_us("paver", F_OK)) return *path;
   throw Error(ErrorCode::internal, "'" + file.name +
                                        "' is damaged or odd and is only read where the program paver can try it first, "
                                        "which is missing; build Paver again or install all of it.");
@@ -58,17 +54,16 @@ int wait_for(Child& child, const std::string& path, Stage& stage, const Progress
 
 }  // namespace
 
-void Trial::run() {
-  if (has_run_ || may_break_down()) return;
-  has_run_ = true;
-  Child child({program(file_), trial_command, path_for_others(file_.path), file_.name, std::to_string(::getpid())},
+void try_elsewhere(const FileSource& file, const Progress& progress) {
+  if (may_break_down()) return;
+  Child child({program(file), trial_command, path_for_others(file.path), file.name, std::to_string(::getpid())},
               own_environment());
   Stage stage = Stage::read;
-  const int status = wait_for(child, file_.path, stage, progress_);
-  if (WIFSIGNALED(status)) throw Error(breakdown(file_.name, stage, WTERMSIG(status)));
+  const int status = wait_for(child, file.path, stage, progress);
+  if (WIFSIGNALED(status)) throw Error(breakdown(file.name, stage, WTERMSIG(status)));
   if (WEXITSTATUS(status) == out_of_memory_exit_code)
     throw Error(ErrorCode::out_of_memory,
-                "'" + file_.name + "' takes more memory than there is; export the model again, it may be damaged.");
+                "'" + file.name + "' takes more memory than there is; export the model again, it may be damaged.");
   if (auto refusal = refusal_in(child.last_output())) throw *refusal;
 }
 

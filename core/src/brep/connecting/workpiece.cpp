@@ -204,21 +204,30 @@ void add_edge_origins(Workpiece& work, const TopoDS_Shape& image, const std::vec
   }
 }
 
+void Hanging::add(std::size_t item, const TopoDS_Shape& shape) {
+  for (TopExp_Explorer inner(shape, by_); inner.More(); inner.Next()) {
+    const auto index = static_cast<std::size_t>(joints_.Add(inner.Current()));
+    if (index == first_item_.size()) first_item_.push_back(static_cast<int>(item));
+    groups_.merge(first_item_[index], static_cast<int>(item));
+  }
+}
+
+void EdgeUses::add(const TopoDS_Face& face) {
+  for (TopExp_Explorer parts(face, TopAbs_EDGE); parts.More(); parts.Next()) {
+    const auto index = static_cast<std::size_t>(edges.Add(parts.Current()));
+    if (index == uses.size()) uses.push_back(0);
+    ++uses[index];
+  }
+}
+
 bool EdgeUses::is_free(int index) const {
   return uses[static_cast<std::size_t>(index)] == 1 && !BRep_Tool::Degenerated(TopoDS::Edge(edges(index)));
 }
 
 EdgeUses count_uses(const std::vector<WorkFace>& faces) {
   EdgeUses result;
-  result.uses.push_back(0);
-  for (const WorkFace& face : faces) {
-    if (!face.has_area) continue;
-    for (TopExp_Explorer edges(face.face, TopAbs_EDGE); edges.More(); edges.Next()) {
-      auto index = static_cast<std::size_t>(result.edges.Add(edges.Current()));
-      if (index == result.uses.size()) result.uses.push_back(0);
-      ++result.uses[index];
-    }
-  }
+  for (const WorkFace& face : faces)
+    if (face.has_area) result.add(face.face);
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <NCollection_DataMap.hxx>
+#include <TopAbs_ShapeEnum.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS_Edge.hxx>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "base/tasks/shared_tasks.h"
+#include "base/union_find.h"
 #include "brep/shape_impl.h"
 #include "paver/progress.h"
 #include "paver/result.h"
@@ -93,6 +95,21 @@ struct Workpiece {
   void note_repair(RepairKind kind, long count, double distance, const std::string& face = {});
 };
 
+/// Items that hang together by the edges, or vertices, of their shapes.
+class Hanging {
+ public:
+  Hanging(std::size_t items, TopAbs_ShapeEnum by) : by_(by), groups_(items) {}
+  void add(std::size_t item, const TopoDS_Shape& shape);
+  /// The first item of the group.
+  int group_of(std::size_t item) { return groups_.find(static_cast<int>(item)); }
+
+ private:
+  TopAbs_ShapeEnum by_;
+  UnionFind groups_;
+  TopTools_IndexedMapOfShape joints_;
+  std::vector<int> first_item_{-1};
+};
+
 /// A face below this share of the diagonal squared has no area.
 inline constexpr double no_area_share = 1e-10;
 
@@ -130,7 +147,8 @@ void add_edge_origins(Workpiece& work, const TopoDS_Shape& image, const std::vec
 /// Uses of every edge of faces with area, and whether it is a free one.
 struct EdgeUses {
   TopTools_IndexedMapOfShape edges;
-  std::vector<int> uses;  ///< at index of `edges` (from 1)
+  std::vector<int> uses{0};  ///< at index of `edges` (from 1)
+  void add(const TopoDS_Face& face);
   /// One face only, not a pole.
   bool is_free(int index) const;
 };

@@ -1,7 +1,7 @@
 #include <dlfcn.h>
+#include <unistd.h>
 
 #include <Standard_Transient.hxx>
-#include <filesystem>
 #include <typeinfo>
 
 #include "base/process/own_folders.h"
@@ -9,14 +9,6 @@
 
 namespace paver {
 namespace {
-
-/// Where it is not beside us the system may know it.
-std::string path_of(const std::string& library) {
-  std::error_code ignored;
-  for (const auto& folder : own_folders())
-    if (std::filesystem::exists(folder / library, ignored)) return (folder / library).string();
-  return library;
-}
 
 /// A host may have loaded another OpenCASCADE for all to see: what we load must take ours all the same.
 int search_order() {
@@ -29,8 +21,8 @@ int search_order() {
 
 FormatReader& format_library(const std::string& format, const FileSource& file) {
   const std::string name = "libpaver_" + format + ".so";
-  // It stays: OpenCASCADE keeps tables of it.
-  void* library = ::dlopen(path_of(name).c_str(), RTLD_NOW | RTLD_LOCAL | search_order());
+  // Where it is not beside us the system may know it. It stays: OpenCASCADE keeps tables of it.
+  void* library = ::dlopen(beside_us(name, F_OK).value_or(name).c_str(), RTLD_NOW | RTLD_LOCAL | search_order());
   void* function = library ? ::dlsym(library, "paver_read_format") : nullptr;
   if (!function)
     throw Error(ErrorCode::internal, "'" + file.name + "' cannot be read without the library " + name + " (" +

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <fstream>
 #include <mutex>
+#include <utility>
 
 #include "brep/connecting/trial.h"
 #include "brep/reading/file_format.h"
@@ -65,19 +66,21 @@ std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, P
   report.format = format_name(format);
 
   auto shape = std::make_shared<Shape>();
-  Trial trial(file, progress);
+  bool was_tried = false;  // once is enough
+  const auto try_once = [&] {
+    if (!std::exchange(was_tried, true)) try_elsewhere(file, progress);
+  };
   QuietMessages quiet;
   guard_occt(ErrorCode::damaged_file, "'" + file.name + "' could not be read; export the model again", [&] {
     if (format == FileFormat::brep || format == FileFormat::binary_brep) {
-      if (format == FileFormat::binary_brep && !file.is_handed_over) trial.run();
+      if (format == FileFormat::binary_brep && !file.is_handed_over) try_once();
       read_brep(file, format == FileFormat::binary_brep, *shape, report, progress);
       return;
     }
     const std::string content = content_of(file);
-    if (format == FileFormat::iges ? !fault_of_iges(content).empty() : is_doubtful_step(content, file)) trial.run();
+    if (format == FileFormat::iges ? !fault_of_iges(content).empty() : is_doubtful_step(content, file)) try_once();
     auto lock = wait_for_readers(progress);
-    format_library(format == FileFormat::step ? "step" : "iges", file)(
-        file, [&] { trial.run(); }, *shape, report, progress);
+    format_library(format == FileFormat::step ? "step" : "iges", file)(file, try_once, *shape, report, progress);
   });
   progress.check();
 

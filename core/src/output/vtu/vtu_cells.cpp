@@ -44,6 +44,13 @@ std::vector<int> positions(bool is_quad, int p) {
 
 bool VtuSize::has_wide_points() const { return points > std::numeric_limits<std::int32_t>::max(); }
 
+void VtuSize::write_point(long number, ByteSink& sink) const {
+  if (has_wide_points())
+    sink.write_packed<std::int64_t>(number - 1);
+  else
+    sink.write_packed(static_cast<std::int32_t>(number - 1));
+}
+
 long VtuSize::entry_bytes(VtuArray array) const {
   switch (array) {
     case VtuArray::face:
@@ -132,30 +139,14 @@ void VtuCells::write(VtuArray array, std::size_t begin, std::size_t end, long nu
   long at = size_.entries_before(VtuArray::connectivity, is_quad_, number);
   std::uint8_t type = is_quad_ ? (size_.order == 1 ? vtk_quad : vtk_lagrange_quad)
                                : (size_.order == 1 ? vtk_triangle : vtk_lagrange_triangle);
-  if (array == VtuArray::connectivity) return write_connectivity(begin, end, sink);
   for (std::size_t e = begin; e < end; ++e) {
     if (array == VtuArray::face) sink.write_packed<std::int32_t>(face_of_[e] + 1);
     if (array == VtuArray::sj) sink.write_packed(sj(e));
     if (array == VtuArray::offsets) sink.write_packed<std::int64_t>(at += stride);
     if (array == VtuArray::types) sink.write_packed(type);
-  }
-}
-
-void VtuCells::write_connectivity(std::size_t begin, std::size_t end, ByteSink& sink) const {
-  std::array<std::int32_t, JacobianForm::max_nodes> narrow;
-  std::array<std::int64_t, JacobianForm::max_nodes> wide;
-  std::size_t stride = positions_.size();
-  for (std::size_t e = begin; e < end; ++e) {
-    const int* nodes = table_.data() + e * stride;
-    for (std::size_t k = 0; k < stride; ++k) {
-      wide[k] = point_[static_cast<std::size_t>(nodes[positions_[k]])] - 1;
-      narrow[k] = static_cast<std::int32_t>(wide[k]);
-    }
-    if (size_.has_wide_points()) {
-      sink.write(wide.data(), stride * sizeof(std::int64_t));
-    } else {
-      sink.write(narrow.data(), stride * sizeof(std::int32_t));
-    }
+    if (array != VtuArray::connectivity) continue;
+    const int* nodes = table_.data() + e * positions_.size();
+    for (int k : positions_) size_.write_point(point_[static_cast<std::size_t>(nodes[k])], sink);
   }
 }
 
@@ -177,11 +168,8 @@ void VtuLines::write(VtuArray array, const VtuSize& size, const std::vector<long
     if (array == VtuArray::offsets) sink.write_packed<std::int64_t>(at += static_cast<long>(stride_));
     if (array == VtuArray::types) sink.write_packed(size.order == 1 ? vtk_line : vtk_lagrange_curve);
     if (array != VtuArray::connectivity) continue;
-    for (std::size_t k = 0; k < stride_; ++k) {
-      const long number = point[static_cast<std::size_t>(mesh_.lines[line * stride_ + k])] - 1;
-      if (size.has_wide_points()) sink.write_packed<std::int64_t>(number);
-      if (!size.has_wide_points()) sink.write_packed(static_cast<std::int32_t>(number));
-    }
+    for (std::size_t k = 0; k < stride_; ++k)
+      size.write_point(point[static_cast<std::size_t>(mesh_.lines[line * stride_ + k])], sink);
   }
 }
 

@@ -24,6 +24,8 @@ struct VtuSize {
 
   long cells() const { return quads + triangles + lines; }
   bool has_wide_points() const;  ///< point numbers take 64 bits
+  /// The number of a point, from 1, as the connectivity has it: from 0.
+  void write_point(long number, ByteSink& sink) const;
   long entry_bytes(VtuArray array) const;
   long entries(VtuArray array) const;
   /// Entries of a cell array before those of an element, `number` being its place among the elements of its kind.
@@ -55,7 +57,6 @@ class VtuCells {
   void write(VtuArray array, std::size_t begin, std::size_t end, long number, ByteSink& sink) const;
 
  private:
-  void write_connectivity(std::size_t begin, std::size_t end, ByteSink& sink) const;
   double sj(std::size_t element) const;
 
   const SurfaceMesh& mesh_;

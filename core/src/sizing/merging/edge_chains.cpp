@@ -12,11 +12,6 @@ namespace {
 
 constexpr double smooth_reach = 3;  // short edges may be so much longer where they run straight on
 
-struct Piece {
-  int edge = -1;
-  bool is_reversed = false;  // against the chain
-};
-
 /// Where the pieces of a chain begin, in the chain's parameter: mm along it.
 struct Pieces {
   std::vector<double> begin;                     // one more than pieces
@@ -64,7 +59,7 @@ class ChainJoiner {
 
   void run(std::vector<Merge>& merges) {
     find_chains();
-    for (std::vector<Piece>& chain : chains_)
+    for (Side& chain : chains_)
       if (chain.size() > 1) make(chain, merges);
   }
 
@@ -116,17 +111,12 @@ class ChainJoiner {
       for (const Loop& loop : face.loops)
         for (std::size_t i = 0, n = loop.coedges.size(); i < n; ++i) {
           const Coedge &one = loop.coedges[i], &two = loop.coedges[(i + 1) % n];
-          const bool meet =
-              ((one.edge == a && two.edge == b) || (one.edge == b && two.edge == a)) && end_of(one) == vertex && n > 2;
+          const bool meet = ((one.edge == a && two.edge == b) || (one.edge == b && two.edge == a)) &&
+                            edits_.end_of({one.edge, one.is_reversed}) == vertex && n > 2;
           found += meet && one.pcurve && two.pcurve && !one.is_slit && !two.is_slit && is_continuous(face, one, two);
         }
     }
     return found == static_cast<int>(edits_.edge(a).faces.size());
-  }
-
-  int end_of(const Coedge& coedge) const {
-    const Edge& edge = edits_.edge(coedge.edge);
-    return coedge.is_reversed ? edge.start : edge.end;
   }
 
   bool is_continuous(const Face& face, const Coedge& one, const Coedge& two) const {
@@ -145,41 +135,31 @@ class ChainJoiner {
     const int shorter = length(a) < length(b) ? a : b;
     const double limit = limits_.short_edge(edges[0]), at_corner = length(shorter) * joint.angle;
     if (length(shorter) > smooth_reach * limit || at_corner > limit * smooth_angle * M_PI / 180) return;
-    std::vector<Piece>&one = chains_[static_cast<std::size_t>(a)], &two = chains_[static_cast<std::size_t>(b)];
-    if (start_of(one.front()) == joint.vertex && one.front().edge == edges[0]) reverse(one);
-    if (end_of(two.back()) == joint.vertex && two.back().edge == edges[1]) reverse(two);
-    for (const Piece& piece : two) chain_of_[static_cast<std::size_t>(piece.edge)] = a;
+    Side &one = chains_[static_cast<std::size_t>(a)], &two = chains_[static_cast<std::size_t>(b)];
+    if (edits_.start_of(one.front()) == joint.vertex && one.front().edge == edges[0]) one = reversed(one);
+    if (edits_.end_of(two.back()) == joint.vertex && two.back().edge == edges[1]) two = reversed(two);
+    for (const SideEdge& piece : two) chain_of_[static_cast<std::size_t>(piece.edge)] = a;
     one.insert(one.end(), two.begin(), two.end());
     two.clear();
     lengths_[static_cast<std::size_t>(a)] += length(b);
   }
 
   double length(int chain) const { return lengths_[static_cast<std::size_t>(chain)]; }
-  int start_of(const Piece& piece) const {
-    return piece.is_reversed ? edits_.edge(piece.edge).end : edits_.edge(piece.edge).start;
-  }
-  int end_of(const Piece& piece) const {
-    return piece.is_reversed ? edits_.edge(piece.edge).start : edits_.edge(piece.edge).end;
-  }
-  static void reverse(std::vector<Piece>& chain) {
-    std::reverse(chain.begin(), chain.end());
-    for (Piece& piece : chain) piece.is_reversed = !piece.is_reversed;
-  }
 
-  void make(std::vector<Piece>& chain, std::vector<Merge>& merges) {
-    const auto longest = [&](const Piece& a, const Piece& b) {
+  void make(Side& chain, std::vector<Merge>& merges) {
+    const auto longest = [&](const SideEdge& a, const SideEdge& b) {
       return edits_.edge(a.edge).length < edits_.edge(b.edge).length;
     };
-    const Piece named = *std::max_element(chain.begin(), chain.end(), longest);
-    if (named.is_reversed) reverse(chain);
+    const SideEdge named = *std::max_element(chain.begin(), chain.end(), longest);
+    if (named.is_reversed) chain = reversed(chain);
     const int kept = named.edge;
     auto pieces = std::make_shared<Pieces>();
     std::vector<std::shared_ptr<const Curve>> curves;
     Edge whole = edits_.edge(kept);
-    whole.start = start_of(chain.front()), whole.end = end_of(chain.back());
+    whole.start = edits_.start_of(chain.front()), whole.end = edits_.end_of(chain.back());
     whole.origins.clear();
     pieces->begin.push_back(0);
-    for (const Piece& piece : chain) {
+    for (const SideEdge& piece : chain) {
       const Edge& edge = edits_.edge(piece.edge);
       pieces->range.push_back(piece.is_reversed ? std::pair{edge.t1, edge.t0} : std::pair{edge.t0, edge.t1});
       pieces->begin.push_back(pieces->begin.back() + edge.length);
@@ -195,8 +175,7 @@ class ChainJoiner {
     put_into_loops(chain, kept, whole, pieces);
   }
 
-  void put_into_loops(const std::vector<Piece>& chain, int kept, const Edge& whole,
-                      const std::shared_ptr<const Pieces>& pieces) {
+  void put_into_loops(const Side& chain, int kept, const Edge& whole, const std::shared_ptr<const Pieces>& pieces) {
     const int name = chain_of_[static_cast<std::size_t>(kept)];
     for (std::size_t i = 0; i < chain.size(); ++i)
       place_[static_cast<std::size_t>(chain[i].edge)] = static_cast<int>(i);
@@ -227,7 +206,7 @@ class ChainJoiner {
       for (Coedge& coedge : use.loop->coedges)
         if (coedge.edge == kept) coedge = use.coedge;
     std::vector<int> others;
-    for (const Piece& piece : chain)
+    for (const SideEdge& piece : chain)
       if (piece.edge != kept) others.push_back(piece.edge);
     edits_.take_out(others);
     edits_.set(kept, whole);
@@ -235,7 +214,7 @@ class ChainJoiner {
 
   ModelEdits& edits_;
   const MergeLimits& limits_;
-  std::vector<std::vector<Piece>> chains_;  // of the edge that they are known by
+  std::vector<Side> chains_;  // of the edge that they are known by
   std::vector<double> lengths_;
   std::vector<int> chain_of_;
   std::vector<int> place_;  // of an edge in its chain

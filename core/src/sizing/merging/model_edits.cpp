@@ -29,6 +29,12 @@ double ParameterMatch::operator()(double t) const {
   return (1 - share) * to_[i - 1] + share * to_[i];
 }
 
+Side reversed(Side side) {
+  std::reverse(side.begin(), side.end());
+  for (SideEdge& e : side) e.is_reversed = !e.is_reversed;
+  return side;
+}
+
 Vec3 direction_out(const Edge& edge, bool at_end) {
   // A chord, as curves may stand still at their ends.
   constexpr double chord = 1e-3;

@@ -20,6 +20,16 @@ class ParameterMatch {
   std::vector<double> from_, to_;  // `from` rises
 };
 
+/// An edge as part of a side of a face, or of a chain.
+struct SideEdge {
+  int edge = -1;
+  bool is_reversed = false;  ///< against the side
+};
+using Side = std::vector<SideEdge>;
+
+/// The side as it runs the other way.
+Side reversed(Side side);
+
 /// Edges of a model by their vertices, kept up to date while edges go and vertices become one. Neither edges nor
 /// vertices change their numbers; edges that are gone have no curve and no faces. Keeps a reference to the model.
 class ModelEdits {
@@ -30,6 +40,8 @@ class ModelEdits {
   const Model& model() const { return model_; }
   Edge& edge(int e) { return model_.edges[static_cast<std::size_t>(e)]; }
   const Edge& edge(int e) const { return model_.edges[static_cast<std::size_t>(e)]; }
+  int start_of(SideEdge e) const { return e.is_reversed ? edge(e.edge).end : edge(e.edge).start; }
+  int end_of(SideEdge e) const { return start_of({e.edge, !e.is_reversed}); }
   Vec3 point(int vertex) const { return model_.vertices[static_cast<std::size_t>(vertex)]; }
   /// Edges with a curve that end at the vertex, rising; one that closes on itself twice.
   const std::vector<int>& edges_at(int vertex) const { return edges_at_[static_cast<std::size_t>(vertex)]; }

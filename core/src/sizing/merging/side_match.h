@@ -10,13 +10,6 @@
 
 namespace paver {
 
-/// An edge as part of a side.
-struct SideEdge {
-  int edge = -1;
-  bool is_reversed = false;  ///< against the side
-};
-using Side = std::vector<SideEdge>;
-
 /// A place on a side: one of its edges, and the edge's parameter.
 struct SidePlace {
   std::size_t at = 0;

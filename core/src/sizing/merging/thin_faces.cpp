@@ -53,8 +53,6 @@ class ThinFaces {
  private:
   Face& face(int f) { return edits_.model().faces[static_cast<std::size_t>(f)]; }
   const Face& face(int f) const { return edits_.model().faces[static_cast<std::size_t>(f)]; }
-  int start_of(const SideEdge& e) const { return e.is_reversed ? edits_.edge(e.edge).end : edits_.edge(e.edge).start; }
-  int end_of(const SideEdge& e) const { return e.is_reversed ? edits_.edge(e.edge).start : edits_.edge(e.edge).end; }
 
   /// The sides of a face that can go, `one` the side that stays.
   std::optional<Sides> find(int f) const {
@@ -106,18 +104,13 @@ class ThinFaces {
     return loops;
   }
 
-  static Side reversed(Side side) {
-    std::reverse(side.begin(), side.end());
-    for (SideEdge& e : side) e.is_reversed = !e.is_reversed;
-    return side;
-  }
-
   /// Each begins at a vertex that has one of the other opposite.
   std::optional<Sides> sides_of_ring(std::vector<Side> loops, double limit) const {
     Side one = std::move(loops[0]), two = reversed(std::move(loops[1]));
     for (std::size_t i = 0; i < one.size(); ++i)
       for (std::size_t k = 0; k < two.size(); ++k) {
-        if (norm(edits_.point(start_of(one[i])) - edits_.point(start_of(two[k]))) > opposite * limit) continue;
+        if (norm(edits_.point(edits_.start_of(one[i])) - edits_.point(edits_.start_of(two[k]))) > opposite * limit)
+          continue;
         std::rotate(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(i), one.end());
         std::rotate(two.begin(), two.begin() + static_cast<std::ptrdiff_t>(k), two.end());
         if (distance_between(edits_, one, two) > limit) return std::nullopt;
@@ -182,7 +175,8 @@ class ThinFaces {
     for (std::size_t i = 0; i < kept.size(); ++i) {
       const bool is_against = kept[i].is_reversed != gone[i].is_reversed;
       const auto match = match_edges(edits_.edge(kept[i].edge), edits_.edge(gone[i].edge), is_against);
-      const std::array<int, 2> from{start_of(gone[i]), end_of(gone[i])}, to{start_of(kept[i]), end_of(kept[i])};
+      const std::array<int, 2> from{edits_.start_of(gone[i]), edits_.end_of(gone[i])},
+          to{edits_.start_of(kept[i]), edits_.end_of(kept[i])};
       edits_.replace(gone[i].edge, kept[i].edge, !is_against, match);
       for (std::size_t k = 0; k < from.size(); ++k)
         if (from[k] != to[k]) edits_.move_vertex(from[k], to[k], limits_.target_length());
@@ -227,9 +221,9 @@ class ThinFaces {
     std::vector<int> own = ends;
     for (const SideEdge& e : gone) own.push_back(e.edge);
     for (const SideEdge& e : gone) {
-      const bool is_held =
-          limits_.holds(start_of(e), own, limits_.width(f)) || limits_.holds(end_of(e), own, limits_.width(f));
-      if (edits_.is_fixed(start_of(e)) || edits_.is_fixed(end_of(e)) || is_held) return false;
+      const bool is_held = limits_.holds(edits_.start_of(e), own, limits_.width(f)) ||
+                           limits_.holds(edits_.end_of(e), own, limits_.width(f));
+      if (edits_.is_fixed(edits_.start_of(e)) || edits_.is_fixed(edits_.end_of(e)) || is_held) return false;
       if (!is_hairline(f) && limits_.is_sharp(e.edge) && edits_.edge(e.edge).length >= limits_.short_edge(e.edge))
         return false;
     }

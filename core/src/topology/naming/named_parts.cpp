@@ -67,10 +67,6 @@ void put_group(Model& model, const std::string& name, const std::vector<std::str
 
 bool has(const std::vector<int>& list, int value) { return std::find(list.begin(), list.end(), value) != list.end(); }
 
-bool is_meshed(const Face& face) {
-  return face.has_area && face.fault.empty() && !face.is_common && !face.is_dropped && !face.is_merged;
-}
-
 }  // namespace
 
 void check_part(const Model& model, const std::string& part, const std::string& who) {
@@ -120,7 +116,7 @@ std::vector<Volume> list_volumes(const Model& model) {
     if (medium.empty()) continue;
     std::map<int, std::set<int>> sides;  // by entry
     for (const Face& face : model.faces)
-      if (is_meshed(face)) sides[face.origin].insert(has(face.back, part) - has(face.front, part));
+      if (face.is_meshed()) sides[face.origin].insert(has(face.back, part) - has(face.front, part));
     Volume volume{model.parts[p], medium, {}};
     for (const auto& [entry, side] : sides)
       if (side.size() == 1 && *side.begin() != 0) volume.sides.push_back(*side.begin() * (entry + 1));
