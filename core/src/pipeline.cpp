@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "assemble/assembler.h"
+#include "base/listed.h"
 #include "base/tasks/gather.h"
 #include "base/tasks/shared_tasks.h"
 #include "base/tasks/tasks.h"
@@ -371,19 +372,16 @@ class Run {
   // Where the surface bends within less than the narrowest elements, or curved ones would fold.
   void note_far_faces() {
     constexpr double far = 0.05;  // of the target length
-    constexpr int most_listed = 6;
+    constexpr std::size_t most_listed = 6;
     RunReport& report = result_.report;
-    std::string faces;
-    int count = 0;
-    for (const FaceReport& face : report.faces) {
-      const double off = face.distance.largest / report.target_length;
-      if (off > far && ++count <= most_listed)
-        faces += fmt::format("{}{} ({:.2f})", count > 1 ? ", " : "", face.name, off);
-    }
-    if (count > most_listed) faces += fmt::format(" and {} more", count - most_listed);
-    if (count > 0)
-      report.notes.push_back(fmt::format(
-          "Farther off the surface than {} of the target length: {}; a smaller size there follows it.", far, faces));
+    std::vector<std::string> faces;
+    for (const FaceReport& face : report.faces)
+      if (const double off = face.distance.largest / report.target_length; off > far)
+        faces.push_back(fmt::format("{} ({:.2f})", face.name, off));
+    if (!faces.empty())
+      report.notes.push_back(
+          fmt::format("Farther off the surface than {} of the target length: {}; a smaller size there follows it.", far,
+                      listed(faces, most_listed)));
   }
 
   // Lines and nodes get the edges of the shape as read; in the model's own list there are pieces of these and others.

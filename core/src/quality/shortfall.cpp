@@ -2,8 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
+#include "base/listed.h"
 #include "paver/result.h"
 
 namespace paver {
@@ -16,29 +15,13 @@ std::string without_stop(std::string sentence) {
   return sentence;
 }
 
-/// "Face3 (paving: no room), Face9 (...)"; counts the failed faces and notes the first one.
-std::string failed_faces(const std::vector<FaceReport>& faces, std::size_t& count, int& first) {
-  std::string text;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const FaceReport& face = faces[i];
-    if (face.status != FaceStatus::failed) continue;
-    if (++count == 1) first = static_cast<int>(i);
-    if (count > most_named_faces) continue;
-    text += fmt::format("{}{} ({}: {})", text.empty() ? "" : ", ", face.name, face.stage, without_stop(face.reason));
-  }
-  if (count > most_named_faces) text += fmt::format(" and {} more", count - most_named_faces);
-  return text;
-}
-
 std::string unconnected_parts(const std::vector<std::array<std::string, 2>>& pairs) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(pairs.size(), most_named_faces); ++i)
-    text += fmt::format("{}{} and {}", i ? ", " : "", pairs[i][0], pairs[i][1]);
-  if (pairs.size() > most_named_faces) text += fmt::format(" and {} more pairs", pairs.size() - most_named_faces);
+  std::vector<std::string> names;
+  for (const auto& [one, other] : pairs) names.push_back(one + " and " + other);
   return fmt::format(
       "Parts that touch, or come near it, could not be connected and are meshed as drawn: {}; fuse them in the CAD "
       "program, or say connect none where they are to stay apart.",
-      text);
+      listed(names, most_named_faces, "more pairs"));
 }
 
 std::string one_sided_solids(const std::vector<std::string>& solids) {
@@ -56,14 +39,10 @@ bool has_stray_curves(const RunReport& report) {
 }
 
 std::string stray_curves(const RunReport& report) {
-  const std::vector<std::string>& edges = report.model.stray_edges;
-  const std::size_t named = std::min(edges.size(), most_named_faces);
   return fmt::format(
-      "Curves lie up to {:.3g} mm off faces that use them ({}{}), so that no mesh follows both; repair the model in "
-      "the "
+      "Curves lie up to {:.3g} mm off faces that use them ({}), so that no mesh follows both; repair the model in the "
       "CAD program.",
-      report.model.curve_distance, fmt::join(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(named), ", "),
-      edges.size() > named ? fmt::format(" and {} more", edges.size() - named) : "");
+      report.model.curve_distance, listed(report.model.stray_edges, most_named_faces));
 }
 
 std::string lost(const std::vector<std::string>& parts) {
@@ -79,11 +58,8 @@ std::string long_sides(const RunReport& report) {
     if (face.longest_side > far_too_long * report.target_length)
       faces.push_back(fmt::format("{} ({:.1f})", face.name, face.longest_side / report.target_length));
   if (faces.empty()) return {};
-  const std::size_t more = faces.size() - std::min(faces.size(), most_named_faces);
-  faces.resize(faces.size() - more);
-  return fmt::format(
-      "Elements are many times as long as the target length: {}{}; a slightly different size may mesh it.",
-      fmt::join(faces, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+  return fmt::format("Elements are many times as long as the target length: {}; a slightly different size may mesh it.",
+                     listed(faces, most_named_faces));
 }
 
 constexpr const char* no_mesh = "None of the faces has an area, so there is no mesh.";
@@ -131,14 +107,20 @@ const char* verdict(const RunReport& report) {
 std::optional<Error> shortfall(const MeshResult& result) {
   const std::vector<FaceReport>& faces = result.report.faces;
   const bool has_mesh = !is_empty(result);
-  std::size_t failed = 0;
+  std::vector<std::string> failed;
   int first = -1;
-  std::string names = failed_faces(faces, failed, first);
-  if (failed > 0) {
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const FaceReport& face = faces[i];
+    if (face.status != FaceStatus::failed) continue;
+    if (failed.empty()) first = static_cast<int>(i);
+    failed.push_back(fmt::format("{} ({}: {})", face.name, face.stage, without_stop(face.reason)));
+  }
+  if (!failed.empty()) {
     const FaceReport& face = faces[static_cast<std::size_t>(first)];
     return Error(ErrorCode::face_failed,
-                 fmt::format("{} of {} faces could not be meshed, {}: {}.", failed, faces.size(),
-                             has_mesh ? "the mesh of the others is delivered" : "there is no mesh", names),
+                 fmt::format("{} of {} faces could not be meshed, {}: {}.", failed.size(), faces.size(),
+                             has_mesh ? "the mesh of the others is delivered" : "there is no mesh",
+                             listed(failed, most_named_faces)),
                  {face.stage, first, -1, face.where});
   }
   const auto& unconnected = result.report.model.unconnected;

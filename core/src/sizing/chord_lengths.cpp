@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/listed.h"
+
 namespace paver {
 namespace {
 
@@ -40,19 +42,17 @@ std::vector<LocalSize> ChordLengths::next(const std::vector<FaceReport>& faces, 
 }
 
 std::string ChordLengths::note(const std::vector<FaceReport>& faces) const {
-  std::string names;
-  std::size_t count = 0;
+  std::vector<std::string> names;
   double most = 0;
   for (const FaceReport& face : faces) {
     if (face.status != FaceStatus::meshed || face.distance.largest <= most_) continue;
-    if (count++ < most_named) names += (names.empty() ? "" : ", ") + face.name;
+    names.push_back(face.name);
     most = std::max(most, face.distance.largest);
   }
-  if (count == 0) return {};
-  if (count > most_named) names += fmt::format(" and {} more", count - most_named);
+  if (names.empty()) return {};
   return fmt::format(
       "{} {} up to {:.3g} mm from the surface, above chord_error {:.3g} mm, after {} meshes with ever shorter lengths.",
-      names, count == 1 ? "is" : "are", most, most_, rounds_);
+      listed(names, most_named), names.size() == 1 ? "is" : "are", most, most_, rounds_);
 }
 
 }  // namespace paver

@@ -21,6 +21,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/listed.h"
 #include "brep/connecting/workpiece_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
@@ -282,10 +283,7 @@ double measuring_cost(const TopoDS_Face& face) {
 
 std::string list_names(std::vector<std::string> names) {
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), listed_names); ++i) text += (i ? ", " : "") + names[i];
-  if (names.size() > listed_names) text += " and " + std::to_string(names.size() - listed_names) + " more";
-  return text;
+  return listed(names, listed_names);
 }
 
 }  // namespace paver

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/listed.h"
 #include "paver/output.h"
 #include "paver/solver.h"
 
@@ -58,22 +59,15 @@ void add_model(const RunReport& run, Text& text) {
 
 /// What touches what, and how many meshes come of it.
 void add_contacts(const RunReport& run, Text& text) {
-  const std::vector<Contact>& contacts = run.model.contacts;
-  if (!contacts.empty()) {
-    std::string list;
-    for (std::size_t i = 0; i < std::min(contacts.size(), most_contacts); ++i)
-      list += fmt::format("{}{} and {} ({})", i ? ", " : "", contacts[i].parts[0], contacts[i].parts[1],
-                          contact_name(contacts[i].kind));
-    if (contacts.size() > most_contacts) list += fmt::format(" and {} more", contacts.size() - most_contacts);
-    text.line("contacts", "{}", list);
-  }
+  std::vector<std::string> touching, separate;
+  for (const Contact& contact : run.model.contacts)
+    touching.push_back(fmt::format("{} and {} ({})", contact.parts[0], contact.parts[1], contact_name(contact.kind)));
+  if (!touching.empty()) text.line("contacts", "{}", listed(touching, most_contacts));
   if (run.components.size() < 2) return;
-  std::string list;
-  for (std::size_t i = 0; i < std::min(run.components.size(), most_contacts); ++i)
-    list += fmt::format("{}{}{}", i ? "; " : "", run.components[i].front(),
-                        run.components[i].size() > 1 ? fmt::format(" with {} more", run.components[i].size() - 1) : "");
-  if (run.components.size() > most_contacts) list += fmt::format(" and {} more", run.components.size() - most_contacts);
-  text.line("separate", "{} meshes that share no node: {}", run.components.size(), list);
+  for (const std::vector<std::string>& parts : run.components)
+    separate.push_back(parts.front() + (parts.size() > 1 ? fmt::format(" with {} more", parts.size() - 1) : ""));
+  text.line("separate", "{} meshes that share no node: {}", run.components.size(),
+            listed(separate, most_contacts, "more", "; "));
 }
 
 void add_quality(const RunReport& run, Text& text) {
