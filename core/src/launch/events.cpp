@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 namespace paver {
 namespace {
@@ -47,8 +48,7 @@ Event error_event(const Json& json) {
   return event;
 }
 
-}  // namespace
-
+/// A line that is not as it should be is of no kind we know: it is left to others.
 Event read_event(std::string_view line) {
   try {
     Json json = Json::parse(line);
@@ -62,6 +62,8 @@ Event read_event(std::string_view line) {
   }
   return {};
 }
+
+}  // namespace
 
 EventPipe::EventPipe(std::string path) : path_(std::move(path)) {
   // Open for both: there is a reader from now on, and no end of file while no rank has opened it yet.

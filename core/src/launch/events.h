@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "paver/error.h"
@@ -20,9 +19,6 @@ struct Event {
   std::optional<Error> error;  ///< of an error
   std::vector<double> busy;    ///< of done: seconds per rank
 };
-
-/// A line that is not as it should be is of no kind we know: it is left to others.
-Event read_event(std::string_view line);
 
 /// A pipe with a name in a folder, which ranks open for writing; this end goes with the object, and then a rank that
 /// polls its end is told so.

@@ -41,13 +41,6 @@ struct FaceTotals {
   long quads = 0, triangles = 0;
   double least_sj = infinity, minus_longest2 = 0;  // of the squared sides
   ExactSum area;
-
-  void add(const FaceTotals& other) {
-    quads += other.quads, triangles += other.triangles;
-    least_sj = std::min(least_sj, other.least_sj);
-    minus_longest2 = std::min(minus_longest2, other.minus_longest2);
-    area.add(other.area);
-  }
 };
 
 struct EdgeTotals {
