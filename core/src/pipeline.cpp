@@ -265,7 +265,7 @@ class Run {
     report_failures(paver.pave(), regions_, result_.report);
     std::vector<long> closed(regions_.size(), 0);
     for (const Part& part : paver.parts())
-      if (part.paved) closed[part.region] += part.paved->counts.closed_by_triangulation;
+      if (part.paved) closed[part.region] += part.paved->closed_by_triangulation;
     ranks_.add_up(closed);
     for (std::size_t r = 0; r < regions_.size(); ++r)
       result_.report.faces[regions_[r].face].closed_by_triangulation += closed[r];

@@ -123,7 +123,8 @@ void fields(A& archive, Is<LevelPlan> auto& plan) {
   archive(mesh.p, mesh.x, mesh.xp, mesh.xq, mesh.drift, mesh.turn_weight, mesh.turn, mesh.h, mesh.is_fixed, mesh.global,
           mesh.elements);
   archive(plan.net.edges, plan.net.of_element, plan.net.loop_node);
-  archive(plan.at, plan.counts, plan.is_paved, plan.paving, plan.multilevel, plan.boundary_nodes, plan.pieces);
+  archive(plan.at, plan.counts, plan.is_paved, plan.closed_by_triangulation, plan.multilevel, plan.boundary_nodes,
+          plan.pieces);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ struct LevelPlan {
   std::vector<std::vector<int>> at;      ///< as CoarseRegion's
   std::vector<int> counts;               ///< per coarse edge: fine ones
   std::vector<char> is_paved;            ///< per coarse element: not divided but paved, neighbours together
-  PavingCounts paving;                   ///< of the coarse mesh
+  long closed_by_triangulation = 0;      ///< as PavedRegion's, of the coarse mesh
   int multilevel = 0;                    ///< as asked for (Options::multilevel): large patches have levels, too
   int boundary_nodes = 0;                ///< outline node i is shared node boundary_nodes + i (RegionMesh::global)
   std::vector<std::vector<int>> pieces;  ///< coarse elements of each, rising

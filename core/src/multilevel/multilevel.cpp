@@ -70,7 +70,7 @@ class Planner {
     plan.net = std::move(*net);
     plan.at = std::move(coarse_.at);
     plan.counts = std::move(*counts);
-    plan.paving = paved.counts;
+    plan.closed_by_triangulation = paved.closed_by_triangulation;
     return plan;
   }
 
@@ -207,7 +207,7 @@ PavedRegion lay_piece(const Region& region, const Region& part, const LevelPlan&
                       const Progress& progress, Elements elements) {
   const Elements quads = elements == Elements::all_triangle ? Elements::quad_dominant : elements;
   PavedRegion result;
-  if (i == 0) result.counts = plan.paving;
+  if (i == 0) result.closed_by_triangulation = plan.closed_by_triangulation;
   Front front(part, result.mesh);
   FineMesh fine(region, plan, front);
   std::vector<int> marked;
@@ -218,7 +218,7 @@ PavedRegion lay_piece(const Region& region, const Region& part, const LevelPlan&
   const std::vector<int> rests = pave_patches(fine, marked, [&](const Region& patch) {
     auto paved = pave_on_levels(patch, plan.multilevel, progress, quads);
     if (!paved) paved = pave_region(patch, progress, quads);
-    result.counts.closed_by_triangulation += paved->counts.closed_by_triangulation;
+    result.closed_by_triangulation += paved->closed_by_triangulation;
     return std::move(paved->mesh);
   });
   if (marked.size() < plan.pieces[i].size()) smooth(front, rests, progress);

@@ -71,27 +71,27 @@ long pairs_left(const RegionMesh& mesh) {
          2;
 }
 
-/// Paves the void of a started front; nodes before `first_node` belong to a mesh that is done.
-PavingCounts pave_front(Front& front, const Attempt& attempt, const Progress& progress, Elements elements,
-                        int first_node = 0) {
+/// Paves the void of a started front; nodes before `first_node` belong to a mesh that is done. Gives how often it was
+/// closed by triangulation.
+long pave_front(Front& front, const Attempt& attempt, const Progress& progress, Elements elements, int first_node = 0) {
   front.misfit_weight = attempt.misfit_weight;
   fill_void(front, progress);
   clean_up(front, progress, elements == Elements::all_quad, first_node);
   remove_chords(front);
-  return front.counts;
+  return front.closed_by_triangulation;
 }
 
 PavedRegion pave_whole(const Region& region, const Attempt& attempt, const Progress& progress, Elements elements) {
   PavedRegion paved;
   Front front(region, paved.mesh);
   if (auto crossing = front.start(elements == Elements::all_quad ? 0 : sharpest_corner)) {
-    const Vec3 x = front.mesh.x[front.facets[crossing->facet].a];
+    const Vec3 x = front.mesh.x[front.facets[*crossing].a];
     throw Error(
         ErrorCode::face_failed,
         "its loops cross, touch or run the wrong way round; repair the face in the CAD model or use a smaller size",
         {"paving", region.face, -1, x});
   }
-  paved.counts = pave_front(front, attempt, progress, elements);
+  paved.closed_by_triangulation = pave_front(front, attempt, progress, elements);
   return paved;
 }
 
@@ -113,9 +113,9 @@ std::optional<PavedRegion> pave_and_cut(const Region& region, const Attempt& att
   for (double width : gap_widths) {
     PavedRegion cut = paved;
     Front front(region, cut.mesh);
-    front.counts = paved.counts;
+    front.closed_by_triangulation = paved.closed_by_triangulation;
     if (!cut_holes(front, holes, width)) continue;
-    cut.counts = pave_front(front, attempt, progress, elements, paved.mesh.node_count());
+    cut.closed_by_triangulation = pave_front(front, attempt, progress, elements, paved.mesh.node_count());
     if (pairs_left(cut.mesh) <= pairs) return cut;
   }
   return std::nullopt;

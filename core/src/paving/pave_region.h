@@ -11,7 +11,7 @@ namespace paver {
 
 struct PavedRegion {
   RegionMesh mesh;
-  PavingCounts counts;
+  long closed_by_triangulation = 0;  ///< how often its void was
 };
 
 /// Self-contained and deterministic. Where few elements tangle a second way is tried, and the better one given. Where

@@ -37,7 +37,7 @@ Paved expect_paved(const Loops& loops, double h) {
     ++(e.corners() == 4 ? result.quads : result.triangles);
     result.worst = std::min(result.worst, scaled_jacobian(paved.mesh, e));
   }
-  result.closed_by_triangulation = paved.counts.closed_by_triangulation;
+  result.closed_by_triangulation = paved.closed_by_triangulation;
   std::size_t nodes = 0;
   for (const auto& loop : region.loops) nodes += loop.size();
   EXPECT_EQ(result.triangles % 2, static_cast<long>(nodes % 2));

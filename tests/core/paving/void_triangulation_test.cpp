@@ -100,8 +100,7 @@ TEST(VoidTriangulation, NamesFacetsThatCrossOrTouch) {
   bow.add({{0, 0}, {2, 0.1}, {0, 1}, {2, 1.1}});
   auto crossing = bow.empty.build(bow.facets);
   ASSERT_TRUE(crossing);
-  EXPECT_TRUE((crossing->facet == 1 && crossing->other == 3) || (crossing->facet == 3 && crossing->other == 1))
-      << crossing->facet << " " << crossing->other;
+  EXPECT_TRUE(*crossing == 1 || *crossing == 3) << *crossing;
 
   Case outside;  // the hole reaches through side 1
   outside.add(square);

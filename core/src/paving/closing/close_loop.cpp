@@ -105,7 +105,7 @@ bool close_quad(Front& front, const std::vector<int>& loop, const std::vector<in
     const auto& p = front.mesh.p;
     if (orientation(p[a], p[b], p[c]) <= 0 || orientation(p[a], p[c], p[d]) <= 0) continue;
     if (!front.form_element(loop[i], c, -1, level)) continue;
-    if (front.form_element(loop[i + 2], d, -1, level)) ++front.counts.triangles;
+    front.form_element(loop[i + 2], d, -1, level);
     return true;
   }
   return false;
@@ -156,10 +156,7 @@ bool close_loop(Front& front, const std::vector<int>& loop) {
     v.push_back(front.facets[loop[i]].a);
     at.push_back(i);
   }
-  if (n == 3) {
-    ++front.counts.triangles;
-    return front.form_element(loop[0], v[2], -1, front.facets[loop[0]].level + 1);
-  }
+  if (n == 3) return front.form_element(loop[0], v[2], -1, front.facets[loop[0]].level + 1);
   if (front.region.surface->kind() != SurfaceKind::plane && !is_flat(front, v)) return false;
   if (n == 4) return close_quad(front, loop, v);
   if (n % 2 == 1 || n > 8) return false;
@@ -182,10 +179,7 @@ void insert_triangle(Front& front, const std::vector<int>& loop) {
   for (auto [angle, f] : corners) {
     if (angle > sharp) break;
     int level = front.facets[f].level;
-    if (front.form_element(f, front.facets[front.facets[f].next].b, -1, level)) {
-      ++front.counts.triangles;
-      return;
-    }
+    if (front.form_element(f, front.facets[front.facets[f].next].b, -1, level)) return;
   }
   // No sharp corner: a triangle of its own on the first facet that has room, flattest ends first.
   for (std::size_t i = corners.size(); i-- > 0;) {
@@ -202,16 +196,13 @@ void insert_triangle(Front& front, const std::vector<int>& loop) {
     front.mesh.h[apex] = std::min(mesh.h[apex], norm(side));
     if (!faces_surface(mesh, {{a, b, apex, -1}})) continue;
     if (!front.empty.insert(apex, where)) continue;
-    if (front.form_element(f, apex, -1, front.facets[f].level)) {
-      ++front.counts.triangles;
-      return;
-    }
+    if (front.form_element(f, apex, -1, front.facets[f].level)) return;
     front.empty.erase(apex, front.empty.facet_side(f).triangle, a);
   }
 }
 
 void close_by_triangulation(Front& front, int f) {
-  ++front.counts.closed_by_triangulation;
+  ++front.closed_by_triangulation;
   std::vector<std::array<int, 4>> triangles = front.take_void(f);
   // Pairs by quality, best first; ties by position.
   struct Pair {
@@ -246,10 +237,7 @@ void close_by_triangulation(Front& front, int f) {
     is_used[p.i] = is_used[p.j] = true;
   }
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (!is_used[t]) {
-      front.mesh.add_element(triangles[t]);
-      ++front.counts.triangles;
-    }
+    if (!is_used[t]) front.mesh.add_element(triangles[t]);
 }
 
 }  // namespace paver

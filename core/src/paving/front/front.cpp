@@ -50,7 +50,7 @@ int Front::add_boundary_node(const std::vector<LoopNode>& loop, std::size_t i) {
   return node;
 }
 
-std::optional<Crossing> Front::start_at(const std::vector<std::vector<int>>& loops) {
+std::optional<int> Front::start_at(const std::vector<std::vector<int>>& loops) {
   std::map<int, std::vector<int>> known;
   for (int node = 0; node < mesh.node_count(); ++node)
     if (mesh.global[node] >= 0) known[mesh.global[node]].push_back(node);
@@ -77,7 +77,7 @@ void Front::set_apex(int centre, const std::vector<int>& ring) {
   mesh.turn[centre].n = {};
 }
 
-std::optional<Crossing> Front::start(std::optional<double> sharpest_corner) {
+std::optional<int> Front::start(std::optional<double> sharpest_corner) {
   // About as many as a uniform mesh has: growing by doubling would take half as much memory again.
   mesh.reserve(static_cast<std::size_t>(std::min(expected * region.area / (region.h * region.h), most_expected)));
   std::vector<std::vector<int>> loops = number_loop_nodes(region).of_loop;
@@ -115,7 +115,7 @@ void Front::start_whole() {
   colour_.assign(mesh.node_count(), {});
 }
 
-std::optional<Crossing> Front::open_void() {
+std::optional<int> Front::open_void() {
   start_whole();
   std::vector<std::pair<int, int>> ends;
   for (std::size_t f = 0; f < facets.size(); ++f) {

@@ -24,33 +24,28 @@ struct BoundaryFacet {
   int edge = -1;
 };
 
-/// How often paving fell back on something else; goes to the face's report.
-struct PavingCounts {
-  long seams = 0, transition_seams = 0, wedges = 0, tucks = 0, triangles = 0, closed_by_triangulation = 0;
-};
-
 class Front {
  public:
   Front(const Region& region, RegionMesh& mesh);
 
   /// For a mesh that is there already: triangulates the void between `loops` of its nodes, void on the left. Boundary
   /// facets are taken from the region's loops and found by their nodes.
-  std::optional<Crossing> start_at(const std::vector<std::vector<int>>& loops);
+  std::optional<int> start_at(const std::vector<std::vector<int>>& loops);
   /// For a mesh without any void, whose boundary nodes are there: nodes and elements may be added and moved.
   void start_whole();
   /// Adds a boundary node of the region.
   int add_boundary_node(const std::vector<LoopNode>& loop, std::size_t i);
   /// Triangulates the void inside the region's loops; with `sharpest_corner` (radians) acute corners from there on are
-  /// filled first (acute_corners.h). Returns facet numbers when loops cross or touch.
-  std::optional<Crossing> start(std::optional<double> sharpest_corner = std::nullopt);
+  /// filled first (acute_corners.h). Returns a facet where loops cross or touch.
+  std::optional<int> start(std::optional<double> sharpest_corner = std::nullopt);
 
   const Region& region;
   RegionMesh& mesh;
   VoidTriangulation empty;  ///< the void
   std::vector<Facet> facets;
   std::vector<BoundaryFacet> boundary;  ///< all loops the region came with, facet after facet
-  PavingCounts counts;
-  double misfit_weight = 1;  ///< weight of the fit to the sides at its ends in the choice of a row
+  long closed_by_triangulation = 0;     ///< how often; goes to the face's report
+  double misfit_weight = 1;             ///< weight of the fit to the sides at its ends in the choice of a row
 
   /// A facet that starts at `node`, or -1 when it is not on the front.
   int facet_from(int node) const { return out_facet_[node]; }
@@ -120,7 +115,7 @@ class Front {
   struct Outline;
   void link_sectors();
   void set_apex(int centre, const std::vector<int>& ring);
-  std::optional<Crossing> open_void();
+  std::optional<int> open_void();
   void add_start_loop(const std::vector<int>& nodes);
   bool find_outline(int f, int c, int d, Outline& o);
   void collect_fan(int f, std::vector<int>& fan) const;

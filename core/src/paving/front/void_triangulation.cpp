@@ -236,7 +236,6 @@ bool VoidTriangulation::clip_ears(std::vector<int>& polygon) {
 
 bool VoidTriangulation::recover(int start, int a, int b) {
   Vec2 pa = at(a), pb = at(b);
-  blocker_ = -1;
   int t;
   if (!first_in_fan(start, a, pb, t)) return false;
   int k = corner_of(t, a);
@@ -248,10 +247,7 @@ bool VoidTriangulation::recover(int start, int a, int b) {
   left_.assign({a, w});
   while (true) {
     int next = triangles_[t].n[k];
-    if (next < 0) {
-      blocker_ = next;
-      return false;
-    }
+    if (next < 0) return false;
     int j = side_between(next, u, w);
     int z = triangles_[next].v[j];
     if (static_cast<int>(crossed_.size()) > std::min(most_crossed_, triangle_count())) return false;
@@ -360,7 +356,7 @@ void VoidTriangulation::legalise_about(int node) {
   }
 }
 
-std::optional<Crossing> VoidTriangulation::insert_all(const std::vector<std::pair<int, int>>& facets) {
+std::optional<int> VoidTriangulation::insert_all(const std::vector<std::pair<int, int>>& facets) {
   double lo[2] = {1e300, 1e300}, hi[2] = {-1e300, -1e300};
   for (auto [a, b] : facets) {
     Vec2 p = points_[a];
@@ -384,9 +380,6 @@ std::optional<Crossing> VoidTriangulation::insert_all(const std::vector<std::pai
       if (facets[f].first == node) return static_cast<int>(f);
     return -1;
   };
-  auto twin_of = [&](const Location& where) {
-    return where.kind == Location::Kind::on_vertex ? facet_from(triangles_[where.triangle].v[where.corner]) : -1;
-  };
   std::size_t n = order.size();
   std::vector<bool> is_done(n, false);
   int near = -1;
@@ -394,8 +387,7 @@ std::optional<Crossing> VoidTriangulation::insert_all(const std::vector<std::pai
     for (std::size_t i = 0; i < n; i += stride) {
       if (is_done[i]) continue;
       is_done[i] = true;
-      Location where = walk(last, near, points_[order[i]]);
-      if (!insert(order[i], where)) return Crossing{facet_from(order[i]), twin_of(where)};
+      if (!insert(order[i], walk(last, near, points_[order[i]]))) return facet_from(order[i]);
       near = order[i];
       last = made_.front();  // flips about the new node keep it a corner
     }
@@ -453,7 +445,7 @@ bool VoidTriangulation::bound_facet(int f, int count, std::pair<int, int> ends) 
   return false;
 }
 
-std::optional<Crossing> VoidTriangulation::build(const std::vector<std::pair<int, int>>& facets) {
+std::optional<int> VoidTriangulation::build(const std::vector<std::pair<int, int>>& facets) {
   triangles_.clear(), free_.clear(), spoiled_.clear();
   most_crossed_ = 1 << 30;
   int count = static_cast<int>(facets.size());
@@ -462,11 +454,7 @@ std::optional<Crossing> VoidTriangulation::build(const std::vector<std::pair<int
   if (auto touching = insert_all(facets)) return touching;
   for (int f = 0; f < count; ++f) {
     const int a = facets[f].first, b = facets[f].second;
-    if (!recover(hint_[a], a, b) && !recover_from_any(a, b)) {
-      int other = is_facet(blocker_) ? facet_of(blocker_) : -1;
-      return Crossing{f, other >= count + 3 ? other - count - 3 : (other < count ? other : -1)};
-    }
-    if (!bound_facet(f, count, facets[f])) return Crossing{f, -1};
+    if ((!recover(hint_[a], a, b) && !recover_from_any(a, b)) || !bound_facet(f, count, facets[f])) return f;
   }
   hint_.clear();
   carve_outside(facets);
@@ -478,7 +466,7 @@ std::optional<Crossing> VoidTriangulation::build(const std::vector<std::pair<int
   most_crossed_ = 64;
   for (int f = 0; f < count; ++f) {  // another facet may have taken its side
     const auto [t, corner] = facet_side_[f];
-    if (t < 0 || !triangles_[t].is_alive || triangles_[t].n[corner] != facet_code(f)) return Crossing{f, -1};
+    if (t < 0 || !triangles_[t].is_alive || triangles_[t].n[corner] != facet_code(f)) return f;
   }
   return std::nullopt;
 }

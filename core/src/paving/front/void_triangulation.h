@@ -36,19 +36,13 @@ struct Location {
   int corner = -1;  ///< on_side, blocked: the side opposite this corner; on_vertex: this corner
 };
 
-/// Two facets that cross or touch; `other` is -1 where only one is known.
-struct Crossing {
-  int facet = -1;
-  int other = -1;
-};
-
 class VoidTriangulation {
  public:
   explicit VoidTriangulation(const std::vector<Vec2>& points) : points_(points) {}
 
   /// Triangulates the region bounded by the directed `facets` (start, end; region on the left).
-  /// Returns facets that cross or touch, or nothing when all is well.
-  std::optional<Crossing> build(const std::vector<std::pair<int, int>>& facets);
+  /// Returns a facet that crosses or touches another, or nothing when all is well.
+  std::optional<int> build(const std::vector<std::pair<int, int>>& facets);
 
   /// Frees the triangles.
   void clear() {
@@ -120,7 +114,7 @@ class VoidTriangulation {
   bool bound_facet(int f, int count, std::pair<int, int> ends);
   void note(int t);
   void carve_outside(const std::vector<std::pair<int, int>>& facets);
-  std::optional<Crossing> insert_all(const std::vector<std::pair<int, int>>& facets);
+  std::optional<int> insert_all(const std::vector<std::pair<int, int>>& facets);
 
   const std::vector<Vec2>& points_;
   std::array<Vec2, 3> frame_;  // far points -1, -2, -3 while building
@@ -133,7 +127,6 @@ class VoidTriangulation {
   std::vector<int> spoiled_;  // triangles that recover() made
   std::vector<OuterSide> outer_;
   int most_crossed_ = 64;  // a side across more triangles is no side of an element that fits
-  int blocker_ = -1;       // facet code that stopped recover()
 };
 
 }  // namespace paver

@@ -57,7 +57,8 @@ void place(const Front& front, int f, NodePlan& plan) {
 /// turns most where both pass their limits, or where the row became longer by one and a half facets or shorter by two.
 class RowAdjuster {
  public:
-  RowAdjuster(Front& front, const Row& row, std::vector<NodePlan>& plans) : front_(front), row_(row), plans_(plans) {}
+  RowAdjuster(const Front& front, const Row& row, std::vector<NodePlan>& plans)
+      : front_(front), row_(row), plans_(plans) {}
 
   void run() {
     int n = static_cast<int>(plans_.size()), last = row_.has_ends ? n - 1 : n;
@@ -72,11 +73,11 @@ class RowAdjuster {
       bool turns = turn_ > wedge_turn && ratio > (is_first ? wedge_ratio_first : wedge_ratio);
       bool is_long = !is_first && ratio > wedge_ratio_long && excess > wedge_excess && turn_ > 0;
       if (turns || is_long) {
-        change(most_, NodeState::corner, front_.counts.wedges);
+        change(most_, NodeState::corner);
       } else if (!is_first && ((turn_ < -tuck_turn && ratio < tuck_ratio) ||
                                (turn_ < -tuck_turn_small && ratio < tuck_ratio_small) ||
                                (turn_ < 0 && ratio > tuck_least_ratio && ratio < tuck_ratio && excess < -tuck_lack))) {
-        change(least_, NodeState::end, front_.counts.tucks);
+        change(least_, NodeState::end);
       }
     }
   }
@@ -96,15 +97,14 @@ class RowAdjuster {
     if (!front_.mesh.is_fixed[node] && (least_ < 0 || plan.angle < plans_[least_].angle)) least_ = i;
   }
 
-  void change(int i, NodeState state, long& counter) {
+  void change(int i, NodeState state) {
     if (i < 0) return;
     plans_[i].state = state;
     place(front_, row_.facets[i], plans_[i]);
-    ++counter;
     reset();
   }
 
-  Front& front_;
+  const Front& front_;
   const Row& row_;
   std::vector<NodePlan>& plans_;
   double turn_ = 0, ratio_sum_ = 0;
@@ -113,7 +113,7 @@ class RowAdjuster {
 
 }  // namespace
 
-std::vector<NodePlan> plan_row(Front& front, const Row& row) {
+std::vector<NodePlan> plan_row(const Front& front, const Row& row) {
   std::vector<NodePlan> plans(row.facets.size());
   for (std::size_t i = 0; i < plans.size(); ++i) {
     int f = row.facets[i];

@@ -18,6 +18,6 @@ struct NodePlan {
 
 /// plans[i] belongs to the end node of row.facets[i]. Where the row widens or narrows beyond measure a side becomes a
 /// corner (wedge) or an end (tuck) so that the length comes back to the target.
-std::vector<NodePlan> plan_row(Front& front, const Row& row);
+std::vector<NodePlan> plan_row(const Front& front, const Row& row);
 
 }  // namespace paver

@@ -47,20 +47,13 @@ bool close_seam(Front& front, int f) {
   double la = mesh.length(a, b), lc = mesh.length(c, b);
   if (std::max(la, lc) > transition_ratio * std::min(la, lc)) {
     if (front.divide_facet(la > lc ? f : first.next) < 0) return false;
-    ++front.counts.transition_seams;
     close_seam(front, front.facets[front.facet_from(b)].prev);
     return true;
   }
   if (shares_neighbour(mesh, a, c, b) || share_element(mesh, a, c)) return false;
   Vec2 pa = mesh.p[a], pc = mesh.p[c];
-  bool is_closed;
-  if (mesh.is_fixed[a] || mesh.is_fixed[c]) {
-    is_closed = front.close_seam(f, mesh.is_fixed[a] ? pa : pc);
-  } else {
-    is_closed = front.close_seam(f, 0.5 * (pa + pc)) || front.close_seam(f, pa) || front.close_seam(f, pc);
-  }
-  front.counts.seams += is_closed;
-  return is_closed;
+  if (mesh.is_fixed[a] || mesh.is_fixed[c]) return front.close_seam(f, mesh.is_fixed[a] ? pa : pc);
+  return front.close_seam(f, 0.5 * (pa + pc)) || front.close_seam(f, pa) || front.close_seam(f, pc);
 }
 
 bool close_seams(Front& front, std::vector<int>& nodes) {
