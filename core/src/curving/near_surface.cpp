@@ -76,7 +76,7 @@ Vec2 guess_middle(const Region& region, const RegionMesh& mesh, int v, int w, Ve
   return is_found ? 0.5 * (mesh.p[v] + mesh.p[w]) + step : half_way(region, mesh.p[v], mesh.p[w]);
 }
 
-Vec2 guess_centre(const Region& region, const RegionMesh& mesh, const std::array<int, 4>& corners,
+Vec2 guess_centre(const Region& region, const RegionMesh& mesh, const Corners& corners,
                   const std::array<Vec2, 4>& middles) {
   if (region.chart->bends()) return half_way(region, middles[0], middles[2]);
   Vec2 place;

@@ -46,7 +46,7 @@ inline Vec2 half_way(const Region& region, Vec2 p, Vec2 q) {
 Vec2 guess_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec3 off);
 
 /// The same for the centre of a quad: corners, and the places of the middles of its sides.
-Vec2 guess_centre(const Region& region, const RegionMesh& mesh, const std::array<int, 4>& corners,
+Vec2 guess_centre(const Region& region, const RegionMesh& mesh, const Corners& corners,
                   const std::array<Vec2, 4>& middles);
 
 /// Moves p by Gauss-Newton in the chart to where the surface is nearest to `target`, up to 1e-4 of `scale`, or to the

@@ -52,7 +52,7 @@ void RegionMesh::put(int node, const NodePlace& at) {
   if (has_turns()) turn[node] = {at.n, at.np, at.nq};
 }
 
-int RegionMesh::add_element(const std::array<int, 4>& corners) {
+int RegionMesh::add_element(const Corners& corners) {
   int e = static_cast<int>(elements.size());
   elements.push_back({corners});
   for (int v : corners)
@@ -66,7 +66,7 @@ void RegionMesh::remove_element(int e) {
   elements[e].v = {-1, -1, -1, -1};
 }
 
-void RegionMesh::restore_element(int e, const std::array<int, 4>& corners) {
+void RegionMesh::restore_element(int e, const Corners& corners) {
   elements[e].v = corners;
   for (int v : corners)
     if (v >= 0) star[v].add(e);
@@ -185,6 +185,18 @@ bool turns_left(const RegionMesh& mesh, const Element& e) {
 
 bool is_positive(const RegionMesh& mesh, const Element& e) { return turns_left(mesh, e) && faces_surface(mesh, e); }
 
+bool are_all_positive(const RegionMesh& mesh) {
+  return std::all_of(mesh.elements.begin(), mesh.elements.end(),
+                     [&](const Element& e) { return is_positive(mesh, e); });
+}
+
+bool has_node_twice(const RegionMesh& mesh, const Element& e) {
+  for (int i = 0, n = e.corners(); i < n; ++i)
+    for (int j = 0; j < i; ++j)
+      if (e.v[i] == e.v[j] || (mesh.global[e.v[i]] >= 0 && mesh.global[e.v[i]] == mesh.global[e.v[j]])) return true;
+  return false;
+}
+
 bool has_jacobian(const RegionMesh& mesh, const Element& e, double bound) {
   if (!counts_turns(mesh, e)) return has_corners(Sides<Vec3>(mesh, e), bound);
   return has_corners(Sides<Vec3>(mesh, e), bound / skew_allowance) && has_corners(Sides<MetricVec>(mesh, e), bound);
@@ -194,6 +206,11 @@ double scaled_jacobian(const RegionMesh& mesh, const Element& e, unsigned left_o
   const double plain = worst_corner(Sides<Vec3>(mesh, e), left_out);
   if (!counts_turns(mesh, e)) return plain;
   return std::min(skew_allowance * plain, worst_corner(Sides<MetricVec>(mesh, e), left_out));
+}
+
+double positive_jacobian(const RegionMesh& mesh, const Corners& corners) {
+  const Element element{corners};
+  return is_positive(mesh, element) ? scaled_jacobian(mesh, element) : -1;
 }
 
 double worst_about(const RegionMesh& mesh, int node) {

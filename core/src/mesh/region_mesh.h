@@ -10,9 +10,11 @@
 
 namespace paver {
 
-/// Up to four corner nodes, counter-clockwise in the chart. A triangle has v[3] == -1.
+/// Up to four corner nodes, counter-clockwise in the chart. A triangle's last one is -1.
+using Corners = std::array<int, 4>;
+
 struct Element {
-  std::array<int, 4> v{-1, -1, -1, -1};
+  Corners v{-1, -1, -1, -1};
   bool is_alive() const { return v[0] >= 0; }
   int corners() const { return v[3] < 0 ? 3 : 4; }
   int corner_of(int node) const {
@@ -120,10 +122,10 @@ struct RegionMesh {
     return add_node(NodePlace{chart, position, tangent_p, tangent_q}, target);
   }
   /// The new element's number.
-  int add_element(const std::array<int, 4>& corners);
+  int add_element(const Corners& corners);
   void remove_element(int e);
   /// Takes back its removal.
-  void restore_element(int e, const std::array<int, 4>& corners);
+  void restore_element(int e, const Corners& corners);
   void replace_node(int e, int from, int to);
   /// The element on the other side of a side from a to b, which has it from b to a; -1 where there is none.
   int across(int a, int b) const {
@@ -175,6 +177,10 @@ bool turns_left(const RegionMesh& mesh, const Element& e);
 
 /// Whether it turns left and faces the surface.
 bool is_positive(const RegionMesh& mesh, const Element& e);
+bool are_all_positive(const RegionMesh& mesh);
+
+/// Whether two corners are one node, or one node of the boundary stage.
+bool has_node_twice(const RegionMesh& mesh, const Element& e);
 
 /// Whether the scaled Jacobian is at least `bound`, positive; takes no root.
 bool has_jacobian(const RegionMesh& mesh, const Element& e, double bound);
@@ -182,6 +188,8 @@ bool has_jacobian(const RegionMesh& mesh, const Element& e, double bound);
 /// Smallest corner value (e1 x e2).n / (|e1||e2|), n the element's own area vector; triangles times 2/sqrt 3. Without
 /// the corners whose bits are set in `left_out`.
 double scaled_jacobian(const RegionMesh& mesh, const Element& e, unsigned left_out = 0);
+/// The same of an element that need not be in the mesh; -1 where it is not positive.
+double positive_jacobian(const RegionMesh& mesh, const Corners& corners);
 /// Smallest of the elements about a node; 2 where there are none.
 double worst_about(const RegionMesh& mesh, int node);
 

@@ -8,14 +8,6 @@ namespace {
 
 constexpr double as_good = 1e-9;  // nearer than this two diagonals are as good as each other, the first is taken
 
-using Corners = std::array<int, 4>;
-
-/// -1 where it is not positive.
-double value(const RegionMesh& mesh, const Corners& corners) {
-  const Element element{corners};
-  return is_positive(mesh, element) ? scaled_jacobian(mesh, element) : -1;
-}
-
 void split_quad(RegionMesh& mesh, int quad) {
   const Corners v = mesh.elements[quad].v;
   const int least = static_cast<int>(std::min_element(v.begin(), v.end()) - v.begin()) % 2;
@@ -24,7 +16,8 @@ void split_quad(RegionMesh& mesh, int quad) {
   for (int i : {least, 1 - least}) {
     const int a = v[i], b = v[i + 1], c = v[i + 2], d = v[(i + 3) % 4];
     const std::array<Corners, 2> halves{{{a, b, c, -1}, {a, c, d, -1}}};
-    const double both = mesh.has_side(a, c) ? -1 : std::min(value(mesh, halves[0]), value(mesh, halves[1]));
+    const double both =
+        mesh.has_side(a, c) ? -1 : std::min(positive_jacobian(mesh, halves[0]), positive_jacobian(mesh, halves[1]));
     if (both > worst + as_good) worst = both, best = halves;
   }
   if (worst <= 0) return;

@@ -214,7 +214,7 @@ bool FineMesh::lay_grid(const Row& bottom, const Row& right, const Row& top, con
   return true;
 }
 
-bool FineMesh::add_quad(const std::array<int, 4>& v) {
+bool FineMesh::add_quad(const Corners& v) {
   const Element quad{v};
   if (!is_positive(fine_, quad) || !has_jacobian(fine_, quad, least_jacobian)) return false;
   fine_.add_element(v);

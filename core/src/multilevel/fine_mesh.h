@@ -45,7 +45,7 @@ class FineMesh {
   Vec2 stepped(int from, Vec3 to) const;
   int place(Vec3 y, Vec2 guess);
   bool lay_grid(const Row& bottom, const Row& right, const Row& top, const Row& left);
-  bool add_quad(const std::array<int, 4>& v);
+  bool add_quad(const Corners& v);
   bool lay_triangle(const std::vector<Row>& rows);
   Row straight_row(int a, int b, int n);
 

@@ -125,7 +125,7 @@ class PatchPaver {
     }
     for (const Element& element : part.elements) {
       if (!element.is_alive()) continue;
-      std::array<int, 4> v{-1, -1, -1, -1};
+      Corners v{-1, -1, -1, -1};
       for (int k = 0; k < element.corners(); ++k) v[k] = number[element.v[k]];
       front_.mesh.add_element(v);
     }

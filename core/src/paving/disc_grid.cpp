@@ -90,10 +90,7 @@ class Disc {
         layout_, layout_, *region_.surface, region_.size, places, smoothing, [&](BlockGrid& at) { hold_rim(at); },
         progress);
     finish(grid);
-    const RegionMesh& mesh = grid.grid().mesh;
-    const bool is_sound = std::all_of(mesh.elements.begin(), mesh.elements.end(),
-                                      [&](const Element& quad) { return is_positive(mesh, quad); });
-    if (!is_sound) return std::nullopt;
+    if (!are_all_positive(grid.grid().mesh)) return std::nullopt;
     return std::move(grid.grid());
   }
 

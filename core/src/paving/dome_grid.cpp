@@ -84,11 +84,6 @@ double mean_length(const std::vector<Ray>& rays) {
   return sum / static_cast<double>(rays.size());
 }
 
-bool is_all_positive(const RegionMesh& mesh) {
-  return std::all_of(mesh.elements.begin(), mesh.elements.end(),
-                     [&](const Element& e) { return is_positive(mesh, e); });
-}
-
 class Dome {
  public:
   Dome(const Region& region, DomeRows rows)
@@ -115,7 +110,7 @@ class Dome {
     for (const LoopNode& node : loop_) outer.push_back(add_node(region_, node, mesh_));
     for (int row = rows; row > 0; --row) outer = add_row(outer, static_cast<double>(row) / (rows + 1), row == 1);
     add_fan(outer);
-    return is_all_positive(mesh_) ? std::optional(std::move(mesh_)) : std::nullopt;
+    return are_all_positive(mesh_) ? std::optional(std::move(mesh_)) : std::nullopt;
   }
 
  private:
@@ -179,7 +174,7 @@ class Tube {
       for (std::size_t i = 0; row > 0 && i < n; ++i)
         mesh_.add_element({last[i], last[(i + 1) % n], next[(i + 1) % n], next[i]});
     }
-    return is_all_positive(mesh_) ? std::optional(std::move(mesh_)) : std::nullopt;
+    return are_all_positive(mesh_) ? std::optional(std::move(mesh_)) : std::nullopt;
   }
 
  private:

@@ -22,9 +22,7 @@ class Filler {
         at(i, j) = add_node(fill_.block->place(fill_.first[0] + i, fill_.first[1] + j));
     for (int j = 0; j < fill_.rows(); ++j)
       for (int i = 0; i < columns_; ++i) add_quad({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-    const bool is_sound = std::all_of(mesh_.elements.begin(), mesh_.elements.end(),
-                                      [&](const Element& quad) { return is_positive(mesh_, quad); });
-    if (!is_sound) return std::nullopt;
+    if (!are_all_positive(mesh_)) return std::nullopt;
     return std::move(mesh_);
   }
 
@@ -51,7 +49,7 @@ class Filler {
     return mesh_.add_node(at, region_.size.at(uv, *region_.surface));
   }
 
-  void add_quad(std::array<int, 4> quad) {
+  void add_quad(Corners quad) {
     if (fill_.block->is_clockwise) std::swap(quad[1], quad[3]);
     mesh_.add_element(quad);
   }

@@ -42,13 +42,6 @@ const BoundarySide* BoundarySides::find(int a, int b) const {
   return at == sides_.end() ? nullptr : &at->second;
 }
 
-bool ElementJudge::has_node_twice(const Corners& v, int n) const {
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < i; ++j)
-      if (v[i] == v[j] || (mesh_.global[v[i]] >= 0 && mesh_.global[v[i]] == mesh_.global[v[j]])) return true;
-  return false;
-}
-
 bool ElementJudge::has_forbidden_side(const Corners& v, int n) const {
   for (int k = 0; k < n; ++k)
     if (std::find(forbidden_.begin(), forbidden_.end(), std::pair<int, int>(std::minmax(v[k], v[(k + 1) % n]))) !=
@@ -182,7 +175,7 @@ ElementArea ElementJudge::area(const Corners& v) const {
 double ElementJudge::value(const Corners& v, double floor) const {
   const Element element{v};
   const int n = element.corners();
-  if (has_node_twice(v, n) || !turns_left(mesh_, element)) return folded;
+  if (has_node_twice(mesh_, element) || !turns_left(mesh_, element)) return folded;
   if (!forbidden_.empty() && has_forbidden_side(v, n)) return folded;
   const double along = least_along(v, n);
   if (along < 0) return folded;

@@ -14,8 +14,6 @@
 
 namespace paver {
 
-using Corners = std::array<int, 4>;  ///< as Element::v
-
 constexpr double poor = 0.1;  ///< value of an element below which better ones are looked for
 
 /// An interval of a B-rep edge.
@@ -69,7 +67,6 @@ class ElementJudge {
  private:
   static constexpr double least_height = 1e-6;  // scaled Jacobian: flatter ones are not curved to be judged
 
-  bool has_node_twice(const Corners& v, int n) const;
   bool has_forbidden_side(const Corners& v, int n) const;
   /// Cosine between the element's normal and that of the surface at the corner where it is least; below 0 where the
   /// element runs against the surface.

@@ -11,8 +11,6 @@
 namespace paver {
 namespace {
 
-using Corners = std::array<int, 4>;
-
 /// Intervals of the edges that bound regions, by their nodes.
 std::set<std::pair<int, int>> intervals_of(std::span<const Region> regions, const EdgeNodes& nodes) {
   std::set<int> edges;
@@ -73,8 +71,7 @@ class SideDivider {
       ways = {{{{{a, middle, c, -1}, {middle, b, c, -1}}}, {{{a, middle, c, -1}, {middle, b, c, -1}}}}};
     for (const auto& way : ways) {
       double worst = 1;
-      for (const Corners& corners : way)
-        worst = std::min(worst, is_positive(mesh_, {corners}) ? scaled_jacobian(mesh_, {corners}) : -1);
+      for (const Corners& corners : way) worst = std::min(worst, positive_jacobian(mesh_, corners));
       if (worst > most) most = worst, best = way;
     }
     return best;

@@ -41,7 +41,7 @@ void BlockGrid::add_quads(std::size_t b, const Block& final) {
   const float up = static_cast<float>(final.count[1]) / static_cast<float>(n);
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < m; ++i) {
-      std::array<int, 4> quad{node(b, i, j), node(b, i + 1, j), node(b, i + 1, j + 1), node(b, i, j + 1)};
+      Corners quad{node(b, i, j), node(b, i + 1, j), node(b, i + 1, j + 1), node(b, i, j + 1)};
       std::array<float, 4> wish{along, up, along, up};
       if (area < 0) std::swap(quad[1], quad[3]), wish = {up, along, up, along};
       grid_.mesh.add_element(quad);

@@ -25,10 +25,7 @@ struct Circle {
   explicit Circle(int n) {
     for (Vec2 p : test::circle({}, 1, n)) mesh.add_node(p, {p.x, p.y, 0}, {1, 0, 0}, {0, 1, 0}, 1);
   }
-  double value(const Corners& v) const {
-    const Element element{v};
-    return is_positive(mesh, element) ? scaled_jacobian(mesh, element) : -1;
-  }
+  double value(const Corners& v) const { return positive_jacobian(mesh, v); }
   Filling fill(ElementKinds kinds) const {
     return fill_outline(
         outline_of_size(mesh.node_count()), kinds, [&](const Corners& v, double) { return value(v); }, none_taken);

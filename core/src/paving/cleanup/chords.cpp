@@ -23,8 +23,6 @@ constexpr double longest_arc = 1.6;
 constexpr double fair = 0.1;  // least scaled Jacobian of a new division, unless the old one was below
 constexpr int passes = 3;
 
-using Corners = std::array<int, 4>;
-
 class ChordRemover {
  public:
   explicit ChordRemover(Front& front) : front_(front), mesh_(front.mesh) {
@@ -170,14 +168,8 @@ class ChordRemover {
 
   void keep_better(const std::vector<Corners>& elements, Division& best) const {
     double worst = 1;
-    for (const Corners& corners : elements) worst = std::min(worst, value(corners));
+    for (const Corners& corners : elements) worst = std::min(worst, positive_jacobian(mesh_, corners));
     if (worst > best.worst) best = {worst, elements};
-  }
-
-  /// -1 where it is not positive.
-  double value(const Corners& corners) const {
-    const Element element{corners};
-    return is_positive(mesh_, element) ? scaled_jacobian(mesh_, element) : -1;
   }
 
   Front& front_;

@@ -90,7 +90,7 @@ double MeshEdit::energy_gain(const Change& change) {
   double gain = 0;
   const int old_count = mesh_.node_count();
   if (delta_.size() < mesh_.p.size() + change.fresh.size()) delta_.resize(mesh_.p.size() + change.fresh.size() + 64, 0);
-  auto count = [&](const std::array<int, 4>& v, int by) {
+  auto count = [&](const Corners& v, int by) {
     if (v[3] < 0) gain += by * triangle_energy;
     for (int node : v) {
       if (node < 0) continue;
@@ -107,21 +107,11 @@ double MeshEdit::energy_gain(const Change& change) {
   return gain;
 }
 
-bool MeshEdit::is_sound(const std::array<int, 4>& v) const {
-  int n = v[3] < 0 ? 3 : 4;
-  for (int i = 0; i < n; ++i)
-    for (int j = i + 1; j < n; ++j)
-      if (v[i] == v[j] || (mesh_.global[v[i]] >= 0 && mesh_.global[v[i]] == mesh_.global[v[j]])) return false;
-  return true;
-}
-
 // Whether an edge at the node is in two elements in the same direction.
 bool MeshEdit::has_shared_edges(int node) const {
   after_.clear(), before_.clear();
   for (int e : mesh_.star[node]) {
-    const Element& element = mesh_.elements[e];
-    int n = element.corners(), k = element.corner_of(node);
-    int after = element.v[k + 1 < n ? k + 1 : 0], before = element.v[k > 0 ? k - 1 : n - 1];
+    const int after = mesh_.elements[e].after(node), before = mesh_.elements[e].before(node);
     for (std::size_t i = 0; i < after_.size(); ++i)
       if (after_[i] == after || before_[i] == before) return true;
     after_.push_back(after), before_.push_back(before);
@@ -175,7 +165,7 @@ bool MeshEdit::apply(const Change& change) {
   }
   bool is_ok = true;
   for (const auto& v : change.made) {
-    if (!(is_ok = is_sound(v))) break;
+    if (!(is_ok = !has_node_twice(mesh_, {v}))) break;
     journal_.push_back({Kind::made, mesh_.add_element(v), {}, {}});
   }
   for (int node : touched_) {
@@ -200,9 +190,7 @@ void MeshEdit::roll_back(std::size_t mark) {
         mesh_.elements.pop_back();
         break;
       case Kind::gone:
-        mesh_.elements[entry.id] = entry.element;
-        for (int v : entry.element.v)
-          if (v >= 0) mesh_.star[v].add(entry.id);
+        mesh_.restore_element(entry.id, entry.element.v);
         break;
       case Kind::node:
         touched_.erase(std::remove(touched_.begin(), touched_.end(), entry.id), touched_.end());

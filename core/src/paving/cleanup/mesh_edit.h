@@ -2,7 +2,6 @@
 // whether they were worth it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <unordered_set>
@@ -17,7 +16,7 @@ namespace paver {
 /// the order of `fresh`.
 struct Change {
   std::vector<int> gone;
-  std::vector<std::array<int, 4>> made;
+  std::vector<Corners> made;
   std::vector<Vec2> fresh;  ///< chart places of new nodes
   int moved = -1;           ///< a free node that takes a new place, or -1
   Vec2 place;
@@ -125,7 +124,6 @@ class MeshEdit {
   }
   void find_border();
   double target_between(int node, std::size_t count) const;
-  bool is_sound(const std::array<int, 4>& corners) const;
   bool has_shared_edges(int node) const;
   void move(int node, Vec2 p, bool is_first);
   void touch(int node);

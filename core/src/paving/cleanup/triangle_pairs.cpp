@@ -58,7 +58,7 @@ bool TrianglePairs::make(Change& change) const {
     int in = shared(path_[i], path_[i - 1]), n = e.corners();
     if (in < 0) return false;
     auto v = [&](int k) { return e.v[(in + k) % n]; };
-    auto joined = [&](int far) { return std::array<int, 4>{v(0), apex, v(1), far}; };
+    auto joined = [&](int far) { return Corners{v(0), apex, v(1), far}; };
     if (n == 3) {
       change.made.push_back(joined(v(2)));
       return i + 1 == path_.size();

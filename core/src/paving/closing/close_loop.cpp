@@ -15,12 +15,6 @@ constexpr double length_price = 0.25, fair_length = 0.25;  // of the logarithm o
 constexpr double flat_height = 0.4;                        // of the longest way from a loop to its middle
 constexpr double fair_quad = 0.2;                          // pairs of triangles merge above this scaled Jacobian
 
-/// -1 where it is not positive.
-double value(const RegionMesh& mesh, int a, int b, int c, int d) {
-  const Element quad{{a, b, c, d}};
-  return is_positive(mesh, quad) ? scaled_jacobian(mesh, quad) : -1;
-}
-
 double length_penalty(const RegionMesh& mesh, int a, int b) {
   double ratio = mesh.relative_length(a, b);
   return ratio > 0 ? length_price * std::max(0.0, std::fabs(std::log(ratio)) - fair_length) : 1;
@@ -29,13 +23,13 @@ double length_penalty(const RegionMesh& mesh, int a, int b) {
 /// Best dissection of the polygon into quads by diagonals: worst value, and the quads as positions in the polygon.
 struct Dissection {
   double worst = -1;
-  std::vector<std::array<int, 4>> quads;
+  std::vector<Corners> quads;
 };
 
 Dissection dissect(const RegionMesh& mesh, const std::vector<int>& polygon, const std::vector<int>& at) {
   int n = static_cast<int>(at.size());
   if (n == 4) {
-    return {value(mesh, polygon[at[0]], polygon[at[1]], polygon[at[2]], polygon[at[3]]),
+    return {positive_jacobian(mesh, {polygon[at[0]], polygon[at[1]], polygon[at[2]], polygon[at[3]]}),
             {{at[0], at[1], at[2], at[3]}}};
   }
   // The quad on side at[0] - at[1] with its further corners at odd distance.
@@ -43,7 +37,7 @@ Dissection dissect(const RegionMesh& mesh, const std::vector<int>& polygon, cons
   for (int i = 2; i < n; ++i)
     for (int j = i + 1; j < n; j += 2) {
       if (i % 2 == 1) continue;  // keeps all three remainders even
-      double worst = value(mesh, polygon[at[0]], polygon[at[1]], polygon[at[i]], polygon[at[j]]);
+      double worst = positive_jacobian(mesh, {polygon[at[0]], polygon[at[1]], polygon[at[i]], polygon[at[j]]});
       if (worst <= best.worst) continue;
       Dissection whole{worst, {{at[0], at[1], at[i], at[j]}}};
       auto part = [&](int from, int to) {  // polygon at[from..to], closed by the side to - from
@@ -70,7 +64,7 @@ double star_value(Front& front, const std::vector<int>& polygon, int centre, int
   double worst = 2;
   for (int k = offset; k < n + offset; k += 2) {
     int a = polygon[k % n], b = polygon[(k + 1) % n], c = polygon[(k + 2) % n];
-    worst = std::min(worst, value(front.mesh, a, b, c, centre) - length_penalty(front.mesh, a, centre));
+    worst = std::min(worst, positive_jacobian(front.mesh, {a, b, c, centre}) - length_penalty(front.mesh, a, centre));
   }
   return worst;
 }
@@ -97,7 +91,8 @@ bool form_dissection(Front& front, const std::vector<int>& loop, const std::vect
 
 bool close_quad(Front& front, const std::vector<int>& loop, const std::vector<int>& v) {
   int level = front.facets[loop[0]].level + 1;
-  if (value(front.mesh, v[0], v[1], v[2], v[3]) > least_quad && front.form_element(loop[0], v[2], v[3], level))
+  if (positive_jacobian(front.mesh, {v[0], v[1], v[2], v[3]}) > least_quad &&
+      front.form_element(loop[0], v[2], v[3], level))
     return true;
   // Concave or flat: two triangles over the diagonal that splits it.
   for (int i : {0, 1}) {
@@ -203,12 +198,12 @@ void insert_triangle(Front& front, const std::vector<int>& loop) {
 
 void close_by_triangulation(Front& front, int f) {
   ++front.closed_by_triangulation;
-  std::vector<std::array<int, 4>> triangles = front.take_void(f);
+  std::vector<Corners> triangles = front.take_void(f);
   // Pairs by quality, best first; ties by position.
   struct Pair {
     double sj;
     std::size_t i, j;
-    std::array<int, 4> quad;
+    Corners quad;
   };
   std::vector<Pair> pairs;
   std::vector<std::array<std::size_t, 3>> sides;  // low node, high node, triangle
@@ -225,8 +220,8 @@ void close_by_triangulation(Front& front, int f) {
     int a = static_cast<int>(sides[s][0]), b = static_cast<int>(sides[s][1]), k = 0, m = 0;
     while (t[k] == a || t[k] == b) ++k;
     while (u[m] == a || u[m] == b) ++m;
-    std::array<int, 4> quad{t[k], t[(k + 1) % 3], u[m], t[(k + 2) % 3]};
-    double sj = value(front.mesh, quad[0], quad[1], quad[2], quad[3]);
+    Corners quad{t[k], t[(k + 1) % 3], u[m], t[(k + 2) % 3]};
+    double sj = positive_jacobian(front.mesh, quad);
     if (sj > fair_quad) pairs.push_back({sj, sides[s][2], sides[s + 1][2], quad});
   }
   std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) { return p.sj > q.sj; });

@@ -462,9 +462,9 @@ bool Front::is_alone(int f, int size) const {
   return static_cast<int>(found.size()) == size - 2;
 }
 
-std::vector<std::array<int, 4>> Front::take_void(int f) {
+std::vector<Corners> Front::take_void(int f) {
   std::vector<int> stack{empty.facet_side(f).triangle};
-  std::vector<std::array<int, 4>> taken;
+  std::vector<Corners> taken;
   while (!stack.empty()) {
     int t = stack.back();
     stack.pop_back();
@@ -557,7 +557,7 @@ int Front::divide_facet(int f) {
   };
   int m1 = add_node(inside(1.0 / 3, 0)), m2 = add_node(inside(2.0 / 3, 0));
   int n1 = add_node(inside(1.0 / 3, up_of_tuck)), n2 = add_node(inside(2.0 / 3, up_of_tuck));
-  const std::array<int, 4> quads[4] = {{b, m1, n1, r}, {m1, m2, n2, n1}, {m2, a, s, n2}, {n1, n2, s, r}};
+  const Corners quads[4] = {{b, m1, n1, r}, {m1, m2, n2, n1}, {m2, a, s, n2}, {n1, n2, s, r}};
   Side side = empty.facet_side(f);
   int z = empty.triangle(side.triangle).v[side.corner];
   bool is_fit = orientation(pa, mesh.p[m2], mesh.p[z]) > 0 && orientation(mesh.p[m2], mesh.p[m1], mesh.p[z]) > 0 &&

@@ -81,7 +81,7 @@ class Front {
   /// first of the three facets, or -1, and nothing changed, when f is boundary or the quad has no room.
   int divide_facet(int f);
   /// Removes the void that facet f borders with all its facets and returns its triangles (fourth entry -1).
-  std::vector<std::array<int, 4>> take_void(int f);
+  std::vector<Corners> take_void(int f);
   /// The facet made last that is still on the front, or -1.
   int newest_facet() const;
   /// Moves a node that can_move() allowed, with its position already evaluated.
