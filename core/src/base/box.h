@@ -15,6 +15,7 @@ struct Box {
 
   bool is_empty() const { return low.x > high.x; }
   void add(Vec3 x) { add(Box{x, x}); }
+  void add(Vec2 p) { add(Vec3{p.x, p.y, 0}); }
   void add(const Box& b) {
     low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
     high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};

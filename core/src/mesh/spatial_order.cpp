@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <numeric>
 
+#include "base/box.h"
+
 namespace paver {
 namespace {
 
@@ -19,11 +21,9 @@ std::uint64_t spread_bits(std::uint64_t k) {
 }
 
 std::vector<int> number_along_curve(const std::vector<Vec2>& p) {
-  Vec2 low = p[0], high = p[0];
-  for (Vec2 q : p) {
-    low = {std::min(low.x, q.x), std::min(low.y, q.y)};
-    high = {std::max(high.x, q.x), std::max(high.y, q.y)};
-  }
+  Box box;
+  for (Vec2 q : p) box.add(q);
+  const auto& [low, high] = box;
   const double scale = cells / std::max({high.x - low.x, high.y - low.y, 1e-300});
   std::vector<std::uint64_t> order;  // place on the curve, then old number
   order.reserve(p.size());

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/box.h"
 #include "base/packing.h"
 
 namespace paver {
@@ -25,13 +25,9 @@ Vec2 centre_of(const RegionMesh& mesh, int e) {
 }
 
 bool is_wide(const Centre* first, const Centre* last) {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  Vec2 low{far, far}, high{-far, -far};
-  for (const Centre* c = first; c != last; ++c) {
-    low = {std::min(low.x, c->p.x), std::min(low.y, c->p.y)};
-    high = {std::max(high.x, c->p.x), std::max(high.y, c->p.y)};
-  }
-  return high.x - low.x >= high.y - low.y;
+  Box box;
+  for (const Centre* c = first; c != last; ++c) box.add(c->p);
+  return box.high.x - box.low.x >= box.high.y - box.low.y;
 }
 
 void halve(Centre* first, Centre* last, int pieces, std::vector<std::vector<int>>& result) {
@@ -56,66 +52,6 @@ void halve(Centre* first, Centre* last, int pieces, std::vector<std::vector<int>
   halve(middle, last, pieces - first_pieces, result);
 }
 
-// Elements to be paved that hang together by nodes.
-void add_paved_pieces(LevelPlan& plan) {
-  std::vector<char> waits = plan.is_paved;
-  for (std::size_t first = 0; first < waits.size(); ++first) {
-    if (!waits[first]) continue;
-    std::vector<int>& piece = plan.pieces.emplace_back();
-    piece.push_back(static_cast<int>(first));
-    waits[first] = 0;
-    for (std::size_t i = 0; i < piece.size(); ++i)
-      for (int v : plan.mesh.elements[piece[i]].v) {
-        if (v < 0) continue;
-        for (int e : plan.mesh.star[v])
-          if (waits[e]) waits[e] = 0, piece.push_back(e);
-      }
-    std::sort(piece.begin(), piece.end());
-  }
-}
-
-class OutlineNumberer {
- public:
-  explicit OutlineNumberer(LevelPlan& plan) : plan_(plan) {}
-
-  void run() {
-    plan_.outline_nodes = 0;
-    plan_.outline_sides.clear();
-    plan_.outline_of_node.assign(plan_.mesh.p.size(), -1);
-    plan_.outline_of_edge.assign(plan_.net.edges.size(), -1);
-    std::vector<int> piece_of(plan_.mesh.elements.size(), -1);
-    for (std::size_t i = 0; i < plan_.pieces.size(); ++i)
-      for (int e : plan_.pieces[i]) piece_of[e] = static_cast<int>(i);
-    for (std::size_t e = 0; e < plan_.net.edges.size(); ++e) {
-      const CoarseEdge& edge = plan_.net.edges[e];
-      if (edge.element[1] >= 0 && piece_of[edge.element[0]] != piece_of[edge.element[1]]) add(e);
-    }
-  }
-
- private:
-  int shared(int v) {
-    if (plan_.mesh.global[v] >= 0) return plan_.mesh.global[v];
-    int& number = plan_.outline_of_node[v];
-    if (number < 0) number = plan_.outline_nodes++;
-    return plan_.boundary_nodes + number;
-  }
-
-  void add(std::size_t e) {
-    const CoarseEdge& edge = plan_.net.edges[e];
-    const int from = shared(edge.a), to = shared(edge.b), n = plan_.counts[e];
-    plan_.outline_of_edge[e] = plan_.outline_nodes;
-    int last = from;
-    for (int i = 1; i < n; ++i) {
-      int next = plan_.boundary_nodes + plan_.outline_nodes++;
-      plan_.outline_sides.push_back({last, next});
-      last = next;
-    }
-    plan_.outline_sides.push_back({last, to});
-  }
-
-  LevelPlan& plan_;
-};
-
 /// Every field but those that number_outlines() fills in; stars follow from the elements.
 template <class A>
 void fields(A& archive, Is<LevelPlan> auto& plan) {
@@ -128,6 +64,22 @@ void fields(A& archive, Is<LevelPlan> auto& plan) {
 }
 
 }  // namespace
+
+std::vector<std::vector<int>> groups_by_nodes(const RegionMesh& mesh, std::set<int> waits) {
+  std::vector<std::vector<int>> groups;
+  while (!waits.empty()) {
+    std::vector<int>& group = groups.emplace_back(1, *waits.begin());
+    waits.erase(waits.begin());
+    for (std::size_t i = 0; i < group.size(); ++i)
+      for (int v : mesh.elements[group[i]].v) {
+        if (v < 0) continue;
+        for (int e : mesh.star[v])
+          if (waits.erase(e) > 0) group.push_back(e);
+      }
+    std::sort(group.begin(), group.end());
+  }
+  return groups;
+}
 
 double fine_elements(const LevelPlan& plan, int element) {
   const auto& edges = plan.net.of_element[element];
@@ -143,16 +95,18 @@ double fine_elements(const LevelPlan& plan, int element) {
 void cut_in_pieces(LevelPlan& plan, double elements) {
   plan.pieces.clear();
   std::vector<Centre> centres;
+  std::set<int> paved;
   double all = 0;
   for (std::size_t e = 0; e < plan.mesh.elements.size(); ++e) {
-    if (!plan.mesh.elements[e].is_alive() || (plan.is_paved[e] && elements > 0)) continue;
     const int i = static_cast<int>(e);
+    if (elements > 0 && plan.is_paved[e]) paved.insert(i);
+    if (!plan.mesh.elements[e].is_alive() || paved.contains(i)) continue;
     centres.push_back({centre_of(plan.mesh, i), i, fine_elements(plan, i)});
     all += centres.back().fine;
   }
   const int pieces = elements > 0 ? std::max(1, static_cast<int>(std::lround(all / elements))) : 1;
   if (!centres.empty()) halve(centres.data(), centres.data() + centres.size(), pieces, plan.pieces);
-  if (elements > 0) add_paved_pieces(plan);
+  for (std::vector<int>& piece : groups_by_nodes(plan.mesh, std::move(paved))) plan.pieces.push_back(std::move(piece));
 }
 
 void number_outlines(LevelPlan& plan) {
@@ -160,7 +114,32 @@ void number_outlines(LevelPlan& plan) {
   for (std::size_t l = 0; l < plan.net.loop_node.size(); ++l)
     for (std::size_t i = 0; i < plan.net.loop_node[l].size(); ++i)
       plan.place_on_loop[plan.net.loop_node[l][i]] = {static_cast<int>(l), static_cast<int>(i)};
-  OutlineNumberer(plan).run();
+  plan.outline_nodes = 0;
+  plan.outline_sides.clear();
+  plan.outline_of_node.assign(plan.mesh.p.size(), -1);
+  plan.outline_of_edge.assign(plan.net.edges.size(), -1);
+  std::vector<int> piece_of(plan.mesh.elements.size(), -1);
+  for (std::size_t i = 0; i < plan.pieces.size(); ++i)
+    for (int e : plan.pieces[i]) piece_of[e] = static_cast<int>(i);
+  auto shared = [&](int v) {
+    if (plan.mesh.global[v] >= 0) return plan.mesh.global[v];
+    int& number = plan.outline_of_node[v];
+    if (number < 0) number = plan.outline_nodes++;
+    return plan.boundary_nodes + number;
+  };
+  for (std::size_t e = 0; e < plan.net.edges.size(); ++e) {
+    const CoarseEdge& edge = plan.net.edges[e];
+    if (edge.element[1] < 0 || piece_of[edge.element[0]] == piece_of[edge.element[1]]) continue;
+    int last = shared(edge.a);
+    const int to = shared(edge.b);
+    plan.outline_of_edge[e] = plan.outline_nodes;
+    for (int i = 1; i < plan.counts[e]; ++i) {
+      const int next = plan.boundary_nodes + plan.outline_nodes++;
+      plan.outline_sides.push_back({last, next});
+      last = next;
+    }
+    plan.outline_sides.push_back({last, to});
+  }
 }
 
 std::string pack(const LevelPlan& plan) {

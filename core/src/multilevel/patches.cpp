@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 namespace paver {
 namespace {
@@ -34,32 +33,10 @@ std::multimap<int, OutlineEdge> outline_of(const std::vector<int>& part, const R
 
 class PatchPaver {
  public:
-  PatchPaver(FineMesh& fine, const std::vector<int>& marked, const std::function<RegionMesh(const Region&)>& pave)
-      : fine_(fine), front_(fine.front), mesh_(fine.mesh), pave_region_(pave) {
-    waits_.insert(marked.begin(), marked.end());
-  }
+  PatchPaver(FineMesh& fine, const std::function<RegionMesh(const Region&)>& pave)
+      : fine_(fine), front_(fine.front), mesh_(fine.mesh), pave_region_(pave) {}
 
-  std::vector<int> run() {
-    while (!waits_.empty()) pave(part_from(*waits_.begin()));
-    return std::move(about_poles_);
-  }
-
- private:
-  // All marked elements that hang together by nodes.
-  std::vector<int> part_from(int first) {
-    std::vector<int> part{first};
-    waits_.erase(first);
-    for (std::size_t i = 0; i < part.size(); ++i)
-      for (int v : mesh_.elements[part[i]].v) {
-        if (v < 0) continue;
-        for (int e : mesh_.star[v])
-          if (waits_.erase(e) > 0) part.push_back(e);
-      }
-    return part;
-  }
-
-  void pave(std::vector<int> part) {
-    std::sort(part.begin(), part.end());
+  void pave(const std::vector<int>& part) {
     Region region = task_of(front_.region);
     region.area = 0;
     for (int e : part) region.area += area_of(e);
@@ -68,6 +45,9 @@ class PatchPaver {
     take_over(pave_region_(region), !region.fans.empty());
   }
 
+  std::vector<int> take_about_poles() { return std::move(about_poles_); }
+
+ private:
   double area_of(int e) const {
     const auto& v = mesh_.elements[e].v;
     const Vec3 a = mesh_.x[v[0]], b = mesh_.x[v[1]], c = mesh_.x[v[2]], d = v[3] < 0 ? c : mesh_.x[v[3]];
@@ -135,7 +115,6 @@ class PatchPaver {
   Front& front_;
   const RegionMesh& mesh_;
   const std::function<RegionMesh(const Region&)>& pave_region_;
-  std::set<int> waits_;
   std::vector<int> about_poles_;
 };
 
@@ -158,7 +137,9 @@ void settle_marks(const RegionMesh& mesh, const CoarseNet& net, std::vector<char
 
 std::vector<int> pave_patches(FineMesh& fine, const std::vector<int>& marked,
                               const std::function<RegionMesh(const Region&)>& pave) {
-  return PatchPaver(fine, marked, pave).run();
+  PatchPaver paver(fine, pave);
+  for (const std::vector<int>& part : groups_by_nodes(fine.mesh, {marked.begin(), marked.end()})) paver.pave(part);
+  return paver.take_about_poles();
 }
 
 }  // namespace paver

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <tuple>
 
+#include "base/box.h"
 #include "base/predicates.h"
 
 namespace paver {
@@ -17,26 +17,13 @@ namespace {
 constexpr double no_angle = 1e-10;  // radians, between facets from one node
 constexpr double one_node = 1e-9;   // of the facet: the same node of the boundary stage this near is one node
 
-struct Box {
-  Vec2 lo{1e300, 1e300}, hi{-1e300, -1e300};
-  void add(Vec2 p) {
-    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
-    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
-  }
-  bool meets(const Box& b) const { return lo.x <= b.hi.x && b.lo.x <= hi.x && lo.y <= b.hi.y && b.lo.y <= hi.y; }
-};
-
 struct Segment {
   LoopFacet facet;
   int a, b;  // nodes
   int edge;
   Box box;
-  Vec2 middle() const { return 0.5 * (box.lo + box.hi); }
+  Vec3 middle() const { return 0.5 * (box.low + box.high); }
 };
-
-bool comes_before(const Segment& s, const Segment& t) {
-  return std::tie(s.facet.loop, s.facet.place) < std::tie(t.facet.loop, t.facet.place);
-}
 
 class FacetTree {
  public:
@@ -51,8 +38,7 @@ class FacetTree {
 
   std::vector<std::array<LoopFacet, 2>> pairs() {
     if (!boxes_.empty()) visit_within(0);
-    auto key = [](const std::array<LoopFacet, 2>& p) { return std::tie(p[0].loop, p[0].place, p[1].loop, p[1].place); };
-    std::sort(found_.begin(), found_.end(), [&](const auto& p, const auto& q) { return key(p) < key(q); });
+    std::sort(found_.begin(), found_.end());
     if (found_.size() > most_) found_.resize(most_);
     return std::move(found_);
   }
@@ -88,17 +74,17 @@ class FacetTree {
     const int here = static_cast<int>(boxes_.size());
     boxes_.push_back({{}, first, last, -1, -1});
     Box box;
-    for (std::size_t i = first; i < last; ++i) box.add(segments_[i].box.lo), box.add(segments_[i].box.hi);
+    for (std::size_t i = first; i < last; ++i) box.add(segments_[i].box);
     boxes_[here].box = box;
     auto begin = segments_.begin();
     if (last - first <= leaf_size) {
-      std::sort(begin + static_cast<long>(first), begin + static_cast<long>(last), comes_before);
+      std::ranges::sort(begin + static_cast<long>(first), begin + static_cast<long>(last), {}, &Segment::facet);
       return here;
     }
-    const bool is_wide = box.hi.x - box.lo.x > box.hi.y - box.lo.y;
+    const bool is_wide = box.high.x - box.low.x > box.high.y - box.low.y;
     auto before = [&](const Segment& s, const Segment& t) {
       const double p = is_wide ? s.middle().x : s.middle().y, q = is_wide ? t.middle().x : t.middle().y;
-      return p < q || (p == q && comes_before(s, t));
+      return p < q || (p == q && s.facet < t.facet);
     };
     const std::size_t middle = first + (last - first) / 2;
     std::nth_element(begin + static_cast<long>(first), begin + static_cast<long>(middle),
@@ -137,7 +123,7 @@ class FacetTree {
 
   void test(const Segment& s, const Segment& t) {
     if (!s.box.meets(t.box) || !has_trouble(s, t)) return;
-    found_.push_back(comes_before(s, t) ? std::array{s.facet, t.facet} : std::array{t.facet, s.facet});
+    found_.push_back(s.facet < t.facet ? std::array{s.facet, t.facet} : std::array{t.facet, s.facet});
   }
 
   bool has_trouble(const Segment& s, const Segment& t) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <vector>
 
 #include "regions/region.h"
@@ -19,6 +20,7 @@ LoopNodes number_loop_nodes(const Region& region);
 /// The facet that starts at place `place` of loop `loop`; loops from Region::loops.size() on are the rings of fans.
 struct LoopFacet {
   int loop = -1, place = -1;
+  auto operator<=>(const LoopFacet&) const = default;
 };
 
 /// Pairs that have more in common than a node that they share, by their order in the loops, and at most `most` of them;

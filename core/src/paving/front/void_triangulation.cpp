@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/box.h"
 #include "base/predicates.h"
 
 namespace paver {
@@ -357,16 +358,13 @@ void VoidTriangulation::legalise_about(int node) {
 }
 
 std::optional<int> VoidTriangulation::insert_all(const std::vector<std::pair<int, int>>& facets) {
-  double lo[2] = {1e300, 1e300}, hi[2] = {-1e300, -1e300};
-  for (auto [a, b] : facets) {
-    Vec2 p = points_[a];
-    lo[0] = std::min(lo[0], p.x), hi[0] = std::max(hi[0], p.x);
-    lo[1] = std::min(lo[1], p.y), hi[1] = std::max(hi[1], p.y);
-  }
+  Box box;
+  for (auto [a, b] : facets) box.add(points_[a]);
+  const auto& [low, high] = box;
   // Far away, and askew: no facet is in line with two of its corners.
   constexpr double away = 64, left = 0.6, right = 0.61, top = 0.02;
-  double span = away * std::max(hi[0] - lo[0], hi[1] - lo[1]);
-  Vec2 centre{0.5 * (lo[0] + hi[0]), 0.5 * (lo[1] + hi[1])};
+  double span = away * std::max(high.x - low.x, high.y - low.y);
+  Vec2 centre{0.5 * (low.x + high.x), 0.5 * (low.y + high.y)};
   frame_ = {centre + Vec2{-span, -left * span}, centre + Vec2{span, -right * span}, centre + Vec2{top * span, span}};
   int last = make(-1, -2, -3);
   for (int i = 0; i < 3; ++i) link(last, i, facet_code(static_cast<int>(facets.size()) + i));
