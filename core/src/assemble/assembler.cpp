@@ -179,11 +179,11 @@ void Assembler::straighten_last() {
   if (options_.order == 1 || count() == 0) return;
   const RepairResult inside =
       repair_elements(mesh_, is_valid, invalid_quads_, invalid_triangles_, curved_.first_inside);
-  straightened_ += inside.recentred + inside.straightened;
+  straightened_ += inside.straightened;
   take_over(inside);
   if (count() > 0) {
     const RepairResult last = straighten();
-    if (ranks_.rank() == 0) straightened_ += last.recentred + last.straightened;
+    if (ranks_.rank() == 0) straightened_ += last.straightened;
     off_edge_ = last.off_edge;
     take_over(last);
   }

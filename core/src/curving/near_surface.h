@@ -24,9 +24,8 @@ struct SideCubic {
     first = way.x * mesh.xp[v] + way.y * mesh.xq[v];
     last = way.x * mesh.xp[w] + way.y * mesh.xq[w];
   }
-  /// Not where the derivatives differ much: across a crease, at an apex.
-  bool is_smooth() const {
-    constexpr double most_turn = 0.5;  // of the chord
+  /// Not where the derivatives differ by more than this share of the chord: across a crease, at an apex.
+  bool is_smooth(double most_turn = 0.5) const {
     const Vec3 turn = last - first, chord = b - a;
     return dot(turn, turn) <= most_turn * most_turn * dot(chord, chord);
   }

@@ -3,7 +3,7 @@
 #include "curving/order2.h"
 
 #include <algorithm>
-#include <tuple>
+#include <compare>
 
 #include "base/tasks/tasks.h"
 
@@ -14,17 +14,20 @@ struct Line {
   int a, b;  // a < b
   int edge;
   int node;
+  auto operator<=>(const Line&) const = default;
 };
-
-bool operator<(const Line& one, const Line& other) {
-  return std::tie(one.a, one.b, one.edge) < std::tie(other.a, other.b, other.edge);
-}
 
 class Raiser {
  public:
   Raiser(const JoinedMesh& linear, const EdgeNodes& edges, const Model& model, const Cuts& cuts,
          const std::vector<CurvingPart>& parts, int threads)
-      : linear_(linear), edges_(edges), model_(model), cuts_(cuts), parts_(parts), threads_(threads) {}
+      : linear_(linear),
+        edges_(edges),
+        model_(model),
+        cuts_(cuts),
+        parts_(parts),
+        threads_(threads),
+        cost_(curving_costs(parts)) {}
 
   OrderTwoMesh run() {
     copy_linear();
@@ -67,11 +70,7 @@ class Raiser {
 
   void number_parts() {
     result_.sides.resize(parts_.size());
-    std::vector<double> cost;
-    for (const CurvingPart& part : parts_)
-      cost.push_back(part.mesh ? static_cast<double>(part.mesh->elements.size()) : 0);
-    cost_ = cost;
-    run_tasks(threads_, cost, [&](int i) {
+    run_tasks(threads_, cost_, [&](int i) {
       if (parts_[i].mesh) result_.sides[i] = number_sides(*parts_[i].mesh);
     });
   }
@@ -172,12 +171,19 @@ class Raiser {
   const Cuts& cuts_;
   const std::vector<CurvingPart>& parts_;
   const int threads_;
-  std::vector<double> cost_;
+  const std::vector<double> cost_;
   std::vector<Line> lines_;
   OrderTwoMesh result_;
 };
 
 }  // namespace
+
+std::vector<double> curving_costs(const std::vector<CurvingPart>& parts) {
+  std::vector<double> costs;
+  for (const CurvingPart& part : parts)
+    costs.push_back(part.mesh ? static_cast<double>(part.mesh->elements.size()) : 0);
+  return costs;
+}
 
 PartSides number_sides(const RegionMesh& mesh) {
   PartSides sides;

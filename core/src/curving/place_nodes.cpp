@@ -10,12 +10,6 @@
 namespace paver {
 namespace {
 
-std::vector<double> sizes(const std::vector<CurvingPart>& parts) {
-  std::vector<double> cost;
-  for (const CurvingPart& part : parts) cost.push_back(part.mesh ? static_cast<double>(part.mesh->elements.size()) : 0);
-  return cost;
-}
-
 /// Per side inside the part: its middle's place in the chart.
 std::vector<Vec2> place_sides(const CurvingPart& part, const std::vector<std::array<int, 2>>& sides, int first,
                               SurfaceMesh& mesh) {
@@ -44,18 +38,6 @@ void place_cuts(const OrderTwoMesh& raised, const Cuts& cuts, const CurvingPart&
     mesh.nodes[raised.border_node[i][k]] =
         nearest_point(cut.region ? *cut.region : *part.region, middle, 0.5 * (a + b), norm(b - a));
   }
-}
-
-// A part's quads follow each other; the first of all parts.
-std::vector<std::size_t> first_quads(const std::vector<CurvingPart>& parts) {
-  std::vector<std::size_t> first;
-  std::size_t next = 0;
-  for (const CurvingPart& part : parts) {
-    first.push_back(next);
-    if (!part.mesh) continue;
-    for (const Element& e : part.mesh->elements) next += e.is_alive() && e.corners() == 4;
-  }
-  return first;
 }
 
 /// Places the centres of a part's quads, with what is known of its sides.
@@ -105,13 +87,14 @@ CurvedMesh curve_elements(const JoinedMesh& linear, const EdgeNodes& edges, cons
   std::vector<char> is_placed(cuts.sides().size(), 0);
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (parts[i].mesh) place_cuts(raised, cuts, parts[i], i, mesh, is_placed);
-  const std::vector<std::size_t> first = first_quads(parts);
-  run_tasks(threads, sizes(parts), [&](int i) {
+  std::vector<std::size_t> first_quad{0};  // a part's quads follow each other
+  for (const PartSizes& sizes : linear.sizes) first_quad.push_back(first_quad.back() + sizes.quads);
+  run_tasks(threads, curving_costs(parts), [&](int i) {
     progress.check();
     if (!parts[i].mesh) return;
     const PartSides& sides = raised.sides[i];
     const std::vector<Vec2> places = place_sides(parts[i], sides.inside, raised.first_own[i], mesh);
-    CentrePlacer(parts[i], sides, raised.border_node[i], places, mesh).run(first[i]);
+    CentrePlacer(parts[i], sides, raised.border_node[i], places, mesh).run(first_quad[i]);
   });
   CurvedMesh result{std::move(mesh), std::move(raised.own_nodes), {}, raised.first_inside};
   for (std::size_t c = 0; c < raised.cut_node.size(); ++c)

@@ -28,7 +28,10 @@ class Repairer {
   Repairer(SurfaceMesh& mesh, const IsValidFn& is_valid, bool moves_edges, int first_inside)
       : mesh_(mesh), is_valid_(is_valid), moves_edges_(moves_edges), first_inside_(first_inside) {}
 
-  RepairResult run(std::vector<Element> invalid) {
+  RepairResult run(const std::vector<int>& quads, const std::vector<int>& triangles) {
+    std::vector<Element> invalid;
+    for (int quad : quads) invalid.push_back({true, quad});
+    for (int triangle : triangles) invalid.push_back({false, triangle});
     if (!invalid.empty()) list_neighbours();
     for (int pass = 0; pass < passes && !invalid.empty(); ++pass) {
       std::vector<Element> remaining;
@@ -79,26 +82,18 @@ class Repairer {
 
   bool mend(const Element& element) {
     moved_.clear();
-    if (element.is_quad) {
-      recentre(element);
-      if (is_valid(element)) {
-        ++result_.recentred;
-        note_moved();
-        return true;
-      }
+    if (element.is_quad) recentre(element);
+    if (!is_valid(element)) {
       roll_back(0);
+      if (!straighten(element, 0)) return false;
     }
-    if (!straighten(element, 0)) return false;
     ++result_.straightened;
-    note_moved();
-    for (const Moved& entry : moved_)
+    for (const Moved& entry : moved_) {
+      result_.moved.push_back(entry.node);
       if (mesh_.node_edge[static_cast<std::size_t>(entry.node)] >= 0)
         result_.off_edge = std::max(result_.off_edge, norm(position(entry.node) - entry.from));
+    }
     return true;
-  }
-
-  void note_moved() {
-    for (const Moved& entry : moved_) result_.moved.push_back(entry.node);
   }
 
   bool is_kept(int middle) const {
@@ -176,24 +171,16 @@ class Repairer {
   RepairResult result_;
 };
 
-RepairResult run(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& quads,
-                 const std::vector<int>& triangles, bool moves_edges, int first_inside) {
-  std::vector<Element> invalid;
-  for (int quad : quads) invalid.push_back({true, quad});
-  for (int triangle : triangles) invalid.push_back({false, triangle});
-  return Repairer(mesh, is_valid, moves_edges, first_inside).run(std::move(invalid));
-}
-
 }  // namespace
 
 RepairResult repair_elements(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& invalid_quads,
                              const std::vector<int>& invalid_triangles, int first_inside) {
-  return run(mesh, is_valid, invalid_quads, invalid_triangles, false, first_inside);
+  return Repairer(mesh, is_valid, false, first_inside).run(invalid_quads, invalid_triangles);
 }
 
 RepairResult straighten_at_edges(SurfaceMesh& mesh, const IsValidFn& is_valid, const std::vector<int>& invalid_quads,
                                  const std::vector<int>& invalid_triangles) {
-  return run(mesh, is_valid, invalid_quads, invalid_triangles, true, 0);
+  return Repairer(mesh, is_valid, true, 0).run(invalid_quads, invalid_triangles);
 }
 
 }  // namespace paver

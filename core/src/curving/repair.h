@@ -13,8 +13,7 @@ namespace paver {
 using IsValidFn = std::function<bool(const SurfaceMesh& mesh, bool is_quad, int element)>;
 
 struct RepairResult {
-  long recentred = 0;                                 ///< elements mended by a blended centre, off the surface
-  long straightened = 0;                              ///< elements mended by moving side middles towards their chords
+  long straightened = 0;                              ///< elements mended
   double off_edge = 0;                                ///< mm, how far a middle was moved off its B-rep edge
   std::vector<int> moved;                             ///< nodes that mending moved, rising
   std::vector<int> invalid_quads, invalid_triangles;  ///< what no step could mend, in order

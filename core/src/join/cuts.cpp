@@ -23,17 +23,14 @@ void add_loop(const Region& region, const std::vector<LoopNode>& loop, std::vect
 Cuts::Cuts(const std::vector<Region>& regions, std::vector<CutSide> outlines) : sides_(std::move(outlines)) {
   for (const Region& region : regions)
     for (const auto& loop : region.loops) add_loop(region, loop, sides_);
-  std::stable_sort(sides_.begin(), sides_.end(),
-                   [](const CutSide& one, const CutSide& other) { return key(one) < key(other); });
-  auto is_same = [](const CutSide& one, const CutSide& other) { return key(one) == key(other); };
-  sides_.erase(std::unique(sides_.begin(), sides_.end(), is_same), sides_.end());
+  std::ranges::stable_sort(sides_, {}, key);
+  sides_.erase(std::ranges::unique(sides_, {}, key).begin(), sides_.end());
 }
 
 int Cuts::find(int face, int a, int b) const {
-  CutSide wanted{face, std::min(a, b), std::max(a, b), nullptr, {}, {}};
-  auto at = std::lower_bound(sides_.begin(), sides_.end(), wanted,
-                             [](const CutSide& one, const CutSide& other) { return key(one) < key(other); });
-  return at != sides_.end() && key(*at) == key(wanted) ? static_cast<int>(at - sides_.begin()) : -1;
+  const std::tuple wanted{face, std::min(a, b), std::max(a, b)};
+  const auto at = std::ranges::lower_bound(sides_, wanted, {}, key);
+  return at != sides_.end() && key(*at) == wanted ? static_cast<int>(at - sides_.begin()) : -1;
 }
 
 }  // namespace paver

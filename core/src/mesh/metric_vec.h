@@ -26,14 +26,8 @@ inline MetricVec unit(const MetricVec& a) {
 /// Orthonormal vectors in the plane of two others, counter-clockwise from the first to the second.
 struct MetricFrame {
   MetricVec first, second;
-  bool is_plane = false;  ///< not where the two are parallel
 
-  MetricFrame(const MetricVec& a, const MetricVec& b) {
-    first = unit(a);
-    const MetricVec rest = b - dot(b, first) * first;
-    second = unit(rest);
-    is_plane = dot(rest, rest) > 1e-24 * dot(b, b) && dot(a, a) > 0;
-  }
+  MetricFrame(const MetricVec& a, const MetricVec& b) : first(unit(a)), second(unit(b - dot(b, first) * first)) {}
   Vec2 of(const MetricVec& v) const { return {dot(v, first), dot(v, second)}; }
   MetricVec at(Vec2 p) const { return p.x * first + p.y * second; }
 };

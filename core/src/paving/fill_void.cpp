@@ -57,7 +57,7 @@ class VoidFiller {
     for (std::size_t first = 0; first < is_done.size(); ++first) {
       int f = static_cast<int>(first);
       if (is_done[first] || !front_.facets[f].is_alive) continue;
-      front_.collect_loop(f, loop_, 1 << 30);
+      front_.collect_loop(f, loop_);
       if (loop_.size() % 2 == 1) {
         const std::vector<int> loop = loop_;
         insert_triangle(front_, loop);
@@ -65,7 +65,7 @@ class VoidFiller {
         auto left = std::find_if(loop.begin(), loop.end(), [&](int g) { return front_.facets[g].is_alive; });
         f = left != loop.end() ? *left : front_.newest_facet();
         if (f < 0 || !front_.facets[f].is_alive) continue;
-        front_.collect_loop(f, loop_, 1 << 30);
+        front_.collect_loop(f, loop_);
       }
       for (int g : loop_)
         if (static_cast<std::size_t>(g) < is_done.size()) is_done[static_cast<std::size_t>(g)] = 1;
@@ -100,7 +100,7 @@ class VoidFiller {
 
   // One step for f's loop; false when nothing could be done.
   bool advance(int f) {
-    front_.collect_loop(f, loop_, 1 << 30);
+    front_.collect_loop(f, loop_);
     if (loop_.size() <= 8 && close_loop(front_, loop_)) return true;
     near_.clear(), angles_.clear();
     for (int g : loop_) {

@@ -33,12 +33,7 @@ class Filler {
     const std::vector<LoopNode>& loop = region_.loops[0];
     const auto outline = fill_.outline();
     for (std::size_t k = 0; k < loop.size(); ++k) {
-      const int node = add_node(loop[k].p);
-      mesh_.x[node] = loop[k].x;
-      mesh_.h[node] = loop[k].h;
-      mesh_.global[node] = loop[k].global;
-      mesh_.is_fixed[node] = 1;
-      at(outline[k][0] - fill_.first[0], outline[k][1] - fill_.first[1]) = node;
+      at(outline[k][0] - fill_.first[0], outline[k][1] - fill_.first[1]) = paver::add_node(region_, loop[k], mesh_);
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace paver {
 
@@ -32,6 +33,23 @@ double nearest_node(const Region& region, Vec3 at) {
   for (const auto& loop : region.loops)
     for (const LoopNode& node : loop) nearest = std::min(nearest, norm(node.x - at));
   return nearest;
+}
+
+std::vector<std::vector<int>> find_loop_nodes(const Region& region, const RegionMesh& mesh) {
+  std::map<int, std::vector<int>> known;
+  for (int node = 0; node < mesh.node_count(); ++node)
+    if (mesh.global[node] >= 0) known[mesh.global[node]].push_back(node);
+  std::vector<std::vector<int>> found;
+  for (const auto& loop : region.loops) {
+    std::vector<int>& nodes = found.emplace_back();
+    for (const LoopNode& at : loop) {
+      const std::vector<int>& copies = known[at.global];
+      auto nearest = std::min_element(copies.begin(), copies.end(),
+                                      [&](int a, int b) { return norm(mesh.p[a] - at.p) < norm(mesh.p[b] - at.p); });
+      nodes.push_back(nearest == copies.end() ? -1 : *nearest);
+    }
+  }
+  return found;
 }
 
 int add_node(const Region& region, const LoopNode& known, RegionMesh& mesh) {

@@ -67,6 +67,10 @@ struct Region {
 /// Distance to the nearest node of the loops, infinite where there is none.
 double nearest_node(const Region& region, Vec3 at);
 
+/// Per loop and place in it: its node in a mesh of the region, -1 where there is none. Of two copies, on both sides of
+/// a cut, the nearer one is meant.
+std::vector<std::vector<int>> find_loop_nodes(const Region& region, const RegionMesh& mesh);
+
 /// A node of the boundary, held, in a mesh of the region.
 int add_node(const Region& region, const LoopNode& known, RegionMesh& mesh);
 

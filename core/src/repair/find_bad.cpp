@@ -22,11 +22,8 @@ bool is_flat(const RegionMesh& mesh, const Element& e, int n) {
 }
 
 bool has_even_sides(const RegionMesh& mesh, const Element& e, int n) {
-  for (int k = 0; k < n; ++k) {
-    const SideCubic side(mesh, e.v[k], e.v[k + 1 < n ? k + 1 : 0]);
-    const Vec3 turn = side.last - side.first, chord = side.b - side.a;
-    if (dot(turn, turn) > most_side_turn * most_side_turn * dot(chord, chord)) return false;
-  }
+  for (int k = 0; k < n; ++k)
+    if (!SideCubic(mesh, e.v[k], e.v[k + 1 < n ? k + 1 : 0]).is_smooth(most_side_turn)) return false;
   return true;
 }
 

@@ -59,12 +59,6 @@ TEST(Metric, AFrameRunsCounterClockwiseAsTheChart) {
   EXPECT_GT(cross(a, b), 0);
 }
 
-TEST(Metric, ParallelVectorsSpanNoPlane) {
-  const MetricVec a{{1, 0, 0}, {0, 2, 0}};
-  EXPECT_FALSE(MetricFrame(a, 3 * a).is_plane);
-  EXPECT_FALSE(MetricFrame({}, a).is_plane);
-}
-
 /// A quad whose sides have the given lengths in space, turned by `skew` (a length along its second side).
 double jacobian(double around, double along, double skew, double turn_weight) {
   RegionMesh mesh;

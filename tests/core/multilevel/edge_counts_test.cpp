@@ -19,9 +19,9 @@ struct Ring {
     add_side(outline);
     add_side(hole);
     const int first = static_cast<int>(outline.size()), rest = first - static_cast<int>(hole.size());
-    for (int i = 0; i < static_cast<int>(hole.size()); ++i) chords.push_back({{i, first + i}, {i}, {0, 1}});
+    for (int i = 0; i < static_cast<int>(hole.size()); ++i) chords.push_back({{i, first + i}, {0, 1}});
     for (int i = 0; i + 1 < rest; i += 2)
-      chords.push_back({{static_cast<int>(hole.size()) + i, static_cast<int>(hole.size()) + i + 1}, {0}, {0, 0}});
+      chords.push_back({{static_cast<int>(hole.size()) + i, static_cast<int>(hole.size()) + i + 1}, {0, 0}});
   }
 
   void add_side(const std::vector<int>& facets) {

@@ -41,7 +41,7 @@ struct Fixture {
   }
   int loop_size(int f) const {
     std::vector<int> loop;
-    front.collect_loop(f, loop, 1000);
+    front.collect_loop(f, loop);
     return static_cast<int>(loop.size());
   }
   int live_facets() const {

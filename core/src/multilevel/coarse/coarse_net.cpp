@@ -2,6 +2,7 @@
 #include "multilevel/coarse/coarse_net.h"
 
 #include <algorithm>
+#include <compare>
 #include <map>
 
 namespace paver {
@@ -9,9 +10,7 @@ namespace {
 
 struct ElementSide {
   int low, high, element, corner;
-  bool operator<(const ElementSide& o) const {
-    return std::tie(low, high, element) < std::tie(o.low, o.high, o.element);
-  }
+  auto operator<=>(const ElementSide&) const = default;
 };
 
 std::vector<ElementSide> sorted_sides(const RegionMesh& mesh) {
@@ -26,22 +25,6 @@ std::vector<ElementSide> sorted_sides(const RegionMesh& mesh) {
   }
   std::sort(sides.begin(), sides.end());
   return sides;
-}
-
-// Where a loop's node is shown twice, on both sides of a cut, the nearer copy is meant.
-void find_loop_nodes(const CoarseRegion& coarse, const RegionMesh& mesh, CoarseNet& net) {
-  std::map<int, std::vector<int>> known;
-  for (int node = 0; node < mesh.node_count(); ++node)
-    if (mesh.global[node] >= 0) known[mesh.global[node]].push_back(node);
-  for (const auto& loop : coarse.region.loops) {
-    std::vector<int>& nodes = net.loop_node.emplace_back();
-    for (const LoopNode& at : loop) {
-      const std::vector<int>& copies = known[at.global];
-      auto nearest = std::min_element(copies.begin(), copies.end(),
-                                      [&](int a, int b) { return norm(mesh.p[a] - at.p) < norm(mesh.p[b] - at.p); });
-      nodes.push_back(nearest == copies.end() ? -1 : *nearest);
-    }
-  }
 }
 
 bool mark_boundary(CoarseNet& net) {
@@ -98,7 +81,6 @@ class ChordWalker {
       if (next < 0 || mesh_.elements[next].corners() == 3) break;
       const auto& around = net_.of_element[next];
       int k = static_cast<int>(std::find(around.begin(), around.end(), edge) - around.begin());
-      chord.quads.push_back(next);
       from = next;
       edge = around[(k + 2) % 4];
     }
@@ -117,7 +99,7 @@ class ChordWalker {
 std::optional<CoarseNet> build_net(const CoarseRegion& coarse, const RegionMesh& mesh) {
   CoarseNet net;
   net.of_element.assign(mesh.elements.size(), {-1, -1, -1, -1});
-  find_loop_nodes(coarse, mesh, net);
+  net.loop_node = find_loop_nodes(coarse.region, mesh);
   const std::vector<ElementSide> sides = sorted_sides(mesh);
   for (std::size_t i = 0; i < sides.size();) {
     const Element& element = mesh.elements[sides[i].element];

@@ -26,7 +26,6 @@ struct CoarseNet {
 /// triangle (side -1), or in itself.
 struct Chord {
   std::vector<int> edges;
-  std::vector<int> quads;  ///< quads[i] lies between edges[i] and edges[i + 1]
   std::array<int, 2> side{-1, -1};
 };
 

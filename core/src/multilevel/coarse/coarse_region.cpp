@@ -37,7 +37,6 @@ class Coarsener {
   void copy_task() {
     Region& coarse = result_.region;
     coarse = task_of(region_);
-    coarse.evenness = 1;
     coarse.size = region_.size.scaled(ratio_);
     coarse.h = ratio_ * region_.h;
   }
@@ -159,10 +158,9 @@ class Coarsener {
 
   // The ring moves away from the centre along (u, v), in which a pole's surroundings are even.
   void add_fan(const Fan& fan) {
-    double reach = 0, room = 1e300;
+    double reach = 0;
     for (const LoopNode& node : fan.ring) reach = std::max(reach, norm(node.x - fan.centre.x));
-    for (const auto& loop : region_.loops)
-      for (const LoopNode& node : loop) room = std::min(room, norm(node.x - fan.centre.x));
+    const double room = nearest_node(region_, fan.centre.x);
     double factor = std::max(1.0, std::min<double>(ratio_, fan_room * room / reach));
     Fan coarse = fan;
     coarse.centre.h *= factor;

@@ -30,10 +30,11 @@ constexpr double least_opening = 0.4;  // of the mean of the rows before: sides 
 constexpr double room = 0.5;           // of the last row's depth: nothing else lies so near before it
 constexpr int most_rows = 64;
 
+/// At the loop's first node.
 class AcuteCorner {
  public:
-  AcuteCorner(const Region& region, RegionMesh& mesh, const std::vector<int>& nodes, std::size_t apex)
-      : region_(region), mesh_(mesh), nodes_(nodes), apex_(apex) {}
+  AcuteCorner(const Region& region, RegionMesh& mesh, const std::vector<int>& nodes)
+      : region_(region), mesh_(mesh), nodes_(nodes) {}
 
   /// Only corners about which the surface turns far are fans though they are not acute.
   bool is_fan(double angle) {
@@ -80,8 +81,8 @@ class AcuteCorner {
 
  private:
   // The loop runs b2, b1, apex, a1, a2.
-  int a(int k) const { return nodes_[(apex_ + static_cast<std::size_t>(k)) % nodes_.size()]; }
-  int b(int k) const { return nodes_[(apex_ + nodes_.size() - static_cast<std::size_t>(k)) % nodes_.size()]; }
+  int a(int k) const { return nodes_[static_cast<std::size_t>(k) % nodes_.size()]; }
+  int b(int k) const { return nodes_[(nodes_.size() - static_cast<std::size_t>(k)) % nodes_.size()]; }
   // In space: where a corner turns sharply its two columns share the turn, however wide it is.
   double distance(int u, int v) const { return norm(mesh_.x[u] - mesh_.x[v]); }
   double target(int k) const { return 0.5 * (mesh_.h[a(k)] + mesh_.h[b(k)]); }
@@ -154,7 +155,6 @@ class AcuteCorner {
   const Region& region_;
   RegionMesh& mesh_;
   const std::vector<int>& nodes_;
-  std::size_t apex_;
   int columns_ = 2;
 };
 
@@ -181,7 +181,7 @@ void lay_acute_corners(const Region& region, RegionMesh& mesh, const std::vector
     auto at = std::find(nodes.begin(), nodes.end(), apex);
     if (at == nodes.end() || mesh.star[apex].size() > 0) continue;
     std::rotate(nodes.begin(), at, nodes.end());
-    AcuteCorner corner(region, mesh, nodes, 0);
+    AcuteCorner corner(region, mesh, nodes);
     if (!corner.is_fan(angle)) continue;
     const int rows = corner.rows(others);
     if (rows == 0) continue;

@@ -3,7 +3,6 @@
 #include "paving/front/front.h"
 
 #include <algorithm>
-#include <map>
 
 #include "base/predicates.h"
 #include "mesh/spatial_order.h"
@@ -50,18 +49,14 @@ int Front::add_boundary_node(const std::vector<LoopNode>& loop, std::size_t i) {
   return node;
 }
 
+void Front::note_boundary(const std::vector<std::vector<int>>& loops) {
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    for (std::size_t i = 0, n = loops[l].size(); i < n; ++i)
+      boundary.push_back({loops[l][i], loops[l][(i + 1) % n], region.loops[l][i].edge});
+}
+
 std::optional<int> Front::start_at(const std::vector<std::vector<int>>& loops) {
-  std::map<int, std::vector<int>> known;
-  for (int node = 0; node < mesh.node_count(); ++node)
-    if (mesh.global[node] >= 0) known[mesh.global[node]].push_back(node);
-  auto node_at = [&](const LoopNode& at) {
-    const std::vector<int>& nodes = known[at.global];
-    return *std::min_element(nodes.begin(), nodes.end(),
-                             [&](int a, int b) { return norm(mesh.p[a] - at.p) < norm(mesh.p[b] - at.p); });
-  };
-  for (const auto& loop : region.loops)
-    for (std::size_t i = 0, n = loop.size(); i < n; ++i)
-      boundary.push_back({node_at(loop[i]), node_at(loop[(i + 1) % n]), loop[i].edge});
+  note_boundary(find_loop_nodes(region, mesh));
   for (const std::vector<int>& nodes : loops) add_start_loop(nodes);
   return open_void();
 }
@@ -86,9 +81,8 @@ std::optional<int> Front::start(std::optional<double> sharpest_corner) {
     const std::vector<int>& nodes = loops[l];
     for (std::size_t i = 0; i < loop.size(); ++i)
       if (nodes[i] == mesh.node_count()) add_boundary_node(loop, i);
-    for (std::size_t i = 0, n = loop.size(); i < n; ++i)
-      boundary.push_back({nodes[i], nodes[(i + 1) % n], loop[i].edge});
   }
+  note_boundary(loops);
   const std::vector<Vec2> places = mesh.p;
   for (std::size_t l = 0; l < loops.size(); ++l) {
     if (sharpest_corner) lay_acute_corners(region, mesh, region.loops[l], loops[l], places, *sharpest_corner);
@@ -182,13 +176,13 @@ double Front::chord_angle_after(int f) const {
   return angle;
 }
 
-void Front::collect_loop(int f, std::vector<int>& loop, int limit) const {
+void Front::collect_loop(int f, std::vector<int>& loop) const {
   loop.clear();
   int g = f;
   do {
     loop.push_back(g);
     g = facets[g].next;
-  } while (g != f && static_cast<int>(loop.size()) < limit);
+  } while (g != f);
 }
 
 Front::Colour Front::root(Colour c) const {

@@ -63,8 +63,8 @@ class Front {
   /// The same between the chords themselves.
   double chord_angle_after(int f) const;
   double length(int f) const { return mesh.length(facets[f].a, facets[f].b); }
-  /// Facets of f's loop, starting with f; at most `limit`.
-  void collect_loop(int f, std::vector<int>& loop, int limit) const;
+  /// Facets of f's loop, starting with f.
+  void collect_loop(int f, std::vector<int>& loop) const;
 
   /// Whether a mesh edge between two front nodes leaves all loops even.
   bool may_connect(int a, int b) const;
@@ -117,6 +117,7 @@ class Front {
   void set_apex(int centre, const std::vector<int>& ring);
   std::optional<int> open_void();
   void add_start_loop(const std::vector<int>& nodes);
+  void note_boundary(const std::vector<std::vector<int>>& loops);
   bool find_outline(int f, int c, int d, Outline& o);
   void collect_fan(int f, std::vector<int>& fan) const;
   void relink(const Outline& o, int level);
