@@ -9,8 +9,6 @@
 namespace paver {
 namespace {
 
-Vec2 swapped(Vec2 p, bool is_swapped) { return is_swapped ? Vec2{p.y, p.x} : p; }
-
 /// Position in a table of equal cells; outside it the first or last cell is continued.
 struct Cell {
   int i;
@@ -69,7 +67,7 @@ class RowChart : public Chart {
   }
 
   Vec2 to_chart(Vec2 uv) const override {
-    const Vec2 q = swapped(uv, box_.is_swapped);
+    const Vec2 q = box_.uv(uv);
     const Cell c = across_.at(q.y);
     return {sign_ * (along_.arc(along_.at(q.x)) - middle_) * width_at(c), across_.arc(c)};
   }
@@ -81,9 +79,9 @@ class RowChart : public Chart {
     const double way = sign_ * p.x / a;
     const Cell b = along_.at_arc(middle_ + way);
     const double pace = along_.step() / along_.rise(b.i);
-    uv = swapped({along_.value(b), across_.value(c)}, box_.is_swapped);
-    uv_x = swapped({pace * sign_ / a, 0}, box_.is_swapped);
-    uv_y = swapped({-pace * way * da / a, across_.step() / rise}, box_.is_swapped);
+    uv = box_.uv({along_.value(b), across_.value(c)});
+    uv_x = box_.uv({pace * sign_ / a, 0});
+    uv_y = box_.uv({-pace * way * da / a, across_.step() / rise});
   }
 
  private:
@@ -144,7 +142,7 @@ class PolarChart : public Chart {
   }
 
   Vec2 to_chart(Vec2 uv) const override {
-    Vec2 q = swapped(uv, box_.is_swapped);
+    Vec2 q = box_.uv(uv);
     Cell c = cell_of(q.y, lo_, step_, cells_);
     double phi = sign_ * turn_ * (q.x - box_.lo.x), r = radius_at(c);
     return {r * std::cos(phi), r * std::sin(phi)};
@@ -166,10 +164,10 @@ class PolarChart : public Chart {
     double u = phi / (sign_ * turn_);
     double period = 2 * M_PI / turn_;
     if (u < 0) u += period;
-    uv = swapped({box_.lo.x + u, lo_ + step_ * (i + t)}, box_.is_swapped);
+    uv = box_.uv({box_.lo.x + u, lo_ + step_ * (i + t)});
     double k = 1 / (sign_ * turn_ * r * r);
-    uv_x = swapped({-p.y * k, step_ * dt * p.x / r}, box_.is_swapped);
-    uv_y = swapped({p.x * k, step_ * dt * p.y / r}, box_.is_swapped);
+    uv_x = box_.uv({-p.y * k, step_ * dt * p.x / r});
+    uv_y = box_.uv({p.x * k, step_ * dt * p.y / r});
   }
 
  private:
@@ -213,7 +211,7 @@ constexpr int tracks = 8;  // across, on which speeds are averaged
 /// |S_u| and |S_v| at a share of the box along u and a value of v.
 std::array<double, 2> speeds_at(const Surface& surface, const ParameterBox& box, double share, double v) {
   Vec3 x, along, across;
-  surface.d1(swapped({box.lo.x + share * (box.hi.x - box.lo.x), v}, box.is_swapped), x, along, across);
+  surface.d1(box.uv({box.lo.x + share * (box.hi.x - box.lo.x), v}), x, along, across);
   if (box.is_swapped) std::swap(along, across);
   return {norm(along), norm(across)};
 }

@@ -16,6 +16,11 @@ class Chart {
   virtual Vec2 to_chart(Vec2 uv) const = 0;
   /// (u, v) at chart point p and its derivatives by p.x and p.y.
   virtual void to_uv(Vec2 p, Vec2& uv, Vec2& uv_x, Vec2& uv_y) const = 0;
+  Vec2 uv(Vec2 p) const {
+    Vec2 at, by_x, by_y;
+    to_uv(p, at, by_x, by_y);
+    return at;
+  }
   /// End of the walk that starts at p with the chart displacement `step`; to first order p + step. Charts that bend
   /// long straight walks on the surface follow them here.
   virtual Vec2 walk(Vec2 p, Vec2 step) const { return p + step; }
@@ -53,6 +58,9 @@ struct ParameterBox {
   Vec2 lo, hi;
   bool is_swapped = false;                   ///< rows run along v: u and v have changed places in what follows
   bool low_pole = false, high_pole = false;  ///< all of the side at lo.y (hi.y) is one point
+
+  /// (u, v) of a place in the box, or the place of (u, v).
+  Vec2 uv(Vec2 place) const { return is_swapped ? Vec2{place.y, place.x} : place; }
 };
 
 /// Mean |S_u| and arc length along v, tabulated over the box: what both charts are scaled by.

@@ -14,17 +14,14 @@ constexpr double sharp_spread = 0.26;  // radians (15 degrees): normals about a 
 bool PoleShape::is_sharp() const { return spread >= sharp_spread; }
 
 PoleShape measure_pole(const Surface& surface, const ParameterBox& box, double period, bool is_low) {
-  auto parameters = [&](double along, double meridian) {
-    return box.is_swapped ? Vec2{meridian, along} : Vec2{along, meridian};
-  };
   double pole = is_low ? box.lo.y : box.hi.y, inward = is_low ? 1 : -1;
   PoleShape shape;
   shape.small = 1e-3 * (box.hi.y - box.lo.y);
-  shape.apex = surface.point(parameters(box.lo.x, pole));
+  shape.apex = surface.point(box.uv({box.lo.x, pole}));
   Vec3 normal[8], mean{0, 0, 0}, point[8];
   for (int i = 0; i < 8; ++i) {
     Vec3 xu, xv;
-    surface.d1(parameters(box.lo.x + period * i / 8, pole + inward * shape.small), point[i], xu, xv);
+    surface.d1(box.uv({box.lo.x + period * i / 8, pole + inward * shape.small}), point[i], xu, xv);
     normal[i] = unit(cross(xu, xv));
     mean += normal[i];
   }

@@ -265,15 +265,10 @@ class RegionBuilder {
     return turn(chart(before, beside) - p, chart(c, beside) - p);
   }
 
-  Vec2 parameters(double along, double meridian) const {
-    return layout_.box.is_swapped ? Vec2{meridian, along} : Vec2{along, meridian};
-  }
-
   double meridian_of(const Loop& loop) const {
     const Coedge& c = loop.coedges.front();
     const Edge& e = model_.edges[c.edge];
-    Vec2 uv = c.pcurve->uv(0.5 * (e.t0 + e.t1));
-    return layout_.box.is_swapped ? uv.x : uv.y;
+    return layout_.box.uv(c.pcurve->uv(0.5 * (e.t0 + e.t1))).y;
   }
 
   // Parts of its blocks, so many that they are tasks for many ranks. Nodes on cuts are shared.
@@ -292,8 +287,7 @@ class RegionBuilder {
           auto [at, is_new] = known.insert({numbers.node(b, i, j), {}});
           auto& [node, uv] = at->second;
           if (is_new) {
-            Vec2 uv_x, uv_y;
-            region.chart->to_uv(fill.block->place(i, j), uv, uv_x, uv_y);
+            uv = region.chart->uv(fill.block->place(i, j));
             node = append(face_.surface->point(uv), region.size.at(uv, *face_.surface));
           }
           const Vec2 here = nearest_image(uv, closed.layout.blocks[b].middle, closed.layout.period);
@@ -337,10 +331,7 @@ class RegionBuilder {
     b.loops.push_back(std::move(forward));
     add_fan(low, a);
     add_fan(high, b);
-    for (const InnerPoint& point : face_.points) {
-      double meridian = layout_.box.is_swapped ? point.uv.x : point.uv.y;
-      add_point(point, meridian < layout_.cut ? a : b);
-    }
+    for (const InnerPoint& point : face_.points) add_point(point, layout_.box.uv(point.uv).y < layout_.cut ? a : b);
     regions.push_back(std::move(a));
     regions.push_back(std::move(b));
   }
@@ -352,9 +343,9 @@ class RegionBuilder {
     double step = std::fabs(guess);
     for (int i = 0; i < most_tries; ++i) {
       double length = 0;
-      Vec3 last = face_.surface->point(parameters(along, pole));
+      Vec3 last = face_.surface->point(layout_.box.uv({along, pole}));
       for (int k = 1; k <= chords; ++k) {
-        const Vec3 x = face_.surface->point(parameters(along, pole + std::copysign(step, guess) * k / chords));
+        const Vec3 x = face_.surface->point(layout_.box.uv({along, pole + std::copysign(step, guess) * k / chords}));
         length += norm(x - last), last = x;
       }
       if (std::fabs(length - reach) <= near_enough * reach) break;
@@ -370,7 +361,7 @@ class RegionBuilder {
     for (int i = 0; i < across; ++i)
       for (int j = 0; j < along; ++j) {
         Vec3 x, xu, xv;
-        face_.surface->d1(parameters(box.lo.x + (i + 0.5) * step.x, box.lo.y + (j + 0.5) * step.y), x, xu, xv);
+        face_.surface->d1(box.uv({box.lo.x + (i + 0.5) * step.x, box.lo.y + (j + 0.5) * step.y}), x, xu, xv);
         sum += norm(cross(xu, xv)) * step.x * step.y;
       }
     return sum;
@@ -382,7 +373,7 @@ class RegionBuilder {
     double turn = 0;
     Vec3 last, last_tangent, last_normal;
     for (int i = 0; i <= samples; ++i) {
-      Vec2 uv = parameters(layout_.box.lo.x + layout_.period * i / samples, layout_.cut);
+      Vec2 uv = layout_.box.uv({layout_.box.lo.x + layout_.period * i / samples, layout_.cut});
       Vec3 x, xu, xv;
       face_.surface->d1(uv, x, xu, xv);
       const Vec3 tangent = unit(layout_.box.is_swapped ? xv : xu);
@@ -402,7 +393,7 @@ class RegionBuilder {
     std::vector<LoopNode> ring;
     for (int i = 0; i < n; ++i) {
       const double turns = share_of(weight, weight.back() * i / n);
-      uv_.push_back(parameters(layout_.box.lo.x + layout_.period * turns, layout_.cut));
+      uv_.push_back(layout_.box.uv({layout_.box.lo.x + layout_.period * turns, layout_.cut}));
       LoopNode node;
       node.x = face_.surface->point(uv_.back());
       node.h = std::min(size_.h, size_.faces[index_].at(uv_.back(), *face_.surface));
@@ -431,7 +422,7 @@ class RegionBuilder {
     double h = size_.faces[index_].given_at(shape.apex), radius = std::min(fan_radius * h, fan_room * room);
     auto at = [&](double share, double reach) {
       const double along = box.lo.x + layout_.period * share;
-      return parameters(along, pole + inward * meridian_step(along, pole, inward * per_length * reach, reach));
+      return layout_.box.uv({along, pole + inward * meridian_step(along, pole, inward * per_length * reach, reach)});
     };
     // Two sides of each within the limit of turn.
     const std::vector<double> turned = turns_about([&](double share) { return at(share, radius); });

@@ -156,7 +156,7 @@ class LayoutPlanner {
       Vec3 centre;
       for (int j = 0; j < across; ++j) {
         const double u = box.lo.x + layout_.period * j / across, v = table.lo() + i * table.step();
-        centre += (1.0 / across) * face_.surface->point(box.is_swapped ? Vec2{v, u} : Vec2{u, v});
+        centre += (1.0 / across) * face_.surface->point(box.uv({u, v}));
       }
       const Vec3 way = i > 0 ? unit(centre - last_centre) : Vec3{};
       if (i > 1) turn += std::acos(std::clamp(dot(way, last_way), -1.0, 1.0));
@@ -176,14 +176,11 @@ class LayoutPlanner {
         const Coedge& coedge = face_.loops[l].coedges[c];
         if (layout_.dropped[l][c] || model_.edges[coedge.edge].is_degenerate) continue;
         Range r;
-        for (int i = 0; i <= edge_samples; ++i) {
-          Vec2 uv = image(model_, coedge, i / double{edge_samples});
-          r.add(box.is_swapped ? uv.x : uv.y);
-        }
+        for (int i = 0; i <= edge_samples; ++i) r.add(box.uv(image(model_, coedge, i / double{edge_samples})).y);
         taken.push_back({r.lo, r.hi});
       }
     for (const InnerPoint& point : face_.points) {
-      const double at = box.is_swapped ? point.uv.x : point.uv.y;
+      const double at = box.uv(point.uv).y;
       taken.push_back({at, at});
     }
     std::sort(taken.begin(), taken.end());

@@ -47,21 +47,13 @@ struct Region {
   std::optional<MappedFill> fill;  ///< of its one loop, where it is part of a structured layout
 
   /// Surface point at a chart point.
-  Vec3 point(Vec2 p) const {
-    Vec2 uv, uv_x, uv_y;
-    chart->to_uv(p, uv, uv_x, uv_y);
-    return surface->point(uv);
-  }
+  Vec3 point(Vec2 p) const { return surface->point(chart->uv(p)); }
   /// Surface point and its derivatives by the chart coordinates; gives (u, v) there.
   Vec2 evaluate(Vec2 p, Vec3& x, Vec3& xp, Vec3& xq) const { return paver::evaluate(*chart, *surface, p, x, xp, xq); }
   /// The same with the normal, where turns count.
   NodePlace place(Vec2 p) const;
   /// Target length at a chart point: by what is given and, where turns do not count by themselves, by curvature.
-  double target(Vec2 p) const {
-    Vec2 uv, uv_x, uv_y;
-    chart->to_uv(p, uv, uv_x, uv_y);
-    return size.at(uv, *surface);
-  }
+  double target(Vec2 p) const { return size.at(chart->uv(p), *surface); }
 };
 
 /// Distance to the nearest node of the loops, infinite where there is none.

@@ -6,6 +6,18 @@
 #include <memory>
 
 namespace paver {
+namespace {
+
+/// Between the nodes of a smoothed grid of the same blocks.
+BlockGrid::Places between_nodes(const BlockGrid& coarse) {
+  std::vector<GridPlaces> places;
+  for (std::size_t b = 0; b < coarse.layout().blocks.size(); ++b) places.push_back(coarse.places(b));
+  return [places = std::move(places)](std::size_t b, double s, double t) {
+    return places[b].between(s * places[b].m, t * places[b].n);
+  };
+}
+
+}  // namespace
 
 BlockGrid::BlockGrid(BlockLayout layout, const BlockLayout& final, const Surface& surface, const FaceSize& size,
                      const Places& places)
@@ -64,14 +76,6 @@ GridPlaces BlockGrid::places(std::size_t b) const {
   return result;
 }
 
-BlockGrid::Places between_nodes(const BlockGrid& coarse) {
-  std::vector<GridPlaces> places;
-  for (std::size_t b = 0; b < coarse.layout().blocks.size(); ++b) places.push_back(coarse.places(b));
-  return [places = std::move(places)](std::size_t b, double s, double t) {
-    return places[b].between(s * places[b].m, t * places[b].n);
-  };
-}
-
 BlockGrid smoothed_grid(const BlockLayout& layout, const BlockLayout& final, const Surface& surface,
                         const FaceSize& size, const BlockGrid::Places& places, const Smoothing& smoothing,
                         const std::function<void(BlockGrid&)>& settle, const Progress& progress) {
@@ -81,7 +85,9 @@ BlockGrid smoothed_grid(const BlockLayout& layout, const BlockLayout& final, con
   for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
     auto finer = std::make_unique<BlockGrid>(*level, final, surface, size, grid ? between_nodes(*grid) : places);
     if (settle) settle(*finer);
-    finer->smooth(grid ? finer_sweeps(finer->grid(), smoothing.least_sweeps) : smoothing.first_sweeps, progress);
+    // More for small ones, where they cost little and spare the finer ones work.
+    const int again = std::clamp(40000 / finer->grid().mesh.node_count(), smoothing.least_sweeps, 40);
+    finer->smooth(grid ? again : smoothing.first_sweeps, progress);
     grid = std::move(finer);
   }
   return std::move(*grid);

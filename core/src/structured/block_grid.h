@@ -43,9 +43,6 @@ class BlockGrid {
   GluedGrid grid_;                  // one chart per block, a node in the first that has it
 };
 
-/// Between the nodes of a smoothed grid of the same blocks.
-BlockGrid::Places between_nodes(const BlockGrid& coarse);
-
 struct Smoothing {
   int first_sweeps = 150;  ///< on the coarsest grid: long waves settle
   int least_sweeps = 2;    ///< on finer ones: they start smooth

@@ -129,7 +129,7 @@ Vec2 Meridian::uv(double turns, double share) const {
   i = std::clamp(i, 0, last);
   const double step = (face_.box.hi.y - face_.box.lo.y) / (last + 1);
   const double y = face_.box.lo.y + step * (i + (wish - arc_[i]) / (arc_[i + 1] - arc_[i]));
-  return face_.uv({face_.box.lo.x + turns * face_.period, std::clamp(y, face_.box.lo.y, face_.box.hi.y)});
+  return face_.box.uv({face_.box.lo.x + turns * face_.period, std::clamp(y, face_.box.lo.y, face_.box.hi.y)});
 }
 
 std::shared_ptr<const Chart> make_plain_chart(Vec2 scale) { return std::make_shared<PlainChart>(scale); }
@@ -142,7 +142,7 @@ FaceExtent measure_extent(const ClosedFace& face) {
   for (int j = 0; j < along; ++j) {
     double row = 0;
     for (int i = 0; i < across; ++i) {
-      Vec2 uv = face.uv({box.lo.x + (i + 0.5) * dx, box.lo.y + (j + 0.5) * dy});
+      Vec2 uv = face.box.uv({box.lo.x + (i + 0.5) * dx, box.lo.y + (j + 0.5) * dy});
       Vec3 x, a, b;
       face.surface.d1(uv, x, a, b);
       if (box.is_swapped) std::swap(a, b);

@@ -22,9 +22,7 @@ struct ClosedFace {
   double other_period = 0;  ///< of box.y; 0 between two poles
   double turn_limit = 0;    ///< radians per element edge
 
-  /// (u, v) of a place in the box, whose axes may be swapped.
-  Vec2 uv(Vec2 place) const { return box.is_swapped ? Vec2{place.y, place.x} : place; }
-  Vec2 periods() const { return uv({period, other_period}); }
+  Vec2 periods() const { return box.uv({period, other_period}); }
 };
 
 /// The whole face, its blocks ready to be filled.

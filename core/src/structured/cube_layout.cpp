@@ -61,7 +61,7 @@ class Cube {
     layout_.blocks.push_back({{k, next, 4 + next, 4 + k},
                               {across, counts_.m},
                               make_row_chart(face_.surface, box),
-                              face_.uv(0.5 * (box.lo + box.hi))});
+                              face_.box.uv(0.5 * (box.lo + box.hi))});
   }
 
   Vec2 on_side(int k, double s, double t) const {

@@ -28,33 +28,11 @@ class NodeEnergy {
     s_ = cross(n_, t_);
   }
 
+  /// `has_slopes`: with what step() needs.
+  template <bool has_slopes>
   double value(Vec3 at) {
-    sum_ = 0;
-    least_sine_ = 1;
-    add_terms<false>(at);
-    return sum_;
-  }
-  /// The same, with what step() needs.
-  double value_and_slopes(Vec3 at) {
     sum_ = g1_ = g2_ = h11_ = h12_ = h22_ = 0;
     least_sine_ = 1;
-    add_terms<true>(at);
-    return sum_;
-  }
-
-  /// Of all corners at the last value().
-  double least_sine() const { return least_sine_; }
-
-  /// The step that would be best if the residuals were linear.
-  Vec3 step() const {
-    double extra = damping * (h11_ + h22_), a = h11_ + extra, c = h22_ + extra, det = a * c - h12_ * h12_;
-    if (!(det > 0)) return {0, 0, 0};
-    return ((h12_ * g2_ - c * g1_) / det) * t_ + ((h12_ * g1_ - a * g2_) / det) * s_;
-  }
-
- private:
-  template <bool has_slopes>
-  void add_terms(Vec3 at) {
     for (int q : mesh_.star[node_]) {
       const Element& e = mesh_.elements[q];
       int k = e.corner_of(node_);
@@ -70,8 +48,20 @@ class NodeEnergy {
       if (const Corner first = corner_of(at - c, b - c); has_slopes)
         add_slope(grid_.angle_weight, first.cotangent, first.slope(b - c, cross(b - c, n_)));
     }
+    return sum_;
   }
 
+  /// Of all corners at the last value().
+  double least_sine() const { return least_sine_; }
+
+  /// The step that would be best if the residuals were linear.
+  Vec3 step() const {
+    double extra = damping * (h11_ + h22_), a = h11_ + extra, c = h22_ + extra, det = a * c - h12_ * h12_;
+    if (!(det > 0)) return {0, 0, 0};
+    return ((h12_ * g2_ - c * g1_) / det) * t_ + ((h12_ * g1_ - a * g2_) / det) * s_;
+  }
+
+ private:
   template <bool has_slopes>
   void add_edge(Vec3 d, double twice_target) {
     double length = norm(d), wish = 0.5 * ratio_ * twice_target, residual = length / wish - 1;
@@ -115,7 +105,7 @@ double improve(GluedGrid& grid, int node, double ratio, const Surface& surface, 
   NodeEnergy energy(grid, node, ratio);
   const Vec2 p = mesh.p[node];
   const Vec3 x = mesh.x[node];
-  const double before = energy.value_and_slopes(x), sine = std::min(energy.least_sine(), flat_sine);
+  const double before = energy.value<true>(x), sine = std::min(energy.least_sine(), flat_sine);
   Vec3 step = energy.step();
   double length = norm(step), most = longest_step * ratio * mesh.h[node];
   if (!(length > 0)) return 0;
@@ -123,7 +113,7 @@ double improve(GluedGrid& grid, int node, double ratio, const Surface& surface, 
   Vec2 move = mesh.pull_back(node, {step, {}});
   for (double share : shares) {
     grid.place(node, p + share * move, surface, size);
-    if (energy.value(mesh.x[node]) < before && energy.least_sine() >= sine)
+    if (energy.value<false>(mesh.x[node]) < before && energy.least_sine() >= sine)
       return norm(mesh.x[node] - x) / mesh.h[node];
   }
   grid.place(node, p, surface, size);
@@ -147,12 +137,6 @@ void GluedGrid::place(int node, Vec2 p, const Surface& surface, const FaceSize& 
   mesh.p[node] = p;
   const Vec2 uv = evaluate(*charts[chart[node]], surface, p, mesh.x[node], mesh.xp[node], mesh.xq[node]);
   mesh.h[node] = size.at(uv, surface);
-}
-
-Vec2 GluedGrid::uv(int node) const {
-  Vec2 uv, uv_x, uv_y;
-  charts[chart[node]]->to_uv(mesh.p[node], uv, uv_x, uv_y);
-  return uv;
 }
 
 GridFigures measure_grid(const GluedGrid& grid) {
@@ -182,8 +166,6 @@ GridFigures measure_grid(const GluedGrid& grid) {
   figures.energy = (0.5 * squares + grid.angle_weight * cotangents) / static_cast<double>(mesh.node_count());
   return figures;
 }
-
-int finer_sweeps(const GluedGrid& grid, int least) { return std::clamp(40000 / grid.mesh.node_count(), least, 40); }
 
 void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {

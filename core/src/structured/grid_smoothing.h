@@ -29,7 +29,7 @@ struct GluedGrid {
 
   /// Moves a node to chart point p.
   void place(int node, Vec2 p, const Surface& surface, const FaceSize& size);
-  Vec2 uv(int node) const;
+  Vec2 uv(int node) const { return charts[chart[node]]->uv(mesh.p[node]); }
 };
 
 /// Sums over a grid, each per item: edges about one length in h, right angles, and what a solver feels of both.
@@ -46,9 +46,5 @@ GridFigures measure_grid(const GluedGrid& grid);
 /// (length / (r w h) - 1)^2, w the wish, r the mean of length / (w h), plus `angle_weight` times the sum over corners
 /// of the squared cotangent.
 void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress);
-
-/// Sweeps for a grid that was interpolated from a smoothed one of half as many rows: more for small ones, where they
-/// cost little and spare the finer ones work. At least `least`.
-int finer_sweeps(const GluedGrid& grid, int least);
 
 }  // namespace paver

@@ -155,7 +155,7 @@ class Prism {
     box.lo.x = face_.box.lo.x + from * face_.period;
     box.hi.x = face_.box.lo.x + to * face_.period;
     layout_.blocks.push_back(
-        {corners, {across, counts_.rings}, make_row_chart(face_.surface, box), face_.uv(0.5 * (box.lo + box.hi))});
+        {corners, {across, counts_.rings}, make_row_chart(face_.surface, box), face_.box.uv(0.5 * (box.lo + box.hi))});
   }
 
   void add_cap(bool is_high) {

@@ -86,7 +86,7 @@ class Profile {
   // At shares of the ways round; turned: the box's second one comes first.
   Vec2 uv_at(Vec2 share, bool is_turned) const {
     if (is_turned) std::swap(share.x, share.y);
-    return face_.uv({face_.box.lo.x + share.x * face_.period, face_.box.lo.y + share.y * face_.other_period});
+    return face_.box.uv({face_.box.lo.x + share.x * face_.period, face_.box.lo.y + share.y * face_.other_period});
   }
 
   Lengths measure(bool is_turned) const {
@@ -123,7 +123,7 @@ class Columns {
       : face_(face),
         profile_(profile),
         elements_(elements),
-        chart_(make_plain_chart(face.uv({scale_round, scale_along}))) {
+        chart_(make_plain_chart(face.box.uv({scale_round, scale_along}))) {
     h_ = std::sqrt(profile.mean(0, 1) * profile.length() / elements);
     least_ = static_cast<int>(std::ceil(2 * M_PI / face.turn_limit - 1e-9));
   }

@@ -73,10 +73,8 @@ Figures judge(const ClosedLayout& closed, const Surface& surface) {
     std::vector<int> number;
     for (int j = 0; j <= n; ++j)
       for (int i = 0; i <= m; ++i) {
-        Vec2 uv, uv_x, uv_y;
         const Vec2 p = block.place(i, j);
-        block.chart->to_uv(p, uv, uv_x, uv_y);
-        mesh.add_node(p, surface.point(uv), {}, {}, 1);
+        mesh.add_node(p, surface.point(block.chart->uv(p)), {}, {}, 1);
         number.push_back(numbers.node(b, i, j));
       }
     for (int j = 0; j < n; ++j)

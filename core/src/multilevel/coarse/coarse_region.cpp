@@ -165,10 +165,7 @@ class Coarsener {
     Fan coarse = fan;
     coarse.centre.h *= factor;
     for (LoopNode& node : coarse.ring) {
-      Vec2 near, far, unused;
-      region_.chart->to_uv(1e-6 * node.p, near, unused, unused);
-      region_.chart->to_uv(node.p, far, unused, unused);
-      Vec2 uv = near + factor * (far - near);
+      const Vec2 near = region_.chart->uv(1e-6 * node.p), uv = near + factor * (region_.chart->uv(node.p) - near);
       node.p = region_.chart->to_chart(uv);
       node.x = region_.surface->point(uv);
       node.h *= factor;
