@@ -132,7 +132,7 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
   std::vector<std::vector<int>> loop_edges;
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
     bool is_meshed = model.faces[f].has_area && model.faces[f].fault.empty();
-    loops.push_back(is_meshed ? linked_loops(model, static_cast<int>(f), false) : std::vector<Loop>{});
+    loops.push_back(is_meshed ? linked_loops(model, static_cast<int>(f)) : std::vector<Loop>{});
     for (const Loop& loop : loops.back()) {
       std::vector<int>& edges = loop_edges.emplace_back();
       for (const Coedge& coedge : loop.coedges) edges.push_back(coedge.edge);

@@ -14,10 +14,6 @@ namespace {
 constexpr std::array<double, 3> shares{0, 0.5, 1};
 constexpr double apart = 0.25;  // of the period: two uses this far apart in (u, v) are the sides of a periodic edge
 
-const Edge& edge_of(const Model& model, const Coedge& coedge) {
-  return model.edges[static_cast<std::size_t>(coedge.edge)];
-}
-
 bool lie_apart(const Edge& edge, const Coedge& a, const Coedge& b, Vec2 period) {
   if (!a.pcurve || !b.pcurve) return edge.is_periodic;
   // All along: where a body is pressed flat, border runs back from a turning point that both uses have.
@@ -146,14 +142,7 @@ std::vector<std::vector<bool>> own_periodic_coedges(const Model& model, int face
   return result;
 }
 
-std::vector<Loop> linked_loops(const Model& model, int face, bool keep_periodic) {
-  std::vector<Loop> loops;
-  if (keep_periodic) {
-    for (const Loop& loop : model.faces[static_cast<std::size_t>(face)].loops) {
-      if (!loop.coedges.empty()) loops.push_back(loop);
-    }
-    return loops;
-  }
+std::vector<Loop> linked_loops(const Model& model, int face) {
   return linked_loops(model, face, own_periodic_coedges(model, face));
 }
 

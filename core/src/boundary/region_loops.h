@@ -15,12 +15,11 @@ std::vector<std::vector<bool>> periodic_coedges(const Model& model, int face);
 /// The same without edges that other faces or wires have as well: these must keep their nodes.
 std::vector<std::vector<bool>> own_periodic_coedges(const Model& model, int face);
 
-/// The loops of `face` (0-based). `keep_periodic` true: as the face has them, with both uses of every periodic edge
-/// and with degenerate edges. False: without its own ones and these, what remains chained anew by vertices (circle,
-/// periodic edge, circle, periodic edge gives two circles; a hole cut by the periodic edge becomes one loop). Loops
-/// without coedges vanish. Deterministic; coedges keep their direction, their loop starts with its first coedge in face
+/// The loops of `face` (0-based) without its own periodic edges and degenerate ones: what remains is chained anew by
+/// vertices (circle, periodic edge, circle, periodic edge gives two circles; a hole cut by the periodic edge becomes one
+/// loop). Loops without coedges vanish. Coedges keep their direction, their loop starts with its first coedge in face
 /// order.
-std::vector<Loop> linked_loops(const Model& model, int face, bool keep_periodic);
+std::vector<Loop> linked_loops(const Model& model, int face);
 
 /// The same, leaving out degenerate edges and the coedges marked in `dropped` (per loop and coedge).
 std::vector<Loop> linked_loops(const Model& model, int face, const std::vector<std::vector<bool>>& dropped);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/segment.h"
 #include "check/vector_area.h"
 
 namespace paver {
@@ -60,11 +61,7 @@ class Interval {
 
  private:
   /// Of the middle node from the way between the curve's middle and the chord's.
-  double distance_to_way() const {
-    const Vec3 way = where() - middle_, off = m_ - middle_;
-    const double length2 = dot(way, way), s = length2 > 0 ? std::clamp(dot(off, way) / length2, 0.0, 1.0) : 0;
-    return norm(off - s * way);
-  }
+  double distance_to_way() const { return distance_to_segment(m_, middle_, where()); }
 
   const Edge& edge_;
   bool is_curved_, is_first_, is_last_;

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <map>
 
+#include "base/segment.h"
+
 namespace paver {
 namespace {
 
@@ -51,12 +53,6 @@ bool is_clear(const Region& region, std::size_t hole) {
     for (const LoopNode& node : region.loops[l])
       if (l != hole && norm(node.x - middle) < room) return false;
   return true;
-}
-
-double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
-  Vec3 d = b - a;
-  double t = std::clamp(dot(p - a, d) / std::max(dot(d, d), 1e-300), 0.0, 1.0);
-  return norm(p - a - t * d);
 }
 
 class Cutter {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "base/segment.h"
 #include "boundary/region_loops.h"
 #include "charts/pole.h"
 
@@ -552,10 +553,8 @@ class RegionBuilder {
     double nearest = 1e300;
     for (const auto& loop : region.loops)
       for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec3 from = loop[i].x, along = loop[(i + 1) % loop.size()].x - from;
-        const double share =
-            dot(along, along) > 0 ? std::clamp(dot(at - from, along) / dot(along, along), 0.0, 1.0) : 0;
-        nearest = std::min(nearest, norm(from + share * along - at));
+        const Vec3 from = loop[i].x, to = loop[(i + 1) % loop.size()].x;
+        nearest = std::min(nearest, norm(from + nearest_share(at, from, to) * (to - from) - at));
       }
     return nearest;
   }

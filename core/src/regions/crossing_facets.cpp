@@ -10,6 +10,7 @@
 
 #include "base/box.h"
 #include "base/predicates.h"
+#include "base/segment.h"
 
 namespace paver {
 namespace {
@@ -163,10 +164,9 @@ std::optional<LoopFacet> facet_that_cuts_off(const Region& region, Vec2 p) {
   LoopFacet nearest;
   for (std::size_t l = 0; l < region.loops.size(); ++l)
     for (std::size_t i = 0, n = region.loops[l].size(); i < n; ++i) {
-      const Vec2 a = region.loops[l][i].p, b = region.loops[l][(i + 1) % n].p, along = b - a;
+      const Vec2 a = region.loops[l][i].p, b = region.loops[l][(i + 1) % n].p;
       if ((a.y > p.y) != (b.y > p.y) && (orientation(a, b, p) > 0) == (b.y > a.y)) is_inside = !is_inside;
-      const double length2 = dot(along, along);
-      const double away = norm(a + (length2 > 0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0) * along - p);
+      const double away = norm(a + nearest_share(p, a, b) * (b - a) - p);
       if (away < least) least = away, nearest = {static_cast<int>(l), static_cast<int>(i)};
     }
   return is_inside || nearest.loop < 0 ? std::nullopt : std::optional(nearest);

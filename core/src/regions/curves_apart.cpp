@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/predicates.h"
+#include "base/segment.h"
 
 namespace paver {
 namespace {
@@ -13,13 +14,6 @@ namespace {
 constexpr double rounding = 1e-9;                // of the curves' length
 constexpr int most_steps = 4000;                 // for curves that come as near as 1e-6 of their length along all of it
 constexpr int most_depth = 40, small_depth = 8;  // halvings
-
-double distance(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a;
-  const double square = dot(along, along);
-  const double t = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0;
-  return norm(p - a - t * along);
-}
 
 int side(Vec2 a, Vec2 b, Vec2 c) {
   const double area = orientation(a, b, c);
@@ -39,7 +33,7 @@ bool do_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 
 double distance(const Piece& s, const Piece& t) {
   if (do_cross(s.a, s.b, t.a, t.b)) return 0;
-  return std::min({distance(s.a, t.a, t.b), distance(s.b, t.a, t.b), distance(t.a, s.a, s.b), distance(t.b, s.a, s.b)});
+  return std::min({distance_to_segment(s.a, t.a, t.b), distance_to_segment(s.b, t.a, t.b), distance_to_segment(t.a, s.a, s.b), distance_to_segment(t.b, s.a, s.b)});
 }
 
 class Pair {
@@ -122,7 +116,7 @@ double PlaneCurve::bulge(double from, double to) const {
   if (!at) return 0;
   const Vec2 a = point(from), b = point(to);
   double most = 0;
-  for (double share : {0.25, 0.5, 0.75}) most = std::max(most, distance(point(from + share * (to - from)), a, b));
+  for (double share : {0.25, 0.5, 0.75}) most = std::max(most, distance_to_segment(point(from + share * (to - from)), a, b));
   return safety * most;
 }
 
@@ -132,13 +126,13 @@ Vec2 nearest_point(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     return a + (u / (u - v)) * (b - a);
   }
   Vec2 nearest = a;
-  double least = distance(a, c, d);
+  double least = distance_to_segment(a, c, d);
   auto look = [&](Vec2 p, double away) {
     if (away < least) nearest = p, least = away;
   };
-  look(b, distance(b, c, d));
-  look(c, distance(c, a, b));
-  look(d, distance(d, a, b));
+  look(b, distance_to_segment(b, c, d));
+  look(c, distance_to_segment(c, a, b));
+  look(d, distance_to_segment(d, a, b));
   return nearest;
 }
 

@@ -31,7 +31,8 @@ struct Fan {
   bool is_apex = false;        ///< the surface has no normal at the centre
 };
 
-struct Region {
+/// What is asked for, without any shape.
+struct RegionTask {
   int face = -1;
   std::shared_ptr<const Surface> surface;  ///< this region's own evaluator
   std::shared_ptr<const Chart> chart;
@@ -41,6 +42,9 @@ struct Region {
   double gradation = 0.3;
   double evenness = 1;                       ///< what even lengths are worth against regular nodes
   double area = 0;                           ///< mm^2, of the whole face: bounds the work
+};
+
+struct Region : RegionTask {
   double own_area = 0;                       ///< mm^2, of the region alone; 0: not known
   std::vector<std::vector<LoopNode>> loops;  ///< region on the left of each loop
   std::vector<Fan> fans;
@@ -66,20 +70,8 @@ std::vector<std::vector<int>> find_loop_nodes(const Region& region, const Region
 /// A node of the boundary, held, in a mesh of the region.
 int add_node(const Region& region, const LoopNode& known, RegionMesh& mesh);
 
-/// What is asked for, without any shape: no loops, no fans, no mesh. The evaluator is shared.
-inline Region task_of(const Region& region) {
-  Region task;
-  task.face = region.face;
-  task.surface = region.surface;
-  task.chart = region.chart;
-  task.goes_round = region.goes_round;
-  task.size = region.size;
-  task.h = region.h;
-  task.gradation = region.gradation;
-  task.evenness = region.evenness;
-  task.area = region.area;
-  return task;
-}
+/// A region still without loops and fans. The evaluator is shared.
+inline Region task_of(const RegionTask& task) { return {task, 0, {}, {}, {}}; }
 
 /// The region without its loops, with an evaluator of its own: for a task that makes a piece of it.
 inline Region without_loops(const Region& region) {

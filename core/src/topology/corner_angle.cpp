@@ -10,10 +10,6 @@ constexpr int pole_chords = 16;
 constexpr double turn_step = 1e-2;  // of an edge's parameter range
 constexpr double pole_step = 1e-3;  // of the parameter range of the pole's coedge
 
-const Edge& edge_of(const Model& model, const Coedge& coedge) {
-  return model.edges[static_cast<std::size_t>(coedge.edge)];
-}
-
 // Direction of travel along the coedge at its start or its end.
 Vec3 travel_direction(const Model& model, const Coedge& coedge, bool at_end) {
   const Edge& edge = edge_of(model, coedge);

@@ -92,6 +92,10 @@ struct Model {
   std::vector<std::string> notes;
 };
 
+inline const Edge& edge_of(const Model& model, const Coedge& coedge) {
+  return model.edges[static_cast<std::size_t>(coedge.edge)];
+}
+
 /// Whether another face uses the edge, or a wire lies on it.
 bool has_other_user(const Model& model, int edge, int face);
 

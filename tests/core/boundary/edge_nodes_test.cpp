@@ -33,7 +33,7 @@ EdgeNodes nodes_of(const Model& model, double h) {
 int odd_loops(const Model& model, const std::vector<int>& counts) {
   int odd = 0;
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
-    for (const Loop& loop : linked_loops(model, static_cast<int>(f), false)) {
+    for (const Loop& loop : linked_loops(model, static_cast<int>(f))) {
       int total = 0;
       for (const Coedge& coedge : loop.coedges) total += counts[static_cast<std::size_t>(coedge.edge)];
       odd += total % 2;

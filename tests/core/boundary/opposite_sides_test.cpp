@@ -13,7 +13,7 @@ using Side = std::vector<int>;
 
 std::vector<OppositeSides> pairs_of(const Model& model) {
   std::vector<std::vector<Loop>> loops;
-  for (std::size_t f = 0; f < model.faces.size(); ++f) loops.push_back(linked_loops(model, static_cast<int>(f), false));
+  for (std::size_t f = 0; f < model.faces.size(); ++f) loops.push_back(linked_loops(model, static_cast<int>(f)));
   return find_opposite_sides(model, loops);
 }
 

@@ -20,19 +20,14 @@ using Edges = std::vector<std::vector<int>>;
 
 TEST(LinkedLoops, ATubeHasTwoCirclesWithoutItsPeriodicEdge) {
   Model tube = fake::tube(1, 2);
-  EXPECT_EQ(edges_of(linked_loops(tube, 0, false)), (Edges{{0}, {2}}));
+  EXPECT_EQ(edges_of(linked_loops(tube, 0)), (Edges{{0}, {2}}));
 }
 
-TEST(LinkedLoops, ATubeKeepsBothUsesOfItsPeriodicEdgeWhenAsked) {
-  Model tube = fake::tube(1, 2);
-  EXPECT_EQ(edges_of(linked_loops(tube, 0, true)), (Edges{{0, 1, 2, 1}}));
-}
-
-TEST(LinkedLoops, AWholeSphereHasNone) { EXPECT_TRUE(linked_loops(fake::ball(1), 0, false).empty()); }
+TEST(LinkedLoops, AWholeSphereHasNone) { EXPECT_TRUE(linked_loops(fake::ball(1), 0).empty()); }
 
 TEST(LinkedLoops, AnOrdinaryFaceKeepsItsLoop) {
   Model box = fake::box(1, 1, 1);
-  EXPECT_EQ(edges_of(linked_loops(box, 0, false)), (Edges{{3, 2, 1, 0}}));
+  EXPECT_EQ(edges_of(linked_loops(box, 0)), (Edges{{3, 2, 1, 0}}));
 }
 
 // Tube whose wall has a hole across the periodic edge: that edge is in two pieces and the hole in two arcs, all in one
@@ -53,7 +48,7 @@ TEST(LinkedLoops, AHoleCutByThePeriodicEdgeBecomesOneLoop) {
                  builder.use(top, true, {0, 3}, {full, 3}), builder.use(second, true, {0, 2}, {0, 3}),
                  builder.use(right, true, {0, 1}, {0, 2}), builder.use(first, true, {0, 0}, {0, 1})}});
   Model model = builder.take();
-  EXPECT_EQ(edges_of(linked_loops(model, 0, false)), (Edges{{bottom}, {left, right}, {top}}));
+  EXPECT_EQ(edges_of(linked_loops(model, 0)), (Edges{{bottom}, {left, right}, {top}}));
 }
 
 // As a torus has whose other periodic edge is cut by a hole: two rings of two edges each, all through one vertex.
@@ -69,7 +64,7 @@ TEST(LinkedLoops, RingsThroughOneVertexStayApart) {
                  builder.use(a2, false, {3, 0}, {full, 0}), builder.use(periodic, false, {full, 0}, {full, 1}),
                  builder.use(b1, false, {full, 1}, {3, 1}), builder.use(b2, false, {3, 1}, {0, 1})}});
   Model model = builder.take();
-  EXPECT_EQ(edges_of(linked_loops(model, 0, false)), (Edges{{a1, a2}, {b1, b2}}));
+  EXPECT_EQ(edges_of(linked_loops(model, 0)), (Edges{{a1, a2}, {b1, b2}}));
 }
 
 TEST(LinkedLoops, ASlitInAPlaneStays) {
@@ -82,7 +77,7 @@ TEST(LinkedLoops, ASlitInAPlaneStays) {
                  builder.use(ca, false, {0, 2}, {0, 0}), builder.use(slit, false, {0, 0}, {0.5, 0.5}),
                  builder.use(slit, true, {0, 0}, {0.5, 0.5})}});
   Model model = builder.take();
-  EXPECT_EQ(edges_of(linked_loops(model, 0, false)), (Edges{{ab, bc, ca, slit, slit}}));
+  EXPECT_EQ(edges_of(linked_loops(model, 0)), (Edges{{ab, bc, ca, slit, slit}}));
 }
 
 }  // namespace

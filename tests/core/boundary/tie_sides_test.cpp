@@ -14,7 +14,7 @@ namespace {
 /// Counts per edge after tying, from wishes.
 std::vector<int> tied(const Model& model, const std::vector<double>& wishes, int minimum = 1, bool are_short = false) {
   std::vector<std::vector<Loop>> loops;
-  for (std::size_t f = 0; f < model.faces.size(); ++f) loops.push_back(linked_loops(model, static_cast<int>(f), false));
+  for (std::size_t f = 0; f < model.faces.size(); ++f) loops.push_back(linked_loops(model, static_cast<int>(f)));
   std::vector<EdgeCount> counts;
   for (double wish : wishes)
     counts.push_back({wish, minimum, std::max(minimum, static_cast<int>(wish + 0.5)), false, are_short});

@@ -24,12 +24,6 @@ double bulge(const Edge& edge, int n) {
 
 using Side = std::vector<int>;
 
-double length(const Model& model, const Side& side) {
-  double total = 0;
-  for (int e : side) total += model.edges[static_cast<std::size_t>(e)].length;
-  return total;
-}
-
 double most_bulge(const Model& model, const Side& side, const std::vector<EdgeCount>& counts) {
   double most = 0;
   for (int e : side)
@@ -44,7 +38,7 @@ bool match(const Model& model, const OppositeSides& pair, std::vector<EdgeCount>
   auto is_divided = [&](int e) { return counts[static_cast<std::size_t>(e)].count > 0; };
   if (!std::ranges::all_of(pair.first, is_divided) || !std::ranges::all_of(pair.second, is_divided)) return false;
   const double width = 2 * model.faces[static_cast<std::size_t>(pair.face)].area /
-                       (length(model, pair.first) + length(model, pair.second));
+                       (length_of(model, pair.first) + length_of(model, pair.second));
   if (std::max(most_bulge(model, pair.first, counts), most_bulge(model, pair.second, counts)) <= largest_bulge * width)
     return false;
   const Side& fewer = first < second ? pair.first : pair.second;

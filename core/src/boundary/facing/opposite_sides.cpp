@@ -19,10 +19,6 @@ constexpr double least_corner = 0.7853981633974483;    // 45 degrees
 constexpr double largest_corner = 2.356194490192345;   // 135 degrees
 constexpr double least_straight = 2.6179938779914944;  // 150 degrees; from there to 210 a side runs on
 
-const Edge& edge_of(const Model& model, const Coedge& coedge) {
-  return model.edges[static_cast<std::size_t>(coedge.edge)];
-}
-
 constexpr double many_widths = 4;  // so long are the sides of a thin ring
 
 enum class Junction { corner, reflex, straight, other };
@@ -87,12 +83,6 @@ double width_of(const Model& model, const Face& face, const std::vector<Loop>& l
   return face.area / (0.5 * border);
 }
 
-double length_of(const Model& model, const std::vector<int>& side) {
-  double length = 0;
-  for (int e : side) length += model.edges[static_cast<std::size_t>(e)].length;
-  return length;
-}
-
 /// Each side of the first loop with the one of the second that lies along it. None where that is no pairing, or where a
 /// side is not many times as long as the ring is wide.
 std::vector<OppositeSides> sides_of_thin_ring(const Model& model, int face, double width, const Sides& one,
@@ -118,6 +108,12 @@ std::vector<OppositeSides> sides_of_thin_ring(const Model& model, int face, doub
 }
 
 }  // namespace
+
+double length_of(const Model& model, const std::vector<int>& side) {
+  double length = 0;
+  for (int e : side) length += model.edges[static_cast<std::size_t>(e)].length;
+  return length;
+}
 
 std::vector<OppositeSides> find_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops) {
   std::vector<OppositeSides> pairs;

@@ -20,4 +20,6 @@ struct OppositeSides {
 /// sides. `loops[f]`: linked_loops of face f without periodic edges.
 std::vector<OppositeSides> find_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops);
 
+double length_of(const Model& model, const std::vector<int>& side);
+
 }  // namespace paver

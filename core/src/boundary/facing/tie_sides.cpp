@@ -11,6 +11,8 @@
 #include <limits>
 #include <numeric>
 
+#include "base/union_find.h"
+
 namespace paver {
 namespace {
 
@@ -48,8 +50,7 @@ Range common(Range a, Range b) { return {std::max(a.least, b.least), std::min(a.
 class Tying {
  public:
   Tying(const std::vector<EdgeCount>& counts, const std::vector<bool>& is_rim)
-      : counts_(counts), is_rim_(is_rim), parent_(counts.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0);
+      : counts_(counts), is_rim_(is_rim), groups_(counts.size()) {
     for (std::size_t e = 0; e < counts.size(); ++e)
       members_.push_back({range_of(counts[e], is_rim[e]),
                           {counts[e].count, counts[e].count},
@@ -61,7 +62,7 @@ class Tying {
     is_held_.assign(counts.size(), false);
   }
 
-  void mark_even(int edge) { members_[at(find(edge))].is_even = true; }
+  void mark_even(int edge) { members_[at(groups_.find(edge))].is_even = true; }
 
   bool is_divided(const std::vector<int>& side) const {
     return std::all_of(side.begin(), side.end(), [&](int e) { return counts_[at(e)].count > 0; });
@@ -91,8 +92,8 @@ class Tying {
 
   /// `makes_grid`: worth a larger change.
   void join_if_alike(int a, int b, bool makes_grid) {
-    a = find(a);
-    b = find(b);
+    a = groups_.find(a);
+    b = groups_.find(b);
     if (a == b) return;
     if (a > b) std::swap(a, b);
     Members &into = members_[at(a)], &from = members_[at(b)];
@@ -106,13 +107,13 @@ class Tying {
     if (!both.range.is_possible(both.is_even)) return;
     if (!makes_grid && both.rounded.most - both.rounded.least > 1) return;
     into = both;
-    parent_[at(b)] = a;
+    groups_.merge(a, b);
   }
 
   void choose_counts() {
     chosen_.assign(counts_.size(), 0);
     for (std::size_t e = 0; e < counts_.size(); ++e) {
-      if (find(static_cast<int>(e)) != static_cast<int>(e) || counts_[e].count == 0) continue;
+      if (groups_.find(static_cast<int>(e)) != static_cast<int>(e) || counts_[e].count == 0) continue;
       chosen_[e] = members_[e].size > 1 || members_[e].is_even ? nearest_count(members_[e]) : counts_[e].count;
     }
   }
@@ -127,7 +128,7 @@ class Tying {
       double least = std::numeric_limits<double>::infinity();
       for (const std::vector<int>* side : {&pair.first, &pair.second})
         for (int e : *side) {
-          int group = find(e);
+          int group = groups_.find(e);
           int step = (excess > 0) == (side == &pair.first) ? -1 : 1;
           double cost = std::fabs(chosen_[at(group)] + step - mean_wish(group)) / chosen_[at(group)];
           if (!can_change(group, step, pair) || !(cost < least)) continue;
@@ -141,14 +142,14 @@ class Tying {
       excess += excess > 0 ? -1 : 1;
     }
     for (const std::vector<int>* side : {&pair.first, &pair.second})
-      for (int e : *side) is_held_[at(find(e))] = true;
+      for (int e : *side) is_held_[at(groups_.find(e))] = true;
   }
 
   TiedCounts result() {
     TiedCounts tied;
     tied.groups.resize(counts_.size());
     for (std::size_t e = 0; e < counts_.size(); ++e) {
-      int group = find(static_cast<int>(e));
+      int group = groups_.find(static_cast<int>(e));
       tied.group.push_back(group);
       if (group != static_cast<int>(e)) continue;
       tied.groups[e] = {mean_wish(group), members_[e].minimum, chosen_[e], is_held_[e] || members_[e].makes_grid};
@@ -164,15 +165,6 @@ class Tying {
     bool is_even, makes_grid;
   };
 
-  int find(int edge) {
-    while (parent_[at(edge)] != edge) {
-      int& up = parent_[at(edge)];
-      up = parent_[at(up)];
-      edge = up;
-    }
-    return edge;
-  }
-
   double mean_wish(int group) const { return members_[at(group)].wish / members_[at(group)].size; }
 
   static int nearest_count(const Members& group) {
@@ -185,7 +177,7 @@ class Tying {
 
   long sum(const std::vector<int>& side) {
     long total = 0;
-    for (int e : side) total += chosen_[at(find(e))];
+    for (int e : side) total += chosen_[at(groups_.find(e))];
     return total;
   }
 
@@ -195,14 +187,14 @@ class Tying {
     if (is_held_[at(group)] || members.is_even || count < members.range.least || count > members.range.most)
       return false;
     auto uses = [&](const std::vector<int>& side) {
-      return std::count_if(side.begin(), side.end(), [&](int e) { return find(e) == group; });
+      return std::count_if(side.begin(), side.end(), [&](int e) { return groups_.find(e) == group; });
     };
     return uses(pair.first) + uses(pair.second) == 1;
   }
 
   const std::vector<EdgeCount>& counts_;
   const std::vector<bool>& is_rim_;
-  std::vector<int> parent_;
+  UnionFind groups_;
   std::vector<Members> members_;
   std::vector<int> chosen_;    // per group
   std::vector<bool> is_held_;  // per group: an equal sum depends on it

@@ -23,6 +23,7 @@
 #include <limits>
 #include <map>
 
+#include "base/segment.h"
 #include "base/union_find.h"
 #include "brep/connecting/workpiece_impl.h"
 #include "brep/occt_impl.h"
@@ -216,12 +217,7 @@ class GroupSewer {
     return has_fewer && !wider.has_lost && !collapses(wider, before) ? wider : sewn;
   }
 
-  static double distance(Vec3 x, Vec3 a, Vec3 b) {
-    Vec3 side = b - a;
-    double square = dot(side, side);
-    double share = square > 0 ? std::clamp(dot(x - a, side) / square, 0.0, 1.0) : 0;
-    return norm(x - (a + share * side));
-  }
+  static double distance(Vec3 x, Vec3 a, Vec3 b) { return norm(x - (a + nearest_share(x, a, b) * (b - a))); }
 
   /// The widest that are worth a try: of all free edges, of borders along which there is something all round, and of
   /// most free edges.

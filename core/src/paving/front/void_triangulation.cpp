@@ -182,18 +182,16 @@ void VoidTriangulation::link_cavity() {
     for (int i = 0; i < 3; ++i) {
       if (triangles_[t].n[i] != -1) continue;
       int a = triangles_[t].v[(i + 1) % 3], b = triangles_[t].v[(i + 2) % 3];
-      bool is_linked = false;
-      for (int s : made_) {
-        if (s == t) continue;
-        for (int j = 0; j < 3 && !is_linked; ++j)
+      auto link_to = [&](int s) {
+        for (int j = 0; s != t && j < 3; ++j)
           if (triangles_[s].v[(j + 1) % 3] == b && triangles_[s].v[(j + 2) % 3] == a) {
             triangles_[t].n[i] = s;
             triangles_[s].n[j] = t;
-            is_linked = true;
+            return true;
           }
-        if (is_linked) break;
-      }
-      if (is_linked) continue;
+        return false;
+      };
+      if (std::ranges::any_of(made_, link_to)) continue;
       for (const OuterSide& o : outer_)
         if (o.a == a && o.b == b) {
           link(t, i, o.neighbour);
@@ -214,17 +212,13 @@ bool VoidTriangulation::clip_ears(std::vector<int>& polygon) {
       Vec2 pa = at(a), pb = at(b), pc = at(c);
       double area = orientation(pa, pb, pc);
       if (area <= 0) continue;
-      bool is_ear = true;
-      for (int q : polygon) {
-        if (q == a || q == b || q == c) continue;
-        Vec2 p = at(q);
-        if (orientation(pa, pb, p) >= 0 && orientation(pb, pc, p) >= 0 && orientation(pc, pa, p) >= 0) {
-          is_ear = false;
-          break;
-        }
-      }
-      double shape = is_ear ? area / (dot(pb - pa, pb - pa) + dot(pc - pb, pc - pb) + dot(pa - pc, pa - pc)) : -1;
-      if (is_ear && shape > best_shape) best = i, best_shape = shape;
+      const double shape = area / (dot(pb - pa, pb - pa) + dot(pc - pb, pc - pb) + dot(pa - pc, pa - pc));
+      auto is_in_it = [&](int q) {
+        if (q == a || q == b || q == c) return false;
+        const Vec2 p = at(q);
+        return orientation(pa, pb, p) >= 0 && orientation(pb, pc, p) >= 0 && orientation(pc, pa, p) >= 0;
+      };
+      if (shape > best_shape && std::ranges::none_of(polygon, is_in_it)) best = i, best_shape = shape;
     }
     if (best < 0) return false;
     made_.push_back(make(polygon[(best + m - 1) % m], polygon[best], polygon[(best + 1) % m]));

@@ -27,6 +27,26 @@ double misfit(const Front& front, int first, int last) {
   return 0.5 * (off(before, front.facets[first].b) + off(after, front.facets[last].a));
 }
 
+/// Lays the extra quads of a corner or reversal at the end node of the quad just laid: on the facet that leads to it.
+int lay_around(Front& front, int node, const NodePlan& plan, int level, std::vector<int>& new_nodes) {
+  int laid = 0;
+  for (int i = 1; i + 1 < plan.count; i += 2) {
+    int f = front.facet_from(node);
+    if (f < 0 || front.sectors(node) != 1) return laid;
+    f = front.facets[f].prev;  // leads to the node from the side node laid last
+    Wish diagonal = plan.wish[i];
+    // The diagonal is wished from the corner node but belongs to the new facet's start: aim at the same place.
+    int from = front.facets[f].a;
+    const MetricVec aim = front.mesh.between(from, node) + diagonal.length * diagonal.direction;
+    double length = norm(aim);
+    if (!(length > 0)) return laid;
+    Wish left{from, (1 / length) * aim, length, diagonal.width};
+    if (!lay_quad(front, f, &left, &plan.wish[i + 1], level, new_nodes)) return laid;
+    ++laid;
+  }
+  return laid;
+}
+
 }  // namespace
 
 std::vector<Row> find_rows(const Front& front, const std::vector<int>& loop, const std::vector<double>& angles) {
@@ -72,30 +92,6 @@ std::vector<Row> find_rows(const Front& front, const std::vector<int>& loop, con
   });
   return rows;
 }
-
-namespace {
-
-/// Lays the extra quads of a corner or reversal at the end node of the quad just laid: on the facet that leads to it.
-int lay_around(Front& front, int node, const NodePlan& plan, int level, std::vector<int>& new_nodes) {
-  int laid = 0;
-  for (int i = 1; i + 1 < plan.count; i += 2) {
-    int f = front.facet_from(node);
-    if (f < 0 || front.sectors(node) != 1) return laid;
-    f = front.facets[f].prev;  // leads to the node from the side node laid last
-    Wish diagonal = plan.wish[i];
-    // The diagonal is wished from the corner node but belongs to the new facet's start: aim at the same place.
-    int from = front.facets[f].a;
-    const MetricVec aim = front.mesh.between(from, node) + diagonal.length * diagonal.direction;
-    double length = norm(aim);
-    if (!(length > 0)) return laid;
-    Wish left{from, (1 / length) * aim, length, diagonal.width};
-    if (!lay_quad(front, f, &left, &plan.wish[i + 1], level, new_nodes)) return laid;
-    ++laid;
-  }
-  return laid;
-}
-
-}  // namespace
 
 int lay_row(Front& front, const Row& row, std::vector<int>& new_nodes) {
   std::vector<NodePlan> plans = plan_row(front, row);

@@ -38,8 +38,7 @@ class TipFinder {
   }
 
  private:
-  const Edge& edge_of(const Coedge& c) const { return model_.edges[static_cast<std::size_t>(c.edge)]; }
-  int start(const Coedge& c) const { return c.is_reversed ? edge_of(c).end : edge_of(c).start; }
+  int start(const Coedge& c) const { return c.is_reversed ? edge_of(model_, c).end : edge_of(model_, c).start; }
   void open(int vertex) {
     if (vertex >= 0) is_open_[static_cast<std::size_t>(vertex)] = 1;
   }
@@ -51,11 +50,11 @@ class TipFinder {
       const Coedge &before = loop.coedges[(i + n - 1) % n], &after = loop.coedges[i];
       if (start(after) < 0) continue;
       double& sum = angle_[static_cast<std::size_t>(start(after))];
-      if (!face.fault.empty() || (edge_of(after).is_degenerate && !after.pcurve))
+      if (!face.fault.empty() || (edge_of(model_, after).is_degenerate && !after.pcurve))
         open(start(after));
-      else if (edge_of(after).is_degenerate)
+      else if (edge_of(model_, after).is_degenerate)
         sum += pole_angle(model_, face, after);
-      else if (!edge_of(before).is_degenerate)
+      else if (!edge_of(model_, before).is_degenerate)
         sum += corner_angle(model_, face, before, after);
     }
   }

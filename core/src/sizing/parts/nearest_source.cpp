@@ -5,17 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/segment.h"
+
 namespace paver {
 namespace {
 
 constexpr int leaf_sources = 4;
-
-double distance(Vec3 x, const SizeSource& source) {
-  Vec3 along = source.b - source.a;
-  double square = dot(along, along);
-  double share = square > 0 ? std::clamp(dot(x - source.a, along) / square, 0.0, 1.0) : 0;
-  return norm(x - source.a - share * along);
-}
 
 double coordinate(Vec3 x, int axis) { return axis == 0 ? x.x : axis == 1 ? x.y : x.z; }
 
@@ -71,7 +66,7 @@ double NearestSource::least(Vec3 x, double most) const {
     if (bound(box, x) >= best) continue;
     for (int i = box.first; i < box.first + box.count; ++i) {
       const SizeSource& source = sources_[static_cast<std::size_t>(i)];
-      best = std::min(best, source.h + gradation_ * distance(x, source));
+      best = std::min(best, source.h + gradation_ * distance_to_segment(x, source.a, source.b));
     }
     if (box.count > 0) continue;
     int near = index + 1, far = box.second_child;
