@@ -16,9 +16,9 @@ std::vector<std::vector<bool>> periodic_coedges(const Model& model, int face);
 std::vector<std::vector<bool>> own_periodic_coedges(const Model& model, int face);
 
 /// The loops of `face` (0-based) without its own periodic edges and degenerate ones: what remains is chained anew by
-/// vertices (circle, periodic edge, circle, periodic edge gives two circles; a hole cut by the periodic edge becomes one
-/// loop). Loops without coedges vanish. Coedges keep their direction, their loop starts with its first coedge in face
-/// order.
+/// vertices (circle, periodic edge, circle, periodic edge gives two circles; a hole cut by the periodic edge becomes
+/// one loop). Loops without coedges vanish. Coedges keep their direction, their loop starts with its first coedge in
+/// face order.
 std::vector<Loop> linked_loops(const Model& model, int face);
 
 /// The same, leaving out degenerate edges and the coedges marked in `dropped` (per loop and coedge).

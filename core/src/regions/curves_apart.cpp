@@ -33,7 +33,8 @@ bool do_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 
 double distance(const Piece& s, const Piece& t) {
   if (do_cross(s.a, s.b, t.a, t.b)) return 0;
-  return std::min({distance_to_segment(s.a, t.a, t.b), distance_to_segment(s.b, t.a, t.b), distance_to_segment(t.a, s.a, s.b), distance_to_segment(t.b, s.a, s.b)});
+  return std::min({distance_to_segment(s.a, t.a, t.b), distance_to_segment(s.b, t.a, t.b),
+                   distance_to_segment(t.a, s.a, s.b), distance_to_segment(t.b, s.a, s.b)});
 }
 
 class Pair {
@@ -116,7 +117,8 @@ double PlaneCurve::bulge(double from, double to) const {
   if (!at) return 0;
   const Vec2 a = point(from), b = point(to);
   double most = 0;
-  for (double share : {0.25, 0.5, 0.75}) most = std::max(most, distance_to_segment(point(from + share * (to - from)), a, b));
+  for (double share : {0.25, 0.5, 0.75})
+    most = std::max(most, distance_to_segment(point(from + share * (to - from)), a, b));
   return safety * most;
 }
 

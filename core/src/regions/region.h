@@ -40,8 +40,8 @@ struct RegionTask {
   FaceSize size{1};
   double h = 1;  ///< target length of the run, or what is given for the face
   double gradation = 0.3;
-  double evenness = 1;                       ///< what even lengths are worth against regular nodes
-  double area = 0;                           ///< mm^2, of the whole face: bounds the work
+  double evenness = 1;  ///< what even lengths are worth against regular nodes
+  double area = 0;      ///< mm^2, of the whole face: bounds the work
 };
 
 struct Region : RegionTask {

@@ -1,27 +1,19 @@
 // By points of its border; of a face without one by points of its surface.
 #include "sizing/face_extent.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/box.h"
 #include "sizing/sample_box.h"
 
 namespace paver {
 namespace {
 
 constexpr int steps = 16;  // per edge, per direction of a surface
-constexpr double far = std::numeric_limits<double>::infinity();
 
-struct Box {
-  Vec3 lo{far, far, far}, hi{-far, -far, -far};
-
-  void add(Vec3 x) {
-    if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z)) return;
-    lo = {std::min(lo.x, x.x), std::min(lo.y, x.y), std::min(lo.z, x.z)};
-    hi = {std::max(hi.x, x.x), std::max(hi.y, x.y), std::max(hi.z, x.z)};
-  }
-};
+void add_finite(Vec3 x, Box& box) {
+  if (std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z)) box.add(x);
+}
 
 double share(int i) { return static_cast<double>(i) / steps; }
 
@@ -33,7 +25,8 @@ bool add_border(const Model& model, const Face& face, Box& box) {
       const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
       if (!edge.curve) continue;
       has_border = has_border || !edge.is_periodic;
-      for (int i = 0; i <= steps; ++i) box.add(edge.curve->point((1 - share(i)) * edge.t0 + share(i) * edge.t1));
+      for (int i = 0; i <= steps; ++i)
+        add_finite(edge.curve->point((1 - share(i)) * edge.t0 + share(i) * edge.t1), box);
     }
   return has_border;
 }
@@ -45,9 +38,9 @@ double face_extent(const Model& model, const Face& face) {
   const SampleBox uv = sample_box(model, face);
   if (!add_border(model, face, box) && face.surface && uv.has_area())
     for (int i = 0; i <= steps; ++i)
-      for (int j = 0; j <= steps; ++j) box.add(face.surface->point(uv.at(share(i), share(j))));
-  const double size = norm(box.hi - box.lo);
-  return size > 0 ? size : far;
+      for (int j = 0; j <= steps; ++j) add_finite(face.surface->point(uv.at(share(i), share(j))), box);
+  const double size = norm(box.high - box.low);
+  return size > 0 ? size : Box::infinity;
 }
 
 }  // namespace paver
