@@ -1,7 +1,6 @@
 #include "check/boundary_nodes.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/segment.h"
 #include "check/vector_area.h"

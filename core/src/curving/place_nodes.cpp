@@ -1,7 +1,6 @@
 // Curving by closest points in the charts: of the middles of chords, of the blends of sides.
 #include "curving/place_nodes.h"
 
-#include <algorithm>
 #include <array>
 
 #include "base/tasks/tasks.h"

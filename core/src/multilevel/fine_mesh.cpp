@@ -4,7 +4,6 @@
 #include "multilevel/fine_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace paver {
 namespace {

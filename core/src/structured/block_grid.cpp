@@ -2,7 +2,6 @@
 #include "structured/block_grid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace paver {

@@ -3,7 +3,6 @@
 #include "sizing/parts/nearest_source.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/segment.h"
 
