@@ -41,8 +41,6 @@ using test::model_of;
 
 constexpr double pi = std::numbers::pi;
 
-const Edge& edge_of(const Model& model, const Coedge& c) { return model.edges[static_cast<std::size_t>(c.edge)]; }
-
 Vec2 uv_at(const Model& model, const Coedge& c, double share) {
   const Edge& edge = edge_of(model, c);
   double s = c.is_reversed ? 1 - share : share;
