@@ -963,10 +963,6 @@
         <translation>Es ist nichts gewählt; fügen Sie Flächen, Kanten, Punkte oder Objekte hinzu.</translation>
     </message>
     <message>
-        <source>Where</source>
-        <translation>Wo</translation>
-    </message>
-    <message>
         <source>Material</source>
         <translation>Material</translation>
     </message>
@@ -991,6 +987,14 @@
         <translation>Ob die Elemente kürzer werden</translation>
     </message>
     <message>
+        <source>Relative permittivity of the medium there</source>
+        <translation>Relative Permittivität des Mediums dort</translation>
+    </message>
+    <message>
+        <source>Relative permeability of the medium there</source>
+        <translation>Relative Permeabilität des Mediums dort</translation>
+    </message>
+    <message>
         <source>By</source>
         <translation>Durch</translation>
     </message>
@@ -1005,14 +1009,6 @@
     <message>
         <source>μr</source>
         <translation>μr</translation>
-    </message>
-    <message>
-        <source>Relative permittivity of the medium there</source>
-        <translation>Relative Permittivität des Mediums dort</translation>
-    </message>
-    <message>
-        <source>Relative permeability of the medium there</source>
-        <translation>Relative Permeabilität des Mediums dort</translation>
     </message>
     <message>
         <source>Nothing is refined; add faces, edges, vertices or objects.</source>
@@ -1465,6 +1461,10 @@
     <message>
         <source>Out of date: {}</source>
         <translation>Veraltet: {}</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
     </message>
     <message>
         <source>A length, or the wavelength in a medium, which needs a frequency</source>

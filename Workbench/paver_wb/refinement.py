@@ -112,8 +112,8 @@ def target_of(mesh):
     if "size" in options or "frequency" not in options:
         return options.get("size"), None
     medium = options.get("eps_r", 1), options.get("mu_r", 1)
-    length = wavelength(options["frequency"], *medium)
-    return length and length / options["divisions"], medium[0] * medium[1]
+    length, divisions = wavelength(options["frequency"], *medium), options["divisions"]
+    return length / divisions if length and divisions > 0 else None, medium[0] * medium[1]
 
 
 def first_length(mesh):

@@ -66,13 +66,6 @@ def bring(widget):
     window.pause(50)
 
 
-class Step:
-    """What a page has of it."""
-
-    def __init__(self, title, text, picture):
-        self.title, self.text, self.picture = title, text, picture
-
-
 class Guide:
     """folder: where the user's files are. `steps`: those that were done."""
 
@@ -82,7 +75,7 @@ class Guide:
     def step(self, title, *sentences):
         """Ends a step: keeps its words and takes its picture."""
         window.pause(SETTLE)
-        self.steps.append(Step(title, " ".join(sentences), self.pictures.take(len(self.steps) + 1)))
+        self.steps.append({"title": title, "text": " ".join(sentences), "picture": self.pictures.take(len(self.steps) + 1)})
 
     def snap(self):
         """Takes the picture of the step now, before it ends."""
@@ -249,9 +242,6 @@ class Guide:
     def add(self, label):
         return self.select(label, QtCore.Qt.ControlModifier)
 
-    def select_to(self, label):
-        return self.select(label, QtCore.Qt.ShiftModifier)
-
     def unfold(self, label):
         """Shows what lies below an object."""
         tree, item = self.item(label)
@@ -355,9 +345,9 @@ class Guide:
                     "for the preview")
         return self.says("PreviewText")
 
-    def figure(self, name, table="Paver_Result"):
+    def figure(self, name):
         """A figure of the mesh, in the panel's table of results."""
-        seen = window.widget(table)
+        seen = window.widget("Paver_Result")
         self.expect(seen is not None, "the panel has results")
         rows = {seen.item(i, 0).text(): seen.item(i, 1).text() for i in range(seen.rowCount())}
         self.expect(name in rows, f"the results have {name}")
@@ -452,11 +442,9 @@ class Guide:
 
     def meshed(self):
         """Waits for the end of a run: how many elements it made, and what the panel finds."""
-        from paver_wb.gui import run_control
-        window.wait(lambda: not run_control.run_of(self.mesh()), "for the mesh")
+        self.remeshed()
         window.wait(lambda: window.widget("Paver_Result"), "for the results")
         window.pause(2 * SETTLE)
-        self.expect(self.mesh().Status == "Up to date", "the mesh is up to date")
         return self.figure("Elements")
 
 

@@ -150,15 +150,20 @@ def make(type_, mesh, references, name, **values):
 
 
 def change(obj, references, label=None, **values):
-    """Gives a child other references, another name and values of its properties. Errors as those of make_medium."""
+    """Gives a child other references, another name in files and values of its properties. Errors as those of make_medium.
+
+    The label becomes that name unless NameInFiles has it; that gets it, too, where another object is labelled so.
+    """
     kind, meshes = kind_of(obj), meshes_of(obj)
     listed = fitting(kind, as_references(meshes[0], references) if meshes else references)
     if meshes and proxies.type_of(obj) == proxies.WIRE:
         take_in(meshes[0], listed)
     check_references(meshes, listed, kind.elements)
     put(obj, listed, values)
-    if label is not None and label != obj.Label:
-        obj.Label = label
+    if label is not None and label != name_of(obj):
+        if not getattr(obj, NAME):
+            obj.Label = label
+        setattr(obj, NAME, "" if obj.Label == label else label)
 
 
 def fitting(kind, listed):

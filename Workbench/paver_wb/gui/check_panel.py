@@ -30,6 +30,7 @@ class CheckPanel(measuring.MeasuringDialog):
     clicked, or None; `at`: which of its elements was gone to, -1 for none."""
 
     findings, finding, at = (), None, -1
+    followed = ("MeshFile", "Status")
 
     def __init__(self, obj):
         super().__init__(obj, "Paver_CheckPanel", translate("Paver", "Check of {}").format(obj.Label))
@@ -182,23 +183,6 @@ class CheckPanel(measuring.MeasuringDialog):
         text = translate("Paver", "{} elements").format(count) if count else ""
         self.count.setText(translate("Paver", "{} of {}").format(self.at + 1, count) if self.at >= 0 else text)
         self.figures.setText("")
-
-    # ---- what changes in the document
-
-    def slotChangedObject(self, obj, name):
-        """FreeCAD calls it."""
-        if obj == self.obj and name in ("MeshFile", "Status") and not self.is_told:
-            self.is_told = True
-            QtCore.QTimer.singleShot(0, self.refresh_later)
-
-    is_told = False
-
-    def refresh_later(self):
-        self.is_told = False
-        try:
-            self.refresh() if self.obj.MeshFile else self.close()
-        except (ReferenceError, RuntimeError):  # gone meanwhile
-            self.close()
 
     def leave(self, result):
         try:

@@ -2,21 +2,15 @@
 
 Everything is put into it by OK, in one step of undo; Cancel drops it, and takes back what was made for this panel.
 """
-import os
-
 import FreeCAD
 from PySide import QtGui
 
 from paver_wb.base import proxies
-from paver_wb.base.paths import ICONS
 from paver_wb.children import named_parts
-from paver_wb.gui.base import edit_panel
-from paver_wb.gui.base.edit_panel import edit_new, unset_edit  # noqa: F401, for commands and the view provider
 from paver_wb.gui.base.steps import python_name
-from paver_wb.gui.base.widgets import FaultBox, named
+from paver_wb.gui.base.widgets import named
 from paver_wb.gui.panels import fields
-from paver_wb.gui.panels.child_panel import ChildPanel
-from paver_wb.gui.panels.references_box import ReferencesBox
+from paver_wb.gui.panels.child_panel import ChildBox, ChildPanel
 
 translate = FreeCAD.Qt.translate
 
@@ -32,42 +26,27 @@ def labels():
             "Radius": (translate("Paver", "Radius"), translate("Paver", "Radius of the wire, for solvers"))}
 
 
-class NamedBox(QtGui.QWidget):
+class NamedBox(ChildBox):
     """The fields."""
 
-    def __init__(self, obj):
-        super().__init__()
-        self.obj, self.fields = obj, {}
-        self.kind = named_parts.kind_of(obj)
-        self.setWindowTitle(obj.Label)
-        self.setWindowIcon(QtGui.QIcon(os.path.join(ICONS, f"Paver_{self.kind.option.capitalize()}.svg")))
-        layout = QtGui.QVBoxLayout(self)
-        layout.addLayout(self.values())
-        layout.addWidget(QtGui.QLabel(translate("Paver", "Where")))
-        self.where = ReferencesBox(obj, "Named", self.mesh, self.checked)
-        layout.addWidget(self.where)
-        self.fault = FaultBox()
-        layout.addWidget(self.fault)
-        self.where.failed.connect(self.fault.tell)
-        self.fault.tell("")
+    name, meshes_of = "Named", staticmethod(named_parts.meshes_of)
 
-    def values(self):
-        form = QtGui.QFormLayout()
-        form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
-        self.label = named(QtGui.QLineEdit(self.obj.Label), "NamedLabel", translate("Paver", "Its name in files of the mesh"))
-        form.addRow(translate("Paver", "Name"), self.label)
+    def build(self):
+        self.kind, self.fields = named_parts.kind_of(self.obj), {}
+        self.label = self.first = named(QtGui.QLineEdit(named_parts.name_of(self.obj)), "NamedLabel", translate(
+            "Paver", "Its name in files of the mesh"))
+        self.form.addRow(translate("Paver", "Name"), self.label)
         if proxies.type_of(self.obj) == proxies.MEDIUM:
-            form.addRow(translate("Paver", "Material"), self.material_field())
+            self.form.addRow(translate("Paver", "Material"), self.material_field())
         for name in self.kind.properties:
             text, tip = labels()[name]
             field = self.fields[name] = named(self.field_for(name), "Named" + name)
             field.set_tip(tip)
             field.set_value(getattr(getattr(self.obj, name), "Value", getattr(self.obj, name)))
-            form.addRow(text, field)
+            self.form.addRow(text, field)
         if "Conductor" in self.fields:
             self.fields["Conductor"].changed.connect(self.show_what_counts)
             self.show_what_counts()
-        return form
 
     @staticmethod
     def field_for(name):
@@ -98,10 +77,6 @@ class NamedBox(QtGui.QWidget):
     def show_what_counts(self):
         for name in ("EpsR", "MuR", "LossTangent"):
             self.fields[name].setEnabled(not self.fields["Conductor"].value())
-
-    def mesh(self):
-        meshes = named_parts.meshes_of(self.obj)
-        return meshes[0] if meshes else None
 
     def checked(self, references):
         """[(object, elements)] as this kind refers to them; ReferenceMissing where it cannot."""
@@ -135,13 +110,3 @@ class NamedPanel(ChildPanel):
 
     def step(self):
         return translate("Paver", "Change {}").format(self.obj.Label)
-
-    def shown(self):
-        super().shown()
-        self.box.label.setFocus()
-        self.box.label.selectAll()
-
-
-def set_edit(obj):
-    """What the view provider does when the object is to be edited."""
-    return edit_panel.set_edit(obj, NamedPanel, obj.Label + ": ")

@@ -3,7 +3,7 @@ from paver_wb.gui.base.view import ChildViewProvider
 
 
 class NamedViewProvider(ChildViewProvider):
-    panel = "paver_wb.gui.named_panel"
+    panel = ("paver_wb.gui.named_panel", "NamedPanel")
 
 
 class MediumViewProvider(NamedViewProvider):

@@ -3,47 +3,25 @@
 Everything is put into the refinement by OK, in one step of undo; Cancel drops it, and takes back a refinement that was made
 for this panel.
 """
-import os
-
 import FreeCAD
-from PySide import QtGui
 
 from paver_wb import refinement
-from paver_wb.base.paths import ICONS
 from paver_wb.base.units import example
-from paver_wb.gui.base import edit_panel
-from paver_wb.gui.base.edit_panel import edit_new, unset_edit  # noqa: F401, for commands and the view provider
 from paver_wb.gui.base.steps import python_name
-from paver_wb.gui.base.widgets import FaultBox, named, text_label
+from paver_wb.gui.base.widgets import named, text_label
 from paver_wb.gui.panels import fields
-from paver_wb.gui.panels.child_panel import ChildPanel
-from paver_wb.gui.panels.references_box import ReferencesBox
+from paver_wb.gui.panels.child_panel import ChildBox, ChildPanel
 
 translate = FreeCAD.Qt.translate
 
 
-class RefinementBox(QtGui.QWidget):
+class RefinementBox(ChildBox):
     """The fields."""
 
-    def __init__(self, obj):
-        super().__init__()
-        self.obj = obj
-        self.setWindowTitle(obj.Label)
-        self.setWindowIcon(QtGui.QIcon(os.path.join(ICONS, "Paver_Refine.svg")))
-        layout = QtGui.QVBoxLayout(self)
-        layout.addLayout(self.values())
-        self.note = text_label("RefinementNote", translate("Paver", "Whether elements become shorter"))
-        layout.addWidget(self.note)
-        layout.addWidget(QtGui.QLabel(translate("Paver", "Where")))
-        self.where = ReferencesBox(obj, "Refinement", self.mesh, self.checked)
-        layout.addWidget(self.where)
-        self.fault = FaultBox()
-        layout.addWidget(self.fault)
-        self.where.failed.connect(self.fault.tell)
-        self.edited()
+    name, meshes_of = "Refinement", staticmethod(refinement.meshes_of)
 
-    def values(self):
-        self.length = fields.QuantityField("length")
+    def build(self):
+        self.length = self.first = fields.QuantityField("length")
         self.eps_r, self.mu_r = fields.NumberField(), fields.NumberField()
         first = refinement.first_length(self.mesh()) if self.mesh() else 1.0
         for name, field, tip, value in (
@@ -60,15 +38,13 @@ class RefinementBox(QtGui.QWidget):
         self.by = named(fields.by_field(self.obj), "RefinementBy")
         self.by.changed.connect(self.show_what_counts)
         self.by.changed.connect(self.edited)
-        form = QtGui.QFormLayout()
-        form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
-        form.addRow(translate("Paver", "By"), self.by)
-        form.addRow(translate("Paver", "Length"), self.length)
-        form.addRow(translate("Paver", "Medium \u03b5r"), self.eps_r)
-        form.addRow(translate("Paver", "\u03bcr"), self.mu_r)
-        self.form = form
+        self.note = text_label("RefinementNote", translate("Paver", "Whether elements become shorter"))
+        for text, field in ((translate("Paver", "By"), self.by), (translate("Paver", "Length"), self.length),
+                            (translate("Paver", "Medium \u03b5r"), self.eps_r), (translate("Paver", "\u03bcr"), self.mu_r)):
+            self.form.addRow(text, field)
+        self.form.addRow(self.note)
         self.show_what_counts()
-        return form
+        self.edited()
 
     def show_what_counts(self):
         is_length = self.by.value() == refinement.LENGTH
@@ -83,10 +59,6 @@ class RefinementBox(QtGui.QWidget):
         self.note.setText(text)
         self.note.setVisible(bool(text))
         self.fault.tell("")
-
-    def mesh(self):
-        meshes = refinement.meshes_of(self.obj)
-        return meshes[0] if meshes else None
 
     def checked(self, references):
         """[(object, elements)] as they are; ReferenceMissing where the mesh does not have one."""
@@ -128,13 +100,3 @@ class RefinementPanel(ChildPanel):
 
     def step(self):
         return translate("Paver", "Size of {}").format(self.obj.Label)
-
-    def shown(self):
-        super().shown()
-        self.box.length.setFocus()
-        self.box.length.selectAll()
-
-
-def set_edit(obj):
-    """What the view provider does when the object is to be edited."""
-    return edit_panel.set_edit(obj, RefinementPanel, obj.Label + ": ")

@@ -3,4 +3,4 @@ from paver_wb.gui.base.view import ChildViewProvider
 
 
 class RefinementViewProvider(ChildViewProvider):
-    icon, panel = "Paver_Refine.svg", "paver_wb.gui.refinement_panel"
+    icon, panel = "Paver_Refine.svg", ("paver_wb.gui.refinement_panel", "RefinementPanel")

@@ -259,13 +259,6 @@ def run_of(obj):
     return next((run for run in _runs if run.is_of(obj)), None)
 
 
-def stop(obj):
-    """Stops the run of a mesh object, if there is one."""
-    run = run_of(obj)
-    if run:
-        run.stop()
-
-
 class Observer:
     """Stops runs whose mesh object goes away."""
 

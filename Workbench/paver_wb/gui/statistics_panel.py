@@ -146,18 +146,6 @@ class StatisticsPanel(measuring.MeasuringDialog):
         field.selectAll()
         field.copy()
 
-    def slotChangedObject(self, obj, name):
-        """FreeCAD calls it: the mesh may be another one."""
-        if obj == self.obj and name == "MeshFile" and obj.MeshFile:
-            QtCore.QTimer.singleShot(0, lambda: self.refresh_later())
-
-    def refresh_later(self):
-        try:
-            if self.obj.MeshFile:
-                self.refresh()
-        except (ReferenceError, RuntimeError, ValueError):  # gone meanwhile
-            self.close()
-
 
 def show(obj):
     """Opens the statistics of a mesh object, or brings them to the front. ValueError when it is not meshed."""

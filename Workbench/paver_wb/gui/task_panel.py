@@ -17,7 +17,6 @@ from paver_wb.base.paths import ICONS
 from paver_wb.children import named_parts
 from paver_wb.gui import run_control
 from paver_wb.gui.base import edit_panel
-from paver_wb.gui.base.edit_panel import edit_new, unset_edit  # noqa: F401, for commands and the view provider
 from paver_wb.gui.base.steps import do, in_step, python_name
 from paver_wb.gui.panels import options_box, result_box, run_box, run_predict, sizes_box
 from paver_wb.gui.setup import first_use
@@ -304,8 +303,3 @@ class TaskPanel(edit_panel.EditPanel):
             self.predict()
 
     slotRedoDocument = slotUndoDocument
-
-
-def set_edit(obj):
-    """What the view provider does when the object is to be edited."""
-    return edit_panel.set_edit(obj, TaskPanel)

@@ -16,7 +16,7 @@ OF_STATE = ("Status", "FailedFaces")  # properties
 
 
 class MeshViewProvider(ViewProvider):
-    icon, panel = "Paver_CreateMesh.svg", "paver_wb.gui.task_panel"
+    icon, panel = "Paver_CreateMesh.svg", ("paver_wb.gui.task_panel", "TaskPanel")
 
     def __init__(self, vobj):
         super().__init__(vobj)

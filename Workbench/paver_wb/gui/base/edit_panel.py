@@ -82,9 +82,8 @@ def edit_new(obj):
     QtCore.QTimer.singleShot(0, lambda: FreeCADGui.getDocument(document).setEdit(name))
 
 
-def set_edit(obj, kind, prefix=""):
-    """What the view provider does when the object is to be edited, by a panel of the class `kind`; prefix: of what is told
-    when another panel is open."""
+def set_edit(obj, kind):
+    """What the view provider does when the object is to be edited, by a panel of the class `kind`."""
     global _open, _new
     is_new, _new = _new == obj, None
     fault = core.problem()
@@ -93,7 +92,7 @@ def set_edit(obj, kind, prefix=""):
         kind.without_core()
         return False
     if FreeCADGui.Control.activeDialog():
-        FreeCAD.Console.PrintError(prefix + translate("Paver", "Another task panel is open; close it first.") + "\n")
+        FreeCAD.Console.PrintError(f"{obj.Label}: " + translate("Paver", "Another task panel is open; close it first.") + "\n")
         return False
     _open = kind(obj, is_new)
     FreeCAD.addDocumentObserver(_open)

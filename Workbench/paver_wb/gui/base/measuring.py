@@ -15,7 +15,9 @@ _open = {}  # (class, names of document and mesh object): the dialog on screen
 
 class MeasuringDialog(QtGui.QDialog):
     """Goes with its mesh object. Subclasses have build(), which puts the bar `busy` somewhere, refresh(), which calls measure(), and
-    show_measured(result), show_fault(sentence)."""
+    show_measured(result), show_fault(sentence). followed: properties of the mesh object that count."""
+
+    followed, is_told = ("MeshFile",), False
 
     def __init__(self, obj, name, title):
         super().__init__(FreeCADGui.getMainWindow())
@@ -35,8 +37,20 @@ class MeasuringDialog(QtGui.QDialog):
         self.refresh()
         FreeCAD.addDocumentObserver(self)
 
-    def slotDeletedObject(self, obj):
+    def slotChangedObject(self, obj, name):
         """FreeCAD calls it, like the next."""
+        if obj == self.obj and name in self.followed and not self.is_told:
+            self.is_told = True
+            QtCore.QTimer.singleShot(0, self.refresh_later)
+
+    def refresh_later(self):
+        self.is_told = False
+        try:
+            self.refresh() if self.obj.MeshFile else self.close()
+        except (ReferenceError, RuntimeError):  # gone meanwhile
+            self.close()
+
+    def slotDeletedObject(self, obj):
         if obj == self.obj:
             self.close()
 

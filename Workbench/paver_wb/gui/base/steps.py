@@ -6,6 +6,12 @@ def python_name(obj):
     return f'FreeCAD.getDocument("{obj.Document.Name}").getObject("{obj.Name}")'
 
 
+def references_text(references):
+    """[(object, elements)] as text for Python."""
+    listed = ", ".join(f"({python_name(thing)}, {list(elements) or ['']!r})" for thing, elements in references)
+    return f"[{listed}]"
+
+
 def do(line, module=""):
     """Runs a line of Python, a call of `module` where that is given, which the console shows."""
     if module:

@@ -4,13 +4,14 @@ import os
 
 from paver_wb.base.paths import ICONS
 from paver_wb.base.proxies import Stateless
+from paver_wb.gui.base import edit_panel
 
 
 class ViewProvider(Stateless):
-    """Of an object that a panel edits. Nothing of it is stored but its name. icon: name of a file; panel: of a module, which
-    is loaded when it is needed."""
+    """Of an object that a panel edits. Nothing of it is stored but its name. icon: name of a file; panel: its module,
+    which is loaded when it is needed, and class."""
 
-    icon, panel = "", ""
+    icon, panel = "", ("", "")
 
     def __init__(self, vobj):
         vobj.Proxy = self
@@ -23,10 +24,11 @@ class ViewProvider(Stateless):
         return True
 
     def setEdit(self, vobj, mode=0):
-        return importlib.import_module(self.panel).set_edit(vobj.Object) if mode == 0 else None
+        module, kind = self.panel
+        return edit_panel.set_edit(vobj.Object, getattr(importlib.import_module(module), kind)) if mode == 0 else None
 
     def unsetEdit(self, vobj, mode=0):
-        importlib.import_module(self.panel).unset_edit()
+        edit_panel.unset_edit()
 
 
 class ChildViewProvider(ViewProvider):

@@ -52,20 +52,25 @@ def target_mesh():
 
 
 def run(line, module=""):
-    """do(); whether it went well. An error is shown; where the core is missing, how to get it."""
+    """do(); whether it went well. What goes wrong is told."""
     QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)  # large meshes take a second
     try:
         do(line, module)
     except Exception as error:
-        if core.problem():
-            FreeCAD.Console.PrintError(str(error) + "\n")
-            first_use.show()
-        else:
-            complain(str(error))
+        tell(error)
         return False
     finally:
         QtGui.QApplication.restoreOverrideCursor()
     return True
+
+
+def tell(error):
+    """Shows an error; where the core is missing, how to get it."""
+    if core.problem():
+        FreeCAD.Console.PrintError(str(error) + "\n")
+        first_use.show()
+    else:
+        complain(str(error))
 
 
 def in_step(name, *lines, module=""):

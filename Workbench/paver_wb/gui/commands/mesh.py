@@ -4,8 +4,9 @@ import FreeCADGui
 
 from paver_wb import mesh_object, preferences, refinement, series
 from paver_wb.base import proxies
-from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, Command, complain, do, in_step, python_name, run,
-                                          selected, shown_as, target_mesh, translate)
+from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, Command, do, in_step, python_name, run, selected,
+                                          shown_as, target_mesh, tell, translate)
+from paver_wb.gui.base.steps import references_text
 from paver_wb.gui.display import selection
 
 
@@ -26,7 +27,7 @@ class CreateMesh(Command):
                    "paver_wb.analysis.join_active(mesh)"):
             FreeCADGui.Selection.clearSelection()
             do("FreeCADGui.Selection.addSelection(mesh)")
-            do("edit_new(mesh)", "paver_wb.gui.task_panel")
+            do("edit_new(mesh)", "paver_wb.gui.base.edit_panel")
 
 
 def parts_selected():
@@ -48,36 +49,58 @@ class OnMeshes(Command):
             run(f"{self.function}({python_name(obj)})", self.module)
 
 
-class Refine(Command):
-    """A refinement of what is selected in the 3D view: of the selected mesh, else of the one that has it."""
+class Child(Command):
+    """Makes a child of a mesh object of what is selected in the 3D view, and opens its panel."""
 
-    resources = shown_as("Paver_Refine", QT_TRANSLATE_NOOP("Paver_Refine", "Refine"), QT_TRANSLATE_NOOP(
-        "Paver_Refine", "Shorter elements on the selected faces, edges, vertices or solids of what is meshed, or on the "
-        "faces under selected elements, and around them; opens a panel for the length"), "Q, R")
+    def __init__(self, resources):
+        self.resources = resources
 
     def IsActive(self):
         document = FreeCAD.ActiveDocument
         return document is not None and bool(mesh_object.meshes_of(document)) and selection.may_refine()
 
+    def call(self, references):
+        """(module, call of a function of it that makes the child). ValueError where no mesh is meant."""
+        raise NotImplementedError
+
     def Activated(self):
         try:
-            references = selection.references()
-        except ValueError as error:
-            complain(str(error))
+            module, call = self.call(selection.references())
+        except Exception as error:
+            tell(error)
             return
+        FreeCADGui.addModule(module)
+        if in_step(self.resources["MenuText"], f"made = {module}.{call}"):
+            FreeCADGui.Selection.clearSelection()
+            do("FreeCADGui.Selection.addSelection(made)")
+            if not FreeCADGui.Control.activeDialog():
+                do("edit_new(made)", "paver_wb.gui.base.edit_panel")
+
+
+class Refine(Child):
+    """Of the selected mesh, else of the one that has what is selected."""
+
+    def call(self, references):
         meshes = selected()[0] or refinement.meshes_with(FreeCAD.ActiveDocument, references)
         if not meshes:
-            complain(translate("Paver", "No mesh has what is selected. Select its mesh, too, or make one with Create "
-                               "mesh."))
-            return
-        FreeCADGui.addModule("paver_wb.refinement")
-        listed = ", ".join(f"({python_name(thing)}, {elements!r})" for thing, elements in references)
-        if in_step("Refine", f"refinement = paver_wb.refinement.make({python_name(meshes[0])}, [{listed}], "
-                             f"{refinement.first_length(meshes[0])!r})"):
-            FreeCADGui.Selection.clearSelection()
-            do("FreeCADGui.Selection.addSelection(refinement)")
-            if not FreeCADGui.Control.activeDialog():
-                do("edit_new(refinement)", "paver_wb.gui.refinement_panel")
+            raise ValueError(translate("Paver", "No mesh has what is selected. Select its mesh, too, or make one with Create "
+                                       "mesh."))
+        return "paver_wb.refinement", (f"make({python_name(meshes[0])}, {references_text(references)}, "
+                                       f"{refinement.first_length(meshes[0])!r})")
+
+
+class Name(Child):
+    """A medium, a port or a wire."""
+
+    def __init__(self, kind, resources):
+        super().__init__(resources)
+        self.kind = kind
+
+    def call(self, references):
+        mesh = target_mesh()
+        if mesh is None:
+            raise ValueError(translate("Paver", "There are several meshes; select the one that it belongs to, too."))
+        return "paver_wb.children.named_parts", f"make_{self.kind}({python_name(mesh)}, {references_text(references)})"
 
 
 class Series(Command):
@@ -100,38 +123,11 @@ def series_target():
     return chosen or target_mesh()
 
 
-class Name(Command):
-    """A medium, a port or a wire of what is selected in the 3D view."""
-
-    def __init__(self, kind, resources):
-        self.kind, self.resources = kind, resources
-
-    def IsActive(self):
-        document = FreeCAD.ActiveDocument
-        return document is not None and bool(mesh_object.meshes_of(document)) and selection.may_refine()
-
-    def Activated(self):
-        mesh = target_mesh()
-        if mesh is None:
-            complain(translate("Paver", "There are several meshes; select the one that it belongs to, too."))
-            return
-        try:
-            references = selection.references()
-        except ValueError as error:
-            complain(str(error))
-            return
-        FreeCADGui.addModule("paver_wb.children.named_parts")
-        listed = ", ".join(f"({python_name(thing)}, {elements!r})" for thing, elements in references)
-        if in_step(self.resources["MenuText"],
-                   f"named = paver_wb.children.named_parts.make_{self.kind}({python_name(mesh)}, [{listed}])"):
-            FreeCADGui.Selection.clearSelection()
-            do("FreeCADGui.Selection.addSelection(named)")
-            if not FreeCADGui.Control.activeDialog():
-                do("edit_new(named)", "paver_wb.gui.named_panel")
-
-
 COMMANDS = {
-    "Paver_CreateMesh": CreateMesh(), "Paver_Refine": Refine(), "Paver_Series": Series(),
+    "Paver_CreateMesh": CreateMesh(), "Paver_Series": Series(),
+    "Paver_Refine": Refine(shown_as("Paver_Refine", QT_TRANSLATE_NOOP("Paver_Refine", "Refine"), QT_TRANSLATE_NOOP(
+        "Paver_Refine", "Shorter elements on the selected faces, edges, vertices or solids of what is meshed, or on the "
+        "faces under selected elements, and around them; opens a panel for the length"), "Q, R")),
     "Paver_Medium": Name("medium", shown_as("Paver_Medium", QT_TRANSLATE_NOOP("Paver_Medium", "Medium"), QT_TRANSLATE_NOOP(
         "Paver_Medium", "Says what the selected solids are made of: sets the target length there, and is written to files"))),
     "Paver_Port": Name("port", shown_as("Paver_Port", QT_TRANSLATE_NOOP("Paver_Port", "Port"), QT_TRANSLATE_NOOP(

@@ -2,7 +2,7 @@
 import FreeCADGui
 
 from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, OnMeshed, complain, in_step, python_name, shown_as,
-                                          target_mesh, translate)
+                                          target_mesh, tell, translate)
 from paver_wb.gui.display import actions, colouring
 
 WORST, SHRUNK = 10, 0.75  # what the buttons choose; the property editor has any number
@@ -46,17 +46,17 @@ class Colour(OnShown):
         self.act("Colours", f"colour_by({{}}, {self.what!r})")
 
 
-class Colours(OnShown):
-    """All colours behind one button."""
+class Group(OnShown):
+    """Several commands behind one button. first: number of the one that it begins with."""
 
-    resources = shown_as("Paver_Colours", QT_TRANSLATE_NOOP("Paver_Colours", "Colours of the elements"),
-                         QT_TRANSLATE_NOOP("Paver_Colours", "What the colours of the elements tell"))
+    def __init__(self, names, first, resources):
+        self.names, self.first, self.resources = names, first, resources
 
     def GetCommands(self):
-        return tuple(COLOURS)
+        return tuple(self.names)
 
     def GetDefaultCommand(self):
-        return 1
+        return self.first
 
 
 class Isolate(OnShown):
@@ -67,7 +67,11 @@ class Isolate(OnShown):
         self.resources = shown_as("Paver_Isolate", text, text)
 
     def Activated(self):
-        arguments = "" if self.selected is None else f", {getattr(actions, self.selected)(target_mesh())!r}"
+        try:
+            arguments = "" if self.selected is None else f", {getattr(actions, self.selected)(target_mesh())!r}"
+        except Exception as error:
+            tell(error)
+            return
         if arguments == ", []":
             complain(translate("Paver", "Nothing of the mesh is selected. Click on its elements in the 3D view first, with Ctrl on "
                                         "several."))
@@ -75,50 +79,27 @@ class Isolate(OnShown):
         self.act("Isolate", f"{self.function}({{}}{arguments})")
 
 
-class Isolates(OnShown):
-    """All of them behind one button."""
-
-    resources = shown_as("Paver_Isolate", QT_TRANSLATE_NOOP("Paver_Isolate", "Parts of the mesh alone"), QT_TRANSLATE_NOOP(
-        "Paver_Isolate", "Hides faces, or shows only some elements; what is hidden is not picked"))
-
-    def GetCommands(self):
-        return tuple(ISOLATES)
-
-    def GetDefaultCommand(self):
-        return 0
-
-
-class Worst(OnShown):
-    resources = shown_as("Paver_ShowWorst", QT_TRANSLATE_NOOP("Paver_ShowWorst", "Worst elements"), QT_TRANSLATE_NOOP(
-        "Paver_ShowWorst", "Marks the ten elements with the least scaled Jacobian, or no longer"), "Q, W")
-
-    def Activated(self):
-        count = 0 if target_mesh().ViewObject.ShowWorst else WORST
-        self.act("Worst elements", f"show_worst({{}}, {count})")
-
-
 class Toggle(OnShown):
-    """Switches a property that is on or off, by a function of display.actions."""
+    """Switches a property between two values, by a function of display.actions."""
 
-    def __init__(self, property, function, resources):
-        self.property, self.function, self.resources = property, function, resources
-
-    def Activated(self):
-        is_shown = not getattr(target_mesh().ViewObject, self.property)
-        self.act(self.resources["MenuText"], f"{self.function}({{}}, {is_shown})")
-
-
-class Shrink(OnShown):
-    resources = shown_as("Paver_Shrink", QT_TRANSLATE_NOOP("Paver_Shrink", "Shrink elements"), QT_TRANSLATE_NOOP(
-        "Paver_Shrink", "Draws every element smaller, so that each is seen alone, or whole again"))
+    def __init__(self, property, function, resources, on=True, off=False):
+        self.property, self.function, self.resources, self.on, self.off = property, function, resources, on, off
 
     def Activated(self):
-        factor = SHRUNK if target_mesh().ViewObject.ShrinkFactor == 1 else 1
-        self.act("Shrink elements", f"shrink({{}}, {factor})")
+        value = self.on if getattr(target_mesh().ViewObject, self.property) == self.off else self.off
+        self.act(self.resources["MenuText"], f"{self.function}({{}}, {value})")
 
 
 COMMANDS = {
-    "Paver_Colours": Colours(), "Paver_Isolate": Isolates(), "Paver_ShowWorst": Worst(),
+    "Paver_Colours": Group(COLOURS, 1, shown_as(
+        "Paver_Colours", QT_TRANSLATE_NOOP("Paver_Colours", "Colours of the elements"), QT_TRANSLATE_NOOP(
+            "Paver_Colours", "What the colours of the elements tell"))),
+    "Paver_Isolate": Group(ISOLATES, 0, shown_as(
+        "Paver_Isolate", QT_TRANSLATE_NOOP("Paver_Isolate", "Parts of the mesh alone"), QT_TRANSLATE_NOOP(
+            "Paver_Isolate", "Hides faces, or shows only some elements; what is hidden is not picked"))),
+    "Paver_ShowWorst": Toggle("ShowWorst", "show_worst", shown_as(
+        "Paver_ShowWorst", QT_TRANSLATE_NOOP("Paver_ShowWorst", "Worst elements"), QT_TRANSLATE_NOOP(
+            "Paver_ShowWorst", "Marks the ten elements with the least scaled Jacobian, or no longer"), "Q, W"), WORST, 0),
     "Paver_ShowFreeEdges": Toggle("ShowFreeEdges", "show_free_edges", shown_as(
         "Paver_ShowFreeEdges", QT_TRANSLATE_NOOP("Paver_ShowFreeEdges", "Free edges"), QT_TRANSLATE_NOOP(
             "Paver_ShowFreeEdges", "Marks mesh edges with one element only, and those with more than two, or no longer"))),
@@ -128,7 +109,9 @@ COMMANDS = {
     "Paver_ShowNormals": Toggle("ShowNormals", "show_normals", shown_as(
         "Paver_ShowNormals", QT_TRANSLATE_NOOP("Paver_ShowNormals", "Normals"), QT_TRANSLATE_NOOP(
             "Paver_ShowNormals", "Shows the outward normal of every element, or no longer"))),
-    "Paver_Shrink": Shrink()}
+    "Paver_Shrink": Toggle("ShrinkFactor", "shrink", shown_as(
+        "Paver_Shrink", QT_TRANSLATE_NOOP("Paver_Shrink", "Shrink elements"), QT_TRANSLATE_NOOP(
+            "Paver_Shrink", "Draws every element smaller, so that each is seen alone, or whole again")), SHRUNK, 1)}
 
 
 def add_all():

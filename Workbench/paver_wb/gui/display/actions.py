@@ -156,10 +156,10 @@ def numbers_of(obj, shown, names):
     return found
 
 
-def ring(obj, names=(), places=()):
-    """Puts rings around elements, and points of the mesh; without any, takes all away."""
+def ring(obj, names=()):
+    """Puts rings around elements; without any, takes all away."""
     shown = display(obj)
-    shown.ring([*shown.mesh.centres[numbers_of(obj, shown, names)], *places] if names or len(places) else ())
+    shown.ring(shown.mesh.centres[numbers_of(obj, shown, names)] if names else ())
 
 
 # ---- parts of the mesh alone
@@ -177,15 +177,6 @@ def isolate_worst(obj, count=isolation.FEW_WORST):
     names = show_worst(obj, count)
     obj.ViewObject.Isolate = isolation.WORST
     return names
-
-
-def isolate_triangles(obj):
-    """Shows only the triangles; gives how many there are. ValueError where there are none."""
-    count = display(obj).mesh.triangle_count
-    if not count:
-        raise ValueError(f"The mesh of '{obj.Label}' has no triangles.")
-    obj.ViewObject.Isolate = isolation.TRIANGLES
-    return count
 
 
 def isolate_free_edges(obj):

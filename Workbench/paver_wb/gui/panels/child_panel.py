@@ -1,11 +1,44 @@
 """What the panels of children of a mesh object share."""
+import FreeCAD
+from PySide import QtGui
+
 from paver_wb.gui.base import edit_panel
 from paver_wb.gui.base.steps import in_step
+from paver_wb.gui.base.widgets import FaultBox
+from paver_wb.gui.panels.references_box import ReferencesBox
+
+translate = FreeCAD.Qt.translate
+
+
+class ChildBox(QtGui.QWidget):
+    """The fields of a child in `form`, what it refers to in `where`, and what is wrong. Subclasses have name: what names of
+    widgets begin with; meshes_of(obj): mesh objects that have it; build(): adds the fields, of which `first` gets the cursor;
+    checked(references): what they become, ReferenceMissing for what cannot be referred to; text_fault(): empty, or a sentence
+    on what is no value; line(): what OK does, as Python."""
+
+    name = ""
+
+    def __init__(self, obj):
+        super().__init__()
+        self.obj, self.form, self.fault = obj, QtGui.QFormLayout(), FaultBox()
+        self.setWindowTitle(obj.Label)
+        self.setWindowIcon(QtGui.QIcon(obj.ViewObject.Proxy.getIcon()))
+        self.form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+        self.build()
+        self.where = ReferencesBox(obj, self.name, self.mesh, self.checked)
+        self.where.failed.connect(self.fault.tell)
+        self.fault.tell("")
+        layout = QtGui.QVBoxLayout(self)
+        layout.addLayout(self.form)
+        for part in (QtGui.QLabel(translate("Paver", "Where")), self.where, self.fault):
+            layout.addWidget(part)
+
+    def mesh(self):
+        return next(iter(self.meshes_of(self.obj)), None)
 
 
 class ChildPanel(edit_panel.EditPanel):
-    """box_class: a widget with `where` (a ReferencesBox), `fault` (a FaultBox), text_fault(): empty, or a sentence on what is
-    no value, and line(): what OK does, as Python; module: that the line needs."""
+    """box_class: a ChildBox; module: that its line() needs."""
 
     box_class, module = None, ""
 
@@ -20,6 +53,8 @@ class ChildPanel(edit_panel.EditPanel):
 
     def shown(self):
         self.box.where.select_all()
+        self.box.first.setFocus()
+        self.box.first.selectAll()
 
     def accept(self):
         fault = self.box.text_fault()

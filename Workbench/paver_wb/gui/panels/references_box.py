@@ -4,9 +4,10 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb.children import references
+from paver_wb.gui.base.steps import references_text
 from paver_wb.gui.base.widgets import button, named
 from paver_wb.gui.display import selection
-from paver_wb.gui.panels.sizes_box import references_text, view_buttons
+from paver_wb.gui.panels.sizes_box import view_buttons
 
 translate = FreeCAD.Qt.translate
 LIST_HEIGHT = 120  # pixels

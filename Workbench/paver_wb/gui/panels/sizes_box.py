@@ -9,7 +9,7 @@ from PySide import QtCore, QtGui
 
 from paver_wb import refinement
 from paver_wb.base.units import example, unit_of
-from paver_wb.gui.base.steps import do, in_step, python_name
+from paver_wb.gui.base.steps import do, in_step, python_name, references_text
 from paver_wb.gui.base.widgets import MARGINS, SPACING, button, named, row, text_label
 from paver_wb.gui.display import selection
 from paver_wb.gui.panels import fields
@@ -47,12 +47,6 @@ def value_of(obj, text):
         raise ValueError(translate("Paver", "'{}' is no medium; write its \u03b5r, or \u03b5r and \u03bcr, such as 4, 1."
                                    ).format(text)) from None
     return {"eps_r": numbers[0], "mu_r": numbers[1] if len(numbers) > 1 else 1.0}
-
-
-def references_text(references):
-    """[(object, elements)] as text for Python."""
-    listed = ", ".join(f"({python_name(thing)}, {list(elements) or ['']!r})" for thing, elements in references)
-    return f"[{listed}]"
 
 
 def as_arguments(obj):
