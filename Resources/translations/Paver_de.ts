@@ -308,10 +308,6 @@
         <translation>Kanten, die für den Draht stehen; ein ganzes Objekt meint alle seine Kanten</translation>
     </message>
     <message>
-        <source>Its name in files of the mesh; empty: the label</source>
-        <translation>Sein Name in Dateien des Netzes; leer: die Bezeichnung</translation>
-    </message>
-    <message>
         <source>Relative permittivity</source>
         <translation>Relative Permittivität</translation>
     </message>
@@ -330,6 +326,10 @@
     <message>
         <source>Radius of the wire, for solvers</source>
         <translation>Radius des Drahts, für Löser</translation>
+    </message>
+    <message>
+        <source>Its name in files of the mesh; empty: the label</source>
+        <translation>Sein Name in Dateien des Netzes; leer: die Bezeichnung</translation>
     </message>
     <message>
         <source>Paver colours</source>

@@ -5,9 +5,9 @@ from contextlib import contextmanager
 
 import FreeCAD
 
-from paver_wb import core, mesh_object, statistics
+from paver_wb import analysis, core, mesh_object, statistics
 from paver_wb.formats import fem_mesh, mesh_file
-from paver_wb.processes import child_process
+from paver_wb.processes import child_process, fem_process
 
 # ending: what it is; in the order in which they are offered
 OWN = {"msh": "Gmsh", "vtu": "VTK"}
@@ -81,6 +81,17 @@ def write_own(mesh, path, msh_version="4.1", ascii=False, progress=None, cancel=
         raise
     except paver.Error as error:
         raise NotWritten(str(error)) from None
+
+
+def write_file(mesh, file, path, references, is_alone, folder, cancel=None, **more):
+    """Writes a StoredMesh, which is in `file` too, by the ending of `path`, in any thread. references, is_alone: as those of
+    analysis.groups_of; folder: for what is needed meanwhile; more: arguments of write_own. Errors as there; ChildDied."""
+    if ending_of(path) in OWN:
+        write_own(mesh, path, cancel=cancel, **more)
+        return
+    groups = analysis.groups_of(references, mesh.face_names, is_alone)
+    with whole_file(path) as part:
+        fem_process.write(file, groups, part, folder, cancel)
 
 
 @contextmanager

@@ -9,8 +9,6 @@ import FreeCAD
 
 from paver_wb import core, export_mesh, mesh_object, meshing, properties, series
 
-FORMATS = ("msh", "vtu", "unv", "inp", "med")
-SERIES_ARGUMENTS = {series.FREQUENCY: "frequencies", series.DIVISIONS: "divisions", series.SIZE: "sizes"}
 EPILOG = ("Exit codes: 0 all is meshed, {internal} internal error, {bad_option} bad usage or option, {damaged_file} bad model, "
           "{face_failed} some face failed, {too_many_elements} more elements predicted than allowed, {unwritable_output} an "
           "output cannot be written, {cancelled} cancelled; of several the first.")
@@ -40,7 +38,7 @@ def parser():
                       "label [all mesh objects of a document]")
     made.add_argument("--save", action="store_true", help="save the document; that of a CAD file as NAME-mesh.FCStd")
     made.add_argument("--export", metavar="F,G", type=names_of, default=[],
-                      help="files to write for each mesh: " + ", ".join(FORMATS))
+                      help="files to write for each mesh: " + ", ".join(series.FORMATS))
     made.add_argument("--folder", metavar="DIR", help="for exports and documents of CAD files [that of the model]")
     made.add_argument("--report", metavar="R.json", help="report of all runs")
     made.add_argument("--series", metavar="OPTION=A,B", type=series_of, help="a mesh for each value of frequency, divisions or "
@@ -109,25 +107,21 @@ def series_of(text):
 
 def check_arguments(arguments):
     """An error for what can be seen before any work."""
-    bad = [name for name in arguments.export if name not in FORMATS]
+    bad = [name for name in arguments.export if name not in series.FORMATS]
     if bad:
-        raise fault(f"--export has '{bad[0]}'; write some of {', '.join(FORMATS)}.", "bad_option")
+        raise fault(f"--export has '{bad[0]}'; write some of {', '.join(series.FORMATS)}.", "bad_option")
     stems = [output_stem(arguments, path) for path in arguments.models]
     twice = [path for path, stem in zip(arguments.models, stems) if stems.count(stem) > 1]
     if twice and (arguments.export or arguments.save or arguments.series):
         raise fault(f"The outputs of {' and '.join(twice)} would have the same names; run them one by one with "
                     "another --folder.", "bad_option")
-    folders = {os.path.dirname(stem) for stem in stems}
-    if arguments.report:
-        folders.add(os.path.dirname(os.path.abspath(arguments.report)))
     first = [arguments.report] if arguments.report else []
     first += [f"{stem}.{ending}" for stem in stems for ending in arguments.export[:1]]
     for path in first:
         if not os.path.isdir(os.path.dirname(os.path.abspath(path))):
             raise fault(f"Cannot write '{path}': no such file or directory.", "unwritable_output")
-    missing = [folder for folder in sorted(folders) if not os.path.isdir(folder)]
-    if missing and (arguments.folder or arguments.report):
-        raise fault(f"The folder {missing[0]} does not exist; make it, or name another.", "unwritable_output")
+    if arguments.folder and not os.path.isdir(arguments.folder):
+        raise fault(f"The folder {os.path.abspath(arguments.folder)} does not exist; make it, or name another.", "unwritable_output")
 
 
 def output_stem(arguments, path):
@@ -212,10 +206,15 @@ def failure(error):
     return {"status": "failed", "exit_code": core.exit_code(code), "error": with_dashes(str(error))}
 
 
+def new_entry(obj=None):
+    """An entry of the report of what went well so far."""
+    return {"object": obj and obj.Name, "label": obj and obj.Label, "status": "meshed", "exit_code": 0, "error": None, "files": [],
+            "report": None}
+
+
 def run_object(obj, stem, options, formats):
     """Meshes one object and exports it; its entry of the report."""
-    entry = {"object": obj.Name, "label": obj.Label, "status": "meshed", "exit_code": 0, "error": None, "files": [],
-             "report": None}
+    entry = new_entry(obj)
     try:
         properties.put(obj, options)
         result = meshing.mesh(obj)
@@ -233,20 +232,19 @@ def run_series(obj, stem, options, arguments):
     entries, (option, values) = [], arguments.series
     try:
         properties.put(obj, options)
-        made = series.add(obj, **{SERIES_ARGUMENTS[option]: values}, formats=arguments.export, folder=os.path.dirname(stem),
+        made = series.add(obj, **{series.ARGUMENTS[option]: values}, formats=arguments.export, folder=os.path.dirname(stem),
                           keep=arguments.save)
         for done in series.work(made, stem=stem):
             entries.append(entry_of(obj, done))
         entries[-1]["files"].append(series.write_csv(made, stem + "-series.csv"))
     except Exception as error:
-        entries.append({"object": obj.Name, "label": obj.Label, "files": [], "report": None, **failure(error)})
+        entries.append({**new_entry(obj), **failure(error)})
     return entries
 
 
 def entry_of(obj, done):
     """The entry of the report of a step that has ended."""
-    entry = {"object": obj.Name, "label": obj.Label, "status": "meshed", "exit_code": 0, "error": None,
-             "files": list(done.row.files), "report": done.mesh and done.mesh.report,
+    entry = {**new_entry(obj), "files": list(done.row.files), "report": done.mesh and done.mesh.report,
              "step": {done.step.option: done.step.value}, "table": done.row._asdict()}
     lost = meshing.failed_faces(done.mesh) if done.mesh else []
     if done.error:
@@ -281,7 +279,7 @@ def run_model(path, arguments, options):
         if arguments.save and any(entry["status"] != "failed" for entry in entries):
             entries[0]["files"].append(save(document, path, stem))
     except Exception as error:
-        entries.append({"object": None, "label": None, "files": [], "report": None, **failure(error)})
+        entries.append({**new_entry(), **failure(error)})
     finally:
         if document is not None:
             FreeCAD.closeDocument(document.Name)

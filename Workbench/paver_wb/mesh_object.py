@@ -8,13 +8,14 @@ Documents name this module and MeshProxy: neither may be moved.
 import ast
 import itertools
 import os
+import shutil
 
 import FreeCAD
 
 from paver_wb import analysis, core, properties, refinement
 from paver_wb.base import source_shapes
-from paver_wb.base.proxies import (MESH, Stateless, attach_view, is_mesh, is_restoring, meshes_of,  # noqa: F401
-                                   new_object, sources)
+from paver_wb.base.proxies import (MESH, Stateless, add_property, attach_view, is_mesh, is_restoring,  # noqa: F401
+                                   meshes_of, new_object, sources)
 from paver_wb.base.texts import tip
 from paver_wb.children import named_parts
 from paver_wb.formats import fem_mesh, mesh_file
@@ -24,7 +25,7 @@ NOT_MESHED, UP_TO_DATE, OUT_OF_DATE = STATES = ("Not meshed", "Up to date", "Out
 FACES_FAILED = "Faces failed"  # what state() gives besides
 MOST_CHANGES = 3  # are named
 RUN_IN = AUTOMATIC, IN_FREECAD, IN_PROCESS = ("Automatic", "FreeCAD", "Own process")
-ENUMERATIONS = {"Status": STATES, "RunIn": RUN_IN}
+ENUMERATIONS = {"Status": [list(STATES)], "RunIn": [list(RUN_IN)]}
 LINKS = ("Part", "MoreParts")
 REFINEMENTS, RANKS, SHOWN_STATUS, SHAPE_LINK = "Refinements", "Ranks", "MeshStatus", "Shape"
 translate = FreeCAD.Qt.translate
@@ -72,18 +73,15 @@ PROPERTIES = {
 def add_properties(obj):
     """Those that are not there yet."""
     for name, (kind, group, tooltip, modes) in PROPERTIES.items():
-        if name not in obj.PropertiesList:
-            obj.addProperty(kind, name, group, tooltip)
-            if name in ENUMERATIONS:
-                setattr(obj, name, list(ENUMERATIONS[name]))
+        add_property(obj, kind, name, group, tooltip, *ENUMERATIONS.get(name, ()))
         obj.setEditorMode(name, list(modes))
     obj.setPropertyStatus("FemMesh", "Transient")
     obj.setPropertyStatus(SHOWN_STATUS, ["Transient", "Output"])  # each session has its own language
     if not core.problem() and not properties.has_ranks():
         obj.setEditorMode(RANKS, ["Hidden"])
-    if needs_shape_link() and SHAPE_LINK not in obj.PropertiesList:
-        obj.addProperty("App::PropertyLinkGlobal", SHAPE_LINK, INPUT,
-                        tip("Part, under the name that the FEM workbench looks for from FreeCAD 1.0 on"))
+    if needs_shape_link():
+        add_property(obj, "App::PropertyLinkGlobal", SHAPE_LINK, INPUT,
+                     tip("Part, under the name that the FEM workbench looks for from FreeCAD 1.0 on"))
         obj.setEditorMode(SHAPE_LINK, ["Hidden"])
     follow_part(obj)
 
@@ -300,15 +298,13 @@ def follow_analysis(obj):
 
 
 def keep(obj, mesh):
-    """Puts a StoredMesh, the bytes of its file, or such a file, by its path, into the object's file.
+    """Puts a StoredMesh, or the file of one, by its path, into the object's file.
 
     The file of a path is moved, without a copy, and must lie on the disk that the document has its own files on.
     """
     path = os.path.join(obj.Document.TransientDir, free_name(obj) + ".new")
     if isinstance(mesh, str):
         os.replace(mesh, path)
-    elif isinstance(mesh, bytes):
-        write_bytes(path, mesh)
     else:
         mesh_file.write(mesh, path)
     obj.MeshFile = (path, free_name(obj))  # FreeCAD moves what lies in its own folder, and copies anything else
@@ -320,21 +316,14 @@ def free_name(obj):
     return next(name for name in (f"{obj.Name}_{i}.paver" for i in itertools.count(1)) if name not in names)
 
 
-def write_bytes(path, content):
-    with open(path, "wb") as file:
-        file.write(content)
-
-
 def part_from_original(obj):
     """Gives a copy of a mesh object a file of its own: FreeCAD leaves both with one, and deletes it with either."""
     shared = obj.MeshFile
     if not shared or all(other.MeshFile != shared for other in meshes_of(obj.Document) if other != obj):
         return
-    with open(shared, "rb") as file:
-        content = file.read()
-    keep(obj, content)
-    if obj.MeshFile != shared and not os.path.exists(shared):
-        write_bytes(shared, content)
+    keep(obj, shutil.copyfile(shared, shared + ".copy"))
+    if not os.path.exists(shared):
+        shutil.copyfile(obj.MeshFile, shared)
 
 
 def refill(obj):

@@ -2,6 +2,7 @@
 import FreeCAD
 
 from paver_wb import core
+from paver_wb.base.proxies import add_property
 from paver_wb.base.texts import has_default, tip, tooltip
 
 GROUP = tip("Mesh options")
@@ -39,13 +40,8 @@ def add_to(obj):
     CoreMissing when the core, which has the table, cannot be loaded.
     """
     for info in core.load().options():
-        name = property_name(info["name"])
-        if name in obj.PropertiesList:
-            continue
-        obj.addProperty(type_of(info), name, GROUP, tooltip(info))
-        if info["kind"] == "choice":
-            setattr(obj, name, info["choices"])
-        setattr(obj, name, initial(info))
+        values = [info["choices"], initial(info)] if info["kind"] == "choice" else [initial(info)]
+        add_property(obj, type_of(info), property_name(info["name"]), GROUP, tooltip(info), *values)
 
 
 def has_ranks():

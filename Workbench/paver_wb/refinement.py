@@ -5,7 +5,7 @@ Documents name this module and RefinementProxy: neither may be moved.
 """
 from paver_wb import properties
 from paver_wb.base import proxies
-from paver_wb.base.proxies import Stateless, attach_view, is_refinement
+from paver_wb.base.proxies import is_refinement
 from paver_wb.base.texts import tip
 from paver_wb.base.waves import wavelength
 from paver_wb.children.references import (Numbers, ReferenceMissing, as_references, check_references,  # noqa: F401
@@ -14,28 +14,23 @@ from paver_wb.children.references import (Numbers, ReferenceMissing, as_referenc
 GROUP = tip("Refinement")
 LENGTH, MEDIUM = BY = ("Length", "Medium")
 
-# name: (type, tooltip)
+# name: (type, tooltip, values as of add_property)
 PROPERTIES = {
     "References": ("App::PropertyLinkSubListGlobal", tip("Faces, edges, vertices; a whole object means its solids, or its "
                    "faces where it has none")),
-    "By": ("App::PropertyEnumeration", tip("What gives the target length: a length, or the wavelength in a medium")),
+    "By": ("App::PropertyEnumeration", tip("What gives the target length: a length, or the wavelength in a medium"),
+           list(BY)),
     "Length": ("App::PropertyLength", tip("Target length there, growing around it by Gradation of the mesh; without effect "
                "where that of the mesh is shorter")),
-    "EpsR": ("App::PropertyFloat", tip("Relative permittivity of the medium; needs Frequency of the mesh")),
-    "MuR": ("App::PropertyFloat", tip("Relative permeability of the medium")),
+    "EpsR": ("App::PropertyFloat", tip("Relative permittivity of the medium; needs Frequency of the mesh"), 1),
+    "MuR": ("App::PropertyFloat", tip("Relative permeability of the medium"), 1),
 }
 
 
 def add_properties(obj):
     """Those that are not there yet."""
-    for name, (kind, tooltip) in PROPERTIES.items():
-        if name in obj.PropertiesList:
-            continue
-        obj.addProperty(kind, name, GROUP, tooltip)
-        if name == "By":
-            obj.By = list(BY)
-        if name in ("EpsR", "MuR"):
-            setattr(obj, name, 1)
+    for name, (kind, tooltip, *values) in PROPERTIES.items():
+        proxies.add_property(obj, kind, name, GROUP, tooltip, *values)
     show_what_counts(obj)
 
 
@@ -45,14 +40,8 @@ def show_what_counts(obj):
         obj.setEditorMode(name, [] if (name == "Length") == (obj.By == LENGTH) else ["Hidden"])
 
 
-class RefinementProxy(Stateless):
-    """What FreeCAD calls. Nothing of it is stored but its name."""
-
-    Type = proxies.REFINEMENT
-
-    def __init__(self, obj):
-        obj.Proxy = self
-        add_properties(obj)
+class RefinementProxy(proxies.Proxy):
+    Type, add_properties = proxies.REFINEMENT, staticmethod(add_properties)
 
     def onChanged(self, obj, name):
         if name not in PROPERTIES or any(other not in obj.PropertiesList for other in PROPERTIES):
@@ -62,10 +51,6 @@ class RefinementProxy(Stateless):
         if not proxies.is_restoring(obj):
             for mesh in meshes_of(obj):
                 mesh.Proxy.update_status(mesh)
-
-    def onDocumentRestored(self, obj):
-        add_properties(obj)
-        attach_view(obj)
 
 
 def of_mesh(mesh):

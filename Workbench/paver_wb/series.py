@@ -9,21 +9,21 @@ import math
 import os
 import tempfile
 import time
-from contextlib import contextmanager
 from typing import NamedTuple
 
 import FreeCAD
 
 from paver_wb import analysis, core, export_mesh, mesh_check, mesh_object, meshing, properties, refinement, statistics
 from paver_wb.base import proxies, units
-from paver_wb.base.proxies import Stateless, attach_view
 from paver_wb.base.texts import tip
 from paver_wb.children import named_parts
-from paver_wb.processes import child_process, fem_process, mesh_job
+from paver_wb.processes import child_process, mesh_job
 
 translate = FreeCAD.Qt.translate
 GROUP = tip("Series")
 FREQUENCY, DIVISIONS, SIZE = VARIED = ("frequency", "divisions", "size")
+ARGUMENTS = {FREQUENCY: "frequencies", DIVISIONS: "divisions", SIZE: "sizes"}  # of add()
+FORMATS = ("msh", "vtu", "unv", "inp", "med")  # that are offered
 MOST_STEPS = 200
 LOGARITHMIC = "log"
 SPREADS = ("", LOGARITHMIC)
@@ -98,26 +98,14 @@ class Done(NamedTuple):
     error: object
 
 
-class SeriesProxy(Stateless):
-    """What FreeCAD calls. Nothing of it is stored but its name."""
-
+class SeriesProxy(proxies.Proxy):
     Type = proxies.SERIES
 
-    def __init__(self, obj):
-        obj.Proxy = self
-        add_properties(obj)
-
-    def onDocumentRestored(self, obj):
-        add_properties(obj)
-        attach_view(obj)
-
-
-def add_properties(obj):
-    """Those that are not there yet."""
-    for name, (kind, tooltip) in PROPERTIES.items():
-        if name not in obj.PropertiesList:
-            obj.addProperty(kind, name, GROUP, tooltip)
-        obj.setEditorMode(name, ["Hidden"] if name in HIDDEN else ["ReadOnly"])
+    @staticmethod
+    def add_properties(obj):
+        for name, (kind, tooltip) in PROPERTIES.items():
+            proxies.add_property(obj, kind, name, GROUP, tooltip)
+            obj.setEditorMode(name, ["Hidden"] if name in HIDDEN else ["ReadOnly"])
 
 
 # Values
@@ -326,31 +314,20 @@ def row_of(mesh, file, seconds, plan, folder, cancel=None):
     written = []
     try:
         for path in plan.paths:
-            write_file(mesh, file, path, plan, folder, cancel)
+            export_mesh.write_file(mesh, file, path, plan.references, plan.is_alone, folder, cancel)
             written.append(path)
     except (export_mesh.NotWritten, child_process.ChildDied) as error:
         row = row._replace(error=str(error))
     return row._replace(files=tuple(written))
 
 
-def write_file(mesh, file, path, plan, folder, cancel):
-    if export_mesh.ending_of(path) in export_mesh.OWN:
-        export_mesh.write_own(mesh, path, cancel=cancel)
-        return
-    groups = analysis.groups_of(plan.references, mesh.face_names, plan.is_alone)
-    with export_mesh.whole_file(path) as part:
-        fem_process.write(file, groups, part, folder, cancel)
-
-
 def failed_row(error, seconds=0.0):
     return Row(seconds=seconds, error=str(error).strip() or type(error).__name__)
 
 
-@contextmanager
 def folder_for(document):
     """A folder for the time being, on the disk that the document has its own files on."""
-    with tempfile.TemporaryDirectory(prefix="paver", dir=os.path.dirname(document.TransientDir)) as folder:
-        yield folder
+    return tempfile.TemporaryDirectory(prefix="paver", dir=os.path.dirname(document.TransientDir))
 
 
 def work(obj, progress=None, cancel=None, stem=None):

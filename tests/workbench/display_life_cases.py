@@ -215,5 +215,5 @@ class Life(display_cases.InWindow):
 
     def test_every_property_is_explained(self):
         vobj = self.mesh.ViewObject
-        for name, (_, group, tooltip, _) in view_properties.PROPERTIES.items():
+        for name, (_, group, tooltip, *_) in view_properties.PROPERTIES.items():
             self.assertEqual((vobj.getGroupOfProperty(name), vobj.getDocumentationOfProperty(name)), (group, tooltip))

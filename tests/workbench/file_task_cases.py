@@ -71,7 +71,9 @@ class FileTasks(WithCommands):
         mesh = self.mesh()
         count = mesh.Quads
         self.document.openTransaction("Change")
-        mesh_object.keep(mesh, b"nothing")
+        with open(self.path("other.paver"), "wb") as file:
+            file.write(b"nothing")
+        mesh_object.keep(mesh, file.name)
         self.document.commitTransaction()
         self.document.undo()
         task = file_tasks.export(mesh, self.path("a.msh"))

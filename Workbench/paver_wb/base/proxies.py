@@ -21,6 +21,27 @@ class Stateless:
     __setstate__ = loads
 
 
+class Proxy(Stateless):
+    """What FreeCAD calls. Nothing of it is stored but its name. Subclasses have Type, and add_properties(obj), which adds
+    those that are not there yet."""
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        self.add_properties(obj)
+
+    def onDocumentRestored(self, obj):
+        self.add_properties(obj)
+        attach_view(obj)
+
+
+def add_property(obj, kind, name, group, tooltip, *values):
+    """Adds a property that is not there yet. values: set one after the other: choices of an enumeration, the first value."""
+    if name not in obj.PropertiesList:
+        obj.addProperty(kind, name, group, tooltip)
+        for value in values:
+            setattr(obj, name, value)
+
+
 def attach_view(obj):
     """Gives an object its view provider, which a file that was saved without a window does not have; None where there is
     no window or it has one."""

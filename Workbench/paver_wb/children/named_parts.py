@@ -11,7 +11,6 @@ from typing import NamedTuple
 import FreeCAD
 
 from paver_wb.base import proxies
-from paver_wb.base.proxies import Stateless, attach_view
 from paver_wb.base.texts import tip
 from paver_wb.children.references import Numbers, ReferenceMissing, as_references, check_references, names_in_whole
 
@@ -53,35 +52,19 @@ def kind_of(obj):
     return KINDS[proxies.type_of(obj)]
 
 
-def add_properties(obj):
-    """Those that are not there yet."""
-    kind = proxies.type_of(obj)
-    if "References" not in obj.PropertiesList:
-        obj.addProperty("App::PropertyLinkSubListGlobal", "References", GROUPS[kind], REFERENCES[kind])
-    if NAME not in obj.PropertiesList:
-        obj.addProperty("App::PropertyString", NAME, GROUPS[kind], tip("Its name in files of the mesh; empty: the label"))
-    for name, (type_, tooltip, first) in KINDS[kind].properties.items():
-        if name not in obj.PropertiesList:
-            obj.addProperty(type_, name, GROUPS[kind], tooltip)
-            setattr(obj, name, first)
-
-
-class NamedProxy(Stateless):
-    """What FreeCAD calls. Nothing of it is stored but its name."""
-
-    def __init__(self, obj):
-        obj.Proxy = self
-        add_properties(obj)
+class NamedProxy(proxies.Proxy):
+    def add_properties(self, obj):
+        for name, (kind, tooltip, *first) in {
+                "References": ("App::PropertyLinkSubListGlobal", REFERENCES[self.Type]),
+                NAME: ("App::PropertyString", tip("Its name in files of the mesh; empty: the label")),
+                **KINDS[self.Type].properties}.items():
+            proxies.add_property(obj, kind, name, GROUPS[self.Type], tooltip, *first)
 
     def onChanged(self, obj, name):
         if name not in ("Label", NAME, "References", *KINDS[self.Type].properties) or proxies.is_restoring(obj):
             return
         for mesh in meshes_of(obj):
             mesh.Proxy.update_status(mesh)
-
-    def onDocumentRestored(self, obj):
-        add_properties(obj)
-        attach_view(obj)
 
 
 class MediumProxy(NamedProxy):

@@ -16,6 +16,11 @@ TYPES = {"Float64": "f8", "Float32": "f4", "Int64": "i8", "Int32": "i4", "Int16"
          "UInt32": "u4", "UInt16": "u2", "UInt8": "u1"}
 
 
+def letters(size):
+    """Of base64 for so many bytes."""
+    return 4 * -(-size // 3)
+
+
 class File:
     """The tree of a file and its appended data."""
 
@@ -45,44 +50,24 @@ class File:
         if style == "ascii":
             return np.array((node.text or "").split()).astype(kind)
         if style == "binary":
-            return np.frombuffer(self.decoded((node.text or "").strip().encode()), kind)
+            return np.frombuffer(self.unpacked((node.text or "").strip().encode()), kind)
         data = self.appended[int(node.get("offset", 0)):]
-        return np.frombuffer(self.raw(data) if self.encoding == "raw" else self.decoded(data), kind)
+        is_raw = self.encoding == "raw"
+        return np.frombuffer(self.unpacked(data, lambda data, size: data[:size], int) if is_raw else self.unpacked(data), kind)
 
-    def header_words(self, data):
-        """Numbers before the data: its size, or for compressed data blocks, block size, last size, sizes of blocks."""
+    def unpacked(self, data, read=lambda text, size: base64.b64decode(text[:letters(size)])[:size], length=letters):
+        """The data after their size, in one piece with it; or of compressed blocks, whose number, size, last size and sizes
+        after compression are a piece of their own. read(data, size): so many bytes of the first piece; length(size): of it."""
         size = np.dtype(self.header).itemsize
+        first = int(np.frombuffer(read(data, size), self.header)[0])
         if not self.is_compressed:
-            return np.frombuffer(data[:size], self.header)
-        blocks = int(np.frombuffer(data[:size], self.header)[0])
-        return np.frombuffer(data[:size * (3 + blocks)], self.header)
-
-    def raw(self, data):
-        head = self.header_words(data)
-        at = head.nbytes
-        if not self.is_compressed:
-            return data[at:at + int(head[0])]
-        return self.inflated(data[at:], head)
-
-    def decoded(self, text):
-        """Base64: size and data in one piece, or the sizes of compressed blocks in one and the blocks in another."""
-        if not self.is_compressed:
-            size = np.dtype(self.header).itemsize
-            length = int(np.frombuffer(base64.b64decode(text[:4 * -(-size // 3)])[:size], self.header)[0])
-            return base64.b64decode(text[:4 * -(-(size + length) // 3)])[size:]
-        size = np.dtype(self.header).itemsize
-        blocks = int(np.frombuffer(base64.b64decode(text[:4 * -(-size // 3)])[:size], self.header)[0])
-        letters = 4 * -(-size * (3 + blocks) // 3)
-        head = np.frombuffer(base64.b64decode(text[:letters])[:size * (3 + blocks)], self.header)
-        length = int(head[3:].sum())
-        return self.inflated(base64.b64decode(text[letters:letters + 4 * -(-length // 3)]), head)
-
-    @staticmethod
-    def inflated(data, head):
-        parts, at = [], 0
-        for size in head[3:]:
-            parts.append(zlib.decompress(data[at:at + int(size)]))
-            at += int(size)
+            return read(data, size + first)[size:]
+        head = np.frombuffer(read(data, size * (3 + first)), self.header)
+        sizes = head[3:].tolist()
+        blocks, at, parts = read(data[length(head.nbytes):], sum(sizes)), 0, []
+        for size in sizes:
+            parts.append(zlib.decompress(blocks[at:at + size]))
+            at += size
         return b"".join(parts)
 
 

@@ -38,18 +38,14 @@ def export(obj, path, msh_version="4.1", ascii=False):
     Arguments, and what goes wrong before it begins, as for export_mesh.write.
     """
     mesh_object.path_of(obj)
-    ending, sources = export_mesh.ending_of(path), mesh_object.sources(obj)
+    export_mesh.ending_of(path)
+    sources = mesh_object.sources(obj)
     references, is_alone = analysis.references(obj, sources), len(sources) < 2
     export_mesh.warn(obj)
 
     def work(task):
-        mesh = mesh_file.read(file)
-        if ending in export_mesh.OWN:
-            export_mesh.write_own(mesh, path, msh_version, ascii, task.tell, task.cancel)
-            return
-        groups = analysis.groups_of(references, mesh.face_names, is_alone)
-        with export_mesh.whole_file(path) as part:
-            fem_process.write(file, groups, part, task.folder, task.cancel)
+        export_mesh.write_file(mesh_file.read(file), file, path, references, is_alone, task.folder, task.cancel,
+                               msh_version=msh_version, ascii=ascii, progress=task.tell)
 
     def take(_):
         remember(path)

@@ -11,17 +11,10 @@ translate = FreeCAD.Qt.translate
 NAME = "Paver_HelpPage"
 
 
-def language():
-    """Two letters of the language that FreeCAD shows, "en" for one there is no page in."""
-    name = FreeCADGui.getLocale() if hasattr(FreeCADGui, "getLocale") else "English"
-    known = {"German": "de"}
-    return known.get(name, "en")
-
-
 def page():
-    """Path of the page in the user's language."""
-    path = os.path.join(PAGES, f"help_{language()}.md")
-    return path if os.path.exists(path) else os.path.join(PAGES, "help_en.md")
+    """Path of the page in the language that FreeCAD shows, in English for one there is no page in."""
+    name = FreeCADGui.getLocale() if hasattr(FreeCADGui, "getLocale") else "English"
+    return os.path.join(PAGES, f"help_{ {'German': 'de'}.get(name, 'en')}.md")
 
 
 def follow(browser, url):

@@ -220,7 +220,7 @@ def shown_subdivision(obj):
 
 
 class Announcer(QtCore.QObject):
-    """`started`: a Run is there, whoever asked for it."""
+    """`started`: a Run, or a series of them, is there, whoever asked for it."""
 
     started = QtCore.Signal(object)
 

@@ -58,14 +58,10 @@ class TaskPanel(edit_panel.EditPanel):
 
     def edited(self):
         """What kept a run from its end may no longer be so."""
-        self.forgive()
-        self.sizes.show_effects()
-        self.predict()
-
-    def forgive(self):
-        """Takes an error away: its cause may be gone, and the next run tells if it is not."""
         if self.run is None:
             self.runner.show_fault("")
+        self.sizes.show_effects()
+        self.predict()
 
     def predict(self):
         """Tells what the options come to: at once where the mesh has been made with them, else by a prediction."""

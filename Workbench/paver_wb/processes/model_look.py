@@ -127,12 +127,9 @@ def line(edge):
 
 
 def triangles(faces, chord):
-    found = []
-    for face in faces:
-        points, corners = face.tessellate(chord)
-        points = np.array([tuple(point) for point in points], np.float32).reshape(-1, 3)
-        found.append(points[np.array(corners, np.int64).reshape(-1, 3)])
-    return np.concatenate(found) if found else np.zeros((0, 3, 3), np.float32)
+    found = [np.array([tuple(point) for point in points], np.float32).reshape(-1, 3)[np.array(corners, np.int64).reshape(-1, 3)]
+             for points, corners in (face.tessellate(chord) for face in faces)]
+    return np.concatenate([np.zeros((0, 3, 3), np.float32), *found])
 
 
 def edges_of(faces):

@@ -4,6 +4,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb import core
+from paver_wb.gui.base.widgets import timer
 
 translate = FreeCAD.Qt.translate
 BAR_WIDTH, LABEL_WIDTH = 190, 220
@@ -57,9 +58,7 @@ class Box(QtGui.QWidget):
         self.button.setObjectName("PaverStatusStop")
         self.button.setToolTip(translate("Paver", "Stops it; the document stays as it was"))
         self.button.clicked.connect(self.stop)
-        self.ticking = QtCore.QTimer(self)
-        self.ticking.setInterval(TICK)
-        self.ticking.timeout.connect(self.refresh)
+        self.ticking = timer(self, self.refresh, TICK, is_single=False)
         for widget in (self.label, self.bar, self.button):
             layout.addWidget(widget)
 

@@ -38,6 +38,15 @@ def row(*widgets, shares=()):
     return made
 
 
+def timer(parent, action, delay=0, is_single=True):
+    """start() lets it call `action` after so many ms, or each time these are over."""
+    made = QtCore.QTimer(parent)
+    made.setInterval(delay)
+    made.setSingleShot(is_single)
+    made.timeout.connect(action)
+    return made
+
+
 class FaultBox(QtGui.QFrame):
     """A sentence on what went wrong, in a red frame; hidden without one."""
 

@@ -124,10 +124,11 @@ def series_target():
 
 
 COMMANDS = {
-    "Paver_CreateMesh": CreateMesh(), "Paver_Series": Series(),
+    "Paver_CreateMesh": CreateMesh(),
     "Paver_Refine": Refine(shown_as("Paver_Refine", QT_TRANSLATE_NOOP("Paver_Refine", "Refine"), QT_TRANSLATE_NOOP(
         "Paver_Refine", "Shorter elements on the selected faces, edges, vertices or solids of what is meshed, or on the "
         "faces under selected elements, and around them; opens a panel for the length"), "Q, R")),
+    "Paver_Series": Series(),
     "Paver_Medium": Name("medium", shown_as("Paver_Medium", QT_TRANSLATE_NOOP("Paver_Medium", "Medium"), QT_TRANSLATE_NOOP(
         "Paver_Medium", "Says what the selected solids are made of: sets the target length there, and is written to files"))),
     "Paver_Port": Name("port", shown_as("Paver_Port", QT_TRANSLATE_NOOP("Paver_Port", "Port"), QT_TRANSLATE_NOOP(

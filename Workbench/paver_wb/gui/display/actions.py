@@ -8,7 +8,7 @@ from paver_wb import mesh_object
 from paver_wb.gui.display import colouring, mesh_display
 from paver_wb.gui.display.emphasis import isolation
 from paver_wb.gui.display.report import element_name, element_number
-from paver_wb.gui.display.selection import display_of
+from paver_wb.gui.display.selection import display_of, selected_elements
 
 AWAY, IN_SIGHT = 15, 10  # distance and height of a camera that shows one element, in lengths of its edges
 AROUND = 3  # height of a camera that shows several elements, in radii of the sphere about them
@@ -79,10 +79,8 @@ def shrink(obj, factor=0.8):
 
 def element(obj, name):
     """Figures of an element, "Elem17", as a dict. ValueError when there is none of that name."""
-    shown, number = display(obj), element_number(name)
-    if number is None or number >= shown.mesh.count:
-        raise ValueError(f"'{obj.Label}' has no element {name}; it has Elem1 to Elem{shown.mesh.count}.")
-    return shown.information(number)
+    shown = display(obj)
+    return shown.information(*numbers_of(obj, shown, [name]))
 
 
 def select(obj, names):
@@ -93,8 +91,8 @@ def select(obj, names):
 
 def go_to(obj, name):
     """Selects an element alone, with a ring, and shows it from outside in the middle of the view, with some elements around."""
-    element(obj, name)
-    shown, number = display(obj), element_number(name)
+    shown = display(obj)
+    number, = numbers_of(obj, shown, [name])
     FreeCADGui.Selection.clearSelection()
     select(obj, [name])
     shown.report(number)
@@ -167,8 +165,7 @@ def ring(obj, names=()):
 
 def isolate(obj, names):
     """Shows only these elements, "Elem17"."""
-    numbers_of(obj, display(obj), names)
-    obj.ViewObject.IsolatedElements = [element_number(name) + 1 for name in names]
+    obj.ViewObject.IsolatedElements = [number + 1 for number in numbers_of(obj, display(obj), names)]
     obj.ViewObject.Isolate = isolation.LISTED
 
 
@@ -233,5 +230,4 @@ def faces_of_selection(obj):
 
 def elements_of_selection(obj):
     """Names of the elements of a mesh that are selected."""
-    return [name for part in FreeCADGui.Selection.getSelectionEx(obj.Document.Name) if part.Object == obj
-            for name in part.SubElementNames if element_number(name) is not None]
+    return [element_name(number) for number in selected_elements(obj.Document.Name).get(obj, ())]

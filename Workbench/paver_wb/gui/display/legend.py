@@ -1,6 +1,7 @@
 """The colour bar: scale with units and histogram, or a list of colours with counts; and the report of an element."""
 from PySide import QtCore, QtGui
 
+from paver_wb import statistics
 from paver_wb.gui.display import colouring
 from paver_wb.gui.display.colouring import translate
 from paver_wb.gui.display.panels import FAINT, INK, font, sheet, text_size
@@ -13,10 +14,6 @@ ROW = 18
 def number(value):
     """As short as it can be told from its neighbours on a scale."""
     return f"{value:.3g}".replace("e-0", "e-").replace("e+0", "e")
-
-
-def count_text(count):
-    return f"{count:,}".replace(",", "\u2009")
 
 
 def ticks(scale):
@@ -33,18 +30,18 @@ def summary(scale):
     names = translate("Paver", "min"), translate("Paver", "mean"), translate("Paver", "max")
     figures = (number(x) for x in (scale.least, scale.mean, scale.most))
     return ["   ".join(f"{name} {figure}" for name, figure in zip(names, figures)),
-            translate("Paver", "{} elements").format(count_text(int(scale.histogram.sum())))]
+            translate("Paver", "{} elements").format(statistics.number(int(scale.histogram.sum())))]
 
 
 def key_rows(key):
     """(label, count, colour); the last one says how many more there are."""
-    rows = [(label, count_text(count), colour) for label, colour, count in key.entries]
+    rows = [(label, statistics.number(count), colour) for label, colour, count in key.entries]
     if len(rows) <= colouring.MOST_ENTRIES:
         return rows
     kept = colouring.MOST_ENTRIES - 1
     hidden = sum(count for _, _, count in key.entries[kept:])
     more = translate("Paver", "{} more").format(len(rows) - kept)
-    return rows[:kept] + [(more, count_text(hidden), None)]
+    return rows[:kept] + [(more, statistics.number(hidden), None)]
 
 
 def picture(legend, label=""):

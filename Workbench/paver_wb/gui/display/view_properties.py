@@ -1,4 +1,5 @@
 """The properties of the view object that say what is drawn. They are saved with the document."""
+from paver_wb.base.proxies import add_property
 from paver_wb.base.texts import tip
 from paver_wb.gui.display import colour_maps, colouring
 from paver_wb.gui.display.emphasis import isolation
@@ -6,10 +7,11 @@ from paver_wb.gui.display.panels import CORNERS
 
 COLOURS, SHAPE, MARKS = tip("Paver colours"), tip("Paver shape"), tip("Paver marks")
 
-# name: (type, group, tooltip, first value or list of choices)
+# name: (type, group, tooltip, first value or list of choices, first choice)
 PROPERTIES = {
     "ColourBy": ("App::PropertyEnumeration", COLOURS, tip("What the colours of the elements tell; local target: as "
-                 "media, refinements and curvature make it; Certificate: whether the curved element is proven not to fold"), list(colouring.CHOICES)),
+                 "media, refinements and curvature make it; Certificate: whether the curved element is proven not to fold"), list(colouring.CHOICES),
+                 colouring.SJ),
     "ColourMap": ("App::PropertyEnumeration", COLOURS, tip("Colours of figures; Standard: one made for the quantity"),
                   [colouring.OWN_MAP, *colour_maps.NAMES]),
     "ColourRange": ("App::PropertyEnumeration", COLOURS, tip("Standard: the same for all meshes; Data: from the least to the "
@@ -42,17 +44,12 @@ PROPERTIES = {
                     "Box/Face3, Box"), []),
     "ElementReport": ("App::PropertyBool", MARKS, tip("Shows figures of the element that was clicked last in the view"), True),
 }
-FIRST_CHOICES = {"ColourBy": colouring.SJ}
 
 
 def add_to(vobj):
     """Adds the properties that the view object does not have yet."""
-    for name, (kind, group, tooltip, value) in PROPERTIES.items():
-        if name not in vobj.PropertiesList:
-            vobj.addProperty(kind, name, group, tooltip)
-            setattr(vobj, name, value)
-            if name in FIRST_CHOICES:
-                setattr(vobj, name, FIRST_CHOICES[name])
+    for name, (kind, group, tooltip, *values) in PROPERTIES.items():
+        add_property(vobj, kind, name, group, tooltip, *values)
 
 
 def look(vobj):

@@ -8,10 +8,10 @@ from paver_wb import mesh_object, preferences
 from paver_wb.base.paths import ICONS
 from paver_wb.gui import run_place
 from paver_wb.gui.base import run_log, run_status
-from paver_wb.gui.base.widgets import MARGINS, SPACING, FaultBox, button, named, row, text_label
+from paver_wb.gui.base.widgets import MARGINS, SPACING, FaultBox, button, named, row, text_label, timer
 from paver_wb.gui.panels.options_box import with_labels
 from paver_wb.gui.preview.box import PreviewBox
-from paver_wb.statistics import number
+from paver_wb.statistics import memory, number
 
 translate = FreeCAD.Qt.translate
 LOG_HEIGHT, SHOW_LOG = 110, "ShowLog"
@@ -23,14 +23,10 @@ def count_text(count):
     return number(round(float(f"{count:.3g}")))
 
 
-def memory_text(mib):
-    return f"{mib / 1024:.1f} GB" if mib >= 1024 else f"{max(mib, 1):.0f} MB"
-
-
 def prediction_text(prediction, run_in, limit):
     """About how much a run will come to; limit: the most elements it may make."""
     text = translate("Paver", "About {} elements, up to {} of memory").format(count_text(prediction.elements),
-                                                                           memory_text(prediction.memory_mib))
+                                                                           memory(prediction.memory_mib * 2 ** 20))
     if prediction.elements > limit:
         return text + translate("Paver", "; more than 'Most elements' allows, so choose longer elements or raise that")
     is_heavy = run_in == mesh_object.AUTOMATIC and prediction.elements >= mesh_object.heavy_elements()
@@ -52,12 +48,8 @@ class RunBox(QtGui.QWidget):
     def __init__(self, obj):
         super().__init__()
         self.obj, self.run, self.lines, self.place, self.in_sight = obj, None, None, None, self
-        self.scrolling = QtCore.QTimer(self)
-        self.scrolling.setSingleShot(True)
-        self.scrolling.timeout.connect(self.scroll)
-        self.ticking = QtCore.QTimer(self)
-        self.ticking.setInterval(run_status.TICK)
-        self.ticking.timeout.connect(self.tell)
+        self.scrolling = timer(self, self.scroll, SCROLL_DELAY)
+        self.ticking = timer(self, self.tell, run_status.TICK, is_single=False)
         self.setWindowTitle(translate("Paver", "Mesh"))
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(*MARGINS)
@@ -134,7 +126,7 @@ class RunBox(QtGui.QWidget):
     def bring_into_sight(self, part):
         """Scrolls the panel to a part of it, when that has got its size."""
         self.in_sight = part
-        self.scrolling.start(SCROLL_DELAY)
+        self.scrolling.start()
 
     @QtCore.Slot()
     def scroll(self):

@@ -4,6 +4,7 @@ from PySide import QtCore
 from paver_wb import core, mesh_object, meshing
 from paver_wb.base import source_shapes
 from paver_wb.gui.base.background import Latest
+from paver_wb.gui.base.widgets import timer
 
 DELAY = 300  # ms without an edit
 
@@ -22,10 +23,7 @@ class Predictor(QtCore.QObject):
         self.obj, self.changes = obj, {}
         self.latest = Latest(self.predicted.emit, self.failed.emit)
         self.shapes, self.shape_job, self.model = None, None, None
-        self.timer = QtCore.QTimer(self)
-        self.timer.setSingleShot(True)
-        self.timer.setInterval(DELAY)
-        self.timer.timeout.connect(self.begin)
+        self.timer = timer(self, self.begin, DELAY)
 
     def ask(self, changes):
         self.drop()

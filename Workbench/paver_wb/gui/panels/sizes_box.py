@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 from paver_wb import refinement
 from paver_wb.base.units import example, unit_of
 from paver_wb.gui.base.steps import do, in_step, python_name, references_text
-from paver_wb.gui.base.widgets import MARGINS, SPACING, button, named, row, text_label
+from paver_wb.gui.base.widgets import MARGINS, SPACING, button, named, row, text_label, timer
 from paver_wb.gui.display import selection
 from paver_wb.gui.panels import fields
 
@@ -105,14 +105,12 @@ class SizesBox(QtGui.QWidget):
         layout.addWidget(self.note)
         layout.addLayout(row(self.add, self.remove, shares=(2, 1)))
         layout.addLayout(row(*view_buttons("View", lambda: self.obj), shares=(1, 1)))
-        self.timer = QtCore.QTimer(self)
-        self.timer.setSingleShot(True)
-        self.timer.timeout.connect(self.refresh)
+        self.timer = timer(self, self.refresh)
         self.refresh()
 
     def refresh_soon(self):
         """When what is going on in the document is over."""
-        self.timer.start(0)
+        self.timer.start()
 
     @QtCore.Slot()
     def refresh(self):

@@ -10,7 +10,7 @@ from paver_wb import meshing, preferences
 from paver_wb.base import proxies, source_shapes
 from paver_wb.base.units import length_text
 from paver_wb.gui.base.background import Latest
-from paver_wb.gui.base.widgets import named, text_label
+from paver_wb.gui.base.widgets import named, text_label, timer
 from paver_wb.gui.preview.drawing import CONTACT, SMALL, Drawing, size_colours
 from paver_wb.processes import fem_process
 from paver_wb.statistics import number
@@ -71,10 +71,7 @@ class PreviewBox(QtGui.QWidget):
         super().__init__()
         self.obj, self.changes, self.drawing, self.shapes = obj, None, Drawing(obj.Document.Name), None
         self.latest = Latest(self.show_look, self.show_fault)
-        self.timer = QtCore.QTimer(self)
-        self.timer.setSingleShot(True)
-        self.timer.setInterval(DELAY)
-        self.timer.timeout.connect(self.begin)
+        self.timer = timer(self, self.begin, DELAY)
         self.check = named(QtGui.QCheckBox(translate("Paver", "Preview")), "Preview", translate(
             "Paver", "Shows on the model how long elements will be, where parts touch, and edges and faces that are merged with others"))
         self.text = text_label("PreviewText")

@@ -6,6 +6,7 @@ from pivy import coin
 from paver_wb.gui.display import colour_maps
 from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, line_style, put, separator, unlit,
                                          unpickable)
+from paver_wb.gui.display.scene import both_sides, rows_as_indices
 
 NAME = "PaverPreview"
 CONTACT, SMALL = (0.05, 0.55, 0.95), (0.95, 0.35, 0.0)
@@ -17,8 +18,7 @@ def lines_of(points):
     """A node of (n, k, 3) points along each line."""
     vertices, lines = coin.SoCoordinate3(), coin.SoIndexedLineSet()
     fill(vertices.point, points.reshape(-1, 3), FLOATS)
-    numbers = np.arange(points[..., 0].size).reshape(points.shape[:2])
-    fill(lines.coordIndex, np.concatenate([numbers, np.full((len(numbers), 1), -1)], axis=1).ravel(), INTEGERS)
+    fill(lines.coordIndex, rows_as_indices(np.arange(points[..., 0].size).reshape(points.shape[:2])), INTEGERS)
     return put(coin.SoGroup(), vertices, lines)
 
 
@@ -29,14 +29,12 @@ def marks_of(points):
 
 
 def triangles_of(corners):
-    vertices, faces, material, hints = coin.SoCoordinate3(), coin.SoIndexedFaceSet(), coin.SoMaterial(), coin.SoShapeHints()
+    vertices, faces, material = coin.SoCoordinate3(), coin.SoIndexedFaceSet(), coin.SoMaterial()
     material.diffuseColor = CONTACT
     material.transparency = TRANSPARENCY
-    hints.vertexOrdering, hints.shapeType = coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
     fill(vertices.point, corners.reshape(-1, 3), FLOATS)
-    numbers = np.arange(3 * len(corners)).reshape(-1, 3)
-    fill(faces.coordIndex, np.concatenate([numbers, np.full((len(numbers), 1), -1)], axis=1).ravel(), INTEGERS)
-    return separator(hints, material, vertices, faces)
+    fill(faces.coordIndex, rows_as_indices(np.arange(3 * len(corners)).reshape(-1, 3)), INTEGERS)
+    return separator(both_sides(), material, vertices, faces)
 
 
 def size_colours(lengths, target):
@@ -49,15 +47,13 @@ def size_colours(lengths, target):
 def sizes_of(triangles, lengths, target):
     """A node of the faces in colours of their target lengths, on top of what is drawn there."""
     vertices, colours, binding = coin.SoCoordinate3(), coin.SoPackedColor(), coin.SoMaterialBinding()
-    faces, nearer, hints = coin.SoIndexedFaceSet(), coin.SoPolygonOffset(), coin.SoShapeHints()
-    hints.vertexOrdering, hints.shapeType = coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
+    faces, nearer = coin.SoIndexedFaceSet(), coin.SoPolygonOffset()
     nearer.factor, nearer.units = -1, -1
     binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
     fill(vertices.point, triangles.reshape(-1, 3), FLOATS)
     fill(colours.orderedRGBA, colour_maps.packed(size_colours(lengths.ravel(), target)), COLOURS)
-    numbers = np.arange(3 * len(triangles)).reshape(-1, 3)
-    fill(faces.coordIndex, np.concatenate([numbers, np.full((len(numbers), 1), -1)], axis=1).ravel(), INTEGERS)
-    return separator(unpickable(), unlit(), hints, nearer, colours, binding, vertices, faces)
+    fill(faces.coordIndex, rows_as_indices(np.arange(3 * len(triangles)).reshape(-1, 3)), INTEGERS)
+    return separator(unpickable(), unlit(), both_sides(), nearer, colours, binding, vertices, faces)
 
 
 def node_of(look):

@@ -8,7 +8,7 @@ from PySide import QtCore, QtGui
 from paver_wb import mesh_check, series, statistics
 from paver_wb.gui.base import verdict
 from paver_wb.gui.base.steps import do, python_name
-from paver_wb.gui.base.widgets import FaultBox, button, named, row
+from paver_wb.gui.base.widgets import FaultBox, button, named, row, timer
 from paver_wb.gui.series import run as series_run
 from paver_wb.gui.series.values_box import ValuesBox, shown
 
@@ -61,9 +61,7 @@ class SeriesDialog(QtGui.QDialog):
         self.resize(860, 460)
         self.finished.connect(self.leave)
         self.build()
-        self.refreshing = QtCore.QTimer(self)
-        self.refreshing.setSingleShot(True)
-        self.refreshing.timeout.connect(self.refresh)
+        self.refreshing = timer(self, self.refresh)
         FreeCAD.addDocumentObserver(self)
         series_run.announcer.started.connect(self.watch)
         self.show_series(obj)
@@ -179,7 +177,7 @@ class SeriesDialog(QtGui.QDialog):
 
     def refresh_soon(self):
         """When what is going on in the document is over."""
-        self.refreshing.start(0)
+        self.refreshing.start()
 
     @QtCore.Slot()
     def refresh(self):

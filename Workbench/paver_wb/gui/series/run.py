@@ -139,13 +139,7 @@ class SeriesRun(QtCore.QObject):
         return translate("Paver", "Waiting") if run.state == WAITING else f"{run.stage_line()}  {run.percent()} %"
 
 
-class Announcer(QtCore.QObject):
-    """`started`: a SeriesRun is there, whoever asked for it."""
-
-    started = QtCore.Signal(object)
-
-
-announcer = Announcer()
+announcer = run_control.Announcer()
 
 
 def start(mesh, frequencies=None, divisions=None, sizes=None, formats=(), folder=""):

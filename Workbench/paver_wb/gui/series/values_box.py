@@ -9,8 +9,6 @@ from paver_wb.gui.panels import fields
 
 translate = FreeCAD.Qt.translate
 KINDS = {series.FREQUENCY: "frequency", series.SIZE: "length"}
-ARGUMENTS = {series.FREQUENCY: "frequencies", series.DIVISIONS: "divisions", series.SIZE: "sizes"}
-FORMATS = ("msh", "vtu", "unv", "inp", "med")
 MOST_IN_RANGE = 50
 RANGE_WIDTH = 110
 
@@ -92,7 +90,7 @@ class ValuesBox(QtGui.QWidget):
             "Paver", "A file for each value and format, and the table as CSV, in the folder; nothing large in the document"))
         self.kept.setChecked(True)
         self.formats = {ending: named(QtGui.QCheckBox(ending), "SeriesFormat_" + ending, {
-            **export_mesh.OWN, **export_mesh.FEM}[ending]) for ending in FORMATS}
+            **export_mesh.OWN, **export_mesh.FEM}[ending]) for ending in series.FORMATS}
         self.formats["msh"].setChecked(True)
         self.folder = named(QtGui.QLineEdit(preferences.parameters().GetString(preferences.LAST_FOLDER, "")),
                             "SeriesFolder", translate("Paver", "Where the files are written"))
@@ -141,7 +139,7 @@ class ValuesBox(QtGui.QWidget):
         values = [parsed(option, text) for text in texts_of(self.values.text())]
         if not values:
             raise ValueError(translate("Paver", "A series needs values; write some, such as 1 GHz, 2 GHz, 4 GHz."))
-        made = {ARGUMENTS[option]: [python_value(option, value) for value in values]}
+        made = {series.ARGUMENTS[option]: [python_value(option, value) for value in values]}
         if self.as_files.isChecked():
             endings = [ending for ending, box in self.formats.items() if box.isChecked()]
             if not endings:
