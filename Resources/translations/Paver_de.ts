@@ -599,6 +599,18 @@
         <translation>Eine schmale Hinterkante neben großen Flächen</translation>
     </message>
     <message>
+        <source>I-DEAS universal file</source>
+        <translation>I-DEAS-Universaldatei</translation>
+    </message>
+    <message>
+        <source>Nastran-like DAT</source>
+        <translation>DAT ähnlich Nastran</translation>
+    </message>
+    <message>
+        <source>STL, flat triangles</source>
+        <translation>STL, ebene Dreiecke</translation>
+    </message>
+    <message>
         <source>The mesh of '{}' is out of date ({}).</source>
         <translation>Das Netz von '{}' ist veraltet ({}).</translation>
     </message>
@@ -609,14 +621,6 @@
     <message>
         <source>{} It is written as it is.</source>
         <translation>{} Es wird geschrieben, wie es ist.</translation>
-    </message>
-    <message>
-        <source>{} small edges and faces were merged, up to {} mm: {}.</source>
-        <translation>{} kleine Kanten und Flächen wurden zusammengefasst, bis zu {} mm: {}.</translation>
-    </message>
-    <message>
-        <source>{} edges are far shorter than wanted, the worst {} mm instead of {} mm; remove small details of the model, or refine there.</source>
-        <translation>{} Kanten sind viel kürzer als gewünscht, die schlimmste {} mm statt {} mm; kleine Details des Modells entfernen oder dort verfeinern.</translation>
     </message>
     <message>
         <source>All elements are proven not to fold, curved as they are.</source>
@@ -659,12 +663,32 @@
         <translation>Flächen entfernt, die auf anderen liegen</translation>
     </message>
     <message>
+        <source>{} small edge or face was merged, of {} mm: {}.</source>
+        <translation>{} kleine Kante oder Fläche wurde zusammengefasst, von {} mm: {}.</translation>
+    </message>
+    <message>
+        <source>{} small edges and faces were merged, up to {} mm: {}.</source>
+        <translation>{} kleine Kanten und Flächen wurden zusammengefasst, bis zu {} mm: {}.</translation>
+    </message>
+    <message>
+        <source>{} edge is far shorter than wanted, {} mm instead of {} mm; remove small details of the model, or refine there.</source>
+        <translation>{} Kante ist viel kürzer als gewünscht, {} mm statt {} mm; kleine Details des Modells entfernen oder dort verfeinern.</translation>
+    </message>
+    <message>
+        <source>{} edges are far shorter than wanted, the worst {} mm instead of {} mm; remove small details of the model, or refine there.</source>
+        <translation>{} Kanten sind viel kürzer als gewünscht, die schlimmste {} mm statt {} mm; kleine Details des Modells entfernen oder dort verfeinern.</translation>
+    </message>
+    <message>
         <source>The mesh fits its options and shapes.</source>
         <translation>Das Netz passt zu seinen Optionen und Formen.</translation>
     </message>
     <message>
         <source>All elements are quads.</source>
         <translation>Alle Elemente sind Vierecke.</translation>
+    </message>
+    <message>
+        <source>There are no elements but lines of wires.</source>
+        <translation>Es gibt keine Elemente außer Linien von Drähten.</translation>
     </message>
     <message>
         <source>The mesh is out of date ({}).</source>
@@ -679,10 +703,6 @@
         <translation>Das Netz hat keine freie Kante.</translation>
     </message>
     <message>
-        <source>{} of {} elements are triangles.</source>
-        <translation>{} von {} Elementen sind Dreiecke.</translation>
-    </message>
-    <message>
         <source>{} is not meshed: {}.</source>
         <translation>{} ist nicht vernetzt: {}.</translation>
     </message>
@@ -691,36 +711,44 @@
         <translation>Nicht im Netz: {}; benennen Sie, was bleibt, oder beheben Sie, was misslingt.</translation>
     </message>
     <message>
-        <source>{} elements fold, or may fold; use a smaller size there.</source>
-        <translation>{} Elemente falten sich oder könnten es; nehmen Sie dort eine kleinere Länge.</translation>
-    </message>
-    <message>
-        <source>{} elements have a scaled Jacobian below {}; the least is {}.</source>
-        <translation>{} Elemente haben eine skalierte Jacobi-Determinante unter {}; die kleinste ist {}.</translation>
-    </message>
-    <message>
         <source>The model was repaired: {}.</source>
         <translation>Das Modell wurde repariert: {}.</translation>
-    </message>
-    <message>
-        <source>{} pairs of parts touch: {}.</source>
-        <translation>{} Paare von Teilen berühren sich: {}.</translation>
     </message>
     <message>
         <source>There are {} separate meshes, which share no node: {}.</source>
         <translation>Es sind {} getrennte Netze ohne gemeinsame Knoten: {}.</translation>
     </message>
     <message>
-        <source>{} edges are longer than {} of the target length.</source>
-        <translation>{} Kanten sind länger als das {}-Fache der Ziellänge.</translation>
+        <source>{} of {} elements is a triangle.</source>
+        <translation>{} von {} Elementen ist ein Dreieck.</translation>
     </message>
     <message>
-        <source>{} mesh edges have more than two elements: sheets meet there.</source>
-        <translation>{} Netzkanten haben mehr als zwei Elemente: Dort treffen sich Bleche.</translation>
+        <source>{} of {} elements are triangles.</source>
+        <translation>{} von {} Elementen sind Dreiecke.</translation>
     </message>
     <message>
-        <source>{} mesh edges are free: the surface is open there.</source>
-        <translation>{} Netzkanten sind frei: Dort ist die Oberfläche offen.</translation>
+        <source>{} element folds, or may fold; use a smaller size there.</source>
+        <translation>{} Element faltet sich oder könnte es; nehmen Sie dort eine kleinere Länge.</translation>
+    </message>
+    <message>
+        <source>{} elements fold, or may fold; use a smaller size there.</source>
+        <translation>{} Elemente falten sich oder könnten es; nehmen Sie dort eine kleinere Länge.</translation>
+    </message>
+    <message>
+        <source>{} element has a scaled Jacobian below {}: {}.</source>
+        <translation>{} Element hat eine skalierte Jacobi-Determinante unter {}: {}.</translation>
+    </message>
+    <message>
+        <source>{} elements have a scaled Jacobian below {}; the least is {}.</source>
+        <translation>{} Elemente haben eine skalierte Jacobi-Determinante unter {}; die kleinste ist {}.</translation>
+    </message>
+    <message>
+        <source>{} pair of parts touches: {}.</source>
+        <translation>{} Paar von Teilen berührt sich: {}.</translation>
+    </message>
+    <message>
+        <source>{} pairs of parts touch: {}.</source>
+        <translation>{} Paare von Teilen berühren sich: {}.</translation>
     </message>
     <message>
         <source>{} touch but could not be connected; repair or fuse them.</source>
@@ -739,8 +767,32 @@
         <translation>Keine Kante ist länger als das {}-Fache der Ziellänge.</translation>
     </message>
     <message>
+        <source>{} edge is longer than {} of the target length.</source>
+        <translation>{} Kante ist länger als das {}-Fache der Ziellänge.</translation>
+    </message>
+    <message>
+        <source>{} edges are longer than {} of the target length.</source>
+        <translation>{} Kanten sind länger als das {}-Fache der Ziellänge.</translation>
+    </message>
+    <message>
         <source>No edge is shorter than {} of the target length at its place.</source>
         <translation>Keine Kante ist kürzer als {} der Ziellänge an ihrem Ort.</translation>
+    </message>
+    <message>
+        <source>{} mesh edge has more than two elements: sheets meet there.</source>
+        <translation>{} Netzkante hat mehr als zwei Elemente: Dort treffen sich Bleche.</translation>
+    </message>
+    <message>
+        <source>{} mesh edges have more than two elements: sheets meet there.</source>
+        <translation>{} Netzkanten haben mehr als zwei Elemente: Dort treffen sich Bleche.</translation>
+    </message>
+    <message>
+        <source>{} mesh edge is free: the surface is open there.</source>
+        <translation>{} Netzkante ist frei: Dort ist die Oberfläche offen.</translation>
+    </message>
+    <message>
+        <source>{} mesh edges are free: the surface is open there.</source>
+        <translation>{} Netzkanten sind frei: Dort ist die Oberfläche offen.</translation>
     </message>
     <message>
         <source>an option or a shape has changed; mesh again</source>
@@ -779,8 +831,40 @@
         <translation>ein Medium, Port oder Draht</translation>
     </message>
     <message>
+        <source>'{}' is not meshed; mesh it first.</source>
+        <translation>'{}' ist nicht vernetzt; vernetzen Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>The shape of '{}' has changed since meshing, so its elements tell no faces; mesh it again, or select faces of the model.</source>
+        <translation>Die Form von '{}' hat sich seit dem Vernetzen geändert, so dass seine Elemente keine Flächen bezeichnen; vernetzen Sie neu oder wählen Sie Flächen des Modells.</translation>
+    </message>
+    <message>
         <source>'{}' refers to no face of what '{}' meshes, so solvers leave it out; refer to faces of that.</source>
         <translation>„{}“ bezieht sich auf keine Fläche dessen, was „{}“ vernetzt, sodass Löser es auslassen; wählen Sie Flächen davon.</translation>
+    </message>
+    <message>
+        <source>'{}' has no object to mesh; set its property Part.</source>
+        <translation>'{}' hat kein Objekt zum Vernetzen; setzen Sie seine Eigenschaft Part.</translation>
+    </message>
+    <message>
+        <source>'{}' has no length; give one, or eps_r and mu_r of a medium.</source>
+        <translation>'{}' hat keine Länge; geben Sie eine an, oder eps_r und mu_r eines Mediums.</translation>
+    </message>
+    <message>
+        <source>The length of '{}' is {}; give one above 0, like 2 or "2 mm".</source>
+        <translation>Die Länge von '{}' ist {}; geben Sie eine über 0 an, etwa 2 oder "2 mm".</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>divisions</source>
+        <translation>Elemente je Wellenlänge</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>Ziellänge</translation>
     </message>
     <message>
         <source>A series varies one thing; give it frequencies, or divisions, or sizes.</source>
@@ -799,16 +883,72 @@
         <translation>Eine Reihe hat 1 bis {} Werte von {}, nicht {}.</translation>
     </message>
     <message>
-        <source>'{}' has no object to mesh; set its property Part.</source>
-        <translation>'{}' hat kein Objekt zum Vernetzen; setzen Sie seine Eigenschaft Part.</translation>
-    </message>
-    <message>
         <source>'{}' has no frequency, so there are no elements per wavelength to vary; give it one, or vary the size.</source>
         <translation>'{}' hat keine Frequenz, daher auch keine Elemente je Wellenlänge; geben Sie ihm eine oder ändern Sie die Ziellänge.</translation>
     </message>
     <message>
         <source>Files cannot be written to the folder '{}'; choose one that exists and can be written to.</source>
         <translation>In den Ordner '{}' kann nicht geschrieben werden; wählen Sie einen, den es gibt und in den geschrieben werden darf.</translation>
+    </message>
+    <message>
+        <source>{} of '{}' is {}; give one from 0.</source>
+        <translation>{} von '{}' ist {}; geben Sie einen Wert ab 0 an.</translation>
+    </message>
+    <message>
+        <source>{} of '{}' is {}; give one above 0.</source>
+        <translation>{} von '{}' ist {}; geben Sie einen Wert über 0 an.</translation>
+    </message>
+    <message>
+        <source>port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>wire</source>
+        <translation>Draht</translation>
+    </message>
+    <message>
+        <source>{} of '{}' cannot be in a {}; choose {}.</source>
+        <translation>{} von '{}' kann nicht in einem {} sein; wählen Sie {}.</translation>
+    </message>
+    <message>
+        <source>{} of '{}' cannot be {}; write a number.</source>
+        <translation>{} von '{}' kann nicht {} sein; schreiben Sie eine Zahl.</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation>Eckpunkt</translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation>Volumenkörper</translation>
+    </message>
+    <message>
+        <source>'{}' refers to {} of '{}', which is not among the objects that are meshed; refer to elements of those.</source>
+        <translation>'{}' verweist auf {} von '{}', was nicht zu den Objekten gehört, die vernetzt werden; verweisen Sie auf Elemente von diesen.</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>What is to belong to '{}' refers to nothing; select faces, edges, vertices or objects.</source>
+        <translation>Was zu '{}' gehören soll, verweist auf nichts; wählen Sie Flächen, Kanten, Eckpunkte oder Objekte.</translation>
+    </message>
+    <message>
+        <source>'{}' refers to {}, which '{}' does not have; choose the elements again.</source>
+        <translation>'{}' verweist auf {}, das '{}' nicht hat; wählen Sie die Elemente neu.</translation>
+    </message>
+    <message>
+        <source>'{}' refers to '{}', which has no {}; choose another object.</source>
+        <translation>'{}' verweist auf '{}', was nichts davon hat: {}; wählen Sie ein anderes Objekt.</translation>
     </message>
     <message>
         <source>The mesh has errors.</source>
@@ -873,10 +1013,6 @@
     <message>
         <source>Check of {}</source>
         <translation>Prüfung von {}</translation>
-    </message>
-    <message>
-        <source>{} elements</source>
-        <translation>{} Elemente</translation>
     </message>
     <message>
         <source>{} of {}</source>
@@ -1027,10 +1163,6 @@
         <translation>Vernetzt in einem eigenen Prozess</translation>
     </message>
     <message>
-        <source>{} faces are meshed.</source>
-        <translation>{} Flächen sind vernetzt.</translation>
-    </message>
-    <message>
         <source>Meshing of '{}' was stopped, as it was deleted.</source>
         <translation>Das Vernetzen von „{}“ wurde angehalten, weil es gelöscht wurde.</translation>
     </message>
@@ -1043,16 +1175,36 @@
         <translation>, aber {} ließ sich nicht vernetzen: {}.</translation>
     </message>
     <message>
-        <source>{} faces are not meshed.</source>
-        <translation>{} Flächen sind nicht vernetzt.</translation>
+        <source>{} face is meshed.</source>
+        <translation>{} Fläche ist vernetzt.</translation>
     </message>
     <message>
-        <source>{} elements were repaired: {}.</source>
-        <translation>{} Elemente wurden repariert: {}.</translation>
+        <source>{} faces are meshed.</source>
+        <translation>{} Flächen sind vernetzt.</translation>
     </message>
     <message>
         <source>Shape of {:.2f} MB handed over in {:.2f} s</source>
         <translation>Form von {:.2f} MB übergeben in {:.2f} s</translation>
+    </message>
+    <message>
+        <source>'{}' is being meshed; wait for that or stop it first.</source>
+        <translation>'{}' wird gerade vernetzt; warten Sie darauf oder halten Sie das zuerst an.</translation>
+    </message>
+    <message>
+        <source>{} face is not meshed.</source>
+        <translation>{} Fläche ist nicht vernetzt.</translation>
+    </message>
+    <message>
+        <source>{} faces are not meshed.</source>
+        <translation>{} Flächen sind nicht vernetzt.</translation>
+    </message>
+    <message>
+        <source>{} element was repaired: {}.</source>
+        <translation>{} Element wurde repariert: {}.</translation>
+    </message>
+    <message>
+        <source>{} elements were repaired: {}.</source>
+        <translation>{} Elemente wurden repariert: {}.</translation>
     </message>
     <message>
         <source>{:.2f} s of meshing, {:.2f} s to take it into the document</source>
@@ -1331,6 +1483,10 @@
         <translation>Erst vernetzen</translation>
     </message>
     <message>
+        <source>{} is there already. Replace it?</source>
+        <translation>{} gibt es schon. Soll die Datei ersetzt werden?</translation>
+    </message>
+    <message>
         <source>text</source>
         <translation>Text</translation>
     </message>
@@ -1447,6 +1603,14 @@
         <translation>Flächeninhalt</translation>
     </message>
     <message>
+        <source>{} element</source>
+        <translation>{} Element</translation>
+    </message>
+    <message>
+        <source>{} elements</source>
+        <translation>{} Elemente</translation>
+    </message>
+    <message>
         <source>edges {}</source>
         <translation>Kanten {}</translation>
     </message>
@@ -1509,6 +1673,18 @@
     <message>
         <source>One element across</source>
         <translation>Ein Element quer</translation>
+    </message>
+    <message>
+        <source>imprint</source>
+        <translation>gemeinsame Flächen (imprint)</translation>
+    </message>
+    <message>
+        <source>union</source>
+        <translation>nur äußere Haut (union)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>wie gezeichnet (none)</translation>
     </message>
     <message>
         <source>1 (straight)</source>
@@ -1679,10 +1855,6 @@
         <translation>Vom Modell ist nichts ausgewählt; wählen Sie Flächen, Kanten, Punkte oder Objekte in der 3D-Ansicht.</translation>
     </message>
     <message>
-        <source>all</source>
-        <translation>alles</translation>
-    </message>
-    <message>
         <source>Quads and triangles</source>
         <translation>Vierecke und Dreiecke</translation>
     </message>
@@ -1803,20 +1975,12 @@
         <translation>nein, {} freie Kanten</translation>
     </message>
     <message>
-        <source>About {} elements, up to {} of memory</source>
-        <translation>Etwa {} Elemente, bis zu {} Speicher</translation>
-    </message>
-    <message>
         <source>; more than 'Most elements' allows, so choose longer elements or raise that</source>
         <translation>; mehr als „Höchstens Elemente“ erlaubt: Nehmen Sie längere Elemente oder erhöhen Sie es</translation>
     </message>
     <message>
         <source>; in a process of its own</source>
         <translation>; in einem eigenen Prozess</translation>
-    </message>
-    <message>
-        <source>The mesh has {} elements</source>
-        <translation>Das Netz hat {} Elemente</translation>
     </message>
     <message>
         <source>Mesh</source>
@@ -1877,6 +2041,22 @@
     <message>
         <source>Meshing; FreeCAD can be used meanwhile</source>
         <translation>Vernetzt; FreeCAD bleibt dabei benutzbar</translation>
+    </message>
+    <message>
+        <source>About {} element, up to {} of memory</source>
+        <translation>Etwa {} Element, bis zu {} Speicher</translation>
+    </message>
+    <message>
+        <source>About {} elements, up to {} of memory</source>
+        <translation>Etwa {} Elemente, bis zu {} Speicher</translation>
+    </message>
+    <message>
+        <source>The mesh has {} element</source>
+        <translation>Das Netz hat {} Element</translation>
+    </message>
+    <message>
+        <source>The mesh has {} elements</source>
+        <translation>Das Netz hat {} Elemente</translation>
     </message>
     <message>
         <source>Options have been edited; Apply meshes with them</source>
@@ -1971,12 +2151,16 @@
         <translation>Wird angesehen...</translation>
     </message>
     <message>
-        <source>{} pairs of parts touch</source>
-        <translation>{} Paare von Teilen berühren sich</translation>
+        <source>Short edges and small faces that are merged with others: {} and {}</source>
+        <translation>Kurze Kanten und kleine Flächen, die mit anderen verschmolzen werden: {} und {}</translation>
     </message>
     <message>
-        <source>{} short edges and {} small faces are merged with others</source>
-        <translation>{} kurze Kanten und {} kleine Flächen werden mit anderen verschmolzen</translation>
+        <source>{} pair of parts touches</source>
+        <translation>{} Paar von Teilen berührt sich</translation>
+    </message>
+    <message>
+        <source>{} pairs of parts touch</source>
+        <translation>{} Paare von Teilen berühren sich</translation>
     </message>
     <message>
         <source>Step</source>
@@ -2073,10 +2257,6 @@
     <message>
         <source>Waiting</source>
         <translation>Wartet</translation>
-    </message>
-    <message>
-        <source>'{}' is being meshed; wait for that or stop it first.</source>
-        <translation>'{}' wird gerade vernetzt; warten Sie darauf oder halten Sie das zuerst an.</translation>
     </message>
     <message>
         <source>The mesh object of '{}' is gone; make a series of another one.</source>

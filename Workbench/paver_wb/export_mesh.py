@@ -1,5 +1,6 @@
 """Mesh objects to files: Paver's own formats with all nodes, those of FreeCAD's FEM workbench with quad8."""
 import os
+import re
 import tempfile
 from contextlib import contextmanager
 
@@ -11,9 +12,9 @@ from paver_wb.processes import child_process, fem_process
 
 # ending: what it is; in the order in which they are offered
 OWN = {"msh": "Gmsh", "vtu": "VTK"}
-FEM = {"unv": "I-DEAS universal file", "inp": "Abaqus, CalculiX", "med": "Salome MED", "z88": "Z88", "dat": "Nastran-like DAT",
-       "stl": "STL, flat triangles"}
-translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP, translate = FreeCAD.Qt.QT_TRANSLATE_NOOP, FreeCAD.Qt.translate
+FEM = {"unv": QT_TRANSLATE_NOOP("Paver", "I-DEAS universal file"), "inp": "Abaqus, CalculiX", "med": "Salome MED", "z88": "Z88",
+       "dat": QT_TRANSLATE_NOOP("Paver", "Nastran-like DAT"), "stl": QT_TRANSLATE_NOOP("Paver", "STL, flat triangles")}
 
 
 class NotWritten(ValueError):
@@ -50,7 +51,7 @@ def fault_of(obj):
         return translate("Paver", "The mesh of '{}' is out of date ({}).").format(obj.Label, mesh_object.changes_text(obj))
     if state == mesh_object.FACES_FAILED:
         return translate("Paver", "The mesh of '{}' has holes: {} could not be meshed.").format(
-            obj.Label, ", ".join(text.split(":")[0] for text in obj.FailedFaces))
+            obj.Label, ", ".join(re.match(r".*?Face\d+(?=: )|.*", text)[0] for text in obj.FailedFaces))
     return ""
 
 

@@ -6,6 +6,7 @@ import FreeCAD
 import numpy as np
 
 from paver_wb import mesh_object, statistics
+from paver_wb.base.texts import counted
 from paver_wb.formats import mesh_file
 
 translate = FreeCAD.Qt.translate
@@ -41,8 +42,10 @@ def of_document(obj, looks=True):
 def of_mesh(mesh):
     """[Finding] of a StoredMesh; looks at no document, so any thread may ask."""
     figures = statistics.of_mesh(mesh)
-    return [*failed_faces(mesh), *lost_parts(mesh), validity(figures), shape(figures), *repairs(mesh), *merges(mesh), *parts(mesh),
-            *borders(mesh, figures), triangles(figures), *lengths(mesh, figures), *short_edges(mesh, figures)]
+    surface = [validity(figures), shape(figures), *borders(mesh, figures), triangles(figures)] if len(figures.sj) else [
+        Finding(GOOD, translate("Paver", "There are no elements but lines of wires."))]
+    return [*failed_faces(mesh), *lost_parts(mesh), *surface, *repairs(mesh), *merges(mesh), *parts(mesh),
+            *lengths(mesh, figures), *short_edges(mesh, figures)]
 
 
 def in_order(findings):
@@ -79,8 +82,9 @@ def lost_parts(mesh):
 def validity(figures):
     bad = np.flatnonzero(figures.validity != 0) + 1
     if len(bad):
-        return Finding(ERROR, translate("Paver", "{} elements fold, or may fold; use a smaller size there.").format(
-            len(bad)), tuple(bad.tolist()))
+        return Finding(ERROR, counted(
+            len(bad), translate("Paver", "{} element folds, or may fold; use a smaller size there."),
+            translate("Paver", "{} elements fold, or may fold; use a smaller size there.")).format(len(bad)), tuple(bad.tolist()))
     return Finding(GOOD, translate("Paver", "All elements are proven not to fold, curved as they are."))
 
 
@@ -89,8 +93,10 @@ def shape(figures):
     poor = np.flatnonzero(sj < POOR) + 1
     poor = poor[np.argsort(sj[poor - 1], kind="stable")]  # the worst first
     if len(poor):
-        return Finding(WARNING, translate("Paver", "{} elements have a scaled Jacobian below {}; the least is {}.").format(
-            len(poor), POOR, f"{sj.min():.3f}"), tuple(poor.tolist()))
+        return Finding(WARNING, counted(
+            len(poor), translate("Paver", "{} element has a scaled Jacobian below {}: {}."),
+            translate("Paver", "{} elements have a scaled Jacobian below {}; the least is {}.")).format(
+                len(poor), POOR, f"{sj.min():.3f}"), tuple(poor.tolist()))
     return Finding(GOOD, translate("Paver", "No scaled Jacobian is below {}; the least is {}.").format(
         POOR, f"{sj.min():.3f}"))
 
@@ -106,11 +112,14 @@ def borders(mesh, figures):
     free, several = edges[users == 1], edges[users > 2]
     findings = []
     if len(several):
-        findings.append(Finding(NOTE, translate("Paver", "{} mesh edges have more than two elements: sheets meet there.")
-                                .format(len(several)), with_edges(mesh, several)))
+        findings.append(Finding(NOTE, counted(
+            len(several), translate("Paver", "{} mesh edge has more than two elements: sheets meet there."),
+            translate("Paver", "{} mesh edges have more than two elements: sheets meet there.")).format(len(several)),
+            with_edges(mesh, several)))
     if len(free):
-        findings.append(Finding(NOTE, translate("Paver", "{} mesh edges are free: the surface is open there.").format(
-            len(free)), with_edges(mesh, free)))
+        findings.append(Finding(NOTE, counted(
+            len(free), translate("Paver", "{} mesh edge is free: the surface is open there."),
+            translate("Paver", "{} mesh edges are free: the surface is open there.")).format(len(free)), with_edges(mesh, free)))
     else:
         findings.append(Finding(GOOD, translate("Paver", "The mesh has no free edge.")))
     return findings
@@ -142,7 +151,8 @@ def merges(mesh):
     if not made:
         return []
     named = ", ".join(merge["name"] for merge in made[:MOST_MERGES]) + ("" if len(made) <= MOST_MERGES else " \u2026")
-    text = translate("Paver", "{} small edges and faces were merged, up to {} mm: {}.")
+    text = counted(len(made), translate("Paver", "{} small edge or face was merged, of {} mm: {}."),
+                   translate("Paver", "{} small edges and faces were merged, up to {} mm: {}."))
     return [Finding(NOTE, text.format(len(made), f"{max(merge['size'] for merge in made):.3g}", named),
                     at_places(mesh, [merge["where"] for merge in made[:MOST_PLACES]]))]
 
@@ -199,8 +209,8 @@ def contacts(mesh):
         return []
     elements = dict.fromkeys(itertools.chain.from_iterable(between(mesh, pair) for pair in found[:MOST_PLACES]))
     texts = [" \u2013 ".join(pair) for pair in found]
-    return [Finding(NOTE, translate("Paver", "{} pairs of parts touch: {}.").format(len(found), named(texts, MOST_CONTACTS)),
-                    tuple(sorted(elements)))]
+    return [Finding(NOTE, counted(len(found), translate("Paver", "{} pair of parts touches: {}."), translate(
+        "Paver", "{} pairs of parts touch: {}.")).format(len(found), named(texts, MOST_CONTACTS)), tuple(sorted(elements)))]
 
 
 def separate_meshes(mesh):
@@ -233,8 +243,8 @@ def triangles(figures):
     if not figures.triangles:
         return Finding(GOOD, translate("Paver", "All elements are quads."))
     total = figures.quads + figures.triangles
-    return Finding(NOTE, translate("Paver", "{} of {} elements are triangles.").format(figures.triangles, total),
-                   tuple(range(figures.quads + 1, total + 1)))
+    return Finding(NOTE, counted(figures.triangles, translate("Paver", "{} of {} elements is a triangle."), translate(
+        "Paver", "{} of {} elements are triangles.")).format(figures.triangles, total), tuple(range(figures.quads + 1, total + 1)))
 
 
 def lengths(mesh, figures):
@@ -243,8 +253,8 @@ def lengths(mesh, figures):
     long = figures.lengths > LONGEST * figures.target
     if not long.any():
         return [Finding(GOOD, translate("Paver", "No edge is longer than {} of the target length.").format(LONGEST))]
-    return [Finding(WARNING, translate("Paver", "{} edges are longer than {} of the target length.").format(
-        int(long.sum()), LONGEST), with_edges(mesh, figures.edges[long]))]
+    return [Finding(WARNING, counted(long.sum(), translate("Paver", "{} edge is longer than {} of the target length."), translate(
+        "Paver", "{} edges are longer than {} of the target length.")).format(long.sum(), LONGEST), with_edges(mesh, figures.edges[long]))]
 
 
 def short_edges(mesh, figures):
@@ -258,7 +268,9 @@ def short_edges(mesh, figures):
         return [Finding(GOOD, translate("Paver", "No edge is shorter than {} of the target length at its place.").format(
             SHORTEST))]
     least = np.flatnonzero(short)[np.argmin(figures.lengths[short] / wanted[short])]
-    text = translate("Paver", "{} edges are far shorter than wanted, the worst {} mm instead of {} mm; remove small details of "
-                              "the model, or refine there.")
+    text = counted(short.sum(), translate("Paver", "{} edge is far shorter than wanted, {} mm instead of {} mm; remove small "
+                                          "details of the model, or refine there."),
+                   translate("Paver", "{} edges are far shorter than wanted, the worst {} mm instead of {} mm; remove small details of "
+                                      "the model, or refine there."))
     return [Finding(WARNING, text.format(int(short.sum()), f"{figures.lengths[least]:.3g}", f"{wanted[least]:.3g}"),
                     with_edges(mesh, figures.edges[short]))]

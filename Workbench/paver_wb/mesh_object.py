@@ -230,7 +230,7 @@ def remember_reopened(obj):
 def path_of(obj):
     """Of the mesh's file. ValueError when the object is not meshed."""
     if not obj.MeshFile:
-        raise ValueError(f"'{obj.Label}' is not meshed; mesh it first.")
+        raise ValueError(translate("Paver", "'{}' is not meshed; mesh it first.").format(obj.Label))
     return obj.MeshFile
 
 
@@ -243,8 +243,8 @@ def faces_under(obj, elements):
     """[(source, ["Face3"])] that elements of the mesh, numbered from 0, lie on. ValueError when the object is not meshed, or
     its faces are no longer those that were."""
     if has_other_shape(obj):
-        raise ValueError(f"The shape of '{obj.Label}' has changed since meshing, so its elements tell no faces; mesh it again, "
-                         "or select faces of the model.")
+        raise ValueError(translate("Paver", "The shape of '{}' has changed since meshing, so its elements tell no faces; mesh it "
+                                   "again, or select faces of the model.").format(obj.Label))
     mesh, things, found = stored(obj), sources(obj), {}
     faces = [*mesh.quad_faces, *mesh.triangle_faces]
     for face in sorted({faces[element] for element in elements if element < len(faces)}):

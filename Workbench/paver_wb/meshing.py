@@ -1,6 +1,8 @@
 """Meshing of a mesh object, as it is asked for by commands, scripts and jobs."""
 from contextlib import contextmanager
 
+import FreeCAD
+
 from paver_wb import analysis, core, mesh_object, properties, refinement
 from paver_wb.base import source_shapes
 from paver_wb.children import named_parts
@@ -8,6 +10,7 @@ from paver_wb.formats import fem_mesh, mesh_file
 from paver_wb.processes import mesh_job
 from paver_wb.processes.mesh_job import Job
 
+translate = FreeCAD.Qt.translate
 
 @contextmanager
 def transaction(document, name):
@@ -34,8 +37,8 @@ def prepare(obj, **changes):
     from paver import _shapes
     parts = mesh_object.sources(obj)
     if not parts:
-        raise paver.InputError(f"'{obj.Label}' has no object to mesh; set its property Part.", "no_faces",
-                               "set its property Part")
+        raise paver.InputError(translate("Paver", "'{}' has no object to mesh; set its property Part.").format(obj.Label),
+                               "no_faces", "set its property Part")
     properties.check_ranks(obj)
     shape, name, labels = _shapes.source_of(parts, None)
     decisive = mesh_object.decisive(obj, properties.merged(obj, changes))

@@ -3,6 +3,8 @@ solids of what is meshed.
 
 Documents name this module and RefinementProxy: neither may be moved.
 """
+import FreeCAD
+
 from paver_wb import properties
 from paver_wb.base import proxies
 from paver_wb.base.proxies import is_refinement
@@ -11,6 +13,7 @@ from paver_wb.base.waves import wavelength
 from paver_wb.children.references import (Numbers, ReferenceMissing, as_references, check_references,  # noqa: F401
                                           find, names_in_whole)
 
+translate = FreeCAD.Qt.translate
 GROUP = tip("Refinement")
 LENGTH, MEDIUM = BY = ("Length", "Medium")
 
@@ -138,7 +141,7 @@ def change(obj, references, length=None, eps_r=None, mu_r=None):
 def set_value(obj, length=None, eps_r=None, mu_r=None):
     """Length, or medium where that is None."""
     if length is None and eps_r is None and mu_r is None:
-        raise ValueError(f"'{obj.Label}' has no length; give one, or eps_r and mu_r of a medium.")
+        raise ValueError(translate("Paver", "'{}' has no length; give one, or eps_r and mu_r of a medium.").format(obj.Label))
     if length is None:
         obj.By, obj.EpsR, obj.MuR = MEDIUM, 1 if eps_r is None else eps_r, 1 if mu_r is None else mu_r
         return
@@ -147,7 +150,8 @@ def set_value(obj, length=None, eps_r=None, mu_r=None):
     except Exception:  # FreeCAD raises all sorts, with texts for programmers
         obj.Length = 0
     if not obj.Length.Value > 0:
-        raise ValueError(f"The length of '{obj.Label}' is {length!r}; give one above 0, like 2 or \"2 mm\".")
+        raise ValueError(translate("Paver", "The length of '{}' is {}; give one above 0, like 2 or \"2 mm\".").format(
+            obj.Label, repr(length)))
 
 
 def decisive(mesh):

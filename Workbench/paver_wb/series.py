@@ -86,7 +86,7 @@ class Row(NamedTuple):
 
     @property
     def is_meshed(self):
-        return self.elements > 0
+        return bool(self.reason)
 
 
 class Done(NamedTuple):
@@ -123,8 +123,14 @@ def number_of(option, value):
     if not 0 < number < math.inf:
         such = {FREQUENCY: '"2.4 GHz"', DIVISIONS: "8", SIZE: '"2 mm"'}[option]
         raise ValueError(translate("Paver", "The {} {} of a series cannot be read; write a value above 0, such as {}.").format(
-            option, repr(value), such))
+            option_text(option), repr(value), such))
     return number
+
+
+def option_text(option):
+    """One of VARIED in a sentence."""
+    return {FREQUENCY: translate("Paver", "frequency"), DIVISIONS: translate("Paver", "divisions"),
+            SIZE: translate("Paver", "size")}[option]
 
 
 def spread(first, last, count, how=""):
@@ -151,7 +157,7 @@ def values_of(option, values):
             numbers.append(number_of(option, entry))
     if not 0 < len(set(numbers)) <= MOST_STEPS:
         raise ValueError(translate("Paver", "A series has 1 to {} values of {}, not {}.").format(
-            MOST_STEPS, option, len(set(numbers))))
+            MOST_STEPS, option_text(option), len(set(numbers))))
     return sorted(set(numbers))
 
 

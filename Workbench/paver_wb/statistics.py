@@ -24,7 +24,7 @@ class Wave(NamedTuple):
 class Figures(NamedTuple):
     """name: of the mesh object. quads, triangles, nodes: counts.
 
-    edges: (e, 2) mesh edges between corners, once each; lengths: (e,) chords, mm; users: (e,) elements at each.
+    edges: (e, 2) mesh edges between corners, once each, lines where there are only wires; lengths: (e,) chords, mm; users: (e,) elements at each.
     areas: (elements,) mm^2, of the curved elements, quads first; sj: (elements,); validity: (elements,) as
     paver.ElementQuality has it; target: target length, mm.
     wave: Wave around the solids, or None; densest: by how much the shortest wavelength of the media is shorter.
@@ -77,8 +77,10 @@ def wave_at(frequency, eps_r=1.0, mu_r=1.0):
 
 
 def mesh_edges(mesh):
-    """(edges, users) of a StoredMesh: pairs of corner nodes, rising, and how many elements have each."""
-    keys, users = np.unique(np.concatenate([keys.ravel() for keys in element_edges(mesh)]), return_counts=True)
+    """(edges, users) of a StoredMesh: pairs of corner nodes, rising, and how many elements have each; the lines where there
+    are only wires."""
+    every = np.concatenate([keys.ravel() for keys in element_edges(mesh)])
+    keys, users = np.unique(every if len(every) else edge_keys(mesh, np.asarray(mesh.lines)[:, :2]), return_counts=True)
     return np.stack(np.divmod(keys, len(mesh.nodes) + 1), axis=1), users
 
 
@@ -111,7 +113,7 @@ def of_mesh(mesh, name="", wave=None):
     """Figures of a StoredMesh."""
     edges, users = mesh_edges(mesh)
     quality = surface_mesh(mesh).quality()
-    nodes = int(mesh_file.used_nodes(len(mesh.nodes), mesh.quads, mesh.triangles).sum())
+    nodes = int(mesh_file.used_nodes(len(mesh.nodes), mesh.quads, mesh.triangles, np.asarray(mesh.lines)).sum())
     return Figures(name, len(mesh.quads), len(mesh.triangles), nodes, edges, edge_lengths(mesh, edges), users,
                    quality.area, quality.sj, quality.validity, mesh.report.get("target_length") or 0.0, wave,
                    shorter_by(mesh.report), faces_of(mesh, quality.area), mesh.report.get("solver", {}).get("segment") or 0.0)

@@ -9,7 +9,7 @@ from PySide import QtCore, QtGui
 
 import window
 from paver_wb import examples, mesh_object, meshing, preferences, refinement, statistics
-from paver_wb.gui import commands
+from paver_wb.gui import commands, statistics_panel
 from paver_wb.gui.base import background, first_view, measuring, run_task
 from paver_wb.gui.commands import files, view
 
@@ -208,7 +208,11 @@ class Dialogs(WithCommands):
         self.assertEqual(texts["Unknowns (conductor)", "Basis order 1 (rooftops, RWG)"],
                          (str(2 * mesh.Quads), statistics.memory(16 * (2 * mesh.Quads) ** 2)))
         window.picture("commands_statistics")
-        panel.findChild(QtGui.QDoubleSpinBox).setValue(0)
+        field = window.widget("Paver_StatisticsFrequency")
+        window.type_into(field, "1.25 MHz")
+        self.assertEqual((panel.figures.wave.frequency, field.text()), (1.25e6, "1.25 MHz"))
+        field.selectAll()
+        window.QTest.keyClick(field, QtCore.Qt.Key_Delete)
         self.assertIsNone(panel.figures.wave)
         panel.copy()
         field = QtGui.QPlainTextEdit()
@@ -219,6 +223,14 @@ class Dialogs(WithCommands):
         window.wait(lambda: panel.figures.quads == mesh.Quads, "for the new figures")
         self.assertIn("paver_wb.gui.statistics_panel.show(", self.console())
         self.document.removeObject(mesh.Name)
+        window.wait(lambda: not measuring._open, "for the panel to close")
+
+    def test_statistics_go_with_a_mesh_that_is_undone(self):
+        mesh = self.mesh(is_meshed=False)
+        meshing.mesh(mesh)
+        statistics_panel.show(mesh)
+        self.document.undo()
+        self.assertEqual(mesh.MeshFile, "")
         window.wait(lambda: not measuring._open, "for the panel to close")
 
     def test_check(self):
@@ -245,7 +257,7 @@ class Dialogs(WithCommands):
         mesh = self.mesh()
         with tempfile.TemporaryDirectory() as folder:
             for text, (ending, more) in files.export_filters().items():
-                files.Export.write(mesh, os.path.join(folder, "mesh"), ending, more)
+                files.Export.write(mesh, files.with_ending(os.path.join(folder, "mesh"), ending), more)
                 self.wait_for_tasks()
                 self.assertIn("mesh." + ending, os.listdir(folder), text)
             self.assertEqual(self.complaint(), "")
@@ -264,13 +276,31 @@ class Dialogs(WithCommands):
             self.assertIn("cannot be read", self.complaint())
             self.assertEqual(self.document.UndoNames, ["Import mesh"])
             for ending in ("msh", "unv"):
-                files.Export.write(mesh, os.path.join(folder, "no", "mesh." + ending), ending, {})
+                files.Export.write(mesh, os.path.join(folder, "no", "mesh." + ending), {})
                 self.wait_for_tasks()
                 self.assertRegex(self.complaint(), "^Cannot write|cannot be written")
             FreeCAD.closeDocument(self.document.Name)
             files.Import.read(path)
             self.wait_for_tasks()
             self.assertEqual(len(mesh_object.meshes_of(FreeCAD.ActiveDocument)), 1)
+
+    def test_the_file_is_the_one_that_the_dialog_and_its_filter_mean(self):
+        mesh, asked, proposed = self.mesh(), [], []
+        mesh.Label = "Mesh 8 / λ"
+        filters = {ending: text for text, (ending, more) in files.export_filters().items() if not more}
+        self.addCleanup(setattr, QtGui.QMessageBox, "question", QtGui.QMessageBox.question)
+        self.addCleanup(setattr, QtGui.QFileDialog, "getSaveFileName", QtGui.QFileDialog.getSaveFileName)
+        QtGui.QMessageBox.question = lambda *_: asked.append(1) or QtGui.QMessageBox.No
+        with tempfile.TemporaryDirectory() as folder:
+            for name, chosen, made in (("a", "msh", "a.msh"), ("a.x", "unv", "a.x.unv"), ("b.msh", "vtu", "b.vtu"),
+                                       ("c.inp", "msh", "c.inp"), ("a", "msh", "")):
+                QtGui.QFileDialog.getSaveFileName = lambda _window, _title, start, _filters: (
+                    proposed.append(os.path.basename(start)), (os.path.join(folder, name), filters[chosen]))[1]
+                before = set(os.listdir(folder))
+                FreeCADGui.runCommand("Paver_Export")
+                self.wait_for_tasks()
+                self.assertEqual(set(os.listdir(folder)) - before, {made} - {""}, name)
+        self.assertEqual((len(asked), set(proposed)), (1, {"Mesh 8 - λ.msh"}))
 
     def test_the_dialogs_of_export_and_import_open(self):
         self.mesh()

@@ -249,6 +249,16 @@ class IsolateCommands(commands_cases.WithCommands):
         FreeCADGui.runCommand("Paver_HideFaces")
         self.assertIn("Nothing of the mesh is selected", self.complaint())
 
+    def test_a_mesh_that_cannot_be_read_is_told(self):
+        mesh = self.mesh()
+        commands_cases.select((mesh, "Elem3"))
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "damaged"), "wb") as file:
+                file.write(b"nothing")
+            mesh_object.keep(mesh, file.name)
+        FreeCADGui.runCommand("Paver_HideFaces")
+        self.assertIn("cannot be read", self.complaint())
+
     def test_faces_are_those_of_elements_or_of_the_model(self):
         mesh = self.mesh()
         stored = mesh_object.stored(mesh)

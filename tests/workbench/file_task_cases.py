@@ -3,7 +3,6 @@ import os
 import tempfile
 
 import FreeCAD
-import FreeCADGui
 import numpy as np
 
 import window

@@ -6,7 +6,7 @@ import numpy as np
 import Part
 
 from mesh_cases import InDocument
-from paver_wb import core, export_mesh, file_types, import_mesh, mesh_check, mesh_object, meshing, statistics
+from paver_wb import core, export_mesh, file_types, import_mesh, mesh_check, mesh_object, meshing, series, statistics
 from paver_wb.formats import fem_mesh, raw_mesh
 
 
@@ -92,6 +92,32 @@ class Checks(WithMesh):
         both = Part.makeCompound([bow_tie, Part.makePlane(5, 5, FreeCAD.Vector(30, 0, 0))])
         mesh, _ = self.meshed(self.add("Part::Feature", Shape=both), size=2)
         self.assertEqual(mesh_check.check(mesh)[0].level, mesh_check.ERROR)
+
+    def test_wires_alone(self):
+        wire = self.document.addObject("Part::Feature", "Wire")
+        wire.Shape = Part.makeLine(FreeCAD.Vector(), FreeCAD.Vector(0, 0, 30))
+        mesh, _ = self.meshed(wire)
+        figures = statistics.of_object(mesh)
+        self.assertEqual((len(figures.edges), figures.nodes), (mesh.Lines, mesh.Nodes))
+        self.assertAlmostEqual(figures.lengths.sum(), 30, 6)
+        self.assertEqual(statistics.unknowns(figures), 0)
+        self.assertIn("Edges\t" + str(mesh.Lines), statistics.text(figures))
+        statistics.charts(figures)
+        findings = mesh_check.check(mesh)
+        self.assertEqual(mesh_check.verdict(findings), mesh_check.GOOD)
+        self.assertTrue(any("lines of wires" in finding.text for finding in findings))
+        rows = series.rows_of(series.run(mesh, sizes=[3, 6]))
+        self.assertEqual([(row.is_meshed, row.error, row.verdict) for row in rows], [(True, "", mesh_check.GOOD)] * 2)
+
+    def test_one_of_a_kind_is_told_as_one(self):
+        mesh, _ = self.meshed(size=5)
+        figures = statistics.of_object(mesh)
+        sj = figures.sj.copy()
+        sj[3] = 0.1
+        found = mesh_check.shape(figures._replace(sj=sj))
+        self.assertEqual((found.text, found.elements), ("1 element has a scaled Jacobian below 0.3: 0.100.", (4,)))
+        sj[5] = 0.2
+        self.assertEqual(mesh_check.shape(figures._replace(sj=sj)).text, "2 elements have a scaled Jacobian below 0.3; the least is 0.100.")
 
     def test_an_object_that_is_not_meshed(self):
         with self.assertRaisesRegex(ValueError, "not meshed"):

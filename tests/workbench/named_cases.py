@@ -79,6 +79,15 @@ class Named(InDocument):
             again = import_mesh.add(self.document, path)
             self.assertEqual(again.Quads, mesh.Quads)
 
+    def test_a_name_in_files_may_be_the_label_of_another_object(self):
+        mesh, plate, board, _ = self.antenna()
+        medium = named_parts.make_medium(mesh, [board])
+        for name, label, in_files in (("Board", "Board001", "Board"), ("FR4", "Board001", "FR4"), ("Board001", "Board001", ""),
+                                      ("Core", "Core", "")):
+            named_parts.change(medium, [board], label=name)
+            self.assertEqual((named_parts.name_of(medium), medium.Label, medium.NameInFiles), (name, label, in_files))
+            self.assertTrue(named_parts.option_texts(mesh, [plate, board])["medium"][0].startswith(name + "="))
+
     def test_groups_of_ports_and_wires_in_freecads_mesh(self):
         mesh, plate, board, mast = self.antenna()
         named_parts.make_port(mesh, [(plate, ["Face1", "Edge1", "Vertex1"])], name="Feed")

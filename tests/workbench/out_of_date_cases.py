@@ -171,7 +171,7 @@ class OldExport(commands_cases.WithCommands):
                 window.click(window.widget("Paver_Export_" + answer, QtGui.QPushButton))
         if answer:
             QtCore.QTimer.singleShot(300, click)
-        files.Export().ask_and_write(self.made, self.path, "msh", {})
+        files.Export().ask_and_write(self.made, self.path, {})
         window.wait(lambda: not run_control._runs, "for a run")
         window.pause(50)
         self.wait_for_tasks()
@@ -208,9 +208,9 @@ class OldExport(commands_cases.WithCommands):
         self.assertEqual((len(self.asked), os.path.exists(self.path)), (1, False))
 
     def test_a_mesh_with_holes_is_asked_about_and_not_meshed_the_same_again(self):
-        self.made.FailedFaces = ["Face3: it cannot be meshed"]
+        self.made.FailedFaces = ["PCB: top/Face3 + Face1: no: end", "Face4: it cannot be meshed"]
         self.export(export_question.CANCEL)
-        self.assertIn("has holes: Face3", self.asked[0])
+        self.assertIn("has holes: PCB: top/Face3 + Face1, Face4 could", self.asked[0])
         self.assertFalse(os.path.exists(self.path))
         self.export(export_question.EXPORT)
         self.assertTrue(os.path.isfile(self.path))

@@ -38,7 +38,7 @@ class Previews(PanelCase):
 
     def test_it_is_drawn_and_goes_with_its_check_box_and_the_panel(self):
         mesh = self.open_with_preview()
-        self.assertIn("1 pairs of parts touch", self.text("PreviewText"))
+        self.assertIn("1 pair of parts touches", self.text("PreviewText"))
         self.assertEqual(self.drawn(), 1)
         window.picture("panel_preview")
         self.assertEqual(self.document.UndoNames, [])

@@ -158,6 +158,15 @@ class RefinementPanel(PanelCase):
         self.assertIn("has changed since meshing", window.widget("Paver_Complaint").text())
         window.widget("Paver_Complaint").close()
 
+    def test_a_mesh_without_a_target_length(self):
+        mesh = self.add_mesh(frequency="30 GHz")
+        mesh.Divisions = 0
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(self.box, "Face1")
+        FreeCADGui.runCommand("Paver_Refine")
+        window.wait(lambda: window.widget("Paver_RefinementLength"), "for the panel")
+        self.assertEqual(mesh.Refinements[0].Length.Value, 1)
+
     def test_a_length_without_effect_is_told(self):
         mesh, child = self.refined()  # of 2 mm
         self.open_panel(child)
@@ -204,6 +213,18 @@ class NamedPanel(PanelCase):
         self.assertEqual(self.document.UndoNames, ["Change Medium", "Medium"])
         self.document.undo()
         self.assertEqual((medium.Label, medium.EpsR), ("Medium", 1))
+
+    def test_a_name_that_another_object_has_as_its_label(self):
+        mesh = self.add_mesh()
+        self.select("Edge1")
+        self.run_command("Paver_Port")
+        window.widget("Paver_NamedLabel").setText("Box")
+        self.ok()
+        port, = mesh.Ports
+        self.assertEqual((port.NameInFiles, port.Label), ("Box", "Box001"))
+        FreeCADGui.ActiveDocument.setEdit(port.Name)
+        window.wait(lambda: window.widget("Paver_NamedLabel"), "for the panel")
+        self.assertEqual(self.text("NamedLabel"), "Box")
 
     def test_cancel_takes_a_new_port_back_and_a_fault_is_a_sentence(self):
         mesh = self.add_mesh()

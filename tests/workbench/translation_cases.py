@@ -8,10 +8,12 @@ from PySide import QtGui
 
 import window
 from commands_cases import WithCommands
-from paver_wb import examples, mesh_check, mesh_object, properties, refinement
+from paver_wb import core, examples, mesh_check, mesh_object, properties, refinement, series
 from paver_wb.base.paths import TRANSLATIONS
-from paver_wb.gui import statistics_panel, check_panel
+from paver_wb.gui import check_panel, run_control, statistics_panel
+from paver_wb.gui.commands import files
 from paver_wb.gui.display import view_properties
+from paver_wb.gui.panels import fields
 
 
 class Translations(WithCommands):
@@ -60,6 +62,17 @@ class Translations(WithCommands):
         self.assertEqual(shown.get("Mesh Status"), "Veraltet")
         self.assertNotIn("Status", shown)
         window.picture("commands_german_properties")
+
+    def test_choices_formats_and_errors_are_german(self):
+        connect = next(info for info in core.load().options() if info["name"] == "connect")
+        field = fields.field_for(connect)
+        self.assertEqual((field.itemText(1), field.itemData(1)), ("nur äußere Haut (union)", "union"))
+        self.assertIn("STL, ebene Dreiecke (*.stl)", files.export_filters())
+        with self.assertRaisesRegex(ValueError, "^Frequenz 'x' einer Reihe"):
+            series.number_of("frequency", "x")
+        for call in (mesh_object.path_of, run_control.start):
+            with self.assertRaisesRegex(Exception, "nicht vernetzt|kein Objekt"):
+                call(mesh_object.add(self.document, []))
 
     def test_commands_and_dialogs_are_german(self):
         self.assertEqual(examples.title("box.step"), "Quader")

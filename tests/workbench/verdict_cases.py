@@ -1,4 +1,7 @@
 """What the task panel says about a mesh. Runs in FreeCAD's window: panel_test.py."""
+import os
+import tempfile
+
 import FreeCAD
 import Part
 from PySide import QtGui
@@ -6,8 +9,9 @@ from PySide import QtGui
 import window
 from panel_cases import PanelCase
 from panel_run_cases import BOW_TIE
-from paver_wb import mesh_check
+from paver_wb import export_mesh, import_mesh, mesh_check, meshing
 from paver_wb.gui.base import measuring, verdict
+from paver_wb.gui.display import colouring
 
 
 class Verdicts(PanelCase):
@@ -45,6 +49,24 @@ class Verdicts(PanelCase):
         for step, level in ((self.document.undo, "warning"), (self.document.undo, "good")):
             step()
             self.assertEqual(self.verdict()[0], level)
+
+    def test_imported_meshes_and_wires_alone(self):
+        mesh = self.add_mesh()
+        meshing.mesh(mesh)
+        with tempfile.TemporaryDirectory() as folder:
+            read = import_mesh.add(self.document, export_mesh.write(mesh, os.path.join(folder, "mesh.msh")))
+        self.open(read)
+        self.assertEqual(self.verdict(), ("good", "Good: nothing is wrong with the mesh."))
+        table = window.widget("Paver_Result")
+        names = [table.item(i, 0).text() for i in range(table.rowCount())]
+        self.assertIn("Watertight", names)
+        self.assertNotIn("Irregular nodes", names)
+        window.click(self.button(QtGui.QDialogButtonBox.Cancel))
+        wire = self.meshed(Part.makeLine(FreeCAD.Vector(0, 0, 20), FreeCAD.Vector(0, 0, 50)), size=5)
+        self.assertEqual(self.verdict(), ("good", "Good: nothing is wrong with the mesh."))
+        for colours in colouring.CHOICES:
+            wire.ViewObject.ColourBy = colours
+            window.pause(50)
 
     def test_the_worst_finding_is_told_and_the_rest_opens(self):
         self.meshed(Part.makeBox(100, 100, 50).cut(Part.makeBox(50, 100, 0.016, FreeCAD.Vector(0, 0, 49.984))), size=30)

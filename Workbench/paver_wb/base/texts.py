@@ -8,6 +8,11 @@ def tip(text):
     return text
 
 
+def counted(count, one, many):
+    """The sentence that fits a count."""
+    return one if count == 1 else many
+
+
 def has_default(info):
     return info["default"] != ""
 

@@ -12,8 +12,10 @@ import FreeCAD
 
 from paver_wb.base import proxies
 from paver_wb.base.texts import tip
-from paver_wb.children.references import Numbers, ReferenceMissing, as_references, check_references, names_in_whole
+from paver_wb.children.references import (Numbers, ReferenceMissing, as_references, check_references, kinds_text,
+                                          names_in_whole)
 
+translate = FreeCAD.Qt.translate
 MEDIA, PORTS, WIRES = LINKS = ("Media", "Ports", "Wires")  # properties of a mesh object
 NAME = "NameInFiles"
 CONDUCTING = 1e4  # S/m: a material that conducts better counts as a conductor
@@ -156,8 +158,9 @@ def fitting(kind, listed):
         fit = [element for element in elements if not element or element_kind(element) in kind.elements]
         if len(fit) < len(elements) and kind.elements != ("Solid",):
             wrong = next(element for element in elements if element not in fit)
-            kinds = ", ".join(name.lower() for name in kind.elements)
-            raise ReferenceMissing(f"{wrong} of '{thing.Label}' cannot be in a {kind.option}; choose {kinds}.")
+            named = {"port": translate("Paver", "port"), "wire": translate("Paver", "wire")}[kind.option]
+            raise ReferenceMissing(translate("Paver", "{} of '{}' cannot be in a {}; choose {}.").format(
+                wrong, thing.Label, named, kinds_text(kind.elements)))
         found.append((thing, fit if len(fit) == len(elements) else [""]))
     return found
 
@@ -182,11 +185,13 @@ def put(obj, listed, values):
         try:
             setattr(obj, name, value)
         except Exception:  # FreeCAD raises all sorts, with texts for programmers
-            raise ValueError(f"{name} of '{obj.Label}' cannot be {value!r}; write a number.") from None
+            raise ValueError(translate("Paver", "{} of '{}' cannot be {}; write a number.").format(
+                name, obj.Label, repr(value))) from None
         number = getattr(getattr(obj, name), "Value", getattr(obj, name))
         if name != "Conductor" and not (number >= 0 if name == "LossTangent" else number > 0):
-            raise ValueError(f"{name} of '{obj.Label}' is {value!r}; give one {'from' if name == 'LossTangent' else 'above'} "
-                             "0.")
+            text = translate("Paver", "{} of '{}' is {}; give one from 0.") if name == "LossTangent" else translate(
+                "Paver", "{} of '{}' is {}; give one above 0.")
+            raise ValueError(text.format(name, obj.Label, repr(value)))
 
 
 def copy(obj, mesh):

@@ -1,10 +1,13 @@
 """What children of a mesh object refer to: elements of its sources, as names in the shape that is meshed."""
 import re
 
+import FreeCAD
+
 from paver_wb.base import proxies
 
 KINDS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
 ELEMENT = re.compile(r"(Face|Edge|Vertex|Solid)([1-9]\d*)")
+translate = FreeCAD.Qt.translate
 SOLIDS_FIRST = ("Solid", "Face")  # what a whole object means: the first of these kinds that it has
 
 
@@ -29,7 +32,8 @@ def as_references(mesh, references):
         thing, elements = entry if isinstance(entry, (tuple, list)) else (entry, "")
         listed.append((thing, [elements] if isinstance(elements, str) else list(elements) or [""]))
     if not listed:
-        raise ReferenceMissing(f"What is to belong to '{mesh.Label}' refers to nothing; select faces, edges, vertices or objects.")
+        raise ReferenceMissing(translate("Paver", "What is to belong to '{}' refers to nothing; select faces, edges, vertices or "
+                                         "objects.").format(mesh.Label))
     return listed
 
 
@@ -44,9 +48,8 @@ def find(sources, owner, thing, element, whole=SOLIDS_FIRST):
         found = inside(source, thing, element, whole)
         if found:
             return number, found
-    what = f"{element or 'all'} of '{thing.Label}'"
-    raise ReferenceMissing(f"'{owner.Label}' refers to {what}, which is not among the objects that are meshed; refer to "
-                           "elements of those.")
+    raise ReferenceMissing(translate("Paver", "'{}' refers to {} of '{}', which is not among the objects that are meshed; refer to "
+                                     "elements of those.").format(owner.Label, element or translate("Paver", "all"), thing.Label))
 
 
 def elements_of(shape, whole):
@@ -54,19 +57,25 @@ def elements_of(shape, whole):
     return next(filter(None, (getattr(shape, KINDS[kind]) for kind in whole)), [])
 
 
+def kinds_text(kinds):
+    names = {"Face": translate("Paver", "face"), "Edge": translate("Paver", "edge"), "Vertex": translate("Paver", "vertex"),
+             "Solid": translate("Paver", "solid")}
+    return ", ".join(names[kind] for kind in kinds)
+
+
 def known(owner, thing, shape, element, whole):
     """Names of the elements of a source's shape; `element` may be empty for the whole of it."""
     if not element:
         found = elements_of(shape, whole)
         if not found:
-            kinds = ", ".join(kind.lower() for kind in whole)
-            raise ReferenceMissing(f"'{owner.Label}' refers to '{thing.Label}', which has no {kinds}; choose another object.")
+            raise ReferenceMissing(translate("Paver", "'{}' refers to '{}', which has no {}; choose another object.").format(
+                owner.Label, thing.Label, kinds_text(whole)))
         return [f"{found[0].ShapeType}{i + 1}" for i in range(len(found))]
     match = ELEMENT.fullmatch(element)
     count = len(getattr(shape, KINDS[match.group(1)])) if match else 0
     if not match or int(match.group(2)) > count:
-        raise ReferenceMissing(f"'{owner.Label}' refers to {element}, which '{thing.Label}' does not have; choose the "
-                               "elements again.")
+        raise ReferenceMissing(translate("Paver", "'{}' refers to {}, which '{}' does not have; choose the elements again."
+                                         ).format(owner.Label, element, thing.Label))
     return [element]
 
 

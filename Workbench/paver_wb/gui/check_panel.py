@@ -180,7 +180,7 @@ class CheckPanel(measuring.MeasuringDialog):
         count = len(self.finding.elements) if self.finding else 0
         for part in (self.back, self.forward, self.isolate):
             part.setEnabled(bool(count))
-        text = translate("Paver", "{} elements").format(count) if count else ""
+        text = report.elements_text(count) if count else ""
         self.count.setText(translate("Paver", "{} of {}").format(self.at + 1, count) if self.at >= 0 else text)
         self.figures.setText("")
 

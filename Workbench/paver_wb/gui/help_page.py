@@ -14,7 +14,7 @@ NAME = "Paver_HelpPage"
 def page():
     """Path of the page in the language that FreeCAD shows, in English for one there is no page in."""
     name = FreeCADGui.getLocale() if hasattr(FreeCADGui, "getLocale") else "English"
-    return os.path.join(PAGES, f"help_{ {'German': 'de'}.get(name, 'en')}.md")
+    return os.path.join(PAGES, "help_de.md" if name == "German" else "help_en.md")
 
 
 def follow(browser, url):

@@ -8,6 +8,7 @@ from PySide import QtCore
 
 from paver_wb import core, mesh_check, mesh_object, meshing, properties
 from paver_wb.base import source_shapes
+from paver_wb.base.texts import counted
 from paver_wb.gui import run_place
 from paver_wb.gui.base import background, run_log, run_status, time_left
 from paver_wb.gui.base.run_task import DONE, RUNNING, STOPPED, WAITING, Task
@@ -85,13 +86,16 @@ def what_was_done(mesh):
     """[sentence] on faces, repairs and merges of a StoredMesh, in any thread."""
     faces, repairs = mesh.report["faces"], mesh.report.get("element_repairs", [])
     failed = sum(face["status"] == "failed" for face in faces)
-    told = [translate("Paver", "{} faces are meshed.").format(number(len(faces) - failed))]
-    told += [translate("Paver", "{} faces are not meshed.").format(number(failed))] if failed else []
+    told = [counted(len(faces) - failed, translate("Paver", "{} face is meshed."), translate(
+        "Paver", "{} faces are meshed.")).format(number(len(faces) - failed))]
+    told += [counted(failed, translate("Paver", "{} face is not meshed."), translate(
+        "Paver", "{} faces are not meshed.")).format(number(failed))] if failed else []
     told += [finding.text for finding in (*mesh_check.repairs(mesh), *mesh_check.merges(mesh))]
     if repairs:
         names = list(dict.fromkeys(repair["entity"] for repair in repairs))
         named = ", ".join(names[:NAMED]) + (" \u2026" if names[NAMED:] else "")
-        told.append(translate("Paver", "{} elements were repaired: {}.").format(number(len(repairs)), named))
+        told.append(counted(len(repairs), translate("Paver", "{} element was repaired: {}."), translate(
+            "Paver", "{} elements were repaired: {}.")).format(number(len(repairs)), named))
     return told
 
 
@@ -241,7 +245,7 @@ def start(obj, run_in=None, **changes):
     meshing.prepare.
     """
     if run_of(obj):
-        raise ValueError(f"'{obj.Label}' is being meshed; wait for that or stop it first.")
+        raise ValueError(translate("Paver", "'{}' is being meshed; wait for that or stop it first.").format(obj.Label))
     return queue(Run(obj, run_in, changes))
 
 

@@ -8,6 +8,7 @@ from paver_wb.formats import mesh_file
 from paver_wb.gui.base import measuring
 from paver_wb.gui.base.histogram import Histogram
 from paver_wb.gui.base.widgets import button, named, row, text_label
+from paver_wb.gui.panels import fields
 
 translate = FreeCAD.Qt.translate
 
@@ -62,15 +63,11 @@ class StatisticsPanel(measuring.MeasuringDialog):
         layout.addLayout(self.bottom())
 
     def bottom(self):
-        self.frequency = named(QtGui.QDoubleSpinBox(), "StatisticsFrequency", translate(
-            "Paver", "Frequency for the figures in wavelengths; the mesh stays as it is"))
-        self.frequency.setDecimals(4)
-        self.frequency.setRange(0, 1e6)
-        self.frequency.setSuffix(" GHz")
-        self.frequency.setSpecialValueText("\u2013")
+        self.frequency = named(fields.QuantityField("frequency", may_be_empty=True, empty_text="\u2013"), "StatisticsFrequency")
+        self.frequency.set_tip(translate("Paver", "Frequency for the figures in wavelengths; the mesh stays as it is"))
         wave = statistics.wave_of(self.obj)
-        self.frequency.setValue(wave.frequency / 1e9 if wave else 0)
-        self.frequency.valueChanged.connect(lambda _value: self.show_figures())
+        self.frequency.set_value(wave.frequency if wave else None)
+        self.frequency.changed.connect(self.show_figures)
         self.note = QtGui.QLabel()
         return row(QtGui.QLabel(translate("Paver", "Frequency")), self.frequency, self.note,
                    button("StatisticsCopy", translate("Paver", "Copy table"), "", self.copy), self.close_button(),
@@ -95,7 +92,7 @@ class StatisticsPanel(measuring.MeasuringDialog):
     def show_figures(self):
         if self.base is None:
             return
-        frequency = self.frequency.value() * 1e9
+        frequency = self.frequency.value() or 0
         wave = statistics.wave_at(frequency, self.obj.EpsR, self.obj.MuR) if frequency > 0 else None
         self.figures = self.base._replace(wave=wave)
         self.note.setText(f"λ = {length_text(wave.length)}" if wave else translate(

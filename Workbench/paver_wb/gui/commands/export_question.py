@@ -9,6 +9,12 @@ from paver_wb.gui.commands.common import translate
 EXPORT, MESH, CANCEL = "export", "mesh", "cancel"
 
 
+def may_replace(path):
+    """Whether a file that is there already may go. The dialog of files has not asked for it: it did not know the ending."""
+    return QtGui.QMessageBox.question(FreeCADGui.getMainWindow(), translate("Paver", "Export mesh"), translate(
+        "Paver", "{} is there already. Replace it?").format(path)) == QtGui.QMessageBox.Yes
+
+
 def ask(obj, fault):
     """EXPORT, MESH or CANCEL. fault: a sentence on what is wrong. A mesh with holes would be the same once more."""
     is_old = mesh_object.state_of(obj) == mesh_object.OUT_OF_DATE

@@ -1,5 +1,6 @@
 """Commands that read and write files."""
 import os
+import re
 
 import FreeCAD
 import FreeCADGui
@@ -10,6 +11,10 @@ from paver_wb.gui.base import first_view
 from paver_wb.gui.commands import export_question
 from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, Command, OnMeshed, python_name, run, shown_as, target_mesh,
                                           translate)
+
+
+PROPOSED = "msh"
+NO_NAME = re.compile(r'[/\\:*?"<>|]')  # what names of files cannot have
 
 
 def last_folder():
@@ -23,8 +28,17 @@ def export_filters():
                "Gmsh 2.2 (*.msh)": ("msh", {"msh_version": "2.2"}),
                f"Gmsh 2.2, {text} (*.msh)": ("msh", {"msh_version": "2.2", "ascii": True}),
                "VTK (*.vtu)": ("vtu", {}), f"VTK, {text} (*.vtu)": ("vtu", {"ascii": True})}
-    filters.update({f"{what} (*.{ending})": (ending, {}) for ending, what in export_mesh.FEM.items()})
+    filters.update({f"{translate('Paver', what)} (*.{ending})": (ending, {}) for ending, what in export_mesh.FEM.items()})
     return filters
+
+
+def with_ending(path, ending):
+    """A path with the ending of a filter, where its own is none that can be written or still the proposed one."""
+    stem, own = os.path.splitext(path)
+    own = own.lower().lstrip(".")
+    if own == ending or own != PROPOSED and own in (*export_mesh.OWN, *export_mesh.FEM):
+        return path
+    return f"{stem if own == PROPOSED else path}.{ending}"
 
 
 class Export(OnMeshed):
@@ -34,28 +48,28 @@ class Export(OnMeshed):
 
     def Activated(self):
         obj, filters = target_mesh(), export_filters()
-        start = os.path.join(last_folder(), obj.Label + ".msh")
+        start = os.path.join(last_folder(), f"{NO_NAME.sub('-', obj.Label)}.{PROPOSED}")
         path, chosen = QtGui.QFileDialog.getSaveFileName(FreeCADGui.getMainWindow(), translate("Paver", "Export mesh"),
                                                          start, ";;".join(filters))
         if path:
-            self.ask_and_write(obj, path, *filters[chosen])
+            ending, more = filters[chosen]
+            whole = with_ending(path, ending)
+            if whole == path or not os.path.exists(whole) or export_question.may_replace(whole):
+                self.ask_and_write(obj, whole, more)
 
-    def ask_and_write(self, obj, path, ending, more):
+    def ask_and_write(self, obj, path, more):
         """Writes the mesh; asks first where it is not what its options and shapes ask for."""
         fault = export_mesh.fault_of(obj)
         if not fault:
-            self.write(obj, path, ending, more)
+            self.write(obj, path, more)
             return
         answer = export_question.ask(obj, fault)
         if answer != export_question.CANCEL:
-            self.write(obj, path, ending, more, "mesh_and_export" if answer == export_question.MESH else "export")
+            self.write(obj, path, more, "mesh_and_export" if answer == export_question.MESH else "export")
 
     @staticmethod
-    def write(obj, path, ending, more, function="export"):
+    def write(obj, path, more, function="export"):
         """function: of gui.file_tasks."""
-        known = [*export_mesh.OWN, *export_mesh.FEM]
-        if os.path.splitext(path)[1].lower().lstrip(".") not in known:
-            path += "." + ending
         arguments = "".join(f", {name}={value!r}" for name, value in more.items())
         run(f"{function}({python_name(obj)}, {path!r}{arguments})", "paver_wb.gui.file_tasks")
 

@@ -66,7 +66,7 @@ def of_mesh(mesh, wish):
         targets = mesh.edge_targets
         values = np.fmax.reduce(mesh.edge_lengths / np.maximum(targets, 1e-300), axis=1)
         return scaled(values, translate("Paver", "Longest edge / local target"),
-                      range_text(np.nanmin(targets), np.nanmax(targets)), (0, 2), "Deviation", wish)
+                      range_text(np.nanmin(targets), np.nanmax(targets)) if len(targets) else "", (0, 2), "Deviation", wish)
     if wish.by == KIND:
         return by_kind(mesh)
     if wish.by == FACE:

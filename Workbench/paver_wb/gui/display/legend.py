@@ -2,7 +2,7 @@
 from PySide import QtCore, QtGui
 
 from paver_wb import statistics
-from paver_wb.gui.display import colouring
+from paver_wb.gui.display import colouring, report
 from paver_wb.gui.display.colouring import translate
 from paver_wb.gui.display.panels import FAINT, INK, font, sheet, text_size
 
@@ -30,7 +30,7 @@ def summary(scale):
     names = translate("Paver", "min"), translate("Paver", "mean"), translate("Paver", "max")
     figures = (number(x) for x in (scale.least, scale.mean, scale.most))
     return ["   ".join(f"{name} {figure}" for name, figure in zip(names, figures)),
-            translate("Paver", "{} elements").format(statistics.number(int(scale.histogram.sum())))]
+            report.elements_text(int(scale.histogram.sum()))]
 
 
 def key_rows(key):

@@ -1,6 +1,8 @@
 """What is told about an element."""
+from paver_wb.base.texts import counted
 from paver_wb.base.units import area_text, lengths_text
 from paver_wb.gui.display.colouring import translate
+from paver_wb.statistics import number
 
 
 def element_name(element):
@@ -48,6 +50,10 @@ def rows(info):
     if info["target"]:
         made.append((translate("Paver", "Longest / target"), f"{max(info['lengths']) / info['target']:.3f}"))
     return made + [(translate("Paver", "Area"), area_text(info["area"]))]
+
+
+def elements_text(count):
+    return counted(count, translate("Paver", "{} element"), translate("Paver", "{} elements")).format(number(count))
 
 
 def line(info):

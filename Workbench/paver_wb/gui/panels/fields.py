@@ -175,7 +175,8 @@ def field_for(info):
     if info["kind"] == "choice":
         names = {"quad-dominant": translate("Paver", "Quad-dominant"), "all-quad": translate("Paver", "All quads"),
                  "all-triangle": translate("Paver", "All triangles"), "off": translate("Paver", "No"),
-                 "auto": translate("Paver", "Automatic"), "one": translate("Paver", "One element across")}
+                 "auto": translate("Paver", "Automatic"), "one": translate("Paver", "One element across"),
+                 "imprint": translate("Paver", "imprint"), "union": translate("Paver", "union"), "none": translate("Paver", "none")}
         labels = [names.get(choice, choice) for choice in info["choices"]]
         if info["name"] == "multilevel":
             labels = [translate("Paver", "{} times as long").format(label) if label.isdigit() else label

@@ -1,6 +1,5 @@
 """The part of the task panel that shows figures of the mesh."""
 import FreeCAD
-import numpy as np
 from PySide import QtCore, QtGui
 
 from paver_wb import mesh_check, statistics
@@ -17,16 +16,10 @@ NAME, VALUE = range(2)  # columns: where there is no room for both, names are cu
 NARROWEST = 60  # pixels of a column
 
 
-def edge_lengths(mesh):
-    """(edges,) straight lengths of all element edges, each once, mm; of the lines where there are only wires."""
-    edges = statistics.mesh_edges(mesh)[0]
-    return statistics.edge_lengths(mesh, edges if len(edges) else np.asarray(mesh.lines)[:, :2])
-
-
 def figures(mesh):
     """[(name, value, tooltip)] of a StoredMesh."""
-    quality, report, lengths = mesh.report["quality"], mesh.report, edge_lengths(mesh)
-    sj = quality["sj"]["all"]
+    quality, report, (edges, users) = mesh.report["quality"], mesh.report, statistics.mesh_edges(mesh)
+    lengths, sj = statistics.edge_lengths(mesh, edges), quality["sj"]["all"]
     count = len(mesh.quads) + len(mesh.triangles)
     rows = [
         (translate("Paver", "Elements"), number(count), translate("Paver", "Quads and triangles")),
@@ -40,15 +33,20 @@ def figures(mesh):
          translate("Paver", "Shortest and longest element edge, end to end")),
         (translate("Paver", "Mean edge"), length_text(lengths.mean()), translate("Paver", "Mean length of the element edges")),
         (translate("Paver", "Target length"), length_text(report["target_length"]), translate("Paver", "Away from bends and local sizes")),
-        (translate("Paver", "Edges 0.7\u20131.4 target"), f"{100 * quality['length_in_band']:.1f} %",
+        (translate("Paver", "Edges 0.7\u20131.4 target"), percent_text(quality.get("length_in_band")),
          translate("Paver", "Edges between 0.7 and 1.4 of the length wanted there")),
-        (translate("Paver", "Irregular nodes"), f"{100 * quality['irregular_share']:.1f} %",
+        (translate("Paver", "Irregular nodes"), percent_text(quality.get("irregular_share")),
          translate("Paver", "Nodes inside faces where not four quads meet")),
         (translate("Paver", "Watertight"), translate("Paver", "yes") if quality["watertight"] else translate(
-            "Paver", "no, {} free edges").format(number(quality["border_edges"])),
+            "Paver", "no, {} free edges").format(number(quality.get("border_edges", int((users == 1).sum())))),
          translate("Paver", "Whether every mesh edge lies in exactly two elements")),
     ]
-    return rows + wires(mesh) + parts(report) + times(report)
+    return [row for row in rows if row[VALUE]] + wires(mesh) + parts(report) + times(report)
+
+
+def percent_text(share):
+    """Empty where it is not known, as of an imported mesh."""
+    return "" if share is None else f"{100 * share:.1f} %"
 
 
 def wires(mesh):
@@ -72,7 +70,9 @@ def parts(report):
 
 def times(report):
     """Rows for the stages that took a share of the time worth telling."""
-    seconds = report["stage_seconds"]
+    seconds = report.get("stage_seconds")
+    if not seconds:
+        return []
     total = sum(seconds.values())
     rows = [(translate("Paver", "Time"), f"{total:.2f} s", translate("Paver", "Of all stages"))]
     return rows + [("    " + run_status.stage_text(stage), f"{spent:.2f} s",

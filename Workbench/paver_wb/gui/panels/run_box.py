@@ -6,6 +6,7 @@ from PySide import QtCore, QtGui
 
 from paver_wb import mesh_object, preferences
 from paver_wb.base.paths import ICONS
+from paver_wb.base.texts import counted
 from paver_wb.gui import run_place
 from paver_wb.gui.base import run_log, run_status
 from paver_wb.gui.base.widgets import MARGINS, SPACING, FaultBox, button, named, row, text_label, timer
@@ -25,7 +26,8 @@ def count_text(count):
 
 def prediction_text(prediction, run_in, limit):
     """About how much a run will come to; limit: the most elements it may make."""
-    text = translate("Paver", "About {} elements, up to {} of memory").format(count_text(prediction.elements),
+    text = counted(prediction.elements, translate("Paver", "About {} element, up to {} of memory"), translate(
+        "Paver", "About {} elements, up to {} of memory")).format(count_text(prediction.elements),
                                                                            memory(prediction.memory_mib * 2 ** 20))
     if prediction.elements > limit:
         return text + translate("Paver", "; more than 'Most elements' allows, so choose longer elements or raise that")
@@ -36,7 +38,9 @@ def prediction_text(prediction, run_in, limit):
 
 def count_of_mesh(obj):
     """How much the run has come to."""
-    return translate("Paver", "The mesh has {} elements").format(number(obj.Quads + obj.Triangles))
+    count = obj.Quads + obj.Triangles
+    return counted(count, translate("Paver", "The mesh has {} element"), translate("Paver", "The mesh has {} elements")).format(
+        number(count))
 
 
 class RunBox(QtGui.QWidget):

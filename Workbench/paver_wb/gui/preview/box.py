@@ -8,6 +8,7 @@ from PySide import QtCore, QtGui
 
 from paver_wb import meshing, preferences
 from paver_wb.base import proxies, source_shapes
+from paver_wb.base.texts import counted
 from paver_wb.base.units import length_text
 from paver_wb.gui.base.background import Latest
 from paver_wb.gui.base.widgets import named, text_label, timer
@@ -38,9 +39,10 @@ def text_of(look):
     """What a Look has, each in the colour it is drawn in."""
     lines, sizes = [], size_text(look)
     if look.pairs:
-        lines.append((CONTACT, translate("Paver", "{} pairs of parts touch").format(number(look.pairs))))
+        lines.append((CONTACT, counted(look.pairs, translate("Paver", "{} pair of parts touches"), translate(
+            "Paver", "{} pairs of parts touch")).format(number(look.pairs))))
     if look.short or look.thin:
-        lines.append((SMALL, translate("Paver", "{} short edges and {} small faces are merged with others").format(
+        lines.append((SMALL, translate("Paver", "Short edges and small faces that are merged with others: {} and {}").format(
             number(look.short), number(look.thin))))
     if not lines:
         return sizes + "<br>" + translate("Paver", "No parts touch, and nothing is merged")

@@ -89,8 +89,9 @@ class ValuesBox(QtGui.QWidget):
         self.as_files = named(QtGui.QRadioButton(translate("Paver", "Files only")), "SeriesFiles", translate(
             "Paver", "A file for each value and format, and the table as CSV, in the folder; nothing large in the document"))
         self.kept.setChecked(True)
-        self.formats = {ending: named(QtGui.QCheckBox(ending), "SeriesFormat_" + ending, {
-            **export_mesh.OWN, **export_mesh.FEM}[ending]) for ending in series.FORMATS}
+        names = {**export_mesh.OWN, **export_mesh.FEM}
+        self.formats = {ending: named(QtGui.QCheckBox(ending), "SeriesFormat_" + ending, translate(
+            "Paver", names[ending])) for ending in series.FORMATS}
         self.formats["msh"].setChecked(True)
         self.folder = named(QtGui.QLineEdit(preferences.parameters().GetString(preferences.LAST_FOLDER, "")),
                             "SeriesFolder", translate("Paver", "Where the files are written"))
