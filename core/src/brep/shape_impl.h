@@ -15,6 +15,8 @@ struct Shape {
   /// Name the file gives to each face, in the order of TopExp::MapShapes(shape, TopAbs_FACE), then to what is loose:
   /// edges, vertices; empty text where none. Of a shape that was not read: no names at all.
   std::vector<std::string> labels;
+  /// Places in that order of faces whose poles reading had lost and got back.
+  std::vector<int> restored;
 };
 
 /// Edges that bound no face and vertices that end no edge, in the order of TopExp.

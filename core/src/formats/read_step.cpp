@@ -12,6 +12,7 @@
 
 #include "formats/exchange_settings_impl.h"
 #include "formats/object_labels_impl.h"
+#include "formats/step_poles_impl.h"
 #include "formats/transfer_impl.h"
 
 namespace paver {
@@ -87,7 +88,9 @@ extern "C" void paver_read_format(const FileSource& file, const Doubt& doubt, Sh
   if (has_fails(reader.Model())) doubt();
   report.unit = stated_unit(reader);
   transfer(reader, shape, progress, face_name);
-  if (!shape.shape.IsNull()) label_objects(reader, shape);
+  if (shape.shape.IsNull()) return;
+  label_objects(reader, shape);
+  restore_poles(reader, shape);
 }
 
 }  // namespace paver

@@ -55,7 +55,7 @@ inline TopoDS_Compound compound(std::initializer_list<TopoDS_Shape> parts) {
   return result;
 }
 
-inline Shape as_shape(const TopoDS_Shape& shape) { return {shape, {}}; }
+inline Shape as_shape(const TopoDS_Shape& shape) { return {shape, {}, {}}; }
 
 inline Model model_of(const TopoDS_Shape& shape, const Options& options = {}) {
   Progress progress;

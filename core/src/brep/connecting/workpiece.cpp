@@ -153,6 +153,7 @@ Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& ta
     face.has_area = !face.fault.empty() || !has_loops || face.area > no_area_share * work.diagonal * work.diagonal;
     progress.advance(measure_units);
   }
+  for (const int face : shape.restored) work.note_repair(RepairKind::pole, 1, 0, face_name(face));
   return work;
 }
 

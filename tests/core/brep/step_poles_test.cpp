@@ -1,0 +1,89 @@
+// Balls with rods and holes where their periodic edge is, written to STEP and read again.
+#include <gtest/gtest.h>
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <GProp_GProps.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Writer.hxx>
+#include <cmath>
+
+#include "brep/occt_impl.h"
+#include "core/brep/shape_files.h"
+
+namespace paver {
+namespace {
+
+double area_of(const TopoDS_Shape& shape) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(shape, properties);
+  return properties.Mass();
+}
+
+std::shared_ptr<Shape> read_again(const TopoDS_Shape& shape) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("model.step");
+  {
+    QuietMessages quiet;
+    STEPControl_Controller::Init();
+    STEPControl_Writer writer;
+    writer.Transfer(shape, STEPControl_AsIs);
+    writer.Write(path.c_str());
+  }
+  ModelReport report;
+  Progress progress;
+  return read_shape(path, report, progress);
+}
+
+TopoDS_Shape ball() { return BRepPrimAPI_MakeSphere(50).Shape(); }
+TopoDS_Shape rod(gp_Dir along, double radius = 8) {
+  return BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, 0}, along), radius, 100).Shape();
+}
+
+void expect_whole(const TopoDS_Shape& shape, std::size_t restored) {
+  const std::shared_ptr<Shape> read = read_again(shape);
+  EXPECT_NEAR(area_of(read->shape), area_of(shape), 1e-4 * area_of(shape));
+  EXPECT_EQ(read->restored.size(), restored);
+  Progress progress;
+  test::Alone alone(progress);
+  const Model model = build_model(*read, {}, {}, progress, alone);
+  double area = 0;
+  for (const Face& face : model.faces) {
+    area += face.area;
+    EXPECT_EQ(face.fault, "");
+  }
+  EXPECT_NEAR(area, area_of(shape), 1e-4 * area_of(shape));
+}
+
+TEST(StepPoles, OfABallWithARodAlongItsXAxisAreNotLost) {
+  expect_whole(BRepAlgoAPI_Fuse(ball(), rod({1, 0, 0})).Shape(), 1);
+}
+
+TEST(StepPoles, NorWhereAHoleLiesAskewOverThePeriodicEdge) {
+  expect_whole(BRepAlgoAPI_Cut(ball(), rod({1, 0.1, 0.5})).Shape(), 1);
+  expect_whole(BRepAlgoAPI_Cut(ball(), BRepPrimAPI_MakeBox(gp_Pnt{30, -10, -12}, 40, 30, 20).Shape()).Shape(), 1);
+}
+
+TEST(StepPoles, NorWhereTwoHolesDo) {
+  const TopoDS_Shape one = BRepAlgoAPI_Fuse(ball(), rod({1, 0, 1})).Shape();
+  expect_whole(BRepAlgoAPI_Fuse(one, rod({1, 0, -1})).Shape(), 1);
+}
+
+TEST(StepPoles, NorInsideAHollowBall) {
+  const TopoDS_Shape hollow = BRepAlgoAPI_Cut(ball(), BRepPrimAPI_MakeSphere(48).Shape()).Shape();
+  expect_whole(BRepAlgoAPI_Cut(hollow, rod({1, 0, 0})).Shape(), 2);
+}
+
+TEST(StepPoles, FacesThatAreReadRightStay) {
+  expect_whole(ball(), 0);
+  expect_whole(BRepAlgoAPI_Cut(ball(), rod({0, 1, 0})).Shape(), 0);
+  expect_whole(BRepAlgoAPI_Cut(ball(), rod({0, 0, 1})).Shape(), 0);
+  expect_whole(BRepAlgoAPI_Cut(rod({0, 0, 1}, 40), rod({1, 0, 0.5})).Shape(), 0);
+}
+
+}  // namespace
+}  // namespace paver
