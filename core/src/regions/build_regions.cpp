@@ -60,6 +60,7 @@ class RegionBuilder {
     region.h = size_.face_h[index_];
     region.area = face_.area;
     region.gradation = size_.gradation;
+    region.turn_limit = size_.turn_limit;
     return region;
   }
 

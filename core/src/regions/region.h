@@ -1,6 +1,7 @@
 // One paving task, complete in itself: a piece of one surface with its loops of fixed nodes.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -40,8 +41,9 @@ struct RegionTask {
   FaceSize size{1};
   double h = 1;  ///< target length of the run, or what is given for the face
   double gradation = 0.3;
-  double evenness = 1;  ///< what even lengths are worth against regular nodes
-  double area = 0;      ///< mm^2, of the whole face: bounds the work
+  double turn_limit = M_PI / 4;  ///< radians per element edge
+  double evenness = 1;           ///< what even lengths are worth against regular nodes
+  double area = 0;               ///< mm^2, of the whole face: bounds the work
 };
 
 struct Region : RegionTask {

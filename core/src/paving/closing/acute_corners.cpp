@@ -63,7 +63,7 @@ class AcuteCorner {
   /// The nodes within the last row, over which the loop runs from b to a.
   std::vector<int> lay(int count) {
     // Skew of elements that turn far counts for little in smoothing: their rows would lean.
-    const bool is_kept = mesh_.has_turns();
+    const bool is_kept = mesh_.has_turns() || columns_ > 2;
     std::vector<int> before, row;
     for (int k = 1; k <= count; ++k, before = std::move(row)) {
       row = {a(k)};
@@ -87,16 +87,15 @@ class AcuteCorner {
   double distance(int u, int v) const { return norm(mesh_.x[u] - mesh_.x[v]); }
   double target(int k) const { return 0.5 * (mesh_.h[a(k)] + mesh_.h[b(k)]); }
 
-  /// From side to side as lengths count turns.
+  /// From side to side as lengths count turns, whether or not they do on this face.
   double turned_width(int k) const {
-    if (!mesh_.has_turns()) return 0;
     double sum = 0;
-    MetricVec last = mesh_.point(a(k));
-    for (int i = 1; i <= width_steps; ++i) {
+    MetricVec last;
+    for (int i = 0; i <= width_steps; ++i) {
       const double share = static_cast<double>(i) / width_steps;
       const NodePlace at = region_.place((1 - share) * mesh_.p[a(k)] + share * mesh_.p[b(k)]);
-      const MetricVec here{at.x, at.n};
-      sum += norm(mesh_.step(last, here, target(k)));
+      const MetricVec here{at.x, (target(k) / region_.turn_limit) * unit(cross(at.xp, at.xq))};
+      if (i > 0) sum += norm(here - last);
       last = here;
     }
     return sum;
