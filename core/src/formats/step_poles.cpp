@@ -10,6 +10,7 @@
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Precision.hxx>
+#include <Standard_Failure.hxx>
 #include <StepShape_EdgeCurve.hxx>
 #include <StepShape_EdgeLoop.hxx>
 #include <StepShape_FaceBound.hxx>
@@ -243,6 +244,16 @@ class WholeFace {
   std::vector<Hole> holes_;
 };
 
+/// Nothing where the face was read as it is, or the kernel fails on it.
+std::optional<TopoDS_Face> whole_face(const TopoDS_Face& read) {
+  try {
+    WholeFace maker(read);
+    return maker.was_read() ? std::nullopt : maker.make();
+  } catch (const Standard_Failure&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 void restore_poles(XSControl_Reader& reader, Shape& shape) {
@@ -257,9 +268,7 @@ void restore_poles(XSControl_Reader& reader, Shape& shape) {
     if (entity.IsNull() || dead_ends(*entity) != 2) continue;
     for (TopExp_Explorer of(TransferBRep::ShapeResult(process, entity), TopAbs_FACE); of.More(); of.Next()) {
       const TopoDS_Face& read = TopoDS::Face(of.Current());
-      WholeFace maker(read);
-      if (maker.was_read()) continue;
-      const std::optional<TopoDS_Face> whole = maker.make();
+      const std::optional<TopoDS_Face> whole = whole_face(read);
       if (!whole) continue;
       // The reader may have turned the face over with its loop.
       const TopAbs_Orientation sense = entity->SameSense() ? TopAbs_FORWARD : TopAbs_REVERSED;
