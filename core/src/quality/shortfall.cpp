@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
-
 #include "base/listed.h"
 #include "paver/result.h"
 
@@ -53,25 +51,15 @@ std::string lost(const std::vector<std::string>& parts) {
 }
 
 constexpr double far_too_long = 4;  // sides, by the target length
-constexpr double turned_over = 90;  // degrees, between the normals of an element and of its surface
 
-std::vector<std::string> doubtful_faces(const RunReport& report) {
-  std::vector<std::string> faces_long, faces_turned, sentences;
-  for (const FaceReport& face : report.faces) {
-    const double length = face.longest_side / report.target_length, angle = face.distance.angle * 180 / M_PI;
-    if (length > far_too_long) faces_long.push_back(fmt::format("{} ({:.1f})", face.name, length));
-    if (angle > turned_over) faces_turned.push_back(fmt::format("{} ({:.0f} degrees)", face.name, angle));
-  }
-  if (!faces_long.empty())
-    sentences.push_back(
-        fmt::format("Elements are many times as long as the target length: {}; a slightly different size may mesh it.",
-                    listed(faces_long, most_named_faces)));
-  if (!faces_turned.empty())
-    sentences.push_back(fmt::format(
-        "Elements look another way than their surface: {}; use a smaller size, or repair the face in the CAD program "
-        "where it folds over itself.",
-        listed(faces_turned, most_named_faces)));
-  return sentences;
+std::string long_sides(const RunReport& report) {
+  std::vector<std::string> faces;
+  for (const FaceReport& face : report.faces)
+    if (face.longest_side > far_too_long * report.target_length)
+      faces.push_back(fmt::format("{} ({:.1f})", face.name, face.longest_side / report.target_length));
+  if (faces.empty()) return {};
+  return fmt::format("Elements are many times as long as the target length: {}; a slightly different size may mesh it.",
+                     listed(faces, most_named_faces));
 }
 
 constexpr const char* no_mesh = "None of the faces has an area, so there is no mesh.";
@@ -107,7 +95,7 @@ std::vector<std::string> doubts(const RunReport& report) {
         "{} and {} come within {:.3g} mm of each other at ({:.6g}, {:.6g}, {:.6g}) and share no node; where "
         "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
         gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
-  for (std::string& sentence : doubtful_faces(report)) sentences.push_back(std::move(sentence));
+  if (std::string sentence = long_sides(report); !sentence.empty()) sentences.push_back(sentence);
   return sentences;
 }
 

@@ -111,17 +111,5 @@ TEST(Doubts, NameFacesWithElementsThatAreFarTooLong) {
   EXPECT_STREQ(verdict(report), "doubtful");
 }
 
-TEST(Doubts, NameFacesWithElementsThatLookAnotherWay) {
-  RunReport report;
-  report.target_length = 2;
-  report.faces.resize(2);
-  report.faces[0].name = "Face1", report.faces[0].distance.angle = 1.3;
-  report.faces[1].name = "Face2", report.faces[1].distance.angle = 3.1;
-  report.quality.quads = 10;
-  ASSERT_EQ(doubts(report).size(), 1U);
-  EXPECT_NE(doubts(report)[0].find("Face2 (178 degrees)"), std::string::npos) << doubts(report)[0];
-  EXPECT_EQ(doubts(report)[0].find("Face1"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace paver
