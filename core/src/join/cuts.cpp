@@ -24,7 +24,8 @@ Cuts::Cuts(const std::vector<Region>& regions, std::vector<CutSide> outlines) : 
   for (const Region& region : regions)
     for (const auto& loop : region.loops) add_loop(region, loop, sides_);
   std::ranges::stable_sort(sides_, {}, key);
-  sides_.erase(std::ranges::unique(sides_, {}, key).begin(), sides_.end());
+  auto is_same = [](const CutSide& one, const CutSide& other) { return key(one) == key(other); };
+  sides_.erase(std::unique(sides_.begin(), sides_.end(), is_same), sides_.end());
 }
 
 int Cuts::find(int face, int a, int b) const {
