@@ -82,20 +82,23 @@ Handle(Geom_Surface) periodic_surface(const TopoDS_Face& face) {
   return Handle(Geom_Surface)(periodic);
 }
 
-/// A closed chain of edges, each as it is walked, and the range of their images round the surface.
+/// A closed chain of edges, each as it is walked, with images that meet.
 struct Hole {
   std::vector<TopoDS_Edge> edges;
+  std::vector<Handle(Geom2d_Curve)> images;
   std::vector<gp_Pnt2d> points;
-  double low() const { return extreme(true); }
-  double high() const { return extreme(false); }
 
- private:
-  double extreme(bool least) const {
+  /// Of the images, round the surface.
+  std::pair<double, double> range() const {
     auto less = [](const gp_Pnt2d& a, const gp_Pnt2d& b) { return a.X() < b.X(); };
     const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
-    return least ? low->X() : high->X();
+    return {low->X(), high->X()};
   }
 };
+
+Handle(Geom2d_Curve) moved_round(const Handle(Geom2d_Curve) & image, double by) {
+  return Handle(Geom2d_Curve)::DownCast(image->Translated(gp_Vec2d(by, 0)));
+}
 
 class WholeFace {
  public:
@@ -132,7 +135,7 @@ class WholeFace {
     BRepBuilderAPI_MakeFace maker(surface_, *start, *start + period_, v0_, v1_, Precision::Confusion());
     if (!maker.IsDone()) return std::nullopt;
     TopoDS_Face face = maker.Face();
-    for (Hole& hole : holes_) BRep_Builder().Add(face, wire_of(hole, *start));
+    for (const Hole& hole : holes_) BRep_Builder().Add(face, wire_of(hole, *start));
     return BRepCheck_Analyzer(face).IsValid() ? std::optional(face) : std::nullopt;
   }
 
@@ -189,12 +192,12 @@ class WholeFace {
     const double gap = hole.points.empty() ? 0 : hole.points.back().X() - from.X();
     const double by = period_ * std::round(gap / period_);
     if (std::fabs(gap - by) > jump_share * period_) return false;
-    image = Handle(Geom2d_Curve)::DownCast(image->Translated(gp_Vec2d(by, 0)));
-    BRep_Builder().UpdateEdge(edge, image, surface_, TopLoc_Location(), BRep_Tool::Tolerance(edge));
+    image = moved_round(image, by);
     for (int i = 0; i <= edge_samples; ++i) {
       const double share = static_cast<double>(is_forward ? i : edge_samples - i) / edge_samples;
       hole.points.push_back(image->Value((1 - share) * first + share * last));
     }
+    hole.images.push_back(image);
     hole.edges.push_back(TopoDS::Edge(edge.Oriented(is_forward ? TopAbs_FORWARD : TopAbs_REVERSED)));
     return true;
   }
@@ -203,8 +206,9 @@ class WholeFace {
   std::optional<double> find_start() const {
     std::vector<std::pair<double, double>> taken;
     for (const Hole& hole : holes_) {
-      const double low = hole.low(), down = period_ * std::floor(low / period_);
-      taken.push_back({low - down, hole.high() - down});
+      const auto [low, high] = hole.range();
+      const double down = period_ * std::floor(low / period_);
+      taken.push_back({low - down, high - down});
     }
     std::sort(taken.begin(), taken.end());
     double reach = 0, widest = least_gap * period_;
@@ -219,19 +223,18 @@ class WholeFace {
   }
 
   // Clockwise in the surface's parameters: what it cuts out is on the right.
-  TopoDS_Wire wire_of(Hole& hole, double start) const {
-    const double by = -period_ * std::floor((hole.low() - start) / period_);
+  TopoDS_Wire wire_of(const Hole& hole, double start) const {
+    const double by = -period_ * std::floor((hole.range().first - start) / period_);
     double area = 0;
     for (std::size_t i = 0; i < hole.points.size(); ++i)
       area += hole.points[i].XY().Crossed(hole.points[(i + 1) % hole.points.size()].XY());
     TopoDS_Wire wire;
     BRep_Builder builder;
     builder.MakeWire(wire);
-    for (const TopoDS_Edge& edge : hole.edges) {
-      double first = 0, last = 0;
-      const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, surface_, TopLoc_Location(), first, last);
-      builder.UpdateEdge(edge, Handle(Geom2d_Curve)::DownCast(image->Translated(gp_Vec2d(by, 0))), surface_,
-                         TopLoc_Location(), BRep_Tool::Tolerance(edge));
+    for (std::size_t i = 0; i < hole.edges.size(); ++i) {
+      const TopoDS_Edge& edge = hole.edges[i];
+      builder.UpdateEdge(edge, moved_round(hole.images[i], by), surface_, TopLoc_Location(),
+                         BRep_Tool::Tolerance(edge));
       builder.Add(wire, edge);
     }
     wire.Closed(true);

@@ -177,6 +177,7 @@ bool turns_left(const RegionMesh& mesh, const Element& e);
 
 /// Whether it turns left and faces the surface.
 bool is_positive(const RegionMesh& mesh, const Element& e);
+/// Of a mesh from which no element was removed.
 bool are_all_positive(const RegionMesh& mesh);
 
 /// Whether two corners are one node, or one node of the boundary stage.

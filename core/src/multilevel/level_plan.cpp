@@ -99,8 +99,9 @@ void cut_in_pieces(LevelPlan& plan, double elements) {
   double all = 0;
   for (std::size_t e = 0; e < plan.mesh.elements.size(); ++e) {
     const int i = static_cast<int>(e);
-    if (elements > 0 && plan.is_paved[e]) paved.insert(i);
-    if (!plan.mesh.elements[e].is_alive() || paved.contains(i)) continue;
+    const bool is_paved = elements > 0 && plan.is_paved[e];
+    if (is_paved) paved.insert(i);
+    if (is_paved || !plan.mesh.elements[e].is_alive()) continue;
     centres.push_back({centre_of(plan.mesh, i), i, fine_elements(plan, i)});
     all += centres.back().fine;
   }

@@ -59,8 +59,9 @@ class Planner {
     even_out(coarse_.region, mesh, {}, even_sweeps, progress_);
     std::optional<CoarseNet> net = build_net(coarse_, mesh);
     if (!net) return std::nullopt;
-    auto counts = choose_edge_counts(coarse_, *net, find_chords(coarse_, mesh, *net), lengths(mesh, *net));
-    if (!counts || !fits(lengths(mesh, *net), *counts)) return std::nullopt;
+    const std::vector<double> wanted = lengths(mesh, *net);
+    auto counts = choose_edge_counts(coarse_, *net, find_chords(coarse_, mesh, *net), wanted);
+    if (!counts || !fits(wanted, *counts)) return std::nullopt;
     move_boundary(mesh, *net, *counts);
     even_out(coarse_.region, mesh, wishes(mesh, *net, *counts), count_sweeps, progress_);
     LevelPlan plan;

@@ -470,8 +470,12 @@ class RegionBuilder {
       return unit(cross(xu, xv));
     };
     std::vector<double> turned{0};
-    for (int i = 0; i < steps; ++i)
-      turned.push_back(turned.back() + norm(normal((i + 1.0) / steps) - normal(i / double{steps})) / size_.turn_limit);
+    Vec3 last = normal(0);
+    for (int i = 1; i <= steps; ++i) {
+      const Vec3 here = normal(i / double{steps});
+      turned.push_back(turned.back() + norm(here - last) / size_.turn_limit);
+      last = here;
+    }
     return turned;
   }
 
