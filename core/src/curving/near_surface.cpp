@@ -39,10 +39,12 @@ struct Facing {
   Vec3 one, other;
   /// Whether a normal is opposite to both, and these agree: the surface is thin there, and this is its other side.
   bool is_behind(Vec3 normal) const { return dot(normal, one) < 0 && dot(normal, other) < 0 && dot(one, other) > 0; }
+  /// Cosine between a normal and the mean of both.
+  double along(Vec3 normal) const { return dot(unit(normal), unit(unit(one) + unit(other))); }
 };
 
-/// As nearest_point. Places behind `ends`, if any, are not taken.
-Vec3 approach(const Region& region, Vec2& p, Vec3 target, double scale, const Facing* ends) {
+/// As nearest_point. Places behind `ends`, if any, are not taken. `normal`: of the surface there, of any length.
+Vec3 approach(const Region& region, Vec2& p, Vec3 target, double scale, const Facing* ends, Vec3& normal) {
   constexpr double settled = 1e-4;  // of `scale`: a step along the surface that is not worth an evaluation
   constexpr int most_points = 16;   // with good guesses two or three
   Vec3 nearest, x, xp, xq;
@@ -53,7 +55,7 @@ Vec3 approach(const Region& region, Vec2& p, Vec3 target, double scale, const Fa
     const Vec3 r = target - x;
     const double d = norm(r);
     if (i == 0 || (d <= best * (1 + 1e-12) && !(ends && ends->is_behind(cross(xp, xq))))) {
-      nearest = x, best = d, p = at;
+      nearest = x, best = d, p = at, normal = cross(xp, xq);
       if (!pull_back(xp, xq, r, step) || norm(step.x * xp + step.y * xq) <= settled * scale) break;
     } else {
       step = 0.5 * step;  // the surface bends or is stretched too much on the way
@@ -85,7 +87,8 @@ Vec2 guess_centre(const Region& region, const RegionMesh& mesh, const Corners& c
 }
 
 Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
-  return approach(region, p, target, scale, nullptr);
+  Vec3 normal;
+  return approach(region, p, target, scale, nullptr, normal);
 }
 
 // About a nose at one end a parabola through the middle is flat where the surface turns. Its Jacobian at an end is 4
@@ -95,9 +98,21 @@ Vec3 side_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec
   constexpr double fair_off = 0.02;  // of the target length: even sides serve a solver better than that
   constexpr double shift = 0.05;
   constexpr int most_shifts = 3;
+  constexpr double most_astray = 0.85;  // cosine between the normals of the middle and of both ends
+  constexpr double most_turn = 1;       // of the cubic, by its chord
   const double scale = norm(b - a);
   const Facing ends{cross(mesh.xp[v], mesh.xq[v]), cross(mesh.xp[w], mesh.xq[w])};
-  Vec3 x = approach(region, p, 0.5 * (a + b), scale, &ends);
+  const Vec2 guess = p;
+  Vec3 normal;
+  Vec3 x = approach(region, p, 0.5 * (a + b), scale, &ends, normal);
+  // Along a fillet that is thin against the side the middle of the chord is nearest to another row of it.
+  if (const double along = ends.along(normal); along < most_astray) {
+    if (const SideCubic cubic(mesh, v, w); cubic.is_smooth(most_turn)) {
+      Vec2 place = guess;
+      const Vec3 y = approach(region, place, cubic.at(0.5), scale, &ends, normal);
+      if (ends.along(normal) > along) x = y, p = place;
+    }
+  }
   if (leaning(ends.one, 4 * x - 3 * a - b) <= most_leaning && leaning(ends.other, a + 3 * b - 4 * x) <= most_leaning)
     return x;
   const SideOff off{region, mesh.p[v], mesh.p[w], a, b, fair_off * std::min(mesh.h[v], mesh.h[w])};
@@ -107,7 +122,7 @@ Vec3 side_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec
   for (int i = 1; i <= most_shifts && least > off.fair; ++i) {
     const double along = 0.5 + i * way;
     Vec2 next = p;
-    const Vec3 y = approach(region, next, (1 - along) * a + along * b, scale, &ends);
+    const Vec3 y = approach(region, next, (1 - along) * a + along * b, scale, &ends, normal);
     const double most = std::max(off.half(next, y, true), off.half(next, y, false));
     if (!(most < least)) break;
     x = y, p = next, least = most;

@@ -2,7 +2,7 @@
 // In: loops. Out: pairs of sides.
 // Corners are junctions with an interior angle between 45 and 135 degrees; everywhere else a side runs straight on. One
 // loop with four corners: two pairs. Two loops without any: one pair, its edges matched by nearest middles. Two loops
-// with equally many, near each other: a pair for each side.
+// with equally many, near each other: a pair for each side. One loop about a bent strip: a pair for each straight part.
 #include "boundary/facing/opposite_sides.h"
 
 #include <algorithm>
@@ -15,9 +15,10 @@
 namespace paver {
 namespace {
 
-constexpr double least_corner = 0.7853981633974483;    // 45 degrees
-constexpr double largest_corner = 2.356194490192345;   // 135 degrees
-constexpr double least_straight = 2.6179938779914944;  // 150 degrees; from there to 210 a side runs on
+constexpr double angle_slack = 1e-6;                                // chamfers are at 45 degrees
+constexpr double least_corner = 0.7853981633974483 - angle_slack;   // 45 degrees
+constexpr double largest_corner = 2.356194490192345 + angle_slack;  // 135 degrees
+constexpr double least_straight = 2.6179938779914944;               // 150 degrees; from there to 210 a side runs on
 
 constexpr double many_widths = 4;  // so long are the sides of a thin ring
 
@@ -32,19 +33,30 @@ Junction junction_of(double angle) {
 /// Chains of edges between corners, from the first corner on; one chain where there is no corner.
 using Sides = std::vector<std::vector<int>>;
 
-/// `has_reflex`: sides end at corners of a hole, too.
-std::optional<Sides> sides_of(const Model& model, const Face& face, const Loop& loop, bool has_reflex) {
+/// At the start of each coedge; none where one has no curve or the loop turns back along one.
+std::vector<double> angles_of(const Model& model, const Face& face, const Loop& loop) {
   const std::size_t n = loop.coedges.size();
-  std::vector<Junction> junctions;  // at the start of each coedge
+  std::vector<double> angles;
   for (const Coedge& coedge : loop.coedges)
-    if (!edge_of(model, coedge).curve) return std::nullopt;
+    if (!edge_of(model, coedge).curve) return {};
   for (std::size_t i = 0; i < n; ++i) {
     const Coedge &before = loop.coedges[(i + n - 1) % n], &after = loop.coedges[i];
-    if (n > 1 && before.edge == after.edge) return std::nullopt;
-    junctions.push_back(junction_of(corner_angle(model, face, before, after)));
+    if (n > 1 && before.edge == after.edge) return {};
+    angles.push_back(corner_angle(model, face, before, after));
+  }
+  return angles;
+}
+
+/// `has_reflex`: sides end at corners of a hole, too.
+std::optional<Sides> sides_of(const Loop& loop, const std::vector<double>& angles, bool has_reflex) {
+  const std::size_t n = angles.size();
+  std::vector<Junction> junctions;  // at the start of each coedge
+  for (double angle : angles) {
+    junctions.push_back(junction_of(angle));
     if (has_reflex && junctions.back() == Junction::reflex) junctions.back() = Junction::corner;
     if (junctions.back() != Junction::corner && junctions.back() != Junction::straight) return std::nullopt;
   }
+  if (n == 0) return std::nullopt;
   auto first = std::find(junctions.begin(), junctions.end(), Junction::corner);
   std::size_t start = first == junctions.end() ? 0 : static_cast<std::size_t>(first - junctions.begin());
   Sides sides;
@@ -107,6 +119,65 @@ std::vector<OppositeSides> sides_of_thin_ring(const Model& model, int face, doub
   return pairs;
 }
 
+/// A face between two ends and two borders that bend alike.
+class BentStrip {
+ public:
+  BentStrip(const Model& model, int face, double width, const Loop& loop, const std::vector<double>& angles)
+      : model_(model), face_(face), width_(width) {
+    const std::size_t n = angles.size();
+    auto bends = [&](std::size_t i) { return junction_of(angles[i]) != Junction::straight; };
+    std::size_t first = 0;
+    while (first < n && !bends(first)) ++first;
+    for (std::size_t k = 0; first < n && k < n; ++k) {
+      const std::size_t i = (first + k) % n;
+      if (bends(i)) sides_.emplace_back(), angles_.push_back(angles[i]);
+      sides_.back().push_back(loop.coedges[i].edge);
+    }
+  }
+
+  /// Of its straight parts; none where it is no such strip.
+  std::vector<OppositeSides> pairs() const {
+    std::vector<OppositeSides> result;
+    const std::size_t half = sides_.size() / 2;
+    if (sides_.size() % 2 != 0 || half < least_parts) return {};
+    for (std::size_t end = 0; result.empty() && end < half; ++end)
+      if (is_end(end) && is_end(end + half)) result = pairs_from(end);
+    return result;
+  }
+
+ private:
+  static constexpr std::size_t least_parts = 3;    // two parts and an end
+  static constexpr double widest_end = 2;          // widths
+  static constexpr double least_alike = 0.5;       // lengths of a part's two sides
+  static constexpr double most_unlike = M_PI / 6;  // bends of the two borders
+
+  double angle(std::size_t side) const { return angles_[side % angles_.size()]; }
+
+  bool is_end(std::size_t side) const {
+    return angle(side) < M_PI && angle(side + 1) < M_PI && length_of(model_, sides_[side]) <= widest_end * width_;
+  }
+
+  std::vector<OppositeSides> pairs_from(std::size_t end) const {
+    const std::size_t n = sides_.size();
+    std::vector<OppositeSides> result;
+    for (std::size_t k = 1; k < n / 2; ++k) {
+      const std::size_t one = (end + k) % n, other = (end + n - k) % n;
+      if (k > 1 && std::fabs(angle(one) + angle(other + 1) - 2 * M_PI) > most_unlike) return {};
+      const auto [shorter, longer] = std::minmax({length_of(model_, sides_[one]), length_of(model_, sides_[other])});
+      if (shorter < std::max(width_, least_alike * longer)) return {};
+      result.push_back({face_, sides_[one], sides_[other], -1, width_});
+      std::reverse(result.back().second.begin(), result.back().second.end());
+    }
+    return result;
+  }
+
+  const Model& model_;
+  const int face_;
+  const double width_;
+  Sides sides_;                 // between bends
+  std::vector<double> angles_;  // at the start of each
+};
+
 }  // namespace
 
 double length_of(const Model& model, const std::vector<int>& side) {
@@ -119,11 +190,17 @@ std::vector<OppositeSides> find_opposite_sides(const Model& model, const std::ve
   std::vector<OppositeSides> pairs;
   for (std::size_t f = 0; f < loops.size(); ++f) {
     if (loops[f].empty() || loops[f].size() > 2) continue;
+    const int face = static_cast<int>(f);
     std::vector<Sides> sides;
-    for (const Loop& loop : loops[f])
-      if (auto found = sides_of(model, model.faces[f], loop, loops[f].size() == 2)) sides.push_back(*found);
+    std::vector<double> angles;
+    for (const Loop& loop : loops[f]) {
+      angles = angles_of(model, model.faces[f], loop);
+      if (auto found = sides_of(loop, angles, loops[f].size() == 2)) sides.push_back(*found);
+    }
+    const double width = width_of(model, model.faces[f], loops[f]);
+    if (loops[f].size() == 1 && (sides.empty() || sides[0].size() != 4))
+      std::ranges::move(BentStrip(model, face, width, loops[f][0], angles).pairs(), std::back_inserter(pairs));
     if (sides.size() != loops[f].size()) continue;
-    int face = static_cast<int>(f);
     if (sides.size() == 1 && sides[0].size() == 4) {
       const int place = static_cast<int>(pairs.size());
       for (std::size_t k : {0u, 1u}) {
@@ -135,7 +212,6 @@ std::vector<OppositeSides> find_opposite_sides(const Model& model, const std::ve
       pairs.push_back({face, sides[0][0], sides[1][0], -1});
       match_by_middles(model, pairs.back());
     } else if (sides.size() == 2 && sides[0].size() == sides[1].size()) {
-      const double width = width_of(model, model.faces[f], loops[f]);
       std::ranges::move(sides_of_thin_ring(model, face, width, sides[0], sides[1]), std::back_inserter(pairs));
     }
   }

@@ -12,12 +12,12 @@ namespace paver {
 struct OppositeSides {
   int face = -1;
   std::vector<int> first, second;
-  int partner = -1;  ///< the other pair of the same face, by its place in the list; -1 for rings
-  double width = 0;  ///< of a ring whose sides have corners: its mean width, mm
+  int partner = -1;  ///< the other pair of the same face, by its place in the list; -1 for rings and bent strips
+  double width = 0;  ///< of a ring whose sides have corners, of a bent strip: its mean width, mm
 };
 
 /// Of all faces: sides between four corners, and the two loops of rings, or where both have as many corners their
-/// sides. `loops[f]`: linked_loops of face f without periodic edges.
+/// sides; the parts of strips that bend. `loops[f]`: linked_loops of face f without periodic edges.
 std::vector<OppositeSides> find_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops);
 
 double length_of(const Model& model, const std::vector<int>& side);
