@@ -8,8 +8,9 @@
 
 namespace paver {
 
-MergeLimits::MergeLimits(const ModelEdits& edits, const Options& options)
+MergeLimits::MergeLimits(const ModelEdits& edits, const Options& options, const std::vector<int>& lasting)
     : edits_(edits),
+      lasting_(lasting),
       h_(paver::target_length(options)),
       edge_share_(options.merge),
       face_share_(options.merge_width),
@@ -61,7 +62,7 @@ bool MergeLimits::is_thin(int face) const {
 
 bool MergeLimits::may_be_merged(int f) const {
   constexpr double long_share = 0.5;
-  if (!is_thin(f)) return false;
+  if (!is_thin(f) || std::ranges::find(lasting_, f) != lasting_.end()) return false;
   const double longest = edits_.edge(longest_edge(f)).length;
   for (const Loop& loop : edits_.model().faces[static_cast<std::size_t>(f)].loops)
     for (const Coedge& coedge : loop.coedges) {

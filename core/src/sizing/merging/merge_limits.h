@@ -16,7 +16,8 @@ inline constexpr double smooth_angle = 40;
 /// Limits at places of a model. Keeps references to its arguments.
 class MergeLimits {
  public:
-  MergeLimits(const ModelEdits& edits, const Options& options);
+  /// `lasting`: thin faces that cannot be merged.
+  MergeLimits(const ModelEdits& edits, const Options& options, const std::vector<int>& lasting);
 
   /// Of the run.
   double target_length() const { return h_; }
@@ -57,6 +58,7 @@ class MergeLimits {
   Vec3 normal(int face, int edge, double share) const;
 
   const ModelEdits& edits_;
+  const std::vector<int>& lasting_;
   double h_, edge_share_, face_share_;
   LocalSizes local_;
   mutable std::vector<double> extent_;  // per face; negative: not measured yet

@@ -1,3 +1,4 @@
+// Thin faces that were to be merged, as a tiny one at their end was, and could not be: once more, with what ends them.
 #include "sizing/merging/merge_small.h"
 
 #include <fmt/format.h>
@@ -18,15 +19,24 @@ std::string count_of(long count, const char* what) {
 }  // namespace
 
 std::vector<Merge> merge_small(Model& model, const Options& options) {
-  std::vector<Merge> merges;
-  if (!(options.merge > 0)) return merges;
-  ModelEdits edits(model);
-  const MergeLimits limits(edits, options);
-  join_chains(edits, limits, merges);
-  collapse_tiny_faces(edits, limits, merges);
-  merge_thin_faces(edits, limits, merges);
-  collapse_short_edges(edits, limits, merges);
-  return merges;
+  if (!(options.merge > 0)) return {};
+  std::vector<int> lasting;
+  for (;;) {
+    Model merged = model;
+    std::vector<Merge> merges;
+    ModelEdits edits(merged);
+    const MergeLimits limits(edits, options, lasting);
+    join_chains(edits, limits, merges);
+    std::vector<int> going = collapse_tiny_faces(edits, limits, merges);
+    merge_thin_faces(edits, limits, merges);
+    std::erase_if(going, [&](int f) { return !merged.faces[static_cast<std::size_t>(f)].has_area; });
+    if (going.empty()) {
+      collapse_short_edges(edits, limits, merges);
+      model = std::move(merged);
+      return merges;
+    }
+    lasting.insert(lasting.end(), going.begin(), going.end());
+  }
 }
 
 const char* merge_name(MergeKind kind) { return kind == MergeKind::edge ? "edge" : "face"; }

@@ -21,8 +21,10 @@ class ShortEdges {
     for (std::size_t v = 0; v < members_.size(); ++v) members_[v] = {edits.point(static_cast<int>(v))};
   }
 
-  void run_faces() {
+  /// Gives faces that have to go now.
+  std::vector<int> run_faces() {
     for (std::size_t f = 0; f < edits_.model().faces.size(); ++f) visit_face(static_cast<int>(f));
+    return std::move(going_);
   }
 
   void run_edges() {
@@ -142,6 +144,9 @@ class ShortEdges {
     const auto held = std::count_if(vertices.begin(), vertices.end(), is_held);
     if (held > 1) return;
     const int kept = held == 0 ? vertices.front() : *std::find_if(vertices.begin(), vertices.end(), is_held);
+    for (const Coedge& coedge : coedges)
+      if (const int other = limits_.neighbour(f, coedge.edge); !leaves_loop(other, coedges, false))
+        going_.push_back(other);
     const std::string into = edits_.edge(edges.front()).name;
     merges_.push_back({MergeKind::face, small.name, into, limits_.extent(f), edits_.point(kept)});
     small.has_area = false;
@@ -162,7 +167,7 @@ class ShortEdges {
       const std::optional<double> across = limits_.corner_across(f, coedge.edge);
       if (!edge.curve || !across || edits_.is_fixed(edge.start) || edits_.is_fixed(edge.end)) return false;
       const int other = limits_.neighbour(f, coedge.edge);
-      if (!leaves_loop(other, coedges)) return false;
+      if (!leaves_loop(other, coedges, limits_.may_be_merged(other))) return false;
       largest = std::max(largest, limits_.extent(other));
       corner = std::max(corner, *across);
     }
@@ -172,8 +177,9 @@ class ShortEdges {
   /// Edges shorter than this are merged; poles are no edges.
   double short_edge(int e) const { return edits_.edge(e).curve ? limits_.short_edge(e) : 0; }
 
-  /// Whether the face keeps a border of some edges, or none at all of a hole that the small face fills.
-  bool leaves_loop(int f, const std::vector<Coedge>& gone) const {
+  /// Whether the face keeps a border of some edges, or none at all of a hole that the small face fills. One that
+  /// `goes` itself may keep two.
+  bool leaves_loop(int f, const std::vector<Coedge>& gone, bool goes) const {
     const auto is_gone = [&](const Coedge& c) {
       return std::any_of(gone.begin(), gone.end(), [&](const Coedge& g) { return g.edge == c.edge; });
     };
@@ -182,10 +188,9 @@ class ShortEdges {
       const auto going = static_cast<std::size_t>(std::count_if(coedges.begin(), coedges.end(), is_gone));
       if (going == 0) continue;
       const bool is_hole = face(f).loops.size() > 1 && going == coedges.size() && going == gone.size();
-      const std::size_t fewest = limits_.may_be_merged(f) ? 2 : fewest_edges;
-      if (!is_hole && coedges.size() < going + fewest) return false;
+      if (!is_hole && coedges.size() < going + (goes ? 2 : fewest_edges)) return false;
       for (const Coedge& coedge : coedges)
-        if (going == 1 && fewest == fewest_edges && is_gone(coedge) && limits_.sharpens(f, coedge.edge)) return false;
+        if (going == 1 && !goes && is_gone(coedge) && limits_.sharpens(f, coedge.edge)) return false;
     }
     return true;
   }
@@ -194,6 +199,7 @@ class ShortEdges {
   const MergeLimits& limits_;
   std::vector<Merge>& merges_;
   std::vector<std::vector<Vec3>> members_;  // places that were merged into a vertex
+  std::vector<int> going_;                  // faces that run out into a point where a tiny one was
 };
 
 }  // namespace
@@ -202,8 +208,8 @@ void collapse_short_edges(ModelEdits& edits, const MergeLimits& limits, std::vec
   ShortEdges(edits, limits, merges).run_edges();
 }
 
-void collapse_tiny_faces(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges) {
-  ShortEdges(edits, limits, merges).run_faces();
+std::vector<int> collapse_tiny_faces(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges) {
+  return ShortEdges(edits, limits, merges).run_faces();
 }
 
 }  // namespace paver

@@ -11,7 +11,7 @@ namespace paver {
 /// Short edges that others go on from without a corner become points. Adds what was merged.
 void collapse_short_edges(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges);
 
-/// The same of faces that are as small in all directions.
-void collapse_tiny_faces(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges);
+/// The same of faces that are as small in all directions. Gives thin faces that ended at one and are to be merged for it.
+std::vector<int> collapse_tiny_faces(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges);
 
 }  // namespace paver

@@ -66,6 +66,22 @@ double distance_between(const ModelEdits& edits, const Side& one, const Side& tw
   return std::max(one_way(edits, one, two), one_way(edits, two, one));
 }
 
+double tilt_between(const ModelEdits& edits, const Side& one, const Side& two) {
+  const auto area_about = [&](const Side& side) {
+    constexpr int steps = 32;
+    const SideCurve curve(edits, side);
+    const Vec3 start = curve.point(curve.at(0));
+    Vec3 area, last;
+    for (int i = 1; i < steps; ++i) {
+      const Vec3 next = curve.point(curve.at(static_cast<double>(i) / steps)) - start;
+      area += cross(last, next);
+      last = next;
+    }
+    return area;
+  };
+  return angle_between(area_about(one), area_about(two));
+}
+
 namespace {
 
 /// Where edges of a side have to be divided; vertices of the other side that have one opposite are none.

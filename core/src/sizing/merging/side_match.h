@@ -41,6 +41,9 @@ class SideCurve {
 /// Largest distance of points of either side from the other one.
 double distance_between(const ModelEdits& edits, const Side& one, const Side& two);
 
+/// Angle between the planes of two closed sides that run the same way.
+double tilt_between(const ModelEdits& edits, const Side& one, const Side& two);
+
 /// Divides edges of both sides until their vertices lie opposite each other. False, and nothing has changed, where
 /// those would be farther apart than `most` or would leave edges shorter than it.
 bool divide_alike(ModelEdits& edits, Side& one, Side& two, double most);

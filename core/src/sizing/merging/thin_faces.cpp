@@ -113,7 +113,9 @@ class ThinFaces {
           continue;
         std::rotate(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(i), one.end());
         std::rotate(two.begin(), two.begin() + static_cast<std::ptrdiff_t>(k), two.end());
-        if (distance_between(edits_, one, two) > limit) return std::nullopt;
+        // An elbow is as short on its inner side: the pipe before it does not end where that after it begins.
+        if (distance_between(edits_, one, two) > limit || tilt_between(edits_, one, two) > smooth_angle * M_PI / 180)
+          return std::nullopt;
         return Sides{one, two, {}};
       }
     return std::nullopt;
