@@ -182,6 +182,7 @@ class ModelBuilder {
       work_.note_repair(RepairKind::turned_loop, result.turned_loops, 0, face.name);
       if (result.largest_gap > gap_share) gaps_.push_back(face.name);
       if (face.fault.empty()) check_images(face, forward);
+      if (face.fault.empty() && result.turned_loops > 0) face.area = area_of(face).value_or(face.area);
     } catch (const Error& error) {
       face.fault = error.what();
     } catch (const Standard_Failure& failure) {

@@ -52,8 +52,27 @@ TEST(OppositeSides, RunOverVerticesThatAreNoCorners) {
 }
 
 TEST(OppositeSides, AreNotSeenWhereACornerTurnsInwards) {
-  EXPECT_TRUE(pairs_of(fake::polygon({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 4, 0}, {2, 2, 0}, {0, 2, 0}})).empty());
+  EXPECT_TRUE(
+      pairs_of(fake::polygon({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {3, 4, 0}, {3, 3, 0}, {1, 3, 0}, {1, 4, 0}, {0, 4, 0}}))
+          .empty());
   EXPECT_TRUE(pairs_of(fake::polygon({{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}})).empty()) << "a dart";
+}
+
+TEST(OppositeSides, OfAStripThatBendsAreItsStraightParts) {
+  const auto pairs =
+      pairs_of(fake::polygon({{0, 0, 0}, {6, 0, 0}, {6, 8, 0}, {5.8, 8, 0}, {5.8, 0.2, 0}, {0, 0.2, 0}}));
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_EQ(pairs[0].first, Side{3}) << "from the end at the top on";
+  EXPECT_EQ(pairs[0].second, Side{1});
+  EXPECT_EQ(pairs[1].first, Side{4});
+  EXPECT_EQ(pairs[1].second, Side{0});
+  EXPECT_NEAR(pairs[1].width, 0.2, 0.01);
+  EXPECT_EQ(pairs[1].partner, -1);
+}
+
+TEST(OppositeSides, OfAStripWithChamferedEndsAreItsSides) {
+  const auto pairs = pairs_of(fake::polygon({{0, 0, 0}, {4, 0, 0}, {4.5, 0.5, 0}, {0, 0.5, 0}}));
+  EXPECT_EQ(pairs.size(), 2u) << "45 and 135 degrees";
 }
 
 TEST(OppositeSides, OfATubeAreItsEnds) {

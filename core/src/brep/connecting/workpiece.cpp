@@ -75,6 +75,23 @@ double area_by_rule(const TopoDS_Face& face, std::optional<double> accuracy) {
   return std::abs(properties.Mass());
 }
 
+/// By the images of its border; nothing where one is missing or they do not say.
+std::optional<double> area_by_border(const TopoDS_Face& face) {
+  const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+  const std::unique_ptr<Surface> surface = make_surface(forward, 0);
+  std::vector<BorderImage> border;
+  for (TopExp_Explorer edges(forward, TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+    if (edge.Orientation() == TopAbs_INTERNAL || edge.Orientation() == TopAbs_EXTERNAL) continue;
+    BorderImage piece{nullptr, 0, 0, edge.Orientation() == TopAbs_REVERSED};
+    BRep_Tool::Range(edge, piece.t0, piece.t1);
+    piece.image = make_parameter_curve(edge, forward, piece.t0, piece.t1);
+    if (!piece.image) return std::nullopt;
+    border.push_back(std::move(piece));
+  }
+  return surface ? area_within(*surface, border) : std::nullopt;
+}
+
 /// At most the length of its border: two chords of each edge.
 double border_chords(const TopoDS_Face& face) {
   double sum = 0;
@@ -235,11 +252,17 @@ EdgeUses count_uses(const std::vector<WorkFace>& faces) {
 
 double face_area(const TopoDS_Face& face) {
   constexpr double accuracy = 1e-5;  // with 1e-4 wings are still 0.6 % off
+  constexpr double alike = 1e-3;     // what areas may differ by before and after a fusion
   constexpr double sliver = 1e-6;    // of its border squared: less is rounding, and smaller by the usual rule
   try {
-    if (!has_splines(face)) return area_by_rule(face, std::nullopt);
+    const double usual = area_by_rule(face, std::nullopt);
+    if (!has_splines(face)) return usual;
     const double area = area_by_rule(face, accuracy), border = border_chords(face);
-    return area > sliver * border * border ? area : std::min(area, area_by_rule(face, std::nullopt));
+    if (!(area > sliver * border * border)) return std::min(area, usual);
+    if (std::abs(area - usual) <= alike * area) return area;
+    // Pieces of extrusions whose two ends are divided in other places are percents off by the rule that halves.
+    const double referee = area_by_border(face).value_or(area);
+    return std::abs(area - referee) <= std::abs(usual - referee) ? area : usual;
   } catch (const Standard_Failure&) {
     return std::numeric_limits<double>::quiet_NaN();
   }

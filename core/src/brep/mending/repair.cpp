@@ -3,7 +3,9 @@
 // 2. an edge without an image in a face's (u, v) gets one, by projection, and the face its area;
 // 3. an edge flagged as a pole (of no length) that has length becomes an ordinary edge, or goes where it only leads
 // from
-//    one loop of a ring to the other.
+//    one loop of a ring to the other;
+// 4. a loop of a plane within another one that runs the same way around is turned: with the wrong area inside, faces
+//    that touch this one would be connected with what it does not cover.
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepLib.hxx>
@@ -13,6 +15,7 @@
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
 #include <ShapeFix_Edge.hxx>
+#include <ShapeFix_Face.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
@@ -53,6 +56,40 @@ bool lacks_image(const TopoDS_Face& face) {
   return false;
 }
 
+/// Twice what a loop of a FORWARD face encloses in (u, v), negative where it runs clockwise.
+double area_about(const TopoDS_Shape& wire, const TopoDS_Face& face) {
+  constexpr int chords = 16;
+  double area = 0;
+  visit_border(wire, [&](const TopoDS_Edge& edge, const TopoDS_Vertex&, const TopoDS_Vertex&) {
+    double first = 0, last = 0;
+    const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, face, first, last);
+    if (image.IsNull()) return;
+    double sum = 0;
+    gp_Pnt2d from = image->Value(first);
+    for (int i = 1; i <= chords; ++i) {
+      const gp_Pnt2d to = image->Value(first + (last - first) * i / chords);
+      sum += from.X() * to.Y() - to.X() * from.Y();
+      from = to;
+    }
+    area += edge.Orientation() == TopAbs_REVERSED ? -sum : sum;
+  });
+  return area;
+}
+
+/// Whether some loop of a plane may be turned: it runs as the largest one does.
+bool has_loops_alike(const TopoDS_Face& face) {
+  std::vector<double> areas;
+  for (TopoDS_Iterator parts(face); parts.More(); parts.Next())
+    if (parts.Value().ShapeType() == TopAbs_WIRE) areas.push_back(0);
+  if (areas.size() < 2 || BRepAdaptor_Surface(face, Standard_False).GetType() != GeomAbs_Plane) return false;
+  std::size_t i = 0;
+  for (TopoDS_Iterator parts(face); parts.More(); parts.Next())
+    if (parts.Value().ShapeType() == TopAbs_WIRE) areas[i++] = area_about(parts.Value(), face);
+  const auto larger = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const double largest = *std::max_element(areas.begin(), areas.end(), larger);
+  return std::count_if(areas.begin(), areas.end(), [&](double area) { return area * largest > 0; }) > 1;
+}
+
 bool needs_repair(const TopoDS_Face& face, double diagonal) {
   if (!has_loops(face)) return true;
   TopoDS_Face plain = forward(face);
@@ -60,7 +97,7 @@ bool needs_repair(const TopoDS_Face& face, double diagonal) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
     if (is_false_pole(edge, plain, diagonal)) return true;
   }
-  return lacks_image(face) || is_garbled_ring(plain, diagonal);
+  return lacks_image(face) || is_garbled_ring(plain, diagonal) || has_loops_alike(plain);
 }
 
 void add_natural_bounds(WorkFace& face, Workpiece& work) {
@@ -121,6 +158,20 @@ bool mend_ring(WorkFace& face, Workpiece& work) {
     has_poles = has_poles || is_pole(TopoDS::Edge(edges.Current()));
   face.face = TopoDS::Face(mended_ring(plain, work.diagonal).Oriented(face.face.Orientation()));
   work.note_repair(has_poles ? RepairKind::pole : RepairKind::periodic_edge, 1, 0, face_name(face.origin));
+  work.is_rebuilt = true;
+  return true;
+}
+
+/// Whether loops were turned; loops side by side are left as they are.
+bool turn_loops(WorkFace& face, Workpiece& work) {
+  const TopoDS_Face plain = forward(face.face);
+  if (!has_loops_alike(plain)) return false;
+  ShapeFix_Face fix(plain);
+  if (!fix.FixOrientation() || (!fix.Result().IsNull() && fix.Result().ShapeType() != TopAbs_FACE)) return false;
+  const TopoDS_Face turned = fix.Face();
+  if (!(face_area(turned) < face.area)) return false;
+  face.face = TopoDS::Face(turned.Oriented(face.face.Orientation()));
+  work.note_repair(RepairKind::turned_loop, 1, 0, face_name(face.origin));
   work.is_rebuilt = true;
   return true;
 }
@@ -220,9 +271,9 @@ void repair(Workpiece& work, Progress& progress) {
       if (!has_loops(face.face)) {
         add_natural_bounds(face, work);
       } else {
-        const bool is_ring = mend_ring(face, work);
+        const bool is_other = mend_ring(face, work) || turn_loops(face, work);
         repair_edges(face, work);
-        if (is_ring || !face.has_area) measure_again(face, work);
+        if (is_other || !face.has_area) measure_again(face, work);
       }
     });
     if (!failure) continue;

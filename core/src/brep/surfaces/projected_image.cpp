@@ -80,6 +80,13 @@ class FootFinder {
     return find(x, nearest, steps);
   }
 
+  /// Whether a good part of the surface lies between two places, either way.
+  bool are_far_apart(Vec2 a, Vec2 b) const {
+    constexpr double far_share = 0.125;
+    const Vec2 size{period_.x > 0 ? period_.x : hi_.x - lo_.x, period_.y > 0 ? period_.y : hi_.y - lo_.y};
+    return std::fabs(a.x - b.x) > far_share * size.x || std::fabs(a.y - b.y) > far_share * size.y;
+  }
+
   /// The same place of a periodic surface nearest to `other`.
   Vec2 next_to(Vec2 uv, Vec2 other) const {
     if (period_.x > 0) uv.x += period_.x * std::round((other.x - uv.x) / period_.x);
@@ -212,7 +219,8 @@ std::shared_ptr<const ParameterCurve> make_image_with_ends(const TopoDS_Face& fa
       const double distance = norm(ends[i] - finder.point(uv[i]));
       if (distance <= allowed) continue;
       const Foot foot = finder.find(ends[i], uv[i], table_steps);
-      if (!(foot.distance2 < 0.25 * distance * distance)) continue;
+      // Beside a pole the foot may be on its other side.
+      if (!(foot.distance2 < 0.25 * distance * distance) || finder.are_far_apart(foot.uv, uv[i])) continue;
       uv[i] = foot.uv;
       off = std::max(off, distance);
       is_changed = true;

@@ -6,6 +6,7 @@ namespace {
 
 constexpr int first_cells = 8;       // per direction
 constexpr int deepest_cell = 12;     // halvings
+constexpr int most_cells = 200000;   // of a face, where all of it is near
 constexpr int deepest_piece = 20;    // halvings
 constexpr double coarse_cell = 0.8;  // of h over the gradation: size of a cell that is not halved
 constexpr double graded_share = 0.9;
@@ -26,7 +27,8 @@ class CellCounter {
     double h = size_.at(middle, surface_), plain = size_.by_curvature(middle);
     const double least_far = plain + 0.5 * gradation_ * reach;
     bool is_near = size_.around_parts(x, least_far) < least_far;
-    if (depth < deepest_cell && is_near && gradation_ * reach > coarse_cell * h) {
+    if (depth < deepest_cell && cells_ < most_cells && is_near && gradation_ * reach > coarse_cell * h) {
+      cells_ += 4;
       add(lo, middle, depth + 1);
       add(middle, hi, depth + 1);
       add({middle.x, lo.y}, {hi.x, middle.y}, depth + 1);
@@ -50,6 +52,7 @@ class CellCounter {
   const FaceSize& size_;
   double gradation_, area_ = 0, more_ = 0;
   bool is_graded_ = false;
+  int cells_ = 0;
   SampleBox near_;
 };
 
