@@ -39,10 +39,11 @@ class RegionBuilder {
       return;
     }
     Region region = make_region();
-    bool is_polar = region.goes_round = layout_.kind == LayoutKind::polar;
+    const bool is_polar = layout_.kind == LayoutKind::polar;
+    region.goes_round = is_polar;
     region.own_area = face_.area;
-    region.chart = is_polar ? make_polar_chart(*region.surface, layout_.box, layout_.period)
-                            : make_row_chart(*region.surface, layout_.box);
+    region.chart = layout_.kind == LayoutKind::row ? make_row_chart(*region.surface, layout_.box)
+                                                   : make_polar_chart(*region.surface, layout_.box, layout_.period);
     Slits slits;
     for (const Loop& loop : loops) add_loop(loop, region, slits);
     settle_loops(slits, region);

@@ -5,6 +5,7 @@
 #include "regions/face_layout.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "boundary/region_loops.h"
@@ -46,7 +47,8 @@ class LayoutPlanner {
     Vec2 period = face_.surface->period();
     layout_.period = is_swapped ? period.y : period.x;
     if ((goes_round_u || goes_round_v) && layout_.period > 0 && !lay_closed()) choose_polar();
-    if (layout_.kind == LayoutKind::row) {
+    if (!goes_round_u && !goes_round_v && is_wide_sector()) layout_.kind = LayoutKind::sector;
+    if (layout_.kind == LayoutKind::row || layout_.kind == LayoutKind::sector) {
       for (auto& loop : layout_.dropped) loop.assign(loop.size(), false);
     } else if (layout_.kind == LayoutKind::polar || layout_.kind == LayoutKind::two_polar) {
       settle_periodic(goes_round_u && goes_round_v);
@@ -79,20 +81,24 @@ class LayoutPlanner {
     return {};
   }
 
+  /// Of a side that is one point the image may be divided, where edges inside the face end in it.
   void find_poles() {
+    constexpr double least_share = 0.5;  // of a side: shorter ones are just a point
+    std::array<double, 2> u_share{}, v_share{};
     for (const Loop& loop : face_.loops)
       for (const Coedge& c : loop.coedges) {
         if (!model_.edges[c.edge].is_degenerate) continue;
         Vec2 a = image(model_, c, 0), b = image(model_, c, 1);
         double du = std::fabs(b.x - a.x) / std::max(u_.size(), 1e-300);
         double dv = std::fabs(b.y - a.y) / std::max(v_.size(), 1e-300);
-        if (std::max(du, dv) < 0.5) continue;  // not a whole side: just a point
         bool along_u = du > dv;
         double at = along_u ? 0.5 * (a.y + b.y) : 0.5 * (a.x + b.x);
         const Range& range = along_u ? v_ : u_;
         bool is_low = at - range.lo < range.hi - at;
-        (along_u ? (is_low ? v_low_ : v_high_) : (is_low ? u_low_ : u_high_)) = true;
+        (along_u ? v_share : u_share)[is_low ? 0 : 1] += std::max(du, dv);
       }
+    u_low_ = u_share[0] >= least_share, u_high_ = u_share[1] >= least_share;
+    v_low_ = v_share[0] >= least_share, v_high_ = v_share[1] >= least_share;
   }
 
   // A face without border: all its edges are its own periodic ones or poles.
@@ -140,6 +146,17 @@ class LayoutPlanner {
     } else if (!is_long_bent_tube() && make_polar_chart(*face_.surface, layout_.box, layout_.period)) {
       layout_.kind = LayoutKind::polar;
     }
+  }
+
+  // Rows side by side come to a point of less than half a turn at the pole.
+  bool is_wide_sector() const {
+    constexpr double least_angle = 3.4, most_share = 0.999;  // radians; of the period
+    const ParameterBox& box = layout_.box;
+    if (!(layout_.period > 0) || box.low_pole == box.high_pole) return false;
+    const double share = (box.hi.x - box.lo.x) / layout_.period;
+    return share <= most_share &&
+           share * measure_pole(*face_.surface, box, layout_.period, box.low_pole).cone_angle >= least_angle &&
+           make_polar_chart(*face_.surface, box, layout_.period) != nullptr;
   }
 
   // Rings about it would tilt bend by bend; with its seam as a cut it is a grid along the axis.

@@ -12,6 +12,7 @@ namespace paver {
 enum class LayoutKind {
   row,        ///< one region, row chart; periodic edges, if any, are cuts
   polar,      ///< one region that goes round: polar chart, periodic edge gone, a pole inside or none
+  sector,     ///< one region that goes most of the way round a pole at its border: polar chart
   two_polar,  ///< goes round with a pole at either end: cut into two polar regions along a row
   closed,     ///< no border at all: regions are parts of a structured layout
 };
