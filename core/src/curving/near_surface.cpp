@@ -100,13 +100,15 @@ Vec3 side_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec
   constexpr int most_shifts = 3;
   constexpr double most_astray = 0.85;  // cosine between the normals of the middle and of both ends
   constexpr double most_turn = 1;       // of the cubic, by its chord
+  constexpr double least_bulge = 0.02;  // of the chord: flatter sides are right, as are those of an apex
   const double scale = norm(b - a);
   const Facing ends{cross(mesh.xp[v], mesh.xq[v]), cross(mesh.xp[w], mesh.xq[w])};
   const Vec2 guess = p;
   Vec3 normal;
   Vec3 x = approach(region, p, 0.5 * (a + b), scale, &ends, normal);
   // Along a fillet that is thin against the side the middle of the chord is nearest to another row of it.
-  if (const double along = ends.along(normal); along < most_astray) {
+  const Vec3 bulge = x - 0.5 * (a + b);
+  if (const double along = ends.along(normal); along < most_astray && norm(bulge) > least_bulge * scale) {
     if (const SideCubic cubic(mesh, v, w); cubic.is_smooth(most_turn)) {
       Vec2 place = guess;
       const Vec3 y = approach(region, place, cubic.at(0.5), scale, &ends, normal);
