@@ -8,6 +8,7 @@
 
 #include "assemble/neighbourhood.h"
 #include "check/distance/surface_distance.h"
+#include "mesh/element_table.h"
 #include "quality/element_figures.h"
 #include "quality/jacobian/jacobian.h"
 #include "quality/metric_figures.h"
@@ -35,7 +36,11 @@ Assembler::Assembler(const Model& model, const EdgeNodes& nodes, const std::vect
       mesh_(share.result.mesh) {}
 
 void Assembler::run() {
-  join_and_curve();
+  begin_(Stage::join);
+  join();
+  begin_(Stage::curving);
+  curve();
+  check();
   straighten_last();
 }
 
@@ -57,14 +62,6 @@ bool Assembler::drop_faulty() {
   if (faults.empty()) return false;
   run();
   return true;
-}
-
-void Assembler::join_and_curve() {
-  begin_(Stage::join);
-  join();
-  begin_(Stage::curving);
-  curve();
-  check();
 }
 
 // Of faces that failed nothing stays: what no other face uses would hang in the mesh.
@@ -153,14 +150,14 @@ void Assembler::take_over(const RepairResult& repaired) {
 void Assembler::check() {
   begin_(Stage::quality);
   MeshFaults folded;
-  auto add = [&](bool is_quad, int element) {
-    const int* v = is_quad ? &mesh_.quads[static_cast<std::size_t>(mesh_.nodes_per_quad() * element)]
-                           : &mesh_.triangles[static_cast<std::size_t>(mesh_.nodes_per_triangle() * element)];
-    folded.add((is_quad ? mesh_.quad_face : mesh_.triangle_face)[static_cast<std::size_t>(element)], FaultKind::folded,
-               0.5 * (mesh_.nodes[v[0]] + mesh_.nodes[v[2]]));
+  auto add = [&](const ElementTable& table, const std::vector<int>& invalid) {
+    for (int element : invalid) {
+      const int* v = table.row(static_cast<std::size_t>(element));
+      folded.add(table.face[element], FaultKind::folded, 0.5 * (mesh_.nodes[v[0]] + mesh_.nodes[v[2]]));
+    }
   };
-  for (int quad : invalid_quads_) add(true, quad);
-  for (int triangle : invalid_triangles_) add(false, triangle);
+  add({mesh_, true}, invalid_quads_);
+  add({mesh_, false}, invalid_triangles_);
   number();
   CheckedMesh checked{model_, nodes_, mesh_, parts_, joined_.sizes, share_.node_number, moved_};
   checked.target_length = target_length(options_);

@@ -43,7 +43,6 @@ class Assembler {
  private:
   void straighten_last();
   RepairResult straighten();
-  void join_and_curve();
   void join();
   BoundaryUse boundary_use() const;
   void curve();

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/tasks/gather.h"
+#include "mesh/element_table.h"
 
 namespace paver {
 namespace {
@@ -25,25 +26,17 @@ struct ElementRow {
 };
 
 /// One kind of element of a share.
-struct Table {
-  const std::vector<int>& nodes;
-  const std::vector<int>& face;
+struct Table : ElementTable {
   const RowNumbers& number;
-  int stride, corners;
   std::vector<char> is_marked, is_invalid;
 
-  Table(const std::vector<int>& element_nodes, const std::vector<int>& faces, const RowNumbers& numbers,
-        int per_element, int corner_count, const std::vector<int>& invalid)
-      : nodes(element_nodes),
-        face(faces),
-        number(numbers),
-        stride(per_element),
-        corners(corner_count),
-        is_marked(faces.size(), 0),
-        is_invalid(faces.size(), 0) {
+  Table(const MeshShare& share, bool is_quad, const std::vector<int>& invalid)
+      : ElementTable(share.result.mesh, is_quad),
+        number(is_quad ? share.quad_number : share.triangle_number),
+        is_marked(count(), 0),
+        is_invalid(count(), 0) {
     for (int e : invalid) is_marked[e] = is_invalid[e] = 1;
   }
-  const int* row(std::size_t e) const { return nodes.data() + e * static_cast<std::size_t>(stride); }
 };
 
 class Gatherer {
@@ -52,9 +45,8 @@ class Gatherer {
       : share_(share),
         mesh_(share.result.mesh),
         ranks_(ranks),
-        quads_(mesh_.quads, mesh_.quad_face, share.quad_number, mesh_.nodes_per_quad(), 4, quads),
-        triangles_(mesh_.triangles, mesh_.triangle_face, share.triangle_number, mesh_.nodes_per_triangle(), 3,
-                   triangles),
+        quads_(share, true, quads),
+        triangles_(share, false, triangles),
         is_marked_(mesh_.nodes.size(), 0) {}
 
   Neighbourhood run(int rings) {
@@ -73,7 +65,7 @@ class Gatherer {
  private:
   void mark_nodes() {
     for (const Table* table : {&quads_, &triangles_})
-      for (std::size_t e = 0; e < table->face.size(); ++e)
+      for (std::size_t e = 0; e < table->count(); ++e)
         for (int k = 0; table->is_marked[e] && k < table->corners; ++k) is_marked_[table->row(e)[k]] = 1;
   }
 
@@ -86,19 +78,19 @@ class Gatherer {
   }
 
   void mark_elements(Table& table) {
-    for (std::size_t e = 0; e < table.face.size(); ++e)
+    for (std::size_t e = 0; e < table.count(); ++e)
       for (int k = 0; k < table.corners; ++k) table.is_marked[e] |= is_marked_[table.row(e)[k]];
   }
 
   void add_elements(const Table& table, std::vector<int>& nodes, std::vector<int>& face, std::vector<long>& number,
                     std::vector<int>& invalid) {
     std::vector<ElementRow> mine, all;
-    for (std::size_t e = 0; e < table.face.size(); ++e) {
+    for (std::size_t e = 0; e < table.count(); ++e) {
       if (!table.is_marked[e]) continue;
       ElementRow& row = mine.emplace_back();
       row.number = table.number[e], row.face = table.face[e], row.is_invalid = table.is_invalid[e] != 0;
-      for (int k = 0; k < table.stride; ++k) {
-        row.nodes[static_cast<std::size_t>(k)] = share_.node_number[table.row(e)[k]];
+      for (std::size_t k = 0; k < table.stride; ++k) {
+        row.nodes[k] = share_.node_number[table.row(e)[k]];
         add_node(table.row(e)[k]);
       }
     }
@@ -109,7 +101,7 @@ class Gatherer {
       face.push_back(row.face);
       number.push_back(row.number);
       // Numbers of the whole until the nodes are known; they fit, as they do where one rank has the whole mesh.
-      for (int k = 0; k < table.stride; ++k) nodes.push_back(static_cast<int>(row.nodes[static_cast<std::size_t>(k)]));
+      for (std::size_t k = 0; k < table.stride; ++k) nodes.push_back(static_cast<int>(row.nodes[k]));
     }
   }
 

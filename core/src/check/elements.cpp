@@ -10,6 +10,7 @@
 #include "check/distance/element_patch.h"
 #include "check/vector_area.h"
 #include "curving/near_surface.h"
+#include "mesh/element_table.h"
 
 namespace paver {
 namespace {
@@ -37,11 +38,8 @@ class PartElementCheck {
     std::size_t quad = place_.quad, triangle = place_.triangle;
     for (const Element& element : region_.elements) {
       if (!element.is_alive()) continue;
-      const bool is_quad = element.corners() == 4;
-      const std::size_t stride =
-          static_cast<std::size_t>(is_quad ? mesh_.nodes_per_quad() : mesh_.nodes_per_triangle());
-      v_ = is_quad ? &mesh_.quads[stride * quad++] : &mesh_.triangles[stride * triangle++];
       n_ = element.corners();
+      v_ = ElementTable(mesh_, n_ == 4).row(n_ == 4 ? quad++ : triangle++);
       for (int k = 0; k < n_; ++k) c_[k] = element.v[is_reversed_ ? (n_ - k) % n_ : k];
       check_element();
     }

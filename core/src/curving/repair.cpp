@@ -9,6 +9,7 @@
 #include <array>
 
 #include "curving/order2.h"
+#include "mesh/element_table.h"
 
 namespace paver {
 namespace {
@@ -60,8 +61,7 @@ class Repairer {
   Vec3& position(int node) { return mesh_.nodes[static_cast<std::size_t>(node)]; }
 
   const int* nodes_of(const Element& element) const {
-    return element.is_quad ? &mesh_.quads[9 * static_cast<std::size_t>(element.index)]
-                           : &mesh_.triangles[6 * static_cast<std::size_t>(element.index)];
+    return ElementTable(mesh_, element.is_quad).row(static_cast<std::size_t>(element.index));
   }
   static int corner_count(const Element& element) { return element.is_quad ? 4 : 3; }
 
@@ -69,14 +69,10 @@ class Repairer {
   void list_neighbours() {
     elements_at_.resize(mesh_.nodes.size());
     for (bool is_quad : {true, false}) {
-      const auto count = static_cast<int>(is_quad ? mesh_.quad_count() : mesh_.triangle_count());
-      for (int i = 0; i < count; ++i) {
-        Element element{is_quad, i};
-        const int corners = corner_count(element);
-        for (int c = 0; c < corners; ++c) {
-          elements_at_[static_cast<std::size_t>(nodes_of(element)[corners + c])].push_back(element);
-        }
-      }
+      const ElementTable table(mesh_, is_quad);
+      for (std::size_t i = 0; i < table.count(); ++i)
+        for (int c = table.corners; c < 2 * table.corners; ++c)
+          elements_at_[static_cast<std::size_t>(table.row(i)[c])].push_back({is_quad, static_cast<int>(i)});
     }
   }
 

@@ -12,6 +12,7 @@
 #include "display/cut.h"
 #include "display/edge_table.h"
 #include "display/shape_table.h"
+#include "mesh/element_table.h"
 #include "paver/display.h"
 #include "paver/error.h"
 
@@ -88,9 +89,7 @@ class Tessellator {
     int quads = static_cast<int>(mesh_.quad_count());
     bool is_quad = e < quads;
     std::size_t row = static_cast<std::size_t>(is_quad ? e : e - quads);
-    const int* nodes = is_quad ? mesh_.quads.data() + row * mesh_.nodes_per_quad()
-                               : mesh_.triangles.data() + row * mesh_.nodes_per_triangle();
-    return {is_quad, e, face_of(e), nodes};
+    return {is_quad, e, face_of(e), ElementTable(mesh_, is_quad).row(row)};
   }
 
   void cut(const Element& e) {

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "base/tasks/tasks.h"
+#include "mesh/element_table.h"
 #include "paver/output.h"
 #include "quality/jacobian/lattice.h"
 
@@ -63,15 +64,11 @@ std::vector<int> turned(ElementShape shape, int p) {
 class ElementNumbers {
  public:
   ElementNumbers(const SurfaceMesh& mesh, bool is_quad)
-      : mesh_(mesh),
-        kind_(is_quad ? Kind::quad : Kind::triangle),
-        corners_(is_quad ? 4 : 3),
-        table_(is_quad ? mesh.quads : mesh.triangles),
-        face_of_(is_quad ? mesh.quad_face : mesh.triangle_face) {
+      : mesh_(mesh), kind_(is_quad ? Kind::quad : Kind::triangle), table_(mesh, is_quad) {
     ElementShape shape = is_quad ? ElementShape::quad : ElementShape::triangle;
     std::vector<int> turn = turned(shape, mesh.order), start(turn.size());
     for (std::size_t k = 0; k < start.size(); ++k) start[k] = static_cast<int>(k);
-    for (int corner = 0; corner < corners_; ++corner) {
+    for (int corner = 0; corner < table_.corners; ++corner) {
       starts_.push_back(start);
       std::vector<int> next;
       for (int position : turn) next.push_back(start[static_cast<std::size_t>(position)]);
@@ -81,7 +78,7 @@ class ElementNumbers {
 
   Word sum() const {
     std::atomic<Word> all = 0;
-    run_stretches(face_of_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    run_stretches(table_.count(), 4096, [&](std::size_t begin, std::size_t end) {
       Word sum = 0;
       for (std::size_t i = begin; i < end; ++i) sum += number(i);
       all += sum;
@@ -91,19 +88,18 @@ class ElementNumbers {
 
  private:
   Word number(std::size_t element) const {
-    const int* nodes = table_.data() + element * starts_[0].size();
+    const int* nodes = table_.row(element);
     std::array<Bits, JacobianForm::max_nodes> x;
-    for (std::size_t k = 0; k < starts_[0].size(); ++k) x[k] = bits_of(mesh_.nodes[static_cast<std::size_t>(nodes[k])]);
-    auto lowest = std::min_element(x.begin(), x.begin() + corners_) - x.begin();
-    Mix mix(kind_, mesh_.order, face_of_[element]);
+    for (std::size_t k = 0; k < table_.stride; ++k) x[k] = bits_of(mesh_.nodes[static_cast<std::size_t>(nodes[k])]);
+    auto lowest = std::min_element(x.begin(), x.begin() + table_.corners) - x.begin();
+    Mix mix(kind_, mesh_.order, table_.face[element]);
     for (int position : starts_[static_cast<std::size_t>(lowest)]) mix.add(x[static_cast<std::size_t>(position)]);
     return mix.value();
   }
 
   const SurfaceMesh& mesh_;
   const Kind kind_;
-  const int corners_;
-  const std::vector<int>&table_, &face_of_;
+  const ElementTable table_;
   std::vector<std::vector<int>> starts_;  // per corner: node positions from there on
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <unordered_map>
 
+#include "mesh/element_table.h"
 #include "output/numbering_impl.h"
 
 namespace paver {
@@ -125,20 +126,17 @@ std::vector<int> curve_of_nodes(const SurfaceMesh& mesh, const Grouping& lines) 
 std::vector<std::vector<int>> edges_of_faces(const SurfaceMesh& mesh, const std::vector<int>& curve, int faces) {
   std::vector<std::vector<int>> face_edges(static_cast<std::size_t>(faces));
   auto edges = edge_of_sides(mesh);
-  auto walk = [&](const std::vector<int>& elements, const std::vector<int>& face_of, int corners, int stride) {
-    for (std::size_t i = 0; i < face_of.size(); ++i) {
-      const int* element = elements.data() + i * stride;
-      for (int k = 0; k < corners; ++k) {
-        int a = element[k], b = element[(k + 1) % corners];
+  for (const ElementTable& table : {ElementTable(mesh, true), ElementTable(mesh, false)})
+    for (std::size_t i = 0; i < table.count(); ++i) {
+      const int* element = table.row(i);
+      for (int k = 0; k < table.corners; ++k) {
+        int a = element[k], b = element[(k + 1) % table.corners];
         if (curve[a] < 0 || curve[b] < 0) continue;
         if (auto found = edges.find(pair_key(a, b)); found != edges.end()) {
-          face_edges[face_of[i]].push_back(found->second);
+          face_edges[table.face[i]].push_back(found->second);
         }
       }
     }
-  };
-  walk(mesh.quads, mesh.quad_face, 4, mesh.nodes_per_quad());
-  walk(mesh.triangles, mesh.triangle_face, 3, mesh.nodes_per_triangle());
   for (std::vector<int>& list : face_edges) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());

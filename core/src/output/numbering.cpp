@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/tasks/gather.h"
+#include "mesh/element_table.h"
 #include "output/numbering_impl.h"
 
 namespace paver {
@@ -150,20 +151,18 @@ std::vector<int> faces_of_nodes(HeldMesh held, const std::vector<int>& curve, Ra
   const ShareNumbers& numbers = held.numbers;
   std::vector<int> face(mesh.nodes.size(), -1);
   std::vector<Record> records;  // of shared nodes; several of one node rise by element
-  auto mark = [&](const std::vector<int>& table, const std::vector<int>& face_of, const RowNumbers& element,
-                  long offset, int stride) {
-    const int* at = table.data();
-    for (std::size_t row = 0; row < face_of.size(); ++row)
-      for (int k = 0; k < stride; ++k) {
-        const auto node = static_cast<std::size_t>(*at++);
+  auto mark = [&](const ElementTable& table, const RowNumbers& element, long offset) {
+    for (std::size_t row = 0; row < table.count(); ++row)
+      for (std::size_t k = 0; k < table.stride; ++k) {
+        const auto node = static_cast<std::size_t>(table.row(row)[k]);
         if (!curve.empty() && curve[node] >= 0) continue;
-        face[node] = face_of[row];
+        face[node] = table.face[row];
         if (numbers.is_shared(node))
-          records.push_back({numbers.node_number[node], offset + element[row], face_of[row]});
+          records.push_back({numbers.node_number[node], offset + element[row], table.face[row]});
       }
   };
-  mark(mesh.triangles, mesh.triangle_face, numbers.triangle_number, 0, mesh.nodes_per_triangle());
-  mark(mesh.quads, mesh.quad_face, numbers.quad_number, numbers.triangles, mesh.nodes_per_quad());
+  mark({mesh, false}, numbers.triangle_number, 0);
+  mark({mesh, true}, numbers.quad_number, numbers.triangles);
 
   auto reduce = [](std::vector<Record>& list) {  // the last element of each node
     auto key = [](const Record& r) { return std::tie(r.number, r.element); };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/tasks/tasks.h"
+#include "mesh/element_table.h"
 
 namespace paver {
 namespace {
@@ -22,13 +23,12 @@ class Gatherer {
   Gatherer(const SurfaceMesh& mesh, bool is_quad)
       : form(jacobian_form(is_quad ? ElementShape::quad : ElementShape::triangle, mesh.order)),
         mesh_(mesh),
-        stride_(static_cast<std::size_t>(form.node_count())),
-        table_((is_quad ? mesh.quads : mesh.triangles).data()) {}
+        table_(mesh, is_quad) {}
 
   void gather(std::size_t first, std::size_t end) {
     for (std::size_t lane = 0; lane < lanes; ++lane) {  // the last one again where there are no more
-      const int* element = table_ + std::min(first + lane, end - 1) * stride_;
-      for (std::size_t k = 0; k < stride_; ++k) {
+      const int* element = table_.row(std::min(first + lane, end - 1));
+      for (std::size_t k = 0; k < table_.stride; ++k) {
         Vec3 node = mesh_.nodes[static_cast<std::size_t>(element[k])];
         x[3 * k].of[lane] = node.x, x[3 * k + 1].of[lane] = node.y, x[3 * k + 2].of[lane] = node.z;
       }
@@ -36,14 +36,13 @@ class Gatherer {
   }
   Nodes nodes(std::size_t element) const {
     Nodes result;
-    for (std::size_t k = 0; k < stride_; ++k) result[k] = mesh_.nodes[table_[element * stride_ + k]];
+    for (std::size_t k = 0; k < table_.stride; ++k) result[k] = mesh_.nodes[table_.row(element)[k]];
     return result;
   }
 
  private:
   const SurfaceMesh& mesh_;
-  std::size_t stride_;
-  const int* table_;
+  const ElementTable table_;
 };
 
 }  // namespace
@@ -65,7 +64,7 @@ void measure_elements(const SurfaceMesh& mesh, bool is_quad, std::size_t begin, 
 
 std::vector<int> find_invalid(const SurfaceMesh& mesh, bool is_quad) {
   constexpr std::size_t block = 1024;
-  const std::size_t count = is_quad ? mesh.quad_count() : mesh.triangle_count();
+  const std::size_t count = ElementTable(mesh, is_quad).count();
   std::vector<std::vector<int>> found(count / block + 1);
   run_stretches(count, block, [&](std::size_t begin, std::size_t end) {
     Gatherer elements(mesh, is_quad);

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "base/tasks/tasks.h"
+#include "mesh/element_table.h"
 #include "quality/mesh_edges_impl.h"
 
 namespace paver {
@@ -22,20 +23,17 @@ constexpr std::size_t most_samples = 4096;
 struct Chunk {
   const int* elements;
   std::size_t count;
-  int corners, stride;
+  int corners;
+  std::size_t stride;
   int lowest = 0, highest = -1;  ///< corner nodes
 };
 
 std::vector<Chunk> chunks_of(const SurfaceMesh& mesh) {
   std::vector<Chunk> chunks;
-  auto add = [&](const std::vector<int>& table, std::size_t elements, int corners, int stride) {
-    for (std::size_t first = 0; first < elements; first += chunk_elements) {
-      chunks.push_back({table.data() + first * static_cast<std::size_t>(stride),
-                        std::min(chunk_elements, elements - first), corners, stride});
-    }
-  };
-  add(mesh.quads, mesh.quad_count(), 4, mesh.nodes_per_quad());
-  add(mesh.triangles, mesh.triangle_count(), 3, mesh.nodes_per_triangle());
+  for (const ElementTable& table : {ElementTable(mesh, true), ElementTable(mesh, false)})
+    for (std::size_t first = 0; first < table.count(); first += chunk_elements)
+      chunks.push_back(
+          {table.row(first), std::min(chunk_elements, table.count() - first), table.corners, table.stride});
   run_stretches(chunks.size(), 1, [&](std::size_t i, std::size_t) {
     Chunk& chunk = chunks[i];
     chunk.lowest = chunk.highest = chunk.elements[0];

@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "base/tasks/tasks.h"
+#include "mesh/element_table.h"
 #include "paver/quality.h"
 #include "quality/element_figures.h"
 #include "quality/mesh_edges_impl.h"
@@ -78,8 +79,7 @@ class Measurement {
 
  private:
   void add_elements(bool is_quad) {
-    std::size_t count = is_quad ? mesh_.quad_count() : mesh_.triangle_count();
-    run_stretches(count, task_elements, [&](std::size_t begin, std::size_t end) {
+    run_stretches(ElementTable(mesh_, is_quad).count(), task_elements, [&](std::size_t begin, std::size_t end) {
       progress_.check();
       add_elements(is_quad, begin, end);
     });
@@ -106,23 +106,21 @@ class Measurement {
   }
 
   void credit_faces(bool is_quad, std::size_t begin, std::size_t end, const ElementFigures* f) {
-    const std::vector<int>& face_of = is_quad ? mesh_.quad_face : mesh_.triangle_face;
+    const ElementTable table(mesh_, is_quad);
     for (std::size_t i = begin; i < end; ++i, ++f) {
-      FaceTotals& face = faces_.at(static_cast<std::size_t>(face_of[i]));
+      FaceTotals& face = faces_.at(static_cast<std::size_t>(table.face[i]));
       ++(is_quad ? face.quads : face.triangles);
       face.least_sj = std::min(face.least_sj, f->sj);
-      face.minus_longest2 = std::min(face.minus_longest2, -longest_side2(is_quad, i));
+      face.minus_longest2 = std::min(face.minus_longest2, -longest_side2(table, i));
       face.area.add(f->area);
     }
   }
 
-  double longest_side2(bool is_quad, std::size_t element) const {
-    const int corners = is_quad ? 4 : 3;
-    const int* node = is_quad ? &mesh_.quads[element * static_cast<std::size_t>(mesh_.nodes_per_quad())]
-                              : &mesh_.triangles[element * static_cast<std::size_t>(mesh_.nodes_per_triangle())];
-    auto at = [&](int k) { return mesh_.nodes[static_cast<std::size_t>(node[k % corners])]; };
+  double longest_side2(const ElementTable& table, std::size_t element) const {
+    const int* node = table.row(element);
+    auto at = [&](int k) { return mesh_.nodes[static_cast<std::size_t>(node[k % table.corners])]; };
     double longest2 = 0;
-    for (int k = 0; k < corners; ++k) {
+    for (int k = 0; k < table.corners; ++k) {
       const Vec3 side = at(k + 1) - at(k);
       longest2 = std::max(longest2, dot(side, side));
     }
@@ -130,10 +128,9 @@ class Measurement {
   }
 
   void mark_used(bool is_quad, std::size_t begin, std::size_t end) {
-    const std::vector<int>& table = is_quad ? mesh_.quads : mesh_.triangles;
-    std::size_t stride = static_cast<std::size_t>(is_quad ? mesh_.nodes_per_quad() : mesh_.nodes_per_triangle());
-    for (std::size_t i = begin * stride; i < end * stride; ++i)
-      std::atomic_ref(is_used_[static_cast<std::size_t>(table[i])]).store(1, std::memory_order_relaxed);
+    const ElementTable table(mesh_, is_quad);
+    for (const int* node = table.row(begin); node != table.row(end); ++node)
+      std::atomic_ref(is_used_[static_cast<std::size_t>(*node)]).store(1, std::memory_order_relaxed);
   }
 
   /// Per node: whether it lies on the border by an edge of this rank, or on a B-rep edge that is not periodic. Poles

@@ -14,6 +14,7 @@
 #include "base/tasks/tasks.h"
 #include "check/distance/deviation.h"
 #include "curving/near_surface.h"
+#include "mesh/element_table.h"
 #include "quality/reduction.h"
 
 namespace paver {
@@ -93,11 +94,10 @@ class PartSampler {
 
   void take(const Row& row) {
     n_ = row.element->corners(), angle_ = 0;
-    const SurfaceMesh& mesh = task_.mesh;
-    const auto stride = static_cast<std::size_t>(n_ == 4 ? mesh.nodes_per_quad() : mesh.nodes_per_triangle());
-    const int* v = &(n_ == 4 ? mesh.quads : mesh.triangles)[stride * row.row];
-    patch_.corners = n_, patch_.order = mesh.order;
-    for (std::size_t k = 0; k < stride; ++k) patch_.nodes[k] = mesh.nodes[static_cast<std::size_t>(v[k])];
+    const ElementTable table(task_.mesh, n_ == 4);
+    patch_.corners = n_, patch_.order = task_.mesh.order;
+    for (std::size_t k = 0; k < table.stride; ++k)
+      patch_.nodes[k] = task_.mesh.nodes[static_cast<std::size_t>(table.row(row.row)[k])];
     size_ = norm(patch_.nodes[2] - patch_.nodes[0]);
     for (int k = 0; k < n_; ++k) {
       const int corner = row.element->v[static_cast<std::size_t>(is_reversed_ ? (n_ - k) % n_ : k)];

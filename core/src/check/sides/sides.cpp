@@ -7,6 +7,7 @@
 
 #include "base/tasks/tasks.h"
 #include "check/sides/sides_impl.h"
+#include "mesh/element_table.h"
 
 namespace paver {
 namespace {
@@ -42,14 +43,10 @@ class PartSideCheck {
   };
 
   Corners corners_of(int element) const {
-    const auto quads = static_cast<int>(sizes_.quads);
-    if (element < quads)
-      return {&mesh_.quads[(place_.quad + static_cast<std::size_t>(element)) *
-                           static_cast<std::size_t>(mesh_.nodes_per_quad())],
-              4};
-    return {&mesh_.triangles[(place_.triangle + static_cast<std::size_t>(element - quads)) *
-                             static_cast<std::size_t>(mesh_.nodes_per_triangle())],
-            3};
+    const bool is_quad = element < sizes_.quads;
+    const auto row = static_cast<std::size_t>(is_quad ? element : element - sizes_.quads);
+    const ElementTable table(mesh_, is_quad);
+    return {table.row(row + (is_quad ? place_.quad : place_.triangle)), table.corners};
   }
 
   template <class Function>

@@ -130,22 +130,20 @@ VtuCells::VtuCells(const SurfaceMesh& mesh, bool is_quad, const VtuSize& size, c
       is_quad_(is_quad),
       size_(size),
       point_(point),
-      table_(is_quad ? mesh.quads : mesh.triangles),
-      face_of_(is_quad ? mesh.quad_face : mesh.triangle_face),
+      table_(mesh, is_quad),
       positions_(positions(is_quad, mesh.order)) {}
 
 void VtuCells::write(VtuArray array, std::size_t begin, std::size_t end, long number, ByteSink& sink) const {
-  long stride = static_cast<long>(positions_.size());
   long at = size_.entries_before(VtuArray::connectivity, is_quad_, number);
   std::uint8_t type = is_quad_ ? (size_.order == 1 ? vtk_quad : vtk_lagrange_quad)
                                : (size_.order == 1 ? vtk_triangle : vtk_lagrange_triangle);
   for (std::size_t e = begin; e < end; ++e) {
-    if (array == VtuArray::face) sink.write_packed<std::int32_t>(face_of_[e] + 1);
+    if (array == VtuArray::face) sink.write_packed<std::int32_t>(table_.face[e] + 1);
     if (array == VtuArray::sj) sink.write_packed(sj(e));
-    if (array == VtuArray::offsets) sink.write_packed<std::int64_t>(at += stride);
+    if (array == VtuArray::offsets) sink.write_packed<std::int64_t>(at += static_cast<long>(table_.stride));
     if (array == VtuArray::types) sink.write_packed(type);
     if (array != VtuArray::connectivity) continue;
-    const int* nodes = table_.data() + e * positions_.size();
+    const int* nodes = table_.row(e);
     for (int k : positions_) size_.write_point(point_[static_cast<std::size_t>(nodes[k])], sink);
   }
 }
@@ -174,7 +172,7 @@ void VtuLines::write(VtuArray array, const VtuSize& size, const std::vector<long
 }
 
 double VtuCells::sj(std::size_t element) const {
-  const int* nodes = table_.data() + element * positions_.size();
+  const int* nodes = table_.row(element);
   auto x = [&](int k) { return mesh_.nodes[static_cast<std::size_t>(nodes[k])]; };
   return is_quad_ ? scaled_jacobian(x(0), x(1), x(2), x(3)) : scaled_jacobian(x(0), x(1), x(2));
 }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "mesh/element_table.h"
 #include "output/byte_sink_impl.h"
-#include "paver/result.h"
 
 namespace paver {
 
@@ -51,7 +51,7 @@ class VtuCells {
   /// `point`: per node its number among the points, from 1.
   VtuCells(const SurfaceMesh& mesh, bool is_quad, const VtuSize& size, const std::vector<long>& point);
 
-  std::size_t count() const { return face_of_.size(); }
+  std::size_t count() const { return table_.count(); }
   /// Cell data, connectivity, offsets or types of elements begin to end - 1 of the mesh. `number`: that of the first
   /// one among all elements of its kind.
   void write(VtuArray array, std::size_t begin, std::size_t end, long number, ByteSink& sink) const;
@@ -63,7 +63,7 @@ class VtuCells {
   const bool is_quad_;
   const VtuSize size_;
   const std::vector<long>& point_;
-  const std::vector<int>&table_, &face_of_;
+  const ElementTable table_;
   std::vector<int> positions_;  // per VTK position: the position in Gmsh's order
 };
 

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "mesh/element_table.h"
+
 namespace paver {
 namespace {
 
@@ -146,7 +148,7 @@ const JacobianForm& jacobian_form(ElementShape shape, int order) {
 
 bool is_valid(const SurfaceMesh& mesh, bool is_quad, int element) {
   const JacobianForm& form = jacobian_form(is_quad ? ElementShape::quad : ElementShape::triangle, mesh.order);
-  const int* nodes = (is_quad ? mesh.quads : mesh.triangles).data() + static_cast<long>(element) * form.node_count();
+  const int* nodes = ElementTable(mesh, is_quad).row(static_cast<std::size_t>(element));
   std::array<Vec3, JacobianForm::max_nodes> x;
   for (int k = 0; k < form.node_count(); ++k) x[k] = mesh.nodes[nodes[k]];
   return form.is_valid(x.data());
