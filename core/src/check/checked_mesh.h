@@ -46,14 +46,4 @@ struct CheckedMesh {
   Vec3 middle(int a, int b) const { return 0.5 * (mesh.nodes[a] + mesh.nodes[b]); }
 };
 
-/// Where the tables of a part begin in the mesh.
-struct PartPlace {
-  int node = 0;  ///< corner nodes of its own
-  std::size_t quad = 0, triangle = 0;
-};
-std::vector<PartPlace> places_of(const CheckedMesh& checked);
-
-/// What taking part i as a task costs.
-std::vector<double> costs_of(const CheckedMesh& checked);
-
 }  // namespace paver

@@ -22,20 +22,20 @@ constexpr double most_inside = 0.25;  // of the target length, and of the elemen
 
 class PartElementCheck {
  public:
-  PartElementCheck(const CheckedMesh& checked, std::size_t part, const PartPlace& place, MeshFaults& faults,
+  PartElementCheck(const CheckedMesh& checked, std::size_t part, const PartRows& first, MeshFaults& faults,
                    ExactSum& slack)
       : checked_(checked),
         mesh_(checked.mesh),
         part_(checked.parts[part]),
         region_(*part_.mesh),
-        place_(place),
+        first_(first),
         is_reversed_(checked.model.faces[static_cast<std::size_t>(part_.region->face)].is_reversed),
         faults_(faults),
         slack_(slack) {}
 
   void run() {
     check_corners();
-    std::size_t quad = place_.quad, triangle = place_.triangle;
+    std::size_t quad = first_.quad, triangle = first_.triangle;
     for (const Element& element : region_.elements) {
       if (!element.is_alive()) continue;
       n_ = element.corners();
@@ -221,7 +221,7 @@ class PartElementCheck {
   const SurfaceMesh& mesh_;
   const CurvingPart& part_;
   const RegionMesh& region_;
-  const PartPlace place_;
+  const PartRows first_;  // of the part in the mesh
   const bool is_reversed_;
   MeshFaults& faults_;
   ExactSum& slack_;
@@ -238,14 +238,14 @@ class PartElementCheck {
 
 void check_elements(const CheckedMesh& checked, int threads, const Progress& progress, MeshFaults& faults,
                     AreaSlack& slack) {
-  const std::vector<PartPlace> places = places_of(checked);
+  const std::vector<PartRows> first = part_rows(checked.sizes);
   std::mutex mutex;
-  run_tasks(threads, costs_of(checked), [&](int i) {
+  run_tasks(threads, part_costs(checked.sizes), [&](int i) {
     progress.check();
     if (!checked.parts[static_cast<std::size_t>(i)].mesh) return;
     MeshFaults found;
     ExactSum sum = slack.none(checked.parts[static_cast<std::size_t>(i)].region->face);
-    PartElementCheck(checked, static_cast<std::size_t>(i), places[static_cast<std::size_t>(i)], found, sum).run();
+    PartElementCheck(checked, static_cast<std::size_t>(i), first[static_cast<std::size_t>(i)], found, sum).run();
     std::lock_guard lock(mutex);
     faults.add(found);
     slack.add(checked.parts[static_cast<std::size_t>(i)].region->face, sum);

@@ -27,7 +27,7 @@ class Raiser {
         cuts_(cuts),
         parts_(parts),
         threads_(threads),
-        cost_(curving_costs(parts)) {}
+        cost_(part_costs(linear.sizes)) {}
 
   OrderTwoMesh run() {
     copy_linear();
@@ -136,12 +136,9 @@ class Raiser {
   void fill_elements() {
     mesh().quads.resize(9 * mesh().quad_count());
     mesh().triangles.resize(6 * mesh().triangle_count());
-    std::vector<std::array<std::size_t, 2>> first(parts_.size() + 1, {0, 0});  // quad and triangle
-    for (std::size_t i = 0; i < parts_.size(); ++i)
-      first[i + 1] = {first[i][0] + static_cast<std::size_t>(linear_.sizes[i].quads),
-                      first[i][1] + static_cast<std::size_t>(linear_.sizes[i].triangles)};
+    const std::vector<PartRows> first = part_rows(linear_.sizes);
     run_tasks(threads_, cost_, [&](int i) {
-      if (parts_[i].mesh) fill_part(static_cast<std::size_t>(i), first[i][0], first[i][1]);
+      if (parts_[i].mesh) fill_part(static_cast<std::size_t>(i), first[i].quad, first[i].triangle);
     });
   }
 
@@ -177,13 +174,6 @@ class Raiser {
 };
 
 }  // namespace
-
-std::vector<double> curving_costs(const std::vector<CurvingPart>& parts) {
-  std::vector<double> costs;
-  for (const CurvingPart& part : parts)
-    costs.push_back(part.mesh ? static_cast<double>(part.mesh->elements.size()) : 0);
-  return costs;
-}
 
 PartSides number_sides(const RegionMesh& mesh) {
   PartSides sides;

@@ -19,9 +19,6 @@ struct CurvingPart {
   int outline = 0;  ///< as JoinPart's
 };
 
-/// Per part, for run_tasks().
-std::vector<double> curving_costs(const std::vector<CurvingPart>& parts);
-
 /// Sides of a part's elements. Those inside the part have numbers in the order of first use.
 struct PartSides {
   /// Per element and side from corner k: the number of a side inside the part, or -1 - i for `border[i]`.

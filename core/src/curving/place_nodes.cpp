@@ -86,14 +86,13 @@ CurvedMesh curve_elements(const JoinedMesh& linear, const EdgeNodes& edges, cons
   std::vector<char> is_placed(cuts.sides().size(), 0);
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (parts[i].mesh) place_cuts(raised, cuts, parts[i], i, mesh, is_placed);
-  std::vector<std::size_t> first_quad{0};  // a part's quads follow each other
-  for (const PartSizes& sizes : linear.sizes) first_quad.push_back(first_quad.back() + sizes.quads);
-  run_tasks(threads, curving_costs(parts), [&](int i) {
+  const std::vector<PartRows> first = part_rows(linear.sizes);
+  run_tasks(threads, part_costs(linear.sizes), [&](int i) {
     progress.check();
     if (!parts[i].mesh) return;
     const PartSides& sides = raised.sides[i];
     const std::vector<Vec2> places = place_sides(parts[i], sides.inside, raised.first_own[i], mesh);
-    CentrePlacer(parts[i], sides, raised.border_node[i], places, mesh).run(first_quad[i]);
+    CentrePlacer(parts[i], sides, raised.border_node[i], places, mesh).run(first[i].quad);
   });
   CurvedMesh result{std::move(mesh), std::move(raised.own_nodes), {}, raised.first_inside};
   for (std::size_t c = 0; c < raised.cut_node.size(); ++c)

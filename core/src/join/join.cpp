@@ -151,6 +151,24 @@ class Joiner {
 
 }  // namespace
 
+std::vector<PartRows> part_rows(const std::vector<PartSizes>& sizes, int node) {
+  std::vector<PartRows> rows;
+  PartRows next{node};
+  for (const auto& [nodes, quads, triangles] : sizes) {
+    rows.push_back(next);
+    next.node += static_cast<int>(nodes);
+    next.quad += static_cast<std::size_t>(quads);
+    next.triangle += static_cast<std::size_t>(triangles);
+  }
+  return rows;
+}
+
+std::vector<double> part_costs(const std::vector<PartSizes>& sizes) {
+  std::vector<double> costs;
+  for (const PartSizes& part : sizes) costs.push_back(static_cast<double>(part.quads + part.triangles));
+  return costs;
+}
+
 JoinedMesh join_regions(const Model& model, const EdgeNodes& edges, const BoundaryUse& use,
                         const std::vector<JoinPart>& parts, int outlines) {
   return Joiner(model, edges, use, parts, outlines).run();

@@ -24,6 +24,18 @@ struct PartSizes {
   long nodes = 0, quads = 0, triangles = 0;
 };
 
+/// Where that begins.
+struct PartRows {
+  int node = 0;
+  std::size_t quad = 0, triangle = 0;
+};
+
+/// Per part; `node`: the first one that belongs to a part.
+std::vector<PartRows> part_rows(const std::vector<PartSizes>& sizes, int node = 0);
+
+/// Per part, for run_tasks().
+std::vector<double> part_costs(const std::vector<PartSizes>& sizes);
+
 struct JoinedMesh {
   SurfaceMesh mesh;
   /// Per part and region node: its node in `mesh`, -1 where the region does not use it.

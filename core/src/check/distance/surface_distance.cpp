@@ -48,11 +48,6 @@ struct Totals {
   }
 };
 
-/// Rows of a part in the mesh.
-struct PartRows {
-  std::size_t quad = 0, triangle = 0;
-};
-
 class PartSampler {
  public:
   PartSampler(const DistanceTask& task, const CurvingPart& part, PartRows first)

@@ -15,19 +15,19 @@ namespace {
 /// Elements of one part, quads first.
 class PartSideCheck {
  public:
-  PartSideCheck(const CheckedMesh& checked, std::size_t part, const PartPlace& place, MeshFaults& faults,
+  PartSideCheck(const CheckedMesh& checked, std::size_t part, const PartRows& first, MeshFaults& faults,
                 SharedLists& shared)
       : checked_(checked),
         mesh_(checked.mesh),
         sizes_(checked.sizes[part]),
-        place_(place),
+        first_(first),
         face_(checked.parts[part].region->face),
         faults_(faults),
         shared_(shared) {}
 
   void run() {
     deal();
-    for (std::size_t v = 0; v + 1 < start_.size(); ++v) check_bucket(static_cast<int>(v) + place_.node);
+    for (std::size_t v = 0; v + 1 < start_.size(); ++v) check_bucket(static_cast<int>(v) + first_.node);
   }
 
  private:
@@ -46,7 +46,7 @@ class PartSideCheck {
     const bool is_quad = element < sizes_.quads;
     const auto row = static_cast<std::size_t>(is_quad ? element : element - sizes_.quads);
     const ElementTable table(mesh_, is_quad);
-    return {table.row(row + (is_quad ? place_.quad : place_.triangle)), table.corners};
+    return {table.row(row + (is_quad ? first_.quad : first_.triangle)), table.corners};
   }
 
   template <class Function>
@@ -61,7 +61,7 @@ class PartSideCheck {
     start_.assign(static_cast<std::size_t>(sizes_.nodes) + 1, 0);
     for_each_side([&](int e, int k, int, int high) {
       if (high >= checked_.shared_nodes)
-        ++start_[static_cast<std::size_t>(high - place_.node) + 1];
+        ++start_[static_cast<std::size_t>(high - first_.node) + 1];
       else
         list_shared(e, k);
     });
@@ -70,7 +70,7 @@ class PartSideCheck {
     std::vector<int> next(start_.begin(), start_.end() - 1);
     for_each_side([&](int e, int k, int low, int high) {
       if (high < checked_.shared_nodes) return;
-      uses_[static_cast<std::size_t>(next[static_cast<std::size_t>(high - place_.node)]++)] = {low, e, k};
+      uses_[static_cast<std::size_t>(next[static_cast<std::size_t>(high - first_.node)]++)] = {low, e, k};
     });
   }
 
@@ -113,8 +113,8 @@ class PartSideCheck {
   }
 
   void check_bucket(int high) {
-    Use* begin = uses_.data() + start_[static_cast<std::size_t>(high - place_.node)];
-    Use* end = uses_.data() + start_[static_cast<std::size_t>(high - place_.node) + 1];
+    Use* begin = uses_.data() + start_[static_cast<std::size_t>(high - first_.node)];
+    Use* end = uses_.data() + start_[static_cast<std::size_t>(high - first_.node) + 1];
     std::sort(begin, end, [](const Use& a, const Use& b) { return a.low < b.low; });
     while (begin != end) {
       Use* next = std::find_if(begin, end, [&](const Use& use) { return use.low != begin->low; });
@@ -146,7 +146,7 @@ class PartSideCheck {
   const CheckedMesh& checked_;
   const SurfaceMesh& mesh_;
   const PartSizes& sizes_;
-  const PartPlace place_;
+  const PartRows first_;  // of the part in the mesh
   const int face_;
   MeshFaults& faults_;
   SharedLists& shared_;
@@ -157,15 +157,15 @@ class PartSideCheck {
 }  // namespace
 
 void check_sides(const CheckedMesh& checked, int threads, const Progress& progress, Ranks& ranks, MeshFaults& faults) {
-  const std::vector<PartPlace> places = places_of(checked);
+  const std::vector<PartRows> first = part_rows(checked.sizes, checked.shared_nodes);
   std::mutex mutex;
   SharedLists shared;
-  run_tasks(threads, costs_of(checked), [&](int i) {
+  run_tasks(threads, part_costs(checked.sizes), [&](int i) {
     progress.check();
     if (!checked.parts[static_cast<std::size_t>(i)].mesh) return;
     MeshFaults found;
     SharedLists lists;
-    PartSideCheck(checked, static_cast<std::size_t>(i), places[static_cast<std::size_t>(i)], found, lists).run();
+    PartSideCheck(checked, static_cast<std::size_t>(i), first[static_cast<std::size_t>(i)], found, lists).run();
     std::lock_guard lock(mutex);
     faults.add(found);
     shared.sides.insert(shared.sides.end(), lists.sides.begin(), lists.sides.end());
