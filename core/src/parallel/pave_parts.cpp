@@ -69,82 +69,75 @@ std::vector<RegionFailure> PartPaver::pave() {
 
 // Small regions are paved while others make the coarse meshes of large ones.
 std::vector<RegionFailure> PartPaver::pave_regions() {
-  std::vector<int> all(regions_.size());
-  std::iota(all.begin(), all.end(), 0);
-  std::vector<std::shared_ptr<const PavedRegion>> paved(regions_.size());
-  const std::vector<RegionFailure> failures = run(Stage::regions, all, costs_, [&](int i) {
-    const Region& region = regions_[i];
-    plans_[i] = plan_levels(region, options_.multilevel, boundary_nodes_, progress_, options_.elements);
-    if (!plans_[i]) paved[i] = std::make_shared<PavedRegion>(pave_region(region, progress_, options_.elements));
-    advance(plans_[i] ? planning_share * costs_[i] : costs_[i]);
-    return paved[i] ? paved[i]->mesh.living_elements() : 0;
+  for (std::size_t r = 0; r < regions_.size(); ++r) parts_.push_back(whole(static_cast<int>(r)));
+  auto all = [](const Part&) { return true; };
+  const std::vector<RegionFailure> failures = run(Stage::regions, all, [&](Part& part) {
+    const Region& region = regions_[part.region];
+    std::optional<LevelPlan>& plan = plans_[part.region];
+    plan = plan_levels(region, options_.multilevel, boundary_nodes_, progress_, options_.elements);
+    if (!plan) part.paved = std::make_shared<PavedRegion>(pave_region(region, progress_, options_.elements));
+    advance(plan ? planning_share * part.cost : part.cost);
   });
   exchange_plans();
-  replace(std::vector<char>(regions_.size(), 0));
+  std::vector<Part> parts;
   for (Part& part : parts_)
-    if (part.piece < 0) part.paved = paved[part.region];
+    if (plans_[part.region])
+      add_pieces(part.region, parts);
+    else
+      parts.push_back(std::move(part));
+  put(std::move(parts));
   return failures;
 }
 
 std::vector<RegionFailure> PartPaver::lay_pieces() {
-  std::vector<int> pieces, region_of;
-  std::vector<double> costs;
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    if (parts_[i].piece < 0) continue;
-    pieces.push_back(static_cast<int>(i));
-    region_of.push_back(parts_[i].region);
-    costs.push_back(parts_[i].cost);
-  }
-  return run(Stage::paving, region_of, costs, [&](int k) {
-    Part& part = parts_[pieces[k]];
+  auto is_piece = [](const Part& part) { return part.piece >= 0; };
+  return run(Stage::paving, is_piece, [&](Part& part) {
     const Region& region = regions_[part.region];
     const LevelPlan& plan = *plans_[part.region];
     part.place = std::make_shared<Region>(without_loops(region));
     part.paved = std::make_shared<PavedRegion>(
         lay_piece(region, *part.place, plan, static_cast<std::size_t>(part.piece), progress_, options_.elements));
     advance((1 - planning_share) * costs_[part.region] / static_cast<double>(plan.pieces.size()));
-    return part.paved->mesh.living_elements();
   });
 }
 
 std::vector<RegionFailure> PartPaver::pave_whole(const std::vector<char>& is_wanted) {
-  replace(is_wanted);
-  std::vector<int> which, region_of;
-  std::vector<double> costs;
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const int region = parts_[i].region;
-    if (!is_wanted[region]) continue;
-    which.push_back(static_cast<int>(i));
-    region_of.push_back(region);
-    costs.push_back(costs_[region]);
-  }
-  return run(Stage::regions, region_of, costs, [&](int k) {
-    const auto paved = std::make_shared<PavedRegion>(pave_region(regions_[region_of[k]], progress_, options_.elements));
-    parts_[which[k]].paved = paved;
-    return paved->mesh.living_elements();
+  std::vector<Part> parts;
+  for (Part& part : parts_)
+    if (!is_wanted[part.region])
+      parts.push_back(std::move(part));
+    else if (part.piece == 0)
+      parts.push_back(whole(part.region));
+  put(std::move(parts));
+  auto is_due = [&](const Part& part) { return is_wanted[part.region] != 0; };
+  return run(Stage::regions, is_due, [&](Part& part) {
+    part.paved = std::make_shared<PavedRegion>(pave_region(regions_[part.region], progress_, options_.elements));
   });
 }
 
-// Tasks give the number of elements they laid. Failures are the same on all ranks, by region.
-std::vector<RegionFailure> PartPaver::run(Stage stage, const std::vector<int>& region_of,
-                                          const std::vector<double>& costs, const std::function<long(int)>& task) {
-  std::vector<long> elements(costs.size(), 0);
+// Failures are the same on all ranks, by region.
+std::vector<RegionFailure> PartPaver::run(Stage stage, const std::function<bool(const Part&)>& is_due,
+                                          const std::function<void(Part&)>& pave) {
+  std::vector<Part*> due;
+  std::vector<double> costs;
+  for (Part& part : parts_)
+    if (is_due(part)) due.push_back(&part), costs.push_back(part.cost);
   std::vector<RegionFailure> mine;
   std::mutex mutex;
   const std::vector<DoneTask> done = run_tasks(
       options_.threads, costs, [&] { return ranks_.take(queue_); },
       [&](int k) {
         try {
-          guard_kernel({stage_name(Stage::paving), regions_[region_of[k]].face, -1, {}},
-                       [&] { elements[k] = task(k); });
+          guard_kernel({stage_name(Stage::paving), regions_[due[k]->region].face, -1, {}}, [&] { pave(*due[k]); });
         } catch (const Error& error) {
           if (error.code() == ErrorCode::cancelled) throw;
           std::lock_guard lock(mutex);
-          mine.push_back(failure_of(region_of[k], error));
+          mine.push_back(failure_of(due[k]->region, error));
         }
       });
   ++queue_;
-  for (const DoneTask& one : done) times_.push_back({stage, one.seconds, elements[one.task]});
+  for (const auto& [task, seconds] : done)
+    times_.push_back({stage, seconds, due[task]->paved ? due[task]->paved->mesh.living_elements() : 0});
   return gather_failures(mine, ranks_);
 }
 
@@ -160,29 +153,14 @@ void PartPaver::exchange_plans() {
     if (!plans_[region]) plans_[region] = unpack_plan(plan);
 }
 
-// Regions marked 1 become one part each, the others stay; at first all are made.
-void PartPaver::replace(const std::vector<char>& is_whole) {
-  std::vector<Part> old = std::move(parts_);
-  parts_.clear();
-  auto next = old.begin();
-  for (int r = 0; r < static_cast<int>(regions_.size()); ++r) {
-    auto end = std::find_if(next, old.end(), [r](const Part& part) { return part.region != r; });
-    if (next != end && !is_whole[r]) {
-      parts_.insert(parts_.end(), next, end);
-    } else if (is_whole[r] || !plans_[r]) {
-      parts_.push_back({r, -1, costs_[r], nullptr, nullptr});
-    } else {
-      for (std::size_t i = 0; i < plans_[r]->pieces.size(); ++i) {
-        double fine = 0;
-        bool is_paved = false;
-        for (int e : plans_[r]->pieces[i])
-          fine += fine_elements(*plans_[r], e), is_paved |= plans_[r]->is_paved[e] != 0;
-        parts_.push_back({r, static_cast<int>(i), (is_paved ? 1 : planned_cost) * fine, nullptr, nullptr});
-      }
-    }
-    next = end;
+void PartPaver::add_pieces(int region, std::vector<Part>& parts) const {
+  const LevelPlan& plan = *plans_[region];
+  for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
+    double fine = 0;
+    bool is_paved = false;
+    for (int e : plan.pieces[i]) fine += fine_elements(plan, e), is_paved |= plan.is_paved[e] != 0;
+    parts.push_back({region, static_cast<int>(i), (is_paved ? 1 : planned_cost) * fine, nullptr, nullptr});
   }
-  number_outlines();
 }
 
 void PartPaver::number_outlines() {

@@ -68,14 +68,15 @@ class PartPaver {
   const Region& place_of(const Part& part) const { return part.place ? *part.place : regions_[part.region]; }
 
  private:
-  std::vector<RegionFailure> run(Stage stage, const std::vector<int>& region_of, const std::vector<double>& costs,
-                                 const std::function<long(int)>& task);
+  std::vector<RegionFailure> run(Stage stage, const std::function<bool(const Part&)>& is_due,
+                                 const std::function<void(Part&)>& pave);
   std::vector<RegionFailure> pave_regions();
   std::vector<RegionFailure> lay_pieces();
   std::vector<RegionFailure> pave_whole(const std::vector<char>& is_wanted);
   void exchange_plans();
   void advance(double cost);
-  void replace(const std::vector<char>& is_whole);
+  Part whole(int region) const { return {region, -1, costs_[region], nullptr, nullptr}; }
+  void add_pieces(int region, std::vector<Part>& parts) const;
   void number_outlines();
 
   const std::vector<Region>& regions_;
