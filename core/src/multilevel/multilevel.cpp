@@ -174,11 +174,7 @@ bool has_many_poor(const Region& region, const RegionMesh& mesh) {
 
 void smooth(Front& front, const std::vector<int>& rests, const Progress& progress) {
   for (int v : rests) front.mesh.is_fixed[v] = 1;
-  Sweeper sweeper(front);
-  for (int i = 0; i < fine_sweeps; ++i) {
-    progress.check();
-    if (!sweeper.sweep()) break;
-  }
+  sweep_nodes(front, fine_sweeps, progress);
   for (int v : rests) front.mesh.is_fixed[v] = 0;
   front.end_slides();
   raise_worst(front, worst_goal, 2);

@@ -292,11 +292,7 @@ void clean_up(Front& front, const Progress& progress, bool all_quad, int first_n
   CleanUp clean(front, progress, first_node);
   clean.run();
   if (all_quad) clean.join_all_triangles();
-  Sweeper sweeper(front);
-  for (int i = 0; i < sweeps; ++i) {
-    progress.check();
-    if (!sweeper.sweep()) break;
-  }
+  sweep_nodes(front, sweeps, progress);
   front.end_slides();
   raise_worst(front, worst_goal, 3);
   clean.mend();
