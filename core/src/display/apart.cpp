@@ -11,22 +11,6 @@ void copy_point(const std::vector<float>& from, int point, std::vector<float>& t
   to.insert(to.end(), begin, begin + 3);
 }
 
-/// Points in rows of n + 1, or of n + 1, n, ..., 1 for a triangle; the element's own count from `first`.
-void add_triangles(Tessellation& t, int n, bool is_quad, int element, int first) {
-  auto add = [&](int a, int b, int c) {
-    t.triangles.insert(t.triangles.end(), {a, b, c, -1});
-    t.triangle_element.push_back(element);
-  };
-  for (int j = 0, row = first; j < n; ++j) {
-    int length = is_quad ? n + 1 : n + 1 - j, above = row + length;
-    for (int i = 0; i + 1 < length; ++i) {
-      add(row + i, row + i + 1, above + i);
-      if (is_quad || i + 2 < length) add(row + i + 1, above + i + 1, above + i);
-    }
-    row = above;
-  }
-}
-
 }  // namespace
 
 Tessellation tessellate_apart(const SurfaceMesh& mesh, int n) {
@@ -44,7 +28,10 @@ Tessellation tessellate_apart(const SurfaceMesh& mesh, int n) {
   result.triangle_element.reserve(pieces);
   int quads = static_cast<int>(mesh.quad_count()), elements = quads + static_cast<int>(mesh.triangle_count());
   for (int e = 0, first = 0; e < elements; ++e) {
-    add_triangles(result, n, e < quads, e, first);
+    for_triangles(n, e < quads, [&](int a, int b, int c) {
+      result.triangles.insert(result.triangles.end(), {first + a, first + b, first + c, -1});
+      result.triangle_element.push_back(e);
+    });
     first += e < quads ? (n + 1) * (n + 1) : (n + 1) * (n + 2) / 2;
   }
   std::vector<int> copy_of(cut.shared.points.size() / 3);  // any copy: all lie in one place

@@ -52,9 +52,7 @@ ShapeTable::ShapeTable(ElementShape shape, int order, int n) : shape_(shape), n_
   }
 }
 
-int ShapeTable::index(int i, int j) const {
-  return shape_ == ElementShape::quad ? j * (n_ + 1) + i : j * (n_ + 1) - j * (j - 1) / 2 + i;
-}
+int ShapeTable::index(int i, int j) const { return bernstein_index(shape_, n_, j, i); }
 
 Vec3 ShapeTable::position(const Vec3* x, int point) const {
   return combination(x, value_.data() + static_cast<std::size_t>(point) * nodes_, nodes_);

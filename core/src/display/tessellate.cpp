@@ -101,7 +101,10 @@ class Tessellator {
     for (int& point : local_)
       if (point < 0) point = new_point(table.position(x_.data(), static_cast<int>(&point - local_.data())));
     add_normals(table);
-    add_triangles(e, table);
+    for_triangles(n_, e.is_quad, [&](int a, int b, int c) {
+      result_.triangles.insert(result_.triangles.end(), {local_[a], local_[b], local_[c], -1});
+      result_.triangle_element.push_back(e.number);
+    });
     std::copy(local_.begin(), local_.end(), element_points_.begin() + first_point(e.number));
   }
 
@@ -170,21 +173,6 @@ class Tessellator {
     // Where a side shrinks to a point the element's own normal must do.
     for (int point : local_)
       if (norm(normals_[point]) == 0) normals_[point] += unit(mean);
-  }
-
-  void add_triangle(const Element& e, int a, int b, int c) {
-    result_.triangles.insert(result_.triangles.end(), {local_[a], local_[b], local_[c], -1});
-    result_.triangle_element.push_back(e.number);
-  }
-
-  void add_triangles(const Element& e, const ShapeTable& table) {
-    for (int j = 0; j < n_; ++j) {
-      for (int i = 0; i < (e.is_quad ? n_ : n_ - j); ++i) {
-        int a = table.index(i, j), b = table.index(i + 1, j), d = table.index(i, j + 1);
-        add_triangle(e, a, b, d);
-        if (e.is_quad || i + j + 1 < n_) add_triangle(e, b, table.index(i + 1, j + 1), d);
-      }
-    }
   }
 
   void scale_normals() {
