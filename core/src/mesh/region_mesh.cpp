@@ -12,6 +12,11 @@ long RegionMesh::living_elements() const {
   return std::count_if(elements.begin(), elements.end(), [](const Element& e) { return e.is_alive(); });
 }
 
+long RegionMesh::triangle_count() const {
+  return std::count_if(elements.begin(), elements.end(),
+                       [](const Element& e) { return e.is_alive() && e.corners() == 3; });
+}
+
 void RegionMesh::reserve(std::size_t count) {
   p.reserve(count), x.reserve(count), xp.reserve(count), xq.reserve(count), drift.reserve(count), h.reserve(count);
   is_fixed.reserve(count), global.reserve(count), star.reserve(count);

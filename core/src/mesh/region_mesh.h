@@ -114,6 +114,7 @@ struct RegionMesh {
   int node_count() const { return static_cast<int>(p.size()); }
   /// Without those that are taken out.
   long living_elements() const;
+  long triangle_count() const;
   /// Takes back the node added last; no element may use it.
   void drop_last_node();
   int add_node(const NodePlace& at, double target);

@@ -38,7 +38,6 @@ Faults count_faults(const RegionMesh& mesh) {
   for (const Element& e : mesh.elements) {
     if (!e.is_alive()) continue;
     bool is_off = faces_away(mesh, e) || cuts_through(mesh, e);
-
     faults.off_surface += is_off;
     faults.flat += !is_off && scaled_jacobian(mesh, e) < sound_jacobian;
   }

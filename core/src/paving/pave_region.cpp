@@ -65,11 +65,7 @@ struct Tangle {
 };
 
 /// Pairs of triangles that clean-up could not join; an odd one is what the region's boundary asks for.
-long pairs_left(const RegionMesh& mesh) {
-  return std::count_if(mesh.elements.begin(), mesh.elements.end(),
-                       [](const Element& e) { return e.is_alive() && e.corners() == 3; }) /
-         2;
-}
+long pairs_left(const RegionMesh& mesh) { return mesh.triangle_count() / 2; }
 
 /// Paves the void of a started front; nodes before `first_node` belong to a mesh that is done. Gives how often it was
 /// closed by triangulation.
@@ -122,13 +118,9 @@ std::optional<PavedRegion> pave_and_cut(const Region& region, const Attempt& att
 }
 
 PavedRegion pave_once(const Region& region, const Attempt& attempt, const Progress& progress, Elements elements) {
+  if (attempt.size != 1) return pave_once(scaled(region, attempt.size), {1, attempt.misfit_weight}, progress, elements);
   if (auto paved = pave_and_cut(region, attempt, progress, elements)) return std::move(*paved);
   return pave_whole(region, attempt, progress, elements);
-}
-
-PavedRegion pave_in_way(const Region& region, const Attempt& way, const Progress& progress, Elements elements) {
-  return way.size == 1 ? pave_once(region, way, progress, elements)
-                       : pave_once(scaled(region, way.size), way, progress, elements);
 }
 
 PavedRegion pave_without_triangles(const Region& region, const Progress& progress) {
@@ -140,7 +132,7 @@ PavedRegion pave_without_triangles(const Region& region, const Progress& progres
     const bool is_good_enough =
         fewest.off_surface + pairs == 0 && fewest.flat <= few_flat * static_cast<double>(best.mesh.elements.size());
     if (!is_first && (fewest.sum() + pairs == 0 || (way.size != 1 && is_good_enough))) break;
-    PavedRegion paved = pave_in_way(region, way, progress, Elements::all_quad);
+    PavedRegion paved = pave_once(region, way, progress, Elements::all_quad);
     const Faults faults = count_faults(paved.mesh);
     const long left = pairs_left(paved.mesh);
     if (!is_first && faults.sum() + left >= fewest.sum() + pairs) continue;

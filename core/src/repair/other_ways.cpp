@@ -23,15 +23,7 @@ bool has_few_elements(const RegionMesh& mesh) { return mesh.living_elements() <=
 
 /// Triangles count half.
 double quads_in(const RegionMesh& mesh) {
-  double count = 0;
-  for (const Element& e : mesh.elements)
-    if (e.is_alive()) count += e.corners() == 4 ? 1 : 0.5;
-  return count;
-}
-
-bool has_triangles(const RegionMesh& mesh) {
-  return std::any_of(mesh.elements.begin(), mesh.elements.end(),
-                     [](const Element& e) { return e.is_alive() && e.corners() == 3; });
+  return static_cast<double>(mesh.living_elements()) - 0.5 * static_cast<double>(mesh.triangle_count());
 }
 
 double worst_value(const ElementJudge& judge) {
@@ -70,7 +62,7 @@ bool OtherWays::can_be_whole(const RegionMesh& mesh) const {
 }
 
 bool OtherWays::is_coarse_and_mixed(const RegionMesh& mesh) const {
-  return options_.elements == Elements::quad_dominant && has_few_elements(mesh) && has_triangles(mesh);
+  return options_.elements == Elements::quad_dominant && has_few_elements(mesh) && mesh.triangle_count() > 0;
 }
 
 bool OtherWays::make_whole(Mended& mended, PavedRegion& paved) const {

@@ -34,8 +34,7 @@ GluedGrid as_grid(const Region& region, const RegionMesh& mesh, const std::vecto
 
 void even_out(const Region& region, RegionMesh& mesh, const std::vector<std::array<float, 4>>& wishes, int sweeps,
               const Progress& progress) {
-  for (const Element& e : mesh.elements)
-    if (e.is_alive() && e.corners() == 3) return;
+  if (mesh.triangle_count() > 0) return;
   GluedGrid grid = as_grid(region, mesh, wishes);
   smooth_grid(grid, *region.surface, region.size, sweeps, progress);
   std::vector<int> bad;

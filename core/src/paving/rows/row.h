@@ -21,8 +21,7 @@ struct Row {
 /// those at the ends of its facets.
 std::vector<Row> find_rows(const Front& front, const std::vector<int>& loop, const std::vector<double>& angles);
 
-/// Lays the quads of the row until it is done or blocked. Returns the new front nodes; none: nothing was laid.
-/// `laid` counts quads.
+/// Lays the quads of the row until it is done or blocked, and gives their number. Adds the new front nodes.
 int lay_row(Front& front, const Row& row, std::vector<int>& new_nodes);
 
 }  // namespace paver
