@@ -73,8 +73,7 @@ class RegionDivider {
   }
 
   void insert(int e, int a, int b, int middle) {
-    const std::vector<int> outline = with_nodes_between(
-        mesh_.elements[e], [&](int v, int w) { return std::minmax(v, w) == std::minmax(a, b) ? middle : -1; });
+    const std::vector<int> outline = with_node_between(mesh_.elements[e], a, b, middle);
     Filling filling = fill_outline(
         outline, kinds_, [&](const Corners& v, double floor) { return judge_.value(v, floor); },
         [](int, int) { return false; });
@@ -120,8 +119,7 @@ std::vector<SideToDivide> sides_beside_nodes(const ElementJudge& judge) {
     for (int k = 0; k < 3; ++k) {
       const int a = e.v[k], b = e.v[(k + 1) % 3], beside = e.v[(k + 2) % 3];
       const double away = distance_beside(mesh.x[beside], mesh.x[a], mesh.x[b]);
-      const double shortest = shortest_side * std::min(mesh.h[a], mesh.h[b]);
-      if (away < least || away > most || norm(mesh.x[b] - mesh.x[a]) < shortest) continue;
+      if (away < least || away > most || is_too_short(mesh, a, b)) continue;
       const BoundarySide* side = judge.sides().find(mesh.global[a], mesh.global[b]);
       const Vec3 chord = mesh.x[b] - mesh.x[a];
       if (side && norm(side->middle - mesh.x[a] - 0.5 * chord) < straight * norm(chord))

@@ -204,9 +204,10 @@ class Mender {
     const Element element = mesh_.elements[e];
     for (int k = 0, n = element.corners(); k < n; ++k) {
       const int a = element.v[k], b = element.v[(k + 1) % n], other = mesh_.across(a, b);
-      if (other < 0 || norm(mesh_.x[b] - mesh_.x[a]) < shortest_side * std::min(mesh_.h[a], mesh_.h[b])) continue;
+      if (other < 0 || is_too_short(mesh_, a, b)) continue;
       const int node = add_node_between(region_, a, b, mesh_);
-      Filling here = fill_with(e, a, b, node, {e, other}), there = fill_with(other, a, b, node, {e, other});
+      auto filled = [&](int at) { return fill(with_node_between(mesh_.elements[at], a, b, node), {e, other}); };
+      Filling here = filled(e), there = filled(other);
       if (here.worst > 0 && there.worst > 0) {
         here.worst = std::min(here.worst, there.worst);
         here.triangles += there.triangles;
@@ -215,12 +216,6 @@ class Mender {
       }
       mesh_.drop_last_node();
     }
-  }
-
-  Filling fill_with(int e, int a, int b, int node, const ElementSet& set) {
-    const std::vector<int> outline = with_nodes_between(
-        mesh_.elements[e], [&](int v, int w) { return std::minmax(v, w) == std::minmax(a, b) ? node : -1; });
-    return fill(outline, set);
   }
 
   void consider(Candidate candidate, Candidate& best) const {
@@ -254,8 +249,8 @@ class Mender {
     for (int k = 0, n = element.corners(); k < n; ++k) {
       const int v = element.v[k], w = element.v[(k + 1) % n], a = mesh_.global[v], b = mesh_.global[w];
       const BoundarySide* side = judge_.sides().find(a, b);
+      if (!side || is_too_short(mesh_, v, w)) continue;
       const double length = norm(mesh_.x[w] - mesh_.x[v]);
-      if (!side || length < shortest_side * std::min(mesh_.h[v], mesh_.h[w])) continue;
       const double sagitta = norm(side->middle - 0.5 * (mesh_.x[v] + mesh_.x[w]));
       const double weight = sagitta > least_bend * length ? 1 + sagitta / mesh_.h[v] : length / (length + mesh_.h[v]);
       if (weight > most) most = weight, asked = {side->edge, a, b};

@@ -95,7 +95,8 @@ class PartRepairer {
     const Region& place = paver_.place_of(parts_[i]);
     std::vector<int> bad = find_bad({place, parts_[i].paved->mesh, sides, options_.order});
     const bool has_twins = !twin_sides(parts_[i].paved->mesh).empty();
-    const OtherWays ways = other_ways(i, sides);
+    const Face& face = model_.faces[static_cast<std::size_t>(region_of(i).face)];
+    const OtherWays ways(region_of(i), face, sides, options_, progress_);
     const bool is_first = round_ == 0 && parts_[i].piece < 0;
     if (!bad.empty() || has_twins || (is_first && ways.can_help(parts_[i].paved->mesh))) {
       auto copy = std::make_shared<PavedRegion>(*parts_[i].paved);
@@ -109,11 +110,6 @@ class PartRepairer {
     if (!kinds_.triangles) return;
     found.inner = inner_sides(mesh, static_cast<int>(i), static_cast<int>(nodes_.nodes.size()));
     std::ranges::move(sides_beside_nodes({place, mesh, sides, options_.order}), std::back_inserter(found.sides));
-  }
-
-  OtherWays other_ways(std::size_t i, const BoundarySides& sides) const {
-    const Region& region = region_of(i);
-    return {region, model_.faces[static_cast<std::size_t>(region.face)], sides, options_, progress_};
   }
 
   // Only on the rank that has the part.

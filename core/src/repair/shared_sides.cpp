@@ -26,61 +26,52 @@ std::set<std::pair<int, int>> intervals_of(std::span<const Region> regions, cons
   return intervals;
 }
 
-class SideDivider {
- public:
-  SideDivider(const Region& region, RegionMesh& mesh) : region_(region), mesh_(mesh) {}
+using TwoElements = std::array<Corners, 2>;
 
-  void divide(int a, int b) {
-    const int e = mesh_.across(b, a), other = mesh_.across(a, b);
-    if (e < 0 || other < 0) return;
-    const Vec2 halfway = 0.5 * (mesh_.p[a] + mesh_.p[b]);
-    if (divide(e, other, a, b, halfway)) return;
-    // In a polar chart that lies beside the side, by more than a thin element is wide.
-    const Vec3 middle = 0.5 * (mesh_.x[a] + mesh_.x[b]);
-    Vec2 nearest = halfway;
-    nearest_point(region_, nearest, middle, norm(mesh_.x[b] - mesh_.x[a]));
-    divide(e, other, a, b, nearest);
+/// The element with a node between its corners a and b: the better of two ways, if one has positive elements only.
+std::optional<TwoElements> best_division(const RegionMesh& mesh, const Element& e, int a, int b, int middle) {
+  std::optional<TwoElements> best;
+  double most = 0;
+  auto consider = [&](const Corners& one, const Corners& other) {
+    const double worst = std::min({1.0, positive_jacobian(mesh, one), positive_jacobian(mesh, other)});
+    if (worst > most) most = worst, best = TwoElements{one, other};
+  };
+  const int c = e.after(b), d = e.before(a);
+  if (e.corners() == 3) {
+    consider({a, middle, c, -1}, {middle, b, c, -1});
+  } else {
+    consider({a, middle, d, -1}, {middle, b, c, d});
+    consider({middle, b, c, -1}, {a, middle, c, d});
   }
+  return best;
+}
 
-  std::vector<Vec3> take_made() { return std::move(made_); }
-
- private:
-  bool divide(int e, int other, int a, int b, Vec2 p) {
-    const int middle = mesh_.add_node(region_.place(p), 0.5 * (mesh_.h[a] + mesh_.h[b]));
-    const auto here = best_of(mesh_.elements[e], a, b, middle), there = best_of(mesh_.elements[other], b, a, middle);
-    if (!here || !there) {
-      mesh_.drop_last_node();
-      return false;
-    }
-    mesh_.remove_element(e);
-    mesh_.remove_element(other);
-    for (const auto& elements : {*here, *there})
-      for (const Corners& corners : elements) mesh_.add_element(corners);
-    made_.push_back(mesh_.x[middle]);
-    return true;
+/// Between a and b, at p. The new node, or -1.
+int divide_at(const Region& region, int a, int b, Vec2 p, RegionMesh& mesh) {
+  const int e = mesh.across(b, a), other = mesh.across(a, b);
+  const int middle = mesh.add_node(region.place(p), 0.5 * (mesh.h[a] + mesh.h[b]));
+  const auto here = best_division(mesh, mesh.elements[e], a, b, middle);
+  const auto there = best_division(mesh, mesh.elements[other], b, a, middle);
+  if (!here || !there) {
+    mesh.drop_last_node();
+    return -1;
   }
+  mesh.remove_element(e);
+  mesh.remove_element(other);
+  for (const TwoElements& elements : {*here, *there})
+    for (const Corners& corners : elements) mesh.add_element(corners);
+  return middle;
+}
 
-  /// The element with a node between its corners a and b: the better of two ways, if one has positive elements only.
-  std::optional<std::array<Corners, 2>> best_of(const Element& e, int a, int b, int middle) const {
-    std::optional<std::array<Corners, 2>> best;
-    double most = 0;
-    const int c = e.after(b), d = e.before(a);
-    std::array<std::array<Corners, 2>, 2> ways{
-        {{{{a, middle, d, -1}, {middle, b, c, d}}}, {{{middle, b, c, -1}, {a, middle, c, d}}}}};
-    if (e.corners() == 3)
-      ways = {{{{{a, middle, c, -1}, {middle, b, c, -1}}}, {{{a, middle, c, -1}, {middle, b, c, -1}}}}};
-    for (const auto& way : ways) {
-      double worst = 1;
-      for (const Corners& corners : way) worst = std::min(worst, positive_jacobian(mesh_, corners));
-      if (worst > most) most = worst, best = way;
-    }
-    return best;
-  }
-
-  const Region& region_;
-  RegionMesh& mesh_;
-  std::vector<Vec3> made_;
-};
+/// The new node, or -1.
+int divide_side(const Region& region, int a, int b, RegionMesh& mesh) {
+  if (mesh.across(a, b) < 0 || mesh.across(b, a) < 0) return -1;
+  Vec2 p = 0.5 * (mesh.p[a] + mesh.p[b]);
+  if (const int node = divide_at(region, a, b, p, mesh); node >= 0) return node;
+  // In a polar chart that lies beside the side, by more than a thin element is wide.
+  nearest_point(region, p, 0.5 * (mesh.x[a] + mesh.x[b]), norm(mesh.x[b] - mesh.x[a]));
+  return divide_at(region, a, b, p, mesh);
+}
 
 }  // namespace
 
@@ -136,9 +127,10 @@ std::vector<InnerSide> sides_to_part(std::vector<InnerSide> all, std::span<const
 }
 
 std::vector<Vec3> divide_inner_sides(const Region& region, std::span<const InnerSide> sides, RegionMesh& mesh) {
-  SideDivider divider(region, mesh);
-  for (const InnerSide& side : sides) divider.divide(side.a, side.b);
-  return divider.take_made();
+  std::vector<Vec3> made;
+  for (const InnerSide& side : sides)
+    if (const int node = divide_side(region, side.a, side.b, mesh); node >= 0) made.push_back(mesh.x[node]);
+  return made;
 }
 
 }  // namespace paver

@@ -54,7 +54,7 @@ class BendDivider {
         const int a = element.v[k], b = element.v[(k + 1) % n], other = mesh_.across(a, b);
         if (other < 0 || nodes_.contains(std::minmax(a, b)) ||
             dot(mesh_.normal(a), mesh_.normal(b)) > (judge_.order() == 1 ? bend_of_chords : bend) ||
-            norm(mesh_.x[b] - mesh_.x[a]) < shortest_side * std::min(mesh_.h[a], mesh_.h[b]))
+            is_too_short(mesh_, a, b))
           continue;
         nodes_[std::minmax(a, b)] = add_node_between(judge_.region(), a, b, mesh_);
         touched_.push_back(e);
@@ -92,6 +92,11 @@ class BendDivider {
 };
 
 }  // namespace
+
+bool is_too_short(const RegionMesh& mesh, int a, int b) {
+  constexpr double shortest = 0.12;  // of the target length
+  return norm(mesh.x[b] - mesh.x[a]) < shortest * std::min(mesh.h[a], mesh.h[b]);
+}
 
 int add_node_between(const Region& region, int a, int b, RegionMesh& mesh) {
   constexpr int bisections = 12;

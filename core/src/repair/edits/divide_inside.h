@@ -14,7 +14,7 @@ int divide_bend(const ElementJudge& judge, int element, ElementKinds kinds, Regi
 /// these are alike.
 int add_node_between(const Region& region, int a, int b, RegionMesh& mesh);
 
-/// Sides shorter than this share of the target length are not divided.
-constexpr double shortest_side = 0.12;
+/// Whether a side is too short against the target length to be divided.
+bool is_too_short(const RegionMesh& mesh, int a, int b);
 
 }  // namespace paver

@@ -36,4 +36,10 @@ std::vector<int> with_nodes_between(const Element& element, Between between) {
   return outline;
 }
 
+/// The same with one node, between a and b.
+inline std::vector<int> with_node_between(const Element& element, int a, int b, int node) {
+  return with_nodes_between(element,
+                            [&](int v, int w) { return (v == a && w == b) || (v == b && w == a) ? node : -1; });
+}
+
 }  // namespace paver
