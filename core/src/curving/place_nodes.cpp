@@ -39,43 +39,28 @@ void place_cuts(const OrderTwoMesh& raised, const Cuts& cuts, const CurvingPart&
   }
 }
 
-/// Places the centres of a part's quads, with what is known of its sides.
-class CentrePlacer {
- public:
-  CentrePlacer(const CurvingPart& part, const PartSides& sides, const std::vector<int>& border_node,
-               const std::vector<Vec2>& places, SurfaceMesh& mesh)
-      : part_(part), sides_(sides), border_node_(border_node), places_(places), mesh_(mesh) {}
-
-  void run(std::size_t quad) {
-    const std::vector<Element>& elements = part_.mesh->elements;
-    for (std::size_t e = 0; e < elements.size(); ++e) {
-      if (!elements[e].is_alive() || elements[e].corners() != 4) continue;
-      Vec3 blend = blended_centre(mesh_, static_cast<int>(quad));
-      const int* v = &mesh_.quads[9 * quad];
-      const double across = norm(mesh_.nodes[v[2]] - mesh_.nodes[v[0]]);
-      Vec2 place = guess_centre(*part_.region, *part_.mesh, elements[e].v,
-                                {middle_place(e, 0), middle_place(e, 1), middle_place(e, 2), middle_place(e, 3)});
-      mesh_.nodes[v[8]] = nearest_point(*part_.region, place, blend, across);
-      ++quad;
-    }
+/// Places the centres of a part's quads, of which `quad` is the first, with what is known of its sides.
+void place_centres(const CurvingPart& part, const PartSides& sides, const std::vector<int>& border_node,
+                   const std::vector<Vec2>& places, std::size_t quad, SurfaceMesh& mesh) {
+  auto middle_place = [&](int side) {
+    if (side >= 0) return places[static_cast<std::size_t>(side)];
+    auto [v, w] = sides.border[static_cast<std::size_t>(-1 - side)];
+    auto position = [&](int node) { return mesh.nodes[(*part.node_of)[node]]; };
+    const Vec3 middle = mesh.nodes[border_node[static_cast<std::size_t>(-1 - side)]];
+    return guess_middle(*part.region, *part.mesh, v, w, middle - 0.5 * (position(v) + position(w)));
+  };
+  const std::vector<Element>& elements = part.mesh->elements;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    if (!elements[e].is_alive() || elements[e].corners() != 4) continue;
+    const Vec3 blend = blended_centre(mesh, static_cast<int>(quad));
+    const int* v = &mesh.quads[9 * quad++];
+    const double across = norm(mesh.nodes[v[2]] - mesh.nodes[v[0]]);
+    const auto& of = sides.of_element[e];
+    Vec2 place = guess_centre(*part.region, *part.mesh, elements[e].v,
+                              {middle_place(of[0]), middle_place(of[1]), middle_place(of[2]), middle_place(of[3])});
+    mesh.nodes[v[8]] = nearest_point(*part.region, place, blend, across);
   }
-
- private:
-  Vec2 middle_place(std::size_t e, int k) const {
-    const int side = sides_.of_element[e][k];
-    if (side >= 0) return places_[static_cast<std::size_t>(side)];
-    auto [v, w] = sides_.border[static_cast<std::size_t>(-1 - side)];
-    auto position = [&](int node) { return mesh_.nodes[(*part_.node_of)[node]]; };
-    const Vec3 middle = mesh_.nodes[border_node_[static_cast<std::size_t>(-1 - side)]];
-    return guess_middle(*part_.region, *part_.mesh, v, w, middle - 0.5 * (position(v) + position(w)));
-  }
-
-  const CurvingPart& part_;
-  const PartSides& sides_;
-  const std::vector<int>& border_node_;
-  const std::vector<Vec2>& places_;
-  SurfaceMesh& mesh_;
-};
+}
 
 }  // namespace
 
@@ -92,7 +77,7 @@ CurvedMesh curve_elements(const JoinedMesh& linear, const EdgeNodes& edges, cons
     if (!parts[i].mesh) return;
     const PartSides& sides = raised.sides[i];
     const std::vector<Vec2> places = place_sides(parts[i], sides.inside, raised.first_own[i], mesh);
-    CentrePlacer(parts[i], sides, raised.border_node[i], places, mesh).run(first[i].quad);
+    place_centres(parts[i], sides, raised.border_node[i], places, first[i].quad, mesh);
   });
   CurvedMesh result{std::move(mesh), std::move(raised.own_nodes), {}, raised.first_inside};
   for (std::size_t c = 0; c < raised.cut_node.size(); ++c)
