@@ -86,7 +86,7 @@ BlockGrid smoothed_grid(const BlockLayout& layout, const BlockLayout& final, con
     if (settle) settle(*finer);
     // More for small ones, where they cost little and spare the finer ones work.
     const int again = std::clamp(40000 / finer->grid().mesh.node_count(), smoothing.least_sweeps, 40);
-    finer->smooth(grid ? again : smoothing.first_sweeps, progress);
+    smooth_grid(finer->grid(), surface, size, grid ? again : smoothing.first_sweeps, progress);
     grid = std::move(finer);
   }
   return std::move(*grid);

@@ -30,7 +30,6 @@ class BlockGrid {
   GridPlaces places(std::size_t block) const;
   /// Whether (i, j), (i + 1, j), (i + 1, j + 1) turn right in its chart.
   bool is_clockwise(std::size_t block) const { return is_clockwise_[block] != 0; }
-  void smooth(int sweeps, const Progress& progress) { smooth_grid(grid_, surface_, size_, sweeps, progress); }
 
  private:
   void add_quads(std::size_t block, const Block& final);

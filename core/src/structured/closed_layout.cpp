@@ -88,11 +88,7 @@ class CurvedQuad {
     return x;
   }
 
-  Vec2 place(double s, double t) const {
-    const GridPlaces& at = block_.coarse;
-    return (1 - t) * ((1 - s) * at(i_, j_) + s * at(i_ + 1, j_)) +
-           t * ((1 - s) * at(i_, j_ + 1) + s * at(i_ + 1, j_ + 1));
-  }
+  Vec2 place(double s, double t) const { return block_.coarse.in_cell(i_, j_, s, t); }
 
   Vec3 at(double s, double t) const {
     auto shape = [](double r) { return std::array{(1 - r) * (1 - 2 * r), 4 * r * (1 - r), r * (2 * r - 1)}; };

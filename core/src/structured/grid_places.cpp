@@ -23,19 +23,16 @@ struct Cubic {
 }  // namespace
 
 Vec2 GridPlaces::between(double s, double t) const {
-  const GridPlaces& place = *this;
   if (m >= 3 && n >= 3) {
     const Cubic along(s, m), across(t, n);
     Vec2 sum{0, 0};
     for (int j = 0; j < 4; ++j)
       for (int i = 0; i < 4; ++i)
-        sum = sum + along.weight[i] * across.weight[j] * place(along.first + i, across.first + j);
+        sum = sum + along.weight[i] * across.weight[j] * (*this)(along.first + i, across.first + j);
     return sum;
   }
   const int k = std::clamp(static_cast<int>(s), 0, m - 1), l = std::clamp(static_cast<int>(t), 0, n - 1);
-  s -= k, t -= l;
-  return (1 - t) * ((1 - s) * place(k, l) + s * place(k + 1, l)) +
-         t * ((1 - s) * place(k, l + 1) + s * place(k + 1, l + 1));
+  return in_cell(k, l, s - k, t - l);
 }
 
 }  // namespace paver
