@@ -108,15 +108,15 @@ void write_msh_beginning(const char* version, const Groups& groups, bool is_asci
     sink.write("\n");
   }
   sink.write("$EndMeshFormat\n");
-  const std::size_t count =
-      groups.face_names.size() + groups.edge_names.size() + groups.point_names.size() + groups.volume_names.size();
+  const std::pair<int, const std::vector<std::string>&> names_by_dimension[] = {
+      {2, groups.face_names}, {1, groups.edge_names}, {0, groups.point_names}, {3, groups.volume_names}};
+  std::size_t count = 0;
+  for (const auto& [dimension, names] : names_by_dimension) count += names.size();
   if (count == 0) return;
   sink.write(fmt::format("$PhysicalNames\n{}\n", count));
   int number = 0;
-  for (const std::string& name : groups.face_names) sink.write(fmt::format("2 {} \"{}\"\n", ++number, name));
-  for (const std::string& name : groups.edge_names) sink.write(fmt::format("1 {} \"{}\"\n", ++number, name));
-  for (const std::string& name : groups.point_names) sink.write(fmt::format("0 {} \"{}\"\n", ++number, name));
-  for (const std::string& name : groups.volume_names) sink.write(fmt::format("3 {} \"{}\"\n", ++number, name));
+  for (const auto& [dimension, names] : names_by_dimension)
+    for (const std::string& name : names) sink.write(fmt::format("{} {} \"{}\"\n", dimension, ++number, name));
   sink.write("$EndPhysicalNames\n");
 }
 
