@@ -20,22 +20,17 @@ using Json = nlohmann::json;
 
 constexpr mode_t own_only = 0600;
 
-ErrorCode code_of(const std::string& name) {
-  for (int code = 0; code < static_cast<int>(ErrorCode::internal); ++code)
-    if (name == code_name(static_cast<ErrorCode>(code))) return static_cast<ErrorCode>(code);
-  return ErrorCode::internal;
-}
-
-Stage stage_of(const std::string& name) {
-  for (int stage = 0; stage < static_cast<int>(Stage::done); ++stage)
-    if (name == stage_name(static_cast<Stage>(stage))) return static_cast<Stage>(stage);
-  return Stage::done;
+/// The value of this name; the last one where none has it.
+template <class Value, class NameOf>
+Value named(const std::string& name, NameOf name_of, Value last) {
+  for (int i = 0; i < static_cast<int>(last); ++i)
+    if (name == name_of(static_cast<Value>(i))) return static_cast<Value>(i);
+  return last;
 }
 
 Event progress_event(const Json& json) {
-  Event event{Event::Kind::progress, stage_of(json.at("stage").get<std::string>()), 0, {}, {}};
-  event.fraction = json.at("percent").get<double>() / 100;
-  return event;
+  const Stage stage = named(json.at("stage").get<std::string>(), stage_name, Stage::done);
+  return {Event::Kind::progress, stage, json.at("percent").get<double>() / 100, {}, {}};
 }
 
 Event error_event(const Json& json) {
@@ -44,7 +39,8 @@ Event error_event(const Json& json) {
   std::string face = json.value("face", "");
   if (face.starts_with("Face")) where.face = std::atoi(face.c_str() + 4) - 1;
   Event event{Event::Kind::error, Stage::read, 0, {}, {}};
-  event.error.emplace(code_of(json.at("code").get<std::string>()), json.at("sentence").get<std::string>(), where);
+  const ErrorCode code = named(json.at("code").get<std::string>(), code_name, ErrorCode::internal);
+  event.error.emplace(code, json.at("sentence").get<std::string>(), where);
   return event;
 }
 
