@@ -24,6 +24,7 @@
 #include <thread>
 
 #include "base/process/child.h"
+#include "base/process/run_files.h"
 #include "launch/events.h"
 #include "launch/programs.h"
 #include "launch/run_folder.h"
@@ -50,7 +51,7 @@ class Listener {
         follow(event);
         break;
       case Event::Kind::error:
-        keep(*event.error);
+        if (!error_ || error_->code() == ErrorCode::cancelled) error_.emplace(*event.error);
         break;
       case Event::Kind::done:
         busy_ = event.busy;
@@ -79,9 +80,6 @@ class Listener {
       // Cancelled in between; the loop sees it next.
     }
   }
-  void keep(const Error& error) {
-    if (!error_ || error_->code() == ErrorCode::cancelled) error_.emplace(error);
-  }
 
   Progress& progress_;
   bool has_begun_ = false;
@@ -89,15 +87,6 @@ class Listener {
   std::optional<Error> error_;
   std::optional<std::vector<double>> busy_;
 };
-
-void write_file(const std::string& path, std::span<const char> content) {
-  std::ofstream out(path, std::ios::binary);
-  out.write(content.data(), static_cast<std::streamsize>(content.size()));
-  out.close();
-  if (!out)
-    throw Error(ErrorCode::unwritable_output,
-                fmt::format("Cannot write the temporary file '{}'; free some space or set TMPDIR.", path));
-}
 
 std::string read_and_remove(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -240,10 +229,9 @@ RanksResult mesh_in_ranks(const Job& job, int ranks, Progress& progress, std::sp
   handed.folder = folder.path();
   if (job.input.empty()) {
     handed.input = folder.file("model");
-    write_file(handed.input, content);
+    write_run_file(handed.input, content);
   }
-  std::string text = job_text(handed);
-  write_file(folder.file("job.json"), text);
+  write_run_file(folder.file("job.json"), job_text(handed));
   Listener listener(progress);
   Child child({watcher, folder.path(), folder.shared_memory(), mpirun, "-n", std::to_string(ranks), worker,
                folder.file("job.json")},

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <new>
 #include <optional>
 #include <sstream>
@@ -58,15 +57,6 @@ std::string from_rank_0(MpiRanks& ranks, F&& make) {
   throw Error(code, text, where);
 }
 
-void write_file(const std::string& path, const std::string& bytes) {
-  std::ofstream out(path, std::ios::binary);
-  out << bytes;
-  out.close();
-  if (!out)
-    throw Error(ErrorCode::unwritable_output,
-                fmt::format("Cannot write the temporary file '{}'; free some space or set TMPDIR.", path));
-}
-
 /// Finds at rank 0 whether the files can be written. The temporary names they will have, which all ranks know, so that
 /// whoever is left removes them.
 std::vector<std::string> prepare_outputs(const Job& job, MpiRanks& ranks) {
@@ -74,7 +64,7 @@ std::vector<std::string> prepare_outputs(const Job& job, MpiRanks& ranks) {
     check_outputs(job.files, ranks.count());
     std::string list;
     for (const std::string& path : job.files.paths()) list += temporary_name(path) + "\n";
-    if (!job.folder.empty()) write_file(job.folder + "/" + temporaries_file, list);
+    if (!job.folder.empty()) write_run_file(job.folder + "/" + temporaries_file, list);
     return list;
   });
   std::vector<std::string> result;
@@ -94,10 +84,10 @@ Options options_of(const Job& job, const MpiRanks& ranks) {
 /// What goes back to the process that started the run: the whole mesh share by share, or the report alone.
 void hand_back(const Job& job, MeshShare& share, const MpiRanks& ranks) {
   if (!job.folder.empty() && job.returns_mesh)
-    write_file(fmt::format("{}/share{}", job.folder, ranks.rank()), pack_share(share));
+    write_run_file(fmt::format("{}/share{}", job.folder, ranks.rank()), pack_share(share));
   share.result.mesh = {};
   if (!job.folder.empty() && !job.returns_mesh && ranks.rank() == 0)
-    write_file(job.folder + "/result", pack_result(share.result));
+    write_run_file(job.folder + "/result", pack_result(share.result));
 }
 
 /// One job from its file to its outputs; the exit code.

@@ -80,6 +80,17 @@ void MpiRanks::wait(MPI_Request& request) {
   waited_ += std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// start(request) begins what is waited for.
+template <class Start>
+void MpiRanks::complete(Start start) {
+  MPI_Request request;
+  {
+    std::lock_guard lock(mutex_);
+    start(&request);
+  }
+  wait(request);
+}
+
 long MpiRanks::take(int queue) {
   std::lock_guard lock(mutex_);
   if (is_abandoned_) progress_.check();
@@ -97,12 +108,9 @@ void MpiRanks::reduce(std::span<T> values, MPI_Datatype type, MPI_Op operation) 
   std::vector<T> all(mine.size());
   for (std::size_t at = 0; at < mine.size(); at += most_bytes_ / sizeof(T)) {
     int part = static_cast<int>(std::min(most_bytes_ / sizeof(T), mine.size() - at));
-    MPI_Request request;
-    {
-      std::lock_guard lock(mutex_);
-      MPI_Iallreduce(mine.data() + at, all.data() + at, part, type, operation, MPI_COMM_WORLD, &request);
-    }
-    wait(request);
+    complete([&](MPI_Request* request) {
+      MPI_Iallreduce(mine.data() + at, all.data() + at, part, type, operation, MPI_COMM_WORLD, request);
+    });
   }
   std::copy_n(all.begin(), values.size(), values.begin());
 }
@@ -113,12 +121,7 @@ void MpiRanks::find_least(std::span<double> values) { reduce(values, MPI_DOUBLE,
 void MpiRanks::spread(char* data, std::uint64_t bytes, int root) {
   for (std::uint64_t at = 0; at < bytes; at += most_bytes_) {
     int part = static_cast<int>(std::min<std::uint64_t>(most_bytes_, bytes - at));
-    MPI_Request request;
-    {
-      std::lock_guard lock(mutex_);
-      MPI_Ibcast(data + at, part, MPI_CHAR, root, MPI_COMM_WORLD, &request);
-    }
-    wait(request);
+    complete([&](MPI_Request* request) { MPI_Ibcast(data + at, part, MPI_CHAR, root, MPI_COMM_WORLD, request); });
   }
 }
 
@@ -135,12 +138,9 @@ std::vector<std::string> MpiRanks::gather(std::string_view mine) {
   auto ranks = static_cast<std::size_t>(count_);
   std::int64_t size = static_cast<std::int64_t>(mine.size());
   std::vector<std::int64_t> sizes(ranks);
-  MPI_Request request;
-  {
-    std::lock_guard lock(mutex_);
-    MPI_Iallgather(&size, 1, MPI_INT64_T, sizes.data(), 1, MPI_INT64_T, MPI_COMM_WORLD, &request);
-  }
-  wait(request);
+  complete([&](MPI_Request* request) {
+    MPI_Iallgather(&size, 1, MPI_INT64_T, sizes.data(), 1, MPI_INT64_T, MPI_COMM_WORLD, request);
+  });
   std::vector<std::string> all(ranks);
   std::int64_t total = std::accumulate(sizes.begin(), sizes.end(), std::int64_t(0));
   if (total > static_cast<std::int64_t>(most_bytes_)) {
@@ -154,12 +154,10 @@ std::vector<std::string> MpiRanks::gather(std::string_view mine) {
   std::vector<int> counts(sizes.begin(), sizes.end()), starts(ranks, 0);
   std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
   std::string joined(static_cast<std::size_t>(total), '\0');
-  {
-    std::lock_guard lock(mutex_);
+  complete([&](MPI_Request* request) {
     MPI_Iallgatherv(mine.data(), counts[static_cast<std::size_t>(rank_)], MPI_CHAR, joined.data(), counts.data(),
-                    starts.data(), MPI_CHAR, MPI_COMM_WORLD, &request);
-  }
-  wait(request);
+                    starts.data(), MPI_CHAR, MPI_COMM_WORLD, request);
+  });
   for (std::size_t r = 0; r < ranks; ++r)
     all[r] = joined.substr(static_cast<std::size_t>(starts[r]), static_cast<std::size_t>(counts[r]));
   return all;

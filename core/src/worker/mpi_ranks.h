@@ -48,6 +48,8 @@ class MpiRanks : public Ranks {
   using Clock = std::chrono::steady_clock;
   static constexpr int first_queue = most_queues, windows = most_queues + 1;
 
+  template <class Start>
+  void complete(Start start);
   void wait(MPI_Request& request);
   template <class T>
   void reduce(std::span<T> values, MPI_Datatype type, MPI_Op operation);
