@@ -49,13 +49,12 @@ class PartElementCheck {
   int face() const { return part_.region->face; }
   int next(int k) const { return k + 1 < n_ ? k + 1 : 0; }
   Vec3 node(int k) const { return mesh_.nodes[static_cast<std::size_t>(v_[k])]; }
-  Vec3 outward(Vec3 normal) const { return is_reversed_ ? -1 * normal : normal; }
 
   void check_corners() {
     normals_.resize(region_.p.size());
     for (int v = 0; v < region_.node_count(); ++v) {
       if (region_.star[v].size() == 0) continue;
-      normals_[static_cast<std::size_t>(v)] = outward(region_.normal(v));
+      normals_[static_cast<std::size_t>(v)] = (is_reversed_ ? -1 : 1) * region_.normal(v);
       if (region_.global[v] >= 0) continue;
       const Vec3 x = mesh_.nodes[static_cast<std::size_t>((*part_.node_of)[v])];
       if (!(norm(part_.region->point(region_.p[v]) - x) <= off_corner * region_.h[v]))

@@ -148,8 +148,7 @@ class Repairer {
     return true;
   }
 
-  int centre_node(const Element& quad) const { return nodes_of(quad)[8]; }
-  void recentre(const Element& quad) { move(centre_node(quad), blended_centre(mesh_, quad.index)); }
+  void recentre(const Element& quad) { move(nodes_of(quad)[8], blended_centre(mesh_, quad.index)); }
   void move(int node, Vec3 to) {
     moved_.push_back({node, position(node)});
     position(node) = to;

@@ -20,11 +20,6 @@ bool is_far_off(int e, const CoarseNet& net, const std::vector<int>& counts, con
   return length < shortest || length > longest;
 }
 
-// The elements beside it cannot follow the surface, and what is divided from them lies on it askew.
-bool is_bent(const CoarseEdge& edge, const RegionMesh& mesh) {
-  return dot(unit(mesh.normal(edge.a)), unit(mesh.normal(edge.b))) < bent;
-}
-
 std::vector<char> marks(const RegionMesh& mesh, const CoarseNet& net, const std::vector<int>& counts,
                         const std::vector<double>& lengths) {
   std::vector<char> is_marked(mesh.elements.size(), 0);
@@ -40,9 +35,10 @@ std::vector<char> marks(const RegionMesh& mesh, const CoarseNet& net, const std:
   return is_marked;
 }
 
+// Elements beside a bent edge cannot follow the surface, and what is divided from them lies on it askew.
 void mark_bent(const RegionMesh& mesh, const CoarseNet& net, std::vector<char>& is_marked) {
   for (const CoarseEdge& edge : net.edges)
-    if (is_bent(edge, mesh))
+    if (dot(unit(mesh.normal(edge.a)), unit(mesh.normal(edge.b))) < bent)
       for (int e : edge.element)
         if (e >= 0) is_marked[e] = 1;
 }

@@ -103,10 +103,6 @@ class ElementNumbers {
   std::vector<std::vector<int>> starts_;  // per corner: node positions from there on
 };
 
-Word sum_of_elements(const SurfaceMesh& mesh) {
-  return ElementNumbers(mesh, true).sum() + ElementNumbers(mesh, false).sum();
-}
-
 Word line_number(const SurfaceMesh& mesh, Kind kind, std::size_t line, int edge) {
   std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
   Mix mix(kind, mesh.order, edge);
@@ -139,7 +135,7 @@ std::uint64_t checksum(const SurfaceMesh& mesh) {
 }
 
 std::uint64_t checksum(const SurfaceMesh& mesh, const ShareNumbers& numbers, Ranks& ranks) {
-  Word sum = sum_of_elements(mesh);
+  Word sum = ElementNumbers(mesh, true).sum() + ElementNumbers(mesh, false).sum();
   if (ranks.rank() == 0) sum += sum_of_rest(mesh, numbers.nodes);
   constexpr Word low = 0xffffffff;  // in two halves: sums over ranks must not overflow
   std::array<long, 2> halves{static_cast<long>(sum & low), static_cast<long>(sum >> 32)};

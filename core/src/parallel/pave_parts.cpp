@@ -16,10 +16,6 @@ namespace {
 constexpr double planned_cost = 0.25;   // of an element on levels, by one that is paved
 constexpr double planning_share = 0.2;  // of the work on a region on levels
 
-RegionFailure failure_of(int region, const Error& error) {
-  return {region, error.where().stage, error.what(), error.where().point};
-}
-
 }  // namespace
 
 template <class A>
@@ -132,7 +128,7 @@ std::vector<RegionFailure> PartPaver::run(Stage stage, const std::function<bool(
         } catch (const Error& error) {
           if (error.code() == ErrorCode::cancelled) throw;
           std::lock_guard lock(mutex);
-          mine.push_back(failure_of(due[k]->region, error));
+          mine.push_back({due[k]->region, error.where().stage, error.what(), error.where().point});
         }
       });
   ++queue_;

@@ -123,13 +123,13 @@ std::optional<Error> shortfall(const MeshResult& result) {
                              listed(failed, most_named_faces)),
                  {face.stage, first, -1, face.where});
   }
-  const auto& unconnected = result.report.model.unconnected;
-  if (!unconnected.empty())
-    return Error(ErrorCode::face_failed, unconnected_parts(unconnected), {"topology", -1, -1, {}});
-  const auto& one_sided = result.report.model.one_sided;
-  if (!one_sided.empty()) return Error(ErrorCode::face_failed, one_sided_solids(one_sided), {"topology", -1, -1, {}});
-  if (has_stray_curves(result.report))
-    return Error(ErrorCode::face_failed, stray_curves(result.report), {"topology", -1, -1, {}});
+  const ModelReport& model = result.report.model;
+  auto of_model = [](const std::string& sentence) {
+    return Error(ErrorCode::face_failed, sentence, {"topology", -1, -1, {}});
+  };
+  if (!model.unconnected.empty()) return of_model(unconnected_parts(model.unconnected));
+  if (!model.one_sided.empty()) return of_model(one_sided_solids(model.one_sided));
+  if (has_stray_curves(result.report)) return of_model(stray_curves(result.report));
   if (!has_mesh) return Error(ErrorCode::no_faces, no_mesh);
   if (!result.report.lost_parts.empty())
     return Error(ErrorCode::face_failed, lost(result.report.lost_parts), {"join", -1, -1, {}});

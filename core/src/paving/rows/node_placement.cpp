@@ -139,10 +139,6 @@ Wish make_wide_wish(const Front& front, int f, double length) {
   return wish;
 }
 
-double graded_target(const Front& front, int parent, double distance, Vec2 p) {
-  return std::min(front.region.target(p), front.mesh.h[parent] + front.region.gradation * distance);
-}
-
 Granted grant(Front& front, const Wish& wish, int start, int avoid_a, int avoid_b) {
   RegionMesh& mesh = front.mesh;
   double length = wish.length;
@@ -182,7 +178,7 @@ Granted grant(Front& front, const Wish& wish, int start, int avoid_a, int avoid_
   if (node >= 0) return {node, false};
   if (nearest < least_room * std::min(wish.length, wish.width)) return {};
   int fresh = front.add_placed_node(at);
-  mesh.h[fresh] = graded_target(front, wish.base, length, p);
+  mesh.h[fresh] = std::min(mesh.h[fresh], mesh.h[wish.base] + front.region.gradation * length);
   return {fresh, true};
 }
 

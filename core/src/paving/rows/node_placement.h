@@ -21,9 +21,6 @@ Wish make_wish(const Front& front, int f, double angle, double length);
 /// much shorter than the row is high, bisectors of single corners would cross.
 Wish make_wide_wish(const Front& front, int f, double length);
 
-/// Target length for a node that is `distance` from `parent`: grows no faster than the gradation allows.
-double graded_target(const Front& front, int parent, double distance, Vec2 p);
-
 /// Node for a wish: one of the front where that is close, else a new one, which is not yet in the void.
 /// -1 when nothing fits. `start` is a triangle of the sector at the wish's base; `avoid_*` are nodes not to be taken.
 struct Granted {
