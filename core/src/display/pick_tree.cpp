@@ -164,9 +164,7 @@ std::vector<PickHit> PickTree::hits(Vec3 origin, Vec3 direction) const {
             {1 / direction.x, 1 / direction.y, 1 / direction.z},
             reach * 1e-7};
   visit(line, levels_.size() - 1, 0, found);
-  std::sort(found.begin(), found.end(), [](const PickHit& a, const PickHit& b) {
-    return std::pair(a.along, a.triangle) < std::pair(b.along, b.triangle);
-  });
+  std::ranges::sort(found, {}, [](const PickHit& hit) { return std::pair(hit.along, hit.triangle); });
   return found;
 }
 

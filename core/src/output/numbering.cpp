@@ -2,6 +2,7 @@
 // stretches that ranks tell each other, and only where more than one rank has rows of a group.
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <numeric>
 #include <tuple>
 
@@ -15,11 +16,8 @@ namespace {
 /// As it goes from rank to rank.
 struct RunRecord {
   long group, first, count;
+  auto operator<=>(const RunRecord&) const = default;
 };
-
-bool operator<(const RunRecord& a, const RunRecord& b) {
-  return std::tie(a.group, a.first) < std::tie(b.group, b.first);
-}
 
 /// Runs of own rows: no row of the group that another rank writes can lie within one. Between two neighbours of a run
 /// this rank holds all numbers, or the run would end, and those of the same group would be in `held`, too. `is_own`:
@@ -166,7 +164,7 @@ std::vector<int> faces_of_nodes(HeldMesh held, const std::vector<int>& curve, Ra
 
   auto reduce = [](std::vector<Record>& list) {  // the last element of each node
     auto key = [](const Record& r) { return std::tie(r.number, r.element); };
-    std::sort(list.begin(), list.end(), [&](const Record& a, const Record& b) { return key(a) < key(b); });
+    std::ranges::sort(list, {}, key);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < list.size(); ++i)
       if (i + 1 == list.size() || list[i + 1].number != list[i].number) list[kept++] = list[i];

@@ -24,7 +24,7 @@ struct NodeRecord {
 /// Those of the same key become one.
 template <class T, class Key, class Add>
 void unite(std::vector<T>& all, Key key, Add add) {
-  std::sort(all.begin(), all.end(), [&](const T& a, const T& b) { return key(a) < key(b); });
+  std::ranges::sort(all, {}, key);
   std::size_t count = 0;
   for (const T& one : all) {
     if (count > 0 && key(all[count - 1]) == key(one)) {
@@ -37,8 +37,7 @@ void unite(std::vector<T>& all, Key key, Add add) {
 }
 
 void add_odd_edge(std::vector<NodeRecord>& nodes, long number, long uses) {
-  auto node = std::lower_bound(nodes.begin(), nodes.end(), number,
-                               [](const NodeRecord& record, long value) { return record.number < value; });
+  const auto node = std::ranges::lower_bound(nodes, number, {}, &NodeRecord::number);
   if (node == nodes.end() || node->number != number) return;  // another rank answers for it
   node->twice_valence += static_cast<int>(2 - uses);
   if (uses == 1) node->is_outside = true;

@@ -169,7 +169,7 @@ class PartRepairer {
   std::vector<ElementRepair> all_places() {
     std::vector<RepairedPlace> all = gather_all(places_, ranks_);
     auto key = [](const RepairedPlace& p) { return std::tie(p.kind, p.entity, p.where.x, p.where.y, p.where.z); };
-    std::sort(all.begin(), all.end(), [&](const auto& p, const auto& q) { return key(p) < key(q); });
+    std::ranges::sort(all, {}, key);
     std::vector<ElementRepair> repairs;
     for (const auto& [kind, entity, where] : all) {
       const auto i = static_cast<std::size_t>(entity);

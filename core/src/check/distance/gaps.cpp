@@ -187,7 +187,7 @@ class GapSearch {
       if (is_near) mine.push_back(piece);
     });
     pieces_ = gather_all(mine, ranks_);
-    std::sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) { return a.key() < b.key(); });
+    std::ranges::sort(pieces_, {}, &Piece::key);
     auto is_same = [](const Piece& a, const Piece& b) { return a.key() == b.key(); };
     pieces_.erase(std::unique(pieces_.begin(), pieces_.end(), is_same), pieces_.end());
   }

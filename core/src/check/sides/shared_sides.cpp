@@ -53,8 +53,7 @@ std::vector<WantedSide> wanted_sides(const CheckedMesh& checked, const Ranks& ra
         if (is_wanted(checked.model.edges[static_cast<std::size_t>(coedge.edge)]))
           add_wanted(checked, ranks, static_cast<int>(f), coedge, wanted);
   }
-  std::sort(wanted.begin(), wanted.end(),
-            [](const WantedSide& a, const WantedSide& b) { return key(a.side) < key(b.side); });
+  std::ranges::sort(wanted, {}, [](const WantedSide& one) { return key(one.side); });
   return wanted;
 }
 
@@ -169,9 +168,8 @@ void check_sides(const CheckedMesh& checked, std::span<const SharedSide> there, 
 
 // Of elements with the same corners the first face's stay.
 void check_elements(std::vector<SharedElement> elements, MeshFaults& faults) {
-  std::sort(elements.begin(), elements.end(), [](const SharedElement& a, const SharedElement& b) {
-    return std::tie(a.corners, a.face, a.where.x, a.where.y, a.where.z) <
-           std::tie(b.corners, b.face, b.where.x, b.where.y, b.where.z);
+  std::ranges::sort(elements, {}, [](const SharedElement& e) {
+    return std::tie(e.corners, e.face, e.where.x, e.where.y, e.where.z);
   });
   for (std::size_t i = 1; i < elements.size(); ++i) {
     if (elements[i].corners != elements[i - 1].corners) continue;
@@ -183,7 +181,7 @@ void check_elements(std::vector<SharedElement> elements, MeshFaults& faults) {
 
 void check_shared(const CheckedMesh& checked, const SharedLists& mine, Ranks& ranks, MeshFaults& faults) {
   std::vector<SharedSide> sides = exchange(mine.sides, ranks, [](const SharedSide& side) { return side.low; });
-  std::sort(sides.begin(), sides.end(), [](const SharedSide& a, const SharedSide& b) { return key(a) < key(b); });
+  std::ranges::sort(sides, {}, [](const SharedSide& side) { return key(side); });
   check_sides(checked, sides, wanted_sides(checked, ranks), faults);
   auto lowest = [](const SharedElement& element) { return std::max(element.corners[0], element.corners[1]); };
   check_elements(exchange(mine.elements, ranks, lowest), faults);
