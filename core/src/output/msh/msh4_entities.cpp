@@ -26,17 +26,17 @@ void write_entity(const Box& box, std::size_t entity, Msh4Numbers& out) {
 }
 
 /// A volume of the solid with its signed surfaces, as far as these have elements.
-void write_volume(const Volume& volume, int number, int group, const std::vector<Box>& surfaces, Msh4Numbers& out) {
+void write_volume(const Volume& volume, std::size_t index, int group, const std::vector<Box>& surfaces,
+                  Msh4Numbers& out) {
   std::vector<int> sides;
   Box box;
   for (int side : volume.sides) {
     const auto face = static_cast<std::size_t>(std::abs(side)) - 1;
     if (face >= surfaces.size() || surfaces[face].is_empty()) continue;
     sides.push_back(side);
-    box.add(surfaces[face].low), box.add(surfaces[face].high);
+    box.add(surfaces[face]);
   }
-  out.integer(number);
-  out.point(unsigned_zeros(box.low)), out.point(unsigned_zeros(box.high));
+  write_entity(box, index, out);
   out.count(1), out.integer(group);
   out.count(sides.size());
   for (int side : sides) out.integer(side);
@@ -89,7 +89,7 @@ void write_msh4_beginning(const MeshResult& result, const Numbering& numbering, 
     out.end_line();
   }
   for (std::size_t v = 0; v < result.volumes.size(); ++v)
-    if (volume_groups[v] > 0) write_volume(result.volumes[v], static_cast<int>(v) + 1, volume_groups[v], surfaces, out);
+    if (volume_groups[v] > 0) write_volume(result.volumes[v], v, volume_groups[v], surfaces, out);
   out.end_section("Entities");
   out.sink().write("$Nodes\n");
 }
