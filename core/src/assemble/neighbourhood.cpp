@@ -3,8 +3,6 @@
 #include "assemble/neighbourhood.h"
 
 #include <algorithm>
-#include <cstring>
-#include <map>
 
 #include "base/tasks/gather.h"
 #include "mesh/element_table.h"

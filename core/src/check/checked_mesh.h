@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <compare>
 #include <vector>
 
 #include "boundary/edge_nodes.h"

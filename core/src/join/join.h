@@ -1,7 +1,6 @@
 // The parts' meshes become one conforming mesh of order 1.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "boundary/edge_nodes.h"

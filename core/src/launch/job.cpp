@@ -1,7 +1,6 @@
 // The job file: JSON with the same words as the command line.
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>

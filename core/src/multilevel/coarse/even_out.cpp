@@ -1,8 +1,6 @@
 // The mesh as a grid of one chart without gaps in its numbering, smoothed, and put back where that is sound.
 #include "multilevel/coarse/even_out.h"
 
-#include <algorithm>
-
 #include "structured/grid_smoothing.h"
 
 namespace paver {

@@ -1,8 +1,6 @@
 // One quad on one facet.
 #include "paving/rows/factory_facet.h"
 
-#include <algorithm>
-
 namespace paver {
 
 bool lay_quad(Front& front, int f, const Wish* left, const Wish* right, int level, std::vector<int>& new_nodes) {
