@@ -59,9 +59,8 @@ void RegionMesh::put(int node, const NodePlace& at) {
 
 int RegionMesh::add_element(const Corners& corners) {
   int e = static_cast<int>(elements.size());
-  elements.push_back({corners});
-  for (int v : corners)
-    if (v >= 0) star[v].add(e);
+  elements.emplace_back();
+  restore_element(e, corners);
   return e;
 }
 
@@ -75,6 +74,13 @@ void RegionMesh::restore_element(int e, const Corners& corners) {
   elements[e].v = corners;
   for (int v : corners)
     if (v >= 0) star[v].add(e);
+}
+
+void RegionMesh::find_stars() {
+  star.assign(p.size(), {});
+  for (std::size_t e = 0; e < elements.size(); ++e)
+    for (int v : elements[e].v)
+      if (v >= 0) star[v].add(static_cast<int>(e));
 }
 
 void RegionMesh::replace_node(int e, int from, int to) {

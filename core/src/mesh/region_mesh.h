@@ -127,6 +127,8 @@ struct RegionMesh {
   void remove_element(int e);
   /// Takes back its removal.
   void restore_element(int e, const Corners& corners);
+  /// Makes the stars anew from the elements.
+  void find_stars();
   void replace_node(int e, int from, int to);
   /// The element on the other side of a side from a to b, which has it from b to a; -1 where there is none.
   int across(int a, int b) const {

@@ -76,10 +76,7 @@ std::vector<int> order_spatially(RegionMesh& mesh) {
     for (int& v : e.v)
       if (v >= 0) v = number[v];
   mesh.elements = ordered(mesh.elements, mesh.p.size());
-  for (Star& star : mesh.star) star = Star();
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-    for (int v : mesh.elements[e].v)
-      if (v >= 0) mesh.star[v].add(static_cast<int>(e));
+  mesh.find_stars();
   return number;
 }
 

@@ -153,10 +153,7 @@ LevelPlan unpack_plan(std::string_view bytes) {
   LevelPlan plan;
   Unpacker unpacker(bytes);
   fields(unpacker, plan);
-  plan.mesh.star.resize(plan.mesh.p.size());
-  for (std::size_t e = 0; e < plan.mesh.elements.size(); ++e)
-    for (int k = 0; plan.mesh.elements[e].is_alive() && k < plan.mesh.elements[e].corners(); ++k)
-      plan.mesh.star[plan.mesh.elements[e].v[k]].add(static_cast<int>(e));
+  plan.mesh.find_stars();
   number_outlines(plan);
   return plan;
 }
