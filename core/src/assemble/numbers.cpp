@@ -6,8 +6,8 @@
 namespace paver {
 namespace {
 
-struct PartRow {
-  long part = 0, nodes = 0, quads = 0, triangles = 0, own_nodes = 0;
+struct PartRow : PartSizes {
+  long part = 0, own_nodes = 0;
 };
 
 using Count = long PartRow::*;  ///< of what is numbered
@@ -82,11 +82,8 @@ void Assembler::number() {
   share = ranks_.count() == 1 ? whole_numbers(mesh_) : ShareNumbers{};
   if (ranks_.count() == 1) return;
   std::vector<PartRow> mine;
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const PartSizes& sizes = joined_.sizes[i];
-    mine.push_back({static_cast<long>(i), sizes.nodes, sizes.quads, sizes.triangles,
-                    options_.order > 1 ? curved_.own_nodes[i] : 0});
-  }
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    mine.push_back({joined_.sizes[i], static_cast<long>(i), options_.order > 1 ? curved_.own_nodes[i] : 0});
   const std::vector<PartRow> all = gather_rows(mine, ranks_);
   const Shared outlines(joined_.outline, static_cast<std::size_t>(paver_.outline_nodes()), ranks_);
   Numberer numberer(share, ranks_);

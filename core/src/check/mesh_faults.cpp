@@ -24,15 +24,9 @@ void MeshFaults::add(const MeshFaults& other) {
 }
 
 void MeshFaults::unite(Ranks& ranks) {
-  struct Row {
-    int face;
-    FaultKind kind;
-    Entry entry;
-  };
-  std::vector<Row> mine;
-  for (const auto& [key, entry] : entries_) mine.push_back({key.first, key.second, entry});
+  const std::vector<std::pair<Key, Entry>> mine(entries_.begin(), entries_.end());
   entries_.clear();
-  for (const Row& row : gather_all(mine, ranks)) add({row.face, row.kind}, row.entry);
+  for (const auto& [key, entry] : gather_all(mine, ranks)) add(key, entry);
 }
 
 std::vector<int> MeshFaults::faces() const {

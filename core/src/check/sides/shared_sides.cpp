@@ -16,7 +16,6 @@ struct WantedSide {
   int edge = -1;
 };
 
-auto ends(const SharedSide& side) { return std::tie(side.low, side.high); }
 auto key(const SharedSide& side) { return std::tie(side.low, side.high, side.face, side.direction, side.middle); }
 
 /// Edges that only one face has, twice, need not be followed by its elements.
@@ -64,6 +63,21 @@ std::vector<T> exchange(const std::vector<T>& mine, Ranks& ranks, Lowest lowest)
   return gather_wanted(mine, ranks, [&](const T& one) { return lowest(one) % ranks.count() == ranks.rank(); });
 }
 
+/// visit(there, wanted) for those of either that have a key in common, by rising keys. Both are in this order.
+template <class Key, class Visit>
+void for_groups(std::span<const SharedSide> there, std::span<const WantedSide> wanted, Key key, Visit visit) {
+  while (!there.empty() || !wanted.empty()) {
+    const auto first = there.empty()    ? key(wanted[0].side)
+                       : wanted.empty() ? key(there[0])
+                                        : std::min(key(there[0]), key(wanted[0].side));
+    std::size_t t = 0, w = 0;
+    while (t < there.size() && key(there[t]) == first) ++t;
+    while (w < wanted.size() && key(wanted[w].side) == first) ++w;
+    visit(there.first(t), wanted.first(w));
+    there = there.subspan(t), wanted = wanted.subspan(w);
+  }
+}
+
 /// Sides between the same two nodes: what is there and what is asked for, both in order.
 class SideGroup {
  public:
@@ -72,16 +86,8 @@ class SideGroup {
       : checked_(checked), there_(there), wanted_(wanted), faults_(faults) {}
 
   void check() {
-    std::size_t t = 0, w = 0;
-    while (t < there_.size() || w < wanted_.size()) {
-      const int face = t == there_.size()    ? wanted_[w].side.face
-                       : w == wanted_.size() ? there_[t].face
-                                             : std::min(there_[t].face, wanted_[w].side.face);
-      const std::size_t first_there = t, first_wanted = w;
-      while (t < there_.size() && there_[t].face == face) ++t;
-      while (w < wanted_.size() && wanted_[w].side.face == face) ++w;
-      check_face(face, there_.subspan(first_there, t - first_there), wanted_.subspan(first_wanted, w - first_wanted));
-    }
+    auto face = [](const SharedSide& side) { return side.face; };
+    for_groups(there_, wanted_, face, [&](auto there, auto wanted) { check_face(there, wanted); });
     check_faces();
     check_overlaps();
   }
@@ -93,7 +99,8 @@ class SideGroup {
     bool is_at_boundary;
   };
 
-  void check_face(int face, std::span<const SharedSide> there, std::span<const WantedSide> wanted) {
+  void check_face(std::span<const SharedSide> there, std::span<const WantedSide> wanted) {
+    const int face = there.empty() ? wanted[0].side.face : there[0].face;
     users_.push_back({face, static_cast<long>(there.size()), !wanted.empty()});
     if (wanted.empty()) {
       const bool is_pair =
@@ -150,20 +157,8 @@ class SideGroup {
 
 void check_sides(const CheckedMesh& checked, std::span<const SharedSide> there, std::span<const WantedSide> wanted,
                  MeshFaults& faults) {
-  std::size_t t = 0, w = 0;
-  while (t < there.size() || w < wanted.size()) {
-    const SharedSide& first =
-        t == there.size() ? wanted[w].side
-        : w == wanted.size()
-            ? there[t]
-            : std::min(there[t], wanted[w].side, [](const auto& a, const auto& b) { return ends(a) < ends(b); });
-    const std::size_t first_there = t, first_wanted = w;
-    while (t < there.size() && ends(there[t]) == ends(first)) ++t;
-    while (w < wanted.size() && ends(wanted[w].side) == ends(first)) ++w;
-    SideGroup(checked, there.subspan(first_there, t - first_there), wanted.subspan(first_wanted, w - first_wanted),
-              faults)
-        .check();
-  }
+  auto ends = [](const SharedSide& side) { return std::pair(side.low, side.high); };
+  for_groups(there, wanted, ends, [&](auto some, auto asked) { SideGroup(checked, some, asked, faults).check(); });
 }
 
 // Of elements with the same corners the first face's stay.
