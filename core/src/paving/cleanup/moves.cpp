@@ -23,12 +23,7 @@ bool Moves::make_doublet(int node) {
   int a = one.after(node), b = one.before(node);
   int x = one.corners() == 4 ? one.after(a) : -1, y = other.corners() == 4 ? other.after(b) : -1;
   if (x < 0 && y < 0) return false;
-  if (x < 0)
-    change_.made.push_back({a, b, y, -1});
-  else if (y < 0)
-    change_.made.push_back({a, x, b, -1});
-  else
-    change_.made.push_back({a, x, b, y});
+  change_.made.push_back(x < 0 ? Corners{a, b, y, -1} : Corners{a, x, b, y});
   return true;
 }
 

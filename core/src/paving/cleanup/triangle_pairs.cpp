@@ -70,8 +70,7 @@ bool TrianglePairs::make(Change& change) const {
     bool from_first = out == 3 || (out == 2 && worth(v(2)) >= worth(v(3)));  // cut from v(0) to v(2)
     change.made.push_back(joined(from_first ? v(2) : v(3)));
     // The other half's node that is not on the side crossed next.
-    int next = from_first ? (out == 3 ? v(2) : v(0)) : (out == 1 ? v(3) : v(1));
-    apex = next;
+    apex = from_first ? (out == 3 ? v(2) : v(0)) : (out == 1 ? v(3) : v(1));
   }
   return false;
 }
