@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace paver {
@@ -25,6 +27,14 @@ class UnionFind {
     a = find(a);
     b = find(b);
     at(std::max(a, b)) = std::min(a, b);
+  }
+  /// Each with its numbers rising, by their first ones.
+  std::vector<std::vector<int>> sets() {
+    std::map<int, std::vector<int>> of_least;
+    for (int i = 0; i < static_cast<int>(parent_.size()); ++i) of_least[find(i)].push_back(i);
+    std::vector<std::vector<int>> list;
+    for (auto& [least, set] : of_least) list.push_back(std::move(set));
+    return list;
   }
 
  private:

@@ -1,16 +1,10 @@
 // Edges and vertices of a model, named as in the shape.
-#include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
-#include <Precision.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <cmath>
 
 #include "base/union_find.h"
 #include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
 #include "topology/build_parts_impl.h"
 
@@ -32,7 +26,7 @@ class EdgeBuilder {
     for (int position = 1; position <= index_.map.Extent(); ++position) {
       if (!used.Contains(index_.map(position))) continue;
       index_.edge[static_cast<std::size_t>(position)] = static_cast<int>(model_.edges.size());
-      add_edge(TopoDS::Edge(index_.map(position).Oriented(TopAbs_FORWARD)));
+      add_edge(forward(TopoDS::Edge(index_.map(position))));
     }
     for (const WorkPoint& point : work_.points) add_point(point.vertex);
     number_vertices();
@@ -48,9 +42,8 @@ class EdgeBuilder {
     TopTools_IndexedMapOfShape used;
     for (const WorkFace& face : work_.faces) {
       if (!face.has_area) continue;
-      for (TopExp_Explorer edges(face.face, TopAbs_EDGE); edges.More(); edges.Next()) {
-        if (edges.Current().Orientation() != TopAbs_EXTERNAL) used.Add(edges.Current());
-      }
+      for (const TopoDS_Edge& edge : edges_of(face.face))
+        if (edge.Orientation() != TopAbs_EXTERNAL) used.Add(edge);
     }
     for (const WorkWire& wire : work_.wires) used.Add(wire.edge);
     return used;
@@ -60,8 +53,9 @@ class EdgeBuilder {
     Edge edge;
     edge.origins = edge_origins(work_, shape);
     edge.name = name(edge.origins);
-    BRep_Tool::Range(shape, edge.t0, edge.t1);
-    bool is_endless = Precision::IsInfinite(edge.t0) || Precision::IsInfinite(edge.t1);
+    const CurveRange range = range_of(shape);
+    edge.t0 = range.first, edge.t1 = range.last;
+    const bool is_endless = !range.is_finite();
     edge.length = is_endless ? 0 : edge_length(shape);
     edge.is_degenerate = !is_endless && (BRep_Tool::Degenerated(shape) || edge.length < point_share * work_.diagonal);
     // An endless edge keeps a null curve without being degenerate: its faces get a fault for it.

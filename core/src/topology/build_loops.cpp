@@ -2,14 +2,12 @@
 // The kernel's explorer is tried first; where it loses edges or leaves gaps in (u, v) (it does at poles and periodic
 // edges now and then), the edges are chained here: at each vertex the one whose image begins nearest.
 #include <BRepTools_WireExplorer.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Iterator.hxx>
-#include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "base/box.h"
+#include "brep/occt_shapes_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
 #include "topology/build_parts_impl.h"
 
@@ -28,9 +26,8 @@ class LoopBuilder {
       : face_(face), surface_(surface), index_(index), edges_(edges) {}
 
   LoopResult build() {
-    for (TopoDS_Iterator parts(face_); parts.More() && result_.fault.empty(); parts.Next()) {
-      if (parts.Value().ShapeType() == TopAbs_WIRE) add_wire(TopoDS::Wire(parts.Value()));
-    }
+    for (const TopoDS_Wire& wire : wires_of(face_))
+      if (result_.fault.empty()) add_wire(wire);
     if (result_.fault.empty() && result_.loops.empty())
       result_.fault = "it has no boundary; trim it in the CAD program";
     if (!result_.fault.empty()) {
@@ -146,13 +143,9 @@ class LoopBuilder {
 
   /// Diagonal of the chain's box in (u, v).
   double extent(const Chain& chain) const {
-    constexpr double far = std::numeric_limits<double>::max();
-    Vec2 lo{far, far}, hi{-far, -far};
-    for (Vec2 p : polygon(chain)) {
-      lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
-      hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
-    }
-    return hi.x < lo.x ? 0 : norm(hi - lo);
+    Box box;
+    for (Vec2 p : polygon(chain)) box.add(p);
+    return box.is_empty() ? 0 : norm(box.high - box.low);
   }
 
   /// Closed chains of all coedges of one wire; nothing when one stays open.

@@ -3,12 +3,7 @@
 // and name, with has_area = false or a fault.
 #include "topology/build_model.h"
 
-#include <BRep_Tool.hxx>
-#include <Precision.hxx>
 #include <ShapeAnalysis_Surface.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
 #include <map>
@@ -17,6 +12,7 @@
 #include "brep/connecting/workpiece_impl.h"
 #include "brep/mending/mend_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
 #include "topology/build_parts_impl.h"
 
@@ -49,8 +45,7 @@ class ModelBuilder {
   }
 
   Model build(const Options& options, std::string* brep) {
-    TopTools_IndexedMapOfShape faces;
-    TopExp::MapShapes(shape_.shape, TopAbs_FACE, faces);
+    const auto faces = shapes_of(shape_.shape, TopAbs_FACE);
     progress_.begin(Stage::topology,
                     (measure_units + repair_units + sew_units + connect_units + loop_units) * faces.Extent());
     work_ = make_workpiece(shape_, progress_, tasks_);
@@ -94,13 +89,9 @@ class ModelBuilder {
 
   // What users may name besides faces and edges.
   void list_named(const TopTools_IndexedMapOfShape& faces) {
-    TopTools_IndexedMapOfShape vertices, solids;
-    TopExp::MapShapes(shape_.shape, TopAbs_VERTEX, vertices);
-    TopExp::MapShapes(shape_.shape, TopAbs_SOLID, solids);
-    for (int i = 1; i <= vertices.Extent(); ++i) {
-      gp_Pnt p = BRep_Tool::Pnt(TopoDS::Vertex(vertices(i)));
-      model_.read_vertices.push_back({p.X(), p.Y(), p.Z()});
-    }
+    const auto vertices = shapes_of(shape_.shape, TopAbs_VERTEX), solids = shapes_of(shape_.shape, TopAbs_SOLID);
+    for (int i = 1; i <= vertices.Extent(); ++i)
+      model_.read_vertices.push_back(to_vec(BRep_Tool::Pnt(TopoDS::Vertex(vertices(i)))));
     for (int i = 1; i <= solids.Extent(); ++i) {
       std::vector<int>& list = model_.solid_faces.emplace_back();
       for (TopExp_Explorer inner(solids(i), TopAbs_FACE); inner.More(); inner.Next())
@@ -155,25 +146,24 @@ class ModelBuilder {
   }
 
   void note_uses(int i, const EdgeIndex& index) {
-    for (TopExp_Explorer edges(work_.faces[static_cast<std::size_t>(i)].face, TopAbs_EDGE); edges.More();
-         edges.Next()) {
-      int edge = index.find(edges.Current());
-      if (edge < 0 || edges.Current().Orientation() == TopAbs_EXTERNAL) continue;
+    for (const TopoDS_Edge& use : edges_of(work_.faces[static_cast<std::size_t>(i)].face)) {
+      int edge = index.find(use);
+      if (edge < 0 || use.Orientation() == TopAbs_EXTERNAL) continue;
       std::vector<int>& users = model_.edges[static_cast<std::size_t>(edge)].faces;
-      bool is_inside = edges.Current().Orientation() == TopAbs_INTERNAL;
+      bool is_inside = use.Orientation() == TopAbs_INTERNAL;
       users.insert(users.end(), is_inside ? 2 : 1, i);
     }
   }
 
   void fill_face(Face& face, const EdgeIndex& index, const TopoDS_Face& shape) {
-    TopoDS_Face forward = TopoDS::Face(shape.Oriented(TopAbs_FORWARD));
+    const TopoDS_Face plain = forward(shape);
     try {
-      face.surface = make_surface(forward, closure_tolerance(forward));
+      face.surface = make_surface(plain, closure_tolerance(plain));
       if (!face.surface) {
         face.fault = "it has no surface; export the model again";
         return;
       }
-      LoopResult result = build_loops(forward, *face.surface, index, model_.edges);
+      LoopResult result = build_loops(plain, *face.surface, index, model_.edges);
       face.fault = result.fault;
       face.loops = std::move(result.loops);
       note_points(face, shape, index);
@@ -181,7 +171,7 @@ class ModelBuilder {
       if (result.turned_loops > 0) turned_loops_.push_back(face.name);
       work_.note_repair(RepairKind::turned_loop, result.turned_loops, 0, face.name);
       if (result.largest_gap > gap_share) gaps_.push_back(face.name);
-      if (face.fault.empty()) check_images(face, forward);
+      if (face.fault.empty()) check_images(face, plain);
       if (face.fault.empty() && result.turned_loops > 0) face.area = area_of(face).value_or(face.area);
     } catch (const Error& error) {
       face.fault = error.what();
@@ -213,10 +203,9 @@ class ModelBuilder {
   static double closure_tolerance(const TopoDS_Face& face) {
     TopTools_IndexedMapOfShape seen;
     double tolerance = 0;
-    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
+    for (const TopoDS_Edge& edge : edges_of(face)) {
       int before = seen.Extent();
-      if (seen.Add(edges.Current()) <= before)
-        tolerance = std::max(tolerance, 2 * BRep_Tool::Tolerance(TopoDS::Edge(edges.Current())));
+      if (seen.Add(edge) <= before) tolerance = std::max(tolerance, 2 * BRep_Tool::Tolerance(edge));
     }
     return tolerance;
   }
@@ -347,11 +336,7 @@ class ModelBuilder {
 
   void fill_report() {
     ModelReport& report = model_.report;
-    auto count = [&](TopAbs_ShapeEnum kind) {
-      TopTools_IndexedMapOfShape map;
-      TopExp::MapShapes(shape_.shape, kind, map);
-      return static_cast<long>(map.Extent());
-    };
+    auto count = [&](TopAbs_ShapeEnum kind) { return static_cast<long>(shapes_of(shape_.shape, kind).Extent()); };
     report.solids = count(TopAbs_SOLID);
     report.shells = count(TopAbs_SHELL);
     report.faces = work_.read_faces;

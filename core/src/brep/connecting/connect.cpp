@@ -2,14 +2,13 @@
 // others found, contacts listed.
 #include <BOPTools_AlgoTools.hxx>
 #include <IntTools_Context.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 #include <algorithm>
 #include <map>
 
 #include "base/union_find.h"
 #include "brep/connecting/connect_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 
 namespace paver {
 namespace {
@@ -20,12 +19,10 @@ using Pair = std::array<int, 2>;
 std::vector<std::vector<int>> clusters_of(const std::vector<Pair>& pairs, const std::vector<WorkPart>& parts) {
   UnionFind together(parts.size());
   for (auto [a, b] : pairs) together.merge(a, b);
-  std::map<int, std::vector<int>> members;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    members[together.find(static_cast<int>(i))].push_back(static_cast<int>(i));
-  std::vector<std::vector<int>> clusters;
-  for (auto& [first, list] : members)
-    if (list.size() > 1 || parts[static_cast<std::size_t>(list[0])].is_loose) clusters.push_back(std::move(list));
+  std::vector<std::vector<int>> clusters = together.sets();
+  std::erase_if(clusters, [&](const std::vector<int>& list) {
+    return list.size() == 1 && !parts[static_cast<std::size_t>(list[0])].is_loose;
+  });
   return clusters;
 }
 
@@ -146,8 +143,7 @@ class Connector {
 
   static WorkFace placeholder(const WorkFace& face) {
     WorkFace gone = face;
-    gone.area = 0;
-    gone.has_area = false;
+    gone.lose_area();
     gone.is_common = true;
     return gone;
   }
@@ -160,7 +156,7 @@ class Connector {
     WorkFace piece = work_.faces[static_cast<std::size_t>(of[0])];
     piece.face = oriented_as(image.face, piece.face);
     piece.area = face_area(piece.face);
-    piece.has_area = piece.area > no_area_share * work_.diagonal * work_.diagonal;
+    piece.has_area = work_.is_area(piece.area);
     for (std::size_t i = 1; i < of.size(); ++i) {
       const WorkFace& other = work_.faces[static_cast<std::size_t>(of[i])];
       bool is_opposed = oriented_as(image.face, other.face).Orientation() != piece.face.Orientation();
@@ -223,11 +219,10 @@ void fault_open_skins(Workpiece& work, const EdgeUses& before) {
   };
   for (WorkFace& face : work.faces) {
     if (!face.is_usable()) continue;
-    for (TopExp_Explorer edges(face.face, TopAbs_EDGE); edges.More(); edges.Next())
-      if (is_opened(edges.Current()))
-        face.fault =
-            "the union leaves it open along an edge: a solid there runs into itself; repair the solid in the CAD "
-            "program or use connect imprint";
+    if (std::ranges::any_of(edges_of(face.face), is_opened))
+      face.fault =
+          "the union leaves it open along an edge: a solid there runs into itself; repair the solid in the CAD program "
+          "or use connect imprint";
   }
 }
 
@@ -241,8 +236,7 @@ void drop_inside(Workpiece& work) {
     }
     if (!has_front || !has_back || !face.has_area) continue;
     face.is_dropped = true;
-    face.has_area = false;
-    face.area = 0;
+    face.lose_area();
   }
   fault_open_skins(work, before);
 }

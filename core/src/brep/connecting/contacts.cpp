@@ -1,14 +1,11 @@
 // Contacts between connected parts, from what faces, edges and vertices have in common.
 #include <BRep_Tool.hxx>
-#include <Precision.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 #include <algorithm>
 #include <map>
 #include <set>
 
 #include "brep/connecting/connect_impl.h"
+#include "brep/occt_shapes_impl.h"
 
 namespace paver {
 namespace {
@@ -56,16 +53,13 @@ class ContactFinder {
   }
 
   void meet_at(const TopoDS_Shape& shape, const std::vector<int>& parts, int face) {
-    for (TopExp_Explorer inner(shape, TopAbs_EDGE); inner.More(); inner.Next()) {
-      Meeting& meeting = entry(at_edge_, edges_.Add(inner.Current()));
+    auto note = [&](Meeting& meeting) {
       meeting.parts.insert(parts.begin(), parts.end());
       if (face >= 0) meeting.faces.push_back(face);
-    }
-    for (TopExp_Explorer inner(shape, TopAbs_VERTEX); inner.More(); inner.Next()) {
-      Meeting& meeting = entry(at_vertex_, vertices_.Add(inner.Current()));
-      meeting.parts.insert(parts.begin(), parts.end());
-      if (face >= 0) meeting.faces.push_back(face);
-    }
+    };
+    for (const TopoDS_Edge& edge : edges_of(shape)) note(entry(at_edge_, edges_.Add(edge)));
+    for (TopExp_Explorer inner(shape, TopAbs_VERTEX); inner.More(); inner.Next())
+      note(entry(at_vertex_, vertices_.Add(inner.Current())));
   }
 
   void meet() {
@@ -112,8 +106,8 @@ class ContactFinder {
       Found& contact = note(pair, ContactKind::face, {f}, face.area);
       contact.gap = std::max(contact.gap, gap_about(face.face));
     });
-    for (TopExp_Explorer inner(face.face, TopAbs_EDGE); inner.More(); inner.Next())
-      for_pairs(parts, [&](Pair pair) { bordered_.insert({edges_.FindIndex(inner.Current()), pair}); });
+    for (const TopoDS_Edge& edge : edges_of(face.face))
+      for_pairs(parts, [&](Pair pair) { bordered_.insert({edges_.FindIndex(edge), pair}); });
     for (TopExp_Explorer inner(face.face, TopAbs_VERTEX); inner.More(); inner.Next())
       for_pairs(parts, [&](Pair pair) { touched_.insert({vertices_.FindIndex(inner.Current()), pair}); });
   }
@@ -147,8 +141,7 @@ class ContactFinder {
 
   static double gap_about(const TopoDS_Face& face) {
     double gap = 0;
-    for (TopExp_Explorer inner(face, TopAbs_EDGE); inner.More(); inner.Next())
-      gap = std::max(gap, closed_gap(BRep_Tool::Tolerance(TopoDS::Edge(inner.Current()))));
+    for (const TopoDS_Edge& edge : edges_of(face)) gap = std::max(gap, closed_gap(BRep_Tool::Tolerance(edge)));
     return gap;
   }
 

@@ -3,17 +3,14 @@
 #include <BOPTools_AlgoTools3D.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
-#include <BRep_Tool.hxx>
 #include <IntTools_Context.hxx>
-#include <Precision.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "brep/mending/mend_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
 
 namespace paver {
@@ -51,9 +48,9 @@ class DoubleFinder {
   Outline outline(int index) {
     constexpr double far = 1e300;
     Outline made{index, {far, far, far}, {-far, -far, -far}};
-    for (TopExp_Explorer edges(face(index).face, TopAbs_EDGE); edges.More(); edges.Next())
+    for (const TopoDS_Edge& edge : edges_of(face(index).face))
       for (double share : {0.0, 0.5, 1.0}) {
-        const auto x = point_of(TopoDS::Edge(edges.Current()), share);
+        const auto x = point_of(edge, share);
         if (!x) continue;
         made.low = {std::min(made.low.x, x->x), std::min(made.low.y, x->y), std::min(made.low.z, x->z)};
         made.high = {std::max(made.high.x, x->x), std::max(made.high.y, x->y), std::max(made.high.z, x->z)};
@@ -62,11 +59,9 @@ class DoubleFinder {
   }
 
   static std::optional<Vec3> point_of(const TopoDS_Edge& edge, double share) {
-    double t0 = 0, t1 = 0;
-    BRep_Tool::Range(edge, t0, t1);
+    const CurveRange range = range_of(edge);
     const auto curve = BRep_Tool::Degenerated(edge) ? nullptr : make_curve(edge);
-    if (!curve || Precision::IsInfinite(t0) || Precision::IsInfinite(t1)) return std::nullopt;
-    return curve->point(t0 + share * (t1 - t0));
+    return curve && range.is_finite() ? std::optional(curve->point(range.at(share))) : std::nullopt;
   }
 
   void compare(const Outline& a, const Outline& b) {
@@ -77,8 +72,7 @@ class DoubleFinder {
     if (!lies_on(two.face, one.face) || !lies_on(one.face, two.face)) return;
     WorkFace& dropped = face(std::max(a.index, b.index));
     dropped.is_dropped = true;
-    dropped.has_area = false;
-    dropped.area = 0;
+    dropped.lose_area();
     work_.note_repair(RepairKind::dropped_face, 1, tolerance_, face_name(dropped.origin));
     work_.doubles.push_back({std::max(a.index, b.index), std::min(a.index, b.index)});
   }
@@ -87,9 +81,9 @@ class DoubleFinder {
     gp_Pnt inside;
     gp_Pnt2d uv;
     if (BOPTools_AlgoTools3D::PointInFace(face, inside, uv, context_) != 0 || !is_near(inside, other)) return false;
-    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
+    for (const TopoDS_Edge& edge : edges_of(face))
       for (int i = 0; i < edge_samples; ++i) {
-        const auto x = point_of(TopoDS::Edge(edges.Current()), (i + 0.5) / edge_samples);
+        const auto x = point_of(edge, (i + 0.5) / edge_samples);
         if (x && !is_near(to_point(*x), other)) return false;
       }
     return true;

@@ -8,9 +8,6 @@
 #include <Bnd_Box.hxx>
 #include <IntCurvesFace_ShapeIntersector.hxx>
 #include <IntTools_Context.hxx>
-#include <Precision.hxx>
-#include <TopExp.hxx>
-#include <TopoDS.hxx>
 #include <algorithm>
 #include <array>
 #include <gp_Lin.hxx>
@@ -18,6 +15,7 @@
 #include <optional>
 
 #include "brep/connecting/connect_impl.h"
+#include "brep/occt_shapes_impl.h"
 
 namespace paver {
 namespace {
@@ -60,8 +58,7 @@ class InsideClassifier {
 
 void find_insides(Workpiece& work) {
   if (std::none_of(work.parts.begin(), work.parts.end(), [](const auto& part) { return part.solid >= 0; })) return;
-  TopTools_IndexedMapOfShape solids;
-  TopExp::MapShapes(work.shape, TopAbs_SOLID, solids);
+  const auto solids = shapes_of(work.shape, TopAbs_SOLID);
   std::vector<Bnd_Box> boxes(work.faces.size());
   for (std::size_t f = 0; f < boxes.size(); ++f)
     if (work.faces[f].is_usable()) BRepBndLib::Add(work.faces[f].face, boxes[f], Standard_False);

@@ -1,15 +1,14 @@
 // The kernel's general fuse of several parts, with what every face and edge became.
 #include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRep_Builder.hxx>
-#include <TopExp.hxx>
 #include <TopTools_ListOfShape.hxx>
-#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <cmath>
 #include <optional>
 
 #include "brep/connecting/connect_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 
 namespace paver {
 namespace {
@@ -88,8 +87,7 @@ class Fuser {
       }
       fusion.images[static_cast<std::size_t>(index - 1)].of.push_back(f);
     }
-    TopTools_IndexedMapOfShape edges;
-    TopExp::MapShapes(face.face, TopAbs_EDGE, edges);
+    const auto edges = shapes_of(face.face, TopAbs_EDGE);
     for (int i = 1; i <= edges.Extent(); ++i) perimeter += edge_length(TopoDS::Edge(edges(i)));
     return std::abs(area - face.area) <= area_share * face.area + tolerance * perimeter;
   }

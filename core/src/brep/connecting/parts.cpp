@@ -1,15 +1,10 @@
 // The parts of the input: which faces and edges belong together, and who else has them.
-#include <BRep_Tool.hxx>
-#include <Precision.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <map>
 #include <set>
 
 #include "brep/connecting/connect_impl.h"
+#include "brep/occt_shapes_impl.h"
 
 namespace paver {
 namespace {
@@ -33,9 +28,7 @@ class PartLister {
   }
 
   void add_solids() {
-    TopTools_IndexedMapOfShape faces, solids;
-    TopExp::MapShapes(as_read_, TopAbs_FACE, faces);
-    TopExp::MapShapes(as_read_, TopAbs_SOLID, solids);
+    const auto faces = shapes_of(as_read_, TopAbs_FACE), solids = shapes_of(as_read_, TopAbs_SOLID);
     for (int s = 1; s <= solids.Extent(); ++s) {
       int part = add_part("Solid" + std::to_string(s), s - 1);
       for (TopExp_Explorer inner(solids(s), TopAbs_FACE); inner.More(); inner.Next()) {
@@ -47,8 +40,7 @@ class PartLister {
   }
 
   void find_read_sheets() {
-    TopTools_IndexedMapOfShape faces;
-    TopExp::MapShapes(as_read_, TopAbs_FACE, faces);
+    const auto faces = shapes_of(as_read_, TopAbs_FACE);
     Hanging sheets(work_.faces.size(), TopAbs_EDGE);
     for (int f = 0; f < faces.Extent(); ++f) sheets.add(static_cast<std::size_t>(f), faces(f + 1));
     for (std::size_t f = 0; f < work_.faces.size(); ++f) work_.faces[f].read_sheet = sheets.group_of(f);

@@ -6,16 +6,11 @@
 #include <BRepGProp_Domain.hxx>
 #include <BRepGProp_Face.hxx>
 #include <BRepGProp_Vinert.hxx>
-#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <Precision.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
-#include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,6 +19,7 @@
 #include "base/listed.h"
 #include "brep/connecting/workpiece_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
 
 namespace paver {
@@ -58,11 +54,9 @@ void add_edge_points(const TopoDS_Edge& edge, Bnd_Box& box) {
 /// it has. A wing's end was 10 % too large.
 bool has_splines(const TopoDS_Face& face) {
   if (BRepAdaptor_Surface(face, false).GetType() > GeomAbs_Torus) return true;
-  for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
-    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
-    if (!BRep_Tool::Degenerated(edge) && BRepAdaptor_Curve(edge).GetType() > GeomAbs_Parabola) return true;
-  }
-  return false;
+  return std::ranges::any_of(edges_of(face), [](const TopoDS_Edge& edge) {
+    return !BRep_Tool::Degenerated(edge) && BRepAdaptor_Curve(edge).GetType() > GeomAbs_Parabola;
+  });
 }
 
 /// By the kernel's usual rule, or one that halves until it is as accurate as it can tell.
@@ -95,8 +89,7 @@ std::optional<double> area_by_border(const TopoDS_Face& face) {
 /// At most the length of its border: two chords of each edge.
 double border_chords(const TopoDS_Face& face) {
   double sum = 0;
-  for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
-    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+  for (const TopoDS_Edge& edge : edges_of(face)) {
     if (BRep_Tool::Degenerated(edge)) continue;
     const BRepAdaptor_Curve curve(edge);
     const double from = curve.FirstParameter(), to = curve.LastParameter();
@@ -139,9 +132,7 @@ void measure_diagonal(Workpiece& work) {
 Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& tasks) {
   Workpiece work;
   work.shape = shape.shape;
-  TopTools_IndexedMapOfShape faces, solids;
-  TopExp::MapShapes(shape.shape, TopAbs_FACE, faces);
-  TopExp::MapShapes(shape.shape, TopAbs_SOLID, solids);
+  const auto faces = shapes_of(shape.shape, TopAbs_FACE), solids = shapes_of(shape.shape, TopAbs_SOLID);
   TopExp::MapShapes(shape.shape, TopAbs_EDGE, work.read_edges);
   work.read_faces = faces.Extent();
   work.faces.resize(static_cast<std::size_t>(faces.Extent()));
@@ -167,7 +158,7 @@ Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& ta
     }
     // A face without loops gets its bounds, and with them its area, in repair().
     bool has_loops = TopExp_Explorer(face.face, TopAbs_WIRE).More();
-    face.has_area = !face.fault.empty() || !has_loops || face.area > no_area_share * work.diagonal * work.diagonal;
+    face.has_area = !face.fault.empty() || !has_loops || work.is_area(face.area);
     progress.advance(measure_units);
   }
   for (const int face : shape.restored) work.note_repair(RepairKind::pole, 1, 0, face_name(face));
@@ -186,13 +177,11 @@ void Workpiece::note_repair(RepairKind kind, long count, double distance, const 
 void copy_shape(Workpiece& work) {
   if (work.is_copied) return;
   BRepBuilderAPI_Copy copy(work.shape, Standard_False);
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(copy.Shape(), TopAbs_FACE, faces);
+  const auto faces = shapes_of(copy.Shape(), TopAbs_FACE);
   if (static_cast<std::size_t>(faces.Extent()) != work.faces.size())
     throw Error(ErrorCode::internal, "The copy of the shape has another number of faces.", {"topology", -1, -1, {}});
   work.shape = copy.Shape();
-  work.read_edges.Clear();
-  TopExp::MapShapes(work.shape, TopAbs_EDGE, work.read_edges);
+  work.read_edges = shapes_of(work.shape, TopAbs_EDGE);
   for (int i = 1; i <= faces.Extent(); ++i) work.faces[static_cast<std::size_t>(i - 1)].face = TopoDS::Face(faces(i));
   for (WorkWire& wire : work.wires) wire.edge = TopoDS::Edge(copy.ModifiedShape(wire.edge));
   for (WorkPoint& point : work.points) point.vertex = TopoDS::Vertex(copy.ModifiedShape(point.vertex));
@@ -214,12 +203,12 @@ std::vector<int> edge_origins(const Workpiece& work, const TopoDS_Shape& edge) {
 }
 
 void add_edge_origins(Workpiece& work, const TopoDS_Shape& image, const std::vector<int>& origins) {
-  for (TopExp_Explorer edges(image, TopAbs_EDGE); edges.More(); edges.Next()) {
-    std::vector<int> all = edge_origins(work, edges.Current());
+  for (const TopoDS_Edge& edge : edges_of(image)) {
+    std::vector<int> all = edge_origins(work, edge);
     all.insert(all.end(), origins.begin(), origins.end());
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
-    work.replaced_edges.Bind(edges.Current(), all);
+    work.replaced_edges.Bind(edge, all);
   }
 }
 
@@ -232,8 +221,8 @@ void Hanging::add(std::size_t item, const TopoDS_Shape& shape) {
 }
 
 void EdgeUses::add(const TopoDS_Face& face) {
-  for (TopExp_Explorer parts(face, TopAbs_EDGE); parts.More(); parts.Next()) {
-    const auto index = static_cast<std::size_t>(edges.Add(parts.Current()));
+  for (const TopoDS_Edge& edge : edges_of(face)) {
+    const auto index = static_cast<std::size_t>(edges.Add(edge));
     if (index == uses.size()) uses.push_back(0);
     ++uses[index];
   }
@@ -276,8 +265,8 @@ double edge_length(const TopoDS_Edge& edge) {
     // The integrator gives up on some curves; chords are near enough for what lengths are used for.
     auto curve = make_curve(edge);
     if (!curve) return 0;
-    double t0 = 0, t1 = 0, length = 0;
-    BRep_Tool::Range(edge, t0, t1);
+    const auto [t0, t1] = range_of(edge);
+    double length = 0;
     constexpr int chords = 256;
     for (int i = 0; i < chords; ++i)
       length += norm(curve->point(t0 + (t1 - t0) * (i + 1) / chords) - curve->point(t0 + (t1 - t0) * i / chords));
@@ -297,8 +286,8 @@ double volume_to(const TopoDS_Face& face, Vec3 apex) {
 
 double measuring_cost(const TopoDS_Face& face) {
   constexpr double per_edge = 20, per_span = 10;
-  double edges = 0, spans = 0;
-  for (TopExp_Explorer parts(face, TopAbs_EDGE); parts.More(); parts.Next()) ++edges;
+  const auto edges = static_cast<double>(edges_of(face).size());
+  double spans = 0;
   TopLoc_Location location;
   auto spline = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face, location));
   if (!spline.IsNull()) spans = (spline->NbUKnots() - 1.0) * (spline->NbVKnots() - 1.0);

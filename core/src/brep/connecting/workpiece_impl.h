@@ -44,6 +44,7 @@ struct WorkFace {
   std::string fault;        ///< not empty: cannot be meshed, and why
 
   bool is_usable() const { return has_area && fault.empty(); }
+  void lose_area() { has_area = false, area = 0; }
   bool has_part(int part) const {
     return std::any_of(uses.begin(), uses.end(), [&](const FaceUse& use) { return use.part == part; });
   }
@@ -72,6 +73,9 @@ struct WorkPoint {
   bool is_end = false;  ///< it is where an edge ends: `vertex` is that edge's
 };
 
+/// A face below this share of the diagonal squared has no area.
+inline constexpr double no_area_share = 1e-10;
+
 struct Workpiece {
   TopoDS_Shape shape;
   /// In the order of TopExp::MapShapes of the shape as read, pieces of one in a row; what several faces have in common
@@ -92,6 +96,8 @@ struct Workpiece {
   std::vector<Repair> repairs;              ///< in the order of their kinds
   std::vector<std::array<int, 2>> doubles;  ///< (face that was left out, face that it lies on)
 
+  /// Whether an area in mm^2 is more than rounding: a face with less has none.
+  bool is_area(double area) const { return area > no_area_share * diagonal * diagonal; }
   void note_repair(RepairKind kind, long count, double distance, const std::string& face = {});
 };
 
@@ -109,9 +115,6 @@ class Hanging {
   TopTools_IndexedMapOfShape joints_;
   std::vector<int> first_item_{-1};
 };
-
-/// A face below this share of the diagonal squared has no area.
-inline constexpr double no_area_share = 1e-10;
 
 /// Points taken for parts: files with more have them from drawing.
 inline constexpr int most_points = 100;

@@ -5,13 +5,7 @@
 // 3. The face anew, on the same surface: loop, periodic edge to the pole, pole, periodic edge back. The periodic edge
 //    starts at a vertex of the loop and meets neither the loop nor a hole.
 #include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
 #include <Geom2d_Line.hxx>
-#include <Geom_RectangularTrimmedSurface.hxx>
-#include <Geom_Surface.hxx>
-#include <Precision.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
@@ -22,6 +16,7 @@
 
 #include "brep/mending/mend_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
 
 namespace paver {
@@ -69,8 +64,8 @@ class PoleCompleter {
   bool find_loop() {
     surface_ = make_surface(face_, closure_tolerance());
     if (!surface_ || surface_->period() == Vec2{}) return false;
-    for (TopoDS_Iterator parts(face_); parts.More(); parts.Next())
-      if (parts.Value().ShapeType() == TopAbs_WIRE && !add_loop(parts.Value())) return false;
+    for (const TopoDS_Wire& wire : wires_of(face_))
+      if (!add_loop(wire)) return false;
     if (round_.empty()) return false;
     turn_to_axes();
     return true;
@@ -92,8 +87,7 @@ class PoleCompleter {
  private:
   double closure_tolerance() const {
     double tolerance = 0;
-    for (TopExp_Explorer edges(face_, TopAbs_EDGE); edges.More(); edges.Next())
-      tolerance = std::max(tolerance, 2 * BRep_Tool::Tolerance(TopoDS::Edge(edges.Current())));
+    for (const TopoDS_Edge& edge : edges_of(face_)) tolerance = std::max(tolerance, 2 * BRep_Tool::Tolerance(edge));
     return tolerance;
   }
 
@@ -128,12 +122,11 @@ class PoleCompleter {
 
   /// As the loop walks it; none without an image.
   std::vector<Vec2> image_points(const TopoDS_Edge& edge) const {
-    double first = 0, last = 0;
-    const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, face_, first, last);
+    const EdgeImage image = image_of(edge, face_);
     std::vector<Vec2> points;
-    if (image.IsNull() || Precision::IsInfinite(first) || Precision::IsInfinite(last)) return points;
+    if (image.curve.IsNull() || !image.is_finite()) return points;
     for (int i = 0; i <= edge_samples; ++i) {
-      const gp_Pnt2d uv = image->Value(first + (last - first) * i / edge_samples);
+      const gp_Pnt2d uv = image.curve->Value(image.first + (image.last - image.first) * i / edge_samples);
       points.push_back({uv.X(), uv.Y()});
     }
     if (edge.Orientation() == TopAbs_REVERSED) std::reverse(points.begin(), points.end());
@@ -331,9 +324,7 @@ class PoleCompleter {
 
   Handle(Geom_Surface) geometry() const {
     TopLoc_Location location;
-    Handle(Geom_Surface) surface = BRep_Tool::Surface(face_, location);
-    while (auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface)) surface = trimmed->BasisSurface();
-    return surface;
+    return untrimmed(BRep_Tool::Surface(face_, location));
   }
 
   CompletedFace build(std::size_t start) const {
@@ -391,12 +382,11 @@ class PoleCompleter {
   }
 
   void move_image(const TopoDS_Edge& edge, Vec2 shift) const {
-    double first = 0, last = 0;
-    const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, face_, first, last);
-    const Handle(Geom2d_Curve) moved = Handle(Geom2d_Curve)::DownCast(image->Copy());
+    const EdgeImage image = image_of(edge, face_);
+    const Handle(Geom2d_Curve) moved = Handle(Geom2d_Curve)::DownCast(image.curve->Copy());
     moved->Translate(gp_Vec2d(shift.x, shift.y));
     BRep_Builder().UpdateEdge(edge, moved, face_, BRep_Tool::Tolerance(edge));
-    BRep_Builder().Range(edge, face_, first, last);
+    BRep_Builder().Range(edge, face_, image.first, image.last);
   }
 
   Handle(Geom2d_Line) line(Vec2 point, Vec2 direction) const {

@@ -10,19 +10,12 @@
 // A face that the kernel cannot divide stays whole.
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
-#include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
-#include <Geom_Surface.hxx>
-#include <Precision.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_ComposeShell.hxx>
 #include <ShapeUpgrade_SplitSurface.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_HSequenceOfReal.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
-#include <TopoDS.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,6 +25,7 @@
 #include "brep/connecting/workpiece_impl.h"
 #include "brep/mending/divide_grid_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 
 namespace paver {
 namespace {
@@ -184,30 +178,20 @@ class CreaseFinder {
 
   /// Whether the face closes on itself in this direction, along a periodic edge that is a crease.
   bool has_sharp_closure(bool is_u) const {
-    for (TopExp_Explorer edges(face_, TopAbs_EDGE); edges.More(); edges.Next()) {
-      const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
-      if (!BRep_Tool::Degenerated(edge) && BRep_Tool::IsClosed(edge, face_) && is_used_twice(edge) &&
-          is_sharp_closure(edge, is_u))
-        return true;
-    }
-    return false;
-  }
-
-  /// A piece of a face that goes round keeps both images of the periodic edge, but has it on one side only.
-  bool is_used_twice(const TopoDS_Edge& edge) const {
-    int uses = 0;
-    for (TopExp_Explorer edges(face_, TopAbs_EDGE); edges.More(); edges.Next()) uses += edges.Current().IsSame(edge);
-    return uses == 2;
+    return std::ranges::any_of(edges_of(face_), [&](const TopoDS_Edge& edge) {
+      // A piece of a face that goes round keeps both images of the periodic edge, but has it on one side only.
+      return !BRep_Tool::Degenerated(edge) && BRep_Tool::IsClosed(edge, face_) && use_count(edge, face_) == 2 &&
+             is_sharp_closure(edge, is_u);
+    });
   }
 
   bool is_sharp_closure(const TopoDS_Edge& edge, bool is_u) const {
-    double t0 = 0, t1 = 0;
-    Handle(Geom2d_Curve) one = BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)), face_, t0, t1);
-    Handle(Geom2d_Curve) two = BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)), face_, t0, t1);
-    if (one.IsNull() || two.IsNull()) return false;
+    const EdgeImage one = image_of(forward(edge), face_);
+    const EdgeImage two = image_of(TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)), face_);
+    if (one.curve.IsNull() || two.curve.IsNull()) return false;
     for (int i = 0; i < crease_samples; ++i) {
-      double t = t0 + (t1 - t0) * (i + 0.5) / crease_samples;
-      gp_Pnt2d a = one->Value(t), b = two->Value(t);
+      double t = two.first + (two.last - two.first) * (i + 0.5) / crease_samples;
+      gp_Pnt2d a = one.curve->Value(t), b = two.curve->Value(t);
       bool is_around_u = std::abs(a.X() - b.X()) > 0.5 * range(true);
       bool is_around_v = std::abs(a.Y() - b.Y()) > 0.5 * range(false);
       if (is_u ? !is_around_u : !is_around_v) continue;
@@ -258,9 +242,9 @@ class CreaseDivider {
     std::vector<Cuts> cuts;
     for (const WorkFace& face : work_.faces) {
       cuts.emplace_back();
-      if (!face.has_area || !face.fault.empty()) continue;
+      if (!face.is_usable()) continue;
       try {
-        cuts.back() = CreaseFinder(TopoDS::Face(face.face.Oriented(TopAbs_FORWARD)), work_.diagonal).find();
+        cuts.back() = CreaseFinder(forward(face.face), work_.diagonal).find();
       } catch (const Standard_Failure&) {
         // Surfaces that cannot be evaluated are reported later, as a fault.
       }
@@ -270,7 +254,7 @@ class CreaseDivider {
 
   /// False where the kernel fails; the face then stays whole.
   bool divide(const WorkFace& work, const Cuts& cuts) {
-    TopoDS_Shape plain = work.face.Oriented(TopAbs_FORWARD);
+    const TopoDS_Face plain = forward(work.face);
     try {
       // Neighbours divided before may have divided edges of this face.
       std::vector<TopoDS_Face> current = faces_of(context_->Apply(plain));
@@ -298,12 +282,11 @@ class CreaseDivider {
     double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
     BRep_Tool::Surface(face, location)->Bounds(u0, u1, v0, v1);
     const double far_u = most_turns * (u1 - u0), far_v = most_turns * (v1 - v0);
-    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
-      double t0 = 0, t1 = 0;
-      Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(TopoDS::Edge(edges.Current()), face, t0, t1);
-      if (image.IsNull()) continue;
-      for (double t : {t0, 0.5 * (t0 + t1), t1}) {
-        const gp_Pnt2d uv = image->Value(t);
+    for (const TopoDS_Edge& edge : edges_of(face)) {
+      const EdgeImage image = image_of(edge, face);
+      if (image.curve.IsNull()) continue;
+      for (double t : {image.first, 0.5 * (image.first + image.last), image.last}) {
+        const gp_Pnt2d uv = image.curve->Value(t);
         if (std::abs(uv.X() - u0) > far_u || std::abs(uv.Y() - v0) > far_v) return false;
       }
     }
@@ -351,14 +334,14 @@ class CreaseDivider {
     std::vector<WorkFace> replaced;
     for (WorkFace& face : work_.faces) {
       bool is_reversed = face.face.Orientation() == TopAbs_REVERSED;
-      std::vector<TopoDS_Face> pieces = faces_of(context_->Apply(face.face.Oriented(TopAbs_FORWARD)));
+      std::vector<TopoDS_Face> pieces = faces_of(context_->Apply(forward(face.face)));
       for (TopoDS_Face& piece : pieces) {
         WorkFace part = face;
         if (is_reversed) piece.Reverse();
         part.face = piece;
         if (pieces.size() > 1) {
           part.area = face_area(piece);
-          part.has_area = part.area > no_area_share * work_.diagonal * work_.diagonal;
+          part.has_area = work_.is_area(part.area);
         }
         replaced.push_back(std::move(part));
       }

@@ -6,15 +6,10 @@
 //   line 0 +---+-----+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
@@ -24,6 +19,7 @@
 #include <optional>
 
 #include "brep/mending/divide_grid_impl.h"
+#include "brep/occt_shapes_impl.h"
 
 namespace paver {
 namespace {
@@ -94,12 +90,8 @@ class GridDivider {
 
   /// Every edge must lie on one of the sides, whole, and once: not back along itself, where the face is pressed flat.
   bool find_sides() {
-    for (TopExp_Explorer edges(face_, TopAbs_EDGE); edges.More(); edges.Next()) {
-      const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
-      double t0 = 0, t1 = 0;
-      Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, face_, t0, t1);
-      if (image.IsNull() || !add_to_side(edge, image, t0, t1)) return false;
-    }
+    for (const TopoDS_Edge& edge : edges_of(face_))
+      if (!add_to_side(edge, image_of(edge, face_))) return false;
     for (int axis : {0, 1}) {
       for (Line& side : sides_[axis]) {
         std::sort(side.begin(), side.end(), [](const SideEdge& a, const SideEdge& b) { return a.low < b.low; });
@@ -109,22 +101,23 @@ class GridDivider {
     return true;
   }
 
-  bool add_to_side(const TopoDS_Edge& edge, const Handle(Geom2d_Curve) & image, double t0, double t1) {
+  bool add_to_side(const TopoDS_Edge& edge, const EdgeImage& image) {
+    if (image.curve.IsNull()) return false;
+    const double t0 = image.first, t1 = image.last;
     for (int axis : {0, 1}) {
       for (int end : {0, 1}) {
         const Axis& across = axes_[1 - axis];
         double value = end == 0 ? across.low : across.high;
         bool is_on = true;
         for (int i = 0; i <= line_samples; ++i)
-          is_on &= std::abs(coordinate(image->Value(t0 + (t1 - t0) * i / line_samples), 1 - axis) - value) <=
+          is_on &= std::abs(coordinate(image.curve->Value(t0 + (t1 - t0) * i / line_samples), 1 - axis) - value) <=
                    slack(1 - axis);
         if (!is_on) continue;
         const Line& side = sides_[axis][end];
         if (std::any_of(side.begin(), side.end(), [&](const SideEdge& part) { return part.edge.IsSame(edge); }))
           return false;
-        double a = coordinate(image->Value(t0), axis), b = coordinate(image->Value(t1), axis);
-        sides_[axis][end].push_back(
-            {TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)), std::min(a, b), std::max(a, b), a < b, image});
+        double a = coordinate(image.curve->Value(t0), axis), b = coordinate(image.curve->Value(t1), axis);
+        sides_[axis][end].push_back({forward(edge), std::min(a, b), std::max(a, b), a < b, image.curve});
         return true;
       }
     }
@@ -229,8 +222,7 @@ class GridDivider {
 
   /// Edge parameter where the image passes `value`.
   static double parameter(const SideEdge& whole, int axis, double value) {
-    double low = 0, high = 0;
-    BRep_Tool::Range(whole.edge, low, high);
+    auto [low, high] = range_of(whole.edge);
     for (int i = 0; i < bisections; ++i) {
       double middle = 0.5 * (low + high);
       bool is_below = coordinate(whole.image->Value(middle), axis) < value;
@@ -244,8 +236,7 @@ class GridDivider {
     SideEdge part = whole;
     part.low = low;
     part.high = high;
-    double t0 = 0, t1 = 0;
-    BRep_Tool::Range(whole.edge, t0, t1);
+    const auto [t0, t1] = range_of(whole.edge);
     double from = low == whole.low ? (whole.is_rising ? t0 : t1) : parameter(whole, axis, low);
     double to = high == whole.high ? (whole.is_rising ? t1 : t0) : parameter(whole, axis, high);
     part.edge = TopoDS::Edge(whole.edge.EmptyCopied());
@@ -384,8 +375,7 @@ class GridDivider {
       return new Geom2d_Line(uv_of(axis, 0, across), along);
     }
     auto moved = Handle(Geom2d_Curve)::DownCast(part.image->Copy());
-    double t0 = 0, t1 = 0;
-    BRep_Tool::Range(part.edge, t0, t1);
+    const auto [t0, t1] = range_of(part.edge);
     double now = coordinate(part.image->Value(0.5 * (t0 + t1)), 1 - axis);
     gp_Pnt2d shift = uv_of(axis, 0, across - now);
     moved->Translate(gp_Vec2d(shift.X(), shift.Y()));

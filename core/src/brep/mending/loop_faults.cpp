@@ -1,22 +1,15 @@
 // What is wrong with the loops of a face. Every face of every model is asked, so it is a few evaluations per edge; only
 // an image that is off its curve is looked at closely.
-#include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
 #include <Geom_Plane.hxx>
-#include <Geom_Surface.hxx>
-#include <Precision.hxx>
-#include <TopExp.hxx>
 #include <TopLoc_Location.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Iterator.hxx>
-#include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "base/box.h"
 #include "brep/mending/mend_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
 
 namespace paver {
@@ -46,63 +39,52 @@ class LoopExaminer {
   }
 
   LoopFaults run() {
-    for (TopoDS_Iterator parts(face_); parts.More(); parts.Next())
-      if (parts.Value().ShapeType() == TopAbs_WIRE) add_loop(parts.Value());
+    for (const TopoDS_Wire& wire : wires_of(face_)) add_loop(wire);
     return std::move(faults_);
   }
 
  private:
-  struct Extent {
-    double u0 = std::numeric_limits<double>::max(), v0 = u0, u1 = -u0, v1 = -u0;
-    void add(const gp_Pnt2d& p) {
-      u0 = std::min(u0, p.X()), u1 = std::max(u1, p.X());
-      v0 = std::min(v0, p.Y()), v1 = std::max(v1, p.Y());
-    }
-    double size() const { return u1 < u0 ? 0 : std::hypot(u1 - u0, v1 - v0); }
-  };
-
   void add_loop(const TopoDS_Shape& wire) {
     std::vector<End> starts, ends;
-    Extent box;
+    Box box;
     auto add = [&](const TopoDS_Edge& edge, const TopoDS_Vertex& first, const TopoDS_Vertex& last) {
       starts.push_back({vertices_.Add(first), {}});
       ends.push_back({vertices_.Add(last), {}});
       if (!is_flat_) add_image(edge, starts.back(), ends.back(), box);
     };
     if (!visit_border(wire, add)) return;
-    compare(starts, ends, jump_share * box.size());
+    const double extent = box.is_empty() ? 0 : std::hypot(box.high.x - box.low.x, box.high.y - box.low.y);
+    compare(starts, ends, jump_share * extent);
   }
 
-  void add_image(const TopoDS_Edge& edge, End& start, End& end, Extent& box) {
-    double first = 0, last = 0;
-    const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, face_, first, last);
-    has_images_ = has_images_ && !image.IsNull() && !Precision::IsInfinite(first) && !Precision::IsInfinite(last);
+  void add_image(const TopoDS_Edge& edge, End& start, End& end, Box& box) {
+    const EdgeImage image = image_of(edge, face_);
+    has_images_ = has_images_ && !image.curve.IsNull() && image.is_finite();
     if (!has_images_) return;
-    start.uv = image->Value(first);
-    end.uv = image->Value(last);
-    const gp_Pnt2d middle = image->Value(0.5 * (first + last));
-    for (const gp_Pnt2d& p : {start.uv, middle, end.uv}) box.add(p);
+    start.uv = image.curve->Value(image.first);
+    end.uv = image.curve->Value(image.last);
+    const gp_Pnt2d middle = image.curve->Value(0.5 * (image.first + image.last));
+    for (const gp_Pnt2d& p : {start.uv, middle, end.uv}) box.add(Vec2{p.X(), p.Y()});
     if (edge.Orientation() == TopAbs_REVERSED) std::swap(start.uv, end.uv);
-    if (!BRep_Tool::Degenerated(edge) && is_wrong(edge, image, first, last)) faults_.wrong_images.push_back(edge);
+    if (!BRep_Tool::Degenerated(edge) && is_wrong(edge, image)) faults_.wrong_images.push_back(edge);
   }
 
   Vec3 on_surface(const gp_Pnt2d& uv) const { return to_vec(surface_->Value(uv.X(), uv.Y()).Transformed(placement_)); }
 
-  bool is_wrong(const TopoDS_Edge& edge, const Handle(Geom2d_Curve) & image, double first, double last) {
+  bool is_wrong(const TopoDS_Edge& edge, const EdgeImage& image) {
     const auto curve = make_curve(edge);
-    double t0 = 0, t1 = 0;
-    BRep_Tool::Range(edge, t0, t1);
-    if (!curve || Precision::IsInfinite(t0) || Precision::IsInfinite(t1)) return false;
+    const CurveRange range = range_of(edge);
+    if (!curve || !range.is_finite()) return false;
     const double allowed = std::max(off_share * diagonal_, 2 * BRep_Tool::Tolerance(edge));
     for (double share : {0.29, 0.71}) {
-      const Vec3 x = on_surface(image->Value(first + share * (last - first)));
-      if (norm(x - curve->point(t0 + share * (t1 - t0))) <= allowed) continue;
-      if (is_far(x, *curve, t0, t1, allowed)) return true;
+      const Vec3 x = on_surface(image.uv(share));
+      if (norm(x - curve->point(range.at(share))) > allowed && is_far(x, *curve, range, allowed)) return true;
     }
     return false;
   }
 
-  bool is_far(Vec3 x, const Curve& curve, double t0, double t1, double allowed) {
+  bool is_far(Vec3 x, const Curve& curve, CurveRange range, double allowed) {
+    const auto [t0, t1] = range;
     const Vec3 start = curve.point(t0);
     double least = std::numeric_limits<double>::max(), extent = 0;
     for (int i = 0; i <= curve_samples; ++i) {

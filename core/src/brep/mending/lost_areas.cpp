@@ -1,15 +1,13 @@
 // Faces for which the kernel finds no area, though they have one. A face without area has a border that runs back along
 // itself: beside every place of it there is one where it goes the other way, as on both sides of a sliver, or it is
 // shorter than that sliver is wide. What has a border of another kind is faulty, as drawn or as read.
-#include <BRep_Tool.hxx>
-#include <Precision.hxx>
-#include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "brep/mending/mend_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
 
 namespace paver {
@@ -36,9 +34,8 @@ struct BorderEdge {
 class Border {
  public:
   Border(const TopoDS_Face& face, double diagonal) : diagonal_(diagonal) {
-    for (TopoDS_Iterator parts(face); parts.More(); parts.Next())
-      if (parts.Value().ShapeType() == TopAbs_WIRE)
-        visit_border(parts.Value(), [&](const TopoDS_Edge& edge, const auto&, const auto&) { add(edge); });
+    for (const TopoDS_Wire& wire : wires_of(face))
+      visit_border(wire, [&](const TopoDS_Edge& edge, const auto&, const auto&) { add(edge); });
   }
 
   /// An edge where the border does not run back along itself, over more than the ends of a sliver; null where it does.
@@ -57,9 +54,9 @@ class Border {
  private:
   void add(const TopoDS_Edge& edge) {
     const auto curve = BRep_Tool::Degenerated(edge) ? nullptr : make_curve(edge);
-    double t0 = 0, t1 = 0;
-    BRep_Tool::Range(edge, t0, t1);
-    if (!curve || Precision::IsInfinite(t0) || Precision::IsInfinite(t1)) return;
+    const CurveRange range = range_of(edge);
+    if (!curve || !range.is_finite()) return;
+    auto [t0, t1] = range;
     if (edge.Orientation() == TopAbs_REVERSED) std::swap(t0, t1);
     BorderEdge& added = edges_.emplace_back();
     added.edge = edge;
@@ -120,7 +117,7 @@ void fault_lost_areas(Workpiece& work) {
   for (WorkFace& face : work.faces) {
     if (face.has_area || face.is_dropped || !face.fault.empty()) continue;
     try {
-      const TopoDS_Face plain = TopoDS::Face(face.face.Oriented(TopAbs_FORWARD));
+      const TopoDS_Face plain = forward(face.face);
       const TopoDS_Edge edge = Border(plain, work.diagonal).enclosing_edge();
       if (edge.IsNull()) continue;
       const bool is_open = find_loop_faults(plain, work.diagonal).open > 0;

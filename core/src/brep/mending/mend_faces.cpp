@@ -11,17 +11,9 @@
 #include <BRepCheck_Result.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
-#include <Precision.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Face.hxx>
 #include <ShapeFix_Wire.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Iterator.hxx>
-#include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,6 +23,7 @@
 #include "base/union_find.h"
 #include "brep/mending/mend_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 
 namespace paver {
 namespace {
@@ -43,8 +36,6 @@ constexpr double edge_share = 0.25;
 constexpr double exact_share = 1e-7, coarse_share = 1e-4;
 /// The border of a face must keep its length up to this share; its area is often unknown while its images are wrong.
 constexpr double same_share = 1e-4;
-
-TopoDS_Face forward(const TopoDS_Face& face) { return TopoDS::Face(face.Oriented(TopAbs_FORWARD)); }
 
 /// Puts what a memory of replacements made of faces and edges in their place.
 template <class Context>
@@ -69,20 +60,16 @@ class LoopCloser {
   explicit LoopCloser(Workpiece& work) : work_(work) {}
 
   void add_face(const WorkFace& work) {
-    const TopoDS_Face& face = work.face;
     const long before = closed_;
-    for (TopoDS_Iterator parts(face); parts.More(); parts.Next())
-      if (parts.Value().ShapeType() == TopAbs_WIRE) add_loop(parts.Value());
+    for (const TopoDS_Wire& wire : wires_of(work.face)) add_loop(wire);
     if (closed_ > before) names_.push_back(face_name(work.origin));
   }
 
   void run() {
     if (closed_ == 0) return;
-    std::map<int, std::vector<int>> clusters;
-    for (int i = 0; i < vertices_.Extent(); ++i) clusters[together_.find(i)].push_back(i);
     BRepTools_ReShape context;
     double reach = 0;
-    for (const auto& [root, cluster] : clusters)
+    for (const std::vector<int>& cluster : together_.sets())
       if (cluster.size() > 1) reach = std::max(reach, join(cluster, context));
     take_over(work_, context);
     for (const std::string& name : names_) work_.note_repair(RepairKind::closed_loop, 1, reach, name);
@@ -188,8 +175,7 @@ long kernel_faults(const TopoDS_Face& face) {
   };
   add(face);
   for (TopAbs_ShapeEnum kind : {TopAbs_WIRE, TopAbs_EDGE}) {
-    TopTools_IndexedMapOfShape parts;
-    TopExp::MapShapes(face, kind, parts);
+    const auto parts = shapes_of(face, kind);
     for (int i = 1; i <= parts.Extent(); ++i) add(parts(i));
   }
   return count;
@@ -203,8 +189,7 @@ struct Figures {
 
 Figures figures_of(const TopoDS_Face& face) {
   Figures figures;
-  TopTools_IndexedMapOfShape edges;
-  TopExp::MapShapes(face, TopAbs_EDGE, edges);
+  const auto edges = shapes_of(face, TopAbs_EDGE);
   for (int i = 1; i <= edges.Extent(); ++i) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges(i));
     const bool is_pole = BRep_Tool::Degenerated(edge), is_periodic = !is_pole && BRep_Tool::IsClosed(edge, face);
@@ -212,17 +197,13 @@ Figures figures_of(const TopoDS_Face& face) {
     figures.periodic += is_periodic;
     if (!is_pole && !is_periodic) figures.border += edge_length(edge);
   }
-  TopTools_IndexedMapOfShape vertices;
-  TopExp::MapShapes(face, TopAbs_VERTEX, vertices);
-  figures.vertices = vertices.Extent();
+  figures.vertices = shapes_of(face, TopAbs_VERTEX).Extent();
   return figures;
 }
 
 /// How far the vertices of one face lie from those of another at most.
 double largest_move(const TopoDS_Face& before, const TopoDS_Face& after) {
-  TopTools_IndexedMapOfShape from, to;
-  TopExp::MapShapes(before, TopAbs_VERTEX, from);
-  TopExp::MapShapes(after, TopAbs_VERTEX, to);
+  const auto from = shapes_of(before, TopAbs_VERTEX), to = shapes_of(after, TopAbs_VERTEX);
   double largest = 0;
   for (int i = 1; i <= from.Extent(); ++i) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -322,8 +303,7 @@ class FaceMender {
     fixer->Perform();
     const TopoDS_Shape result = fixer->Result();
     if (result.IsNull()) return std::nullopt;
-    TopTools_IndexedMapOfShape faces;
-    TopExp::MapShapes(result, TopAbs_FACE, faces);
+    const auto faces = shapes_of(result, TopAbs_FACE);
     if (faces.Extent() != 1) return std::nullopt;
     return forward(TopoDS::Face(faces(1)));
   }
@@ -347,7 +327,7 @@ class FaceMender {
     if (largest_move(before, after) > join_share * work_.diagonal) return false;
     const double border = figures_of(before).border, area = face_area(after);
     return std::abs(figures_of(after).border - border) <= same_share * border && std::isfinite(area) &&
-           area > no_area_share * work_.diagonal * work_.diagonal;
+           work_.is_area(area);
   }
 
   Workpiece& work_;

@@ -1,15 +1,8 @@
 // Rings that readers have given poles: where they take the images of the two loops for each other's, they close the
 // loop with edges of no length along the ends of the surface, and use the seam once. In: the face. Out: the ring.
 #include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
-#include <Geom_Surface.hxx>
-#include <Precision.hxx>
 #include <ShapeFix_ShapeTolerance.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
-#include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <array>
@@ -17,6 +10,7 @@
 #include <utility>
 
 #include "brep/mending/mend_impl.h"
+#include "brep/occt_shapes_impl.h"
 
 namespace paver {
 namespace {
@@ -27,8 +21,8 @@ class Ring {
   /// Nothing where a FORWARD face is none.
   static std::optional<Ring> of(const TopoDS_Face& face, double diagonal) {
     Ring ring(face);
-    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
-      if (!ring.add(TopoDS::Edge(edges.Current()), diagonal)) return std::nullopt;
+    for (const TopoDS_Edge& edge : edges_of(face))
+      if (!ring.add(edge, diagonal)) return std::nullopt;
     if (ring.loops_.size() != 2 || ring.loops_[0].IsSame(ring.loops_[1]) || ring.seam_.IsNull()) return std::nullopt;
     return !ring.surface_.IsNull() && ring.surface_->IsUPeriodic() && ring.joins_loops() && ring.goes_back()
                ? std::optional(ring)
@@ -80,7 +74,7 @@ class Ring {
     const bool is_loop = TopExp::FirstVertex(edge).IsSame(TopExp::LastVertex(edge));
     if (is_loop) loops_.push_back(edge);
     if (!is_loop && !seam_.IsNull() && !seam_.IsSame(edge)) return false;
-    if (!is_loop) seam_ = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
+    if (!is_loop) seam_ = forward(edge);
     return true;
   }
 
@@ -96,8 +90,7 @@ class Ring {
   bool goes_back() const {
     std::array<double, 2> turn{};
     for (std::size_t i = 0; i < 2; ++i) {
-      double first = 0, last = 0;
-      if (BRep_Tool::CurveOnSurface(loops_[i], face_, first, last).IsNull()) return false;
+      if (image_of(loops_[i], face_).curve.IsNull()) return false;
       const auto [start, end] = ends_of(loops_[i]);
       turn[i] = (end - start) / surface_->UPeriod();
     }
@@ -106,24 +99,21 @@ class Ring {
 
   /// u where a loop begins and ends as it is walked.
   std::pair<double, double> ends_of(const TopoDS_Edge& loop) const {
-    double first = 0, last = 0;
-    const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(loop, face_, first, last);
-    const double a = image->Value(first).X(), b = image->Value(last).X();
+    const EdgeImage image = image_of(loop, face_);
+    const double a = image.curve->Value(image.first).X(), b = image.curve->Value(image.last).X();
     return loop.Orientation() == TopAbs_REVERSED ? std::pair{b, a} : std::pair{a, b};
   }
 
   void move(const TopoDS_Edge& loop, double by) const {
-    double first = 0, last = 0;
-    const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(loop, face_, first, last);
     if (by == 0) return;
-    const auto moved = Handle(Geom2d_Curve)::DownCast(image->Translated(gp_Vec2d(by, 0)));
+    const auto moved = Handle(Geom2d_Curve)::DownCast(image_of(loop, face_).curve->Translated(gp_Vec2d(by, 0)));
     BRep_Builder().UpdateEdge(loop, moved, surface_, location_, BRep_Tool::Tolerance(loop));
   }
 
   Handle(Geom2d_Curve) image_at(double u) const {
-    double first = 0, last = 0;
-    const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(seam_, face_, first, last);
-    return Handle(Geom2d_Curve)::DownCast(image->Translated(gp_Vec2d(u - image->Value(first).X(), 0)));
+    const EdgeImage image = image_of(seam_, face_);
+    const gp_Vec2d shift(u - image.curve->Value(image.first).X(), 0);
+    return Handle(Geom2d_Curve)::DownCast(image.curve->Translated(shift));
   }
 
   TopoDS_Face face_;

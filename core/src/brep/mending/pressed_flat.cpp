@@ -3,12 +3,9 @@
 // which of its points are the same; an edge from turning point to turning point, or two where the pole starts in
 // between.
 #include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
 #include <Geom2dAPI_Interpolate.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Line.hxx>
-#include <Geom_Surface.hxx>
-#include <Precision.hxx>
 #include <TColStd_HArray1OfReal.hxx>
 #include <TColgp_HArray1OfPnt2d.hxx>
 #include <TopLoc_Location.hxx>
@@ -18,6 +15,7 @@
 #include <utility>
 
 #include "brep/mending/mend_impl.h"
+#include "brep/occt_shapes_impl.h"
 
 namespace paver {
 namespace {
@@ -33,21 +31,20 @@ constexpr double exactly = 1e-9;  // of the range: a way back as even as the way
 class Border {
  public:
   Border(const TopoDS_Face& face, const TopoDS_Edge& pole, double tolerance) : face_(face), tolerance_(tolerance) {
-    double first = 0, last = 0;
-    auto line = Handle(Geom2d_Line)::DownCast(
-        BRep_Tool::CurveOnSurface(TopoDS::Edge(pole.Oriented(TopAbs_FORWARD)), face, first, last));
+    const EdgeImage image = image_of(forward(pole), face);
+    const auto line = Handle(Geom2d_Line)::DownCast(image.curve);
     if (line.IsNull()) return;
     const gp_Dir2d way = line->Direction();
     is_along_v_ = std::fabs(way.X()) < Precision::Angular();
     if (!is_along_v_ && std::fabs(way.Y()) >= Precision::Angular()) return;
-    const gp_Pnt2d from = line->Value(first), to = line->Value(last);
+    const gp_Pnt2d from = line->Value(image.first), to = line->Value(image.last);
     fixed_ = is_along_v_ ? from.X() : from.Y();
     low_ = is_along_v_ ? from.Y() : from.X(), high_ = is_along_v_ ? to.Y() : to.X();
     is_falling_ = low_ > high_;
     if (is_falling_) std::swap(low_, high_);
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location_);
     curve_ = is_along_v_ ? surface->UIso(fixed_) : surface->VIso(fixed_);
-    start_ = TopExp::FirstVertex(TopoDS::Edge(pole.Oriented(TopAbs_FORWARD)));
+    start_ = TopExp::FirstVertex(forward(pole));
   }
 
   /// Whether it runs out and back along itself.

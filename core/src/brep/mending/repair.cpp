@@ -10,15 +10,10 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
 #include <Geom2d_Line.hxx>
-#include <Geom_Surface.hxx>
-#include <Precision.hxx>
 #include <ShapeFix_Edge.hxx>
 #include <ShapeFix_Face.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
-#include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
 #include <gp.hxx>
@@ -27,6 +22,7 @@
 
 #include "brep/mending/mend_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 
 namespace paver {
 namespace {
@@ -40,64 +36,48 @@ bool has_loops(const TopoDS_Face& face) { return TopExp_Explorer(face, TopAbs_WI
 
 bool is_pole(const TopoDS_Edge& edge) { return BRep_Tool::Degenerated(edge); }
 
-bool has_image(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  double first = 0, last = 0;
-  return !BRep_Tool::CurveOnSurface(edge, face, first, last).IsNull();
-}
-
-TopoDS_Face forward(const TopoDS_Face& face) { return TopoDS::Face(face.Oriented(TopAbs_FORWARD)); }
+bool has_image(const TopoDS_Edge& edge, const TopoDS_Face& face) { return !image_of(edge, face).curve.IsNull(); }
 
 bool lacks_image(const TopoDS_Face& face) {
   const TopoDS_Face plain = forward(face);
-  for (TopExp_Explorer edges(plain, TopAbs_EDGE); edges.More(); edges.Next()) {
-    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
-    if (!is_pole(edge) && !has_image(edge, plain)) return true;
-  }
-  return false;
+  return std::ranges::any_of(edges_of(plain),
+                             [&](const TopoDS_Edge& edge) { return !is_pole(edge) && !has_image(edge, plain); });
 }
 
 /// Twice what a loop of a FORWARD face encloses in (u, v), negative where it runs clockwise.
-double area_about(const TopoDS_Shape& wire, const TopoDS_Face& face) {
+double area_about(const TopoDS_Wire& wire, const TopoDS_Face& face) {
   constexpr int chords = 16;
   double area = 0;
   visit_border(wire, [&](const TopoDS_Edge& edge, const TopoDS_Vertex&, const TopoDS_Vertex&) {
-    double first = 0, last = 0;
-    const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, face, first, last);
-    if (image.IsNull()) return;
-    double sum = 0;
-    gp_Pnt2d from = image->Value(first);
+    const EdgeImage image = image_of(edge, face);
+    if (image.curve.IsNull()) return;
+    const double way = edge.Orientation() == TopAbs_REVERSED ? -1 : 1;
+    gp_Pnt2d from = image.uv(0);
     for (int i = 1; i <= chords; ++i) {
-      const gp_Pnt2d to = image->Value(first + (last - first) * i / chords);
-      sum += from.X() * to.Y() - to.X() * from.Y();
+      const gp_Pnt2d to = image.uv(static_cast<double>(i) / chords);
+      area += way * (from.X() * to.Y() - to.X() * from.Y());
       from = to;
     }
-    area += edge.Orientation() == TopAbs_REVERSED ? -sum : sum;
   });
   return area;
 }
 
 /// Whether some loop of a plane may be turned: it runs as the largest one does.
 bool has_loops_alike(const TopoDS_Face& face) {
+  const std::vector<TopoDS_Wire> wires = wires_of(face);
+  if (wires.size() < 2 || BRepAdaptor_Surface(face, Standard_False).GetType() != GeomAbs_Plane) return false;
   std::vector<double> areas;
-  for (TopoDS_Iterator parts(face); parts.More(); parts.Next())
-    if (parts.Value().ShapeType() == TopAbs_WIRE) areas.push_back(0);
-  if (areas.size() < 2 || BRepAdaptor_Surface(face, Standard_False).GetType() != GeomAbs_Plane) return false;
-  std::size_t i = 0;
-  for (TopoDS_Iterator parts(face); parts.More(); parts.Next())
-    if (parts.Value().ShapeType() == TopAbs_WIRE) areas[i++] = area_about(parts.Value(), face);
-  const auto larger = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const double largest = *std::max_element(areas.begin(), areas.end(), larger);
-  return std::count_if(areas.begin(), areas.end(), [&](double area) { return area * largest > 0; }) > 1;
+  for (const TopoDS_Wire& wire : wires) areas.push_back(area_about(wire, face));
+  const double largest = std::ranges::max(areas, {}, [](double area) { return std::abs(area); });
+  return std::ranges::count_if(areas, [&](double area) { return area * largest > 0; }) > 1;
 }
 
 bool needs_repair(const TopoDS_Face& face, double diagonal) {
   if (!has_loops(face)) return true;
-  TopoDS_Face plain = forward(face);
-  for (TopExp_Explorer edges(plain, TopAbs_EDGE); edges.More(); edges.Next()) {
-    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
-    if (is_false_pole(edge, plain, diagonal)) return true;
-  }
-  return lacks_image(face) || is_garbled_ring(plain, diagonal) || has_loops_alike(plain);
+  const TopoDS_Face plain = forward(face);
+  auto is_false = [&](const TopoDS_Edge& edge) { return is_false_pole(edge, plain, diagonal); };
+  return std::ranges::any_of(edges_of(plain), is_false) || lacks_image(face) || is_garbled_ring(plain, diagonal) ||
+         has_loops_alike(plain);
 }
 
 void add_natural_bounds(WorkFace& face, Workpiece& work) {
@@ -127,23 +107,20 @@ void add_natural_bounds(WorkFace& face, Workpiece& work) {
 }
 
 void add_image(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  int uses = 0;
-  for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) uses += edges.Current().IsSame(edge);
-  ShapeFix_Edge().FixAddPCurve(edge, face, uses > 1);
+  ShapeFix_Edge().FixAddPCurve(edge, face, use_count(edge, face) > 1);
 }
 
 /// Iso lines, as the borders of faces are, become exact curves; others are approximated.
 void add_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  double first = 0, last = 0;
-  Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, face, first, last);
+  const EdgeImage image = image_of(edge, face);
   TopLoc_Location location;
   Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location);
   BRep_Builder builder;
   builder.Degenerated(edge, Standard_False);
-  auto line = Handle(Geom2d_Line)::DownCast(image);
+  auto line = Handle(Geom2d_Line)::DownCast(image.curve);
   if (!line.IsNull() && line->Direction().IsEqual(gp::DY2d(), Precision::Angular()) && line->Location().Y() == 0) {
     builder.UpdateEdge(edge, surface->UIso(line->Location().X()), location, BRep_Tool::Tolerance(edge));
-    builder.Range(edge, first, last);
+    builder.Range(edge, image.first, image.last);
   } else {
     BRepLib::BuildCurve3d(edge);
   }
@@ -153,9 +130,7 @@ void add_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
 bool mend_ring(WorkFace& face, Workpiece& work) {
   const TopoDS_Face plain = forward(face.face);
   if (!is_garbled_ring(plain, work.diagonal)) return false;
-  bool has_poles = false;
-  for (TopExp_Explorer edges(plain, TopAbs_EDGE); edges.More(); edges.Next())
-    has_poles = has_poles || is_pole(TopoDS::Edge(edges.Current()));
+  const bool has_poles = std::ranges::any_of(edges_of(plain), is_pole);
   face.face = TopoDS::Face(mended_ring(plain, work.diagonal).Oriented(face.face.Orientation()));
   work.note_repair(has_poles ? RepairKind::pole : RepairKind::periodic_edge, 1, 0, face_name(face.origin));
   work.is_rebuilt = true;
@@ -177,22 +152,16 @@ bool turn_loops(WorkFace& face, Workpiece& work) {
 }
 
 bool is_shared(const TopoDS_Edge& edge, const WorkFace& owner, const Workpiece& work) {
-  return std::any_of(work.faces.begin(), work.faces.end(), [&](const WorkFace& face) {
-    if (&face == &owner) return false;
-    for (TopExp_Explorer edges(face.face, TopAbs_EDGE); edges.More(); edges.Next())
-      if (edges.Current().IsSame(edge)) return true;
-    return false;
-  });
+  return std::any_of(work.faces.begin(), work.faces.end(),
+                     [&](const WorkFace& face) { return &face != &owner && use_count(edge, face.face) > 0; });
 }
 
 /// Ends that are pressed flat become common to both of their sides, unless another face goes on there.
 void close_flat_ends(WorkFace& face, Workpiece& work) {
   const TopoDS_Face plain = forward(face.face);
   std::vector<TopoDS_Edge> poles;
-  for (TopExp_Explorer edges(plain, TopAbs_EDGE); edges.More(); edges.Next())
-    if (is_false_pole(TopoDS::Edge(edges.Current()), plain, work.diagonal) &&
-        !is_shared(TopoDS::Edge(edges.Current()), face, work))
-      poles.push_back(TopoDS::Edge(edges.Current()));
+  for (const TopoDS_Edge& edge : edges_of(plain))
+    if (is_false_pole(edge, plain, work.diagonal) && !is_shared(edge, face, work)) poles.push_back(edge);
   for (const TopoDS_Edge& pole : poles) {
     const std::vector<int> origins = edge_origins(work, pole);
     const auto flat = pressed_flat(forward(face.face), pole, work.diagonal);
@@ -208,8 +177,7 @@ void close_flat_ends(WorkFace& face, Workpiece& work) {
 void repair_edges(WorkFace& face, Workpiece& work) {
   close_flat_ends(face, work);
   TopoDS_Face plain = forward(face.face);
-  for (TopExp_Explorer edges(plain, TopAbs_EDGE); edges.More(); edges.Next()) {
-    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+  for (const TopoDS_Edge& edge : edges_of(plain)) {
     if (is_false_pole(edge, plain, work.diagonal)) {
       add_curve(edge, plain);
       work.note_repair(RepairKind::pole, 1, 0, face_name(face.origin));
@@ -230,7 +198,7 @@ void repair_edges(WorkFace& face, Workpiece& work) {
 void measure_again(WorkFace& face, const Workpiece& work) {
   face.area = face_area(face.face);
   if (!std::isfinite(face.area)) face.area = 0;
-  face.has_area = !face.fault.empty() || face.area > no_area_share * work.diagonal * work.diagonal;
+  face.has_area = !face.fault.empty() || work.is_area(face.area);
 }
 
 std::optional<std::string> attempt(auto&& work_on_face) {
@@ -246,12 +214,11 @@ std::optional<std::string> attempt(auto&& work_on_face) {
 
 bool is_false_pole(const TopoDS_Edge& edge, const TopoDS_Face& face, double diagonal) {
   if (!is_pole(edge)) return false;
-  double first = 0, last = 0;
-  Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, face, first, last);
-  if (image.IsNull()) return false;
+  const EdgeImage image = image_of(edge, face);
+  if (image.curve.IsNull()) return false;
   BRepAdaptor_Surface surface(face, Standard_False);
   auto at = [&](double share) {
-    gp_Pnt2d uv = image->Value(first + share * (last - first));
+    gp_Pnt2d uv = image.uv(share);
     return surface.Value(uv.X(), uv.Y());
   };
   gp_Pnt start = at(0);

@@ -12,12 +12,8 @@
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
-#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <IntTools_Context.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,6 +23,7 @@
 #include "base/union_find.h"
 #include "brep/connecting/workpiece_impl.h"
 #include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
 
 namespace paver {
@@ -53,11 +50,10 @@ long free_count(const EdgeUses& uses) {
 }
 
 bool has_free_edge(const TopoDS_Face& face, const EdgeUses& uses) {
-  for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
-    int index = uses.edges.FindIndex(edges.Current());
-    if (index > 0 && uses.is_free(index)) return true;
-  }
-  return false;
+  return std::ranges::any_of(edges_of(face), [&](const TopoDS_Edge& edge) {
+    const int index = uses.edges.FindIndex(edge);
+    return index > 0 && uses.is_free(index);
+  });
 }
 
 /// Indices of faces to sew, per solid (-1: faces without one); only groups that have a free edge.
@@ -179,8 +175,7 @@ class GroupSewer {
     constexpr int pieces = 32;
     Polyline line;
     line.curve = make_curve(edge);
-    double t0 = 0, t1 = 0;
-    BRep_Tool::Range(edge, t0, t1);
+    const auto [t0, t1] = range_of(edge);
     for (int i = 0; line.curve && i <= pieces; ++i) {
       line.t.push_back(t0 + (t1 - t0) * i / pieces);
       line.points.push_back(line.curve->point(line.t.back()));

@@ -1,6 +1,4 @@
 // CadModel: reading from files and memory, and the members of a compound.
-#include <TopExp.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
 #include <chrono>
@@ -8,6 +6,7 @@
 #include <sstream>
 
 #include "base/process/memory_file.h"
+#include "brep/occt_shapes_impl.h"
 #include "brep/reading/file_format.h"
 #include "brep/shape_impl.h"
 #include "paver/mesher.h"
@@ -27,8 +26,7 @@ CadModel read(const FileSource& file, Progress& progress, const std::vector<std:
 
 /// 0-based places in `all` of the parts of one kind of `shape`, in its own order.
 std::vector<int> places(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind, const TopTools_IndexedMapOfShape& all) {
-  TopTools_IndexedMapOfShape own;
-  TopExp::MapShapes(shape, kind, own);
+  const auto own = shapes_of(shape, kind);
   std::vector<int> result;
   for (int i = 1; i <= own.Extent(); ++i) result.push_back(all.FindIndex(own(i)) - 1);
   return result;
@@ -61,7 +59,7 @@ std::vector<ModelPart> model_parts(const CadModel& model) {
   const TopoDS_Shape& shape = model.shape->shape;
   constexpr TopAbs_ShapeEnum kinds[] = {TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX, TopAbs_SOLID};
   TopTools_IndexedMapOfShape all[4];
-  for (int k = 0; k < 4; ++k) TopExp::MapShapes(shape, kinds[k], all[k]);
+  for (int k = 0; k < 4; ++k) all[k] = shapes_of(shape, kinds[k]);
   std::vector<ModelPart> parts;
   auto add = [&](const TopoDS_Shape& part) {
     ModelPart& made = parts.emplace_back();

@@ -1,15 +1,12 @@
 // Surfaces without a closed form: B-spline and Bezier surfaces evaluated here, others by OpenCASCADE's adaptor.
 // Parameters outside a closed direction are wrapped; beyond the ends of a bounded one the surface is continued
 // linearly, because a polynomial of high degree explodes there and a Newton step may well look.
-#include <BRep_Tool.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_OffsetSurface.hxx>
-#include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
-#include <Precision.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopLoc_Location.hxx>
 #include <algorithm>
@@ -17,6 +14,7 @@
 #include <optional>
 
 #include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
 #include "brep/surfaces/spline_surface.h"
 
@@ -240,14 +238,6 @@ class GeneralSurface : public Surface {
   std::optional<SplineSurface> spline_;
   GeomAdaptor_Surface adaptor_;
 };
-
-Handle(Geom_Surface) untrimmed(Handle(Geom_Surface) surface) {
-  for (;;) {
-    auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface);
-    if (trimmed.IsNull()) return surface;
-    surface = trimmed->BasisSurface();
-  }
-}
 
 }  // namespace
 

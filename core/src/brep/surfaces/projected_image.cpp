@@ -1,10 +1,6 @@
 // Image of an edge on a face by projection of the edge's curve, for files whose own images run at another pace than
 // the curve or leave it. A table of projected points, walked from the start so that it stays on the right side of a
 // periodic surface, gives the guess; a few Gauss-Newton steps give the foot of the perpendicular.
-#include <BRep_Tool.hxx>
-#include <Geom_RectangularTrimmedSurface.hxx>
-#include <Geom_Surface.hxx>
-#include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TopLoc_Location.hxx>
 #include <algorithm>
@@ -12,6 +8,7 @@
 #include <vector>
 
 #include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
 
 namespace paver {
@@ -34,9 +31,7 @@ class FootFinder {
  public:
   explicit FootFinder(const TopoDS_Face& face) {
     TopLoc_Location location;
-    surface_ = BRep_Tool::Surface(face, location);
-    while (auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface_))
-      surface_ = trimmed->BasisSurface();
+    surface_ = untrimmed(BRep_Tool::Surface(face, location));
     placement_ = location.Transformation();
     surface_->Bounds(lo_.x, hi_.x, lo_.y, hi_.y);
     if (surface_->IsUPeriodic()) period_.x = surface_->UPeriod();
