@@ -1,7 +1,6 @@
 // Values as bytes and back, for another process of the same build: no versions, no byte order.
 //
-// A struct is packed by a function template `fields(archive, value)` that names its fields through a structured
-// binding, so that a new field which it does not name fails to compile.
+// A struct is packed by PAVER_FIELDS, which names its fields: a new one that it does not name fails to compile.
 #pragma once
 
 #include <array>
@@ -22,6 +21,14 @@ namespace paver {
 /// `T` with or without const, for the `fields` templates.
 template <class T, class Plain>
 concept Is = std::same_as<std::remove_const_t<T>, Plain>;
+
+/// All fields of a struct, in their order.
+#define PAVER_FIELDS(Struct, ...)                    \
+  template <class A>                                 \
+  void fields(A& archive, Is<Struct> auto& packed) { \
+    auto& [__VA_ARGS__] = packed;                    \
+    archive(__VA_ARGS__);                            \
+  }
 
 template <class T>
 constexpr bool is_plain = std::is_trivially_copyable_v<T>;

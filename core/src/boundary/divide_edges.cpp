@@ -36,12 +36,7 @@ struct Places {
   std::vector<Vec3> x;         // as in EdgeDivision
   std::vector<double> target;  // per node
 };
-
-template <class A>
-void fields(A& archive, Is<Places> auto& places) {
-  auto& [t, x, target] = places;
-  archive(t, x, target);
-}
+PAVER_FIELDS(Places, t, x, target)
 
 Places divide(const Model& model, int index, const SizeField& size, int count) {
   const Edge& edge = model.edges[static_cast<std::size_t>(index)];
