@@ -137,7 +137,7 @@ class CubicPatch : public Surface {
     xuv = sum(uv, 1, 1);
     xvv = sum(uv, 0, 2);
   }
-  SurfaceKind kind() const override { return SurfaceKind::bspline; }
+  SurfaceKind kind() const override { return SurfaceKind::other; }
   Vec2 period() const override { return {}; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<CubicPatch>(*this); }
 

@@ -232,7 +232,7 @@ double row_speed(const Surface& surface, const ParameterBox& box, double share) 
 ArcTable rows_of(const Surface& surface, const ParameterBox& box) {
   constexpr double slow = 0.2;  // of the mean
   std::vector<double> speeds, from_end;
-  for (int i = 0; !surface.elementary() && i < table_cells; ++i)
+  for (int i = 0; surface.kind() == SurfaceKind::other && i < table_cells; ++i)
     speeds.push_back(row_speed(surface, box, (i + 0.5) / table_cells));
   from_end = speeds;
   for (std::size_t i = 1; i < speeds.size(); ++i) speeds[i] = std::max(speeds[i], speeds[i - 1]);

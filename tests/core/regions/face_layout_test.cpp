@@ -27,7 +27,7 @@ class BentTube : public Surface {
     d1(uv, x, xu, xv);
     xuu = xuv = xvv = {};
   }
-  SurfaceKind kind() const override { return SurfaceKind::bspline; }
+  SurfaceKind kind() const override { return SurfaceKind::other; }
   Vec2 period() const override { return {2 * pi, 0}; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<BentTube>(*this); }
 

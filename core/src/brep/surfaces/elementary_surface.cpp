@@ -17,6 +17,20 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
+/// The numbers behind a plane, cylinder, cone, sphere or torus. With c = cos u, s = sin u and r = radius a point is
+///   plane    origin + u x + v y
+///   cylinder origin + r (c x + s y) + v z
+///   cone     origin + (r + v sin half_angle)(c x + s y) + v cos half_angle z
+///   sphere   origin + r cos v (c x + s y) + r sin v z
+///   torus    origin + (r + minor_radius cos v)(c x + s y) + minor_radius sin v z
+/// x, y, z are orthogonal; of length one unless the face's placement scales; left-handed where the file says so.
+struct ElementarySurface {
+  Vec3 origin, x, y, z;
+  double radius = 0;        ///< mm
+  double minor_radius = 0;  ///< mm, torus only
+  double half_angle = 0;    ///< radians, cone only
+};
+
 class PlaneSurface : public Surface {
  public:
   explicit PlaneSurface(const ElementarySurface& shape) : shape_(shape) {}
@@ -32,7 +46,6 @@ class PlaneSurface : public Surface {
   }
   SurfaceKind kind() const override { return SurfaceKind::plane; }
   Vec2 period() const override { return {0, 0}; }
-  const ElementarySurface* elementary() const override { return &shape_; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<PlaneSurface>(*this); }
 
  private:
@@ -74,7 +87,6 @@ class TurnedSurface : public Surface {
   }
   SurfaceKind kind() const override { return Kind; }
   Vec2 period() const override { return {full_turn, Kind == SurfaceKind::torus ? full_turn : 0}; }
-  const ElementarySurface* elementary() const override { return &shape_; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<TurnedSurface>(*this); }
 
  private:

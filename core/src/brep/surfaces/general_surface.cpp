@@ -4,9 +4,6 @@
 #include <GeomAdaptor_Surface.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
-#include <Geom_OffsetSurface.hxx>
-#include <Geom_SurfaceOfLinearExtrusion.hxx>
-#include <Geom_SurfaceOfRevolution.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopLoc_Location.hxx>
 #include <algorithm>
@@ -133,14 +130,7 @@ class GeneralSurface : public Surface {
     xuv = jet.uv;
     xvv = jet.vv;
   }
-  SurfaceKind kind() const override {
-    if (surface_->IsKind(STANDARD_TYPE(Geom_BSplineSurface))) return SurfaceKind::bspline;
-    if (surface_->IsKind(STANDARD_TYPE(Geom_BezierSurface))) return SurfaceKind::bezier;
-    if (surface_->IsKind(STANDARD_TYPE(Geom_SurfaceOfRevolution))) return SurfaceKind::revolution;
-    if (surface_->IsKind(STANDARD_TYPE(Geom_SurfaceOfLinearExtrusion))) return SurfaceKind::extrusion;
-    if (surface_->IsKind(STANDARD_TYPE(Geom_OffsetSurface))) return SurfaceKind::offset;
-    return SurfaceKind::other;
-  }
+  SurfaceKind kind() const override { return SurfaceKind::other; }
   Vec2 period() const override { return {u_.period, v_.period}; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<GeneralSurface>(*this); }
 

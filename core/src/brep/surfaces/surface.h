@@ -8,21 +8,8 @@
 
 namespace paver {
 
-enum class SurfaceKind { plane, cylinder, cone, sphere, torus, revolution, extrusion, bezier, bspline, offset, other };
-
-/// The numbers behind a plane, cylinder, cone, sphere or torus. With c = cos u, s = sin u and r = radius a point is
-///   plane    origin + u x + v y
-///   cylinder origin + r (c x + s y) + v z
-///   cone     origin + (r + v sin half_angle)(c x + s y) + v cos half_angle z
-///   sphere   origin + r cos v (c x + s y) + r sin v z
-///   torus    origin + (r + minor_radius cos v)(c x + s y) + minor_radius sin v z
-/// x, y, z are orthogonal; of length one unless the face's placement scales; left-handed where the file says so.
-struct ElementarySurface {
-  Vec3 origin, x, y, z;
-  double radius = 0;        ///< mm
-  double minor_radius = 0;  ///< mm, torus only
-  double half_angle = 0;    ///< radians, cone only
-};
+/// All but `other` are evaluated in closed form.
+enum class SurfaceKind { plane, cylinder, cone, sphere, torus, other };
 
 /// One face's surface in its own parameters. An evaluator caches the last span, so each task clones its own.
 /// Every value is finite: beyond the ends of a bounded surface it is continued linearly, across a closed one wrapped.
@@ -38,8 +25,6 @@ class Surface {
   virtual SurfaceKind kind() const = 0;
   /// Period in u and v where the surface is closed there (periodic or ends that coincide), else 0.
   virtual Vec2 period() const = 0;
-  /// Null for kinds without a closed form.
-  virtual const ElementarySurface* elementary() const { return nullptr; }
   virtual std::unique_ptr<Surface> clone() const = 0;
 };
 
