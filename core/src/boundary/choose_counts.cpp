@@ -86,7 +86,7 @@ void divide_lenses(const Model& model, std::vector<EdgeCount>& counts) {
 // Where a border turns back along an edge: the two sides of a slit that meets no other edge, or just periodic ones,
 // would be one mesh edge, and no loop; elements about the end of a body pressed flat need a node before it.
 void divide_where_borders_turn_back(const Model& model, std::vector<EdgeCount>& counts) {
-  auto is_periodic = [&](const Coedge& c) { return model.edges[static_cast<std::size_t>(c.edge)].is_periodic; };
+  auto is_periodic = [&](const Coedge& c) { return edge_of(model, c).is_periodic; };
   for (std::size_t f = 0; f < model.faces.size(); ++f)
     for (std::size_t l = 0; l < model.faces[f].loops.size(); ++l) {
       const std::vector<Coedge>& coedges = model.faces[f].loops[l].coedges;
@@ -133,10 +133,7 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
     bool is_meshed = model.faces[f].has_area && model.faces[f].fault.empty();
     loops.push_back(is_meshed ? linked_loops(model, static_cast<int>(f)) : std::vector<Loop>{});
-    for (const Loop& loop : loops.back()) {
-      std::vector<int>& edges = loop_edges.emplace_back();
-      for (const Coedge& coedge : loop.coedges) edges.push_back(coedge.edge);
-    }
+    for (const Loop& loop : loops.back()) loop_edges.push_back(edges_of(loop));
   }
   match_gaps(model, size, loops, counts);
   const std::vector<OppositeSides> pairs = find_opposite_sides(model, loops);

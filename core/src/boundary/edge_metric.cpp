@@ -301,18 +301,18 @@ void EdgeMetric::weigh() {
   }
 }
 
-std::size_t EdgeMetric::row_before_length(double s) const {
-  auto after =
-      std::upper_bound(rows_.begin(), rows_.end(), s, [](double value, const Row& row) { return value < row.s; });
-  auto index = static_cast<std::size_t>(after - rows_.begin());
-  return std::clamp<std::size_t>(index, 1, rows_.size() - 1) - 1;
+std::size_t EdgeMetric::row_before(double value, double Row::*of_row) const {
+  const auto after = std::ranges::upper_bound(rows_, value, {}, of_row);
+  return std::clamp<std::size_t>(static_cast<std::size_t>(after - rows_.begin()), 1, rows_.size() - 1) - 1;
+}
+
+double EdgeMetric::share_between(const Row& a, const Row& b, double s) {
+  return b.s > a.s ? std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0) : 0;
 }
 
 double EdgeMetric::length_at_weight(double target) const {
-  auto after = std::upper_bound(rows_.begin(), rows_.end(), target,
-                                [](double value, const Row& row) { return value < row.weight; });
-  auto index = std::clamp<std::size_t>(static_cast<std::size_t>(after - rows_.begin()), 1, rows_.size() - 1);
-  const Row &a = rows_[index - 1], &b = rows_[index];
+  const std::size_t i = row_before(target, &Row::weight);
+  const Row &a = rows_[i], &b = rows_[i + 1];
   double step = b.s - a.s;
   if (!(step > 0)) return a.s;
   // With 1/h linear over the panel the weight is quadratic in its share; this form of the root never cancels.
@@ -331,11 +331,10 @@ double EdgeMetric::first_guess(const Row& a, const Row& b, double share) {
 }
 
 double EdgeMetric::parameter_at_length(double s) const {
-  std::size_t i = row_before_length(s);
+  const std::size_t i = row_before(s, &Row::s);
   const Row &a = rows_[i], &b = rows_[i + 1];
   if (!(b.s > a.s)) return a.t;
-  double share = std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0);
-  double lo = a.t, hi = b.t, t = first_guess(a, b, share);
+  double lo = a.t, hi = b.t, t = first_guess(a, b, share_between(a, b, s));
   const double tolerance = exact_length * length();
   for (int iteration = 0; iteration < most_newton_steps; ++iteration) {
     double error = a.s + quadrature(a.t, t) - s;
@@ -351,9 +350,9 @@ double EdgeMetric::parameter_at_length(double s) const {
 }
 
 double EdgeMetric::size_at_length(double s) const {
-  std::size_t i = row_before_length(s);
+  const std::size_t i = row_before(s, &Row::s);
   const Row &a = rows_[i], &b = rows_[i + 1];
-  double share = b.s > a.s ? std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0) : 0;
+  const double share = share_between(a, b, s);
   return 1 / ((1 - share) / a.h + share / b.h);
 }
 
@@ -421,11 +420,11 @@ std::vector<int> EdgeMetric::share_intervals(const std::vector<Row>& ends, int n
 }
 
 double EdgeMetric::turn_at_length(double s, KinkSide side) const {
-  std::size_t i = row_before_length(s);
+  std::size_t i = row_before(s, &Row::s);
   // Rows before and behind a kink share one s.
   while (side == KinkSide::before && i > 0 && rows_[i].s >= s) --i;
   const Row &a = rows_[i], &b = rows_[i + 1];
-  double share = b.s > a.s ? std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0) : 0;
+  const double share = share_between(a, b, s);
   return (1 - share) * a.turn + share * b.turn;
 }
 

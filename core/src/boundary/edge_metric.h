@@ -75,7 +75,8 @@ class EdgeMetric {
   enum class KinkSide { before, behind };
   double turn_at_length(double s, KinkSide side) const;
   static double first_guess(const Row& a, const Row& b, double share);
-  std::size_t row_before_length(double s) const;
+  static double share_between(const Row& a, const Row& b, double s);
+  std::size_t row_before(double value, double Row::*of_row) const;
 
   const Curve* curve_;
   double t0_, t1_;

@@ -46,9 +46,7 @@ std::vector<Link> kept_links(const Model& model, int face, const std::vector<std
       int here = -1;
       if (!edge.is_degenerate && !dropped[l][c]) {
         here = static_cast<int>(links.size());
-        bool is_reversed = coedges[c].is_reversed;
-        links.push_back({&coedges[c], place, -1, last_link >= 0, is_reversed ? edge.end : edge.start,
-                         is_reversed ? edge.start : edge.end});
+        links.push_back({&coedges[c], place, -1, last_link >= 0, start_of(edge, coedges[c]), end_of(edge, coedges[c])});
         if (last_link >= 0) links[static_cast<std::size_t>(last_link)].next = here;
       }
       if (c == 0) first_link = here;

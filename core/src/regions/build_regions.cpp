@@ -200,16 +200,18 @@ class RegionBuilder {
     return {uv, normal, norm(normal) > degenerate * norm(xu) * norm(xv)};
   }
 
+  double target_at(Vec2 uv) const { return std::min(size_.h, size_.faces[index_].at(uv, *face_.surface)); }
+
   // An edge is divided finely where it turns. Where it turns within the face (a small hole in a plate) the face follows
   // with small elements; where it only turns with the face (the rim of a tube, a leading edge) long ones do.
   double target_at(const Coedge& coedge, double t, const Place& place, double edge_target) const {
     Vec3 y, yt, ytt;
-    model_.edges[coedge.edge].curve->d2(t, y, yt, ytt);
+    edge_of(model_, coedge).curve->d2(t, y, yt, ytt);
     Vec3 tangent = unit(yt), bend = ytt - dot(ytt, tangent) * tangent;
     double within = std::fabs(dot(bend, unit(cross(unit(place.normal), tangent)))) / dot(yt, yt);
-    double target = std::min(size_.h, size_.faces[index_].at(place.uv, *face_.surface));
+    double target = target_at(place.uv);
     if (!(within * target > size_.turn_limit)) return std::isfinite(within) ? target : std::min(target, edge_target);
-    return std::min(target, std::max(edge_target, size_.turn_limit_of(model_.edges[coedge.edge]).longest_edge(within)));
+    return std::min(target, std::max(edge_target, size_.turn_limit_of(edge_of(model_, coedge)).longest_edge(within)));
   }
 
   // Direction of travel on a coedge at share 0 (start) to 1 (end) of interval i of its division, just inside it; behind
@@ -220,7 +222,7 @@ class RegionBuilder {
     auto tangent = [&](double inside) {
       const double a = d.t[2 * i], b = d.t[2 * i + 2];
       Vec3 x, xt;
-      model_.edges[c.edge].curve->d1(a + (inside + (1 - 2 * inside) * share) * (b - a), x, xt);
+      edge_of(model_, c).curve->d1(a + (inside + (1 - 2 * inside) * share) * (b - a), x, xt);
       return unit(xt);
     };
     Vec3 way = tangent(end_share);
@@ -270,7 +272,7 @@ class RegionBuilder {
 
   double meridian_of(const Loop& loop) const {
     const Coedge& c = loop.coedges.front();
-    const Edge& e = model_.edges[c.edge];
+    const Edge& e = edge_of(model_, c);
     return layout_.box.uv(c.pcurve->uv(0.5 * (e.t0 + e.t1))).y;
   }
 
@@ -384,7 +386,7 @@ class RegionBuilder {
       const Vec3 normal = normals ? normals->at(uv) : Vec3{};
       if (i > 0) {
         const double step = norm(x - last), turned = size_.faces[index_].turn_weight() * norm(normal - last_normal);
-        const double facets = step / std::min(size_.h, size_.faces[index_].at(uv, *face_.surface));
+        const double facets = step / target_at(uv);
         weight.push_back(weight.back() + std::sqrt(facets * facets + turned * turned));
         turn += std::acos(std::clamp(dot(tangent, last_tangent), -1.0, 1.0));
       }
@@ -399,7 +401,7 @@ class RegionBuilder {
       uv_.push_back(layout_.box.uv({layout_.box.lo.x + layout_.period * turns, layout_.cut}));
       LoopNode node;
       node.x = face_.surface->point(uv_.back());
-      node.h = std::min(size_.h, size_.faces[index_].at(uv_.back(), *face_.surface));
+      node.h = target_at(uv_.back());
       node.angle = M_PI;
       node.global = append(node.x, node.h);
       ring.push_back(node);
@@ -499,7 +501,7 @@ class RegionBuilder {
     constexpr int quads = 4;
     Fan fan;
     fan.centre.p = region.chart->to_chart(point.uv);
-    fan.centre.h = std::min(size_.h, size_.faces[index_].at(point.uv, *face_.surface));
+    fan.centre.h = target_at(point.uv);
     fan.centre.global = node_at(point.vertex, fan.centre.h);
     auto has_fan = [&](const Fan& other) { return other.centre.global == fan.centre.global; };
     if (std::any_of(region.fans.begin(), region.fans.end(), has_fan)) return;  // an apex
@@ -542,7 +544,7 @@ class RegionBuilder {
     auto distance = [&](int vertex) { return norm(model_.vertices[static_cast<std::size_t>(vertex)] - apex); };
     for (const Loop& loop : face_.loops)
       for (const Coedge& coedge : loop.coedges) {
-        const Edge& edge = model_.edges[static_cast<std::size_t>(coedge.edge)];
+        const Edge& edge = edge_of(model_, coedge);
         if (edge.is_degenerate && (nearest < 0 || distance(edge.start) < distance(nearest))) nearest = edge.start;
       }
     return nearest;

@@ -24,7 +24,7 @@ struct Range {
 };
 
 Vec2 image(const Model& model, const Coedge& c, double share) {
-  const Edge& e = model.edges[c.edge];
+  const Edge& e = edge_of(model, c);
   return c.pcurve->uv(e.t0 + share * (e.t1 - e.t0));
 }
 
@@ -87,7 +87,7 @@ class LayoutPlanner {
     std::array<double, 2> u_share{}, v_share{};
     for (const Loop& loop : face_.loops)
       for (const Coedge& c : loop.coedges) {
-        if (!model_.edges[c.edge].is_degenerate) continue;
+        if (!edge_of(model_, c).is_degenerate) continue;
         Vec2 a = image(model_, c, 0), b = image(model_, c, 1);
         double du = std::fabs(b.x - a.x) / std::max(u_.size(), 1e-300);
         double dv = std::fabs(b.y - a.y) / std::max(v_.size(), 1e-300);
@@ -108,7 +108,7 @@ class LayoutPlanner {
     if (!linked_loops(model_, index_, layout_.dropped).empty()) return false;
     for (const Loop& loop : face_.loops)
       for (const Coedge& c : loop.coedges)
-        for (int user : model_.edges[c.edge].faces)
+        for (int user : edge_of(model_, c).faces)
           if (user != index_) return false;
     const ParameterBox& box = layout_.box;
     Vec2 period = face_.surface->period();
@@ -191,7 +191,7 @@ class LayoutPlanner {
     for (std::size_t l = 0; l < face_.loops.size(); ++l)
       for (std::size_t c = 0; c < face_.loops[l].coedges.size(); ++c) {
         const Coedge& coedge = face_.loops[l].coedges[c];
-        if (layout_.dropped[l][c] || model_.edges[coedge.edge].is_degenerate) continue;
+        if (layout_.dropped[l][c] || edge_of(model_, coedge).is_degenerate) continue;
         Range r;
         for (int i = 0; i <= edge_samples; ++i) r.add(box.uv(image(model_, coedge, i / double{edge_samples})).y);
         taken.push_back({r.lo, r.hi});

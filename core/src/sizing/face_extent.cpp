@@ -22,11 +22,10 @@ bool add_border(const Model& model, const Face& face, Box& box) {
   bool has_border = false;
   for (const Loop& loop : face.loops)
     for (const Coedge& coedge : loop.coedges) {
-      const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
+      const Edge& edge = edge_of(model, coedge);
       if (!edge.curve) continue;
       has_border = has_border || !edge.is_periodic;
-      for (int i = 0; i <= steps; ++i)
-        add_finite(edge.curve->point((1 - share(i)) * edge.t0 + share(i) * edge.t1), box);
+      for (int i = 0; i <= steps; ++i) add_finite(edge.curve->point(edge.parameter(share(i))), box);
     }
   return has_border;
 }

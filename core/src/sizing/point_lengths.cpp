@@ -51,13 +51,8 @@ double length_on(const Face& face, const FaceSize& size, const FacePoint& point)
 std::vector<double> point_lengths(const Model& model, const SizeField& size, const std::vector<FacePoint>& points) {
   std::vector<std::vector<std::size_t>> pieces(static_cast<std::size_t>(model.read_faces));
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
-    const Face& face = model.faces[f];
-    if (!face.is_meshed()) continue;
-    if (face.origin < model.read_faces)
-      pieces[static_cast<std::size_t>(face.origin)].push_back(f);
-    else
-      for (int of : model.common[static_cast<std::size_t>(face.origin - model.read_faces)])
-        pieces[static_cast<std::size_t>(of)].push_back(f);
+    if (!model.faces[f].is_meshed()) continue;
+    for (int of : model.faces_as_read(model.faces[f].origin)) pieces[static_cast<std::size_t>(of)].push_back(f);
   }
   std::vector<double> lengths;
   for (const FacePoint& point : points) {

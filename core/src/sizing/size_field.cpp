@@ -124,7 +124,7 @@ Vec2 largest_stretch(const std::vector<CurvatureSample>& samples, double weight)
 bool has_border(const Model& model, const Face& face) {
   return std::any_of(face.loops.begin(), face.loops.end(), [&](const Loop& loop) {
     return std::any_of(loop.coedges.begin(), loop.coedges.end(), [&](const Coedge& coedge) {
-      const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
+      const Edge& edge = edge_of(model, coedge);
       return !edge.is_periodic && !edge.is_degenerate;
     });
   });
@@ -185,8 +185,7 @@ SampledFace sample_face(const Model& model, const Face& face, double h, double t
   for (int row = 0; row < grid_size; ++row) {
     for (int column = 0; column < grid_size; ++column) {
       double a = static_cast<double>(column) / (grid_size - 1), b = static_cast<double>(row) / (grid_size - 1);
-      samples.push_back(sample_curvature(*face.surface, {(1 - a) * box.lo.x + a * box.hi.x,  //
-                                                         (1 - b) * box.lo.y + b * box.hi.y}));
+      samples.push_back(sample_curvature(*face.surface, box.at(a, b)));
       largest_area = std::max(largest_area, samples.back().area);
     }
   }
@@ -221,7 +220,7 @@ SampledFace sample_face(const Model& model, const Face& face, double h, double t
 double perimeter(const Model& model, const Face& face) {
   double sum = 0;
   for (const Loop& loop : face.loops) {
-    for (const Coedge& coedge : loop.coedges) sum += model.edges[static_cast<std::size_t>(coedge.edge)].length;
+    for (const Coedge& coedge : loop.coedges) sum += edge_of(model, coedge).length;
   }
   return sum;
 }
@@ -232,7 +231,7 @@ double turned_perimeter(const Model& model, const Face& face, const FaceSize& si
   double sum = 0;
   for (const Loop& loop : face.loops)
     for (const Coedge& coedge : loop.coedges) {
-      const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
+      const Edge& edge = edge_of(model, coedge);
       Vec3 last;
       for (int i = 0; coedge.pcurve && i <= steps; ++i) {
         const Vec3 normal = size.normals()->at(coedge.pcurve->uv(edge.t0 + (edge.t1 - edge.t0) * i / steps));

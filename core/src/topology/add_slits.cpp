@@ -14,10 +14,10 @@ namespace {
 /// tell edges that leave in the same direction.
 constexpr double step_share = 0.01;
 
-class SlitLinker {
+class SlitLinker : CoedgeWalker {
  public:
   SlitLinker(const Surface& surface, const std::vector<Edge>& edges, std::vector<Loop>& loops)
-      : surface_(surface), edges_(edges), loops_(loops) {}
+      : CoedgeWalker(edges), surface_(surface), loops_(loops) {}
 
   int run(const std::vector<Coedge>& inner) {
     std::set<int> poles;
@@ -41,10 +41,7 @@ class SlitLinker {
   }
 
  private:
-  const Edge& edge(const Coedge& c) const { return edges_[static_cast<std::size_t>(c.edge)]; }
   const Coedge& side(int i) const { return sides_[static_cast<std::size_t>(i)]; }
-  int start(const Coedge& c) const { return c.is_reversed ? edge(c).end : edge(c).start; }
-  int end(const Coedge& c) const { return c.is_reversed ? edge(c).start : edge(c).end; }
 
   void add_loops() {
     for (const Loop& loop : loops_) {
@@ -91,11 +88,6 @@ class SlitLinker {
     return angle > 0 ? angle : angle + 2 * M_PI;
   }
 
-  double parameter(const Coedge& c, double share) const {
-    double s = c.is_reversed ? 1 - share : share;
-    return edge(c).t0 + s * (edge(c).t1 - edge(c).t0);
-  }
-  Vec2 uv_at(const Coedge& c, double share) const { return c.pcurve->uv(parameter(c, share)); }
   Vec3 direction(const Coedge& c, double from) const {
     const Curve& curve = *edge(c).curve;
     return unit(curve.point(parameter(c, from + (from > 0.5 ? -step_share : step_share))) -
@@ -116,7 +108,6 @@ class SlitLinker {
   }
 
   const Surface& surface_;
-  const std::vector<Edge>& edges_;
   std::vector<Loop>& loops_;
   std::vector<Coedge> sides_;
   std::vector<int> next_;  ///< per side

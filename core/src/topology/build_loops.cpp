@@ -20,10 +20,10 @@ constexpr int area_samples = 16;  // per edge
 
 using Chain = std::vector<Coedge>;
 
-class LoopBuilder {
+class LoopBuilder : CoedgeWalker {
  public:
   LoopBuilder(const TopoDS_Face& face, const Surface& surface, const EdgeIndex& index, const std::vector<Edge>& edges)
-      : face_(face), surface_(surface), index_(index), edges_(edges) {}
+      : CoedgeWalker(edges), face_(face), surface_(surface), index_(index) {}
 
   LoopResult build() {
     for (const TopoDS_Wire& wire : wires_of(face_))
@@ -42,14 +42,6 @@ class LoopBuilder {
   }
 
  private:
-  const Edge& edge(const Coedge& c) const { return edges_[static_cast<std::size_t>(c.edge)]; }
-  int start(const Coedge& c) const { return c.is_reversed ? edge(c).end : edge(c).start; }
-  int end(const Coedge& c) const { return c.is_reversed ? edge(c).start : edge(c).end; }
-  Vec2 uv_at(const Coedge& c, double share) const {
-    double s = c.is_reversed ? 1 - share : share;
-    return c.pcurve->uv(edge(c).t0 + s * (edge(c).t1 - edge(c).t0));
-  }
-
   static bool is_border(const TopoDS_Edge& shape) {
     return shape.Orientation() == TopAbs_FORWARD || shape.Orientation() == TopAbs_REVERSED;
   }
@@ -244,7 +236,6 @@ class LoopBuilder {
   const TopoDS_Face& face_;
   const Surface& surface_;
   const EdgeIndex& index_;
-  const std::vector<Edge>& edges_;
   LoopResult result_;
   std::string open_name_;
   std::vector<Coedge> inner_;  ///< inside the face

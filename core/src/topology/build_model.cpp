@@ -115,10 +115,9 @@ class ModelBuilder {
   /// Of a face as read, or of all that have it in common; empty where none of them has one.
   std::string label_of(int origin) const {
     if (shape_.labels.empty()) return "";
-    if (origin < work_.read_faces) return shape_.labels[static_cast<std::size_t>(origin)];
     std::string label;
     bool has_label = false;
-    for (int face : work_.common[static_cast<std::size_t>(origin - work_.read_faces)]) {
+    for (int face : work_.faces_as_read(origin)) {
       const std::string& own = shape_.labels[static_cast<std::size_t>(face)];
       has_label = has_label || !own.empty();
       label += (label.empty() ? "" : " + ") + (own.empty() ? face_name(face) : own);
@@ -185,9 +184,8 @@ class ModelBuilder {
   static void note_points(Face& face, const TopoDS_Face& shape, const EdgeIndex& index) {
     for (TopoDS_Iterator parts(shape); parts.More(); parts.Next()) {
       if (parts.Value().ShapeType() != TopAbs_VERTEX) continue;
-      int position = index.vertex_map.FindIndex(parts.Value());
-      if (position == 0) continue;
-      const int vertex = index.vertex[static_cast<std::size_t>(position)];
+      const int vertex = index.find_vertex(parts.Value());
+      if (vertex < 0) continue;
       auto is_same = [&](const InnerPoint& point) { return point.vertex == vertex; };
       // What several faces have in common has the vertex from each of them.
       if (std::any_of(face.points.begin(), face.points.end(), is_same)) continue;
@@ -231,7 +229,7 @@ class ModelBuilder {
     double moved = 0;
     for (Loop& loop : face.loops) {
       for (Coedge& c : loop.coedges) {
-        const Edge& edge = model_.edges[static_cast<std::size_t>(c.edge)];
+        const Edge& edge = edge_of(model_, c);
         if (edge.is_degenerate) continue;
         double worst = deviation(edge, *c.pcurve, *face.surface);
         if (worst > allowed_deviation(c.edge)) {
@@ -259,14 +257,11 @@ class ModelBuilder {
 
   /// Images that were looked for each by itself begin where the one before ends, not periods away.
   void chain_images(Loop& loop, Vec2 period) const {
-    auto ends = [&](const Coedge& c) {
-      const Edge& edge = model_.edges[static_cast<std::size_t>(c.edge)];
-      const std::array<Vec2, 2> uv{c.pcurve->uv(edge.t0), c.pcurve->uv(edge.t1)};
-      return c.is_reversed ? std::array{uv[1], uv[0]} : uv;
-    };
     auto periods = [](double gap, double length) { return length > 0 ? length * std::round(gap / length) : 0.0; };
     for (std::size_t i = 1; i < loop.coedges.size(); ++i) {
-      const Vec2 gap = ends(loop.coedges[i - 1])[1] - ends(loop.coedges[i])[0];
+      const Coedge &before = loop.coedges[i - 1], &here = loop.coedges[i];
+      const Vec2 gap = before.pcurve->uv(end_parameter(edge_of(model_, before), before)) -
+                       here.pcurve->uv(start_parameter(edge_of(model_, here), here));
       const Vec2 shift{periods(gap.x, period.x), periods(gap.y, period.y)};
       if (shift.x != 0 || shift.y != 0) loop.coedges[i].pcurve = make_shifted_image(loop.coedges[i].pcurve, shift);
     }
@@ -276,7 +271,7 @@ class ModelBuilder {
     std::vector<BorderImage> border;
     for (const Loop& loop : face.loops)
       for (const Coedge& c : loop.coedges) {
-        const Edge& edge = model_.edges[static_cast<std::size_t>(c.edge)];
+        const Edge& edge = edge_of(model_, c);
         border.push_back({c.pcurve, edge.t0, edge.t1, c.is_reversed});
       }
     return area_within(*face.surface, border);
@@ -323,11 +318,9 @@ class ModelBuilder {
       int edge = index.find(wire.edge);
       if (edge >= 0) model_.edge_part[static_cast<std::size_t>(edge)] = wire.part;
     }
-    for (const WorkPoint& point : work_.points) {
-      const int position = index.vertex_map.FindIndex(point.vertex);
-      model_.points.push_back({point.part, index.vertex[static_cast<std::size_t>(position)], false,
-                               model_.parts[static_cast<std::size_t>(point.part)]});
-    }
+    for (const WorkPoint& point : work_.points)
+      model_.points.push_back(
+          {point.part, index.find_vertex(point.vertex), false, model_.parts[static_cast<std::size_t>(point.part)]});
     model_.report.contacts = connected_.contacts;
     for (auto [a, b] : connected_.failed)
       model_.report.unconnected.push_back(

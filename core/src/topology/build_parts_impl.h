@@ -23,11 +23,32 @@ struct EdgeIndex {
     int position = map.FindIndex(shape);
     return position > 0 ? edge[static_cast<std::size_t>(position)] : -1;
   }
+  int find_vertex(const TopoDS_Shape& shape) const {
+    int position = vertex_map.FindIndex(shape);
+    return position > 0 ? vertex[static_cast<std::size_t>(position)] : -1;
+  }
 };
 
 /// Fills model.edges and model.vertices with what the faces and wires use, and with the points. Edges shorter than 1e-7
 /// diagonal become degenerate and their two vertices one.
 EdgeIndex build_edges(const Workpiece& work, Model& model);
+
+/// Coedges of a face whose edges are these, by shares of their way: 0 at the start, 1 at the end.
+class CoedgeWalker {
+ public:
+  explicit CoedgeWalker(const std::vector<Edge>& edges) : edges_(edges) {}
+  const Edge& edge(const Coedge& c) const { return edges_[static_cast<std::size_t>(c.edge)]; }
+  int start(const Coedge& c) const { return start_of(edge(c), c); }
+  int end(const Coedge& c) const { return end_of(edge(c), c); }
+  double parameter(const Coedge& c, double share) const {
+    double s = c.is_reversed ? 1 - share : share;
+    return edge(c).t0 + s * (edge(c).t1 - edge(c).t0);
+  }
+  Vec2 uv_at(const Coedge& c, double share) const { return c.pcurve->uv(parameter(c, share)); }
+
+ protected:
+  const std::vector<Edge>& edges_;
+};
 
 struct LoopResult {
   std::vector<Loop> loops;

@@ -14,17 +14,15 @@ constexpr double pole_step = 1e-3;  // of the parameter range of the pole's coed
 Vec3 travel_direction(const Model& model, const Coedge& coedge, bool at_end) {
   const Edge& edge = edge_of(model, coedge);
   Vec3 x, xt;
-  edge.curve->d1(at_end != coedge.is_reversed ? edge.t1 : edge.t0, x, xt);
+  edge.curve->d1(at_end ? end_parameter(edge, coedge) : start_parameter(edge, coedge), x, xt);
   return unit(coedge.is_reversed ? -1 * xt : xt);
 }
-
-double angle_between(Vec3 a, Vec3 b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
 
 // Where the border runs back along the edge it came by, its tangents tell nothing: a slit ends there, or the face is
 // pressed flat. Summed up between points on an arc about the corner, from `after` to the left.
 double angle_about_turn(const Face& face, const Edge& edge, const Coedge& before, const Coedge& after) {
-  const double corner = after.is_reversed ? edge.t1 : edge.t0;
-  const double beside = corner + turn_step * (after.is_reversed ? edge.t0 - edge.t1 : edge.t1 - edge.t0);
+  const double corner = start_parameter(edge, after);
+  const double beside = corner + turn_step * (end_parameter(edge, after) - corner);
   const Vec2 at = after.pcurve->uv(corner), from = after.pcurve->uv(beside) - at, to = before.pcurve->uv(beside) - at;
   double turn = std::atan2(cross(from, to), dot(from, to));
   if (turn <= 0) turn += 2 * M_PI;
@@ -53,14 +51,13 @@ double corner_angle(const Model& model, const Face& face, const Coedge& before, 
   if (!after.pcurve || !face.surface) return angle;
   const Edge& edge = edge_of(model, after);
   Vec3 x, xu, xv;
-  face.surface->d1(after.pcurve->uv(after.is_reversed ? edge.t1 : edge.t0), x, xu, xv);
+  face.surface->d1(after.pcurve->uv(start_parameter(edge, after)), x, xu, xv);
   return dot(cross(ahead, back), cross(xu, xv)) < 0 ? 2 * M_PI - angle : angle;
 }
 
 double pole_angle(const Model& model, const Face& face, const Coedge& pole) {
   const Edge& edge = edge_of(model, pole);
-  const Vec2 start = pole.pcurve->uv(pole.is_reversed ? edge.t1 : edge.t0);
-  const Vec2 end = pole.pcurve->uv(pole.is_reversed ? edge.t0 : edge.t1);
+  const Vec2 start = pole.pcurve->uv(start_parameter(edge, pole)), end = pole.pcurve->uv(end_parameter(edge, pole));
   const Vec2 inward{-pole_step * (end - start).y, pole_step * (end - start).x};  // to the left, where the face is
   double sum = 0;
   Vec3 before{};

@@ -35,6 +35,7 @@ struct Edge {
   std::shared_ptr<const Curve> curve;
   std::vector<int> faces;  ///< every face that uses it, a face twice where it has the face on both sides; none: a wire
   bool is_wire() const { return faces.empty() && curve; }
+  double parameter(double share) const { return (1 - share) * t0 + share * t1; }
 };
 
 /// Vertex inside a face that must be a node.
@@ -90,11 +91,30 @@ struct Model {
   std::vector<std::string> solid_medium;  ///< per solid of the shape as read; empty: none
   ModelReport report;
   std::vector<std::string> notes;
+
+  /// The face of the shape as read that an entry of the report is, or those that have it in common.
+  std::vector<int> faces_as_read(int entry) const {
+    return entry < read_faces ? std::vector{entry} : common[static_cast<std::size_t>(entry - read_faces)];
+  }
 };
 
 inline const Edge& edge_of(const Model& model, const Coedge& coedge) {
   return model.edges[static_cast<std::size_t>(coedge.edge)];
 }
+
+inline std::vector<int> edges_of(const Loop& loop) {
+  std::vector<int> edges;
+  for (const Coedge& coedge : loop.coedges) edges.push_back(coedge.edge);
+  return edges;
+}
+
+/// Vertices where a coedge starts and ends.
+inline int start_of(const Edge& edge, const Coedge& coedge) { return coedge.is_reversed ? edge.end : edge.start; }
+inline int end_of(const Edge& edge, const Coedge& coedge) { return coedge.is_reversed ? edge.start : edge.end; }
+
+/// Parameters of its edge there.
+inline double start_parameter(const Edge& edge, const Coedge& coedge) { return coedge.is_reversed ? edge.t1 : edge.t0; }
+inline double end_parameter(const Edge& edge, const Coedge& coedge) { return coedge.is_reversed ? edge.t0 : edge.t1; }
 
 /// Whether another face uses the edge, or a wire lies on it.
 bool has_other_user(const Model& model, int edge, int face);

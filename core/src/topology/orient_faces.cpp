@@ -167,9 +167,7 @@ class Orienter {
     for (int u : members)
       for (const Loop& loop : loops_of(u))
         for (const Coedge& c : loop.coedges) {
-          if (sides_of(c.edge, use(u).part).size() != 2 &&
-              !model_.edges[static_cast<std::size_t>(c.edge)].is_degenerate)
-            return false;
+          if (sides_of(c.edge, use(u).part).size() != 2 && !edge_of(model_, c).is_degenerate) return false;
         }
     return true;
   }
@@ -181,7 +179,7 @@ class Orienter {
     for (int u : members)
       for (const Loop& loop : loops_of(u))
         for (const Coedge& c : loop.coedges) {
-          const Edge& edge = model_.edges[static_cast<std::size_t>(c.edge)];
+          const Edge& edge = edge_of(model_, c);
           sum += model_.vertices[static_cast<std::size_t>(edge.start)];
           ++count;
         }

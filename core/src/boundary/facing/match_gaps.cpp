@@ -53,13 +53,7 @@ class GapBetween {
   }
 
  private:
-  const Edge& edge(const Coedge& coedge) const { return model_.edges[static_cast<std::size_t>(coedge.edge)]; }
-
-  static std::vector<int> edges_of(const Loop& loop) {
-    std::vector<int> edges;
-    for (const Coedge& coedge : loop.coedges) edges.push_back(coedge.edge);
-    return edges;
-  }
+  const Edge& edge(const Coedge& coedge) const { return edge_of(model_, coedge); }
 
   long sum(const Loop& loop) const { return sum_of_counts(edges_of(loop), counts_); }
 
@@ -70,7 +64,7 @@ class GapBetween {
       const Edge& here = edge(coedge);
       for (int i = 0; i < number[k]; ++i) {
         const double share = static_cast<double>(coedge.is_reversed ? number[k] - i : i) / number[k];
-        result.push_back(here.curve->point((1 - share) * here.t0 + share * here.t1));
+        result.push_back(here.curve->point(here.parameter(share)));
       }
     }
     return result;

@@ -16,7 +16,7 @@ double bulge(const Edge& edge, int n) {
   constexpr int most_samples = 64;
   const int step = (n + most_samples - 1) / most_samples;
   double most = 0;
-  auto at = [&](double share) { return edge.curve->point((1 - share) * edge.t0 + share * edge.t1); };
+  auto at = [&](double share) { return edge.curve->point(edge.parameter(share)); };
   for (int i = 0; i < n; i += step)
     most = std::max(most, norm(at((i + 0.5) / n) - 0.5 * (at(static_cast<double>(i) / n) + at((i + 1.0) / n))));
   return most;

@@ -81,17 +81,11 @@ class ContactFinder {
       for (auto b = std::next(a); b != parts.end(); ++b) f(Pair{*a, *b});
   }
 
-  std::vector<int> faces_as_read(int f) const {
-    int origin = work_.faces[static_cast<std::size_t>(f)].origin;
-    if (origin < work_.read_faces) return {origin};
-    return work_.common[static_cast<std::size_t>(origin - work_.read_faces)];
-  }
-
   Found& note(Pair pair, ContactKind kind, const std::vector<int>& faces, double size) {
     Found& contact = found_[{pair, kind}];
     contact.size += size;
     for (int f : faces) {
-      std::vector<int> names = faces_as_read(f);
+      const std::vector<int> names = work_.faces_as_read(work_.faces[static_cast<std::size_t>(f)].origin);
       contact.faces.insert(contact.faces.end(), names.begin(), names.end());
     }
     return contact;

@@ -136,10 +136,8 @@ void name_parts(Workpiece& work, const std::vector<std::string>& labels) {
 }
 
 std::string entry_name(const Workpiece& work, int origin) {
-  if (origin < work.read_faces) return face_name(origin);
   std::string name;
-  for (int face : work.common[static_cast<std::size_t>(origin - work.read_faces)])
-    name += (name.empty() ? "" : " + ") + face_name(face);
+  for (int face : work.faces_as_read(origin)) name += (name.empty() ? "" : " + ") + face_name(face);
   return name;
 }
 

@@ -96,6 +96,10 @@ struct Workpiece {
   std::vector<Repair> repairs;              ///< in the order of their kinds
   std::vector<std::array<int, 2>> doubles;  ///< (face that was left out, face that it lies on)
 
+  /// The face of the shape as read that has this WorkFace::origin, or those that have it in common.
+  std::vector<int> faces_as_read(int origin) const {
+    return origin < read_faces ? std::vector{origin} : common[static_cast<std::size_t>(origin - read_faces)];
+  }
   /// Whether an area in mm^2 is more than rounding: a face with less has none.
   bool is_area(double area) const { return area > no_area_share * diagonal * diagonal; }
   void note_repair(RepairKind kind, long count, double distance, const std::string& face = {});

@@ -122,7 +122,7 @@ class ChainJoiner {
   bool is_continuous(const Face& face, const Coedge& one, const Coedge& two) const {
     constexpr double apart = 0.25;  // of the period
     const Edge &a = edits_.edge(one.edge), &b = edits_.edge(two.edge);
-    const Vec2 gap = two.pcurve->uv(two.is_reversed ? b.t1 : b.t0) - one.pcurve->uv(one.is_reversed ? a.t0 : a.t1);
+    const Vec2 gap = two.pcurve->uv(start_parameter(b, two)) - one.pcurve->uv(end_parameter(a, one));
     const Vec2 period = face.surface->period();
     return !(period.x > 0 && std::abs(gap.x) > apart * period.x) &&
            !(period.y > 0 && std::abs(gap.y) > apart * period.y);

@@ -102,7 +102,7 @@ Vec3 MergeLimits::normal(int f, int e, double share) const {
     for (const Coedge& coedge : loop.coedges) {
       if (coedge.edge != e || !coedge.pcurve) continue;
       Vec3 x, xu, xv;
-      face.surface->d1(coedge.pcurve->uv((1 - share) * edge.t0 + share * edge.t1), x, xu, xv);
+      face.surface->d1(coedge.pcurve->uv(edge.parameter(share)), x, xu, xv);
       return (face.is_reversed ? -1 : 1) * unit(cross(xu, xv));
     }
   return {};

@@ -43,8 +43,6 @@ Vec3 direction_out(const Edge& edge, bool at_end) {
   return unit(edge.curve->point(at_end ? edge.t1 - step : edge.t0 + step) - from);
 }
 
-double angle_between(Vec3 a, Vec3 b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
-
 ModelEdits::ModelEdits(Model& model)
     : model_(model), edges_at_(model.vertices.size()), is_fixed_(model.vertices.size(), 0) {
   for (std::size_t e = 0; e < model.edges.size(); ++e) {

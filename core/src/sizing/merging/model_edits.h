@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "topology/corner_angle.h"
 #include "topology/model.h"
 
 namespace paver {
@@ -76,8 +77,5 @@ class ModelEdits {
 
 /// Direction of an edge where it leaves one of its ends, of length one.
 Vec3 direction_out(const Edge& edge, bool at_end);
-
-/// Radians between two directions.
-double angle_between(Vec3 a, Vec3 b);
 
 }  // namespace paver

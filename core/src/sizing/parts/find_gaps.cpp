@@ -28,8 +28,7 @@ class GapsOfFace {
  public:
   GapsOfFace(const Model& model, const Face& face, double h) : reach_(narrow * h) {
     for (const Loop& loop : face.loops)
-      for (const Coedge& coedge : loop.coedges)
-        add_samples(face, coedge, model.edges[static_cast<std::size_t>(coedge.edge)], h);
+      for (const Coedge& coedge : loop.coedges) add_samples(face, coedge, edge_of(model, coedge), h);
     for (std::size_t i = 0; i < samples_.size(); ++i) cells_[cell_of(samples_[i].x)].push_back(i);
   }
 
@@ -57,8 +56,7 @@ class GapsOfFace {
     const double wanted = std::min(edge.length / (step * h), 1.0 * most_samples);
     const int count = std::max(fewest_samples, static_cast<int>(std::ceil(wanted)));
     for (int i = 0; i <= count; ++i) {
-      const double share = (i + 0.5 * (i == 0) - 0.5 * (i == count)) / count,
-                   t = (1 - share) * edge.t0 + share * edge.t1;
+      const double share = (i + 0.5 * (i == 0) - 0.5 * (i == count)) / count, t = edge.parameter(share);
       Vec3 x, xu, xv, at, tangent;
       face.surface->d1(coedge.pcurve->uv(t), x, xu, xv);
       edge.curve->d1(t, at, tangent);

@@ -38,7 +38,6 @@ class TipFinder {
   }
 
  private:
-  int start(const Coedge& c) const { return c.is_reversed ? edge_of(model_, c).end : edge_of(model_, c).start; }
   void open(int vertex) {
     if (vertex >= 0) is_open_[static_cast<std::size_t>(vertex)] = 1;
   }
@@ -48,11 +47,13 @@ class TipFinder {
     const std::size_t n = loop.coedges.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Coedge &before = loop.coedges[(i + n - 1) % n], &after = loop.coedges[i];
-      if (start(after) < 0) continue;
-      double& sum = angle_[static_cast<std::size_t>(start(after))];
-      if (!face.fault.empty() || (edge_of(model_, after).is_degenerate && !after.pcurve))
-        open(start(after));
-      else if (edge_of(model_, after).is_degenerate)
+      const Edge& edge = edge_of(model_, after);
+      const int vertex = start_of(edge, after);
+      if (vertex < 0) continue;
+      double& sum = angle_[static_cast<std::size_t>(vertex)];
+      if (!face.fault.empty() || (edge.is_degenerate && !after.pcurve))
+        open(vertex);
+      else if (edge.is_degenerate)
         sum += pole_angle(model_, face, after);
       else if (!edge_of(model_, before).is_degenerate)
         sum += corner_angle(model_, face, before, after);

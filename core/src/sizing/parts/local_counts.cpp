@@ -74,10 +74,10 @@ SampleBox sample_box(const Model& model, const Face& face) {
   for (const Loop& loop : face.loops) {
     for (const Coedge& coedge : loop.coedges) {
       if (!coedge.pcurve) continue;
-      const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
+      const Edge& edge = edge_of(model, coedge);
       for (int i = 0; i < samples_per_pcurve; ++i) {
         double share = static_cast<double>(i) / (samples_per_pcurve - 1);
-        box.add(coedge.pcurve->uv((1 - share) * edge.t0 + share * edge.t1));
+        box.add(coedge.pcurve->uv(edge.parameter(share)));
       }
     }
   }
@@ -89,7 +89,7 @@ LocalCounts count_with_local(const Model& model, const Face& face, const FaceSiz
   double face_h = size.own();
   for (const Loop& loop : face.loops)
     for (const Coedge& coedge : loop.coedges) {
-      const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
+      const Edge& edge = edge_of(model, coedge);
       if (!edge.is_degenerate && edge.curve) counts.perimeter += facets_on(edge, edge.t0, edge.t1, face_h, field, 0);
     }
   SampleBox box = sample_box(model, face);

@@ -34,7 +34,7 @@ void add_pieces(const Edge& edge, double length, int count, std::vector<SizeSour
   Vec3 last = edge.curve->point(edge.t0);
   for (int i = 1; i <= count; ++i) {
     const double share = static_cast<double>(i) / count;
-    const Vec3 next = edge.curve->point((1 - share) * edge.t0 + share * edge.t1);
+    const Vec3 next = edge.curve->point(edge.parameter(share));
     sources.push_back({last, next, length});
     last = next;
   }
@@ -51,7 +51,7 @@ double longest_interval(const Model& model, const Loop& loop) {
   double straight = 0, bent = 0;
   int sides = 0;
   for (const Coedge& coedge : loop.coedges) {
-    const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
+    const Edge& edge = edge_of(model, coedge);
     (is_straight(edge) ? straight : bent) += edge.length;
     sides += is_straight(edge);
   }
@@ -141,7 +141,7 @@ void LocalSizes::put_on_holes(const Model& model, double h) {
       if (is_empty()) begin(model);
       least_ = std::min(least_, length);
       for (const Coedge& coedge : loop.coedges) {
-        const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
+        const Edge& edge = edge_of(model, coedge);
         add_pieces(edge, length, is_straight(edge) ? 1 : fewest_pieces, lines_);
       }
     }

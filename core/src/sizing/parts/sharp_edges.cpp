@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "topology/corner_angle.h"
+
 namespace paver {
 namespace {
 
@@ -20,7 +22,7 @@ struct FaceAtEdge {
 };
 
 FaceAtEdge look(const Face& face, const Coedge& coedge, const Edge& edge, double share) {
-  const double t = (1 - share) * edge.t0 + share * edge.t1;
+  const double t = edge.parameter(share);
   Vec3 x, xu, xv, along, at;
   face.surface->d1(coedge.pcurve->uv(t), x, xu, xv);
   edge.curve->d1(t, at, along);
@@ -57,9 +59,8 @@ class SharpEdges {
     const auto [one, first] = uses_[e][0];
     const auto [two, second] = uses_[e][1];
     const FaceAtEdge a = look(*one, *first, edge, share), b = look(*two, *second, edge, share);
-    const double turn = std::atan2(norm(cross(a.normal, b.normal)), dot(a.normal, b.normal));
     const bool is_sheet = one->front.empty() && one->back.empty();
-    return turn > corner && (is_sheet || dot(a.inward, b.normal) < 0);
+    return angle_between(a.normal, b.normal) > corner && (is_sheet || dot(a.inward, b.normal) < 0);
   }
 
   const Model& model_;

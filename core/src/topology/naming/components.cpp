@@ -54,7 +54,7 @@ class Components {
 
   void add_face(std::size_t f) {
     for (const Loop& loop : model_.faces[f].loops)
-      for (const Coedge& c : loop.coedges) add_ends(model_.edges[static_cast<std::size_t>(c.edge)], face_item(f));
+      for (const Coedge& c : loop.coedges) add_ends(edge_of(model_, c), face_item(f));
     for (const InnerPoint& point : model_.faces[f].points) together_.merge(vertex_item(point.vertex), face_item(f));
   }
 

@@ -80,10 +80,7 @@ void check_part(const Model& model, const std::string& part, const std::string& 
   throw Error(ErrorCode::bad_option, fmt::format("{} names {}, but the model has {}.", who, part, has));
 }
 
-bool is_of_face(const Model& model, int entry, int face) {
-  if (entry < model.read_faces) return entry == face;
-  return has(model.common[static_cast<std::size_t>(entry - model.read_faces)], face);
-}
+bool is_of_face(const Model& model, int entry, int face) { return has(model.faces_as_read(entry), face); }
 
 void name_parts(Model& model, const Options& options) {
   model.face_group.assign(static_cast<std::size_t>(model.read_faces) + model.common.size(), "");
