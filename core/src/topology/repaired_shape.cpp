@@ -23,9 +23,8 @@ struct Shell {
     uses.add(face);
   }
   bool is_closed() const {
-    for (int i = 1; i <= uses.edges.Extent(); ++i)
-      if (uses.uses[static_cast<std::size_t>(i)] != 2 && !BRep_Tool::Degenerated(TopoDS::Edge(uses.edges(i))))
-        return false;
+    for (int i = 1; i <= uses.count.Extent(); ++i)
+      if (uses.count(i) != 2 && !BRep_Tool::Degenerated(TopoDS::Edge(uses.count.FindKey(i)))) return false;
     return true;
   }
 };

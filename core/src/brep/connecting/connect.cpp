@@ -214,8 +214,7 @@ class Connector {
 void fault_open_skins(Workpiece& work, const EdgeUses& before) {
   const EdgeUses after = count_uses(work.faces);
   auto is_opened = [&](const TopoDS_Shape& edge) {
-    const int was = before.edges.FindIndex(edge), is = after.edges.FindIndex(edge);
-    return was > 0 && is > 0 && !before.is_free(was) && after.is_free(is);
+    return before.count.Contains(edge) && !before.is_free(edge) && after.is_free(edge);
   };
   for (WorkFace& face : work.faces) {
     if (!face.is_usable()) continue;

@@ -18,6 +18,8 @@ struct Meeting {
   std::vector<int> faces;  ///< of the work
 };
 
+using Meetings = NCollection_IndexedDataMap<TopoDS_Shape, Meeting, TopTools_ShapeMapHasher>;
+
 class ContactFinder {
  public:
   explicit ContactFinder(const Workpiece& work) : work_(work) {}
@@ -47,19 +49,14 @@ class ContactFinder {
     double size = 0, gap = 0;
   };
 
-  static Meeting& entry(std::vector<Meeting>& list, int index) {
-    if (static_cast<std::size_t>(index) >= list.size()) list.resize(static_cast<std::size_t>(index) + 1);
-    return list[static_cast<std::size_t>(index)];
-  }
-
   void meet_at(const TopoDS_Shape& shape, const std::vector<int>& parts, int face) {
-    auto note = [&](Meeting& meeting) {
+    auto note = [&](Meetings& meetings, const TopoDS_Shape& place) {
+      Meeting& meeting = meetings.ChangeFromIndex(meetings.Add(place, {}));
       meeting.parts.insert(parts.begin(), parts.end());
       if (face >= 0) meeting.faces.push_back(face);
     };
-    for (const TopoDS_Edge& edge : edges_of(shape)) note(entry(at_edge_, edges_.Add(edge)));
-    for (TopExp_Explorer inner(shape, TopAbs_VERTEX); inner.More(); inner.Next())
-      note(entry(at_vertex_, vertices_.Add(inner.Current())));
+    for (const TopoDS_Edge& edge : edges_of(shape)) note(edges_, edge);
+    for (TopExp_Explorer inner(shape, TopAbs_VERTEX); inner.More(); inner.Next()) note(vertices_, inner.Current());
   }
 
   void meet() {
@@ -71,8 +68,6 @@ class ContactFinder {
     }
     for (const WorkWire& wire : work_.wires) meet_at(wire.edge, {wire.part}, -1);
     for (const WorkPoint& point : work_.points) meet_at(point.vertex, {point.part}, -1);
-    at_edge_.resize(static_cast<std::size_t>(edges_.Extent()) + 1);
-    at_vertex_.resize(static_cast<std::size_t>(vertices_.Extent()) + 1);
   }
 
   template <class F>
@@ -108,8 +103,8 @@ class ContactFinder {
 
   /// Edges that no face as read has been given are where parts cross.
   void add_edge(int index) {
-    const Meeting& meeting = at_edge_[static_cast<std::size_t>(index)];
-    const TopoDS_Edge edge = TopoDS::Edge(edges_(index));
+    const Meeting& meeting = edges_(index);
+    const TopoDS_Edge edge = TopoDS::Edge(edges_.FindKey(index));
     if (meeting.parts.size() < 2 || BRep_Tool::Degenerated(edge)) return;
     ContactKind kind = edge_origins(work_, edge).empty() ? ContactKind::crossing : ContactKind::edge;
     for_pairs(meeting.parts, [&](Pair pair) {
@@ -122,11 +117,11 @@ class ContactFinder {
   }
 
   void add_vertex(int index) {
-    const Meeting& meeting = at_vertex_[static_cast<std::size_t>(index)];
+    const Meeting& meeting = vertices_(index);
     for_pairs(meeting.parts, [&](Pair pair) {
       if (touched_.count({index, pair})) return;
       Found& contact = note(pair, ContactKind::point, meeting.faces, 1);
-      contact.gap = std::max(contact.gap, closed_gap(BRep_Tool::Tolerance(TopoDS::Vertex(vertices_(index)))));
+      contact.gap = std::max(contact.gap, closed_gap(BRep_Tool::Tolerance(TopoDS::Vertex(vertices_.FindKey(index)))));
     });
   }
 
@@ -140,8 +135,7 @@ class ContactFinder {
   }
 
   const Workpiece& work_;
-  TopTools_IndexedMapOfShape edges_, vertices_;
-  std::vector<Meeting> at_edge_{1}, at_vertex_{1};  // from 1
+  Meetings edges_, vertices_;
   std::map<std::pair<Pair, ContactKind>, Found> found_;
   std::set<std::pair<int, Pair>> bordered_, touched_;  // edges of common faces; vertices of common edges and faces
 };

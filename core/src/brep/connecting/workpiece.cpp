@@ -214,22 +214,25 @@ void add_edge_origins(Workpiece& work, const TopoDS_Shape& image, const std::vec
 
 void Hanging::add(std::size_t item, const TopoDS_Shape& shape) {
   for (TopExp_Explorer inner(shape, by_); inner.More(); inner.Next()) {
-    const auto index = static_cast<std::size_t>(joints_.Add(inner.Current()));
-    if (index == first_item_.size()) first_item_.push_back(static_cast<int>(item));
-    groups_.merge(first_item_[index], static_cast<int>(item));
+    const int index = first_item_.Add(inner.Current(), static_cast<int>(item));
+    groups_.merge(first_item_(index), static_cast<int>(item));
   }
 }
 
 void EdgeUses::add(const TopoDS_Face& face) {
-  for (const TopoDS_Edge& edge : edges_of(face)) {
-    const auto index = static_cast<std::size_t>(edges.Add(edge));
-    if (index == uses.size()) uses.push_back(0);
-    ++uses[index];
-  }
+  for (const TopoDS_Edge& edge : edges_of(face)) ++count.ChangeFromIndex(count.Add(edge, 0));
 }
 
-bool EdgeUses::is_free(int index) const {
-  return uses[static_cast<std::size_t>(index)] == 1 && !BRep_Tool::Degenerated(TopoDS::Edge(edges(index)));
+bool EdgeUses::is_free(const TopoDS_Shape& edge) const {
+  const int* uses = count.Seek(edge);
+  return uses && *uses == 1 && !BRep_Tool::Degenerated(TopoDS::Edge(edge));
+}
+
+std::vector<TopoDS_Edge> EdgeUses::free_edges() const {
+  std::vector<TopoDS_Edge> edges;
+  for (int i = 1; i <= count.Extent(); ++i)
+    if (is_free(count.FindKey(i))) edges.push_back(TopoDS::Edge(count.FindKey(i)));
+  return edges;
 }
 
 EdgeUses count_uses(const std::vector<WorkFace>& faces) {

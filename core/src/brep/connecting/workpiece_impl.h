@@ -2,6 +2,7 @@
 #pragma once
 
 #include <NCollection_DataMap.hxx>
+#include <NCollection_IndexedDataMap.hxx>
 #include <TopAbs_ShapeEnum.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ShapeMapHasher.hxx>
@@ -116,8 +117,7 @@ class Hanging {
  private:
   TopAbs_ShapeEnum by_;
   UnionFind groups_;
-  TopTools_IndexedMapOfShape joints_;
-  std::vector<int> first_item_{-1};
+  NCollection_IndexedDataMap<TopoDS_Shape, int, TopTools_ShapeMapHasher> first_item_;  ///< of those with a joint
 };
 
 /// Points taken for parts: files with more have them from drawing.
@@ -151,14 +151,15 @@ std::vector<int> edge_origins(const Workpiece& work, const TopoDS_Shape& edge);
 /// Notes that the edges of `image` lie on `origins`, besides what they are known to lie on.
 void add_edge_origins(Workpiece& work, const TopoDS_Shape& image, const std::vector<int>& origins);
 
-/// Uses of every edge of faces with area, and whether it is a free one.
+/// How often faces use their edges.
 struct EdgeUses {
-  TopTools_IndexedMapOfShape edges;
-  std::vector<int> uses{0};  ///< at index of `edges` (from 1)
+  NCollection_IndexedDataMap<TopoDS_Shape, int, TopTools_ShapeMapHasher> count;
   void add(const TopoDS_Face& face);
-  /// One face only, not a pole.
-  bool is_free(int index) const;
+  /// One use only, not a pole.
+  bool is_free(const TopoDS_Shape& edge) const;
+  std::vector<TopoDS_Edge> free_edges() const;
 };
+/// Of faces with area.
 EdgeUses count_uses(const std::vector<WorkFace>& faces);
 
 struct SewResult {

@@ -220,15 +220,10 @@ class FaceMender {
   explicit FaceMender(Workpiece& work) : work_(work) {}
 
   void mend(WorkFace& face, const LoopFaults& faults) {
-    auto by_kernel = [this](const TopoDS_Face& plain, const LoopFaults& of,
-                            const Handle(ShapeBuild_ReShape) & context) { return fixed(plain, of, context); };
-    auto by_pole = [this](const TopoDS_Face& plain, const LoopFaults& of, const Handle(ShapeBuild_ReShape) & context) {
-      return completed(plain, of, context);
-    };
     // The kernel does not always take the pole on the face's side.
-    const bool is_completed = mend_by(by_pole, face, faults);
+    const bool is_completed = mend_by(&FaceMender::completed, face, faults);
     has_completed_ = has_completed_ || is_completed;
-    if (is_completed || mend_by(by_kernel, face, faults)) return;
+    if (is_completed || mend_by(&FaceMender::fixed, face, faults)) return;
     const TopoDS_Edge edge = edge_without_end(forward(face.face));
     if (edge.IsNull()) return;
     face.fault = "its boundary goes once round and nothing ends it on the other side" + at_edge(work_, edge) +
@@ -243,14 +238,17 @@ class FaceMender {
   }
 
  private:
+  /// What a face becomes; nothing where the way does not lead to one.
+  using Way = std::optional<TopoDS_Face> (FaceMender::*)(const TopoDS_Face&, const LoopFaults&,
+                                                         const Handle(ShapeBuild_ReShape) &) const;
+
   /// Tries on a copy, and does it where that helps.
-  template <class Make>
-  bool mend_by(Make make, WorkFace& face, const LoopFaults& faults) {
+  bool mend_by(Way make, WorkFace& face, const LoopFaults& faults) {
     const TopoDS_Face plain = forward(face.face);
     const TopoDS_Face copy = TopoDS::Face(BRepBuilderAPI_Copy(plain).Shape());
-    const auto trial = make(copy, find_loop_faults(copy, work_.diagonal), new ShapeBuild_ReShape);
+    const auto trial = (this->*make)(copy, find_loop_faults(copy, work_.diagonal), new ShapeBuild_ReShape);
     if (!trial || !is_better(plain, faults, *trial)) return false;
-    const auto done = make(TopoDS::Face(context_->Apply(plain)), faults, context_);
+    const auto done = (this->*make)(TopoDS::Face(context_->Apply(plain)), faults, context_);
     if (!done) return false;
     const Figures before = figures_of(plain), after = figures_of(*done);
     context_->Replace(plain, *done);

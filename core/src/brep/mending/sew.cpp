@@ -43,17 +43,10 @@ constexpr double short_factor = 6;
 // An open group counts as sewn when no more than this share of its free edges is left.
 constexpr double open_share = 1.0 / 3;
 
-long free_count(const EdgeUses& uses) {
-  long count = 0;
-  for (int i = 1; i <= uses.edges.Extent(); ++i) count += uses.is_free(i);
-  return count;
-}
+long free_count(const EdgeUses& uses) { return static_cast<long>(uses.free_edges().size()); }
 
 bool has_free_edge(const TopoDS_Face& face, const EdgeUses& uses) {
-  return std::ranges::any_of(edges_of(face), [&](const TopoDS_Edge& edge) {
-    const int index = uses.edges.FindIndex(edge);
-    return index > 0 && uses.is_free(index);
-  });
+  return std::ranges::any_of(edges_of(face), [&](const TopoDS_Edge& edge) { return uses.is_free(edge); });
 }
 
 /// Indices of faces to sew, per solid (-1: faces without one); only groups that have a free edge.
@@ -132,11 +125,10 @@ class GroupSewer {
   /// At which no free edge collapses, and none that has an end of one; all others stay as they are.
   double most_tolerance(const EdgeUses& uses) const {
     TopTools_IndexedMapOfShape ends;
-    for (int i = 1; i <= uses.edges.Extent(); ++i)
-      if (uses.is_free(i)) TopExp::MapShapes(uses.edges(i), TopAbs_VERTEX, ends);
+    for (const TopoDS_Edge& edge : uses.free_edges()) TopExp::MapShapes(edge, TopAbs_VERTEX, ends);
     double most = gap_share * work_.diagonal;
-    for (int i = 1; i <= uses.edges.Extent(); ++i) {
-      const TopoDS_Edge& edge = TopoDS::Edge(uses.edges(i));
+    for (int i = 1; i <= uses.count.Extent(); ++i) {
+      const TopoDS_Edge& edge = TopoDS::Edge(uses.count.FindKey(i));
       if (!ends.Contains(TopExp::FirstVertex(edge)) && !ends.Contains(TopExp::LastVertex(edge))) continue;
       double length = edge_length(edge);
       if (length > sliver_share * work_.diagonal) most = std::min(most, edge_share * length);
@@ -162,9 +154,10 @@ class GroupSewer {
       if (is_face) after.emplace_back().face = sewn.faces.back();
     }
     sewn.edges = before.edges;
-    for (int i = 1; i <= before.uses.edges.Extent(); ++i) {
-      TopoDS_Shape image = sewing.ModifiedSubShape(before.uses.edges(i));
-      if (!image.IsNull() && !image.IsSame(before.uses.edges(i))) sewn.edges.push_back({before.uses.edges(i), image});
+    for (int i = 1; i <= before.uses.count.Extent(); ++i) {
+      const TopoDS_Shape& edge = before.uses.count.FindKey(i);
+      const TopoDS_Shape image = sewing.ModifiedSubShape(edge);
+      if (!image.IsNull() && !image.IsSame(edge)) sewn.edges.push_back({edge, image});
     }
     sewn.uses = count_uses(after);
     sewn.free = free_count(sewn.uses);
@@ -201,14 +194,14 @@ class GroupSewer {
 
   Sewn without_short_pieces(Sewn sewn, const Sewn& before, double most) const {
     double longest = 0;
-    for (int i = 1; i <= sewn.uses.edges.Extent(); ++i) {
-      const double length = edge_length(TopoDS::Edge(sewn.uses.edges(i)));
+    for (int i = 1; i <= sewn.uses.count.Extent(); ++i) {
+      const double length = edge_length(TopoDS::Edge(sewn.uses.count.FindKey(i)));
       if (length < short_factor * sewn.tolerance) longest = std::max(longest, length);
     }
     const double tolerance = corner_factor * longest;
     if (!(tolerance > sewn.tolerance && tolerance <= most)) return sewn;
     Sewn wider = sew_at(tolerance, before);
-    const bool has_fewer = wider.free <= sewn.free && wider.uses.edges.Extent() < sewn.uses.edges.Extent();
+    const bool has_fewer = wider.free <= sewn.free && wider.uses.count.Extent() < sewn.uses.count.Extent();
     return has_fewer && !wider.has_lost && !collapses(wider, before) ? wider : sewn;
   }
 
@@ -217,9 +210,7 @@ class GroupSewer {
   /// The widest that are worth a try: of all free edges, of borders along which there is something all round, and of
   /// most free edges.
   static std::vector<Gap> gaps_to_close(const EdgeUses& uses, double most) {
-    std::vector<TopoDS_Edge> edges;
-    for (int i = 1; i <= uses.edges.Extent(); ++i)
-      if (uses.is_free(i)) edges.push_back(TopoDS::Edge(uses.edges(i)));
+    const std::vector<TopoDS_Edge> edges = uses.free_edges();
     std::vector<double> widths = gaps_between(edges, most);
     Gap cracks;
     for (const std::vector<std::size_t>& border : borders(edges)) {

@@ -16,11 +16,6 @@ std::size_t behind_text(std::string_view text, std::size_t at) {
   return end == std::string_view::npos ? text.size() : end + (is_comment ? 2 : 1);
 }
 
-std::vector<std::uint64_t> sorted(std::vector<std::uint64_t> numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  return numbers;
-}
-
 }  // namespace
 
 StepNames find_step_names(std::string_view text) {
@@ -41,8 +36,8 @@ StepNames find_step_names(std::string_view text) {
     const std::size_t next = text.find_first_not_of(" \t\r\n", at);
     (next != std::string_view::npos && text[next] == '=' ? defined : used).push_back(number);
   }
-  defined = sorted(std::move(defined));
-  used = sorted(std::move(used));
+  std::sort(defined.begin(), defined.end());
+  std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   if (const auto twice = std::adjacent_find(defined.begin(), defined.end()); twice != defined.end())
     names.doubled = *twice;

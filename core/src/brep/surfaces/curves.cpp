@@ -28,32 +28,22 @@ class SpaceCurve : public Curve {
   Vec3 point(double t) const override {
     gp_Pnt x;
     call(t, [&] { curve_->D0(t, x); });
-    if (is_placed_) x.Transform(placement_);
-    return to_vec(x);
+    return placed(x);
   }
   void d1(double t, Vec3& x, Vec3& xt) const override {
     gp_Pnt p;
     gp_Vec d;
     call(t, [&] { curve_->D1(t, p, d); });
-    if (is_placed_) {
-      p.Transform(placement_);
-      d.Transform(placement_);
-    }
-    x = to_vec(p);
-    xt = to_vec(d);
+    x = placed(p);
+    xt = placed(d);
   }
   void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override {
     gp_Pnt p;
     gp_Vec d, dd;
     call(t, [&] { curve_->D2(t, p, d, dd); });
-    if (is_placed_) {
-      p.Transform(placement_);
-      d.Transform(placement_);
-      dd.Transform(placement_);
-    }
-    x = to_vec(p);
-    xt = to_vec(d);
-    xtt = to_vec(dd);
+    x = placed(p);
+    xt = placed(d);
+    xtt = placed(dd);
   }
 
  private:
@@ -64,6 +54,13 @@ class SpaceCurve : public Curve {
     } catch (const Standard_Failure& failure) {
       throw_no_value(t, failure);
     }
+  }
+
+  /// Of a point or vector.
+  template <class A>
+  Vec3 placed(A a) const {
+    if (is_placed_) a.Transform(placement_);
+    return to_vec(a);
   }
 
   Handle(Geom_Curve) curve_;

@@ -16,8 +16,8 @@ constexpr int samples_per_pcurve = 17;  // for the box of a face
 
 class CellCounter {
  public:
-  CellCounter(const Surface& surface, const FaceSize& size, double gradation)
-      : surface_(surface), size_(size), gradation_(gradation) {}
+  CellCounter(const Surface& surface, const FaceSize& size, double gradation, LocalCounts& counts)
+      : surface_(surface), size_(size), gradation_(gradation), counts_(counts) {}
 
   void add(Vec2 lo, Vec2 hi, int depth) {
     Vec2 middle = 0.5 * (lo + hi);
@@ -35,8 +35,8 @@ class CellCounter {
       add({lo.x, middle.y}, {middle.x, hi.y}, depth + 1);
       return;
     }
-    if (is_near) near_.add(lo), near_.add(hi);
-    is_graded_ = is_graded_ || size_.given_at(x) < graded_share * size_.own();
+    if (is_near) counts_.near.add(lo), counts_.near.add(hi);
+    counts_.is_graded = counts_.is_graded || size_.given_at(x) < graded_share * size_.own();
     double cell = norm(cross(xu, xv)) * (hi.x - lo.x) * (hi.y - lo.y);
     if (!std::isfinite(cell)) return;
     area_ += cell;
@@ -44,16 +44,12 @@ class CellCounter {
   }
   double more_density() const { return area_ > 0 ? graded_excess * more_ / area_ : 0; }
 
-  bool is_graded() const { return is_graded_; }
-  const SampleBox& near() const { return near_; }
-
  private:
   const Surface& surface_;
   const FaceSize& size_;
   double gradation_, area_ = 0, more_ = 0;
-  bool is_graded_ = false;
   int cells_ = 0;
-  SampleBox near_;
+  LocalCounts& counts_;
 };
 
 // Integral of ds / h along an edge on a face whose own length is `face_h`.
@@ -94,7 +90,7 @@ LocalCounts count_with_local(const Model& model, const Face& face, const FaceSiz
     }
   SampleBox box = sample_box(model, face);
   if (!face.surface || !box.has_area()) return counts;
-  CellCounter cells(*face.surface, size, field.gradation);
+  CellCounter cells(*face.surface, size, field.gradation, counts);
   Vec2 step{(box.hi.x - box.lo.x) / first_cells, (box.hi.y - box.lo.y) / first_cells};
   for (int j = 0; j < first_cells; ++j)
     for (int i = 0; i < first_cells; ++i) {
@@ -102,8 +98,6 @@ LocalCounts count_with_local(const Model& model, const Face& face, const FaceSiz
       cells.add(lo, lo + step, 0);
     }
   counts.more_density = cells.more_density();
-  counts.is_graded = cells.is_graded();
-  counts.near = cells.near();
   if (counts.near.has_area()) counts.near.widen(rim * (box.hi - box.lo));
   return counts;
 }
