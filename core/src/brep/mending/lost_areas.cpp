@@ -3,7 +3,6 @@
 // shorter than that sliver is wide. What has a border of another kind is faulty, as drawn or as read.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "brep/mending/mend_impl.h"
 #include "brep/occt_impl.h"
@@ -25,9 +24,7 @@ constexpr int foot_steps = 6;
 
 struct BorderEdge {
   TopoDS_Edge edge;
-  std::shared_ptr<const Curve> curve;
-  std::vector<double> t;
-  std::vector<Vec3> points;  ///< as the border runs
+  SampledCurve line;  ///< as the border runs
   double tolerance = 0;
 };
 
@@ -58,21 +55,16 @@ class Border {
     if (!curve || !range.is_finite()) return;
     auto [t0, t1] = range;
     if (edge.Orientation() == TopAbs_REVERSED) std::swap(t0, t1);
-    BorderEdge& added = edges_.emplace_back();
-    added.edge = edge;
-    added.curve = curve;
-    added.tolerance = std::min(BRep_Tool::Tolerance(edge), most_share * diagonal_);
-    for (int i = 0; i <= pieces; ++i) {
-      added.t.push_back(t0 + (t1 - t0) * i / pieces);
-      added.points.push_back(curve->point(added.t.back()));
-    }
+    edges_.push_back(
+        {edge, sampled(curve, t0, t1, pieces), std::min(BRep_Tool::Tolerance(edge), most_share * diagonal_)});
   }
 
   /// Length of an edge along which nothing goes the other way.
   double lonely_length(const BorderEdge& one) const {
     double length = 0;
-    for (std::size_t k = 1; k < one.points.size(); ++k) {
-      const Vec3 along = one.points[k] - one.points[k - 1], x = one.curve->point(0.5 * (one.t[k - 1] + one.t[k]));
+    const auto& [curve, t, points] = one.line;
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      const Vec3 along = points[k] - points[k - 1], x = curve->point(0.5 * (t[k - 1] + t[k]));
       auto is_beside = [&](const BorderEdge& other) { return runs_back(other, x, along, one.tolerance); };
       if (std::none_of(edges_.begin(), edges_.end(), is_beside)) length += norm(along);
     }
@@ -82,29 +74,18 @@ class Border {
   /// Whether an edge comes by `x` the other way.
   bool runs_back(const BorderEdge& edge, Vec3 x, Vec3 along, double tolerance) const {
     const double allowed = std::max(width_share * diagonal_, tolerance + edge.tolerance);
-    for (std::size_t k = 1; k < edge.points.size(); ++k) {
-      const Vec3 a = edge.points[k - 1], side = edge.points[k] - a;
+    const auto& [curve, t, points] = edge.line;
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      const Vec3 a = points[k - 1], side = points[k] - a;
       if (!(dot(side, along) < 0)) continue;
       const double share = std::clamp(dot(x - a, side) / dot(side, side), 0.0, 1.0);
       // The curve leaves its chord by less than the chord is long.
       const double off = norm(x - (a + share * side));
-      if (off <= allowed || (off <= allowed + norm(side) && foot_distance(edge, k, share, x) <= allowed)) return true;
+      if (!(off <= allowed + norm(side))) continue;
+      const double foot = t[k - 1] + share * (t[k] - t[k - 1]);
+      if (off <= allowed || distance_near(edge.line, k, foot, foot_steps, x) <= allowed) return true;
     }
     return false;
-  }
-
-  /// To the curve behind chord `k` and its neighbours.
-  static double foot_distance(const BorderEdge& edge, std::size_t k, double share, Vec3 x) {
-    const double from = edge.t[std::max<std::size_t>(k, 2) - 2], to = edge.t[std::min(k + 1, edge.t.size() - 1)];
-    double t = edge.t[k - 1] + share * (edge.t[k] - edge.t[k - 1]), least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i <= foot_steps; ++i) {
-      Vec3 y, yt;
-      edge.curve->d1(t, y, yt);
-      least = std::min(least, norm(x - y));
-      if (!(dot(yt, yt) > 0)) break;
-      t = std::clamp(t + dot(x - y, yt) / dot(yt, yt), std::min(from, to), std::max(from, to));
-    }
-    return least;
   }
 
   double diagonal_;

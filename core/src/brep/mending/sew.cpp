@@ -115,10 +115,7 @@ class GroupSewer {
     double edges = 0;  ///< how many are free at it
   };
 
-  struct Polyline {
-    std::shared_ptr<const Curve> curve;
-    std::vector<double> t;
-    std::vector<Vec3> points;
+  struct Polyline : SampledCurve {
     Bnd_Box box;
   };
 
@@ -166,30 +163,17 @@ class GroupSewer {
 
   static Polyline polyline(const TopoDS_Edge& edge) {
     constexpr int pieces = 32;
-    Polyline line;
-    line.curve = make_curve(edge);
     const auto [t0, t1] = range_of(edge);
-    for (int i = 0; line.curve && i <= pieces; ++i) {
-      line.t.push_back(t0 + (t1 - t0) * i / pieces);
-      line.points.push_back(line.curve->point(line.t.back()));
-      line.box.Add(to_point(line.points.back()));
-    }
+    Polyline line;
+    if (auto curve = make_curve(edge)) line = {sampled(curve, t0, t1, pieces), {}};
+    for (Vec3 x : line.points) line.box.Add(to_point(x));
     return line;
   }
 
   /// To the curve near piece k: chords cut corners by more than gaps are wide.
   static double refined(const Polyline& line, std::size_t k, Vec3 x) {
     constexpr int steps = 4;
-    const double low = line.t[std::max<std::size_t>(k, 2) - 2], high = line.t[std::min(k + 1, line.t.size() - 1)];
-    double t = 0.5 * (line.t[k - 1] + line.t[k]), least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i <= steps; ++i) {
-      Vec3 y, yt;
-      line.curve->d1(t, y, yt);
-      least = std::min(least, norm(x - y));
-      if (!(dot(yt, yt) > 0)) break;
-      t = std::clamp(t + dot(x - y, yt) / dot(yt, yt), low, high);
-    }
-    return least;
+    return distance_near(line, k, 0.5 * (line.t[k - 1] + line.t[k]), steps, x);
   }
 
   Sewn without_short_pieces(Sewn sewn, const Sewn& before, double most) const {

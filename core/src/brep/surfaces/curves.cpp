@@ -6,8 +6,10 @@
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <TopLoc_Location.hxx>
+#include <algorithm>
 #include <gp_Pnt2d.hxx>
 #include <gp_Vec2d.hxx>
+#include <limits>
 
 #include "brep/occt_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
@@ -130,6 +132,28 @@ std::shared_ptr<const Curve> make_curve(const TopoDS_Edge& edge) {
   BRep_Tool::CurveOnSurface(edge, image, surface, location, first, last);
   if (image.IsNull() || surface.IsNull()) return nullptr;
   return std::make_shared<CurveOnSurface>(image, surface, location.Transformation());
+}
+
+SampledCurve sampled(std::shared_ptr<const Curve> curve, double t0, double t1, int pieces) {
+  SampledCurve line{std::move(curve), {}, {}};
+  for (int i = 0; i <= pieces; ++i) {
+    line.t.push_back(t0 + (t1 - t0) * i / pieces);
+    line.points.push_back(line.curve->point(line.t.back()));
+  }
+  return line;
+}
+
+double distance_near(const SampledCurve& line, std::size_t k, double t, int steps, Vec3 x) {
+  const double from = line.t[std::max<std::size_t>(k, 2) - 2], to = line.t[std::min(k + 1, line.t.size() - 1)];
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= steps; ++i) {
+    Vec3 y, yt;
+    line.curve->d1(t, y, yt);
+    least = std::min(least, norm(x - y));
+    if (!(dot(yt, yt) > 0)) break;
+    t = std::clamp(t + dot(x - y, yt) / dot(yt, yt), std::min(from, to), std::max(from, to));
+  }
+  return least;
 }
 
 std::shared_ptr<const ParameterCurve> make_parameter_curve(const TopoDS_Edge& edge, const TopoDS_Face& face, double t0,

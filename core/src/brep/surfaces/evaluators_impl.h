@@ -25,6 +25,17 @@ std::unique_ptr<Surface> make_elementary_surface(const Handle(Geom_Surface) & su
 /// The edge's 3-D curve, or its image on a surface where it has only that; null when it has neither.
 std::shared_ptr<const Curve> make_curve(const TopoDS_Edge& edge);
 
+/// Points of a curve from t0 to t1, also where that is backwards.
+struct SampledCurve {
+  std::shared_ptr<const Curve> curve;
+  std::vector<double> t;
+  std::vector<Vec3> points;
+};
+SampledCurve sampled(std::shared_ptr<const Curve> curve, double t0, double t1, int pieces);
+
+/// Distance of x from the curve behind the chord that ends at point k and its neighbours, by some steps from `t`.
+double distance_near(const SampledCurve& line, std::size_t k, double t, int steps, Vec3 x);
+
 /// The edge's image in the face's (u, v), over the edge's own range t0..t1; of a periodic edge the image on the side
 /// that edge.Orientation() says. `face` must be FORWARD. Null when there is none.
 std::shared_ptr<const ParameterCurve> make_parameter_curve(const TopoDS_Edge& edge, const TopoDS_Face& face, double t0,

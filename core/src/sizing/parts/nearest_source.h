@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "paver/vec.h"
+#include "base/box.h"
 
 namespace paver {
 
@@ -26,17 +26,17 @@ class NearestSource {
   double least(Vec3 x, double most = std::numeric_limits<double>::infinity()) const;
 
  private:
-  struct Box {
-    Vec3 lo, hi;
-    double h = 0;              // least in the box
-    int first = 0, count = 0;  // of the sources; count 0: an inner box
+  struct Branch {
+    Box box;
+    double h = 0;              // least in it
+    int first = 0, count = 0;  // of the sources; count 0: an inner one
     int second_child = -1;     // the first one follows its parent
   };
-  int add_box(int first, int count);
-  double bound(const Box& box, Vec3 x) const;
+  int add_branch(int first, int count);
+  double bound(const Branch& branch, Vec3 x) const;
 
   std::vector<SizeSource> sources_;
-  std::vector<Box> boxes_;
+  std::vector<Branch> branches_;
   double gradation_ = 0;
 };
 
