@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "base/cells.h"
 #include "base/segment.h"
 #include "boundary/region_loops.h"
 #include "charts/pole.h"
@@ -489,11 +490,9 @@ class RegionBuilder {
 
   /// The share of the way where the sum is `wanted`.
   static double share_of(const std::vector<double>& sums, double wanted) {
-    const double steps = static_cast<double>(sums.size() - 1);
-    const auto after = std::upper_bound(sums.begin() + 1, sums.end() - 1, wanted);
-    const double before = *(after - 1), step = *after - before;
-    return (static_cast<double>(after - sums.begin()) - 1 + (step > 0 ? std::min(1.0, (wanted - before) / step) : 0)) /
-           steps;
+    const std::size_t i = cell_of(sums, wanted);
+    const double steps = static_cast<double>(sums.size() - 1), step = sums[i + 1] - sums[i];
+    return (static_cast<double>(i) + (step > 0 ? std::min(1.0, (wanted - sums[i]) / step) : 0)) / steps;
   }
 
   // A node inside the face, a point or the end of a wire: four quads about it in advance.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/cells.h"
+
 namespace paver {
 namespace {
 
@@ -121,8 +123,7 @@ double NormalTable::Lines::inside(double value) const {
 
 std::size_t NormalTable::Lines::cell(double value, double& share) const {
   value = inside(value);
-  const auto after = std::upper_bound(at.begin() + 1, at.end() - 1, value);
-  const auto i = static_cast<std::size_t>(after - at.begin()) - 1;
+  const std::size_t i = cell_of(at, value);
   share = (value - at[i]) / (at[i + 1] - at[i]);
   return i;
 }

@@ -84,12 +84,11 @@ class EdgeBuilder {
   }
 
   int add_point(const TopoDS_Vertex& shape) {
-    int position = vertices_.FindIndex(shape);
-    if (position > 0) return vertex_ids_[static_cast<std::size_t>(position - 1)];
-    vertices_.Add(shape);
+    if (const int known = index_.find_vertex(shape); known >= 0) return known;
+    index_.vertex_map.Add(shape);
     points_.push_back(to_vec(BRep_Tool::Pnt(shape)));
-    vertex_ids_.push_back(merger_.add());
-    return vertex_ids_.back();
+    index_.vertex.push_back(merger_.add());
+    return index_.vertex.back();
   }
 
   void number_vertices() {
@@ -107,16 +106,12 @@ class EdgeBuilder {
       edge.start = numbered(edge.start);
       edge.end = numbered(edge.end);
     }
-    index_.vertex_map = vertices_;
-    index_.vertex.push_back(-1);
-    for (int id : vertex_ids_) index_.vertex.push_back(numbered(id));
+    for (std::size_t i = 1; i < index_.vertex.size(); ++i) index_.vertex[i] = numbered(index_.vertex[i]);
   }
 
   const Workpiece& work_;
   Model& model_;
   EdgeIndex index_;
-  TopTools_IndexedMapOfShape vertices_;
-  std::vector<int> vertex_ids_;
   std::vector<Vec3> points_;
   UnionFind merger_;  ///< which vertices are one
   int added_ = 0;

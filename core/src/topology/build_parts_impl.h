@@ -16,7 +16,7 @@ struct EdgeIndex {
   TopTools_IndexedMapOfShape map;         ///< all edges, in the order of the model
   std::vector<int> edge;                  ///< per position: index in Model::edges, -1 where no face uses it
   TopTools_IndexedMapOfShape vertex_map;  ///< all vertices
-  std::vector<int> vertex;                ///< per position from 1: index in Model::vertices
+  std::vector<int> vertex{-1};            ///< per position from 1: index in Model::vertices
 
   /// -1: not in the model.
   int find(const TopoDS_Shape& shape) const {

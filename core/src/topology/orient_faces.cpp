@@ -122,13 +122,12 @@ class Orienter {
           if (is_done[other]) continue;
           is_done[other] = true;
           // What was turned since the links were taken counts as well.
-          if (link.is_turned != is_group_turned(open.front())) turn(groups_[other]), turned_groups_.insert(other);
+          if (link.is_turned != turned_groups_.contains(open.front()))
+            turn(groups_[other]), turned_groups_.insert(other);
           open.push(other);
         }
     }
   }
-
-  bool is_group_turned(std::size_t group) const { return turned_groups_.count(group) > 0; }
 
   /// Per group, in the order of faces and edges.
   std::vector<std::vector<Link>> sheet_links() const {

@@ -6,12 +6,11 @@
 #include "topology/build_parts_impl.h"
 
 namespace paver {
+
 bool has_other_user(const Model& model, int edge, int face) {
   const auto e = static_cast<std::size_t>(edge);
   if (e < model.edge_part.size() && model.edge_part[e] >= 0) return true;
-  for (int user : model.edges[e].faces)
-    if (user != face) return true;
-  return false;
+  return std::ranges::any_of(model.edges[e].faces, [&](int user) { return user != face; });
 }
 
 void add_periodic_points(Model& model) {

@@ -9,7 +9,6 @@
 #include <Geom2d_Line.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <Geom_RectangularTrimmedSurface.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
@@ -82,9 +81,7 @@ class GridDivider {
   }
 
   bool find_surface() {
-    Handle(Geom_Surface) surface = BRep_Tool::Surface(face_, location_);
-    auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface);
-    surface_ = Handle(Geom_BSplineSurface)::DownCast(trimmed.IsNull() ? surface : trimmed->BasisSurface());
+    surface_ = Handle(Geom_BSplineSurface)::DownCast(untrimmed(BRep_Tool::Surface(face_, location_)));
     return !surface_.IsNull();
   }
 

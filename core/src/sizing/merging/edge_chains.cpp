@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/cells.h"
+
 namespace paver {
 namespace {
 
@@ -19,9 +21,7 @@ struct Pieces {
 
   /// The piece at s, its parameter there, and what that grows by s.
   std::size_t find(double s, double& t, double& pace) const {
-    const auto after = std::upper_bound(begin.begin(), begin.end(), s);
-    const auto i = static_cast<std::size_t>(
-        std::clamp<std::ptrdiff_t>(after - begin.begin() - 1, 0, static_cast<std::ptrdiff_t>(range.size()) - 1));
+    const std::size_t i = cell_of(begin, s);
     pace = (range[i].second - range[i].first) / (begin[i + 1] - begin[i]);
     t = range[i].first + pace * (s - begin[i]);
     return i;
@@ -107,7 +107,7 @@ class ChainJoiner {
     for (std::size_t use = 0; use < edits_.edge(a).faces.size(); ++use) {
       const int f = edits_.edge(a).faces[use];
       if (use > 0 && f == edits_.edge(a).faces[use - 1]) return false;
-      const Face& face = edits_.model().faces[static_cast<std::size_t>(f)];
+      const Face& face = edits_.face(f);
       for (const Loop& loop : face.loops)
         for (std::size_t i = 0, n = loop.coedges.size(); i < n; ++i) {
           const Coedge &one = loop.coedges[i], &two = loop.coedges[(i + 1) % n];
@@ -185,7 +185,7 @@ class ChainJoiner {
     };
     std::vector<Use> uses;
     for (int f : whole.faces)
-      for (Loop& loop : edits_.model().faces[static_cast<std::size_t>(f)].loops) {
+      for (Loop& loop : edits_.face(f).loops) {
         std::vector<std::shared_ptr<const ParameterCurve>> images(chain.size());
         Coedge coedge;
         for (const Coedge& use : loop.coedges) {

@@ -32,13 +32,13 @@ MergeLimits::MergeLimits(const ModelEdits& edits, const Options& options, const 
 
 double MergeLimits::extent(int face) const {
   double& known = extent_[static_cast<std::size_t>(face)];
-  if (known < 0) known = face_extent(edits_.model(), edits_.model().faces[static_cast<std::size_t>(face)]);
+  if (known < 0) known = face_extent(edits_.model(), edits_.face(face));
   return known;
 }
 
 int MergeLimits::longest_edge(int face) const {
   int longest = -1;
-  for (const Loop& loop : edits_.model().faces[static_cast<std::size_t>(face)].loops)
+  for (const Loop& loop : edits_.face(face).loops)
     for (const Coedge& coedge : loop.coedges) {
       const Edge& edge = edits_.edge(coedge.edge);
       if (!edge.is_periodic && (longest < 0 || edge.length > edits_.edge(longest).length)) longest = coedge.edge;
@@ -47,7 +47,7 @@ int MergeLimits::longest_edge(int face) const {
 }
 
 double MergeLimits::width(int index) const {
-  const Face& face = edits_.model().faces[static_cast<std::size_t>(index)];
+  const Face& face = edits_.face(index);
   double perimeter = 0;
   for (const Loop& loop : face.loops)
     for (const Coedge& coedge : loop.coedges)
@@ -64,7 +64,7 @@ bool MergeLimits::may_be_merged(int f) const {
   constexpr double long_share = 0.5;
   if (!is_thin(f) || std::ranges::find(lasting_, f) != lasting_.end()) return false;
   const double longest = edits_.edge(longest_edge(f)).length;
-  for (const Loop& loop : edits_.model().faces[static_cast<std::size_t>(f)].loops)
+  for (const Loop& loop : edits_.face(f).loops)
     for (const Coedge& coedge : loop.coedges) {
       if (edits_.edge(coedge.edge).length < long_share * longest) continue;
       const std::optional<double> corner = corner_across(f, coedge.edge);
@@ -82,7 +82,7 @@ std::optional<double> MergeLimits::corner_across(int f, int edge) const {
   const int other = neighbour(f, edge);
   if (other < 0 || is_protected(edge) || edits_.edge(edge).is_periodic || separates_parts(f, other))
     return std::nullopt;
-  const Face& next = edits_.model().faces[static_cast<std::size_t>(other)];
+  const Face& next = edits_.face(other);
   if (!next.has_area || !next.fault.empty()) return std::nullopt;
   return angle_along(f, other, edge);
 }
@@ -97,7 +97,7 @@ double MergeLimits::angle_along(int one, int two, int edge) const {
 
 Vec3 MergeLimits::normal(int f, int e, double share) const {
   const Edge& edge = edits_.edge(e);
-  const Face& face = edits_.model().faces[static_cast<std::size_t>(f)];
+  const Face& face = edits_.face(f);
   for (const Loop& loop : face.loops)
     for (const Coedge& coedge : loop.coedges) {
       if (coedge.edge != e || !coedge.pcurve) continue;
@@ -110,7 +110,7 @@ Vec3 MergeLimits::normal(int f, int e, double share) const {
 
 bool MergeLimits::sharpens(int index, int e) const {
   constexpr double sharp = 45 * M_PI / 180;
-  for (const Loop& loop : edits_.model().faces[static_cast<std::size_t>(index)].loops)
+  for (const Loop& loop : edits_.face(index).loops)
     for (std::size_t i = 0, n = loop.coedges.size(); i < n; ++i) {
       if (loop.coedges[i].edge != e) continue;
       const Coedge &before = loop.coedges[(i + n - 1) % n], &after = loop.coedges[(i + 1) % n];
@@ -144,7 +144,7 @@ bool MergeLimits::is_protected(int index) const {
 }
 
 bool MergeLimits::is_protected_face(int index) const {
-  const Face& face = edits_.model().faces[static_cast<std::size_t>(index)];
+  const Face& face = edits_.face(index);
   return !face.points.empty() || !face.fault.empty() ||
          (face.origin < edits_.model().read_faces && is_local_face_[static_cast<std::size_t>(face.origin)]);
 }
@@ -169,8 +169,7 @@ bool MergeLimits::holds(int vertex, const std::vector<int>& ignored, double dist
 }
 
 bool MergeLimits::separates_parts(int a, int b) const {
-  const Face &one = edits_.model().faces[static_cast<std::size_t>(a)],
-             &two = edits_.model().faces[static_cast<std::size_t>(b)];
+  const Face &one = edits_.face(a), &two = edits_.face(b);
   return one.front != two.front || one.back != two.back;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "base/cells.h"
+
 namespace paver {
 namespace {
 
@@ -21,12 +23,10 @@ void for_uses(Model& model, const Edge& edge, int index, F&& f) {
 }  // namespace
 
 double ParameterMatch::operator()(double t) const {
-  const auto after = std::upper_bound(from_.begin(), from_.end(), t);
-  const auto i = static_cast<std::size_t>(
-      std::clamp<std::ptrdiff_t>(after - from_.begin(), 1, static_cast<std::ptrdiff_t>(from_.size()) - 1));
-  const double step = from_[i] - from_[i - 1];
-  const double share = step > 0 ? std::clamp((t - from_[i - 1]) / step, 0.0, 1.0) : 0;
-  return (1 - share) * to_[i - 1] + share * to_[i];
+  const std::size_t i = cell_of(from_, t);
+  const double step = from_[i + 1] - from_[i];
+  const double share = step > 0 ? std::clamp((t - from_[i]) / step, 0.0, 1.0) : 0;
+  return (1 - share) * to_[i] + share * to_[i + 1];
 }
 
 Side reversed(Side side) {

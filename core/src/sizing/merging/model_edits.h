@@ -39,6 +39,8 @@ class ModelEdits {
 
   Model& model() { return model_; }
   const Model& model() const { return model_; }
+  Face& face(int f) { return model_.faces[static_cast<std::size_t>(f)]; }
+  const Face& face(int f) const { return model_.faces[static_cast<std::size_t>(f)]; }
   Edge& edge(int e) { return model_.edges[static_cast<std::size_t>(e)]; }
   const Edge& edge(int e) const { return model_.edges[static_cast<std::size_t>(e)]; }
   int start_of(SideEdge e) const { return e.is_reversed ? edge(e.edge).end : edge(e.edge).start; }

@@ -38,8 +38,6 @@ class ShortEdges {
   }
 
  private:
-  const Face& face(int f) const { return edits_.model().faces[static_cast<std::size_t>(f)]; }
-
   bool may_collapse(int e) const {
     const Edge& edge = edits_.edge(e);
     return edge.curve && edge.start != edge.end && !edge.faces.empty() && !limits_.is_protected(e) &&
@@ -101,7 +99,7 @@ class ShortEdges {
 
   bool leaves_loops(int e) const {
     for (int f : edits_.edge(e).faces)
-      for (const Loop& loop : face(f).loops) {
+      for (const Loop& loop : edits_.face(f).loops) {
         const bool has_edge = std::any_of(loop.coedges.begin(), loop.coedges.end(),
                                           [e](const Coedge& coedge) { return coedge.edge == e; });
         const auto kept = std::count_if(loop.coedges.begin(), loop.coedges.end(), [&](const Coedge& coedge) {
@@ -127,7 +125,7 @@ class ShortEdges {
 
   /// A face of one loop that is tiny beside its neighbours.
   void visit_face(int f) {
-    Face& small = edits_.model().faces[static_cast<std::size_t>(f)];
+    Face& small = edits_.face(f);
     if (!small.has_area || small.loops.size() != 1 || limits_.is_protected_face(f)) return;
     std::vector<Coedge> coedges = small.loops.front().coedges;
     std::erase_if(coedges, [&](const Coedge& coedge) { return edits_.edge(coedge.edge).is_degenerate; });
@@ -183,11 +181,11 @@ class ShortEdges {
     const auto is_gone = [&](const Coedge& c) {
       return std::any_of(gone.begin(), gone.end(), [&](const Coedge& g) { return g.edge == c.edge; });
     };
-    for (std::size_t l = 0; l < face(f).loops.size(); ++l) {
-      const std::vector<Coedge>& coedges = face(f).loops[l].coedges;
+    for (std::size_t l = 0; l < edits_.face(f).loops.size(); ++l) {
+      const std::vector<Coedge>& coedges = edits_.face(f).loops[l].coedges;
       const auto going = static_cast<std::size_t>(std::count_if(coedges.begin(), coedges.end(), is_gone));
       if (going == 0) continue;
-      const bool is_hole = face(f).loops.size() > 1 && going == coedges.size() && going == gone.size();
+      const bool is_hole = edits_.face(f).loops.size() > 1 && going == coedges.size() && going == gone.size();
       if (!is_hole && coedges.size() < going + (goes ? 2 : fewest_edges)) return false;
       for (const Coedge& coedge : coedges)
         if (going == 1 && !goes && is_gone(coedge) && limits_.sharpens(f, coedge.edge)) return false;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cells.h"
+
 namespace paver {
 namespace {
 
@@ -35,9 +37,7 @@ SideCurve::SideCurve(const ModelEdits& edits, const Side& side) : edits_(edits),
 }
 
 SidePlace SideCurve::at(double share) const {
-  const auto after = std::upper_bound(begins_.begin(), begins_.end(), share);
-  const auto i = static_cast<std::size_t>(
-      std::clamp<std::ptrdiff_t>(after - begins_.begin() - 1, 0, static_cast<std::ptrdiff_t>(side_.size()) - 1));
+  const std::size_t i = cell_of(begins_, share);
   const double step = begins_[i + 1] - begins_[i], within = step > 0 ? (share - begins_[i]) / step : 0;
   return {i, parameter(edits_.edge(side_[i].edge), side_[i].is_reversed, std::clamp(within, 0.0, 1.0)), share};
 }

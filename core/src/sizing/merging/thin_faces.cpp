@@ -51,12 +51,9 @@ class ThinFaces {
   }
 
  private:
-  Face& face(int f) { return edits_.model().faces[static_cast<std::size_t>(f)]; }
-  const Face& face(int f) const { return edits_.model().faces[static_cast<std::size_t>(f)]; }
-
   /// The sides of a face that can go, `one` the side that stays.
   std::optional<Sides> find(int f) const {
-    const Face& thin = face(f);
+    const Face& thin = edits_.face(f);
     if (!thin.has_area || !thin.surface || thin.loops.empty() || limits_.is_protected_face(f)) return std::nullopt;
     std::vector<int> periodic;
     std::vector<Side> loops = border(thin, is_hairline(f), periodic);
@@ -171,8 +168,9 @@ class ThinFaces {
     if (!divide_alike(edits_, kept, gone, opposite * sides.limit)) return;
     const Vec3 where = edits_.edge(kept.front().edge).curve->point(edits_.edge(kept.front().edge).t0);
     const double width = distance_between(edits_, kept, gone);
-    merges_.push_back({MergeKind::face, face(f).name, face(neighbour(f, gone.front().edge)).name, width, where});
-    for (const SideEdge& e : gone) face(neighbour(f, e.edge)).merged_area += face(f).area;
+    merges_.push_back(
+        {MergeKind::face, edits_.face(f).name, edits_.face(neighbour(f, gone.front().edge)).name, width, where});
+    for (const SideEdge& e : gone) edits_.face(neighbour(f, e.edge)).merged_area += edits_.face(f).area;
     take_out_face(f, kept, gone, sides.ends);
     for (std::size_t i = 0; i < kept.size(); ++i) {
       const bool is_against = kept[i].is_reversed != gone[i].is_reversed;
@@ -186,7 +184,7 @@ class ThinFaces {
   }
 
   void take_out_face(int f, const Side& kept, const Side& gone, const std::vector<int>& ends) {
-    Face& thin = face(f);
+    Face& thin = edits_.face(f);
     for (const Loop& loop : thin.loops)
       for (const Coedge& coedge : loop.coedges)
         if (edits_.edge(coedge.edge).is_degenerate) std::erase(edits_.edge(coedge.edge).faces, f);
@@ -245,7 +243,7 @@ class ThinFaces {
 
   std::size_t edge_count(int f) const {
     std::size_t count = 0;
-    for (const Loop& loop : face(f).loops) count += loop.coedges.size();
+    for (const Loop& loop : edits_.face(f).loops) count += loop.coedges.size();
     return count;
   }
 
