@@ -213,8 +213,7 @@ SampledFace sample_face(const Model& model, const Face& face, double h, double t
     area += samples[i].area;
     density += samples[i].area / (sizes[i] * sizes[i]);
   }
-  return {FaceSize(h, box.lo, box.hi, grid_size, grid_size, std::move(sizes)),
-          area > 0 ? density / area : flat.mean_density};
+  return {FaceSize(h, box, grid_size, std::move(sizes)), area > 0 ? density / area : flat.mean_density};
 }
 
 double perimeter(const Model& model, const Face& face) {
@@ -284,9 +283,6 @@ void check_predicted(double predicted, double h, long limit, bool is_local) {
 
 }  // namespace
 
-FaceSize::FaceSize(double h, Vec2 lo, Vec2 hi, int nu, int nv, std::vector<double> samples)
-    : h_(h), lo_(lo), hi_(hi), nu_(nu), nv_(nv), samples_(std::move(samples)) {}
-
 FaceSize FaceSize::scaled(double factor) const {
   FaceSize result = *this;
   result.h_ *= factor;
@@ -302,16 +298,16 @@ double FaceSize::least() const {
 double FaceSize::by_curvature(Vec2 uv) const {
   if (samples_.empty()) return h_;
   // Written so that NaN lands on 0: a size is always given back.
-  auto position = [](double value, double lo, double hi, int n) {
-    double share = (value - lo) / (hi - lo) * (n - 1);
-    return share > 0 ? std::min(share, static_cast<double>(n - 1)) : 0.0;
+  auto position = [this](double value, double lo, double hi) {
+    double share = (value - lo) / (hi - lo) * (side_ - 1);
+    return share > 0 ? std::min(share, static_cast<double>(side_ - 1)) : 0.0;
   };
-  double a = position(uv.x, lo_.x, hi_.x, nu_), b = position(uv.y, lo_.y, hi_.y, nv_);
-  int i = std::min(static_cast<int>(a), nu_ - 2), j = std::min(static_cast<int>(b), nv_ - 2);
+  double a = position(uv.x, box_.lo.x, box_.hi.x), b = position(uv.y, box_.lo.y, box_.hi.y);
+  int i = std::min(static_cast<int>(a), side_ - 2), j = std::min(static_cast<int>(b), side_ - 2);
   a -= i;
   b -= j;
-  const double* low = &samples_[static_cast<std::size_t>(j * nu_ + i)];
-  const double* high = low + nu_;
+  const double* low = &samples_[static_cast<std::size_t>(j * side_ + i)];
+  const double* high = low + side_;
   return (1 - b) * ((1 - a) * low[0] + a * low[1]) + b * ((1 - a) * high[0] + a * high[1]);
 }
 

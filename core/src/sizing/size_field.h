@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "paver/options.h"
@@ -22,8 +23,9 @@ class FaceSize {
  public:
   /// Flat face: `h` everywhere.
   explicit FaceSize(double h) : h_(h) {}
-  /// Grid of `nu` x `nv` samples (row after row in u) over the box lo..hi of (u, v); bilinear between.
-  FaceSize(double h, Vec2 lo, Vec2 hi, int nu, int nv, std::vector<double> samples);
+  /// Grid of `side` x `side` samples (row after row in u) over the box of (u, v); bilinear between.
+  FaceSize(double h, const SampleBox& box, int side, std::vector<double> samples)
+      : h_(h), box_(box), side_(side), samples_(std::move(samples)) {}
   /// `surface` is the face's: only asked where lengths of parts are given.
   double at(Vec2 uv, const Surface& surface) const {
     double limited = by_curvature(uv);
@@ -65,8 +67,8 @@ class FaceSize {
   std::shared_ptr<const NormalTable> normals_;
   std::shared_ptr<const LocalSizes> local_;  // null: none are given
   SampleBox near_parts_;
-  Vec2 lo_, hi_;
-  int nu_ = 0, nv_ = 0;
+  SampleBox box_;
+  int side_ = 0;  // of the grid
   std::vector<double> samples_;
 };
 

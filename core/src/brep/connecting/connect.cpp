@@ -1,7 +1,6 @@
 // Connecting, in order: which parts may touch, clusters of them fused, faces replaced by their images, what lies inside
 // others found, contacts listed.
 #include <BOPTools_AlgoTools.hxx>
-#include <IntTools_Context.hxx>
 #include <algorithm>
 #include <map>
 

@@ -1,9 +1,5 @@
 // Faces that were drawn twice, one on the other: the later one is left out, before anything is sewn to it. Only within
 // one solid, and among faces without one; what different parts have in common is connected instead.
-#include <BOPTools_AlgoTools3D.hxx>
-#include <BRepBuilderAPI_MakeVertex.hxx>
-#include <BRepExtrema_DistShapeShape.hxx>
-#include <IntTools_Context.hxx>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -78,20 +74,14 @@ class DoubleFinder {
   }
 
   bool lies_on(const TopoDS_Face& face, const TopoDS_Face& other) {
-    gp_Pnt inside;
-    gp_Pnt2d uv;
-    if (BOPTools_AlgoTools3D::PointInFace(face, inside, uv, context_) != 0 || !is_near(inside, other)) return false;
+    const auto inside = point_inside(face, context_);
+    if (!inside || !is_near(*inside, other, tolerance_)) return false;
     for (const TopoDS_Edge& edge : edges_of(face))
       for (int i = 0; i < edge_samples; ++i) {
         const auto x = point_of(edge, (i + 0.5) / edge_samples);
-        if (x && !is_near(to_point(*x), other)) return false;
+        if (x && !is_near(to_point(*x), other, tolerance_)) return false;
       }
     return true;
-  }
-
-  bool is_near(const gp_Pnt& point, const TopoDS_Face& face) const {
-    BRepExtrema_DistShapeShape extrema(BRepBuilderAPI_MakeVertex(point).Vertex(), face);
-    return extrema.IsDone() && extrema.NbSolution() > 0 && extrema.Value() <= tolerance_;
   }
 
   Workpiece& work_;

@@ -3,11 +3,9 @@
 //
 // The kernel's own classifier looks along one line, and takes points below a lofted wing, outside of its box even, for
 // inside where it misses a face. So several directions are asked.
-#include <BOPTools_AlgoTools3D.hxx>
 #include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
 #include <IntCurvesFace_ShapeIntersector.hxx>
-#include <IntTools_Context.hxx>
 #include <algorithm>
 #include <array>
 #include <gp_Lin.hxx>
@@ -72,11 +70,10 @@ void find_insides(Workpiece& work) {
     for (std::size_t f = 0; f < work.faces.size(); ++f) {
       WorkFace& face = work.faces[f];
       if (!face.is_usable() || face.has_part(static_cast<int>(part)) || box.IsOut(boxes[f])) continue;
-      gp_Pnt point;
-      gp_Pnt2d uv;
-      if (BOPTools_AlgoTools3D::PointInFace(face.face, point, uv, context) != 0 || box.IsOut(point)) continue;
+      const auto point = point_inside(face.face, context);
+      if (!point || box.IsOut(*point)) continue;
       if (!classifier) classifier = std::make_unique<InsideClassifier>(solid);
-      if (classifier->holds(point)) face.inside_of.push_back(static_cast<int>(part));
+      if (classifier->holds(*point)) face.inside_of.push_back(static_cast<int>(part));
     }
   }
 }

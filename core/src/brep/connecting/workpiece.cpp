@@ -1,7 +1,10 @@
 // Faces of a shape with their measures, and small questions about faces and edges.
+#include <BOPTools_AlgoTools3D.hxx>
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepGProp.hxx>
 #include <BRepGProp_Domain.hxx>
 #include <BRepGProp_Face.hxx>
@@ -258,6 +261,17 @@ double face_area(const TopoDS_Face& face) {
   } catch (const Standard_Failure&) {
     return std::numeric_limits<double>::quiet_NaN();
   }
+}
+
+std::optional<gp_Pnt> point_inside(const TopoDS_Face& face, const Handle(IntTools_Context) & context) {
+  gp_Pnt point;
+  gp_Pnt2d uv;
+  return BOPTools_AlgoTools3D::PointInFace(face, point, uv, context) == 0 ? std::optional(point) : std::nullopt;
+}
+
+bool is_near(const gp_Pnt& point, const TopoDS_Face& face, double distance) {
+  BRepExtrema_DistShapeShape extrema(BRepBuilderAPI_MakeVertex(point).Vertex(), face);
+  return extrema.IsDone() && extrema.NbSolution() > 0 && extrema.Value() <= distance;
 }
 
 double edge_length(const TopoDS_Edge& edge) {

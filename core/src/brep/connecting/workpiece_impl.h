@@ -1,6 +1,7 @@
 // A shape on its way to a Model: its faces in the order of the file, as repaired and sewn so far.
 #pragma once
 
+#include <IntTools_Context.hxx>
 #include <NCollection_DataMap.hxx>
 #include <NCollection_IndexedDataMap.hxx>
 #include <TopAbs_ShapeEnum.hxx>
@@ -186,6 +187,12 @@ double face_area(const TopoDS_Face& face);
 
 /// Microseconds that its area or its share of a volume takes, as far as its edges and the spans of its surface tell.
 double measuring_cost(const TopoDS_Face& face);
+
+/// A point inside of a face; nothing where the kernel finds none.
+std::optional<gp_Pnt> point_inside(const TopoDS_Face& face, const Handle(IntTools_Context) & context);
+
+/// Whether a face comes as near to a point, mm.
+bool is_near(const gp_Pnt& point, const TopoDS_Face& face, double distance);
 
 /// Length of an edge in mm; 0 for a pole.
 double edge_length(const TopoDS_Edge& edge);

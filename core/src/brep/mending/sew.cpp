@@ -7,13 +7,9 @@
 // the borders that run along others all round (a crack, as drawn faces that hang together elsewhere), or most of what
 // was open, and when nothing collapses: no face is lost, none comes to lie on another one. Ends of edges may lie
 // farther apart than the edges do, which leaves short pieces between them: what makes these vanish, too, is better.
-#include <BOPTools_AlgoTools3D.hxx>
 #include <BRepBndLib.hxx>
-#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
-#include <BRepExtrema_DistShapeShape.hxx>
 #include <Bnd_Box.hxx>
-#include <IntTools_Context.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -268,14 +264,9 @@ class GroupSewer {
     Handle(IntTools_Context) context = new IntTools_Context;
     for (std::size_t i = 0; i < sewn.faces.size(); ++i) {
       if (!has_free_edge(before.faces[i], before.uses)) continue;
-      gp_Pnt point;
-      gp_Pnt2d uv;
-      if (BOPTools_AlgoTools3D::PointInFace(sewn.faces[i], point, uv, context) != 0) continue;
-      for (std::size_t j = 0; j < sewn.faces.size(); ++j) {
-        if (j == i || boxes[j].IsOut(point)) continue;
-        BRepExtrema_DistShapeShape extrema(BRepBuilderAPI_MakeVertex(point).Vertex(), sewn.faces[j]);
-        if (extrema.IsDone() && extrema.NbSolution() > 0 && extrema.Value() <= 2 * sewn.tolerance) return true;
-      }
+      const auto point = point_inside(sewn.faces[i], context);
+      for (std::size_t j = 0; point && j < sewn.faces.size(); ++j)
+        if (j != i && !boxes[j].IsOut(*point) && is_near(*point, sewn.faces[j], 2 * sewn.tolerance)) return true;
     }
     return false;
   }
