@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/trimmed.h"
 #include "paver/units.h"
 
 namespace paver {
@@ -14,18 +15,11 @@ namespace {
 constexpr std::pair<std::string_view, PartKind> kinds[] = {
     {"Face", PartKind::face}, {"Edge", PartKind::edge}, {"Vertex", PartKind::vertex}, {"Solid", PartKind::solid}};
 
-std::string trimmed(std::string_view text) {
-  constexpr const char* blanks = " \t";
-  std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(blanks) + 1 - first));
-}
-
 std::vector<std::string> pieces(const std::string& text, char separator) {
   std::vector<std::string> list;
   for (std::size_t from = 0; from <= text.size();) {
     std::size_t to = std::min(text.find(separator, from), text.size());
-    list.push_back(trimmed(std::string_view(text).substr(from, to - from)));
+    list.emplace_back(trimmed(std::string_view(text).substr(from, to - from)));
     from = to + 1;
   }
   return list;
@@ -36,7 +30,7 @@ bool read_medium(const std::string& text, LocalSize& local) {
   for (const std::string& item : pieces(text, ',')) {
     std::size_t colon = item.find(':');
     if (colon == std::string::npos) return false;
-    std::string name = trimmed(std::string_view(item).substr(0, colon));
+    std::string name(trimmed(std::string_view(item).substr(0, colon)));
     std::optional<double> value = parse_number(item.substr(colon + 1));
     if (!value) return false;
     std::replace(name.begin(), name.end(), '_', '-');
@@ -65,7 +59,7 @@ std::optional<std::vector<LocalSize>> parse_local(const std::string& text) {
     std::size_t equals = item.find('=');
     if (equals == std::string::npos) return std::nullopt;
     LocalSize local;
-    const std::string value = trimmed(std::string_view(item).substr(equals + 1));
+    const std::string value(trimmed(std::string_view(item).substr(equals + 1)));
     local.size = parse_length(value);
     if (!local.size && !read_medium(value, local)) return std::nullopt;
     for (const std::string& name : pieces(item.substr(0, equals), ',')) {
@@ -84,7 +78,7 @@ std::optional<NamedParts> parse_named(const std::string& text, const std::vector
   for (const std::string& item : pieces(text.substr(equals + 1), ',')) {
     const std::size_t colon = item.find(':');
     if (colon != std::string::npos) {
-      std::string fact = trimmed(std::string_view(item).substr(0, colon));
+      std::string fact(trimmed(std::string_view(item).substr(0, colon)));
       std::replace(fact.begin(), fact.end(), '_', '-');
       named.facts.emplace_back(fact, trimmed(std::string_view(item).substr(colon + 1)));
     } else if (std::find(flags.begin(), flags.end(), item) != flags.end()) {

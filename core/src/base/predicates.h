@@ -19,6 +19,12 @@ inline double orientation(Vec2 a, Vec2 b, Vec2 c) {
   return detail::exact_orientation(a, b, c);
 }
 
+/// 1 where c lies to the left of the line from a to b, -1 to the right, 0 on it.
+inline int side_of_line(Vec2 a, Vec2 b, Vec2 c) {
+  const double area = orientation(a, b, c);
+  return area > 0 ? 1 : (area < 0 ? -1 : 0);
+}
+
 /// Whether d lies inside the circle through a, b, c (counter-clockwise) by more than rounding.
 /// Not exact: a doubtful case is a "no", which only costs shape of a supporting triangle, never validity.
 inline bool in_circle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {

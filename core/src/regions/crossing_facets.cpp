@@ -134,10 +134,7 @@ class FacetTree {
     if (s.a == t.b) return overlaps(s.a, s.b, t.a);
     if (s.b == t.a) return overlaps(s.b, s.a, t.b);
     if (s.b == t.b) return overlaps(s.b, s.a, t.a);
-    auto side = [&](int a, int b, int c) {
-      const double area = orientation(at_[a], at_[b], at_[c]);
-      return area > 0 ? 1 : (area < 0 ? -1 : 0);
-    };
+    auto side = [&](int a, int b, int c) { return side_of_line(at_[a], at_[b], at_[c]); };
     // In line with each other their boxes, which meet, tell.
     return side(s.a, s.b, t.a) * side(s.a, s.b, t.b) <= 0 && side(t.a, t.b, s.a) * side(t.a, t.b, s.b) <= 0;
   }

@@ -15,11 +15,6 @@ constexpr double rounding = 1e-9;                // of the curves' length
 constexpr int most_steps = 4000;                 // for curves that come as near as 1e-6 of their length along all of it
 constexpr int most_depth = 40, small_depth = 8;  // halvings
 
-int side(Vec2 a, Vec2 b, Vec2 c) {
-  const double area = orientation(a, b, c);
-  return area > 0 ? 1 : (area < 0 ? -1 : 0);
-}
-
 struct Piece {
   double from, to;
   Vec2 a, b;
@@ -28,7 +23,7 @@ struct Piece {
 };
 
 bool do_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+  return side_of_line(a, b, c) * side_of_line(a, b, d) < 0 && side_of_line(c, d, a) * side_of_line(c, d, b) < 0;
 }
 
 double distance(const Piece& s, const Piece& t) {

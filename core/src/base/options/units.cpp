@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/trimmed.h"
+
 namespace paver {
 namespace {
 
@@ -25,18 +27,12 @@ constexpr Unit no_units[] = {{"", 1}};
 
 std::optional<double> parse_quantity(std::string text, std::span<const Unit> units) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  const char *begin = text.data(), *end = begin + text.size();
-  auto skip_blanks = [&](const char* at) {
-    return std::find_if(at, end, [](char c) { return c != ' ' && c != '\t'; });
-  };
-  while (end != begin && (end[-1] == ' ' || end[-1] == '\t')) --end;
-  begin = skip_blanks(begin);
-  if (begin != end && *begin == '+') ++begin;
+  std::string_view left = trimmed(text);
+  if (left.starts_with('+')) left.remove_prefix(1);
   double value = 0;
-  auto [rest, error] = std::from_chars(begin, end, value);
+  const auto [rest, error] = std::from_chars(left.data(), left.data() + left.size(), value);
   if (error != std::errc()) return std::nullopt;
-  rest = skip_blanks(rest);
-  std::string_view unit(rest, static_cast<std::size_t>(end - rest));
+  const std::string_view unit = trimmed(left.substr(static_cast<std::size_t>(rest - left.data())));
   for (auto [name, size] : units) {
     if (name == unit) return value * size;
   }

@@ -1,6 +1,7 @@
 // Connecting, in order: which parts may touch, clusters of them fused, faces replaced by their images, what lies inside
 // others found, contacts listed.
 #include <BOPTools_AlgoTools.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <algorithm>
 #include <map>
 
@@ -176,21 +177,17 @@ class Connector {
   }
 
   void note_edges() {
+    TopTools_MapOfShape replaced;
+    std::vector<WorkWire> pieces;
     for (const Fusion& fusion : fusions_)
       for (const auto& [edge, image] : fusion.edges) {
+        replaced.Add(edge);
         add_edge_origins(work_, image, edge_origins(work_, edge));
-        for (WorkWire& wire : work_.wires)
-          if (wire.edge.IsSame(edge))
-            new_wires_.push_back({TopoDS::Edge(image.Oriented(TopAbs_FORWARD)), wire.part, wire.origin});
+        for (const WorkWire& wire : work_.wires)
+          if (wire.edge.IsSame(edge)) pieces.push_back({forward(TopoDS::Edge(image)), wire.part, wire.origin});
       }
-    auto is_replaced = [&](const WorkWire& wire) {
-      return std::any_of(fusions_.begin(), fusions_.end(), [&](const Fusion& fusion) {
-        return std::any_of(fusion.edges.begin(), fusion.edges.end(),
-                           [&](const auto& pair) { return pair.first.IsSame(wire.edge); });
-      });
-    };
-    std::erase_if(work_.wires, is_replaced);
-    std::move(new_wires_.begin(), new_wires_.end(), std::back_inserter(work_.wires));
+    std::erase_if(work_.wires, [&](const WorkWire& wire) { return replaced.Contains(wire.edge); });
+    std::move(pieces.begin(), pieces.end(), std::back_inserter(work_.wires));
   }
 
   void move_points() {
@@ -205,7 +202,6 @@ class Connector {
   Progress& progress_;
   std::vector<Pair> pairs_;
   std::vector<Fusion> fusions_;
-  std::vector<WorkWire> new_wires_;
   Handle(IntTools_Context) context_ = new IntTools_Context;
 };
 

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "base/trimmed.h"
 #include "paver/error.h"
 
 namespace paver {
@@ -57,19 +58,13 @@ FileEnds read_ends(const std::string& path, const std::string& name) {
   return ends;
 }
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-
-std::string_view without_space(std::string_view text) {
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-  return text;
-}
+constexpr std::string_view space = " \t\r\n";
 
 /// The text after a byte order mark, white space and comments of the form /* */.
 std::string_view first_words(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   for (;;) {
-    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+    text.remove_prefix(std::min(text.find_first_not_of(space), text.size()));
     if (!text.starts_with("/*")) return text;
     auto end = text.find("*/");
     if (end == std::string_view::npos) return {};
@@ -79,14 +74,14 @@ std::string_view first_words(std::string_view text) {
 
 bool has_section_letter(std::string_view line, char letter) {
   if (line.size() <= iges_section_column || line[iges_section_column] != letter) return false;
-  auto number = without_space(line.substr(iges_section_column + 1));
+  auto number = trimmed(line.substr(iges_section_column + 1), space);
   return !number.empty() && std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
 /// The last line of an IGES file states how many lines each section has, as in S0000001G0000003D0000042P0000077; fewer
 /// directory or parameter lines than that make the reader crash.
 bool has_all_iges_lines(const std::string& path, std::string_view tail) {
-  auto last = without_space(tail);
+  auto last = trimmed(tail, space);
   last = last.substr(last.find_last_of("\r\n") + 1);
   auto stated = [&](char section) {
     auto at = last.substr(0, iges_section_column).find(section);
@@ -104,7 +99,7 @@ bool has_all_iges_lines(const std::string& path, std::string_view tail) {
 bool is_iges(std::string_view head) { return has_section_letter(head.substr(0, head.find_first_of("\r\n")), 'S'); }
 
 bool is_iges_complete(std::string_view tail) {
-  while (!tail.empty() && (is_space(tail.back()) || tail.back() == '\0')) tail.remove_suffix(1);
+  tail = tail.substr(0, tail.find_last_not_of(std::string_view(" \t\r\n\0", 5)) + 1);
   auto start = tail.find_last_of("\r\n");
   return has_section_letter(start == std::string_view::npos ? tail : tail.substr(start + 1), 'T');
 }
@@ -135,7 +130,7 @@ const char* format_name(FileFormat format) {
 FileFormat find_format(const std::string& path, const std::string& name) {
   check_regular_file(path, name);
   FileEnds ends = read_ends(path, name);
-  if (without_space(ends.head).empty())
+  if (trimmed(ends.head, space).empty())
     throw Error(ErrorCode::not_a_cad_file, quoted(name) + " is empty; export the model again.");
   std::string_view words = first_words(ends.head);
   if (words.starts_with("ISO-10303-21")) {

@@ -11,6 +11,8 @@
 #include <initializer_list>
 #include <vector>
 
+#include "base/trimmed.h"
+
 namespace paver {
 namespace {
 
@@ -27,14 +29,8 @@ struct Entity {
   std::vector<std::string_view> words;  ///< the first is the type
 };
 
-std::string_view without_blanks(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
 long integer(std::string_view text) {
-  text = without_blanks(text);
+  text = trimmed(text, " ");
   if (text.starts_with('+')) text.remove_prefix(1);
   long value = 0;
   auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -44,7 +40,7 @@ long integer(std::string_view text) {
 }
 
 double real(std::string_view text) {
-  std::string number(without_blanks(text));
+  std::string number(trimmed(text, " "));
   if (number.empty()) return 0;
   for (char& c : number)
     if (c == 'D' || c == 'd') c = 'e';
@@ -81,7 +77,7 @@ class Checker {
       std::string_view line = text_.substr(0, text_.find('\n'));
       text_.remove_prefix(std::min(text_.size(), line.size() + 1));
       if (line.ends_with('\r')) line.remove_suffix(1);
-      if (without_blanks(line).empty()) continue;
+      if (trimmed(line, " ").empty()) continue;
       if (line.size() <= section_column) throw Fault{"a line is too short"};
       const std::size_t found = sections.find(line[section_column]);
       if (found == std::string_view::npos || found < section) throw Fault{"a line has no section"};
