@@ -99,13 +99,12 @@ EdgeNodes divide_edges(const Model& model, const SizeField& size, const std::vec
     divided.push_back(static_cast<int>(e));
     costs.push_back(table_cost + node_cost * counts[e]);
   }
-  auto edge_at = [&](std::size_t i) -> const Edge& { return model.edges[static_cast<std::size_t>(divided[i])]; };
   std::vector<Places> places = tasks.run<Places>(Stage::boundary, costs, [&](int task) {
     auto i = static_cast<std::size_t>(task);
     return divide(model, divided[i], size, counts[static_cast<std::size_t>(divided[i])]);
   });
   for (std::size_t i = 0; i < divided.size(); ++i) {
-    const Edge& edge = edge_at(i);
+    const Edge& edge = model.edges[static_cast<std::size_t>(divided[i])];
     append(divided[i], std::move(places[i]), result.node_of_vertex[static_cast<std::size_t>(edge.start)],
            result.node_of_vertex[static_cast<std::size_t>(edge.end)], result);
   }

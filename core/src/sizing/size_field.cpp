@@ -122,12 +122,10 @@ Vec2 largest_stretch(const std::vector<CurvatureSample>& samples, double weight)
 }
 
 bool has_border(const Model& model, const Face& face) {
-  return std::any_of(face.loops.begin(), face.loops.end(), [&](const Loop& loop) {
-    return std::any_of(loop.coedges.begin(), loop.coedges.end(), [&](const Coedge& coedge) {
-      const Edge& edge = edge_of(model, coedge);
-      return !edge.is_periodic && !edge.is_degenerate;
-    });
-  });
+  for (const Loop& loop : face.loops)
+    for (const Coedge& coedge : loop.coedges)
+      if (const Edge& edge = edge_of(model, coedge); !edge.is_periodic && !edge.is_degenerate) return true;
+  return false;
 }
 
 /// Whether lengths differ much over the face, and are shortest along a line across which it bends: not about a tip.

@@ -4,10 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <TopAbs_ShapeEnum.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
 #include <chrono>
 #include <fstream>
@@ -15,6 +11,7 @@
 #include <utility>
 
 #include "brep/connecting/trial.h"
+#include "brep/occt_shapes_impl.h"
 #include "brep/reading/file_format.h"
 #include "brep/reading/format_library_impl.h"
 #include "brep/reading/iges_text.h"
@@ -84,11 +81,7 @@ std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, P
   });
   progress.check();
 
-  TopTools_IndexedMapOfShape faces, edges;
-  if (!shape->shape.IsNull()) {
-    TopExp::MapShapes(shape->shape, TopAbs_FACE, faces);
-    TopExp::MapShapes(shape->shape, TopAbs_EDGE, edges);
-  }
+  const auto faces = shapes_of(shape->shape, TopAbs_FACE), edges = shapes_of(shape->shape, TopAbs_EDGE);
   if (faces.IsEmpty() && edges.IsEmpty())
     throw Error(ErrorCode::no_faces, "'" + file.name +
                                          "' has no faces and no wires, so there is nothing to mesh; "

@@ -1,13 +1,12 @@
 // In: model, limits. Out: the model with composite edges.
 // Steps: vertices at which two edges of the same faces end and run on, the shortest first; chains of what is joined
 // there; for each one edge whose curve and images are those of its pieces, one after the other.
-#include "sizing/merging/edge_chains.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "base/cells.h"
+#include "sizing/merging/merge_steps.h"
 
 namespace paver {
 namespace {

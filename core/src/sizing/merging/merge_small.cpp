@@ -5,9 +5,7 @@
 
 #include <algorithm>
 
-#include "sizing/merging/edge_chains.h"
-#include "sizing/merging/short_edges.h"
-#include "sizing/merging/thin_faces.h"
+#include "sizing/merging/merge_steps.h"
 
 namespace paver {
 namespace {

@@ -1,11 +1,11 @@
 // In: model, limits. Out: the model without its short edges.
 // Steps: tiny faces become points; then edge by edge, the shortest first: where another edge runs into it without a
 // corner at one end, that end goes to the other one. No vertex moves by more than the limit in all.
-#include "sizing/merging/short_edges.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include "sizing/merging/merge_steps.h"
 
 namespace paver {
 namespace {

@@ -2,13 +2,12 @@
 // Steps, face by face: its two long sides, which is what lies between two of its vertices or short edges, or the two
 // loops of a ring; how far these are apart; which of them its neighbours go on across without a corner; that one's
 // edges replaced by the other's, edge by edge.
-#include "sizing/merging/thin_faces.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
+#include "sizing/merging/merge_steps.h"
 #include "sizing/merging/side_match.h"
 
 namespace paver {
