@@ -19,7 +19,7 @@ SizeField size_of(const Model& model, const Options& options) {
 }
 
 TEST(FaceSize, IsBilinearInsideItsBoxAndClampedOutside) {
-  FaceSize size(9, {0, 0}, {2, 1}, 3, 2, {1, 2, 3, 5, 6, 7});
+  FaceSize size(9, {{0, 0}, {2, 2}}, 3, {1, 2, 3, 5, 6, 7, 9, 10, 11});
   EXPECT_DOUBLE_EQ(size.by_curvature({0, 0}), 1);
   EXPECT_DOUBLE_EQ(size.by_curvature({2, 1}), 7);
   EXPECT_DOUBLE_EQ(size.by_curvature({0.5, 0}), 1.5);
