@@ -4,8 +4,12 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <cmath>
 #include <numbers>
@@ -38,6 +42,24 @@ TEST(FaceArea, OfAWingsEndIsThatOfItsOutline) {
   // The polynomial's integral, 2 * 0.6 * 900 * 0.0686, up to what the spline differs between its points.
   const double area = 1.2 * 900 * (0.2969 / 1.5 - 0.126 / 2 - 0.3516 / 3 + 0.2843 / 4 - 0.1015 / 5);
   EXPECT_NEAR(report.faces[0].cad_area, area, 1e-2 * area);
+  EXPECT_STREQ(verdict(report), "sound") << report.faces[0].reason;
+}
+
+/// A strip of height 10 from a curve whose first span is a fortieth of its parameters.
+TEST(FaceArea, OfAStripIsTheLengthOfItsCurveByItsHeight) {
+  TColgp_Array1OfPnt poles(1, 6);
+  const double heights[] = {0, 12, -9, 14, -6, 3};
+  for (int i = 0; i < 6; ++i) poles.SetValue(i + 1, gp_Pnt(12 * i, heights[i], 0));
+  TColStd_Array1OfReal knots(1, 4);
+  TColStd_Array1OfInteger times(1, 4);
+  const double at[] = {0, 0.025, 0.5, 1};
+  for (int i = 0; i < 4; ++i) knots.SetValue(i + 1, at[i]), times.SetValue(i + 1, i == 0 || i == 3 ? 4 : 1);
+  const Handle(Geom_BSplineCurve) curve = new Geom_BSplineCurve(poles, knots, times, 3);
+  double length = 0;
+  for (int i = 0; i < 20000; ++i) length += curve->Value(i / 20000.0).Distance(curve->Value((i + 1) / 20000.0));
+  const TopoDS_Shape strip = BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeEdge(curve).Edge(), gp_Vec(0, 0, 10)).Shape();
+  const RunReport report = test::report_of(strip, 4);
+  EXPECT_NEAR(report.faces[0].cad_area, 10 * length, 2e-3 * 10 * length);
   EXPECT_STREQ(verdict(report), "sound") << report.faces[0].reason;
 }
 

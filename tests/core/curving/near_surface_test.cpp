@@ -135,6 +135,35 @@ TEST(SideMiddle, LiesNearerToANoseThanToTheOtherEnd) {
   }
 }
 
+/// u about the ring, v about the tube.
+class Ring : public Surface {
+ public:
+  Vec3 point(Vec2 uv) const override {
+    const double r = 5.7 + 0.3 * std::cos(uv.y);
+    return {r * std::cos(uv.x), r * std::sin(uv.x), 0.3 * std::sin(uv.y)};
+  }
+  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
+    x = point(uv), xu = {-x.y, x.x, 0};
+    const double s = -0.3 * std::sin(uv.y);
+    xv = {s * std::cos(uv.x), s * std::sin(uv.x), 0.3 * std::cos(uv.y)};
+  }
+  void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
+    d1(uv, x, xu, xv);
+    xuu = xuv = xvv = {};
+  }
+  SurfaceKind kind() const override { return SurfaceKind::other; }
+  Vec2 period() const override { return {2 * pi, 2 * pi}; }
+  std::unique_ptr<Surface> clone() const override { return std::make_unique<Ring>(*this); }
+};
+
+TEST(SideMiddle, StaysOnItsRowOfAFilletThatIsThinAgainstIt) {
+  const auto ring = std::make_shared<Ring>();
+  const Side side(ring, {0, 0.8}, {0.6, 0.8});
+  const Vec3 half_way = ring->point({0.3, 0.8});
+  EXPECT_GT(norm(side.nearest_to_chord() - half_way), 0.1) << "on another row";
+  EXPECT_LT(norm(side.middle() - half_way), 0.02);
+}
+
 TEST(SideMiddle, IsTheNearestToTheMiddleOfTheChordWhereTheSideBendsEvenly) {
   const Side side(std::make_shared<fake::Cylinder>(2), {0.3, 0}, {1.2, 0.5});
   EXPECT_EQ(norm(side.middle() - side.nearest_to_chord()), 0);

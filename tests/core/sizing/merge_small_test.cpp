@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
@@ -152,6 +156,30 @@ TEST(MergeSmall, AThinPlateKeepsItsRim) {
   const MeshResult result = test::mesh_of(BRepPrimAPI_MakeBox(10, 10, 0.03).Shape(), 2);
   EXPECT_TRUE(result.report.merges.empty());
   EXPECT_EQ(faces_of(result, FaceStatus::meshed), 6);
+}
+
+/// A pipe that turns by 90 degrees, within little more than its width: its inner side has no length.
+TopoDS_Shape pipe_with_elbow() {
+  const gp_Dir x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const TopoDS_Shape elbow = BRepPrimAPI_MakeTorus(gp_Ax2({0, 0, 0}, y, z), 0.9, 0.45, std::numbers::pi / 2).Shape();
+  const TopoDS_Shape along = BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, 0.9}, gp_Dir(-1, 0, 0)), 0.45, 30).Shape();
+  const TopoDS_Shape down = BRepPrimAPI_MakeCylinder(gp_Ax2({0.9, 0, 0}, gp_Dir(0, 0, -1)), 0.45, 30).Shape();
+  return BRepAlgoAPI_Fuse(BRepAlgoAPI_Fuse(elbow, along).Shape(), down).Shape();
+}
+
+TEST(MergeSmall, APipeKeepsItsElbow) {
+  const MeshResult result = test::mesh_of(pipe_with_elbow(), 1e6);
+  EXPECT_EQ(faces_of(result, FaceStatus::merged), 0);
+  EXPECT_EQ(faces_of(result, FaceStatus::failed), 0);
+  EXPECT_STREQ(verdict(result.report), "sound");
+}
+
+/// A plate with a groove; its ends are tiny against the plate, its sides thin and at right angles to all about them.
+TEST(MergeSmall, AThinFaceDoesNotLoseItsEnds) {
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(100, 60, 5).Shape();
+  const TopoDS_Shape groove = BRepPrimAPI_MakeBox(gp_Pnt(40, 20, 4.6), gp_Pnt(62, 21.2, 6)).Shape();
+  const MeshResult result = test::mesh_of(BRepAlgoAPI_Cut(plate, groove).Shape(), 1e6);
+  EXPECT_EQ(faces_of(result, FaceStatus::failed), 0);
 }
 
 TEST(MergeSmall, ATinyBodyStays) {

@@ -257,7 +257,8 @@ double face_area(const TopoDS_Face& face) {
     if (std::abs(area - usual) <= alike * area) return area;
     // Pieces of extrusions whose two ends are divided in other places are percents off by the rule that halves.
     const double referee = area_by_border(face).value_or(area);
-    return std::abs(area - referee) <= std::abs(usual - referee) ? area : usual;
+    const double nearer = std::abs(area - referee) <= std::abs(usual - referee) ? area : usual;
+    return std::abs(nearer - referee) <= alike * referee ? nearer : referee;
   } catch (const Standard_Failure&) {
     return std::numeric_limits<double>::quiet_NaN();
   }

@@ -37,9 +37,9 @@ std::optional<double> area_within(const Surface& surface, const std::vector<Bord
     auto uv = [&](double share) { return piece.image->uv(piece.t0 + share * (piece.t1 - piece.t0)); };
     Vec2 last = uv(0);
     for (int i = 1; i <= pieces; ++i) {
-      const Vec2 next = uv(static_cast<double>(i) / pieces), middle = uv((i - 0.5) / pieces);
+      const Vec2 next = uv(static_cast<double>(i) / pieces);
       const double du = piece.is_reversed ? last.x - next.x : next.x - last.x;
-      area -= du * area_per_u(surface, from, middle);
+      for (const auto& [at, weight] : rule) area -= weight * du * area_per_u(surface, from, uv((i - 1 + at) / pieces));
       round += du, walked += std::abs(du);
       last = next;
     }

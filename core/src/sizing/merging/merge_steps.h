@@ -12,7 +12,8 @@ namespace paver {
 /// that they have.
 void join_chains(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges);
 
-/// Faces that are as small in all directions become points. Gives thin ones that ended there and are to be merged for it.
+/// Faces that are as small in all directions become points. Gives thin ones that ended there and are to be merged for
+/// it.
 std::vector<int> collapse_tiny_faces(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges);
 
 /// A face narrower than the limit whose neighbours on one side go on without a corner is left out: these end at its
