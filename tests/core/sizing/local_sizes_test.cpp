@@ -69,6 +69,19 @@ double distance_to(Vec3 x, const SizeSource& source) {
   return best;
 }
 
+TEST(LocalSizes, HoldOnWiresWithoutAnyFace) {
+  fake::Builder builder;
+  builder.line(builder.vertex({0, 0, 0}), builder.vertex({10, 0, 0}));
+  Model model = builder.take();
+  model.edges[0].origins = {0};
+  model.read_edges = 1;
+  Options options;
+  options.size = 2;
+  EXPECT_EQ(LocalSizes(model, options, 2).on_edge(model.edges[0]), std::numeric_limits<double>::infinity());
+  options.local.push_back({"Edge1", 0.5, 1, 1});
+  EXPECT_EQ(LocalSizes(model, options, 2).on_edge(model.edges[0]), 0.5);
+}
+
 TEST(NearestSource, GivesTheLeastOverAllSources) {
   std::mt19937 random(7);
   auto number = [&] { return std::uniform_real_distribution<double>(-10, 10)(random); };

@@ -61,8 +61,8 @@ double longest_interval(const Model& model, const Loop& loop) {
 
 }  // namespace
 
-LocalSizes::LocalSizes(const Model& model, const Options& options, double h) {
-  if (!options.local.empty()) begin(model);
+LocalSizes::LocalSizes(const Model& model, const Options& options, double h)
+    : of_face_(model.faces.size(), none), of_edge_(static_cast<std::size_t>(model.read_edges), none) {
   for (const LocalSize& local : options.local) {
     double length = local_length(options, local);
     put(model, local, length);
@@ -78,11 +78,6 @@ LocalSizes::LocalSizes(const Model& model, const Options& options, double h) {
   if (!is_empty()) add_sources(model, options.gradation);
 }
 
-void LocalSizes::begin(const Model& model) {
-  of_face_.assign(model.faces.size(), none);
-  of_edge_.assign(static_cast<std::size_t>(model.read_edges), none);
-}
-
 // A length that is given for the vertex itself holds. Where all edges are shorter anyway there is nothing to do.
 void LocalSizes::put_on_tips(const Model& model, const Options& options, double h) {
   const std::vector<std::pair<Vec3, double>> given = points_;
@@ -93,7 +88,6 @@ void LocalSizes::put_on_tips(const Model& model, const Options& options, double 
     const Vec3 x = model.vertices[static_cast<std::size_t>(tip.vertex)];
     auto is_at_tip = [&](const auto& point) { return norm(point.first - x) < same_point * length; };
     if (length >= tip.room || std::any_of(given.begin(), given.end(), is_at_tip)) continue;
-    if (is_empty()) begin(model);
     points_.push_back({x, length});
     least_ = std::min(least_, length);
   }
@@ -103,7 +97,6 @@ void LocalSizes::put_on_sharp_edges(const Model& model, const Options& options, 
   const std::vector<bool> is_sharp = find_sharp_edges(model);
   for (std::size_t e = 0; e < is_sharp.size(); ++e) {
     if (!is_sharp[e]) continue;
-    if (is_empty()) begin(model);
     double length = h;
     for (int face : model.edges[e].faces) length = std::min(length, on_face(face));
     length /= options.grade_edges;
@@ -117,7 +110,6 @@ void LocalSizes::put_on_gaps(const Model& model, const Options& options, double 
   auto length_on = [&](int face) { return std::min(h, on_face(face)); };
   const int lines = options.gap_elements;
   for (const GapPiece& gap : find_gaps(model, length_on)) {
-    if (is_empty()) begin(model);
     const double length = std::max(gap.width, narrowest_gap * h) / lines;
     for (int i = 0; i <= lines; ++i) {
       const double share = static_cast<double>(i) / lines;
@@ -138,7 +130,6 @@ void LocalSizes::put_on_holes(const Model& model, double h) {
     for (const Loop& loop : face.loops) {
       const double length = longest_interval(model, loop);
       if (!(length > 0) || length > std::min(small_hole * extent, small_interval * h)) continue;
-      if (is_empty()) begin(model);
       least_ = std::min(least_, length);
       for (const Coedge& coedge : loop.coedges) {
         const Edge& edge = edge_of(model, coedge);

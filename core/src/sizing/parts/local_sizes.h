@@ -22,7 +22,7 @@ class LocalSizes {
   /// Throws bad_option for parts that the model does not have. `h` is the target length of the run.
   LocalSizes(const Model& model, const Options& options, double h);
 
-  bool is_empty() const { return of_face_.empty(); }
+  bool is_empty() const { return !(least_ < none); }
   /// Length asked for on a whole face: its own and those of its solids.
   double on_face(int face) const { return is_empty() ? none : of_face_[static_cast<std::size_t>(face)]; }
   /// Length asked for on a whole edge: its own and those of its faces.
@@ -35,7 +35,6 @@ class LocalSizes {
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
-  void begin(const Model& model);
   void note_inside(const Model& model, const LocalSize& local);
   void put(const Model& model, const LocalSize& local, double length);
   void put_on_sharp_edges(const Model& model, const Options& options, double h);
