@@ -7,6 +7,7 @@
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Bnd_Box2d.hxx>
+#include <Geom2d_Line.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
@@ -38,7 +39,11 @@ class Border {
  public:
   Border() = default;
   explicit Border(const TopoDS_Face& face) {
-    for (const TopoDS_Edge& edge : edges_of(forward(face))) add(image_of(edge, face));
+    const std::vector<TopoDS_Edge> edges = edges_of(forward(face));
+    is_whole_ = edges.size() <= most_edges;
+    const int chords = std::clamp(most_chords / std::max(static_cast<int>(edges.size()), 1), 8, 128);
+    for (const TopoDS_Edge& edge : edges)
+      if (is_whole_) add(image_of(edge, face), chords);
     if (!is_closed()) chords_.clear();
   }
 
@@ -58,9 +63,9 @@ class Border {
   }
 
  private:
-  static constexpr int count = 128;           // chords of an edge
   static constexpr double open_share = 1e-3;  // of the face: ends that do not meet
   static constexpr std::size_t most_edges = 400;
+  static constexpr int most_chords = 4096;  // as long as edges have eight
 
   struct Chord {
     gp_Pnt2d a, b;
@@ -77,11 +82,12 @@ class Border {
     return std::abs(way.Crossed(to)) <= std::abs(way.X()) * half.Y() + std::abs(way.Y()) * half.X();
   }
 
-  void add(const EdgeImage& image) {
-    if (image.curve.IsNull() || ends_.size() > 2 * most_edges) {
+  void add(const EdgeImage& image, int chords) {
+    if (image.curve.IsNull()) {
       is_whole_ = false;
       return;
     }
+    const int count = Handle(Geom2d_Line)::DownCast(image.curve).IsNull() ? chords : 1;
     gp_Pnt2d last = image.uv(0);
     ends_.push_back(last);
     for (int i = 1; i <= count; ++i) {
@@ -125,7 +131,6 @@ class Piece {
   const Bnd_Box& box() const { return box_; }
   bool is_free_form() const { return is_free_form_; }
   bool is_face() const { return shape_.ShapeType() == TopAbs_FACE; }
-  double margin() const { return margin_; }
 
   const std::vector<Cell>& cells() {
     if (!cells_.empty()) return cells_;
