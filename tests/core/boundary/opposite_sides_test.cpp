@@ -70,11 +70,6 @@ TEST(OppositeSides, OfAStripThatBendsAreItsStraightParts) {
   EXPECT_EQ(pairs[1].partner, -1);
 }
 
-TEST(OppositeSides, OfAStripWithChamferedEndsAreItsSides) {
-  const auto pairs = pairs_of(fake::polygon({{0, 0, 0}, {4, 0, 0}, {4.5, 0.5, 0}, {0, 0.5, 0}}));
-  EXPECT_EQ(pairs.size(), 2u) << "45 and 135 degrees";
-}
-
 TEST(OppositeSides, OfATubeAreItsEnds) {
   auto pairs = pairs_of(fake::tube(1, 2));
   ASSERT_EQ(pairs.size(), 1u);

@@ -15,10 +15,9 @@
 namespace paver {
 namespace {
 
-constexpr double angle_slack = 1e-6;                                // chamfers are at 45 degrees
-constexpr double least_corner = 0.7853981633974483 - angle_slack;   // 45 degrees
-constexpr double largest_corner = 2.356194490192345 + angle_slack;  // 135 degrees
-constexpr double least_straight = 2.6179938779914944;               // 150 degrees; from there to 210 a side runs on
+constexpr double least_corner = 0.7853981633974483;    // 45 degrees
+constexpr double largest_corner = 2.356194490192345;   // 135 degrees
+constexpr double least_straight = 2.6179938779914944;  // 150 degrees; from there to 210 a side runs on
 
 constexpr double many_widths = 4;  // so long are the sides of a thin ring
 

@@ -72,8 +72,8 @@ double area_by_rule(const TopoDS_Face& face, std::optional<double> accuracy) {
   return std::abs(properties.Mass());
 }
 
-/// By the images of its border; nothing where one is missing or they do not say.
-std::optional<double> area_by_border(const TopoDS_Face& face) {
+/// By the images of its border; nothing where one is missing, they do not say, or twice as many places say otherwise.
+std::optional<double> area_by_border(const TopoDS_Face& face, double accuracy) {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
   const std::unique_ptr<Surface> surface = make_surface(forward, 0);
   std::vector<BorderImage> border;
@@ -86,7 +86,9 @@ std::optional<double> area_by_border(const TopoDS_Face& face) {
     if (!piece.image) return std::nullopt;
     border.push_back(std::move(piece));
   }
-  return surface ? area_within(*surface, border) : std::nullopt;
+  const std::optional<double> area = surface ? area_within(*surface, border) : std::nullopt;
+  const std::optional<double> finer = area ? area_within(*surface, border, 2) : std::nullopt;
+  return finer && std::abs(*finer - *area) <= accuracy * *area ? finer : std::nullopt;
 }
 
 /// At most the length of its border: two chords of each edge.
@@ -248,6 +250,7 @@ EdgeUses count_uses(const std::vector<WorkFace>& faces) {
 double face_area(const TopoDS_Face& face) {
   constexpr double accuracy = 1e-5;  // with 1e-4 wings are still 0.6 % off
   constexpr double alike = 1e-3;     // what areas may differ by before and after a fusion
+  constexpr double far_off = 0.03;   // from both rules: the border says something else
   constexpr double sliver = 1e-6;    // of its border squared: less is rounding, and smaller by the usual rule
   try {
     const double usual = area_by_rule(face, std::nullopt);
@@ -256,9 +259,10 @@ double face_area(const TopoDS_Face& face) {
     if (!(area > sliver * border * border)) return std::min(area, usual);
     if (std::abs(area - usual) <= alike * area) return area;
     // Pieces of extrusions whose two ends are divided in other places are percents off by the rule that halves.
-    const double referee = area_by_border(face).value_or(area);
+    const double referee = area_by_border(face, alike).value_or(area);
     const double nearer = std::abs(area - referee) <= std::abs(usual - referee) ? area : usual;
-    return std::abs(nearer - referee) <= alike * referee ? nearer : referee;
+    const double off = std::abs(nearer - referee) / referee;
+    return off <= alike ? nearer : off <= far_off ? referee : area;
   } catch (const Standard_Failure&) {
     return std::numeric_limits<double>::quiet_NaN();
   }

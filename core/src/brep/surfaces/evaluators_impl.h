@@ -65,8 +65,9 @@ struct BorderImage {
 };
 
 /// Area of the part of a surface that lies to the left of the border in (u, v), to about 1e-3. Nothing where the border
-/// does not say: it goes round without another one that goes back, or the surface is periodic in v.
-std::optional<double> area_within(const Surface& surface, const std::vector<BorderImage>& border);
+/// does not say: it goes round without another one that goes back, or the surface is periodic in v. `finer`: times as
+/// many places either way.
+std::optional<double> area_within(const Surface& surface, const std::vector<BorderImage>& border, int finer = 1);
 
 /// Straight line from `a` at t0 to `b` at t1: stands in for the missing image of a pole.
 std::shared_ptr<const ParameterCurve> make_straight_parameter_curve(Vec2 a, Vec2 b, double t0, double t1);
