@@ -68,12 +68,12 @@ double distance_between(const ModelEdits& edits, const Side& one, const Side& tw
 
 double tilt_between(const ModelEdits& edits, const Side& one, const Side& two) {
   const auto area_about = [&](const Side& side) {
-    constexpr int steps = 32;
+    constexpr int chords = 32;
     const SideCurve curve(edits, side);
     const Vec3 start = curve.point(curve.at(0));
     Vec3 area, last;
-    for (int i = 1; i < steps; ++i) {
-      const Vec3 next = curve.point(curve.at(static_cast<double>(i) / steps)) - start;
+    for (int i = 1; i < chords; ++i) {
+      const Vec3 next = curve.point(curve.at(static_cast<double>(i) / chords)) - start;
       area += cross(last, next);
       last = next;
     }
