@@ -46,26 +46,36 @@ std::vector<double> angles_of(const Model& model, const Face& face, const Loop& 
   return angles;
 }
 
+/// The first junction that is not straight, or 0.
+std::size_t first_bend(const std::vector<Junction>& junctions) {
+  const auto bend = std::ranges::find_if(junctions, [](Junction j) { return j != Junction::straight; });
+  return bend == junctions.end() ? 0 : static_cast<std::size_t>(bend - junctions.begin());
+}
+
+/// The loop's edges from junction `first` on; a chain begins there and wherever it bends.
+Sides chains_of(const Loop& loop, std::size_t first, const std::vector<Junction>& junctions) {
+  Sides chains;
+  for (std::size_t k = 0, n = junctions.size(); k < n; ++k) {
+    const std::size_t i = (first + k) % n;
+    if (k == 0 || junctions[i] != Junction::straight) chains.emplace_back();
+    chains.back().push_back(loop.coedges[i].edge);
+  }
+  return chains;
+}
+
 /// `has_reflex`: sides end at corners of a hole, too.
 std::optional<Sides> sides_of(const Loop& loop, const std::vector<double>& angles, bool has_reflex) {
-  const std::size_t n = angles.size();
+  if (angles.empty()) return std::nullopt;
   std::vector<Junction> junctions;  // at the start of each coedge
   for (double angle : angles) {
     junctions.push_back(junction_of(angle));
     if (has_reflex && junctions.back() == Junction::reflex) junctions.back() = Junction::corner;
     if (junctions.back() != Junction::corner && junctions.back() != Junction::straight) return std::nullopt;
   }
-  if (n == 0) return std::nullopt;
-  auto first = std::find(junctions.begin(), junctions.end(), Junction::corner);
-  std::size_t start = first == junctions.end() ? 0 : static_cast<std::size_t>(first - junctions.begin());
-  Sides sides;
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t i = (start + k) % n;
-    if (k == 0 || junctions[i] == Junction::corner) sides.emplace_back();
-    sides.back().push_back(loop.coedges[i].edge);
-  }
-  if (first == junctions.end() || sides.size() > 1) return sides;
-  return std::nullopt;  // a drop: one corner
+  Sides sides = chains_of(loop, first_bend(junctions), junctions);
+  const bool has_corner = std::ranges::find(junctions, Junction::corner) != junctions.end();
+  if (has_corner && sides.size() == 1) return std::nullopt;  // a drop
+  return sides;
 }
 
 Vec3 middle_of(const Edge& edge) { return edge.curve->point(0.5 * (edge.t0 + edge.t1)); }
@@ -123,15 +133,12 @@ class BentStrip {
  public:
   BentStrip(const Model& model, int face, double width, const Loop& loop, const std::vector<double>& angles)
       : model_(model), face_(face), width_(width) {
-    const std::size_t n = angles.size();
-    auto bends = [&](std::size_t i) { return junction_of(angles[i]) != Junction::straight; };
-    std::size_t first = 0;
-    while (first < n && !bends(first)) ++first;
-    for (std::size_t k = 0; first < n && k < n; ++k) {
-      const std::size_t i = (first + k) % n;
-      if (bends(i)) sides_.emplace_back(), angles_.push_back(angles[i]);
-      sides_.back().push_back(loop.coedges[i].edge);
-    }
+    std::vector<Junction> junctions;
+    for (double angle : angles) junctions.push_back(junction_of(angle));
+    const std::size_t first = first_bend(junctions);
+    sides_ = chains_of(loop, first, junctions);
+    for (std::size_t k = 0, n = angles.size(); k < n; ++k)
+      if (const std::size_t i = (first + k) % n; junctions[i] != Junction::straight) angles_.push_back(angles[i]);
   }
 
   /// Of its straight parts; none where it is no such strip.

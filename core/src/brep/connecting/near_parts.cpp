@@ -39,11 +39,12 @@ class Border {
  public:
   Border() = default;
   explicit Border(const TopoDS_Face& face) {
-    const std::vector<TopoDS_Edge> edges = edges_of(forward(face));
+    const TopoDS_Face plain = forward(face);
+    const std::vector<TopoDS_Edge> edges = edges_of(plain);
     is_whole_ = edges.size() <= most_edges;
     const int chords = std::clamp(most_chords / std::max(static_cast<int>(edges.size()), 1), 8, 128);
     for (const TopoDS_Edge& edge : edges)
-      if (is_whole_) add(image_of(edge, face), chords);
+      if (is_whole_) add(image_of(edge, plain), chords);
     if (!is_closed()) chords_.clear();
   }
 
