@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "mesh/split_quads.h"
 #include "multilevel/coarse/coarse_net.h"
@@ -61,7 +60,7 @@ class Planner {
     if (!net) return std::nullopt;
     const std::vector<double> wanted = lengths(mesh, *net);
     auto counts = choose_edge_counts(coarse_, *net, find_chords(coarse_, mesh, *net), wanted);
-    if (!counts || !fits(wanted, *counts)) return std::nullopt;
+    if (!counts || !fits(*net, wanted, *counts)) return std::nullopt;
     move_boundary(mesh, *net, *counts);
     even_out(coarse_.region, mesh, wishes(mesh, *net, *counts), count_sweeps, progress_);
     LevelPlan plan;
@@ -78,10 +77,17 @@ class Planner {
  private:
   double ratio() const { return coarse_.region.h / region_.h; }
 
-  /// Whether edges would be about their target length on average: most counts are given by the region's sides.
-  static bool fits(const std::vector<double>& lengths, const std::vector<int>& counts) {
-    const double length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
-    return std::fabs(length / std::accumulate(counts.begin(), counts.end(), 0.0) - 1) < mean_slack;
+  /// Whether edges would be about their target length on average, or between it and the length of those on the
+  /// boundary, which are given: most counts inside follow from these.
+  static bool fits(const CoarseNet& net, const std::vector<double>& lengths, const std::vector<int>& counts) {
+    double length = 0, given_length = 0, count = 0, given_count = 0;
+    for (std::size_t e = 0; e < lengths.size(); ++e) {
+      const bool is_given = net.edges[e].loop >= 0;
+      length += lengths[e], count += counts[e];
+      if (is_given) given_length += lengths[e], given_count += counts[e];
+    }
+    const double mean = length / count, given = given_count > 0 ? given_length / given_count : 1;
+    return mean > std::min(given, 1 - mean_slack) && mean < std::max(given, 1 + mean_slack);
   }
 
   // Of coarse edges, in fine target lengths.
