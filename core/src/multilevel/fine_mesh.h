@@ -22,6 +22,8 @@ class FineMesh {
   int corner_node(int v);
   /// Nodes of coarse edge `e`, ends included, from coarse node `from`. Made when first asked for.
   Row row_of(int e, int from);
+  /// Whether coarse node `v` is a pole or on the ring of a fan.
+  bool is_pole(int v) const { return mesh.is_fixed[v] && mesh.global[v] >= 0 && plan.place_on_loop[v][0] < 0; }
   /// The pole among the element's corners, or -1.
   int pole_of(int e) const;
   /// Divides coarse element `e` in a grid, a triangle in three. False, and nothing done but on its edges, where counts
@@ -48,9 +50,6 @@ class FineMesh {
   bool add_quad(const Corners& v);
   bool lay_triangle(const std::vector<Row>& rows);
   Row straight_row(int a, int b, int n);
-
-  /// Rings of fans are fixed, too.
-  bool is_pole(int v) const { return mesh.is_fixed[v] && mesh.global[v] >= 0 && plan.place_on_loop[v][0] < 0; }
 
   const Region& whole_;
   const std::vector<int>& counts_;

@@ -1,56 +1,10 @@
-// Pieces by halving: along the longer side of the box about the elements' centres in the chart, so that each half gets
-// its share of the fine elements.
+// Outlines follow from the pieces: only these travel.
 #include "multilevel/level_plan.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "base/box.h"
 #include "base/packing.h"
 
 namespace paver {
 namespace {
-
-struct Centre {
-  Vec2 p;
-  int element;
-  double fine;
-};
-
-Vec2 centre_of(const RegionMesh& mesh, int e) {
-  Vec2 sum{0, 0};
-  const Element& element = mesh.elements[e];
-  for (int k = 0; k < element.corners(); ++k) sum = sum + mesh.p[element.v[k]];
-  return (1.0 / element.corners()) * sum;
-}
-
-bool is_wide(const Centre* first, const Centre* last) {
-  Box box;
-  for (const Centre* c = first; c != last; ++c) box.add(c->p);
-  return box.high.x - box.low.x >= box.high.y - box.low.y;
-}
-
-void halve(Centre* first, Centre* last, int pieces, std::vector<std::vector<int>>& result) {
-  if (pieces < 2 || last - first < 2) {
-    std::vector<int>& piece = result.emplace_back();
-    for (const Centre* c = first; c != last; ++c) piece.push_back(c->element);
-    std::sort(piece.begin(), piece.end());
-    return;
-  }
-  const bool by_x = is_wide(first, last);
-  std::sort(first, last, [&](const Centre& a, const Centre& b) {
-    const double at = by_x ? a.p.x : a.p.y, other = by_x ? b.p.x : b.p.y;
-    return at != other ? at < other : a.element < b.element;
-  });
-  const int first_pieces = pieces / 2;
-  double all = 0, sum = 0;
-  for (const Centre* c = first; c != last; ++c) all += c->fine;
-  Centre* middle = first;
-  while (middle + 1 != last && sum + 0.5 * middle->fine < all * first_pieces / pieces) sum += (middle++)->fine;
-  if (middle == first) ++middle;
-  halve(first, middle, first_pieces, result);
-  halve(middle, last, pieces - first_pieces, result);
-}
 
 /// Every field but those that number_outlines() fills in; stars follow from the elements.
 template <class A>
@@ -64,51 +18,6 @@ void fields(A& archive, Is<LevelPlan> auto& plan) {
 }
 
 }  // namespace
-
-std::vector<std::vector<int>> groups_by_nodes(const RegionMesh& mesh, std::set<int> waits) {
-  std::vector<std::vector<int>> groups;
-  while (!waits.empty()) {
-    std::vector<int>& group = groups.emplace_back(1, *waits.begin());
-    waits.erase(waits.begin());
-    for (std::size_t i = 0; i < group.size(); ++i)
-      for (int v : mesh.elements[group[i]].v) {
-        if (v < 0) continue;
-        for (int e : mesh.star[v])
-          if (waits.erase(e) > 0) group.push_back(e);
-      }
-    std::sort(group.begin(), group.end());
-  }
-  return groups;
-}
-
-double fine_elements(const LevelPlan& plan, int element) {
-  const auto& edges = plan.net.of_element[element];
-  const double m = 0.5 * plan.counts[edges[0]], n = 0.5 * plan.counts[edges[1]];
-  if (plan.mesh.elements[element].corners() == 3) {
-    const double mean = (2 * m + 2 * n + plan.counts[edges[2]]) / 3;
-    constexpr double of_quad = 0.75;  // three quads of half the side
-    return of_quad * mean * mean;
-  }
-  return (m + 0.5 * plan.counts[edges[2]]) * (n + 0.5 * plan.counts[edges[3]]);
-}
-
-void cut_in_pieces(LevelPlan& plan, double elements) {
-  plan.pieces.clear();
-  std::vector<Centre> centres;
-  std::set<int> paved;
-  double all = 0;
-  for (std::size_t e = 0; e < plan.mesh.elements.size(); ++e) {
-    const int i = static_cast<int>(e);
-    const bool is_paved = elements > 0 && plan.is_paved[e];
-    if (is_paved) paved.insert(i);
-    if (is_paved || !plan.mesh.elements[e].is_alive()) continue;
-    centres.push_back({centre_of(plan.mesh, i), i, fine_elements(plan, i)});
-    all += centres.back().fine;
-  }
-  const int pieces = elements > 0 ? std::max(1, static_cast<int>(std::lround(all / elements))) : 1;
-  if (!centres.empty()) halve(centres.data(), centres.data() + centres.size(), pieces, plan.pieces);
-  for (std::vector<int>& piece : groups_by_nodes(plan.mesh, std::move(paved))) plan.pieces.push_back(std::move(piece));
-}
 
 void number_outlines(LevelPlan& plan) {
   plan.place_on_loop.assign(plan.mesh.p.size(), {-1, -1});

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,16 +30,6 @@ struct LevelPlan {
   std::vector<int> outline_of_edge;               ///< per coarse edge: its first outline node between the ends, or -1
   std::vector<std::array<int, 2>> outline_sides;  ///< shared nodes of every fine side on an outline
 };
-
-/// Elements that hang together by nodes, of those in `waits`: each group rising, in the order of their first elements.
-std::vector<std::vector<int>> groups_by_nodes(const RegionMesh& mesh, std::set<int> waits);
-
-/// Fine elements that a coarse element is divided into, about.
-double fine_elements(const LevelPlan& plan, int element);
-
-/// Cuts the plan into pieces of about `elements` fine elements; 0: one piece. Coarse elements that are paved together
-/// are a piece of their own.
-void cut_in_pieces(LevelPlan& plan, double elements);
 
 /// Fills in what follows from the pieces.
 void number_outlines(LevelPlan& plan);

@@ -13,6 +13,7 @@
 #include "multilevel/coarse/even_out.h"
 #include "multilevel/fine_mesh.h"
 #include "multilevel/patches.h"
+#include "multilevel/pieces.h"
 #include "multilevel/subdivide.h"
 #include "paving/disc_grid.h"
 #include "paving/faults.h"
@@ -25,7 +26,7 @@ namespace {
 constexpr int least_ratio = 2, moderate_ratio = 6, large_ratio = 12;
 constexpr double fewest_coarse = 1000;  // elements that the coarse mesh should have: large elements vary more in length
 constexpr double many_coarse = 2000;    // the same for ratios above the moderate one
-constexpr double most_coarse = 20000;   // from here on ratios are larger still: one task makes the coarse mesh
+constexpr double most_coarse = 10000;   // from here on ratios are larger still: one task makes the coarse mesh
 constexpr double fewest_coarser = 800;  // and for the mesh under a coarse one, whose lengths are evened out afterwards
 constexpr double evenness = 2.1;        // of coarse meshes: their irregular nodes are few among the fine ones
 constexpr int even_sweeps = 4, count_sweeps = 12, fine_sweeps = 1;
@@ -64,8 +65,12 @@ class Planner {
     move_boundary(mesh, *net, *counts);
     even_out(coarse_.region, mesh, wishes(mesh, *net, *counts), count_sweeps, progress_);
     LevelPlan plan;
-    plan.is_paved = choose_paved(mesh, *net, *counts, lengths(mesh, *net));
+    const std::vector<double> laid = lengths(mesh, *net);
+    plan.is_paved = choose_paved(mesh, *net, *counts, laid);
     if (plan.is_paved.empty()) return std::nullopt;
+    for (std::size_t e = 0; e < counts->size(); ++e)
+      if (is_within_paved(net->edges[e], plan.is_paved))
+        (*counts)[e] = std::max(1, static_cast<int>(std::lround(laid[e])));
     plan.mesh = std::move(mesh);
     plan.net = std::move(*net);
     plan.at = std::move(coarse_.at);
@@ -108,6 +113,10 @@ class Planner {
       for (int k = 0; mesh.elements[e].is_alive() && k < mesh.elements[e].corners(); ++k)
         result[e][k] = static_cast<float>(counts[net.of_element[e][k]] / ratio());
     return result;
+  }
+
+  static bool is_within_paved(const CoarseEdge& edge, const std::vector<char>& is_paved) {
+    return edge.loop < 0 && is_paved[edge.element[0]] && is_paved[edge.element[1]];
   }
 
   void move_boundary(RegionMesh& mesh, const CoarseNet& net, const std::vector<int>& counts) {
@@ -199,7 +208,7 @@ std::optional<LevelPlan> plan_levels(const Region& region, int multilevel, int b
     if (!plan) continue;
     plan->multilevel = multilevel;
     plan->boundary_nodes = boundary_nodes;
-    cut_in_pieces(*plan, boundary_nodes == whole ? 0 : piece_elements);
+    cut_in_pieces(region, *plan, boundary_nodes == whole ? 0 : piece_elements);
     number_outlines(*plan);
     return plan;
   }

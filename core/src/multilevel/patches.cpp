@@ -3,33 +3,10 @@
 // about a pole that lies in it.
 #include "multilevel/patches.h"
 
-#include <algorithm>
-#include <map>
+#include "multilevel/pieces.h"
 
 namespace paver {
 namespace {
-
-/// A coarse edge on the outline, run through so that the part is on its left.
-struct OutlineEdge {
-  int edge = -1, from = -1, to = -1;
-};
-
-// Edges between an element of the part and one outside, or the boundary; by start node.
-template <class IsInside>
-std::multimap<int, OutlineEdge> outline_of(const std::vector<int>& part, const RegionMesh& mesh, const CoarseNet& net,
-                                           IsInside is_inside) {
-  std::multimap<int, OutlineEdge> outline;
-  for (int e : part) {
-    const Element& element = mesh.elements[e];
-    for (int k = 0, n = element.corners(); k < n; ++k) {
-      const CoarseEdge& edge = net.edges[net.of_element[e][k]];
-      int across = edge.element[0] == e ? edge.element[1] : edge.element[0];
-      if (across >= 0 && is_inside(across)) continue;
-      outline.insert({element.v[k], {net.of_element[e][k], element.v[k], element.v[(k + 1) % n]}});
-    }
-  }
-  return outline;
-}
 
 class PatchPaver {
  public:
@@ -55,8 +32,7 @@ class PatchPaver {
   }
 
   void add_loops(const std::vector<int>& part, Region& region) {
-    auto is_inside = [&](int e) { return std::binary_search(part.begin(), part.end(), e); };
-    std::multimap<int, OutlineEdge> outline = outline_of(part, mesh_, fine_.net, is_inside);
+    std::multimap<int, OutlineEdge> outline = outline_of(part, mesh_, fine_.net);
     while (!outline.empty()) {
       std::vector<LoopNode>& loop = region.loops.emplace_back();
       int node = outline.begin()->first;
@@ -126,7 +102,7 @@ void settle_marks(const RegionMesh& mesh, const CoarseNet& net, std::vector<char
     std::vector<int> part;
     for (std::size_t e = 0; e < is_marked.size(); ++e)
       if (is_marked[e]) part.push_back(static_cast<int>(e));
-    const auto outline = outline_of(part, mesh, net, [&](int e) { return is_marked[e] != 0; });
+    const auto outline = outline_of(part, mesh, net);
     for (const auto& [node, edge] : outline) {
       if (outline.count(node) < 2) continue;
       for (int e : mesh.star[node])

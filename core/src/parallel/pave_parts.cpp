@@ -9,6 +9,7 @@
 
 #include "base/tasks/gather.h"
 #include "brep/kernel_guard.h"
+#include "multilevel/pieces.h"
 
 namespace paver {
 namespace {
@@ -152,10 +153,9 @@ void PartPaver::exchange_plans() {
 void PartPaver::add_pieces(int region, std::vector<Part>& parts) const {
   const LevelPlan& plan = *plans_[region];
   for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
-    double fine = 0;
-    bool is_paved = false;
-    for (int e : plan.pieces[i]) fine += fine_elements(plan, e), is_paved |= plan.is_paved[e] != 0;
-    parts.push_back({region, static_cast<int>(i), (is_paved ? 1 : planned_cost) * fine, nullptr, nullptr});
+    const bool is_paved = plan.is_paved[plan.pieces[i].front()] != 0;
+    const double cost = (is_paved ? 1 : planned_cost) * fine_elements(plan, plan.pieces[i]);
+    parts.push_back({region, static_cast<int>(i), cost, nullptr, nullptr});
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <compare>
-#include <map>
 
 namespace paver {
 namespace {
@@ -121,6 +120,20 @@ std::optional<CoarseNet> build_net(const CoarseRegion& coarse, const RegionMesh&
 
 std::vector<Chord> find_chords(const CoarseRegion& coarse, const RegionMesh& mesh, const CoarseNet& net) {
   return ChordWalker(coarse, mesh, net).run();
+}
+
+std::multimap<int, OutlineEdge> outline_of(const std::vector<int>& part, const RegionMesh& mesh, const CoarseNet& net) {
+  std::multimap<int, OutlineEdge> outline;
+  for (int e : part) {
+    const Element& element = mesh.elements[e];
+    for (int k = 0, n = element.corners(); k < n; ++k) {
+      const CoarseEdge& edge = net.edges[net.of_element[e][k]];
+      const int across = edge.element[0] == e ? edge.element[1] : edge.element[0];
+      if (across >= 0 && std::binary_search(part.begin(), part.end(), across)) continue;
+      outline.insert({element.v[k], {net.of_element[e][k], element.v[k], element.v[(k + 1) % n]}});
+    }
+  }
+  return outline;
 }
 
 }  // namespace paver

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -34,5 +35,13 @@ std::optional<CoarseNet> build_net(const CoarseRegion& coarse, const RegionMesh&
 
 /// Every edge is in exactly one chord.
 std::vector<Chord> find_chords(const CoarseRegion& coarse, const RegionMesh& mesh, const CoarseNet& net);
+
+/// A coarse edge on the outline of a part of the mesh, run through so that the part is on its left.
+struct OutlineEdge {
+  int edge = -1, from = -1, to = -1;
+};
+
+/// Edges between an element of `part` (rising) and one outside, or the boundary; by start node.
+std::multimap<int, OutlineEdge> outline_of(const std::vector<int>& part, const RegionMesh& mesh, const CoarseNet& net);
 
 }  // namespace paver
