@@ -15,8 +15,9 @@ inline int boundary_nodes_of(const Region& region) {
   return count;
 }
 
-/// Pieces meet in their shared nodes; every one of them must be at the same place in all.
-inline RegionMesh put_together(const std::vector<RegionMesh>& pieces) {
+/// Pieces meet in their shared nodes; every one of them must be at the same place in all. Those from number `boundary`
+/// on, outline nodes, become nodes inside.
+inline RegionMesh put_together(const std::vector<RegionMesh>& pieces, int boundary) {
   RegionMesh whole;
   std::map<int, int> shared;
   for (const RegionMesh& piece : pieces) {
@@ -41,10 +42,12 @@ inline RegionMesh put_together(const std::vector<RegionMesh>& pieces) {
       whole.add_element(v);
     }
   }
+  for (int v = 0; v < whole.node_count(); ++v)
+    if (whole.global[v] >= boundary) whole.global[v] = -1, whole.is_fixed[v] = 0;
   return whole;
 }
 
-/// The mesh of a planar region; outline nodes become nodes inside it.
+/// The mesh of a planar region.
 inline RegionMesh pave_on_levels(const Region& region, int multilevel, const Progress& progress,
                                  Elements elements = Elements::quad_dominant) {
   const int boundary = boundary_nodes_of(region);
@@ -53,10 +56,7 @@ inline RegionMesh pave_on_levels(const Region& region, int multilevel, const Pro
   std::vector<RegionMesh> pieces;
   for (std::size_t i = 0; i < plan->pieces.size(); ++i)
     pieces.push_back(lay_piece(region, without_loops(region), *plan, i, progress, elements).mesh);
-  RegionMesh whole = put_together(pieces);
-  for (int v = 0; v < whole.node_count(); ++v)
-    if (whole.global[v] >= boundary) whole.global[v] = -1, whole.is_fixed[v] = 0;
-  return whole;
+  return put_together(pieces, boundary);
 }
 
 }  // namespace paver::test

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multilevel/pieces.h"
 #include "support/levels.h"
 #include "support/planar_region.h"
 #include "support/validate.h"
@@ -75,6 +76,21 @@ TEST(PlanLevels, ARectangleBecomesAGrid) {
       EXPECT_EQ(figures.quads, std::lround(a * b));
     }
   }
+}
+
+// Along its long sides edges are shorter than asked for, as where a neighbour has more of them.
+TEST(PlanLevels, SidesMayBeDividedMoreFinelyThanAskedFor) {
+  std::vector<Vec2> loop;
+  auto add_side = [&](Vec2 from, Vec2 to, int count) {
+    for (int i = 0; i < count; ++i) loop.push_back(from + (static_cast<double>(i) / count) * (to - from));
+  };
+  add_side({0, 0}, {300, 0}, 360), add_side({300, 0}, {300, 60}, 60);
+  add_side({300, 60}, {0, 60}, 360), add_side({0, 60}, {0, 0}, 60);
+  Region region = with_area({loop}, 1);
+  for (LoopNode& node : region.loops[0]) node.h = 1;
+  ASSERT_TRUE(
+      plan_levels(region, automatic_levels, test::boundary_nodes_of(region), Progress(), Elements::quad_dominant));
+  EXPECT_EQ(test::paved_faults(region, pave_on_levels(region, automatic_levels, Progress())), "");
 }
 
 TEST(PlanLevels, TheSameEveryTime) {
@@ -163,6 +179,31 @@ TEST(LevelPlan, IsTheSameAfterPackingAndUnpacking) {
     RegionMesh a = lay_piece(region, without_loops(region), *plan, i, Progress(), Elements::quad_dominant).mesh;
     RegionMesh b = lay_piece(region, without_loops(region), unpacked, i, Progress(), Elements::quad_dominant).mesh;
     EXPECT_TRUE(a.p == b.p && a.x == b.x && a.global == b.global) << i;
+  }
+}
+
+// A band across the plate, as a blade's leading edge: neither half of it may ask for a triangle.
+TEST(CutInPieces, WhatIsPavedTogetherFallsIntoAFewPieces) {
+  const Region region = with_area(plate(282), 1);
+  const int boundary = test::boundary_nodes_of(region);
+  for (double half : {12.0, 15.0, 18.0}) {
+    auto plan = plan_levels(region, 6, boundary, Progress(), Elements::quad_dominant);
+    ASSERT_TRUE(plan);
+    for (std::size_t e = 0; e < plan->is_paved.size(); ++e) {
+      const Element& element = plan->mesh.elements[e];
+      plan->is_paved[e] = element.is_alive() && std::fabs(plan->mesh.p[element.v[0]].x - 165) < half;
+    }
+    cut_in_pieces(region, *plan, 4096);
+    number_outlines(*plan);
+    int paved = 0;
+    std::vector<RegionMesh> pieces;
+    for (std::size_t i = 0; i < plan->pieces.size(); ++i) {
+      paved += plan->is_paved[plan->pieces[i].front()] != 0;
+      pieces.push_back(lay_piece(region, without_loops(region), *plan, i, Progress(), Elements::quad_dominant).mesh);
+      EXPECT_EQ(figures_of(pieces.back()).triangles, 0) << half;
+    }
+    EXPECT_GT(paved, 1) << half;
+    EXPECT_EQ(test::paved_faults(region, test::put_together(pieces, boundary)), "") << half;
   }
 }
 
