@@ -64,6 +64,7 @@ class ElementJudge {
   int order() const { return order_; }
 
  private:
+  static constexpr std::size_t most_known = 1024;
   static constexpr double least_height = 1e-6;  // scaled Jacobian: flatter ones are not curved to be judged
 
   bool has_forbidden_side(const Corners& v, int n) const;
@@ -77,6 +78,15 @@ class ElementJudge {
   double chords_off(const Corners& v, int n) const;
   /// Whether it is valid once its sides on two edges that touch without an angle are straight.
   bool is_valid_cusp(const Corners& v, int n, std::array<Vec3, 9> x) const;
+  /// Inside the face, between nodes a < b. Elements about one place ask for the same sides again and again: known as
+  /// long as the ends lie where they did.
+  struct InnerSide {
+    int a = -1, b = -1;
+    Vec2 from, to;  ///< of the ends in the chart
+    Vec2 place;     ///< of the middle
+    Vec3 middle;
+  };
+  const InnerSide& inner_side(int a, int b) const;
   /// In Gmsh's order.
   std::array<Vec3, 9> nodes(const Corners& v, int n) const;
   /// The same of order 2, as curving places them.
@@ -87,6 +97,7 @@ class ElementJudge {
   const BoundarySides& sides_;
   const int order_;
   std::vector<std::pair<int, int>> forbidden_;
+  mutable std::vector<InnerSide> known_;  // by a hash of the nodes; a judge serves one thread
 };
 
 }  // namespace paver
