@@ -173,7 +173,7 @@ class PolarChart : public Chart {
  private:
   static Vec2 turned(Vec2 p, Vec2 step) {
     double square = dot(p, p), grow = dot(step, p) / square, turn = cross(p, step) / square;
-    double scale = std::exp(std::clamp(grow, -50.0, 50.0)), c = std::cos(turn), s = std::sin(turn);
+    double scale = std::exp(std::clamp(grow, -150.0, 150.0)), c = std::cos(turn), s = std::sin(turn);
     return scale * Vec2{c * p.x - s * p.y, s * p.x + c * p.y};
   }
   /// Whether the surface about a pole is sharper than a disc: log R rises faster than that of the distance.

@@ -16,10 +16,16 @@ constexpr int chart_steps = 32;
 constexpr std::size_t most_samples = 49;  // of a ray
 constexpr double far_corner = 1.25;       // of the way to the fan's other nodes, to those opposite the middle
 
-/// From the middle, or from a node of one loop, to a node of a loop, straight in the chart.
+/// From the middle, straight in the chart, or from a node of another loop, as the chart goes there, to a node of a
+/// loop.
 class Ray {
  public:
-  Ray(const Region& region, Vec2 from, Vec2 end, DomeRows rows) : from_(from), end_(end) {
+  enum class Way { straight, by_chart };
+
+  Ray(const Region& region, Vec2 from, Vec2 end, DomeRows rows, Way way)
+      : chart_(way == Way::by_chart ? region.chart.get() : nullptr),
+        from_(from),
+        step_(chart_ ? chart_->step_to(from, end) : end - from) {
     const std::vector<Sample> samples = rows == DomeRows::in_chart ? chart_samples(region) : even_samples(region);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       shares_.push_back(samples[i].share);
@@ -48,7 +54,7 @@ class Ray {
     NodePlace at;
   };
 
-  Vec2 point(double s) const { return from_ + s * (end_ - from_); }
+  Vec2 point(double s) const { return chart_ ? chart_->walk(from_, s * step_) : from_ + s * step_; }
 
   std::vector<Sample> chart_samples(const Region& region) const {
     std::vector<Sample> samples;
@@ -74,7 +80,8 @@ class Ray {
     return samples;
   }
 
-  Vec2 from_, end_;
+  const Chart* chart_;
+  Vec2 from_, step_;
   std::vector<double> shares_, reached_{0};
 };
 
@@ -103,7 +110,7 @@ class Dome {
 
   std::optional<RegionMesh> lay() {
     mesh_.turn_weight = region_.size.turn_weight();
-    for (const LoopNode& node : loop_) rays_.emplace_back(region_, middle_, node.p, kind_);
+    for (const LoopNode& node : loop_) rays_.emplace_back(region_, middle_, node.p, kind_, Ray::Way::straight);
     const int rows = count_rows();
     if (mean_length(rays_) > longest_row * (rows + 1)) return std::nullopt;
     std::vector<int> outer;
@@ -165,7 +172,8 @@ class Tube {
   std::optional<RegionMesh> lay() {
     mesh_.turn_weight = region_.size.turn_weight();
     const std::size_t n = from_.size(), shift = find_shift();
-    for (std::size_t i = 0; i < n; ++i) rays_.emplace_back(region_, from_[i].p, opposite(i, shift).p, DomeRows::even);
+    for (std::size_t i = 0; i < n; ++i)
+      rays_.emplace_back(region_, from_[i].p, opposite(i, shift).p, DomeRows::even, Ray::Way::by_chart);
     const int rows = static_cast<int>(std::clamp(std::lround(mean_length(rays_)), 1L, long{most_rows}));
     std::vector<int> last, next;
     for (int row = 0; row <= rows; ++row, last = std::move(next)) {

@@ -4,6 +4,7 @@
 
 #include "base/listed.h"
 #include "paver/result.h"
+#include "quality/metrics.h"
 
 namespace paver {
 namespace {
@@ -49,8 +50,6 @@ std::string lost(const std::vector<std::string>& parts) {
   return fmt::format("Not in the mesh: {}; name faces, edges and vertices that stay, or mend those that fail.",
                      fmt::join(parts, ", "));
 }
-
-constexpr double far_too_long = 4;  // sides, by the target length
 
 std::string long_sides(const RunReport& report) {
   std::vector<std::string> faces;

@@ -8,6 +8,7 @@
 #include "paver/error.h"
 #include "paving/dome_grid.h"
 #include "paving/strip_grid.h"
+#include "quality/metrics.h"
 #include "repair/find_bad.h"
 #include "repair/mend_mesh.h"
 #include "repair/shared_sides.h"
@@ -35,7 +36,9 @@ double worst_value(const ElementJudge& judge) {
 
 }  // namespace
 
-bool OtherWays::can_help(const RegionMesh& mesh) const { return is_coarse_and_mixed(mesh) || !can_be_whole(mesh); }
+bool OtherWays::can_help(const RegionMesh& mesh) const {
+  return is_coarse_and_mixed(mesh) || has_long_side(mesh) || !can_be_whole(mesh);
+}
 
 void OtherWays::improve(Mended& mended, PavedRegion& paved) const {
   const Vec3 where = paved.mesh.x[mended.left.empty() ? 0 : paved.mesh.elements[mended.left[0]].v[0]];
@@ -45,7 +48,20 @@ void OtherWays::improve(Mended& mended, PavedRegion& paved) const {
   if (is_changed) mended.places.push_back({ElementRepairKind::paved_again, where});
 }
 
-bool OtherWays::is_sound(const RegionMesh& mesh) const { return twin_sides(mesh).empty() && can_be_whole(mesh); }
+bool OtherWays::is_sound(const RegionMesh& mesh) const {
+  return twin_sides(mesh).empty() && !has_long_side(mesh) && can_be_whole(mesh);
+}
+
+/// The front of a rod, a few elements about, may close along it. Of few elements.
+bool OtherWays::has_long_side(const RegionMesh& mesh) const {
+  if (!has_few_elements(mesh)) return false;
+  const double longest = far_too_long * region_.h;
+  return std::any_of(mesh.elements.begin(), mesh.elements.end(), [&](const Element& e) {
+    for (int k = 0; e.is_alive() && k < e.corners(); ++k)
+      if (norm(mesh.x[e.v[(k + 1) % e.corners()]] - mesh.x[e.v[k]]) > longest) return true;
+    return false;
+  });
+}
 
 /// As far as can be told from its elements, where these are few: a front may close across a body instead of around it
 /// where lengths are about the body's own.
@@ -112,7 +128,12 @@ bool OtherWays::take(const Region& region, PavedRegion second, Mended& mended, P
 bool OtherWays::make_regular(Mended& mended, PavedRegion& paved) const {
   if (!is_coarse_and_mixed(paved.mesh)) return false;
   std::optional<RegionMesh> grid = lay_four_sided(region_, few_elements);
-  if (!grid || static_cast<double>(grid->elements.size()) < least_share * quads_in(paved.mesh)) return false;
+  if (grid && static_cast<double>(grid->elements.size()) < least_share * quads_in(paved.mesh)) grid.reset();
+  return take_grid(std::move(grid), mended, paved) || take_grid(lay_tube(region_), mended, paved);
+}
+
+bool OtherWays::take_grid(std::optional<RegionMesh> grid, Mended& mended, PavedRegion& paved) const {
+  if (!grid) return false;
   const double value = worst_value({region_, *grid, sides_, options_.order});
   if (value < fair || value <= worst_value({region_, paved.mesh, sides_, options_.order})) return false;
   if (!is_sound(*grid)) return false;

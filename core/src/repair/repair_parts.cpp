@@ -22,6 +22,8 @@ namespace paver {
 namespace {
 
 constexpr int most_rounds = 4;  // what divided sides of one face leave of another
+constexpr std::size_t most_increase = 2,
+                      few = 8;  // bad elements, by those of the round before: with more, divided sides do not help
 
 /// As ranks exchange it: of a face, or of an edge where one is divided.
 struct RepairedPlace {
@@ -35,6 +37,7 @@ struct PartFindings {
   std::vector<MendedPlace> places;
   std::vector<SideToDivide> sides;
   std::vector<InnerSide> inner;
+  std::size_t bad = 0;  ///< elements left as they are
 };
 
 class PartRepairer {
@@ -104,7 +107,9 @@ class PartRepairer {
       if (is_first) ways.improve(mended, *copy);
       if (!mended.places.empty()) parts_[i].paved = std::move(copy);
       found.places = std::move(mended.places);
-      found.sides = std::move(mended.sides);
+      const bool is_hopeless = round_ > 0 && mended.left.size() > most_increase * std::max(found.bad, few);
+      found.bad = mended.left.size();
+      if (!is_hopeless) found.sides = std::move(mended.sides);
     }
     const RegionMesh& mesh = parts_[i].paved->mesh;
     if (!kinds_.triangles) return;

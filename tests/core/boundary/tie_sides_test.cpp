@@ -89,6 +89,17 @@ TEST(TieSides, TheCirclesOfARingTakeOneCountWhileLengthsStayWithinAQuarterOfTheT
     }
 }
 
+TEST(TieSides, ARimShorterThanTheTargetLengthTakesAsManyAsTheOtherEndOfItsRod) {
+  for (bool is_short : {false, true}) {
+    fake::Builder builder;
+    int one = add_circle(builder, 0.1), other = add_circle(builder, 0.05);
+    add_ring(builder, one, other, 1);
+    const std::vector<int> counts = tied(builder.take(), {8, 4.8}, 1, is_short);
+    EXPECT_EQ(counts[0] == counts[1], is_short);
+    EXPECT_EQ(counts[0], 8);
+  }
+}
+
 TEST(TieSides, SidesOfAThinRingWithCornersTakeOneCount) {
   const std::vector<double> wishes{1.6, 1.6, 1.6, 1.6, 1.4, 1.4, 1.4, 1.4};
   const std::vector<int> narrow = tied(fake::frame(4, 0.1), wishes),

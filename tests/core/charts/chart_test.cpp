@@ -218,6 +218,17 @@ TEST(PolarChart, MapsAPoleToTheOrigin) {
   }
 }
 
+// A rod 80 times as long as its radius: the ends are e^80 apart in the chart.
+TEST(PolarChart, WalksAlongARod) {
+  const auto rod = evaluator(new Geom_CylindricalSurface(gp_Ax3(), 1));
+  const ParameterBox box = make_box({0, 0}, {2 * pi, 80});
+  const auto chart = make_polar_chart(*rod, box, 2 * pi);
+  ASSERT_TRUE(chart);
+  const Vec2 p = chart->to_chart({0.5, 0.1}), q = chart->to_chart({2, 79.9});
+  EXPECT_LE(norm(chart->walk(p, chart->step_to(p, q)) - q), 1e-9 * norm(q));
+  EXPECT_LE(norm(chart->walk(q, chart->step_to(q, p)) - p), 1e-9 * norm(p));
+}
+
 TEST(PolarChart, RefusesRadiiOutOfRange) {
   gp_Ax3 axes(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
   auto wire = evaluator(new Geom_CylindricalSurface(axes, 0.001));

@@ -98,6 +98,19 @@ TEST(OtherWays, AFewElementsWithTrianglesBecomeAGridWhereThatIsBetter) {
   EXPECT_EQ(square.count(3), 0);
 }
 
+// As where the front of a thin rod closes along it.
+TEST(OtherWays, ElementsFarTooLongBecomeRows) {
+  constexpr int n = 24;
+  Trial trial(test::planar_region({test::circle({0, 0}, 2.5, n), test::reversed(test::circle({0, 0}, 1, n))}, 0.35));
+  for (const LoopNode& node : trial.region.loops[1]) add_node(trial.region, node, trial.paved.mesh);
+  const auto inner = [&](int i) { return n + (2 * n - 1 - i) % n; };
+  for (int i = 0; i < n; ++i) trial.paved.mesh.add_element({i, (i + 1) % n, inner(i + 1), inner(i)});
+  EXPECT_TRUE(trial.can_help());
+  EXPECT_EQ(trial.improve().places.size(), 1U);
+  EXPECT_EQ(trial.count(4), 4 * n);
+  EXPECT_FALSE(trial.can_help());
+}
+
 TEST(OtherWays, NoGridWhereTrianglesAreAskedFor) {
   MixedSquare square;
   square.options.elements = Elements::all_triangle;

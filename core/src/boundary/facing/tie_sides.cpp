@@ -20,9 +20,11 @@ constexpr double most_intervals = 1e8;   // keeps counts within int
 constexpr double largest_change = 0.12;  // of an edge's wish
 // Intervals on the rims of a ring, by the target length: cones up to 1 : 1.67 come out regular (decision frusta).
 constexpr double shortest_on_rim = 0.75, longest_on_rim = 1.25;
-constexpr double narrow = 0.7;           // intervals
-constexpr double rounding = 0.9;         // intervals: short edges may change by more than that share
-constexpr int most_on_short = 4;         // intervals: on an edge shorter than the target length no length is right
+constexpr double narrow = 0.7;    // intervals
+constexpr double rounding = 0.9;  // intervals: short edges may change by more than that share
+constexpr int most_on_short = 4;  // intervals: on an edge shorter than the target length no length is right
+constexpr double most_on_short_rim =
+    1.6;                                 // counts: its bends ask for as many, those of the other end of a rod for more
 constexpr double rounding_slack = 1e-6;  // equal wishes at a half round alike
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
@@ -42,6 +44,7 @@ Range range_of(const EdgeCount& edge, bool is_rim) {
   int least = std::max(edge.minimum, static_cast<int>(std::ceil(std::max(lowest, 1.0))));
   int most = static_cast<int>(std::floor(std::min(highest, most_intervals)));
   if (edge.is_short) most = std::max(most, std::min(2 * edge.count, most_on_short));
+  if (edge.is_short && is_rim) most = std::max(most, static_cast<int>(most_on_short_rim * edge.count));
   return {std::min(least, edge.count), std::max(most, edge.count)};
 }
 
