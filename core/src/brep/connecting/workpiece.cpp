@@ -256,7 +256,12 @@ double face_area(const TopoDS_Face& face) {
     const double usual = area_by_rule(face, std::nullopt);
     if (!has_splines(face)) return usual;
     const double area = area_by_rule(face, accuracy), border = border_chords(face);
-    if (!(area > sliver * border * border)) return std::min(area, usual);
+    if (!(area > sliver * border * border)) {
+      // The rule that halves sees nothing of a border whose first span is tiny.
+      if (!(usual > sliver * border * border)) return std::min(area, usual);
+      const auto told = area_by_border(face, alike);
+      return told && std::abs(*told - usual) <= far_off * usual ? usual : std::min(area, usual);
+    }
     if (std::abs(area - usual) <= alike * area) return area;
     // Pieces of extrusions whose two ends are divided in other places are percents off by the rule that halves.
     const double referee = area_by_border(face, alike).value_or(area);

@@ -45,6 +45,11 @@ bool has_free_edge(const TopoDS_Face& face, const EdgeUses& uses) {
   return std::ranges::any_of(edges_of(face), [&](const TopoDS_Edge& edge) { return uses.is_free(edge); });
 }
 
+/// The kernel takes a closed edge whose first span is tiny for a point.
+bool has_border(const TopoDS_Face& face) {
+  return std::ranges::any_of(edges_of(face), [](const TopoDS_Edge& edge) { return !BRep_Tool::Degenerated(edge); });
+}
+
 /// Indices of faces to sew, per solid (-1: faces without one); only groups that have a free edge.
 std::map<int, std::vector<int>> groups_to_sew(const Workpiece& work, const EdgeUses& uses) {
   std::map<int, std::vector<int>> groups;
@@ -142,6 +147,7 @@ class GroupSewer {
     for (const TopoDS_Face& face : before.faces) {
       TopoDS_Shape image = !face.IsNull() && sewing.IsModified(face) ? sewing.Modified(face) : TopoDS_Shape(face);
       bool is_face = !image.IsNull() && image.ShapeType() == TopAbs_FACE;
+      if (is_face && has_border(face) && !has_border(TopoDS::Face(image))) image = face;
       sewn.has_lost |= !is_face;
       sewn.faces.push_back(is_face ? TopoDS::Face(image) : TopoDS_Face());
       if (is_face) after.emplace_back().face = sewn.faces.back();
