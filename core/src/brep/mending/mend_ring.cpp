@@ -1,6 +1,8 @@
 // Rings that readers have given poles: where they take the images of the two loops for each other's, they close the
-// loop with edges of no length along the ends of the surface, and use the seam once. In: the face. Out: the ring.
+// loop with edges of no length along the ends of the surface, and use the seam once, or there are two of it. In: the
+// face. Out: the ring.
 #include <BRep_Builder.hxx>
+#include <ShapeBuild_Edge.hxx>
 #include <ShapeFix_ShapeTolerance.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS_Wire.hxx>
@@ -15,6 +17,8 @@
 namespace paver {
 namespace {
 
+constexpr double split_share = 1e-8;  // of the diagonal: files whose parts fit do so within that
+
 /// A face between two loops that go round a periodic surface, and the edge that leads from one to the other.
 class Ring {
  public:
@@ -24,6 +28,9 @@ class Ring {
     for (const TopoDS_Edge& edge : edges_of(face))
       if (!ring.add(edge, diagonal)) return std::nullopt;
     if (ring.loops_.size() != 2 || ring.loops_[0].IsSame(ring.loops_[1]) || ring.seam_.IsNull()) return std::nullopt;
+    auto has_image = [&](const TopoDS_Edge& loop) { return !image_of(loop, face).curve.IsNull(); };
+    if (!std::ranges::all_of(ring.loops_, has_image)) return std::nullopt;
+    if (ring.is_split_) ring.close();
     return !ring.surface_.IsNull() && ring.surface_->IsUPeriodic() && ring.joins_loops() && ring.goes_back()
                ? std::optional(ring)
                : std::nullopt;
@@ -71,11 +78,56 @@ class Ring {
       has_false_poles_ = true;
       return is_false_pole(edge, face_, diagonal);
     }
-    const bool is_loop = TopExp::FirstVertex(edge).IsSame(TopExp::LastVertex(edge));
-    if (is_loop) loops_.push_back(edge);
-    if (!is_loop && !seam_.IsNull() && !seam_.IsSame(edge)) return false;
-    if (!is_loop) seam_ = forward(edge);
+    const TopoDS_Vertex first = TopExp::FirstVertex(edge), last = TopExp::LastVertex(edge);
+    const bool is_loop = first.IsSame(last) || are_near(first, last, diagonal);
+    is_split_ |= is_loop && !first.IsSame(last);
+    if (is_loop) {
+      loops_.push_back(edge);
+    } else if (seam_.IsNull()) {
+      seam_ = forward(edge);
+    } else if (!seam_.IsSame(edge)) {
+      if (!runs_along_seam(edge, diagonal)) return false;
+      is_split_ = true;
+    }
     return true;
+  }
+
+  static bool are_near(const TopoDS_Vertex& a, const TopoDS_Vertex& b, double diagonal) {
+    return BRep_Tool::Pnt(a).Distance(BRep_Tool::Pnt(b)) <= split_share * diagonal;
+  }
+
+  bool runs_along_seam(const TopoDS_Edge& edge, double diagonal) const {
+    const auto [from, to] = std::pair{TopExp::FirstVertex(seam_), TopExp::LastVertex(seam_)};
+    const auto [first, last] = std::pair{TopExp::FirstVertex(edge), TopExp::LastVertex(edge)};
+    return (are_near(from, first, diagonal) && are_near(to, last, diagonal)) ||
+           (are_near(from, last, diagonal) && are_near(to, first, diagonal));
+  }
+
+  /// A surface that is open by the last digit of its file: two seams, and loops that do not close; one runs the wrong
+  /// way where its image lay a period away.
+  void close() {
+    std::array<TopoDS_Vertex, 2> at;
+    for (std::size_t i = 0; i < 2; ++i) {
+      at[i] = TopExp::FirstVertex(loops_[i]);
+      const TopoDS_Vertex last = TopExp::LastVertex(loops_[i]);
+      const double off = BRep_Tool::Pnt(at[i]).Distance(BRep_Tool::Pnt(last));
+      BRep_Builder().UpdateVertex(at[i], off + std::max(BRep_Tool::Tolerance(at[i]), BRep_Tool::Tolerance(last)));
+      loops_[i] = ShapeBuild_Edge().CopyReplaceVertices(loops_[i], at[i], at[i]);
+    }
+    const gp_Pnt from = BRep_Tool::Pnt(TopExp::FirstVertex(seam_));
+    if (from.Distance(BRep_Tool::Pnt(at[0])) > from.Distance(BRep_Tool::Pnt(at[1]))) std::swap(at[0], at[1]);
+    seam_ = ShapeBuild_Edge().CopyReplaceVertices(seam_, TopoDS::Vertex(at[0].Oriented(TopAbs_FORWARD)),
+                                                  TopoDS::Vertex(at[1].Oriented(TopAbs_REVERSED)));
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto [start, end] = ends_of(loops_[i]);
+      const bool is_low = height_of(loops_[i]) < height_of(loops_[1 - i]);
+      if ((end > start) != is_low) loops_[i].Reverse();
+    }
+  }
+
+  double height_of(const TopoDS_Edge& loop) const {
+    const EdgeImage image = image_of(loop, face_);
+    return image.curve->Value(image.first).Y();
   }
 
   bool leaves_first() const { return TopExp::FirstVertex(seam_).IsSame(TopExp::FirstVertex(loops_[0])); }
@@ -90,7 +142,6 @@ class Ring {
   bool goes_back() const {
     std::array<double, 2> turn{};
     for (std::size_t i = 0; i < 2; ++i) {
-      if (image_of(loops_[i], face_).curve.IsNull()) return false;
       const auto [start, end] = ends_of(loops_[i]);
       turn[i] = (end - start) / surface_->UPeriod();
     }
@@ -121,7 +172,7 @@ class Ring {
   Handle(Geom_Surface) surface_;
   std::vector<TopoDS_Edge> loops_;
   TopoDS_Edge seam_;
-  bool has_false_poles_ = false;
+  bool has_false_poles_ = false, is_split_ = false;
 };
 
 }  // namespace
