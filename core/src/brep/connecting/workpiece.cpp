@@ -219,6 +219,7 @@ void add_edge_origins(Workpiece& work, const TopoDS_Shape& image, const std::vec
 
 void Hanging::add(std::size_t item, const TopoDS_Shape& shape) {
   for (TopExp_Explorer inner(shape, by_); inner.More(); inner.Next()) {
+    if (by_ == TopAbs_EDGE && BRep_Tool::Degenerated(TopoDS::Edge(inner.Current()))) continue;
     const int index = first_item_.Add(inner.Current(), static_cast<int>(item));
     groups_.merge(first_item_(index), static_cast<int>(item));
   }
