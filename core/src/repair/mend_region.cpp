@@ -46,8 +46,13 @@ class Mender {
   Mended run(const std::vector<int>& bad) {
     std::deque<int> queue(bad.begin(), bad.end());
     std::vector<int> left;
-    for (long steps = least_steps + steps_per_element * static_cast<long>(bad.size()); steps > 0 && !queue.empty();
-         --steps) {
+    const long count = static_cast<long>(bad.size()), steps = least_steps + steps_per_element * count;
+    std::size_t before = bad.size() + 1;
+    for (long step = 0; step < steps && !queue.empty(); ++step) {
+      if (step % (least_steps + count) == 0) {
+        if (queue.size() + left.size() >= before) break;  // what comes is as bad as what goes
+        before = queue.size() + left.size();
+      }
       const int e = queue.front();
       queue.pop_front();
       if (!mesh_.elements[e].is_alive()) continue;
