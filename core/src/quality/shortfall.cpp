@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <numbers>
+
 #include "base/listed.h"
 #include "paver/result.h"
 #include "quality/metrics.h"
@@ -61,6 +63,18 @@ std::string long_sides(const RunReport& report) {
                      listed(faces, most_named_faces));
 }
 
+std::string turned_away(const RunReport& report) {
+  constexpr double degree = std::numbers::pi / 180,
+                   most = 90 * degree;  // between the normals of mesh and surface; good meshes stay below 0.5
+  std::vector<std::string> faces;
+  for (const FaceReport& face : report.faces)
+    if (face.distance.angle > most)
+      faces.push_back(fmt::format("{} ({:.0f})", face.name, face.distance.angle / degree));
+  if (faces.empty()) return {};
+  return fmt::format("Elements are turned away from the surface by more than 90 degrees: {}; use a smaller size there.",
+                     listed(faces, most_named_faces));
+}
+
 constexpr const char* no_mesh = "None of the faces has an area, so there is no mesh.";
 
 }  // namespace
@@ -94,7 +108,8 @@ std::vector<std::string> doubts(const RunReport& report) {
         "{} and {} come within {:.3g} mm of each other at ({:.6g}, {:.6g}, {:.6g}) and share no node; where "
         "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
         gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
-  if (std::string sentence = long_sides(report); !sentence.empty()) sentences.push_back(sentence);
+  for (std::string sentence : {long_sides(report), turned_away(report)})
+    if (!sentence.empty()) sentences.push_back(std::move(sentence));
   return sentences;
 }
 
