@@ -115,7 +115,7 @@ TEST(Doubts, NameFacesWithElementsTurnedAwayFromTheSurface) {
   RunReport report;
   report.target_length = 1;
   report.faces.resize(2);
-  report.faces[0].name = "Face1", report.faces[0].distance.angle = 1;
+  report.faces[0].name = "Face1", report.faces[0].distance.angle = 1.8;
   EXPECT_TRUE(doubts(report).empty());
   report.faces[1].name = "Face2", report.faces[1].distance.angle = 3;
   ASSERT_EQ(doubts(report).size(), 1U);
