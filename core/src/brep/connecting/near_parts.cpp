@@ -8,6 +8,7 @@
 #include <Bnd_Box.hxx>
 #include <Bnd_Box2d.hxx>
 #include <Geom2d_Line.hxx>
+#include <GeomLib_IsPlanarSurface.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
@@ -129,11 +130,19 @@ class Piece {
     box_.Enlarge(margin);
     if (shape.ShapeType() != TopAbs_FACE) return;
     surface_.Initialize(TopoDS::Face(shape), Standard_False);
-    is_free_form_ = surface_.GetType() > GeomAbs_Torus;
+    is_free_form_ = !is_simple();
   }
 
   const Bnd_Box& box() const { return box_; }
   bool is_free_form() const { return is_free_form_; }
+  /// As far as boxes tell: the kernel finds copies by their edges, whatever their surface.
+  bool may_be_copy_of(const Piece& other) const {
+    constexpr double alike = 1e-3;
+    if (box_.IsVoid() || other.box_.IsVoid()) return false;
+    const double most = alike * std::sqrt(box_.SquareExtent());
+    return box_.CornerMin().Distance(other.box_.CornerMin()) <= most &&
+           box_.CornerMax().Distance(other.box_.CornerMax()) <= most;
+  }
   bool is_face() const { return shape_.ShapeType() == TopAbs_FACE; }
 
   const std::vector<Cell>& cells() {
@@ -162,6 +171,15 @@ class Piece {
   }
 
  private:
+  /// Elementary, or one that a file has as a swept surface or a flat spline.
+  bool is_simple() const {
+    const GeomAbs_SurfaceType type = surface_.GetType();
+    if (type == GeomAbs_SurfaceOfRevolution || type == GeomAbs_SurfaceOfExtrusion)
+      return surface_.BasisCurve()->GetType() <= GeomAbs_Circle;
+    return type <= GeomAbs_Torus ||
+           GeomLib_IsPlanarSurface(BRep_Tool::Surface(TopoDS::Face(shape_)), Precision::Confusion()).IsPlanar();
+  }
+
   /// So many that bulges of cells can be told, and fewer across a strip.
   std::array<int, 2> divisions(const gp_Pnt2d& lo, const gp_Pnt2d& hi) const {
     constexpr int most = 16, least = 4;
@@ -373,6 +391,9 @@ NearParts find_near_parts(const Workpiece& work, double tolerance) {
   for (const WorkWire& wire : work.wires) add(wire.edge, wire.part);
   for (const WorkPoint& point : work.points)
     if (!point.is_end) add(point.vertex, point.part);
+  auto has_copy = [](const Piece& piece, const std::vector<Piece>& others) {
+    return std::ranges::any_of(others, [&](const Piece& other) { return piece.may_be_copy_of(other); });
+  };
   auto nearness = [&](std::size_t a, std::size_t b) {
     if (whole[a].IsVoid() || whole[b].IsVoid() || whole[a].IsOut(whole[b])) return Nearness::apart;
     const bool are_solids = work.parts[a].solid >= 0 && work.parts[b].solid >= 0;
@@ -380,7 +401,8 @@ NearParts find_near_parts(const Workpiece& work, double tolerance) {
     for (Piece& one : pieces[a]) {
       if (one.box().IsOut(whole[b])) continue;
       for (Piece& two : pieces[b]) {
-        const bool is_hard = !are_solids && one.is_free_form() && two.is_free_form();
+        const bool is_hard = !are_solids && one.is_free_form() && two.is_free_form() && !has_copy(one, pieces[b]) &&
+                             !has_copy(two, pieces[a]);
         if (found == Nearness::near && !is_hard) continue;
         if (!may_touch(one, two)) continue;
         if (is_hard) return Nearness::free_form;
