@@ -37,6 +37,30 @@ TopoDS_Face wing_end() {
   return BRepBuilderAPI_MakeFace(wire.Wire()).Face();
 }
 
+/// Bounded by one closed spline through a circle of radius 10, from just before its seam on.
+TopoDS_Face disc(double before) {
+  constexpr int count = 24;
+  Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, count);
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    points->SetValue(i + 1, {10 * std::cos(angle), 10 * std::sin(angle), 0});
+  }
+  GeomAPI_Interpolate through(points, true, 1e-9);
+  through.Perform();
+  const double first = through.Curve()->FirstParameter(), period = through.Curve()->Period();
+  const double start = first + period * (1 - before);
+  const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(through.Curve(), start, start + period);
+  return BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(edge).Wire()).Face();
+}
+
+TEST(FaceArea, DoesNotDependOnWhereABorderBegins) {
+  for (const double before : {0.5, 1e-3, 1e-9}) {
+    const RunReport report = test::report_of(disc(before), 3);
+    EXPECT_NEAR(report.quality.cad_area, 100 * std::numbers::pi, 0.05) << before;
+    EXPECT_STREQ(verdict(report), "sound") << before;
+  }
+}
+
 TEST(FaceArea, OfAWingsEndIsThatOfItsOutline) {
   const RunReport report = test::report_of(wing_end(), 2);
   // The polynomial's integral, 2 * 0.6 * 900 * 0.0686, up to what the spline differs between its points.

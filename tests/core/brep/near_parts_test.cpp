@@ -1,15 +1,29 @@
-// Parts that do not touch are left alone, however near their boxes are.
+// Parts that do not touch are left alone, however near their boxes are; of those that do, what the kernel can fuse.
 #include <gtest/gtest.h>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
+#include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
+#include <cmath>
 #include <gp_Ax1.hxx>
+#include <gp_Ax3.hxx>
+#include <numbers>
 
 #include "support/report_of.h"
 
@@ -50,6 +64,54 @@ TEST(NearParts, SheetsThatCrossAreNamed) {
   const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(GeomAPI_PointsToBSpline(points).Curve());
   const TopoDS_Shape lid = BRepPrimAPI_MakeRevol(edge, about).Shape();
   EXPECT_EQ(test::report_of(together(dish(0), lid), 5).model.unconnected.size(), 1U);
+}
+
+/// Of side 20 about (x, 0, 0), as files of splines have planes.
+TopoDS_Shape flat_spline(double x) {
+  TColgp_Array2OfPnt poles(1, 2, 1, 2);
+  for (int i : {1, 2})
+    for (int j : {1, 2}) poles(i, j) = gp_Pnt(x + 20 * i - 30, 20 * j - 30, 0);
+  return BRepBuilderAPI_MakeFace(GeomConvert::SurfaceToBSplineSurface(new Geom_BezierSurface(poles)), 1e-7).Face();
+}
+
+TEST(NearParts, FlatSplinesAreConnected) {
+  const RunReport report = test::report_of(together(flat_spline(0), flat_spline(10)), 2);
+  EXPECT_EQ(report.model.contacts.size(), 1U);
+  EXPECT_NEAR(report.model.area, 600, 1e-6);
+  EXPECT_STREQ(verdict(report), "sound");
+}
+
+TEST(NearParts, ACopyOfAFreeFormFaceIsMergedWithIt) {
+  const RunReport report = test::report_of(together(dish(0), dish(0)), 5);
+  EXPECT_TRUE(report.model.unconnected.empty());
+  EXPECT_NEAR(report.quality.mesh_area, test::report_of(dish(0), 5).quality.mesh_area, 1);
+}
+
+/// The edge of a tube's side at z = 0.
+TopoDS_Edge lower_rim(const TopoDS_Shape& side) {
+  for (TopExp_Explorer edges(side, TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
+    const gp_Pnt first = BRep_Tool::Pnt(TopExp::FirstVertex(edge)), last = BRep_Tool::Pnt(TopExp::LastVertex(edge));
+    if (std::abs(first.Z()) < 1e-9 && std::abs(last.Z()) < 1e-9) return edge;
+  }
+  return {};
+}
+
+// Faces of one sheet, as read: half a tube on a tube, whose lower rim both have.
+TEST(NearParts, FacesThatLieOnOneAnotherFromACommonEdgeOnAreConnected) {
+  const double round = 2 * std::numbers::pi;
+  const Handle(Geom_Surface) around = new Geom_CylindricalSurface(gp_Ax3(), 10);
+  const TopoDS_Face whole = BRepBuilderAPI_MakeFace(around, 0, round, 0, 20, 1e-7),
+                    half = BRepBuilderAPI_MakeFace(around, 0, round, 0, 10, 1e-7);
+  const TopoDS_Edge rim = lower_rim(whole), other = lower_rim(half);
+  BRepTools_ReShape context;
+  context.Replace(other, rim);
+  context.Replace(TopExp::FirstVertex(other), TopExp::FirstVertex(rim));
+  const TopoDS_Shape hung = context.Apply(half);
+  ASSERT_TRUE(lower_rim(hung).IsSame(rim));
+  const RunReport report = test::report_of(together(whole, hung), 2);
+  EXPECT_NEAR(report.quality.mesh_area, round * 10 * 20, 2);
+  EXPECT_STREQ(verdict(report), "sound");
 }
 
 }  // namespace
