@@ -63,17 +63,17 @@ std::string long_sides(const RunReport& report) {
                      listed(faces, most_named_faces));
 }
 
-std::string turned_away(const RunReport& report) {
-  constexpr double degree = std::numbers::pi / 180,
-                   most = 120 * degree;  // good meshes stay below 30, poor ones of rods below 105
+// Along a lip of next to no radius normals turn within a hundredth of an element; what folds over has more area, too.
+std::string folded(const RunReport& report) {
+  constexpr double degree = std::numbers::pi / 180, most = 90 * degree;  // between normals of mesh and surface
+  constexpr double largest = 1.01;                                       // area of the elements, by the face's
   std::vector<std::string> faces;
   for (const FaceReport& face : report.faces)
-    if (face.distance.angle > most)
-      faces.push_back(fmt::format("{} ({:.0f})", face.name, face.distance.angle / degree));
+    if (face.distance.angle > most && face.mesh_area > largest * face.cad_area)
+      faces.push_back(fmt::format("{} ({:+.1f} %)", face.name, 100 * (face.mesh_area / face.cad_area - 1)));
   if (faces.empty()) return {};
-  return fmt::format(
-      "Elements are turned away from the surface by more than 120 degrees: {}; use a smaller size there.",
-      listed(faces, most_named_faces));
+  return fmt::format("Elements fold over one another, by what they have more of area: {}; use a smaller size there.",
+                     listed(faces, most_named_faces));
 }
 
 constexpr const char* no_mesh = "None of the faces has an area, so there is no mesh.";
@@ -109,7 +109,7 @@ std::vector<std::string> doubts(const RunReport& report) {
         "{} and {} come within {:.3g} mm of each other at ({:.6g}, {:.6g}, {:.6g}) and share no node; where "
         "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
         gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
-  for (std::string sentence : {long_sides(report), turned_away(report)})
+  for (std::string sentence : {long_sides(report), folded(report)})
     if (!sentence.empty()) sentences.push_back(std::move(sentence));
   return sentences;
 }

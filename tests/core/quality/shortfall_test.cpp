@@ -111,15 +111,19 @@ TEST(Doubts, NameFacesWithElementsThatAreFarTooLong) {
   EXPECT_STREQ(verdict(report), "doubtful");
 }
 
-TEST(Doubts, NameFacesWithElementsTurnedAwayFromTheSurface) {
+TEST(Doubts, NameFacesWhoseElementsFoldOver) {
   RunReport report;
   report.target_length = 1;
-  report.faces.resize(2);
-  report.faces[0].name = "Face1", report.faces[0].distance.angle = 1.8;
+  report.faces.resize(3);
+  report.faces[0].name = "Face1", report.faces[0].distance.angle = 3;  // a lip
+  report.faces[0].cad_area = 10, report.faces[0].mesh_area = 10.01;
+  report.faces[1].name = "Face2", report.faces[1].distance.angle = 1;  // coarse
+  report.faces[1].cad_area = 10, report.faces[1].mesh_area = 10.5;
   EXPECT_TRUE(doubts(report).empty());
-  report.faces[1].name = "Face2", report.faces[1].distance.angle = 3;
+  report.faces[2].name = "Face3", report.faces[2].distance.angle = 3;
+  report.faces[2].cad_area = 10, report.faces[2].mesh_area = 10.9;
   ASSERT_EQ(doubts(report).size(), 1U);
-  EXPECT_NE(doubts(report)[0].find("Face2 (172)"), std::string::npos);
+  EXPECT_NE(doubts(report)[0].find(": Face3 (+9.0 %);"), std::string::npos);
 }
 
 }  // namespace
