@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include "base/cells.h"
@@ -22,6 +23,7 @@ constexpr double fan_room = 0.45, point_room = 0.4;  // of the distance to the n
 constexpr double dip = 0.6;  // per radian of half a quad about an apex: its outer corner lies so far behind the line
 constexpr double wide_cone = 5.2;   // radians about an apex: four quads, else three
 constexpr double least_side = 0.3;  // of the fan's radius, or of the target length
+constexpr double most_about = 0.2;  // of the way round a rod: half of the four quads about a point on it
 constexpr double fold = 0.26;       // radians (15 degrees): an edge that turns back by all but this is folded
 
 class RegionBuilder {
@@ -495,6 +497,15 @@ class RegionBuilder {
     return (static_cast<double>(i) + (step > 0 ? std::min(1.0, (wanted - sums[i]) / step) : 0)) / steps;
   }
 
+  /// The shorter way round the surface at a place, mm; endless where none goes round.
+  double way_round(Vec2 uv) const {
+    Vec3 x, xu, xv;
+    face_.surface->d1(uv, x, xu, xv);
+    const Vec2 period = face_.surface->period();
+    const double none = std::numeric_limits<double>::infinity();
+    return std::min(period.x > 0 ? norm(xu) * period.x : none, period.y > 0 ? norm(xv) * period.y : none);
+  }
+
   // A node inside the face, a point or the end of a wire: four quads about it in advance.
   void add_point(const InnerPoint& point, Region& region) {
     constexpr int quads = 4;
@@ -508,7 +519,7 @@ class RegionBuilder {
     double room = nearest_facet(region, fan.centre.x);
     for (const InnerPoint& other : face_.points)
       if (other.vertex != point.vertex) room = std::min(room, 0.5 * norm(model_.vertices[other.vertex] - fan.centre.x));
-    double side = std::min(fan.centre.h, point_room * room);
+    double side = std::min({fan.centre.h, point_room * room, most_about * way_round(point.uv)});
     Vec3 x, xp, xq;
     region.evaluate(fan.centre.p, x, xp, xq);
     Vec3 across = unit(xp), up = unit(cross(cross(xp, xq), xp));
