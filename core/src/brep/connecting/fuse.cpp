@@ -45,6 +45,9 @@ class Fuser {
     return fusion;
   }
 
+  /// Of two balls whose periodic edges lie half a turn apart the kernel loses a half in one order.
+  void reverse() { arguments_.Reverse(); }
+
  private:
   bool is_member(const WorkFace& face) const {
     return face.is_usable() && std::any_of(parts_.begin(), parts_.end(), [&](int part) { return face.has_part(part); });
@@ -110,12 +113,15 @@ class Fuser {
 
 std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress) {
   Fuser fuser(work, parts);
-  for (double factor : gap_factors) {
-    try {
-      if (auto fusion = fuser.run(factor * tolerance, progress)) return fusion;
-    } catch (const Standard_Failure&) {
-      progress.check();  // the next tolerance may do
+  for (bool is_last : {false, true}) {
+    for (double factor : gap_factors) {
+      try {
+        if (auto fusion = fuser.run(factor * tolerance, progress)) return fusion;
+      } catch (const Standard_Failure&) {
+        progress.check();  // the next tolerance may do
+      }
     }
+    if (!is_last) fuser.reverse();
   }
   return std::nullopt;
 }
