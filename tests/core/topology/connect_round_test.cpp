@@ -2,16 +2,20 @@
 // together is looked for in the mesh itself.
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepTools.hxx>
+#include <Geom_SphericalSurface.hxx>
 #include <algorithm>
 #include <gp_Ax2.hxx>
+#include <gp_Ax3.hxx>
 #include <gp_Pln.hxx>
 #include <map>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -161,6 +165,27 @@ TEST(ConnectRound, AWireEndsOnWhatSeveralFacesHaveInCommon) {
 TEST(ConnectRound, WiresMayEndNearEachOtherAndNearAnEdge) {
   expect_one_piece("three wires", compound({sheet(0, 0, 40, 0, 40), wire({20, 20, 0}, {20, 20, 30}),
                                             wire({20.5, 20, 0}, {20.5, 20, 30}), wire({20, 0.3, 0}, {20, 0.3, 30})}));
+}
+
+// Four quads are laid about the end of the wire in advance: they must not reach round the rod.
+TEST(ConnectRound, AWireEndsOnARodThinnerThanTheTargetLength) {
+  for (double size : {4.0, 10.0, 1e6}) {
+    const MeshResult result =
+        mesh_of(compound({rod(0, 0, 0, 0.5, 40), wire(gp_Pnt(0, 0.5, 20), gp_Pnt(0, 10, 20))}), size);
+    EXPECT_STREQ(verdict(result.report), "sound") << size;
+    EXPECT_EQ(pieces(result.mesh), 1U) << size;
+  }
+}
+
+// In the order in which the parts are given the kernel loses half of the ball.
+TEST(ConnectRound, ABallWhoseParametersAreNegativeLiesInItsSocket) {
+  const TopoDS_Shape socket = BRepAlgoAPI_Cut(box(-25, -25, -30, 50, 50, 30), BRepPrimAPI_MakeSphere(18)).Shape();
+  const Handle(Geom_Surface) round = new Geom_SphericalSurface(gp_Ax3(gp_Pnt(0, 0, 0), gp_Dir(0, 0, -1)), 18);
+  const double pi = std::numbers::pi;
+  const TopoDS_Shape ball = BRepBuilderAPI_MakeFace(round, -2 * pi, 0, -pi / 2, pi / 2, 1e-7).Shape();
+  const MeshResult result = mesh_of(compound({socket, ball}), 4);
+  EXPECT_STREQ(verdict(result.report), "sound");
+  EXPECT_NEAR(result.report.quality.mesh_area, 4 * 1500 + 5000 - pi * 18 * 18 + 4 * pi * 18 * 18, 5);
 }
 
 }  // namespace
