@@ -1,0 +1,217 @@
+#include <BRepBndLib.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box2d.hxx>
+#include <Geom2d_Line.hxx>
+#include <GeomLib_IsPlanarSurface.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+
+#include "brep/connecting/face_cells_impl.h"
+
+namespace paver {
+namespace {
+
+constexpr double open_share = 1e-3;  // of the face: ends of its border that do not meet
+constexpr std::size_t most_edges = 400;
+constexpr int most_chords = 4096;  // as long as edges have eight
+
+/// Whether faces touch as far as boxes and slabs of their cells tell, which are halved where these meet.
+class Meeting {
+ public:
+  Meeting(const PartPiece& one, const PartPiece& two) : one_(one), two_(two) {}
+
+  bool may_be(const FaceCell& a, const FaceCell& b, int depth = 0) {
+    if (a.box.IsOut(b.box) || lies_beside(a, b) || lies_beside(b, a) || one_.is_outside(a) || two_.is_outside(b))
+      return false;
+    if (depth == deepest || ++divided_ > most_divided) return true;
+    if (a.box.SquareExtent() > b.box.SquareExtent())
+      return std::ranges::any_of(one_.halves(a), [&](const FaceCell& part) { return may_be(part, b, depth + 1); });
+    return std::ranges::any_of(two_.halves(b), [&](const FaceCell& part) { return may_be(a, part, depth + 1); });
+  }
+
+ private:
+  static constexpr int deepest = 40;           // halvings of both together
+  static constexpr int most_divided = 100000;  // cells of a pair of faces
+
+  /// Whether one is all on one side of the other's slab.
+  static bool lies_beside(const FaceCell& slab, const FaceCell& other) {
+    const double length = slab.normal.Modulus();
+    if (!(length > 0)) return false;
+    double lo = INFINITY, hi = -INFINITY, other_lo = INFINITY, other_hi = -INFINITY;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double at = slab.normal.Dot(slab.corners[k]) / length, there = slab.normal.Dot(other.corners[k]) / length;
+      lo = std::min(lo, at), hi = std::max(hi, at);
+      other_lo = std::min(other_lo, there), other_hi = std::max(other_hi, there);
+    }
+    const double between = std::max(other_lo - hi, lo - other_hi);
+    return between > slab.sag + other.sag;
+  }
+
+  const PartPiece &one_, &two_;
+  int divided_ = 0;
+};
+
+}  // namespace
+
+FaceBorder::FaceBorder(const TopoDS_Face& face) {
+  const TopoDS_Face plain = forward(face);
+  const std::vector<TopoDS_Edge> edges = edges_of(plain);
+  is_whole_ = edges.size() <= most_edges;
+  const int chords = std::clamp(most_chords / std::max(static_cast<int>(edges.size()), 1), 8, 128);
+  for (const TopoDS_Edge& edge : edges)
+    if (is_whole_) add(image_of(edge, plain), chords);
+  if (!is_closed()) chords_.clear();
+}
+
+bool FaceBorder::is_outside(const gp_Pnt2d& lo, const gp_Pnt2d& hi) const {
+  if (chords_.empty()) return false;
+  bool is_inside = false;
+  const gp_Pnt2d middle(0.5 * (lo.XY() + hi.XY()));
+  for (const Chord& chord : chords_) {
+    if (comes_near(chord, lo, hi)) return false;
+    const gp_Pnt2d &a = chord.a, &b = chord.b;
+    if ((a.Y() > middle.Y()) != (b.Y() > middle.Y()) &&
+        middle.X() < a.X() + (b.X() - a.X()) * (middle.Y() - a.Y()) / (b.Y() - a.Y()))
+      is_inside = !is_inside;
+  }
+  return !is_inside;
+}
+
+// Whether the border may reach between the lines along a chord.
+bool FaceBorder::comes_near(const Chord& chord, const gp_Pnt2d& lo, const gp_Pnt2d& hi) {
+  const gp_XY way = chord.b.XY() - chord.a.XY(), to = 0.5 * (lo.XY() + hi.XY()) - chord.a.XY(),
+              half = 0.5 * (hi.XY() - lo.XY()) + gp_XY(chord.bulge, chord.bulge);
+  if (std::abs(to.X() - 0.5 * way.X()) > half.X() + 0.5 * std::abs(way.X()) ||
+      std::abs(to.Y() - 0.5 * way.Y()) > half.Y() + 0.5 * std::abs(way.Y()))
+    return false;
+  return std::abs(way.Crossed(to)) <= std::abs(way.X()) * half.Y() + std::abs(way.Y()) * half.X();
+}
+
+void FaceBorder::add(const EdgeImage& image, int chords) {
+  if (image.curve.IsNull()) {
+    is_whole_ = false;
+    return;
+  }
+  const int count = Handle(Geom2d_Line)::DownCast(image.curve).IsNull() ? chords : 1;
+  gp_Pnt2d last = image.uv(0);
+  ends_.push_back(last);
+  for (int i = 1; i <= count; ++i) {
+    const gp_Pnt2d next = image.uv(static_cast<double>(i) / count), middle = image.uv((i - 0.5) / count);
+    chords_.push_back({last, next, 2 * middle.Distance(gp_Pnt2d(0.5 * (last.XY() + next.XY())))});
+    last = next;
+  }
+  ends_.push_back(last);
+}
+
+bool FaceBorder::is_closed() const {
+  if (!is_whole_) return false;
+  Bnd_Box2d box;
+  for (const gp_Pnt2d& end : ends_) box.Add(end);
+  const double most = open_share * std::sqrt(box.SquareExtent());
+  for (std::size_t i = 0; i < ends_.size(); ++i) {
+    bool has_other = false;
+    for (std::size_t k = 0; k < ends_.size() && !has_other; ++k)
+      has_other = k != i && ends_[i].Distance(ends_[k]) <= most;
+    if (!has_other) return false;
+  }
+  return true;
+}
+
+PartPiece::PartPiece(const TopoDS_Shape& shape, double margin) : shape_(shape), margin_(margin) {
+  BRepBndLib::Add(shape, box_, Standard_False);
+  box_.Enlarge(margin);
+  if (shape.ShapeType() != TopAbs_FACE) return;
+  surface_.Initialize(TopoDS::Face(shape), Standard_False);
+  is_free_form_ = !is_simple();
+}
+
+bool PartPiece::may_be_copy_of(const PartPiece& other) const {
+  constexpr double alike = 1e-3;
+  if (box_.IsVoid() || other.box_.IsVoid()) return false;
+  const double most = alike * std::sqrt(box_.SquareExtent());
+  return box_.CornerMin().Distance(other.box_.CornerMin()) <= most &&
+         box_.CornerMax().Distance(other.box_.CornerMax()) <= most;
+}
+
+const std::vector<FaceCell>& PartPiece::cells() {
+  if (!cells_.empty()) return cells_;
+  border_ = FaceBorder(TopoDS::Face(shape_));
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  BRepTools::UVBounds(TopoDS::Face(shape_), u0, u1, v0, v1);
+  const auto [along_u, along_v] = divisions({u0, v0}, {u1, v1});
+  const double du = (u1 - u0) / along_u, dv = (v1 - v0) / along_v;
+  for (int i = 0; i < along_u; ++i)
+    for (int j = 0; j < along_v; ++j)
+      cells_.push_back(cell({u0 + i * du, v0 + j * dv}, {u0 + (i + 1) * du, v0 + (j + 1) * dv}));
+  return cells_;
+}
+
+std::array<FaceCell, 2> PartPiece::halves(const FaceCell& whole) const {
+  const auto& [a, b, c, d] = whole.corners;
+  const gp_Pnt2d &lo = whole.lo, &hi = whole.hi, middle(0.5 * (lo.XY() + hi.XY()));
+  if ((b - a).Modulus() + (c - d).Modulus() > (d - a).Modulus() + (c - b).Modulus())
+    return {cell(lo, {middle.X(), hi.Y()}), cell({middle.X(), lo.Y()}, hi)};
+  return {cell(lo, {hi.X(), middle.Y()}), cell({lo.X(), middle.Y()}, hi)};
+}
+
+// Elementary, or one that a file has as a swept surface or a flat spline.
+bool PartPiece::is_simple() const {
+  const GeomAbs_SurfaceType type = surface_.GetType();
+  if (type == GeomAbs_SurfaceOfRevolution || type == GeomAbs_SurfaceOfExtrusion)
+    return surface_.BasisCurve()->GetType() <= GeomAbs_Circle;
+  return type <= GeomAbs_Torus ||
+         GeomLib_IsPlanarSurface(BRep_Tool::Surface(TopoDS::Face(shape_)), Precision::Confusion()).IsPlanar();
+}
+
+// So many that bulges of cells can be told, and fewer across a strip.
+std::array<int, 2> PartPiece::divisions(const gp_Pnt2d& lo, const gp_Pnt2d& hi) const {
+  constexpr int most = 16, least = 4;
+  if (surface_.GetType() == GeomAbs_Plane) return {1, 1};
+  auto at = [&](int i, int j) {
+    return surface_.Value(lo.X() + i * (hi.X() - lo.X()) / most, lo.Y() + j * (hi.Y() - lo.Y()) / most);
+  };
+  double along_u = 0, along_v = 0;
+  for (int i = 0; i < most; ++i) {
+    along_u += at(i, most / 2).Distance(at(i + 1, most / 2));
+    along_v += at(most / 2, i).Distance(at(most / 2, i + 1));
+  }
+  auto share = [&](double one, double other) {
+    return one < other ? std::max(least, static_cast<int>(std::ceil(most * one / other))) : most;
+  };
+  return {share(along_u, along_v), share(along_v, along_u)};
+}
+
+FaceCell PartPiece::cell(gp_Pnt2d lo, gp_Pnt2d hi) const {
+  constexpr double sag_factor = 2;  // of how far the middle is from the corners' mean
+  std::array<gp_XYZ, 9> x;
+  FaceCell cell{lo, hi, {}, {}, 0, {}};
+  for (std::size_t k = 0; k < 9; ++k) {
+    const double i = 0.5 * static_cast<double>(k % 3), j = 0.5 * static_cast<double>(k / 3);
+    x[k] = surface_.Value(lo.X() + i * (hi.X() - lo.X()), lo.Y() + j * (hi.Y() - lo.Y())).XYZ();
+    cell.box.Add(gp_Pnt(x[k]));
+  }
+  cell.corners = {x[0], x[2], x[8], x[6]};
+  cell.normal = (x[8] - x[0]).Crossed(x[6] - x[2]);
+  cell.sag = margin_ + sag_factor * (x[4] - 0.25 * (x[0] + x[2] + x[8] + x[6])).Modulus();
+  cell.box.Enlarge(cell.sag);
+  return cell;
+}
+
+bool may_touch(PartPiece& one, PartPiece& two) {
+  if (one.box().IsOut(two.box())) return false;
+  if (!one.is_face() || !two.is_face()) {
+    PartPiece &face = one.is_face() ? one : two, &other = one.is_face() ? two : one;
+    return !face.is_face() ||
+           std::ranges::any_of(face.cells(), [&](const FaceCell& cell) { return !cell.box.IsOut(other.box()); });
+  }
+  Meeting meeting(one, two);
+  for (const FaceCell& a : one.cells())
+    if (!a.box.IsOut(two.box()))
+      for (const FaceCell& b : two.cells())
+        if (meeting.may_be(a, b)) return true;
+  return false;
+}
+
+}  // namespace paver
