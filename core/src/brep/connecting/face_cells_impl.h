@@ -50,6 +50,7 @@ class PartPiece {
 
   const Bnd_Box& box() const { return box_; }
   bool is_free_form() const { return is_free_form_; }
+  bool is_elementary() const { return surface_.GetType() <= GeomAbs_Torus; }
   bool is_face() const { return shape_.ShapeType() == TopAbs_FACE; }
   /// As far as boxes tell: the kernel finds copies by their edges, whatever their surface.
   bool may_be_copy_of(const PartPiece& other) const;

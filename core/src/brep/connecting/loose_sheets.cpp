@@ -107,7 +107,8 @@ bool is_loose(const Workpiece& work, int part, double tolerance) {
   for (std::size_t i = 0; i < faces.size(); ++i)
     for (std::size_t j = i + 1; j < faces.size(); ++j) {
       if (faces[i]->read_sheet == faces[j]->read_sheet || !may_touch(pieces[i], pieces[j])) continue;
-      if (pieces[i].is_free_form() && pieces[j].is_free_form()) continue;
+      // All faces of a loose sheet are intersected with each other, the free-form ones, too.
+      if (!pieces[i].is_elementary() && !pieces[j].is_elementary()) continue;
       if (is_changed(i, j)) return true;
       if (tries > most_tries) return false;
     }
