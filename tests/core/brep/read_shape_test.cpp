@@ -6,6 +6,7 @@
 
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BinTools.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
@@ -16,6 +17,7 @@
 
 #include "brep/occt_impl.h"
 #include "core/brep/shape_files.h"
+#include "paver/mesher.h"
 
 namespace paver {
 namespace {
@@ -49,11 +51,11 @@ class ReadShape : public testing::Test {
     write_text(path, text);
     return path;
   }
-  std::string write_iges() {
+  std::string write_iges(const TopoDS_Shape& shape = BRepPrimAPI_MakeBox(10, 20, 30).Shape(), int mode = 1) {
     QuietMessages quiet;
     IGESControl_Controller::Init();
-    IGESControl_Writer writer("MM", 1);
-    writer.AddShape(BRepPrimAPI_MakeBox(10, 20, 30).Shape());
+    IGESControl_Writer writer("MM", mode);
+    writer.AddShape(shape);
     writer.ComputeModel();
     std::string path = folder_.file("box.igs");
     writer.Write(path.c_str());
@@ -188,6 +190,20 @@ TEST_F(ReadShape, RefusesFilesWithoutFacesAndWires) {
   std::string path = folder_.file("point.brep");
   BRepTools::Write(BRepBuilderAPI_MakeVertex(gp_Pnt(0, 0, 0)).Vertex(), path.c_str());
   expect_error(path, ErrorCode::no_faces, "has no faces and no wires");
+}
+
+// An angle of 2 pi with nine digits leaves the surface open by 2e-10 of the radius.
+TEST_F(ReadShape, LargeCylindersOfIgesFilesAreClosed) {
+  for (double radius : {500.0, 600.0, 5000.0})
+    for (int mode : {0, 1}) {  // loose faces, solid
+      Options options;
+      options.size = 0.2 * radius;
+      Progress progress;
+      const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(radius, 2 * radius).Shape();
+      const RunReport report = mesh_file(write_iges(cylinder, mode), options, progress).report;
+      EXPECT_STREQ(verdict(report), "sound") << radius << " " << mode;
+      EXPECT_TRUE(report.quality.watertight) << radius << " " << mode;
+    }
 }
 
 TEST_F(ReadShape, StopsWhenCancelled) {
