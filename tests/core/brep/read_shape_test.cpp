@@ -10,6 +10,8 @@
 #include <BinTools.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
+#include <IGESData_GlobalSection.hxx>
+#include <IGESData_IGESModel.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TopExp.hxx>
@@ -51,12 +53,16 @@ class ReadShape : public testing::Test {
     write_text(path, text);
     return path;
   }
-  std::string write_iges(const TopoDS_Shape& shape = BRepPrimAPI_MakeBox(10, 20, 30).Shape(), int mode = 1) {
+  std::string write_iges(const TopoDS_Shape& shape = BRepPrimAPI_MakeBox(10, 20, 30).Shape(), int mode = 1,
+                         double resolution = 1e-7) {
     QuietMessages quiet;
     IGESControl_Controller::Init();
     IGESControl_Writer writer("MM", mode);
     writer.AddShape(shape);
     writer.ComputeModel();
+    IGESData_GlobalSection header = writer.Model()->GlobalSection();
+    header.SetResolution(resolution);
+    writer.Model()->SetGlobalSection(header);
     std::string path = folder_.file("box.igs");
     writer.Write(path.c_str());
     return path;
@@ -200,7 +206,7 @@ TEST_F(ReadShape, LargeCylindersOfIgesFilesAreClosed) {
       options.size = 0.2 * radius;
       Progress progress;
       const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(radius, 2 * radius).Shape();
-      const RunReport report = mesh_file(write_iges(cylinder, mode), options, progress).report;
+      const RunReport report = mesh_file(write_iges(cylinder, mode, 1e-5), options, progress).report;
       EXPECT_STREQ(verdict(report), "sound") << radius << " " << mode;
       EXPECT_TRUE(report.quality.watertight) << radius << " " << mode;
     }
