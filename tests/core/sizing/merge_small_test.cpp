@@ -143,6 +143,16 @@ TEST(MergeSmall, AnEdgeThatIsNotShortKeepsItsEnds) {
   }
 }
 
+TEST(MergeSmall, ManyPiecesOfAStraightEdgeAreOne) {
+  std::vector<gp_Pnt> points;
+  for (int i = 0; i < 20; ++i) points.emplace_back(0.5 * i, 0, 0);  // a quarter of the target length each
+  for (const gp_Pnt& corner : {gp_Pnt(10, 0, 0), gp_Pnt(10, 10, 0), gp_Pnt(0, 10, 0)}) points.push_back(corner);
+  const MeshResult result = test::mesh_of(polygon(points), 2);
+  EXPECT_EQ(result.report.quality.quads, 25);
+  EXPECT_EQ(result.report.quality.triangles, 0);
+  EXPECT_EQ(result.report.merges.size(), 19U);
+}
+
 TEST(MergeSmall, AStripGoesToAWideNeighbour) {
   const MeshResult result = test::mesh_of(block_in_strips({0.04, 0.01, 4.95}), 2);
   // The end of the second, on the edges of the block, is too short to matter; that of the first is not.

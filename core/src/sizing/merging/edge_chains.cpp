@@ -11,7 +11,9 @@
 namespace paver {
 namespace {
 
-constexpr double smooth_reach = 3;  // short edges may be so much longer where they run straight on
+constexpr double straight = 5 * M_PI / 180;
+// Short edges may be so much longer where they run on, and straight on: pieces of a curve that a file has in many.
+constexpr double smooth_reach = 3, straight_reach = 7;
 
 /// Where the pieces of a chain begin, in the chain's parameter: mm along it.
 struct Pieces {
@@ -94,11 +96,15 @@ class ChainJoiner {
     if (a.faces != b.faces || limits_.is_protected(edges[0]) || limits_.is_protected(edges[1])) return false;
     if (a.is_periodic || b.is_periodic) return false;
     joint.shorter = std::min(a.length, b.length);
-    if (joint.shorter > smooth_reach * limits_.short_edge(a.length < b.length ? edges[0] : edges[1])) return false;
-    if (limits_.holds(joint.vertex, {}, joint.shorter)) return false;
     joint.angle = angle_between(-1 * direction_out(a, a.end == joint.vertex), direction_out(b, b.end == joint.vertex));
+    if (joint.shorter > reach(joint) * limits_.short_edge(a.length < b.length ? edges[0] : edges[1])) return false;
+    const bool is_within_pieces =
+        joint.angle <= straight && std::max(a.length, b.length) <= straight_reach * limits_.short_edge(edges[0]);
+    if (!is_within_pieces && limits_.holds(joint.vertex, {}, joint.shorter)) return false;
     return joint.angle <= smooth_angle * M_PI / 180 && runs_on(edges[0], edges[1], joint.vertex);
   }
+
+  static double reach(const Joint& joint) { return joint.angle > straight ? smooth_reach : straight_reach; }
 
   // In all their loops the two follow one another, and their images do.
   bool runs_on(int a, int b, int vertex) const {
@@ -133,7 +139,7 @@ class ChainJoiner {
     if (a == b) return;  // one vertex of a closed chain stays
     const int shorter = length(a) < length(b) ? a : b;
     const double limit = limits_.short_edge(edges[0]), at_corner = length(shorter) * joint.angle;
-    if (length(shorter) > smooth_reach * limit || at_corner > limit * smooth_angle * M_PI / 180) return;
+    if (length(shorter) > reach(joint) * limit || at_corner > limit * smooth_angle * M_PI / 180) return;
     Side &one = chains_[static_cast<std::size_t>(a)], &two = chains_[static_cast<std::size_t>(b)];
     if (edits_.start_of(one.front()) == joint.vertex && one.front().edge == edges[0]) one = reversed(one);
     if (edits_.end_of(two.back()) == joint.vertex && two.back().edge == edges[1]) two = reversed(two);
