@@ -124,6 +124,7 @@ class PavedCutter {
       edges.push_back(at.edge);
       if (most_divided < 0 || plan_.counts[at.edge] > plan_.counts[most_divided]) most_divided = at.edge;
     }
+    if (edges.empty()) return false;
     const int more = sides % 2;
     plan_.counts[most_divided] += more;
     if (std::all_of(edges.begin(), edges.end(), [&](int e) { return has_even_row(e); })) return true;

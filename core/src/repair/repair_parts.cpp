@@ -22,8 +22,8 @@ namespace paver {
 namespace {
 
 constexpr int most_rounds = 4;  // what divided sides of one face leave of another
-constexpr std::size_t most_increase = 2,
-                      few = 8;  // bad elements, by those of the round before: with more, divided sides do not help
+// Bad elements, by those of the round before and where these are few: with more, divided sides do not help.
+constexpr std::size_t most_increase = 2, few = 8;
 
 /// As ranks exchange it: of a face, or of an edge where one is divided.
 struct RepairedPlace {

@@ -23,8 +23,8 @@ constexpr double shortest_on_rim = 0.75, longest_on_rim = 1.25;
 constexpr double narrow = 0.7;    // intervals
 constexpr double rounding = 0.9;  // intervals: short edges may change by more than that share
 constexpr int most_on_short = 4;  // intervals: on an edge shorter than the target length no length is right
-constexpr double most_on_short_rim =
-    1.6;                                 // counts: its bends ask for as many, those of the other end of a rod for more
+// Of the intervals that its bends ask for: those of the other end of a thin rod ask for more.
+constexpr double most_on_short_rim = 1.6;
 constexpr double rounding_slack = 1e-6;  // equal wishes at a half round alike
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
