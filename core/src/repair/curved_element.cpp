@@ -87,9 +87,9 @@ double ElementJudge::off_surface(const Corners& v, int n, const std::array<Vec3,
   return off / (off > most_of_own ? most_of_own : most);
 }
 
-const ElementJudge::InnerSide& ElementJudge::inner_side(int a, int b) const {
+const ElementJudge::KnownSide& ElementJudge::known_side(int a, int b) const {
   if (known_.empty()) known_.resize(most_known);
-  InnerSide& side = known_[(static_cast<std::size_t>(a) * 0x9E3779B1U + static_cast<std::size_t>(b)) % most_known];
+  KnownSide& side = known_[(static_cast<std::size_t>(a) * 0x9E3779B1U + static_cast<std::size_t>(b)) % most_known];
   if (side.a != a || side.b != b || side.from != mesh_.p[a] || side.to != mesh_.p[b]) {
     side = {a, b, mesh_.p[a], mesh_.p[b], guess_middle(region_, mesh_, a, b, {}), {}};
     side.middle = side_middle(region_, mesh_, a, b, mesh_.x[a], mesh_.x[b], side.place);
@@ -107,8 +107,8 @@ std::array<Vec3, 9> ElementJudge::curved(const Corners& v, int n) const {
       x[n + k] = side->middle;
       middles[k] = guess_middle(region_, mesh_, a, b, side->middle - 0.5 * (mesh_.x[a] + mesh_.x[b]));
     } else {
-      const InnerSide& inner = inner_side(std::min(a, b), std::max(a, b));
-      middles[k] = inner.place, x[n + k] = inner.middle;
+      const KnownSide& known = known_side(std::min(a, b), std::max(a, b));
+      middles[k] = known.place, x[n + k] = known.middle;
     }
   }
   if (n == 3) return x;

@@ -80,13 +80,13 @@ class ElementJudge {
   bool is_valid_cusp(const Corners& v, int n, std::array<Vec3, 9> x) const;
   /// Inside the face, between nodes a < b. Elements about one place ask for the same sides again and again: known as
   /// long as the ends lie where they did.
-  struct InnerSide {
+  struct KnownSide {
     int a = -1, b = -1;
     Vec2 from, to;  ///< of the ends in the chart
     Vec2 place;     ///< of the middle
     Vec3 middle;
   };
-  const InnerSide& inner_side(int a, int b) const;
+  const KnownSide& known_side(int a, int b) const;
   /// In Gmsh's order.
   std::array<Vec3, 9> nodes(const Corners& v, int n) const;
   /// The same of order 2, as curving places them.
@@ -97,7 +97,7 @@ class ElementJudge {
   const BoundarySides& sides_;
   const int order_;
   std::vector<std::pair<int, int>> forbidden_;
-  mutable std::vector<InnerSide> known_;  // by a hash of the nodes; a judge serves one thread
+  mutable std::vector<KnownSide> known_;  // by a hash of the nodes; a judge serves one thread
 };
 
 }  // namespace paver

@@ -37,7 +37,7 @@ double worst_value(const ElementJudge& judge) {
 }  // namespace
 
 bool OtherWays::can_help(const RegionMesh& mesh) const {
-  return is_coarse_and_mixed(mesh) || has_long_side(mesh) || !can_be_whole(mesh);
+  return has_few_elements(mesh) && (is_coarse_and_mixed(mesh) || has_long_side(mesh) || !can_be_whole(mesh));
 }
 
 void OtherWays::improve(Mended& mended, PavedRegion& paved) const {

@@ -113,7 +113,7 @@ class Fuser {
 
 std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress) {
   Fuser fuser(work, parts);
-  for (bool is_last : {false, true}) {
+  for (int order = 0; order < 2; ++order, fuser.reverse())
     for (double factor : gap_factors) {
       try {
         if (auto fusion = fuser.run(factor * tolerance, progress)) return fusion;
@@ -121,8 +121,6 @@ std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts,
         progress.check();  // the next tolerance may do
       }
     }
-    if (!is_last) fuser.reverse();
-  }
   return std::nullopt;
 }
 

@@ -38,7 +38,7 @@ bool changes_when_fused(const TopoDS_Face& one, const TopoDS_Face& two, double t
 }
 
 /// From the middle of an edge into a FORWARD face that has it, of length 1; nothing where that cannot be told.
-std::optional<gp_Vec> way_in(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+std::optional<gp_Vec> way_in(const TopoDS_Edge& edge, const TopoDS_Face& face, const BRepAdaptor_Surface& surface) {
   const EdgeImage image = image_of(edge, face);
   if (image.curve.IsNull()) return std::nullopt;
   gp_Pnt2d uv;
@@ -46,7 +46,7 @@ std::optional<gp_Vec> way_in(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   image.curve->D1(0.5 * (image.first + image.last), uv, along);
   gp_Pnt x;
   gp_Vec xu, xv;
-  BRepAdaptor_Surface(face, Standard_False).D1(uv.X(), uv.Y(), x, xu, xv);
+  surface.D1(uv.X(), uv.Y(), x, xu, xv);
   gp_Vec way = xu.Crossed(xv).Crossed(along.X() * xu + along.Y() * xv);
   if (edge.Orientation() == TopAbs_REVERSED) way.Reverse();
   return way.Magnitude() > 0 ? std::optional(way.Normalized()) : std::nullopt;
@@ -64,9 +64,10 @@ std::set<std::pair<std::size_t, std::size_t>> find_folds(const std::vector<const
   std::set<std::pair<std::size_t, std::size_t>> folds;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const TopoDS_Face plain = forward(faces[f]->face);
+    const BRepAdaptor_Surface surface(plain, Standard_False);
     for (const TopoDS_Edge& edge : edges_of(plain)) {
       if (BRep_Tool::Degenerated(edge)) continue;
-      const auto way = way_in(edge, plain);
+      const auto way = way_in(edge, plain, surface);
       const auto index = static_cast<std::size_t>(edges.Add(edge));
       if (index == uses.size()) uses.emplace_back();
       if (!way) continue;

@@ -108,8 +108,8 @@ class Ring {
   void close() {
     std::array<TopoDS_Vertex, 2> at;
     for (std::size_t i = 0; i < 2; ++i) {
-      at[i] = TopExp::FirstVertex(loops_[i]);
-      const TopoDS_Vertex last = TopExp::LastVertex(loops_[i]);
+      const TopoDS_Vertex first = TopExp::FirstVertex(loops_[i]), last = TopExp::LastVertex(loops_[i]);
+      at[i] = TopoDS::Vertex(first.EmptyCopied());  // the face may not be ours
       const double off = BRep_Tool::Pnt(at[i]).Distance(BRep_Tool::Pnt(last));
       BRep_Builder().UpdateVertex(at[i], off + std::max(BRep_Tool::Tolerance(at[i]), BRep_Tool::Tolerance(last)));
       loops_[i] = ShapeBuild_Edge().CopyReplaceVertices(loops_[i], at[i], at[i]);
