@@ -27,6 +27,7 @@
 #include "regions/divide_loops.h"
 #include "repair/repair_parts.h"
 #include "sizing/chord_lengths.h"
+#include "sizing/face_extent.h"
 #include "sizing/merging/merge_small.h"
 #include "sizing/point_lengths.h"
 #include "topology/build_model.h"
@@ -97,9 +98,10 @@ class Run {
     MeshShare done = mesh_built();
     RunReport& report = done.result.report;
     while (true) {
-      const std::vector<LocalSize> more = lengths.next(report.faces, entry_lengths(report.faces));
-      if (more.empty()) break;
-      options_.local.insert(options_.local.end(), more.begin(), more.end());
+      const ShorterLengths more = lengths.next(report.faces, entry_lengths(report.faces), far_);
+      if (more.is_empty()) break;
+      options_.local.insert(options_.local.end(), more.faces.begin(), more.faces.end());
+      places_.insert(places_.end(), more.places.begin(), more.places.end());
       share_ = built;
       result_.report.stage_seconds = report.stage_seconds;
       result_.report.stage_runs = report.stage_runs;
@@ -222,7 +224,7 @@ class Run {
   // Sizing, and the number of intervals of every edge.
   std::vector<int> count_intervals(ClosedLayouts closed, std::vector<FaceLayout>& layouts) {
     begin(Stage::sizing);
-    size_ = build_size_field(model_, options_, progress_);
+    size_ = build_size_field(model_, options_, progress_, places_);
     for (const std::string& note : size_.local->notes()) result_.report.notes.push_back(note);
     begin(Stage::boundary);
     layouts = plan_layouts(model_, size_, closed, progress_);
@@ -335,12 +337,13 @@ class Run {
 
   void finish(const Assembler& assembler) {
     RunReport& report = result_.report;
-    const std::vector<SurfaceDistance> distances = assembler.distances();
+    const MeshDistances distances = assembler.distances();
+    keep_far(distances.far);
     long elements = 0;
-    for (std::size_t f = 0; f < distances.size(); ++f) {
+    for (std::size_t f = 0; f < distances.faces.size(); ++f) {
       FaceReport& face = report.faces[f];
       const long more = face.quads + face.triangles;
-      face.distance = distances[f];
+      face.distance = distances.faces[f];
       report.quality.distance = join_distances(report.quality.distance, elements, face.distance, more);
       elements += more;
     }
@@ -360,6 +363,18 @@ class Run {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     report.peak_memory_mib = static_cast<double>(usage.ru_maxrss) / 1024;
+  }
+
+  /// For the next mesh. A face without a border is laid in one piece: it gets another length as a whole only.
+  void keep_far(const std::vector<FarPlace>& far) {
+    far_.clear();
+    for (FarPlace place : far) {
+      const auto face = static_cast<std::size_t>(place.face);
+      if (!has_border(model_, model_.faces[face])) continue;
+      place.face = model_.faces[face].origin;
+      place.target = size_.faces[face].given_at(0.5 * (place.x[0] + place.x[place.corners > 2 ? 2 : 1]));
+      far_.push_back(place);
+    }
   }
 
   void note_triangles() {
@@ -442,6 +457,8 @@ class Run {
   Stage stage_ = Stage::done;
   Clock::time_point started_;
   Model model_;
+  std::vector<SizeSource> places_;  // likewise
+  std::vector<FarPlace> far_;       // in the last mesh, by entries of the report
   SizeField size_;
   double predicted_ = 0;  // elements
   EdgeNodes nodes_;

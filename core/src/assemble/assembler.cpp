@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include "assemble/neighbourhood.h"
-#include "check/distance/surface_distance.h"
 #include "mesh/element_table.h"
 #include "quality/element_figures.h"
 #include "quality/jacobian/jacobian.h"
 #include "quality/metric_figures.h"
+#include "sizing/chord_lengths.h"
 
 namespace paver {
 namespace {
@@ -214,8 +215,11 @@ MetricFigures Assembler::metric() const {
   return measure_metric(meshes, options_.threads, progress_, ranks_);
 }
 
-std::vector<SurfaceDistance> Assembler::distances() const {
-  return measure_distances({model_, nodes_, mesh_, parts_, report_.target_length, options_.threads}, progress_, ranks_);
+MeshDistances Assembler::distances() const {
+  constexpr double any = std::numeric_limits<double>::infinity();
+  return measure_distances({model_, nodes_, mesh_, parts_, report_.target_length, options_.threads,
+                            ChordLengths::near_enough * options_.chord_error.value_or(any)},
+                           progress_, ranks_);
 }
 
 }  // namespace paver

@@ -7,6 +7,7 @@
 
 #include "boundary/edge_nodes.h"
 #include "check/check_mesh.h"
+#include "check/distance/surface_distance.h"
 #include "curving/place_nodes.h"
 #include "curving/repair.h"
 #include "join/cuts.h"
@@ -35,8 +36,8 @@ class Assembler {
   /// Fills in the share's numbers.
   void number();
 
-  /// Per face of the model, on all ranks.
-  std::vector<SurfaceDistance> distances() const;
+  /// On all ranks. Collective.
+  MeshDistances distances() const;
   /// All but the prediction. Collective.
   MetricFigures metric() const;
 

@@ -65,6 +65,12 @@ std::string product_name(const Handle(StepBasic_ProductDefinition) & definition)
   return "";
 }
 
+/// Past the mark of UTF-8 that some editors put in front: the kernel's grammar knows no such token.
+void skip_byte_order_mark(std::istream& content) {
+  std::string start(3, '\0');
+  if (!content.read(start.data(), 3) || start != "\xEF\xBB\xBF") content.clear(), content.seekg(0);
+}
+
 void label_objects(STEPControl_Reader& reader, Shape& shape) {
   ObjectLabels objects;
   Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
@@ -83,6 +89,7 @@ extern "C" void paver_read_format(const FileSource& file, const Doubt& doubt, Sh
   STEPControl_Reader reader;
   MillimetreReading millimetres;
   std::ifstream content(file.path, std::ios::binary);  // OpenCASCADE 7.8 opens no path that is not UTF-8
+  skip_byte_order_mark(content);
   check_loaded(reader.ReadStream(file.path.c_str(), content), file, "STEP", progress);
   check_entities(file.name, reader);
   if (has_fails(reader.Model())) doubt();

@@ -11,32 +11,81 @@
 namespace paver {
 namespace {
 
-constexpr int most_rounds = 8;
-constexpr double margin = 0.9;        // of the length that would just do
+constexpr int most_rounds = 12;
+constexpr double margin = 0.9;        // of the length that would just do for a face
+constexpr double place_margin = 0.8;  // about a place, where lengths grow
 constexpr double least_share = 0.25;  // of a length, from round to round
 constexpr double no_help = 0.9;       // of the distance before: a face that is farther off got no nearer
 constexpr double firm_share = 0.7;    // of the length where that did not help
-constexpr int most_stalls = 3;        // rounds that do not help until a face is given up
+constexpr int most_stalls = 5;        // rounds that do not help until a face is given up
+constexpr double spread = 2;          // places of elements that get shorter with one: lengths grow from it
+constexpr double steps_per_half = 3;
 constexpr std::size_t most_named = 5;
+
+/// Its sides and, of a quad, the lines between their middles: no point of it is farther than a quarter of a side from
+/// them.
+void add_sources(const FarPlace& place, double length, std::vector<SizeSource>& sources) {
+  if (place.corners == 2) return sources.push_back({place.x[0], place.x[1], length});
+  const auto n = static_cast<std::size_t>(place.corners);
+  auto middle = [&](std::size_t k) { return 0.5 * (place.x[k % n] + place.x[(k + 1) % n]); };
+  for (std::size_t k = 0; k < n; ++k) sources.push_back({place.x[k], place.x[(k + 1) % n], length});
+  for (std::size_t k = 0; n == 4 && k < 2; ++k) sources.push_back({middle(k), middle(k + 2), length});
+}
+
+/// The next of few lengths: neighbours are to have the same.
+double step_below(double length, double most) {
+  return most * std::pow(2, -std::ceil(steps_per_half * std::log2(most / length)) / steps_per_half);
+}
+
+double square(double x) { return x * x; }
+
+double longest_side(const FarPlace& place) {
+  const auto n = static_cast<std::size_t>(place.corners);
+  double longest = 0;
+  for (std::size_t k = 0; k < n; ++k) longest = std::max(longest, norm(place.x[(k + 1) % n] - place.x[k]));
+  return longest;
+}
 
 }  // namespace
 
-std::vector<LocalSize> ChordLengths::next(const std::vector<FaceReport>& faces, const std::vector<double>& length) {
+/// Of a length: what would just do, times `margin`.
+double ChordLengths::share(double distance, double margin) const {
+  return margin * std::pow(most_ / distance, order_ == 1 ? 1.0 / 2 : 1.0 / 3);
+}
+
+ShorterLengths ChordLengths::next(const std::vector<FaceReport>& faces, const std::vector<double>& length,
+                                  const std::vector<FarPlace>& far) {
   last_.resize(faces.size(), INFINITY);
   stalls_.resize(faces.size(), 0);
-  std::vector<LocalSize> lengths;
+  ShorterLengths lengths;
   if (rounds_++ == most_rounds) return lengths;
+  std::vector<std::vector<const FarPlace*>> places(faces.size());
+  for (const FarPlace& place : far) places[static_cast<std::size_t>(place.face)].push_back(&place);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const double off = faces[f].distance.largest;
     if (faces[f].status != FaceStatus::meshed || off <= most_) continue;
     const bool has_stalled = off > no_help * last_[f];
     stalls_[f] = has_stalled ? stalls_[f] + 1 : 0;
-    if (stalls_[f] == most_stalls) continue;
     last_[f] = std::min(off, last_[f]);
-    double share = margin * std::pow(most_ / off, order_ == 1 ? 1.0 / 2 : 1.0 / 3);
-    if (has_stalled) share = std::min(share, firm_share);
+    const auto all = static_cast<double>(faces[f].quads + faces[f].triangles);
+    const double whole = std::clamp(share(off, margin), least_share, has_stalled ? firm_share : margin);
+    std::vector<SizeSource> sources;
+    double more = 0;  // elements, where these are made shorter
+    for (const FarPlace* place : places[f]) {
+      const double wanted = share(place->distance, place_margin) * std::pow(firm_share, stalls_[f]);
+      const double target = std::min(place->target, longest_side(*place));
+      const double shorter = step_below(std::max(wanted, least_share) * target, length[f]);
+      if (shorter >= place->target) continue;
+      add_sources(*place, shorter, sources);
+      more += spread * (square(place->target / shorter) - 1);
+    }
+    if (more > 0 && more < all * (1 / square(whole) - 1) && stalls_[f] < most_stalls) {
+      lengths.places.insert(lengths.places.end(), sources.begin(), sources.end());
+      continue;
+    }
+    if (stalls_[f] >= most_stalls) continue;
     const std::string part = faces[f].name.substr(0, faces[f].name.find(' '));  // of common faces the first
-    lengths.push_back({part, std::clamp(share, least_share, margin) * length[f]});
+    lengths.faces.push_back({part, whole * length[f]});
   }
   return lengths;
 }

@@ -42,4 +42,11 @@ double face_extent(const Model& model, const Face& face) {
   return size > 0 ? size : Box::infinity;
 }
 
+bool has_border(const Model& model, const Face& face) {
+  for (const Loop& loop : face.loops)
+    for (const Coedge& coedge : loop.coedges)
+      if (const Edge& edge = edge_of(model, coedge); !edge.is_periodic && !edge.is_degenerate) return true;
+  return false;
+}
+
 }  // namespace paver

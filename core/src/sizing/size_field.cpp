@@ -121,13 +121,6 @@ Vec2 largest_stretch(const std::vector<CurvatureSample>& samples, double weight)
   return most;
 }
 
-bool has_border(const Model& model, const Face& face) {
-  for (const Loop& loop : face.loops)
-    for (const Coedge& coedge : loop.coedges)
-      if (const Edge& edge = edge_of(model, coedge); !edge.is_periodic && !edge.is_degenerate) return true;
-  return false;
-}
-
 /// Whether lengths differ much over the face, and are shortest along a line across which it bends: not about a tip.
 bool has_ridge(const std::vector<CurvatureSample>& samples, const std::vector<double>& sizes) {
   const double least = *std::min_element(sizes.begin(), sizes.end());
@@ -249,8 +242,8 @@ double predicted_elements(const Model& model, const Face& face, const SampledFac
 }
 
 // Lengths that are given for whole faces; none is longer than the face, whose turns were lost on it otherwise.
-void give_local(const Model& model, const Options& options, SizeField& field) {
-  auto local = std::make_shared<const LocalSizes>(model, options, field.h);
+void give_local(const Model& model, const Options& options, const std::vector<SizeSource>& places, SizeField& field) {
+  auto local = std::make_shared<const LocalSizes>(model, options, field.h, places);
   field.local = local;
   for (std::size_t f = 0; f < model.faces.size(); ++f)
     field.face_h.push_back(
@@ -325,14 +318,15 @@ TurnLimit SizeField::turn_limit_of(const Edge& edge) const {
   return {h, turn_limit, is_inside ? 0 : short_turn_limit};
 }
 
-SizeField build_size_field(const Model& model, const Options& options, Progress& progress) {
+SizeField build_size_field(const Model& model, const Options& options, Progress& progress,
+                           const std::vector<SizeSource>& places) {
   progress.begin(Stage::sizing, static_cast<long>(model.faces.size()));
   SizeField field;
   field.h = target_length(options);
   field.gradation = options.gradation;
   field.turn_limit = options.turn_limit();
   if (!options.max_turn) field.short_turn_limit = short_turn_limit, field.small_bend = options.merge;
-  give_local(model, options, field);
+  give_local(model, options, places, field);
   field.turning.resize(model.edges.size());
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
     const Face& face = model.faces[f];
@@ -355,7 +349,7 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
     progress.advance();
   }
   double predicted = std::accumulate(field.predicted.begin(), field.predicted.end(), 0.0);
-  check_predicted(predicted, field.h, options.max_elements, !options.local.empty());
+  check_predicted(predicted, field.h, options.max_elements, !options.local.empty() || !places.empty());
   return field;
 }
 

@@ -121,7 +121,9 @@ struct SizeField {
   TurnLimit turn_limit_of(const Edge& edge) const;
 };
 
-/// Samples curvature; predicts the element count and throws too_many_elements above options.max_elements.
-SizeField build_size_field(const Model& model, const Options& options, Progress& progress);
+/// Samples curvature; predicts the element count and throws too_many_elements above options.max_elements. `places` have
+/// lengths of their own, too.
+SizeField build_size_field(const Model& model, const Options& options, Progress& progress,
+                           const std::vector<SizeSource>& places = {});
 
 }  // namespace paver

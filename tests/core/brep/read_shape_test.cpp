@@ -132,6 +132,12 @@ TEST_F(ReadShape, GivesFacesTheNamesOfAStepFile) {
   EXPECT_EQ(std::count(shape->labels.begin(), shape->labels.end(), ""), 5);
 }
 
+TEST_F(ReadShape, ReadsStepFilesWithTheByteOrderMarkOfUtf8) {
+  const std::string path = write_step();
+  write_text(path, "\xEF\xBB\xBF" + read_text(path));
+  EXPECT_EQ(face_count(*read(path)), 6);
+}
+
 TEST_F(ReadShape, ReadsAgainAndAgain) {
   std::string step = write_step(), iges = write_iges();
   for (int i = 0; i < 5; ++i) {

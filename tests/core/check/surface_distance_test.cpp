@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "curving/place_nodes.h"
@@ -27,9 +28,10 @@ struct Measured : test::PavedModel {
     mesh =
         order == 1 ? joined.mesh : curve_elements(joined, edges, model, Cuts(regions, {}), parts, 1, Progress()).mesh;
   }
-  std::vector<SurfaceDistance> run(int threads = 1) const {
+  std::vector<SurfaceDistance> run(int threads = 1) const { return measured(INFINITY, threads).faces; }
+  MeshDistances measured(double most, int threads = 1) const {
     SingleRank one;
-    return measure_distances({model, edges, mesh, parts, target, threads}, Progress(), one);
+    return measure_distances({model, edges, mesh, parts, target, threads, most}, Progress(), one);
   }
 
   double target;
@@ -103,6 +105,27 @@ TEST(SurfaceDistance, OfSeveralFacesIsWeighedByTheirElements) {
   EXPECT_DOUBLE_EQ(joined.mean, 0.875);
   EXPECT_EQ(joined.angle, 0.2);
   EXPECT_EQ(join_distances({}, 0, {}, 0).mean, 0);
+}
+
+TEST(SurfaceDistance, ListsWhatIsFartherOff) {
+  const Measured tube(fake::tube(4, 10), 1.5, 1);
+  const MeshDistances all = tube.measured(0), some = tube.measured(0.5 * all.faces[0].largest),
+                      none = tube.measured(all.faces[0].largest);
+  auto count = [](const MeshDistances& d, bool is_side) {
+    return std::count_if(d.far.begin(), d.far.end(), [&](const FarPlace& p) { return (p.corners == 2) == is_side; });
+  };
+  EXPECT_EQ(count(all, false), static_cast<long>(tube.mesh.quad_count()));
+  long sides = 0;  // on each face of its edge
+  for (std::size_t e = 0; e < tube.model.edges.size(); ++e)
+    if (const Edge& edge = tube.model.edges[e]; edge.curve && !edge.is_periodic)
+      sides += static_cast<long>(edge.faces.size()) * tube.edges.edges[e].intervals();
+  EXPECT_EQ(count(all, true), sides);
+  EXPECT_GT(some.far.size(), 0u);
+  for (const FarPlace& place : some.far) {
+    EXPECT_GT(place.distance, 0.5 * all.faces[0].largest);
+    for (int k = 0; k < place.corners; ++k) EXPECT_NEAR(std::hypot(place.x[k].x, place.x[k].y), 4, 1e-9);
+  }
+  EXPECT_TRUE(none.far.empty());
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/tasks/gather.h"
 #include "base/tasks/tasks.h"
 #include "check/distance/deviation.h"
 #include "curving/near_surface.h"
@@ -56,7 +57,7 @@ class PartSampler {
         is_reversed_(task.model.faces[static_cast<std::size_t>(part.region->face)].is_reversed),
         totals_(task.target_length) {
     for (const Element& e : part.mesh->elements)
-      if (e.is_alive()) rows_.push_back({&e, e.corners() == 4 ? first.quad++ : first.triangle++});
+      if (e.is_alive()) rows_.push_back({&e, e.corners() == 4 ? first.quad++ : first.triangle++, 0});
   }
 
   // A plane's elements lie in it; only its sides may miss their curves.
@@ -65,7 +66,7 @@ class PartSampler {
     if (part_.region->surface->kind() == SurfaceKind::plane) return totals_;
     std::vector<std::pair<double, std::size_t>> found;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      take(rows_[i]);
+      take(i);
       if (rows_.size() > small_part) {
         found.push_back({-sample(points_inside()[i % points_inside().size()]), i});
         totals_.sum.add(-found.back().first);
@@ -75,20 +76,33 @@ class PartSampler {
     }
     if (!found.empty()) std::nth_element(found.begin(), found.begin() + farthest, found.end());
     for (std::size_t k = 0; k < std::min(farthest, found.size()); ++k) {
-      take(rows_[found[k].second]);
+      take(found[k].second);
       sample_all();
     }
     return totals_;
+  }
+
+  /// Elements that are farther off, after run().
+  void list_far(double most, std::vector<FarPlace>& far) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (!(rows_[i].largest > most)) continue;
+      take(i);
+      FarPlace& place = far.emplace_back();
+      place.face = part_.region->face, place.corners = n_, place.distance = rows_[i].largest;
+      std::copy_n(patch_.nodes.begin(), n_, place.x.begin());
+    }
   }
 
  private:
   struct Row {
     const Element* element;
     std::size_t row;
+    double largest;
   };
 
-  void take(const Row& row) {
-    n_ = row.element->corners(), angle_ = 0;
+  void take(std::size_t i) {
+    const Row& row = rows_[i];
+    taken_ = i, n_ = row.element->corners(), angle_ = 0;
     const ElementTable table(task_.mesh, n_ == 4);
     patch_.corners = n_, patch_.order = task_.mesh.order;
     for (std::size_t k = 0; k < table.stride; ++k)
@@ -120,6 +134,7 @@ class PartSampler {
       angle_ = std::max(angle_, std::atan2(norm(cross(normal, wanted)), dot(normal, wanted)));
     totals_.angle = std::max(totals_.angle, angle_);
     totals_.largest = std::max(totals_.largest, foot.distance);
+    rows_[taken_].largest = std::max(rows_[taken_].largest, foot.distance);
     return foot.distance;
   }
 
@@ -152,30 +167,22 @@ class PartSampler {
   const bool is_reversed_;
   std::vector<Row> rows_;
   Totals totals_;
+  std::size_t taken_ = 0;  // of rows_
   int n_ = 4;
   double size_ = 0, angle_ = 0;  // of the element
   ElementPatch patch_;
   std::array<Vec2, 4> places_{};
 };
 
-/// Largest distance between an edge's curve and the sides on it.
-double curve_distance(const Edge& edge, const EdgeDivision& division, int order) {
+/// Largest distance between an edge's curve and a side on it.
+double side_distance(const Edge& edge, const EdgeDivision& division, std::size_t interval, int order) {
+  const double* t = &division.t[2 * interval];
+  const Vec3* x = &division.x[2 * interval];
   ElementPatch side;
-  side.corners = 2, side.order = order;
-  double largest = 0;
-  auto add = [&](Vec3 x, double start) { largest = std::max(largest, norm(x - side.at(side.nearest(x, {start, 0})))); };
-  for (std::size_t i = 0; i < static_cast<std::size_t>(division.intervals()); ++i) {
-    const double* t = &division.t[2 * i];
-    const Vec3* x = &division.x[2 * i];
-    side.nodes = {x[0], x[2], x[1]};
-    if (order == 1) {
-      add(x[1], 0.5);
-    } else {
-      add(edge.curve->point(0.5 * (t[0] + t[1])), 0.25);
-      add(edge.curve->point(0.5 * (t[1] + t[2])), 0.75);
-    }
-  }
-  return largest;
+  side.corners = 2, side.order = order, side.nodes = {x[0], x[2], x[1]};
+  auto off = [&](Vec3 point, double start) { return norm(point - side.at(side.nearest(point, {start, 0}))); };
+  if (order == 1) return off(x[1], 0.5);
+  return std::max(off(edge.curve->point(0.5 * (t[0] + t[1])), 0.25), off(edge.curve->point(0.5 * (t[1] + t[2])), 0.75));
 }
 
 class Measurer {
@@ -183,13 +190,14 @@ class Measurer {
   Measurer(const DistanceTask& task, const Progress& progress, Ranks& ranks)
       : task_(task), progress_(progress), ranks_(ranks), faces_(task.model.faces.size(), Totals(task.target_length)) {}
 
-  std::vector<SurfaceDistance> run() {
+  MeshDistances run() {
     add_parts();
     exchange();
     add_edges();
-    std::vector<SurfaceDistance> result;
+    MeshDistances result;
+    result.far = std::move(far_);
     for (const Totals& face : faces_)
-      result.push_back(
+      result.faces.push_back(
           {face.largest, face.count > 0 ? face.sum.total() / static_cast<double>(face.count) : 0, face.angle});
     return result;
   }
@@ -207,11 +215,16 @@ class Measurer {
         if (e.is_alive()) ++(e.corners() == 4 ? next.quad : next.triangle);
     }
     std::vector<Totals> totals(task_.parts.size(), Totals(task_.target_length));
+    std::vector<std::vector<FarPlace>> far(task_.parts.size());
     run_tasks(task_.threads, costs, [&](int i) {
       progress_.check();
       const auto part = static_cast<std::size_t>(i);
-      if (task_.parts[part].mesh) totals[part] = PartSampler(task_, task_.parts[part], first[part]).run();
+      if (!task_.parts[part].mesh) return;
+      PartSampler sampler(task_, task_.parts[part], first[part]);
+      totals[part] = sampler.run();
+      sampler.list_far(task_.most, far[part]);
     });
+    for (const std::vector<FarPlace>& places : far) far_.insert(far_.end(), places.begin(), places.end());
     for (std::size_t i = 0; i < totals.size(); ++i)
       if (task_.parts[i].mesh) faces_[static_cast<std::size_t>(task_.parts[i].region->face)].add(totals[i]);
   }
@@ -225,33 +238,46 @@ class Measurer {
     }
     reduction.run(ranks_);
     for (Totals& face : faces_) face.largest = -face.largest, face.angle = -face.angle;
+    if (std::isfinite(task_.most)) far_ = gather_all(far_, ranks_);
   }
 
   // Every rank has all edges.
   void add_edges() {
     const std::vector<Edge>& edges = task_.model.edges;
-    std::vector<double> distance(edges.size(), 0), costs;
+    std::vector<std::vector<double>> distances(edges.size());  // of the sides
+    std::vector<double> costs;
     for (std::size_t e = 0; e < edges.size(); ++e)
       costs.push_back(edges[e].curve && !edges[e].is_periodic ? task_.edges.edges[e].intervals() : 0);
     run_tasks(task_.threads, costs, [&](int i) {
       const auto e = static_cast<std::size_t>(i);
-      if (costs[e] > 0) distance[e] = curve_distance(edges[e], task_.edges.edges[e], task_.mesh.order);
+      const EdgeDivision& division = task_.edges.edges[e];
+      for (std::size_t k = 0; costs[e] > 0 && k < static_cast<std::size_t>(division.intervals()); ++k)
+        distances[e].push_back(side_distance(edges[e], division, k, task_.mesh.order));
     });
     for (std::size_t e = 0; e < edges.size(); ++e)
       for (int face : edges[e].faces)
-        if (Totals& totals = faces_[static_cast<std::size_t>(face)]; totals.count > 0)
-          totals.largest = std::max(totals.largest, distance[e]);
+        if (faces_[static_cast<std::size_t>(face)].count > 0) add_sides(task_.edges.edges[e], distances[e], face);
+  }
+
+  void add_sides(const EdgeDivision& division, const std::vector<double>& distances, int face) {
+    Totals& totals = faces_[static_cast<std::size_t>(face)];
+    for (std::size_t k = 0; k < distances.size(); ++k) {
+      totals.largest = std::max(totals.largest, distances[k]);
+      if (distances[k] > task_.most)
+        far_.push_back({face, 2, distances[k], 0, {division.x[2 * k], division.x[2 * k + 2]}});
+    }
   }
 
   const DistanceTask& task_;
   const Progress& progress_;
   Ranks& ranks_;
   std::vector<Totals> faces_;
+  std::vector<FarPlace> far_;
 };
 
 }  // namespace
 
-std::vector<SurfaceDistance> measure_distances(const DistanceTask& task, const Progress& progress, Ranks& ranks) {
+MeshDistances measure_distances(const DistanceTask& task, const Progress& progress, Ranks& ranks) {
   return Measurer(task, progress, ranks).run();
 }
 

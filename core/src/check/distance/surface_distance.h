@@ -1,10 +1,12 @@
 // How far a mesh is from the surfaces and curves that it stands for.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "boundary/edge_nodes.h"
 #include "curving/order2.h"
+#include "mesh/far_place.h"
 #include "paver/progress.h"
 #include "paver/ranks.h"
 #include "paver/result.h"
@@ -20,13 +22,19 @@ struct DistanceTask {
   const std::vector<CurvingPart>& parts;
   double target_length = 0;
   int threads = 1;
+  double most = std::numeric_limits<double>::infinity();  ///< what is farther off is listed
 };
 
-/// Per face of the model. Collective: the same on all ranks, for any number of them. A point of the mesh is no farther
+struct MeshDistances {
+  std::vector<SurfaceDistance> faces;  ///< of the model
+  std::vector<FarPlace> far;           ///< in any order, without targets
+};
+
+/// Collective: the same on all ranks, for any number of them. A point of the mesh is no farther
 /// from the surface than `largest`; and since the foot points of a mesh that covers its face do so, too, and sides are
 /// measured against their curves, no point of the face is farther from the mesh. Sampled: within about a tenth where
 /// the surface is smooth over an element.
-std::vector<SurfaceDistance> measure_distances(const DistanceTask& task, const Progress& progress, Ranks& ranks);
+MeshDistances measure_distances(const DistanceTask& task, const Progress& progress, Ranks& ranks);
 
 /// Of several faces.
 SurfaceDistance join_distances(const SurfaceDistance& a, long a_elements, const SurfaceDistance& b, long b_elements);

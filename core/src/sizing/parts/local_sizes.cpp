@@ -61,8 +61,9 @@ double longest_interval(const Model& model, const Loop& loop) {
 
 }  // namespace
 
-LocalSizes::LocalSizes(const Model& model, const Options& options, double h)
-    : of_face_(model.faces.size(), none), of_edge_(static_cast<std::size_t>(model.read_edges), none) {
+LocalSizes::LocalSizes(const Model& model, const Options& options, double h, const std::vector<SizeSource>& places)
+    : of_face_(model.faces.size(), none), of_edge_(static_cast<std::size_t>(model.read_edges), none), lines_(places) {
+  for (const SizeSource& place : places) least_ = std::min(least_, place.h);
   for (const LocalSize& local : options.local) {
     double length = local_length(options, local);
     put(model, local, length);

@@ -19,8 +19,9 @@ class LocalSizes {
 
  public:
   LocalSizes() = default;
-  /// Throws bad_option for parts that the model does not have. `h` is the target length of the run.
-  LocalSizes(const Model& model, const Options& options, double h);
+  /// Throws bad_option for parts that the model does not have. `h` is the target length of the run; `places` are sources
+  /// beside those of parts.
+  LocalSizes(const Model& model, const Options& options, double h, const std::vector<SizeSource>& places = {});
 
   bool is_empty() const { return !(least_ < none); }
   /// Length asked for on a whole face: its own and those of its solids.
@@ -46,7 +47,7 @@ class LocalSizes {
   std::vector<double> of_face_;  // per face of the model
   std::vector<double> of_edge_;  // per edge of the shape as read
   std::vector<std::pair<Vec3, double>> points_;
-  std::vector<SizeSource> lines_;  // across gaps, about small holes
+  std::vector<SizeSource> lines_;  // across gaps, about small holes, at given places
   NearestSource sources_;
   double least_ = none;
   std::vector<std::string> notes_;
