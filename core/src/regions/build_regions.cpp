@@ -497,13 +497,26 @@ class RegionBuilder {
     return (static_cast<double>(i) + (step > 0 ? std::min(1.0, (wanted - sums[i]) / step) : 0)) / steps;
   }
 
-  /// The shorter way round the surface at a place, mm; endless where none goes round.
-  double way_round(Vec2 uv) const {
+  /// The shorter way round the surface within `reach` of a place, mm; endless where none goes round. About a pole it
+  /// grows.
+  double way_round(Vec2 uv, double reach) const {
     Vec3 x, xu, xv;
     face_.surface->d1(uv, x, xu, xv);
     const Vec2 period = face_.surface->period();
     const double none = std::numeric_limits<double>::infinity();
-    return std::min(period.x > 0 ? norm(xu) * period.x : none, period.y > 0 ? norm(xv) * period.y : none);
+    double about_u = period.x > 0 ? 0 : none, about_v = period.y > 0 ? 0 : none;
+    const Vec2 step{reach / norm(xu), reach / norm(xv)};
+    for (double side : {-1.0, 0.0, 1.0}) {
+      if (period.x > 0) {
+        face_.surface->d1({uv.x, uv.y + side * step.y}, x, xu, xv);
+        about_u = std::max(about_u, norm(xu) * period.x);
+      }
+      if (period.y > 0) {
+        face_.surface->d1({uv.x + side * step.x, uv.y}, x, xu, xv);
+        about_v = std::max(about_v, norm(xv) * period.y);
+      }
+    }
+    return std::min(about_u, about_v);
   }
 
   // A node inside the face, a point or the end of a wire: four quads about it in advance.
@@ -519,7 +532,8 @@ class RegionBuilder {
     double room = nearest_facet(region, fan.centre.x);
     for (const InnerPoint& other : face_.points)
       if (other.vertex != point.vertex) room = std::min(room, 0.5 * norm(model_.vertices[other.vertex] - fan.centre.x));
-    double side = std::min({fan.centre.h, point_room * room, most_about * way_round(point.uv)});
+    double side = std::min(fan.centre.h, point_room * room);
+    side = std::min(side, most_about * way_round(point.uv, side));
     Vec3 x, xp, xq;
     region.evaluate(fan.centre.p, x, xp, xq);
     Vec3 across = unit(xp), up = unit(cross(cross(xp, xq), xp));

@@ -6,6 +6,7 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <gp_Ax2.hxx>
 
 #include "core/brep/shape_files.h"
@@ -42,6 +43,17 @@ TEST(Gaps, ACylinderBesideABoxIsNearAlongALineBetweenNodes) {
   const RunReport report = report_of(compound({box(0, 0, 0, 4, 4, 3), cylinder}), 1);
   ASSERT_EQ(report.gaps.size(), 1u);
   EXPECT_NEAR(report.gaps[0].distance, 0.009, 1e-3);
+}
+
+// They stand on one another in a corner, which is no reason to touch elsewhere unconnected.
+TEST(Gaps, PartsWithOnlyAPointInCommonMayBeNearElsewhere) {
+  const TopoDS_Shape edge = BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(9, 8, 0.0005));
+  const RunReport near = report_of(compound({box(0, 0, -1, 10, 10, 1), edge}), 1);
+  ASSERT_EQ(near.gaps.size(), 1u);
+  EXPECT_GT(norm(near.gaps[0].where), 3.5);
+  EXPECT_STREQ(verdict(near), "doubtful");
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(5, 5, 40), 40).Shape();
+  EXPECT_TRUE(report_of(compound({box(0, 0, -1, 10, 10, 1), ball}), 1).gaps.empty());
 }
 
 TEST(Gaps, WiresThatPassEachOtherAreNear) {

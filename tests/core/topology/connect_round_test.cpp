@@ -5,11 +5,15 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepTools.hxx>
+#include <Geom_BezierCurve.hxx>
 #include <Geom_SphericalSurface.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <algorithm>
 #include <gp_Ax2.hxx>
 #include <gp_Ax3.hxx>
@@ -174,6 +178,41 @@ TEST(ConnectRound, AWireEndsOnARodThinnerThanTheTargetLength) {
         mesh_of(compound({rod(0, 0, 0, 0.5, 40), wire(gp_Pnt(0, 0.5, 20), gp_Pnt(0, 10, 20))}), size);
     EXPECT_STREQ(verdict(result.report), "sound") << size;
     EXPECT_EQ(pieces(result.mesh), 1U) << size;
+  }
+}
+
+/// Of revolution about the z axis, free-form along the meridian.
+TopoDS_Shape dish(double radius, double depth) {
+  TColgp_Array1OfPnt poles(1, 3);
+  poles(1) = gp_Pnt(0, 0, 0), poles(2) = gp_Pnt(radius / 2, 0, 0), poles(3) = gp_Pnt(radius, 0, depth);
+  const TopoDS_Shape meridian = BRepBuilderAPI_MakeEdge(Handle(Geom_Curve)(new Geom_BezierCurve(poles))).Shape();
+  return BRepPrimAPI_MakeRevol(meridian, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1))).Shape();
+}
+
+TEST(ConnectRound, AWireEndsAtAPole) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(10).Shape();
+  for (double size : {1e6, 10.0, 3.5, 1.0})
+    for (const auto& [body, z] : {std::pair{dish(20, 5), 0.0}, std::pair{ball, 10.0}}) {
+      const MeshResult result = mesh_of(compound({body, wire(gp_Pnt(0, 0, z), gp_Pnt(0, 0, z + 8))}), size);
+      EXPECT_STREQ(verdict(result.report), "sound") << size << " " << z;
+      EXPECT_EQ(pieces(result.mesh), 1U) << size << " " << z;
+      EXPECT_GT(result.report.quality.sj_all.min, 0.3) << size << " " << z;
+    }
+}
+
+// There the kernel finds a part of where they cross, or none.
+TEST(ConnectRound, PartsFarFromTheOriginAreConnectedLikeThoseAtIt) {
+  const TopoDS_Shape parts = compound({rod(0, 0, 0, 10, 80), box(5, -1, -10, 20, 2, 40)});
+  const MeshResult here = mesh_of(parts, 4);
+  for (double away : {3e4, 1e5, 3e6}) {
+    gp_Trsf shift;
+    shift.SetTranslation(gp_Vec(0.6 * away, -0.7 * away, 0.4 * away));
+    const MeshResult there = mesh_of(BRepBuilderAPI_Transform(parts, shift, true).Shape(), 4);
+    EXPECT_STREQ(verdict(there.report), "sound") << away;
+    EXPECT_EQ(pieces(there.mesh), 1U) << away;
+    EXPECT_NEAR(there.report.quality.mesh_area, here.report.quality.mesh_area, 1) << away;
+    EXPECT_EQ(there.report.model.contacts.size(), here.report.model.contacts.size()) << away;
+    EXPECT_NEAR(there.mesh.nodes[0].x, 0.6 * away, 100) << away;
   }
 }
 

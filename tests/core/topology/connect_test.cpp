@@ -267,6 +267,7 @@ TEST(Connect, PointsAtPolesAndOnPeriodicEdgesAreNodes) {
     expect_point(result, {at.X(), at.Y(), at.Z()});
     EXPECT_TRUE(result.report.quality.watertight);
     EXPECT_STREQ(verdict(result.report), "sound");
+    EXPECT_GT(result.report.quality.sj_all.min, 0.25);
   }
 }
 

@@ -15,6 +15,10 @@ namespace {
 
 using Pair = std::array<int, 2>;
 
+/// Of the diagonal: parts that are farther from the origin are fused there. The kernel's intersections are as exact as
+/// coordinates are, and it takes 1e-7 mm for granted.
+constexpr double far_away = 10;
+
 /// Clusters of parts that pairs hang together; those of one part are left out but for loose sheets.
 std::vector<std::vector<int>> clusters_of(const std::vector<Pair>& pairs, const std::vector<WorkPart>& parts) {
   UnionFind together(parts.size());
@@ -39,6 +43,7 @@ class Connector {
   bool run() {
     const std::vector<std::vector<int>> clusters = clusters_of(pairs_, work_.parts);
     if (!clusters.empty()) copy_shape(work_);
+    if (!clusters.empty() && norm(work_.centre) > far_away * work_.diagonal) move_work(work_, -1 * work_.centre);
     for (const std::vector<int>& cluster : clusters) connect_cluster(cluster);
     if (fusions_.empty()) return false;
     replace_faces();
@@ -251,6 +256,8 @@ ConnectResult connect(Workpiece& work, Connect how, double tolerance, Progress& 
   result.failed = std::move(connector.failed);
   find_insides(fused);
   if (how == Connect::united) drop_inside(fused);
+  if (const Vec3 back = work.centre - fused.centre; norm(back) > 0 && !move_work(fused, back))
+    throw Error(ErrorCode::internal, "The connected parts cannot be moved back; report it with the model.");
   work = std::move(fused);
   return result;
 }

@@ -132,6 +132,7 @@ void measure_diagonal(Workpiece& work) {
     }
   }
   work.diagonal = box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
+  if (!box.IsVoid()) work.centre = 0.5 * (to_vec(box.CornerMin()) + to_vec(box.CornerMax()));
 }
 
 Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& tasks) {

@@ -90,6 +90,7 @@ struct Workpiece {
   int left_points = 0;          ///< left out: more than most_points
   std::vector<WorkPart> parts;  ///< known from list_parts() on
   double diagonal = 0;          ///< of the bounding box, mm
+  Vec3 centre;                  ///< of the bounding box
   bool is_copied = false;       ///< shape and faces are our own, to be changed in place
   bool is_rebuilt = false;      ///< faces are no longer those of `shape`: edges are listed over the faces instead
   TopTools_IndexedMapOfShape read_edges;  ///< of `shape`, in the order of the shape as read
@@ -131,12 +132,15 @@ inline constexpr long measure_units = 1, repair_units = 1, sew_units = 2;
 /// Credits measure_units per face. Collective.
 Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& tasks);
 
-/// From points of faces and of the edges as read: the kernel's quick box holds the poles of B-splines, far outside of
-/// trimmed faces, and its exact one takes longer than all that make_workpiece() does else.
+/// Diagonal and centre, from points of faces and of the edges as read: the kernel's quick box holds the poles of
+/// B-splines, far outside of trimmed faces, and its exact one takes longer than all that make_workpiece() does else.
 void measure_diagonal(Workpiece& work);
 
 /// Makes shape and faces our own, so that they may be changed in place. Order of faces and edges stays.
 void copy_shape(Workpiece& work);
+
+/// Moves all shapes, which are our own then. False, and nothing moved, where the kernel cannot.
+bool move_work(Workpiece& work, Vec3 by);
 
 /// Gives faces without loops their natural bounds, edges without an image on a face that image, and edges wrongly
 /// flagged as poles their curve. What fails becomes the face's fault. The input's own data stay as they are.

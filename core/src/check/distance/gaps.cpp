@@ -23,6 +23,9 @@ using Pair = std::array<int, 2>;
 /// Of how far a quadratic element reaches beyond its nodes, of their extent.
 constexpr double overshoot = 0.3;
 constexpr double no_gap = 1e-9;  // of the target length: nothing is nearer
+/// Parts with nothing but points in common touch elsewhere, too, where they come nearer than this, in target lengths,
+/// so many target lengths from all these: a ball on a plate lies farther from it there, however fine the mesh.
+constexpr double point_gap = 1e-3, from_points = 4;
 
 /// An element or a line of a wire, as ranks give it to each other.
 struct Piece {
@@ -69,13 +72,15 @@ class GapSearch {
   }
 
  private:
-  // Pairs of parts with a vertex in common.
+  // Pairs of parts with an edge in common, and with vertices only.
   void find_neighbours() {
     vertex_parts_.resize(model_.vertices.size());
     std::vector<std::set<int>>& parts = vertex_parts_;
+    std::vector<std::set<int>> edge_parts(model_.edges.size());
     auto note = [&](int edge, const Parts& of) {
       const Edge& e = model_.edges[edge];
       for (int vertex : {e.start, e.end}) parts[vertex].insert(of.begin(), of.end());
+      if (!e.is_degenerate) edge_parts[edge].insert(of.begin(), of.end());
     };
     for (std::size_t f = 0; f < model_.faces.size(); ++f) {
       for (const Loop& loop : model_.faces[f].loops)
@@ -85,12 +90,25 @@ class GapSearch {
     }
     for (std::size_t e = 0; e < model_.edges.size(); ++e)
       if (model_.edge_part[e] >= 0) note(static_cast<int>(e), {model_.edge_part[e]});
-    for (const std::set<int>& of : parts)
+    auto for_pairs = [](const std::set<int>& of, auto visit) {
       for (auto a = of.begin(); a != of.end(); ++a)
-        for (auto b = std::next(a); b != of.end(); ++b) neighbours_.insert({*a, *b});
+        for (auto b = std::next(a); b != of.end(); ++b) visit(Pair{*a, *b});
+    };
+    for (const std::set<int>& of : edge_parts) for_pairs(of, [&](Pair pair) { neighbours_.insert(pair); });
+    for (std::size_t v = 0; v < parts.size(); ++v)
+      for_pairs(parts[v], [&](Pair pair) {
+        if (!neighbours_.contains(pair)) common_points_[pair].push_back(model_.vertices[v]);
+      });
   }
 
   bool are_apart(int a, int b) const { return a != b && !neighbours_.contains({std::min(a, b), std::max(a, b)}); }
+
+  bool is_told(Pair pair, const PatchDistance& found, double target) const {
+    const auto points = common_points_.find(pair);
+    if (points == common_points_.end()) return true;
+    auto is_near = [&](Vec3 point) { return norm(found.where - point) < from_points * target; };
+    return found.distance <= point_gap * target && std::none_of(points->second.begin(), points->second.end(), is_near);
+  }
 
   std::span<const int> parts_of(const Piece& piece) const {
     if (piece.face >= 0) return model_.face_parts[piece.face];
@@ -255,6 +273,7 @@ class GapSearch {
     const PatchDistance found = distance(a.patch, b.patch);
     if (found.distance > told_gap * target) return;
     for (Pair pair : pairs) {
+      if (!is_told(pair, found, target)) continue;
       auto [known, is_new] = nearest_.try_emplace(pair, found);
       auto key = [](const PatchDistance& d) { return std::tuple(d.distance, d.where.x, d.where.y, d.where.z); };
       if (!is_new && key(found) < key(known->second)) known->second = found;
@@ -273,7 +292,8 @@ class GapSearch {
   double longest_ = std::numeric_limits<double>::infinity();  // mm, of the elements
   std::vector<std::set<int>> vertex_parts_;
   std::set<Pair> neighbours_;
-  std::vector<Parts> partners_;  // per part: parts apart from it whose boxes meet its own
+  std::map<Pair, std::vector<Vec3>> common_points_;  // of parts that have nothing else in common
+  std::vector<Parts> partners_;                      // per part: parts apart from it whose boxes meet its own
   std::vector<Box> part_boxes_, boxes_;
   std::vector<Piece> pieces_;
   std::vector<Parts> about_;  // per piece: parts_about()
