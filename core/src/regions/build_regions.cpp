@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <unordered_map>
 
 #include "base/cells.h"
-#include "base/segment.h"
 #include "boundary/region_loops.h"
 #include "charts/pole.h"
 
@@ -21,10 +19,11 @@ constexpr double small = 0.01;                 // of an interval: as far from a 
 constexpr double fan_radius = 0.8;             // of the target length: the quads about an apex
 constexpr double fan_room = 0.45, point_room = 0.4;  // of the distance to the nearest loop, about an apex and a point
 constexpr double dip = 0.6;  // per radian of half a quad about an apex: its outer corner lies so far behind the line
-constexpr double wide_cone = 5.2;   // radians about an apex: four quads, else three
-constexpr double least_side = 0.3;  // of the fan's radius, or of the target length
-constexpr double most_about = 0.2;  // of the way round a rod: half of the four quads about a point on it
-constexpr double fold = 0.26;       // radians (15 degrees): an edge that turns back by all but this is folded
+constexpr double wide_cone = 5.2;     // radians about an apex: four quads, else three
+constexpr double beside_pole = 1e-3;  // of the sides about it
+constexpr double least_side = 0.3;    // of the fan's radius, or of the target length
+constexpr double most_about = 0.2;    // of the way round a rod: half of the four quads about a point on it
+constexpr double fold = 0.26;         // radians (15 degrees): an edge that turns back by all but this is folded
 
 class RegionBuilder {
  public:
@@ -497,28 +496,6 @@ class RegionBuilder {
     return (static_cast<double>(i) + (step > 0 ? std::min(1.0, (wanted - sums[i]) / step) : 0)) / steps;
   }
 
-  /// The shorter way round the surface within `reach` of a place, mm; endless where none goes round. About a pole it
-  /// grows.
-  double way_round(Vec2 uv, double reach) const {
-    Vec3 x, xu, xv;
-    face_.surface->d1(uv, x, xu, xv);
-    const Vec2 period = face_.surface->period();
-    const double none = std::numeric_limits<double>::infinity();
-    double about_u = period.x > 0 ? 0 : none, about_v = period.y > 0 ? 0 : none;
-    const Vec2 step{reach / norm(xu), reach / norm(xv)};
-    for (double side : {-1.0, 0.0, 1.0}) {
-      if (period.x > 0) {
-        face_.surface->d1({uv.x, uv.y + side * step.y}, x, xu, xv);
-        about_u = std::max(about_u, norm(xu) * period.x);
-      }
-      if (period.y > 0) {
-        face_.surface->d1({uv.x + side * step.x, uv.y}, x, xu, xv);
-        about_v = std::max(about_v, norm(xv) * period.y);
-      }
-    }
-    return std::min(about_u, about_v);
-  }
-
   // A node inside the face, a point or the end of a wire: four quads about it in advance.
   void add_point(const InnerPoint& point, Region& region) {
     constexpr int quads = 4;
@@ -533,9 +510,11 @@ class RegionBuilder {
     for (const InnerPoint& other : face_.points)
       if (other.vertex != point.vertex) room = std::min(room, 0.5 * norm(model_.vertices[other.vertex] - fan.centre.x));
     double side = std::min(fan.centre.h, point_room * room);
-    side = std::min(side, most_about * way_round(point.uv, side));
+    side = std::min(side, most_about * way_round(*face_.surface, point.uv, side));
     Vec3 x, xp, xq;
     region.evaluate(fan.centre.p, x, xp, xq);
+    // The kernel gives surfaces of revolution no slope along their circles within 1e-7 of the axis.
+    if (!(norm(cross(xp, xq)) > 0)) region.evaluate(fan.centre.p + Vec2{beside_pole * side / norm(xp), 0}, x, xp, xq);
     Vec3 across = unit(xp), up = unit(cross(cross(xp, xq), xp));
     for (int i = 0; i < 2 * quads; ++i) {
       double angle = M_PI * i / quads, reach = i % 2 ? M_SQRT2 * side : side;
@@ -579,16 +558,6 @@ class RegionBuilder {
     std::size_t nodes = 0;
     for (const auto& loop : region.loops) nodes += loop.size();
     return nodes <= 8 && region.area > 20 * region.h * region.h;
-  }
-
-  static double nearest_facet(const Region& region, Vec3 at) {
-    double nearest = 1e300;
-    for (const auto& loop : region.loops)
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec3 from = loop[i].x, to = loop[(i + 1) % loop.size()].x;
-        nearest = std::min(nearest, norm(from + nearest_share(at, from, to) * (to - from) - at));
-      }
-    return nearest;
   }
 
   const Model& model_;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "base/segment.h"
+
 namespace paver {
 
 NodePlace Region::place(Vec2 p) const {
@@ -33,6 +35,34 @@ double nearest_node(const Region& region, Vec3 at) {
   for (const auto& loop : region.loops)
     for (const LoopNode& node : loop) nearest = std::min(nearest, norm(node.x - at));
   return nearest;
+}
+
+double nearest_facet(const Region& region, Vec3 at) {
+  double nearest = INFINITY;
+  for (const auto& loop : region.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      nearest = std::min(nearest, distance_to_segment(at, loop[i].x, loop[(i + 1) % loop.size()].x));
+  return nearest;
+}
+
+double way_round(const Surface& surface, Vec2 uv, double reach) {
+  Vec3 x, xu, xv;
+  surface.d1(uv, x, xu, xv);
+  const Vec2 period = surface.period();
+  double about_u = period.x > 0 ? 0 : INFINITY, about_v = period.y > 0 ? 0 : INFINITY;
+  auto step_of = [&](Vec3 slope) { return norm(slope) > 0 ? reach / norm(slope) : 0; };
+  const Vec2 step{step_of(xu), step_of(xv)};
+  for (double side : {-1.0, 0.0, 1.0}) {
+    if (period.x > 0) {
+      surface.d1({uv.x, uv.y + side * step.y}, x, xu, xv);
+      about_u = std::max(about_u, norm(xu) * period.x);
+    }
+    if (period.y > 0) {
+      surface.d1({uv.x + side * step.x, uv.y}, x, xu, xv);
+      about_v = std::max(about_v, norm(xv) * period.y);
+    }
+  }
+  return std::min(about_u, about_v);
 }
 
 std::vector<std::vector<int>> find_loop_nodes(const Region& region, const RegionMesh& mesh) {

@@ -65,6 +65,13 @@ struct Region : RegionTask {
 /// Distance to the nearest node of the loops, infinite where there is none.
 double nearest_node(const Region& region, Vec3 at);
 
+/// The same to the nearest of their facets.
+double nearest_facet(const Region& region, Vec3 at);
+
+/// The shorter way round a surface within `reach` of a place, mm; infinite where none goes round. About a pole it
+/// grows.
+double way_round(const Surface& surface, Vec2 uv, double reach);
+
 /// Per loop and place in it: its node in a mesh of the region, -1 where there is none. Of two copies, on both sides of
 /// a cut, the nearer one is meant.
 std::vector<std::vector<int>> find_loop_nodes(const Region& region, const RegionMesh& mesh);

@@ -4,7 +4,6 @@
 #include <GeomAdaptor_Surface.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
-#include <Geom_SurfaceOfRevolution.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopLoc_Location.hxx>
 #include <algorithm>
@@ -90,7 +89,6 @@ class GeneralSurface : public Surface {
   GeneralSurface(const Handle(Geom_Surface) & surface, const gp_Trsf& placement, double closure_tolerance)
       : surface_(surface), placement_(placement), is_placed_(placement.Form() != gp_Identity), adaptor_(surface) {
     if (auto net = make_spline_net(surface, placement)) spline_.emplace(net);
-    if (auto turned = Handle(Geom_SurfaceOfRevolution)::DownCast(surface)) axis_ = turned->Axis();
     surface->Bounds(u_.first, u_.last, v_.first, v_.last);
     auto is_bounded = [](const Range& r) { return !Precision::IsInfinite(r.first) && !Precision::IsInfinite(r.last); };
     u_.is_bounded = is_bounded(u_);
@@ -107,7 +105,6 @@ class GeneralSurface : public Surface {
         u_(other.u_),
         v_(other.v_),
         spline_(other.spline_),
-        axis_(other.axis_),
         adaptor_(other.surface_) {}
   GeneralSurface& operator=(const GeneralSurface&) = delete;
 
@@ -197,7 +194,6 @@ class GeneralSurface : public Surface {
     } catch (const Standard_Failure&) {
       return false;
     }
-    if (axis_ && u.SquareMagnitude() == 0) u = axis_->Direction().XYZ().Crossed(x.XYZ() - axis_->Location().XYZ());
     if (is_placed_) {
       x.Transform(placement_);
       for (gp_Vec* a : {&u, &v, &uu, &uv_, &vv}) a->Transform(placement_);
@@ -230,7 +226,6 @@ class GeneralSurface : public Surface {
   bool is_placed_;
   Range u_, v_;
   std::optional<SplineSurface> spline_;
-  std::optional<gp_Ax1> axis_;  // of a surface of revolution: the kernel gives no derivative within 1e-7 of it
   GeomAdaptor_Surface adaptor_;
 };
 

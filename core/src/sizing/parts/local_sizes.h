@@ -19,8 +19,8 @@ class LocalSizes {
 
  public:
   LocalSizes() = default;
-  /// Throws bad_option for parts that the model does not have. `h` is the target length of the run; `places` are sources
-  /// beside those of parts.
+  /// Throws bad_option for parts that the model does not have. `h` is the target length of the run; `places` are
+  /// sources beside those of parts.
   LocalSizes(const Model& model, const Options& options, double h, const std::vector<SizeSource>& places = {});
 
   bool is_empty() const { return !(least_ < none); }
