@@ -71,9 +71,6 @@ int add_slits(const Surface& surface, const std::vector<Edge>& edges, const std:
 /// points. `is_reversed`: per face of the work, what orienting made of it.
 std::string repaired_brep(const Workpiece& work, const std::vector<char>& is_reversed);
 
-/// Adds to Face::points the vertices on periodic edges that others have as well.
-void add_periodic_points(Model& model);
-
 /// Turns faces over until neighbours agree, and closed bodies until their normals look outwards. Adds notes.
 /// Gives the names of those that were turned. Collective.
 std::vector<std::string> orient_faces(const Workpiece& work, Model& model, SharedTasks& tasks);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -118,5 +119,8 @@ inline double end_parameter(const Edge& edge, const Coedge& coedge) { return coe
 
 /// Whether another face uses the edge, or a wire lies on it.
 bool has_other_user(const Model& model, int edge, int face);
+
+/// Adds to Face::points the vertices on periodic edges that others have as well, and those of `wanted`.
+void add_periodic_points(Model& model, const std::set<int>& wanted = {});
 
 }  // namespace paver

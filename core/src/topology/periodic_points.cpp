@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "topology/build_parts_impl.h"
+#include "topology/model.h"
 
 namespace paver {
 
@@ -13,8 +13,8 @@ bool has_other_user(const Model& model, int edge, int face) {
   return std::ranges::any_of(model.edges[e].faces, [&](int user) { return user != face; });
 }
 
-void add_periodic_points(Model& model) {
-  std::set<int> points;
+void add_periodic_points(Model& model, const std::set<int>& wanted) {
+  std::set<int> points = wanted;
   for (const PartPoint& point : model.points) points.insert(point.vertex);
   std::vector<std::vector<int>> edges_at(model.vertices.size());
   for (std::size_t e = 0; e < model.edges.size(); ++e)

@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <algorithm>
 #include <set>
 
+#include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
 #include "core/brep/shape_files.h"
 #include "paver/mesher.h"
 #include "support/report_of.h"
@@ -46,6 +49,27 @@ TEST(NamedParts, VerticesOfPortsHaveANodeThere) {
   ASSERT_EQ(result.point_names, std::vector<std::string>{"Pin"});
   const Vec3 x = result.mesh.nodes[static_cast<std::size_t>(result.mesh.points.at(0))];
   EXPECT_TRUE((x.x == 0 || x.x == 4) && (x.y == 0 || x.y == 4) && (x.z == 0 || x.z == 4));
+}
+
+// A periodic edge goes, and a smooth pole is a place like others: but for what is asked for there.
+TEST(NamedParts, VerticesAtPolesAndOnPeriodicEdgesAreNodes) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 10, 0, M_PI / 2).Shape();
+  const TopTools_IndexedMapOfShape vertices = shapes_of(ball, TopAbs_VERTEX);
+  int pole = 0;
+  for (int i = 1; i <= vertices.Extent(); ++i)
+    if (BRep_Tool::Pnt(TopoDS::Vertex(vertices(i))).Z() > 9) pole = i;
+  Options options;
+  options.ports = {{"Pin", {"Vertex" + std::to_string(pole)}}};
+  MeshResult result = mesh(ball, options, 4);
+  ASSERT_EQ(result.point_names, std::vector<std::string>{"Pin"});
+  EXPECT_TRUE(result.report.lost_parts.empty());
+  options.ports.clear();
+  options.local = {{"Vertex" + std::to_string(pole), 0.5}};
+  result = mesh(ball, options, 4);
+  double nearest = 1e9;
+  for (Vec3 x : result.mesh.nodes)
+    if (const double far = norm(x - Vec3{0, 0, 10}); far > 1e-6) nearest = std::min(nearest, far);
+  EXPECT_NEAR(nearest, 0.25, 0.1);  // the middle of a side
 }
 
 TEST(NamedParts, PiecesInAPortAndJunctionsAreEntitiesOfTheirOwn) {

@@ -89,6 +89,13 @@ void name_parts(Model& model, const Options& options) {
   const double most = reach(model, options);
   for (const Port& port : options.ports) put_group(model, port.name, port.parts, most);
   for (const Wire& wire : options.wires) put_group(model, wire.name, wire.parts, most);
+  std::set<int> local;
+  for (const LocalSize& size : options.local) {
+    check_part(model, size.part, "local");
+    if (const PartName part = *parse_part(size.part); part.kind == PartKind::vertex)
+      local.insert(nearest_vertex(model, model.read_vertices[static_cast<std::size_t>(part.index)], most));
+  }
+  add_periodic_points(model, local);
   for (const Medium& medium : options.media)
     for (const std::string& part : medium.parts) {
       check_part(model, part, fmt::format("medium '{}'", medium.name));

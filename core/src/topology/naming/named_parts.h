@@ -14,8 +14,8 @@ void check_part(const Model& model, const std::string& part, const std::string& 
 /// Whether an entry of the report is the face as read, or what it has in common with others.
 bool is_of_face(const Model& model, int entry, int face);
 
-/// Puts the groups of ports and wires, the vertices of ports as points, and the media of solids into the model. Throws
-/// as check_part.
+/// Puts the groups of ports and wires, the vertices of ports as points, and the media of solids into the model.
+/// Vertices with a length of their own are nodes, too. Throws as check_part.
 void name_parts(Model& model, const Options& options);
 
 /// The medium of the first of some parts that has one; empty: of none.
