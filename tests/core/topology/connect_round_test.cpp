@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
@@ -14,6 +15,7 @@
 #include <Geom_BezierCurve.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
 #include <algorithm>
 #include <gp_Ax2.hxx>
 #include <gp_Ax3.hxx>
@@ -213,6 +215,36 @@ TEST(ConnectRound, PartsFarFromTheOriginAreConnectedLikeThoseAtIt) {
     EXPECT_NEAR(there.report.quality.mesh_area, here.report.quality.mesh_area, 1) << away;
     EXPECT_EQ(there.report.model.contacts.size(), here.report.model.contacts.size()) << away;
     EXPECT_NEAR(there.mesh.nodes[0].x, 0.6 * away, 100) << away;
+  }
+}
+
+/// As files without solids have them: each with edges of its own.
+TopoDS_Shape loose_faces(const TopoDS_Shape& shape, bool is_backwards) {
+  std::vector<TopoDS_Shape> faces;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
+    faces.push_back(BRepBuilderAPI_Copy(face.Current()).Shape());
+  if (is_backwards) std::reverse(faces.begin(), faces.end());
+  BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (const TopoDS_Shape& face : faces) builder.Add(all, face);
+  return all;
+}
+
+// Where two bodies touch, more than two of their edges lie on one another.
+TEST(ConnectRound, BodiesOfLooseFacesAreConnectedLikeSolids) {
+  const TopoDS_Shape lower = box(0, 0, 0, 20, 20, 20);
+  for (const TopoDS_Shape& upper :
+       {box(5, 5, 20, 10, 10, 10), box(10, 0, 20, 20, 20, 20), box(20, 0, 20, 20, 20, 20)}) {
+    const MeshResult solids = mesh_of(compound({lower, upper}), 4);
+    for (const TopoDS_Shape& parts : {compound({lower, upper}), compound({upper, lower})})
+      for (bool is_backwards : {false, true}) {
+        const MeshResult loose = mesh_of(loose_faces(parts, is_backwards), 4);
+        EXPECT_STREQ(verdict(loose.report), "sound");
+        EXPECT_NEAR(loose.report.quality.mesh_area, solids.report.quality.mesh_area, 1e-6);
+        EXPECT_EQ(loose.report.quality.nonmanifold_edges, solids.report.quality.nonmanifold_edges);
+        EXPECT_EQ(loose.report.quality.border_edges, 0);
+      }
   }
 }
 
