@@ -127,6 +127,14 @@ PartPiece::PartPiece(const TopoDS_Shape& shape, double margin) : shape_(shape), 
   is_free_form_ = !is_simple();
 }
 
+bool PartPiece::is_level_with(const PartPiece& other) const {
+  if (surface_.GetType() != GeomAbs_Plane || other.surface_.GetType() != GeomAbs_Plane) return false;
+  const gp_Pln plane = surface_.Plane(), second = other.surface_.Plane();
+  const double extent = std::sqrt(std::max(box_.SquareExtent(), other.box_.SquareExtent()));
+  return plane.Axis().Direction().IsParallel(second.Axis().Direction(), 2 * margin_ / extent) &&
+         plane.Distance(gp_Pnt(0.5 * (other.box_.CornerMin().XYZ() + other.box_.CornerMax().XYZ()))) <= 2 * margin_;
+}
+
 bool PartPiece::may_be_copy_of(const PartPiece& other) const {
   constexpr double alike = 1e-3;
   if (box_.IsVoid() || other.box_.IsVoid()) return false;

@@ -52,6 +52,8 @@ class PartPiece {
   bool is_free_form() const { return is_free_form_; }
   bool is_elementary() const { return surface_.GetType() <= GeomAbs_Torus; }
   bool is_face() const { return shape_.ShapeType() == TopAbs_FACE; }
+  /// Both are flat, and in one plane.
+  bool is_level_with(const PartPiece& other) const;
   /// As far as boxes tell: the kernel finds copies by their edges, whatever their surface.
   bool may_be_copy_of(const PartPiece& other) const;
 

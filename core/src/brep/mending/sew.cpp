@@ -1,7 +1,6 @@
 // Sewing: edges of one face only that coincide with such an edge of another face become one common edge.
-// Solids are sewn each by itself, and so are the faces without one; an edge of these may be common to more than two:
-// where bodies that have come without their solids touch, so many lie on one another. Faces without a free edge keep
-// their edges as they are, so sharing in the input is never undone. Faces keep their order and number.
+// Solids are sewn each by itself, and so are the faces without one. Faces without a free edge keep their edges as they
+// are, so sharing in the input is never undone. Faces keep their order and number.
 //
 // The tolerance is chosen by what it closes. First what fits as drawn is sewn. Where free edges stay that have other
 // free edges along them, the gap between these is tried, on what was sewn before; it counts when it closes the group,
@@ -78,7 +77,7 @@ struct Sewn {
 class GroupSewer {
  public:
   GroupSewer(const Workpiece& work, const std::vector<int>& group, Progress& progress)
-      : work_(work), progress_(progress), is_solid_(work.faces[static_cast<std::size_t>(group[0])].solid >= 0) {
+      : work_(work), progress_(progress) {
     std::vector<WorkFace> faces;
     for (int i : group) faces.push_back(work.faces[static_cast<std::size_t>(i)]);
     as_drawn_.uses = count_uses(faces);
@@ -139,7 +138,6 @@ class GroupSewer {
     Sewn sewn;
     sewn.tolerance = tolerance;
     BRepBuilderAPI_Sewing sewing(tolerance);
-    sewing.SetNonManifoldMode(!is_solid_);
     for (const TopoDS_Face& face : before.faces)
       if (!face.IsNull()) sewing.Add(face);
     Handle(OcctProgress) indicator = new OcctProgress(progress_, 0);
@@ -281,7 +279,6 @@ class GroupSewer {
 
   const Workpiece& work_;
   Progress& progress_;
-  bool is_solid_;
   Sewn as_drawn_;
 };
 
