@@ -230,7 +230,20 @@ class Run {
     layouts = plan_layouts(model_, size_, closed, progress_);
     std::vector<int> counts = choose_counts(model_, size_, progress_, shared_, options_.elements == Elements::all_quad);
     settle_counts(model_, layouts, counts);
+    check_counts(counts);
     return counts;
+  }
+
+  /// Before nodes are made: no face has so many sides on its border that an element has more than two of them, but for
+  /// few, and each is on two faces at most.
+  void check_counts(const std::vector<int>& counts) const {
+    const double sides = std::accumulate(counts.begin(), counts.end(), 0.0);
+    if (0.5 * sides <= static_cast<double>(options_.max_elements)) return;
+    throw Error(ErrorCode::too_many_elements,
+                fmt::format("Edges would be divided into {:.3g} sides, too many for the limit of {} elements; choose "
+                            "longer lengths, a larger max_turn, or raise max_elements.",
+                            sides, options_.max_elements),
+                {"boundary", -1, -1, std::nullopt});
   }
 
   // Boundary nodes and regions; faces whose loops cross are none of them.

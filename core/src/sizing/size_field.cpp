@@ -1,8 +1,9 @@
 // Target length on faces: where a surface turns, h is cut so that one element edge turns no more than the limit.
 // Boundary edges shorter than h may turn more: what counts is how far they lie off their curve, about length x turn
 // / 8. In: model, options. Out: one FaceSize per face. Steps: box of each face in (u, v); largest principal curvature
-// on a grid over it; h = limit / curvature, between H / 4 and H; element count predicted from area / h^2 and checked
-// against the limit. Known limit: the grid covers the box of the loops, so a trimmed-away bend may cut h near it.
+// on a grid over it; h = limit / curvature, between H / 4 and H (less at limits below 45 degrees); element count
+// predicted from area / h^2 and checked against the limit. Known limit: the grid covers the box of the loops, so a
+// trimmed-away bend may cut h near it.
 #include "sizing/size_field.h"
 
 #include <fmt/format.h>
@@ -22,6 +23,7 @@ namespace {
 
 constexpr int grid_size = 17;            // samples per direction: enough for a B-spline of about 8 spans
 constexpr double smallest_share = 0.25;  // of H inside faces: a tiny fillet must not explode the count
+constexpr double usual_turn = M_PI / 4;  // where that is so; a lower limit that is asked for goes as much farther down
 constexpr double one_way_turn = 2.5;
 constexpr double even_lengths = 1.5;                         // longest by shortest, over a face without a border
 constexpr double least_ridge = 0.25;                         // of the diagonal
@@ -81,7 +83,7 @@ double limited_size(const CurvatureSample& sample, double h, double turn_limit, 
   double limited = sample.curvature > 0 ? turn_limit / sample.curvature : h;
   if (is_straight && sample.larger > 0)
     limited = std::min(limited, std::sqrt(chord_turn * turn_limit / sample.larger * h));
-  return std::clamp(limited, smallest_share * h, h);
+  return std::clamp(limited, smallest_share * std::min(turn_limit / usual_turn, 1.0) * h, h);
 }
 
 // Poles carry no curvature of their own: they take the smallest h of their neighbours on the grid.

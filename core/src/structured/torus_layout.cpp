@@ -28,7 +28,8 @@ constexpr double dip_share = 0.3;                                  // of a cell'
 constexpr int fewest_cells = 3, most_cells = 12, usual_cells = 6;  // of usual ones the worst element is best
 constexpr int profile_cells = 256;
 constexpr double cell_price = 0.006;  // per cell more or less than usual, of the columns' misfit
-constexpr double fewest_columns = 4;  // by the target length, the shorter way: below, the turn alone decides
+constexpr double fewest_columns =
+    0.5;                              // of those that the turn asks for, by the target length: below, it decides alone
 constexpr long compared_quads = 600;  // of the grids whose energies are compared
 
 /// Lengths of a closed face around each of its columns' places.
@@ -129,7 +130,9 @@ class Columns {
   }
 
   /// Whether the shorter way is so few target lengths long that neither even lengths nor paving are to be had.
-  bool is_thin() const { return std::min(profile_.mean(0, 1), profile_.length()) < fewest_columns * face_.size.own(); }
+  bool is_thin() const {
+    return std::min(profile_.mean(0, 1), profile_.length()) < fewest_columns * least_ * face_.size.own();
+  }
 
   /// Columns that are the same all along.
   Candidate plain() const {

@@ -29,17 +29,24 @@ TEST(NamedOptions, AddUpAndKeepWhatIsSaid) {
 
 TEST(NamedOptions, RefuseWhatCannotBe) {
   using List = std::vector<GivenOption>;
-  for (const List& given :
-       {List{{"medium", "FR4"}}, List{{"medium", "FR4=Solid1,eps:4"}}, List{{"medium", "FR4=Solid1,eps-r:x"}},
-        List{{"port", "Feed=Edge1,radius:1"}}, List{{"wire", "Mast=Edge1,radius:wide"}}})
+  for (const List& given : {List{{"medium", "FR4"}}, List{{"medium", "FR4=Solid1,eps:4"}},
+                            List{{"medium", "FR4=Solid1,eps-r:x"}}, List{{"medium", "FR4=Solid1,eps-r:4,eps-r:5"}},
+                            List{{"port", "Feed=Edge1,radius:1"}}, List{{"wire", "Mast=Edge1,radius:wide"}}})
     EXPECT_THROW(with(given), Error) << given[0].second;
   for (const List& given :
        {List{{"medium", "=Solid1"}}, List{{"medium", "FR4="}}, List{{"medium", "FR4=Face1"}},
         List{{"medium", "FR4=Solid1,eps-r:0"}}, List{{"medium", "FR4=Solid1,tan-d:-1"}},
-        List{{"medium", "A=Solid1"}, {"medium", "B=Solid1"}}, List{{"port", "Feed=Solid1"}},
+        List{{"medium", "A=Solid1"}, {"medium", "B=Solid1"}}, List{{"port", "Face2=Face1"}},
+        List{{"medium", "A=Solid1,eps-r:4"}, {"medium", "A=Solid2,eps-r:9"}},
+        List{{"port", "A=Edge1"}, {"wire", "A=Edge2,radius:1"}}, List{{"port", "Feed=Solid1"}},
         List{{"port", "Feed=nose"}}, List{{"wire", "Mast=Edge1"}}, List{{"wire", "Mast=Face1,radius:1"}},
         List{{"port", "A=Edge1"}, {"wire", "B=Edge1,radius:1"}}})
     EXPECT_THROW(check(with(given)), Error) << given[0].second;
+}
+
+TEST(NamedOptions, PartsOfOneNameAddUpWhereTheSameIsSaidOfThem) {
+  check(
+      with({{"medium", "A=Solid1,eps-r:4"}, {"medium", "A=Solid2,eps-r:4"}, {"port", "P=Edge1"}, {"port", "P=Edge2"}}));
 }
 
 TEST(NamedOptions, MediaGiveTheirSolidsTheWavelengthWhereItIsShorter) {

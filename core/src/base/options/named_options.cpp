@@ -31,9 +31,10 @@ bool put(const NamedParts& named, const std::map<std::string, double*>& places,
   return true;
 }
 
-bool has_only(const NamedParts& named, const std::set<std::string>& facts) {
+/// Each of these facts once at most, and no others.
+bool has_only(const NamedParts& named, std::set<std::string> facts) {
   for (const auto& [fact, text] : named.facts)
-    if (!facts.contains(fact)) return false;
+    if (facts.erase(fact) == 0) return false;
   return true;
 }
 
@@ -67,6 +68,19 @@ void take(const char* option, const std::string& name, const std::vector<std::st
   }
 }
 
+/// Refuses names that would make one group of two things. `of`: by name, what else has it.
+void take_name(const std::string& option, const std::string& name, const std::string& as,
+               std::map<std::string, std::string>& of) {
+  if (parse_part(name))
+    refuse(
+        fmt::format("{} '{}' is called like a part of the model, whose own group has that name; choose another name.",
+                    option, name));
+  const auto [known, is_new] = of.emplace(name, as);
+  if (!is_new && known->second != as)
+    refuse(fmt::format("{0} '{1}' has the name of {2}; choose another name, or give both the same values.", option,
+                       name, known->second));
+}
+
 /// Losses shorten the wavelength: the real part of sqrt(eps_r (1 - j tan d)).
 double loss(const Medium& medium) { return (1 + std::hypot(1.0, medium.loss_tangent)) / 2; }
 
@@ -97,22 +111,29 @@ std::optional<Wire> parse_wire(const std::string& text) {
 }
 
 void check_named(const Options& options) {
-  std::map<std::string, std::string> medium_of, group_of;
+  std::map<std::string, std::string> medium_of, group_of, media, groups;
   for (const Medium& medium : options.media) {
     check_parts("medium", medium.name, medium.parts, {PartKind::solid}, medium_example);
     check_value("medium", medium.name, "eps_r", medium.eps_r, false);
     check_value("medium", medium.name, "mu_r", medium.mu_r, false);
     check_value("medium", medium.name, "tan_d", medium.loss_tangent, true);
     take("medium", medium.name, medium.parts, medium_of);
+    take_name("medium", medium.name,
+              medium.is_conductor ? std::string("a conductor")
+                                  : fmt::format("a medium with eps_r {:.6g}, mu_r {:.6g}, tan_d {:.6g}", medium.eps_r,
+                                                medium.mu_r, medium.loss_tangent),
+              media);
   }
   for (const Port& port : options.ports) {
     check_parts("port", port.name, port.parts, {PartKind::face, PartKind::edge, PartKind::vertex}, port_example);
     take("port", port.name, port.parts, group_of);
+    take_name("port", port.name, "a port", groups);
   }
   for (const Wire& wire : options.wires) {
     check_parts("wire", wire.name, wire.parts, {PartKind::edge}, wire_example);
     check_value("wire", wire.name, "radius", wire.radius, false);
     take("wire", wire.name, wire.parts, group_of);
+    take_name("wire", wire.name, fmt::format("a wire of radius {:.6g} mm", wire.radius), groups);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "base/local_parts.h"
+#include "paver/error.h"
 #include "sizing/face_extent.h"
 #include "sizing/parts/find_gaps.h"
 #include "sizing/parts/find_tips.h"
@@ -25,6 +26,7 @@ constexpr double narrowest_gap = 0.02;                  // of the target length:
 constexpr double hole_intervals = 6;                    // a small round hole is divided into about so many
 constexpr double small_hole = 0.1;                      // of the face's extent: interval of a hole that counts as small
 constexpr double small_interval = 0.5;                  // of the target length: the same
+constexpr double least_length = 1e-6;                   // of the model's diagonal
 constexpr double same_point = 1e-3;                     // of the length at a tip: what lies nearer is the tip
 
 double& entry(std::vector<double>& list, int index) { return list[static_cast<std::size_t>(index)]; }
@@ -59,6 +61,15 @@ double longest_interval(const Model& model, const Loop& loop) {
   return around > 0 ? around / std::min(sides + std::ceil(hole_intervals * bent / around), hole_intervals) : 0;
 }
 
+/// Shorter ones are no geometry, and counts along edges were beyond all numbers.
+void check_length(const Model& model, const LocalSize& local, double length) {
+  if (length >= least_length * model.report.diagonal) return;
+  throw Error(ErrorCode::bad_option,
+              fmt::format("local: {:.6g} mm of {} is below a millionth of the model's diagonal, {:.6g} mm; choose a "
+                          "longer one.",
+                          length, local.part, model.report.diagonal));
+}
+
 }  // namespace
 
 LocalSizes::LocalSizes(const Model& model, const Options& options, double h, const std::vector<SizeSource>& places)
@@ -66,6 +77,7 @@ LocalSizes::LocalSizes(const Model& model, const Options& options, double h, con
   for (const SizeSource& place : places) least_ = std::min(least_, place.h);
   for (const LocalSize& local : options.local) {
     double length = local_length(options, local);
+    check_length(model, local, length);
     put(model, local, length);
     if (length < h) note_inside(model, local);
     if (length >= h)
