@@ -505,6 +505,9 @@ class RegionBuilder {
     fan.centre.global = node_at(point.vertex, fan.centre.h);
     auto has_fan = [&](const Fan& other) { return other.centre.global == fan.centre.global; };
     if (std::any_of(region.fans.begin(), region.fans.end(), has_fan)) return;  // an apex
+    auto has_node = [&](const LoopNode& node) { return node.global == fan.centre.global; };
+    for (const auto& loop : region.loops)
+      if (std::any_of(loop.begin(), loop.end(), has_node)) return;  // on a periodic edge that stays as a cut
     fan.centre.x = nodes_.nodes[fan.centre.global];
     double room = nearest_facet(region, fan.centre.x);
     for (const InnerPoint& other : face_.points)

@@ -11,6 +11,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_SphericalSurface.hxx>
@@ -199,6 +200,20 @@ TEST(ConnectRound, AWireEndsAtAPole) {
       EXPECT_STREQ(verdict(result.report), "sound") << size << " " << z;
       EXPECT_EQ(pieces(result.mesh), 1U) << size << " " << z;
       EXPECT_GT(result.report.quality.sj_all.min, 0.3) << size << " " << z;
+    }
+}
+
+// One of its two periodic edges stays as a cut: a point on that is a node of it.
+TEST(ConnectRound, AWireEndsOnEachPeriodicEdgeOfATorus) {
+  const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(20, 5).Shape();
+  for (double size : {10.0, 3.0})
+    for (const auto& [a, b] :
+         {std::pair{gp_Pnt(25 * std::cos(1), 25 * std::sin(1), 0), gp_Pnt(35 * std::cos(1), 35 * std::sin(1), 0)},
+          {gp_Pnt(20, 0, 5), gp_Pnt(20, 0, 15)},
+          {gp_Pnt(25, 0, 0), gp_Pnt(35, 0, 0)}}) {
+      const MeshResult result = mesh_of(compound({torus, wire(a, b)}), size);
+      EXPECT_STREQ(verdict(result.report), "sound") << size << " " << a.X();
+      EXPECT_EQ(pieces(result.mesh), 1U) << size << " " << a.X();
     }
 }
 

@@ -13,6 +13,7 @@ constexpr double tuck_turn = 70 * deg, tuck_ratio = 0.8, tuck_turn_small = 52 * 
 // Without much turn, by the facets that are too many or too few; a wedge and a tuck change two.
 constexpr double wedge_ratio_long = 1.12, wedge_excess = 1.5, tuck_lack = 2;
 constexpr double tuck_least_ratio = 0.6;  // finer rows are so by their boundary: no tuck brings them near the target
+constexpr double graded_turn = 20 * deg;  // lengths that grow inwards ask for tucks along straight rows, too
 
 // A row's height: mostly the target length, so that lengths are pulled back to it, and some of the facets' own.
 constexpr double target_share = 0.65, least_mean = 0.6, largest_mean = 1.4;  // the mean: of the target length
@@ -76,7 +77,8 @@ class RowAdjuster {
         change(most_, NodeState::corner);
       } else if (!is_first && ((turn_ < -tuck_turn && ratio < tuck_ratio) ||
                                (turn_ < -tuck_turn_small && ratio < tuck_ratio_small) ||
-                               (turn_ < 0 && ratio > tuck_least_ratio && ratio < tuck_ratio && excess < -tuck_lack))) {
+                               (turn_ < 0 && ratio > tuck_least_ratio && ratio < tuck_ratio && excess < -tuck_lack) ||
+                               (is_graded_ && turn_ < graded_turn && ratio < tuck_ratio && excess < -tuck_lack))) {
         change(least_, NodeState::end);
       }
     }
@@ -109,6 +111,7 @@ class RowAdjuster {
   std::vector<NodePlan>& plans_;
   double turn_ = 0, ratio_sum_ = 0;
   int count_ = 0, most_ = -1, least_ = -1;
+  const bool is_graded_ = front_.region.size.is_graded();
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ constexpr int deepest_piece = 20;    // halvings
 constexpr double coarse_cell = 0.8;  // of h over the gradation: size of a cell that is not halved
 constexpr double graded_share = 0.9;
 constexpr double rim = 0.01;            // of the box of a face: nodes on its border may lie a rounding outside
-constexpr double graded_excess = 2.8;   // rows give up nodes more slowly than the gradation allows (docs/prediction.md)
+constexpr double graded_excess = 1.9;   // rows give up nodes more slowly than the gradation allows (docs/prediction.md)
 constexpr int samples_per_pcurve = 17;  // for the box of a face
 
 class CellCounter {
