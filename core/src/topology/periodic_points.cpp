@@ -16,6 +16,8 @@ bool has_other_user(const Model& model, int edge, int face) {
 void add_periodic_points(Model& model, const std::set<int>& wanted) {
   std::set<int> points = wanted;
   for (const PartPoint& point : model.points) points.insert(point.vertex);
+  for (const Face& face : model.faces)  // where one touches another in a point
+    for (const InnerPoint& point : face.points) points.insert(point.vertex);
   std::vector<std::vector<int>> edges_at(model.vertices.size());
   for (std::size_t e = 0; e < model.edges.size(); ++e)
     for (int vertex : {model.edges[e].start, model.edges[e].end})

@@ -217,6 +217,17 @@ TEST(ConnectRound, AWireEndsOnEachPeriodicEdgeOfATorus) {
     }
 }
 
+// The kernel puts the point into one of the faces, and on the periodic edge of the other one.
+TEST(ConnectRound, RoundPartsThatTouchInAPointShareANodeThere) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 10), 10).Shape();
+  for (const TopoDS_Shape& other : {box(-20, -20, -5, 40, 40, 5), BRepPrimAPI_MakeSphere(gp_Pnt(16, 0, 10), 6).Shape()})
+    for (double size : {11.0, 4.0}) {
+      const MeshResult result = mesh_of(compound({ball, other}), size);
+      EXPECT_STREQ(verdict(result.report), "sound") << size;
+      EXPECT_EQ(pieces(result.mesh), 1U) << size;
+    }
+}
+
 // There the kernel finds a part of where they cross, or none.
 TEST(ConnectRound, PartsFarFromTheOriginAreConnectedLikeThoseAtIt) {
   const TopoDS_Shape parts = compound({rod(0, 0, 0, 10, 80), box(5, -1, -10, 20, 2, 40)});
