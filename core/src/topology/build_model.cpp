@@ -54,6 +54,7 @@ class ModelBuilder {
     mend_faces(work_, progress_);
     fault_lost_areas(work_);
     sewn_ = sew(work_, options.sew_tolerance, progress_);
+    fault_lost_caps(work_);
     list_parts(work_, shape_.shape);
     name_parts(work_, shape_.labels);
     connected_ = connect(work_, options.connect, contact_tolerance(options), progress_);

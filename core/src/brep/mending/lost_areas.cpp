@@ -1,9 +1,12 @@
 // Faces for which the kernel finds no area, though they have one. A face without area has a border that runs back along
 // itself: beside every place of it there is one where it goes the other way, as on both sides of a sliver, or it is
 // shorter than that sliver is wide. What has a border of another kind is faulty, as drawn or as read.
+#include <BRepAdaptor_Surface.hxx>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "base/segment.h"
 #include "brep/mending/mend_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
@@ -92,7 +95,49 @@ class Border {
   std::vector<BorderEdge> edges_;
 };
 
+bool is_round(const TopoDS_Edge& edge) {
+  return !BRep_Tool::Degenerated(edge) && TopExp::FirstVertex(edge).IsSame(TopExp::LastVertex(edge));
+}
+
+/// Whether an edge runs along another one.
+bool runs_along(const TopoDS_Edge& edge, const TopoDS_Edge& other, double allowed) {
+  const auto curve = make_curve(edge), second = make_curve(other);
+  if (!curve || !second || !range_of(edge).is_finite() || !range_of(other).is_finite()) return false;
+  const auto [t0, t1] = range_of(edge);
+  const auto [s0, s1] = range_of(other);
+  const SampledCurve line = sampled(second, s0, s1, pieces);
+  for (double share : {0.2, 0.5, 0.8}) {
+    const Vec3 x = curve->point(t0 + share * (t1 - t0));
+    double off = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 1; k < line.points.size(); ++k) {
+      const Vec3 a = line.points[k - 1], b = line.points[k];
+      if (distance_to_segment(x, a, b) < allowed + norm(b - a))
+        off = std::min(off, distance_near(line, k, 0.5 * (line.t[k - 1] + line.t[k]), foot_steps, x));
+    }
+    if (!(off <= allowed)) return false;
+  }
+  return true;
+}
+
+void fault(Workpiece& work, WorkFace& face, const TopoDS_Edge& edge, const std::string& what) {
+  face.fault = what + at_edge(work, edge) + "; repair it in the CAD program";
+  face.has_area = true;
+}
+
 }  // namespace
+
+void fault_lost_caps(Workpiece& work) {
+  const std::vector<TopoDS_Edge> free = count_uses(work.faces).free_edges();
+  for (WorkFace& face : work.faces) {
+    if (face.has_area || face.is_dropped || !face.fault.empty()) continue;
+    const std::vector<TopoDS_Edge> border = edges_of(face.face);
+    if (border.empty() || !std::ranges::all_of(border, is_round)) continue;
+    if (BRepAdaptor_Surface(face.face, Standard_False).GetType() == GeomAbs_Plane) continue;
+    auto is_open = [&](const TopoDS_Edge& other) { return runs_along(border[0], other, width_share * work.diagonal); };
+    if (std::ranges::any_of(free, is_open))
+      fault(work, face, border[0], "its border is there twice, and what it enclosed is lost");
+  }
+}
 
 void fault_lost_areas(Workpiece& work) {
   for (WorkFace& face : work.faces) {
@@ -102,10 +147,8 @@ void fault_lost_areas(Workpiece& work) {
       const TopoDS_Edge edge = Border(plain, work.diagonal).enclosing_edge();
       if (edge.IsNull()) continue;
       const bool is_open = find_loop_faults(plain, work.diagonal).open > 0;
-      face.fault =
-          (is_open ? "its boundary is open" : "its boundary encloses something where its surface has no area") +
-          at_edge(work, edge) + "; repair it in the CAD program";
-      face.has_area = true;
+      fault(work, face, edge,
+            is_open ? "its boundary is open" : "its boundary encloses something where its surface has no area");
     } catch (const Standard_Failure&) {
       // What cannot be evaluated at all has no area to lose.
     }

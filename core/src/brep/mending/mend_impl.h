@@ -91,4 +91,8 @@ void mend_faces(Workpiece& work, Progress& progress);
 /// Faults faces for which the kernel finds no area though their border encloses something.
 void fault_lost_areas(Workpiece& work);
 
+/// After sewing: faults curved faces without area whose border is one closed edge twice, once for a pole that a reader
+/// lost, where a neighbour stays open without them.
+void fault_lost_caps(Workpiece& work);
+
 }  // namespace paver
