@@ -370,7 +370,8 @@ class Run {
     merge_pieces();
     measure_wires();
     report.components = find_components(model_, report.faces);
-    if (options_.elements == Elements::all_quad) note_triangles();
+    if (options_.elements == Elements::all_quad) note_remaining("Triangles", &FaceReport::triangles);
+    if (options_.elements == Elements::all_triangle) note_remaining("Quads", &FaceReport::quads);
     if (options_.order > 1) note_far_faces();
     end_stage();
     rusage usage{};
@@ -390,11 +391,11 @@ class Run {
     }
   }
 
-  void note_triangles() {
+  void note_remaining(const char* kind, long FaceReport::*count) {
     std::string faces;
     for (const FaceReport& face : result_.report.faces)
-      if (face.triangles > 0) faces += fmt::format("{}{} ({})", faces.empty() ? "" : ", ", face.name, face.triangles);
-    if (!faces.empty()) result_.report.notes.push_back(fmt::format("Triangles remain in {}.", faces));
+      if (face.*count > 0) faces += fmt::format("{}{} ({})", faces.empty() ? "" : ", ", face.name, face.*count);
+    if (!faces.empty()) result_.report.notes.push_back(fmt::format("{} remain in {}.", kind, faces));
   }
 
   // Where the surface bends within less than the narrowest elements, or curved ones would fold.
