@@ -29,6 +29,7 @@
 #include "base/union_find.h"
 #include "core/brep/shape_files.h"
 #include "paver/mesher.h"
+#include "support/report_of.h"
 
 namespace paver {
 namespace {
@@ -226,6 +227,16 @@ TEST(ConnectRound, RoundPartsThatTouchInAPointShareANodeThere) {
       EXPECT_STREQ(verdict(result.report), "sound") << size;
       EXPECT_EQ(pieces(result.mesh), 1U) << size;
     }
+}
+
+// The tolerance that is asked for holds between parts, too.
+TEST(ConnectRound, ABoardThinnerThanTheToleranceKeepsBothItsFaces) {
+  Options options;
+  options.size = 10;
+  options.sew_tolerance = 5;
+  const MeshResult result =
+      test::mesh_of(compound({box(0, 0, 0, 40, 40, 1.6), sheet(1.6, 10, 30, 0, 20), sheet(0, 5, 35, 20, 40)}), options);
+  EXPECT_NEAR(result.report.quality.mesh_area, 2 * 1600 + 160 * 1.6, 5);
 }
 
 // There the kernel finds a part of where they cross, or none.

@@ -39,6 +39,8 @@ class Fuser {
     for (std::size_t f = 0; f < work_.faces.size(); ++f)
       if (is_member(work_.faces[f]) && !add_images(static_cast<int>(f), builder, tolerance, fusion))
         return std::nullopt;
+    if (tolerance > 0 && std::ranges::any_of(fusion.images, [&](const auto& image) { return is_squashed(image); }))
+      return std::nullopt;
     add_edges(builder, fusion);
     for (const WorkPoint& point : work_.points)
       for (const TopoDS_Shape& image : builder.Modified(point.vertex)) fusion.points.push_back({point.vertex, image});
@@ -93,6 +95,20 @@ class Fuser {
     const auto edges = shapes_of(face.face, TopAbs_EDGE);
     for (int i = 1; i <= edges.Extent(); ++i) perimeter += edge_length(TopoDS::Edge(edges(i)));
     return std::abs(area - face.area) <= area_share * face.area + tolerance * perimeter;
+  }
+
+  /// Whether two faces of one part have become one: it is thinner than the tolerance.
+  bool is_squashed(const Fusion::Image& image) const {
+    for (std::size_t i = 1; i < image.of.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        for (const FaceUse& use : face_of(image, i).uses)
+          if (!work_.parts[static_cast<std::size_t>(use.part)].is_loose && face_of(image, j).has_part(use.part))
+            return true;
+    return false;
+  }
+
+  const WorkFace& face_of(const Fusion::Image& image, std::size_t i) const {
+    return work_.faces[static_cast<std::size_t>(image.of[i])];
   }
 
   void add_edges(BRepAlgoAPI_BuilderAlgo& builder, Fusion& fusion) const {
