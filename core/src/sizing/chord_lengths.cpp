@@ -48,9 +48,9 @@ double longest_side(const FarPlace& place) {
 
 }  // namespace
 
-/// Of a length: what would just do, times `margin`.
-double ChordLengths::share(double distance, double margin) const {
-  return margin * std::pow(most_ / distance, order_ == 1 ? 1.0 / 2 : 1.0 / 3);
+/// Of a length: what would just do, times `less`.
+double ChordLengths::share(double distance, double less) const {
+  return less * std::pow(most_ / distance, order_ == 1 ? 1.0 / 2 : 1.0 / 3);
 }
 
 ShorterLengths ChordLengths::next(const std::vector<FaceReport>& faces, const std::vector<double>& length,

@@ -38,7 +38,7 @@ class ChordLengths {
   std::string note(const std::vector<FaceReport>& faces) const;
 
  private:
-  double share(double distance, double margin) const;
+  double share(double distance, double less) const;
 
   double most_;
   int order_;
