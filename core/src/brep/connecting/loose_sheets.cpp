@@ -7,11 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "base/box.h"
 #include "base/segment.h"
 #include "brep/connecting/connect_impl.h"
 #include "brep/connecting/face_cells_impl.h"
@@ -118,60 +121,85 @@ std::vector<FacePair> pairs_that_touch(const std::vector<const WorkFace*>& faces
 struct SheetEdge {
   TopoDS_Edge edge;
   std::vector<std::size_t> faces;
-  SampledCurve line;
-  Bnd_Box box;
+  std::shared_ptr<const Curve> curve;
+  Vec3 middle;
+  Box box;
+
+  SampledCurve line(int pieces) const {
+    const auto [t0, t1] = range_of(edge);
+    return sampled(curve, t0, t1, pieces);
+  }
 };
 
-/// Those that are no poles, by the low ends of their boxes along x.
+/// Those that have a length.
 std::vector<SheetEdge> edges_of_sheet(const std::vector<const WorkFace*>& faces, double tolerance) {
-  constexpr int pieces = 32;
+  constexpr int pieces = 16;
+  constexpr double bow = 0.05;  // of the edge, beyond these pieces
   TopTools_IndexedMapOfShape map;
   std::vector<SheetEdge> edges;
   for (std::size_t f = 0; f < faces.size(); ++f)
     for (const TopoDS_Edge& edge : edges_of(faces[f]->face)) {
       const auto index = static_cast<std::size_t>(map.Add(edge)) - 1;
-      if (index == edges.size()) edges.push_back({edge, {}, {}, {}});
+      if (index == edges.size()) edges.push_back({edge, {}, {}, {}, {}});
       edges[index].faces.push_back(f);
     }
   for (SheetEdge& one : edges) {
-    const auto curve = BRep_Tool::Degenerated(one.edge) ? nullptr : make_curve(one.edge);
+    if (BRep_Tool::Degenerated(one.edge) || !range_of(one.edge).is_finite()) continue;
+    one.curve = make_curve(one.edge);
+    if (!one.curve) continue;
     const auto [t0, t1] = range_of(one.edge);
-    if (!curve || !range_of(one.edge).is_finite()) continue;
-    one.line = sampled(curve, t0, t1, pieces);
-    for (Vec3 x : one.line.points) one.box.Add(to_point(x));
-    one.box.Enlarge(tolerance + 0.01 * std::sqrt(one.box.SquareExtent()));  // bows of its pieces
+    one.middle = one.curve->point(0.5 * (t0 + t1));
+    for (Vec3 x : one.line(pieces).points) one.box.add(x);
+    const double more = tolerance + bow * norm(one.box.high - one.box.low);
+    one.box = {one.box.low - Vec3{more, more, more}, one.box.high + Vec3{more, more, more}};
   }
-  std::erase_if(edges, [](const SheetEdge& one) { return one.box.IsVoid(); });
-  std::ranges::stable_sort(edges, {}, [](const SheetEdge& one) { return one.box.CornerMin().X(); });
+  std::erase_if(edges, [](const SheetEdge& one) { return !one.curve; });
   return edges;
 }
 
 bool comes_by(const SheetEdge& edge, Vec3 x, double tolerance) {
-  if (edge.box.IsOut(to_point(x))) return false;
-  const auto& [curve, t, points] = edge.line;
+  constexpr int pieces = 32, steps = 6;
+  const SampledCurve line = edge.line(pieces);
   std::size_t nearest = 1;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 1; k < points.size(); ++k)
-    if (const double off = distance_to_segment(x, points[k - 1], points[k]); off < least) least = off, nearest = k;
-  constexpr int steps = 6;
-  return distance_near(edge.line, nearest, 0.5 * (t[nearest - 1] + t[nearest]), steps, x) <= tolerance;
+  for (std::size_t k = 1; k < line.points.size(); ++k)
+    if (const double off = distance_to_segment(x, line.points[k - 1], line.points[k]); off < least)
+      least = off, nearest = k;
+  return distance_near(line, nearest, 0.5 * (line.t[nearest - 1] + line.t[nearest]), steps, x) <= tolerance;
+}
+
+/// Calls `visit` with every edge and each other one whose box holds its middle: a sweep along the longest way.
+template <class Visit>
+void for_near_edges(const std::vector<SheetEdge>& edges, Visit visit) {
+  Box all;
+  for (const SheetEdge& one : edges) all.add(one.box);
+  const Vec3 size = all.high - all.low;
+  auto along = [&](Vec3 x) { return size.x >= std::max(size.y, size.z) ? x.x : size.y >= size.z ? x.y : x.z; };
+  std::vector<std::size_t> by_low(edges.size()), by_middle(edges.size()), open;
+  std::iota(by_low.begin(), by_low.end(), std::size_t{0});
+  by_middle = by_low;
+  std::ranges::stable_sort(by_low, {}, [&](std::size_t e) { return along(edges[e].box.low); });
+  std::ranges::stable_sort(by_middle, {}, [&](std::size_t e) { return along(edges[e].middle); });
+  std::size_t next = 0;
+  for (std::size_t e : by_middle) {
+    const Vec3 x = edges[e].middle;
+    while (next < by_low.size() && along(edges[by_low[next]].box.low) <= along(x)) open.push_back(by_low[next++]);
+    std::erase_if(open, [&](std::size_t other) { return along(edges[other].box.high) < along(x); });
+    for (std::size_t other : open)
+      if (other != e && edges[other].box.meets({x, x})) visit(edges[e], edges[other]);
+  }
 }
 
 /// Pairs of faces with edges that lie on one another and are not one. Sewing joins edges two by two: where bodies touch
 /// that come without their solids, more lie in one place, and what is joined may be one's edge and another's.
 std::vector<FacePair> pairs_at_doubled_edges(const std::vector<const WorkFace*>& faces, double tolerance) {
   std::vector<FacePair> pairs;
-  const std::vector<SheetEdge> edges = edges_of_sheet(faces, tolerance);
-  for (const SheetEdge& one : edges) {
-    const Vec3 middle = one.line.curve->point(one.line.t[one.line.t.size() / 2]);
-    for (const SheetEdge& other : edges) {
-      if (other.box.CornerMin().X() > middle.x) break;
-      if (&other == &one || !comes_by(other, middle, tolerance)) continue;
-      for (std::size_t i : one.faces)
-        for (std::size_t j : other.faces)
-          if (i != j && faces[i]->read_sheet != faces[j]->read_sheet) pairs.push_back(std::minmax(i, j));
-    }
-  }
+  for_near_edges(edges_of_sheet(faces, tolerance), [&](const SheetEdge& one, const SheetEdge& other) {
+    if (!comes_by(other, one.middle, tolerance)) return;
+    for (std::size_t i : one.faces)
+      for (std::size_t j : other.faces)
+        if (i != j && faces[i]->read_sheet != faces[j]->read_sheet) pairs.push_back(std::minmax(i, j));
+  });
   return pairs;
 }
 
@@ -189,10 +217,12 @@ bool is_loose(const Workpiece& work, int part, double tolerance) {
   if (std::ranges::any_of(find_folds(faces), is_changed)) return true;
   auto is_sewn = [&](const WorkFace* face) { return face->read_sheet != faces[0]->read_sheet; };
   if (std::none_of(faces.begin(), faces.end(), is_sewn)) return false;
+  const bool is_closed = are_closed(faces);
+  std::vector<FacePair> pairs = pairs_at_doubled_edges(faces, doubled * tolerance);
+  if (is_closed && pairs.empty()) return false;
   std::vector<PartPiece> pieces;
   for (const WorkFace* face : faces) pieces.emplace_back(face->face, 0.5 * tolerance);
-  std::vector<FacePair> pairs = pairs_at_doubled_edges(faces, doubled * tolerance);
-  if (!are_closed(faces)) {
+  if (!is_closed) {
     const std::vector<FacePair> more = pairs_that_touch(faces, pieces);
     pairs.insert(pairs.end(), more.begin(), more.end());
   }
