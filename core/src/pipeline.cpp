@@ -2,6 +2,7 @@
 // read -> topology -> sizing -> boundary nodes -> regions -> paving -> repair -> join -> curving -> quality
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -487,7 +488,12 @@ class Run {
 
 MeshShare mesh_share(const CadModel& model, const Options& options, Progress& progress, Ranks& ranks) {
   check(options);
-  tbb::task_arena arena(thread_count(options.threads));  // for what spreads by itself
+  // More threads than cores are as many as are asked for, without a warning of the library's.
+  using Control = tbb::global_control;
+  const auto threads = static_cast<std::size_t>(thread_count(options.threads));
+  const Control allowed(Control::max_allowed_parallelism,
+                        std::max(threads, Control::active_value(Control::max_allowed_parallelism)));
+  tbb::task_arena arena(static_cast<int>(threads));  // for what spreads by itself
   return guard_occt(ErrorCode::internal, kernel_failure,
                     [&] { return arena.execute([&] { return Run(options, progress, ranks).mesh(model); }); });
 }
