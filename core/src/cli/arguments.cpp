@@ -86,14 +86,10 @@ void check_command(int argc, const char* const* argv) {
                           command.empty() ? "No command is given" : "There is no command '" + command + "'"));
 }
 
-/// What the library finds wrong, and what to do.
-std::string advice(const std::string& found) {
-  if (const std::size_t at = found.find(": At Most 1 required"); at != std::string::npos)
-    return found.substr(0, at) + " is given more than once; give it once.";
-  std::string text = sentence(found);
-  if (text.find(';') == std::string::npos && text.ends_with('.'))
-    text.replace(text.size() - 1, 1, "; 'paver mesh --help' lists what there is.");
-  return text;
+/// The library only counts.
+std::string told(const std::string& found) {
+  const std::size_t at = found.find(": At Most 1 required");
+  return at == std::string::npos ? sentence(found) : found.substr(0, at) + " is given more than once; give it once.";
 }
 
 }  // namespace
@@ -118,7 +114,7 @@ std::optional<int> read_arguments(int argc, const char* const* argv, Arguments& 
   } catch (const CLI::Success& finished) {
     return app.exit(finished);
   } catch (const CLI::ParseError& error) {
-    throw Error(ErrorCode::bad_option, advice(error.what()));
+    throw Error(ErrorCode::bad_option, told(error.what()));
   }
   if (arguments.files.mesh.empty()) throw Error(ErrorCode::bad_option, "The name of the mesh file is empty.");
   arguments.files.input = arguments.input;
