@@ -48,8 +48,8 @@
         <translation>Flächen, die schmaler als 0,7 Ziellängen sind: ein Element quer; refine:K: kürzere, etwa K quer [one]</translation>
     </message>
     <message>
-        <source>Largest distance between mesh and surface: faces farther off get shorter lengths [as it comes]. 0: not given</source>
-        <translation>Größter Abstand zwischen Netz und Oberfläche: Flächen, die weiter abliegen, erhalten kürzere Längen [wie er sich ergibt]. 0: nicht gegeben</translation>
+        <source>Largest distance between mesh and surface: what is farther off gets shorter lengths [as it comes]. 0: not given</source>
+        <translation>Größter Abstand zwischen Netz und Oberfläche: was weiter abliegt, erhält kürzere Längen [wie er sich ergibt]. 0: nicht gegeben</translation>
     </message>
     <message>
         <source>Target length of a part where shorter: Face3=2mm, Edge5,Vertex2=0.5, Solid1=eps-r:4; may be repeated. Besides those of the refinements</source>

@@ -351,7 +351,8 @@ class Run {
 
   void finish(const Assembler& assembler) {
     RunReport& report = result_.report;
-    const MeshDistances distances = assembler.distances();
+    const MeshDistances distances =
+        assembler.distances(ChordLengths::near_enough * options_.chord_error.value_or(INFINITY));
     keep_far(distances.far);
     long elements = 0;
     for (std::size_t f = 0; f < distances.faces.size(); ++f) {

@@ -82,8 +82,8 @@ struct Options {
   int gap_elements = 1;            ///< across what is narrower than 0.7 of the target length, 1 to 8
   double merge = 0.1;  ///< of the target length, 0 to 0.5: shorter edges are merged with others; 0: nothing is merged
   double merge_width = 0.05;  ///< of the target length, 0 to 0.5: narrower faces are merged with neighbours
-  /// Largest distance between mesh and surface, mm, > 0: faces that are farther off are meshed again with shorter
-  /// lengths; none: whatever comes out.
+  /// Largest distance between mesh and surface, mm, > 0: what is farther off is meshed again with shorter lengths;
+  /// none: whatever comes out.
   std::optional<double> chord_error;
   long max_elements = 2'000'000;        ///< stop before meshing when more are predicted
   std::optional<double> sew_tolerance;  ///< mm, >= 0 (0: never sew); default from the target length

@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 
 #include "assemble/neighbourhood.h"
 #include "mesh/element_table.h"
 #include "quality/element_figures.h"
 #include "quality/jacobian/jacobian.h"
 #include "quality/metric_figures.h"
-#include "sizing/chord_lengths.h"
 
 namespace paver {
 namespace {
@@ -215,11 +213,9 @@ MetricFigures Assembler::metric() const {
   return measure_metric(meshes, options_.threads, progress_, ranks_);
 }
 
-MeshDistances Assembler::distances() const {
-  constexpr double any = std::numeric_limits<double>::infinity();
-  return measure_distances({model_, nodes_, mesh_, parts_, report_.target_length, options_.threads,
-                            ChordLengths::near_enough * options_.chord_error.value_or(any)},
-                           progress_, ranks_);
+MeshDistances Assembler::distances(double listed) const {
+  return measure_distances({model_, nodes_, mesh_, parts_, report_.target_length, options_.threads, listed}, progress_,
+                           ranks_);
 }
 
 }  // namespace paver

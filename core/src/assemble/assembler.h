@@ -36,8 +36,8 @@ class Assembler {
   /// Fills in the share's numbers.
   void number();
 
-  /// On all ranks. Collective.
-  MeshDistances distances() const;
+  /// On all ranks, with the places that are farther off than `listed`, mm. Collective.
+  MeshDistances distances(double listed) const;
   /// All but the prediction. Collective.
   MetricFigures metric() const;
 

@@ -67,6 +67,7 @@ ShorterLengths ChordLengths::next(const std::vector<FaceReport>& faces, const st
     const bool has_stalled = off > no_help * last_[f];
     stalls_[f] = has_stalled ? stalls_[f] + 1 : 0;
     last_[f] = std::min(off, last_[f]);
+    if (stalls_[f] >= most_stalls) continue;
     const auto all = static_cast<double>(faces[f].quads + faces[f].triangles);
     const double whole = std::clamp(share(off, margin), least_share, has_stalled ? firm_share : margin);
     std::vector<SizeSource> sources;
@@ -79,11 +80,10 @@ ShorterLengths ChordLengths::next(const std::vector<FaceReport>& faces, const st
       add_sources(*place, shorter, sources);
       more += spread * (square(place->target / shorter) - 1);
     }
-    if (more > 0 && more < all * (1 / square(whole) - 1) && stalls_[f] < most_stalls) {
+    if (more > 0 && more < all * (1 / square(whole) - 1)) {
       lengths.places.insert(lengths.places.end(), sources.begin(), sources.end());
       continue;
     }
-    if (stalls_[f] >= most_stalls) continue;
     const std::string part = faces[f].name.substr(0, faces[f].name.find(' '));  // of common faces the first
     lengths.faces.push_back({part, whole * length[f]});
   }

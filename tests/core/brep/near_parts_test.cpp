@@ -42,17 +42,8 @@ TopoDS_Shape dish(double height) {
   return BRepPrimAPI_MakeRevol(edge, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1))).Shape();
 }
 
-TopoDS_Shape together(const TopoDS_Shape& one, const TopoDS_Shape& two) {
-  BRep_Builder builder;
-  TopoDS_Compound compound;
-  builder.MakeCompound(compound);
-  builder.Add(compound, one);
-  builder.Add(compound, two);
-  return compound;
-}
-
 TEST(NearParts, SheetsAlongOneAnotherDoNotTouch) {
-  const RunReport report = test::report_of(together(dish(0), dish(1.5)), 5);
+  const RunReport report = test::report_of(test::compound({dish(0), dish(1.5)}), 5);
   EXPECT_TRUE(report.model.unconnected.empty());
   EXPECT_STREQ(verdict(report), "sound");
 }
@@ -63,7 +54,7 @@ TEST(NearParts, SheetsThatCrossAreNamed) {
   for (int i = 0; i < 3; ++i) points.SetValue(i + 1, gp_Pnt(2 + 14 * i, 0, 7 + 0.1 * i * i));
   const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(GeomAPI_PointsToBSpline(points).Curve());
   const TopoDS_Shape lid = BRepPrimAPI_MakeRevol(edge, about).Shape();
-  EXPECT_EQ(test::report_of(together(dish(0), lid), 5).model.unconnected.size(), 1U);
+  EXPECT_EQ(test::report_of(test::compound({dish(0), lid}), 5).model.unconnected.size(), 1U);
 }
 
 /// Of side 20 about (x, 0, 0), as files of splines have planes.
@@ -75,14 +66,14 @@ TopoDS_Shape flat_spline(double x) {
 }
 
 TEST(NearParts, FlatSplinesAreConnected) {
-  const RunReport report = test::report_of(together(flat_spline(0), flat_spline(10)), 2);
+  const RunReport report = test::report_of(test::compound({flat_spline(0), flat_spline(10)}), 2);
   EXPECT_EQ(report.model.contacts.size(), 1U);
   EXPECT_NEAR(report.model.area, 600, 1e-6);
   EXPECT_STREQ(verdict(report), "sound");
 }
 
 TEST(NearParts, ACopyOfAFreeFormFaceIsMergedWithIt) {
-  const RunReport report = test::report_of(together(dish(0), dish(0)), 5);
+  const RunReport report = test::report_of(test::compound({dish(0), dish(0)}), 5);
   EXPECT_TRUE(report.model.unconnected.empty());
   EXPECT_NEAR(report.quality.mesh_area, test::report_of(dish(0), 5).quality.mesh_area, 1);
 }
@@ -109,7 +100,7 @@ TEST(NearParts, FacesThatLieOnOneAnotherFromACommonEdgeOnAreConnected) {
   context.Replace(TopExp::FirstVertex(other), TopExp::FirstVertex(rim));
   const TopoDS_Shape hung = context.Apply(half);
   ASSERT_TRUE(lower_rim(hung).IsSame(rim));
-  const RunReport report = test::report_of(together(whole, hung), 2);
+  const RunReport report = test::report_of(test::compound({whole, hung}), 2);
   EXPECT_NEAR(report.quality.mesh_area, round * 10 * 20, 2);
   EXPECT_STREQ(verdict(report), "sound");
 }

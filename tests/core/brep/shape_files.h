@@ -1,8 +1,10 @@
 // Helpers of the tests of brep/ and topology/: a folder that goes away, files in it, shapes as Shape.
 #pragma once
 
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shape.hxx>
 #include <cstdlib>
@@ -11,6 +13,7 @@
 #include <initializer_list>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "brep/shape_impl.h"
 #include "paver/options.h"
@@ -47,12 +50,24 @@ inline std::string read_text(const std::string& path) {
   return text.str();
 }
 
-inline TopoDS_Compound compound(std::initializer_list<TopoDS_Shape> parts) {
+template <class Shapes>
+TopoDS_Compound compound(const Shapes& parts) {
   BRep_Builder builder;
   TopoDS_Compound result;
   builder.MakeCompound(result);
   for (const TopoDS_Shape& part : parts) builder.Add(result, part);
   return result;
+}
+inline TopoDS_Compound compound(std::initializer_list<TopoDS_Shape> parts) {
+  return compound<std::initializer_list<TopoDS_Shape>>(parts);
+}
+
+/// Its faces, each with edges of its own, as files without solids have them.
+inline std::vector<TopoDS_Shape> loose_faces(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Shape> faces;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
+    faces.push_back(BRepBuilderAPI_Copy(face.Current()).Shape());
+  return faces;
 }
 
 inline Shape as_shape(const TopoDS_Shape& shape) { return {shape, {}, {}}; }

@@ -56,14 +56,6 @@ TopoDS_Face flat_face(const TopoDS_Wire& outer, const std::vector<TopoDS_Wire>& 
   return maker.Face();
 }
 
-TopoDS_Shape together(const std::vector<TopoDS_Face>& faces) {
-  TopoDS_Compound compound;
-  BRep_Builder builder;
-  builder.MakeCompound(compound);
-  for (const TopoDS_Face& face : faces) builder.Add(compound, face);
-  return compound;
-}
-
 CadModel model_of(const TopoDS_Shape& shape) {
   test::TemporaryFolder folder;
   const std::string path = folder.file("model.brep");
@@ -100,7 +92,7 @@ long elements(const FaceReport& face) { return face.quads + face.triangles; }
 /// The face beside a sound square far away: it is named with a point, the square is meshed as it is alone.
 void expect_named(const TopoDS_Face& bad, const std::string& what, Vec3 where, double slack = 1e-6) {
   const TopoDS_Face good = flat_face(rectangle(100, 0, 10, 10));
-  const CadModel model = model_of(together({bad, good}));
+  const CadModel model = model_of(test::compound({bad, good}));
   for (double size : {20.0, 3.0, 0.7}) {
     SCOPED_TRACE(size);
     const MeshResult result = mesh_of(model, size);
@@ -184,7 +176,7 @@ TEST(DivideLoops, NeighboursOfAFaceThatFailedKeepTheirCounts) {
       BRepBuilderAPI_MakeEdge(at(1, -2.8284271247461903 - 1e-6), at(5, 0)),
       BRepBuilderAPI_MakeEdge(at(5, 0), at(1, 2.8284271247461903 + 1e-6))};
   BRepBuilderAPI_MakeWire hole(sliver[0], sliver[1], sliver[2]);
-  const CadModel model = model_of(together({sound, flat_face(other.Wire(), {hole.Wire()})}));
+  const CadModel model = model_of(test::compound({sound, flat_face(other.Wire(), {hole.Wire()})}));
   const MeshResult result = mesh_of(model, 2), alone = mesh_of(model_of(sound), 2);
   ASSERT_EQ(result.report.faces.at(1).status, FaceStatus::failed);
   ASSERT_EQ(result.report.faces.at(0).status, FaceStatus::meshed) << result.report.faces[0].reason;
@@ -195,7 +187,7 @@ TEST(DivideLoops, NeighboursOfAFaceThatFailedKeepTheirCounts) {
 TEST(DivideLoops, NothingIsLeftOfAFaceThatFailedOnAnyNumberOfRanks) {
   const TopoDS_Face bad = flat_face(polygon({at(0, 0), at(12, 12), at(12, 0), at(0, 6)}));
   const CadModel model =
-      model_of(together({bad, flat_face(rectangle(100, 0, 30, 10)), bad, flat_face(circle(50, 50, 20))}));
+      model_of(test::compound({bad, flat_face(rectangle(100, 0, 30, 10)), bad, flat_face(circle(50, 50, 20))}));
   for (int order : {1, 2}) {
     Options options = options_of(1);
     options.order = order;

@@ -37,6 +37,7 @@ namespace paver {
 namespace {
 
 using test::compound;
+using test::loose_faces;
 using test::model_of;
 
 constexpr double pi = std::numbers::pi;
@@ -85,20 +86,6 @@ void expect_outward(const Model& model, Vec3 inside) {
     Vec3 normal = (face.is_reversed ? -1.0 : 1.0) * cross(xu, xv);
     EXPECT_GE(dot(normal, x - inside), -1e-9) << face.name;
   }
-}
-
-/// The faces of a shape as copies that share nothing.
-TopoDS_Compound loose_faces(const TopoDS_Shape& shape, bool every_second_reversed = false) {
-  BRep_Builder builder;
-  TopoDS_Compound result;
-  builder.MakeCompound(result);
-  int i = 0;
-  for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next(), ++i) {
-    TopoDS_Shape face = BRepBuilderAPI_Copy(faces.Current()).Shape();
-    if (every_second_reversed && i % 2) face.Reverse();
-    builder.Add(result, face);
-  }
-  return result;
 }
 
 TEST(BuildModel, ListsABoxAsItIs) {
@@ -192,7 +179,9 @@ TEST(BuildModel, GivesAFaceWithoutLoopsItsNaturalBounds) {
 }
 
 TEST(BuildModel, SewsLooseFacesAndTurnsThemOutwards) {
-  TopoDS_Compound loose = loose_faces(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), true);
+  std::vector<TopoDS_Shape> faces = loose_faces(BRepPrimAPI_MakeBox(1, 2, 3).Shape());
+  for (std::size_t i = 1; i < faces.size(); i += 2) faces[i].Reverse();
+  TopoDS_Compound loose = compound(faces);
   Model model = model_of(loose);
   expect_sound(model);
   EXPECT_EQ(model.edges.size(), 12u);
@@ -211,7 +200,7 @@ TEST(BuildModel, DoesNotSewWhenToldSo) {
   Options options;
   options.sew_tolerance = 0;
   options.connect = Connect::none;
-  Model model = model_of(loose_faces(BRepPrimAPI_MakeBox(1, 2, 3).Shape()), options);
+  Model model = model_of(compound(loose_faces(BRepPrimAPI_MakeBox(1, 2, 3).Shape())), options);
   EXPECT_EQ(model.report.free_edges, 24);
   EXPECT_EQ(model.report.free_edge_names.size(), 24u);
   EXPECT_EQ(model.report.sew_tolerance, 0);
@@ -256,11 +245,7 @@ TopoDS_Compound block_with_a_crack(double bulge, double bevel) {
       BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(b, gp_Pnt(1 - bulge, 0, 0.5), raised(b)).Value()),
       BRepBuilderAPI_MakeEdge(raised(b), raised(a)), BRepBuilderAPI_MakeEdge(raised(a), a));
   faces.push_back(BRepBuilderAPI_MakeFace(front.Wire(), true).Face());
-  TopoDS_Compound all;
-  BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Shape& face : faces) builder.Add(all, face);
-  return all;
+  return compound(faces);
 }
 
 TEST(BuildModel, ClosesACrackThoughAnEdgeElsewhereIsShorter) {
@@ -396,7 +381,7 @@ TEST(BuildModel, FaultsAFaceWithAnOpenBoundary) {
 }
 
 TEST(BuildModel, IsTheSameEveryTime) {
-  TopoDS_Compound loose = loose_faces(BRepPrimAPI_MakeCylinder(1, 2).Shape());
+  TopoDS_Compound loose = compound(loose_faces(BRepPrimAPI_MakeCylinder(1, 2).Shape()));
   Model a = model_of(loose), b = model_of(loose);
   ASSERT_EQ(a.edges.size(), b.edges.size());
   for (std::size_t i = 0; i < a.edges.size(); ++i) {

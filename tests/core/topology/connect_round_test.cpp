@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
-#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
@@ -12,11 +11,9 @@
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
-#include <BRepTools.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <TColgp_Array1OfPnt.hxx>
-#include <TopExp_Explorer.hxx>
 #include <algorithm>
 #include <gp_Ax2.hxx>
 #include <gp_Ax3.hxx>
@@ -28,23 +25,14 @@
 
 #include "base/union_find.h"
 #include "core/brep/shape_files.h"
-#include "paver/mesher.h"
 #include "support/report_of.h"
 
 namespace paver {
 namespace {
 
 using test::compound;
-
-MeshResult mesh_of(const TopoDS_Shape& shape, double size) {
-  test::TemporaryFolder folder;
-  const std::string path = folder.file("model.brep");
-  BRepTools::Write(shape, path.c_str());
-  Options options;
-  options.size = size;
-  Progress progress;
-  return mesh_file(path, options, progress);
-}
+using test::loose_faces;
+using test::mesh_of;
 
 template <class F>
 void for_rows(const SurfaceMesh& mesh, F&& f) {
@@ -235,7 +223,7 @@ TEST(ConnectRound, ABoardThinnerThanTheToleranceKeepsBothItsFaces) {
   options.size = 10;
   options.sew_tolerance = 5;
   const MeshResult result =
-      test::mesh_of(compound({box(0, 0, 0, 40, 40, 1.6), sheet(1.6, 10, 30, 0, 20), sheet(0, 5, 35, 20, 40)}), options);
+      mesh_of(compound({box(0, 0, 0, 40, 40, 1.6), sheet(1.6, 10, 30, 0, 20), sheet(0, 5, 35, 20, 40)}), options);
   EXPECT_NEAR(result.report.quality.mesh_area, 2 * 1600 + 160 * 1.6, 5);
 }
 
@@ -255,19 +243,6 @@ TEST(ConnectRound, PartsFarFromTheOriginAreConnectedLikeThoseAtIt) {
   }
 }
 
-/// As files without solids have them: each with edges of its own.
-TopoDS_Shape loose_faces(const TopoDS_Shape& shape, bool is_backwards) {
-  std::vector<TopoDS_Shape> faces;
-  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
-    faces.push_back(BRepBuilderAPI_Copy(face.Current()).Shape());
-  if (is_backwards) std::reverse(faces.begin(), faces.end());
-  BRep_Builder builder;
-  TopoDS_Compound all;
-  builder.MakeCompound(all);
-  for (const TopoDS_Shape& face : faces) builder.Add(all, face);
-  return all;
-}
-
 // Where two bodies touch, more than two of their edges lie on one another.
 TEST(ConnectRound, BodiesOfLooseFacesAreConnectedLikeSolids) {
   const TopoDS_Shape lower = box(0, 0, 0, 20, 20, 20);
@@ -276,7 +251,9 @@ TEST(ConnectRound, BodiesOfLooseFacesAreConnectedLikeSolids) {
     const MeshResult solids = mesh_of(compound({lower, upper}), 4);
     for (const TopoDS_Shape& parts : {compound({lower, upper}), compound({upper, lower})})
       for (bool is_backwards : {false, true}) {
-        const MeshResult loose = mesh_of(loose_faces(parts, is_backwards), 4);
+        std::vector<TopoDS_Shape> faces = loose_faces(parts);
+        if (is_backwards) std::reverse(faces.begin(), faces.end());
+        const MeshResult loose = mesh_of(compound(faces), 4);
         EXPECT_STREQ(verdict(loose.report), "sound");
         EXPECT_NEAR(loose.report.quality.mesh_area, solids.report.quality.mesh_area, 1e-6);
         EXPECT_EQ(loose.report.quality.nonmanifold_edges, solids.report.quality.nonmanifold_edges);

@@ -17,9 +17,7 @@
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_TrimmedCurve.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <gp_Circ.hxx>
 #include <numbers>
 
@@ -37,11 +35,7 @@ TopoDS_Face flat_face(const TopoDS_Wire& wire) {
 
 /// A face beside a box of 10.
 MeshResult with_box(const TopoDS_Face& face) {
-  TopoDS_Compound both;
-  BRep_Builder().MakeCompound(both);
-  BRep_Builder().Add(both, BRepPrimAPI_MakeBox(gp_Pnt(20, 0, 0), 10, 10, 10).Shape());
-  BRep_Builder().Add(both, face);
-  return test::mesh_of(both, 3);
+  return test::mesh_of(test::compound({BRepPrimAPI_MakeBox(gp_Pnt(20, 0, 0), 10, 10, 10).Shape(), face}), 3);
 }
 
 void expect_left_out(const TopoDS_Face& face) {
@@ -120,14 +114,10 @@ TopoDS_Face cap_without_pole(const gp_Pnt& centre, double radius) {
 }
 
 TEST(LostAreas, NameACapWithoutItsPoleWhereItsNeighbourStaysOpen) {
-  const TopoDS_Shape tube = BRepPrimAPI_MakeCylinder(5, 10).Shape();
-  TopoDS_Compound both;
-  BRep_Builder().MakeCompound(both);
-  for (TopExp_Explorer side(tube, TopAbs_FACE); side.More(); side.Next())
-    if (BRepAdaptor_Surface(TopoDS::Face(side.Current())).GetType() != GeomAbs_Plane)
-      BRep_Builder().Add(both, side.Current());
-  BRep_Builder().Add(both, cap_without_pole({0, 0, 10}, 5));
-  const MeshResult result = test::mesh_of(both, 2);
+  std::vector<TopoDS_Shape> both{cap_without_pole({0, 0, 10}, 5)};
+  for (const TopoDS_Shape& face : test::loose_faces(BRepPrimAPI_MakeCylinder(5, 10).Shape()))
+    if (BRepAdaptor_Surface(TopoDS::Face(face)).GetType() != GeomAbs_Plane) both.insert(both.begin(), face);
+  const MeshResult result = test::mesh_of(test::compound(both), 2);
   EXPECT_EQ(result.report.faces[1].status, FaceStatus::failed);
   EXPECT_EQ(result.report.faces[1].reason.find("its border is there twice"), 0u) << result.report.faces[1].reason;
   expect_left_out(cap_without_pole({0, 0, 10}, 5));  // nobody misses it

@@ -95,7 +95,7 @@ std::vector<Entry> grading_entries(const Options& d) {
         gap_choices()[static_cast<std::size_t>(d.gap_elements) - 1], "", "", gap_choices()},
        [](Options& o, const Value& v) { o.gap_elements = v.index + 1; }},
       {{"chord_error", OptionKind::length, "E",
-        "Largest distance between mesh and surface: faces farther off get shorter lengths [as it comes]"},
+        "Largest distance between mesh and surface: what is farther off gets shorter lengths [as it comes]"},
        [](Options& o, const Value& v) { o.chord_error = v.number; }},
       {{"local", OptionKind::local, "PART=H",
         "Target length of a part where shorter: Face3=2mm, Edge5,Vertex2=0.5, Solid1=eps-r:4; may be repeated"},

@@ -42,8 +42,9 @@ class Connector {
   /// Whether anything was fused.
   bool run() {
     const std::vector<std::vector<int>> clusters = clusters_of(pairs_, work_.parts);
-    if (!clusters.empty()) copy_shape(work_);
-    if (!clusters.empty() && norm(work_.centre) > far_away * work_.diagonal) move_work(work_, -1 * work_.centre);
+    if (clusters.empty()) return false;
+    const bool is_far = norm(work_.centre) > far_away * work_.diagonal;
+    if (!is_far || !move_work(work_, -1 * work_.centre)) copy_shape(work_);
     for (const std::vector<int>& cluster : clusters) connect_cluster(cluster);
     if (fusions_.empty()) return false;
     replace_faces();

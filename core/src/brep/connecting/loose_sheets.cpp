@@ -6,7 +6,6 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -15,7 +14,6 @@
 #include <vector>
 
 #include "base/box.h"
-#include "base/segment.h"
 #include "brep/connecting/connect_impl.h"
 #include "brep/connecting/face_cells_impl.h"
 #include "brep/occt_impl.h"
@@ -159,13 +157,7 @@ std::vector<SheetEdge> edges_of_sheet(const std::vector<const WorkFace*>& faces,
 
 bool comes_by(const SheetEdge& edge, Vec3 x, double tolerance) {
   constexpr int pieces = 32, steps = 6;
-  const SampledCurve line = edge.line(pieces);
-  std::size_t nearest = 1;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 1; k < line.points.size(); ++k)
-    if (const double off = distance_to_segment(x, line.points[k - 1], line.points[k]); off < least)
-      least = off, nearest = k;
-  return distance_near(line, nearest, 0.5 * (line.t[nearest - 1] + line.t[nearest]), steps, x) <= tolerance;
+  return distance_to(edge.line(pieces), steps, x) <= tolerance;
 }
 
 /// Calls `visit` with every edge and each other one whose box holds its middle: a sweep along the longest way.
@@ -192,13 +184,13 @@ void for_near_edges(const std::vector<SheetEdge>& edges, Visit visit) {
 
 /// Pairs of faces with edges that lie on one another and are not one. Sewing joins edges two by two: where bodies touch
 /// that come without their solids, more lie in one place, and what is joined may be one's edge and another's.
-std::vector<FacePair> pairs_at_doubled_edges(const std::vector<const WorkFace*>& faces, double tolerance) {
-  std::vector<FacePair> pairs;
+std::set<FacePair> pairs_at_doubled_edges(const std::vector<const WorkFace*>& faces, double tolerance) {
+  std::set<FacePair> pairs;
   for_near_edges(edges_of_sheet(faces, tolerance), [&](const SheetEdge& one, const SheetEdge& other) {
     if (!comes_by(other, one.middle, tolerance)) return;
     for (std::size_t i : one.faces)
       for (std::size_t j : other.faces)
-        if (i != j && faces[i]->read_sheet != faces[j]->read_sheet) pairs.push_back(std::minmax(i, j));
+        if (i != j && faces[i]->read_sheet != faces[j]->read_sheet) pairs.insert(std::minmax(i, j));
   });
   return pairs;
 }
@@ -218,8 +210,9 @@ bool is_loose(const Workpiece& work, int part, double tolerance) {
   auto is_sewn = [&](const WorkFace* face) { return face->read_sheet != faces[0]->read_sheet; };
   if (std::none_of(faces.begin(), faces.end(), is_sewn)) return false;
   const bool is_closed = are_closed(faces);
-  std::vector<FacePair> pairs = pairs_at_doubled_edges(faces, doubled * tolerance);
-  if (is_closed && pairs.empty()) return false;
+  const std::set<FacePair> at_edges = pairs_at_doubled_edges(faces, doubled * tolerance);
+  if (is_closed && at_edges.empty()) return false;
+  std::vector<FacePair> pairs(at_edges.begin(), at_edges.end());
   std::vector<PartPiece> pieces;
   for (const WorkFace* face : faces) pieces.emplace_back(face->face, 0.5 * tolerance);
   if (!is_closed) {

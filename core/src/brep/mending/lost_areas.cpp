@@ -4,9 +4,8 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 
-#include "base/segment.h"
 #include "brep/mending/mend_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
@@ -107,14 +106,7 @@ bool runs_along(const TopoDS_Edge& edge, const TopoDS_Edge& other, double allowe
   const auto [s0, s1] = range_of(other);
   const SampledCurve line = sampled(second, s0, s1, pieces);
   for (double share : {0.2, 0.5, 0.8}) {
-    const Vec3 x = curve->point(t0 + share * (t1 - t0));
-    double off = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 1; k < line.points.size(); ++k) {
-      const Vec3 a = line.points[k - 1], b = line.points[k];
-      if (distance_to_segment(x, a, b) < allowed + norm(b - a))
-        off = std::min(off, distance_near(line, k, 0.5 * (line.t[k - 1] + line.t[k]), foot_steps, x));
-    }
-    if (!(off <= allowed)) return false;
+    if (!(distance_to(line, foot_steps, curve->point(t0 + share * (t1 - t0))) <= allowed)) return false;
   }
   return true;
 }
@@ -127,14 +119,15 @@ void fault(Workpiece& work, WorkFace& face, const TopoDS_Edge& edge, const std::
 }  // namespace
 
 void fault_lost_caps(Workpiece& work) {
-  const std::vector<TopoDS_Edge> free = count_uses(work.faces).free_edges();
+  std::optional<std::vector<TopoDS_Edge>> free;
   for (WorkFace& face : work.faces) {
     if (face.has_area || face.is_dropped || !face.fault.empty()) continue;
     const std::vector<TopoDS_Edge> border = edges_of(face.face);
     if (border.empty() || !std::ranges::all_of(border, is_round)) continue;
     if (BRepAdaptor_Surface(face.face, Standard_False).GetType() == GeomAbs_Plane) continue;
     auto is_open = [&](const TopoDS_Edge& other) { return runs_along(border[0], other, width_share * work.diagonal); };
-    if (std::ranges::any_of(free, is_open))
+    if (!free) free = count_uses(work.faces).free_edges();
+    if (std::ranges::any_of(*free, is_open))
       fault(work, face, border[0], "its border is there twice, and what it enclosed is lost");
   }
 }

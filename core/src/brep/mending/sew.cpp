@@ -15,7 +15,6 @@
 #include <limits>
 #include <map>
 
-#include "base/segment.h"
 #include "base/union_find.h"
 #include "brep/connecting/workpiece_impl.h"
 #include "brep/occt_impl.h"
@@ -38,6 +37,7 @@ constexpr double corner_factor = 1.6;
 constexpr double short_factor = 6;
 // An open group counts as sewn when no more than this share of its free edges is left.
 constexpr double open_share = 1.0 / 3;
+constexpr int foot_steps = 4;
 
 long free_count(const EdgeUses& uses) { return static_cast<long>(uses.free_edges().size()); }
 
@@ -172,12 +172,6 @@ class GroupSewer {
     return line;
   }
 
-  /// To the curve near piece k: chords cut corners by more than gaps are wide.
-  static double refined(const Polyline& line, std::size_t k, Vec3 x) {
-    constexpr int steps = 4;
-    return distance_near(line, k, 0.5 * (line.t[k - 1] + line.t[k]), steps, x);
-  }
-
   Sewn without_short_pieces(Sewn sewn, const Sewn& before, double most) const {
     double longest = 0;
     for (int i = 1; i <= sewn.uses.count.Extent(); ++i) {
@@ -190,8 +184,6 @@ class GroupSewer {
     const bool has_fewer = wider.free <= sewn.free && wider.uses.count.Extent() < sewn.uses.count.Extent();
     return has_fewer && !wider.has_lost && !collapses(wider, before) ? wider : sewn;
   }
-
-  static double distance(Vec3 x, Vec3 a, Vec3 b) { return norm(x - (a + nearest_share(x, a, b) * (b - a))); }
 
   /// The widest that are worth a try: of all free edges, of borders along which there is something all round, and of
   /// most free edges.
@@ -246,14 +238,8 @@ class GroupSewer {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < lines.size(); ++j) {
       if (j == own || lines[j].box.IsOut(to_point(x))) continue;
-      const std::vector<Vec3>& points = lines[j].points;
-      std::size_t nearest = 0;
-      double chord = std::numeric_limits<double>::infinity();
-      for (std::size_t k = 1; k < points.size(); ++k) {
-        const double now = distance(x, points[k - 1], points[k]);
-        if (now < chord) chord = now, nearest = k;
-      }
-      if (nearest > 0) least = std::min(least, refined(lines[j], nearest, x));
+      // To the curve: chords cut corners by more than gaps are wide.
+      if (lines[j].curve) least = std::min(least, distance_to(lines[j], foot_steps, x));
       if (least <= enough) break;
     }
     return least;

@@ -11,6 +11,7 @@
 #include <gp_Vec2d.hxx>
 #include <limits>
 
+#include "base/segment.h"
 #include "brep/occt_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
 
@@ -154,6 +155,15 @@ double distance_near(const SampledCurve& line, std::size_t k, double t, int step
     t = std::clamp(t + dot(x - y, yt) / dot(yt, yt), std::min(from, to), std::max(from, to));
   }
   return least;
+}
+
+double distance_to(const SampledCurve& line, int steps, Vec3 x) {
+  std::size_t nearest = 1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < line.points.size(); ++k)
+    if (const double off = distance_to_segment(x, line.points[k - 1], line.points[k]); off < least)
+      least = off, nearest = k;
+  return distance_near(line, nearest, 0.5 * (line.t[nearest - 1] + line.t[nearest]), steps, x);
 }
 
 std::shared_ptr<const ParameterCurve> make_parameter_curve(const TopoDS_Edge& edge, const TopoDS_Face& face, double t0,

@@ -35,6 +35,8 @@ SampledCurve sampled(std::shared_ptr<const Curve> curve, double t0, double t1, i
 
 /// Distance of x from the curve behind the chord that ends at point k and its neighbours, by some steps from `t`.
 double distance_near(const SampledCurve& line, std::size_t k, double t, int steps, Vec3 x);
+/// The same behind the chord that is nearest to x.
+double distance_to(const SampledCurve& line, int steps, Vec3 x);
 
 /// The edge's image in the face's (u, v), over the edge's own range t0..t1; of a periodic edge the image on the side
 /// that edge.Orientation() says. `face` must be FORWARD. Null when there is none.
