@@ -393,7 +393,8 @@ class Run {
     }
   }
 
-  void note_remaining(const char* kind, long FaceReport::*count) {
+  using Count = long FaceReport::*;
+  void note_remaining(const char* kind, Count count) {
     std::string faces;
     for (const FaceReport& face : result_.report.faces)
       if (face.*count > 0) faces += fmt::format("{}{} ({})", faces.empty() ? "" : ", ", face.name, face.*count);

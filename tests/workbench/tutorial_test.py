@@ -58,7 +58,7 @@ def test_a_step_that_does_not_do_what_it_says_ends_the_walk(tmp_path):
                                  "told": str(told), "size": [960, 720]}))
     done = freecad_program.run_window([os.path.join(STEPS, "walk.FCMacro")], freecad_program.profile(tmp_path / "profile"),
                                       PAVER_WALK=str(order))
-    assert done.returncode == 1 and "there is a button No such button" in done.stdout + done.stderr
+    assert done.returncode != 0 and "there is a button No such button" in done.stdout + done.stderr
     assert not told.exists()
 
 

@@ -301,8 +301,8 @@ void EdgeMetric::weigh() {
   }
 }
 
-std::size_t EdgeMetric::row_before(double value, double Row::*of_row) const {
-  const auto after = std::ranges::upper_bound(rows_, value, {}, of_row);
+std::size_t EdgeMetric::row_before(double value, Column column) const {
+  const auto after = std::ranges::upper_bound(rows_, value, {}, column);
   return std::clamp<std::size_t>(static_cast<std::size_t>(after - rows_.begin()), 1, rows_.size() - 1) - 1;
 }
 

@@ -76,7 +76,8 @@ class EdgeMetric {
   double turn_at_length(double s, KinkSide side) const;
   static double first_guess(const Row& a, const Row& b, double share);
   static double share_between(const Row& a, const Row& b, double s);
-  std::size_t row_before(double value, double Row::*of_row) const;
+  using Column = double Row::*;
+  std::size_t row_before(double value, Column column) const;
 
   const Curve* curve_;
   double t0_, t1_;
