@@ -229,6 +229,22 @@ TEST(MeshEdit, refuses_an_element_with_one_boundary_node_twice) {
   EXPECT_EQ(edit.mark(), 0u);
 }
 
+TEST(Cavity, is_not_filled_where_lengths_would_be_uneven) {
+  Grid grid(6);
+  auto v = [&](int i, int j) { return grid.at(i, j); };
+  grid.replace(2, 2, 2, {{v(2, 2), v(3, 2), v(4, 2), v(4, 3)}, {v(4, 3), v(3, 3), v(2, 3), v(2, 2)}});
+  for (int i = 0; i < grid.mesh.node_count(); ++i) grid.mesh.h[i] = 2;  // half as many quads are wanted
+  MeshEdit edit(grid.front);
+  Cavity cavity(edit);
+  Change fill;
+  cavity.start(v(3, 3));
+  std::optional<double> gain;
+  while (!gain && cavity.grow(60)) gain = cavity.find_fill(1);
+  ASSERT_TRUE(gain);
+  EXPECT_TRUE(cavity.make_fill(fill, 100));
+  EXPECT_FALSE(cavity.make_fill(fill, -1));
+}
+
 TEST(Cavity, is_filled_as_a_grid_when_its_outline_allows) {
   Grid grid(6);
   auto v = [&](int i, int j) { return grid.at(i, j); };
@@ -237,10 +253,12 @@ TEST(Cavity, is_filled_as_a_grid_when_its_outline_allows) {
   Cavity cavity(edit);
   Change fill;
   cavity.start(v(3, 3));
-  bool is_found = false;
-  for (int ring = 0; ring < 3 && !is_found && cavity.grow(60); ++ring) is_found = cavity.find_fill(1, fill);
-  ASSERT_TRUE(is_found);
-  EXPECT_LE(edit.energy_gain(fill), -1);
+  std::optional<double> gain;
+  for (int ring = 0; ring < 3 && !gain && cavity.grow(60); ++ring) gain = cavity.find_fill(1);
+  ASSERT_TRUE(gain);
+  EXPECT_LE(*gain, -1);
+  ASSERT_TRUE(cavity.make_fill(fill, 1e9));
+  EXPECT_DOUBLE_EQ(edit.energy_gain(fill), *gain) << "as foretold";
   ASSERT_TRUE(edit.apply(fill));
   EXPECT_TRUE(edit.settle({}));
   EXPECT_NEAR(grid.area_if_positive(), 36, 1e-9);

@@ -15,6 +15,9 @@
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <cmath>
+#include <gp_Pln.hxx>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -159,6 +162,21 @@ TEST(DivideCreases, DividesCommonEdgesOnce) {
   EXPECT_EQ(model.report.faces, 3);
   EXPECT_EQ(crease_count(model), 3);
   EXPECT_EQ(shared_count(model), 3 + 2 * 2);
+}
+
+// A wall across the ridge: both parts of the roof are on one surface, and each is divided.
+TEST(DivideCreases, DividesPartsOfAFaceThatIsCrossed) {
+  const TopoDS_Face wall = BRepBuilderAPI_MakeFace(gp_Pln({0, 1, 0}, {0, 1, 0}), -5, 5, -5, 5).Face();
+  Model model = model_of(compound({face_of(pulled(roof)), wall}));
+  std::map<std::string, std::vector<double>> areas;
+  for (const Face& face : model.faces) {
+    EXPECT_EQ(face.fault, "") << face.name;
+    areas[face.name].push_back(face.area);
+    for (const Loop& loop : face.loops)
+      for (const Coedge& use : loop.coedges) EXPECT_TRUE(use.pcurve) << face.name;
+  }
+  ASSERT_EQ(areas["Face1"].size(), 4u);
+  for (double area : areas["Face1"]) EXPECT_NEAR(area, std::sqrt(2.0), 1e-6);
 }
 
 TEST(DivideCreases, NeighboursWithoutCreasesTakeOverDividedEdges) {

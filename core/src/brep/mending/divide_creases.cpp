@@ -8,17 +8,21 @@
 //    line (a trailing edge without thickness): the kernel's division fails at these.
 // 4. Faces take over the divided edges of their neighbours; every edge keeps the number of the one it came from.
 // A face that the kernel cannot divide stays whole.
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
+#include <BRep_Builder.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_ComposeShell.hxx>
 #include <ShapeUpgrade_SplitSurface.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_HSequenceOfReal.hxx>
+#include <TopExp.hxx>
 #include <TopLoc_Location.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -43,6 +47,8 @@ constexpr int strip_samples = 8;
 /// Pieces that the kernel makes must have the area of their face up to this share; measured across creases it is some
 /// parts in a thousand off.
 constexpr double area_share = 1e-2;
+/// What the kernel divides edges by: at 1e-7 holes across a crease came out with pieces that do not close.
+constexpr double compose_precision = 1e-5;
 /// Images of edges that lie further off than this many ranges of the surface are damage: the kernel would cut them at
 /// every period on the way, without end.
 constexpr double most_turns = 8;
@@ -225,6 +231,7 @@ class CreaseDivider {
     std::vector<Cuts> cuts = find_cuts();
     if (std::all_of(cuts.begin(), cuts.end(), [](const Cuts& c) { return c.creases == 0; })) return {};
     copy_shape(work_);
+    give_own_surfaces(cuts);
     TopTools_IndexedMapOfShape edges = edge_map(work_);
     std::vector<DividedFace> divided;
     for (std::size_t i = 0; i < cuts.size(); ++i)
@@ -250,6 +257,43 @@ class CreaseDivider {
       }
     }
     return cuts;
+  }
+
+  /// The kernel takes the images on a divided face's surface away from its edges, also from a neighbour on the same
+  /// surface, as faces are that were one before something crossed them.
+  void give_own_surfaces(const std::vector<Cuts>& cuts) {
+    std::map<Handle(Geom_Surface), int> uses;
+    auto surface_of = [](const WorkFace& face) {
+      TopLoc_Location location;  // where it is asked for, the surface is the one itself and no moved copy
+      return BRep_Tool::Surface(face.face, location);
+    };
+    for (const WorkFace& face : work_.faces) ++uses[surface_of(face)];
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+      if (cuts[i].creases > 0 && uses[surface_of(work_.faces[i])]-- > 1) give_own_surface(forward(work_.faces[i].face));
+  }
+
+  static void give_own_surface(const TopoDS_Face& face) {
+    TopLoc_Location location;
+    const Handle(Geom_Surface) shared = BRep_Tool::Surface(face, location);
+    const auto own = Handle(Geom_Surface)::DownCast(shared->Copy());
+    const TopTools_IndexedMapOfShape edges = shapes_of(face, TopAbs_EDGE);
+    BRep_Builder builder;
+    for (int i = 1; i <= edges.Extent(); ++i) {
+      const TopoDS_Edge edge = forward(TopoDS::Edge(edges(i)));
+      double first = 0, last = 0;
+      const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, shared, location, first, last);
+      if (image.IsNull()) continue;
+      const double tolerance = BRep_Tool::Tolerance(edge);
+      if (BRep_Tool::IsClosed(edge, shared, location)) {
+        const auto reversed = TopoDS::Edge(edge.Reversed());
+        const Handle(Geom2d_Curve) other = BRep_Tool::CurveOnSurface(reversed, shared, location, first, last);
+        builder.UpdateEdge(edge, image, other, own, location, tolerance);
+      } else {
+        builder.UpdateEdge(edge, image, own, location, tolerance);
+      }
+      builder.Range(edge, own, location, first, last);
+    }
+    builder.UpdateFace(face, own, location, BRep_Tool::Tolerance(face));
   }
 
   /// False where the kernel fails; the face then stays whole.
@@ -309,9 +353,25 @@ class CreaseDivider {
     splitter.SetVSplitValues(within(cuts.v, v0, v1));
     splitter.Perform(Standard_True);
     ShapeFix_ComposeShell composer;
-    composer.Init(splitter.ResSurfaces(), location, face, Precision::Confusion());
+    composer.Init(splitter.ResSurfaces(), location, face, compose_precision);
     composer.SetContext(context);
-    return composer.Perform() ? composer.Result() : TopoDS_Shape();
+    if (!composer.Perform()) return {};
+    drop_remnants(composer.Result(), context);
+    return context->Apply(composer.Result());
+  }
+
+  /// An edge that ends at a crease is cut just before its end, as its image does not end at the crease to the last
+  /// digit: what is left goes from a vertex to itself.
+  static void drop_remnants(const TopoDS_Shape& pieces, const Handle(ShapeBuild_ReShape) & context) {
+    for (const TopoDS_Edge& edge : edges_of(pieces)) {
+      TopoDS_Vertex a, b;
+      TopExp::Vertices(edge, a, b);
+      if (BRep_Tool::Degenerated(edge) || a.IsNull() || !a.IsSame(b)) continue;
+      const BRepAdaptor_Curve curve(edge);
+      const double middle = 0.5 * (curve.FirstParameter() + curve.LastParameter());
+      if (curve.Value(middle).Distance(BRep_Tool::Pnt(a)) <= compose_precision + BRep_Tool::Tolerance(a))
+        context->Remove(edge);
+    }
   }
 
   /// Values of a periodic surface brought into its own period.

@@ -209,11 +209,19 @@ int Cavity::add_fresh(Vec2 p, const MetricVec& x, Change& fill) {
   return mesh_.node_count() + static_cast<int>(fill.fresh.size()) - 1;
 }
 
+// Of a grid's side, as often as its elements have it: inner sides lie in two.
+double Cavity::side_spread(int a, int b, bool is_outer) const {
+  const int old = mesh_.node_count();
+  if (a < old && b < old && edit_.is_border(a, b)) return 0;
+  const double wished = 0.5 * ((a < old ? mesh_.h[a] : fresh_h_) + (b < old ? mesh_.h[b] : fresh_h_));
+  return (is_outer ? 1 : 2) * MeshEdit::spread(norm(mesh_.step(place(a), place(b), wished)) / wished);
+}
+
 // Fills the grid, whose border is given, with new nodes (bilinear between
 // opposite sides) and quads.
-void Cavity::make_grid(int a, int b, Change& fill) {
-  for (int s = 1; s < a; ++s)
-    for (int t = 1; t < b; ++t) {
+bool Cavity::make_grid(int a, int b, Change& fill) {
+  for (int s = 0; s <= a; ++s) {
+    for (int t = 1; t < b && s > 0 && s < a; ++t) {
       double x = static_cast<double>(s) / a, y = static_cast<double>(t) / b;
       auto blend = [&](auto at) {
         auto sides = (1 - x) * at(0, t) + x * at(a, t) + (1 - y) * at(s, 0) + y * at(s, b);
@@ -223,40 +231,35 @@ void Cavity::make_grid(int a, int b, Change& fill) {
       Vec2 p = blend([&](int i, int j) { return chart_place(grid(i, j), fill); });
       grid(s, t) = add_fresh(p, blend([&](int i, int j) { return place(grid(i, j)); }), fill);
     }
-  for (int s = 0; s < a; ++s)
-    for (int t = 0; t < b; ++t) fill.made.push_back({grid(s, t), grid(s + 1, t), grid(s + 1, t + 1), grid(s, t + 1)});
+    for (int t = 0; t < b; ++t) spread_left_ -= side_spread(grid(s, t), grid(s, t + 1), s == 0 || s == a);
+    for (int t = 0; t <= b && s > 0; ++t) spread_left_ -= side_spread(grid(s - 1, t), grid(s, t), t == 0 || t == b);
+    if (spread_left_ < 0) return false;
+    for (int t = 0; t < b && s > 0; ++t)
+      fill.made.push_back({grid(s - 1, t), grid(s, t), grid(s, t + 1), grid(s - 1, t + 1)});
+  }
+  return true;
 }
 
-double Cavity::spread_gain(const Change& fill) {
-  double sum = 0, h = 0;
-  for (int v : loop_) h += mesh_.h[v] / static_cast<double>(loop_.size());
-  const int old = mesh_.node_count();
-  auto target = [&](int v) { return v < old ? mesh_.h[v] : h; };
-  for (const auto& v : fill.made)
-    for (int i = 0; i < 4; ++i) {
-      int a = v[i], b = v[(i + 1) % 4];
-      if (a < old && b < old && edit_.is_border(a, b)) continue;
-      const double wished = 0.5 * (target(a) + target(b));
-      sum += MeshEdit::spread(norm(mesh_.step(place(a), place(b), wished)) / wished);
-    }
-  for (int e : fill.gone) sum -= edit_.spread_of(e);
-  return sum;
-}
-
-void Cavity::make_fill(Change& fill) {
+bool Cavity::make_fill(Change& fill, double most_spread) {
   fill.clear();
   fresh_x_.clear();
   fill.gone = elements_;
   grid_.resize(64 * 64);
-  int k = static_cast<int>(corners_.size()), n = static_cast<int>(loop_.size());
-  auto side = [&](int i) { return (corners_[(i + 1) % k] - corners_[i] + n) % n; };
-  if (k == 4) {
-    int a = side(0), b = side(1);
-    for (int s = 0; s <= a; ++s) grid(s, 0) = around(corners_[0] + s), grid(s, b) = around(corners_[3] - s);
-    for (int t = 0; t <= b; ++t) grid(a, t) = around(corners_[1] + t), grid(0, t) = around(corners_[0] - t);
-    make_grid(a, b, fill);
-    return;
-  }
+  fresh_h_ = 0;
+  for (int v : loop_) fresh_h_ += mesh_.h[v] / static_cast<double>(loop_.size());
+  spread_left_ = most_spread;
+  for (int e : elements_) spread_left_ += edit_.spread_of(e);
+  if (corners_.size() != 4) return make_star(fill);
+  const int n = static_cast<int>(loop_.size()), a = (corners_[1] - corners_[0] + n) % n,
+            b = (corners_[2] - corners_[1] + n) % n;
+  for (int s = 0; s <= a; ++s) grid(s, 0) = around(corners_[0] + s), grid(s, b) = around(corners_[3] - s);
+  for (int t = 0; t <= b; ++t) grid(a, t) = around(corners_[1] + t), grid(0, t) = around(corners_[0] - t);
+  return make_grid(a, b, fill);
+}
+
+// Three or five grids about a node.
+bool Cavity::make_star(Change& fill) {
+  const int k = static_cast<int>(corners_.size());
   // Spoke i: from the middle of side i to the centre, as node numbers.
   std::vector<std::vector<int>> spoke(k);
   Vec2 centre{0, 0};
@@ -281,16 +284,17 @@ void Cavity::make_fill(Change& fill) {
     int before = (i + k - 1) % k, a = spokes_[before], b = spokes_[i];
     for (int s = 0; s <= a; ++s) grid(s, 0) = around(corners_[i] + s), grid(s, b) = spoke[before][s];
     for (int t = 0; t <= b; ++t) grid(a, t) = spoke[i][t], grid(0, t) = around(corners_[i] - t);
-    make_grid(a, b, fill);
+    if (!make_grid(a, b, fill)) return false;
   }
+  return true;
 }
 
-bool Cavity::find_fill(double least, Change& fill) {
+std::optional<double> Cavity::find_fill(double least) {
   if (loop_.size() % 2 == 1 || (least > 0 && energy_ < std::max(least, least_unsettled)) || has_fixed_inside())
-    return false;
-  if (best_corners(energy_ - least + 1e-9) > energy_ - least) return false;
-  make_fill(fill);
-  return true;
+    return {};
+  const double energy = best_corners(energy_ - least + 1e-9);
+  if (energy > energy_ - least) return {};
+  return energy - energy_;
 }
 
 }  // namespace paver

@@ -2,6 +2,8 @@
 // allows.
 #pragma once
 
+#include <optional>
+
 #include "paving/cleanup/mesh_edit.h"
 
 namespace paver {
@@ -19,11 +21,11 @@ class Cavity {
   /// One more ring of elements, and more where the outline is re-entrant. False
   /// when it is no disk or too large.
   bool grow(int most_elements);
-  /// Finds the fill of least energy. False when none lowers the energy by
-  /// `least` or more.
-  bool find_fill(double least, Change& fill);
-  /// Spread of the fill found last less that of the elements it replaces, its new nodes taken where they were laid.
-  double spread_gain(const Change& fill);
+  /// What the fill of least energy adds to it (below 0: lowers), -`least` or less; nothing when there is none.
+  std::optional<double> find_fill(double least);
+  /// Lays the fill found last. False, and the fill is not whole, where its spread, new nodes taken where they are laid,
+  /// is more than `most_spread` above that of the elements it replaces.
+  bool make_fill(Change& fill, double most_spread);
 
  private:
   void absorb_star(int node);
@@ -36,8 +38,9 @@ class Cavity {
   bool has_fixed_inside() const;
   double best_corners(double limit);
   bool is_fillable(const std::vector<int>& corners);
-  void make_fill(Change& fill);
-  void make_grid(int a, int b, Change& fill);
+  bool make_star(Change& fill);
+  bool make_grid(int a, int b, Change& fill);
+  double side_spread(int a, int b, bool is_outer) const;
   int add_fresh(Vec2 p, const MetricVec& x, Change& fill);
   Vec2 chart_place(int node, const Change& fill) const;
   MetricVec place(int node) const;
@@ -64,6 +67,8 @@ class Cavity {
   std::vector<int> corners_, spokes_, grid_;
   std::vector<int> trial_, trial_spokes_;  // of the corners looked at; spokes_ belong to corners_
   std::vector<MetricVec> fresh_x_;         // of the fill's new nodes, blended like their chart places
+  double fresh_h_ = 0;                     // their target length
+  double spread_left_ = 0;                 // that the rest of the fill may have
 };
 
 }  // namespace paver

@@ -22,12 +22,12 @@ namespace {
 constexpr double least_gain = 0.1;         // of energy, by which a change of connectivity is worth a trial
 constexpr double least_after_gain = 0.45;  // scaled Jacobian
 
-// Larger cavities lower the irregular share further, at twice the time and with
-// more uneven lengths.
-constexpr int most_rings = 4, most_elements = 60;
+// Cavities about a node grow this far, once in a run to the wide limit: again, they cost much and find little.
+constexpr int most_rings = 4, most_wide_rings = 8, most_elements = 250;
 constexpr double most_excess = 14;  // energy and spread together that a fill may lack as it is laid
-constexpr int most_hexagons = 24;   // divisions tried for one pair of triangles
-constexpr int sweeps = 13;
+constexpr double any_spread = 1e9;
+constexpr int most_hexagons = 24;  // divisions tried for one pair of triangles
+constexpr int sweeps = 8, sweeps_again = 6;
 constexpr std::size_t most_growth = 40;  // elements made, by those there are; on all models at hand up to 5
 // Even lengths may cost energy: a change as dear as this is tried where a likely share of the spread about it would pay
 // for it, and where it brings the number of elements nearer to what the area wants.
@@ -67,6 +67,15 @@ class CleanUp {
       join_triangles(triangle_demand, 0);
       work([&](int node) { return improve(node) || refill(node); });
     }
+    edit_.forget_measures();
+  }
+
+  /// After smoothing, by the lengths there are now.
+  void run_again() {
+    tried_.clear();
+    is_stuck_.assign(is_stuck_.size(), 0);
+    push_all();
+    work([&](int node) { return improve(node) || refill(node); });
     edit_.forget_measures();
   }
 
@@ -115,7 +124,7 @@ class CleanUp {
   bool mend_cavity(int node) {
     cavity_.start(node);
     for (int ring = 0; ring < most_rings && cavity_.grow(most_elements); ++ring) {
-      if (!cavity_.find_fill(-most_energy, fill_) || !edit_.apply(fill_)) continue;
+      if (!cavity_.find_fill(-most_energy) || !cavity_.make_fill(fill_, any_spread) || !edit_.apply(fill_)) continue;
       if (take(mending_demand)) return true;
       edit_.roll_back(0);
     }
@@ -123,7 +132,8 @@ class CleanUp {
   }
 
   void push(int node) {
-    if (waits_.size() <= static_cast<std::size_t>(node)) waits_.resize(node + 64, 0), is_stuck_.resize(node + 64, 0);
+    if (waits_.size() <= static_cast<std::size_t>(node))
+      waits_.resize(node + 64, 0), is_stuck_.resize(node + 64, 0), was_wide_.resize(node + 64, 0);
     if (waits_[node] || !(edit_.is_irregular(node) || is_at_triangle(node) || is_uneven(node))) return;
     waits_[node] = 1;
     list_.push_back(node);
@@ -219,12 +229,14 @@ class CleanUp {
   }
 
   bool refill(int node) {
+    const int rings = was_wide_[node] ? most_rings : most_wide_rings;
+    was_wide_[node] = 1;
     cavity_.start(node);
-    for (int ring = 0; ring < most_rings && cavity_.grow(most_elements); ++ring) {
-      if (!cavity_.find_fill(1, fill_) || !tried_.insert(cavity_.outline_key()).second) continue;
-      double gain = edit_.energy_gain(fill_);
-      if (gain + edit_.spread_price * cavity_.spread_gain(fill_) > most_excess) continue;
-      if (edit_.apply(fill_) && take({.gain = gain})) return true;
+    for (int ring = 0; ring < rings && cavity_.grow(most_elements); ++ring) {
+      const std::optional<double> gain = cavity_.find_fill(1);
+      if (!gain || !tried_.insert(cavity_.outline_key()).second) continue;
+      if (!cavity_.make_fill(fill_, (most_excess - *gain) / edit_.spread_price)) continue;
+      if (edit_.apply(fill_) && take({.gain = *gain})) return true;
       edit_.roll_back(0);
     }
     return false;
@@ -277,6 +289,7 @@ class CleanUp {
   std::vector<std::pair<double, int>> found_;
   std::vector<int> list_;
   std::vector<char> waits_;      // per node: on the list
+  std::vector<char> was_wide_;   // per node: cavities about it have grown to the wide limit
   std::vector<char> is_stuck_;   // per node: no elementary change helped since the last edit there
   std::vector<long> mended_at_;  // per node: how often something was taken when mending it failed
   long taken_ = 0;
@@ -293,6 +306,8 @@ void clean_up(Front& front, const Progress& progress, bool all_quad, int first_n
   clean.run();
   if (all_quad) clean.join_all_triangles();
   sweep_nodes(front, sweeps, progress);
+  clean.run_again();
+  sweep_nodes(front, sweeps_again, progress);
   front.end_slides();
   raise_worst(front, worst_goal, 3);
   clean.mend();

@@ -228,7 +228,7 @@ void MeshEdit::smooth_touched(bool is_first) {
   for (int e : near_) {
     const Element& element = mesh_.elements[e];
     MetricVec steps[4];
-    if (!fit(mesh_, element, 0, steps)) continue;
+    if (!fit_evenly(mesh_, element, steps)) continue;
     for (int i = 0; i < element.corners(); ++i)
       if (const int slot = slot_[element.v[i]]; slot >= 0) sum_[slot] += steps[i];
   }
@@ -286,7 +286,9 @@ double MeshEdit::spread_about(std::span<const int> elements) {
 }
 
 void MeshEdit::measure(const Element& e, Measure& worst) const {
-  worst.jacobian = std::min(worst.jacobian, static_cast<float>(scaled_jacobian(mesh_, e)));
+  const auto jacobian = static_cast<float>(scaled_jacobian(mesh_, e));
+  worst.jacobian = std::min(worst.jacobian, jacobian);
+  worst.skew += 1 - jacobian;
   measure_lengths(e, worst);
 }
 
@@ -345,7 +347,8 @@ bool MeshEdit::settle(const Demand& demand) {
     if (!is_positive(mesh_, mesh_.elements[e])) return false;
     measure(mesh_.elements[e], after);
   }
-  if (demand.gain + spread_price * (after.spread - before.spread) > -demand.fall) return false;
+  const double uneven = spread_price * (after.spread - before.spread), skew = skew_price * (after.skew - before.skew);
+  if (demand.gain + uneven + skew > -demand.fall) return false;
   if (demand.rise > 0 && after.jacobian < before.jacobian + demand.rise) return false;
   return after.jacobian >= std::min<double>(demand.jacobian, before.jacobian) &&
          after.shortest >= std::min<double>(demand.shortest, before.shortest) &&

@@ -40,7 +40,7 @@ struct Demand {
 class MeshEdit {
  public:
   static constexpr double triangle_energy = 3;
-  static constexpr double fine_spread_price = 3.8;
+  static constexpr double fine_spread_price = 4.2, skew_price = 3.5;
   /// Energy that one unit of spread is worth: the sum of ((r - 1/r) / 2)^2 over the sides of elements, r their length
   /// by the target length; a side far off counts no more than one at the border of hope: narrow strips stay regular.
   /// On coarse meshes (Region::evenness) it is worth more.
@@ -112,11 +112,12 @@ class MeshEdit {
   static constexpr double hopeless = 0.3;  // spread of a side that counts no more however far off it is
   struct Measure {
     float jacobian = 2, shortest = 1, longest = 1, spread = 0;  // lengths by the target length
+    float skew = 0;                                             // sum of 1 - scaled Jacobian
     float area = 0;
     void add(const Measure& m) {
       jacobian = std::min(jacobian, m.jacobian);
       shortest = std::min(shortest, m.shortest), longest = std::max(longest, m.longest);
-      spread += m.spread;
+      spread += m.spread, skew += m.skew;
     }
   };
   static std::uint64_t side_key(int a, int b) {

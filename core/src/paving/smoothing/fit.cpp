@@ -4,6 +4,8 @@
 namespace paver {
 namespace {
 
+constexpr double side_share = 0.7;   // of what a side lacks, beside what the square wishes (decision even-lengths)
+constexpr double near_target = 0.6;  // length by the target, and target by the length, from which on sides pull
 constexpr double collinear = 1e-24;  // square of a diagonal's height over the other, by that one's square
 
 /// Side of the square or triangle to fit.
@@ -48,6 +50,25 @@ bool triangle_steps(const V at[3], Side side, V step[3]) {
   return true;
 }
 
+// Squares of the right size leave sides of unequal lengths where rows converge: each side pulls at its ends, too. Not
+// in strips that are narrower than elements, where lengths are given: triangles stayed there that pulls would not let
+// pair.
+template <class V>
+void add_side_steps(const V at[], int n, double target, V step[]) {
+  V pulls[4];
+  for (int k = 0; k < n; ++k) {
+    const int next = k + 1 < n ? k + 1 : 0;
+    const V side = at[next] - at[k];
+    const double length = norm(side);
+    if (length < near_target * target || target < near_target * length) return;
+    pulls[k] = (0.5 * side_share * (1 - target / length)) * side;
+  }
+  for (int k = 0; k < n; ++k) {
+    const int next = k + 1 < n ? k + 1 : 0;
+    step[k] = step[k] + pulls[k], step[next] = step[next] - pulls[k];
+  }
+}
+
 // In the metric skew of elements that turns stretch counts for little: in space their short mid line is to be square to
 // the long one, as far as the metric has it longer than space.
 void add_square_steps_in_space(const MetricVec at[4], MetricVec step[4]) {
@@ -70,26 +91,34 @@ double mean_target(const RegionMesh& mesh, const Element& e) {
   return sum / e.corners();
 }
 
-}  // namespace
-
-bool fit(const RegionMesh& mesh, const Element& e, double own_share, MetricVec step[4]) {
+bool fit(const RegionMesh& mesh, const Element& e, Side side, bool is_even, MetricVec step[4]) {
   const int n = e.corners();
-  const Side side{mean_target(mesh, e), own_share};
   if (mesh.has_turns()) {
     const MetricVec at[4] = {{},
                              mesh.between(e.v[0], e.v[1]),
                              mesh.between(e.v[0], e.v[2]),
                              n == 4 ? mesh.between(e.v[0], e.v[3]) : MetricVec{}};
-    if (n == 3) return triangle_steps(at, side, step);
-    if (!square_steps(at, side, step)) return false;
-    add_square_steps_in_space(at, step);
+    if (!(n == 4 ? square_steps(at, side, step) : triangle_steps(at, side, step))) return false;
+    if (is_even) add_side_steps(at, n, side.target, step);
+    if (n == 4) add_square_steps_in_space(at, step);
     return true;
   }
   const Vec3 at[4] = {mesh.x[e.v[0]], mesh.x[e.v[1]], mesh.x[e.v[2]], n == 4 ? mesh.x[e.v[3]] : Vec3{}};
   Vec3 flat[4];
   if (!(n == 4 ? square_steps(at, side, flat) : triangle_steps(at, side, flat))) return false;
+  if (is_even) add_side_steps(at, n, side.target, flat);
   for (int k = 0; k < n; ++k) step[k] = {flat[k], {}};
   return true;
+}
+
+}  // namespace
+
+bool fit(const RegionMesh& mesh, const Element& e, double own_share, MetricVec step[4]) {
+  return fit(mesh, e, {mean_target(mesh, e), own_share}, false, step);
+}
+
+bool fit_evenly(const RegionMesh& mesh, const Element& e, MetricVec step[4]) {
+  return fit(mesh, e, {mean_target(mesh, e), 0}, true, step);
 }
 
 }  // namespace paver

@@ -69,7 +69,7 @@ class Sweeper {
     for (int e : elements_) {
       const Element& element = mesh_.elements[e];
       MetricVec steps[4];
-      if (!fit(mesh_, element, 0, steps)) continue;
+      if (!fit_evenly(mesh_, element, steps)) continue;
       for (int i = 0; i < element.corners(); ++i) sum_[element.v[i]] += steps[i];
     }
   }
