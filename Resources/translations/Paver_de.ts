@@ -216,6 +216,14 @@
         <translation>Die Form ist eine andere als die vernetzte</translation>
     </message>
     <message>
+        <source>Digest of the labels that faces had when they were meshed</source>
+        <translation>Prüfsumme der Bezeichnungen, die Flächen beim Vernetzen hatten</translation>
+    </message>
+    <message>
+        <source>A label that faces are called by differs from then</source>
+        <translation>Eine Bezeichnung, nach der Flächen heißen, ist eine andere als damals</translation>
+    </message>
+    <message>
         <source>Part, under the name that the FEM workbench looks for from FreeCAD 1.0 on</source>
         <translation>Part unter dem Namen, den der Arbeitsbereich FEM ab FreeCAD 1.0 sucht</translation>
     </message>
@@ -282,6 +290,10 @@
     <message>
         <source>What came of each step, as JSON; empty where nothing has yet</source>
         <translation>Was aus jedem Schritt geworden ist, als JSON; leer, wo noch nichts ist</translation>
+    </message>
+    <message>
+        <source>Digest of the shape when the document was saved</source>
+        <translation>Prüfsumme der Form, mit der das Dokument gespeichert wurde</translation>
     </message>
     <message>
         <source>Medium</source>
@@ -819,6 +831,10 @@
         <translation>eine Form</translation>
     </message>
     <message>
+        <source>a label</source>
+        <translation>eine Bezeichnung</translation>
+    </message>
+    <message>
         <source>changed: {}; mesh again</source>
         <translation>geändert: {}; neu vernetzen</translation>
     </message>
@@ -841,6 +857,10 @@
     <message>
         <source>'{}' refers to no face of what '{}' meshes, so solvers leave it out; refer to faces of that.</source>
         <translation>„{}“ bezieht sich auf keine Fläche dessen, was „{}“ vernetzt, sodass Löser es auslassen; wählen Sie Flächen davon.</translation>
+    </message>
+    <message>
+        <source>'{}' stays outside of '{}', which would move it: its elements lie where the model stands already.</source>
+        <translation>„{}“ bleibt außerhalb von „{}“, das es verschieben würde: Seine Elemente liegen schon da, wo das Modell steht.</translation>
     </message>
     <message>
         <source>'{}' has no object to mesh; set its property Part.</source>
@@ -871,6 +891,10 @@
         <translation>Eine Reihe ändert eine Sache; geben Sie ihr frequencies oder divisions oder sizes.</translation>
     </message>
     <message>
+        <source>The model, the options or the mesh have changed since; this row is of before.</source>
+        <translation>Modell, Optionen oder Netz sind seitdem geändert worden; diese Zeile ist von vorher.</translation>
+    </message>
+    <message>
         <source>The {} {} of a series cannot be read; write a value above 0, such as {}.</source>
         <translation>{} {} einer Reihe ist nicht lesbar; schreiben Sie einen Wert über 0, etwa {}.</translation>
     </message>
@@ -889,6 +913,30 @@
     <message>
         <source>Files cannot be written to the folder '{}'; choose one that exists and can be written to.</source>
         <translation>In den Ordner '{}' kann nicht geschrieben werden; wählen Sie einen, den es gibt und in den geschrieben werden darf.</translation>
+    </message>
+    <message>
+        <source>a number without a unit</source>
+        <translation>eine Zahl ohne Einheit</translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation>eine Länge</translation>
+    </message>
+    <message>
+        <source>a frequency</source>
+        <translation>eine Frequenz</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>einen Winkel</translation>
+    </message>
+    <message>
+        <source>{} of '{}' is {}; give it {}, or an expression that comes to one.</source>
+        <translation>{} von „{}“ ist {}; geben Sie {} ein oder einen Ausdruck, der das ergibt.</translation>
+    </message>
+    <message>
+        <source>{} of '{}' no longer follows its expression {}: it was given another value.</source>
+        <translation>{} von „{}“ folgt nicht mehr dem Ausdruck {}: Es hat einen anderen Wert bekommen.</translation>
     </message>
     <message>
         <source>{} of '{}' is {}; give one from 0.</source>
@@ -1503,12 +1551,12 @@
         <translation>Alle Dateien</translation>
     </message>
     <message>
-        <source>No mesh has what is selected. Select its mesh, too, or make one with Create mesh.</source>
-        <translation>Kein Netz hat, was ausgewählt ist. Wählen Sie sein Netz dazu aus, oder legen Sie mit „Netz anlegen“ eines an.</translation>
-    </message>
-    <message>
         <source>There are several meshes; select the one that it belongs to, too.</source>
         <translation>Es gibt mehrere Netze; wählen Sie auch das, zu dem es gehört.</translation>
+    </message>
+    <message>
+        <source>No mesh has what is selected. Select its mesh, too, or make one with Create mesh.</source>
+        <translation>Kein Netz hat, was ausgewählt ist. Wählen Sie sein Netz dazu aus, oder legen Sie mit „Netz anlegen“ eines an.</translation>
     </message>
     <message>
         <source>Nothing of the mesh is selected. Click on its elements in the 3D view first, with Ctrl on several.</source>
@@ -2219,8 +2267,8 @@
         <translation>Fortsetzen</translation>
     </message>
     <message>
-        <source>Meshes the steps of this series that have not been done</source>
-        <translation>Vernetzt die Schritte dieser Reihe, die noch nicht getan sind</translation>
+        <source>Meshes the steps of this series that have not been done, and those of before a change</source>
+        <translation>Vernetzt die Schritte dieser Reihe, die noch nicht getan sind, und die von vor einer Änderung</translation>
     </message>
     <message>
         <source>Stops within a second; what is done stays</source>
@@ -2245,10 +2293,6 @@
     <message>
         <source>Not done</source>
         <translation>Nicht getan</translation>
-    </message>
-    <message>
-        <source>The mesh has been changed or is out of date; this row is of before.</source>
-        <translation>Das Netz ist geändert worden oder veraltet; diese Zeile ist von vorher.</translation>
     </message>
     <message>
         <source>Series of {}</source>

@@ -8,7 +8,7 @@ from paver_wb.formats import mesh_file, raw_mesh, read_fem, read_msh, read_vtu
 from paver_wb.formats.raw_mesh import Damaged
 
 OWN = {".msh": read_msh.read, ".vtu": read_vtu.read}
-FEM = (".unv", ".med", ".inp", ".dat", ".bdf", ".z88", ".vtk", ".stl", ".frd")
+FEM = (".unv", ".med", ".inp", ".bdf", ".z88", ".vtk", ".stl", ".frd")
 
 
 def read(path, fem_tables=read_fem.tables):

@@ -168,7 +168,7 @@ def targets(document, path, names):
     if names:
         things = [named(document, path, name) for name in names]
     elif is_document(path):
-        steps = [child for made in series.of_document(document) for child in made.Meshes]
+        steps = series.step_meshes(document)
         things = [mesh for mesh in mesh_object.meshes_of(document) if mesh not in steps]
         if not things:
             raise fault(f"{path} has no mesh object; name the objects to mesh with --objects.", "bad_option")

@@ -67,6 +67,8 @@ PROPERTIES = {
     "MeshedOptions": ("App::PropertyString", RESULT, tip("Options that the mesh was made with"), ("Hidden",)),
     "MeshedShape": ("App::PropertyString", RESULT, tip("Digest of the shape that was meshed"), ("Hidden",)),
     "ShapeChanged": ("App::PropertyBool", RESULT, tip("The shape differs from the one that was meshed"), ("Hidden",)),
+    "MeshedLabels": ("App::PropertyString", RESULT, tip("Digest of the labels that faces had when they were meshed"), ("Hidden",)),
+    "LabelsChanged": ("App::PropertyBool", RESULT, tip("A label that faces are called by differs from then"), ("Hidden",)),
 }
 
 
@@ -76,6 +78,7 @@ def add_properties(obj):
         add_property(obj, kind, name, group, tooltip, *ENUMERATIONS.get(name, ()))
         obj.setEditorMode(name, list(modes))
     obj.setPropertyStatus("FemMesh", "Transient")
+    obj.setEditorMode("Placement", ["Hidden"])
     obj.setPropertyStatus(SHOWN_STATUS, ["Transient", "Output"])  # each session has its own language
     if not core.problem() and not properties.has_ranks():
         obj.setEditorMode(RANKS, ["Hidden"])
@@ -119,6 +122,17 @@ def shape_digest(obj):
         return ""
 
 
+def has_meshed_labels(obj):
+    """Whether faces are called as they were when they were meshed. Documents of before this was kept do not tell; without
+    the core, which has the labels, any change may matter."""
+    if not obj.MeshedLabels or core.problem():
+        return not obj.MeshedLabels
+    try:
+        return obj.MeshedLabels == source_shapes.digest_of(repr(source_shapes.labels_of(sources(obj))).encode())
+    except core.load().InputError:  # without a shape there are no labels
+        return True
+
+
 def decisive(obj, options=None):
     """Text that is equal for equal options, those that a mesh object has unless `options` are given, and children."""
     own = properties.text_of(properties.given(obj) if options is None else options)
@@ -137,7 +151,8 @@ def update_status(obj):
     """Status from what is recorded."""
     state = NOT_MESHED
     if obj.MeshFile:
-        state = UP_TO_DATE if not obj.ShapeChanged and has_meshed_options(obj) else OUT_OF_DATE
+        is_same = not obj.ShapeChanged and not obj.LabelsChanged and has_meshed_options(obj)
+        state = UP_TO_DATE if is_same else OUT_OF_DATE
     if obj.Status != state:
         obj.Status = state
     shown = status_text(state_of(obj))
@@ -159,6 +174,7 @@ def status_text(state):
 def changes(obj):
     """What has changed since meshing, as far as that is known: names of options as properties, and words for the rest."""
     found = [translate("Paver", "a shape")] if obj.ShapeChanged else []
+    found += [translate("Paver", "a label")] if obj.LabelsChanged else []
     try:
         now, options = properties.given(obj), ast.parse(obj.MeshedOptions, mode="eval").body
         while isinstance(options, ast.Subscript):  # lists of children follow that of options
@@ -190,6 +206,18 @@ def untouch(obj):
     obj.purgeTouched()
 
 
+def tell_readers(obj):
+    """Has expressions that read results worked out at the next recompute: a mesh object has none itself, which FreeCAD would
+    do that after."""
+    if getattr(obj.Proxy, "told", None) == obj.MeshFile:
+        return
+    obj.Proxy.told = obj.MeshFile
+    for other in obj.InList:
+        texts = [text for _, text in other.ExpressionEngine]
+        if other.isDerivedFrom("Spreadsheet::Sheet") or any(obj.Name in text or obj.Label in text for text in texts):
+            other.touch()
+
+
 def check(obj):
     """Compares the shapes with those that were meshed, also where FreeCAD reports no change (a moved App::Part around
     the object), and gives the Status. Where one is to be recomputed, what is recorded holds until then."""
@@ -199,6 +227,12 @@ def check(obj):
             obj.ShapeChanged = changed
     update_status(obj)
     return obj.Status
+
+
+def check_labels(obj):
+    """Compares the labels of faces with those that were meshed: FreeCAD recomputes nothing that only uses a label."""
+    obj.LabelsChanged = not has_meshed_labels(obj)
+    update_status(obj)
 
 
 def parts_of(obj):
@@ -337,6 +371,18 @@ def refill(obj):
         FreeCAD.Console.PrintError(f"{obj.Label}: {error}\n")
 
 
+def stay_in_place(obj):
+    """Elements lie where the model stands. Whatever moved the mesh object would move what is drawn and FemMesh, but no
+    file that is written."""
+    if obj.Placement != FreeCAD.Placement():
+        obj.Placement = FreeCAD.Placement()
+    part = obj.getParentGeoFeatureGroup()
+    if part is not None:
+        part.removeObject(obj)
+        FreeCAD.Console.PrintWarning(translate("Paver", "'{}' stays outside of '{}', which would move it: its elements lie where "
+                                               "the model stands already.").format(obj.Label, part.Label) + "\n")
+
+
 class MeshProxy(Stateless):
     """What FreeCAD calls. Nothing of it is stored but its name."""
 
@@ -361,6 +407,8 @@ class MeshProxy(Stateless):
     def onChanged(self, obj, name):
         if SHOWN_STATUS not in obj.PropertiesList:
             return
+        if name == "Placement" and not is_restoring(obj):
+            stay_in_place(obj)
         if name not in (*LINKS, REFINEMENTS, *named_parts.LINKS) and not properties.is_option(obj, name):
             return
         if is_restoring(obj) or "ShapeChanged" not in obj.PropertiesList:
@@ -380,6 +428,8 @@ class MeshProxy(Stateless):
         except core.CoreMissing as error:
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {error}\n")
         part_from_original(obj)
+        stay_in_place(obj)
+        obj.Proxy.told = obj.MeshFile
         refill(obj)
         untouch(obj)
         view = attach_view(obj)
@@ -389,12 +439,18 @@ class MeshProxy(Stateless):
 
 class Observer:
     """Fills FemMesh again, which FreeCAD's undo leaves as it is, and where members of an analysis change; compares shapes
-    before they are saved."""
+    before they are saved, and labels when one changes; keeps meshes out of what would move them."""
 
     def slotChangedObject(self, obj, name):
-        if name not in ("Group", "References"):
+        if name not in ("Label", "Group", "References") or is_restoring(obj):
+            return
+        if name == "Label":
+            for mesh in [mesh for mesh in meshes_of(obj.Document) if mesh.MeshedLabels and obj in parts_of(mesh)]:
+                check_labels(mesh)
             return
         changed = [obj] if name == "Group" else obj.InList
+        for member in filter(is_mesh, obj.Group if name == "Group" else ()):
+            stay_in_place(member)
         for group in [thing for thing in changed if thing.isDerivedFrom("Fem::FemAnalysis") and not is_restoring(thing)]:
             for member in filter(is_mesh, group.Group):
                 follow_analysis(member)
@@ -402,6 +458,7 @@ class Observer:
     def slotUndoDocument(self, document):
         for obj in meshes_of(document):
             refill(obj)
+            tell_readers(obj)
             untouch(obj)
 
     slotRedoDocument = slotUndoDocument

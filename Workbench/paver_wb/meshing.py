@@ -4,7 +4,7 @@ from contextlib import contextmanager
 import FreeCAD
 
 from paver_wb import analysis, core, mesh_object, properties, refinement
-from paver_wb.base import source_shapes
+from paver_wb.base import expressions, source_shapes
 from paver_wb.children import named_parts
 from paver_wb.formats import fem_mesh, mesh_file
 from paver_wb.processes import mesh_job
@@ -53,6 +53,8 @@ def prepare_like(job, obj, **changes):
 
 def options_of(obj, changes):
     """Options of a mesh object with `changes`, as paver.mesh takes them, with its refinements, media, ports and wires."""
+    for thing in (obj, *refinement.of_mesh(obj), *named_parts.of_mesh(obj)):
+        expressions.check(thing)
     options, sources = properties.merged(obj, changes), mesh_object.sources(obj)
     for name, texts in {"local": refinement.local_texts(obj, sources), **named_parts.option_texts(obj, sources)}.items():
         if texts:
@@ -102,17 +104,20 @@ def keep(obj, job, mesh, file=None, is_outdated=False, run_in=None, **changes):
         mesh_object.keep(obj, file or mesh)
         show_results(obj, mesh)
         obj.MeshedShape, obj.MeshedOptions, obj.ShapeChanged = job.digest, job.decisive, is_outdated
+        obj.MeshedLabels = source_shapes.digest_of(repr(job.labels).encode())
         obj.FemMesh, obj.FemMeshFilled = fem, is_filled
         for source in mesh_object.sources(obj) if hides_sources else ():
             if may_be_hidden(source):
                 source.Visibility = False
-        mesh_object.update_status(obj)
+        mesh_object.check_labels(obj)
+        mesh_object.tell_readers(obj)
     mesh_object.untouch(obj)
 
 
 def may_be_hidden(source):
-    """FreeCAD leaves what is hidden inside an App::Part out of that one's shape."""
-    return source.getParentGeoFeatureGroup() is None
+    """FreeCAD leaves what is hidden inside an App::Part or a link array out of that one's shape."""
+    from paver import _shapes
+    return _shapes.enclosing(source) is None
 
 
 def is_filled_unasked(mesh):

@@ -2,6 +2,7 @@
 import FreeCAD
 
 from paver_wb import core
+from paver_wb.base import expressions
 from paver_wb.base.proxies import add_property
 from paver_wb.base.texts import has_default, tip, tooltip
 
@@ -138,12 +139,12 @@ def put(obj, options):
         if table[name]["kind"] in REPEATED:
             value = None if value is None else texts_of(table[name], value)
         try:
-            setattr(obj, property_name(name), initial(table[name]) if value is None else value)
+            expressions.put(obj, property_name(name), initial(table[name]) if value is None else value)
         except Exception:  # FreeCAD raises all sorts, with texts for programmers
             raise ValueError(f"{name} of '{obj.Label}' cannot be {value!r}; it is: "
                              f"{table[name]['help']}.") from None
     for name in excluded(table, options):
-        setattr(obj, property_name(name), initial(table[name]))
+        expressions.put(obj, property_name(name), initial(table[name]))
 
 
 def table_for(options):

@@ -5,8 +5,8 @@ Documents name this module and RefinementProxy: neither may be moved.
 """
 import FreeCAD
 
-from paver_wb import properties
-from paver_wb.base import proxies
+from paver_wb import core, properties
+from paver_wb.base import expressions, proxies
 from paver_wb.base.proxies import is_refinement
 from paver_wb.base.texts import tip
 from paver_wb.base.waves import wavelength
@@ -89,7 +89,7 @@ def meshes_with(document, references):
         try:
             return all(find(proxies.sources(mesh), mesh, thing, element)
                        for thing, elements in references for element in elements)
-        except ReferenceMissing:
+        except (ReferenceMissing, core.load().InputError):  # it has no shape
             return False
     return [mesh for mesh in proxies.meshes_of(document) if has_all(mesh)]
 
@@ -143,10 +143,13 @@ def set_value(obj, length=None, eps_r=None, mu_r=None):
     if length is None and eps_r is None and mu_r is None:
         raise ValueError(translate("Paver", "'{}' has no length; give one, or eps_r and mu_r of a medium.").format(obj.Label))
     if length is None:
-        obj.By, obj.EpsR, obj.MuR = MEDIUM, 1 if eps_r is None else eps_r, 1 if mu_r is None else mu_r
+        obj.By = MEDIUM
+        for name, value in (("EpsR", eps_r), ("MuR", mu_r)):
+            expressions.put(obj, name, 1 if value is None else value)
         return
     try:
-        obj.By, obj.Length = LENGTH, length
+        obj.By = LENGTH
+        expressions.put(obj, "Length", length)
     except Exception:  # FreeCAD raises all sorts, with texts for programmers
         obj.Length = 0
     if not obj.Length.Value > 0:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import FreeCAD
 
 from paver_wb import analysis, core, export_mesh, mesh_check, mesh_object, meshing, properties, refinement, statistics
-from paver_wb.base import proxies, units
+from paver_wb.base import proxies, source_shapes, units
 from paver_wb.base.texts import tip
 from paver_wb.children import named_parts
 from paver_wb.processes import child_process, mesh_job
@@ -28,7 +28,7 @@ MOST_STEPS = 200
 LOGARITHMIC = "log"
 SPREADS = ("", LOGARITHMIC)
 COLUMNS = ("value", "elements", "unknowns", "matrix_bytes", "seconds", "least_sj", "verdict", "reason", "error", "files")
-MESHES, ROWS = "Meshes", "Rows"
+MESHES, ROWS, SAVED_SHAPE = "Meshes", "Rows", "SavedShape"
 
 # name: (type, tooltip)
 PROPERTIES = {
@@ -40,8 +40,9 @@ PROPERTIES = {
     "Folder": ("App::PropertyString", tip("Where the files are written")),
     "MeshNames": ("App::PropertyStringList", tip("Names of the mesh objects, one for each step")),
     ROWS: ("App::PropertyStringList", tip("What came of each step, as JSON; empty where nothing has yet")),
+    SAVED_SHAPE: ("App::PropertyString", tip("Digest of the shape when the document was saved")),
 }
-HIDDEN = ("MeshNames", ROWS)
+HIDDEN = ("MeshNames", ROWS, SAVED_SHAPE)
 
 
 class Step(NamedTuple):
@@ -72,7 +73,8 @@ class Step(NamedTuple):
 
 class Row(NamedTuple):
     """What came of a step. unknowns: statistics.unknowns() of basis order 1; matrix_bytes: of their full matrix; verdict:
-    a level of mesh_check, and the sentence for it, `reason`; error: a sentence, where there is no mesh or no file."""
+    a level of mesh_check, and the sentence for it, `reason`; error: a sentence, where there is no mesh or no file. shape,
+    options: digests of what it was made of; empty in documents of before these were kept."""
 
     elements: int = 0
     unknowns: int = 0
@@ -83,6 +85,8 @@ class Row(NamedTuple):
     reason: str = ""
     error: str = ""
     files: tuple = ()
+    shape: str = ""
+    options: str = ""
 
     @property
     def is_meshed(self):
@@ -106,6 +110,24 @@ class SeriesProxy(proxies.Proxy):
         for name, (kind, tooltip) in PROPERTIES.items():
             proxies.add_property(obj, kind, name, GROUP, tooltip)
             obj.setEditorMode(name, ["Hidden"] if name in HIDDEN else ["ReadOnly"])
+        obj.setPropertyStatus(SAVED_SHAPE, "Output")  # else saving would leave it to be recomputed
+
+    def onDocumentRestored(self, obj):
+        """Files of FreeCAD keep shapes with 15 digits: the one that was saved is taken for the one that comes."""
+        super().onDocumentRestored(obj)
+        if obj.Mesh and obj.SavedShape and not core.problem():
+            obj.Proxy.reopened = (obj.SavedShape, mesh_object.shape_digest(obj.Mesh))
+
+
+class Observer:
+    """Keeps what shape a document was saved with."""
+
+    def slotStartSaveDocument(self, document, _path):
+        for obj in of_document(document) if not core.problem() else ():
+            obj.SavedShape = mesh_object.shape_digest(obj.Mesh) if obj.Mesh else ""
+
+
+FreeCAD.addDocumentObserver(Observer())
 
 
 # Values
@@ -230,6 +252,11 @@ def of_document(document):
     return [obj for obj in document.Objects if is_series(obj)]
 
 
+def step_meshes(document):
+    """The mesh objects of the steps of all series."""
+    return [child for made in of_document(document) for child in made.Meshes]
+
+
 def steps_of(obj):
     return [Step(number, obj.Varied, value) for number, value in enumerate(obj.Values)]
 
@@ -240,17 +267,42 @@ def mesh_of(obj, number):
     return next((child for child in obj.Meshes if child.Name == name), None)
 
 
-def has_changed(obj, number, row):
-    """Whether the mesh object of a step is another one by now than its Row tells about."""
-    child = mesh_of(obj, number)
-    return child is not None and row.is_meshed and (
-        child.Status != mesh_object.UP_TO_DATE or child.Quads + child.Triangles != row.elements
-        or abs(child.WorstScaledJacobian - row.least_sj) > 1e-6)
+def has_changed(obj, step, row):
+    """Whether a step would come to something else by now, or has, than its Row tells about."""
+    child = mesh_of(obj, step.number)
+    if not row.is_meshed:
+        return False
+    if child is not None:
+        return child.Status != mesh_object.UP_TO_DATE or child.Quads + child.Triangles != row.elements or (
+            abs(child.WorstScaledJacobian - row.least_sj) > 1e-6)
+    if not row.shape or obj.Mesh is None or core.problem():  # nothing to tell it by
+        return False
+    shape, changes = mesh_object.shape_digest(obj.Mesh), properties.merged(obj.Mesh, step.changes)
+    is_same = row.shape == shape or (row.shape, shape) == getattr(obj.Proxy, "reopened", None)
+    return not is_same or row.options != digest_of_options(mesh_object.decisive(obj.Mesh, changes))
+
+
+def digest_of_options(decisive):
+    return source_shapes.digest_of(decisive.encode())
 
 
 def rows_of(obj):
     """[Row, or None where the step has not been done]."""
-    return [row_of_text(text) for text in obj.Rows]
+    return [as_of_now(obj, step, row_of_text(text)) for step, text in zip(steps_of(obj), obj.Rows)]
+
+
+def as_of_now(obj, step, row):
+    """A Row, or None. One of before a change is none to rely on."""
+    if row is None or not has_changed(obj, step, row):
+        return row
+    return row._replace(verdict=mesh_check.WARNING, reason=translate(
+        "Paver", "The model, the options or the mesh have changed since; this row is of before."))
+
+
+def steps_to_do(obj):
+    """Those that have not been done, or would come to something else by now."""
+    rows = map(row_of_text, obj.Rows)
+    return [step for step, row in zip(steps_of(obj), rows) if row is None or has_changed(obj, step, row)]
 
 
 def row_of_text(text):
@@ -337,16 +389,15 @@ def folder_for(document):
 
 
 def work(obj, progress=None, cancel=None, stem=None):
-    """Does the steps that have not been done, and gives each as a Done; those that fail too. Stops where `cancel` is set.
+    """Does the steps_to_do(), and gives each as a Done; those that fail too. Stops where `cancel` is set.
 
     progress(stage, fraction) and cancel are those of paver.mesh.
     """
-    for step, row in list(zip(steps_of(obj), rows_of(obj))):
-        if row is None:
-            try:
-                yield do_step(obj, step, progress, cancel, stem)
-            except core.load().Cancelled:
-                return
+    for step in steps_to_do(obj):
+        try:
+            yield do_step(obj, step, progress, cancel, stem)
+        except core.load().Cancelled:
+            return
 
 
 def do_step(obj, step, progress, cancel, stem):
@@ -370,6 +421,8 @@ def do_step(obj, step, progress, cancel, stem):
 def keep(obj, step, row, job=None, mesh=None, file=None, is_outdated=False):
     """Keeps what came of a step in the series, and the mesh in the step's mesh object, as one step of undo."""
     child = mesh_of(obj, step.number)
+    if job:
+        row = row._replace(shape=job.digest, options=digest_of_options(job.decisive))
     with meshing.transaction(obj.Document, f"Mesh {obj.Label} {step.text}"):
         put_row(obj, step.number, row)  # first: what follows joins a step of undo that has begun to change something
         if child and mesh is not None:

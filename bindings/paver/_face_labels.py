@@ -1,7 +1,8 @@
 """Names of faces, loose edges and vertices that say which object they are of: "Board/Face3", as FreeCAD counts the faces
 of that object.
 
-FreeCAD makes an App::Part's shape of those of its visible members, in their order; a link's is that of what it links to.
+FreeCAD makes the shape of an App::Part, of a link group and of a link array of those of their visible members, in their
+order; a link's is that of what it links to.
 """
 
 
@@ -56,20 +57,29 @@ def leaves_of(thing, shape, *path):
     inner = shape.SubShapes if members else []
     if not members or len(inner) != len(members):
         return [(path, shape)]
-    return [leaf for member, own in zip(members, inner) for leaf in leaves_of(member, own, *path, member.Label)]
+    return [leaf for (label, member), own in zip(members, inner) for leaf in leaves_of(member, own, *path, label)]
 
 
 def members_of(thing):
-    """Those of an App::Part, or of a link to one, that are in its shape."""
+    """[(label, object)] of those that an object's shape is put together of; none where it has one of its own."""
     import Part
     if not hasattr(thing, "getSubObjects"):
         return []
-    linked = thing.getLinkedObject(True)
-    if linked.isDerivedFrom("Part::Feature") or not linked.hasExtension("App::GeoFeatureGroupExtension"):
-        return []
     members = [(name, thing.getSubObject(name, 1)) for name in thing.getSubObjects()]
-    return [member for name, member in members
-            if member is not None and member.Visibility and not Part.getShape(thing, name).isNull()]
+    return [(member_label(thing, name[:-1], member), member) for name, member in members
+            if member is not None and is_seen(thing, name[:-1], member) and not Part.getShape(thing, name).isNull()]
+
+
+def member_label(thing, name, member):
+    """An element of a link array that is no object of its own is called as FreeCAD would call that."""
+    is_object = not name.isdigit() or member.isDerivedFrom("App::LinkElement")
+    return member.Label if is_object else f"{thing.Label}_i{name}"
+
+
+def is_seen(thing, name, member):
+    """Links know which of their elements are seen; elsewhere the member itself does."""
+    seen = thing.isElementVisible(name)
+    return member.Visibility if seen < 0 else bool(seen)
 
 
 def matched(labels, leaves, whole):

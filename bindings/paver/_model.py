@@ -3,6 +3,7 @@ import os
 from typing import NamedTuple
 
 from . import _paver, _shapes
+from ._arguments import encoded_path, texts
 from ._jobs import poll_of
 
 
@@ -33,10 +34,11 @@ class Model:
     def __init__(self, shape, name=None, labels=None):
         source, self.name, own = _shapes.source_of(shape, name)
         self.path = source if isinstance(source, str) else ""
-        if self.path:
-            self._source = _paver.Source.of_file(os.fsencode(source), os.fsencode(self.name))
+        if isinstance(source, str):
+            self._source = _paver.Source.of_file(encoded_path(source), os.fsencode(self.name))
         else:
-            self._source = _paver.Source.of_bytes(source, os.fsencode(self.name), own if labels is None else labels)
+            self._source = _paver.Source.of_bytes(source, os.fsencode(self.name),
+                                                  own if labels is None else texts("labels", labels))
 
     def __repr__(self):
         return f"<paver.Model {self.name!r}>"

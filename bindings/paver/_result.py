@@ -1,7 +1,7 @@
 """What a run gives: arrays, report, files."""
 import json
-import os
 
+from ._arguments import encoded_path, whole_number
 from ._jobs import poll_of
 from ._surface_mesh import ElementQuality, Tessellation
 
@@ -85,7 +85,7 @@ class Result:
         apart: no two elements share a point, so that each can have a colour of its own; the points of the elements
         then follow one another in the order of the elements, (n + 1)^2 of a quad, (n + 1) (n + 2) / 2 of a triangle.
         """
-        return Tessellation(**self._data.tessellate(subdivision, apart))
+        return Tessellation(**self._data.tessellate(whole_number("subdivision", subdivision), bool(apart)))
 
     def write(self, path=None, *, report=None, msh_version="4.1", ascii=False, progress=None, cancel=None):
         """Writes the mesh to `path` (.msh or .vtu, by its ending), the report (JSON) to `report`: whole or not at all.
@@ -102,6 +102,5 @@ class Result:
 
 def file_arguments(model, path, report, msh_version, is_ascii, repaired=None, repaired_text=b""):
     """As the compiled module wants them."""
-    names = [os.fsencode(name) if name is not None else b"" for name in (path, report)]
-    return (*names, str(msh_version), bool(is_ascii), os.fsencode(model.path),
-            os.fsencode(repaired) if repaired is not None else b"", repaired_text)
+    path, report, repaired = (encoded_path(name) if name is not None else b"" for name in (path, report, repaired))
+    return path, report, str(msh_version), bool(is_ascii), encoded_path(model.path), repaired, repaired_text

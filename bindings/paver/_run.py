@@ -43,6 +43,7 @@ def text_of_quantity(kind, value):
 
 def text_of(name, kind, value):
     """The text of an option's value, which the core reads as it reads the command line."""
+    value = value.item() if hasattr(value, "item") else value  # of a number of NumPy
     if isinstance(value, str):
         return value
     if kind == "flag" and isinstance(value, bool):
@@ -67,7 +68,10 @@ def local_texts(name, value):
     for parts, length in value.items():
         if hasattr(length, "items"):  # a medium
             length = ",".join(f"{what}:{text_of(name, 'number', number)}" for what, number in length.items())
-        names = parts if isinstance(parts, str) else ",".join(parts)
+        try:
+            names = parts if isinstance(parts, str) else ",".join(parts)
+        except TypeError:
+            raise OptionError(f'{name} has {parts!r}; name parts, like "Face3".', "bad_option", "name parts") from None
         texts.append(f"{names}={text_of(name, 'length', length)}")
     return texts
 

@@ -6,6 +6,7 @@ import os
 import tempfile
 
 from . import _face_labels
+from ._arguments import in_one_piece
 from ._errors import InputError
 
 
@@ -23,22 +24,30 @@ def label_of(thing):
     return thing.Label if is_object(thing) else "Shape"
 
 
+def enclosing(thing):
+    """What a document object stands in and is moved by: an App::Part, a Body, the link array it is an element of; or None."""
+    if thing.isDerivedFrom("App::LinkElement"):
+        return next((other for other in thing.InList if thing in getattr(other, "ElementList", ())), None)
+    return thing.getParentGeoFeatureGroup()
+
+
 def parent_placement(thing):
-    """Placement of what encloses a document object (App::Part, Body), all the way up."""
+    """Placement of what encloses a document object, all the way up."""
     import FreeCAD
     placement = FreeCAD.Placement()
-    parent = thing.getParentGeoFeatureGroup()
+    parent = enclosing(thing)
     while parent is not None:
         if hasattr(parent, "Placement"):
             placement = parent.Placement.multiply(placement)
-        parent = parent.getParentGeoFeatureGroup()
+        parent = enclosing(parent)
     return placement
 
 
-def object_shape(thing):
-    """Shape of a document object where it stands in the document: its own placement and those of what encloses it."""
+def object_shape(thing, path=""):
+    """Shape of a document object, or of what a path in it leads to ("Link.Box.", "Link.Box.Face3"), where it stands in the
+    document: its own placement and those of what encloses it."""
     import Part
-    shape = Part.getShape(thing)
+    shape = Part.getShape(thing, path, needSubElement=bool(path) and not path.endswith("."))
     if shape.isNull():
         raise InputError(f"'{thing.Label}' has no shape; recompute it or choose another object.", "no_faces",
                          "recompute it or choose another object")
@@ -74,7 +83,7 @@ def source_of(thing, name):
         path = os.fsdecode(os.fspath(thing))
         return path, name or path, []
     if isinstance(thing, (bytes, bytearray, memoryview)):
-        return thing, name or "bytes", []
+        return in_one_piece(thing), name or "bytes", []
     if is_shape(thing) or is_object(thing):
         shape = shape_of(thing)
         return binary(shape), name or label_of(thing), _face_labels.of([thing], [shape], shape)

@@ -1,8 +1,8 @@
 """A mesh as arrays, without its report: what can be measured, drawn and picked of it."""
-import os
 from typing import NamedTuple
 
 from . import _paver
+from ._arguments import encoded_path, whole_number, whole_numbers
 from ._jobs import poll_of
 
 
@@ -50,11 +50,14 @@ class SurfaceMesh:
     """A mesh from arrays as those of a Result, which may come from a file; the arrays are copied, and
     other threads of Python run meanwhile.
 
-    ValueError when they do not fit together.
+    ValueError when they do not fit together, and for numbers of nodes, faces and edges that are not whole or not from 0.
     """
 
     def __init__(self, order, nodes, quads, triangles, quad_faces, triangle_faces, lines, line_edges, points=()):
-        self._data = _paver.BareMesh(order, nodes, quads, triangles, quad_faces, triangle_faces, lines, line_edges, points)
+        tables = {"quads": quads, "triangles": triangles, "quad_faces": quad_faces, "triangle_faces": triangle_faces,
+                  "lines": lines, "line_edges": line_edges, "points": points}
+        self._data = _paver.BareMesh(whole_number("order", order), nodes,
+                                     *(whole_numbers(name, table) for name, table in tables.items()))
 
     def write(self, path, *, face_names=(), edge_names=(), edge_groups=(), point_names=(), volumes=(), msh_version="4.1",
               ascii=False, progress=None, cancel=None):
@@ -64,7 +67,7 @@ class SurfaceMesh:
         edge_groups: by number the group that an edge is in, or an empty text. point_names: of `points`, for groups.
         volumes: as those of a Result.
         """
-        files = (os.fsencode(path), b"", str(msh_version), bool(ascii), b"", b"", b"")
+        files = (encoded_path(path), b"", str(msh_version), bool(ascii), b"", b"", b"")
         self._data.write(files, list(face_names), list(edge_names), list(edge_groups), list(point_names),
                          [(name, medium, list(sides)) for name, medium, sides in volumes], poll_of(progress, cancel))
 
@@ -74,7 +77,7 @@ class SurfaceMesh:
 
     def tessellate(self, subdivision=2, apart=False):
         """Tessellation as Result.tessellate gives it."""
-        return Tessellation(**self._data.tessellate(subdivision, apart))
+        return Tessellation(**self._data.tessellate(whole_number("subdivision", subdivision), bool(apart)))
 
 
 class PickTree:

@@ -25,8 +25,8 @@ def walk(it):
             f"{it.press('OK')}, and choose {it.command('Paver_Refine')}: the elements stand for their face.",
             f"Write {it.write('Length', '300 mm')}{it.snap()} and press {it.press('OK')}.")
     it.step("Mesh again, check again", f"Click on {it.select('PaverMesh')}, choose {it.command('Paver_Mesh')}, which makes {it.remeshed()} "
-            f"elements, and {it.command('Paver_Check')}: the poor ones are gone, but *{it.finding('far shorter')}*.",
-            "Warnings may stay where you know why: here the model has edges as short as that.")
-    it.step("Sound, and export", f"{it.press('Close')} that, double-click on {it.double_click('PaverMesh')}, write {it.write('Elements per λ', '30')} "
+            f"elements, and {it.command('Paver_Check')}: the poor ones are gone, *{it.finding(POOR)}*.",
+            "Warnings may stay where you know why, as short edges that the model itself has.")
+    it.step("Finer, and export", f"{it.press('Close')} that, double-click on {it.double_click('PaverMesh')}, write {it.write('Elements per λ', '30')} "
             f"and press {it.press('Mesh')}: with {it.meshed()} elements the panel says **{it.good()}**, which means that nothing fails, folds, "
             f"is poor or too long.{it.snap()}", f"{it.export('vehicle.msh')} writes it to a file.")

@@ -26,6 +26,23 @@ def raised(kind, *arguments, **options):
     return error
 
 
+def test_arguments_of_other_types(box):
+    assert raised(paver.InputError, "", size=5).code == "file_missing"
+    assert raised(paver.OptionError, box + "\0", size=5).code == "bad_option"
+    assert str(raised(paver.OptionError, box, size=5, local={1: 2})).startswith("local has 1;")
+    with pytest.raises(TypeError, match="^labels has None; pass texts.$"):
+        paver.Model(open(box, "rb").read(), labels=[None])
+
+
+def test_content_in_pieces_is_read_whole(box):
+    content = open(box, "rb").read()
+    spread = bytearray(2 * len(content))
+    spread[::2] = content
+    checksum = paver.mesh(content, size=5).report["checksum"]
+    for view in (memoryview(spread)[::2], memoryview(content[::-1])[::-1]):
+        assert paver.mesh(view, size=5).report["checksum"] == checksum
+
+
 def test_input(tmp_path, box):
     cut = tmp_path / "cut.step"
     cut.write_bytes(open(box, "rb").read()[:3000])

@@ -59,6 +59,25 @@ def test_arrays_that_do_not_fit_are_named(result, name, value):
         paver.SurfaceMesh(**arrays_of(result, **{name: value}))
 
 
+@pytest.mark.parametrize("name", ["quads", "quad_faces", "line_edges"])
+def test_numbers_are_neither_cut_nor_wrapped_round(result, name):
+    numbers = getattr(result, name)
+    for wrong in (numbers + 0.5, numbers.astype("i8") + 2**32, numbers.astype("i8") - 2**32, numbers > 0):
+        with pytest.raises(ValueError, match=f"^{name} has .*\\.$"):
+            paver.SurfaceMesh(**arrays_of(result, **{name: wrong}))
+    paver.SurfaceMesh(**arrays_of(result, **{name: numbers.astype("i8")}))
+
+
+def test_other_arguments_are_refused_in_a_sentence(result, tmp_path):
+    mesh = paver.SurfaceMesh(**arrays_of(result))
+    for drawn in (mesh, result):
+        with pytest.raises(TypeError, match="^subdivision is 2.5; write a whole number.$"):
+            drawn.tessellate(2.5)
+        with pytest.raises(paver.OptionError, match="has a NUL character; leave it out.$"):
+            drawn.write(tmp_path / "mesh\0.msh")
+    assert not list(tmp_path.iterdir())
+
+
 def test_the_element_under_a_ray(result):
     drawn = result.tessellate(2, apart=True)
     tree = paver.PickTree(drawn)

@@ -8,7 +8,8 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 import window
-from paver_wb import examples, mesh_object, meshing, preferences, refinement, statistics
+from paver_wb import examples, mesh_object, meshing, preferences, refinement, series, statistics
+from paver_wb.base import proxies
 from paver_wb.gui import commands, statistics_panel
 from paver_wb.gui.base import background, first_view, measuring, run_task
 from paver_wb.gui.commands import files, view
@@ -140,6 +141,40 @@ class Commands(WithCommands):
         self.assertEqual(self.document.UndoNames, ["Refine"])
         self.document.undo()
         self.assertEqual((refinement.of_mesh(mesh), mesh.Status), ([], "Up to date"))
+
+    def test_refine_asks_which_mesh_is_meant_and_no_other_one_keeps_it_from_working(self):
+        empty = self.document.addObject("PartDesign::Body", "Empty")
+        mesh_object.add(self.document, empty, size=1)
+        mesh = self.mesh(is_meshed=False)
+        select((self.box, "Face1"))
+        FreeCADGui.runCommand("Paver_Refine")
+        self.assertEqual(len(refinement.of_mesh(mesh)), 1)
+        window.wait(lambda: window.widget("Paver_RefinementLength"), "for its panel")
+        window.click_standard(QtGui.QDialogButtonBox.Cancel)
+        series.add(mesh, sizes=[1, 2])  # whose steps are not meant
+        select((self.box, "Face1"))
+        FreeCADGui.runCommand("Paver_Refine")
+        self.assertEqual(len(refinement.of_mesh(mesh)), 1)
+        window.wait(lambda: window.widget("Paver_RefinementLength"), "for its panel")
+        window.click_standard(QtGui.QDialogButtonBox.Cancel)
+        fine = self.mesh(is_meshed=False, size=1)
+        for command in ("Paver_Refine", "Paver_Port"):
+            select((self.box, "Face1"))
+            FreeCADGui.runCommand(command)
+            self.assertIn("There are several meshes", self.complaint())
+        select((self.box, "Face1"), fine)
+        FreeCADGui.runCommand("Paver_Refine")
+        self.assertEqual((len(refinement.of_mesh(mesh)), len(refinement.of_mesh(fine))), (0, 1))
+
+    def test_a_copy_that_is_deleted_takes_no_children_of_its_original_along(self):
+        mesh = self.mesh(is_meshed=False)
+        child = refinement.make(mesh, ["Face1"], 1)
+        copy = self.document.copyObject(mesh)
+        for thing, left in ((copy, [child]), (mesh, [])):
+            select(thing)
+            FreeCADGui.runCommand("Std_Delete")
+            window.pause(50)
+            self.assertEqual([other for other in self.document.Objects if proxies.is_child(other)], left)
 
     def test_refine_without_a_mesh_of_it_says_so(self):
         self.mesh()

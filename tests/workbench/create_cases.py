@@ -8,17 +8,18 @@ import ObjectsFem
 from PySide import QtGui
 
 import window
-from paver_wb import export_mesh, mesh_object, meshing
+from paver_wb import export_mesh, mesh_object, meshing, refinement
+from paver_wb.base import proxies
 from paver_wb.gui import file_tasks
 from panel_cases import PanelCase
 
 
 class Create(PanelCase):
     def create(self, *things):
-        """The mesh object that the command makes of what is selected, its panel open."""
+        """The mesh object that the command makes of objects, or (object, path in it), its panel open."""
         FreeCADGui.Selection.clearSelection()
         for thing in things:
-            FreeCADGui.Selection.addSelection(thing)
+            FreeCADGui.Selection.addSelection(*(thing if isinstance(thing, tuple) else (thing,)))
         before = mesh_object.meshes_of(self.document)
         FreeCADGui.runCommand("Paver_CreateMesh")
         window.wait(lambda: window.widget("Paver_MeshButton"), "for the panel")
@@ -66,6 +67,27 @@ class Create(PanelCase):
         self.create(box)
         self.cancel()
         self.assertEqual(analysis.Group, [])
+
+    def test_what_was_clicked_is_meshed_where_it_was_clicked(self):
+        part = self.document.addObject("App::Part", "Part")
+        part.addObject(self.box)
+        link = self.document.addObject("App::Link", "Link")
+        link.LinkedObject, link.Placement.Base.x = part, 40
+        body = self.document.addObject("PartDesign::Body", "Body")
+        body.newObject("PartDesign::AdditiveBox", "Block")
+        self.document.recompute()
+        for clicks, wanted in (([(link, "Box.Face1")], [link]), ([(link, "Box.Face1"), (part, "Box.Face6")], [link, self.box]),
+                               ([(body, "Block.Face2"), (body, "Block.Face3")], [body])):
+            mesh = self.create(*clicks)
+            self.assertEqual(proxies.sources(mesh), wanted)
+            self.cancel()
+
+    def test_cancel_takes_it_back_where_nothing_is_undone(self):
+        self.document.UndoMode = 0
+        mesh = self.create(self.box)
+        refinement.make(mesh, ["Face1"], 1)
+        self.cancel()
+        self.assertEqual(self.document.Objects, [self.box])
 
     def test_what_is_empty_is_told_in_a_sentence(self):
         for kind in ("Part::Compound", "PartDesign::Body", "App::Part"):

@@ -200,12 +200,12 @@ class Life(display_cases.InWindow):
                 self.mesh, self.sphere = self.document.getObject(name), None
                 self.view = FreeCADGui.ActiveDocument.ActiveView
 
-    def test_inside_of_a_part(self):
-        part = self.document.addObject("App::Part", "Part")
-        part.addObject(self.mesh)
+    def test_inside_of_a_group(self):
+        group = self.document.addObject("App::DocumentObjectGroup", "Group")
+        group.addObject(self.mesh)
         display = self.run_mesh()
         self.look()
-        FreeCADGui.Selection.addSelection(self.document.Name, part.Name, self.mesh.Name + ".Elem4")
+        FreeCADGui.Selection.addSelection(self.document.Name, group.Name, self.mesh.Name + ".Elem4")
         wait()
         self.assertEqual(display.selection.elements, (3,))
 

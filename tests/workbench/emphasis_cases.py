@@ -299,6 +299,10 @@ class CheckDialog(commands_cases.WithCommands):
     def wait(self):
         window.wait(lambda: self.panel.findings and not self.panel.busy.isVisible(), "for the check")
 
+    def test_it_closes_with_its_document(self):
+        FreeCAD.closeDocument(self.document.Name)
+        window.wait(lambda: window.widget("Paver_CheckPanel") is None, "for the dialog to close")
+
     def click(self, words):
         """Clicks on the finding with these words, and gives it."""
         number, = (i for i, finding in enumerate(self.panel.findings) if words in finding.text)

@@ -231,6 +231,12 @@ class Files(WithMesh):
                 self.assertEqual(read.FemMesh.FaceCount, mesh.FemMesh.FaceCount)
                 self.document.removeObject(read.Name)
 
+    def test_no_format_is_offered_that_is_written_but_not_read(self):
+        mesh, _ = self.meshed()
+        for ending in [ending for ending in export_mesh.FEM if "." + ending in import_mesh.FEM]:
+            path = export_mesh.write(mesh, self.path("mesh." + ending))
+            self.assertTrue(len(import_mesh.read(path).nodes), ending)
+
     def test_an_imported_mesh_is_checked_saved_and_exported(self):
         mesh, _ = self.meshed()
         read = import_mesh.add(self.document, export_mesh.write(mesh, self.path("wing.msh")))

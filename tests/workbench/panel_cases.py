@@ -312,6 +312,19 @@ class Panel(PanelCase):
         window.wait(lambda: self.text("Status") == "The mesh is up to date")
         self.assertEqual((self.text("size"), mesh.Quads, mesh.FemMesh.FaceCount), ("1 mm", count, count))
 
+    def test_an_undo_of_something_else_leaves_what_is_typed(self):
+        mesh = self.add_mesh()
+        self.document.openTransaction("Label")
+        self.box.Label = "Other"
+        self.document.commitTransaction()
+        self.open(mesh)
+        window.type_into(window.widget("Paver_size"), "1 mm")
+        self.document.undo()
+        window.pause(100)
+        self.assertEqual((self.box.Label, self.text("size"), mesh.Size.Value), ("Box", "1 mm", 2))
+        self.mesh_and_wait()
+        self.assertEqual(mesh.Size.Value, 1)
+
     def test_without_the_core_nothing_opens(self):
         mesh = self.add_mesh()
         real = core.problem

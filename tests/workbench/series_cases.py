@@ -104,6 +104,41 @@ class SeriesOfMeshes(InDocument):
         self.assertEqual([done.step.value for done in series.work(obj)], [3, 4])
         self.assertTrue(all(series.rows_of(obj)))
 
+    def test_rows_of_before_a_change_are_none_to_rely_on_and_are_done_again(self):
+        mesh = self.add_mesh(size=5)
+        for formats in ([], ["msh"]):
+            obj = series.run(mesh, sizes=[5, 10], formats=formats, folder=self.folder.name if formats else "")
+            self.assertEqual((self.verdicts(obj), series.steps_to_do(obj)), ([mesh_check.GOOD] * 2, []))
+            table = self.table(obj)
+            self.box.Length = 40
+            self.document.recompute()
+            self.assertEqual(self.verdicts(obj), [mesh_check.WARNING] * 2)
+            self.assertIn("this row is of before", series.rows_of(obj)[0].reason)
+            self.assertEqual(len(list(series.work(obj))), 2, "no table of two models")
+            self.assertEqual(self.verdicts(obj), [mesh_check.GOOD] * 2)
+            self.assertNotEqual(self.table(obj), table)
+            self.box.Length = 10
+            self.document.recompute()
+        mesh.Order = 1
+        self.assertEqual(self.verdicts(obj), [mesh_check.WARNING] * 2)
+
+    def test_rows_are_those_of_the_model_when_it_is_opened_again(self):
+        mesh = self.add_mesh(self.add("Part::Sphere", Radius=10 / 3), size=2)
+        self.document.recompute()
+        made = [series.run(mesh, sizes=[2, 3], formats=["msh"], folder=self.folder.name) for _ in range(2)]
+        mesh.Order = 1
+        series.put_row(made[1], 0, None)
+        self.reopen()
+        first, _ = series.of_document(self.document)
+        first.Mesh.Order = 2
+        self.assertEqual(self.verdicts(first), [mesh_check.GOOD] * 2)
+        first.Mesh.Part.Radius = 4
+        self.document.recompute()
+        self.assertEqual(self.verdicts(first), [mesh_check.WARNING] * 2)
+
+    def verdicts(self, obj):
+        return [row.verdict for row in series.rows_of(obj)]
+
     def test_what_is_refused_leaves_the_document_as_before(self):
         mesh, empty = self.add_mesh(size=3), mesh_object.add(self.document, [])
         count = len(self.document.Objects)

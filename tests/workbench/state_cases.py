@@ -73,6 +73,45 @@ class State(Meshed):
         self.document.recompute()
         self.assertEqual(obj.Status, mesh_object.OUT_OF_DATE)
 
+    def test_a_label_in_the_names_of_faces_is_part_of_the_mesh(self):
+        other = self.add("Part::Box", placement=FreeCAD.Placement(FreeCAD.Vector(50, 0, 0), FreeCAD.Rotation()))
+        self.document.recompute()
+        alone, both = self.mesh(), self.mesh([self.box, other])
+        self.box.Label = "Antenna"
+        self.assertEqual((alone.Status, both.Status, mesh_object.changes(both)), (
+            mesh_object.UP_TO_DATE, mesh_object.OUT_OF_DATE, ["a label"]))
+        self.reopen()
+        alone, both = mesh_object.meshes_of(self.document)
+        self.assertEqual((alone.Status, both.Status), (mesh_object.UP_TO_DATE, mesh_object.OUT_OF_DATE))
+        meshing.mesh(both)
+        self.assertEqual((both.Status, mesh_object.changes(both)), (mesh_object.UP_TO_DATE, []))
+        both.Part.Label = "Box again"
+        self.assertEqual(both.Status, mesh_object.OUT_OF_DATE)
+        both.Part.Label = "Antenna"
+        self.assertEqual(both.Status, mesh_object.UP_TO_DATE)
+
+    def test_nothing_moves_a_mesh_away_from_its_model(self):
+        part = self.add("App::Part", placement=FreeCAD.Placement(FreeCAD.Vector(0, 30, 0), FreeCAD.Rotation()))
+        part.addObject(self.box)
+        obj = self.mesh()
+        obj.Placement.Base.x = 30
+        analysis, group = self.add_groups(part)
+        for thing in (part, group, analysis):
+            thing.addObject(obj)
+        self.assertEqual((obj.Placement, obj.getParentGeoFeatureGroup()), (FreeCAD.Placement(), None))
+        self.assertEqual((obj in analysis.Group, obj in part.Group), (True, False))
+        self.assertEqual((obj.FemMesh.BoundBox.XMin, obj.FemMesh.BoundBox.YMin), (0, 30))
+        self.reopen()
+        obj, = mesh_object.meshes_of(self.document)
+        self.assertEqual((obj.Placement, obj.getParentGeoFeatureGroup()), (FreeCAD.Placement(), None))
+
+    def add_groups(self, part):
+        """An analysis and a group inside of an App::Part."""
+        made = [self.document.addObject(kind, "Group") for kind in ("Fem::FemAnalysis", "App::DocumentObjectGroup")]
+        for thing in made:
+            part.addObject(thing)
+        return made
+
     def test_exports_warn_and_go_on(self):
         old, holes, good = self.mesh(), self.mesh_with_a_hole(), self.mesh(size=9)
         old.Size = 8

@@ -94,3 +94,21 @@ class Translations(WithCommands):
         check.close()
         statistics.close()
         window.dock("Paver_HelpPage").close()
+
+    def test_nothing_is_cut_off_by_long_words(self):
+        mesh = self.mesh(size=3)
+        FreeCADGui.ActiveDocument.setEdit(mesh.Name)
+        window.wait(lambda: window.widget("Paver_More"), "for the panel")
+        window.click(window.widget("Paver_More"))
+        window.pause(300)
+        areas = [area for area in window.widgets(QtGui.QScrollArea) if area.isAncestorOf(window.widget("Paver_More"))]
+        for area in areas:
+            self.assertLessEqual(area.widget().minimumSizeHint().width(), area.viewport().width())
+        self.assertTrue(areas)
+        window.picture("commands_german_options")
+        window.click_standard(QtGui.QDialogButtonBox.Cancel)
+        dialog = statistics_panel.show(mesh)
+        window.wait(lambda: dialog.figures, "for figures")
+        window.pause(100)
+        self.assertEqual(dialog.table.horizontalScrollBar().maximum(), 0)
+        dialog.close()

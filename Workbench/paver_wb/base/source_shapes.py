@@ -15,6 +15,14 @@ def of(sources):
     return [_shapes.shape_of(source) for source in sources]
 
 
+def labels_of(sources):
+    """Labels of the faces of objects meshed together, as paver.Model gives them. InputError for one without a shape."""
+    import Part
+    shapes = of(sources)
+    from paver import _face_labels
+    return _face_labels.of(sources, shapes, shapes[0] if len(shapes) == 1 else Part.Compound(shapes))
+
+
 def digest_of(stream):
     """Digest of the bytes of a shape."""
     return hashlib.blake2b(stream, digest_size=16).hexdigest()

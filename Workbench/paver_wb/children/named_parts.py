@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import FreeCAD
 
-from paver_wb.base import proxies
+from paver_wb.base import expressions, proxies
 from paver_wb.base.texts import tip
 from paver_wb.children.references import (Numbers, ReferenceMissing, as_references, check_references, kinds_text,
                                           names_in_whole)
@@ -155,18 +155,24 @@ def fitting(kind, listed):
     """References as a kind may have them: a face of a solid stands for its object."""
     found = []
     for thing, elements in listed:
-        fit = [element for element in elements if not element or element_kind(element) in kind.elements]
+        fit = [element for element in elements if element_kind(element) in ("", *kind.elements)]
         if len(fit) < len(elements) and kind.elements != ("Solid",):
             wrong = next(element for element in elements if element not in fit)
             named = {"port": translate("Paver", "port"), "wire": translate("Paver", "wire")}[kind.option]
             raise ReferenceMissing(translate("Paver", "{} of '{}' cannot be in a {}; choose {}.").format(
                 wrong, thing.Label, named, kinds_text(kind.elements)))
-        found.append((thing, fit if len(fit) == len(elements) else [""]))
+        found.append((thing, elements if len(fit) == len(elements) else list(dict.fromkeys(map(owner, elements)))))
     return found
 
 
 def element_kind(element):
+    """"Face" of "Link.Box.Face3"; empty for all of an object."""
     return element.rsplit(".", 1)[-1].rstrip("0123456789")
+
+
+def owner(element):
+    """"Link.Box." of "Link.Box.Face3"; empty for an element of the object itself."""
+    return element[:element.rfind(".") + 1]
 
 
 def take_in(mesh, listed):
@@ -183,7 +189,7 @@ def put(obj, listed, values):
     obj.References = [(thing, tuple(elements)) for thing, elements in listed]
     for name, value in values.items():
         try:
-            setattr(obj, name, value)
+            expressions.put(obj, name, value)
         except Exception:  # FreeCAD raises all sorts, with texts for programmers
             raise ValueError(translate("Paver", "{} of '{}' cannot be {}; write a number.").format(
                 name, obj.Label, repr(value))) from None

@@ -80,35 +80,69 @@ def known(owner, thing, shape, element, whole):
 
 
 def inside(source, thing, element, whole):
-    """Names of the elements of a source that are an element of something inside it: of an object in an App::Part, of a
-    feature of a Body. Empty: not inside."""
-    import Part
-
-    from paver import _shapes
-    shape = _shapes.shape_of(source)
-    if thing == source:
-        wanted = Part.getShape(source, element, needSubElement=True)
-    elif thing in source.OutListRecursive:
-        path = path_to(source, thing)
-        wanted = Part.getShape(source, path + element, needSubElement=bool(element)) if path is not None else None
-        if wanted is None or wanted.isNull():
-            wanted = thing.Shape if not element else thing.getSubObject(element)
-    else:
+    """Names of the elements of a source that are an element of something inside it, of an object in an App::Part or a
+    feature of a Body, or of something that it is inside of. Empty: neither."""
+    from paver import InputError, _shapes
+    if thing != source and thing not in source.OutListRecursive and source not in thing.OutListRecursive:
         return []
-    parts = [wanted] if element else elements_of(wanted, whole)
+    shape, way = _shapes.shape_of(source), path_to(source, thing)
+    try:
+        wanted = _shapes.object_shape(thing, element) if way is None else _shapes.object_shape(source, way + element)
+    except InputError:  # there is no such element
+        return []
+    parts = elements_of(wanted, whole) if not element or element.endswith(".") else [wanted]
     names = [name_in(shape, part) for part in parts]
     return names if all(names) else []
 
 
 def path_to(source, thing):
     """"Group.Box." leading from an object to one inside it; None when there is no such way."""
-    for child in getattr(source, "Group", []):
-        if child == thing:
-            return child.Name + "."
-        further = path_to(child, thing)
+    for name in source.getSubObjects() or [child.Name + "." for child in getattr(source, "Group", ())]:  # Bodies name none
+        child = source.getSubObject(name, 1)
+        further = "" if child == thing else child and path_to(child, thing)
         if further is not None:
-            return f"{child.Name}.{further}"
+            return name + further
     return None
+
+
+def standing(top, path):
+    """(object, path in it) of what FreeCAD's selection names by an object and a path in it: the innermost object that stands
+    in the document where it is seen there. What is seen in a link stands elsewhere, so that is the link; what a feature
+    makes is seen as the shape of its Body."""
+    thing = top
+    while "." in path:
+        name, _, rest = path.partition(".")
+        child = thing.getSubObject(name + ".", 1)
+        if child is None or child.isDerivedFrom("PartDesign::Feature") or not is_member(child, thing):
+            break
+        thing, path = child, rest
+    return thing, path
+
+
+def is_member(child, thing):
+    from paver import _shapes
+    is_group = thing.isDerivedFrom("App::DocumentObjectGroup")
+    return child in thing.Group if is_group else _shapes.enclosing(child) == thing
+
+
+def without_features(thing, path):
+    """A path in an object with elements of Bodies in place of those of their features, which a later feature changes."""
+    before = ""
+    while "." in path:
+        owner = thing.getSubObject(before, 1) if before else thing
+        if not owner.getSubObjects():  # it has a shape of its own
+            return before + own_element(thing, before, path)
+        name, _, path = path.partition(".")
+        before += name + "."
+    return before + path
+
+
+def own_element(thing, before, path):
+    """What a path in a Body means: an element of the Body where it has it, all of it for a feature."""
+    from paver import _shapes
+    if path.endswith("."):
+        return ""
+    return name_in(_shapes.object_shape(thing, before), _shapes.object_shape(thing, before + path)) or path
 
 
 def name_in(shape, part):

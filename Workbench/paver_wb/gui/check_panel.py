@@ -188,7 +188,7 @@ class CheckPanel(measuring.MeasuringDialog):
         try:
             self.isolate.setChecked(False)
             actions.display_of(self.obj).ring(())
-        except (ReferenceError, RuntimeError, AttributeError):  # the mesh object has gone before
+        except (ReferenceError, RuntimeError, AttributeError, NameError):  # the mesh object, or its document, has gone before
             pass
         super().leave(result)
 

@@ -124,6 +124,8 @@ class StatisticsPanel(measuring.MeasuringDialog):
         self.table.expandAll()
         for column in range(3):
             self.table.resizeColumnToContents(column)
+        room = 2 * self.table.frameWidth() + self.table.verticalScrollBar().sizeHint().width()
+        self.table.setMinimumWidth(self.table.header().length() + room)  # words are longer in other languages
 
     def draw(self, wave):
         figures, (lengths, areas, sj), unit = self.figures, self.histograms, self.unit()

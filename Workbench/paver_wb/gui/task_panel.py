@@ -43,6 +43,7 @@ class TaskPanel(edit_panel.EditPanel):
         for part in self.form:
             part.setWindowIcon(QtGui.QIcon(os.path.join(ICONS, "Paver_CreateMesh.svg")))
         self.options.changed.connect(self.edited)
+        self.options.more.toggled.connect(lambda _is_open: self.shown())
         self.sizes.failed.connect(self.runner.show_fault)
         self.runner.mesh_asked.connect(self.mesh)
         self.runner.stop_asked.connect(self.stop)
@@ -217,8 +218,8 @@ class TaskPanel(edit_panel.EditPanel):
         return True
 
     def reject(self):
-        run, document, sizes = self.run, self.document, self.sizes
-        is_unused = self.is_new and document.UndoCount == self.steps + sizes.steps and not self.obj.MeshFile
+        run, sizes = self.run, self.sizes
+        is_unused = self.is_unused(sizes.steps) and not self.obj.MeshFile
         self.forget()
         if not is_unused:
             sizes.drop()
@@ -226,8 +227,7 @@ class TaskPanel(edit_panel.EditPanel):
         if run is not None:
             run.stop()
         if is_unused:
-            for _ in range(1 + sizes.steps):
-                document.undo()
+            self.take_back(sizes.steps)
         return True
 
     def forget(self):
@@ -243,6 +243,7 @@ class TaskPanel(edit_panel.EditPanel):
             self.runner.leave(self.run)
 
     def shown(self):
+        """When it is on screen, and when it has unfolded more of itself."""
         QtCore.QTimer.singleShot(0, self.widen)
 
     def widen(self):
@@ -292,7 +293,7 @@ class TaskPanel(edit_panel.EditPanel):
 
     def slotUndoDocument(self, document):
         if document.Name == self.document_name and self.run is None and not self.is_closed:
-            self.options.refresh()
+            self.options.refresh_changed()
             self.sizes.refresh()
             self.runner.idle()
             self.results.refresh()

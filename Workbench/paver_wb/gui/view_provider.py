@@ -3,6 +3,7 @@ import os
 
 from paver_wb import mesh_object, refinement
 from paver_wb.base.paths import ICONS
+from paver_wb.base.proxies import is_mesh
 from paver_wb.children import named_parts
 from paver_wb.gui.base.view import ViewProvider
 
@@ -87,8 +88,13 @@ class MeshViewProvider(ViewProvider):
     def claimChildren(self):
         return [*named_parts.of_mesh(self.Object), *refinement.of_mesh(self.Object)] if hasattr(self, "Object") else []
 
+    def own_children(self):
+        """Those that no other mesh has: a copy may have the children of its original."""
+        return [child for child in self.claimChildren()
+                if not any(is_mesh(other) and other != self.Object for other in child.InList)]
+
     def onDelete(self, vobj, subelements):
         """Deletes the children too, which are of no use without their mesh."""
-        for child in self.claimChildren():
+        for child in self.own_children():
             child.Document.removeObject(child.Name)
         return True

@@ -40,6 +40,19 @@ class EditPanel:
         FreeCADGui.getDocument(self.document_name).resetEdit()
         FreeCADGui.Control.closeDialog()
 
+    def is_unused(self, own_steps=0):
+        """Whether nothing was done to an object that was made for this panel but in `own_steps` steps of the panel's own."""
+        return self.is_new and (not self.document.UndoMode or self.document.UndoCount == self.steps + own_steps)
+
+    def take_back(self, own_steps=0):
+        """Undoes the making of the object, and steps after that; deletes it where the document undoes nothing."""
+        if self.document.UndoMode:
+            for _ in range(1 + own_steps):
+                self.document.undo()
+            return
+        for thing in (*self.obj.ViewObject.Proxy.own_children(), self.obj):
+            self.document.removeObject(thing.Name)
+
     def forget(self):
         """Lets go of everything that calls back. False when that was done before."""
         global _open

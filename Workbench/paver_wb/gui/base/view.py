@@ -30,6 +30,10 @@ class ViewProvider(Stateless):
     def unsetEdit(self, vobj, mode=0):
         edit_panel.unset_edit()
 
+    def own_children(self):
+        """Objects that are of no use without this one."""
+        return []
+
 
 class ChildViewProvider(ViewProvider):
     """Of what has no picture in the 3D view."""

@@ -36,15 +36,13 @@ class OnMeshed(Command):
         return obj is not None and bool(obj.MeshFile)
 
 
-def selected():
-    """(meshes, other objects) of the selection."""
-    things = FreeCADGui.Selection.getSelection()
-    return [t for t in things if mesh_object.is_mesh(t)], [t for t in things if not mesh_object.is_mesh(t)]
+def selected_meshes():
+    return [thing for thing in FreeCADGui.Selection.getSelection() if mesh_object.is_mesh(thing)]
 
 
 def target_mesh():
     """The mesh object a command is meant for: the first selected one, else the document's only one; or None."""
-    meshes = selected()[0]
+    meshes = selected_meshes()
     if not meshes and FreeCAD.ActiveDocument is not None:
         every = mesh_object.meshes_of(FreeCAD.ActiveDocument)
         meshes = every if len(every) == 1 else []

@@ -3,9 +3,8 @@ import FreeCAD
 import FreeCADGui
 
 from paver_wb import mesh_object, preferences, refinement, series
-from paver_wb.base import proxies
-from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, Command, do, in_step, python_name, run, selected,
-                                          shown_as, target_mesh, tell, translate)
+from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, Command, do, in_step, python_name, run,
+                                          selected_meshes, shown_as, target_mesh, tell, translate)
 from paver_wb.gui.base.steps import references_text
 from paver_wb.gui.display import selection
 
@@ -15,10 +14,10 @@ class CreateMesh(Command):
         "Paver_CreateMesh", "Makes a mesh object for the selected objects and opens its panel"), "Q, C")
 
     def IsActive(self):
-        return FreeCAD.ActiveDocument is not None and bool(parts_selected())
+        return FreeCAD.ActiveDocument is not None and bool(selection.selected_parts())
 
     def Activated(self):
-        things = parts_selected()
+        things = selection.selected_parts()
         for module in ("paver_wb.mesh_object", "paver_wb.analysis"):
             FreeCADGui.addModule(module)
         parts = ", ".join(python_name(thing) for thing in things)
@@ -30,11 +29,6 @@ class CreateMesh(Command):
             do("edit_new(mesh)", "paver_wb.gui.base.edit_panel")
 
 
-def parts_selected():
-    """Selected objects that may be meshed."""
-    return [thing for thing in selected()[1] if not proxies.is_own(thing)]
-
-
 class OnMeshes(Command):
     """A command that works on the selected mesh objects, each in a step of undo of its own."""
 
@@ -42,10 +36,10 @@ class OnMeshes(Command):
         self.module, self.function, self.resources = module, function, resources
 
     def IsActive(self):
-        return FreeCAD.ActiveDocument is not None and bool(selected()[0])
+        return FreeCAD.ActiveDocument is not None and bool(selected_meshes())
 
     def Activated(self):
-        for obj in selected()[0]:
+        for obj in selected_meshes():
             run(f"{self.function}({python_name(obj)})", self.module)
 
 
@@ -81,26 +75,41 @@ class Refine(Child):
     """Of the selected mesh, else of the one that has what is selected."""
 
     def call(self, references):
-        meshes = selected()[0] or refinement.meshes_with(FreeCAD.ActiveDocument, references)
-        if not meshes:
+        mesh = mesh_with(references)
+        if mesh is None:
             raise ValueError(translate("Paver", "No mesh has what is selected. Select its mesh, too, or make one with Create "
                                        "mesh."))
-        return "paver_wb.refinement", (f"make({python_name(meshes[0])}, {references_text(references)}, "
-                                       f"{refinement.first_length(meshes[0])!r})")
+        return "paver_wb.refinement", (f"make({python_name(mesh)}, {references_text(references)}, "
+                                       f"{refinement.first_length(mesh)!r})")
 
 
 class Name(Child):
-    """A medium, a port or a wire."""
+    """A medium, a port or a wire, of the same; a wire may be of what no mesh has yet."""
 
     def __init__(self, kind, resources):
         super().__init__(resources)
         self.kind = kind
 
     def call(self, references):
-        mesh = target_mesh()
+        mesh = mesh_with(references) or target_mesh()
         if mesh is None:
-            raise ValueError(translate("Paver", "There are several meshes; select the one that it belongs to, too."))
+            raise ValueError(several_meshes())
         return "paver_wb.children.named_parts", f"make_{self.kind}({python_name(mesh)}, {references_text(references)})"
+
+
+def mesh_with(references):
+    """The selected mesh, else the one that has what is selected, no step of a series; None without any, ValueError where several
+    have it."""
+    document = FreeCAD.ActiveDocument
+    steps = series.step_meshes(document)
+    found = selected_meshes()[:1] or [mesh for mesh in refinement.meshes_with(document, references) if mesh not in steps]
+    if len(found) > 1:
+        raise ValueError(several_meshes())
+    return next(iter(found), None)
+
+
+def several_meshes():
+    return translate("Paver", "There are several meshes; select the one that it belongs to, too.")
 
 
 class Series(Command):

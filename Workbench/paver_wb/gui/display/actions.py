@@ -8,7 +8,7 @@ from paver_wb import mesh_object
 from paver_wb.gui.display import colouring, mesh_display
 from paver_wb.gui.display.emphasis import isolation
 from paver_wb.gui.display.report import element_name, element_number
-from paver_wb.gui.display.selection import display_of, selected_elements
+from paver_wb.gui.display.selection import display_of, selected_elements, selected_references
 
 AWAY, IN_SIGHT = 15, 10  # distance and height of a camera that shows one element, in lengths of its edges
 AROUND = 3  # height of a camera that shows several elements, in radii of the sphere about them
@@ -131,12 +131,12 @@ def aim(obj, centre, size, normal=None):
     """Points the camera at a place of the mesh; size: of a typical element there. normal: of the side it is seen from; None:
     from where the camera looks now."""
     camera = FreeCADGui.getDocument(obj.Document.Name).ActiveView.getCameraNode()
-    point = obj.Placement.multVec(FreeCAD.Vector(*(float(x) for x in centre)))
+    point = FreeCAD.Vector(*(float(x) for x in centre))
     if normal is None:
         direction = camera.orientation.getValue().multVec(coin.SbVec3f(0, 0, 1)).getValue()
         camera.position = tuple(point + FreeCAD.Vector(*direction) * (AWAY * size))
     else:
-        normal = obj.Placement.Rotation.multVec(FreeCAD.Vector(*(float(x) for x in normal)).normalize())
+        normal = FreeCAD.Vector(*(float(x) for x in normal)).normalize()
         camera.position = tuple(point + normal * (AWAY * size))
         up = FreeCAD.Vector(0, 0, 1) if abs(normal.z) < 0.9 else FreeCAD.Vector(0, 1, 0)
         camera.pointAt(coin.SbVec3f(*point), coin.SbVec3f(*up))
@@ -216,15 +216,14 @@ def show_everything(obj):
 def faces_of_selection(obj):
     """Names of the faces and objects of a mesh that are selected: by its elements, or in the objects it was made of."""
     shown, names, things = display(obj), [], mesh_object.sources(obj)
-    for part in FreeCADGui.Selection.getSelectionEx(obj.Document.Name):
-        subs = [name.rsplit(".", 1)[-1] for name in part.SubElementNames]
-        if part.Object == obj:
-            numbers = [element_number(name) for name in subs]
-            names += [shown.mesh.face_names[shown.mesh.faces[n]] for n in numbers if n is not None and n < shown.mesh.count]
-        elif part.Object in things and len(things) == 1:
-            names += [name for name in subs if name.startswith("Face")]
-        elif part.Object in things:
-            names += [f"{part.Object.Label}/{name}" for name in subs if name.startswith("Face")] or [part.Object.Label]
+    names += [shown.mesh.face_names[shown.mesh.faces[n]] for n in selected_elements(obj.Document.Name).get(obj, ())
+              if n < shown.mesh.count]
+    for thing, elements in selected_references(obj.Document.Name):
+        faces = [element for element in elements if element.startswith("Face")]
+        if thing in things and len(things) == 1:
+            names += faces
+        elif thing in things:
+            names += [f"{thing.Label}/{face}" for face in faces] or [thing.Label]
     return list(dict.fromkeys(names))
 
 

@@ -5,6 +5,7 @@ from PySide import QtCore
 
 from paver_wb import mesh_object
 from paver_wb.base import proxies
+from paver_wb.children.references import grouped, standing, without_features
 from paver_wb.gui.display import mesh_display, report
 
 STATUS_TIME = 8000  # ms
@@ -38,19 +39,32 @@ def selected_elements(document):
     return found
 
 
+def selected_places(document=""):
+    """[(object, path in it)] of what is selected of models, where it was clicked; in a document, else in the active one."""
+    places = [standing(part.Object, path) for part in FreeCADGui.Selection.getSelectionEx(document, 0)
+              for path in part.SubElementNames or ("",)]
+    return [(thing, path) for thing, path in places if not proxies.is_own(thing)]
+
+
+def selected_parts():
+    """Objects that may be meshed, each once."""
+    return list(dict.fromkeys(thing for thing, _ in selected_places()))
+
+
 def may_refine():
     """Whether anything that refinements refer to is selected."""
-    if any(selected_elements(FreeCAD.ActiveDocument.Name).values()):
-        return True
-    return any(not proxies.is_own(part.Object)
-               for part in FreeCADGui.Selection.getSelectionEx())
+    return any(selected_elements(FreeCAD.ActiveDocument.Name).values()) or bool(selected_places())
+
+
+def selected_references(document=""):
+    """[(object, elements)] of the same, without features of Bodies."""
+    return grouped([(thing, without_features(thing, path)) for thing, path in selected_places(document)])
 
 
 def references():
     """[(object, elements)] of what is selected in the 3D view and may be refined; elements of a mesh stand for the faces that
     they lie on. ValueError as from mesh_object.faces_under."""
-    found = [(part.Object, list(part.SubElementNames) or [""]) for part in FreeCADGui.Selection.getSelectionEx()
-             if not proxies.is_own(part.Object)]
+    found = selected_references()
     for mesh, elements in selected_elements(FreeCAD.ActiveDocument.Name).items():
         found += mesh_object.faces_under(mesh, elements) if elements else []
     return found

@@ -70,10 +70,10 @@ class ChildPanel(edit_panel.EditPanel):
         return True
 
     def reject(self):
-        is_unused = self.is_new and self.document.UndoCount == self.steps
+        is_unused = self.is_unused()
         self.close()
         if is_unused:
-            self.document.undo()
+            self.take_back()
         return True
 
     def slotDeletedObject(self, obj):

@@ -62,7 +62,7 @@ class OptionsBox(QtGui.QWidget):
 
     def __init__(self, obj):
         super().__init__()
-        self.obj = obj
+        self.obj, self.known = obj, {}  # what the fields showed last, by option
         self.table = {info["name"]: info for info in core.load().options() if info["kind"] not in properties.REPEATED}
         self.fields = {name: fields.field_for(info) for name, info in self.table.items()}
         for name, field in self.fields.items():
@@ -149,23 +149,38 @@ class OptionsBox(QtGui.QWidget):
 
     def refresh(self):
         """Shows the mesh object's properties."""
-        for name, info in self.table.items():
-            self.fields[name].set_value(properties.value_of(self.obj, info))
-        self.run_in.set_value(self.obj.RunIn)
+        for name in self.table:
+            self.show_option(name)
+        self.show_run_in()
         is_by_frequency = self.fields["frequency"].value() is not None
         (self.by_frequency if is_by_frequency else self.by_length).setChecked(True)
         self.link()
+
+    def refresh_changed(self):
+        """Shows those that have changed since they were shown, and leaves what the user has typed into the others."""
+        for name, info in self.table.items():
+            if properties.value_of(self.obj, info) != self.known[name]:
+                self.show_property(properties.property_name(name))
+        if self.obj.RunIn != self.known[RUN_IN]:
+            self.show_run_in()
+
+    def show_option(self, name):
+        self.known[name] = properties.value_of(self.obj, self.table[name])
+        self.fields[name].set_value(self.known[name])
+
+    def show_run_in(self):
+        self.known[RUN_IN] = self.obj.RunIn
+        self.run_in.set_value(self.known[RUN_IN])
 
     def show_property(self, name):
         """Shows one property after a change of it elsewhere; False when it is no option."""
         option = next((option for option in self.table if properties.property_name(option) == name), None)
         if name == RUN_IN:
-            self.run_in.set_value(self.obj.RunIn)
+            self.show_run_in()
         if option is None:
             return name == RUN_IN
-        value = properties.value_of(self.obj, self.table[option])
-        self.fields[option].set_value(value)
-        if option in ("size", "frequency") and value is not None:
+        self.show_option(option)
+        if option in ("size", "frequency") and self.known[option] is not None:
             (self.by_length if option == "size" else self.by_frequency).setChecked(True)
         self.link()
         return True

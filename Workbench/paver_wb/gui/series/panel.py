@@ -5,7 +5,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from paver_wb import mesh_check, series, statistics
+from paver_wb import mesh_check, mesh_object, series, statistics
 from paver_wb.gui.base import verdict
 from paver_wb.gui.base.steps import do, python_name
 from paver_wb.gui.base.widgets import FaultBox, button, named, row, timer
@@ -102,7 +102,7 @@ class SeriesDialog(QtGui.QDialog):
             "Paver", "Meshes a new series with these values, one step after the other; FreeCAD can be used meanwhile"),
             self.start)
         self.more = button("SeriesContinue", translate("Paver", "Continue"), translate(
-            "Paver", "Meshes the steps of this series that have not been done"), self.go_on)
+            "Paver", "Meshes the steps of this series that have not been done, and those of before a change"), self.go_on)
         self.stop_button = button("SeriesStop", translate("Paver", "Stop"), translate(
             "Paver", "Stops within a second; what is done stays"), self.stop)
         self.save = button("SeriesSave", translate("Paver", "Save table..."), translate(
@@ -195,14 +195,12 @@ class SeriesDialog(QtGui.QDialog):
             self.table.setColumnWidth(column, self.table.columnWidth(column) + ROOM)
         is_running = self.run is not None
         self.run_button.setEnabled(not is_running and self.box is not None)
-        self.more.setEnabled(not is_running and not all(rows))
+        self.more.setEnabled(not is_running and self.series is not None and bool(series.steps_to_do(self.series)))
         self.stop_button.setEnabled(is_running)
         self.save.setEnabled(any(rows))
 
     def fill_row(self, step, found):
         text, level = verdict_of(found) if found else (self.run.state(step.number) if self.run else "", None)
-        if found and series.has_changed(self.series, step.number, found):
-            text, level = translate("Paver", "The mesh has been changed or is out of date; this row is of before."), mesh_check.WARNING
         if found is None and not text:
             text = translate("Paver", "Not done")
         for column, content in enumerate([shown(step.option, step.value), *figures_of(found), text]):
@@ -218,8 +216,15 @@ class SeriesDialog(QtGui.QDialog):
     # What FreeCAD calls
 
     def slotChangedObject(self, obj, name):
-        if name == series.ROWS and obj == self.series or name == "Status" and self.series and obj in self.series.Meshes:
+        is_shown = self.series is not None and self.run is None and not mesh_object.is_restoring(obj)
+        if name == series.ROWS and obj == self.series or is_shown and self.is_about(obj, name):
             self.refresh_soon()
+
+    def is_about(self, obj, name):
+        """Whether rows may be of before after a change of a property."""
+        mesh = self.series.Mesh
+        return name == "Status" and obj in self.series.Meshes or mesh is not None and (
+            obj == mesh or name == "Shape" and obj in mesh_object.parts_of(mesh))
 
     def slotDeletedObject(self, obj):
         if obj == self.series:

@@ -77,7 +77,7 @@ def put(obj, step, row):
 
 
 class SeriesRun(QtCore.QObject):
-    """All steps of a series that have not been done. `told`: something has changed; `ended`: nothing of it runs any more."""
+    """All steps of a series that are to be done. `told`: something has changed; `ended`: nothing of it runs any more."""
 
     told = QtCore.Signal()
     ended = QtCore.Signal()
@@ -85,9 +85,8 @@ class SeriesRun(QtCore.QObject):
     def __init__(self, obj):
         super().__init__()
         self.obj, self.document, self.name, self.runs = obj, obj.Document.Name, obj.Name, []
-        for step, row in zip(series.steps_of(obj), series.rows_of(obj)):
-            if row is None:
-                self.add(step)
+        for step in series.steps_to_do(obj):
+            self.add(step)
 
     def add(self, step):
         try:

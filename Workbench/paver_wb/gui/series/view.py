@@ -29,6 +29,6 @@ class SeriesViewProvider(ViewProvider):
     def onDelete(self, vobj, subelements):
         """Deletes the steps' meshes too, with their children."""
         for mesh in vobj.Object.Meshes:
-            for thing in (*mesh.ViewObject.Proxy.claimChildren(), mesh):
+            for thing in (*mesh.ViewObject.Proxy.own_children(), mesh):
                 thing.Document.removeObject(thing.Name)
         return True
