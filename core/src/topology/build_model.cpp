@@ -294,7 +294,7 @@ class ModelBuilder {
   void mark_periodic_edges() {
     for (std::size_t e = 0; e < model_.edges.size(); ++e) {
       Edge& edge = model_.edges[e];
-      edge.is_periodic = edge.faces.size() == 2 && edge.faces[0] == edge.faces[1] &&
+      edge.is_periodic = !edge.is_degenerate && edge.faces.size() == 2 && edge.faces[0] == edge.faces[1] &&
                          !has_other_user(model_, static_cast<int>(e), edge.faces[0]);
     }
     for (const Face& face : model_.faces)

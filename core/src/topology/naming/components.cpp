@@ -1,6 +1,7 @@
 // In: model, reports of faces. Out: parts by component. Faces, wires and points that share a vertex share its node.
 #include "topology/naming/components.h"
 
+#include <algorithm>
 #include <map>
 
 #include "base/union_find.h"
@@ -46,7 +47,12 @@ class Components {
     const Face& face = model_.faces[f];
     return face.has_area && entries_[static_cast<std::size_t>(face.origin)].status == FaceStatus::meshed;
   }
-  bool is_wire(std::size_t e) const { return model_.edges[e].is_wire(); }
+  /// Of a wire, by itself or in faces that it lies on.
+  bool is_wire(std::size_t e) const {
+    const std::vector<int>& faces = model_.edges[e].faces;
+    auto has_mesh = [&](int face) { return is_meshed(static_cast<std::size_t>(face)); };
+    return model_.edge_part[e] >= 0 && (faces.empty() || std::any_of(faces.begin(), faces.end(), has_mesh));
+  }
   // Faces and wires come first, in the order of the model, so that the least item of a component tells its place.
   int face_item(std::size_t f) const { return static_cast<int>(f); }
   int edge_item(std::size_t e) const { return static_cast<int>(model_.faces.size() + e); }

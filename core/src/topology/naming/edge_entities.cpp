@@ -15,7 +15,7 @@ std::string group_of(const Model& model, std::size_t index) {
     if (static_cast<std::size_t>(origin) < model.edge_group.size() &&
         !model.edge_group[static_cast<std::size_t>(origin)].empty())
       return model.edge_group[static_cast<std::size_t>(origin)];
-  if (edge.is_wire()) return model.parts[static_cast<std::size_t>(model.edge_part[index])];
+  if (const int wire = model.edge_part[index]; wire >= 0) return model.parts[static_cast<std::size_t>(wire)];
   return edge.faces.size() > 2 && !edge.is_degenerate ? junctions : "";
 }
 
