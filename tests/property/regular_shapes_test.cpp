@@ -116,7 +116,8 @@ TEST(RegularShapes, EllipsoidsAreMeshedAtEverySize) {
       EXPECT_STREQ(verdict(report), "sound");
       EXPECT_LE(report.quality.triangles, 8);
       const double by_predicted = (report.quality.quads + report.quality.triangles) / report.quality.metric.predicted;
-      EXPECT_TRUE(share < 8 || by_predicted < 1.4) << by_predicted;
+      // Where both halves are paved again, by lengths that do not count turns, there are half as many more.
+      EXPECT_TRUE(share < 8 || by_predicted < 1.6) << by_predicted;
     }
   }
 }

@@ -34,6 +34,13 @@ std::string one_sided_solids(const std::vector<std::string>& solids) {
       fmt::join(solids, ", "));
 }
 
+std::string holes(const std::vector<std::string>& faces) {
+  if (faces.empty()) return "";
+  return fmt::format(
+      "Too small to have an area and left out, which leaves holes in their bodies: {}; remove them in the CAD program.",
+      listed(faces, most_named_faces));
+}
+
 // Nodes lie on curves and on surfaces: where these are farther apart the mesh leaves one of them.
 constexpr double farthest_curve = 0.25;  // of the target length
 
@@ -109,7 +116,7 @@ std::vector<std::string> doubts(const RunReport& report) {
         "{} and {} come within {:.3g} mm of each other at ({:.6g}, {:.6g}, {:.6g}) and share no node; where "
         "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
         gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
-  for (std::string sentence : {long_sides(report), folded(report)})
+  for (std::string sentence : {holes(report.model.holes), long_sides(report), folded(report)})
     if (!sentence.empty()) sentences.push_back(std::move(sentence));
   return sentences;
 }

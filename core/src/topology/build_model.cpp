@@ -34,6 +34,8 @@ constexpr double noted_share = 1e-6;
 constexpr int deviation_samples = 64;
 /// Gap between parts that is closed, of the diagonal: what rounding in files and in placements leaves, and no more.
 constexpr double contact_share = 1e-7;
+/// Of the diagonal: a narrower face is a sliver, whose sides are one.
+constexpr double least_width = 1e-7;
 /// Gap between images, over the face's extent in (u, v), that is worth a note.
 constexpr double gap_share = 1e-3;
 
@@ -76,6 +78,7 @@ class ModelBuilder {
     for (const std::string& face : orient_faces(work_, model_, tasks_))
       work_.note_repair(RepairKind::turned_face, 1, 0, face);
     fill_report();
+    model_.report.holes = find_holes(index);
     add_notes();
     if (options.strict) refuse_faults();
     if (brep) *brep = repaired_brep(whole, reversals(whole));
@@ -353,6 +356,27 @@ class ModelBuilder {
       }
     }
   }
+
+  /// Faces that were left out though they are no slivers, whose sides meet without them, and that are missed: a tip cut
+  /// off, a nick.
+  std::vector<std::string> find_holes(const EdgeIndex& index) const {
+    std::vector<std::string> names;
+    for (const WorkFace& face : work_.faces) {
+      if (face.has_area || face.is_dropped || !face.fault.empty()) continue;
+      double border = 0;
+      bool is_missed = false;
+      for (const TopoDS_Edge& shape : edges_of(face.face)) {
+        border += edge_length(shape);
+        const int e = index.find(shape);
+        is_missed |= e >= 0 && edge_at(e).faces.size() == 1 && !edge_at(e).is_degenerate;
+      }
+      if (is_missed && 2 * face_area(face.face) > least_width * work_.diagonal * border)
+        names.push_back(face_name(face.origin));
+    }
+    return names;
+  }
+
+  const Edge& edge_at(int e) const { return model_.edges[static_cast<std::size_t>(e)]; }
 
   /// Per face of the work before it was divided.
   std::vector<char> reversals(const Workpiece& whole) const {

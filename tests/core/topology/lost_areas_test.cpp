@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -121,6 +122,16 @@ TEST(LostAreas, NameACapWithoutItsPoleWhereItsNeighbourStaysOpen) {
   EXPECT_EQ(result.report.faces[1].status, FaceStatus::failed);
   EXPECT_EQ(result.report.faces[1].reason.find("its border is there twice"), 0u) << result.report.faces[1].reason;
   expect_left_out(cap_without_pole({0, 0, 10}, 5));  // nobody misses it
+}
+
+// A nick in a corner: its faces are small, but no slivers, and the box is open without them.
+TEST(LostAreas, AreToldWhereTheyLeaveAHole) {
+  for (double nick : {1e-3, 1e-4, 2e-5}) {
+    const TopoDS_Shape corner = BRepPrimAPI_MakeBox(nick, nick, nick);
+    const RunReport report = test::report_of(BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10, 10, 10), corner), 2);
+    EXPECT_EQ(report.model.holes.size(), report.quality.border_edges > 0 ? 3u : 0u) << nick;
+    EXPECT_STREQ(verdict(report), report.quality.border_edges > 0 ? "doubtful" : "sound") << nick;
+  }
 }
 
 }  // namespace
