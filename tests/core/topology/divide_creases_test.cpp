@@ -1,8 +1,10 @@
 // Faces with creases inside: pieces, sharing with neighbours, names; smooth knots stay.
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -177,6 +179,18 @@ TEST(DivideCreases, DividesPartsOfAFaceThatIsCrossed) {
   }
   ASSERT_EQ(areas["Face1"].size(), 4u);
   for (double area : areas["Face1"]) EXPECT_NEAR(area, std::sqrt(2.0), 1e-6);
+}
+
+TEST(DivideCreases, DividesAFaceWithAHoleOnItsCrease) {
+  const double radius = 0.3;
+  const TopoDS_Shape drill = BRepPrimAPI_MakeCylinder(gp_Ax2({1, 1, -1}, {0, 0, 1}), radius, 4);
+  Model model = model_of(BRepAlgoAPI_Cut(face_of(pulled(roof)), drill));
+  ASSERT_EQ(model.faces.size(), 2u);
+  for (const Face& face : model.faces) {
+    EXPECT_EQ(face.fault, "");
+    EXPECT_NEAR(face.area, std::sqrt(2.0) * (2 - 0.5 * M_PI * radius * radius), 1e-5);
+    ASSERT_EQ(face.loops.size(), 1u) << "the hole is part of the border";
+  }
 }
 
 TEST(DivideCreases, NeighboursWithoutCreasesTakeOverDividedEdges) {

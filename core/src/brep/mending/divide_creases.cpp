@@ -8,7 +8,6 @@
 //    line (a trailing edge without thickness): the kernel's division fails at these.
 // 4. Faces take over the divided edges of their neighbours; every edge keeps the number of the one it came from.
 // A face that the kernel cannot divide stays whole.
-#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Builder.hxx>
@@ -17,7 +16,6 @@
 #include <ShapeUpgrade_SplitSurface.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_HSequenceOfReal.hxx>
-#include <TopExp.hxx>
 #include <TopLoc_Location.hxx>
 #include <algorithm>
 #include <array>
@@ -47,8 +45,9 @@ constexpr int strip_samples = 8;
 /// Pieces that the kernel makes must have the area of their face up to this share; measured across creases it is some
 /// parts in a thousand off.
 constexpr double area_share = 1e-2;
-/// What the kernel divides edges by: at 1e-7 holes across a crease came out with pieces that do not close.
-constexpr double compose_precision = 1e-5;
+/// Of the diagonal: nearer than this to a crease an edge ends there. By the kernel's 1e-7 mm holes across a crease came
+/// out with remnants of edges, and their pieces did not close.
+constexpr double compose_share = 1e-6;
 /// Images of edges that lie further off than this many ranges of the surface are damage: the kernel would cut them at
 /// every period on the way, without end.
 constexpr double most_turns = 8;
@@ -313,8 +312,8 @@ class CreaseDivider {
       double area = face_area(current[0]);
       // A trial first: the kernel records divided edges even where it fails.
       Handle(ShapeBuild_ReShape) trial = new ShapeBuild_ReShape;
-      if (!is_sound(faces_of(compose(current[0], cuts, trial)), area)) return false;
-      context_->Replace(current[0], compose(current[0], cuts, context_));
+      if (!is_sound(faces_of(compose(current[0], cuts, work_.diagonal, trial)), area)) return false;
+      context_->Replace(current[0], compose(current[0], cuts, work_.diagonal, context_));
       return true;
     } catch (const Standard_Failure&) {
       return false;
@@ -337,7 +336,8 @@ class CreaseDivider {
     return true;
   }
 
-  static TopoDS_Shape compose(const TopoDS_Face& face, const Cuts& cuts, const Handle(ShapeBuild_ReShape) & context) {
+  static TopoDS_Shape compose(const TopoDS_Face& face, const Cuts& cuts, double diagonal,
+                              const Handle(ShapeBuild_ReShape) & context) {
     TopLoc_Location location;
     Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location);
     double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
@@ -353,25 +353,9 @@ class CreaseDivider {
     splitter.SetVSplitValues(within(cuts.v, v0, v1));
     splitter.Perform(Standard_True);
     ShapeFix_ComposeShell composer;
-    composer.Init(splitter.ResSurfaces(), location, face, compose_precision);
+    composer.Init(splitter.ResSurfaces(), location, face, std::max(Precision::Confusion(), compose_share * diagonal));
     composer.SetContext(context);
-    if (!composer.Perform()) return {};
-    drop_remnants(composer.Result(), context);
-    return context->Apply(composer.Result());
-  }
-
-  /// An edge that ends at a crease is cut just before its end, as its image does not end at the crease to the last
-  /// digit: what is left goes from a vertex to itself.
-  static void drop_remnants(const TopoDS_Shape& pieces, const Handle(ShapeBuild_ReShape) & context) {
-    for (const TopoDS_Edge& edge : edges_of(pieces)) {
-      TopoDS_Vertex a, b;
-      TopExp::Vertices(edge, a, b);
-      if (BRep_Tool::Degenerated(edge) || a.IsNull() || !a.IsSame(b)) continue;
-      const BRepAdaptor_Curve curve(edge);
-      const double middle = 0.5 * (curve.FirstParameter() + curve.LastParameter());
-      if (curve.Value(middle).Distance(BRep_Tool::Pnt(a)) <= compose_precision + BRep_Tool::Tolerance(a))
-        context->Remove(edge);
-    }
+    return composer.Perform() ? composer.Result() : TopoDS_Shape();
   }
 
   /// Values of a periodic surface brought into its own period.
