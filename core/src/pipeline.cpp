@@ -451,7 +451,7 @@ class Run {
   }
 
   void measure_wires() {
-    for (int edge : result_.mesh.line_edge) result_.report.quality.wire_lines += model_.edge_part[edge] >= 0;
+    for (int edge : result_.mesh.line_edge) result_.report.quality.wire_lines += is_of_wire(model_, edge);
   }
 
   /// By the names that lines have in the end.

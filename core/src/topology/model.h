@@ -99,6 +99,12 @@ struct Model {
   }
 };
 
+/// Whether an edge is of a wire: by itself, or in faces that it lies on.
+inline bool is_of_wire(const Model& model, int edge) {
+  const auto e = static_cast<std::size_t>(edge);
+  return e < model.edge_part.size() && model.edge_part[e] >= 0;
+}
+
 inline const Edge& edge_of(const Model& model, const Coedge& coedge) {
   return model.edges[static_cast<std::size_t>(coedge.edge)];
 }

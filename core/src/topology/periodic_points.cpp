@@ -8,9 +8,8 @@
 namespace paver {
 
 bool has_other_user(const Model& model, int edge, int face) {
-  const auto e = static_cast<std::size_t>(edge);
-  if (e < model.edge_part.size() && model.edge_part[e] >= 0) return true;
-  return std::ranges::any_of(model.edges[e].faces, [&](int user) { return user != face; });
+  const std::vector<int>& faces = model.edges[static_cast<std::size_t>(edge)].faces;
+  return is_of_wire(model, edge) || std::ranges::any_of(faces, [&](int user) { return user != face; });
 }
 
 void add_periodic_points(Model& model, const std::set<int>& wanted) {

@@ -138,9 +138,7 @@ double MergeLimits::length(int index) const {
 
 bool MergeLimits::is_protected(int index) const {
   const Edge& edge = edits_.edge(index);
-  const std::vector<int>& parts = edits_.model().edge_part;
-  const bool is_of_wire = static_cast<std::size_t>(index) < parts.size() && parts[static_cast<std::size_t>(index)] >= 0;
-  if (is_of_wire || edge.is_degenerate || edge.faces.size() > 2) return true;
+  if (is_of_wire(edits_.model(), index) || edge.is_degenerate || edge.faces.size() > 2) return true;
   return std::any_of(edge.origins.begin(), edge.origins.end(),
                      [&](int origin) { return is_local_edge_[static_cast<std::size_t>(origin)] != 0; });
 }

@@ -18,7 +18,7 @@ class Components {
     for (std::size_t f = 0; f < model_.faces.size(); ++f)
       if (is_meshed(f)) add_face(f);
     for (std::size_t e = 0; e < model_.edges.size(); ++e)
-      if (is_wire(e)) add_ends(model_.edges[e], edge_item(e));
+      if (has_lines_of_wire(e)) add_ends(model_.edges[e], edge_item(e));
     std::map<int, std::vector<char>> parts;  // per component: whether it has each part
     auto note = [&](int item, int part) {
       std::vector<char>& has = parts[together_.find(item)];
@@ -29,7 +29,7 @@ class Components {
       if (is_meshed(f))
         for (int part : model_.face_parts[f]) note(face_item(f), part);
     for (std::size_t e = 0; e < model_.edges.size(); ++e)
-      if (is_wire(e)) note(edge_item(e), model_.edge_part[e]);
+      if (has_lines_of_wire(e)) note(edge_item(e), model_.edge_part[e]);
     for (const PartPoint& point : model_.points)
       if (point.part >= 0 && parts.contains(together_.find(vertex_item(point.vertex))))
         note(vertex_item(point.vertex), point.part);
@@ -47,11 +47,11 @@ class Components {
     const Face& face = model_.faces[f];
     return face.has_area && entries_[static_cast<std::size_t>(face.origin)].status == FaceStatus::meshed;
   }
-  /// Of a wire, by itself or in faces that it lies on.
-  bool is_wire(std::size_t e) const {
+  bool has_lines_of_wire(std::size_t e) const {
     const std::vector<int>& faces = model_.edges[e].faces;
     auto has_mesh = [&](int face) { return is_meshed(static_cast<std::size_t>(face)); };
-    return model_.edge_part[e] >= 0 && (faces.empty() || std::any_of(faces.begin(), faces.end(), has_mesh));
+    return is_of_wire(model_, static_cast<int>(e)) &&
+           (faces.empty() || std::any_of(faces.begin(), faces.end(), has_mesh));
   }
   // Faces and wires come first, in the order of the model, so that the least item of a component tells its place.
   int face_item(std::size_t f) const { return static_cast<int>(f); }
