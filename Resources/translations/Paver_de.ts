@@ -771,8 +771,8 @@
         <translation>Die Flächen von {} können nicht alle nach außen zeigen; bitte den Körper reparieren.</translation>
     </message>
     <message>
-        <source>{} come within {} mm of each other and share no node.</source>
-        <translation>{} kommen einander auf {} mm nahe und haben keinen Knoten gemeinsam.</translation>
+        <source>{} come within {} mm of each other and share no node there.</source>
+        <translation>{} kommen einander auf {} mm nahe und haben dort keinen Knoten gemeinsam.</translation>
     </message>
     <message>
         <source>No edge is longer than {} of the target length.</source>

@@ -121,7 +121,7 @@ struct Contact {
   double gap = 0;                  ///< largest that was closed, mm
 };
 
-/// Two parts that come within a hundredth of the target length of each other and share no node.
+/// Two parts that come within a hundredth of the target length of each other and share no node there.
 struct Gap {
   std::array<std::string, 2> parts;
   double distance = 0;  ///< least, mm

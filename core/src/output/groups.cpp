@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "mesh/element_table.h"
 #include "output/numbering_impl.h"
@@ -16,8 +17,8 @@ int largest(const std::vector<int>& values) {
 }
 
 /// A name as it may stand between quotes on one line, cut before a broken UTF-8 character.
-std::string quotable(std::string name) {
-  std::size_t length = std::min(name.size(), longest_name);
+std::string quotable(std::string name, std::size_t longest = longest_name) {
+  std::size_t length = std::min(name.size(), longest);
   while (length < name.size() && length > 0 && (static_cast<unsigned char>(name[length]) & 0xC0) == 0x80) --length;
   name.resize(length);
   for (char& c : name) {
@@ -28,10 +29,37 @@ std::string quotable(std::string name) {
 }
 
 std::string name_of_face(const MeshResult& result, std::size_t face) {
-  if (face < result.face_groups.size() && !result.face_groups[face].empty()) return quotable(result.face_groups[face]);
-  std::string name = face < result.face_names.size() ? quotable(result.face_names[face]) : "";
+  if (face < result.face_groups.size() && !result.face_groups[face].empty()) return result.face_groups[face];
+  const std::string name = face < result.face_names.size() ? result.face_names[face] : "";
   return name.empty() ? "Face" + std::to_string(face + 1) : name;
 }
+
+/// The groups of one dimension: different names stay different where they are the same when cut.
+class Names {
+ public:
+  Names(std::vector<std::string>& names, std::size_t before) : names_(names), before_(before) {}
+
+  int number(const std::string& name) {
+    const auto [at, is_new] = numbers_.emplace(name, static_cast<int>(before_ + names_.size()) + 1);
+    if (is_new) names_.push_back(unused(name));
+    return at->second;
+  }
+
+ private:
+  std::string unused(const std::string& name) {
+    std::string quoted = quotable(name);
+    for (int copy = 2; !used_.insert(quoted).second; ++copy) {
+      const std::string tail = " (" + std::to_string(copy) + ")";
+      quoted = quotable(name, longest_name - tail.size()) + tail;
+    }
+    return quoted;
+  }
+
+  std::vector<std::string>& names_;
+  std::size_t before_;
+  std::unordered_map<std::string, int> numbers_;
+  std::unordered_set<std::string> used_;
+};
 
 long long pair_key(int a, int b) {
   return (static_cast<long long>(std::min(a, b)) << 32) | static_cast<unsigned>(std::max(a, b));
@@ -67,39 +95,30 @@ Grouping group_rows(const std::vector<int>& group_of, int groups) {
 
 Groups find_groups(const MeshResult& result, const std::vector<char>& has_elements) {
   Groups groups;
-  auto number = [](std::unordered_map<std::string, int>& numbers, const std::string& name, std::size_t before,
-                   std::vector<std::string>& names) {
-    auto [at, is_new] = numbers.emplace(name, static_cast<int>(before + names.size()) + 1);
-    if (is_new) names.push_back(name);
-    return at->second;
-  };
-  std::unordered_map<std::string, int> of_faces, of_edges, of_points;
+  Names faces(groups.face_names, 0);
   for (std::size_t face = 0; face < has_elements.size(); ++face)
-    groups.of_face.push_back(has_elements[face] ? number(of_faces, name_of_face(result, face), 0, groups.face_names)
-                                                : 0);
+    groups.of_face.push_back(has_elements[face] ? faces.number(name_of_face(result, face)) : 0);
   std::vector<char> has_lines(result.edge_groups.size(), 0);
   for (int edge : result.mesh.line_edge)
     if (edge < static_cast<int>(has_lines.size())) has_lines[edge] = 1;
+  Names edges(groups.edge_names, groups.face_names.size());
   for (std::size_t edge = 0; edge < has_lines.size(); ++edge) {
-    const std::string name = quotable(result.edge_groups[edge]);
-    bool is_in_one = has_lines[edge] && !name.empty();
-    groups.of_edge.push_back(is_in_one ? number(of_edges, name, groups.face_names.size(), groups.edge_names) : 0);
+    const std::string& name = result.edge_groups[edge];
+    groups.of_edge.push_back(has_lines[edge] && !name.empty() ? edges.number(name) : 0);
   }
   const std::size_t before = groups.face_names.size() + groups.edge_names.size();
+  Names points(groups.point_names, before);
   for (std::size_t i = 0; i < result.mesh.points.size(); ++i) {
-    const std::string name = i < result.point_names.size() ? quotable(result.point_names[i]) : "";
-    groups.of_point.push_back(
-        number(of_points, name.empty() ? "Point" + std::to_string(i + 1) : name, before, groups.point_names));
+    const std::string name = i < result.point_names.size() ? result.point_names[i] : "";
+    groups.of_point.push_back(points.number(name.empty() ? "Point" + std::to_string(i + 1) : name));
   }
-  std::unordered_map<std::string, int> of_volumes;
+  Names volumes(groups.volume_names, before + groups.point_names.size());
   for (const Volume& volume : result.volumes) {
     bool has_sides = std::any_of(volume.sides.begin(), volume.sides.end(), [&](int side) {
       const auto face = static_cast<std::size_t>(std::abs(side)) - 1;
       return face < has_elements.size() && has_elements[face];
     });
-    groups.of_volume.push_back(
-        has_sides ? number(of_volumes, quotable(volume.medium), before + groups.point_names.size(), groups.volume_names)
-                  : 0);
+    groups.of_volume.push_back(has_sides ? volumes.number(volume.medium) : 0);
   }
   return groups;
 }

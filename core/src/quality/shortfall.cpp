@@ -113,7 +113,7 @@ std::vector<std::string> doubts(const RunReport& report) {
   std::vector<std::string> sentences;
   for (const Gap& gap : report.gaps)
     sentences.push_back(fmt::format(
-        "{} and {} come within {:.3g} mm of each other at ({:.6g}, {:.6g}, {:.6g}) and share no node; where "
+        "{} and {} come within {:.3g} mm of each other at ({:.6g}, {:.6g}, {:.6g}) and share no node there; where "
         "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
         gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
   for (std::string sentence : {holes(report.model.holes), long_sides(report), folded(report)})

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -21,6 +22,8 @@ using test::report_of;
 TopoDS_Shape box(double x, double y, double z, double dx, double dy, double dz) {
   return BRepPrimAPI_MakeBox(gp_Pnt(x, y, z), dx, dy, dz).Shape();
 }
+
+TopoDS_Shape fuse(const TopoDS_Shape& a, const TopoDS_Shape& b) { return BRepAlgoAPI_Fuse(a, b).Shape(); }
 
 TEST(Gaps, PartsWithinAHundredthOfTheTargetLengthAreNamed) {
   const RunReport report = report_of(compound({box(0, 0, 0, 4, 4, 1), box(1, 1, 1.008, 2, 2, 1)}), 1);
@@ -54,6 +57,22 @@ TEST(Gaps, PartsWithOnlyAPointInCommonMayBeNearElsewhere) {
   EXPECT_STREQ(verdict(near), "doubtful");
   const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(5, 5, 40), 40).Shape();
   EXPECT_TRUE(report_of(compound({box(0, 0, -1, 10, 10, 1), ball}), 1).gaps.empty());
+}
+
+// A bracket that stands on a plate with one foot; the other ends just above it.
+TEST(Gaps, PartsThatTouchMayBeNearElsewhere) {
+  auto bracket = [](double above) {
+    return compound({box(0, 0, -1, 20, 4, 1),
+                     fuse(fuse(box(1, 1, 0, 2, 2, 3), box(1, 1, 3, 18, 2, 1)), box(17, 1, above, 2, 2, 3.5 - above))});
+  };
+  const RunReport near = report_of(bracket(0.0005), 1);
+  ASSERT_EQ(near.gaps.size(), 1u);
+  EXPECT_NEAR(near.gaps[0].distance, 0.0005, 1e-9);
+  EXPECT_GE(near.gaps[0].where.x, 17 - 1e-9);
+  EXPECT_STREQ(verdict(near), "doubtful");
+  EXPECT_EQ(near.components.size(), 1u);
+  EXPECT_TRUE(report_of(bracket(0), 1).gaps.empty());
+  EXPECT_TRUE(report_of(bracket(0.005), 1).gaps.empty());
 }
 
 TEST(Gaps, WiresThatPassEachOtherAreNear) {

@@ -176,6 +176,16 @@ TEST_F(WriteOutputs, GivesFacesOfOneNameOneGroup) {
   EXPECT_NE(content(path("a.msh")).find("$PhysicalNames\n1\n2 1 \"skin\"\n$EndPhysicalNames"), std::string::npos);
 }
 
+TEST_F(WriteOutputs, KeepsNamesApartThatAreTheSameWhenCut) {
+  MeshResult result = fake::WavyMesh(1, 4, 0).result();
+  const std::string begin(127, 'a');
+  result.face_names = {begin + "left", begin + "right"};
+  write(result, {path("a.msh"), "", MshVersion::v2_2, true});
+  EXPECT_NE(
+      content(path("a.msh")).find("$PhysicalNames\n2\n2 1 \"" + begin + "\"\n2 2 \"" + begin.substr(4) + " (2)\"\n"),
+      std::string::npos);
+}
+
 TEST_F(WriteOutputs, WritesTheSameFileEachTime) {
   MeshResult result = fake::WavyMesh(2, 6, 0.3).result();
   write(result, {path("a.msh"), "", MshVersion::v4_1, false});

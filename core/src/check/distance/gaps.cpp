@@ -1,5 +1,5 @@
-// Steps: boxes of the parts; elements that lie where boxes of parts without a common vertex meet, from all ranks; a
-// tree of boxes about them; distances of the pairs whose boxes meet.
+// Steps: elements that share a cell of a grid with others that have no part in common with them, from all ranks; a tree
+// of boxes about them; distances of the pairs whose boxes meet.
 #include "check/distance/gaps.h"
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <span>
 #include <tuple>
 
 #include "base/tasks/gather.h"
@@ -23,9 +22,9 @@ using Pair = std::array<int, 2>;
 /// Of how far a quadratic element reaches beyond its nodes, of their extent.
 constexpr double overshoot = 0.3;
 constexpr double no_gap = 1e-9;  // of the target length: nothing is nearer
-/// Parts with nothing but points in common touch elsewhere, too, where they come nearer than this, in target lengths,
-/// so many target lengths from all these: a ball on a plate lies farther from it there, however fine the mesh.
-constexpr double point_gap = 1e-3, from_points = 4;
+/// Parts with points or edges in common touch elsewhere, too, where they come nearer than this, in target lengths, so
+/// many target lengths from all these: a ball on a plate lies farther from it there, however fine the mesh.
+constexpr double common_gap = 1e-3, from_common = 4;
 
 /// An element or a line of a wire, as ranks give it to each other.
 struct Piece {
@@ -48,15 +47,55 @@ struct Piece {
   }
 };
 
+struct Common {
+  std::vector<Vec3> points;
+  std::vector<const Edge*> edges;
+};
+
+/// Cubes about the model: at most `most` along a side, none smaller than the longest element.
+class CellGrid {
+ public:
+  CellGrid(const Box& whole, double longest) : low_(whole.low) {
+    const Vec3 size = whole.high - whole.low;
+    side_ = std::max(longest, std::max({size.x, size.y, size.z}) / most);
+  }
+
+  template <class Visit>
+  void visit(const Box& box, Visit visit) const {
+    const std::array<int, 3> a = cell(box.low), b = cell(box.high);
+    for (int x = a[0]; x <= b[0]; ++x)
+      for (int y = a[1]; y <= b[1]; ++y)
+        for (int z = a[2]; z <= b[2]; ++z) visit((x * most + y) * most + z);
+  }
+
+ private:
+  static constexpr int most = 256;
+
+  std::array<int, 3> cell(Vec3 x) const {
+    auto along = [&](double from) { return std::clamp(static_cast<int>(from / side_), 0, most - 1); };
+    const Vec3 from = x - low_;
+    return {along(from.x), along(from.y), along(from.z)};
+  }
+
+  Vec3 low_;
+  double side_ = 1;
+};
+
+/// A cell of a grid about the model, and one of the sets of parts that have elements in it.
+struct Occupied {
+  int cell = 0, set = 0;
+  auto operator<=>(const Occupied&) const = default;
+};
+
 class GapSearch {
  public:
   GapSearch(const SurfaceMesh& mesh, const Model& model, Ranks& ranks) : mesh_(mesh), model_(model), ranks_(ranks) {}
 
   std::vector<Gap> run() {
-    find_neighbours();
-    if (model_.parts.size() > 1) longest_ = longest_element();
-    find_partners();
-    if (std::all_of(partners_.begin(), partners_.end(), [](const Parts& of) { return of.empty(); })) return {};
+    if (model_.parts.size() < 2) return {};
+    find_common();
+    number_sets();
+    longest_ = longest_element();
     gather();
     for (const Piece& piece : pieces_) {
       boxes_.push_back(piece.box());
@@ -72,21 +111,20 @@ class GapSearch {
   }
 
  private:
-  // Pairs of parts with an edge in common, and with vertices only.
-  void find_neighbours() {
+  // What pairs of parts have in common.
+  void find_common() {
     vertex_parts_.resize(model_.vertices.size());
-    std::vector<std::set<int>>& parts = vertex_parts_;
     std::vector<std::set<int>> edge_parts(model_.edges.size());
     auto note = [&](int edge, const Parts& of) {
       const Edge& e = model_.edges[edge];
-      for (int vertex : {e.start, e.end}) parts[vertex].insert(of.begin(), of.end());
+      for (int vertex : {e.start, e.end}) vertex_parts_[vertex].insert(of.begin(), of.end());
       if (!e.is_degenerate) edge_parts[edge].insert(of.begin(), of.end());
     };
     for (std::size_t f = 0; f < model_.faces.size(); ++f) {
       for (const Loop& loop : model_.faces[f].loops)
         for (const Coedge& coedge : loop.coedges) note(coedge.edge, model_.face_parts[f]);
       for (const InnerPoint& point : model_.faces[f].points)
-        parts[point.vertex].insert(model_.face_parts[f].begin(), model_.face_parts[f].end());
+        vertex_parts_[point.vertex].insert(model_.face_parts[f].begin(), model_.face_parts[f].end());
     }
     for (std::size_t e = 0; e < model_.edges.size(); ++e)
       if (model_.edge_part[e] >= 0) note(static_cast<int>(e), {model_.edge_part[e]});
@@ -94,30 +132,50 @@ class GapSearch {
       for (auto a = of.begin(); a != of.end(); ++a)
         for (auto b = std::next(a); b != of.end(); ++b) visit(Pair{*a, *b});
     };
-    for (const std::set<int>& of : edge_parts) for_pairs(of, [&](Pair pair) { neighbours_.insert(pair); });
-    for (std::size_t v = 0; v < parts.size(); ++v)
-      for_pairs(parts[v], [&](Pair pair) {
-        if (!neighbours_.contains(pair)) common_points_[pair].push_back(model_.vertices[v]);
-      });
+    for (std::size_t v = 0; v < vertex_parts_.size(); ++v)
+      for_pairs(vertex_parts_[v], [&](Pair pair) { common_[pair].points.push_back(model_.vertices[v]); });
+    for (std::size_t e = 0; e < edge_parts.size(); ++e)
+      for_pairs(edge_parts[e], [&](Pair pair) { common_[pair].edges.push_back(&model_.edges[e]); });
   }
 
-  bool are_apart(int a, int b) const { return a != b && !neighbours_.contains({std::min(a, b), std::max(a, b)}); }
+  // The sets of parts that have a face or a wire, the same on all ranks.
+  void number_sets() {
+    std::map<Parts, int> numbers;
+    auto number = [&](Parts of) {
+      std::ranges::sort(of);
+      const auto [known, is_new] = numbers.try_emplace(of, static_cast<int>(sets_.size()));
+      if (is_new) sets_.push_back(std::move(of));
+      return known->second;
+    };
+    for (const Parts& of : model_.face_parts) face_set_.push_back(number(of));
+    for (int part : model_.edge_part) edge_set_.push_back(part >= 0 ? number({part}) : -1);
+  }
 
   bool is_told(Pair pair, const PatchDistance& found, double target) const {
-    const auto points = common_points_.find(pair);
-    if (points == common_points_.end()) return true;
-    auto is_near = [&](Vec3 point) { return norm(found.where - point) < from_points * target; };
-    return found.distance <= point_gap * target && std::none_of(points->second.begin(), points->second.end(), is_near);
+    const auto common = common_.find(pair);
+    if (common == common_.end()) return true;
+    const double far = from_common * target;
+    auto is_near = [&](Vec3 point) { return norm(found.where - point) < far; };
+    return found.distance <= common_gap * target &&
+           std::none_of(common->second.points.begin(), common->second.points.end(), is_near) &&
+           std::none_of(common->second.edges.begin(), common->second.edges.end(),
+                        [&](const Edge* edge) { return is_nearer(found.where, *edge, far); });
   }
 
-  std::span<const int> parts_of(const Piece& piece) const {
-    if (piece.face >= 0) return model_.face_parts[piece.face];
-    return {&model_.edge_part[piece.edge], 1};
+  // Told to a sixteenth of `far`, by places along the edge.
+  static bool is_nearer(Vec3 x, const Edge& edge, double far) {
+    constexpr double most = 1e4;
+    const int steps = static_cast<int>(std::clamp(4 * edge.length / far, 4.0, most));
+    for (int i = 0; i <= steps; ++i)
+      if (norm(edge.curve->point(edge.parameter(static_cast<double>(i) / steps)) - x) < far) return true;
+    return false;
   }
+
+  int set_of(const Piece& piece) const { return piece.face >= 0 ? face_set_[piece.face] : edge_set_[piece.edge]; }
 
   // Parts that have the piece or one of its nodes, rising.
   Parts parts_about(const Piece& piece) const {
-    const std::span<const int> own = parts_of(piece);
+    const Parts& own = sets_[set_of(piece)];
     std::set<int> about(own.begin(), own.end());
     for (int k = 0; k < piece.patch.node_count(); ++k) {
       if (piece.node_edge[k] < 0) continue;
@@ -170,37 +228,25 @@ class GapSearch {
     return greatest(longest, ranks_);
   }
 
-  // Parts apart whose boxes meet. The boxes of all ranks.
-  void find_partners() {
-    partners_.resize(model_.parts.size());
-    if (model_.parts.size() < 2) return;
-    part_boxes_.resize(model_.parts.size());
-    for_pieces([&](const Piece& piece) {
-      const Box box = piece.box();
-      for (int part : parts_of(piece)) part_boxes_[part].add(box);
-    });
-    unite(part_boxes_, ranks_);
-    std::vector<int> by_x(model_.parts.size());
-    std::iota(by_x.begin(), by_x.end(), 0);
-    std::stable_sort(by_x.begin(), by_x.end(),
-                     [&](int a, int b) { return part_boxes_[a].low.x < part_boxes_[b].low.x; });
-    for (std::size_t i = 0; i < by_x.size(); ++i)
-      for (std::size_t j = i + 1; j < by_x.size() && part_boxes_[by_x[j]].low.x <= part_boxes_[by_x[i]].high.x; ++j)
-        if (part_boxes_[by_x[i]].meets(part_boxes_[by_x[j]]) && are_apart(by_x[i], by_x[j])) {
-          partners_[by_x[i]].push_back(by_x[j]);
-          partners_[by_x[j]].push_back(by_x[i]);
-        }
-  }
-
-  // Pieces that reach into the box of a part apart from theirs, in an order that does not depend on ranks.
+  // Pieces that share a cell with one of other parts, in an order that does not depend on ranks.
   void gather() {
+    std::vector<Box> whole(1);
+    for_pieces([&](const Piece& piece) { whole[0].add(piece.box()); });
+    unite(whole, ranks_);
+    const CellGrid grid(whole[0], longest_);
+    std::vector<Occupied> occupied;
+    for_pieces([&](const Piece& piece) {
+      grid.visit(piece.box(), [&](int cell) {
+        const Occupied next{cell, set_of(piece)};
+        if (occupied.empty() || next != occupied.back()) occupied.push_back(next);
+      });
+    });
+    keep_shared(occupied);
     std::vector<Piece> mine;
     for_pieces([&](const Piece& piece) {
-      const Box box = piece.box();
-      const std::span<const int> parts = parts_of(piece);
-      const bool is_near = std::any_of(parts.begin(), parts.end(), [&](int part) {
-        const Parts& of = partners_[part];
-        return std::any_of(of.begin(), of.end(), [&](int other) { return part_boxes_[other].meets(box); });
+      bool is_near = false;
+      grid.visit(piece.box(), [&](int cell) {
+        is_near = is_near || std::ranges::binary_search(occupied, Occupied{cell, set_of(piece)});
       });
       if (is_near) mine.push_back(piece);
     });
@@ -208,6 +254,27 @@ class GapSearch {
     std::ranges::sort(pieces_, {}, &Piece::key);
     auto is_same = [](const Piece& a, const Piece& b) { return a.key() == b.key(); };
     pieces_.erase(std::unique(pieces_.begin(), pieces_.end(), is_same), pieces_.end());
+  }
+
+  // Of all ranks: those whose cell has a set without a part of theirs.
+  void keep_shared(std::vector<Occupied>& occupied) const {
+    auto sort = [&] {
+      std::ranges::sort(occupied);
+      occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
+    };
+    sort();
+    occupied = gather_all(occupied, ranks_);
+    sort();
+    std::vector<Occupied> shared;
+    for (auto first = occupied.begin(); first != occupied.end();) {
+      const auto last = std::find_if(first, occupied.end(), [&](const Occupied& o) { return o.cell != first->cell; });
+      std::copy_if(first, last, std::back_inserter(shared), [&](const Occupied& o) {
+        return std::any_of(first, last,
+                           [&](const Occupied& other) { return !have_common(sets_[o.set], sets_[other.set]); });
+      });
+      first = last;
+    }
+    occupied = std::move(shared);
   }
 
   // Halves the pieces along the longest side of their box and compares the halves where they meet.
@@ -262,14 +329,13 @@ class GapSearch {
   void compare(int i, int j) {
     if (!boxes_[i].meets(boxes_[j])) return;
     const Piece &a = pieces_[i], &b = pieces_[j];
-    const std::span<const int> of_a = parts_of(a), of_b = parts_of(b);
+    if (have_common(about_[i], about_[j])) return;
     std::vector<Pair> pairs;
-    for (int p : of_a)
-      for (int q : of_b)
-        if (are_apart(p, q)) pairs.push_back({std::min(p, q), std::max(p, q)});
+    for (int p : sets_[set_of(a)])
+      for (int q : sets_[set_of(b)]) pairs.push_back({std::min(p, q), std::max(p, q)});
     const double target = std::min(a.target, b.target);
     std::erase_if(pairs, [&](Pair pair) { return meets_already(pair, target); });
-    if (pairs.empty() || have_common(about_[i], about_[j])) return;
+    if (pairs.empty()) return;
     const PatchDistance found = distance(a.patch, b.patch);
     if (found.distance > told_gap * target) return;
     for (Pair pair : pairs) {
@@ -291,10 +357,10 @@ class GapSearch {
   Ranks& ranks_;
   double longest_ = std::numeric_limits<double>::infinity();  // mm, of the elements
   std::vector<std::set<int>> vertex_parts_;
-  std::set<Pair> neighbours_;
-  std::map<Pair, std::vector<Vec3>> common_points_;  // of parts that have nothing else in common
-  std::vector<Parts> partners_;                      // per part: parts apart from it whose boxes meet its own
-  std::vector<Box> part_boxes_, boxes_;
+  std::map<Pair, Common> common_;
+  std::vector<Parts> sets_;  // each rising
+  std::vector<int> face_set_, edge_set_;
+  std::vector<Box> boxes_;
   std::vector<Piece> pieces_;
   std::vector<Parts> about_;  // per piece: parts_about()
   std::map<Pair, PatchDistance> nearest_;

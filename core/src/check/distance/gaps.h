@@ -12,10 +12,10 @@ namespace paver {
 /// Largest gap that is told, of the target length or the longest element.
 inline constexpr double told_gap = 0.01;
 
-/// Collective: pairs of parts that share no edge and whose elements come nearer than told_gap, by the mesh as it is,
-/// far nearer and away from there where they share a vertex, each with its least distance; in the order of the model's
-/// parts. `mesh`: what is here of it, its faces and edges those of the model. Elements that are of, or have nodes of,
-/// one part in common say nothing: it is between them, as a thin slab is.
+/// Collective: pairs of parts whose elements come nearer than told_gap, by the mesh as it is, each with its least
+/// distance, in the order of the model's parts; where they share vertices or edges far nearer and away from these.
+/// `mesh`: what is here of it, its faces and edges those of the model. Elements that are of, or have nodes of, one part
+/// in common say nothing: it is between them, as a thin slab is.
 std::vector<Gap> find_gaps(const SurfaceMesh& mesh, const Model& model, Ranks& ranks);
 
 }  // namespace paver

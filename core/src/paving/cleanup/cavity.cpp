@@ -24,7 +24,8 @@ void Cavity::start(int node) {
   if (stamp_.size() < mesh_.elements.size()) stamp_.resize(mesh_.elements.size() + 1024, 0);
   if (rim_.size() < mesh_.p.size()) rim_.resize(mesh_.p.size() + 1024);
   ++run_;
-  sides_ = 0, energy_ = 0, is_knot_ = false;
+  sides_ = 0, doubled_ = 0, energy_ = 0, is_knot_ = false;
+  first_ = 0;
   absorb_star(node);
 }
 
@@ -55,15 +56,19 @@ void Cavity::add_node(int node) {
 
 // A side a -> b of an element taken in cancels against the outline's side b -> a.
 void Cavity::cut_side(int a, int b) {
-  for (int& next : rim_[b].next)
+  auto& behind = rim_[b].next;
+  for (int& next : behind)
     if (next == a) {
+      if (behind[0] >= 0 && behind[1] >= 0) --doubled_;
       next = -1;
       --sides_;
       return;
     }
-  for (int& next : rim_[a].next)
+  auto& ahead = rim_[a].next;
+  for (int& next : ahead)
     if (next < 0) {
       next = b;
+      if (ahead[0] >= 0 && ahead[1] >= 0) ++doubled_;
       ++sides_;
       return;
     }
@@ -73,13 +78,10 @@ void Cavity::cut_side(int a, int b) {
 // The outline, counter-clockwise; false when it is not one simple loop.
 bool Cavity::trace_outline() {
   loop_.clear();
-  if (is_knot_ || sides_ == 0) return false;
-  int first = -1;
-  for (int node : nodes_) {
-    const Rim& rim = rim_[node];
-    if (rim.next[0] >= 0 && rim.next[1] >= 0) return false;
-    if (first < 0 && rim.next[0] + rim.next[1] >= -1) first = node;
-  }
+  if (is_knot_ || sides_ == 0 || doubled_ > 0) return false;
+  auto is_inside = [&](int node) { return rim_[node].next[0] < 0 && rim_[node].next[1] < 0; };
+  while (is_inside(nodes_[first_])) ++first_;  // and stays inside
+  const int first = nodes_[first_];
   int a = first;
   do {
     loop_.push_back(a);
@@ -185,10 +187,12 @@ double Cavity::best_corners(double limit) {
     spokes_ = trial_spokes_;
   };
   consider(-1, -1);
+  cheap_.clear();
   for (int i = 0; i < n; ++i) {
     if (base + price(i) >= best) continue;
     consider(i, -1);
-    for (int j = 0; j < i; ++j) consider(i, j);
+    for (int j : cheap_) consider(i, j);
+    cheap_.push_back(i);
   }
   return best;
 }

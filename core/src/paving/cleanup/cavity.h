@@ -59,13 +59,16 @@ class Cavity {
   std::vector<int> stamp_;  // per element: run_ when inside
   std::vector<Rim> rim_;
   int run_ = 0;
-  int sides_ = 0;         // of the outline
-  bool is_knot_ = false;  // an outline node has more than two sides ahead
-  double energy_ = 0;     // of all nodes and triangles
+  int sides_ = 0;          // of the outline
+  int doubled_ = 0;        // nodes where the outline touches itself
+  std::size_t first_ = 0;  // the nodes before this one are not on the outline any more
+  bool is_knot_ = false;   // an outline node has more than two sides ahead
+  double energy_ = 0;      // of all nodes and triangles
   std::vector<int> loop_, wanted_;
   std::vector<double> as_flat_, as_corner_;
   std::vector<int> corners_, spokes_, grid_;
   std::vector<int> trial_, trial_spokes_;  // of the corners looked at; spokes_ belong to corners_
+  std::vector<int> cheap_;                 // outline nodes that may yet be corners or not against their wish
   std::vector<MetricVec> fresh_x_;         // of the fill's new nodes, blended like their chart places
   double fresh_h_ = 0;                     // their target length
   double spread_left_ = 0;                 // that the rest of the fill may have

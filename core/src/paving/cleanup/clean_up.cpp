@@ -233,8 +233,11 @@ class CleanUp {
     was_wide_[node] = 1;
     cavity_.start(node);
     for (int ring = 0; ring < rings && cavity_.grow(most_elements); ++ring) {
+      const std::size_t outline = cavity_.outline_key();
+      if (tried_.contains(outline)) continue;
       const std::optional<double> gain = cavity_.find_fill(1);
-      if (!gain || !tried_.insert(cavity_.outline_key()).second) continue;
+      if (!gain) continue;
+      tried_.insert(outline);
       if (!cavity_.make_fill(fill_, (most_excess - *gain) / edit_.spread_price)) continue;
       if (edit_.apply(fill_) && take({.gain = *gain})) return true;
       edit_.roll_back(0);
