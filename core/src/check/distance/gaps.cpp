@@ -52,7 +52,8 @@ struct Common {
   std::vector<const Edge*> edges;
 };
 
-/// Cubes about the model: at most `most` along a side, none smaller than the longest element.
+/// Cubes about the model, those at its border without end: at most `most` along a side, none smaller than the longest
+/// element.
 class CellGrid {
  public:
   CellGrid(const Box& whole, double longest) : low_(whole.low) {
@@ -69,7 +70,7 @@ class CellGrid {
   }
 
  private:
-  static constexpr int most = 256;
+  static constexpr int most = 64;
 
   std::array<int, 3> cell(Vec3 x) const {
     auto along = [&](double from) { return std::clamp(static_cast<int>(from / side_), 0, most - 1); };
@@ -95,7 +96,7 @@ class GapSearch {
     if (model_.parts.size() < 2) return {};
     find_common();
     number_sets();
-    longest_ = longest_element();
+    measure();
     gather();
     for (const Piece& piece : pieces_) {
       boxes_.push_back(piece.box());
@@ -217,23 +218,26 @@ class GapSearch {
     all(mesh_.lines, mesh_.line_edge, 2, mesh_.order + 1);
   }
 
-  // Of all ranks. At the lowest frequencies the target length is beyond all elements, and all parts were near each
-  // other.
-  double longest_element() const {
+  // Of all ranks: the box about all nodes, and the longest element: at the lowest frequencies the target length is
+  // beyond that, and all parts were near each other.
+  void measure() {
+    std::vector<Box> whole(1);
     double longest = 0;
     for_pieces([&](const Piece& piece) {
       const Vec3* x = piece.patch.nodes.data();
-      for (int k = 1; k < piece.patch.corners; ++k) longest = std::max(longest, norm(x[k] - x[0]));
+      for (int k = 0; k < piece.patch.corners; ++k) {
+        whole[0].add(x[k]);
+        longest = std::max(longest, norm(x[k] - x[0]));
+      }
     });
-    return greatest(longest, ranks_);
+    unite(whole, ranks_);
+    whole_ = whole[0];
+    longest_ = greatest(longest, ranks_);
   }
 
   // Pieces that share a cell with one of other parts, in an order that does not depend on ranks.
   void gather() {
-    std::vector<Box> whole(1);
-    for_pieces([&](const Piece& piece) { whole[0].add(piece.box()); });
-    unite(whole, ranks_);
-    const CellGrid grid(whole[0], longest_);
+    const CellGrid grid(whole_, longest_);
     std::vector<Occupied> occupied;
     for_pieces([&](const Piece& piece) {
       grid.visit(piece.box(), [&](int cell) {
@@ -355,6 +359,7 @@ class GapSearch {
   const SurfaceMesh& mesh_;
   const Model& model_;
   Ranks& ranks_;
+  Box whole_;
   double longest_ = std::numeric_limits<double>::infinity();  // mm, of the elements
   std::vector<std::set<int>> vertex_parts_;
   std::map<Pair, Common> common_;
