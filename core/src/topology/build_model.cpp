@@ -59,10 +59,10 @@ class ModelBuilder {
     fault_lost_caps(work_);
     list_parts(work_, shape_.shape);
     name_parts(work_, shape_.labels);
+    if (!brep)  // what is written has the faces as they were read
+      for (const DividedFace& face : divide_creases(work_)) note_divided(face);
     connected_ = connect(work_, options.connect, contact_tolerance(options), progress_);
     progress_.advance(connect_units * faces.Extent());
-    const Workpiece whole = brep ? work_ : Workpiece();
-    for (const DividedFace& face : divide_creases(work_)) note_divided(face);
     EdgeIndex index = build_edges(work_, model_);
     model_.read_edges = work_.read_edges.Extent();
     note_tolerances(index);
@@ -81,7 +81,7 @@ class ModelBuilder {
     model_.report.holes = find_holes(index);
     add_notes();
     if (options.strict) refuse_faults();
-    if (brep) *brep = repaired_brep(whole, reversals(whole));
+    if (brep) *brep = repaired_brep(work_, reversals());
     return std::move(model_);
   }
 
@@ -378,12 +378,10 @@ class ModelBuilder {
 
   const Edge& edge_at(int e) const { return model_.edges[static_cast<std::size_t>(e)]; }
 
-  /// Per face of the work before it was divided.
-  std::vector<char> reversals(const Workpiece& whole) const {
-    std::map<int, char> of_origin;
-    for (const Face& face : model_.faces) of_origin.emplace(face.origin, face.is_reversed);
+  /// Per face of the work.
+  std::vector<char> reversals() const {
     std::vector<char> list;
-    for (const WorkFace& face : whole.faces) list.push_back(of_origin[face.origin]);
+    for (const Face& face : model_.faces) list.push_back(face.is_reversed);
     return list;
   }
 

@@ -12,8 +12,10 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <Geom_BezierCurve.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <algorithm>
 #include <gp_Ax2.hxx>
 #include <gp_Ax3.hxx>
@@ -133,6 +135,19 @@ TEST(ConnectRound, APieceOfAFaceThatGoesRoundHasNoCrease) {
   const MeshResult result = mesh_of(compound({rod(0, 0, 0, 10, 20), fin(-20, 20, 0, 20)}), 4);
   for (const std::string& note : result.report.notes) EXPECT_EQ(note.find("crease"), std::string::npos) << note;
   expect_one_piece("fin through a rod", compound({rod(0, 0, 0, 10, 20), fin(-20, 20, 0, 20)}));
+}
+
+// A conformal antenna: part of the skin's own surface, which the kernel's intersection of splines would not end with.
+TEST(ConnectRound, APatchCutOutOfAFreeFormSkinIsCommon) {
+  TColgp_Array2OfPnt poles(1, 5, 1, 5);
+  for (int i = 1; i <= 5; ++i)
+    for (int j = 1; j <= 5; ++j) poles(i, j) = gp_Pnt(10 * i, 10 * j, 3 * std::sin(1.7 * i) * std::cos(1.3 * j));
+  const Handle(Geom_Surface) surface = new Geom_BezierSurface(poles);
+  auto piece = [&](double u0, double u1, double v0, double v1) {
+    return BRepBuilderAPI_MakeFace(surface, u0, u1, v0, v1, 1e-7).Shape();
+  };
+  expect_one_piece("patch inside", compound({piece(0, 1, 0, 1), piece(0.3, 0.6, 0.2, 0.5)}));
+  expect_one_piece("patch to the rim", compound({piece(0, 1, 0, 1), piece(0, 0.4, 0.2, 0.5)}));
 }
 
 TEST(ConnectRound, SheetsThatMeetFaceTheSameWay) {

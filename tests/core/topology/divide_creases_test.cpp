@@ -2,33 +2,41 @@
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierCurve.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
+#include <gp.hxx>
 #include <gp_Pln.hxx>
 #include <map>
 #include <set>
 #include <vector>
 
 #include "core/brep/shape_files.h"
+#include "support/report_of.h"
 
 namespace paver {
 namespace {
 
 using test::compound;
+using test::mesh_of;
 using test::model_of;
 
 /// A polygon in x and z, pulled along y from `y` by 2: degree 1 in u with knots 0, 1, 2 and so on at its corners.
@@ -217,6 +225,50 @@ TEST(DivideCreases, NeighboursWithoutCreasesTakeOverDividedEdges) {
 }
 
 // The kernel would cut them at every period on the way.
+// Creases are edges before parts are connected: no slit, point or end of a wire lies across one, or is lost with it.
+TEST(DivideCreases, WhatEndsInsideAFaceIsConnected) {
+  auto wire = [](gp_Pnt a, gp_Pnt b) { return BRepBuilderAPI_MakeEdge(a, b).Shape(); };
+  const TopoDS_Shape skin = face_of(pulled(roof)), fin = BRepPrimAPI_MakeBox(gp_Pnt(0.6, 0.9, 0), 0.8, 0.2, 3).Shape();
+  const std::map<const char*, TopoDS_Shape> others{
+      {"wire", wire({0.4, 1, 0.4}, {0.4, 1, 2})},
+      {"wire to the crease", wire({1, 1, 1}, {1, 1, 3})},
+      {"wire along the crease", wire({1, 0.5, 1}, {1, 1.5, 1})},
+      {"point", BRepBuilderAPI_MakeVertex(gp_Pnt(1.7, 0.6, 0.3)).Shape()},
+      {"sheet across the crease",
+       BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(1, 1, 1), gp::DY()), -1, 0.5, -0.5, 0.5).Shape()},
+      {"post through the crease", fin}};
+  for (const auto& [name, other] : others) {
+    SCOPED_TRACE(name);
+    const MeshResult result = mesh_of(compound({skin, other}), 0.5);
+    EXPECT_EQ(result.report.components.size(), 1u);
+    EXPECT_STREQ(verdict(result.report), "sound");
+    EXPECT_TRUE(result.report.model.unconnected.empty());
+  }
+}
+
+TEST(DivideCreases, WhatTwoCreasedFacesHaveInCommonIsOneEntry) {
+  const TopoDS_Shape house = face_of(pulled({{0, 0, 0}, {1, 0, 1}, {2, 0, 0}, {2, 0, -1}}));
+  const RunReport report = test::report_of(compound({face_of(pulled(roof)), house}), 0.5);
+  ASSERT_EQ(report.faces.size(), 3u);
+  EXPECT_EQ(report.faces[0].status, FaceStatus::common);
+  EXPECT_EQ(report.faces[1].status, FaceStatus::meshed);
+  EXPECT_NEAR(report.faces[1].mesh_area, 2, 1e-9);
+  EXPECT_EQ(report.faces[2].name, "Face1 + Face2");
+  EXPECT_NEAR(report.faces[2].mesh_area, 4 * std::sqrt(2.0), 1e-9);
+}
+
+// A section that is one closed spline with a sharp end: the ring's surface is no spline, and closed both ways.
+TEST(DivideCreases, DividesARingWithOneSharpEdge) {
+  TColgp_Array1OfPnt poles(1, 5);
+  const gp_Pnt at[] = {{50, 0, 0}, {40, 0, 8}, {20, 0, 6}, {20, 0, -6}, {50, 0, 0}};
+  for (int i = 0; i < 5; ++i) poles(i + 1) = at[i];
+  const TopoDS_Edge section = BRepBuilderAPI_MakeEdge(Handle(Geom_Curve)(new Geom_BezierCurve(poles)));
+  const RunReport report = test::report_of(BRepPrimAPI_MakeRevol(section, gp::OZ()).Shape(), 8);
+  EXPECT_STREQ(verdict(report), "sound");
+  EXPECT_EQ(report.quality.triangles, 0);
+  EXPECT_GT(report.quality.sj_all.min, 0.6);
+}
+
 TEST(DivideCreases, ImagesFarAwayAreLeftAlone) {
   const TopoDS_Face torus = TopoDS::Face(TopExp_Explorer(BRepPrimAPI_MakeTorus(3, 1).Shape(), TopAbs_FACE).Current());
   for (TopExp_Explorer edges(torus, TopAbs_EDGE); edges.More(); edges.Next()) {

@@ -4,6 +4,7 @@
 #include <TopTools_MapOfShape.hxx>
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "base/union_find.h"
 #include "brep/connecting/connect_impl.h"
@@ -110,27 +111,34 @@ class Connector {
   void replace_faces() {
     std::vector<std::vector<WorkFace>> pieces(work_.faces.size());
     std::vector<char> is_fused(work_.faces.size(), 0);
-    std::map<std::vector<int>, std::vector<WorkFace>> common;
+    std::map<std::vector<int>, std::vector<WorkFace>> common;  // by the faces as read that have them
     for (const Fusion& fusion : fusions_)
       for (const Fusion::Image& image : fusion.images) {
-        for (int f : image.of) is_fused[static_cast<std::size_t>(f)] = 1;
+        std::set<int> origins;
+        for (int f : image.of) {
+          is_fused[static_cast<std::size_t>(f)] = 1;
+          origins.insert(work_.faces[static_cast<std::size_t>(f)].origin);
+        }
         WorkFace piece = piece_of(image);
-        if (image.of.size() == 1) {
+        if (origins.size() == 1) {
           pieces[static_cast<std::size_t>(image.of[0])].push_back(std::move(piece));
         } else {
-          common[image.of].push_back(std::move(piece));
+          common[{origins.begin(), origins.end()}].push_back(std::move(piece));
         }
       }
-    std::vector<WorkFace> faces;
+    std::set<int> kept;
     for (std::size_t f = 0; f < work_.faces.size(); ++f) {
       if (!is_fused[f]) pieces[f].push_back(work_.faces[f]);
+      if (!pieces[f].empty()) kept.insert(work_.faces[f].origin);
+    }
+    std::vector<WorkFace> faces;
+    for (std::size_t f = 0; f < work_.faces.size(); ++f) {
       // A face that is common as a whole keeps its place in the report.
-      if (pieces[f].empty()) pieces[f].push_back(placeholder(work_.faces[f]));
+      if (kept.insert(work_.faces[f].origin).second) pieces[f].push_back(placeholder(work_.faces[f]));
       std::move(pieces[f].begin(), pieces[f].end(), std::back_inserter(faces));
     }
-    for (auto& [of, list] : common) {
-      std::vector<int>& origins = work_.common.emplace_back();
-      for (int f : of) origins.push_back(work_.faces[static_cast<std::size_t>(f)].origin);
+    for (auto& [origins, list] : common) {
+      work_.common.push_back(origins);
       for (WorkFace& piece : list) {
         piece.origin = work_.read_faces + static_cast<int>(work_.common.size()) - 1;
         faces.push_back(std::move(piece));

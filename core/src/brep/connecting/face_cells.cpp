@@ -143,6 +143,22 @@ bool PartPiece::may_be_copy_of(const PartPiece& other) const {
          box_.CornerMax().Distance(other.box_.CornerMax()) <= most;
 }
 
+bool PartPiece::is_on_surface_of(const PartPiece& other) const {
+  constexpr int samples = 5;
+  constexpr double slack = 1e-9;  // of ranges that follow each other at a crease
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0, s0 = 0, s1 = 0, t0 = 0, t1 = 0;
+  BRepTools::UVBounds(TopoDS::Face(shape_), u0, u1, v0, v1);
+  BRepTools::UVBounds(TopoDS::Face(other.shape_), s0, s1, t0, t1);
+  u0 = std::max(u0, s0), u1 = std::min(u1, s1), v0 = std::max(v0, t0), v1 = std::min(v1, t1);
+  if (u0 > u1 + slack * (s1 - s0) || v0 > v1 + slack * (t1 - t0)) return false;
+  for (int i = 0; i < samples; ++i)
+    for (int j = 0; j < samples; ++j) {
+      const double u = u0 + (u1 - u0) * (i + 0.5) / samples, v = v0 + (v1 - v0) * (j + 0.5) / samples;
+      if (surface_.Value(u, v).Distance(other.surface_.Value(u, v)) > margin_ + other.margin_) return false;
+    }
+  return true;
+}
+
 const std::vector<FaceCell>& PartPiece::cells() {
   if (!cells_.empty()) return cells_;
   border_ = FaceBorder(TopoDS::Face(shape_));

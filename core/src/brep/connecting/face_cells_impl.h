@@ -56,6 +56,8 @@ class PartPiece {
   bool is_level_with(const PartPiece& other) const;
   /// As far as boxes tell: the kernel finds copies by their edges, whatever their surface.
   bool may_be_copy_of(const PartPiece& other) const;
+  /// Whether both are pieces of one surface in one parametrisation, as a patch cut out of a skin is: likewise.
+  bool is_on_surface_of(const PartPiece& other) const;
 
   const std::vector<FaceCell>& cells();
   /// Whether the cell lies beside the face.

@@ -37,7 +37,7 @@ NearParts find_near_parts(const Workpiece& work, double tolerance) {
       if (one.box().IsOut(whole[b])) continue;
       for (PartPiece& two : pieces[b]) {
         const bool is_hard = !are_solids && one.is_free_form() && two.is_free_form() && !has_copy(one, pieces[b]) &&
-                             !has_copy(two, pieces[a]);
+                             !has_copy(two, pieces[a]) && !one.is_on_surface_of(two);
         if (found == Nearness::near && !is_hard) continue;
         if (!may_touch(one, two)) continue;
         if (is_hard) return Nearness::free_form;

@@ -1,4 +1,4 @@
-// Divides a B-spline face bounded by the four sides of a rectangle in (u, v) into the cells of a grid:
+// Divides a B-spline or swept face bounded by the four sides of a rectangle in (u, v) into the cells of a grid:
 //   line 2 +---+-----+   Rows and columns pressed flat onto a line are left out: the lines on both sides of one are one
 //    row 1 |   |     |   line, used by the cells above and below at different parameters.
 //   line 1 +---+-----+   Edges of the face are divided at the lines, once, for all faces that share them.
@@ -9,6 +9,7 @@
 #include <Geom2d_Line.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_SweptSurface.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
@@ -81,8 +82,8 @@ class GridDivider {
   }
 
   bool find_surface() {
-    surface_ = Handle(Geom_BSplineSurface)::DownCast(untrimmed(BRep_Tool::Surface(face_, location_)));
-    return !surface_.IsNull();
+    surface_ = untrimmed(BRep_Tool::Surface(face_, location_));
+    return surface_->IsKind(STANDARD_TYPE(Geom_BSplineSurface)) || surface_->IsKind(STANDARD_TYPE(Geom_SweptSurface));
   }
 
   /// Every edge must lie on one of the sides, whole, and once: not back along itself, where the face is pressed flat.
@@ -322,11 +323,25 @@ class GridDivider {
     return cells;
   }
 
+  /// Its own, as edges keep one image or two per surface.
+  Handle(Geom_Surface) surface_of_cell(std::size_t i, std::size_t j) const {
+    auto [u0, u1] = spans(0)[i];
+    auto [v0, v1] = spans(1)[j];
+    const auto own = Handle(Geom_Surface)::DownCast(surface_->Copy());
+    if (auto spline = Handle(Geom_BSplineSurface)::DownCast(own)) {
+      spline->Segment(u0, u1, v0, v1);
+      return spline;
+    }
+    // A direction that is whole stays periodic.
+    if (count(1) == 1) return new Geom_RectangularTrimmedSurface(own, u0, u1, Standard_True);
+    if (count(0) == 1) return new Geom_RectangularTrimmedSurface(own, v0, v1, Standard_False);
+    return new Geom_RectangularTrimmedSurface(own, u0, u1, v0, v1);
+  }
+
   TopoDS_Face make_cell(std::size_t i, std::size_t j) {
     auto [u0, u1] = spans(0)[i];
     auto [v0, v1] = spans(1)[j];
-    auto surface = Handle(Geom_BSplineSurface)::DownCast(surface_->Copy());
-    surface->Segment(u0, u1, v0, v1);
+    const Handle(Geom_Surface) surface = surface_of_cell(i, j);
     BRep_Builder builder;
     TopoDS_Face cell;
     builder.MakeFace(cell, surface, location_, BRep_Tool::Tolerance(face_));
@@ -384,7 +399,7 @@ class GridDivider {
   const TopoDS_Face& face_;
   double diagonal_;
   TopLoc_Location location_;
-  Handle(Geom_BSplineSurface) surface_;
+  Handle(Geom_Surface) surface_;
   std::array<Axis, 2> axes_;
   std::array<std::array<Line, 2>, 2> sides_;             ///< per axis they run along: at the low and at the high end
   std::array<std::vector<std::vector<Line>>, 2> lines_;  ///< per axis, line and span: its edges

@@ -1,4 +1,4 @@
-// A rectangular B-spline face to the cells of a grid; step of divide_creases.
+// A rectangular B-spline or swept face to the cells of a grid; step of divide_creases.
 #pragma once
 
 #include <TopoDS_Edge.hxx>
@@ -23,7 +23,8 @@ struct GridCells {
 };
 
 /// The cells of `face`, which must be FORWARD and stays as it is. `spans` follow each other in u and in v over the
-/// face's whole range. A face fits when it is a B-spline bounded by the sides of its range.
+/// face's whole range. A face fits when it is a B-spline or swept surface bounded by the
+/// sides of its range.
 GridCells divide_grid(const TopoDS_Face& face, const std::array<std::vector<GridSpan>, 2>& spans, double diagonal);
 
 }  // namespace paver
