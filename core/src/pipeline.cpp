@@ -212,11 +212,7 @@ class Run {
       report.front_medium = medium_of(model_, face.front);
       report.back_medium = medium_of(model_, face.back);
       report.wavelength = shortest_wavelength(options_, {report.front_medium, report.back_medium});
-      if (face.has_area && !face.fault.empty()) {
-        report.status = FaceStatus::failed;
-        report.stage = "topology";
-        report.reason = face.fault;
-      }
+      if (face.has_area && !face.fault.empty()) report.fail(stage_name(Stage::topology), face.fault);
       result_.report.faces.push_back(report);
       result_.face_names.push_back(face.label.empty() ? face.name : face.label);
     }
@@ -256,13 +252,8 @@ class Run {
     DividedLoops divided = divide_loops(model_, size_, layouts, counts, shared_);
     nodes_ = std::move(divided.nodes);
     regions_ = std::move(divided.regions);
-    for (const CrossingFace& failure : divided.failures) {
-      FaceReport& report = result_.report.faces[failure.face];
-      report.status = FaceStatus::failed;
-      report.stage = stage_name(Stage::regions);
-      report.reason = failure.reason;
-      report.where = failure.where;
-    }
+    for (const CrossingFace& failure : divided.failures)
+      result_.report.faces[failure.face].fail(stage_name(Stage::regions), failure.reason, failure.where);
     begin(Stage::regions);
   }
 
@@ -486,6 +477,17 @@ class Run {
   MeshResult& result_ = share_.result;
 };
 
+Options unlimited(Options options) {
+  options.max_elements = std::numeric_limits<long>::max();
+  return options;
+}
+
+template <class Work>
+auto on_one_rank(const Options& options, Progress& progress, Work work) {
+  SingleRank alone;
+  return guard_occt(ErrorCode::internal, kernel_failure, [&] { return work(Run(options, progress, alone)); });
+}
+
 }  // namespace
 
 MeshShare mesh_share(const CadModel& model, const Options& options, Progress& progress, Ranks& ranks) {
@@ -511,25 +513,16 @@ MeshResult mesh_file(const std::string& path, const Options& options, Progress& 
 }
 
 std::string repaired_model(const CadModel& model, const Options& options, Progress& progress) {
-  SingleRank alone;
-  return guard_occt(ErrorCode::internal, kernel_failure, [&] { return Run(options, progress, alone).repaired(model); });
+  return on_one_rank(options, progress, [&](Run run) { return run.repaired(model); });
 }
 
 Prediction predict(const CadModel& model, const Options& options, Progress& progress) {
-  Options unlimited = options;
-  unlimited.max_elements = std::numeric_limits<long>::max();
-  SingleRank alone;
-  return guard_occt(ErrorCode::internal, kernel_failure,
-                    [&] { return Run(unlimited, progress, alone).predict(model); });
+  return on_one_rank(unlimited(options), progress, [&](Run run) { return run.predict(model); });
 }
 
 std::vector<double> target_lengths(const CadModel& model, const Options& options, const std::vector<FacePoint>& points,
                                    Progress& progress) {
-  Options unlimited = options;
-  unlimited.max_elements = std::numeric_limits<long>::max();
-  SingleRank alone;
-  return guard_occt(ErrorCode::internal, kernel_failure,
-                    [&] { return Run(unlimited, progress, alone).target_lengths(model, points); });
+  return on_one_rank(unlimited(options), progress, [&](Run run) { return run.target_lengths(model, points); });
 }
 
 }  // namespace paver

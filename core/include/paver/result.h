@@ -69,6 +69,10 @@ struct FaceReport {
   double mesh_area = 0;     ///< mm^2, of the curved elements
   SurfaceDistance distance;
   long closed_by_triangulation = 0;  ///< pieces of front that paving left to triangulate-and-merge
+
+  void fail(const std::string& at_stage, const std::string& why, const std::optional<Vec3>& near = {}) {
+    status = FaceStatus::failed, stage = at_stage, reason = why, where = near;
+  }
 };
 
 /// Smallest, mean, and share below 0.3, of a scaled Jacobian.

@@ -52,10 +52,7 @@ bool Assembler::drop_faulty() {
   const MeshFaults faults = check_->faults;
   for (int f : faults.faces()) {
     FaceReport& face = report_.faces[static_cast<std::size_t>(f)];
-    face.status = FaceStatus::failed;
-    face.stage = stage_name(Stage::quality);
-    face.reason = faults.reason(f);
-    face.where = faults.where(f);
+    face.fail(stage_name(Stage::quality), faults.reason(f), faults.where(f));
     face.worst_sj = 1;
   }
   if (faults.empty()) return false;

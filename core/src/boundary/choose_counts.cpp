@@ -131,8 +131,7 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
   std::vector<std::vector<Loop>> loops;
   std::vector<std::vector<int>> loop_edges;
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
-    bool is_meshed = model.faces[f].has_area && model.faces[f].fault.empty();
-    loops.push_back(is_meshed ? linked_loops(model, static_cast<int>(f)) : std::vector<Loop>{});
+    loops.push_back(model.faces[f].is_meshed() ? linked_loops(model, static_cast<int>(f)) : std::vector<Loop>{});
     for (const Loop& loop : loops.back()) loop_edges.push_back(edges_of(loop));
   }
   match_gaps(model, size, loops, counts);

@@ -35,11 +35,7 @@ void report_failures(const std::vector<RegionFailure>& failures, const std::vect
                      RunReport& report) {
   for (const RegionFailure& failure : failures) {
     FaceReport& face = report.faces[static_cast<std::size_t>(regions[static_cast<std::size_t>(failure.region)].face)];
-    if (face.status == FaceStatus::failed) continue;
-    face.status = FaceStatus::failed;
-    face.stage = failure.stage;
-    face.reason = failure.reason;
-    face.where = failure.where;
+    if (face.status != FaceStatus::failed) face.fail(failure.stage, failure.reason, failure.where);
   }
 }
 

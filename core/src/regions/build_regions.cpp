@@ -578,8 +578,7 @@ std::vector<Region> build_regions(const Model& model, const SizeField& size, con
                                   EdgeNodes& nodes) {
   std::vector<Region> regions;
   for (std::size_t f = 0; f < model.faces.size(); ++f)
-    if (model.faces[f].has_area && model.faces[f].fault.empty())
-      RegionBuilder(model, size, layouts[f], static_cast<int>(f), nodes).run(regions);
+    if (model.faces[f].is_meshed()) RegionBuilder(model, size, layouts[f], static_cast<int>(f), nodes).run(regions);
   return regions;
 }
 

@@ -247,7 +247,7 @@ std::vector<FaceLayout> plan_layouts(const Model& model, const SizeField& size, 
                                      const Progress& progress) {
   std::vector<FaceLayout> layouts(model.faces.size());
   for (std::size_t f = 0; f < model.faces.size(); ++f)
-    if (model.faces[f].has_area && model.faces[f].fault.empty())
+    if (model.faces[f].is_meshed())
       layouts[f] = LayoutPlanner(model, size, static_cast<int>(f), closed, progress).run();
   return layouts;
 }

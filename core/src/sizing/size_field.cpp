@@ -332,7 +332,7 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
   field.turning.resize(model.edges.size());
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
     const Face& face = model.faces[f];
-    bool is_meshed = face.has_area && face.fault.empty();
+    bool is_meshed = face.is_meshed();
     SampledFace sampled = is_meshed ? sample_face(model, face, field.face_h[f], field.turn_limit, options)
                                     : SampledFace{FaceSize(field.h), 0};
     field.perimeter.push_back(sampled.size.turn_weight() > 0 ? turned_perimeter(model, face, sampled.size)

@@ -261,12 +261,11 @@ class ModelBuilder {
 
   /// Images that were looked for each by itself begin where the one before ends, not periods away.
   void chain_images(Loop& loop, Vec2 period) const {
-    auto periods = [](double gap, double length) { return length > 0 ? length * std::round(gap / length) : 0.0; };
     for (std::size_t i = 1; i < loop.coedges.size(); ++i) {
       const Coedge &before = loop.coedges[i - 1], &here = loop.coedges[i];
       const Vec2 gap = before.pcurve->uv(end_parameter(edge_of(model_, before), before)) -
                        here.pcurve->uv(start_parameter(edge_of(model_, here), here));
-      const Vec2 shift{periods(gap.x, period.x), periods(gap.y, period.y)};
+      const Vec2 shift = whole_periods(gap, period);
       if (shift.x != 0 || shift.y != 0) loop.coedges[i].pcurve = make_shifted_image(loop.coedges[i].pcurve, shift);
     }
   }

@@ -40,21 +40,14 @@ std::string from_rank_0(MpiRanks& ranks, F&& make) {
     try {
       bytes = "+" + make();
     } catch (const Error& error) {
-      Packer packer;
-      packer(error.code(), std::string(error.what()), error.where().stage, error.where().face);
-      bytes = "-" + packer.take();
+      bytes = "-" + pack_error(error);
     }
   }
   ranks.spread(bytes);
   bool is_sound = bytes.starts_with('+');
   bytes.erase(0, 1);
-  if (is_sound) return bytes;
-  ErrorCode code = ErrorCode::internal;
-  std::string text;
-  Where where;
-  Unpacker unpacker(bytes);
-  unpacker(code, text, where.stage, where.face);
-  throw Error(code, text, where);
+  if (!is_sound) throw_packed(bytes);
+  return bytes;
 }
 
 /// Finds at rank 0 whether the files can be written. The temporary names they will have, which all ranks know, so that

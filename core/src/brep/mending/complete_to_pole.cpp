@@ -272,8 +272,7 @@ class PoleCompleter {
     for (std::size_t k = 1; k < round_.size(); ++k) {
       const std::size_t i = (start + k) % round_.size(), before = (start + k - 1) % round_.size();
       const Vec2 gap = round_[before].points.back() + shifts[before] - round_[i].points.front();
-      shifts[i] = {period_.x > 0 ? period_.x * std::round(gap.x / period_.x) : 0,
-                   period_.y > 0 ? period_.y * std::round(gap.y / period_.y) : 0};
+      shifts[i] = whole_periods(gap, period_);
     }
     return shifts;
   }

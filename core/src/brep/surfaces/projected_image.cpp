@@ -83,11 +83,7 @@ class FootFinder {
   }
 
   /// The same place of a periodic surface nearest to `other`.
-  Vec2 next_to(Vec2 uv, Vec2 other) const {
-    if (period_.x > 0) uv.x += period_.x * std::round((other.x - uv.x) / period_.x);
-    if (period_.y > 0) uv.y += period_.y * std::round((other.y - uv.y) / period_.y);
-    return uv;
-  }
+  Vec2 next_to(Vec2 uv, Vec2 other) const { return nearest_image(uv, other, period_); }
 
   Vec3 point(Vec2 uv) const {
     Vec3 s, su, sv;

@@ -1,6 +1,7 @@
 // Evaluators of the geometry under faces and edges. Only brep/*.cpp includes OpenCASCADE.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -58,6 +59,19 @@ class ParameterFunction final : public ParameterCurve {
 template <class F>
 std::shared_ptr<const ParameterCurve> image_by(F f) {
   return std::make_shared<ParameterFunction<F>>(std::move(f));
+}
+
+/// The whole number of periods nearest to `gap`; 0 where there is no period.
+inline Vec2 whole_periods(Vec2 gap, Vec2 period) {
+  auto whole = [](double length, double one) { return one > 0 ? one * std::round(length / one) : 0.0; };
+  return {whole(gap.x, period.x), whole(gap.y, period.y)};
+}
+
+/// The image of `uv` a whole number of periods away that is nearest to `to`.
+inline Vec2 nearest_image(Vec2 uv, Vec2 to, Vec2 period) {
+  if (period.x > 0) uv.x += period.x * std::round((to.x - uv.x) / period.x);
+  if (period.y > 0) uv.y += period.y * std::round((to.y - uv.y) / period.y);
+  return uv;
 }
 
 }  // namespace paver
