@@ -107,8 +107,7 @@ void even_out_faces(const std::vector<std::vector<Loop>>& loops, TiedCounts& tie
   std::vector<std::vector<int>> face_edges;
   for (const std::vector<Loop>& face : loops) {
     std::vector<int>& edges = face_edges.emplace_back();
-    for (const Loop& loop : face)
-      for (const Coedge& coedge : loop.coedges) edges.push_back(tied.group[static_cast<std::size_t>(coedge.edge)]);
+    for (const Coedge& coedge : coedges_of(face)) edges.push_back(tied.group[static_cast<std::size_t>(coedge.edge)]);
   }
   even_out_loops(face_edges, tied.groups, true);
 }

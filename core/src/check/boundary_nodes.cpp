@@ -77,18 +77,16 @@ void check_boundary_nodes(const CheckedMesh& checked, const Ranks& ranks, MeshFa
   for (std::size_t f = 0; f < checked.model.faces.size(); ++f) {
     if (!checked.is_meshed[f] || static_cast<int>(f) % ranks.count() != ranks.rank()) continue;
     const Face& face = checked.model.faces[f];
-    for (const Loop& loop : face.loops) {
-      for (const Coedge& coedge : loop.coedges) {
-        auto [first, last] = std::equal_range(line_edge.begin(), line_edge.end(), coedge.edge);
-        for (auto line = first; line != last; ++line) {
-          const Interval interval(checked, coedge.edge, static_cast<int>(line - first),
-                                  static_cast<std::size_t>(line - line_edge.begin()));
-          for (long n = interval.nodes_off(); n > 0; --n)
-            faults.add(static_cast<int>(f), FaultKind::off_edge, interval.where());
-          if (interval.is_far()) faults.add(static_cast<int>(f), FaultKind::chord, interval.where());
-          slack.add(static_cast<int>(f), interval.area());
-          if (coedge.pcurve) slack.add(static_cast<int>(f), interval.area_off(face, *coedge.pcurve));
-        }
+    for (const Coedge& coedge : coedges_of(face.loops)) {
+      auto [first, last] = std::equal_range(line_edge.begin(), line_edge.end(), coedge.edge);
+      for (auto line = first; line != last; ++line) {
+        const Interval interval(checked, coedge.edge, static_cast<int>(line - first),
+                                static_cast<std::size_t>(line - line_edge.begin()));
+        for (long n = interval.nodes_off(); n > 0; --n)
+          faults.add(static_cast<int>(f), FaultKind::off_edge, interval.where());
+        if (interval.is_far()) faults.add(static_cast<int>(f), FaultKind::chord, interval.where());
+        slack.add(static_cast<int>(f), interval.area());
+        if (coedge.pcurve) slack.add(static_cast<int>(f), interval.area_off(face, *coedge.pcurve));
       }
     }
   }

@@ -548,11 +548,10 @@ class RegionBuilder {
   int pole_vertex(Vec3 apex) const {
     int nearest = -1;
     auto distance = [&](int vertex) { return norm(model_.vertices[static_cast<std::size_t>(vertex)] - apex); };
-    for (const Loop& loop : face_.loops)
-      for (const Coedge& coedge : loop.coedges) {
-        const Edge& edge = edge_of(model_, coedge);
-        if (edge.is_degenerate && (nearest < 0 || distance(edge.start) < distance(nearest))) nearest = edge.start;
-      }
+    for (const Coedge& coedge : coedges_of(face_.loops)) {
+      const Edge& edge = edge_of(model_, coedge);
+      if (edge.is_degenerate && (nearest < 0 || distance(edge.start) < distance(nearest))) nearest = edge.start;
+    }
     return nearest;
   }
 

@@ -85,23 +85,22 @@ class FacetCurves {
     PlaneCurve result{a.p, b.p, nullptr};
     if (edge(f) < 0) return result;
     const EdgeDivision& division = nodes_.edges[static_cast<std::size_t>(a.edge)];
-    for (const Loop& loop : model_.faces[static_cast<std::size_t>(region_.face)].loops)
-      for (const Coedge& coedge : loop.coedges) {
-        if (coedge.edge != a.edge) continue;
-        for (int k = 0; k < division.intervals(); ++k) {
-          const int from = coedge.is_reversed ? k + 1 : k, to = coedge.is_reversed ? k : k + 1;
-          if (division.node[static_cast<std::size_t>(from)] != a.global) continue;
-          if (division.node[static_cast<std::size_t>(to)] != b.global) continue;
-          const double s = division.t[2 * static_cast<std::size_t>(from)],
-                       t = division.t[2 * static_cast<std::size_t>(to)];
-          const Chart& chart = *region_.chart;
-          if (norm(chart.to_chart(coedge.pcurve->uv(s)) - a.p) > moved * norm(b.p - a.p)) continue;  // the other side's
-          result.at = [&chart, &image = *coedge.pcurve, s, t](double share) {
-            return chart.to_chart(image.uv(s + share * (t - s)));
-          };
-          return result;
-        }
+    for (const Coedge& coedge : coedges_of(model_.faces[static_cast<std::size_t>(region_.face)].loops)) {
+      if (coedge.edge != a.edge) continue;
+      for (int k = 0; k < division.intervals(); ++k) {
+        const int from = coedge.is_reversed ? k + 1 : k, to = coedge.is_reversed ? k : k + 1;
+        if (division.node[static_cast<std::size_t>(from)] != a.global) continue;
+        if (division.node[static_cast<std::size_t>(to)] != b.global) continue;
+        const double s = division.t[2 * static_cast<std::size_t>(from)],
+                     t = division.t[2 * static_cast<std::size_t>(to)];
+        const Chart& chart = *region_.chart;
+        if (norm(chart.to_chart(coedge.pcurve->uv(s)) - a.p) > moved * norm(b.p - a.p)) continue;  // the other side's
+        result.at = [&chart, &image = *coedge.pcurve, s, t](double share) {
+          return chart.to_chart(image.uv(s + share * (t - s)));
+        };
+        return result;
       }
+    }
     return result;
   }
 

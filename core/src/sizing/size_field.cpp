@@ -211,9 +211,7 @@ SampledFace sample_face(const Model& model, const Face& face, double h, double t
 
 double perimeter(const Model& model, const Face& face) {
   double sum = 0;
-  for (const Loop& loop : face.loops) {
-    for (const Coedge& coedge : loop.coedges) sum += edge_of(model, coedge).length;
-  }
+  for (const Coedge& coedge : coedges_of(face.loops)) sum += edge_of(model, coedge).length;
   return sum;
 }
 
@@ -221,17 +219,16 @@ double perimeter(const Model& model, const Face& face) {
 double turned_perimeter(const Model& model, const Face& face, const FaceSize& size) {
   constexpr int steps = 24;
   double sum = 0;
-  for (const Loop& loop : face.loops)
-    for (const Coedge& coedge : loop.coedges) {
-      const Edge& edge = edge_of(model, coedge);
-      Vec3 last;
-      for (int i = 0; coedge.pcurve && i <= steps; ++i) {
-        const Vec3 normal = size.normals()->at(coedge.pcurve->uv(edge.t0 + (edge.t1 - edge.t0) * i / steps));
-        if (i > 0) sum += std::hypot(edge.length / (steps * size.own()), size.turn_weight() * norm(normal - last));
-        last = normal;
-      }
-      if (!coedge.pcurve) sum += edge.length / size.own();
+  for (const Coedge& coedge : coedges_of(face.loops)) {
+    const Edge& edge = edge_of(model, coedge);
+    Vec3 last;
+    for (int i = 0; coedge.pcurve && i <= steps; ++i) {
+      const Vec3 normal = size.normals()->at(coedge.pcurve->uv(edge.t0 + (edge.t1 - edge.t0) * i / steps));
+      if (i > 0) sum += std::hypot(edge.length / (steps * size.own()), size.turn_weight() * norm(normal - last));
+      last = normal;
     }
+    if (!coedge.pcurve) sum += edge.length / size.own();
+  }
   return sum;
 }
 
@@ -253,9 +250,8 @@ void give_local(const Model& model, const Options& options, const std::vector<Si
 }
 
 void add_turning_sides(const Face& face, int index, SizeField& field) {
-  for (const Loop& loop : face.loops)
-    for (const Coedge& coedge : loop.coedges)
-      if (coedge.pcurve) field.turning[static_cast<std::size_t>(coedge.edge)].push_back({index, coedge.pcurve});
+  for (const Coedge& coedge : coedges_of(face.loops))
+    if (coedge.pcurve) field.turning[static_cast<std::size_t>(coedge.edge)].push_back({index, coedge.pcurve});
 }
 
 void check_predicted(double predicted, double h, long limit, bool is_local) {

@@ -231,27 +231,25 @@ class ModelBuilder {
   /// Images must be where their curves are: those that are not are replaced by projected ones where that helps.
   void check_images(Face& face, const TopoDS_Face& shape) {
     double moved = 0;
-    for (Loop& loop : face.loops) {
-      for (Coedge& c : loop.coedges) {
-        const Edge& edge = edge_of(model_, c);
-        if (edge.is_degenerate) continue;
-        double worst = deviation(edge, *c.pcurve, *face.surface);
-        if (worst > allowed_deviation(c.edge)) {
-          auto projected = make_projected_image(shape, edge.curve, *c.pcurve, edge.t0, edge.t1);
-          double better = projected ? deviation(edge, *projected, *face.surface) : worst;
-          if (better < 0.5 * worst) {
-            c.pcurve = projected;
-            // Images of what connecting made are the kernel's, not the file's.
-            if (connected_.contacts.empty()) work_.note_repair(RepairKind::image, 1, worst, face.name);
-            moved = std::max(moved, worst);
-            worst = better;
-          }
+    for (Coedge& c : coedges_of(face.loops)) {
+      const Edge& edge = edge_of(model_, c);
+      if (edge.is_degenerate) continue;
+      double worst = deviation(edge, *c.pcurve, *face.surface);
+      if (worst > allowed_deviation(c.edge)) {
+        auto projected = make_projected_image(shape, edge.curve, *c.pcurve, edge.t0, edge.t1);
+        double better = projected ? deviation(edge, *projected, *face.surface) : worst;
+        if (better < 0.5 * worst) {
+          c.pcurve = projected;
+          // Images of what connecting made are the kernel's, not the file's.
+          if (connected_.contacts.empty()) work_.note_repair(RepairKind::image, 1, worst, face.name);
+          moved = std::max(moved, worst);
+          worst = better;
         }
-        fit_ends(c, edge, face.name, shape);
-        if (worst <= std::max(noted_share * work_.diagonal, sewn_.tolerance)) continue;
-        model_.report.curve_distance = std::max(model_.report.curve_distance, worst);
-        model_.report.stray_edges.push_back(edge.name);
       }
+      fit_ends(c, edge, face.name, shape);
+      if (worst <= std::max(noted_share * work_.diagonal, sewn_.tolerance)) continue;
+      model_.report.curve_distance = std::max(model_.report.curve_distance, worst);
+      model_.report.stray_edges.push_back(edge.name);
     }
     if (moved <= coarse_share * work_.diagonal) return;
     for (Loop& loop : face.loops) chain_images(loop, face.surface->period());
@@ -272,11 +270,10 @@ class ModelBuilder {
 
   std::optional<double> area_of(const Face& face) const {
     std::vector<BorderImage> border;
-    for (const Loop& loop : face.loops)
-      for (const Coedge& c : loop.coedges) {
-        const Edge& edge = edge_of(model_, c);
-        border.push_back({c.pcurve, edge.t0, edge.t1, c.is_reversed});
-      }
+    for (const Coedge& c : coedges_of(face.loops)) {
+      const Edge& edge = edge_of(model_, c);
+      border.push_back({c.pcurve, edge.t0, edge.t1, c.is_reversed});
+    }
     return area_within(*face.surface, border);
   }
 
@@ -300,9 +297,8 @@ class ModelBuilder {
                          !has_other_user(model_, static_cast<int>(e), edge.faces[0]);
     }
     for (const Face& face : model_.faces)
-      for (const Loop& loop : face.loops)
-        for (const Coedge& c : loop.coedges)
-          if (c.is_slit) model_.edges[static_cast<std::size_t>(c.edge)].is_periodic = false;
+      for (const Coedge& c : coedges_of(face.loops))
+        if (c.is_slit) model_.edges[static_cast<std::size_t>(c.edge)].is_periodic = false;
   }
 
   void fill_parts(const EdgeIndex& index) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <ranges>
 #include <set>
 #include <string>
 #include <vector>
@@ -104,6 +105,9 @@ inline bool is_of_wire(const Model& model, int edge) {
   const auto e = static_cast<std::size_t>(edge);
   return e < model.edge_part.size() && model.edge_part[e] >= 0;
 }
+
+/// Of all loops, one after the other.
+auto coedges_of(auto& loops) { return loops | std::views::transform(&Loop::coedges) | std::views::join; }
 
 inline const Edge& edge_of(const Model& model, const Coedge& coedge) {
   return model.edges[static_cast<std::size_t>(coedge.edge)];

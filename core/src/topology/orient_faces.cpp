@@ -51,11 +51,10 @@ class Orienter {
 
   void add_use(const Use& use) {
     const Face& face = model_.faces[static_cast<std::size_t>(use.face)];
-    for (const Loop& loop : face.loops)
-      for (const Coedge& c : loop.coedges) {
-        bool is_reversed = c.is_reversed != (face.is_reversed != use.is_opposed);
-        sides_[static_cast<std::size_t>(c.edge)].push_back({static_cast<int>(uses_.size()), is_reversed});
-      }
+    for (const Coedge& c : coedges_of(face.loops)) {
+      bool is_reversed = c.is_reversed != (face.is_reversed != use.is_opposed);
+      sides_[static_cast<std::size_t>(c.edge)].push_back({static_cast<int>(uses_.size()), is_reversed});
+    }
     uses_.push_back(use);
   }
 
@@ -84,8 +83,7 @@ class Orienter {
     enter(seed, false);
     for (; !open.empty(); open.pop()) {
       int u = open.front();
-      for (const Loop& loop : loops_of(u))
-        for (const Coedge& c : loop.coedges) cross_edge(c.edge, u, enter);
+      for (const Coedge& c : coedges_of(loops_of(u))) cross_edge(c.edge, u, enter);
     }
     std::size_t turned = 0;
     for (int u : members) turned += is_turned_[static_cast<std::size_t>(u)];
@@ -164,10 +162,9 @@ class Orienter {
 
   bool is_closed(const std::vector<int>& members) const {
     for (int u : members)
-      for (const Loop& loop : loops_of(u))
-        for (const Coedge& c : loop.coedges) {
-          if (sides_of(c.edge, use(u).part).size() != 2 && !edge_of(model_, c).is_degenerate) return false;
-        }
+      for (const Coedge& c : coedges_of(loops_of(u))) {
+        if (sides_of(c.edge, use(u).part).size() != 2 && !edge_of(model_, c).is_degenerate) return false;
+      }
     return true;
   }
 
@@ -176,12 +173,11 @@ class Orienter {
     Vec3 sum{0, 0, 0};
     double count = 0;
     for (int u : members)
-      for (const Loop& loop : loops_of(u))
-        for (const Coedge& c : loop.coedges) {
-          const Edge& edge = edge_of(model_, c);
-          sum += model_.vertices[static_cast<std::size_t>(edge.start)];
-          ++count;
-        }
+      for (const Coedge& c : coedges_of(loops_of(u))) {
+        const Edge& edge = edge_of(model_, c);
+        sum += model_.vertices[static_cast<std::size_t>(edge.start)];
+        ++count;
+      }
     return (1 / std::max(count, 1.0)) * sum;
   }
 

@@ -33,17 +33,15 @@ void add_periodic_points(Model& model, const std::set<int>& wanted) {
     Face& face = model.faces[f];
     std::set<int> known;
     for (const InnerPoint& point : face.points) known.insert(point.vertex);
-    for (const Loop& loop : face.loops)
-      for (const Coedge& c : loop.coedges)
-        if (const Edge& e = edge(c.edge); !e.is_periodic && !e.is_degenerate) known.insert({e.start, e.end});
-    for (const Loop& loop : face.loops)
-      for (const Coedge& c : loop.coedges) {
-        const Edge& e = edge(c.edge);
-        if (!e.is_periodic) continue;
-        for (auto [vertex, t] : {std::pair{e.start, e.t0}, std::pair{e.end, e.t1}})
-          if (is_shared(vertex, static_cast<int>(f)) && known.insert(vertex).second)
-            face.points.push_back({vertex, c.pcurve->uv(t)});
-      }
+    for (const Coedge& c : coedges_of(face.loops))
+      if (const Edge& e = edge(c.edge); !e.is_periodic && !e.is_degenerate) known.insert({e.start, e.end});
+    for (const Coedge& c : coedges_of(face.loops)) {
+      const Edge& e = edge(c.edge);
+      if (!e.is_periodic) continue;
+      for (auto [vertex, t] : {std::pair{e.start, e.t0}, std::pair{e.end, e.t1}})
+        if (is_shared(vertex, static_cast<int>(f)) && known.insert(vertex).second)
+          face.points.push_back({vertex, c.pcurve->uv(t)});
+    }
   }
 }
 

@@ -99,8 +99,7 @@ void match_by_middles(const Model& model, OppositeSides& pair) {
 /// The mean width of a face, by the length of its border.
 double width_of(const Model& model, const Face& face, const std::vector<Loop>& loops) {
   double border = 0;
-  for (const Loop& loop : loops)
-    for (const Coedge& coedge : loop.coedges) border += edge_of(model, coedge).length;
+  for (const Coedge& coedge : coedges_of(loops)) border += edge_of(model, coedge).length;
   return face.area / (0.5 * border);
 }
 

@@ -47,10 +47,9 @@ std::vector<WantedSide> wanted_sides(const CheckedMesh& checked, const Ranks& ra
   std::vector<WantedSide> wanted;
   for (std::size_t f = 0; f < checked.model.faces.size(); ++f) {
     if (!checked.is_meshed[f]) continue;
-    for (const Loop& loop : checked.model.faces[f].loops)
-      for (const Coedge& coedge : loop.coedges)
-        if (is_wanted(checked.model.edges[static_cast<std::size_t>(coedge.edge)]))
-          add_wanted(checked, ranks, static_cast<int>(f), coedge, wanted);
+    for (const Coedge& coedge : coedges_of(checked.model.faces[f].loops))
+      if (is_wanted(checked.model.edges[static_cast<std::size_t>(coedge.edge)]))
+        add_wanted(checked, ranks, static_cast<int>(f), coedge, wanted);
   }
   std::ranges::sort(wanted, {}, [](const WantedSide& one) { return key(one.side); });
   return wanted;

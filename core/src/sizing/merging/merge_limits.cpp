@@ -38,20 +38,18 @@ double MergeLimits::extent(int face) const {
 
 int MergeLimits::longest_edge(int face) const {
   int longest = -1;
-  for (const Loop& loop : edits_.face(face).loops)
-    for (const Coedge& coedge : loop.coedges) {
-      const Edge& edge = edits_.edge(coedge.edge);
-      if (!edge.is_periodic && (longest < 0 || edge.length > edits_.edge(longest).length)) longest = coedge.edge;
-    }
+  for (const Coedge& coedge : coedges_of(edits_.face(face).loops)) {
+    const Edge& edge = edits_.edge(coedge.edge);
+    if (!edge.is_periodic && (longest < 0 || edge.length > edits_.edge(longest).length)) longest = coedge.edge;
+  }
   return longest;
 }
 
 double MergeLimits::width(int index) const {
   const Face& face = edits_.face(index);
   double perimeter = 0;
-  for (const Loop& loop : face.loops)
-    for (const Coedge& coedge : loop.coedges)
-      if (!edits_.edge(coedge.edge).is_periodic) perimeter += edits_.edge(coedge.edge).length;
+  for (const Coedge& coedge : coedges_of(face.loops))
+    if (!edits_.edge(coedge.edge).is_periodic) perimeter += edits_.edge(coedge.edge).length;
   return perimeter > 0 ? face.area / (0.5 * perimeter) : INFINITY;
 }
 
@@ -64,12 +62,11 @@ bool MergeLimits::may_be_merged(int f) const {
   constexpr double long_share = 0.5;
   if (!is_thin(f) || std::ranges::find(lasting_, f) != lasting_.end()) return false;
   const double longest = edits_.edge(longest_edge(f)).length;
-  for (const Loop& loop : edits_.face(f).loops)
-    for (const Coedge& coedge : loop.coedges) {
-      if (edits_.edge(coedge.edge).length < long_share * longest) continue;
-      const std::optional<double> corner = corner_across(f, coedge.edge);
-      if (corner && *corner <= smooth_angle * M_PI / 180) return true;
-    }
+  for (const Coedge& coedge : coedges_of(edits_.face(f).loops)) {
+    if (edits_.edge(coedge.edge).length < long_share * longest) continue;
+    const std::optional<double> corner = corner_across(f, coedge.edge);
+    if (corner && *corner <= smooth_angle * M_PI / 180) return true;
+  }
   return false;
 }
 
@@ -98,13 +95,12 @@ double MergeLimits::angle_along(int one, int two, int edge) const {
 Vec3 MergeLimits::normal(int f, int e, double share) const {
   const Edge& edge = edits_.edge(e);
   const Face& face = edits_.face(f);
-  for (const Loop& loop : face.loops)
-    for (const Coedge& coedge : loop.coedges) {
-      if (coedge.edge != e || !coedge.pcurve) continue;
-      Vec3 x, xu, xv;
-      face.surface->d1(coedge.pcurve->uv(edge.parameter(share)), x, xu, xv);
-      return (face.is_reversed ? -1 : 1) * unit(cross(xu, xv));
-    }
+  for (const Coedge& coedge : coedges_of(face.loops)) {
+    if (coedge.edge != e || !coedge.pcurve) continue;
+    Vec3 x, xu, xv;
+    face.surface->d1(coedge.pcurve->uv(edge.parameter(share)), x, xu, xv);
+    return (face.is_reversed ? -1 : 1) * unit(cross(xu, xv));
+  }
   return {};
 }
 

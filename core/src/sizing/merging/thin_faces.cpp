@@ -184,9 +184,8 @@ class ThinFaces {
 
   void take_out_face(int f, const Side& kept, const Side& gone, const std::vector<int>& ends) {
     Face& thin = edits_.face(f);
-    for (const Loop& loop : thin.loops)
-      for (const Coedge& coedge : loop.coedges)
-        if (edits_.edge(coedge.edge).is_degenerate) std::erase(edits_.edge(coedge.edge).faces, f);
+    for (const Coedge& coedge : coedges_of(thin.loops))
+      if (edits_.edge(coedge.edge).is_degenerate) std::erase(edits_.edge(coedge.edge).faces, f);
     thin.loops.clear();
     thin.has_area = false;
     thin.is_merged = true;

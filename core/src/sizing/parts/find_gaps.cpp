@@ -27,8 +27,7 @@ struct Sample {
 class GapsOfFace {
  public:
   GapsOfFace(const Model& model, const Face& face, double h) : reach_(narrow * h) {
-    for (const Loop& loop : face.loops)
-      for (const Coedge& coedge : loop.coedges) add_samples(face, coedge, edge_of(model, coedge), h);
+    for (const Coedge& coedge : coedges_of(face.loops)) add_samples(face, coedge, edge_of(model, coedge), h);
     for (std::size_t i = 0; i < samples_.size(); ++i) cells_[cell_of(samples_[i].x)].push_back(i);
   }
 

@@ -35,9 +35,8 @@ class SharpEdges {
   explicit SharpEdges(const Model& model) : model_(model), uses_(model.edges.size()) {
     for (const Face& face : model.faces)
       if (face.has_area && face.surface)
-        for (const Loop& loop : face.loops)
-          for (const Coedge& coedge : loop.coedges)
-            if (coedge.pcurve) uses_[static_cast<std::size_t>(coedge.edge)].push_back({&face, &coedge});
+        for (const Coedge& coedge : coedges_of(face.loops))
+          if (coedge.pcurve) uses_[static_cast<std::size_t>(coedge.edge)].push_back({&face, &coedge});
   }
 
   bool is_sharp(std::size_t e) const {

@@ -59,8 +59,7 @@ class Components {
   int vertex_item(int v) const { return static_cast<int>(model_.faces.size() + model_.edges.size()) + v; }
 
   void add_face(std::size_t f) {
-    for (const Loop& loop : model_.faces[f].loops)
-      for (const Coedge& c : loop.coedges) add_ends(edge_of(model_, c), face_item(f));
+    for (const Coedge& c : coedges_of(model_.faces[f].loops)) add_ends(edge_of(model_, c), face_item(f));
     for (const InnerPoint& point : model_.faces[f].points) together_.merge(vertex_item(point.vertex), face_item(f));
   }
 
