@@ -7,10 +7,8 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <new>
 #include <optional>
 #include <sstream>
-#include <system_error>
 
 #include "base/process/run_files.h"
 #include "base/tasks/gather.h"
@@ -107,27 +105,6 @@ int run_job(const std::string& path, MpiRanks& ranks, Progress& progress, std::o
   if (ranks.rank() == 0) reporter->done(share.result, busy);
   ranks.finish();
   return is_whole ? 0 : exit_code(ErrorCode::face_failed);
-}
-
-/// The exception that is being handled, as an Error.
-Error current_error() {
-  try {
-    throw;
-  } catch (const Error& error) {
-    return error;
-  } catch (const std::bad_alloc&) {
-    return Error(ErrorCode::out_of_memory,
-                 "Out of memory; choose a larger target length, fewer ranks or fewer threads.");
-  } catch (const std::system_error& error) {
-    return Error(
-        ErrorCode::out_of_memory,
-        fmt::format("The system gives no more means ({}); choose fewer ranks or fewer threads.", error.what()));
-  } catch (const std::exception& error) {
-    return Error(ErrorCode::internal,
-                 fmt::format("Internal error, please report it with the model: {}.", error.what()));
-  } catch (...) {
-    return Error(ErrorCode::internal, "Internal error of an unknown kind, please report it with the model.");
-  }
 }
 
 /// Until MPI ends this rank, too, because another one has failed.
