@@ -31,11 +31,7 @@ constexpr double most_by_curvature = 4096;  // intervals on one edge that its ow
 
 Vec3 finite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z) ? a : Vec3{}; }
 
-Vec3 velocity(const Curve& curve, double t) {
-  Vec3 x, xt;
-  curve.d1(t, x, xt);
-  return finite(xt);
-}
+Vec3 velocity(const Curve& curve, double t) { return finite(curve.slope(t).t); }
 
 // Between unit vectors; 0 where the curve has no tangent.
 double angle_between(Vec3 a, Vec3 b) {

@@ -13,8 +13,7 @@ constexpr Vec2 in_quad[] = {{0.1, 0.1}, {0.9, 0.1}, {0.9, 0.9}, {0.1, 0.9}};
 constexpr Vec2 in_triangle[] = {{0.1, 0.1}, {0.8, 0.1}, {0.1, 0.8}};
 
 Vec3 surface_normal(const Region& region, Vec2 p) {
-  Vec3 x, xp, xq;
-  region.evaluate(p, x, xp, xq);
+  const auto [x, xp, xq] = region.slope(p);
   return unit(cross(xp, xq));
 }
 

@@ -132,9 +132,7 @@ class SlitLinker : CoedgeWalker {
   /// the way back.
   double turn(const Coedge& in, const Coedge& out) const {
     if (is_way_back(in, out) && start(in) != end(in)) return 2 * M_PI;
-    Vec3 x, xu, xv;
-    surface_.d1(uv_at(in, 1), x, xu, xv);
-    Vec3 normal = unit(cross(xu, xv)), back = direction(in, 1), ahead = direction(out, 0);
+    Vec3 normal = surface_.normal(uv_at(in, 1)), back = direction(in, 1), ahead = direction(out, 0);
     double angle = std::atan2(dot(normal, cross(ahead, back)), dot(ahead, back));
     return angle > 0 ? angle : angle + 2 * M_PI;
   }

@@ -148,8 +148,7 @@ double distance_near(const SampledCurve& line, std::size_t k, double t, int step
   const double from = line.t[std::max<std::size_t>(k, 2) - 2], to = line.t[std::min(k + 1, line.t.size() - 1)];
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= steps; ++i) {
-    Vec3 y, yt;
-    line.curve->d1(t, y, yt);
+    const auto [y, yt] = line.curve->slope(t);
     least = std::min(least, norm(x - y));
     if (!(dot(yt, yt) > 0)) break;
     t = std::clamp(t + dot(x - y, yt) / dot(yt, yt), std::min(from, to), std::max(from, to));

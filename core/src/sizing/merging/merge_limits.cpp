@@ -97,9 +97,7 @@ Vec3 MergeLimits::normal(int f, int e, double share) const {
   const Face& face = edits_.face(f);
   for (const Coedge& coedge : coedges_of(face.loops)) {
     if (coedge.edge != e || !coedge.pcurve) continue;
-    Vec3 x, xu, xv;
-    face.surface->d1(coedge.pcurve->uv(edge.parameter(share)), x, xu, xv);
-    return (face.is_reversed ? -1 : 1) * unit(cross(xu, xv));
+    return (face.is_reversed ? -1 : 1) * face.surface->normal(coedge.pcurve->uv(edge.parameter(share)));
   }
   return {};
 }

@@ -56,11 +56,9 @@ class GapsOfFace {
     const int count = std::max(fewest_samples, static_cast<int>(std::ceil(wanted)));
     for (int i = 0; i <= count; ++i) {
       const double share = (i + 0.5 * (i == 0) - 0.5 * (i == count)) / count, t = edge.parameter(share);
-      Vec3 x, xu, xv, at, tangent;
-      face.surface->d1(coedge.pcurve->uv(t), x, xu, xv);
-      edge.curve->d1(t, at, tangent);
-      tangent = unit(coedge.is_reversed ? -1 * tangent : tangent);
-      samples_.push_back({at, tangent, cross(unit(cross(xu, xv)), tangent), i == count});
+      const auto [at, way] = edge.curve->slope(t);
+      const Vec3 tangent = unit(coedge.is_reversed ? -1 * way : way);
+      samples_.push_back({at, tangent, cross(face.surface->normal(coedge.pcurve->uv(t)), tangent), i == count});
     }
   }
 

@@ -21,8 +21,7 @@ class CellCounter {
 
   void add(Vec2 lo, Vec2 hi, int depth) {
     Vec2 middle = 0.5 * (lo + hi);
-    Vec3 x, xu, xv;
-    surface_.d1(middle, x, xu, xv);
+    const auto [x, xu, xv] = surface_.slope(middle);
     double wide = norm(xu) * (hi.x - lo.x), high = norm(xv) * (hi.y - lo.y), reach = wide + high;
     double h = size_.at(middle, surface_), plain = size_.by_curvature(middle);
     const double least_far = plain + 0.5 * gradation_ * reach;

@@ -23,10 +23,8 @@ struct FaceAtEdge {
 
 FaceAtEdge look(const Face& face, const Coedge& coedge, const Edge& edge, double share) {
   const double t = edge.parameter(share);
-  Vec3 x, xu, xv, along, at;
-  face.surface->d1(coedge.pcurve->uv(t), x, xu, xv);
-  edge.curve->d1(t, at, along);
-  const Vec3 normal = unit(cross(xu, xv));  // the face lies to the left of its coedges about this one
+  const Vec3 normal = face.surface->normal(coedge.pcurve->uv(t));  // the face lies to the left of its coedges about it
+  const Vec3 along = edge.curve->slope(t).t;
   return {face.is_reversed ? -1 * normal : normal, cross(normal, unit(coedge.is_reversed ? -1 * along : along))};
 }
 
