@@ -214,14 +214,6 @@ class CreaseFinder {
   double least_normal_ = 0;
 };
 
-std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
-  std::vector<TopoDS_Face> faces;
-  if (shape.IsNull()) return faces;
-  for (TopExp_Explorer parts(shape, TopAbs_FACE); parts.More(); parts.Next())
-    faces.push_back(TopoDS::Face(parts.Current()));
-  return faces;
-}
-
 class CreaseDivider {
  public:
   explicit CreaseDivider(Workpiece& work) : work_(work), context_(new ShapeBuild_ReShape) {}

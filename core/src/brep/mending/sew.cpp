@@ -15,7 +15,6 @@
 #include <limits>
 #include <map>
 
-#include "base/union_find.h"
 #include "brep/connecting/workpiece_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
@@ -206,13 +205,10 @@ class GroupSewer {
 
   /// Edges that hang together.
   static std::vector<std::vector<std::size_t>> borders(const std::vector<TopoDS_Edge>& edges) {
-    TopTools_IndexedMapOfShape ends;
-    for (const TopoDS_Edge& edge : edges) TopExp::MapShapes(edge, TopAbs_VERTEX, ends);
-    UnionFind sets(static_cast<std::size_t>(ends.Extent()) + 1);
-    auto first = [&](const TopoDS_Edge& edge) { return ends.FindIndex(TopExp::FirstVertex(edge)); };
-    for (const TopoDS_Edge& edge : edges) sets.merge(first(edge), ends.FindIndex(TopExp::LastVertex(edge)));
+    Hanging together(edges.size(), TopAbs_VERTEX);
+    for (std::size_t i = 0; i < edges.size(); ++i) together.add(i, edges[i]);
     std::map<int, std::vector<std::size_t>> found;
-    for (std::size_t i = 0; i < edges.size(); ++i) found[sets.find(first(edges[i]))].push_back(i);
+    for (std::size_t i = 0; i < edges.size(); ++i) found[together.group_of(i)].push_back(i);
     std::vector<std::vector<std::size_t>> all;
     for (auto& [set, border] : found) all.push_back(std::move(border));
     return all;

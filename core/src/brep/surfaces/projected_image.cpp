@@ -178,12 +178,7 @@ class ProjectedImage : public ParameterCurve {
     if (norm(finder_.point(uv) - finder_.point(entry)) <= reach) entry = is_lost_ ? finder_.next_to(uv, entry) : uv;
   }
 
-  double curve_length() const {
-    double length = 0;
-    for (int i = 0; i < 16; ++i)
-      length += norm(curve_->point(t0_ + (t1_ - t0_) * (i + 1) / 16) - curve_->point(t0_ + (t1_ - t0_) * i / 16));
-    return length;
-  }
+  double curve_length() const { return length_of(sampled(curve_, t0_, t1_, 16)); }
 
   FootFinder finder_;
   std::shared_ptr<const Curve> curve_;
