@@ -211,8 +211,9 @@ MetricFigures Assembler::metric() const {
 }
 
 MeshDistances Assembler::distances(double listed) const {
-  return measure_distances({model_, nodes_, mesh_, parts_, report_.target_length, options_.threads, listed}, progress_,
-                           ranks_);
+  return measure_distances(
+      {model_, nodes_, mesh_, parts_, joined_.sizes, report_.target_length, options_.threads, listed}, progress_,
+      ranks_);
 }
 
 }  // namespace paver

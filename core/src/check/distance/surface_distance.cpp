@@ -204,19 +204,10 @@ class Measurer {
 
  private:
   void add_parts() {
-    std::vector<PartRows> first;
-    std::vector<double> costs;
-    PartRows next;
-    for (const CurvingPart& part : task_.parts) {
-      first.push_back(next);
-      costs.push_back(part.mesh ? static_cast<double>(part.mesh->elements.size()) : 0);
-      if (!part.mesh) continue;
-      for (const Element& e : part.mesh->elements)
-        if (e.is_alive()) ++(e.corners() == 4 ? next.quad : next.triangle);
-    }
+    const std::vector<PartRows> first = part_rows(task_.sizes);
     std::vector<Totals> totals(task_.parts.size(), Totals(task_.target_length));
     std::vector<std::vector<FarPlace>> far(task_.parts.size());
-    run_tasks(task_.threads, costs, [&](int i) {
+    run_tasks(task_.threads, part_costs(task_.sizes), [&](int i) {
       progress_.check();
       const auto part = static_cast<std::size_t>(i);
       if (!task_.parts[part].mesh) return;
