@@ -51,19 +51,15 @@ void VtuSize::write_point(long number, ByteSink& sink) const {
     sink.write_packed(static_cast<std::int32_t>(number - 1));
 }
 
-long VtuSize::entry_bytes(VtuArray array) const {
-  switch (array) {
-    case VtuArray::face:
-      return 4;
-    case VtuArray::connectivity:
-      return has_wide_points() ? 8 : 4;
-    case VtuArray::types:
-      return 1;
-    case VtuArray::points:
-      return 3 * 8;
-    default:
-      return 8;
-  }
+VtuEntry VtuSize::entry(VtuArray array) const {
+  static constexpr std::array<VtuEntry, vtu_arrays.size()> entries{{{"Int32", "face", 4, 1},
+                                                                    {"Float64", "sj", 8, 1},
+                                                                    {"Float64", "Points", 8, 3},
+                                                                    {"Int32", "connectivity", 4, 1},
+                                                                    {"Int64", "offsets", 8, 1},
+                                                                    {"UInt8", "types", 1, 1}}};
+  if (array == VtuArray::connectivity && has_wide_points()) return {"Int64", "connectivity", 8, 1};
+  return entries[static_cast<std::size_t>(array)];
 }
 
 long VtuSize::entries(VtuArray array) const {
@@ -82,19 +78,8 @@ long VtuSize::entries_before(VtuArray array, bool is_quad, long number) const {
 }
 
 std::string vtu_declaration(VtuArray array, const VtuSize& size) {
-  struct Names {
-    const char *type, *name;
-  };
-  static constexpr std::array<Names, vtu_arrays.size()> names{{{"Int32", "face"},
-                                                               {"Float64", "sj"},
-                                                               {"Float64", "Points"},
-                                                               {"Int32", "connectivity"},
-                                                               {"Int64", "offsets"},
-                                                               {"UInt8", "types"}}};
-  auto [type, name] = names[static_cast<std::size_t>(array)];
-  if (array == VtuArray::connectivity && size.has_wide_points()) type = "Int64";
-  return fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"", type, name,
-                     array == VtuArray::points ? 3 : 1);
+  const auto [type, name, bytes, components] = size.entry(array);
+  return fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"", type, name, components);
 }
 
 void write_vtu_xml(const VtuSize& size, ByteSink& sink, const std::function<void(VtuArray)>& declare) {
