@@ -448,12 +448,11 @@ class Run {
   /// By the names that lines have in the end.
   void measure_segments() {
     const SurfaceMesh& mesh = result_.mesh;
-    const std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
     for (std::size_t line = 0; line < mesh.line_edge.size(); ++line)
       for (const Wire& wire : options_.wires) {
         if (result_.edge_groups[static_cast<std::size_t>(mesh.line_edge[line])] != wire.name) continue;
-        auto end = [&](std::size_t k) { return mesh.nodes[static_cast<std::size_t>(mesh.lines[line * stride + k])]; };
-        const double segment = norm(end(1) - end(0)) / wire.radius;
+        const auto nodes = mesh.line(line);
+        const double segment = norm(mesh.nodes[nodes[1]] - mesh.nodes[nodes[0]]) / wire.radius;
         std::optional<double>& least = result_.report.least_segment;
         least = std::min(segment, least.value_or(segment));
       }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,11 @@ struct SurfaceMesh {
   std::vector<double> node_target;  ///< per node: target length h there, mm (corner nodes; 0 elsewhere)
   std::vector<int> points;          ///< nodes of vertices that end no edge, then of those in ports
 
+  /// Nodes of a line, its ends first.
+  std::span<const int> line(std::size_t i) const {
+    const std::size_t count = static_cast<std::size_t>(order) + 1;
+    return {lines.data() + i * count, count};
+  }
   int nodes_per_quad() const { return (order + 1) * (order + 1); }
   int nodes_per_triangle() const { return (order + 1) * (order + 2) / 2; }
   std::size_t quad_count() const { return quad_face.size(); }

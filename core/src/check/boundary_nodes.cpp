@@ -16,9 +16,8 @@ class Interval {
   Interval(const CheckedMesh& checked, int edge, int interval, std::size_t line)
       : edge_(checked.model.edges[static_cast<std::size_t>(edge)]) {
     const EdgeDivision& division = checked.edges.edges[static_cast<std::size_t>(edge)];
-    const std::size_t stride = static_cast<std::size_t>(checked.mesh.order) + 1,
-                      first = 2 * static_cast<std::size_t>(interval);
-    const int* v = &checked.mesh.lines[line * stride];
+    const std::size_t first = 2 * static_cast<std::size_t>(interval);
+    const auto v = checked.mesh.line(line);
     is_curved_ = checked.mesh.order > 1;
     target_length_ = checked.target_length;
     a_ = checked.mesh.nodes[v[0]], b_ = checked.mesh.nodes[v[1]], m_ = checked.mesh.nodes[v[is_curved_ ? 2 : 0]];

@@ -64,9 +64,8 @@ class Tessellator {
   }
 
   void index_lines() {
-    std::size_t stride = static_cast<std::size_t>(mesh_.order) + 1;
     for (std::size_t i = 0; i < mesh_.line_edge.size(); ++i) {
-      const int* line = mesh_.lines.data() + i * stride;
+      const int* line = mesh_.line(i).data();
       if (lines_.number(edge_key(line[0], line[1], line + 2, mesh_.order)).second)
         edge_of_line_.push_back(mesh_.line_edge[i]);
     }

@@ -104,10 +104,8 @@ class ElementNumbers {
 };
 
 Word line_number(const SurfaceMesh& mesh, Kind kind, std::size_t line, int edge) {
-  std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
   Mix mix(kind, mesh.order, edge);
-  for (std::size_t k = 0; k < stride; ++k)
-    mix.add(bits_of(mesh.nodes[static_cast<std::size_t>(mesh.lines[line * stride + k])]));
+  for (int node : mesh.line(line)) mix.add(bits_of(mesh.nodes[node]));
   return mix.value();
 }
 

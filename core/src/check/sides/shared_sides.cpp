@@ -30,10 +30,9 @@ void add_wanted(const CheckedMesh& checked, const Ranks& ranks, int face, const 
                 std::vector<WantedSide>& wanted) {
   const SurfaceMesh& mesh = checked.mesh;
   const bool is_backward = coedge.is_reversed != checked.model.faces[static_cast<std::size_t>(face)].is_reversed;
-  const std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
   auto [first, last] = std::equal_range(mesh.line_edge.begin(), mesh.line_edge.end(), coedge.edge);
   for (auto line = first; line != last; ++line) {
-    const int* v = &mesh.lines[static_cast<std::size_t>(line - mesh.line_edge.begin()) * stride];
+    const auto v = mesh.line(static_cast<std::size_t>(line - mesh.line_edge.begin()));
     const long from = checked.number(v[is_backward ? 1 : 0]), to = checked.number(v[is_backward ? 0 : 1]);
     if (std::min(from, to) % ranks.count() != ranks.rank()) continue;
     const long middle = mesh.order == 1 ? -1 : checked.number(v[2]);

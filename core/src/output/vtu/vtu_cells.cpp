@@ -133,8 +133,7 @@ void VtuCells::write(VtuArray array, std::size_t begin, std::size_t end, long nu
   }
 }
 
-VtuLines::VtuLines(const MeshResult& result)
-    : mesh_(result.mesh), stride_(static_cast<std::size_t>(result.mesh.order) + 1) {
+VtuLines::VtuLines(const MeshResult& result) : mesh_(result.mesh) {
   for (std::size_t line = 0; line < mesh_.line_edge.size(); ++line) {
     const auto edge = static_cast<std::size_t>(mesh_.line_edge[line]);
     if (edge >= result.edge_groups.size()) continue;
@@ -148,11 +147,10 @@ void VtuLines::write(VtuArray array, const VtuSize& size, const std::vector<long
   for (std::size_t line : lines_) {
     if (array == VtuArray::face) sink.write_packed<std::int32_t>(-1 - mesh_.line_edge[line]);
     if (array == VtuArray::sj) sink.write_packed(1.0);
-    if (array == VtuArray::offsets) sink.write_packed<std::int64_t>(at += static_cast<long>(stride_));
+    if (array == VtuArray::offsets) sink.write_packed<std::int64_t>(at += size.order + 1);
     if (array == VtuArray::types) sink.write_packed(size.order == 1 ? vtk_line : vtk_lagrange_curve);
     if (array != VtuArray::connectivity) continue;
-    for (std::size_t k = 0; k < stride_; ++k)
-      size.write_point(point[static_cast<std::size_t>(mesh_.lines[line * stride_ + k])], sink);
+    for (int node : mesh_.line(line)) size.write_point(point[node], sink);
   }
 }
 

@@ -86,14 +86,13 @@ class VtuLines {
   template <class T>
   void mark_nodes(std::vector<T>& nodes) const {
     for (std::size_t line : lines_)
-      for (std::size_t k = 0; k < stride_; ++k) nodes[static_cast<std::size_t>(mesh_.lines[line * stride_ + k])] = 1;
+      for (int node : mesh_.line(line)) nodes[node] = 1;
   }
   /// Cell data, connectivity, offsets or types of all.
   void write(VtuArray array, const VtuSize& size, const std::vector<long>& point, ByteSink& sink) const;
 
  private:
   const SurfaceMesh& mesh_;
-  std::size_t stride_;
   std::vector<std::size_t> lines_;
 };
 
