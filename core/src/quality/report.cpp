@@ -137,10 +137,9 @@ class Measurement {
   /// have no lines and count as inside.
   std::vector<char> find_outside(const EdgeFigures& edges, const std::vector<bool>& edge_is_periodic) const {
     std::vector<char> is_outside(mesh_.nodes.size(), 0);
-    std::size_t stride = static_cast<std::size_t>(mesh_.order) + 1;
     for (std::size_t i = 0; i < mesh_.line_edge.size(); ++i) {
       if (edge_is_periodic.at(static_cast<std::size_t>(mesh_.line_edge[i]))) continue;
-      for (std::size_t k = 0; k < stride; ++k) is_outside[static_cast<std::size_t>(mesh_.lines[i * stride + k])] = 1;
+      for (int node : mesh_.line(i)) is_outside[node] = 1;
     }
     for (const EdgeUse& edge : edges.odd) {
       if (edge.uses == 1) is_outside[edge.low] = is_outside[edge.high] = 1;
@@ -316,12 +315,6 @@ ElementQuality element_quality(const SurfaceMesh& mesh) {
   measure(true, 0, quads);
   measure(false, quads, mesh.triangle_count());
   return quality;
-}
-
-QualityReport measure_quality(const SurfaceMesh& mesh, double target_length, const std::vector<bool>& edge_is_periodic,
-                              std::vector<FaceReport>& faces, const Progress& progress) {
-  SingleRank alone;
-  return Measurement(mesh, whole_numbers(mesh), target_length, progress).measure(edge_is_periodic, faces, alone);
 }
 
 QualityReport measure_quality(const MeshShare& share, double target_length, const std::vector<bool>& edge_is_periodic,
