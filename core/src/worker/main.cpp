@@ -95,7 +95,7 @@ int run_job(const std::string& path, MpiRanks& ranks, Progress& progress, std::o
   OutputFiles files = job.files;
   if (!files.repaired.empty()) files.repaired_text = repaired_model(model, options, progress);
   MeshShare share = mesh_share(model, options, progress, ranks);
-  if (share.quads + share.triangles + share.result.report.quality.wire_lines == 0) files.mesh.clear();
+  if (is_empty(share.result)) files.mesh.clear();
   write_outputs(share, files, progress, ranks);
   hand_back(job, share, ranks);
   std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
