@@ -80,7 +80,7 @@ class Run {
     prediction.target_length = result_.report.target_length;
     prediction.face_elements.assign(static_cast<std::size_t>(model_.read_faces) + model_.common.size(), 0);
     for (std::size_t i = 0; i < model_.faces.size(); ++i) {
-      prediction.face_elements[static_cast<std::size_t>(model_.faces[i].origin)] += elements[i];
+      prediction.face_elements[model_.faces[i].origin] += elements[i];
       prediction.elements += elements[i];
     }
     prediction.merges = result_.report.merges;
@@ -149,7 +149,7 @@ class Run {
   std::vector<double> entry_lengths(const std::vector<FaceReport>& entries) const {
     std::vector<double> length(entries.size(), INFINITY);
     for (std::size_t f = 0; f < model_.faces.size(); ++f) {
-      double& least = length[static_cast<std::size_t>(model_.faces[f].origin)];
+      double& least = length[model_.faces[f].origin];
       least = std::min(least, size_.face_h[f]);
     }
     return length;
@@ -450,7 +450,7 @@ class Run {
     const SurfaceMesh& mesh = result_.mesh;
     for (std::size_t line = 0; line < mesh.line_edge.size(); ++line)
       for (const Wire& wire : options_.wires) {
-        if (result_.edge_groups[static_cast<std::size_t>(mesh.line_edge[line])] != wire.name) continue;
+        if (result_.edge_groups[mesh.line_edge[line]] != wire.name) continue;
         const auto nodes = mesh.line(line);
         const double segment = norm(mesh.nodes[nodes[1]] - mesh.nodes[nodes[0]]) / wire.radius;
         std::optional<double>& least = result_.report.least_segment;

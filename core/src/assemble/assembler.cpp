@@ -51,7 +51,7 @@ bool Assembler::drop_faulty() {
   check_areas(model_, report_.faces, *check_);
   const MeshFaults faults = check_->faults;
   for (int f : faults.faces()) {
-    FaceReport& face = report_.faces[static_cast<std::size_t>(f)];
+    FaceReport& face = report_.faces[f];
     face.fail(stage_name(Stage::quality), faults.reason(f), faults.where(f));
     face.worst_sj = 1;
   }

@@ -13,9 +13,8 @@ constexpr double off_curve = 1e-6;  // of the chord
 /// One interval of an edge, with the mesh's line on it.
 class Interval {
  public:
-  Interval(const CheckedMesh& checked, int edge, int interval, std::size_t line)
-      : edge_(checked.model.edges[static_cast<std::size_t>(edge)]) {
-    const EdgeDivision& division = checked.edges.edges[static_cast<std::size_t>(edge)];
+  Interval(const CheckedMesh& checked, int edge, int interval, std::size_t line) : edge_(checked.model.edges[edge]) {
+    const EdgeDivision& division = checked.edges.edges[edge];
     const std::size_t first = 2 * static_cast<std::size_t>(interval);
     const auto v = checked.mesh.line(line);
     is_curved_ = checked.mesh.order > 1;
@@ -24,8 +23,8 @@ class Interval {
     std::copy_n(division.t.begin() + static_cast<long>(first), 3, t_);
     is_first_ = interval == 0, is_last_ = interval + 1 == division.intervals();
     const std::vector<Vec3>& vertices = checked.model.vertices;
-    start_ = is_first_ ? vertices[static_cast<std::size_t>(edge_.start)] : edge_.curve->point(t_[0]);
-    end_ = is_last_ ? vertices[static_cast<std::size_t>(edge_.end)] : edge_.curve->point(t_[2]);
+    start_ = is_first_ ? vertices[edge_.start] : edge_.curve->point(t_[0]);
+    end_ = is_last_ ? vertices[edge_.end] : edge_.curve->point(t_[2]);
     middle_ = edge_.curve->point(t_[1]);
   }
 

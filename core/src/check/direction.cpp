@@ -31,7 +31,7 @@ bool runs_with_surface(const Region& region, int corners, const std::array<Vec2,
   const double along = dot(area, mean);
   if (along >= sure && dot(centre, mean) >= sure) return true;
   Vec2 middle;
-  for (int k = 0; k < corners; ++k) middle = middle + (1.0 / corners) * places[static_cast<std::size_t>(k)];
+  for (int k = 0; k < corners; ++k) middle = middle + (1.0 / corners) * places[k];
   if (!(dot(centre, surface_normal(region, middle)) > 0)) return false;
   return along > 0 || runs_beside_corners(region, corners, places, area);
 }

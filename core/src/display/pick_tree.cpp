@@ -97,7 +97,7 @@ void PickTree::sort_leaves() {
   leaves_.reserve(runs.size());
   for (auto [code, run] : order) {
     leaves_.push_back(run);
-    sorted.push_back(runs[static_cast<std::size_t>(run)]);
+    sorted.push_back(runs[run]);
   }
   runs = std::move(sorted);
 }

@@ -70,7 +70,7 @@ void transfer(XSControl_Reader& reader, Shape& shape, Progress& progress, NameOf
   shape.labels.assign(static_cast<std::size_t>(faces.Extent()), {});
   for (int i = 1; i <= faces.Extent(); ++i)
     if (const auto found = labels.find(faces(i).TShape().get()); found != labels.end())
-      shape.labels[static_cast<std::size_t>(i - 1)] = found->second;
+      shape.labels[i - 1] = found->second;
 }
 
 }  // namespace paver

@@ -32,7 +32,7 @@ class Rim {
   }
   int size() const { return static_cast<int>(loop_.size()); }
   Vec2 middle() const { return middle_; }
-  const LoopNode& node(int i) const { return loop_[static_cast<std::size_t>((i % size() + size()) % size())]; }
+  const LoopNode& node(int i) const { return loop_[(i % size() + size()) % size()]; }
   /// Point between nodes, `i` any real number.
   Vec2 at(double i) const {
     double whole = std::floor(i), t = i - whole;

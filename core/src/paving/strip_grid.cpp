@@ -61,7 +61,7 @@ class Strip {
 
   std::optional<RegionMesh> lay(double turn_weight, double least = least_jacobian) {
     std::vector<int> node(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1));
-    auto number = [&](int i, int j) -> int& { return node[static_cast<std::size_t>(j * (columns_ + 1) + i)]; };
+    auto number = [&](int i, int j) -> int& { return node[j * (columns_ + 1) + i]; };
     mesh_.turn_weight = turn_weight;
     mesh_.reserve(node.size());
     for (int j = 0; j <= rows_; ++j)

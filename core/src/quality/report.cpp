@@ -118,7 +118,7 @@ class Measurement {
 
   double longest_side2(const ElementTable& table, std::size_t element) const {
     const int* node = table.row(element);
-    auto at = [&](int k) { return mesh_.nodes[static_cast<std::size_t>(node[k % table.corners])]; };
+    auto at = [&](int k) { return mesh_.nodes[node[k % table.corners]]; };
     double longest2 = 0;
     for (int k = 0; k < table.corners; ++k) {
       const Vec3 side = at(k + 1) - at(k);
@@ -130,7 +130,7 @@ class Measurement {
   void mark_used(bool is_quad, std::size_t begin, std::size_t end) {
     const ElementTable table(mesh_, is_quad);
     for (const int* node = table.row(begin); node != table.row(end); ++node)
-      std::atomic_ref(is_used_[static_cast<std::size_t>(*node)]).store(1, std::memory_order_relaxed);
+      std::atomic_ref(is_used_[*node]).store(1, std::memory_order_relaxed);
   }
 
   /// Per node: whether it lies on the border by an edge of this rank, or on a B-rep edge that is not periodic. Poles

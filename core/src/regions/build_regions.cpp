@@ -531,15 +531,15 @@ class RegionBuilder {
   }
 
   int node_at(int vertex, double h) {
-    int& known = nodes_.node_of_vertex[static_cast<std::size_t>(vertex)];
-    if (known < 0) known = append(model_.vertices[static_cast<std::size_t>(vertex)], h);
+    int& known = nodes_.node_of_vertex[vertex];
+    if (known < 0) known = append(model_.vertices[vertex], h);
     return known;
   }
 
   /// The vertex of the face's pole next to `apex`, or -1.
   int pole_vertex(Vec3 apex) const {
     int nearest = -1;
-    auto distance = [&](int vertex) { return norm(model_.vertices[static_cast<std::size_t>(vertex)] - apex); };
+    auto distance = [&](int vertex) { return norm(model_.vertices[vertex] - apex); };
     for (const Coedge& coedge : coedges_of(face_.loops)) {
       const Edge& edge = edge_of(model_, coedge);
       if (edge.is_degenerate && (nearest < 0 || distance(edge.start) < distance(nearest))) nearest = edge.start;

@@ -43,14 +43,13 @@ std::vector<double> point_lengths(const Model& model, const SizeField& size, con
   std::vector<std::vector<std::size_t>> pieces(static_cast<std::size_t>(model.read_faces));
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
     if (!model.faces[f].is_meshed()) continue;
-    for (int of : model.faces_as_read(model.faces[f].origin)) pieces[static_cast<std::size_t>(of)].push_back(f);
+    for (int of : model.faces_as_read(model.faces[f].origin)) pieces[of].push_back(f);
   }
   std::vector<double> lengths;
   for (const FacePoint& point : points) {
     double least = std::numeric_limits<double>::infinity();
     if (point.face >= 0 && point.face < model.read_faces)
-      for (std::size_t f : pieces[static_cast<std::size_t>(point.face)])
-        least = std::min(least, length_on(model.faces[f], size.faces[f], point));
+      for (std::size_t f : pieces[point.face]) least = std::min(least, length_on(model.faces[f], size.faces[f], point));
     lengths.push_back(std::isfinite(least) ? least : 0);
   }
   return lengths;

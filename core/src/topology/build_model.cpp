@@ -111,8 +111,8 @@ class ModelBuilder {
   void note_tolerances(const EdgeIndex& index) {
     tolerances_.resize(model_.edges.size());
     for (int i = 1; i <= index.map.Extent(); ++i) {
-      int edge = index.edge[static_cast<std::size_t>(i)];
-      if (edge >= 0) tolerances_[static_cast<std::size_t>(edge)] = BRep_Tool::Tolerance(TopoDS::Edge(index.map(i)));
+      int edge = index.edge[i];
+      if (edge >= 0) tolerances_[edge] = BRep_Tool::Tolerance(TopoDS::Edge(index.map(i)));
     }
   }
 
@@ -122,7 +122,7 @@ class ModelBuilder {
     std::string label;
     bool has_label = false;
     for (int face : work_.faces_as_read(origin)) {
-      const std::string& own = shape_.labels[static_cast<std::size_t>(face)];
+      const std::string& own = shape_.labels[face];
       has_label = has_label || !own.empty();
       label += (label.empty() ? "" : " + ") + (own.empty() ? face_name(face) : own);
     }
@@ -130,7 +130,7 @@ class ModelBuilder {
   }
 
   void add_face(int i, const EdgeIndex& index) {
-    const WorkFace& work = work_.faces[static_cast<std::size_t>(i)];
+    const WorkFace& work = work_.faces[i];
     Face face;
     face.name = entry_name(work_, work.origin);
     face.origin = work.origin;
@@ -149,10 +149,10 @@ class ModelBuilder {
   }
 
   void note_uses(int i, const EdgeIndex& index) {
-    for (const TopoDS_Edge& use : edges_of(work_.faces[static_cast<std::size_t>(i)].face)) {
+    for (const TopoDS_Edge& use : edges_of(work_.faces[i].face)) {
       int edge = index.find(use);
       if (edge < 0 || use.Orientation() == TopAbs_EXTERNAL) continue;
-      std::vector<int>& users = model_.edges[static_cast<std::size_t>(edge)].faces;
+      std::vector<int>& users = model_.edges[edge].faces;
       bool is_inside = use.Orientation() == TopAbs_INTERNAL;
       users.insert(users.end(), is_inside ? 2 : 1, i);
     }
@@ -224,7 +224,7 @@ class ModelBuilder {
 
   /// What the file itself claims, as far as that is sensible.
   double allowed_deviation(int edge) const {
-    double claimed = claimed_share * tolerances_[static_cast<std::size_t>(edge)];
+    double claimed = claimed_share * tolerances_[edge];
     return std::max(exact_share * work_.diagonal, std::min(claimed, coarse_share * work_.diagonal));
   }
 
@@ -280,8 +280,7 @@ class ModelBuilder {
   /// Nodes at the ends of edges lie in the vertices: their images must lie there, too, or elements turn over that are
   /// sound in the chart.
   void fit_ends(Coedge& c, const Edge& edge, const std::string& face, const TopoDS_Face& shape) {
-    const std::array<Vec3, 2> ends{model_.vertices[static_cast<std::size_t>(edge.start)],
-                                   model_.vertices[static_cast<std::size_t>(edge.end)]};
+    const std::array<Vec3, 2> ends{model_.vertices[edge.start], model_.vertices[edge.end]};
     double off = 0;
     const double allowed = std::max(coarse_share * work_.diagonal, allowed_deviation(c.edge));
     auto fitted = make_image_with_ends(shape, c.pcurve, edge.t0, edge.t1, ends, allowed, off);
@@ -298,7 +297,7 @@ class ModelBuilder {
     }
     for (const Face& face : model_.faces)
       for (const Coedge& c : coedges_of(face.loops))
-        if (c.is_slit) model_.edges[static_cast<std::size_t>(c.edge)].is_periodic = false;
+        if (c.is_slit) model_.edges[c.edge].is_periodic = false;
   }
 
   void fill_parts(const EdgeIndex& index) {
@@ -315,15 +314,12 @@ class ModelBuilder {
     model_.edge_part.assign(model_.edges.size(), -1);
     for (const WorkWire& wire : work_.wires) {
       int edge = index.find(wire.edge);
-      if (edge >= 0) model_.edge_part[static_cast<std::size_t>(edge)] = wire.part;
+      if (edge >= 0) model_.edge_part[edge] = wire.part;
     }
     for (const WorkPoint& point : work_.points)
-      model_.points.push_back(
-          {point.part, index.find_vertex(point.vertex), false, model_.parts[static_cast<std::size_t>(point.part)]});
+      model_.points.push_back({point.part, index.find_vertex(point.vertex), false, model_.parts[point.part]});
     model_.report.contacts = connected_.contacts;
-    for (auto [a, b] : connected_.failed)
-      model_.report.unconnected.push_back(
-          {model_.parts[static_cast<std::size_t>(a)], model_.parts[static_cast<std::size_t>(b)]});
+    for (auto [a, b] : connected_.failed) model_.report.unconnected.push_back({model_.parts[a], model_.parts[b]});
   }
 
   void fill_report() {
@@ -371,7 +367,7 @@ class ModelBuilder {
     return names;
   }
 
-  const Edge& edge_at(int e) const { return model_.edges[static_cast<std::size_t>(e)]; }
+  const Edge& edge_at(int e) const { return model_.edges[e]; }
 
   /// Per face of the work before it was divided.
   std::vector<char> reversals(const Workpiece& whole) const {
@@ -431,12 +427,12 @@ class ModelBuilder {
     std::vector<char> is_used(model_.vertices.size(), 0);
     for (const Edge& edge : model_.edges)
       if (!edge.faces.empty() || edge.is_wire())
-        for (int vertex : {edge.start, edge.end}) is_used[static_cast<std::size_t>(vertex)] = 1;
+        for (int vertex : {edge.start, edge.end}) is_used[vertex] = 1;
     for (const Face& face : model_.faces)
-      for (const InnerPoint& point : face.points) is_used[static_cast<std::size_t>(point.vertex)] = 1;
+      for (const InnerPoint& point : face.points) is_used[point.vertex] = 1;
     std::vector<std::string> names;
     for (PartPoint& point : model_.points) {
-      point.is_apart = !is_used[static_cast<std::size_t>(point.vertex)];
+      point.is_apart = !is_used[point.vertex];
       if (point.is_apart) names.push_back(point.name);
     }
     return names;

@@ -96,7 +96,7 @@ struct Model {
 
   /// The face of the shape as read that an entry of the report is, or those that have it in common.
   std::vector<int> faces_as_read(int entry) const {
-    return entry < read_faces ? std::vector{entry} : common[static_cast<std::size_t>(entry - read_faces)];
+    return entry < read_faces ? std::vector{entry} : common[entry - read_faces];
   }
 };
 
@@ -109,9 +109,7 @@ inline bool is_of_wire(const Model& model, int edge) {
 /// Of all loops, one after the other.
 auto coedges_of(auto& loops) { return loops | std::views::transform(&Loop::coedges) | std::views::join; }
 
-inline const Edge& edge_of(const Model& model, const Coedge& coedge) {
-  return model.edges[static_cast<std::size_t>(coedge.edge)];
-}
+inline const Edge& edge_of(const Model& model, const Coedge& coedge) { return model.edges[coedge.edge]; }
 
 inline std::vector<int> edges_of(const Loop& loop) {
   std::vector<int> edges;

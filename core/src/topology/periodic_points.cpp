@@ -8,7 +8,7 @@
 namespace paver {
 
 bool has_other_user(const Model& model, int edge, int face) {
-  const std::vector<int>& faces = model.edges[static_cast<std::size_t>(edge)].faces;
+  const std::vector<int>& faces = model.edges[edge].faces;
   return is_of_wire(model, edge) || std::ranges::any_of(faces, [&](int user) { return user != face; });
 }
 
@@ -19,12 +19,11 @@ void add_periodic_points(Model& model, const std::set<int>& wanted) {
     for (const InnerPoint& point : face.points) points.insert(point.vertex);
   std::vector<std::vector<int>> edges_at(model.vertices.size());
   for (std::size_t e = 0; e < model.edges.size(); ++e)
-    for (int vertex : {model.edges[e].start, model.edges[e].end})
-      edges_at[static_cast<std::size_t>(vertex)].push_back(static_cast<int>(e));
-  const auto edge = [&](int e) -> const Edge& { return model.edges[static_cast<std::size_t>(e)]; };
+    for (int vertex : {model.edges[e].start, model.edges[e].end}) edges_at[vertex].push_back(static_cast<int>(e));
+  const auto edge = [&](int e) -> const Edge& { return model.edges[e]; };
   // Whether something else than the face itself has the vertex.
   const auto is_shared = [&](int vertex, int face) {
-    const std::vector<int>& edges = edges_at[static_cast<std::size_t>(vertex)];
+    const std::vector<int>& edges = edges_at[vertex];
     return points.contains(vertex) || std::any_of(edges.begin(), edges.end(), [&](int e) {
              return !edge(e).is_degenerate && has_other_user(model, e, face);
            });

@@ -41,7 +41,7 @@ class DoubleFinder {
   }
 
  private:
-  WorkFace& face(int index) { return work_.faces[static_cast<std::size_t>(index)]; }
+  WorkFace& face(int index) { return work_.faces[index]; }
 
   Outline outline(int index) {
     constexpr double far = 1e300;  // finite: faces without such points are compared as well

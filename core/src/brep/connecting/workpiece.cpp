@@ -141,17 +141,17 @@ Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& ta
   work.faces.resize(static_cast<std::size_t>(faces.Extent()));
   for (int s = solids.Extent(); s >= 1; --s)  // backwards: a face of two solids counts to the first
     for (TopExp_Explorer inner(solids(s), TopAbs_FACE); inner.More(); inner.Next())
-      work.faces[static_cast<std::size_t>(faces.FindIndex(inner.Current()) - 1)].solid = s - 1;
+      work.faces[faces.FindIndex(inner.Current()) - 1].solid = s - 1;
   std::vector<double> costs;
   for (int i = 1; i <= faces.Extent(); ++i) {
-    WorkFace& face = work.faces[static_cast<std::size_t>(i - 1)];
+    WorkFace& face = work.faces[i - 1];
     face.face = TopoDS::Face(faces(i));
     face.origin = i - 1;
     costs.push_back(measuring_cost(face.face));
   }
   measure_diagonal(work);
-  const std::vector<double> areas = tasks.run<double>(
-      Stage::topology, costs, [&](int i) { return face_area(work.faces[static_cast<std::size_t>(i)].face); });
+  const std::vector<double> areas =
+      tasks.run<double>(Stage::topology, costs, [&](int i) { return face_area(work.faces[i].face); });
   for (std::size_t i = 0; i < work.faces.size(); ++i) {
     WorkFace& face = work.faces[i];
     face.area = areas[i];
@@ -185,7 +185,7 @@ void copy_shape(Workpiece& work) {
     throw Error(ErrorCode::internal, "The copy of the shape has another number of faces.", {"topology", -1, -1, {}});
   work.shape = copy.Shape();
   work.read_edges = shapes_of(work.shape, TopAbs_EDGE);
-  for (int i = 1; i <= faces.Extent(); ++i) work.faces[static_cast<std::size_t>(i - 1)].face = TopoDS::Face(faces(i));
+  for (int i = 1; i <= faces.Extent(); ++i) work.faces[i - 1].face = TopoDS::Face(faces(i));
   for (WorkWire& wire : work.wires) wire.edge = TopoDS::Edge(copy.ModifiedShape(wire.edge));
   for (WorkPoint& point : work.points) point.vertex = TopoDS::Vertex(copy.ModifiedShape(point.vertex));
   work.is_copied = true;

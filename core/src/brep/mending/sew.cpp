@@ -78,7 +78,7 @@ class GroupSewer {
   GroupSewer(const Workpiece& work, const std::vector<int>& group, Progress& progress)
       : work_(work), progress_(progress) {
     std::vector<WorkFace> faces;
-    for (int i : group) faces.push_back(work.faces[static_cast<std::size_t>(i)]);
+    for (int i : group) faces.push_back(work.faces[i]);
     as_drawn_.uses = count_uses(faces);
     as_drawn_.free = free_count(as_drawn_.uses);
     for (const WorkFace& face : faces) as_drawn_.faces.push_back(face.face);
@@ -267,7 +267,7 @@ class GroupSewer {
 void put(Workpiece& work, const std::vector<int>& group, const Sewn& sewn, SewResult& result) {
   for (const auto& [edge, image] : sewn.edges) add_edge_origins(work, image, edge_origins(work, edge));
   for (std::size_t k = 0; k < group.size(); ++k) {
-    WorkFace& face = work.faces[static_cast<std::size_t>(group[k])];
+    WorkFace& face = work.faces[group[k]];
     if (!sewn.faces[k].IsNull()) {
       face.face = sewn.faces[k];
       continue;

@@ -173,7 +173,7 @@ class ProjectedImage : public ParameterCurve {
   void keep_end(const ParameterCurve& rough, int i) {
     double t = i == 0 ? t0_ : t1_;
     Vec2 uv = rough.uv(t);
-    auto& entry = table_[static_cast<std::size_t>(i)];
+    auto& entry = table_[i];
     double reach = 1e-6 * (curve_length() + 1e-300);
     if (norm(finder_.point(uv) - finder_.point(entry)) <= reach) entry = is_lost_ ? finder_.next_to(uv, entry) : uv;
   }

@@ -129,7 +129,7 @@ void VtuCells::write(VtuArray array, std::size_t begin, std::size_t end, long nu
     if (array == VtuArray::types) sink.write_packed(type);
     if (array != VtuArray::connectivity) continue;
     const int* nodes = table_.row(e);
-    for (int k : positions_) size_.write_point(point_[static_cast<std::size_t>(nodes[k])], sink);
+    for (int k : positions_) size_.write_point(point_[nodes[k]], sink);
   }
 }
 
@@ -156,7 +156,7 @@ void VtuLines::write(VtuArray array, const VtuSize& size, const std::vector<long
 
 double VtuCells::sj(std::size_t element) const {
   const int* nodes = table_.row(element);
-  auto x = [&](int k) { return mesh_.nodes[static_cast<std::size_t>(nodes[k])]; };
+  auto x = [&](int k) { return mesh_.nodes[nodes[k]]; };
   return is_quad_ ? scaled_jacobian(x(0), x(1), x(2), x(3)) : scaled_jacobian(x(0), x(1), x(2));
 }
 

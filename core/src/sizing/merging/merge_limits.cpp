@@ -20,8 +20,8 @@ MergeLimits::MergeLimits(const ModelEdits& edits, const Options& options, const 
       is_local_edge_(static_cast<std::size_t>(edits.model().read_edges), 0) {
   for (const LocalSize& local : options.local) {
     const PartName part = *parse_part(local.part);
-    if (part.kind == PartKind::face) is_local_face_[static_cast<std::size_t>(part.index)] = 1;
-    if (part.kind == PartKind::edge) is_local_edge_[static_cast<std::size_t>(part.index)] = 1;
+    if (part.kind == PartKind::face) is_local_face_[part.index] = 1;
+    if (part.kind == PartKind::edge) is_local_edge_[part.index] = 1;
   }
   const Model& model = edits.model();
   for (std::size_t f = 0; f < is_local_face_.size() && f < model.face_group.size(); ++f)
@@ -31,7 +31,7 @@ MergeLimits::MergeLimits(const ModelEdits& edits, const Options& options, const 
 }
 
 double MergeLimits::extent(int face) const {
-  double& known = extent_[static_cast<std::size_t>(face)];
+  double& known = extent_[face];
   if (known < 0) known = face_extent(edits_.model(), edits_.face(face));
   return known;
 }
@@ -133,14 +133,13 @@ double MergeLimits::length(int index) const {
 bool MergeLimits::is_protected(int index) const {
   const Edge& edge = edits_.edge(index);
   if (is_of_wire(edits_.model(), index) || edge.is_degenerate || edge.faces.size() > 2) return true;
-  return std::any_of(edge.origins.begin(), edge.origins.end(),
-                     [&](int origin) { return is_local_edge_[static_cast<std::size_t>(origin)] != 0; });
+  return std::any_of(edge.origins.begin(), edge.origins.end(), [&](int origin) { return is_local_edge_[origin] != 0; });
 }
 
 bool MergeLimits::is_protected_face(int index) const {
   const Face& face = edits_.face(index);
   return !face.points.empty() || !face.fault.empty() ||
-         (face.origin < edits_.model().read_faces && is_local_face_[static_cast<std::size_t>(face.origin)]);
+         (face.origin < edits_.model().read_faces && is_local_face_[face.origin]);
 }
 
 bool MergeLimits::is_sharp(int e) const {

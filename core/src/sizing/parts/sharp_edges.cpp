@@ -34,7 +34,7 @@ class SharpEdges {
     for (const Face& face : model.faces)
       if (face.has_area && face.surface)
         for (const Coedge& coedge : coedges_of(face.loops))
-          if (coedge.pcurve) uses_[static_cast<std::size_t>(coedge.edge)].push_back({&face, &coedge});
+          if (coedge.pcurve) uses_[coedge.edge].push_back({&face, &coedge});
   }
 
   bool is_sharp(std::size_t e) const {

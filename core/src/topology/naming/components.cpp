@@ -23,7 +23,7 @@ class Components {
     auto note = [&](int item, int part) {
       std::vector<char>& has = parts[together_.find(item)];
       has.resize(model_.parts.size(), 0);
-      has[static_cast<std::size_t>(part)] = 1;
+      has[part] = 1;
     };
     for (std::size_t f = 0; f < model_.faces.size(); ++f)
       if (is_meshed(f))
@@ -45,7 +45,7 @@ class Components {
  private:
   bool is_meshed(std::size_t f) const {
     const Face& face = model_.faces[f];
-    return face.has_area && entries_[static_cast<std::size_t>(face.origin)].status == FaceStatus::meshed;
+    return face.has_area && entries_[face.origin].status == FaceStatus::meshed;
   }
   bool has_lines_of_wire(std::size_t e) const {
     const std::vector<int>& faces = model_.edges[e].faces;
