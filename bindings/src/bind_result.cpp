@@ -100,12 +100,10 @@ void bind_arrays(py::class_<MeshData>& data) {
 }  // namespace
 
 OutputFiles output_files(const FileArguments& arguments) {
-  const auto& [mesh, report, msh_version, is_ascii, input, repaired, repaired_text] = arguments;
-  if (msh_version != "4.1" && msh_version != "2.2") {
-    throw Error(ErrorCode::bad_option, "msh_version is '" + msh_version + "'; write it like 4.1 or 2.2.");
-  }
-  return {mesh,     report,       msh_version == "2.2" ? MshVersion::v2_2 : MshVersion::v4_1, is_ascii, input,
-          repaired, repaired_text};
+  const auto& [mesh, report, version_text, is_ascii, input, repaired, repaired_text] = arguments;
+  const std::optional<MshVersion> version = msh_version(version_text);
+  if (!version) throw Error(ErrorCode::bad_option, "msh_version is '" + version_text + "'; write it like 4.1 or 2.2.");
+  return {mesh, report, *version, is_ascii, input, repaired, repaired_text};
 }
 
 void bind_result(py::module_& module) {

@@ -4,7 +4,6 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
-#include <new>
 #include <set>
 #include <string>
 #include <thread>
@@ -64,20 +63,9 @@ class Job {
  private:
   void run(const std::function<void(Progress&)>& work) {
     try {
-      try {
-        work(progress_);
-      } catch (const Error&) {
-        throw;
-      } catch (const std::bad_alloc&) {
-        throw Error(ErrorCode::out_of_memory, "Out of memory; choose a larger target length or fewer threads.");
-      } catch (const std::exception& error) {
-        throw Error(ErrorCode::internal,
-                    std::string("Internal error (") + error.what() + "); report it with the model.");
-      } catch (...) {
-        throw Error(ErrorCode::internal, "Internal error of an unknown kind; report it with the model.");
-      }
-    } catch (const Error&) {
-      error_ = std::current_exception();
+      work(progress_);
+    } catch (...) {
+      error_ = std::make_exception_ptr(current_error());
     }
     {
       std::lock_guard lock(mutex_);

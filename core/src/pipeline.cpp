@@ -80,7 +80,7 @@ class Run {
     prediction.target_length = result_.report.target_length;
     prediction.face_elements.assign(static_cast<std::size_t>(model_.read_faces) + model_.common.size(), 0);
     for (std::size_t i = 0; i < model_.faces.size(); ++i) {
-      prediction.face_elements[static_cast<std::size_t>(model_.faces[i].origin)] += elements[i];
+      prediction.face_elements[model_.faces[i].origin] += elements[i];
       prediction.elements += elements[i];
     }
     prediction.merges = result_.report.merges;
@@ -149,7 +149,7 @@ class Run {
   std::vector<double> entry_lengths(const std::vector<FaceReport>& entries) const {
     std::vector<double> length(entries.size(), INFINITY);
     for (std::size_t f = 0; f < model_.faces.size(); ++f) {
-      double& least = length[static_cast<std::size_t>(model_.faces[f].origin)];
+      double& least = length[model_.faces[f].origin];
       least = std::min(least, size_.face_h[f]);
     }
     return length;
@@ -212,11 +212,7 @@ class Run {
       report.front_medium = medium_of(model_, face.front);
       report.back_medium = medium_of(model_, face.back);
       report.wavelength = shortest_wavelength(options_, {report.front_medium, report.back_medium});
-      if (face.has_area && !face.fault.empty()) {
-        report.status = FaceStatus::failed;
-        report.stage = "topology";
-        report.reason = face.fault;
-      }
+      if (face.has_area && !face.fault.empty()) report.fail(stage_name(Stage::topology), face.fault);
       result_.report.faces.push_back(report);
       result_.face_names.push_back(face.label.empty() ? face.name : face.label);
     }
@@ -256,13 +252,8 @@ class Run {
     DividedLoops divided = divide_loops(model_, size_, layouts, counts, shared_);
     nodes_ = std::move(divided.nodes);
     regions_ = std::move(divided.regions);
-    for (const CrossingFace& failure : divided.failures) {
-      FaceReport& report = result_.report.faces[failure.face];
-      report.status = FaceStatus::failed;
-      report.stage = stage_name(Stage::regions);
-      report.reason = failure.reason;
-      report.where = failure.where;
-    }
+    for (const CrossingFace& failure : divided.failures)
+      result_.report.faces[failure.face].fail(stage_name(Stage::regions), failure.reason, failure.where);
     begin(Stage::regions);
   }
 
@@ -457,12 +448,11 @@ class Run {
   /// By the names that lines have in the end.
   void measure_segments() {
     const SurfaceMesh& mesh = result_.mesh;
-    const std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
     for (std::size_t line = 0; line < mesh.line_edge.size(); ++line)
       for (const Wire& wire : options_.wires) {
-        if (result_.edge_groups[static_cast<std::size_t>(mesh.line_edge[line])] != wire.name) continue;
-        auto end = [&](std::size_t k) { return mesh.nodes[static_cast<std::size_t>(mesh.lines[line * stride + k])]; };
-        const double segment = norm(end(1) - end(0)) / wire.radius;
+        if (result_.edge_groups[mesh.line_edge[line]] != wire.name) continue;
+        const auto nodes = mesh.line(line);
+        const double segment = norm(mesh.nodes[nodes[1]] - mesh.nodes[nodes[0]]) / wire.radius;
         std::optional<double>& least = result_.report.least_segment;
         least = std::min(segment, least.value_or(segment));
       }
@@ -485,6 +475,17 @@ class Run {
   MeshShare share_;
   MeshResult& result_ = share_.result;
 };
+
+Options unlimited(Options options) {
+  options.max_elements = std::numeric_limits<long>::max();
+  return options;
+}
+
+template <class Work>
+auto on_one_rank(const Options& options, Progress& progress, Work work) {
+  SingleRank alone;
+  return guard_occt(ErrorCode::internal, kernel_failure, [&] { return work(Run(options, progress, alone)); });
+}
 
 }  // namespace
 
@@ -511,25 +512,16 @@ MeshResult mesh_file(const std::string& path, const Options& options, Progress& 
 }
 
 std::string repaired_model(const CadModel& model, const Options& options, Progress& progress) {
-  SingleRank alone;
-  return guard_occt(ErrorCode::internal, kernel_failure, [&] { return Run(options, progress, alone).repaired(model); });
+  return on_one_rank(options, progress, [&](Run run) { return run.repaired(model); });
 }
 
 Prediction predict(const CadModel& model, const Options& options, Progress& progress) {
-  Options unlimited = options;
-  unlimited.max_elements = std::numeric_limits<long>::max();
-  SingleRank alone;
-  return guard_occt(ErrorCode::internal, kernel_failure,
-                    [&] { return Run(unlimited, progress, alone).predict(model); });
+  return on_one_rank(unlimited(options), progress, [&](Run run) { return run.predict(model); });
 }
 
 std::vector<double> target_lengths(const CadModel& model, const Options& options, const std::vector<FacePoint>& points,
                                    Progress& progress) {
-  Options unlimited = options;
-  unlimited.max_elements = std::numeric_limits<long>::max();
-  SingleRank alone;
-  return guard_occt(ErrorCode::internal, kernel_failure,
-                    [&] { return Run(unlimited, progress, alone).target_lengths(model, points); });
+  return on_one_rank(unlimited(options), progress, [&](Run run) { return run.target_lengths(model, points); });
 }
 
 }  // namespace paver

@@ -54,4 +54,7 @@ class Error : public std::runtime_error {
   Where where_;
 };
 
+/// The exception that is being handled, as an Error.
+Error current_error();
+
 }  // namespace paver

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,9 @@
 namespace paver {
 
 enum class MshVersion { v2_2, v4_1 };
+
+/// Of "2.2" and "4.1".
+std::optional<MshVersion> msh_version(std::string_view text);
 
 /// What to write and how. The format of the mesh follows from its file name: .msh (Gmsh) or .vtu (VTK).
 struct OutputFiles {

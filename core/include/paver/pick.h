@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -26,7 +27,9 @@ class PickTree {
 
  private:
   struct Box {
-    std::array<float, 3> low, high;
+    static constexpr float infinity = std::numeric_limits<float>::infinity();
+    std::array<float, 3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
+    void add(const Box& box);
   };
   struct Line;
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,11 @@ struct SurfaceMesh {
   std::vector<double> node_target;  ///< per node: target length h there, mm (corner nodes; 0 elsewhere)
   std::vector<int> points;          ///< nodes of vertices that end no edge, then of those in ports
 
+  /// Nodes of a line, its ends first.
+  std::span<const int> line(std::size_t i) const {
+    const std::size_t count = static_cast<std::size_t>(order) + 1;
+    return {lines.data() + i * count, count};
+  }
   int nodes_per_quad() const { return (order + 1) * (order + 1); }
   int nodes_per_triangle() const { return (order + 1) * (order + 2) / 2; }
   std::size_t quad_count() const { return quad_face.size(); }
@@ -69,6 +75,10 @@ struct FaceReport {
   double mesh_area = 0;     ///< mm^2, of the curved elements
   SurfaceDistance distance;
   long closed_by_triangulation = 0;  ///< pieces of front that paving left to triangulate-and-merge
+
+  void fail(const std::string& at_stage, const std::string& why, const std::optional<Vec3>& near = {}) {
+    status = FaceStatus::failed, stage = at_stage, reason = why, where = near;
+  }
 };
 
 /// Smallest, mean, and share below 0.3, of a scaled Jacobian.

@@ -51,11 +51,8 @@ bool Assembler::drop_faulty() {
   check_areas(model_, report_.faces, *check_);
   const MeshFaults faults = check_->faults;
   for (int f : faults.faces()) {
-    FaceReport& face = report_.faces[static_cast<std::size_t>(f)];
-    face.status = FaceStatus::failed;
-    face.stage = stage_name(Stage::quality);
-    face.reason = faults.reason(f);
-    face.where = faults.where(f);
+    FaceReport& face = report_.faces[f];
+    face.fail(stage_name(Stage::quality), faults.reason(f), faults.where(f));
     face.worst_sj = 1;
   }
   if (faults.empty()) return false;
@@ -214,8 +211,9 @@ MetricFigures Assembler::metric() const {
 }
 
 MeshDistances Assembler::distances(double listed) const {
-  return measure_distances({model_, nodes_, mesh_, parts_, report_.target_length, options_.threads, listed}, progress_,
-                           ranks_);
+  return measure_distances(
+      {model_, nodes_, mesh_, parts_, joined_.sizes, report_.target_length, options_.threads, listed}, progress_,
+      ranks_);
 }
 
 }  // namespace paver

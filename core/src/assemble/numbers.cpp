@@ -65,7 +65,7 @@ std::vector<PartRow> gather_rows(const std::vector<PartRow>& mine, Ranks& ranks)
   std::vector<PartRow> here;
   for (const PartRow& row : mine)
     if (row.nodes + row.quads + row.triangles > 0) here.push_back(row);
-  for (const PartRow& row : gather_all(here, ranks)) all[static_cast<std::size_t>(row.part)] = row;
+  for (const PartRow& row : gather_all(here, ranks)) all[row.part] = row;
   return all;
 }
 

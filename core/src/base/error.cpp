@@ -1,6 +1,12 @@
 // Names and exit codes of the error codes, and what to do about each.
 #include "paver/error.h"
 
+#include <fmt/format.h>
+
+#include <exception>
+#include <new>
+#include <system_error>
+
 namespace paver {
 namespace {
 
@@ -41,6 +47,25 @@ std::string Error::remedy() const {
   bool is_opened = text.find('(') != std::string::npos;
   while (text.ends_with('.') || (text.ends_with(')') && !is_opened)) text.pop_back();
   return text;
+}
+
+Error current_error() {
+  try {
+    throw;
+  } catch (const Error& error) {
+    return error;
+  } catch (const std::bad_alloc&) {
+    return Error(ErrorCode::out_of_memory,
+                 "Out of memory; choose a larger target length, fewer ranks or fewer threads.");
+  } catch (const std::system_error& error) {
+    return Error(
+        ErrorCode::out_of_memory,
+        fmt::format("The system gives no more means ({}); choose fewer ranks or fewer threads.", error.what()));
+  } catch (const std::exception& error) {
+    return Error(ErrorCode::internal, fmt::format("Internal error ({}); report it with the model.", error.what()));
+  } catch (...) {
+    return Error(ErrorCode::internal, "Internal error of an unknown kind; report it with the model.");
+  }
 }
 
 }  // namespace paver

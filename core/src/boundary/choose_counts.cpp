@@ -75,11 +75,10 @@ void divide_lenses(const Model& model, std::vector<EdgeCount>& counts) {
   }
   for (auto& [vertices, edges] : between) {
     if (edges.size() < 2) continue;
-    auto shortest = std::min_element(edges.begin(), edges.end(), [&counts](int a, int b) {
-      return counts[static_cast<std::size_t>(a)].wish < counts[static_cast<std::size_t>(b)].wish;
-    });
+    auto shortest = std::min_element(edges.begin(), edges.end(),
+                                     [&counts](int a, int b) { return counts[a].wish < counts[b].wish; });
     edges.erase(shortest);
-    for (int e : edges) want_two(counts[static_cast<std::size_t>(e)]);
+    for (int e : edges) want_two(counts[e]);
   }
 }
 
@@ -97,7 +96,7 @@ void divide_where_borders_turn_back(const Model& model, std::vector<EdgeCount>& 
             there.is_slit && (n == 2 || (is_periodic(coedges[(i + n - 1) % n]) && is_periodic(coedges[(i + 2) % n])));
         const bool is_flat_end = !there.is_slit && there.is_reversed != back.is_reversed &&
                                  !periodic_coedges(model, static_cast<int>(f))[l][i];
-        if (is_lone_slit || is_flat_end) want_two(counts[static_cast<std::size_t>(there.edge)]);
+        if (is_lone_slit || is_flat_end) want_two(counts[there.edge]);
       }
     }
 }
@@ -107,8 +106,7 @@ void even_out_faces(const std::vector<std::vector<Loop>>& loops, TiedCounts& tie
   std::vector<std::vector<int>> face_edges;
   for (const std::vector<Loop>& face : loops) {
     std::vector<int>& edges = face_edges.emplace_back();
-    for (const Loop& loop : face)
-      for (const Coedge& coedge : loop.coedges) edges.push_back(tied.group[static_cast<std::size_t>(coedge.edge)]);
+    for (const Coedge& coedge : coedges_of(face)) edges.push_back(tied.group[coedge.edge]);
   }
   even_out_loops(face_edges, tied.groups, true);
 }
@@ -121,7 +119,7 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
   std::vector<double> costs;
   for (const Edge& edge : model.edges) costs.push_back(is_divided(edge) ? table_cost : 0);
   std::vector<EdgeCount> counts = tasks.run<EdgeCount>(Stage::boundary, costs, [&](int e) {
-    const Edge& edge = model.edges[static_cast<std::size_t>(e)];
+    const Edge& edge = model.edges[e];
     progress.advance();
     return is_divided(edge) ? count_for_edge(edge, size, size.turning_sides(static_cast<std::size_t>(e))) : EdgeCount{};
   });
@@ -131,8 +129,7 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
   std::vector<std::vector<Loop>> loops;
   std::vector<std::vector<int>> loop_edges;
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
-    bool is_meshed = model.faces[f].has_area && model.faces[f].fault.empty();
-    loops.push_back(is_meshed ? linked_loops(model, static_cast<int>(f)) : std::vector<Loop>{});
+    loops.push_back(model.faces[f].is_meshed() ? linked_loops(model, static_cast<int>(f)) : std::vector<Loop>{});
     for (const Loop& loop : loops.back()) loop_edges.push_back(edges_of(loop));
   }
   match_gaps(model, size, loops, counts);
@@ -141,12 +138,12 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
   TiedCounts tied = tie_opposite_sides(model, pairs, loops, counts);
   progress.check();
   for (std::vector<int>& edges : loop_edges)
-    for (int& e : edges) e = tied.group[static_cast<std::size_t>(e)];
+    for (int& e : edges) e = tied.group[e];
   even_out_loops(loop_edges, tied.groups);
   if (all_quad) even_out_faces(loops, tied);
 
   std::vector<int> result;
-  for (int group : tied.group) result.push_back(tied.groups[static_cast<std::size_t>(group)].count);
+  for (int group : tied.group) result.push_back(tied.groups[group].count);
   return result;
 }
 

@@ -15,7 +15,7 @@ void number_vertices(const Model& model, const std::vector<int>& counts, EdgeNod
   for (std::size_t e = 0; e < model.edges.size(); ++e) {
     if (counts[e] <= 0) continue;
     for (int vertex : {model.edges[e].start, model.edges[e].end}) {
-      int& first = edge_of_vertex[static_cast<std::size_t>(vertex)];
+      int& first = edge_of_vertex[vertex];
       if (first < 0) first = static_cast<int>(e);
     }
   }
@@ -39,7 +39,7 @@ struct Places {
 PAVER_FIELDS(Places, t, x, target)
 
 Places divide(const Model& model, int index, const SizeField& size, int count) {
-  const Edge& edge = model.edges[static_cast<std::size_t>(index)];
+  const Edge& edge = model.edges[index];
   const EdgeMetric metric(edge, size, size.turning_sides(static_cast<std::size_t>(index)));
   const std::vector<double> lengths = metric.node_lengths(count);
   Places places;
@@ -51,7 +51,7 @@ Places divide(const Model& model, int index, const SizeField& size, int count) {
     const double t = metric.parameter_at_length(length);
     add(t, edge.curve->point(t));
   };
-  add(edge.t0, model.vertices[static_cast<std::size_t>(edge.start)]);
+  add(edge.t0, model.vertices[edge.start]);
   places.target.push_back(metric.size_at_length(0));
   for (std::size_t i = 1; i < lengths.size(); ++i) {
     add_on_curve(0.5 * (lengths[i - 1] + lengths[i]));
@@ -59,18 +59,18 @@ Places divide(const Model& model, int index, const SizeField& size, int count) {
     add_on_curve(lengths[i]);
     places.target.push_back(metric.size_at_length(lengths[i]));
   }
-  add(edge.t1, model.vertices[static_cast<std::size_t>(edge.end)]);
+  add(edge.t1, model.vertices[edge.end]);
   places.target.push_back(metric.size_at_length(metric.length()));
   return places;
 }
 
 /// Numbers the nodes of one more edge.
 void append(int edge, Places places, int start, int end, EdgeNodes& result) {
-  EdgeDivision& division = result.edges[static_cast<std::size_t>(edge)];
+  EdgeDivision& division = result.edges[edge];
   division.t = std::move(places.t);
   division.x = std::move(places.x);
   auto lower_target = [&](int node, double target) {
-    double& known = result.node_target[static_cast<std::size_t>(node)];
+    double& known = result.node_target[node];
     known = std::min(known, target);
   };
   lower_target(start, places.target.front());
@@ -101,12 +101,12 @@ EdgeNodes divide_edges(const Model& model, const SizeField& size, const std::vec
   }
   std::vector<Places> places = tasks.run<Places>(Stage::boundary, costs, [&](int task) {
     auto i = static_cast<std::size_t>(task);
-    return divide(model, divided[i], size, counts[static_cast<std::size_t>(divided[i])]);
+    return divide(model, divided[i], size, counts[divided[i]]);
   });
   for (std::size_t i = 0; i < divided.size(); ++i) {
-    const Edge& edge = model.edges[static_cast<std::size_t>(divided[i])];
-    append(divided[i], std::move(places[i]), result.node_of_vertex[static_cast<std::size_t>(edge.start)],
-           result.node_of_vertex[static_cast<std::size_t>(edge.end)], result);
+    const Edge& edge = model.edges[divided[i]];
+    append(divided[i], std::move(places[i]), result.node_of_vertex[edge.start], result.node_of_vertex[edge.end],
+           result);
   }
   return result;
 }

@@ -31,11 +31,7 @@ constexpr double most_by_curvature = 4096;  // intervals on one edge that its ow
 
 Vec3 finite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z) ? a : Vec3{}; }
 
-Vec3 velocity(const Curve& curve, double t) {
-  Vec3 x, xt;
-  curve.d1(t, x, xt);
-  return finite(xt);
-}
+Vec3 velocity(const Curve& curve, double t) { return finite(curve.slope(t).t); }
 
 // Between unit vectors; 0 where the curve has no tangent.
 double angle_between(Vec3 a, Vec3 b) {
@@ -60,7 +56,7 @@ EdgeMetric::EdgeMetric(const Edge& edge, const SizeField& size, std::span<const 
   if (!size.local->is_empty()) refine_rows(edge, size);
   if (size.small_bend > 0) make_kinks_of_small_bends(edge, size);
   set_sizes(edge, size);
-  for (const TurningSide& side : sides) count_turns(*side.pcurve, size.faces[static_cast<std::size_t>(side.face)]);
+  for (const TurningSide& side : sides) count_turns(*side.pcurve, size.faces[side.face]);
   weigh();
 }
 
@@ -202,7 +198,7 @@ void EdgeMetric::make_kinks_of_small_bends(const Edge& edge, const SizeField& si
   }
   const std::vector<SmallBend> bends = find_small_bends(places, width, size.turn_limit);
   for (auto bend = bends.rbegin(); bend != bends.rend(); ++bend)  // rows before stay where they are
-    make_kink(bend->first, bend->last, width[static_cast<std::size_t>(bend->first)]);
+    make_kink(bend->first, bend->last, width[bend->first]);
 }
 
 EdgeMetric::Row EdgeMetric::row_at_turn(double turn, std::size_t first) const {

@@ -47,8 +47,8 @@ class LoopGraph {
     for (std::size_t l = 0; l < loop_edges.size(); ++l) {
       long total = 0;
       for (int edge : loop_edges[l]) {
-        uses_[static_cast<std::size_t>(edge)].push_back(static_cast<int>(l));
-        total += counts[static_cast<std::size_t>(edge)].count;
+        uses_[edge].push_back(static_cast<int>(l));
+        total += counts[edge].count;
       }
       is_odd_[l] = total % 2 != 0;
     }
@@ -115,8 +115,8 @@ class LoopGraph {
       int a = uses_[e][0], b = uses_[e].size() == 2 ? uses_[e][1] : outside();
       double cost = change_cost(counts_[e], may_split_short_);
       if (a == b || cost == unreachable) continue;
-      arcs_of_[static_cast<std::size_t>(a)].push_back(static_cast<int>(arcs_.size()));
-      arcs_of_[static_cast<std::size_t>(b)].push_back(static_cast<int>(arcs_.size()));
+      arcs_of_[a].push_back(static_cast<int>(arcs_.size()));
+      arcs_of_[b].push_back(static_cast<int>(arcs_.size()));
       arcs_.push_back({static_cast<int>(e), a, b, cost});
     }
   }
@@ -124,7 +124,7 @@ class LoopGraph {
   void flip_edge(int edge) {
     auto e = static_cast<std::size_t>(edge);
     flips_[e] = !flips_[e];
-    for (int loop : uses_[e]) is_odd_[static_cast<std::size_t>(loop)] = !is_odd_[static_cast<std::size_t>(loop)];
+    for (int loop : uses_[e]) is_odd_[loop] = !is_odd_[loop];
   }
 
   // Cheapest way from any odd loop, or the outside, to every loop.
@@ -133,19 +133,19 @@ class LoopGraph {
     using Item = std::tuple<double, int>;  // cost, node
     std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
     for (int node = 0; node <= outside(); ++node) {
-      if (!is_odd_[static_cast<std::size_t>(node)] && node != outside()) continue;
-      reach[static_cast<std::size_t>(node)] = {0, node, -1};
+      if (!is_odd_[node] && node != outside()) continue;
+      reach[node] = {0, node, -1};
       queue.push({0, node});
     }
     while (!queue.empty()) {
       auto [cost, node] = queue.top();
       queue.pop();
-      const Reach here = reach[static_cast<std::size_t>(node)];
+      const Reach here = reach[node];
       if (cost > here.cost) continue;
-      for (int index : arcs_of_[static_cast<std::size_t>(node)]) {
-        const Arc& arc = arcs_[static_cast<std::size_t>(index)];
+      for (int index : arcs_of_[node]) {
+        const Arc& arc = arcs_[index];
         int other = arc.a == node ? arc.b : arc.a;
-        Reach& there = reach[static_cast<std::size_t>(other)];
+        Reach& there = reach[other];
         if (!(cost + arc.cost < there.cost)) continue;
         there = {cost + arc.cost, here.source, index};
         queue.push({there.cost, other});
@@ -155,9 +155,8 @@ class LoopGraph {
   }
 
   void flip_way_to_source(int node, const std::vector<Reach>& reach) {
-    for (int index = reach[static_cast<std::size_t>(node)].arc; index >= 0;
-         index = reach[static_cast<std::size_t>(node)].arc) {
-      const Arc& arc = arcs_[static_cast<std::size_t>(index)];
+    for (int index = reach[node].arc; index >= 0; index = reach[node].arc) {
+      const Arc& arc = arcs_[index];
       flip_edge(arc.edge);
       node = arc.a == node ? arc.b : arc.a;
     }
@@ -168,7 +167,7 @@ class LoopGraph {
     const std::vector<Reach> reach = reach_from_odd_loops();
     std::vector<std::tuple<double, int>> meetings;  // cost, arc
     for (std::size_t i = 0; i < arcs_.size(); ++i) {
-      const Reach &a = reach[static_cast<std::size_t>(arcs_[i].a)], &b = reach[static_cast<std::size_t>(arcs_[i].b)];
+      const Reach &a = reach[arcs_[i].a], &b = reach[arcs_[i].b];
       if (a.source < 0 || b.source < 0 || a.source == b.source) continue;
       meetings.emplace_back(a.cost + arcs_[i].cost + b.cost, static_cast<int>(i));
     }
@@ -176,9 +175,9 @@ class LoopGraph {
     bool has_paired = false;
     std::vector<bool> is_taken(is_odd_.size(), false);
     for (auto [cost, index] : meetings) {
-      const Arc arc = arcs_[static_cast<std::size_t>(index)];
-      auto a = static_cast<std::size_t>(reach[static_cast<std::size_t>(arc.a)].source);
-      auto b = static_cast<std::size_t>(reach[static_cast<std::size_t>(arc.b)].source);
+      const Arc arc = arcs_[index];
+      auto a = static_cast<std::size_t>(reach[arc.a].source);
+      auto b = static_cast<std::size_t>(reach[arc.b].source);
       if (is_taken[a] || is_taken[b]) continue;
       is_taken[a] = static_cast<int>(a) != outside();
       is_taken[b] = static_cast<int>(b) != outside();

@@ -19,9 +19,7 @@ std::vector<double> predict_elements(const Model& model, const SizeField& size, 
   for (std::size_t i = 0; i < model.faces.size(); ++i) {
     if (elements[i] <= 0) continue;
     double facets = 0;
-    for (const Loop& loop : model.faces[i].loops) {
-      for (const Coedge& coedge : loop.coedges) facets += counts[static_cast<std::size_t>(coedge.edge)];
-    }
+    for (const Coedge& coedge : coedges_of(model.faces[i].loops)) facets += counts[coedge.edge];
     elements[i] += std::max(0.0, facets - size.perimeter[i]);
     if (kind == Elements::all_triangle) elements[i] *= 2;
   }

@@ -35,7 +35,7 @@ struct Link {
 
 // Links each coedge to the one behind it in its loop where both stay.
 std::vector<Link> kept_links(const Model& model, int face, const std::vector<std::vector<bool>>& dropped) {
-  const Face& whole = model.faces[static_cast<std::size_t>(face)];
+  const Face& whole = model.faces[face];
   std::vector<Link> links;
   int place = 0;
   for (std::size_t l = 0; l < whole.loops.size(); ++l) {
@@ -47,14 +47,14 @@ std::vector<Link> kept_links(const Model& model, int face, const std::vector<std
       if (!edge.is_degenerate && !dropped[l][c]) {
         here = static_cast<int>(links.size());
         links.push_back({&coedges[c], place, -1, last_link >= 0, start_of(edge, coedges[c]), end_of(edge, coedges[c])});
-        if (last_link >= 0) links[static_cast<std::size_t>(last_link)].next = here;
+        if (last_link >= 0) links[last_link].next = here;
       }
       if (c == 0) first_link = here;
       last_link = here;
     }
     if (first_link >= 0 && last_link >= 0) {
-      links[static_cast<std::size_t>(last_link)].next = first_link;
-      links[static_cast<std::size_t>(first_link)].has_previous = true;
+      links[last_link].next = first_link;
+      links[first_link].has_previous = true;
     }
   }
   return links;
@@ -76,12 +76,12 @@ std::vector<int> chain_heads(const std::vector<Link>& links) {
 // a circle's is, whoever else starts there; else at the next start there.
 int find_next(const std::vector<Link>& links, int i, int head) {
   const int n = static_cast<int>(links.size());
-  const int end = links[static_cast<std::size_t>(i)].to;
-  if (links[static_cast<std::size_t>(head)].from == end) return head;
+  const int end = links[i].to;
+  if (links[head].from == end) return head;
   int any = -1;
   for (int step = 1; step <= n; ++step) {
     const int j = (i + step) % n;
-    const Link& candidate = links[static_cast<std::size_t>(j)];
+    const Link& candidate = links[j];
     if (candidate.has_previous) continue;
     if (candidate.from == end) return j;
     if (any < 0) any = j;
@@ -94,10 +94,10 @@ int find_next(const std::vector<Link>& links, int i, int head) {
 void join_open_ends(std::vector<Link>& links) {
   std::vector<int> heads = chain_heads(links);
   for (int i = 0; i < static_cast<int>(links.size()); ++i) {
-    if (links[static_cast<std::size_t>(i)].next >= 0) continue;
-    const int head = heads[static_cast<std::size_t>(i)], next = find_next(links, i, head);
-    links[static_cast<std::size_t>(i)].next = next;
-    links[static_cast<std::size_t>(next)].has_previous = true;
+    if (links[i].next >= 0) continue;
+    const int head = heads[i], next = find_next(links, i, head);
+    links[i].next = next;
+    links[next].has_previous = true;
     auto it = std::find(heads.begin(), heads.end(), next);
     if (next != head && it != heads.end()) *it = head;
   }
@@ -106,7 +106,7 @@ void join_open_ends(std::vector<Link>& links) {
 }  // namespace
 
 std::vector<std::vector<bool>> periodic_coedges(const Model& model, int face) {
-  const Face& whole = model.faces[static_cast<std::size_t>(face)];
+  const Face& whole = model.faces[face];
   struct Use {
     int edge;
     std::size_t loop, coedge;
@@ -123,7 +123,7 @@ std::vector<std::vector<bool>> periodic_coedges(const Model& model, int face) {
   for (std::size_t i = 1; i < uses.size(); ++i) {
     const Use &a = uses[i - 1], &b = uses[i];
     if (a.edge != b.edge) continue;
-    const Edge& edge = model.edges[static_cast<std::size_t>(a.edge)];
+    const Edge& edge = model.edges[a.edge];
     if (!lie_apart(edge, whole.loops[a.loop].coedges[a.coedge], whole.loops[b.loop].coedges[b.coedge], period))
       continue;
     result[a.loop][a.coedge] = result[b.loop][b.coedge] = true;
@@ -133,7 +133,7 @@ std::vector<std::vector<bool>> periodic_coedges(const Model& model, int face) {
 
 std::vector<std::vector<bool>> own_periodic_coedges(const Model& model, int face) {
   std::vector<std::vector<bool>> result = periodic_coedges(model, face);
-  const Face& whole = model.faces[static_cast<std::size_t>(face)];
+  const Face& whole = model.faces[face];
   for (std::size_t l = 0; l < result.size(); ++l)
     for (std::size_t c = 0; c < result[l].size(); ++c)
       if (result[l][c] && has_other_user(model, whole.loops[l].coedges[c].edge, face)) result[l][c] = false;

@@ -34,6 +34,13 @@ inline std::vector<TopoDS_Edge> edges_of(const TopoDS_Shape& shape) {
   return edges;
 }
 
+inline std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Face> faces;
+  for (TopExp_Explorer parts(shape, TopAbs_FACE); parts.More(); parts.Next())
+    faces.push_back(TopoDS::Face(parts.Current()));
+  return faces;
+}
+
 /// The loops of a face, as it has them.
 inline std::vector<TopoDS_Wire> wires_of(const TopoDS_Face& face) {
   std::vector<TopoDS_Wire> wires;

@@ -210,8 +210,7 @@ constexpr int tracks = 8;  // across, on which speeds are averaged
 
 /// |S_u| and |S_v| at a share of the box along u and a value of v.
 std::array<double, 2> speeds_at(const Surface& surface, const ParameterBox& box, double share, double v) {
-  Vec3 x, along, across;
-  surface.d1(box.uv({box.lo.x + share * (box.hi.x - box.lo.x), v}), x, along, across);
+  auto [x, along, across] = surface.slope(box.uv({box.lo.x + share * (box.hi.x - box.lo.x), v}));
   if (box.is_swapped) std::swap(along, across);
   return {norm(along), norm(across)};
 }

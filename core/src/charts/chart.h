@@ -44,6 +44,12 @@ inline Vec2 evaluate(const Chart& chart, const Surface& surface, Vec2 p, Vec3& x
   return uv;
 }
 
+inline SurfaceSlope slope_at(const Chart& chart, const Surface& surface, Vec2 p) {
+  SurfaceSlope at;
+  evaluate(chart, surface, p, at.x, at.u, at.v);
+  return at;
+}
+
 /// Step in the chart whose image comes nearest to r, by the derivatives there; false where these are parallel.
 inline bool pull_back(Vec3 xp, Vec3 xq, Vec3 r, Vec2& step) {
   const double a = dot(xp, xp), b = dot(xp, xq), c = dot(xq, xq), det = a * c - b * b;

@@ -20,9 +20,8 @@ PoleShape measure_pole(const Surface& surface, const ParameterBox& box, double p
   shape.apex = surface.point(box.uv({box.lo.x, pole}));
   Vec3 normal[8], mean{0, 0, 0}, point[8];
   for (int i = 0; i < 8; ++i) {
-    Vec3 xu, xv;
-    surface.d1(box.uv({box.lo.x + period * i / 8, pole + inward * shape.small}), point[i], xu, xv);
-    normal[i] = unit(cross(xu, xv));
+    const auto [x, xu, xv] = surface.slope(box.uv({box.lo.x + period * i / 8, pole + inward * shape.small}));
+    point[i] = x, normal[i] = unit(cross(xu, xv));
     mean += normal[i];
   }
   double around = 0;

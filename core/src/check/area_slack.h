@@ -22,16 +22,16 @@ class AreaSlack {
  public:
   explicit AreaSlack(const Model& model);
 
-  void add(int face, double area) { faces_[static_cast<std::size_t>(face)].add(area); }
-  void add(int face, const ExactSum& sum) { faces_[static_cast<std::size_t>(face)].add(sum); }
+  void add(int face, double area) { faces_[face].add(area); }
+  void add(int face, const ExactSum& sum) { faces_[face].add(sum); }
   /// A sum of a face's to add to and then to add here.
-  ExactSum none(int face) const { return units_[static_cast<std::size_t>(face)]; }
+  ExactSum none(int face) const { return units_[face]; }
   /// Collective: the sums of all ranks.
   void unite(Ranks& ranks);
 
   /// Whether a mesh of this area can be one of the face.
   bool allows(const Face& face, int index, double mesh_area) const {
-    return can_be_area(mesh_area, face, face.area, faces_[static_cast<std::size_t>(index)].total());
+    return can_be_area(mesh_area, face, face.area, faces_[index].total());
   }
 
  private:

@@ -13,20 +13,18 @@ constexpr double off_curve = 1e-6;  // of the chord
 /// One interval of an edge, with the mesh's line on it.
 class Interval {
  public:
-  Interval(const CheckedMesh& checked, int edge, int interval, std::size_t line)
-      : edge_(checked.model.edges[static_cast<std::size_t>(edge)]) {
-    const EdgeDivision& division = checked.edges.edges[static_cast<std::size_t>(edge)];
-    const std::size_t stride = static_cast<std::size_t>(checked.mesh.order) + 1,
-                      first = 2 * static_cast<std::size_t>(interval);
-    const int* v = &checked.mesh.lines[line * stride];
+  Interval(const CheckedMesh& checked, int edge, int interval, std::size_t line) : edge_(checked.model.edges[edge]) {
+    const EdgeDivision& division = checked.edges.edges[edge];
+    const std::size_t first = 2 * static_cast<std::size_t>(interval);
+    const auto v = checked.mesh.line(line);
     is_curved_ = checked.mesh.order > 1;
     target_length_ = checked.target_length;
     a_ = checked.mesh.nodes[v[0]], b_ = checked.mesh.nodes[v[1]], m_ = checked.mesh.nodes[v[is_curved_ ? 2 : 0]];
     std::copy_n(division.t.begin() + static_cast<long>(first), 3, t_);
     is_first_ = interval == 0, is_last_ = interval + 1 == division.intervals();
     const std::vector<Vec3>& vertices = checked.model.vertices;
-    start_ = is_first_ ? vertices[static_cast<std::size_t>(edge_.start)] : edge_.curve->point(t_[0]);
-    end_ = is_last_ ? vertices[static_cast<std::size_t>(edge_.end)] : edge_.curve->point(t_[2]);
+    start_ = is_first_ ? vertices[edge_.start] : edge_.curve->point(t_[0]);
+    end_ = is_last_ ? vertices[edge_.end] : edge_.curve->point(t_[2]);
     middle_ = edge_.curve->point(t_[1]);
   }
 
@@ -77,18 +75,16 @@ void check_boundary_nodes(const CheckedMesh& checked, const Ranks& ranks, MeshFa
   for (std::size_t f = 0; f < checked.model.faces.size(); ++f) {
     if (!checked.is_meshed[f] || static_cast<int>(f) % ranks.count() != ranks.rank()) continue;
     const Face& face = checked.model.faces[f];
-    for (const Loop& loop : face.loops) {
-      for (const Coedge& coedge : loop.coedges) {
-        auto [first, last] = std::equal_range(line_edge.begin(), line_edge.end(), coedge.edge);
-        for (auto line = first; line != last; ++line) {
-          const Interval interval(checked, coedge.edge, static_cast<int>(line - first),
-                                  static_cast<std::size_t>(line - line_edge.begin()));
-          for (long n = interval.nodes_off(); n > 0; --n)
-            faults.add(static_cast<int>(f), FaultKind::off_edge, interval.where());
-          if (interval.is_far()) faults.add(static_cast<int>(f), FaultKind::chord, interval.where());
-          slack.add(static_cast<int>(f), interval.area());
-          if (coedge.pcurve) slack.add(static_cast<int>(f), interval.area_off(face, *coedge.pcurve));
-        }
+    for (const Coedge& coedge : coedges_of(face.loops)) {
+      auto [first, last] = std::equal_range(line_edge.begin(), line_edge.end(), coedge.edge);
+      for (auto line = first; line != last; ++line) {
+        const Interval interval(checked, coedge.edge, static_cast<int>(line - first),
+                                static_cast<std::size_t>(line - line_edge.begin()));
+        for (long n = interval.nodes_off(); n > 0; --n)
+          faults.add(static_cast<int>(f), FaultKind::off_edge, interval.where());
+        if (interval.is_far()) faults.add(static_cast<int>(f), FaultKind::chord, interval.where());
+        slack.add(static_cast<int>(f), interval.area());
+        if (coedge.pcurve) slack.add(static_cast<int>(f), interval.area_off(face, *coedge.pcurve));
       }
     }
   }

@@ -22,9 +22,8 @@ void check_areas(const Model& model, const std::vector<FaceReport>& faces, MeshC
     const int face = static_cast<int>(f);
     if (faces[f].status != FaceStatus::meshed || check.slack.allows(model.faces[f], face, faces[f].mesh_area)) continue;
     Vec3 where;
-    for (const Loop& loop : model.faces[f].loops)
-      for (const Coedge& coedge : loop.coedges)
-        where = model.vertices[static_cast<std::size_t>(model.edges[static_cast<std::size_t>(coedge.edge)].start)];
+    for (const Coedge& coedge : coedges_of(model.faces[f].loops))
+      where = model.vertices[model.edges[coedge.edge].start];
     check.faults.add(face, FaultKind::area, where);
   }
 }

@@ -40,7 +40,7 @@ struct CheckedMesh {
   std::vector<char> is_meshed{};  ///< per face of the model: its elements are in the mesh
   double target_length = INFINITY;
 
-  long number(int node) const { return node_number[static_cast<std::size_t>(node)]; }
+  long number(int node) const { return node_number[node]; }
   /// Middle between two nodes.
   Vec3 middle(int a, int b) const { return 0.5 * (mesh.nodes[a] + mesh.nodes[b]); }
 };

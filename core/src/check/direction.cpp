@@ -13,8 +13,7 @@ constexpr Vec2 in_quad[] = {{0.1, 0.1}, {0.9, 0.1}, {0.9, 0.9}, {0.1, 0.9}};
 constexpr Vec2 in_triangle[] = {{0.1, 0.1}, {0.8, 0.1}, {0.1, 0.8}};
 
 Vec3 surface_normal(const Region& region, Vec2 p) {
-  Vec3 x, xp, xq;
-  region.evaluate(p, x, xp, xq);
+  const auto [x, xp, xq] = region.slope(p);
   return unit(cross(xp, xq));
 }
 
@@ -32,7 +31,7 @@ bool runs_with_surface(const Region& region, int corners, const std::array<Vec2,
   const double along = dot(area, mean);
   if (along >= sure && dot(centre, mean) >= sure) return true;
   Vec2 middle;
-  for (int k = 0; k < corners; ++k) middle = middle + (1.0 / corners) * places[static_cast<std::size_t>(k)];
+  for (int k = 0; k < corners; ++k) middle = middle + (1.0 / corners) * places[k];
   if (!(dot(centre, surface_normal(region, middle)) > 0)) return false;
   return along > 0 || runs_beside_corners(region, corners, places, area);
 }

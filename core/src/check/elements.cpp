@@ -29,7 +29,7 @@ class PartElementCheck {
         part_(checked.parts[part]),
         region_(*part_.mesh),
         first_(first),
-        is_reversed_(checked.model.faces[static_cast<std::size_t>(part_.region->face)].is_reversed),
+        is_reversed_(checked.model.faces[part_.region->face].is_reversed),
         faults_(faults),
         slack_(slack) {}
 
@@ -48,15 +48,15 @@ class PartElementCheck {
  private:
   int face() const { return part_.region->face; }
   int next(int k) const { return k + 1 < n_ ? k + 1 : 0; }
-  Vec3 node(int k) const { return mesh_.nodes[static_cast<std::size_t>(v_[k])]; }
+  Vec3 node(int k) const { return mesh_.nodes[v_[k]]; }
 
   void check_corners() {
     normals_.resize(region_.p.size());
     for (int v = 0; v < region_.node_count(); ++v) {
       if (region_.star[v].size() == 0) continue;
-      normals_[static_cast<std::size_t>(v)] = (is_reversed_ ? -1 : 1) * region_.normal(v);
+      normals_[v] = (is_reversed_ ? -1 : 1) * region_.normal(v);
       if (region_.global[v] >= 0) continue;
-      const Vec3 x = mesh_.nodes[static_cast<std::size_t>((*part_.node_of)[v])];
+      const Vec3 x = mesh_.nodes[(*part_.node_of)[v]];
       if (!(norm(part_.region->point(region_.p[v]) - x) <= off_corner * region_.h[v]))
         faults_.add(face(), FaultKind::off_surface, x);
     }
@@ -80,8 +80,8 @@ class PartElementCheck {
     ElementNormals normals{area, mesh_.order == 1 ? area : centre_normal(n_, [&](int k) { return node(k); }), {}};
     std::array<Vec2, 4> places;
     for (int k = 0; k < n_; ++k) {
-      normals.corners += normals_[static_cast<std::size_t>(c_[k])];
-      places[static_cast<std::size_t>(k)] = region_.p[c_[k]];
+      normals.corners += normals_[c_[k]];
+      places[k] = region_.p[c_[k]];
     }
     if (is_reversed_) normals = {-1 * normals.area, -1 * normals.centre, -1 * normals.corners};
     if (!runs_with_surface(*part_.region, n_, places, normals))
@@ -98,8 +98,7 @@ class PartElementCheck {
   double least_along(Vec3 normal) const {
     double least = 1;
     for (int k = 0; k < n_; ++k)
-      if (const Vec3 at = normals_[static_cast<std::size_t>(c_[k])]; dot(at, at) > 0)
-        least = std::min(least, dot(normal, at));
+      if (const Vec3 at = normals_[c_[k]]; dot(at, at) > 0) least = std::min(least, dot(normal, at));
     return least;
   }
 
@@ -125,7 +124,7 @@ class PartElementCheck {
   void check_inside() {
     ElementPatch patch;
     patch.corners = n_, patch.order = mesh_.order;
-    for (int k = 0; k < (n_ == 4 ? 9 : 6); ++k) patch.nodes[static_cast<std::size_t>(k)] = node(k);
+    for (int k = 0; k < (n_ == 4 ? 9 : 6); ++k) patch.nodes[k] = node(k);
     const double size = std::max(norm(node(2) - node(0)), norm(node(n_ - 1) - node(1)));
     const double most = most_inside * std::min(part_.region->h, size);
     for (double s : {0.25, 0.75})
@@ -144,7 +143,7 @@ class PartElementCheck {
       const SideCubic side(region_, c_[k], c_[next(k)]);
       if (n_ == 4) blend += 0.5 * middle_of(side);
       // A side inside is looked at with one of its two elements.
-      if (v_[k] < v_[next(k)] && mesh_.node_edge[static_cast<std::size_t>(v_[n_ + k])] < 0) check_middle(k, side);
+      if (v_[k] < v_[next(k)] && mesh_.node_edge[v_[n_ + k]] < 0) check_middle(k, side);
     }
     if (n_ == 4) check_centre(blend);
     for (int k = n_; k < (n_ == 4 ? 9 : 6); ++k) is_moved_ = is_moved_ || is_moved(v_[k]);
@@ -159,7 +158,7 @@ class PartElementCheck {
   void check_middle(int k, const SideCubic& side) {
     const Vec3 x = node(n_ + k);
     const double length = norm(side.b - side.a);
-    const Vec3 normal = normals_[static_cast<std::size_t>(c_[k])] + normals_[static_cast<std::size_t>(c_[next(k)])];
+    const Vec3 normal = normals_[c_[k]] + normals_[c_[next(k)]];
     if (is_near(x - middle_of(side), normal, length)) return;
     const Vec2 guess = guess_middle(*part_.region, region_, c_[k], c_[next(k)], x - 0.5 * (side.a + side.b));
     check_distance(v_[n_ + k], guess, length);
@@ -167,7 +166,7 @@ class PartElementCheck {
 
   void check_centre(Vec3 blend) {
     Vec3 normal;
-    for (int k = 0; k < 4; ++k) normal += normals_[static_cast<std::size_t>(c_[k])];
+    for (int k = 0; k < 4; ++k) normal += normals_[c_[k]];
     const double length = norm(node(2) - node(0));
     if (!is_near(node(8) - blend, normal, length)) check_distance(v_[8], guess_centre(), length);
   }
@@ -190,7 +189,7 @@ class PartElementCheck {
   }
 
   void check_distance(int node, Vec2 guess, double length) {
-    const Vec3 x = mesh_.nodes[static_cast<std::size_t>(node)];
+    const Vec3 x = mesh_.nodes[node];
     if (is_moved(node)) {
       if (!is_near_surface(x, guess, length, most_off_moved * part_.region->h))
         faults_.add(face(), FaultKind::chord, x);
@@ -212,7 +211,7 @@ class PartElementCheck {
 
   /// In the chart, bilinear between the corners.
   Vec2 place(double s, double t) const {
-    auto p = [&](int k) { return region_.p[c_[static_cast<std::size_t>(std::min(k, n_ - 1))]]; };
+    auto p = [&](int k) { return region_.p[c_[std::min(k, n_ - 1)]]; };
     return (1 - t) * ((1 - s) * p(0) + s * p(1)) + t * ((1 - s) * p(3) + s * p(2));
   }
 
@@ -241,13 +240,13 @@ void check_elements(const CheckedMesh& checked, int threads, const Progress& pro
   std::mutex mutex;
   run_tasks(threads, part_costs(checked.sizes), [&](int i) {
     progress.check();
-    if (!checked.parts[static_cast<std::size_t>(i)].mesh) return;
+    if (!checked.parts[i].mesh) return;
     MeshFaults found;
-    ExactSum sum = slack.none(checked.parts[static_cast<std::size_t>(i)].region->face);
-    PartElementCheck(checked, static_cast<std::size_t>(i), first[static_cast<std::size_t>(i)], found, sum).run();
+    ExactSum sum = slack.none(checked.parts[i].region->face);
+    PartElementCheck(checked, static_cast<std::size_t>(i), first[i], found, sum).run();
     std::lock_guard lock(mutex);
     faults.add(found);
-    slack.add(checked.parts[static_cast<std::size_t>(i)].region->face, sum);
+    slack.add(checked.parts[i].region->face, sum);
   });
 }
 

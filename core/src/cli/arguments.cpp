@@ -67,7 +67,7 @@ void convert(const Texts& texts, Arguments& arguments) {
   for (const OptionInfo& info : option_table())
     for (const std::string& text : texts.options.at(info.name)) arguments.given.emplace_back(info.name, text);
   arguments.options = read_options(arguments.given);
-  arguments.files.msh_version = texts.msh_version == "2.2" ? MshVersion::v2_2 : MshVersion::v4_1;
+  arguments.files.msh_version = *msh_version(texts.msh_version);
 }
 
 /// CLI11's message as one sentence.

@@ -1,11 +1,7 @@
 // paver mesh FILE -o OUT: reads the command line, meshes, writes, and turns every outcome into an exit code and, where
 // it failed, one sentence on stderr. The contract: core/docs/quality.md lists the report, --help the rest.
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
-#include <new>
 #include <string_view>
 
 #include "arguments.h"
@@ -63,17 +59,11 @@ int run(int argc, const char* const* argv) {
     Arguments arguments;
     if (auto finished = read_arguments(argc, argv, arguments)) return *finished;
     return mesh(arguments, guard_run(arguments));
-  } catch (const Error& error) {
+  } catch (...) {
+    const Error error = current_error();
     complain(with_command_line_names(error.what()));
     return exit_code(error.code());
-  } catch (const std::bad_alloc&) {
-    complain("Out of memory; choose a larger target length or fewer threads.");
-  } catch (const std::exception& error) {
-    complain(fmt::format("Internal error, please report it with the model: {}.", error.what()));
-  } catch (...) {
-    complain("Internal error of an unknown kind, please report it with the model.");
   }
-  return exit_code(ErrorCode::internal);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <new>
 #include <optional>
 
 #include "paver/breakdown.h"
@@ -52,12 +51,8 @@ int read_and_build(const char* path, const char* name) {
     std::puts(stage_name(Stage::topology));
     std::fflush(stdout);
     predict(*model, options, progress);
-  } catch (const Error& error) {
-    return error.code() == ErrorCode::out_of_memory ? out_of_memory_exit_code : 0;
-  } catch (const std::bad_alloc&) {
-    return out_of_memory_exit_code;
   } catch (...) {
-    return 0;
+    if (current_error().code() == ErrorCode::out_of_memory) return out_of_memory_exit_code;
   }
   return 0;
 }

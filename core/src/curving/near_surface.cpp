@@ -47,11 +47,11 @@ struct Facing {
 Vec3 approach(const Region& region, Vec2& p, Vec3 target, double scale, const Facing* ends, Vec3& normal) {
   constexpr double settled = 1e-4;  // of `scale`: a step along the surface that is not worth an evaluation
   constexpr int most_points = 16;   // with good guesses two or three
-  Vec3 nearest, x, xp, xq;
+  Vec3 nearest;
   Vec2 at = p, step;
   double best = INFINITY;
   for (int i = 0; i < most_points; ++i) {
-    region.evaluate(at, x, xp, xq);
+    const auto [x, xp, xq] = region.slope(at);
     const Vec3 r = target - x;
     const double d = norm(r);
     if (i == 0 || (d <= best * (1 + 1e-12) && !(ends && ends->is_behind(cross(xp, xq))))) {
@@ -137,8 +137,7 @@ Foot foot_on_surface(const Region& region, Vec2 p, Vec3 target, double scale, co
   Foot foot;
   Vec2 at = p, step;
   for (int i = 0; i < most_points; ++i) {
-    Vec3 x, xp, xq;
-    region.evaluate(at, x, xp, xq);
+    const auto [x, xp, xq] = region.slope(at);
     const Vec3 r = target - x;
     const double d = norm(r);
     if (!(d < foot.distance)) {

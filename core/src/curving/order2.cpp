@@ -57,10 +57,10 @@ class Raiser {
     std::vector<std::size_t> interval_of_edge(edges_.edges.size(), 0);
     for (std::size_t i = 0; i < mesh().line_edge.size(); ++i) {
       const int edge = mesh().line_edge[i];
-      const std::size_t interval = interval_of_edge[static_cast<std::size_t>(edge)]++;
+      const std::size_t interval = interval_of_edge[edge]++;
       const int a = linear_.mesh.lines[2 * i], b = linear_.mesh.lines[2 * i + 1];
       const int node = static_cast<int>(mesh().nodes.size());
-      mesh().nodes.push_back(edges_.edges[static_cast<std::size_t>(edge)].x.at(2 * interval + 1));
+      mesh().nodes.push_back(edges_.edges[edge].x.at(2 * interval + 1));
       mesh().node_edge.push_back(edge);
       mesh().lines.insert(mesh().lines.end(), {a, b, node});
       lines_.push_back({std::min(a, b), std::max(a, b), edge, node});
@@ -80,7 +80,7 @@ class Raiser {
     auto [a, b] = std::minmax(one, other);
     auto line = std::lower_bound(lines_.begin(), lines_.end(), Line{a, b, -1, -1});
     for (; line != lines_.end() && line->a == a && line->b == b; ++line) {
-      const std::vector<int>& faces = model_.edges[static_cast<std::size_t>(line->edge)].faces;
+      const std::vector<int>& faces = model_.edges[line->edge].faces;
       if (std::find(faces.begin(), faces.end(), face) != faces.end()) return line->node;
     }
     return -1;
@@ -106,7 +106,7 @@ class Raiser {
         const std::vector<int>& node_of = *parts_[i].node_of;
         int node = line_node(node_of[v], node_of[w], parts_[i].region->face);
         cut[i].push_back(node < 0 ? cut_of(parts_[i], v, w) : -1);
-        if (cut[i].back() >= 0) result_.cut_node[static_cast<std::size_t>(cut[i].back())] = is_used;
+        if (cut[i].back() >= 0) result_.cut_node[cut[i].back()] = is_used;
         result_.border_node[i].push_back(node);
       }
     }
@@ -119,7 +119,7 @@ class Raiser {
       PartSides& sides = result_.sides[i];
       for (std::size_t k = 0; k < cut[i].size(); ++k) {
         int& node = result_.border_node[i][k];
-        if (cut[i][k] >= 0) node = result_.cut_node[static_cast<std::size_t>(cut[i][k])];
+        if (cut[i][k] >= 0) node = result_.cut_node[cut[i][k]];
         if (node >= 0) continue;
         node = next + static_cast<int>(sides.inside.size());
         sides.inside.push_back(sides.border[k]);
@@ -145,7 +145,7 @@ class Raiser {
   void fill_part(std::size_t i, std::size_t quad, std::size_t triangle) {
     const PartSides& sides = result_.sides[i];
     int centre = result_.first_own[i] + static_cast<int>(sides.inside.size());
-    const bool is_reversed = model_.faces[static_cast<std::size_t>(parts_[i].region->face)].is_reversed;
+    const bool is_reversed = model_.faces[parts_[i].region->face].is_reversed;
     const std::vector<Element>& elements = parts_[i].mesh->elements;
     for (std::size_t e = 0; e < elements.size(); ++e) {
       if (!elements[e].is_alive()) continue;
@@ -155,8 +155,7 @@ class Raiser {
       for (int k = 0; k < n; ++k) {
         const int side = sides.of_element[e][is_reversed ? n - 1 - k : k];
         to[k] = from[k];
-        to[n + k] =
-            side >= 0 ? result_.first_own[i] + side : result_.border_node[i][static_cast<std::size_t>(-1 - side)];
+        to[n + k] = side >= 0 ? result_.first_own[i] + side : result_.border_node[i][-1 - side];
       }
       if (n == 4) to[8] = centre++;
     }
@@ -208,8 +207,8 @@ Vec3 blended_centre(const SurfaceMesh& mesh, int quad) {
   const int* nodes = &mesh.quads[9 * static_cast<std::size_t>(quad)];
   Vec3 corners, middles;
   for (int i = 0; i < 4; ++i) {
-    corners += mesh.nodes[static_cast<std::size_t>(nodes[i])];
-    middles += mesh.nodes[static_cast<std::size_t>(nodes[4 + i])];
+    corners += mesh.nodes[nodes[i]];
+    middles += mesh.nodes[nodes[4 + i]];
   }
   return 0.5 * middles - 0.25 * corners;
 }

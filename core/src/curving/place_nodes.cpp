@@ -30,7 +30,7 @@ void place_cuts(const OrderTwoMesh& raised, const Cuts& cuts, const CurvingPart&
     const int number = raised.border_cut[i][k];
     if (number < 0 || is_placed[number]) continue;
     is_placed[number] = 1;
-    const CutSide& cut = cuts.sides()[static_cast<std::size_t>(number)];
+    const CutSide& cut = cuts.sides()[number];
     auto [v, w] = raised.sides[i].border[k];
     Vec2 middle = 0.5 * (cut.region ? cut.pa + cut.pb : part.mesh->p[v] + part.mesh->p[w]);
     const Vec3 a = mesh.nodes[(*part.node_of)[v]], b = mesh.nodes[(*part.node_of)[w]];
@@ -43,10 +43,10 @@ void place_cuts(const OrderTwoMesh& raised, const Cuts& cuts, const CurvingPart&
 void place_centres(const CurvingPart& part, const PartSides& sides, const std::vector<int>& border_node,
                    const std::vector<Vec2>& places, std::size_t quad, SurfaceMesh& mesh) {
   auto middle_place = [&](int side) {
-    if (side >= 0) return places[static_cast<std::size_t>(side)];
-    auto [v, w] = sides.border[static_cast<std::size_t>(-1 - side)];
+    if (side >= 0) return places[side];
+    auto [v, w] = sides.border[-1 - side];
     auto position = [&](int node) { return mesh.nodes[(*part.node_of)[node]]; };
-    const Vec3 middle = mesh.nodes[border_node[static_cast<std::size_t>(-1 - side)]];
+    const Vec3 middle = mesh.nodes[border_node[-1 - side]];
     return guess_middle(*part.region, *part.mesh, v, w, middle - 0.5 * (position(v) + position(w)));
   };
   const std::vector<Element>& elements = part.mesh->elements;

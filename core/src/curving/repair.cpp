@@ -58,7 +58,7 @@ class Repairer {
   };
 
   bool is_valid(const Element& element) const { return is_valid_(mesh_, element.is_quad, element.index); }
-  Vec3& position(int node) { return mesh_.nodes[static_cast<std::size_t>(node)]; }
+  Vec3& position(int node) { return mesh_.nodes[node]; }
 
   const int* nodes_of(const Element& element) const {
     return ElementTable(mesh_, element.is_quad).row(static_cast<std::size_t>(element.index));
@@ -72,7 +72,7 @@ class Repairer {
       const ElementTable table(mesh_, is_quad);
       for (std::size_t i = 0; i < table.count(); ++i)
         for (int c = table.corners; c < 2 * table.corners; ++c)
-          elements_at_[static_cast<std::size_t>(table.row(i)[c])].push_back({is_quad, static_cast<int>(i)});
+          elements_at_[table.row(i)[c]].push_back({is_quad, static_cast<int>(i)});
     }
   }
 
@@ -86,15 +86,13 @@ class Repairer {
     ++result_.straightened;
     for (const Moved& entry : moved_) {
       result_.moved.push_back(entry.node);
-      if (mesh_.node_edge[static_cast<std::size_t>(entry.node)] >= 0)
+      if (mesh_.node_edge[entry.node] >= 0)
         result_.off_edge = std::max(result_.off_edge, norm(position(entry.node) - entry.from));
     }
     return true;
   }
 
-  bool is_kept(int middle) const {
-    return !moves_edges_ && (middle < first_inside_ || mesh_.node_edge[static_cast<std::size_t>(middle)] >= 0);
-  }
+  bool is_kept(int middle) const { return !moves_edges_ && (middle < first_inside_ || mesh_.node_edge[middle] >= 0); }
 
   bool straighten(const Element& element, int depth) {
     return std::any_of(straightening.begin(), straightening.end(),
@@ -127,7 +125,7 @@ class Repairer {
     for (int c = 0; c < corners; ++c) {
       int middle = nodes[corners + c];
       if (is_kept(middle)) continue;
-      for (const Element& other : elements_at_[static_cast<std::size_t>(middle)]) {
+      for (const Element& other : elements_at_[middle]) {
         bool is_itself = other.is_quad == element.is_quad && other.index == element.index;
         if (!is_itself && is_valid(other)) neighbours.push_back(other);
       }

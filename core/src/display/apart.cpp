@@ -35,11 +35,10 @@ Tessellation tessellate_apart(const SurfaceMesh& mesh, int n) {
     first += e < quads ? (n + 1) * (n + 1) : (n + 1) * (n + 2) / 2;
   }
   std::vector<int> copy_of(cut.shared.points.size() / 3);  // any copy: all lie in one place
-  for (std::size_t i = 0; i < cut.element_points.size(); ++i)
-    copy_of[static_cast<std::size_t>(cut.element_points[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < cut.element_points.size(); ++i) copy_of[cut.element_points[i]] = static_cast<int>(i);
   result.outlines = std::move(cut.shared.outlines);
   for (int& point : result.outlines)
-    if (point >= 0) point = copy_of[static_cast<std::size_t>(point)];
+    if (point >= 0) point = copy_of[point];
   result.outline_edge = std::move(cut.shared.outline_edge);
   result.outline_elements = std::move(cut.shared.outline_elements);
   return result;

@@ -53,7 +53,7 @@ class EdgeTable {
     hash = (hash ^ static_cast<std::uint64_t>(key.high) ^ static_cast<std::uint64_t>(key.inner + 1) << 32) *
            0xC2B2AE3D27D4EB4Fu;
     std::size_t mask = slots_.size() - 1, at = static_cast<std::size_t>(hash >> 20) & mask;
-    while (slots_[at] >= 0 && !(keys_[static_cast<std::size_t>(slots_[at])] == key)) at = (at + 1) & mask;
+    while (slots_[at] >= 0 && !(keys_[slots_[at]] == key)) at = (at + 1) & mask;
     return at;
   }
 

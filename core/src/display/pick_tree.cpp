@@ -27,21 +27,14 @@ std::uint64_t spread(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249;
 }
 
-template <class Box>
-Box nothing() {
-  constexpr float most = std::numeric_limits<float>::infinity();
-  return {{most, most, most}, {-most, -most, -most}};
-}
+}  // namespace
 
-template <class Box>
-void include(Box& box, const std::array<float, 3>& low, const std::array<float, 3>& high) {
+void PickTree::Box::add(const Box& box) {
   for (std::size_t k = 0; k < 3; ++k) {
-    box.low[k] = std::min(box.low[k], low[k]);
-    box.high[k] = std::max(box.high[k], high[k]);
+    low[k] = std::min(low[k], box.low[k]);
+    high[k] = std::max(high[k], box.high[k]);
   }
 }
-
-}  // namespace
 
 struct PickTree::Line {
   Vec3 origin, direction;
@@ -70,11 +63,11 @@ PickTree::PickTree(std::span<const float> points, std::span<const int> triangles
   std::vector<Box> runs;
   runs.reserve(count / run_length + 1);
   for (std::size_t first = 0; first < count; first += run_length) {
-    Box box = nothing<Box>();
+    Box box;
     for (std::size_t t = first; t < std::min(first + run_length, count); ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
         const float* x = points_.data() + 3 * static_cast<std::size_t>(triangles_[4 * t + k]);
-        include(box, {x[0], x[1], x[2]}, {x[0], x[1], x[2]});
+        box.add({{x[0], x[1], x[2]}, {x[0], x[1], x[2]}});
       }
     }
     runs.push_back(box);
@@ -86,8 +79,8 @@ PickTree::PickTree(std::span<const float> points, std::span<const int> triangles
 
 void PickTree::sort_leaves() {
   std::vector<Box>& runs = levels_.front();
-  Box all = nothing<Box>();
-  for (const Box& box : runs) include(all, box.low, box.high);
+  Box all;
+  for (const Box& box : runs) all.add(box);
   std::vector<std::pair<std::uint64_t, int>> order(runs.size());
   for (std::size_t i = 0; i < runs.size(); ++i) {
     std::uint64_t code = 0;
@@ -104,7 +97,7 @@ void PickTree::sort_leaves() {
   leaves_.reserve(runs.size());
   for (auto [code, run] : order) {
     leaves_.push_back(run);
-    sorted.push_back(runs[static_cast<std::size_t>(run)]);
+    sorted.push_back(runs[run]);
   }
   runs = std::move(sorted);
 }
@@ -114,9 +107,8 @@ void PickTree::add_levels() {
     std::vector<Box> level;
     const std::vector<Box>& below = levels_.back();
     for (std::size_t first = 0; first < below.size(); first += fan_out) {
-      Box box = nothing<Box>();
-      for (std::size_t i = first; i < std::min(first + fan_out, below.size()); ++i)
-        include(box, below[i].low, below[i].high);
+      Box box;
+      for (std::size_t i = first; i < std::min(first + fan_out, below.size()); ++i) box.add(below[i]);
       level.push_back(box);
     }
     levels_.push_back(std::move(level));

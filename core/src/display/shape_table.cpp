@@ -2,23 +2,10 @@
 // points.
 #include "display/shape_table.h"
 
-#include "quality/jacobian/dense.h"
 #include "quality/jacobian/lattice.h"
 
 namespace paver {
 namespace {
-
-/// Control points from nodes.
-Dense node_to_control(ElementShape shape, int order) {
-  std::vector<LatticePoint> nodes = lagrange_nodes(shape, order), controls = bernstein_lattice(shape, order);
-  Dense at_nodes(static_cast<int>(nodes.size()));
-  for (int k = 0; k < at_nodes.n; ++k) {
-    long double u = static_cast<long double>(nodes[k].first) / order,
-                v = static_cast<long double>(nodes[k].second) / order;
-    for (int c = 0; c < at_nodes.n; ++c) at_nodes.at(k, c) = bernstein(shape, order, controls[c], u, v);
-  }
-  return inverse(at_nodes);
-}
 
 Vec3 combination(const Vec3* x, const double* weights, int count) {
   Vec3 sum;

@@ -64,9 +64,8 @@ class Tessellator {
   }
 
   void index_lines() {
-    std::size_t stride = static_cast<std::size_t>(mesh_.order) + 1;
     for (std::size_t i = 0; i < mesh_.line_edge.size(); ++i) {
-      const int* line = mesh_.lines.data() + i * stride;
+      const int* line = mesh_.line(i).data();
       if (lines_.number(edge_key(line[0], line[1], line + 2, mesh_.order)).second)
         edge_of_line_.push_back(mesh_.line_edge[i]);
     }
@@ -138,20 +137,20 @@ class Tessellator {
       EdgeKey key = edge_key(a, b, e.nodes + corners + side * (mesh_.order - 1), mesh_.order);
       auto [number, is_new] = sides_.number(key);
       if (is_new) side_points_.push_back({-1, -1, -1});
-      SidePoints& points = side_points_[static_cast<std::size_t>(number)];
+      SidePoints& points = side_points_[number];
       if (points.face != e.face) {
         points = {e.face, a, static_cast<int>(result_.points.size() / 3)};
         for (int i = 1; i < n_; ++i) new_point(table.position(x_.data(), local(side, i)));
       }
       for (int i = 1; i < n_; ++i) local_[local(side, i)] = points.first + (points.start == a ? i - 1 : n_ - 1 - i);
       if (!is_new) {
-        ++result_.outline_elements[static_cast<std::size_t>(number)];
+        ++result_.outline_elements[number];
         continue;
       }
       for (int i = 0; i <= n_; ++i) result_.outlines.push_back(local_[local(side, i)]);
       result_.outlines.push_back(-1);
       int line = lines_.find(key);
-      result_.outline_edge.push_back(line < 0 ? -1 : edge_of_line_[static_cast<std::size_t>(line)]);
+      result_.outline_edge.push_back(line < 0 ? -1 : edge_of_line_[line]);
       result_.outline_elements.push_back(1);
     }
   }

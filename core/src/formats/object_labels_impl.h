@@ -37,7 +37,7 @@ class ObjectLabels {
     }
     for (std::size_t f = 0; f < object_of_.size(); ++f) {
       if (object_of_[f] < 0) continue;
-      Object& object = objects_[static_cast<std::size_t>(object_of_[f])];
+      Object& object = objects_[object_of_[f]];
       ++object.faces;
       if (labels[f].empty()) labels[f].append("Face").append(std::to_string(object.faces));
       labels[f].insert(0, object.name + "/");
@@ -59,10 +59,10 @@ class ObjectLabels {
     if (shape.ShapeType() < TopAbs_FACE) {
       for (TopoDS_Iterator inner(shape); inner.More(); inner.Next()) visit(inner.Value(), object);
     } else if (shape.ShapeType() == TopAbs_FACE && object >= 0) {
-      int& known = object_of_[static_cast<std::size_t>(faces_.FindIndex(shape) - 1)];
+      int& known = object_of_[faces_.FindIndex(shape) - 1];
       if (known >= 0) return;
       known = object;
-      ++objects_[static_cast<std::size_t>(object)].faces;
+      ++objects_[object].faces;
     }
   }
 

@@ -1,6 +1,4 @@
 // STEP: reads the file, transfers all roots in millimetres, and takes the names of its objects and faces along.
-#include <Interface_Check.hxx>
-#include <Interface_ReportEntity.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepBasic_ProductDefinition.hxx>
@@ -31,7 +29,6 @@ std::string stated_unit(STEPControl_Reader& reader) {
 }
 
 /// The reader marks entities whose content it could not load, and crashes later where it follows them into geometry.
-/// Names are allowed to be missing: some writers leave them out.
 void check_entities(const std::string& name, STEPControl_Reader& reader) {
   Handle(Interface_InterfaceModel) model = reader.Model();
   for (int i = 1; i <= model->NbEntities(); ++i) {
@@ -39,14 +36,10 @@ void check_entities(const std::string& name, STEPControl_Reader& reader) {
     Handle(Standard_Transient) entity = model->Value(i);
     std::string_view type = entity->DynamicType()->Name();
     if (!type.starts_with("StepGeom_") && !type.starts_with("StepShape_")) continue;
-    Handle(Interface_Check) check = model->ReportEntity(i)->Check();
-    for (int k = 1; k <= check->NbFails(); ++k) {
-      std::string reason = check->CFail(k);
-      if (reason.find("(name)") != std::string::npos) continue;
+    if (const char* reason = fail_of(model, i))
       throw Error(ErrorCode::damaged_file, "'" + name + "' is damaged at entity " +
                                                model->StringLabel(entity)->ToCString() + " (" + reason +
                                                "); export the model again.");
-    }
   }
 }
 

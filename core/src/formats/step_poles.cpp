@@ -5,11 +5,7 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <Geom_RectangularTrimmedSurface.hxx>
-#include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <StepShape_EdgeCurve.hxx>
 #include <StepShape_EdgeLoop.hxx>
@@ -18,15 +14,8 @@
 #include <StepShape_OrientedEdge.hxx>
 #include <StepShape_Vertex.hxx>
 #include <TopAbs.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Edge.hxx>
-#include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
-#include <TopoDS_Wire.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
@@ -37,6 +26,7 @@
 #include <optional>
 #include <vector>
 
+#include "brep/occt_shapes_impl.h"
 #include "formats/step_poles_impl.h"
 
 namespace paver {
@@ -70,9 +60,7 @@ int dead_ends(const StepShape_FaceSurface& face) {
 /// The face's surface, which repeats in u; null where it does not.
 Handle(Geom_Surface) periodic_surface(const TopoDS_Face& face) {
   TopLoc_Location location;
-  Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location);
-  if (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface); !trimmed.IsNull())
-    surface = trimmed->BasisSurface();
+  const Handle(Geom_Surface) surface = untrimmed(BRep_Tool::Surface(face, location));
   if (surface.IsNull() || !location.IsIdentity()) return nullptr;
   if (surface->IsUPeriodic()) return surface;
   const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
@@ -102,8 +90,7 @@ Handle(Geom2d_Curve) moved_round(const Handle(Geom2d_Curve) & image, double by) 
 
 class WholeFace {
  public:
-  explicit WholeFace(const TopoDS_Face& read)
-      : read_(TopoDS::Face(read.Oriented(TopAbs_FORWARD))), surface_(periodic_surface(read_)) {
+  explicit WholeFace(const TopoDS_Face& read) : read_(forward(read)), surface_(periodic_surface(read_)) {
     if (surface_.IsNull()) return;
     double u0 = 0, u1 = 0;
     surface_->Bounds(u0, u1, v0_, v1_);
@@ -114,13 +101,11 @@ class WholeFace {
   bool was_read() const {
     int poles = 0;
     double low = INFINITY, high = -INFINITY;
-    for (TopExp_Explorer edges(read_, TopAbs_EDGE); edges.More(); edges.Next()) {
-      const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+    for (const TopoDS_Edge& edge : edges_of(read_)) {
       poles += BRep_Tool::Degenerated(edge);
-      double first = 0, last = 0;
-      const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, read_, first, last);
-      for (int i = 0; !image.IsNull() && i <= edge_samples; ++i) {
-        const double u = image->Value(first + (last - first) * i / edge_samples).X();
+      const EdgeImage image = image_of(edge, read_);
+      for (int i = 0; !image.curve.IsNull() && i <= edge_samples; ++i) {
+        const double u = image.curve->Value(image.first + (image.last - image.first) * i / edge_samples).X();
         low = std::min(low, u), high = std::max(high, u);
       }
     }
@@ -154,11 +139,9 @@ class WholeFace {
   // Vertices have two edges each: holes that touch are left as they were read.
   bool find_holes() {
     std::vector<TopoDS_Edge> left;
-    for (TopExp_Explorer edges(read_, TopAbs_EDGE); edges.More(); edges.Next()) {
-      const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
-      double first = 0, last = 0;
+    for (const TopoDS_Edge& edge : edges_of(read_)) {
       if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, read_)) continue;
-      if (BRep_Tool::CurveOnSurface(edge, read_, first, last).IsNull()) return false;
+      if (image_of(edge, read_).curve.IsNull()) return false;
       auto is_same = [&](const TopoDS_Edge& other) { return other.IsSame(edge); };
       if (std::any_of(left.begin(), left.end(), is_same)) return false;  // a slit, which ends inside the face
       left.push_back(edge);
@@ -186,18 +169,17 @@ class WholeFace {
 
   // Moves the edge's image by periods to where the one before ends.
   bool walk(const TopoDS_Edge& edge, bool is_forward, Hole& hole) {
-    double first = 0, last = 0;
-    Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, read_, first, last);
-    const gp_Pnt2d from = image->Value(is_forward ? first : last);
+    EdgeImage image = image_of(edge, read_);
+    const gp_Pnt2d from = image.curve->Value(is_forward ? image.first : image.last);
     const double gap = hole.points.empty() ? 0 : hole.points.back().X() - from.X();
     const double by = period_ * std::round(gap / period_);
     if (std::fabs(gap - by) > jump_share * period_) return false;
-    image = moved_round(image, by);
+    image.curve = moved_round(image.curve, by);
     for (int i = 0; i <= edge_samples; ++i) {
       const double share = static_cast<double>(is_forward ? i : edge_samples - i) / edge_samples;
-      hole.points.push_back(image->Value((1 - share) * first + share * last));
+      hole.points.push_back(image.curve->Value((1 - share) * image.first + share * image.last));
     }
-    hole.images.push_back(image);
+    hole.images.push_back(image.curve);
     hole.edges.push_back(TopoDS::Edge(edge.Oriented(is_forward ? TopAbs_FORWARD : TopAbs_REVERSED)));
     return true;
   }
@@ -262,15 +244,13 @@ std::optional<TopoDS_Face> whole_face(const TopoDS_Face& read) {
 void restore_poles(XSControl_Reader& reader, Shape& shape) {
   const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
   const Handle(Interface_InterfaceModel) model = reader.Model();
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(shape.shape, TopAbs_FACE, faces);
+  const auto faces = shapes_of(shape.shape, TopAbs_FACE);
   BRepTools_ReShape change;
   change.ModeConsiderLocation() = true;  // parts may stand in several places
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const auto entity = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
     if (entity.IsNull() || dead_ends(*entity) != 2) continue;
-    for (TopExp_Explorer of(TransferBRep::ShapeResult(process, entity), TopAbs_FACE); of.More(); of.Next()) {
-      const TopoDS_Face& read = TopoDS::Face(of.Current());
+    for (const TopoDS_Face& read : faces_of(TransferBRep::ShapeResult(process, entity))) {
       const std::optional<TopoDS_Face> whole = whole_face(read);
       if (!whole) continue;
       // The reader may have turned the face over with its loop.

@@ -5,9 +5,6 @@
 #include <Interface_InterfaceModel.hxx>
 #include <Interface_ReportEntity.hxx>
 #include <TCollection_HAsciiString.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_TShape.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
@@ -18,6 +15,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "brep/occt_shapes_impl.h"
 #include "brep/reading/format_library_impl.h"
 #include "brep/reading/readers_impl.h"
 
@@ -31,15 +29,19 @@ inline void check_loaded(IFSelect_ReturnStatus status, const FileSource& file, c
   progress.check();
 }
 
-/// Whether some entity is not as the format wants it, as the reader has found. Names may be missing: some writers leave
-/// them out.
+/// What the reader has found that is not as the format wants it in entity i; null where it is. Names may be missing:
+/// some writers leave them out.
+inline const char* fail_of(const Handle(Interface_InterfaceModel) & model, int i) {
+  if (!model->IsReportEntity(i)) return nullptr;
+  const Handle(Interface_Check) check = model->ReportEntity(i)->Check();
+  for (int k = 1; k <= check->NbFails(); ++k)
+    if (!std::strstr(check->CFail(k), "(name)")) return check->CFail(k);
+  return nullptr;
+}
+
 inline bool has_fails(const Handle(Interface_InterfaceModel) & model) {
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    if (!model->IsReportEntity(i)) continue;
-    Handle(Interface_Check) check = model->ReportEntity(i)->Check();
-    for (int k = 1; k <= check->NbFails(); ++k)
-      if (!std::strstr(check->CFail(k), "(name)")) return true;
-  }
+  for (int i = 1; i <= model->NbEntities(); ++i)
+    if (fail_of(model, i)) return true;
   return false;
 }
 
@@ -61,15 +63,14 @@ void transfer(XSControl_Reader& reader, Shape& shape, Progress& progress, NameOf
     if (name.IsNull()) continue;
     const std::string label = name->ToCString();
     if (label.empty() || label == "NONE" || label == "none") continue;  // these say nothing
-    for (TopExp_Explorer of(TransferBRep::ShapeResult(process, entity), TopAbs_FACE); of.More(); of.Next())
-      labels[of.Current().TShape().get()] = label;
+    for (const TopoDS_Face& face : faces_of(TransferBRep::ShapeResult(process, entity)))
+      labels[face.TShape().get()] = label;
   }
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(shape.shape, TopAbs_FACE, faces);
+  const auto faces = shapes_of(shape.shape, TopAbs_FACE);
   shape.labels.assign(static_cast<std::size_t>(faces.Extent()), {});
   for (int i = 1; i <= faces.Extent(); ++i)
     if (const auto found = labels.find(faces(i).TShape().get()); found != labels.end())
-      shape.labels[static_cast<std::size_t>(i - 1)] = found->second;
+      shape.labels[i - 1] = found->second;
 }
 
 }  // namespace paver

@@ -83,8 +83,8 @@ class Joiner {
 
   void add_points() {
     for (const PartPoint& point : model_.points) {
-      const int node = edges_.node_of_vertex[static_cast<std::size_t>(point.vertex)];
-      joined_.mesh.points.push_back(node < 0 ? -1 : boundary_node_[static_cast<std::size_t>(node)]);
+      const int node = edges_.node_of_vertex[point.vertex];
+      joined_.mesh.points.push_back(node < 0 ? -1 : boundary_node_[node]);
     }
   }
 

@@ -29,8 +29,7 @@ void add_option(const std::string& name, const Json& value, std::vector<GivenOpt
 }
 
 MshVersion version_of(const std::string& text, const std::string& path) {
-  if (text == "4.1") return MshVersion::v4_1;
-  if (text == "2.2") return MshVersion::v2_2;
+  if (const auto version = msh_version(text)) return *version;
   refuse(path, fmt::format("has msh_version '{}', which is neither 4.1 nor 2.2", text));
 }
 

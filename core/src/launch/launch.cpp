@@ -37,7 +37,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int poll_milliseconds = 20;
 constexpr std::chrono::milliseconds patience(3000);  // the watcher itself needs at most two seconds
-constexpr int signal_exit_code = 128;                // what the watcher adds to a signal's number
 constexpr long units = 1000;                         // of a stage, in our progress
 
 /// Passes the ranks' progress on, and keeps how they ended.

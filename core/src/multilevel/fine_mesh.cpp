@@ -37,8 +37,8 @@ int FineMesh::node_on_loop(std::size_t l, int at) {
 }
 
 const LoopNode& FineMesh::loop_node(const CoarseEdge& edge, int i) const {
-  const std::vector<LoopNode>& loop = whole_.loops[static_cast<std::size_t>(edge.loop)];
-  int at = plan.at[static_cast<std::size_t>(edge.loop)][static_cast<std::size_t>(edge.facet)] + i;
+  const std::vector<LoopNode>& loop = whole_.loops[edge.loop];
+  int at = plan.at[edge.loop][edge.facet] + i;
   return loop[static_cast<std::size_t>(at) % loop.size()];
 }
 
@@ -194,7 +194,7 @@ bool FineMesh::lay_grid(const Row& bottom, const Row& right, const Row& top, con
   const int m = static_cast<int>(bottom.size()) - 1, n = static_cast<int>(right.size()) - 1;
   if (static_cast<int>(top.size()) - 1 != m || static_cast<int>(left.size()) - 1 != n) return false;
   grid_.assign(static_cast<std::size_t>(m + 1) * static_cast<std::size_t>(n + 1), -1);
-  auto at = [&](int i, int j) -> int& { return grid_[static_cast<std::size_t>(j * (m + 1) + i)]; };
+  auto at = [&](int i, int j) -> int& { return grid_[j * (m + 1) + i]; };
   for (int i = 0; i <= m; ++i) at(i, 0) = bottom[i], at(i, n) = top[m - i];
   for (int j = 0; j <= n; ++j) at(0, j) = left[n - j], at(m, j) = right[j];
   const Vec3 x00 = fine_.x[at(0, 0)], xm0 = fine_.x[at(m, 0)], x0n = fine_.x[at(0, n)], xmn = fine_.x[at(m, n)];

@@ -71,7 +71,7 @@ class ElementNumbers {
     for (int corner = 0; corner < table_.corners; ++corner) {
       starts_.push_back(start);
       std::vector<int> next;
-      for (int position : turn) next.push_back(start[static_cast<std::size_t>(position)]);
+      for (int position : turn) next.push_back(start[position]);
       start = next;
     }
   }
@@ -90,10 +90,10 @@ class ElementNumbers {
   Word number(std::size_t element) const {
     const int* nodes = table_.row(element);
     std::array<Bits, JacobianForm::max_nodes> x;
-    for (std::size_t k = 0; k < table_.stride; ++k) x[k] = bits_of(mesh_.nodes[static_cast<std::size_t>(nodes[k])]);
+    for (std::size_t k = 0; k < table_.stride; ++k) x[k] = bits_of(mesh_.nodes[nodes[k]]);
     auto lowest = std::min_element(x.begin(), x.begin() + table_.corners) - x.begin();
     Mix mix(kind_, mesh_.order, table_.face[element]);
-    for (int position : starts_[static_cast<std::size_t>(lowest)]) mix.add(x[static_cast<std::size_t>(position)]);
+    for (int position : starts_[lowest]) mix.add(x[position]);
     return mix.value();
   }
 
@@ -104,10 +104,8 @@ class ElementNumbers {
 };
 
 Word line_number(const SurfaceMesh& mesh, Kind kind, std::size_t line, int edge) {
-  std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
   Mix mix(kind, mesh.order, edge);
-  for (std::size_t k = 0; k < stride; ++k)
-    mix.add(bits_of(mesh.nodes[static_cast<std::size_t>(mesh.lines[line * stride + k])]));
+  for (int node : mesh.line(line)) mix.add(bits_of(mesh.nodes[node]));
   return mix.value();
 }
 
@@ -121,7 +119,7 @@ Word sum_of_rest(const SurfaceMesh& mesh, long nodes) {
     sum += line_number(mesh, Kind::further_edge, static_cast<std::size_t>(line), edge);
   for (int node : mesh.points) {
     Mix mix(Kind::point, mesh.order, 0);
-    mix.add(bits_of(mesh.nodes[static_cast<std::size_t>(node)]));
+    mix.add(bits_of(mesh.nodes[node]));
     sum += mix.value();
   }
   return sum;

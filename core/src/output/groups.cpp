@@ -69,10 +69,8 @@ long long pair_key(int a, int b) {
 std::unordered_map<long long, int> edge_of_sides(const SurfaceMesh& mesh) {
   std::unordered_map<long long, int> edges;
   edges.reserve(mesh.line_edge.size());
-  std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
-  for (std::size_t i = 0; i < mesh.line_edge.size(); ++i) {
-    edges.emplace(pair_key(mesh.lines[i * stride], mesh.lines[i * stride + 1]), mesh.line_edge[i]);
-  }
+  for (std::size_t i = 0; i < mesh.line_edge.size(); ++i)
+    edges.emplace(pair_key(mesh.line(i)[0], mesh.line(i)[1]), mesh.line_edge[i]);
   return edges;
 }
 

@@ -53,16 +53,13 @@ PlacedRows place_rows(const std::vector<int>& group_of, int groups, const RowNum
   placed.runs = own_runs(placed.held, number, is_own);
   std::size_t n = static_cast<std::size_t>(groups);
   std::vector<long> sums(2 * n, 0);  // rows, then ranks that have some
-  for (const PlacedRun& run : placed.runs)
-    sums[static_cast<std::size_t>(run.group)] += static_cast<long>(run.end - run.begin);
+  for (const PlacedRun& run : placed.runs) sums[run.group] += static_cast<long>(run.end - run.begin);
   for (std::size_t group = 0; group < n; ++group) sums[n + group] = sums[group] > 0;
   ranks.add_up(sums);
   placed.size.assign(sums.begin(), sums.begin() + groups);
 
   auto is_common = [&](int group) { return sums[n + static_cast<std::size_t>(group)] > 1; };
-  auto first_number = [&](const PlacedRun& run) {
-    return number[static_cast<std::size_t>(placed.held.rows[run.begin])];
-  };
+  auto first_number = [&](const PlacedRun& run) { return number[placed.held.rows[run.begin]]; };
   std::vector<RunRecord> records;
   for (const PlacedRun& run : placed.runs) {
     if (is_common(run.group)) records.push_back({run.group, first_number(run), static_cast<long>(run.end - run.begin)});
@@ -95,7 +92,7 @@ void unite_edges_of_faces(std::vector<std::vector<int>>& face_edges, Ranks& rank
   std::sort(sides.begin(), sides.end());
   sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
   for (std::vector<int>& list : face_edges) list.clear();
-  for (auto [face, edge] : sides) face_edges[static_cast<std::size_t>(face)].push_back(edge);
+  for (auto [face, edge] : sides) face_edges[face].push_back(edge);
 }
 
 /// Rows that every rank holds: groups are written in turn.
@@ -174,8 +171,7 @@ std::vector<int> faces_of_nodes(HeldMesh held, const std::vector<int>& curve, Ra
   std::vector<Record> all = gather_all(records, ranks);
   reduce(all);
   for (const Record& record : all)
-    if (int node = numbers.node_number.row_of(record.number); node >= 0)
-      face[static_cast<std::size_t>(node)] = static_cast<int>(record.face);
+    if (int node = numbers.node_number.row_of(record.number); node >= 0) face[node] = static_cast<int>(record.face);
   return face;
 }
 

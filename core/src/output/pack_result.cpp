@@ -9,13 +9,12 @@ namespace {
 void place_elements(const std::vector<int>& part, std::size_t width, const RowNumbers& rows,
                     const RowNumbers& node_number, std::vector<int>& whole) {
   for (std::size_t i = 0; i < part.size(); ++i)
-    whole[static_cast<std::size_t>(rows[i / width]) * width + i % width] =
-        static_cast<int>(node_number[static_cast<std::size_t>(part[i])]);
+    whole[static_cast<std::size_t>(rows[i / width]) * width + i % width] = static_cast<int>(node_number[part[i]]);
 }
 
 template <class T>
 void place(const std::vector<T>& part, const RowNumbers& rows, std::vector<T>& whole) {
-  for (std::size_t row = 0; row < part.size(); ++row) whole[static_cast<std::size_t>(rows[row])] = part[row];
+  for (std::size_t row = 0; row < part.size(); ++row) whole[rows[row]] = part[row];
 }
 
 void resize(const MeshShare& share, SurfaceMesh& whole) {
@@ -71,7 +70,7 @@ void add_share(const MeshShare& share, MeshResult& whole) {
   place(part.triangle_face, share.triangle_number, mesh.triangle_face);
   auto number_all = [&](const std::vector<int>& nodes) {  // all shares have all of them
     std::vector<int> numbers;
-    for (int node : nodes) numbers.push_back(static_cast<int>(share.node_number[static_cast<std::size_t>(node)]));
+    for (int node : nodes) numbers.push_back(static_cast<int>(share.node_number[node]));
     return numbers;
   };
   mesh.lines = number_all(part.lines);

@@ -142,6 +142,11 @@ void write_held(MeshResult& result, const ShareNumbers& numbers, const OutputFil
 
 }  // namespace
 
+std::optional<MshVersion> msh_version(std::string_view text) {
+  if (text == "4.1") return MshVersion::v4_1;
+  return text == "2.2" ? std::optional(MshVersion::v2_2) : std::nullopt;
+}
+
 std::vector<std::string> OutputFiles::paths() const {
   std::vector<std::string> list;
   for (const std::string& path : {mesh, report, repaired})

@@ -34,12 +34,8 @@ std::vector<RegionFailure> gather_failures(const std::vector<RegionFailure>& min
 void report_failures(const std::vector<RegionFailure>& failures, const std::vector<Region>& regions,
                      RunReport& report) {
   for (const RegionFailure& failure : failures) {
-    FaceReport& face = report.faces[static_cast<std::size_t>(regions[static_cast<std::size_t>(failure.region)].face)];
-    if (face.status == FaceStatus::failed) continue;
-    face.status = FaceStatus::failed;
-    face.stage = failure.stage;
-    face.reason = failure.reason;
-    face.where = failure.where;
+    FaceReport& face = report.faces[regions[failure.region].face];
+    if (face.status != FaceStatus::failed) face.fail(failure.stage, failure.reason, failure.where);
   }
 }
 

@@ -32,7 +32,7 @@ class Rim {
   }
   int size() const { return static_cast<int>(loop_.size()); }
   Vec2 middle() const { return middle_; }
-  const LoopNode& node(int i) const { return loop_[static_cast<std::size_t>((i % size() + size()) % size())]; }
+  const LoopNode& node(int i) const { return loop_[(i % size() + size()) % size()]; }
   /// Point between nodes, `i` any real number.
   Vec2 at(double i) const {
     double whole = std::floor(i), t = i - whole;
@@ -178,9 +178,8 @@ double count_elements(const Region& region, const Rim& rim) {
   for (int i = 0; i < rim.size(); ++i)
     for (double s : {0.125, 0.375, 0.625, 0.875}) {
       Vec2 side = rim.node(i + 1).p - rim.node(i).p, out = rim.at(i + 0.5) - rim.middle();
-      Vec3 x, xp, xq;
       Vec2 p = rim.middle() + s * out;
-      region.evaluate(p, x, xp, xq);
+      const auto [x, xp, xq] = region.slope(p);
       double h = region.target(p);
       sum += 0.25 * s * cross(out, side) * norm(cross(xp, xq)) / (h * h);
     }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/nearest_turn.h"
+
 namespace paver {
 namespace {
 
@@ -171,7 +173,9 @@ class Tube {
 
   std::optional<RegionMesh> lay() {
     mesh_.turn_weight = region_.size.turn_weight();
-    const std::size_t n = from_.size(), shift = find_shift();
+    const std::size_t n = from_.size();
+    const std::size_t shift = nearest_turn(
+        n, [&](auto i, auto j) { return to_[j].p - from_[i].p; }, 1e-9);
     for (std::size_t i = 0; i < n; ++i)
       rays_.emplace_back(region_, from_[i].p, opposite(i, shift).p, DomeRows::even, Ray::Way::by_chart);
     const int rows = static_cast<int>(std::clamp(std::lround(mean_length(rays_)), 1L, long{most_rows}));
@@ -190,21 +194,6 @@ class Tube {
   const LoopNode& opposite(std::size_t i, std::size_t shift) const {
     const std::size_t n = to_.size();
     return to_[(shift + n - i) % n];
-  }
-
-  /// For which nodes face each other nearest, all of them together.
-  std::size_t find_shift() const {
-    std::size_t best = 0;
-    double least = INFINITY;
-    for (std::size_t shift = 0; shift < to_.size(); ++shift) {
-      double sum = 0;
-      for (std::size_t i = 0; i < from_.size(); ++i) {
-        const Vec2 way = opposite(i, shift).p - from_[i].p;
-        sum += dot(way, way);
-      }
-      if (sum < least * (1 - 1e-9)) least = sum, best = shift;
-    }
-    return best;
   }
 
   int add(std::size_t i, int row, int rows, std::size_t shift) {

@@ -68,7 +68,7 @@ class VoidFiller {
         front_.collect_loop(f, loop_);
       }
       for (int g : loop_)
-        if (static_cast<std::size_t>(g) < is_done.size()) is_done[static_cast<std::size_t>(g)] = 1;
+        if (static_cast<std::size_t>(g) < is_done.size()) is_done[g] = 1;
       front_.colour_loop(f);
     }
   }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/nearest_turn.h"
+
 namespace paver {
 namespace {
 
@@ -59,7 +61,7 @@ class Strip {
 
   std::optional<RegionMesh> lay(double turn_weight, double least = least_jacobian) {
     std::vector<int> node(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1));
-    auto number = [&](int i, int j) -> int& { return node[static_cast<std::size_t>(j * (columns_ + 1) + i)]; };
+    auto number = [&](int i, int j) -> int& { return node[j * (columns_ + 1) + i]; };
     mesh_.turn_weight = turn_weight;
     mesh_.reserve(node.size());
     for (int j = 0; j <= rows_; ++j)
@@ -114,26 +116,14 @@ class Ring {
     mesh_.turn_weight = region.size.turn_weight();
     for (const std::vector<LoopNode>* loop : {&one_, &two_})
       for (const LoopNode& node : *loop) add_node(region, node, mesh_);
-  }
-
-  /// Which node of the other loop, which runs the other way, faces the first one: that with the least distances.
-  void turn() {
-    double least = INFINITY;
-    for (std::size_t first = 0; first < two_.size(); ++first) {
-      double sum = 0;
-      for (std::size_t i = 0; i < one_.size() && sum < least; ++i) {
-        const Vec3 across = two_[facing(i, first)].x - one_[i].x;
-        sum += dot(across, across);
-      }
-      if (sum < least) least = sum, first_ = first;
-    }
+    first_ = nearest_turn(one_.size(), [&](auto i, auto j) { return two_[j].x - one_[i].x; });
   }
 
   /// Nor does the surface turn by more than one element may.
   bool is_narrow(const Region& region) const {
     constexpr double most_turn = 1.5;  // target lengths
     for (std::size_t i = 0; i < one_.size(); ++i) {
-      const LoopNode &a = one_[i], &b = two_[facing(i, first_)];
+      const LoopNode &a = one_[i], &b = two_[facing(i)];
       if (norm(b.x - a.x) >= narrow * std::min(a.h, b.h)) return false;
       const double turned = norm(region.place(b.p).n - region.place(a.p).n);
       if (region.size.turn_weight() * turned > most_turn) return false;
@@ -145,17 +135,17 @@ class Ring {
     const std::size_t n = one_.size();
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t next = (i + 1) % n;
-      mesh_.add_element({static_cast<int>(i), static_cast<int>(next), static_cast<int>(n + facing(next, first_)),
-                         static_cast<int>(n + facing(i, first_))});
+      mesh_.add_element({static_cast<int>(i), static_cast<int>(next), static_cast<int>(n + facing(next)),
+                         static_cast<int>(n + facing(i))});
     }
     return sound(std::move(mesh_));
   }
 
  private:
-  std::size_t facing(std::size_t i, std::size_t first) const { return (first + two_.size() - i) % two_.size(); }
+  std::size_t facing(std::size_t i) const { return (first_ + two_.size() - i) % two_.size(); }
 
   const std::vector<LoopNode>&one_, &two_;
-  std::size_t first_ = 0;
+  std::size_t first_ = 0;  // of two_: faces the first of one_
   RegionMesh mesh_;
 };
 
@@ -164,7 +154,6 @@ std::optional<RegionMesh> lay_ring(const Region& region) {
   const std::size_t nodes = region.loops[0].size();
   if (nodes != region.loops[1].size() || nodes > most_nodes) return std::nullopt;
   Ring ring(region);
-  ring.turn();
   return ring.is_narrow(region) ? ring.lay() : std::nullopt;
 }
 

@@ -29,7 +29,7 @@ class Gatherer {
     for (std::size_t lane = 0; lane < lanes; ++lane) {  // the last one again where there are no more
       const int* element = table_.row(std::min(first + lane, end - 1));
       for (std::size_t k = 0; k < table_.stride; ++k) {
-        Vec3 node = mesh_.nodes[static_cast<std::size_t>(element[k])];
+        Vec3 node = mesh_.nodes[element[k]];
         x[3 * k].of[lane] = node.x, x[3 * k + 1].of[lane] = node.y, x[3 * k + 2].of[lane] = node.z;
       }
     }

@@ -88,7 +88,7 @@ class RangeOfNodes {
 
  private:
   bool has(int node) const { return begin_ <= node && node < end_; }
-  bool is_shared(int node) const { return !is_shared_.empty() && is_shared_[static_cast<std::size_t>(node)]; }
+  bool is_shared(int node) const { return !is_shared_.empty() && is_shared_[node]; }
 
   /// Calls f(a, b) for the sides, from corner to corner, of all chunks with corners in the range.
   template <class Function>

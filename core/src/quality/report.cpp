@@ -118,7 +118,7 @@ class Measurement {
 
   double longest_side2(const ElementTable& table, std::size_t element) const {
     const int* node = table.row(element);
-    auto at = [&](int k) { return mesh_.nodes[static_cast<std::size_t>(node[k % table.corners])]; };
+    auto at = [&](int k) { return mesh_.nodes[node[k % table.corners]]; };
     double longest2 = 0;
     for (int k = 0; k < table.corners; ++k) {
       const Vec3 side = at(k + 1) - at(k);
@@ -130,17 +130,16 @@ class Measurement {
   void mark_used(bool is_quad, std::size_t begin, std::size_t end) {
     const ElementTable table(mesh_, is_quad);
     for (const int* node = table.row(begin); node != table.row(end); ++node)
-      std::atomic_ref(is_used_[static_cast<std::size_t>(*node)]).store(1, std::memory_order_relaxed);
+      std::atomic_ref(is_used_[*node]).store(1, std::memory_order_relaxed);
   }
 
   /// Per node: whether it lies on the border by an edge of this rank, or on a B-rep edge that is not periodic. Poles
   /// have no lines and count as inside.
   std::vector<char> find_outside(const EdgeFigures& edges, const std::vector<bool>& edge_is_periodic) const {
     std::vector<char> is_outside(mesh_.nodes.size(), 0);
-    std::size_t stride = static_cast<std::size_t>(mesh_.order) + 1;
     for (std::size_t i = 0; i < mesh_.line_edge.size(); ++i) {
       if (edge_is_periodic.at(static_cast<std::size_t>(mesh_.line_edge[i]))) continue;
-      for (std::size_t k = 0; k < stride; ++k) is_outside[static_cast<std::size_t>(mesh_.lines[i * stride + k])] = 1;
+      for (int node : mesh_.line(i)) is_outside[node] = 1;
     }
     for (const EdgeUse& edge : edges.odd) {
       if (edge.uses == 1) is_outside[edge.low] = is_outside[edge.high] = 1;
@@ -316,12 +315,6 @@ ElementQuality element_quality(const SurfaceMesh& mesh) {
   measure(true, 0, quads);
   measure(false, quads, mesh.triangle_count());
   return quality;
-}
-
-QualityReport measure_quality(const SurfaceMesh& mesh, double target_length, const std::vector<bool>& edge_is_periodic,
-                              std::vector<FaceReport>& faces, const Progress& progress) {
-  SingleRank alone;
-  return Measurement(mesh, whole_numbers(mesh), target_length, progress).measure(edge_is_periodic, faces, alone);
 }
 
 QualityReport measure_quality(const MeshShare& share, double target_length, const std::vector<bool>& edge_is_periodic,

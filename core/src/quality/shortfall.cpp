@@ -138,7 +138,7 @@ std::optional<Error> shortfall(const MeshResult& result) {
     failed.push_back(fmt::format("{} ({}: {})", face.name, face.stage, without_stop(face.reason)));
   }
   if (!failed.empty()) {
-    const FaceReport& face = faces[static_cast<std::size_t>(first)];
+    const FaceReport& face = faces[first];
     return Error(ErrorCode::face_failed,
                  fmt::format("{} of {} faces could not be meshed, {}: {}.", failed.size(), faces.size(),
                              has_mesh ? "the mesh of the others is delivered" : "there is no mesh",

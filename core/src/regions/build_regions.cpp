@@ -195,8 +195,7 @@ class RegionBuilder {
   };
 
   Place place_at(Vec2 uv) const {
-    Vec3 x, xu, xv;
-    face_.surface->d1(uv, x, xu, xv);
+    const auto [x, xu, xv] = face_.surface->slope(uv);
     const Vec3 normal = cross(xu, xv);
     constexpr double degenerate = 1e-6;  // sine between the derivatives
     return {uv, normal, norm(normal) > degenerate * norm(xu) * norm(xv)};
@@ -223,9 +222,7 @@ class RegionBuilder {
     const Vec3 middle = d.x[2 * i + 1], chord = unit(share < 0.5 ? middle - d.x[2 * i] : d.x[2 * i + 2] - middle);
     auto tangent = [&](double inside) {
       const double a = d.t[2 * i], b = d.t[2 * i + 2];
-      Vec3 x, xt;
-      edge_of(model_, c).curve->d1(a + (inside + (1 - 2 * inside) * share) * (b - a), x, xt);
-      return unit(xt);
+      return unit(edge_of(model_, c).curve->slope(a + (inside + (1 - 2 * inside) * share) * (b - a)).t);
     };
     Vec3 way = tangent(end_share);
     if (dot(way, chord) < bent)
@@ -367,8 +364,8 @@ class RegionBuilder {
     double sum = 0;
     for (int i = 0; i < across; ++i)
       for (int j = 0; j < along; ++j) {
-        Vec3 x, xu, xv;
-        face_.surface->d1(box.uv({box.lo.x + (i + 0.5) * step.x, box.lo.y + (j + 0.5) * step.y}), x, xu, xv);
+        const Vec2 uv = box.uv({box.lo.x + (i + 0.5) * step.x, box.lo.y + (j + 0.5) * step.y});
+        const auto [x, xu, xv] = face_.surface->slope(uv);
         sum += norm(cross(xu, xv)) * step.x * step.y;
       }
     return sum;
@@ -381,8 +378,7 @@ class RegionBuilder {
     Vec3 last, last_tangent, last_normal;
     for (int i = 0; i <= samples; ++i) {
       Vec2 uv = layout_.box.uv({layout_.box.lo.x + layout_.period * i / samples, layout_.cut});
-      Vec3 x, xu, xv;
-      face_.surface->d1(uv, x, xu, xv);
+      const auto [x, xu, xv] = face_.surface->slope(uv);
       const Vec3 tangent = unit(layout_.box.is_swapped ? xv : xu);
       const NormalTable* normals = size_.faces[index_].normals();
       const Vec3 normal = normals ? normals->at(uv) : Vec3{};
@@ -469,10 +465,7 @@ class RegionBuilder {
     constexpr int steps = 64;
     const NormalTable* normals = size_.faces[index_].normals();
     auto normal = [&](double share) {
-      if (normals) return normals->at(place(share));
-      Vec3 x, xu, xv;
-      face_.surface->d1(place(share), x, xu, xv);
-      return unit(cross(xu, xv));
+      return normals ? normals->at(place(share)) : face_.surface->normal(place(share));
     };
     std::vector<double> turned{0};
     Vec3 last = normal(0);
@@ -514,8 +507,7 @@ class RegionBuilder {
       if (other.vertex != point.vertex) room = std::min(room, 0.5 * norm(model_.vertices[other.vertex] - fan.centre.x));
     double side = std::min(fan.centre.h, point_room * room);
     side = std::min(side, most_about * way_round(*face_.surface, point.uv, side));
-    Vec3 x, xp, xq;
-    region.evaluate(fan.centre.p, x, xp, xq);
+    auto [x, xp, xq] = region.slope(fan.centre.p);
     // The kernel gives surfaces of revolution no slope along their circles within 1e-7 of the axis.
     if (!(norm(cross(xp, xq)) > 0)) region.evaluate(fan.centre.p + Vec2{beside_pole * side / norm(xp), 0}, x, xp, xq);
     Vec3 across = unit(xp), up = unit(cross(cross(xp, xq), xp));
@@ -539,20 +531,19 @@ class RegionBuilder {
   }
 
   int node_at(int vertex, double h) {
-    int& known = nodes_.node_of_vertex[static_cast<std::size_t>(vertex)];
-    if (known < 0) known = append(model_.vertices[static_cast<std::size_t>(vertex)], h);
+    int& known = nodes_.node_of_vertex[vertex];
+    if (known < 0) known = append(model_.vertices[vertex], h);
     return known;
   }
 
   /// The vertex of the face's pole next to `apex`, or -1.
   int pole_vertex(Vec3 apex) const {
     int nearest = -1;
-    auto distance = [&](int vertex) { return norm(model_.vertices[static_cast<std::size_t>(vertex)] - apex); };
-    for (const Loop& loop : face_.loops)
-      for (const Coedge& coedge : loop.coedges) {
-        const Edge& edge = edge_of(model_, coedge);
-        if (edge.is_degenerate && (nearest < 0 || distance(edge.start) < distance(nearest))) nearest = edge.start;
-      }
+    auto distance = [&](int vertex) { return norm(model_.vertices[vertex] - apex); };
+    for (const Coedge& coedge : coedges_of(face_.loops)) {
+      const Edge& edge = edge_of(model_, coedge);
+      if (edge.is_degenerate && (nearest < 0 || distance(edge.start) < distance(nearest))) nearest = edge.start;
+    }
     return nearest;
   }
 
@@ -578,8 +569,7 @@ std::vector<Region> build_regions(const Model& model, const SizeField& size, con
                                   EdgeNodes& nodes) {
   std::vector<Region> regions;
   for (std::size_t f = 0; f < model.faces.size(); ++f)
-    if (model.faces[f].has_area && model.faces[f].fault.empty())
-      RegionBuilder(model, size, layouts[f], static_cast<int>(f), nodes).run(regions);
+    if (model.faces[f].is_meshed()) RegionBuilder(model, size, layouts[f], static_cast<int>(f), nodes).run(regions);
   return regions;
 }
 

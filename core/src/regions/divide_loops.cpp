@@ -69,7 +69,7 @@ class FacetCurves {
     std::vector<SharedEnd> shared;
     if (is_in_ring(pair[0]) || is_in_ring(pair[1])) return shared;
     auto number = [&](LoopFacet f, int end) {
-      const std::vector<int>& loop = numbers_.of_loop[static_cast<std::size_t>(f.loop)];
+      const std::vector<int>& loop = numbers_.of_loop[f.loop];
       return loop[(static_cast<std::size_t>(f.place) + static_cast<std::size_t>(end)) % loop.size()];
     };
     for (int i : {0, 1})
@@ -84,24 +84,23 @@ class FacetCurves {
     const LoopNode &a = node(f, 0), &b = node(f, 1);
     PlaneCurve result{a.p, b.p, nullptr};
     if (edge(f) < 0) return result;
-    const EdgeDivision& division = nodes_.edges[static_cast<std::size_t>(a.edge)];
-    for (const Loop& loop : model_.faces[static_cast<std::size_t>(region_.face)].loops)
-      for (const Coedge& coedge : loop.coedges) {
-        if (coedge.edge != a.edge) continue;
-        for (int k = 0; k < division.intervals(); ++k) {
-          const int from = coedge.is_reversed ? k + 1 : k, to = coedge.is_reversed ? k : k + 1;
-          if (division.node[static_cast<std::size_t>(from)] != a.global) continue;
-          if (division.node[static_cast<std::size_t>(to)] != b.global) continue;
-          const double s = division.t[2 * static_cast<std::size_t>(from)],
-                       t = division.t[2 * static_cast<std::size_t>(to)];
-          const Chart& chart = *region_.chart;
-          if (norm(chart.to_chart(coedge.pcurve->uv(s)) - a.p) > moved * norm(b.p - a.p)) continue;  // the other side's
-          result.at = [&chart, &image = *coedge.pcurve, s, t](double share) {
-            return chart.to_chart(image.uv(s + share * (t - s)));
-          };
-          return result;
-        }
+    const EdgeDivision& division = nodes_.edges[a.edge];
+    for (const Coedge& coedge : coedges_of(model_.faces[region_.face].loops)) {
+      if (coedge.edge != a.edge) continue;
+      for (int k = 0; k < division.intervals(); ++k) {
+        const int from = coedge.is_reversed ? k + 1 : k, to = coedge.is_reversed ? k : k + 1;
+        if (division.node[from] != a.global) continue;
+        if (division.node[to] != b.global) continue;
+        const double s = division.t[2 * static_cast<std::size_t>(from)],
+                     t = division.t[2 * static_cast<std::size_t>(to)];
+        const Chart& chart = *region_.chart;
+        if (norm(chart.to_chart(coedge.pcurve->uv(s)) - a.p) > moved * norm(b.p - a.p)) continue;  // the other side's
+        result.at = [&chart, &image = *coedge.pcurve, s, t](double share) {
+          return chart.to_chart(image.uv(s + share * (t - s)));
+        };
+        return result;
       }
+    }
     return result;
   }
 
@@ -153,7 +152,7 @@ class LoopDivider {
   // What faces that did not fail ask for.
   int doublings(int edge) const {
     int most = 0;
-    for (int face : model_.edges[static_cast<std::size_t>(edge)].faces)
+    for (int face : model_.edges[edge].faces)
       if (auto asked = asked_.find({face, edge}); asked != asked_.end() && !has_failed_.contains(face))
         most = std::max(most, asked->second);
     return most;
@@ -161,7 +160,7 @@ class LoopDivider {
 
   // An odd count stays odd.
   int count(int edge, int times) const {
-    int result = counts_[static_cast<std::size_t>(edge)];
+    int result = counts_[edge];
     for (int i = 0; i < times; ++i) result = 2 * result + result % 2;
     return result;
   }
@@ -175,9 +174,8 @@ class LoopDivider {
       for (const auto& loop : region.loops) nodes += static_cast<double>(loop.size());
       costs.push_back(region.fill ? 0 : node_cost * nodes);
     }
-    const auto found = tasks_.run<std::vector<Crossing>>(Stage::boundary, costs, [&](int i) {
-      return find_crossings(model_, result_.nodes, result_.regions[static_cast<std::size_t>(i)]);
-    });
+    const auto found = tasks_.run<std::vector<Crossing>>(
+        Stage::boundary, costs, [&](int i) { return find_crossings(model_, result_.nodes, result_.regions[i]); });
     std::map<std::pair<int, int>, int> asked = asked_;
     for (std::size_t i = 0; i < found.size(); ++i) {
       const int face = result_.regions[i].face;
@@ -209,10 +207,10 @@ class LoopDivider {
 
   std::string names(const Crossing& crossing) const {
     if (crossing.edge < 0) return "its own cuts";
-    const std::string& name = model_.edges[static_cast<std::size_t>(crossing.edge)].name;
+    const std::string& name = model_.edges[crossing.edge].name;
     if (crossing.other < 0) return fmt::format("its edge {} and its periodic edge", name);
     if (crossing.other == crossing.edge) return fmt::format("two pieces of its edge {}", name);
-    const std::string& other = model_.edges[static_cast<std::size_t>(crossing.other)].name;
+    const std::string& other = model_.edges[crossing.other].name;
     return fmt::format("its edges {} and {}", name, other);
   }
 

@@ -74,10 +74,8 @@ class LayoutPlanner {
   }
 
   Vec2 gap_to_twin(const Coedge& coedge) const {
-    for (const Loop& loop : face_.loops)
-      for (const Coedge& other : loop.coedges)
-        if (other.edge == coedge.edge && &other != &coedge)
-          return image(model_, other, 0.5) - image(model_, coedge, 0.5);
+    for (const Coedge& other : coedges_of(face_.loops))
+      if (other.edge == coedge.edge && &other != &coedge) return image(model_, other, 0.5) - image(model_, coedge, 0.5);
     return {};
   }
 
@@ -85,18 +83,17 @@ class LayoutPlanner {
   void find_poles() {
     constexpr double least_share = 0.5;  // of a side: shorter ones are just a point
     std::array<double, 2> u_share{}, v_share{};
-    for (const Loop& loop : face_.loops)
-      for (const Coedge& c : loop.coedges) {
-        if (!edge_of(model_, c).is_degenerate) continue;
-        Vec2 a = image(model_, c, 0), b = image(model_, c, 1);
-        double du = std::fabs(b.x - a.x) / std::max(u_.size(), 1e-300);
-        double dv = std::fabs(b.y - a.y) / std::max(v_.size(), 1e-300);
-        bool along_u = du > dv;
-        double at = along_u ? 0.5 * (a.y + b.y) : 0.5 * (a.x + b.x);
-        const Range& range = along_u ? v_ : u_;
-        bool is_low = at - range.lo < range.hi - at;
-        (along_u ? v_share : u_share)[is_low ? 0 : 1] += std::max(du, dv);
-      }
+    for (const Coedge& c : coedges_of(face_.loops)) {
+      if (!edge_of(model_, c).is_degenerate) continue;
+      Vec2 a = image(model_, c, 0), b = image(model_, c, 1);
+      double du = std::fabs(b.x - a.x) / std::max(u_.size(), 1e-300);
+      double dv = std::fabs(b.y - a.y) / std::max(v_.size(), 1e-300);
+      bool along_u = du > dv;
+      double at = along_u ? 0.5 * (a.y + b.y) : 0.5 * (a.x + b.x);
+      const Range& range = along_u ? v_ : u_;
+      bool is_low = at - range.lo < range.hi - at;
+      (along_u ? v_share : u_share)[is_low ? 0 : 1] += std::max(du, dv);
+    }
     u_low_ = u_share[0] >= least_share, u_high_ = u_share[1] >= least_share;
     v_low_ = v_share[0] >= least_share, v_high_ = v_share[1] >= least_share;
   }
@@ -106,10 +103,9 @@ class LayoutPlanner {
     if (size_.faces[index_].is_graded() || size_.faces[index_].turn_weight() > 0) return false;  // not one length
     if (!face_.points.empty()) return false;
     if (!linked_loops(model_, index_, layout_.dropped).empty()) return false;
-    for (const Loop& loop : face_.loops)
-      for (const Coedge& c : loop.coedges)
-        for (int user : edge_of(model_, c).faces)
-          if (user != index_) return false;
+    for (const Coedge& c : coedges_of(face_.loops))
+      for (int user : edge_of(model_, c).faces)
+        if (user != index_) return false;
     const ParameterBox& box = layout_.box;
     Vec2 period = face_.surface->period();
     // Damaged images lie anywhere.
@@ -247,7 +243,7 @@ std::vector<FaceLayout> plan_layouts(const Model& model, const SizeField& size, 
                                      const Progress& progress) {
   std::vector<FaceLayout> layouts(model.faces.size());
   for (std::size_t f = 0; f < model.faces.size(); ++f)
-    if (model.faces[f].has_area && model.faces[f].fault.empty())
+    if (model.faces[f].is_meshed())
       layouts[f] = LayoutPlanner(model, size, static_cast<int>(f), closed, progress).run();
   return layouts;
 }

@@ -46,21 +46,14 @@ double nearest_facet(const Region& region, Vec3 at) {
 }
 
 double way_round(const Surface& surface, Vec2 uv, double reach) {
-  Vec3 x, xu, xv;
-  surface.d1(uv, x, xu, xv);
   const Vec2 period = surface.period();
   double about_u = period.x > 0 ? 0 : INFINITY, about_v = period.y > 0 ? 0 : INFINITY;
   auto step_of = [&](Vec3 slope) { return norm(slope) > 0 ? reach / norm(slope) : 0; };
-  const Vec2 step{step_of(xu), step_of(xv)};
+  const SurfaceSlope here = surface.slope(uv);
+  const Vec2 step{step_of(here.u), step_of(here.v)};
   for (double side : {-1.0, 0.0, 1.0}) {
-    if (period.x > 0) {
-      surface.d1({uv.x, uv.y + side * step.y}, x, xu, xv);
-      about_u = std::max(about_u, norm(xu) * period.x);
-    }
-    if (period.y > 0) {
-      surface.d1({uv.x + side * step.x, uv.y}, x, xu, xv);
-      about_v = std::max(about_v, norm(xv) * period.y);
-    }
+    if (period.x > 0) about_u = std::max(about_u, norm(surface.slope({uv.x, uv.y + side * step.y}).u) * period.x);
+    if (period.y > 0) about_v = std::max(about_v, norm(surface.slope({uv.x + side * step.x, uv.y}).v) * period.y);
   }
   return std::min(about_u, about_v);
 }

@@ -29,7 +29,7 @@ BoundarySides::BoundarySides(const Region& region, const EdgeNodes& edges) {
   std::sort(bounding.begin(), bounding.end());
   bounding.erase(std::unique(bounding.begin(), bounding.end()), bounding.end());
   for (int edge : bounding) {
-    const EdgeDivision& division = edges.edges[static_cast<std::size_t>(edge)];
+    const EdgeDivision& division = edges.edges[edge];
     for (int i = 0; i < division.intervals(); ++i)
       sides_.try_emplace(std::minmax(division.node[i], division.node[i + 1]),
                          BoundarySide{edge, division.x[2 * static_cast<std::size_t>(i) + 1]});
@@ -52,7 +52,7 @@ bool ElementJudge::has_forbidden_side(const Corners& v, int n) const {
 
 std::array<Vec2, 4> ElementJudge::places(const Corners& v, int n) const {
   std::array<Vec2, 4> places;
-  for (int k = 0; k < n; ++k) places[static_cast<std::size_t>(k)] = mesh_.p[v[static_cast<std::size_t>(k)]];
+  for (int k = 0; k < n; ++k) places[k] = mesh_.p[v[k]];
   return places;
 }
 

@@ -60,7 +60,7 @@ class RegionDivider {
   }
 
   int add_node(int a, int b, int global) {
-    const Vec3 at = nodes_.nodes[static_cast<std::size_t>(global)];
+    const Vec3 at = nodes_.nodes[global];
     Vec2 p = half_way(region_, mesh_.p[a], mesh_.p[b]);
     nearest_point(region_, p, at, norm(mesh_.x[b] - mesh_.x[a]));
     NodePlace place = region_.place(p);
@@ -136,14 +136,14 @@ std::vector<DividedSide> divide_intervals(const Model& model, std::vector<SideTo
   sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
   std::vector<DividedSide> divided;
   for (const SideToDivide& side : sides) {
-    EdgeDivision& division = nodes.edges[static_cast<std::size_t>(side.edge)];
+    EdgeDivision& division = nodes.edges[side.edge];
     for (int i = 0; i < division.intervals(); ++i) {
       if (std::minmax(division.node[i], division.node[i + 1]) != std::minmax(side.a, side.b)) continue;
       const int node = static_cast<int>(nodes.nodes.size());
       nodes.nodes.push_back(division.x[2 * static_cast<std::size_t>(i) + 1]);
       nodes.node_edge.push_back(side.edge);
       nodes.node_target.push_back(0.5 * (nodes.node_target[side.a] + nodes.node_target[side.b]));
-      divide(*model.edges[static_cast<std::size_t>(side.edge)].curve, static_cast<std::size_t>(i), node, division);
+      divide(*model.edges[side.edge].curve, static_cast<std::size_t>(i), node, division);
       divided.push_back({side.a, side.b, node});
       break;
     }

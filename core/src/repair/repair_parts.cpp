@@ -98,7 +98,7 @@ class PartRepairer {
     const Region& place = paver_.place_of(parts_[i]);
     std::vector<int> bad = find_bad({place, parts_[i].paved->mesh, sides, options_.order});
     const bool has_twins = !twin_sides(parts_[i].paved->mesh).empty();
-    const Face& face = model_.faces[static_cast<std::size_t>(region_of(i).face)];
+    const Face& face = model_.faces[region_of(i).face];
     const OtherWays ways(region_of(i), face, sides, options_, progress_);
     const bool is_first = round_ == 0 && parts_[i].piece < 0;
     if (!bad.empty() || has_twins || (is_first && ways.can_help(parts_[i].paved->mesh))) {
@@ -132,7 +132,7 @@ class PartRepairer {
     for (const PartFindings& found : findings_) mine.insert(mine.end(), found.inner.begin(), found.inner.end());
     std::map<int, std::vector<InnerSide>> of_part;
     for (const InnerSide& side : sides_to_part(gather_all(mine, ranks_), regions_, nodes_))
-      if (parts_[static_cast<std::size_t>(side.part)].paved) of_part[side.part].push_back(side);
+      if (parts_[side.part].paved) of_part[side.part].push_back(side);
     for (const auto& entry : of_part) {
       const auto i = static_cast<std::size_t>(entry.first);
       const std::vector<InnerSide>& sides = entry.second;

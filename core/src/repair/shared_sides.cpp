@@ -20,7 +20,7 @@ std::set<std::pair<int, int>> intervals_of(std::span<const Region> regions, cons
         if (node.edge >= 0) edges.insert(node.edge);
   std::set<std::pair<int, int>> intervals;
   for (int edge : edges) {
-    const std::vector<int>& along = nodes.edges[static_cast<std::size_t>(edge)].node;
+    const std::vector<int>& along = nodes.edges[edge].node;
     for (std::size_t i = 1; i < along.size(); ++i) intervals.insert(std::minmax(along[i - 1], along[i]));
   }
   return intervals;

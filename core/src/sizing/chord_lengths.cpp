@@ -60,7 +60,7 @@ ShorterLengths ChordLengths::next(const std::vector<FaceReport>& faces, const st
   ShorterLengths lengths;
   if (rounds_++ == most_rounds) return lengths;
   std::vector<std::vector<const FarPlace*>> places(faces.size());
-  for (const FarPlace& place : far) places[static_cast<std::size_t>(place.face)].push_back(&place);
+  for (const FarPlace& place : far) places[place.face].push_back(&place);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const double off = faces[f].distance.largest;
     if (faces[f].status != FaceStatus::meshed || off <= most_) continue;

@@ -20,13 +20,12 @@ double share(int i) { return static_cast<double>(i) / steps; }
 /// False where it has none but its own periodic edges.
 bool add_border(const Model& model, const Face& face, Box& box) {
   bool has_border = false;
-  for (const Loop& loop : face.loops)
-    for (const Coedge& coedge : loop.coedges) {
-      const Edge& edge = edge_of(model, coedge);
-      if (!edge.curve) continue;
-      has_border = has_border || !edge.is_periodic;
-      for (int i = 0; i <= steps; ++i) add_finite(edge.curve->point(edge.parameter(share(i))), box);
-    }
+  for (const Coedge& coedge : coedges_of(face.loops)) {
+    const Edge& edge = edge_of(model, coedge);
+    if (!edge.curve) continue;
+    has_border = has_border || !edge.is_periodic;
+    for (int i = 0; i <= steps; ++i) add_finite(edge.curve->point(edge.parameter(share(i))), box);
+  }
   return has_border;
 }
 
@@ -43,9 +42,8 @@ double face_extent(const Model& model, const Face& face) {
 }
 
 bool has_border(const Model& model, const Face& face) {
-  for (const Loop& loop : face.loops)
-    for (const Coedge& coedge : loop.coedges)
-      if (const Edge& edge = edge_of(model, coedge); !edge.is_periodic && !edge.is_degenerate) return true;
+  for (const Coedge& coedge : coedges_of(face.loops))
+    if (const Edge& edge = edge_of(model, coedge); !edge.is_periodic && !edge.is_degenerate) return true;
   return false;
 }
 

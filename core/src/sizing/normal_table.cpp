@@ -45,14 +45,11 @@ std::vector<double> lines_between(const Surface& surface, double lo, double hi, 
       const Vec3 x =
           surface.point(place(static_cast<double>(i + 1) / track_steps, static_cast<double>(track) / (tracks - 1)));
       const double step = norm(x - last);
-      if (std::isfinite(step))
-        longest[static_cast<std::size_t>(i)] = std::max(longest[static_cast<std::size_t>(i)], step);
+      if (std::isfinite(step)) longest[i] = std::max(longest[i], step);
       last = x;
     }
   }
-  for (int i = 0; i < track_steps; ++i)
-    length[static_cast<std::size_t>(i) + 1] =
-        length[static_cast<std::size_t>(i)] + longest[static_cast<std::size_t>(i)];
+  for (int i = 0; i < track_steps; ++i) length[static_cast<std::size_t>(i) + 1] = length[i] + longest[i];
   whole = length.back();
   const double fitting = std::min(length.back() / spacing, 1e6);
   const auto cells =

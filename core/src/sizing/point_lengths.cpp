@@ -15,17 +15,9 @@ constexpr double same_place = 1e-3;      // of the target length: how near a poi
 constexpr double probe = 1e-3;           // of the target length: step over which turns are measured
 constexpr double sharpest = M_PI / 0.4;  // by the target length: turns within less than 0.4 of it are spread over that
 
-Vec3 normal(const Surface& surface, Vec2 uv) {
-  Vec3 x, xu, xv;
-  surface.d1(uv, x, xu, xv);
-  const Vec3 n = cross(xu, xv);
-  const double length = norm(n);
-  return length > 0 ? (1 / length) * n : Vec3{};
-}
-
 /// Largest curvature of the surface, 1 / mm; `step`: mm.
 double largest_curvature(const Surface& surface, Vec2 uv, Vec3 xu, Vec3 xv, double step) {
-  auto slope = [&](Vec2 d) { return 0.5 * (normal(surface, uv + d) - normal(surface, uv - d)); };
+  auto slope = [&](Vec2 d) { return 0.5 * (surface.normal(uv + d) - surface.normal(uv - d)); };
   const double du = step / std::max(norm(xu), 1e-300), dv = step / std::max(norm(xv), 1e-300);
   const Vec3 nu = (1 / du) * slope({du, 0}), nv = (1 / dv) * slope({0, dv});
   const double e = dot(xu, xu), f = dot(xu, xv), g = dot(xv, xv), a = dot(nu, nu), b = dot(nu, nv), c = dot(nv, nv);
@@ -36,8 +28,7 @@ double largest_curvature(const Surface& surface, Vec2 uv, Vec3 xu, Vec3 xv, doub
 }
 
 double length_on(const Face& face, const FaceSize& size, const FacePoint& point) {
-  Vec3 x, xu, xv;
-  face.surface->d1(point.uv, x, xu, xv);
+  const auto [x, xu, xv] = face.surface->slope(point.uv);
   if (!(norm(x - point.x) < same_place * size.own())) return size.given_at(point.x);
   const double h = size.at(point.uv, *face.surface);
   if (!size.normals() || !(size.turn_weight() > 0)) return h;
@@ -52,14 +43,13 @@ std::vector<double> point_lengths(const Model& model, const SizeField& size, con
   std::vector<std::vector<std::size_t>> pieces(static_cast<std::size_t>(model.read_faces));
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
     if (!model.faces[f].is_meshed()) continue;
-    for (int of : model.faces_as_read(model.faces[f].origin)) pieces[static_cast<std::size_t>(of)].push_back(f);
+    for (int of : model.faces_as_read(model.faces[f].origin)) pieces[of].push_back(f);
   }
   std::vector<double> lengths;
   for (const FacePoint& point : points) {
     double least = std::numeric_limits<double>::infinity();
     if (point.face >= 0 && point.face < model.read_faces)
-      for (std::size_t f : pieces[static_cast<std::size_t>(point.face)])
-        least = std::min(least, length_on(model.faces[f], size.faces[f], point));
+      for (std::size_t f : pieces[point.face]) least = std::min(least, length_on(model.faces[f], size.faces[f], point));
     lengths.push_back(std::isfinite(least) ? least : 0);
   }
   return lengths;

@@ -91,12 +91,12 @@ void fill_degenerate(std::vector<double>& sizes, double h) {
   const std::vector<double> known = sizes;
   for (int row = 0; row < grid_size; ++row) {
     for (int column = 0; column < grid_size; ++column) {
-      double& size = sizes[static_cast<std::size_t>(row * grid_size + column)];
+      double& size = sizes[row * grid_size + column];
       if (!std::isnan(size)) continue;
       size = h;
       for (int r = std::max(0, row - 1); r <= std::min(grid_size - 1, row + 1); ++r) {
         for (int c = std::max(0, column - 1); c <= std::min(grid_size - 1, column + 1); ++c) {
-          double neighbour = known[static_cast<std::size_t>(r * grid_size + c)];
+          double neighbour = known[r * grid_size + c];
           if (!std::isnan(neighbour)) size = std::min(size, neighbour);
         }
       }
@@ -107,7 +107,7 @@ void fill_degenerate(std::vector<double>& sizes, double h) {
 /// Largest stretch of lengths by turns, x along rows of samples (u) and y along columns (v); `weight` is what a radian
 /// counts, mm.
 Vec2 largest_stretch(const std::vector<CurvatureSample>& samples, double weight) {
-  auto at = [&](int row, int column) { return samples[static_cast<std::size_t>(row * grid_size + column)]; };
+  auto at = [&](int row, int column) { return samples[row * grid_size + column]; };
   auto stretch = [&](const CurvatureSample& a, const CurvatureSample& b) {
     const double step = norm(b.x - a.x);
     if (a.n == Vec3{} || b.n == Vec3{} || !(step > 0)) return 1.0;
@@ -130,9 +130,8 @@ bool has_ridge(const std::vector<CurvatureSample>& samples, const std::vector<do
   Box extent;
   for (const CurvatureSample& sample : samples) extent.add(sample.x);
   auto is_sharp = [&](int i) {
-    const CurvatureSample& sample = samples[static_cast<std::size_t>(i)];
-    return sizes[static_cast<std::size_t>(i)] <= even_lengths * least &&
-           sample.curvature <= sample.larger / one_way_turn;
+    const CurvatureSample& sample = samples[i];
+    return sizes[i] <= even_lengths * least && sample.curvature <= sample.larger / one_way_turn;
   };
   // The longest along a row or a column: about a tip that many lines run up to it is sharp across each of them.
   double longest = 0;
@@ -140,8 +139,7 @@ bool has_ridge(const std::vector<CurvatureSample>& samples, const std::vector<do
     for (auto [first, step] : {std::array{line * grid_size, 1}, {line, grid_size}}) {
       double length = 0;
       for (int k = 0, i = first; k + 1 < grid_size; ++k, i += step)
-        if (is_sharp(i) && is_sharp(i + step))
-          length += norm(samples[static_cast<std::size_t>(i + step)].x - samples[static_cast<std::size_t>(i)].x);
+        if (is_sharp(i) && is_sharp(i + step)) length += norm(samples[i + step].x - samples[i].x);
       longest = std::max(longest, length);
     }
   return longest > least_ridge * norm(extent.high - extent.low);
@@ -211,9 +209,7 @@ SampledFace sample_face(const Model& model, const Face& face, double h, double t
 
 double perimeter(const Model& model, const Face& face) {
   double sum = 0;
-  for (const Loop& loop : face.loops) {
-    for (const Coedge& coedge : loop.coedges) sum += edge_of(model, coedge).length;
-  }
+  for (const Coedge& coedge : coedges_of(face.loops)) sum += edge_of(model, coedge).length;
   return sum;
 }
 
@@ -221,17 +217,16 @@ double perimeter(const Model& model, const Face& face) {
 double turned_perimeter(const Model& model, const Face& face, const FaceSize& size) {
   constexpr int steps = 24;
   double sum = 0;
-  for (const Loop& loop : face.loops)
-    for (const Coedge& coedge : loop.coedges) {
-      const Edge& edge = edge_of(model, coedge);
-      Vec3 last;
-      for (int i = 0; coedge.pcurve && i <= steps; ++i) {
-        const Vec3 normal = size.normals()->at(coedge.pcurve->uv(edge.t0 + (edge.t1 - edge.t0) * i / steps));
-        if (i > 0) sum += std::hypot(edge.length / (steps * size.own()), size.turn_weight() * norm(normal - last));
-        last = normal;
-      }
-      if (!coedge.pcurve) sum += edge.length / size.own();
+  for (const Coedge& coedge : coedges_of(face.loops)) {
+    const Edge& edge = edge_of(model, coedge);
+    Vec3 last;
+    for (int i = 0; coedge.pcurve && i <= steps; ++i) {
+      const Vec3 normal = size.normals()->at(coedge.pcurve->uv(edge.t0 + (edge.t1 - edge.t0) * i / steps));
+      if (i > 0) sum += std::hypot(edge.length / (steps * size.own()), size.turn_weight() * norm(normal - last));
+      last = normal;
     }
+    if (!coedge.pcurve) sum += edge.length / size.own();
+  }
   return sum;
 }
 
@@ -253,9 +248,8 @@ void give_local(const Model& model, const Options& options, const std::vector<Si
 }
 
 void add_turning_sides(const Face& face, int index, SizeField& field) {
-  for (const Loop& loop : face.loops)
-    for (const Coedge& coedge : loop.coedges)
-      if (coedge.pcurve) field.turning[static_cast<std::size_t>(coedge.edge)].push_back({index, coedge.pcurve});
+  for (const Coedge& coedge : coedges_of(face.loops))
+    if (coedge.pcurve) field.turning[coedge.edge].push_back({index, coedge.pcurve});
 }
 
 void check_predicted(double predicted, double h, long limit, bool is_local) {
@@ -299,7 +293,7 @@ double FaceSize::by_curvature(Vec2 uv) const {
   int i = std::min(static_cast<int>(a), side_ - 2), j = std::min(static_cast<int>(b), side_ - 2);
   a -= i;
   b -= j;
-  const double* low = &samples_[static_cast<std::size_t>(j * side_ + i)];
+  const double* low = &samples_[j * side_ + i];
   const double* high = low + side_;
   return (1 - b) * ((1 - a) * low[0] + a * low[1]) + b * ((1 - a) * high[0] + a * high[1]);
 }
@@ -332,7 +326,7 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
   field.turning.resize(model.edges.size());
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
     const Face& face = model.faces[f];
-    bool is_meshed = face.has_area && face.fault.empty();
+    bool is_meshed = face.is_meshed();
     SampledFace sampled = is_meshed ? sample_face(model, face, field.face_h[f], field.turn_limit, options)
                                     : SampledFace{FaceSize(field.h), 0};
     field.perimeter.push_back(sampled.size.turn_weight() > 0 ? turned_perimeter(model, face, sampled.size)

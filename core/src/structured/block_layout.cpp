@@ -24,12 +24,6 @@ BlockLayout BlockLayout::limited(long most) const {
   return quads() > most ? scaled(std::sqrt(static_cast<double>(most) / static_cast<double>(quads()))) : *this;
 }
 
-Vec2 nearest_image(Vec2 uv, Vec2 middle, Vec2 period) {
-  if (period.x > 0) uv.x += period.x * std::round((middle.x - uv.x) / period.x);
-  if (period.y > 0) uv.y += period.y * std::round((middle.y - uv.y) / period.y);
-  return uv;
-}
-
 BlockNumbers::BlockNumbers(const BlockLayout& layout) {
   for (const Block& block : layout.blocks)
     for (int corner : block.corner) size_ = std::max(size_, corner + 1);

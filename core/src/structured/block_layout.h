@@ -28,9 +28,6 @@ struct BlockLayout {
   BlockLayout limited(long most) const;
 };
 
-/// The image of `uv` a whole number of periods away that is nearest to `middle`.
-Vec2 nearest_image(Vec2 uv, Vec2 middle, Vec2 period);
-
 /// Numbers of a layout's nodes, without gaps; nodes on common sides and corners have one.
 class BlockNumbers {
  public:

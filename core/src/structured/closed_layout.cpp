@@ -43,8 +43,7 @@ Vec3 foot(const MappedBlock& block, const Surface& surface, Vec2 p, Vec3 target)
   Vec3 nearest;
   double least = INFINITY;
   for (int i = 0; i < steps; ++i) {
-    Vec3 x, xp, xq;
-    evaluate(*block.chart, surface, p, x, xp, xq);
+    const auto [x, xp, xq] = slope_at(*block.chart, surface, p);
     const Vec3 off = target - x;
     if (const double d = norm(off); d < least) least = d, nearest = x;
     Vec2 step;
@@ -83,9 +82,7 @@ class CurvedQuad {
     const int column = k % 3, row = k / 3;
     const Vec2 p = place(0.5 * column, 0.5 * row);
     if (k % 2 == 1 || k == 4) return foot(block_, surface_, p, target);
-    Vec3 x, xp, xq;
-    evaluate(*block_.chart, surface_, p, x, xp, xq);
-    return x;
+    return slope_at(*block_.chart, surface_, p).x;
   }
 
   Vec2 place(double s, double t) const { return block_.coarse.in_cell(i_, j_, s, t); }
@@ -139,8 +136,7 @@ FaceExtent measure_extent(const ClosedFace& face) {
     double row = 0;
     for (int i = 0; i < across; ++i) {
       Vec2 uv = face.box.uv({box.lo.x + (i + 0.5) * dx, box.lo.y + (j + 0.5) * dy});
-      Vec3 x, a, b;
-      face.surface.d1(uv, x, a, b);
+      auto [x, a, b] = face.surface.slope(uv);
       if (box.is_swapped) std::swap(a, b);
       double h = face.size.at(uv, face.surface);
       extent.elements += norm(cross(a, b)) * dx * dy / (h * h);

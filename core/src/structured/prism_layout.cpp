@@ -130,10 +130,10 @@ class Prism {
     Vec2 flat() const { return share * Vec2{std::cos(2 * M_PI * turns), std::sin(2 * M_PI * turns)}; }
   };
 
-  int spoke(int i) const { return counts_.spokes[static_cast<std::size_t>(i % sides_)]; }
+  int spoke(int i) const { return counts_.spokes[i % sides_]; }
   double reach(int spoke) const { return static_cast<double>(spoke) / (2 * spoke + counts_.rings); }
-  const Reach& mid(int i) const { return mid_[static_cast<std::size_t>(i % sides_)]; }
-  const Reach& corner(int i) const { return corner_[static_cast<std::size_t>(i)]; }
+  const Reach& mid(int i) const { return mid_[i % sides_]; }
+  const Reach& corner(int i) const { return corner_[i]; }
 
   // Numbers of corners: the pole, the spokes' ends, the caps' corners.
   int pole_number(bool is_high) const { return is_high ? 2 * sides_ + 1 : 0; }

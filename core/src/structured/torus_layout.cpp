@@ -95,8 +95,8 @@ class Profile {
     Lengths lengths{std::vector<double>(profile_cells, 0), std::vector<double>(profile_cells, 0)};
     for (int i = 0; i < profile_cells; ++i)
       for (int j = 0; j < across; ++j) {
-        Vec3 x, a, b;
-        face_.surface.d1(uv_at({(j + 0.5) / across, (i + 0.5) / profile_cells}, is_turned), x, a, b);
+        const Vec2 uv = uv_at({(j + 0.5) / across, (i + 0.5) / profile_cells}, is_turned);
+        const auto [x, a, b] = face_.surface.slope(uv);
         double round = norm(face_.box.is_swapped ? b : a) * face_.period;
         double along = norm(face_.box.is_swapped ? a : b) * face_.other_period;
         if (is_turned) std::swap(round, along);

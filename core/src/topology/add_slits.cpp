@@ -42,13 +42,13 @@ class SlitLinker : CoedgeWalker {
   }
 
  private:
-  const Coedge& side(int i) const { return sides_[static_cast<std::size_t>(i)]; }
+  const Coedge& side(int i) const { return sides_[i]; }
 
   void add_loops() {
     for (const Loop& loop : loops_) {
       int first = static_cast<int>(sides_.size()), count = static_cast<int>(loop.coedges.size());
       for (int i = 0; i < count; ++i) {
-        sides_.push_back(loop.coedges[static_cast<std::size_t>(i)]);
+        sides_.push_back(loop.coedges[i]);
         next_.push_back(first + (i + 1) % count);
       }
     }
@@ -76,9 +76,9 @@ class SlitLinker : CoedgeWalker {
   void divide_pole(int i, Vec2 uv) {
     const Vec2 a = uv_at(side(i), 0), b = uv_at(side(i), 1);
     Coedge rest = side(i);
-    set_line(sides_[static_cast<std::size_t>(i)], a, uv);
+    set_line(sides_[i], a, uv);
     set_line(rest, uv, b);
-    next_.push_back(std::exchange(next_[static_cast<std::size_t>(i)], static_cast<int>(sides_.size())));
+    next_.push_back(std::exchange(next_[i], static_cast<int>(sides_.size())));
     sides_.push_back(std::move(rest));
   }
 
@@ -107,7 +107,7 @@ class SlitLinker : CoedgeWalker {
       for (int o : out) {
         if (is_pole && !is_same_place(side(i), side(o))) continue;
         double angle = is_pole ? turn_in_uv(side(i), side(o)) : turn(side(i), side(o));
-        if (angle < least) least = angle, next_[static_cast<std::size_t>(i)] = o;
+        if (angle < least) least = angle, next_[i] = o;
       }
     }
   }
@@ -132,9 +132,7 @@ class SlitLinker : CoedgeWalker {
   /// the way back.
   double turn(const Coedge& in, const Coedge& out) const {
     if (is_way_back(in, out) && start(in) != end(in)) return 2 * M_PI;
-    Vec3 x, xu, xv;
-    surface_.d1(uv_at(in, 1), x, xu, xv);
-    Vec3 normal = unit(cross(xu, xv)), back = direction(in, 1), ahead = direction(out, 0);
+    Vec3 normal = surface_.normal(uv_at(in, 1)), back = direction(in, 1), ahead = direction(out, 0);
     double angle = std::atan2(dot(normal, cross(ahead, back)), dot(ahead, back));
     return angle > 0 ? angle : angle + 2 * M_PI;
   }

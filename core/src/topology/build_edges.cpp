@@ -25,7 +25,7 @@ class EdgeBuilder {
     index_.edge.assign(static_cast<std::size_t>(index_.map.Extent()) + 1, -1);
     for (int position = 1; position <= index_.map.Extent(); ++position) {
       if (!used.Contains(index_.map(position))) continue;
-      index_.edge[static_cast<std::size_t>(position)] = static_cast<int>(model_.edges.size());
+      index_.edge[position] = static_cast<int>(model_.edges.size());
       add_edge(forward(TopoDS::Edge(index_.map(position))));
     }
     for (const WorkPoint& point : work_.points) add_point(point.vertex);
@@ -95,10 +95,10 @@ class EdgeBuilder {
     std::vector<int> number(points_.size(), -1);
     auto numbered = [&](int v) {
       int root = merger_.find(v);
-      int& n = number[static_cast<std::size_t>(root)];
+      int& n = number[root];
       if (n < 0) {
         n = static_cast<int>(model_.vertices.size());
-        model_.vertices.push_back(points_[static_cast<std::size_t>(root)]);
+        model_.vertices.push_back(points_[root]);
       }
       return n;
     };

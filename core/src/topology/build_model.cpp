@@ -111,8 +111,8 @@ class ModelBuilder {
   void note_tolerances(const EdgeIndex& index) {
     tolerances_.resize(model_.edges.size());
     for (int i = 1; i <= index.map.Extent(); ++i) {
-      int edge = index.edge[static_cast<std::size_t>(i)];
-      if (edge >= 0) tolerances_[static_cast<std::size_t>(edge)] = BRep_Tool::Tolerance(TopoDS::Edge(index.map(i)));
+      int edge = index.edge[i];
+      if (edge >= 0) tolerances_[edge] = BRep_Tool::Tolerance(TopoDS::Edge(index.map(i)));
     }
   }
 
@@ -122,7 +122,7 @@ class ModelBuilder {
     std::string label;
     bool has_label = false;
     for (int face : work_.faces_as_read(origin)) {
-      const std::string& own = shape_.labels[static_cast<std::size_t>(face)];
+      const std::string& own = shape_.labels[face];
       has_label = has_label || !own.empty();
       label += (label.empty() ? "" : " + ") + (own.empty() ? face_name(face) : own);
     }
@@ -130,7 +130,7 @@ class ModelBuilder {
   }
 
   void add_face(int i, const EdgeIndex& index) {
-    const WorkFace& work = work_.faces[static_cast<std::size_t>(i)];
+    const WorkFace& work = work_.faces[i];
     Face face;
     face.name = entry_name(work_, work.origin);
     face.origin = work.origin;
@@ -149,10 +149,10 @@ class ModelBuilder {
   }
 
   void note_uses(int i, const EdgeIndex& index) {
-    for (const TopoDS_Edge& use : edges_of(work_.faces[static_cast<std::size_t>(i)].face)) {
+    for (const TopoDS_Edge& use : edges_of(work_.faces[i].face)) {
       int edge = index.find(use);
       if (edge < 0 || use.Orientation() == TopAbs_EXTERNAL) continue;
-      std::vector<int>& users = model_.edges[static_cast<std::size_t>(edge)].faces;
+      std::vector<int>& users = model_.edges[edge].faces;
       bool is_inside = use.Orientation() == TopAbs_INTERNAL;
       users.insert(users.end(), is_inside ? 2 : 1, i);
     }
@@ -224,34 +224,32 @@ class ModelBuilder {
 
   /// What the file itself claims, as far as that is sensible.
   double allowed_deviation(int edge) const {
-    double claimed = claimed_share * tolerances_[static_cast<std::size_t>(edge)];
+    double claimed = claimed_share * tolerances_[edge];
     return std::max(exact_share * work_.diagonal, std::min(claimed, coarse_share * work_.diagonal));
   }
 
   /// Images must be where their curves are: those that are not are replaced by projected ones where that helps.
   void check_images(Face& face, const TopoDS_Face& shape) {
     double moved = 0;
-    for (Loop& loop : face.loops) {
-      for (Coedge& c : loop.coedges) {
-        const Edge& edge = edge_of(model_, c);
-        if (edge.is_degenerate) continue;
-        double worst = deviation(edge, *c.pcurve, *face.surface);
-        if (worst > allowed_deviation(c.edge)) {
-          auto projected = make_projected_image(shape, edge.curve, *c.pcurve, edge.t0, edge.t1);
-          double better = projected ? deviation(edge, *projected, *face.surface) : worst;
-          if (better < 0.5 * worst) {
-            c.pcurve = projected;
-            // Images of what connecting made are the kernel's, not the file's.
-            if (connected_.contacts.empty()) work_.note_repair(RepairKind::image, 1, worst, face.name);
-            moved = std::max(moved, worst);
-            worst = better;
-          }
+    for (Coedge& c : coedges_of(face.loops)) {
+      const Edge& edge = edge_of(model_, c);
+      if (edge.is_degenerate) continue;
+      double worst = deviation(edge, *c.pcurve, *face.surface);
+      if (worst > allowed_deviation(c.edge)) {
+        auto projected = make_projected_image(shape, edge.curve, *c.pcurve, edge.t0, edge.t1);
+        double better = projected ? deviation(edge, *projected, *face.surface) : worst;
+        if (better < 0.5 * worst) {
+          c.pcurve = projected;
+          // Images of what connecting made are the kernel's, not the file's.
+          if (connected_.contacts.empty()) work_.note_repair(RepairKind::image, 1, worst, face.name);
+          moved = std::max(moved, worst);
+          worst = better;
         }
-        fit_ends(c, edge, face.name, shape);
-        if (worst <= std::max(noted_share * work_.diagonal, sewn_.tolerance)) continue;
-        model_.report.curve_distance = std::max(model_.report.curve_distance, worst);
-        model_.report.stray_edges.push_back(edge.name);
       }
+      fit_ends(c, edge, face.name, shape);
+      if (worst <= std::max(noted_share * work_.diagonal, sewn_.tolerance)) continue;
+      model_.report.curve_distance = std::max(model_.report.curve_distance, worst);
+      model_.report.stray_edges.push_back(edge.name);
     }
     if (moved <= coarse_share * work_.diagonal) return;
     for (Loop& loop : face.loops) chain_images(loop, face.surface->period());
@@ -261,31 +259,28 @@ class ModelBuilder {
 
   /// Images that were looked for each by itself begin where the one before ends, not periods away.
   void chain_images(Loop& loop, Vec2 period) const {
-    auto periods = [](double gap, double length) { return length > 0 ? length * std::round(gap / length) : 0.0; };
     for (std::size_t i = 1; i < loop.coedges.size(); ++i) {
       const Coedge &before = loop.coedges[i - 1], &here = loop.coedges[i];
       const Vec2 gap = before.pcurve->uv(end_parameter(edge_of(model_, before), before)) -
                        here.pcurve->uv(start_parameter(edge_of(model_, here), here));
-      const Vec2 shift{periods(gap.x, period.x), periods(gap.y, period.y)};
+      const Vec2 shift = whole_periods(gap, period);
       if (shift.x != 0 || shift.y != 0) loop.coedges[i].pcurve = make_shifted_image(loop.coedges[i].pcurve, shift);
     }
   }
 
   std::optional<double> area_of(const Face& face) const {
     std::vector<BorderImage> border;
-    for (const Loop& loop : face.loops)
-      for (const Coedge& c : loop.coedges) {
-        const Edge& edge = edge_of(model_, c);
-        border.push_back({c.pcurve, edge.t0, edge.t1, c.is_reversed});
-      }
+    for (const Coedge& c : coedges_of(face.loops)) {
+      const Edge& edge = edge_of(model_, c);
+      border.push_back({c.pcurve, edge.t0, edge.t1, c.is_reversed});
+    }
     return area_within(*face.surface, border);
   }
 
   /// Nodes at the ends of edges lie in the vertices: their images must lie there, too, or elements turn over that are
   /// sound in the chart.
   void fit_ends(Coedge& c, const Edge& edge, const std::string& face, const TopoDS_Face& shape) {
-    const std::array<Vec3, 2> ends{model_.vertices[static_cast<std::size_t>(edge.start)],
-                                   model_.vertices[static_cast<std::size_t>(edge.end)]};
+    const std::array<Vec3, 2> ends{model_.vertices[edge.start], model_.vertices[edge.end]};
     double off = 0;
     const double allowed = std::max(coarse_share * work_.diagonal, allowed_deviation(c.edge));
     auto fitted = make_image_with_ends(shape, c.pcurve, edge.t0, edge.t1, ends, allowed, off);
@@ -301,9 +296,8 @@ class ModelBuilder {
                          !has_other_user(model_, static_cast<int>(e), edge.faces[0]);
     }
     for (const Face& face : model_.faces)
-      for (const Loop& loop : face.loops)
-        for (const Coedge& c : loop.coedges)
-          if (c.is_slit) model_.edges[static_cast<std::size_t>(c.edge)].is_periodic = false;
+      for (const Coedge& c : coedges_of(face.loops))
+        if (c.is_slit) model_.edges[c.edge].is_periodic = false;
   }
 
   void fill_parts(const EdgeIndex& index) {
@@ -320,15 +314,12 @@ class ModelBuilder {
     model_.edge_part.assign(model_.edges.size(), -1);
     for (const WorkWire& wire : work_.wires) {
       int edge = index.find(wire.edge);
-      if (edge >= 0) model_.edge_part[static_cast<std::size_t>(edge)] = wire.part;
+      if (edge >= 0) model_.edge_part[edge] = wire.part;
     }
     for (const WorkPoint& point : work_.points)
-      model_.points.push_back(
-          {point.part, index.find_vertex(point.vertex), false, model_.parts[static_cast<std::size_t>(point.part)]});
+      model_.points.push_back({point.part, index.find_vertex(point.vertex), false, model_.parts[point.part]});
     model_.report.contacts = connected_.contacts;
-    for (auto [a, b] : connected_.failed)
-      model_.report.unconnected.push_back(
-          {model_.parts[static_cast<std::size_t>(a)], model_.parts[static_cast<std::size_t>(b)]});
+    for (auto [a, b] : connected_.failed) model_.report.unconnected.push_back({model_.parts[a], model_.parts[b]});
   }
 
   void fill_report() {
@@ -376,7 +367,7 @@ class ModelBuilder {
     return names;
   }
 
-  const Edge& edge_at(int e) const { return model_.edges[static_cast<std::size_t>(e)]; }
+  const Edge& edge_at(int e) const { return model_.edges[e]; }
 
   /// Per face of the work.
   std::vector<char> reversals() const {
@@ -434,12 +425,12 @@ class ModelBuilder {
     std::vector<char> is_used(model_.vertices.size(), 0);
     for (const Edge& edge : model_.edges)
       if (!edge.faces.empty() || edge.is_wire())
-        for (int vertex : {edge.start, edge.end}) is_used[static_cast<std::size_t>(vertex)] = 1;
+        for (int vertex : {edge.start, edge.end}) is_used[vertex] = 1;
     for (const Face& face : model_.faces)
-      for (const InnerPoint& point : face.points) is_used[static_cast<std::size_t>(point.vertex)] = 1;
+      for (const InnerPoint& point : face.points) is_used[point.vertex] = 1;
     std::vector<std::string> names;
     for (PartPoint& point : model_.points) {
-      point.is_apart = !is_used[static_cast<std::size_t>(point.vertex)];
+      point.is_apart = !is_used[point.vertex];
       if (point.is_apart) names.push_back(point.name);
     }
     return names;

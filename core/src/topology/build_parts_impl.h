@@ -21,11 +21,11 @@ struct EdgeIndex {
   /// -1: not in the model.
   int find(const TopoDS_Shape& shape) const {
     int position = map.FindIndex(shape);
-    return position > 0 ? edge[static_cast<std::size_t>(position)] : -1;
+    return position > 0 ? edge[position] : -1;
   }
   int find_vertex(const TopoDS_Shape& shape) const {
     int position = vertex_map.FindIndex(shape);
-    return position > 0 ? vertex[static_cast<std::size_t>(position)] : -1;
+    return position > 0 ? vertex[position] : -1;
   }
 };
 
@@ -37,7 +37,7 @@ EdgeIndex build_edges(const Workpiece& work, Model& model);
 class CoedgeWalker {
  public:
   explicit CoedgeWalker(const std::vector<Edge>& edges) : edges_(edges) {}
-  const Edge& edge(const Coedge& c) const { return edges_[static_cast<std::size_t>(c.edge)]; }
+  const Edge& edge(const Coedge& c) const { return edges_[c.edge]; }
   int start(const Coedge& c) const { return start_of(edge(c), c); }
   int end(const Coedge& c) const { return end_of(edge(c), c); }
   double parameter(const Coedge& c, double share) const {

@@ -13,8 +13,7 @@ constexpr double pole_step = 1e-3;  // of the parameter range of the pole's coed
 // Direction of travel along the coedge at its start or its end.
 Vec3 travel_direction(const Model& model, const Coedge& coedge, bool at_end) {
   const Edge& edge = edge_of(model, coedge);
-  Vec3 x, xt;
-  edge.curve->d1(at_end ? end_parameter(edge, coedge) : start_parameter(edge, coedge), x, xt);
+  const Vec3 xt = edge.curve->slope(at_end ? end_parameter(edge, coedge) : start_parameter(edge, coedge)).t;
   return unit(coedge.is_reversed ? -1 * xt : xt);
 }
 
@@ -50,8 +49,7 @@ double corner_angle(const Model& model, const Face& face, const Coedge& before, 
   double angle = angle_between(back, ahead);
   if (!after.pcurve || !face.surface) return angle;
   const Edge& edge = edge_of(model, after);
-  Vec3 x, xu, xv;
-  face.surface->d1(after.pcurve->uv(start_parameter(edge, after)), x, xu, xv);
+  const auto [x, xu, xv] = face.surface->slope(after.pcurve->uv(start_parameter(edge, after)));
   return dot(cross(ahead, back), cross(xu, xv)) < 0 ? 2 * M_PI - angle : angle;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <ranges>
 #include <set>
 #include <string>
 #include <vector>
@@ -95,7 +96,7 @@ struct Model {
 
   /// The face of the shape as read that an entry of the report is, or those that have it in common.
   std::vector<int> faces_as_read(int entry) const {
-    return entry < read_faces ? std::vector{entry} : common[static_cast<std::size_t>(entry - read_faces)];
+    return entry < read_faces ? std::vector{entry} : common[entry - read_faces];
   }
 };
 
@@ -105,9 +106,10 @@ inline bool is_of_wire(const Model& model, int edge) {
   return e < model.edge_part.size() && model.edge_part[e] >= 0;
 }
 
-inline const Edge& edge_of(const Model& model, const Coedge& coedge) {
-  return model.edges[static_cast<std::size_t>(coedge.edge)];
-}
+/// Of all loops, one after the other.
+auto coedges_of(auto& loops) { return loops | std::views::transform(&Loop::coedges) | std::views::join; }
+
+inline const Edge& edge_of(const Model& model, const Coedge& coedge) { return model.edges[coedge.edge]; }
 
 inline std::vector<int> edges_of(const Loop& loop) {
   std::vector<int> edges;

@@ -50,22 +50,21 @@ class Orienter {
   };
 
   void add_use(const Use& use) {
-    const Face& face = model_.faces[static_cast<std::size_t>(use.face)];
-    for (const Loop& loop : face.loops)
-      for (const Coedge& c : loop.coedges) {
-        bool is_reversed = c.is_reversed != (face.is_reversed != use.is_opposed);
-        sides_[static_cast<std::size_t>(c.edge)].push_back({static_cast<int>(uses_.size()), is_reversed});
-      }
+    const Face& face = model_.faces[use.face];
+    for (const Coedge& c : coedges_of(face.loops)) {
+      bool is_reversed = c.is_reversed != (face.is_reversed != use.is_opposed);
+      sides_[c.edge].push_back({static_cast<int>(uses_.size()), is_reversed});
+    }
     uses_.push_back(use);
   }
 
-  const Use& use(int u) const { return uses_[static_cast<std::size_t>(u)]; }
-  const std::vector<Loop>& loops_of(int u) const { return model_.faces[static_cast<std::size_t>(use(u).face)].loops; }
+  const Use& use(int u) const { return uses_[u]; }
+  const std::vector<Loop>& loops_of(int u) const { return model_.faces[use(u).face].loops; }
 
   /// Those of one part.
   std::vector<Side> sides_of(int edge, int part) const {
     std::vector<Side> own;
-    for (const Side& side : sides_[static_cast<std::size_t>(edge)])
+    for (const Side& side : sides_[edge])
       if (use(side.use).part == part) own.push_back(side);
     return own;
   }
@@ -76,19 +75,18 @@ class Orienter {
     std::vector<int> members;
     std::queue<int> open;
     auto enter = [&](int u, bool is_turned) {
-      group_[static_cast<std::size_t>(u)] = group;
-      is_turned_[static_cast<std::size_t>(u)] = is_turned;
+      group_[u] = group;
+      is_turned_[u] = is_turned;
       open.push(u);
       members.push_back(u);
     };
     enter(seed, false);
     for (; !open.empty(); open.pop()) {
       int u = open.front();
-      for (const Loop& loop : loops_of(u))
-        for (const Coedge& c : loop.coedges) cross_edge(c.edge, u, enter);
+      for (const Coedge& c : coedges_of(loops_of(u))) cross_edge(c.edge, u, enter);
     }
     std::size_t turned = 0;
-    for (int u : members) turned += is_turned_[static_cast<std::size_t>(u)];
+    for (int u : members) turned += is_turned_[u];
     if (2 * turned > members.size()) turn(members);
     groups_.push_back(std::move(members));
   }
@@ -100,7 +98,7 @@ class Orienter {
     const Side& here = sides[0].use == u ? sides[0] : sides[1];
     const Side& there = sides[0].use == u ? sides[1] : sides[0];
     auto other = static_cast<std::size_t>(there.use);
-    bool is_turned = is_turned_[static_cast<std::size_t>(u)] != (here.is_reversed == there.is_reversed);
+    bool is_turned = is_turned_[u] != (here.is_reversed == there.is_reversed);
     if (group_[other] < 0) {
       enter(there.use, is_turned);
     } else if (is_turned_[other] != is_turned) {
@@ -133,14 +131,14 @@ class Orienter {
   std::vector<std::vector<Link>> sheet_links() const {
     std::vector<std::vector<Link>> links(groups_.size());
     auto link = [&](int a, int b, bool is_turned) {
-      const int one = group_[static_cast<std::size_t>(a)], two = group_[static_cast<std::size_t>(b)];
+      const int one = group_[a], two = group_[b];
       if (one < 0 || two < 0 || one == two) return;
-      links[static_cast<std::size_t>(one)].push_back({two, is_turned});
-      links[static_cast<std::size_t>(two)].push_back({one, is_turned});
+      links[one].push_back({two, is_turned});
+      links[two].push_back({one, is_turned});
     };
-    auto is_turned = [&](int u) { return is_turned_[static_cast<std::size_t>(u)]; };
+    auto is_turned = [&](int u) { return is_turned_[u]; };
     for (std::size_t u = 1; u < uses_.size(); ++u) {
-      const int here = static_cast<int>(u), first = first_use_[static_cast<std::size_t>(uses_[u].face)];
+      const int here = static_cast<int>(u), first = first_use_[uses_[u].face];
       if (here == first || !is_of_sheets(uses_[u].face)) continue;
       link(first, here, (is_turned(here) != use(here).is_opposed) != (is_turned(first) != use(first).is_opposed));
     }
@@ -153,21 +151,19 @@ class Orienter {
   }
 
   bool is_of_sheets(int face) const {
-    const auto& uses = work_.faces[static_cast<std::size_t>(face)].uses;
-    return std::none_of(uses.begin(), uses.end(),
-                        [&](const FaceUse& use) { return work_.parts[static_cast<std::size_t>(use.part)].solid >= 0; });
+    const auto& uses = work_.faces[face].uses;
+    return std::none_of(uses.begin(), uses.end(), [&](const FaceUse& use) { return work_.parts[use.part].solid >= 0; });
   }
 
   void turn(const std::vector<int>& members) {
-    for (int u : members) is_turned_[static_cast<std::size_t>(u)] = !is_turned_[static_cast<std::size_t>(u)];
+    for (int u : members) is_turned_[u] = !is_turned_[u];
   }
 
   bool is_closed(const std::vector<int>& members) const {
     for (int u : members)
-      for (const Loop& loop : loops_of(u))
-        for (const Coedge& c : loop.coedges) {
-          if (sides_of(c.edge, use(u).part).size() != 2 && !edge_of(model_, c).is_degenerate) return false;
-        }
+      for (const Coedge& c : coedges_of(loops_of(u))) {
+        if (sides_of(c.edge, use(u).part).size() != 2 && !edge_of(model_, c).is_degenerate) return false;
+      }
     return true;
   }
 
@@ -176,12 +172,11 @@ class Orienter {
     Vec3 sum{0, 0, 0};
     double count = 0;
     for (int u : members)
-      for (const Loop& loop : loops_of(u))
-        for (const Coedge& c : loop.coedges) {
-          const Edge& edge = edge_of(model_, c);
-          sum += model_.vertices[static_cast<std::size_t>(edge.start)];
-          ++count;
-        }
+      for (const Coedge& c : coedges_of(loops_of(u))) {
+        const Edge& edge = edge_of(model_, c);
+        sum += model_.vertices[edge.start];
+        ++count;
+      }
     return (1 / std::max(count, 1.0)) * sum;
   }
 
@@ -197,13 +192,13 @@ class Orienter {
     for (std::size_t body = 0; body < bodies.size(); ++body) {
       const Vec3 apex = middle_of(bodies[body]);
       for (int u : bodies[body]) {
-        walls.push_back({work_.faces[static_cast<std::size_t>(use(u).face)].face, body, apex});
-        if (is_turned_[static_cast<std::size_t>(u)] != use(u).is_opposed) walls.back().face.Reverse();
+        walls.push_back({work_.faces[use(u).face].face, body, apex});
+        if (is_turned_[u] != use(u).is_opposed) walls.back().face.Reverse();
         costs.push_back(measuring_cost(walls.back().face));
       }
     }
     const std::vector<double> shares = tasks_.run<double>(Stage::topology, costs, [&](int i) {
-      const Wall& wall = walls[static_cast<std::size_t>(i)];
+      const Wall& wall = walls[i];
       return volume_to(wall.face, wall.apex);
     });
     std::vector<double> sums(bodies.size(), 0.0);
@@ -217,15 +212,15 @@ class Orienter {
     std::vector<int> body_of_solid;
     for (const auto& group : groups_) {
       if (!is_closed(group)) continue;
-      int solid = work_.parts[static_cast<std::size_t>(use(group[0]).part)].solid;
+      int solid = work_.parts[use(group[0]).part].solid;
       if (solid >= static_cast<int>(body_of_solid.size()))
         body_of_solid.resize(static_cast<std::size_t>(solid) + 1, -1);
-      if (solid >= 0 && body_of_solid[static_cast<std::size_t>(solid)] >= 0) {
-        auto& body = bodies[static_cast<std::size_t>(body_of_solid[static_cast<std::size_t>(solid)])];
+      if (solid >= 0 && body_of_solid[solid] >= 0) {
+        auto& body = bodies[body_of_solid[solid]];
         body.insert(body.end(), group.begin(), group.end());
         continue;
       }
-      if (solid >= 0) body_of_solid[static_cast<std::size_t>(solid)] = static_cast<int>(bodies.size());
+      if (solid >= 0) body_of_solid[solid] = static_cast<int>(bodies.size());
       bodies.push_back(group);
     }
     const std::vector<double> inside = volumes(bodies);
@@ -242,8 +237,7 @@ class Orienter {
       const auto first = static_cast<std::size_t>(first_use_[f]);
       for (std::size_t k = 0; k < uses.size(); ++k) {
         bool is_opposed = uses[k].is_opposed != (is_turned_[first + k] != is_turned_[first]);
-        if (work_.parts[static_cast<std::size_t>(uses[k].part)].solid >= 0)
-          (is_opposed ? face.front : face.back).push_back(uses[k].part);
+        if (work_.parts[uses[k].part].solid >= 0) (is_opposed ? face.front : face.back).push_back(uses[k].part);
       }
       for (std::vector<int>* side : {&face.front, &face.back})
         side->insert(side->end(), work_.faces[f].inside_of.begin(), work_.faces[f].inside_of.end());
@@ -254,7 +248,7 @@ class Orienter {
     if (!turned.empty())
       model_.notes.push_back("Turned over so that normals agree and look outwards: " + list_names(turned) + ".");
     for (int part : one_sided_) {
-      const WorkPart& known = work_.parts[static_cast<std::size_t>(part)];
+      const WorkPart& known = work_.parts[part];
       if (known.solid >= 0)
         model_.report.one_sided.push_back(known.name);
       else

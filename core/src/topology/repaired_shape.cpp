@@ -75,7 +75,7 @@ std::string repaired_brep(const Workpiece& work, const std::vector<char>& is_rev
     for (const FaceUse& use : face.uses) {
       const bool is_turned = (is_reversed[f] != 0) != use.is_opposed;
       const TopoDS_Shape side = face.face.Oriented(is_turned ? TopAbs_REVERSED : TopAbs_FORWARD);
-      faces[static_cast<std::size_t>(use.part)].push_back(TopoDS::Face(side));
+      faces[use.part].push_back(TopoDS::Face(side));
     }
   }
   for (const auto& part : faces)

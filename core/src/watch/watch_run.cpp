@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/process/child.h"
 #include "base/process/run_files.h"
 
 namespace paver {
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr int not_started_exit_code = 127, signal_exit_code = 128;
+constexpr int not_started_exit_code = 127;
 constexpr milliseconds patience(1200);  // for ranks to end by themselves, once the run is stopped
 
 enum class Wish { run, kill, stop };  ///< of the asking process
@@ -68,9 +69,7 @@ Wish next_wish() {
 }
 
 pid_t start(const std::vector<std::string>& command) {
-  std::vector<char*> arguments;
-  for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
-  arguments.push_back(nullptr);
+  const std::vector<char*> arguments = pointers(command);
   pid_t us = ::getpid(), pid = ::fork();
   if (pid != 0) return pid;
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);

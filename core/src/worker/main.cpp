@@ -7,10 +7,8 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <new>
 #include <optional>
 #include <sstream>
-#include <system_error>
 
 #include "base/process/run_files.h"
 #include "base/tasks/gather.h"
@@ -40,21 +38,14 @@ std::string from_rank_0(MpiRanks& ranks, F&& make) {
     try {
       bytes = "+" + make();
     } catch (const Error& error) {
-      Packer packer;
-      packer(error.code(), std::string(error.what()), error.where().stage, error.where().face);
-      bytes = "-" + packer.take();
+      bytes = "-" + pack_error(error);
     }
   }
   ranks.spread(bytes);
   bool is_sound = bytes.starts_with('+');
   bytes.erase(0, 1);
-  if (is_sound) return bytes;
-  ErrorCode code = ErrorCode::internal;
-  std::string text;
-  Where where;
-  Unpacker unpacker(bytes);
-  unpacker(code, text, where.stage, where.face);
-  throw Error(code, text, where);
+  if (!is_sound) throw_packed(bytes);
+  return bytes;
 }
 
 /// Finds at rank 0 whether the files can be written. The temporary names they will have, which all ranks know, so that
@@ -104,7 +95,7 @@ int run_job(const std::string& path, MpiRanks& ranks, Progress& progress, std::o
   OutputFiles files = job.files;
   if (!files.repaired.empty()) files.repaired_text = repaired_model(model, options, progress);
   MeshShare share = mesh_share(model, options, progress, ranks);
-  if (share.quads + share.triangles + share.result.report.quality.wire_lines == 0) files.mesh.clear();
+  if (is_empty(share.result)) files.mesh.clear();
   write_outputs(share, files, progress, ranks);
   hand_back(job, share, ranks);
   std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -114,27 +105,6 @@ int run_job(const std::string& path, MpiRanks& ranks, Progress& progress, std::o
   if (ranks.rank() == 0) reporter->done(share.result, busy);
   ranks.finish();
   return is_whole ? 0 : exit_code(ErrorCode::face_failed);
-}
-
-/// The exception that is being handled, as an Error.
-Error current_error() {
-  try {
-    throw;
-  } catch (const Error& error) {
-    return error;
-  } catch (const std::bad_alloc&) {
-    return Error(ErrorCode::out_of_memory,
-                 "Out of memory; choose a larger target length, fewer ranks or fewer threads.");
-  } catch (const std::system_error& error) {
-    return Error(
-        ErrorCode::out_of_memory,
-        fmt::format("The system gives no more means ({}); choose fewer ranks or fewer threads.", error.what()));
-  } catch (const std::exception& error) {
-    return Error(ErrorCode::internal,
-                 fmt::format("Internal error, please report it with the model: {}.", error.what()));
-  } catch (...) {
-    return Error(ErrorCode::internal, "Internal error of an unknown kind, please report it with the model.");
-  }
 }
 
 /// Until MPI ends this rank, too, because another one has failed.

@@ -155,8 +155,8 @@ std::vector<std::string> MpiRanks::gather(std::string_view mine) {
   std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
   std::string joined(static_cast<std::size_t>(total), '\0');
   complete([&](MPI_Request* request) {
-    MPI_Iallgatherv(mine.data(), counts[static_cast<std::size_t>(rank_)], MPI_CHAR, joined.data(), counts.data(),
-                    starts.data(), MPI_CHAR, MPI_COMM_WORLD, request);
+    MPI_Iallgatherv(mine.data(), counts[rank_], MPI_CHAR, joined.data(), counts.data(), starts.data(), MPI_CHAR,
+                    MPI_COMM_WORLD, request);
   });
   for (std::size_t r = 0; r < ranks; ++r)
     all[r] = joined.substr(static_cast<std::size_t>(starts[r]), static_cast<std::size_t>(counts[r]));

@@ -2,7 +2,7 @@
 #include "worker/reporter.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -110,9 +110,7 @@ void Reporter::done(const MeshResult& result, const std::vector<double>& busy_se
   std::lock_guard lock(mutex_);
   show_finished_stages();
   std::string table = report_table(result.report);
-  std::string load;
-  for (double seconds : busy_seconds) load += fmt::format("{}{:.2f}", load.empty() ? "" : ", ", seconds);
-  fmt::print("{}{:<14}{} busy for {} s\n", table, "ranks", busy_seconds.size(), load);
+  fmt::print("{}{:<14}{} busy for {:.2f} s\n", table, "ranks", busy_seconds.size(), fmt::join(busy_seconds, ", "));
   std::fflush(stdout);
   if (error) fmt::print(stderr, "paver-worker: {}\n", error->what());
 }

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
 #include <set>
+#include <stdexcept>
+#include <system_error>
 
 namespace paver {
 namespace {
@@ -22,6 +25,26 @@ TEST(Error, EveryCodeHasANameAndARemedyOfItsOwn) {
     EXPECT_NE(error.remedy(), "");
     EXPECT_TRUE(names.insert(code_name(error.code())).second) << code_name(error.code());
   }
+}
+
+template <class Thrown>
+Error said_of(Thrown thrown) {
+  try {
+    throw thrown;
+  } catch (...) {
+    return current_error();
+  }
+}
+
+TEST(Error, IsMadeOfEveryException) {
+  EXPECT_EQ(said_of(Error(ErrorCode::no_faces, "None.", {"read", 3, -1, {}})).where().face, 3);
+  EXPECT_EQ(said_of(std::bad_alloc()).code(), ErrorCode::out_of_memory);
+  EXPECT_EQ(said_of(std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again))).code(),
+            ErrorCode::out_of_memory);
+  const Error unexpected = said_of(std::runtime_error("no bin 7"));
+  EXPECT_STREQ(unexpected.what(), "Internal error (no bin 7); report it with the model.");
+  EXPECT_EQ(unexpected.remedy(), "report it with the model");
+  EXPECT_EQ(said_of(1).code(), ErrorCode::internal);
 }
 
 }  // namespace

@@ -8,9 +8,9 @@
 
 #include "check/check_mesh.h"
 #include "curving/place_nodes.h"
-#include "quality/report.h"
 #include "support/boundary_use.h"
 #include "support/fake_model.h"
+#include "support/measure_quality.h"
 #include "support/paved_model.h"
 #include "support/thread_ranks.h"
 

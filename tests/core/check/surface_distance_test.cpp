@@ -23,7 +23,7 @@ struct Measured : test::PavedModel {
   Measured(Model m, double h, int order) : PavedModel(std::move(m), options_of(h)), target(h) {
     std::vector<JoinPart> join;
     for (std::size_t i = 0; i < regions.size(); ++i) join.push_back({regions[i].face, &paved[i]});
-    const JoinedMesh joined = join_regions(model, edges, test::all_of(edges), join);
+    joined = join_regions(model, edges, test::all_of(edges), join);
     for (std::size_t i = 0; i < regions.size(); ++i) parts.push_back({&regions[i], &paved[i], &joined.node_of[i]});
     mesh =
         order == 1 ? joined.mesh : curve_elements(joined, edges, model, Cuts(regions, {}), parts, 1, Progress()).mesh;
@@ -31,10 +31,11 @@ struct Measured : test::PavedModel {
   std::vector<SurfaceDistance> run(int threads = 1) const { return measured(INFINITY, threads).faces; }
   MeshDistances measured(double most, int threads = 1) const {
     SingleRank one;
-    return measure_distances({model, edges, mesh, parts, target, threads, most}, Progress(), one);
+    return measure_distances({model, edges, mesh, parts, joined.sizes, target, threads, most}, Progress(), one);
   }
 
   double target;
+  JoinedMesh joined;
   std::vector<CurvingPart> parts;
   SurfaceMesh mesh;
 };

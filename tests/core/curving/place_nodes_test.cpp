@@ -36,7 +36,7 @@ struct Meshed : test::PavedModel {
   double chord_error_of(const SurfaceMesh& mesh) const { return distances_of(mesh)[0].largest; }
   std::vector<SurfaceDistance> distances_of(const SurfaceMesh& mesh) const {
     SingleRank one;
-    return measure_distances({model, edges, mesh, parts, 1, 1}, Progress(), one).faces;
+    return measure_distances({model, edges, mesh, parts, joined.sizes, 1, 1}, Progress(), one).faces;
   }
 
   JoinedMesh joined;

@@ -15,8 +15,8 @@
 
 #include "core/quality/wavy_mesh.h"
 #include "paver/output.h"
-#include "quality/report.h"
 #include "support/judge.h"
+#include "support/measure_quality.h"
 
 namespace paver {
 namespace {

@@ -7,7 +7,7 @@
 #include "paver/quality.h"
 #include "quality/jacobian/jacobian.h"
 #include "quality/metrics.h"
-#include "quality/report.h"
+#include "support/measure_quality.h"
 
 namespace paver {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "core/quality/wavy_mesh.h"
 #include "paver/output.h"
-#include "quality/report.h"
 #include "support/deal_shares.h"
+#include "support/measure_quality.h"
 #include "support/thread_ranks.h"
 
 namespace paver {

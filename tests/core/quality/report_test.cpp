@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/quality/wavy_mesh.h"
+#include "support/measure_quality.h"
 
 namespace paver {
 namespace {

@@ -20,11 +20,10 @@ void add_images(Model& model, Face& face) {
     Vec3 d = model.vertices[static_cast<std::size_t>(vertex)] - origin;
     return Vec2{dot(d, xu) / dot(xu, xu), dot(d, xv) / dot(xv, xv)};
   };
-  for (Loop& loop : face.loops)
-    for (Coedge& coedge : loop.coedges) {
-      const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
-      coedge.pcurve = fake::straight_image(edge.t0, edge.t1, uv(edge.start), uv(edge.end));
-    }
+  for (Coedge& coedge : coedges_of(face.loops)) {
+    const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];
+    coedge.pcurve = fake::straight_image(edge.t0, edge.t1, uv(edge.start), uv(edge.end));
+  }
 }
 
 /// Numbered as models that were read are.

@@ -182,8 +182,7 @@ TEST(DivideCreases, DividesPartsOfAFaceThatIsCrossed) {
   for (const Face& face : model.faces) {
     EXPECT_EQ(face.fault, "") << face.name;
     areas[face.name].push_back(face.area);
-    for (const Loop& loop : face.loops)
-      for (const Coedge& use : loop.coedges) EXPECT_TRUE(use.pcurve) << face.name;
+    for (const Coedge& use : coedges_of(face.loops)) EXPECT_TRUE(use.pcurve) << face.name;
   }
   ASSERT_EQ(areas["Face1"].size(), 4u);
   for (double area : areas["Face1"]) EXPECT_NEAR(area, std::sqrt(2.0), 1e-6);

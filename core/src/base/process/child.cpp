@@ -20,13 +20,6 @@ namespace {
 
 constexpr std::size_t kept_output = 1 << 14;
 
-std::vector<char*> pointers(const std::vector<std::string>& texts) {
-  std::vector<char*> list;
-  for (const std::string& text : texts) list.push_back(const_cast<char*>(text.c_str()));
-  list.push_back(nullptr);
-  return list;
-}
-
 [[noreturn]] void fail(const std::string& program, int error_number) {
   throw Error(ErrorCode::internal,
               fmt::format("'{}' cannot be started ({}); check that it is a program for this machine.", program,

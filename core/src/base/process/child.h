@@ -10,6 +10,14 @@
 
 namespace paver {
 
+/// As programs are started with, a null pointer at the end.
+inline std::vector<char*> pointers(const std::vector<std::string>& texts) {
+  std::vector<char*> list;
+  for (const std::string& text : texts) list.push_back(const_cast<char*>(text.c_str()));
+  list.push_back(nullptr);
+  return list;
+}
+
 /// The child has a process group of its own, all signals at their defaults, our end of a socket as stdin, and a pipe
 /// as stdout and stderr.
 class Child {

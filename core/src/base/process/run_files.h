@@ -1,4 +1,4 @@
-// Files in the folder of a run in several processes that more than one program knows.
+// What more than one program knows of a run in several processes.
 #pragma once
 
 #include <span>
@@ -6,8 +6,11 @@
 
 namespace paver {
 
-/// Lists the temporary names of the run's outputs, one per line; the watcher removes what ranks that were killed have
-/// left of them.
+/// The watcher's exit code when the run was ended by a signal: this and the signal's number.
+inline constexpr int signal_exit_code = 128;
+
+/// In the run's folder. Lists the temporary names of the run's outputs, one per line; the watcher removes what ranks
+/// that were killed have left of them.
 inline constexpr const char* temporaries_file = "temporaries";
 
 /// Throws Error{unwritable_output}.

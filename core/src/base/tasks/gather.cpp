@@ -1,7 +1,5 @@
 #include "base/tasks/gather.h"
 
-#include "paver/error.h"
-
 namespace paver {
 
 double greatest(double mine, Ranks& ranks) {
@@ -19,17 +17,32 @@ void unite(std::vector<Box>& boxes, Ranks& ranks) {
   for (Box& box : boxes) box = {{at[0], at[1], at[2]}, {-at[3], -at[4], -at[5]}}, at += 6;
 }
 
+std::string pack_error(const Error& error) {
+  const auto& [stage, face, edge, point] = error.where();
+  Packer packer;
+  packer(error.code(), std::string(error.what()), stage, face, edge, point);
+  return packer.take();
+}
+
+void throw_packed(std::string_view bytes) {
+  ErrorCode code = ErrorCode::internal;
+  std::string text;
+  Where where;
+  Unpacker unpacker(bytes);
+  unpacker(code, text, where.stage, where.face, where.edge, where.point);
+  throw Error(code, text, where);
+}
+
 void do_together(Ranks& ranks, const std::function<void()>& work) {
   if (ranks.count() == 1) return work();
-  std::string mine;  // empty: done; else the code and the sentence
+  std::string mine;  // empty: done
   try {
     work();
   } catch (const Error& error) {
-    mine = static_cast<char>(error.code()) + std::string(error.what());
+    mine = pack_error(error);
   }
-  for (const std::string& fault : ranks.gather(mine)) {
-    if (!fault.empty()) throw Error(static_cast<ErrorCode>(fault[0]), fault.substr(1));
-  }
+  for (const std::string& fault : ranks.gather(mine))
+    if (!fault.empty()) throw_packed(fault);
 }
 
 }  // namespace paver

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/box.h"
 #include "base/packing.h"
+#include "paver/error.h"
 #include "paver/ranks.h"
 
 namespace paver {
@@ -36,6 +38,10 @@ double greatest(double mine, Ranks& ranks);
 
 /// Collective: each box grows by those at its place on all ranks. Zeros may get the other sign.
 void unite(std::vector<Box>& boxes, Ranks& ranks);
+
+/// An error as bytes for other ranks, never empty.
+std::string pack_error(const Error& error);
+[[noreturn]] void throw_packed(std::string_view bytes);
 
 /// Collective: calls `work`, and when it throws an Error on any rank, all ranks throw that of the lowest such rank. So
 /// no rank waits for one that has given up. `work` itself must call nothing collective.

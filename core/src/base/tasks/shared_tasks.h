@@ -24,7 +24,7 @@ class SharedTasks {
   template <class Result>
   std::vector<Result> run(Stage stage, const std::vector<double>& costs, const std::function<Result(int)>& task) {
     std::vector<Result> results(costs.size());
-    auto keep = [&](int i) { results[static_cast<std::size_t>(i)] = task(i); };
+    auto keep = [&](int i) { results[i] = task(i); };
     constexpr double least_shared = 2000;  // microseconds: below, messages would take longer than they spare
     if (std::accumulate(costs.begin(), costs.end(), 0.0) < least_shared) {
       for (std::size_t i = 0; i < costs.size(); ++i) progress_.check(), keep(static_cast<int>(i));
@@ -34,14 +34,14 @@ class SharedTasks {
     if (ranks_.count() == 1) return results;
     Packer packer;
     packer(mine);
-    for (int i : mine) packer(results[static_cast<std::size_t>(i)]);
+    for (int i : mine) packer(results[i]);
     const std::vector<std::string> all = ranks_.gather(packer.take());
     for (std::size_t rank = 0; rank < all.size(); ++rank) {
       if (static_cast<int>(rank) == ranks_.rank()) continue;
       std::vector<int> done;
       Unpacker unpacker(all[rank]);
       unpacker(done);
-      for (int i : done) unpacker(results[static_cast<std::size_t>(i)]);
+      for (int i : done) unpacker(results[i]);
     }
     return results;
   }

@@ -69,9 +69,9 @@ std::vector<DoneTask> run_tasks(int threads, const std::vector<double>& cost, co
       for (long i; (i = take()) < static_cast<long>(order.size());) {
         if (context.is_group_execution_cancelled()) return;
         const Clock::time_point start = Clock::now();
-        task(order[static_cast<std::size_t>(i)]);
+        task(order[i]);
         const std::chrono::duration<double> seconds = Clock::now() - start;
-        done[static_cast<std::size_t>(worker)].emplace_back(i, seconds.count());
+        done[worker].emplace_back(i, seconds.count());
       }
     };
     tbb::parallel_for(0, workers, HandOver::entering(work), tbb::simple_partitioner{}, context);
@@ -80,7 +80,7 @@ std::vector<DoneTask> run_tasks(int threads, const std::vector<double>& cost, co
   for (const auto& some : done) all.insert(all.end(), some.begin(), some.end());
   std::sort(all.begin(), all.end());
   std::vector<DoneTask> result;
-  for (auto [i, seconds] : all) result.push_back({order[static_cast<std::size_t>(i)], seconds});
+  for (auto [i, seconds] : all) result.push_back({order[i], seconds});
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/nearest_turn.h"
 #include "boundary/facing/raised_counts.h"
 #include "quality/metrics.h"
 
@@ -73,16 +74,7 @@ class GapBetween {
   /// Worst scaled Jacobian of the quads between two loops, which run opposite ways.
   static double quality(const std::vector<Vec3>& one, const std::vector<Vec3>& two) {
     const std::size_t n = one.size();
-    std::size_t turn = 0;
-    double least = INFINITY;
-    for (std::size_t first = 0; first < n; ++first) {
-      double total = 0;
-      for (std::size_t i = 0; i < n && total < least; ++i) {
-        const Vec3 across = two[(first + n - i) % n] - one[i];
-        total += dot(across, across);
-      }
-      if (total < least) least = total, turn = first;
-    }
+    const std::size_t turn = nearest_turn(n, [&](auto i, auto j) { return two[j] - one[i]; });
     double worst = 1;
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t next = (i + 1) % n;

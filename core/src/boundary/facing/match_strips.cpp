@@ -26,8 +26,7 @@ using Side = std::vector<int>;
 
 double most_bulge(const Model& model, const Side& side, const std::vector<EdgeCount>& counts) {
   double most = 0;
-  for (int e : side)
-    most = std::max(most, bulge(model.edges[static_cast<std::size_t>(e)], counts[static_cast<std::size_t>(e)].count));
+  for (int e : side) most = std::max(most, bulge(model.edges[e], counts[e].count));
   return most;
 }
 
@@ -35,10 +34,9 @@ double most_bulge(const Model& model, const Side& side, const std::vector<EdgeCo
 bool match(const Model& model, const OppositeSides& pair, std::vector<EdgeCount>& counts) {
   const long first = sum_of_counts(pair.first, counts), second = sum_of_counts(pair.second, counts);
   if (first == second) return false;
-  auto is_divided = [&](int e) { return counts[static_cast<std::size_t>(e)].count > 0; };
+  auto is_divided = [&](int e) { return counts[e].count > 0; };
   if (!std::ranges::all_of(pair.first, is_divided) || !std::ranges::all_of(pair.second, is_divided)) return false;
-  const double width = 2 * model.faces[static_cast<std::size_t>(pair.face)].area /
-                       (length_of(model, pair.first) + length_of(model, pair.second));
+  const double width = 2 * model.faces[pair.face].area / (length_of(model, pair.first) + length_of(model, pair.second));
   if (std::max(most_bulge(model, pair.first, counts), most_bulge(model, pair.second, counts)) <= largest_bulge * width)
     return false;
   const Side& fewer = first < second ? pair.first : pair.second;

@@ -85,8 +85,8 @@ void match_by_middles(const Model& model, OppositeSides& pair) {
   if (pair.first.size() != pair.second.size()) return;
   std::vector<int> matched;
   for (int e : pair.first) {
-    Vec3 middle = middle_of(model.edges[static_cast<std::size_t>(e)]);
-    auto distance = [&](int other) { return norm(middle_of(model.edges[static_cast<std::size_t>(other)]) - middle); };
+    Vec3 middle = middle_of(model.edges[e]);
+    auto distance = [&](int other) { return norm(middle_of(model.edges[other]) - middle); };
     matched.push_back(*std::min_element(pair.second.begin(), pair.second.end(),
                                         [&](int a, int b) { return distance(a) < distance(b); }));
   }
@@ -99,8 +99,7 @@ void match_by_middles(const Model& model, OppositeSides& pair) {
 /// The mean width of a face, by the length of its border.
 double width_of(const Model& model, const Face& face, const std::vector<Loop>& loops) {
   double border = 0;
-  for (const Loop& loop : loops)
-    for (const Coedge& coedge : loop.coedges) border += edge_of(model, coedge).length;
+  for (const Coedge& coedge : coedges_of(loops)) border += edge_of(model, coedge).length;
   return face.area / (0.5 * border);
 }
 
@@ -109,9 +108,7 @@ double width_of(const Model& model, const Face& face, const std::vector<Loop>& l
 std::vector<OppositeSides> sides_of_thin_ring(const Model& model, int face, double width, const Sides& one,
                                               const Sides& two) {
   std::vector<OppositeSides> pairs;
-  auto middle_of_side = [&](const std::vector<int>& side) {
-    return middle_of(model.edges[static_cast<std::size_t>(side[side.size() / 2])]);
-  };
+  auto middle_of_side = [&](const std::vector<int>& side) { return middle_of(model.edges[side[side.size() / 2]]); };
   std::vector<char> is_taken(two.size(), 0);
   for (const std::vector<int>& side : one) {
     std::size_t nearest = 0;
@@ -188,7 +185,7 @@ class BentStrip {
 
 double length_of(const Model& model, const std::vector<int>& side) {
   double length = 0;
-  for (int e : side) length += model.edges[static_cast<std::size_t>(e)].length;
+  for (int e : side) length += model.edges[e].length;
   return length;
 }
 

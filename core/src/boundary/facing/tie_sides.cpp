@@ -27,8 +27,6 @@ constexpr int most_on_short = 4;  // intervals: on an edge shorter than the targ
 constexpr double most_on_short_rim = 1.6;
 constexpr double rounding_slack = 1e-6;  // equal wishes at a half round alike
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 /// Counts an edge may take.
 struct Range {
   int least = 0, most = std::numeric_limits<int>::max();
@@ -65,17 +63,17 @@ class Tying {
     is_held_.assign(counts.size(), false);
   }
 
-  void mark_even(int edge) { members_[at(groups_.find(edge))].is_even = true; }
+  void mark_even(int edge) { members_[groups_.find(edge)].is_even = true; }
 
   bool is_divided(const std::vector<int>& side) const {
-    return std::all_of(side.begin(), side.end(), [&](int e) { return counts_[at(e)].count > 0; });
+    return std::all_of(side.begin(), side.end(), [&](int e) { return counts_[e].count > 0; });
   }
 
   /// Whether there is one row at most between the sides of a ring with corners: in wider ones rows need not meet.
   bool is_narrow(const Model& model, const OppositeSides& pair) const {
     double length = 0, wish = 0;
     for (const std::vector<int>* side : {&pair.first, &pair.second})
-      for (int e : *side) length += model.edges[at(e)].length, wish += counts_[at(e)].wish;
+      for (int e : *side) length += model.edges[e].length, wish += counts_[e].wish;
     return pair.width * wish <= narrow * length;
   }
 
@@ -84,7 +82,7 @@ class Tying {
     auto reach = [&](const std::vector<int>& side) {
       double least = 0, most = 0;
       for (int e : side) {
-        Range range = range_of(counts_[at(e)], is_rim_[at(e)]);
+        Range range = range_of(counts_[e], is_rim_[e]);
         least += range.least, most += range.most;
       }
       return std::pair{least, most};
@@ -99,7 +97,7 @@ class Tying {
     b = groups_.find(b);
     if (a == b) return;
     if (a > b) std::swap(a, b);
-    Members &into = members_[at(a)], &from = members_[at(b)];
+    Members &into = members_[a], &from = members_[b];
     Members both{common(into.range, from.range),
                  {std::min(into.rounded.least, from.rounded.least), std::max(into.rounded.most, from.rounded.most)},
                  std::max(into.minimum, from.minimum),
@@ -133,7 +131,7 @@ class Tying {
         for (int e : *side) {
           int group = groups_.find(e);
           int step = (excess > 0) == (side == &pair.first) ? -1 : 1;
-          double cost = std::fabs(chosen_[at(group)] + step - mean_wish(group)) / chosen_[at(group)];
+          double cost = std::fabs(chosen_[group] + step - mean_wish(group)) / chosen_[group];
           if (!can_change(group, step, pair) || !(cost < least)) continue;
           least = cost, best = group, best_step = step;
         }
@@ -141,11 +139,11 @@ class Tying {
         chosen_ = before;
         return;
       }
-      chosen_[at(best)] += best_step;
+      chosen_[best] += best_step;
       excess += excess > 0 ? -1 : 1;
     }
     for (const std::vector<int>* side : {&pair.first, &pair.second})
-      for (int e : *side) is_held_[at(groups_.find(e))] = true;
+      for (int e : *side) is_held_[groups_.find(e)] = true;
   }
 
   TiedCounts result() {
@@ -168,7 +166,7 @@ class Tying {
     bool is_even, makes_grid;
   };
 
-  double mean_wish(int group) const { return members_[at(group)].wish / members_[at(group)].size; }
+  double mean_wish(int group) const { return members_[group].wish / members_[group].size; }
 
   static int nearest_count(const Members& group) {
     double mean = group.wish / group.size;
@@ -180,15 +178,14 @@ class Tying {
 
   long sum(const std::vector<int>& side) {
     long total = 0;
-    for (int e : side) total += chosen_[at(groups_.find(e))];
+    for (int e : side) total += chosen_[groups_.find(e)];
     return total;
   }
 
   bool can_change(int group, int step, const OppositeSides& pair) {
-    const Members& members = members_[at(group)];
-    int count = chosen_[at(group)] + step;
-    if (is_held_[at(group)] || members.is_even || count < members.range.least || count > members.range.most)
-      return false;
+    const Members& members = members_[group];
+    int count = chosen_[group] + step;
+    if (is_held_[group] || members.is_even || count < members.range.least || count > members.range.most) return false;
     auto uses = [&](const std::vector<int>& side) {
       return std::count_if(side.begin(), side.end(), [&](int e) { return groups_.find(e) == group; });
     };
@@ -211,30 +208,29 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
   for (const OppositeSides& pair : pairs)
     if (pair.partner < 0)
       for (const std::vector<int>* side : {&pair.first, &pair.second})
-        for (int e : *side) is_rim[at(e)] = true;
+        for (int e : *side) is_rim[e] = true;
   Tying tying(counts, is_rim);
   for (const std::vector<Loop>& of_face : loops)
     for (const Loop& loop : of_face)
-      if (loop.coedges.size() == 1 && counts[at(loop.coedges[0].edge)].count > 0) tying.mark_even(loop.coedges[0].edge);
+      if (loop.coedges.size() == 1 && counts[loop.coedges[0].edge].count > 0) tying.mark_even(loop.coedges[0].edge);
   std::vector<bool> can_equal;
   for (const OppositeSides& p : pairs)
     can_equal.push_back(tying.is_divided(p.first) && tying.is_divided(p.second) && tying.is_narrow(model, p) &&
                         tying.can_equal(p));
   std::vector<int> order(pairs.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return model.faces[at(pairs[at(a)].face)].area > model.faces[at(pairs[at(b)].face)].area;
-  });
-  std::erase_if(order, [&](int i) { return !can_equal[at(i)]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return model.faces[pairs[a].face].area > model.faces[pairs[b].face].area; });
+  std::erase_if(order, [&](int i) { return !can_equal[i]; });
   for (int i : order) {
-    const OppositeSides& pair = pairs[at(i)];
-    bool makes_grid = pair.partner < 0 || can_equal[at(pair.partner)];
+    const OppositeSides& pair = pairs[i];
+    bool makes_grid = pair.partner < 0 || can_equal[pair.partner];
     for (std::size_t k = 0; pair.first.size() == pair.second.size() && k < pair.first.size(); ++k)
       tying.join_if_alike(pair.first[k], pair.second[k], makes_grid);
   }
   tying.choose_counts();
   for (int i : order)
-    if (pairs[at(i)].partner < 0 || can_equal[at(pairs[at(i)].partner)]) tying.equal_sums(pairs[at(i)]);
+    if (pairs[i].partner < 0 || can_equal[pairs[i].partner]) tying.equal_sums(pairs[i]);
   return tying.result();
 }
 

@@ -25,9 +25,7 @@ std::vector<std::vector<int>> clusters_of(const std::vector<Pair>& pairs, const 
   UnionFind together(parts.size());
   for (auto [a, b] : pairs) together.merge(a, b);
   std::vector<std::vector<int>> clusters = together.sets();
-  std::erase_if(clusters, [&](const std::vector<int>& list) {
-    return list.size() == 1 && !parts[static_cast<std::size_t>(list[0])].is_loose;
-  });
+  std::erase_if(clusters, [&](const std::vector<int>& list) { return list.size() == 1 && !parts[list[0]].is_loose; });
   return clusters;
 }
 
@@ -61,7 +59,7 @@ class Connector {
   void connect_cluster(std::vector<int> parts) {
     if (try_to_fuse(parts) || (leave_points(parts) && (parts.size() < 2 || try_to_fuse(parts)))) return;
     for (int part : parts)
-      if (work_.parts[static_cast<std::size_t>(part)].is_loose) failed.push_back({part, part});
+      if (work_.parts[part].is_loose) failed.push_back({part, part});
     std::vector<Pair> pairs = pairs_among(parts), bad;
     for (const Pair& pair : pairs)
       if (pairs.size() > 1 && !fuse(work_, {pair[0], pair[1]}, tolerance_, progress_)) bad.push_back(pair);
@@ -116,12 +114,12 @@ class Connector {
       for (const Fusion::Image& image : fusion.images) {
         std::set<int> origins;
         for (int f : image.of) {
-          is_fused[static_cast<std::size_t>(f)] = 1;
-          origins.insert(work_.faces[static_cast<std::size_t>(f)].origin);
+          is_fused[f] = 1;
+          origins.insert(work_.faces[f].origin);
         }
         WorkFace piece = piece_of(image);
         if (origins.size() == 1) {
-          pieces[static_cast<std::size_t>(image.of[0])].push_back(std::move(piece));
+          pieces[image.of[0]].push_back(std::move(piece));
         } else {
           common[{origins.begin(), origins.end()}].push_back(std::move(piece));
         }
@@ -167,12 +165,12 @@ class Connector {
   WorkFace piece_of(const Fusion::Image& image) {
     std::vector<int> of = image.of;
     std::stable_partition(of.begin(), of.end(), [&](int f) { return is_of_solid(f); });
-    WorkFace piece = work_.faces[static_cast<std::size_t>(of[0])];
+    WorkFace piece = work_.faces[of[0]];
     piece.face = oriented_as(image.face, piece.face);
     piece.area = face_area(piece.face);
     piece.has_area = work_.is_area(piece.area);
     for (std::size_t i = 1; i < of.size(); ++i) {
-      const WorkFace& other = work_.faces[static_cast<std::size_t>(of[i])];
+      const WorkFace& other = work_.faces[of[i]];
       bool is_opposed = oriented_as(image.face, other.face).Orientation() != piece.face.Orientation();
       for (const FaceUse& use : other.uses)
         if (!piece.has_part(use.part)) piece.uses.push_back({use.part, use.is_opposed != is_opposed});
@@ -181,8 +179,8 @@ class Connector {
   }
 
   bool is_of_solid(int face) const {
-    const FaceUse& first = work_.faces[static_cast<std::size_t>(face)].uses.front();
-    return work_.parts[static_cast<std::size_t>(first.part)].solid >= 0;
+    const FaceUse& first = work_.faces[face].uses.front();
+    return work_.parts[first.part].solid >= 0;
   }
 
   TopoDS_Face oriented_as(const TopoDS_Face& image, const TopoDS_Face& face) {
@@ -239,7 +237,7 @@ void drop_inside(Workpiece& work) {
   for (WorkFace& face : work.faces) {
     bool has_front = !face.inside_of.empty(), has_back = has_front;
     for (const FaceUse& use : face.uses) {
-      if (work.parts[static_cast<std::size_t>(use.part)].solid < 0) continue;
+      if (work.parts[use.part].solid < 0) continue;
       (use.is_opposed ? has_front : has_back) = true;
     }
     if (!has_front || !has_back || !face.has_area) continue;

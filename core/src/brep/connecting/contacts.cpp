@@ -34,7 +34,7 @@ class ContactFinder {
       std::sort(contact.faces.begin(), contact.faces.end());
       contact.faces.erase(std::unique(contact.faces.begin(), contact.faces.end()), contact.faces.end());
       Contact& made = contacts.emplace_back();
-      for (int k : {0, 1}) made.parts[k] = work_.parts[static_cast<std::size_t>(key.first[k])].name;
+      for (int k : {0, 1}) made.parts[k] = work_.parts[key.first[k]].name;
       made.kind = key.second;
       made.size = contact.size;
       made.gap = contact.gap;
@@ -80,14 +80,14 @@ class ContactFinder {
     Found& contact = found_[{pair, kind}];
     contact.size += size;
     for (int f : faces) {
-      const std::vector<int> names = work_.faces_as_read(work_.faces[static_cast<std::size_t>(f)].origin);
+      const std::vector<int> names = work_.faces_as_read(work_.faces[f].origin);
       contact.faces.insert(contact.faces.end(), names.begin(), names.end());
     }
     return contact;
   }
 
   void add_face(int f) {
-    const WorkFace& face = work_.faces[static_cast<std::size_t>(f)];
+    const WorkFace& face = work_.faces[f];
     std::set<int> parts;
     for (const FaceUse& use : face.uses) parts.insert(use.part);
     if (!face.has_area || parts.size() < 2) return;

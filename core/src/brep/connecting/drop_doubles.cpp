@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/box.h"
 #include "brep/mending/mend_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
@@ -20,7 +21,7 @@ constexpr int edge_samples = 6;
 /// What tells most faces apart at no cost.
 struct Outline {
   int index = -1;
-  Vec3 low, high;  ///< of the ends and middles of its edges
+  Box box;  ///< of the ends and middles of its edges
 };
 
 class DoubleFinder {
@@ -32,25 +33,22 @@ class DoubleFinder {
     for (std::size_t i = 0; i < work_.faces.size(); ++i)
       if (work_.faces[i].is_usable()) outlines.push_back(outline(static_cast<int>(i)));
     std::stable_sort(outlines.begin(), outlines.end(),
-                     [](const Outline& a, const Outline& b) { return a.low.x < b.low.x; });
+                     [](const Outline& a, const Outline& b) { return a.box.low.x < b.box.low.x; });
     for (std::size_t i = 0; i < outlines.size(); ++i)
-      for (std::size_t j = i + 1; j < outlines.size() && outlines[j].low.x - outlines[i].low.x <= tolerance_; ++j)
+      for (std::size_t j = i + 1; j < outlines.size() && outlines[j].box.low.x - outlines[i].box.low.x <= tolerance_;
+           ++j)
         compare(outlines[i], outlines[j]);
   }
 
  private:
-  WorkFace& face(int index) { return work_.faces[static_cast<std::size_t>(index)]; }
+  WorkFace& face(int index) { return work_.faces[index]; }
 
   Outline outline(int index) {
-    constexpr double far = 1e300;
-    Outline made{index, {far, far, far}, {-far, -far, -far}};
+    constexpr double far = 1e300;  // finite: faces without such points are compared as well
+    Outline made{index, {{far, far, far}, {-far, -far, -far}}};
     for (const TopoDS_Edge& edge : edges_of(face(index).face))
-      for (double share : {0.0, 0.5, 1.0}) {
-        const auto x = point_of(edge, share);
-        if (!x) continue;
-        made.low = {std::min(made.low.x, x->x), std::min(made.low.y, x->y), std::min(made.low.z, x->z)};
-        made.high = {std::max(made.high.x, x->x), std::max(made.high.y, x->y), std::max(made.high.z, x->z)};
-      }
+      for (double share : {0.0, 0.5, 1.0})
+        if (const auto x = point_of(edge, share)) made.box.add(*x);
     return made;
   }
 
@@ -64,7 +62,7 @@ class DoubleFinder {
     const WorkFace &one = face(std::min(a.index, b.index)), &two = face(std::max(a.index, b.index));
     if (!one.has_area || !two.has_area || one.solid != two.solid) return;
     if (std::abs(one.area - two.area) > same_area_share * one.area) return;
-    if (norm(a.low - b.low) > tolerance_ || norm(a.high - b.high) > tolerance_) return;
+    if (norm(a.box.low - b.box.low) > tolerance_ || norm(a.box.high - b.box.high) > tolerance_) return;
     if (!lies_on(two.face, one.face) || !lies_on(one.face, two.face)) return;
     WorkFace& dropped = face(std::max(a.index, b.index));
     dropped.is_dropped = true;

@@ -57,7 +57,7 @@ class Fuser {
 
   /// One argument: the kernel looks for nothing between the faces of one.
   void add_arguments(int part) {
-    if (!work_.parts[static_cast<std::size_t>(part)].is_loose) {
+    if (!work_.parts[part].is_loose) {
       arguments_.Append(argument(part));
       return;
     }
@@ -79,7 +79,7 @@ class Fuser {
   }
 
   bool add_images(int f, BRepAlgoAPI_BuilderAlgo& builder, double tolerance, Fusion& fusion) {
-    const WorkFace& face = work_.faces[static_cast<std::size_t>(f)];
+    const WorkFace& face = work_.faces[f];
     TopTools_ListOfShape images = builder.Modified(face.face);
     if (images.IsEmpty() && !builder.IsDeleted(face.face)) images.Append(face.face);
     double area = 0, perimeter = 0;
@@ -90,7 +90,7 @@ class Fuser {
         index = images_.Add(image);
         fusion.images.push_back({TopoDS::Face(image), {}});
       }
-      fusion.images[static_cast<std::size_t>(index - 1)].of.push_back(f);
+      fusion.images[index - 1].of.push_back(f);
     }
     const auto edges = shapes_of(face.face, TopAbs_EDGE);
     for (int i = 1; i <= edges.Extent(); ++i) perimeter += edge_length(TopoDS::Edge(edges(i)));
@@ -102,14 +102,11 @@ class Fuser {
     for (std::size_t i = 1; i < image.of.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         for (const FaceUse& use : face_of(image, i).uses)
-          if (!work_.parts[static_cast<std::size_t>(use.part)].is_loose && face_of(image, j).has_part(use.part))
-            return true;
+          if (!work_.parts[use.part].is_loose && face_of(image, j).has_part(use.part)) return true;
     return false;
   }
 
-  const WorkFace& face_of(const Fusion::Image& image, std::size_t i) const {
-    return work_.faces[static_cast<std::size_t>(image.of[i])];
-  }
+  const WorkFace& face_of(const Fusion::Image& image, std::size_t i) const { return work_.faces[image.of[i]]; }
 
   void add_edges(BRepAlgoAPI_BuilderAlgo& builder, Fusion& fusion) const {
     TopTools_IndexedMapOfShape edges;

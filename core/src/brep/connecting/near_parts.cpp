@@ -17,8 +17,8 @@ NearParts find_near_parts(const Workpiece& work, double tolerance) {
   std::vector<Bnd_Box> whole(work.parts.size());
   std::vector<std::vector<PartPiece>> pieces(work.parts.size());
   auto add = [&](const TopoDS_Shape& shape, int part) {
-    pieces[static_cast<std::size_t>(part)].emplace_back(shape, 0.5 * tolerance);
-    whole[static_cast<std::size_t>(part)].Add(pieces[static_cast<std::size_t>(part)].back().box());
+    pieces[part].emplace_back(shape, 0.5 * tolerance);
+    whole[part].Add(pieces[part].back().box());
   };
   for (const WorkFace& face : work.faces)
     if (face.is_usable())

@@ -34,7 +34,7 @@ class PartLister {
       for (TopExp_Explorer inner(solids(s), TopAbs_FACE); inner.More(); inner.Next()) {
         int index = faces.FindIndex(inner.Current());
         bool is_opposed = inner.Current().Orientation() != faces(index).Orientation();
-        work_.faces[static_cast<std::size_t>(index - 1)].uses.push_back({part, is_opposed});
+        work_.faces[index - 1].uses.push_back({part, is_opposed});
       }
     }
   }
@@ -56,7 +56,7 @@ class PartLister {
     std::vector<int> part_of(work_.faces.size(), -1);
     for (std::size_t f = 0; f < work_.faces.size(); ++f) {
       if (!is_of_sheet(work_.faces[f])) continue;
-      int& part = part_of[static_cast<std::size_t>(groups.group_of(f))];
+      int& part = part_of[groups.group_of(f)];
       if (part < 0) part = add_part("Sheet" + std::to_string(++sheets), -1);
       work_.faces[f].uses.push_back({part, false});
     }
@@ -119,7 +119,7 @@ void name_parts(Workpiece& work, const std::vector<std::string>& labels) {
     if (place >= labels.size()) return;
     const std::size_t end = labels[place].rfind('/');
     const std::string object = end == std::string::npos ? "" : labels[place].substr(0, end);
-    objects_of[static_cast<std::size_t>(part)].insert(object);
+    objects_of[part].insert(object);
     parts_of[object].insert(part);
   };
   const std::size_t faces = static_cast<std::size_t>(work.read_faces);

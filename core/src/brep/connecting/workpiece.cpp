@@ -74,17 +74,14 @@ double area_by_rule(const TopoDS_Face& face, std::optional<double> accuracy) {
 
 /// By the images of its border; nothing where one is missing, they do not say, or twice as many places say otherwise.
 std::optional<double> area_by_border(const TopoDS_Face& face, double accuracy) {
-  const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
-  const std::unique_ptr<Surface> surface = make_surface(forward, 0);
+  const TopoDS_Face plain = forward(face);
+  const std::unique_ptr<Surface> surface = make_surface(plain, 0);
   std::vector<BorderImage> border;
-  for (TopExp_Explorer edges(forward, TopAbs_EDGE); edges.More(); edges.Next()) {
-    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+  for (const TopoDS_Edge& edge : edges_of(plain)) {
     if (edge.Orientation() == TopAbs_INTERNAL || edge.Orientation() == TopAbs_EXTERNAL) continue;
-    BorderImage piece{nullptr, 0, 0, edge.Orientation() == TopAbs_REVERSED};
-    BRep_Tool::Range(edge, piece.t0, piece.t1);
-    piece.image = make_parameter_curve(edge, forward, piece.t0, piece.t1);
-    if (!piece.image) return std::nullopt;
-    border.push_back(std::move(piece));
+    const auto [t0, t1] = range_of(edge);
+    border.push_back({make_parameter_curve(edge, plain, t0, t1), t0, t1, edge.Orientation() == TopAbs_REVERSED});
+    if (!border.back().image) return std::nullopt;
   }
   const std::optional<double> area = surface ? area_within(*surface, border) : std::nullopt;
   const std::optional<double> finer = area ? area_within(*surface, border, 2) : std::nullopt;
@@ -144,17 +141,17 @@ Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& ta
   work.faces.resize(static_cast<std::size_t>(faces.Extent()));
   for (int s = solids.Extent(); s >= 1; --s)  // backwards: a face of two solids counts to the first
     for (TopExp_Explorer inner(solids(s), TopAbs_FACE); inner.More(); inner.Next())
-      work.faces[static_cast<std::size_t>(faces.FindIndex(inner.Current()) - 1)].solid = s - 1;
+      work.faces[faces.FindIndex(inner.Current()) - 1].solid = s - 1;
   std::vector<double> costs;
   for (int i = 1; i <= faces.Extent(); ++i) {
-    WorkFace& face = work.faces[static_cast<std::size_t>(i - 1)];
+    WorkFace& face = work.faces[i - 1];
     face.face = TopoDS::Face(faces(i));
     face.origin = i - 1;
     costs.push_back(measuring_cost(face.face));
   }
   measure_diagonal(work);
-  const std::vector<double> areas = tasks.run<double>(
-      Stage::topology, costs, [&](int i) { return face_area(work.faces[static_cast<std::size_t>(i)].face); });
+  const std::vector<double> areas =
+      tasks.run<double>(Stage::topology, costs, [&](int i) { return face_area(work.faces[i].face); });
   for (std::size_t i = 0; i < work.faces.size(); ++i) {
     WorkFace& face = work.faces[i];
     face.area = areas[i];
@@ -188,7 +185,7 @@ void copy_shape(Workpiece& work) {
     throw Error(ErrorCode::internal, "The copy of the shape has another number of faces.", {"topology", -1, -1, {}});
   work.shape = copy.Shape();
   work.read_edges = shapes_of(work.shape, TopAbs_EDGE);
-  for (int i = 1; i <= faces.Extent(); ++i) work.faces[static_cast<std::size_t>(i - 1)].face = TopoDS::Face(faces(i));
+  for (int i = 1; i <= faces.Extent(); ++i) work.faces[i - 1].face = TopoDS::Face(faces(i));
   for (WorkWire& wire : work.wires) wire.edge = TopoDS::Edge(copy.ModifiedShape(wire.edge));
   for (WorkPoint& point : work.points) point.vertex = TopoDS::Vertex(copy.ModifiedShape(point.vertex));
   work.is_copied = true;
@@ -295,11 +292,8 @@ double edge_length(const TopoDS_Edge& edge) {
     auto curve = make_curve(edge);
     if (!curve) return 0;
     const auto [t0, t1] = range_of(edge);
-    double length = 0;
     constexpr int chords = 256;
-    for (int i = 0; i < chords; ++i)
-      length += norm(curve->point(t0 + (t1 - t0) * (i + 1) / chords) - curve->point(t0 + (t1 - t0) * i / chords));
-    return length;
+    return length_of(sampled(curve, t0, t1, chords));
   }
 }
 

@@ -101,7 +101,7 @@ struct Workpiece {
 
   /// The face of the shape as read that has this WorkFace::origin, or those that have it in common.
   std::vector<int> faces_as_read(int origin) const {
-    return origin < read_faces ? std::vector{origin} : common[static_cast<std::size_t>(origin - read_faces)];
+    return origin < read_faces ? std::vector{origin} : common[origin - read_faces];
   }
   /// Whether an area in mm^2 is more than rounding: a face with less has none.
   bool is_area(double area) const { return area > no_area_share * diagonal * diagonal; }

@@ -208,9 +208,8 @@ class PoleCompleter {
       for (int i = 0; i <= finite_rows; ++i) list.push_back(high_ + (end - high_) * i / finite_rows);
       return list;
     }
-    Vec3 x, xu, xv;
-    surface_->d1(axes_.uv({round_.front().points.front().x, side_ * high_}), x, xu, xv);
-    const double speed = norm(axes_.is_round_u ? xv : xu);
+    const SurfaceSlope slope = surface_->slope(axes_.uv({round_.front().points.front().x, side_ * high_}));
+    const double speed = norm(axes_.is_round_u ? slope.v : slope.u);
     double step = speed > 0 ? extent(high_) / (endless_rows * speed) : 1;
     for (int i = 0; i < endless_rows; ++i, step *= row_growth)
       list.push_back(list.empty() ? high_ : list.back() + step);
@@ -272,8 +271,7 @@ class PoleCompleter {
     for (std::size_t k = 1; k < round_.size(); ++k) {
       const std::size_t i = (start + k) % round_.size(), before = (start + k - 1) % round_.size();
       const Vec2 gap = round_[before].points.back() + shifts[before] - round_[i].points.front();
-      shifts[i] = {period_.x > 0 ? period_.x * std::round(gap.x / period_.x) : 0,
-                   period_.y > 0 ? period_.y * std::round(gap.y / period_.y) : 0};
+      shifts[i] = whole_periods(gap, period_);
     }
     return shifts;
   }

@@ -132,12 +132,12 @@ class CreaseFinder {
       surface_.VIntervals(ends, GeomAbs_C1);
     }
     std::vector<bool> is_strip(static_cast<std::size_t>(count) + 1, false);
-    for (int i = 1; i <= count; ++i) is_strip[static_cast<std::size_t>(i)] = is_flat_strip(is_u, ends(i), ends(i + 1));
+    for (int i = 1; i <= count; ++i) is_strip[i] = is_flat_strip(is_u, ends(i), ends(i + 1));
     std::vector<double> creases;
     for (int i = 2; i <= count; ++i) {
       double margin = end_share * range(is_u);
       bool is_inside = ends(i) > first(is_u) + margin && ends(i) < last(is_u) - margin;
-      bool is_strip_end = is_strip[static_cast<std::size_t>(i - 1)] != is_strip[static_cast<std::size_t>(i)];
+      bool is_strip_end = is_strip[i - 1] != is_strip[i];
       if (is_inside && (is_strip_end || is_crease(is_u, ends(i)))) creases.push_back(ends(i));
     }
     if (!is_whole_strip(is_strip)) divide_between_strips(ends, is_strip, creases);
@@ -213,14 +213,6 @@ class CreaseFinder {
   std::optional<BRepTopAdaptor_FClass2d> inside_;
   double least_normal_ = 0;
 };
-
-std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
-  std::vector<TopoDS_Face> faces;
-  if (shape.IsNull()) return faces;
-  for (TopExp_Explorer parts(shape, TopAbs_FACE); parts.More(); parts.Next())
-    faces.push_back(TopoDS::Face(parts.Current()));
-  return faces;
-}
 
 class CreaseDivider {
  public:

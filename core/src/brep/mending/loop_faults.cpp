@@ -102,8 +102,8 @@ class LoopExaminer {
     std::vector<std::vector<const End*>> starts_in(static_cast<std::size_t>(vertices_.Extent()) + 1);
     std::vector<int> balance(starts_in.size(), 0);
     for (const End& start : starts) {
-      starts_in[static_cast<std::size_t>(start.vertex)].push_back(&start);
-      ++balance[static_cast<std::size_t>(start.vertex)];
+      starts_in[start.vertex].push_back(&start);
+      ++balance[start.vertex];
     }
     for (const End& end : ends) {
       const auto vertex = static_cast<std::size_t>(end.vertex);

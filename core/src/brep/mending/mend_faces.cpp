@@ -133,7 +133,7 @@ class LoopCloser {
     return index;
   }
 
-  const gp_Pnt& point(int vertex) const { return points_[static_cast<std::size_t>(vertex)]; }
+  const gp_Pnt& point(int vertex) const { return points_[vertex]; }
 
   /// One vertex in their middle, with a tolerance that holds them all; gives how far they were moved.
   double join(const std::vector<int>& cluster, BRepTools_ReShape& context) const {

@@ -15,7 +15,6 @@
 #include <limits>
 #include <map>
 
-#include "base/union_find.h"
 #include "brep/connecting/workpiece_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
@@ -79,7 +78,7 @@ class GroupSewer {
   GroupSewer(const Workpiece& work, const std::vector<int>& group, Progress& progress)
       : work_(work), progress_(progress) {
     std::vector<WorkFace> faces;
-    for (int i : group) faces.push_back(work.faces[static_cast<std::size_t>(i)]);
+    for (int i : group) faces.push_back(work.faces[i]);
     as_drawn_.uses = count_uses(faces);
     as_drawn_.free = free_count(as_drawn_.uses);
     for (const WorkFace& face : faces) as_drawn_.faces.push_back(face.face);
@@ -206,13 +205,10 @@ class GroupSewer {
 
   /// Edges that hang together.
   static std::vector<std::vector<std::size_t>> borders(const std::vector<TopoDS_Edge>& edges) {
-    TopTools_IndexedMapOfShape ends;
-    for (const TopoDS_Edge& edge : edges) TopExp::MapShapes(edge, TopAbs_VERTEX, ends);
-    UnionFind sets(static_cast<std::size_t>(ends.Extent()) + 1);
-    auto first = [&](const TopoDS_Edge& edge) { return ends.FindIndex(TopExp::FirstVertex(edge)); };
-    for (const TopoDS_Edge& edge : edges) sets.merge(first(edge), ends.FindIndex(TopExp::LastVertex(edge)));
+    Hanging together(edges.size(), TopAbs_VERTEX);
+    for (std::size_t i = 0; i < edges.size(); ++i) together.add(i, edges[i]);
     std::map<int, std::vector<std::size_t>> found;
-    for (std::size_t i = 0; i < edges.size(); ++i) found[sets.find(first(edges[i]))].push_back(i);
+    for (std::size_t i = 0; i < edges.size(); ++i) found[together.group_of(i)].push_back(i);
     std::vector<std::vector<std::size_t>> all;
     for (auto& [set, border] : found) all.push_back(std::move(border));
     return all;
@@ -271,7 +267,7 @@ class GroupSewer {
 void put(Workpiece& work, const std::vector<int>& group, const Sewn& sewn, SewResult& result) {
   for (const auto& [edge, image] : sewn.edges) add_edge_origins(work, image, edge_origins(work, edge));
   for (std::size_t k = 0; k < group.size(); ++k) {
-    WorkFace& face = work.faces[static_cast<std::size_t>(group[k])];
+    WorkFace& face = work.faces[group[k]];
     if (!sewn.faces[k].IsNull()) {
       face.face = sewn.faces[k];
       continue;

@@ -116,7 +116,7 @@ class Checker {
         throw Fault{"parameters are missing"};
       records_.emplace_back();
       for (long p = first - 1; p < first - 1 + count; ++p) {
-        std::string_view one = parameters()[static_cast<std::size_t>(p)];
+        std::string_view one = parameters()[p];
         if (integer(one.substr(back_pointer_column, field_width)) != static_cast<long>(line) + 1)
           throw Fault{"parameters belong to another entity"};
         records_.back() += one.substr(0, back_pointer_column);
@@ -194,7 +194,7 @@ class Checker {
   const Entity& at(const Entity& entity, std::size_t place, std::initializer_list<int> types) const {
     const long pointer = number(entity, place);
     need(pointer > 0 && pointer % 2 == 1 && pointer < static_cast<long>(directory().size()), "a pointer leads nowhere");
-    const Entity& found = entities_[static_cast<std::size_t>(pointer / 2)];
+    const Entity& found = entities_[pointer / 2];
     need(found.type != 0 && (types.size() == 0 || std::count(types.begin(), types.end(), found.type) != 0),
          "a pointer leads to another type");
     return found;

@@ -20,8 +20,7 @@ double area_per_u(const Surface& surface, double from, Vec2 uv, int strips) {
   double sum = 0;
   for (int strip = 0; strip < strips; ++strip)
     for (const auto& [at, weight] : rule) {
-      Vec3 x, xu, xv;
-      surface.d1({uv.x, from + (uv.y - from) * (strip + at) / strips}, x, xu, xv);
+      const auto [x, xu, xv] = surface.slope({uv.x, from + (uv.y - from) * (strip + at) / strips});
       sum += weight * norm(cross(xu, xv));
     }
   return sum * (uv.y - from) / strips;

@@ -144,12 +144,17 @@ SampledCurve sampled(std::shared_ptr<const Curve> curve, double t0, double t1, i
   return line;
 }
 
+double length_of(const SampledCurve& line) {
+  double length = 0;
+  for (std::size_t k = 1; k < line.points.size(); ++k) length += norm(line.points[k] - line.points[k - 1]);
+  return length;
+}
+
 double distance_near(const SampledCurve& line, std::size_t k, double t, int steps, Vec3 x) {
   const double from = line.t[std::max<std::size_t>(k, 2) - 2], to = line.t[std::min(k + 1, line.t.size() - 1)];
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= steps; ++i) {
-    Vec3 y, yt;
-    line.curve->d1(t, y, yt);
+    const auto [y, yt] = line.curve->slope(t);
     least = std::min(least, norm(x - y));
     if (!(dot(yt, yt) > 0)) break;
     t = std::clamp(t + dot(x - y, yt) / dot(yt, yt), std::min(from, to), std::max(from, to));

@@ -32,6 +32,8 @@ struct SampledCurve {
   std::vector<Vec3> points;
 };
 SampledCurve sampled(std::shared_ptr<const Curve> curve, double t0, double t1, int pieces);
+/// Of its chords.
+double length_of(const SampledCurve& line);
 
 /// Distance of x from the curve behind the chord that ends at point k and its neighbours, by some steps from `t`.
 double distance_near(const SampledCurve& line, std::size_t k, double t, int steps, Vec3 x);

@@ -83,11 +83,7 @@ class FootFinder {
   }
 
   /// The same place of a periodic surface nearest to `other`.
-  Vec2 next_to(Vec2 uv, Vec2 other) const {
-    if (period_.x > 0) uv.x += period_.x * std::round((other.x - uv.x) / period_.x);
-    if (period_.y > 0) uv.y += period_.y * std::round((other.y - uv.y) / period_.y);
-    return uv;
-  }
+  Vec2 next_to(Vec2 uv, Vec2 other) const { return nearest_image(uv, other, period_); }
 
   Vec3 point(Vec2 uv) const {
     Vec3 s, su, sv;
@@ -177,17 +173,12 @@ class ProjectedImage : public ParameterCurve {
   void keep_end(const ParameterCurve& rough, int i) {
     double t = i == 0 ? t0_ : t1_;
     Vec2 uv = rough.uv(t);
-    auto& entry = table_[static_cast<std::size_t>(i)];
+    auto& entry = table_[i];
     double reach = 1e-6 * (curve_length() + 1e-300);
     if (norm(finder_.point(uv) - finder_.point(entry)) <= reach) entry = is_lost_ ? finder_.next_to(uv, entry) : uv;
   }
 
-  double curve_length() const {
-    double length = 0;
-    for (int i = 0; i < 16; ++i)
-      length += norm(curve_->point(t0_ + (t1_ - t0_) * (i + 1) / 16) - curve_->point(t0_ + (t1_ - t0_) * i / 16));
-    return length;
-  }
+  double curve_length() const { return length_of(sampled(curve_, t0_, t1_, 16)); }
 
   FootFinder finder_;
   std::shared_ptr<const Curve> curve_;

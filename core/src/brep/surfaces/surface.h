@@ -1,6 +1,7 @@
 // Evaluators of the geometry under faces and edges. Only brep/*.cpp includes OpenCASCADE.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -10,6 +11,14 @@ namespace paver {
 
 /// All but `other` are evaluated in closed form.
 enum class SurfaceKind { plane, cylinder, cone, sphere, torus, other };
+
+/// Point and first derivatives.
+struct SurfaceSlope {
+  Vec3 x, u, v;
+};
+struct CurveSlope {
+  Vec3 x, t;
+};
 
 /// One face's surface in its own parameters. An evaluator caches the last span, so each task clones its own.
 /// Every value is finite: beyond the ends of a bounded surface it is continued linearly, across a closed one wrapped.
@@ -22,6 +31,16 @@ class Surface {
   virtual void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const = 0;
   /// Point, first and second derivatives.
   virtual void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const = 0;
+  SurfaceSlope slope(Vec2 uv) const {
+    SurfaceSlope at;
+    d1(uv, at.x, at.u, at.v);
+    return at;
+  }
+  /// On the side of the cross product of the derivatives, of length one; zero where these are parallel.
+  Vec3 normal(Vec2 uv) const {
+    const SurfaceSlope at = slope(uv);
+    return unit(cross(at.u, at.v));
+  }
   virtual SurfaceKind kind() const = 0;
   /// Period in u and v where the surface is closed there (periodic or ends that coincide), else 0.
   virtual Vec2 period() const = 0;
@@ -35,6 +54,11 @@ class Curve {
   virtual Vec3 point(double t) const = 0;
   virtual void d1(double t, Vec3& x, Vec3& xt) const = 0;
   virtual void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const = 0;
+  CurveSlope slope(double t) const {
+    CurveSlope at;
+    d1(t, at.x, at.t);
+    return at;
+  }
 };
 
 /// An edge's image in a face's (u, v), over the edge's own parameter; has no cache, so threads may share it.
@@ -58,6 +82,19 @@ class ParameterFunction final : public ParameterCurve {
 template <class F>
 std::shared_ptr<const ParameterCurve> image_by(F f) {
   return std::make_shared<ParameterFunction<F>>(std::move(f));
+}
+
+/// The whole number of periods nearest to `gap`; 0 where there is no period.
+inline Vec2 whole_periods(Vec2 gap, Vec2 period) {
+  auto whole = [](double length, double one) { return one > 0 ? one * std::round(length / one) : 0.0; };
+  return {whole(gap.x, period.x), whole(gap.y, period.y)};
+}
+
+/// The image of `uv` a whole number of periods away that is nearest to `to`.
+inline Vec2 nearest_image(Vec2 uv, Vec2 to, Vec2 period) {
+  if (period.x > 0) uv.x += period.x * std::round((to.x - uv.x) / period.x);
+  if (period.y > 0) uv.y += period.y * std::round((to.y - uv.y) / period.y);
+  return uv;
 }
 
 }  // namespace paver

@@ -54,7 +54,7 @@ class PartSampler {
   PartSampler(const DistanceTask& task, const CurvingPart& part, PartRows first)
       : task_(task),
         part_(part),
-        is_reversed_(task.model.faces[static_cast<std::size_t>(part.region->face)].is_reversed),
+        is_reversed_(task.model.faces[part.region->face].is_reversed),
         totals_(task.target_length) {
     for (const Element& e : part.mesh->elements)
       if (e.is_alive()) rows_.push_back({&e, e.corners() == 4 ? first.quad++ : first.triangle++, 0});
@@ -105,12 +105,11 @@ class PartSampler {
     taken_ = i, n_ = row.element->corners(), angle_ = 0;
     const ElementTable table(task_.mesh, n_ == 4);
     patch_.corners = n_, patch_.order = task_.mesh.order;
-    for (std::size_t k = 0; k < table.stride; ++k)
-      patch_.nodes[k] = task_.mesh.nodes[static_cast<std::size_t>(table.row(row.row)[k])];
+    for (std::size_t k = 0; k < table.stride; ++k) patch_.nodes[k] = task_.mesh.nodes[table.row(row.row)[k]];
     size_ = norm(patch_.nodes[2] - patch_.nodes[0]);
     for (int k = 0; k < n_; ++k) {
-      const int corner = row.element->v[static_cast<std::size_t>(is_reversed_ ? (n_ - k) % n_ : k)];
-      places_[static_cast<std::size_t>(k)] = part_.mesh->p[static_cast<std::size_t>(corner)];
+      const int corner = row.element->v[is_reversed_ ? (n_ - k) % n_ : k];
+      places_[k] = part_.mesh->p[corner];
     }
   }
 
@@ -204,19 +203,10 @@ class Measurer {
 
  private:
   void add_parts() {
-    std::vector<PartRows> first;
-    std::vector<double> costs;
-    PartRows next;
-    for (const CurvingPart& part : task_.parts) {
-      first.push_back(next);
-      costs.push_back(part.mesh ? static_cast<double>(part.mesh->elements.size()) : 0);
-      if (!part.mesh) continue;
-      for (const Element& e : part.mesh->elements)
-        if (e.is_alive()) ++(e.corners() == 4 ? next.quad : next.triangle);
-    }
+    const std::vector<PartRows> first = part_rows(task_.sizes);
     std::vector<Totals> totals(task_.parts.size(), Totals(task_.target_length));
     std::vector<std::vector<FarPlace>> far(task_.parts.size());
-    run_tasks(task_.threads, costs, [&](int i) {
+    run_tasks(task_.threads, part_costs(task_.sizes), [&](int i) {
       progress_.check();
       const auto part = static_cast<std::size_t>(i);
       if (!task_.parts[part].mesh) return;
@@ -226,7 +216,7 @@ class Measurer {
     });
     for (const std::vector<FarPlace>& places : far) far_.insert(far_.end(), places.begin(), places.end());
     for (std::size_t i = 0; i < totals.size(); ++i)
-      if (task_.parts[i].mesh) faces_[static_cast<std::size_t>(task_.parts[i].region->face)].add(totals[i]);
+      if (task_.parts[i].mesh) faces_[task_.parts[i].region->face].add(totals[i]);
   }
 
   void exchange() {
@@ -256,11 +246,11 @@ class Measurer {
     });
     for (std::size_t e = 0; e < edges.size(); ++e)
       for (int face : edges[e].faces)
-        if (faces_[static_cast<std::size_t>(face)].count > 0) add_sides(task_.edges.edges[e], distances[e], face);
+        if (faces_[face].count > 0) add_sides(task_.edges.edges[e], distances[e], face);
   }
 
   void add_sides(const EdgeDivision& division, const std::vector<double>& distances, int face) {
-    Totals& totals = faces_[static_cast<std::size_t>(face)];
+    Totals& totals = faces_[face];
     for (std::size_t k = 0; k < distances.size(); ++k) {
       totals.largest = std::max(totals.largest, distances[k]);
       if (distances[k] > task_.most)

@@ -6,6 +6,7 @@
 
 #include "boundary/edge_nodes.h"
 #include "curving/order2.h"
+#include "join/join.h"
 #include "mesh/far_place.h"
 #include "paver/progress.h"
 #include "paver/ranks.h"
@@ -20,6 +21,7 @@ struct DistanceTask {
   const EdgeNodes& edges;
   const SurfaceMesh& mesh;  ///< what the parts that are here were joined to, curved or not
   const std::vector<CurvingPart>& parts;
+  const std::vector<PartSizes>& sizes;  ///< per part: what of the mesh is its
   double target_length = 0;
   int threads = 1;
   double most = std::numeric_limits<double>::infinity();  ///< what is farther off is listed

@@ -29,11 +29,10 @@ bool is_wanted(const Edge& edge) {
 void add_wanted(const CheckedMesh& checked, const Ranks& ranks, int face, const Coedge& coedge,
                 std::vector<WantedSide>& wanted) {
   const SurfaceMesh& mesh = checked.mesh;
-  const bool is_backward = coedge.is_reversed != checked.model.faces[static_cast<std::size_t>(face)].is_reversed;
-  const std::size_t stride = static_cast<std::size_t>(mesh.order) + 1;
+  const bool is_backward = coedge.is_reversed != checked.model.faces[face].is_reversed;
   auto [first, last] = std::equal_range(mesh.line_edge.begin(), mesh.line_edge.end(), coedge.edge);
   for (auto line = first; line != last; ++line) {
-    const int* v = &mesh.lines[static_cast<std::size_t>(line - mesh.line_edge.begin()) * stride];
+    const auto v = mesh.line(static_cast<std::size_t>(line - mesh.line_edge.begin()));
     const long from = checked.number(v[is_backward ? 1 : 0]), to = checked.number(v[is_backward ? 0 : 1]);
     if (std::min(from, to) % ranks.count() != ranks.rank()) continue;
     const long middle = mesh.order == 1 ? -1 : checked.number(v[2]);
@@ -47,10 +46,8 @@ std::vector<WantedSide> wanted_sides(const CheckedMesh& checked, const Ranks& ra
   std::vector<WantedSide> wanted;
   for (std::size_t f = 0; f < checked.model.faces.size(); ++f) {
     if (!checked.is_meshed[f]) continue;
-    for (const Loop& loop : checked.model.faces[f].loops)
-      for (const Coedge& coedge : loop.coedges)
-        if (is_wanted(checked.model.edges[static_cast<std::size_t>(coedge.edge)]))
-          add_wanted(checked, ranks, static_cast<int>(f), coedge, wanted);
+    for (const Coedge& coedge : coedges_of(checked.model.faces[f].loops))
+      if (is_wanted(checked.model.edges[coedge.edge])) add_wanted(checked, ranks, static_cast<int>(f), coedge, wanted);
   }
   std::ranges::sort(wanted, {}, [](const WantedSide& one) { return key(one.side); });
   return wanted;
@@ -119,8 +116,7 @@ class SideGroup {
     long allowed = 2, uses = 0;
     if (!wanted_.empty()) allowed = 1;
     for (const WantedSide& side : wanted_)
-      allowed =
-          std::max(allowed, static_cast<long>(checked_.model.edges[static_cast<std::size_t>(side.edge)].faces.size()));
+      allowed = std::max(allowed, static_cast<long>(checked_.model.edges[side.edge].faces.size()));
     for (const User& user : users_) uses += user.uses;
     if (uses <= allowed) return;
     std::sort(users_.begin(), users_.end(), [](const User& a, const User& b) {

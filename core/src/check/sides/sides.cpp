@@ -70,7 +70,7 @@ class PartSideCheck {
     std::vector<int> next(start_.begin(), start_.end() - 1);
     for_each_side([&](int e, int k, int low, int high) {
       if (high < checked_.shared_nodes) return;
-      uses_[static_cast<std::size_t>(next[static_cast<std::size_t>(high - first_.node)]++)] = {low, e, k};
+      uses_[next[high - first_.node]++] = {low, e, k};
     });
   }
 
@@ -82,7 +82,7 @@ class PartSideCheck {
                              from < to ? 1 : -1, checked_.middle(a, b), heading(c, k)});
     if (k > 0 || *std::max_element(c.v, c.v + c.n) >= checked_.shared_nodes) return;
     SharedElement element;
-    for (int i = 0; i < c.n; ++i) element.corners[static_cast<std::size_t>(i)] = checked_.number(c.v[i]);
+    for (int i = 0; i < c.n; ++i) element.corners[i] = checked_.number(c.v[i]);
     std::sort(element.corners.begin(), element.corners.end());
     element.face = face_;
     element.where = checked_.middle(c.v[0], c.v[2]);
@@ -113,7 +113,7 @@ class PartSideCheck {
   }
 
   void check_bucket(int high) {
-    Use* begin = uses_.data() + start_[static_cast<std::size_t>(high - first_.node)];
+    Use* begin = uses_.data() + start_[high - first_.node];
     Use* end = uses_.data() + start_[static_cast<std::size_t>(high - first_.node) + 1];
     std::sort(begin, end, [](const Use& a, const Use& b) { return a.low < b.low; });
     while (begin != end) {
@@ -162,10 +162,10 @@ void check_sides(const CheckedMesh& checked, int threads, const Progress& progre
   SharedLists shared;
   run_tasks(threads, part_costs(checked.sizes), [&](int i) {
     progress.check();
-    if (!checked.parts[static_cast<std::size_t>(i)].mesh) return;
+    if (!checked.parts[i].mesh) return;
     MeshFaults found;
     SharedLists lists;
-    PartSideCheck(checked, static_cast<std::size_t>(i), first[static_cast<std::size_t>(i)], found, lists).run();
+    PartSideCheck(checked, static_cast<std::size_t>(i), first[i], found, lists).run();
     std::lock_guard lock(mutex);
     faults.add(found);
     shared.sides.insert(shared.sides.end(), lists.sides.begin(), lists.sides.end());

@@ -37,8 +37,8 @@ bool mark_boundary(CoarseNet& net) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       auto found = single.find({nodes[i], nodes[(i + 1) % nodes.size()]});
       if (found == single.end()) return false;
-      net.edges[static_cast<std::size_t>(found->second)].loop = static_cast<int>(l);
-      net.edges[static_cast<std::size_t>(found->second)].facet = static_cast<int>(i);
+      net.edges[found->second].loop = static_cast<int>(l);
+      net.edges[found->second].facet = static_cast<int>(i);
       single.erase(found);
     }
   }
@@ -63,9 +63,7 @@ class ChordWalker {
   }
 
  private:
-  int side_of(const CoarseEdge& edge) const {
-    return edge.loop < 0 ? -1 : coarse_.side[static_cast<std::size_t>(edge.loop)][static_cast<std::size_t>(edge.facet)];
-  }
+  int side_of(const CoarseEdge& edge) const { return edge.loop < 0 ? -1 : coarse_.side[edge.loop][edge.facet]; }
 
   void walk(int edge, int from, int start_side) {
     if (is_done_[edge]) return;

@@ -12,7 +12,7 @@ void add_boxes(const SurfaceMesh& mesh, const std::vector<int>& table, const std
   std::size_t stride = entity_of.empty() ? 1 : table.size() / entity_of.size();
   const int* nodes = table.data();
   for (int entity : entity_of) {
-    for (std::size_t k = 0; k < stride; ++k) boxes[static_cast<std::size_t>(entity)].add(mesh.nodes[nodes[k]]);
+    for (std::size_t k = 0; k < stride; ++k) boxes[entity].add(mesh.nodes[nodes[k]]);
     nodes += stride;
   }
 }
@@ -67,7 +67,7 @@ void write_msh4_beginning(const MeshResult& result, const Numbering& numbering, 
   out.end_line();
   for (std::size_t point = 0; point < mesh.points.size(); ++point) {
     out.integer(static_cast<int>(point) + 1);
-    out.point(unsigned_zeros(mesh.nodes[static_cast<std::size_t>(mesh.points[point])]));
+    out.point(unsigned_zeros(mesh.nodes[mesh.points[point]]));
     out.count(1), out.integer(numbering.groups.of_point[point]);
     out.end_line();
   }

@@ -114,12 +114,12 @@ class Msh4Writer : public MeshWriter {
     out.seek(run.position == 0 ? blocks.offset[group] : tags_at + run.position * tag_bytes);
     if (run.position == 0) write_head(dimension, run.group, 0, rows.size[group], out);
     for (std::size_t i = run.begin; i < run.end; ++i) {
-      out.count(static_cast<std::size_t>(numbering_.tags.of_node[static_cast<std::size_t>(rows.held.rows[i])]));
+      out.count(static_cast<std::size_t>(numbering_.tags.of_node[rows.held.rows[i]]));
       out.end_line();
     }
     out.seek(tags_at + rows.size[group] * tag_bytes + run.position * point_bytes);
     for (std::size_t i = run.begin; i < run.end; ++i) {
-      out.point(mesh_.nodes[static_cast<std::size_t>(rows.held.rows[i])]);
+      out.point(mesh_.nodes[rows.held.rows[i]]);
       out.end_line();
     }
   }
@@ -133,8 +133,7 @@ class Msh4Writer : public MeshWriter {
     for (std::size_t i = run.begin; i < run.end; ++i) {
       const int* nodes = table.nodes.data() + static_cast<std::ptrdiff_t>(table.rows.held.rows[i]) * table.stride;
       out.count(++number);
-      for (int k = 0; k < table.stride; ++k)
-        out.count(static_cast<std::size_t>(numbering_.tags.of_node[static_cast<std::size_t>(nodes[k])]));
+      for (int k = 0; k < table.stride; ++k) out.count(static_cast<std::size_t>(numbering_.tags.of_node[nodes[k]]));
       out.end_line();
     }
   }

@@ -51,19 +51,15 @@ void VtuSize::write_point(long number, ByteSink& sink) const {
     sink.write_packed(static_cast<std::int32_t>(number - 1));
 }
 
-long VtuSize::entry_bytes(VtuArray array) const {
-  switch (array) {
-    case VtuArray::face:
-      return 4;
-    case VtuArray::connectivity:
-      return has_wide_points() ? 8 : 4;
-    case VtuArray::types:
-      return 1;
-    case VtuArray::points:
-      return 3 * 8;
-    default:
-      return 8;
-  }
+VtuEntry VtuSize::entry(VtuArray array) const {
+  static constexpr std::array<VtuEntry, vtu_arrays.size()> entries{{{"Int32", "face", 4, 1},
+                                                                    {"Float64", "sj", 8, 1},
+                                                                    {"Float64", "Points", 8, 3},
+                                                                    {"Int32", "connectivity", 4, 1},
+                                                                    {"Int64", "offsets", 8, 1},
+                                                                    {"UInt8", "types", 1, 1}}};
+  if (array == VtuArray::connectivity && has_wide_points()) return {"Int64", "connectivity", 8, 1};
+  return entries[static_cast<std::size_t>(array)];
 }
 
 long VtuSize::entries(VtuArray array) const {
@@ -82,19 +78,8 @@ long VtuSize::entries_before(VtuArray array, bool is_quad, long number) const {
 }
 
 std::string vtu_declaration(VtuArray array, const VtuSize& size) {
-  struct Names {
-    const char *type, *name;
-  };
-  static constexpr std::array<Names, vtu_arrays.size()> names{{{"Int32", "face"},
-                                                               {"Float64", "sj"},
-                                                               {"Float64", "Points"},
-                                                               {"Int32", "connectivity"},
-                                                               {"Int64", "offsets"},
-                                                               {"UInt8", "types"}}};
-  auto [type, name] = names[static_cast<std::size_t>(array)];
-  if (array == VtuArray::connectivity && size.has_wide_points()) type = "Int64";
-  return fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"", type, name,
-                     array == VtuArray::points ? 3 : 1);
+  const auto [type, name, bytes, components] = size.entry(array);
+  return fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"", type, name, components);
 }
 
 void write_vtu_xml(const VtuSize& size, ByteSink& sink, const std::function<void(VtuArray)>& declare) {
@@ -144,12 +129,11 @@ void VtuCells::write(VtuArray array, std::size_t begin, std::size_t end, long nu
     if (array == VtuArray::types) sink.write_packed(type);
     if (array != VtuArray::connectivity) continue;
     const int* nodes = table_.row(e);
-    for (int k : positions_) size_.write_point(point_[static_cast<std::size_t>(nodes[k])], sink);
+    for (int k : positions_) size_.write_point(point_[nodes[k]], sink);
   }
 }
 
-VtuLines::VtuLines(const MeshResult& result)
-    : mesh_(result.mesh), stride_(static_cast<std::size_t>(result.mesh.order) + 1) {
+VtuLines::VtuLines(const MeshResult& result) : mesh_(result.mesh) {
   for (std::size_t line = 0; line < mesh_.line_edge.size(); ++line) {
     const auto edge = static_cast<std::size_t>(mesh_.line_edge[line]);
     if (edge >= result.edge_groups.size()) continue;
@@ -163,17 +147,16 @@ void VtuLines::write(VtuArray array, const VtuSize& size, const std::vector<long
   for (std::size_t line : lines_) {
     if (array == VtuArray::face) sink.write_packed<std::int32_t>(-1 - mesh_.line_edge[line]);
     if (array == VtuArray::sj) sink.write_packed(1.0);
-    if (array == VtuArray::offsets) sink.write_packed<std::int64_t>(at += static_cast<long>(stride_));
+    if (array == VtuArray::offsets) sink.write_packed<std::int64_t>(at += size.order + 1);
     if (array == VtuArray::types) sink.write_packed(size.order == 1 ? vtk_line : vtk_lagrange_curve);
     if (array != VtuArray::connectivity) continue;
-    for (std::size_t k = 0; k < stride_; ++k)
-      size.write_point(point[static_cast<std::size_t>(mesh_.lines[line * stride_ + k])], sink);
+    for (int node : mesh_.line(line)) size.write_point(point[node], sink);
   }
 }
 
 double VtuCells::sj(std::size_t element) const {
   const int* nodes = table_.row(element);
-  auto x = [&](int k) { return mesh_.nodes[static_cast<std::size_t>(nodes[k])]; };
+  auto x = [&](int k) { return mesh_.nodes[nodes[k]]; };
   return is_quad_ ? scaled_jacobian(x(0), x(1), x(2), x(3)) : scaled_jacobian(x(0), x(1), x(2));
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesh/element_table.h"
@@ -17,6 +18,12 @@ enum class VtuArray { face, sj, points, connectivity, offsets, types };
 inline constexpr std::array vtu_arrays{VtuArray::face,         VtuArray::sj,      VtuArray::points,
                                        VtuArray::connectivity, VtuArray::offsets, VtuArray::types};
 
+/// What the entries of an array are.
+struct VtuEntry {
+  std::string_view type, name;
+  int bytes, components;  ///< of one component; of an entry
+};
+
 /// Sizes of the whole file.
 struct VtuSize {
   int order = 1;
@@ -26,7 +33,8 @@ struct VtuSize {
   bool has_wide_points() const;  ///< point numbers take 64 bits
   /// The number of a point, from 1, as the connectivity has it: from 0.
   void write_point(long number, ByteSink& sink) const;
-  long entry_bytes(VtuArray array) const;
+  VtuEntry entry(VtuArray array) const;
+  long entry_bytes(VtuArray array) const { return long{entry(array).bytes} * entry(array).components; }
   long entries(VtuArray array) const;
   /// Entries of a cell array before those of an element, `number` being its place among the elements of its kind.
   long entries_before(VtuArray array, bool is_quad, long number) const;
@@ -78,14 +86,13 @@ class VtuLines {
   template <class T>
   void mark_nodes(std::vector<T>& nodes) const {
     for (std::size_t line : lines_)
-      for (std::size_t k = 0; k < stride_; ++k) nodes[static_cast<std::size_t>(mesh_.lines[line * stride_ + k])] = 1;
+      for (int node : mesh_.line(line)) nodes[node] = 1;
   }
   /// Cell data, connectivity, offsets or types of all.
   void write(VtuArray array, const VtuSize& size, const std::vector<long>& point, ByteSink& sink) const;
 
  private:
   const SurfaceMesh& mesh_;
-  std::size_t stride_;
   std::vector<std::size_t> lines_;
 };
 

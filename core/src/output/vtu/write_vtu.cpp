@@ -119,27 +119,20 @@ class VtuWriter : public MeshWriter {
   void write_as_text(VtuArray array, AtomicFile& file) const {
     MemorySink sink;
     write_array(array, sink);
-    switch (array) {
-      case VtuArray::sj:
-        return write_numbers<double>(sink.content(), 1, file);
-      case VtuArray::points:
-        return write_numbers<double>(sink.content(), 3, file);
-      case VtuArray::types:
-        return write_numbers<std::uint8_t>(sink.content(), 1, file);
-      case VtuArray::offsets:
-        return write_numbers<std::int64_t>(sink.content(), 1, file);
-      default:
-        return write_numbers<std::int32_t>(sink.content(), 1, file);
-    }
+    const auto [type, name, bytes, per_line] = size_.entry(array);
+    if (type == "Float64") return write_numbers<double>(sink.content(), per_line, file);
+    if (bytes == 8) return write_numbers<std::int64_t>(sink.content(), per_line, file);
+    if (bytes == 4) return write_numbers<std::int32_t>(sink.content(), per_line, file);
+    write_numbers<std::uint8_t>(sink.content(), per_line, file);
   }
 
   template <class T>
-  static void write_numbers(const std::string& bytes, std::size_t per_line, AtomicFile& file) {
+  static void write_numbers(const std::string& bytes, int per_line, AtomicFile& file) {
     fmt::memory_buffer line;
     for (std::size_t i = 0; i < bytes.size() / sizeof(T); ++i) {
       T value;
       std::memcpy(&value, bytes.data() + i * sizeof(T), sizeof(T));
-      bool is_last = (i + 1) % per_line == 0;
+      bool is_last = (i + 1) % static_cast<std::size_t>(per_line) == 0;
       fmt::format_to(std::back_inserter(line), "{}{}", +value, is_last ? '\n' : ' ');
       if (is_last) file.write(line.data(), line.size()), line.clear();
     }

@@ -70,7 +70,7 @@ class AcuteCorner {
       for (int j = 1; j < columns_; ++j)
         row.push_back(add_inner(k, j)), mesh_.is_fixed[row.back()] = is_kept && k < count;
       row.push_back(b(k));
-      auto at = [](const std::vector<int>& from, int j) { return from[static_cast<std::size_t>(j)]; };
+      auto at = [](const std::vector<int>& from, int j) { return from[j]; };
       for (int j = 0; k == 1 && j < columns_; j += 2)
         mesh_.add_element({a(0), at(row, j), at(row, j + 1), at(row, j + 2)});
       for (int j = 0; k > 1 && j < columns_; ++j)

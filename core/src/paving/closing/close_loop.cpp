@@ -131,14 +131,13 @@ bool is_flat(const Front& front, const std::vector<int>& nodes) {
   const RegionMesh& mesh = front.mesh;
   double share = 1.0 / static_cast<double>(nodes.size()), longest = 0;
   Vec2 p{0, 0};
-  Vec3 mean{0, 0, 0}, x, xp, xq;
+  Vec3 mean{0, 0, 0};
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     p = p + share * mesh.p[nodes[i]];
     mean += share * mesh.x[nodes[i]];
     longest = std::max(longest, norm(mesh.x[nodes[(i + 1) % nodes.size()]] - mesh.x[nodes[i]]));
   }
-  front.region.evaluate(p, x, xp, xq);
-  return norm(x - mean) < flat_height * longest;
+  return norm(front.region.slope(p).x - mean) < flat_height * longest;
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 // element's border remain. Matrices for values and for quarters come from sampling and one inverse.
 #include <cmath>
 
-#include "quality/jacobian/dense.h"
 #include "quality/jacobian/jacobian.h"
 #include "quality/jacobian/lattice.h"
 
@@ -41,12 +40,16 @@ long double multinomial(int degree, LatticePoint p) {
 
 }  // namespace
 
+Dense node_to_control(ElementShape shape, int order) {
+  return inverse(bernstein_matrix(shape, order, lagrange_nodes(shape, order), in_place));
+}
+
 JacobianForm::JacobianForm(ElementShape shape, int order) : shape_(shape), order_(order) {
-  auto nodes = lagrange_nodes(shape, order);
-  nodes_ = static_cast<int>(nodes.size());
+  const Dense control = node_to_control(shape, order);
+  nodes_ = control.n;
   degree_ = shape == ElementShape::quad ? 2 * order - 1 : 2 * order - 2;
   count_ = static_cast<int>(bernstein_lattice(shape, degree_).size());
-  node_weights_ = inverse(bernstein_matrix(shape, order, nodes, in_place)).rounded();
+  node_weights_ = control.rounded();
   build_control();
   build_products();
   build_mean();

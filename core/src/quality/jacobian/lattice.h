@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "quality/jacobian/dense.h"
 #include "quality/jacobian/jacobian.h"
 
 namespace paver {
@@ -29,6 +30,9 @@ long double bernstein(ElementShape shape, int degree, LatticePoint index, long d
 /// Derivatives of the same by u and v.
 std::pair<long double, long double> bernstein_slope(ElementShape shape, int degree, LatticePoint index, long double u,
                                                     long double v);
+
+/// Control points of an element, in the order of bernstein_lattice, from its nodes, in that of lagrange_nodes.
+Dense node_to_control(ElementShape shape, int order);
 
 /// Points and weights of the n-point Gauss-Legendre rule on [0, 1].
 std::vector<std::pair<double, double>> gauss_rule(int n);

@@ -110,9 +110,8 @@ int add_node_between(const Region& region, int a, int b, RegionMesh& mesh) {
     double low = 0, high = 1;
     for (int i = 0; i < bisections; ++i) {
       const double s = 0.5 * (low + high);
-      Vec3 x, xp, xq;
       p = region.chart->walk(mesh.p[a], s * way);
-      region.evaluate(p, x, xp, xq);
+      const auto [x, xp, xq] = region.slope(p);
       (dot(cross(xp, xq), from - to) > 0 ? low : high) = s;
     }
   }

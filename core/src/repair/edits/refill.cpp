@@ -49,8 +49,8 @@ class Outline {
     Best best;
     bool is_taken = false;
   };
-  Chord& chord(int i, int j) { return chords_[static_cast<std::size_t>(i * n_ + j)]; }
-  const Chord& chord(int i, int j) const { return chords_[static_cast<std::size_t>(i * n_ + j)]; }
+  Chord& chord(int i, int j) { return chords_[i * n_ + j]; }
+  const Chord& chord(int i, int j) const { return chords_[i * n_ + j]; }
   bool is_open(int i, int j) const { return j - i < 2 || (!chord(i, j).is_taken && chord(i, j).best.worst > 0); }
 
   void solve(int i, int j) {

@@ -135,21 +135,21 @@ class ChainJoiner {
 
   void join(const Joint& joint) {
     const std::vector<int>& edges = edits_.edges_at(joint.vertex);
-    const int a = chain_of_[static_cast<std::size_t>(edges[0])], b = chain_of_[static_cast<std::size_t>(edges[1])];
+    const int a = chain_of_[edges[0]], b = chain_of_[edges[1]];
     if (a == b) return;  // one vertex of a closed chain stays
     const int shorter = length(a) < length(b) ? a : b;
     const double limit = limits_.short_edge(edges[0]), at_corner = length(shorter) * joint.angle;
     if (length(shorter) > reach(joint) * limit || at_corner > limit * smooth_angle * M_PI / 180) return;
-    Side &one = chains_[static_cast<std::size_t>(a)], &two = chains_[static_cast<std::size_t>(b)];
+    Side &one = chains_[a], &two = chains_[b];
     if (edits_.start_of(one.front()) == joint.vertex && one.front().edge == edges[0]) one = reversed(one);
     if (edits_.end_of(two.back()) == joint.vertex && two.back().edge == edges[1]) two = reversed(two);
-    for (const SideEdge& piece : two) chain_of_[static_cast<std::size_t>(piece.edge)] = a;
+    for (const SideEdge& piece : two) chain_of_[piece.edge] = a;
     one.insert(one.end(), two.begin(), two.end());
     two.clear();
-    lengths_[static_cast<std::size_t>(a)] += length(b);
+    lengths_[a] += length(b);
   }
 
-  double length(int chain) const { return lengths_[static_cast<std::size_t>(chain)]; }
+  double length(int chain) const { return lengths_[chain]; }
 
   void make(Side& chain, std::vector<Merge>& merges) {
     const auto longest = [&](const SideEdge& a, const SideEdge& b) {
@@ -181,9 +181,8 @@ class ChainJoiner {
   }
 
   void put_into_loops(const Side& chain, int kept, const Edge& whole, const std::shared_ptr<const Pieces>& pieces) {
-    const int name = chain_of_[static_cast<std::size_t>(kept)];
-    for (std::size_t i = 0; i < chain.size(); ++i)
-      place_[static_cast<std::size_t>(chain[i].edge)] = static_cast<int>(i);
+    const int name = chain_of_[kept];
+    for (std::size_t i = 0; i < chain.size(); ++i) place_[chain[i].edge] = static_cast<int>(i);
     struct Use {
       Loop* loop;
       Coedge coedge;
@@ -194,8 +193,8 @@ class ChainJoiner {
         std::vector<std::shared_ptr<const ParameterCurve>> images(chain.size());
         Coedge coedge;
         for (const Coedge& use : loop.coedges) {
-          if (chain_of_[static_cast<std::size_t>(use.edge)] != name) continue;
-          const auto i = static_cast<std::size_t>(place_[static_cast<std::size_t>(use.edge)]);
+          if (chain_of_[use.edge] != name) continue;
+          const auto i = static_cast<std::size_t>(place_[use.edge]);
           images[i] = use.pcurve;
           coedge.is_reversed = use.is_reversed != chain[i].is_reversed;
         }

@@ -20,8 +20,8 @@ MergeLimits::MergeLimits(const ModelEdits& edits, const Options& options, const 
       is_local_edge_(static_cast<std::size_t>(edits.model().read_edges), 0) {
   for (const LocalSize& local : options.local) {
     const PartName part = *parse_part(local.part);
-    if (part.kind == PartKind::face) is_local_face_[static_cast<std::size_t>(part.index)] = 1;
-    if (part.kind == PartKind::edge) is_local_edge_[static_cast<std::size_t>(part.index)] = 1;
+    if (part.kind == PartKind::face) is_local_face_[part.index] = 1;
+    if (part.kind == PartKind::edge) is_local_edge_[part.index] = 1;
   }
   const Model& model = edits.model();
   for (std::size_t f = 0; f < is_local_face_.size() && f < model.face_group.size(); ++f)
@@ -31,27 +31,25 @@ MergeLimits::MergeLimits(const ModelEdits& edits, const Options& options, const 
 }
 
 double MergeLimits::extent(int face) const {
-  double& known = extent_[static_cast<std::size_t>(face)];
+  double& known = extent_[face];
   if (known < 0) known = face_extent(edits_.model(), edits_.face(face));
   return known;
 }
 
 int MergeLimits::longest_edge(int face) const {
   int longest = -1;
-  for (const Loop& loop : edits_.face(face).loops)
-    for (const Coedge& coedge : loop.coedges) {
-      const Edge& edge = edits_.edge(coedge.edge);
-      if (!edge.is_periodic && (longest < 0 || edge.length > edits_.edge(longest).length)) longest = coedge.edge;
-    }
+  for (const Coedge& coedge : coedges_of(edits_.face(face).loops)) {
+    const Edge& edge = edits_.edge(coedge.edge);
+    if (!edge.is_periodic && (longest < 0 || edge.length > edits_.edge(longest).length)) longest = coedge.edge;
+  }
   return longest;
 }
 
 double MergeLimits::width(int index) const {
   const Face& face = edits_.face(index);
   double perimeter = 0;
-  for (const Loop& loop : face.loops)
-    for (const Coedge& coedge : loop.coedges)
-      if (!edits_.edge(coedge.edge).is_periodic) perimeter += edits_.edge(coedge.edge).length;
+  for (const Coedge& coedge : coedges_of(face.loops))
+    if (!edits_.edge(coedge.edge).is_periodic) perimeter += edits_.edge(coedge.edge).length;
   return perimeter > 0 ? face.area / (0.5 * perimeter) : INFINITY;
 }
 
@@ -64,12 +62,11 @@ bool MergeLimits::may_be_merged(int f) const {
   constexpr double long_share = 0.5;
   if (!is_thin(f) || std::ranges::find(lasting_, f) != lasting_.end()) return false;
   const double longest = edits_.edge(longest_edge(f)).length;
-  for (const Loop& loop : edits_.face(f).loops)
-    for (const Coedge& coedge : loop.coedges) {
-      if (edits_.edge(coedge.edge).length < long_share * longest) continue;
-      const std::optional<double> corner = corner_across(f, coedge.edge);
-      if (corner && *corner <= smooth_angle * M_PI / 180) return true;
-    }
+  for (const Coedge& coedge : coedges_of(edits_.face(f).loops)) {
+    if (edits_.edge(coedge.edge).length < long_share * longest) continue;
+    const std::optional<double> corner = corner_across(f, coedge.edge);
+    if (corner && *corner <= smooth_angle * M_PI / 180) return true;
+  }
   return false;
 }
 
@@ -98,13 +95,10 @@ double MergeLimits::angle_along(int one, int two, int edge) const {
 Vec3 MergeLimits::normal(int f, int e, double share) const {
   const Edge& edge = edits_.edge(e);
   const Face& face = edits_.face(f);
-  for (const Loop& loop : face.loops)
-    for (const Coedge& coedge : loop.coedges) {
-      if (coedge.edge != e || !coedge.pcurve) continue;
-      Vec3 x, xu, xv;
-      face.surface->d1(coedge.pcurve->uv(edge.parameter(share)), x, xu, xv);
-      return (face.is_reversed ? -1 : 1) * unit(cross(xu, xv));
-    }
+  for (const Coedge& coedge : coedges_of(face.loops)) {
+    if (coedge.edge != e || !coedge.pcurve) continue;
+    return (face.is_reversed ? -1 : 1) * face.surface->normal(coedge.pcurve->uv(edge.parameter(share)));
+  }
   return {};
 }
 
@@ -139,14 +133,13 @@ double MergeLimits::length(int index) const {
 bool MergeLimits::is_protected(int index) const {
   const Edge& edge = edits_.edge(index);
   if (is_of_wire(edits_.model(), index) || edge.is_degenerate || edge.faces.size() > 2) return true;
-  return std::any_of(edge.origins.begin(), edge.origins.end(),
-                     [&](int origin) { return is_local_edge_[static_cast<std::size_t>(origin)] != 0; });
+  return std::any_of(edge.origins.begin(), edge.origins.end(), [&](int origin) { return is_local_edge_[origin] != 0; });
 }
 
 bool MergeLimits::is_protected_face(int index) const {
   const Face& face = edits_.face(index);
   return !face.points.empty() || !face.fault.empty() ||
-         (face.origin < edits_.model().read_faces && is_local_face_[static_cast<std::size_t>(face.origin)]);
+         (face.origin < edits_.model().read_faces && is_local_face_[face.origin]);
 }
 
 bool MergeLimits::is_sharp(int e) const {

@@ -27,7 +27,7 @@ std::vector<Merge> merge_small(Model& model, const Options& options) {
     join_chains(edits, limits, merges);
     std::vector<int> going = collapse_tiny_faces(edits, limits, merges);
     merge_thin_faces(edits, limits, merges);
-    std::erase_if(going, [&](int f) { return !merged.faces[static_cast<std::size_t>(f)].has_area; });
+    std::erase_if(going, [&](int f) { return !merged.faces[f].has_area; });
     if (going.empty()) {
       collapse_short_edges(edits, limits, merges);
       model = std::move(merged);

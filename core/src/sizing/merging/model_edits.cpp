@@ -15,7 +15,7 @@ void for_uses(Model& model, const Edge& edge, int index, F&& f) {
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   for (int face : faces)
-    for (Loop& loop : model.faces[static_cast<std::size_t>(face)].loops)
+    for (Loop& loop : model.faces[face].loops)
       for (std::size_t i = 0; i < loop.coedges.size(); ++i)
         if (loop.coedges[i].edge == index) f(loop.coedges, i);
 }
@@ -50,7 +50,7 @@ ModelEdits::ModelEdits(Model& model)
     if (edge.is_degenerate) poles_.push_back(static_cast<int>(e));
     if (!edge.curve) continue;
     for (int vertex : {edge.start, edge.end}) {
-      edges_at_[static_cast<std::size_t>(vertex)].push_back(static_cast<int>(e));
+      edges_at_[vertex].push_back(static_cast<int>(e));
       if (edge.is_wire()) fix(vertex);
     }
   }
@@ -60,12 +60,12 @@ ModelEdits::ModelEdits(Model& model)
 }
 
 void ModelEdits::unlink(int e) {
-  for (int vertex : {edge(e).start, edge(e).end}) std::erase(edges_at_[static_cast<std::size_t>(vertex)], e);
+  for (int vertex : {edge(e).start, edge(e).end}) std::erase(edges_at_[vertex], e);
 }
 
 void ModelEdits::link(int e) {
   for (int vertex : {edge(e).start, edge(e).end}) {
-    std::vector<int>& edges = edges_at_[static_cast<std::size_t>(vertex)];
+    std::vector<int>& edges = edges_at_[vertex];
     edges.insert(std::upper_bound(edges.begin(), edges.end(), e), e);
   }
 }
@@ -79,7 +79,7 @@ void ModelEdits::take_out(const std::vector<int>& edges) {
     edge(e).faces.clear();
   }
   for (int face : faces) {
-    std::vector<Loop>& loops = model_.faces[static_cast<std::size_t>(face)].loops;
+    std::vector<Loop>& loops = model_.faces[face].loops;
     for (Loop& loop : loops)
       std::erase_if(loop.coedges, [&](const Coedge& c) { return !edge(c.edge).curve && !edge(c.edge).is_degenerate; });
     std::erase_if(loops, [](const Loop& loop) { return loop.coedges.empty(); });
@@ -95,9 +95,9 @@ void ModelEdits::set(int index, const Edge& changed) {
 void ModelEdits::move_vertex(int from, int to, double reach) {
   const double moved = norm(point(to) - point(from));
   for (int e : edges_at(from))
-    for (int face : edge(e).faces) model_.faces[static_cast<std::size_t>(face)].merged_area += moved * reach;
-  std::vector<int>& old = edges_at_[static_cast<std::size_t>(from)];
-  std::vector<int>& now = edges_at_[static_cast<std::size_t>(to)];
+    for (int face : edge(e).faces) model_.faces[face].merged_area += moved * reach;
+  std::vector<int>& old = edges_at_[from];
+  std::vector<int>& now = edges_at_[to];
   for (int e : old) {
     if (edge(e).start == from) edge(e).start = to;
     if (edge(e).end == from) edge(e).end = to;

@@ -39,21 +39,21 @@ class ModelEdits {
 
   Model& model() { return model_; }
   const Model& model() const { return model_; }
-  Face& face(int f) { return model_.faces[static_cast<std::size_t>(f)]; }
-  const Face& face(int f) const { return model_.faces[static_cast<std::size_t>(f)]; }
-  Edge& edge(int e) { return model_.edges[static_cast<std::size_t>(e)]; }
-  const Edge& edge(int e) const { return model_.edges[static_cast<std::size_t>(e)]; }
+  Face& face(int f) { return model_.faces[f]; }
+  const Face& face(int f) const { return model_.faces[f]; }
+  Edge& edge(int e) { return model_.edges[e]; }
+  const Edge& edge(int e) const { return model_.edges[e]; }
   int start_of(SideEdge e) const { return e.is_reversed ? edge(e.edge).end : edge(e.edge).start; }
   int end_of(SideEdge e) const { return start_of({e.edge, !e.is_reversed}); }
-  Vec3 point(int vertex) const { return model_.vertices[static_cast<std::size_t>(vertex)]; }
+  Vec3 point(int vertex) const { return model_.vertices[vertex]; }
   /// Edges with a curve that end at the vertex, rising; one that closes on itself twice.
-  const std::vector<int>& edges_at(int vertex) const { return edges_at_[static_cast<std::size_t>(vertex)]; }
+  const std::vector<int>& edges_at(int vertex) const { return edges_at_[vertex]; }
   /// Whether nothing may move the vertex or take it away.
-  bool is_fixed(int vertex) const { return is_fixed_[static_cast<std::size_t>(vertex)] != 0; }
+  bool is_fixed(int vertex) const { return is_fixed_[vertex] != 0; }
   /// Whether the surface had no corner at the edge before anything was merged there.
   bool was_smooth(int edge) const { return was_smooth_.contains(edge); }
   void note_smooth(int edge) { was_smooth_.insert(edge); }
-  void fix(int vertex) { is_fixed_[static_cast<std::size_t>(vertex)] = 1; }
+  void fix(int vertex) { is_fixed_[vertex] = 1; }
 
   /// No face uses the edges any more.
   void take_out(const std::vector<int>& edges);

@@ -93,7 +93,7 @@ class ShortEdges {
     if (std::any_of(edges.begin(), edges.end(),
                     [&](int other) { return other != e && edits_.edge(other).length < least; }))
       return false;
-    const std::vector<Vec3>& members = members_[static_cast<std::size_t>(from)];
+    const std::vector<Vec3>& members = members_[from];
     return std::all_of(members.begin(), members.end(), [&](Vec3 x) { return norm(x - edits_.point(to)) <= limit; });
   }
 
@@ -118,7 +118,7 @@ class ShortEdges {
 
   void move(int from, int to) {
     edits_.move_vertex(from, to, limits_.target_length());
-    std::vector<Vec3>&members = members_[static_cast<std::size_t>(from)], &all = members_[static_cast<std::size_t>(to)];
+    std::vector<Vec3>&members = members_[from], &all = members_[to];
     all.insert(all.end(), members.begin(), members.end());
     members.clear();
   }

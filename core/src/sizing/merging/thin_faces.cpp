@@ -38,14 +38,14 @@ class ThinFaces {
     for (bool has_changed = true; has_changed;) {
       has_changed = false;
       for (int f = 0; f < count; ++f) {
-        char& may_go = may_go_[static_cast<std::size_t>(f)];
+        char& may_go = may_go_[f];
         if (!may_go || find(f)) continue;
         may_go = 0;
         has_changed = true;
       }
     }
     for (int f = 0; f < count; ++f)
-      if (may_go_[static_cast<std::size_t>(f)])
+      if (may_go_[f])
         if (std::optional<Sides> sides = find(f)) merge(f, *sides);
   }
 
@@ -184,9 +184,8 @@ class ThinFaces {
 
   void take_out_face(int f, const Side& kept, const Side& gone, const std::vector<int>& ends) {
     Face& thin = edits_.face(f);
-    for (const Loop& loop : thin.loops)
-      for (const Coedge& coedge : loop.coedges)
-        if (edits_.edge(coedge.edge).is_degenerate) std::erase(edits_.edge(coedge.edge).faces, f);
+    for (const Coedge& coedge : coedges_of(thin.loops))
+      if (edits_.edge(coedge.edge).is_degenerate) std::erase(edits_.edge(coedge.edge).faces, f);
     thin.loops.clear();
     thin.has_area = false;
     thin.is_merged = true;
@@ -232,7 +231,7 @@ class ThinFaces {
     for (int end : ends) {
       if (limits_.is_protected(end)) return false;
       for (int user : edits_.edge(end).faces)
-        if (user != f && !may_go_[static_cast<std::size_t>(user)] &&
+        if (user != f && !may_go_[user] &&
             (edge_count(user) < 4 || limits_.width(user) < wider * edits_.edge(end).length ||
              limits_.sharpens(user, end)))
           return false;

@@ -27,8 +27,7 @@ struct Sample {
 class GapsOfFace {
  public:
   GapsOfFace(const Model& model, const Face& face, double h) : reach_(narrow * h) {
-    for (const Loop& loop : face.loops)
-      for (const Coedge& coedge : loop.coedges) add_samples(face, coedge, edge_of(model, coedge), h);
+    for (const Coedge& coedge : coedges_of(face.loops)) add_samples(face, coedge, edge_of(model, coedge), h);
     for (std::size_t i = 0; i < samples_.size(); ++i) cells_[cell_of(samples_[i].x)].push_back(i);
   }
 
@@ -57,11 +56,9 @@ class GapsOfFace {
     const int count = std::max(fewest_samples, static_cast<int>(std::ceil(wanted)));
     for (int i = 0; i <= count; ++i) {
       const double share = (i + 0.5 * (i == 0) - 0.5 * (i == count)) / count, t = edge.parameter(share);
-      Vec3 x, xu, xv, at, tangent;
-      face.surface->d1(coedge.pcurve->uv(t), x, xu, xv);
-      edge.curve->d1(t, at, tangent);
-      tangent = unit(coedge.is_reversed ? -1 * tangent : tangent);
-      samples_.push_back({at, tangent, cross(unit(cross(xu, xv)), tangent), i == count});
+      const auto [at, way] = edge.curve->slope(t);
+      const Vec3 tangent = unit(coedge.is_reversed ? -1 * way : way);
+      samples_.push_back({at, tangent, cross(face.surface->normal(coedge.pcurve->uv(t)), tangent), i == count});
     }
   }
 

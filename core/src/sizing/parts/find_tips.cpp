@@ -31,26 +31,26 @@ class TipFinder {
     }
     for (const Edge& edge : model_.edges) {
       if (edge.is_degenerate) continue;
-      if (edge.start >= 0) measure(edge, tip_of[static_cast<std::size_t>(edge.start)], tips);
-      if (edge.end >= 0 && edge.end != edge.start) measure(edge, tip_of[static_cast<std::size_t>(edge.end)], tips);
+      if (edge.start >= 0) measure(edge, tip_of[edge.start], tips);
+      if (edge.end >= 0 && edge.end != edge.start) measure(edge, tip_of[edge.end], tips);
     }
     return tips;
   }
 
  private:
   void open(int vertex) {
-    if (vertex >= 0) is_open_[static_cast<std::size_t>(vertex)] = 1;
+    if (vertex >= 0) is_open_[vertex] = 1;
   }
 
   void add(int f, const Loop& loop) {
-    const Face& face = model_.faces[static_cast<std::size_t>(f)];
+    const Face& face = model_.faces[f];
     const std::size_t n = loop.coedges.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Coedge &before = loop.coedges[(i + n - 1) % n], &after = loop.coedges[i];
       const Edge& edge = edge_of(model_, after);
       const int vertex = start_of(edge, after);
       if (vertex < 0) continue;
-      double& sum = angle_[static_cast<std::size_t>(vertex)];
+      double& sum = angle_[vertex];
       if (!face.fault.empty() || (edge.is_degenerate && !after.pcurve))
         open(vertex);
       else if (edge.is_degenerate)
@@ -62,7 +62,7 @@ class TipFinder {
 
   static void measure(const Edge& edge, int index, std::vector<Tip>& tips) {
     if (index < 0) return;
-    Tip& tip = tips[static_cast<std::size_t>(index)];
+    Tip& tip = tips[index];
     tip.room = std::max(tip.room, edge.length);
     tip.faces.insert(tip.faces.end(), edge.faces.begin(), edge.faces.end());
   }

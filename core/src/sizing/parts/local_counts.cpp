@@ -21,8 +21,7 @@ class CellCounter {
 
   void add(Vec2 lo, Vec2 hi, int depth) {
     Vec2 middle = 0.5 * (lo + hi);
-    Vec3 x, xu, xv;
-    surface_.d1(middle, x, xu, xv);
+    const auto [x, xu, xv] = surface_.slope(middle);
     double wide = norm(xu) * (hi.x - lo.x), high = norm(xv) * (hi.y - lo.y), reach = wide + high;
     double h = size_.at(middle, surface_), plain = size_.by_curvature(middle);
     const double least_far = plain + 0.5 * gradation_ * reach;
@@ -67,14 +66,12 @@ double facets_on(const Edge& edge, double t0, double t1, double face_h, const Si
 
 SampleBox sample_box(const Model& model, const Face& face) {
   SampleBox box;
-  for (const Loop& loop : face.loops) {
-    for (const Coedge& coedge : loop.coedges) {
-      if (!coedge.pcurve) continue;
-      const Edge& edge = edge_of(model, coedge);
-      for (int i = 0; i < samples_per_pcurve; ++i) {
-        double share = static_cast<double>(i) / (samples_per_pcurve - 1);
-        box.add(coedge.pcurve->uv(edge.parameter(share)));
-      }
+  for (const Coedge& coedge : coedges_of(face.loops)) {
+    if (!coedge.pcurve) continue;
+    const Edge& edge = edge_of(model, coedge);
+    for (int i = 0; i < samples_per_pcurve; ++i) {
+      double share = static_cast<double>(i) / (samples_per_pcurve - 1);
+      box.add(coedge.pcurve->uv(edge.parameter(share)));
     }
   }
   return box;
@@ -83,11 +80,10 @@ SampleBox sample_box(const Model& model, const Face& face) {
 LocalCounts count_with_local(const Model& model, const Face& face, const FaceSize& size, const SizeField& field) {
   LocalCounts counts;
   double face_h = size.own();
-  for (const Loop& loop : face.loops)
-    for (const Coedge& coedge : loop.coedges) {
-      const Edge& edge = edge_of(model, coedge);
-      if (!edge.is_degenerate && edge.curve) counts.perimeter += facets_on(edge, edge.t0, edge.t1, face_h, field, 0);
-    }
+  for (const Coedge& coedge : coedges_of(face.loops)) {
+    const Edge& edge = edge_of(model, coedge);
+    if (!edge.is_degenerate && edge.curve) counts.perimeter += facets_on(edge, edge.t0, edge.t1, face_h, field, 0);
+  }
   SampleBox box = sample_box(model, face);
   if (!face.surface || !box.has_area()) return counts;
   CellCounter cells(*face.surface, size, field.gradation, counts);

@@ -29,8 +29,6 @@ constexpr double small_interval = 0.5;                  // of the target length:
 constexpr double least_length = 1e-6;                   // of the model's diagonal
 constexpr double same_point = 1e-3;                     // of the length at a tip: what lies nearer is the tip
 
-double& entry(std::vector<double>& list, int index) { return list[static_cast<std::size_t>(index)]; }
-
 void add_pieces(const Edge& edge, double length, int count, std::vector<SizeSource>& sources) {
   if (edge.is_degenerate || !edge.curve) return;
   Vec3 last = edge.curve->point(edge.t0);
@@ -98,7 +96,7 @@ void LocalSizes::put_on_tips(const Model& model, const Options& options, double 
     double length = h;
     for (int face : tip.faces) length = std::min(length, on_face(face));
     length /= options.tip;
-    const Vec3 x = model.vertices[static_cast<std::size_t>(tip.vertex)];
+    const Vec3 x = model.vertices[tip.vertex];
     auto is_at_tip = [&](const auto& point) { return norm(point.first - x) < same_point * length; };
     if (length >= tip.room || std::any_of(given.begin(), given.end(), is_at_tip)) continue;
     points_.push_back({x, length});
@@ -114,7 +112,7 @@ void LocalSizes::put_on_sharp_edges(const Model& model, const Options& options, 
     for (int face : model.edges[e].faces) length = std::min(length, on_face(face));
     length /= options.grade_edges;
     least_ = std::min(least_, length);
-    for (int origin : model.edges[e].origins) entry(of_edge_, origin) = std::min(entry(of_edge_, origin), length);
+    for (int origin : model.edges[e].origins) of_edge_[origin] = std::min(of_edge_[origin], length);
   }
 }
 
@@ -177,7 +175,7 @@ void LocalSizes::put(const Model& model, const LocalSize& local, double length) 
     case PartKind::face:
       return put_on_face(part.index);
     case PartKind::edge:
-      entry(of_edge_, part.index) = std::min(entry(of_edge_, part.index), length);
+      of_edge_[part.index] = std::min(of_edge_[part.index], length);
       return;
     case PartKind::vertex:
       points_.push_back({model.read_vertices[index], length});
@@ -191,8 +189,8 @@ void LocalSizes::put(const Model& model, const LocalSize& local, double length) 
 double LocalSizes::on_edge(const Edge& edge) const {
   double least = none;
   if (is_empty()) return least;
-  for (int origin : edge.origins) least = std::min(least, of_edge_[static_cast<std::size_t>(origin)]);
-  for (int face : edge.faces) least = std::min(least, of_face_[static_cast<std::size_t>(face)]);
+  for (int origin : edge.origins) least = std::min(least, of_edge_[origin]);
+  for (int face : edge.faces) least = std::min(least, of_face_[face]);
   return least;
 }
 
@@ -203,7 +201,7 @@ void LocalSizes::add_sources(const Model& model, double gradation) {
     double length = on_edge(edge);
     if (!(length < none)) continue;
     if (edge.is_degenerate || !edge.curve) {
-      Vec3 point = model.vertices[static_cast<std::size_t>(edge.start)];
+      Vec3 point = model.vertices[edge.start];
       sources.push_back({point, point, length});
       continue;
     }

@@ -25,7 +25,7 @@ class LocalSizes {
 
   bool is_empty() const { return !(least_ < none); }
   /// Length asked for on a whole face: its own and those of its solids.
-  double on_face(int face) const { return is_empty() ? none : of_face_[static_cast<std::size_t>(face)]; }
+  double on_face(int face) const { return is_empty() ? none : of_face_[face]; }
   /// Length asked for on a whole edge: its own and those of its faces.
   double on_edge(const Edge& edge) const;
   /// Least over all parts of their length plus gradation times the distance to their edges or vertex, and `most`.

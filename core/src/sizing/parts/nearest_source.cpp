@@ -40,8 +40,8 @@ int NearestSource::add_branch(int first, int count) {
   });
   add_branch(first, half);
   int second = add_branch(first + half, count - half);
-  branches_[static_cast<std::size_t>(index)].count = 0;
-  branches_[static_cast<std::size_t>(index)].second_child = second;
+  branches_[index].count = 0;
+  branches_[index].second_child = second;
   return index;
 }
 
@@ -56,21 +56,20 @@ double NearestSource::least(Vec3 x, double most) const {
   if (branches_.empty()) return best;
   std::array<int, 64> open;  // depth of a tree over an int's count of sources, two boxes a level
   int count = 0;
-  open[static_cast<std::size_t>(count++)] = 0;
+  open[count++] = 0;
   while (count > 0) {
-    int index = open[static_cast<std::size_t>(--count)];
-    const Branch& branch = branches_[static_cast<std::size_t>(index)];
+    int index = open[--count];
+    const Branch& branch = branches_[index];
     if (bound(branch, x) >= best) continue;
     for (int i = branch.first; i < branch.first + branch.count; ++i) {
-      const SizeSource& source = sources_[static_cast<std::size_t>(i)];
+      const SizeSource& source = sources_[i];
       best = std::min(best, source.h + gradation_ * distance_to_segment(x, source.a, source.b));
     }
     if (branch.count > 0) continue;
     int near = index + 1, far = branch.second_child;
-    if (bound(branches_[static_cast<std::size_t>(far)], x) < bound(branches_[static_cast<std::size_t>(near)], x))
-      std::swap(near, far);
-    open[static_cast<std::size_t>(count++)] = far;
-    open[static_cast<std::size_t>(count++)] = near;
+    if (bound(branches_[far], x) < bound(branches_[near], x)) std::swap(near, far);
+    open[count++] = far;
+    open[count++] = near;
   }
   return best;
 }

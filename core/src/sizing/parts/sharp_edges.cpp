@@ -23,10 +23,8 @@ struct FaceAtEdge {
 
 FaceAtEdge look(const Face& face, const Coedge& coedge, const Edge& edge, double share) {
   const double t = edge.parameter(share);
-  Vec3 x, xu, xv, along, at;
-  face.surface->d1(coedge.pcurve->uv(t), x, xu, xv);
-  edge.curve->d1(t, at, along);
-  const Vec3 normal = unit(cross(xu, xv));  // the face lies to the left of its coedges about this one
+  const Vec3 normal = face.surface->normal(coedge.pcurve->uv(t));  // the face lies to the left of its coedges about it
+  const Vec3 along = edge.curve->slope(t).t;
   return {face.is_reversed ? -1 * normal : normal, cross(normal, unit(coedge.is_reversed ? -1 * along : along))};
 }
 
@@ -35,9 +33,8 @@ class SharpEdges {
   explicit SharpEdges(const Model& model) : model_(model), uses_(model.edges.size()) {
     for (const Face& face : model.faces)
       if (face.has_area && face.surface)
-        for (const Loop& loop : face.loops)
-          for (const Coedge& coedge : loop.coedges)
-            if (coedge.pcurve) uses_[static_cast<std::size_t>(coedge.edge)].push_back({&face, &coedge});
+        for (const Coedge& coedge : coedges_of(face.loops))
+          if (coedge.pcurve) uses_[coedge.edge].push_back({&face, &coedge});
   }
 
   bool is_sharp(std::size_t e) const {

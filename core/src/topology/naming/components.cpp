@@ -23,7 +23,7 @@ class Components {
     auto note = [&](int item, int part) {
       std::vector<char>& has = parts[together_.find(item)];
       has.resize(model_.parts.size(), 0);
-      has[static_cast<std::size_t>(part)] = 1;
+      has[part] = 1;
     };
     for (std::size_t f = 0; f < model_.faces.size(); ++f)
       if (is_meshed(f))
@@ -45,7 +45,7 @@ class Components {
  private:
   bool is_meshed(std::size_t f) const {
     const Face& face = model_.faces[f];
-    return face.has_area && entries_[static_cast<std::size_t>(face.origin)].status == FaceStatus::meshed;
+    return face.has_area && entries_[face.origin].status == FaceStatus::meshed;
   }
   bool has_lines_of_wire(std::size_t e) const {
     const std::vector<int>& faces = model_.edges[e].faces;
@@ -59,8 +59,7 @@ class Components {
   int vertex_item(int v) const { return static_cast<int>(model_.faces.size() + model_.edges.size()) + v; }
 
   void add_face(std::size_t f) {
-    for (const Loop& loop : model_.faces[f].loops)
-      for (const Coedge& c : loop.coedges) add_ends(edge_of(model_, c), face_item(f));
+    for (const Coedge& c : coedges_of(model_.faces[f].loops)) add_ends(edge_of(model_, c), face_item(f));
     for (const InnerPoint& point : model_.faces[f].points) together_.merge(vertex_item(point.vertex), face_item(f));
   }
 

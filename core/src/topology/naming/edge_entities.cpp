@@ -12,10 +12,9 @@ namespace {
 std::string group_of(const Model& model, std::size_t index) {
   const Edge& edge = model.edges[index];
   for (int origin : edge.origins)
-    if (static_cast<std::size_t>(origin) < model.edge_group.size() &&
-        !model.edge_group[static_cast<std::size_t>(origin)].empty())
-      return model.edge_group[static_cast<std::size_t>(origin)];
-  if (const int wire = model.edge_part[index]; wire >= 0) return model.parts[static_cast<std::size_t>(wire)];
+    if (static_cast<std::size_t>(origin) < model.edge_group.size() && !model.edge_group[origin].empty())
+      return model.edge_group[origin];
+  if (const int wire = model.edge_part[index]; wire >= 0) return model.parts[wire];
   return edge.faces.size() > 2 && !edge.is_degenerate ? junctions : "";
 }
 
@@ -34,7 +33,7 @@ EdgeEntities list_edge_entities(const Model& model) {
   for (std::size_t e = 0; e < model.edges.size(); ++e) {
     group.push_back(group_of(model, e));
     for (int origin : model.edges[e].origins) {
-      int& least = keeps[static_cast<std::size_t>(origin)];
+      int& least = keeps[origin];
       least = std::min(least, rank_of(group[e]));
     }
   }
@@ -42,9 +41,9 @@ EdgeEntities list_edge_entities(const Model& model) {
   for (std::size_t e = 0; e < model.edges.size(); ++e) {
     const Edge& edge = model.edges[e];
     const int first = edge.origins.empty() ? -1 : edge.origins.front(), rank = rank_of(group[e]);
-    if (first >= 0 && keeps[static_cast<std::size_t>(first)] == rank) {
+    if (first >= 0 && keeps[first] == rank) {
       result.of_edge.push_back(first);
-      result.groups[static_cast<std::size_t>(first)] = group[e];
+      result.groups[first] = group[e];
       continue;
     }
     result.of_edge.push_back(static_cast<int>(result.names.size()));

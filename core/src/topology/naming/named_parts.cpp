@@ -43,7 +43,7 @@ double reach(const Model& model, const Options& options) {
 int nearest_vertex(const Model& model, Vec3 x, double most) {
   int nearest = -1;
   auto visit = [&](int vertex) {
-    const double distance = norm(model.vertices[static_cast<std::size_t>(vertex)] - x);
+    const double distance = norm(model.vertices[vertex] - x);
     if (distance <= most) nearest = vertex, most = distance;
   };
   for (const Edge& edge : model.edges) visit(edge.start), visit(edge.end);
@@ -93,21 +93,20 @@ void name_parts(Model& model, const Options& options) {
   for (const LocalSize& size : options.local) {
     check_part(model, size.part, "local");
     if (const PartName part = *parse_part(size.part); part.kind == PartKind::vertex)
-      local.insert(nearest_vertex(model, model.read_vertices[static_cast<std::size_t>(part.index)], most));
+      local.insert(nearest_vertex(model, model.read_vertices[part.index], most));
   }
   add_periodic_points(model, local);
   for (const Medium& medium : options.media)
     for (const std::string& part : medium.parts) {
       check_part(model, part, fmt::format("medium '{}'", medium.name));
-      model.solid_medium[static_cast<std::size_t>(parse_part(part)->index)] = medium.name;
+      model.solid_medium[parse_part(part)->index] = medium.name;
     }
 }
 
 std::string medium_of(const Model& model, const std::vector<int>& parts) {
   for (int part : parts) {
-    const int solid = model.part_solid[static_cast<std::size_t>(part)];
-    if (solid >= 0 && !model.solid_medium[static_cast<std::size_t>(solid)].empty())
-      return model.solid_medium[static_cast<std::size_t>(solid)];
+    const int solid = model.part_solid[part];
+    if (solid >= 0 && !model.solid_medium[solid].empty()) return model.solid_medium[solid];
   }
   return "";
 }
@@ -137,10 +136,10 @@ std::vector<std::string> lost_parts(const Options& options, const Model& model, 
   auto is_there = [&](const std::string& name, const PartName& part) {
     if (part.kind == PartKind::edge) return edges.contains(part.index);
     if (part.kind == PartKind::vertex) {
-      const Vec3 x = model.read_vertices[static_cast<std::size_t>(part.index)];
+      const Vec3 x = model.read_vertices[part.index];
       for (std::size_t i = 0; i < result.point_names.size(); ++i)
         if (result.point_names[i] == name &&
-            norm(result.mesh.nodes[static_cast<std::size_t>(result.mesh.points[i])] - x) <= reach(model, options))
+            norm(result.mesh.nodes[result.mesh.points[i]] - x) <= reach(model, options))
           return true;
       return false;
     }
