@@ -144,7 +144,7 @@ def mesh(shape, *, output=None, report=None, repaired=None, msh_version="4.1", a
     brep = b"" if repaired is None else _paver.repaired(model._source, given, poll)
     result = Result(_paver.mesh(model._source, given, poll), model)
     if any(path is not None for path in (output, report, repaired)):
-        is_empty = len(result.quads) + len(result.triangles) == 0
+        is_empty = len(result.quads) + len(result.triangles) + result.report["quality"]["wire_lines"] == 0
         files = file_arguments(model, None if is_empty else output, report, msh_version, ascii, repaired, brep)
         result._write(files, None, cancel)
     if not quiet:
