@@ -915,6 +915,98 @@
         <translation>In den Ordner '{}' kann nicht geschrieben werden; wählen Sie einen, den es gibt und in den geschrieben werden darf.</translation>
     </message>
     <message>
+        <source>Elements</source>
+        <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>Edge length</source>
+        <translation>Kantenlänge</translation>
+    </message>
+    <message>
+        <source>Element area</source>
+        <translation>Elementfläche</translation>
+    </message>
+    <message>
+        <source>In the densest medium</source>
+        <translation>Im dichtesten Medium</translation>
+    </message>
+    <message>
+        <source>Scaled Jacobian</source>
+        <translation>Skalierte Jacobi-Determinante</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Kleinste</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größte</translation>
+    </message>
+    <message>
+        <source>Quads</source>
+        <translation>Vierecke</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Gesamt</translation>
+    </message>
+    <message>
+        <source>Basis order 1 (rooftops, RWG)</source>
+        <translation>Basisordnung 1 (Rooftops, RWG)</translation>
+    </message>
+    <message>
+        <source>Basis order 2</source>
+        <translation>Basisordnung 2</translation>
+    </message>
+    <message>
+        <source>Basis order 3</source>
+        <translation>Basisordnung 3</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Elements per λ²</source>
+        <translation>Elemente je λ²</translation>
+    </message>
+    <message>
+        <source>Wavelength</source>
+        <translation>Wellenlänge</translation>
+    </message>
+    <message>
+        <source>Shortest edge</source>
+        <translation>Kürzeste Kante</translation>
+    </message>
+    <message>
+        <source>Longest edge</source>
+        <translation>Längste Kante</translation>
+    </message>
+    <message>
+        <source>Fewest elements per λ²</source>
+        <translation>Wenigste Elemente je λ²</translation>
+    </message>
+    <message>
+        <source>Unknowns (conductor)</source>
+        <translation>Unbekannte (Leiter)</translation>
+    </message>
+    <message>
         <source>a number without a unit</source>
         <translation>eine Zahl ohne Einheit</translation>
     </message>
@@ -1261,98 +1353,6 @@
     <message>
         <source>Meshing of '{}' was stopped; it is as before.</source>
         <translation>Das Vernetzen von „{}“ wurde angehalten; es ist wie zuvor.</translation>
-    </message>
-    <message>
-        <source>Elements</source>
-        <translation>Elemente</translation>
-    </message>
-    <message>
-        <source>Quads</source>
-        <translation>Vierecke</translation>
-    </message>
-    <message>
-        <source>Triangles</source>
-        <translation>Dreiecke</translation>
-    </message>
-    <message>
-        <source>Nodes</source>
-        <translation>Knoten</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>Kanten</translation>
-    </message>
-    <message>
-        <source>Edge length</source>
-        <translation>Kantenlänge</translation>
-    </message>
-    <message>
-        <source>Target</source>
-        <translation>Ziel</translation>
-    </message>
-    <message>
-        <source>Least</source>
-        <translation>Kleinste</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Mittel</translation>
-    </message>
-    <message>
-        <source>Largest</source>
-        <translation>Größte</translation>
-    </message>
-    <message>
-        <source>Element area</source>
-        <translation>Elementfläche</translation>
-    </message>
-    <message>
-        <source>Total</source>
-        <translation>Gesamt</translation>
-    </message>
-    <message>
-        <source>Elements per λ²</source>
-        <translation>Elemente je λ²</translation>
-    </message>
-    <message>
-        <source>In the densest medium</source>
-        <translation>Im dichtesten Medium</translation>
-    </message>
-    <message>
-        <source>Wavelength</source>
-        <translation>Wellenlänge</translation>
-    </message>
-    <message>
-        <source>Shortest edge</source>
-        <translation>Kürzeste Kante</translation>
-    </message>
-    <message>
-        <source>Longest edge</source>
-        <translation>Längste Kante</translation>
-    </message>
-    <message>
-        <source>Fewest elements per λ²</source>
-        <translation>Wenigste Elemente je λ²</translation>
-    </message>
-    <message>
-        <source>Scaled Jacobian</source>
-        <translation>Skalierte Jacobi-Determinante</translation>
-    </message>
-    <message>
-        <source>Unknowns (conductor)</source>
-        <translation>Unbekannte (Leiter)</translation>
-    </message>
-    <message>
-        <source>Basis order 1 (rooftops, RWG)</source>
-        <translation>Basisordnung 1 (Rooftops, RWG)</translation>
-    </message>
-    <message>
-        <source>Basis order 2</source>
-        <translation>Basisordnung 2</translation>
-    </message>
-    <message>
-        <source>Basis order 3</source>
-        <translation>Basisordnung 3</translation>
     </message>
     <message>
         <source>What may trouble a solver</source>
