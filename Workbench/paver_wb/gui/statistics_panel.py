@@ -19,7 +19,7 @@ class StatisticsPanel(measuring.MeasuringDialog):
     figures = base = charts = None
 
     def __init__(self, obj):
-        super().__init__(obj, "Paver_StatisticsPanel", translate("Paver", "Statistics of {}").format(obj.Label))
+        super().__init__(obj, "StatisticsPanel", translate("Paver", "Statistics of {}").format(obj.Label))
         self.resize(900, 620)
 
     def build(self):
