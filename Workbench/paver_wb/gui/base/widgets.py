@@ -22,6 +22,19 @@ def button(name, text, tip, action):
     return made
 
 
+def fold_button(name, text, tip, fold):
+    """fold(is_open): shows or hides what stands below."""
+    made = named(QtGui.QToolButton(), name, tip)
+    made.setText(text)
+    made.setCheckable(True)
+    made.setAutoRaise(True)
+    made.setArrowType(QtCore.Qt.RightArrow)
+    made.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
+    made.toggled.connect(lambda is_open: made.setArrowType(QtCore.Qt.DownArrow if is_open else QtCore.Qt.RightArrow))
+    made.toggled.connect(fold)
+    return made
+
+
 def text_label(name, tip=""):
     """For whole sentences."""
     made = named(QtGui.QLabel(), name, tip)
@@ -35,6 +48,15 @@ def row(*widgets, shares=()):
     for at, widget in enumerate(widgets):
         made.addWidget(widget) if widget else made.addStretch()
         made.setStretch(at, shares[at] if shares else made.stretch(at))
+    return made
+
+
+def part_layout(part, title):
+    """The layout of a part of a panel, one widget below the other."""
+    part.setWindowTitle(title)
+    made = QtGui.QVBoxLayout(part)
+    made.setContentsMargins(*MARGINS)
+    made.setSpacing(SPACING)
     return made
 
 

@@ -8,7 +8,7 @@ from paver_wb.formats import mesh_file
 from paver_wb.gui.base import run_status, verdict
 from paver_wb.gui.base.background import Latest
 from paver_wb.gui.base.steps import do, python_name
-from paver_wb.gui.base.widgets import MARGINS, SPACING, named, text_label
+from paver_wb.gui.base.widgets import named, part_layout, text_label
 from paver_wb.statistics import number
 
 translate = FreeCAD.Qt.translate
@@ -92,10 +92,7 @@ class ResultBox(QtGui.QWidget):
     def __init__(self, obj):
         super().__init__()
         self.obj, self.latest, self.found = obj, Latest(self.show_figures, self.show_error), None
-        self.setWindowTitle(translate("Paver", "Result"))
-        layout = QtGui.QVBoxLayout(self)
-        layout.setContentsMargins(*MARGINS)
-        layout.setSpacing(SPACING)
+        layout = part_layout(self, translate("Paver", "Result"))
         self.verdict = verdict.VerdictLine(self.show_details)
         layout.addWidget(self.verdict)
         self.text = text_label("ResultText", translate("Paver", "What keeps figures or faces from being here"))

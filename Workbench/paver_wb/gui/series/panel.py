@@ -6,7 +6,7 @@ from PySide import QtCore, QtGui
 
 from paver_wb import mesh_check, mesh_object, series, statistics
 from paver_wb.gui.base import measuring, verdict
-from paver_wb.gui.base.steps import do, python_name
+from paver_wb.gui.base.steps import call_text, do, python_name
 from paver_wb.gui.base.widgets import FaultBox, button, named, row, timer
 from paver_wb.gui.series import run as series_run
 from paver_wb.gui.series.values_box import ValuesBox, shown
@@ -120,8 +120,7 @@ class SeriesDialog(measuring.BesideDialog):
         except ValueError as error:
             self.fault.tell(str(error))
             return
-        text = "".join(f", {name}={value!r}" for name, value in arguments.items())
-        self.attempt(f"start({python_name(self.mesh)}{text})")
+        self.attempt(call_text("start", python_name(self.mesh), **arguments))
 
     def go_on(self):
         self.attempt(f"go_on({python_name(self.series)})")
