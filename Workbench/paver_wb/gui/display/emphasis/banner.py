@@ -3,6 +3,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import mesh_object
+from paver_wb.gui.base.background import Later
 from paver_wb.gui.display.fields import put
 from paver_wb.gui.display.panels import MARGIN, UPPER_MIDDLE, ViewPanel, font, text_size
 
@@ -11,7 +12,6 @@ PAD, GAP = 10, 6
 SHEET, RIM, INK = (255, 233, 168, 240), (196, 120, 0, 255), (45, 32, 0, 255)
 MOST_WIDTH = 420
 translate = FreeCAD.Qt.translate
-_waiting = set()  # names of documents whose banners are renewed when the event loop comes to it
 
 
 class Banner(ViewPanel):
@@ -57,21 +57,8 @@ def picture(heading, text, row=0):
     return image
 
 
-def renew_later(document):
-    """Of all meshes of a document, as soon as FreeCAD is back in its event loop."""
-    if not _waiting:
-        QtCore.QTimer.singleShot(0, renew_waiting)
-    _waiting.add(document.Name)
-
-
-def renew_waiting():
-    names = set(_waiting)
-    _waiting.clear()
-    for name in names & set(FreeCAD.listDocuments()):
-        renew(FreeCAD.getDocument(name))
-
-
 def renew(document):
+    """Those of all meshes of a document."""
     row = 0
     for obj in mesh_object.meshes_of(document):
         display = getattr(obj.ViewObject.Proxy, "display", None)
@@ -84,6 +71,9 @@ def renew(document):
             row += 1
         else:
             display.banner.tell([])
+
+
+renewals = Later(renew)
 
 
 def place_of(obj, display):
