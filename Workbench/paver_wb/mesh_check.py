@@ -39,9 +39,10 @@ def of_document(obj, looks=True):
     return [finding for finding in (status(obj, looks),) if finding]
 
 
-def of_mesh(mesh):
-    """[Finding] of a StoredMesh; looks at no document, so any thread may ask."""
-    figures = statistics.of_mesh(mesh)
+def of_mesh(mesh, figures=None):
+    """[Finding] of a StoredMesh; looks at no document, so any thread may ask. figures: its statistics.Figures, where they are
+    at hand."""
+    figures = figures or statistics.of_mesh(mesh)
     surface = [validity(figures), shape(figures), *borders(mesh, figures), triangles(figures)] if len(figures.sj) else [
         Finding(GOOD, translate("Paver", "There are no elements but lines of wires."))]
     return [*failed_faces(mesh), *lost_parts(mesh), *surface, *repairs(mesh), *merges(mesh), *parts(mesh),

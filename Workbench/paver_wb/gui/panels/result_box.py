@@ -16,10 +16,10 @@ NAME, VALUE = range(2)  # columns: where there is no room for both, names are cu
 NARROWEST = 60  # pixels of a column
 
 
-def figures(mesh):
-    """[(name, value, tooltip)] of a StoredMesh."""
-    quality, report, (edges, users) = mesh.report["quality"], mesh.report, statistics.mesh_edges(mesh)
-    lengths, sj = statistics.edge_lengths(mesh, edges), quality["sj"]["all"]
+def figures(mesh, measured):
+    """[(name, value, tooltip)] of a StoredMesh and its statistics.Figures."""
+    quality, report, lengths = mesh.report["quality"], mesh.report, measured.lengths
+    sj = quality["sj"]["all"]
     count = len(mesh.quads) + len(mesh.triangles)
     rows = [
         (translate("Paver", "Elements"), number(count), translate("Paver", "Quads and triangles")),
@@ -38,7 +38,7 @@ def figures(mesh):
         (translate("Paver", "Irregular nodes"), percent_text(quality.get("irregular_share")),
          translate("Paver", "Nodes inside faces where not four quads meet")),
         (translate("Paver", "Watertight"), translate("Paver", "yes") if quality["watertight"] else translate(
-            "Paver", "no, {} free edges").format(number(quality.get("border_edges", int((users == 1).sum())))),
+            "Paver", "no, {} free edges").format(number(quality.get("border_edges", int((measured.users == 1).sum())))),
          translate("Paver", "Whether every mesh edge lies in exactly two elements")),
     ]
     return [row for row in rows if row[VALUE]] + wires(mesh) + parts(report) + times(report)
@@ -82,7 +82,8 @@ def times(report):
 
 def looked_at(mesh):
     """(figures, findings) of a StoredMesh."""
-    return figures(mesh), mesh_check.of_mesh(mesh)
+    measured = statistics.of_mesh(mesh)
+    return figures(mesh, measured), mesh_check.of_mesh(mesh, measured)
 
 
 class ResultBox(QtGui.QWidget):
