@@ -69,6 +69,15 @@ def timer(parent, action, delay=0, is_single=True):
     return made
 
 
+def canvas(width, height):
+    """(QImage, its painter), with nothing on it."""
+    image = QtGui.QImage(width, height, QtGui.QImage.Format_RGBA8888)
+    image.fill(QtCore.Qt.transparent)
+    painter = QtGui.QPainter(image)
+    painter.setRenderHint(QtGui.QPainter.Antialiasing)
+    return image, painter
+
+
 class FaultBox(QtGui.QFrame):
     """A sentence on what went wrong, in a red frame; hidden without one."""
 

@@ -5,7 +5,7 @@ from PySide import QtCore, QtGui
 from paver_wb import mesh_object
 from paver_wb.gui.base.background import Later
 from paver_wb.gui.display.fields import put
-from paver_wb.gui.display.panels import MARGIN, UPPER_MIDDLE, ViewPanel, font, text_size
+from paver_wb.gui.display.panels import MARGIN, UPPER_MIDDLE, ViewPanel, font, sheet, text_size
 
 MOST_BANNERS = 4  # one below the other
 PAD, GAP = 10, 6
@@ -39,16 +39,9 @@ def picture(heading, text, row=0):
     lines = [QtGui.QFontMetrics(f).elidedText(t, QtCore.Qt.ElideMiddle, MOST_WIDTH) for f, t in zip(fonts, (heading, text))]
     sizes = [text_size(line, f) for line, f in zip(lines, fonts)]
     width, height = max(size.width() for size in sizes) + 2 * PAD, sum(size.height() for size in sizes) + PAD
-    top = MARGIN + row * (height + GAP)
-    image = QtGui.QImage(width, top + height, QtGui.QImage.Format_RGBA8888)
-    image.fill(QtCore.Qt.transparent)
-    painter = QtGui.QPainter(image)
-    painter.setRenderHint(QtGui.QPainter.Antialiasing)
-    painter.setPen(QtGui.QColor(*RIM))
-    painter.setBrush(QtGui.QColor(*SHEET))
-    painter.drawRoundedRect(QtCore.QRectF(0.5, top + 0.5, width - 1, height - 1), 5, 5)
+    image, painter = sheet(width, height, (0, MARGIN + row * (height + GAP), 0), SHEET, RIM)
     painter.setPen(QtGui.QColor(*INK))
-    y = top + PAD / 2
+    y = PAD / 2
     for line, of_font, size in zip(lines, fonts, sizes):
         painter.setFont(of_font)
         painter.drawText(QtCore.QRectF(0, y, width, size.height()), QtCore.Qt.AlignCenter, line)
