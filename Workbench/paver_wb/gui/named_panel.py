@@ -29,7 +29,7 @@ def labels():
 class NamedBox(ChildBox):
     """The fields."""
 
-    name, meshes_of = "Named", staticmethod(named_parts.meshes_of)
+    name = "Named"
 
     def build(self):
         self.kind, self.fields = named_parts.kind_of(self.obj), {}

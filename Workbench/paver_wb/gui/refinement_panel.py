@@ -18,7 +18,7 @@ translate = FreeCAD.Qt.translate
 class RefinementBox(ChildBox):
     """The fields."""
 
-    name, meshes_of = "Refinement", staticmethod(refinement.meshes_of)
+    name = "Refinement"
 
     def build(self):
         self.length = self.first = fields.QuantityField("length")
