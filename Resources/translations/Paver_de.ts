@@ -675,6 +675,34 @@
         <translation>Flächen entfernt, die auf anderen liegen</translation>
     </message>
     <message>
+        <source>{} of {} elements is a triangle.</source>
+        <translation>{} von {} Elementen ist ein Dreieck.</translation>
+    </message>
+    <message>
+        <source>{} of {} elements are triangles.</source>
+        <translation>{} von {} Elementen sind Dreiecke.</translation>
+    </message>
+    <message>
+        <source>The mesh fits its options and shapes.</source>
+        <translation>Das Netz passt zu seinen Optionen und Formen.</translation>
+    </message>
+    <message>
+        <source>{} element folds, or may fold; use a smaller size there.</source>
+        <translation>{} Element faltet sich oder könnte es; nehmen Sie dort eine kleinere Länge.</translation>
+    </message>
+    <message>
+        <source>{} elements fold, or may fold; use a smaller size there.</source>
+        <translation>{} Elemente falten sich oder könnten es; nehmen Sie dort eine kleinere Länge.</translation>
+    </message>
+    <message>
+        <source>{} element has a scaled Jacobian below {}: {}.</source>
+        <translation>{} Element hat eine skalierte Jacobi-Determinante unter {}: {}.</translation>
+    </message>
+    <message>
+        <source>{} elements have a scaled Jacobian below {}; the least is {}.</source>
+        <translation>{} Elemente haben eine skalierte Jacobi-Determinante unter {}; die kleinste ist {}.</translation>
+    </message>
+    <message>
         <source>{} small edge or face was merged, of {} mm: {}.</source>
         <translation>{} kleine Kante oder Fläche wurde zusammengefasst, von {} mm: {}.</translation>
     </message>
@@ -683,20 +711,32 @@
         <translation>{} kleine Kanten und Flächen wurden zusammengefasst, bis zu {} mm: {}.</translation>
     </message>
     <message>
+        <source>{} pair of parts touches: {}.</source>
+        <translation>{} Paar von Teilen berührt sich: {}.</translation>
+    </message>
+    <message>
+        <source>{} pairs of parts touch: {}.</source>
+        <translation>{} Paare von Teilen berühren sich: {}.</translation>
+    </message>
+    <message>
+        <source>All elements are quads.</source>
+        <translation>Alle Elemente sind Vierecke.</translation>
+    </message>
+    <message>
+        <source>{} edge is longer than {} of the target length.</source>
+        <translation>{} Kante ist länger als das {}-Fache der Ziellänge.</translation>
+    </message>
+    <message>
+        <source>{} edges are longer than {} of the target length.</source>
+        <translation>{} Kanten sind länger als das {}-Fache der Ziellänge.</translation>
+    </message>
+    <message>
         <source>{} edge is far shorter than wanted, {} mm instead of {} mm; remove small details of the model, or refine there.</source>
         <translation>{} Kante ist viel kürzer als gewünscht, {} mm statt {} mm; kleine Details des Modells entfernen oder dort verfeinern.</translation>
     </message>
     <message>
         <source>{} edges are far shorter than wanted, the worst {} mm instead of {} mm; remove small details of the model, or refine there.</source>
         <translation>{} Kanten sind viel kürzer als gewünscht, die schlimmste {} mm statt {} mm; kleine Details des Modells entfernen oder dort verfeinern.</translation>
-    </message>
-    <message>
-        <source>The mesh fits its options and shapes.</source>
-        <translation>Das Netz passt zu seinen Optionen und Formen.</translation>
-    </message>
-    <message>
-        <source>All elements are quads.</source>
-        <translation>Alle Elemente sind Vierecke.</translation>
     </message>
     <message>
         <source>There are no elements but lines of wires.</source>
@@ -709,6 +749,22 @@
     <message>
         <source>No scaled Jacobian is below {}; the least is {}.</source>
         <translation>Keine skalierte Jacobi-Determinante liegt unter {}; die kleinste ist {}.</translation>
+    </message>
+    <message>
+        <source>{} mesh edge has more than two elements: sheets meet there.</source>
+        <translation>{} Netzkante hat mehr als zwei Elemente: Dort treffen sich Bleche.</translation>
+    </message>
+    <message>
+        <source>{} mesh edges have more than two elements: sheets meet there.</source>
+        <translation>{} Netzkanten haben mehr als zwei Elemente: Dort treffen sich Bleche.</translation>
+    </message>
+    <message>
+        <source>{} mesh edge is free: the surface is open there.</source>
+        <translation>{} Netzkante ist frei: Dort ist die Oberfläche offen.</translation>
+    </message>
+    <message>
+        <source>{} mesh edges are free: the surface is open there.</source>
+        <translation>{} Netzkanten sind frei: Dort ist die Oberfläche offen.</translation>
     </message>
     <message>
         <source>The mesh has no free edge.</source>
@@ -731,38 +787,6 @@
         <translation>Es sind {} getrennte Netze ohne gemeinsame Knoten: {}.</translation>
     </message>
     <message>
-        <source>{} of {} elements is a triangle.</source>
-        <translation>{} von {} Elementen ist ein Dreieck.</translation>
-    </message>
-    <message>
-        <source>{} of {} elements are triangles.</source>
-        <translation>{} von {} Elementen sind Dreiecke.</translation>
-    </message>
-    <message>
-        <source>{} element folds, or may fold; use a smaller size there.</source>
-        <translation>{} Element faltet sich oder könnte es; nehmen Sie dort eine kleinere Länge.</translation>
-    </message>
-    <message>
-        <source>{} elements fold, or may fold; use a smaller size there.</source>
-        <translation>{} Elemente falten sich oder könnten es; nehmen Sie dort eine kleinere Länge.</translation>
-    </message>
-    <message>
-        <source>{} element has a scaled Jacobian below {}: {}.</source>
-        <translation>{} Element hat eine skalierte Jacobi-Determinante unter {}: {}.</translation>
-    </message>
-    <message>
-        <source>{} elements have a scaled Jacobian below {}; the least is {}.</source>
-        <translation>{} Elemente haben eine skalierte Jacobi-Determinante unter {}; die kleinste ist {}.</translation>
-    </message>
-    <message>
-        <source>{} pair of parts touches: {}.</source>
-        <translation>{} Paar von Teilen berührt sich: {}.</translation>
-    </message>
-    <message>
-        <source>{} pairs of parts touch: {}.</source>
-        <translation>{} Paare von Teilen berühren sich: {}.</translation>
-    </message>
-    <message>
         <source>{} touch but could not be connected; repair or fuse them.</source>
         <translation>{} berühren sich, ließen sich aber nicht verbinden; bitte reparieren oder vereinigen.</translation>
     </message>
@@ -779,32 +803,8 @@
         <translation>Keine Kante ist länger als das {}-Fache der Ziellänge.</translation>
     </message>
     <message>
-        <source>{} edge is longer than {} of the target length.</source>
-        <translation>{} Kante ist länger als das {}-Fache der Ziellänge.</translation>
-    </message>
-    <message>
-        <source>{} edges are longer than {} of the target length.</source>
-        <translation>{} Kanten sind länger als das {}-Fache der Ziellänge.</translation>
-    </message>
-    <message>
         <source>No edge is shorter than {} of the target length at its place.</source>
         <translation>Keine Kante ist kürzer als {} der Ziellänge an ihrem Ort.</translation>
-    </message>
-    <message>
-        <source>{} mesh edge has more than two elements: sheets meet there.</source>
-        <translation>{} Netzkante hat mehr als zwei Elemente: Dort treffen sich Bleche.</translation>
-    </message>
-    <message>
-        <source>{} mesh edges have more than two elements: sheets meet there.</source>
-        <translation>{} Netzkanten haben mehr als zwei Elemente: Dort treffen sich Bleche.</translation>
-    </message>
-    <message>
-        <source>{} mesh edge is free: the surface is open there.</source>
-        <translation>{} Netzkante ist frei: Dort ist die Oberfläche offen.</translation>
-    </message>
-    <message>
-        <source>{} mesh edges are free: the surface is open there.</source>
-        <translation>{} Netzkanten sind frei: Dort ist die Oberfläche offen.</translation>
     </message>
     <message>
         <source>an option or a shape has changed; mesh again</source>
@@ -913,6 +913,98 @@
     <message>
         <source>Files cannot be written to the folder '{}'; choose one that exists and can be written to.</source>
         <translation>In den Ordner '{}' kann nicht geschrieben werden; wählen Sie einen, den es gibt und in den geschrieben werden darf.</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>Edge length</source>
+        <translation>Kantenlänge</translation>
+    </message>
+    <message>
+        <source>Element area</source>
+        <translation>Elementfläche</translation>
+    </message>
+    <message>
+        <source>In the densest medium</source>
+        <translation>Im dichtesten Medium</translation>
+    </message>
+    <message>
+        <source>Scaled Jacobian</source>
+        <translation>Skalierte Jacobi-Determinante</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Kleinste</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größte</translation>
+    </message>
+    <message>
+        <source>Quads</source>
+        <translation>Vierecke</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Gesamt</translation>
+    </message>
+    <message>
+        <source>Basis order 1 (rooftops, RWG)</source>
+        <translation>Basisordnung 1 (Rooftops, RWG)</translation>
+    </message>
+    <message>
+        <source>Basis order 2</source>
+        <translation>Basisordnung 2</translation>
+    </message>
+    <message>
+        <source>Basis order 3</source>
+        <translation>Basisordnung 3</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Elements per λ²</source>
+        <translation>Elemente je λ²</translation>
+    </message>
+    <message>
+        <source>Wavelength</source>
+        <translation>Wellenlänge</translation>
+    </message>
+    <message>
+        <source>Shortest edge</source>
+        <translation>Kürzeste Kante</translation>
+    </message>
+    <message>
+        <source>Longest edge</source>
+        <translation>Längste Kante</translation>
+    </message>
+    <message>
+        <source>Fewest elements per λ²</source>
+        <translation>Wenigste Elemente je λ²</translation>
+    </message>
+    <message>
+        <source>Unknowns (conductor)</source>
+        <translation>Unbekannte (Leiter)</translation>
     </message>
     <message>
         <source>a number without a unit</source>
@@ -1261,98 +1353,6 @@
     <message>
         <source>Meshing of '{}' was stopped; it is as before.</source>
         <translation>Das Vernetzen von „{}“ wurde angehalten; es ist wie zuvor.</translation>
-    </message>
-    <message>
-        <source>Elements</source>
-        <translation>Elemente</translation>
-    </message>
-    <message>
-        <source>Quads</source>
-        <translation>Vierecke</translation>
-    </message>
-    <message>
-        <source>Triangles</source>
-        <translation>Dreiecke</translation>
-    </message>
-    <message>
-        <source>Nodes</source>
-        <translation>Knoten</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>Kanten</translation>
-    </message>
-    <message>
-        <source>Edge length</source>
-        <translation>Kantenlänge</translation>
-    </message>
-    <message>
-        <source>Target</source>
-        <translation>Ziel</translation>
-    </message>
-    <message>
-        <source>Least</source>
-        <translation>Kleinste</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Mittel</translation>
-    </message>
-    <message>
-        <source>Largest</source>
-        <translation>Größte</translation>
-    </message>
-    <message>
-        <source>Element area</source>
-        <translation>Elementfläche</translation>
-    </message>
-    <message>
-        <source>Total</source>
-        <translation>Gesamt</translation>
-    </message>
-    <message>
-        <source>Elements per λ²</source>
-        <translation>Elemente je λ²</translation>
-    </message>
-    <message>
-        <source>In the densest medium</source>
-        <translation>Im dichtesten Medium</translation>
-    </message>
-    <message>
-        <source>Wavelength</source>
-        <translation>Wellenlänge</translation>
-    </message>
-    <message>
-        <source>Shortest edge</source>
-        <translation>Kürzeste Kante</translation>
-    </message>
-    <message>
-        <source>Longest edge</source>
-        <translation>Längste Kante</translation>
-    </message>
-    <message>
-        <source>Fewest elements per λ²</source>
-        <translation>Wenigste Elemente je λ²</translation>
-    </message>
-    <message>
-        <source>Scaled Jacobian</source>
-        <translation>Skalierte Jacobi-Determinante</translation>
-    </message>
-    <message>
-        <source>Unknowns (conductor)</source>
-        <translation>Unbekannte (Leiter)</translation>
-    </message>
-    <message>
-        <source>Basis order 1 (rooftops, RWG)</source>
-        <translation>Basisordnung 1 (Rooftops, RWG)</translation>
-    </message>
-    <message>
-        <source>Basis order 2</source>
-        <translation>Basisordnung 2</translation>
-    </message>
-    <message>
-        <source>Basis order 3</source>
-        <translation>Basisordnung 3</translation>
     </message>
     <message>
         <source>What may trouble a solver</source>
@@ -1855,12 +1855,12 @@
         <translation>Wellenlänge im Medium, bei der Frequenz</translation>
     </message>
     <message>
-        <source>Curvature, gradation, limits, sewing, where to mesh</source>
-        <translation>Krümmung, Gradation, Grenzen, Lücken, wo vernetzt wird</translation>
-    </message>
-    <message>
         <source>More options</source>
         <translation>Weitere Optionen</translation>
+    </message>
+    <message>
+        <source>Curvature, gradation, limits, sewing, where to mesh</source>
+        <translation>Krümmung, Gradation, Grenzen, Lücken, wo vernetzt wird</translation>
     </message>
     <message>
         <source>FreeCAD</source>
@@ -2059,12 +2059,12 @@
         <translation>Wählt es in der 3D-Ansicht aus und bringt es ins Bild</translation>
     </message>
     <message>
-        <source>What the last run has done and is doing</source>
-        <translation>Was der letzte Lauf getan hat und gerade tut</translation>
-    </message>
-    <message>
         <source>Log</source>
         <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>What the last run has done and is doing</source>
+        <translation>Was der letzte Lauf getan hat und gerade tut</translation>
     </message>
     <message>
         <source>Stages of the last run and their seconds, and what came of it</source>

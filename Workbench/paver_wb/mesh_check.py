@@ -6,7 +6,7 @@ import FreeCAD
 import numpy as np
 
 from paver_wb import mesh_object, statistics
-from paver_wb.base.texts import counted
+from paver_wb.base.texts import counted, listed
 from paver_wb.formats import mesh_file
 
 translate = FreeCAD.Qt.translate
@@ -39,9 +39,10 @@ def of_document(obj, looks=True):
     return [finding for finding in (status(obj, looks),) if finding]
 
 
-def of_mesh(mesh):
-    """[Finding] of a StoredMesh; looks at no document, so any thread may ask."""
-    figures = statistics.of_mesh(mesh)
+def of_mesh(mesh, figures=None):
+    """[Finding] of a StoredMesh; looks at no document, so any thread may ask. figures: its statistics.Figures, where they are
+    at hand."""
+    figures = figures or statistics.of_mesh(mesh)
     surface = [validity(figures), shape(figures), *borders(mesh, figures), triangles(figures)] if len(figures.sj) else [
         Finding(GOOD, translate("Paver", "There are no elements but lines of wires."))]
     return [*failed_faces(mesh), *lost_parts(mesh), *surface, *repairs(mesh), *merges(mesh), *parts(mesh),
@@ -79,12 +80,16 @@ def lost_parts(mesh):
             for part in mesh.report.get("lost_parts", [])]
 
 
+def several(level, elements, count, one, many, *values):
+    """A Finding on so many things, in the sentence that fits: of the count and further values."""
+    return Finding(level, counted(count, one, many).format(count, *values), elements)
+
+
 def validity(figures):
-    bad = np.flatnonzero(figures.validity != 0) + 1
-    if len(bad):
-        return Finding(ERROR, counted(
-            len(bad), translate("Paver", "{} element folds, or may fold; use a smaller size there."),
-            translate("Paver", "{} elements fold, or may fold; use a smaller size there.")).format(len(bad)), tuple(bad.tolist()))
+    bad = figures.validity != 0
+    if bad.any():
+        return several(ERROR, numbers(bad), bad.sum(), translate("Paver", "{} element folds, or may fold; use a smaller size there."),
+                       translate("Paver", "{} elements fold, or may fold; use a smaller size there."))
     return Finding(GOOD, translate("Paver", "All elements are proven not to fold, curved as they are."))
 
 
@@ -93,10 +98,8 @@ def shape(figures):
     poor = np.flatnonzero(sj < POOR) + 1
     poor = poor[np.argsort(sj[poor - 1], kind="stable")]  # the worst first
     if len(poor):
-        return Finding(WARNING, counted(
-            len(poor), translate("Paver", "{} element has a scaled Jacobian below {}: {}."),
-            translate("Paver", "{} elements have a scaled Jacobian below {}; the least is {}.")).format(
-                len(poor), POOR, f"{sj.min():.3f}"), tuple(poor.tolist()))
+        return several(WARNING, tuple(poor.tolist()), len(poor), translate("Paver", "{} element has a scaled Jacobian below {}: {}."),
+                       translate("Paver", "{} elements have a scaled Jacobian below {}; the least is {}."), POOR, f"{sj.min():.3f}")
     return Finding(GOOD, translate("Paver", "No scaled Jacobian is below {}; the least is {}.").format(
         POOR, f"{sj.min():.3f}"))
 
@@ -109,17 +112,15 @@ def with_edges(mesh, edges):
 
 def borders(mesh, figures):
     edges, users = figures.edges, figures.users
-    free, several = edges[users == 1], edges[users > 2]
+    free, crowded = edges[users == 1], edges[users > 2]
     findings = []
-    if len(several):
-        findings.append(Finding(NOTE, counted(
-            len(several), translate("Paver", "{} mesh edge has more than two elements: sheets meet there."),
-            translate("Paver", "{} mesh edges have more than two elements: sheets meet there.")).format(len(several)),
-            with_edges(mesh, several)))
+    if len(crowded):
+        findings.append(several(NOTE, with_edges(mesh, crowded), len(crowded),
+                                translate("Paver", "{} mesh edge has more than two elements: sheets meet there."),
+                                translate("Paver", "{} mesh edges have more than two elements: sheets meet there.")))
     if len(free):
-        findings.append(Finding(NOTE, counted(
-            len(free), translate("Paver", "{} mesh edge is free: the surface is open there."),
-            translate("Paver", "{} mesh edges are free: the surface is open there.")).format(len(free)), with_edges(mesh, free)))
+        findings.append(several(NOTE, with_edges(mesh, free), len(free), translate("Paver", "{} mesh edge is free: the surface is open there."),
+                                translate("Paver", "{} mesh edges are free: the surface is open there.")))
     else:
         findings.append(Finding(GOOD, translate("Paver", "The mesh has no free edge.")))
     return findings
@@ -150,11 +151,10 @@ def merges(mesh):
     made = mesh.report.get("merges", [])
     if not made:
         return []
-    named = ", ".join(merge["name"] for merge in made[:MOST_MERGES]) + ("" if len(made) <= MOST_MERGES else " \u2026")
-    text = counted(len(made), translate("Paver", "{} small edge or face was merged, of {} mm: {}."),
-                   translate("Paver", "{} small edges and faces were merged, up to {} mm: {}."))
-    return [Finding(NOTE, text.format(len(made), f"{max(merge['size'] for merge in made):.3g}", named),
-                    at_places(mesh, [merge["where"] for merge in made[:MOST_PLACES]]))]
+    return [several(NOTE, at_places(mesh, [merge["where"] for merge in made[:MOST_PLACES]]), len(made),
+                    translate("Paver", "{} small edge or face was merged, of {} mm: {}."),
+                    translate("Paver", "{} small edges and faces were merged, up to {} mm: {}."),
+                    f"{max(merge['size'] for merge in made):.3g}", listed([merge["name"] for merge in made], MOST_MERGES))]
 
 
 def at_places(mesh, places):
@@ -194,10 +194,6 @@ def numbers(has):
     return tuple((np.flatnonzero(has) + 1).tolist())
 
 
-def named(names, most):
-    return ", ".join(names[:most]) + ("" if len(names) <= most else " \u2026")
-
-
 def touching(report):
     """Pairs of parts that touch or cross, each once, in however many places they do."""
     return list({frozenset(contact["parts"]): contact["parts"] for contact in report["model"].get("contacts", [])}.values())
@@ -209,8 +205,8 @@ def contacts(mesh):
         return []
     elements = dict.fromkeys(itertools.chain.from_iterable(between(mesh, pair) for pair in found[:MOST_PLACES]))
     texts = [" \u2013 ".join(pair) for pair in found]
-    return [Finding(NOTE, counted(len(found), translate("Paver", "{} pair of parts touches: {}."), translate(
-        "Paver", "{} pairs of parts touch: {}.")).format(len(found), named(texts, MOST_CONTACTS)), tuple(sorted(elements)))]
+    return [several(NOTE, tuple(sorted(elements)), len(found), translate("Paver", "{} pair of parts touches: {}."),
+                    translate("Paver", "{} pairs of parts touch: {}."), listed(texts, MOST_CONTACTS))]
 
 
 def separate_meshes(mesh):
@@ -219,7 +215,7 @@ def separate_meshes(mesh):
     if len(components) < 2:
         return []
     members = sorted((elements_of(mesh, names) for names in components), key=lambda has: has.sum())
-    texts = "; ".join(names[0] for names in components[:MOST_CONTACTS]) + (" \u2026" if components[MOST_CONTACTS:] else "")
+    texts = listed([names[0] for names in components], MOST_CONTACTS, "; ")
     return [Finding(WARNING, translate("Paver", "There are {} separate meshes, which share no node: {}.").format(
         len(components), texts), numbers(np.logical_or.reduce(members[:-1])))]
 
@@ -243,8 +239,8 @@ def triangles(figures):
     if not figures.triangles:
         return Finding(GOOD, translate("Paver", "All elements are quads."))
     total = figures.quads + figures.triangles
-    return Finding(NOTE, counted(figures.triangles, translate("Paver", "{} of {} elements is a triangle."), translate(
-        "Paver", "{} of {} elements are triangles.")).format(figures.triangles, total), tuple(range(figures.quads + 1, total + 1)))
+    return several(NOTE, tuple(range(figures.quads + 1, total + 1)), figures.triangles, translate(
+        "Paver", "{} of {} elements is a triangle."), translate("Paver", "{} of {} elements are triangles."), total)
 
 
 def lengths(mesh, figures):
@@ -253,8 +249,8 @@ def lengths(mesh, figures):
     long = figures.lengths > LONGEST * figures.target
     if not long.any():
         return [Finding(GOOD, translate("Paver", "No edge is longer than {} of the target length.").format(LONGEST))]
-    return [Finding(WARNING, counted(long.sum(), translate("Paver", "{} edge is longer than {} of the target length."), translate(
-        "Paver", "{} edges are longer than {} of the target length.")).format(long.sum(), LONGEST), with_edges(mesh, figures.edges[long]))]
+    return [several(WARNING, with_edges(mesh, figures.edges[long]), long.sum(), translate("Paver", "{} edge is longer than {} of the target length."),
+                    translate("Paver", "{} edges are longer than {} of the target length."), LONGEST)]
 
 
 def short_edges(mesh, figures):
@@ -268,9 +264,8 @@ def short_edges(mesh, figures):
         return [Finding(GOOD, translate("Paver", "No edge is shorter than {} of the target length at its place.").format(
             SHORTEST))]
     least = np.flatnonzero(short)[np.argmin(figures.lengths[short] / wanted[short])]
-    text = counted(short.sum(), translate("Paver", "{} edge is far shorter than wanted, {} mm instead of {} mm; remove small "
-                                          "details of the model, or refine there."),
-                   translate("Paver", "{} edges are far shorter than wanted, the worst {} mm instead of {} mm; remove small details of "
-                                      "the model, or refine there."))
-    return [Finding(WARNING, text.format(int(short.sum()), f"{figures.lengths[least]:.3g}", f"{wanted[least]:.3g}"),
-                    with_edges(mesh, figures.edges[short]))]
+    return [several(WARNING, with_edges(mesh, figures.edges[short]), short.sum(),
+                    translate("Paver", "{} edge is far shorter than wanted, {} mm instead of {} mm; remove small "
+                              "details of the model, or refine there."),
+                    translate("Paver", "{} edges are far shorter than wanted, the worst {} mm instead of {} mm; remove small details of "
+                              "the model, or refine there."), f"{figures.lengths[least]:.3g}", f"{wanted[least]:.3g}")]

@@ -16,7 +16,7 @@ from paver_wb import analysis, core, properties, refinement
 from paver_wb.base import source_shapes
 from paver_wb.base.proxies import (MESH, Stateless, add_property, attach_view, is_mesh, is_restoring,  # noqa: F401
                                    meshes_of, new_object, sources)
-from paver_wb.base.texts import tip
+from paver_wb.base.texts import listed, tip
 from paver_wb.children import named_parts
 from paver_wb.formats import fem_mesh, mesh_file
 
@@ -196,8 +196,7 @@ def changes_text(obj):
     found = changes(obj)
     if not found:
         return translate("Paver", "an option or a shape has changed; mesh again")
-    named = ", ".join(found[:MOST_CHANGES]) + (" \u2026" if found[MOST_CHANGES:] else "")
-    return translate("Paver", "changed: {}; mesh again").format(named)
+    return translate("Paver", "changed: {}; mesh again").format(listed(found, MOST_CHANGES))
 
 
 def untouch(obj):

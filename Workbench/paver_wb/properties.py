@@ -121,7 +121,7 @@ def texts_of(info, value):
     """What is said of parts, as paver.mesh takes it, as a list of text."""
     core.load()
     from paver import _run
-    return {"local": _run.local_texts, "named": _run.named_texts}[info["kind"]](info["name"], value)
+    return _run.repeated_texts(info["name"], info["kind"], value)
 
 
 def put(obj, options):

@@ -11,7 +11,7 @@ from paver_wb.base.proxies import is_refinement
 from paver_wb.base.texts import tip
 from paver_wb.base.waves import wavelength
 from paver_wb.children.references import (Numbers, ReferenceMissing, as_references, check_references,  # noqa: F401
-                                          find, names_in_whole)
+                                          find, meshes_of, names_in_whole)
 
 translate = FreeCAD.Qt.translate
 GROUP = tip("Refinement")
@@ -59,11 +59,6 @@ class RefinementProxy(proxies.Proxy):
 def of_mesh(mesh):
     """The refinements of a mesh object, in its order."""
     return [child for child in getattr(mesh, "Refinements", []) if is_refinement(child)]
-
-
-def meshes_of(obj):
-    """The mesh objects that have a refinement; one, unless a document was put together by hand."""
-    return [other for other in obj.InList if proxies.is_mesh(other) and obj in other.Refinements]
 
 
 def make(mesh, references, length=None, eps_r=None, mu_r=None, name="Refinement"):

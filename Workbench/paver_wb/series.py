@@ -363,9 +363,8 @@ def plan_of(obj, step, stem=None):
 
 def row_of(mesh, file, seconds, plan, folder, cancel=None):
     """The Row of a StoredMesh, which is in `file` too, and its files, in any thread. folder: for what is needed meanwhile."""
-    figures, findings = statistics.of_mesh(mesh), mesh_check.of_mesh(mesh)
-    lost = [mesh_check.Finding(mesh_check.ERROR, text) for text in meshing.failed_faces(mesh)]
-    findings = mesh_check.in_order(lost + findings)
+    figures = statistics.of_mesh(mesh)
+    findings = mesh_check.in_order(mesh_check.of_mesh(mesh, figures))
     unknowns = statistics.unknowns(figures)
     row = Row(figures.quads + figures.triangles, unknowns, statistics.BYTES_DOUBLE * unknowns ** 2, seconds,
               float(figures.sj.min()) if len(figures.sj) else 0.0, mesh_check.verdict(findings), findings[0].text)

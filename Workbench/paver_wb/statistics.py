@@ -2,6 +2,7 @@
 from math import floor
 from typing import NamedTuple
 
+import FreeCAD
 import numpy as np
 
 from paver_wb import core, mesh_object
@@ -9,8 +10,8 @@ from paver_wb.base.units import MM
 from paver_wb.base.waves import wavelength, wavelength_of
 from paver_wb.formats import mesh_file
 
+translate = FreeCAD.Qt.translate
 FEWEST = 5  # faces that are named
-BASIS_ORDERS = (1, 2, 3)
 BYTES_DOUBLE = 16  # of a complex number
 
 
@@ -58,7 +59,7 @@ class FaceFigures(NamedTuple):
 
 
 class Row(NamedTuple):
-    """A row of the table: group and name in English, to be translated; value as text, the same in wavelengths or empty."""
+    """A row of the table: group and name in the user's language; value as text, the same in wavelengths or empty."""
 
     group: str
     name: str
@@ -188,7 +189,8 @@ def spread(group, values, unit, wave, power):
     if not len(values):
         return []
     rows = []
-    for name, value in (("Least", values.min()), ("Mean", values.mean()), ("Largest", values.max())):
+    for name, value in ((translate("Paver", "Least"), values.min()), (translate("Paver", "Mean"), values.mean()),
+                        (translate("Paver", "Largest"), values.max())):
         in_waves = f"{number(value / wave.length ** power)} {'λ' if power == 1 else 'λ²'}" if wave else ""
         rows.append(Row(group, name, measured(value, unit, power) if power else number(value), in_waves if power else ""))
     return rows
@@ -202,31 +204,36 @@ def measured(value, unit, power):
 def rows(figures, unit=MM):
     """The table; unit: of lengths, and of areas."""
     wave, elements = figures.wave, figures.quads + figures.triangles
-    table = [Row("Elements", "Quads", number(figures.quads)), Row("Elements", "Triangles", number(figures.triangles)),
-             Row("Elements", "Nodes", number(figures.nodes)), Row("Elements", "Edges", number(len(figures.edges)))]
+    counts, lengths = translate("Paver", "Elements"), translate("Paver", "Edge length")
+    areas, dense = translate("Paver", "Element area"), translate("Paver", "In the densest medium")
+    table = [Row(counts, translate("Paver", "Quads"), number(figures.quads)),
+             Row(counts, translate("Paver", "Triangles"), number(figures.triangles)),
+             Row(counts, translate("Paver", "Nodes"), number(figures.nodes)),
+             Row(counts, translate("Paver", "Edges"), number(len(figures.edges)))]
     if figures.target:
         in_waves = f"{number(figures.target / wave.length)} λ" if wave else ""
-        table.append(Row("Edge length", "Target", measured(figures.target, unit, 1), in_waves))
-    table += spread("Edge length", figures.lengths, unit, wave, 1) + spread("Element area", figures.areas, unit, wave, 2)
+        table.append(Row(lengths, translate("Paver", "Target"), measured(figures.target, unit, 1), in_waves))
+    table += spread(lengths, figures.lengths, unit, wave, 1) + spread(areas, figures.areas, unit, wave, 2)
     total = figures.areas.sum()
-    table.append(Row("Element area", "Total", measured(total, unit, 2), f"{number(total / wave.length ** 2)} λ²" if wave
-                     else ""))
+    table.append(Row(areas, translate("Paver", "Total"), measured(total, unit, 2),
+                     f"{number(total / wave.length ** 2)} λ²" if wave else ""))
     if wave and total > 0:
         per_area = elements / (total / wave.length ** 2)
-        table.append(Row("Element area", "Elements per λ²", "", number(per_area)))
+        table.append(Row(areas, translate("Paver", "Elements per λ²"), "", number(per_area)))
     if wave and figures.densest < 1 and len(figures.lengths):
         length = figures.densest * wave.length
-        table += [Row("In the densest medium", "Wavelength", measured(length, unit, 1)),
-                  Row("In the densest medium", "Shortest edge", "", f"{number(figures.lengths.min() / length)} λ"),
-                  Row("In the densest medium", "Longest edge", "", f"{number(figures.lengths.max() / length)} λ")]
+        table += [Row(dense, translate("Paver", "Wavelength"), measured(length, unit, 1)),
+                  Row(dense, translate("Paver", "Shortest edge"), "", f"{number(figures.lengths.min() / length)} λ"),
+                  Row(dense, translate("Paver", "Longest edge"), "", f"{number(figures.lengths.max() / length)} λ")]
     if wave and len(figures.faces) > 1:
         fewest = sorted(figures.faces, key=lambda face: per_square(face, wave))[:FEWEST]
-        table += [Row("Fewest elements per λ²", face.label, "", number(per_square(face, wave))) for face in fewest]
-    table += spread("Scaled Jacobian", figures.sj, None, None, 0)
-    for order in BASIS_ORDERS:
+        table += [Row(translate("Paver", "Fewest elements per λ²"), face.label, "", number(per_square(face, wave)))
+                  for face in fewest]
+    table += spread(translate("Paver", "Scaled Jacobian"), figures.sj, None, None, 0)
+    for order, name in enumerate((translate("Paver", "Basis order 1 (rooftops, RWG)"), translate("Paver", "Basis order 2"),
+                                  translate("Paver", "Basis order 3")), 1):
         count = unknowns(figures, order)
-        table.append(Row("Unknowns (conductor)", f"Basis order {order}", number(count),
-                         memory(BYTES_DOUBLE * count ** 2)))
+        table.append(Row(translate("Paver", "Unknowns (conductor)"), name, number(count), memory(BYTES_DOUBLE * count ** 2)))
     return table
 
 

@@ -1,9 +1,9 @@
 """What a run gives: arrays, report, files."""
 import json
 
-from ._arguments import encoded_path, whole_number
+from ._arguments import encoded_path
 from ._jobs import poll_of
-from ._surface_mesh import ElementQuality, Tessellation
+from ._surface_mesh import Measured
 
 
 def of_data(name, doc):
@@ -11,7 +11,7 @@ def of_data(name, doc):
     return property(lambda self: getattr(self._data, name), doc=doc)
 
 
-class Result:
+class Result(Measured):
     """A mesh with its report.
 
     Arrays are read-only and look straight into Paver's memory; each stays valid on its own, also when the result is
@@ -74,18 +74,6 @@ class Result:
     def parts(self):
         """A Part for every shape of the list that was passed, or member of the compound that was read."""
         return self._model.parts()
-
-    def quality(self):
-        """ElementQuality: figures of every element, measured at the first call."""
-        return ElementQuality(**self._data.quality())
-
-    def tessellate(self, subdivision=2, apart=False):
-        """Tessellation with every element side cut in `subdivision` pieces, 1 to 32. OptionError outside of that.
-
-        apart: no two elements share a point, so that each can have a colour of its own; the points of the elements
-        then follow one another in the order of the elements, (n + 1)^2 of a quad, (n + 1) (n + 2) / 2 of a triangle.
-        """
-        return Tessellation(**self._data.tessellate(whole_number("subdivision", subdivision), bool(apart)))
 
     def write(self, path=None, *, report=None, msh_version="4.1", ascii=False, progress=None, cancel=None):
         """Writes the mesh to `path` (.msh or .vtu, by its ending), the report (JSON) to `report`: whole or not at all.

@@ -58,55 +58,52 @@ def text_of(name, kind, value):
                       "write a number, or text with a unit")
 
 
-def local_texts(name, value):
-    """Texts of the lengths of parts, which may be a dict, one text or several."""
+def local_text(name, parts, length):
+    """Text of the length of parts."""
+    if hasattr(length, "items"):  # a medium
+        length = ",".join(f"{what}:{text_of(name, 'number', number)}" for what, number in length.items())
+    try:
+        names = parts if isinstance(parts, str) else ",".join(parts)
+    except TypeError:
+        raise OptionError(f'{name} has {parts!r}; name parts, like "Face3".', "bad_option", "name parts") from None
+    return f"{names}={text_of(name, 'length', length)}"
+
+
+def named_text(name, own, parts):
+    """Text of parts under a name of their own."""
+    facts = {}
+    if hasattr(parts, "items"):
+        facts = {fact: said for fact, said in parts.items() if fact != "parts"}
+        parts = parts.get("parts", ())
+    listed = [parts] if isinstance(parts, str) else list(parts)
+    for fact, said in facts.items():
+        if isinstance(said, bool):
+            listed += [fact] if said else []
+        else:
+            listed.append(f"{fact}:{text_of(name, 'length' if fact == 'radius' else 'number', said)}")
+    return f"{own}={','.join(listed)}"
+
+
+REPEATED = {"local": local_text, "named": named_text}  # kinds, and what gives the text of an entry of a dict
+
+
+def repeated_texts(name, kind, value):
+    """Texts of an option of one of the kinds REPEATED, which may be a dict, one text or several."""
     if isinstance(value, str):
         return [value]
     if not hasattr(value, "items"):
-        return [text_of(name, "local", text) for text in value]
-    texts = []
-    for parts, length in value.items():
-        if hasattr(length, "items"):  # a medium
-            length = ",".join(f"{what}:{text_of(name, 'number', number)}" for what, number in length.items())
-        try:
-            names = parts if isinstance(parts, str) else ",".join(parts)
-        except TypeError:
-            raise OptionError(f'{name} has {parts!r}; name parts, like "Face3".', "bad_option", "name parts") from None
-        texts.append(f"{names}={text_of(name, 'length', length)}")
-    return texts
-
-
-def named_texts(name, value):
-    """Texts of parts under names, which may be a dict, one text or several."""
-    if isinstance(value, str):
-        return [value]
-    if not hasattr(value, "items"):
-        return [text_of(name, "named", text) for text in value]
-    texts = []
-    for own, parts in value.items():
-        facts = {}
-        if hasattr(parts, "items"):
-            facts = {fact: said for fact, said in parts.items() if fact != "parts"}
-            parts = parts.get("parts", ())
-        listed = [parts] if isinstance(parts, str) else list(parts)
-        for fact, said in facts.items():
-            if isinstance(said, bool):
-                listed += [fact] if said else []
-            else:
-                listed.append(f"{fact}:{text_of(name, 'length' if fact == 'radius' else 'number', said)}")
-        texts.append(f"{own}={','.join(listed)}")
-    return texts
+        return [text_of(name, kind, text) for text in value]
+    return [REPEATED[kind](name, key, said) for key, said in value.items()]
 
 
 def given_options(options):
     kinds = {info["name"]: info["kind"] for info in _paver.options()}
-    repeated = {"local": local_texts, "named": named_texts}
     given = []
     for name, value in options.items():
         if value is None:
             continue
         kind = kinds.get(name)
-        texts = repeated[kind](name, value) if kind in repeated else [text_of(name, kind, value)]
+        texts = repeated_texts(name, kind, value) if kind in REPEATED else [text_of(name, kind, value)]
         given += [(name, text) for text in texts]
     return given
 
@@ -144,7 +141,7 @@ def mesh(shape, *, output=None, report=None, repaired=None, msh_version="4.1", a
     brep = b"" if repaired is None else _paver.repaired(model._source, given, poll)
     result = Result(_paver.mesh(model._source, given, poll), model)
     if any(path is not None for path in (output, report, repaired)):
-        is_empty = len(result.quads) + len(result.triangles) == 0
+        is_empty = len(result.quads) + len(result.triangles) + result.report["quality"]["wire_lines"] == 0
         files = file_arguments(model, None if is_empty else output, report, msh_version, ascii, repaired, brep)
         result._write(files, None, cancel)
     if not quiet:

@@ -46,7 +46,23 @@ class Tessellation(NamedTuple):
     outline_elements: object
 
 
-class SurfaceMesh:
+class Measured:
+    """What a mesh in `_data`, of the compiled module, is measured and drawn by."""
+
+    def quality(self):
+        """ElementQuality: figures of every element, measured at the first call."""
+        return ElementQuality(**self._data.quality())
+
+    def tessellate(self, subdivision=2, apart=False):
+        """Tessellation with every element side cut in `subdivision` pieces, 1 to 32. OptionError outside of that.
+
+        apart: no two elements share a point, so that each can have a colour of its own; the points of the elements
+        then follow one another in the order of the elements, (n + 1)^2 of a quad, (n + 1) (n + 2) / 2 of a triangle.
+        """
+        return Tessellation(**self._data.tessellate(whole_number("subdivision", subdivision), bool(apart)))
+
+
+class SurfaceMesh(Measured):
     """A mesh from arrays as those of a Result, which may come from a file; the arrays are copied, and
     other threads of Python run meanwhile.
 
@@ -70,14 +86,6 @@ class SurfaceMesh:
         files = (encoded_path(path), b"", str(msh_version), bool(ascii), b"", b"", b"")
         self._data.write(files, list(face_names), list(edge_names), list(edge_groups), list(point_names),
                          [(name, medium, list(sides)) for name, medium, sides in volumes], poll_of(progress, cancel))
-
-    def quality(self):
-        """ElementQuality: figures of every element, measured at the first call."""
-        return ElementQuality(**self._data.quality())
-
-    def tessellate(self, subdivision=2, apart=False):
-        """Tessellation as Result.tessellate gives it."""
-        return Tessellation(**self._data.tessellate(whole_number("subdivision", subdivision), bool(apart)))
 
 
 class PickTree:

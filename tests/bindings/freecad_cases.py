@@ -229,6 +229,14 @@ class Documents(unittest.TestCase):
             self.assertEqual(result.point_names, ["Feed"])
             np.testing.assert_allclose(result.nodes[result.points], [(10, 15, 2)], atol=1e-9)
 
+    def test_a_wire_alone_has_a_mesh_file(self):
+        for ending, ranks in (("msh", 0), ("vtu", 2)):
+            with tempfile.TemporaryDirectory() as folder:
+                path = os.path.join(folder, "wire." + ending)
+                result = paver.mesh(Part.makeLine(Vector(0, 0, 0), Vector(0, 0, 30)), size=5, output=path, ranks=ranks)
+                self.assertEqual((len(result.quads) + len(result.triangles), len(result.lines)), (0, 6))
+                self.assertTrue(os.path.exists(path))
+
     def test_hidden_members_of_a_part_are_left_out_and_those_of_parts_inside_are_not(self):
         part, board, rod = self.add_antenna()
         inner = self.add("App::Part", placed(0, 0, 0), part)

@@ -11,13 +11,13 @@ from child_cases import children
 from commands_cases import WithCommands, select
 from paver_wb import mesh_object, refinement, series
 from paver_wb.gui import run_control
-from paver_wb.gui.series import panel
+from paver_wb.gui.base import measuring
 from paver_wb.gui.series import run as series_run
 
 
 class SeriesDialogs(WithCommands):
     def tearDown(self):
-        for dialog in list(panel._open.values()):
+        for dialog in list(measuring._open.values()):
             dialog.close()
         for run in list(series_run._at_work):
             run.stop()
@@ -218,7 +218,7 @@ class SeriesDialogs(WithCommands):
             path = os.path.join(folder, "kept.FCStd")
             self.document.saveAs(path)
             FreeCAD.closeDocument(self.document.Name)
-            window.wait(lambda: not panel._open, "for the dialog to close")
+            window.wait(lambda: not measuring._open, "for the dialog to close")
             self.document = FreeCAD.openDocument(path)
             obj, = series.of_document(self.document)
             window.tree_dock()

@@ -13,6 +13,11 @@ def counted(count, one, many):
     return one if count == 1 else many
 
 
+def listed(names, most, between=", "):
+    """The first names, so many at most."""
+    return between.join(names[:most]) + (" \u2026" if names[most:] else "")
+
+
 def has_default(info):
     return info["default"] != ""
 

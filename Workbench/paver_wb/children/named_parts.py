@@ -12,11 +12,11 @@ import FreeCAD
 
 from paver_wb.base import expressions, proxies
 from paver_wb.base.texts import tip
-from paver_wb.children.references import (Numbers, ReferenceMissing, as_references, check_references, kinds_text,
-                                          names_in_whole)
+from paver_wb.children.references import (CHILDREN, Numbers, ReferenceMissing, as_references, check_references, kinds_text,
+                                          meshes_of, names_in_whole)
 
 translate = FreeCAD.Qt.translate
-MEDIA, PORTS, WIRES = LINKS = ("Media", "Ports", "Wires")  # properties of a mesh object
+MEDIA, PORTS, WIRES = LINKS = CHILDREN[1:]
 NAME = "NameInFiles"
 CONDUCTING = 1e4  # S/m: a material that conducts better counts as a conductor
 ENTRY = re.compile(r"\s*(\w+)\s*[=:]\s*(.*)")  # of a card
@@ -88,12 +88,6 @@ def of_mesh(mesh, kind=None):
     """The media, ports and wires of a mesh object, in its order; of one kind."""
     return [child for link in LINKS for child in getattr(mesh, link, [])
             if proxies.is_named(child) and kind in (None, proxies.type_of(child))]
-
-
-def meshes_of(obj):
-    """The mesh objects that have a child; one, unless a document was put together by hand."""
-    link = kind_of(obj).link
-    return [other for other in obj.InList if proxies.is_mesh(other) and obj in getattr(other, link, [])]
 
 
 def make_medium(mesh, references, eps_r=1.0, mu_r=1.0, tan_d=0.0, conductor=False, name="Medium"):

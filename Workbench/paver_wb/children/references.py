@@ -5,6 +5,7 @@ import FreeCAD
 
 from paver_wb.base import proxies
 
+CHILDREN = ("Refinements", "Media", "Ports", "Wires")  # properties of a mesh object
 KINDS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
 ELEMENT = re.compile(r"(Face|Edge|Vertex|Solid)([1-9]\d*)")
 translate = FreeCAD.Qt.translate
@@ -13,6 +14,11 @@ SOLIDS_FIRST = ("Solid", "Face")  # what a whole object means: the first of thes
 
 class ReferenceMissing(ValueError):
     """A child of a mesh object refers to what the mesh does not have. The text is one sentence."""
+
+
+def meshes_of(obj):
+    """The mesh objects that have a child; one, unless a document was put together by hand."""
+    return [other for other in obj.InList if proxies.is_mesh(other) and any(obj in getattr(other, link, []) for link in CHILDREN)]
 
 
 def check_references(meshes, listed, whole=SOLIDS_FIRST):

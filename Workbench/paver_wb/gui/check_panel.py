@@ -33,7 +33,7 @@ class CheckPanel(measuring.MeasuringDialog):
     followed = ("MeshFile", "Status")
 
     def __init__(self, obj):
-        super().__init__(obj, "Paver_CheckPanel", translate("Paver", "Check of {}").format(obj.Label))
+        super().__init__(obj, "CheckPanel", translate("Paver", "Check of {}").format(obj.Label))
         self.resize(WIDTH, HEIGHT)
 
     def stand_aside(self):
@@ -195,7 +195,7 @@ class CheckPanel(measuring.MeasuringDialog):
 
 def show(obj):
     """Checks a mesh object and shows what was found. ValueError when it is not meshed."""
-    is_new = not measuring.is_open(CheckPanel, obj)
+    is_new = measuring.opened(CheckPanel, obj) is None
     panel = measuring.show(CheckPanel, obj)
     if is_new:
         panel.stand_aside()

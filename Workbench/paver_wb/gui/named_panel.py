@@ -7,7 +7,7 @@ from PySide import QtGui
 
 from paver_wb.base import proxies
 from paver_wb.children import named_parts
-from paver_wb.gui.base.steps import python_name
+from paver_wb.gui.base.steps import call_text, python_name
 from paver_wb.gui.base.widgets import named
 from paver_wb.gui.panels import fields
 from paver_wb.gui.panels.child_panel import ChildBox, ChildPanel
@@ -29,7 +29,7 @@ def labels():
 class NamedBox(ChildBox):
     """The fields."""
 
-    name, meshes_of = "Named", staticmethod(named_parts.meshes_of)
+    name = "Named"
 
     def build(self):
         self.kind, self.fields = named_parts.kind_of(self.obj), {}
@@ -98,9 +98,9 @@ class NamedBox(ChildBox):
 
     def line(self):
         """What OK does, as Python."""
-        values = "".join(f", {name}={field.value()!r}" for name, field in self.fields.items() if not field.fault())
-        return (f"paver_wb.children.named_parts.change({python_name(self.obj)}, {self.where.text()}, "
-                f"label={self.label.text().strip()!r}{values})")
+        values = {name: field.value() for name, field in self.fields.items() if not field.fault()}
+        return call_text("paver_wb.children.named_parts.change", python_name(self.obj), self.where.text(),
+                         label=self.label.text().strip(), **values)
 
 
 class NamedPanel(ChildPanel):

@@ -7,7 +7,7 @@ import FreeCAD
 
 from paver_wb import refinement
 from paver_wb.base.units import example
-from paver_wb.gui.base.steps import python_name
+from paver_wb.gui.base.steps import call_text, python_name
 from paver_wb.gui.base.widgets import named, text_label
 from paver_wb.gui.panels import fields
 from paver_wb.gui.panels.child_panel import ChildBox, ChildPanel
@@ -18,7 +18,7 @@ translate = FreeCAD.Qt.translate
 class RefinementBox(ChildBox):
     """The fields."""
 
-    name, meshes_of = "Refinement", staticmethod(refinement.meshes_of)
+    name = "Refinement"
 
     def build(self):
         self.length = self.first = fields.QuantityField("length")
@@ -89,8 +89,7 @@ class RefinementBox(ChildBox):
 
     def line(self):
         """What OK does, as Python."""
-        value = ", ".join(f"{name}={number!r}" for name, number in self.value().items())
-        return f"paver_wb.refinement.change({python_name(self.obj)}, {self.where.text()}, {value})"
+        return call_text("paver_wb.refinement.change", python_name(self.obj), self.where.text(), **self.value())
 
 
 class RefinementPanel(ChildPanel):

@@ -8,7 +8,7 @@ from PySide import QtCore
 
 from paver_wb import core, mesh_check, mesh_object, meshing, properties
 from paver_wb.base import source_shapes
-from paver_wb.base.texts import counted
+from paver_wb.base.texts import counted, listed
 from paver_wb.gui import run_place
 from paver_wb.gui.base import background, run_log, run_status, time_left
 from paver_wb.gui.base.run_task import DONE, RUNNING, STOPPED, WAITING, Task
@@ -93,9 +93,8 @@ def what_was_done(mesh):
     told += [finding.text for finding in (*mesh_check.repairs(mesh), *mesh_check.merges(mesh))]
     if repairs:
         names = list(dict.fromkeys(repair["entity"] for repair in repairs))
-        named = ", ".join(names[:NAMED]) + (" \u2026" if names[NAMED:] else "")
         told.append(counted(len(repairs), translate("Paver", "{} element was repaired: {}."), translate(
-            "Paver", "{} elements were repaired: {}.")).format(number(len(repairs)), named))
+            "Paver", "{} elements were repaired: {}.")).format(number(len(repairs)), listed(names, NAMED)))
     return told
 
 
@@ -188,7 +187,7 @@ class Run(Task):
         if not failed:
             self.end_text += "."
             return
-        names = ", ".join(place.element for place, _ in failed[:NAMED]) + (", ..." if failed[NAMED:] else "")
+        names = listed([place.element for place, _ in failed], NAMED)
         self.end_text += translate("Paver", ", but {} could not be meshed: {}.").format(names, failed[0][1])
         self.place = failed[0][0]
 

@@ -13,32 +13,13 @@ from paver_wb.gui.panels import fields
 translate = FreeCAD.Qt.translate
 
 
-def names():
-    """Words of the table in the user's language, by what statistics.rows has."""
-    return {"Elements": translate("Paver", "Elements"), "Quads": translate("Paver", "Quads"),
-            "Triangles": translate("Paver", "Triangles"), "Nodes": translate("Paver", "Nodes"),
-            "Edges": translate("Paver", "Edges"), "Edge length": translate("Paver", "Edge length"),
-            "Target": translate("Paver", "Target"), "Least": translate("Paver", "Least"),
-            "Mean": translate("Paver", "Mean"), "Largest": translate("Paver", "Largest"),
-            "Element area": translate("Paver", "Element area"), "Total": translate("Paver", "Total"),
-            "Elements per λ²": translate("Paver", "Elements per λ²"),
-            "In the densest medium": translate("Paver", "In the densest medium"),
-            "Wavelength": translate("Paver", "Wavelength"), "Shortest edge": translate("Paver", "Shortest edge"),
-            "Longest edge": translate("Paver", "Longest edge"),
-            "Fewest elements per λ²": translate("Paver", "Fewest elements per λ²"),
-            "Scaled Jacobian": translate("Paver", "Scaled Jacobian"),
-            "Unknowns (conductor)": translate("Paver", "Unknowns (conductor)"),
-            "Basis order 1": translate("Paver", "Basis order 1 (rooftops, RWG)"),
-            "Basis order 2": translate("Paver", "Basis order 2"), "Basis order 3": translate("Paver", "Basis order 3")}
-
-
 class StatisticsPanel(measuring.MeasuringDialog):
     """Stays open beside the window, and follows the mesh. `figures`: those that are shown, None until there are some."""
 
     figures = base = charts = None
 
     def __init__(self, obj):
-        super().__init__(obj, "Paver_StatisticsPanel", translate("Paver", "Statistics of {}").format(obj.Label))
+        super().__init__(obj, "StatisticsPanel", translate("Paver", "Statistics of {}").format(obj.Label))
         self.resize(900, 620)
 
     def build(self):
@@ -108,17 +89,15 @@ class StatisticsPanel(measuring.MeasuringDialog):
         return unit_of("length", self.figures.target)
 
     def fill_table(self):
-        words = names()
         self.table.clear()
         group = None
         for entry in statistics.rows(self.figures, self.unit()):
-            if group is None or group.data(0, QtCore.Qt.UserRole) != entry.group:
-                group = QtGui.QTreeWidgetItem(self.table, [words[entry.group]])
-                group.setData(0, QtCore.Qt.UserRole, entry.group)
+            if group is None or group.text(0) != entry.group:
+                group = QtGui.QTreeWidgetItem(self.table, [entry.group])
                 bold = group.font(0)
                 bold.setBold(True)
                 group.setFont(0, bold)
-            item = QtGui.QTreeWidgetItem(group, [words.get(entry.name, entry.name), entry.value, entry.in_waves])
+            item = QtGui.QTreeWidgetItem(group, [entry.name, entry.value, entry.in_waves])
             for column in (1, 2):
                 item.setTextAlignment(column, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
         self.table.expandAll()

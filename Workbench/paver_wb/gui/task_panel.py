@@ -17,7 +17,7 @@ from paver_wb.base.paths import ICONS
 from paver_wb.children import named_parts
 from paver_wb.gui import run_control
 from paver_wb.gui.base import edit_panel
-from paver_wb.gui.base.steps import do, in_step, python_name
+from paver_wb.gui.base.steps import call_text, do, in_step, python_name
 from paver_wb.gui.panels import options_box, result_box, run_box, run_predict, sizes_box
 from paver_wb.gui.setup import first_use
 
@@ -112,9 +112,8 @@ class TaskPanel(edit_panel.EditPanel):
 
     def start(self, changes):
         """Starts a run as the console would."""
-        text = "".join(f", {name}={value!r}" for name, value in changes.items())
         run_control.offered.put(*self.predictor.offered())
-        do(f"start({python_name(self.obj)}{text})", "paver_wb.gui.run_control")
+        do(call_text("start", python_name(self.obj), **changes), "paver_wb.gui.run_control")
 
     def watch(self, run):
         """Follows a run of the mesh object, also one that a command has started."""

@@ -1,7 +1,8 @@
-"""Threads that work while the window lives on. None of them touches a document or the 3D view."""
+"""What is done while the window lives on: by threads, none of which touches a document or the 3D view, or a little later."""
 import shutil
 import threading
 
+import FreeCAD
 from PySide import QtCore
 
 STEP = 0.02  # share of a stage
@@ -109,6 +110,24 @@ class Latest:
         thread, self.thread = self.thread, None
         if thread is not None:
             self.show(thread.result) if thread.error is None else self.fail(thread.error)
+
+
+class Later:
+    """Calls action(document), after `delay` ms and when FreeCAD is back in its event loop, once for each document that was
+    asked for and is still open."""
+
+    def __init__(self, action, delay=0):
+        self.action, self.delay, self.names = action, delay, set()
+
+    def ask(self, name):
+        if not self.names:
+            QtCore.QTimer.singleShot(self.delay, self.act)
+        self.names.add(name)
+
+    def act(self):
+        names, self.names = self.names, set()
+        for name in names & set(FreeCAD.listDocuments()):
+            self.action(FreeCAD.getDocument(name))
 
 
 def end_all():

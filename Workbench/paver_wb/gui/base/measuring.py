@@ -1,5 +1,5 @@
-"""Dialogs that stay beside the window and show what is worked out on a thread: large meshes take a second to read and to
-measure."""
+"""Dialogs that stay beside the window, and those of them that show what is worked out on a thread: large meshes take a second
+to read and to measure."""
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
@@ -10,32 +10,47 @@ from paver_wb.gui.base.widgets import button, named
 
 translate = FreeCAD.Qt.translate
 BAR_HEIGHT = 14
-_open = {}  # (class, names of document and mesh object): the dialog on screen
+_open = {}  # (class, names of document and object): the dialog on screen
 
 
-class MeasuringDialog(QtGui.QDialog):
+class BesideDialog(QtGui.QDialog):
+    """Goes with the document of its object."""
+
+    def __init__(self, obj, name, title):
+        super().__init__(FreeCADGui.getMainWindow())
+        self.document, self.key = obj.Document.Name, (type(self), obj.Document.Name, obj.Name)
+        named(self, name)
+        self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+        self.setWindowTitle(title)
+        self.finished.connect(self.leave)
+
+    def slotDeletedDocument(self, document):
+        """FreeCAD calls it."""
+        if document.Name == self.document:
+            self.close()
+
+    def leave(self, _result):
+        FreeCAD.removeDocumentObserver(self)
+        _open.pop(self.key, None)
+
+
+class MeasuringDialog(BesideDialog):
     """Goes with its mesh object. Subclasses have build(), which puts the bar `busy` somewhere, refresh(), which calls measure(), and
     show_measured(result), show_fault(sentence). followed: properties of the mesh object that count."""
 
     followed, is_told = ("MeshFile",), False
 
     def __init__(self, obj, name, title):
-        super().__init__(FreeCADGui.getMainWindow())
+        super().__init__(obj, name, title)
         self.obj, self.latest = obj, Latest(self.take, self.take_error)
-        self.key = (type(self), obj.Document.Name, obj.Name)
-        self.setObjectName(name)
-        self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-        self.setWindowTitle(title)
         self.busy = named(QtGui.QProgressBar(), "Measuring", translate(
             "Paver", "The mesh is being measured; the window can be used meanwhile"))
         self.busy.setRange(0, 0)
         self.busy.setTextVisible(False)
         self.busy.setFixedHeight(BAR_HEIGHT)
         self.busy.hide()
-        self.finished.connect(self.leave)
         self.build()
         self.refresh()
-        FreeCAD.addDocumentObserver(self)
 
     def slotChangedObject(self, obj, name):
         """FreeCAD calls it, like the next."""
@@ -54,10 +69,6 @@ class MeasuringDialog(QtGui.QDialog):
         if obj == self.obj:
             self.close()
 
-    def slotDeletedDocument(self, document):
-        if document.Name == self.key[1]:
-            self.close()
-
     def close_button(self):
         made = button("Close", translate("Paver", "Close"), "", self.close)
         made.setDefault(True)
@@ -68,10 +79,9 @@ class MeasuringDialog(QtGui.QDialog):
         self.latest.ask(lambda _cancel: work())
         self.busy.show()
 
-    def leave(self, _result):
-        FreeCAD.removeDocumentObserver(self)
+    def leave(self, result):
+        super().leave(result)
         self.latest.drop()
-        _open.pop(self.key, None)
 
     def take(self, result):
         self.busy.hide()
@@ -82,18 +92,25 @@ class MeasuringDialog(QtGui.QDialog):
         self.show_fault(str(error) or type(error).__name__)
 
 
-def is_open(kind, obj):
-    return (kind, obj.Document.Name, obj.Name) in _open
+def opened(kind, obj):
+    """The dialog of an object that is on screen, or None."""
+    return _open.get((kind, obj.Document.Name, obj.Name))
+
+
+def front(dialog):
+    """Brings a dialog to the front, which may be new, and gives it."""
+    if dialog.key not in _open:
+        _open[dialog.key] = dialog
+        FreeCAD.addDocumentObserver(dialog)
+    dialog.show()
+    dialog.raise_()
+    return dialog
 
 
 def show(kind, obj):
     """Opens the dialog of a mesh object, or brings it up to date and to the front. ValueError when it is not meshed."""
     mesh_object.path_of(obj)
-    key = (kind, obj.Document.Name, obj.Name)
-    if key in _open:
-        _open[key].refresh()
-    else:
-        _open[key] = kind(obj)
-    _open[key].show()
-    _open[key].raise_()
-    return _open[key]
+    dialog = opened(kind, obj)
+    if dialog:
+        dialog.refresh()
+    return front(dialog or kind(obj))

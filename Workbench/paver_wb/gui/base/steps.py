@@ -12,6 +12,11 @@ def references_text(references):
     return f"[{listed}]"
 
 
+def call_text(function, *arguments, **values):
+    """A call as text for Python. arguments: texts; values: by name."""
+    return f"{function}({', '.join([*arguments, *(f'{name}={value!r}' for name, value in values.items())])})"
+
+
 def do(line, module=""):
     """Runs a line of Python, a call of `module` where that is given, which the console shows."""
     if module:

@@ -3,7 +3,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import mesh_check
-from paver_wb.gui.base.widgets import button, named, row, text_label
+from paver_wb.gui.base.widgets import button, canvas, named, row, text_label
 
 COLOURS = {mesh_check.ERROR: ("#c01c28", "#ffffff"), mesh_check.WARNING: ("#f8c630", "#241c00"),
            mesh_check.NOTE: ("#3465a4", "#ffffff"), mesh_check.GOOD: ("#2e7d32", "#ffffff")}  # sheet, ink
@@ -15,10 +15,7 @@ translate = FreeCAD.Qt.translate
 def sign(level):
     """QIcon of a disc in the level's colour."""
     sheet, ink = COLOURS[level]
-    image = QtGui.QPixmap(2 * SIZE, 2 * SIZE)
-    image.fill(QtCore.Qt.transparent)
-    painter = QtGui.QPainter(image)
-    painter.setRenderHint(QtGui.QPainter.Antialiasing)
+    image, painter = canvas(2 * SIZE, 2 * SIZE)
     painter.setPen(QtCore.Qt.NoPen)
     painter.setBrush(QtGui.QColor(sheet))
     painter.drawEllipse(1, 1, 2 * SIZE - 2, 2 * SIZE - 2)
@@ -29,7 +26,7 @@ def sign(level):
     painter.setFont(font)
     painter.drawText(QtCore.QRectF(0, 0, 2 * SIZE, 2 * SIZE), QtCore.Qt.AlignCenter, SIGNS[level])
     painter.end()
-    return QtGui.QIcon(image)
+    return QtGui.QIcon(QtGui.QPixmap.fromImage(image))
 
 
 def line(findings):

@@ -22,6 +22,19 @@ def button(name, text, tip, action):
     return made
 
 
+def fold_button(name, text, tip, fold):
+    """fold(is_open): shows or hides what stands below."""
+    made = named(QtGui.QToolButton(), name, tip)
+    made.setText(text)
+    made.setCheckable(True)
+    made.setAutoRaise(True)
+    made.setArrowType(QtCore.Qt.RightArrow)
+    made.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
+    made.toggled.connect(lambda is_open: made.setArrowType(QtCore.Qt.DownArrow if is_open else QtCore.Qt.RightArrow))
+    made.toggled.connect(fold)
+    return made
+
+
 def text_label(name, tip=""):
     """For whole sentences."""
     made = named(QtGui.QLabel(), name, tip)
@@ -38,6 +51,15 @@ def row(*widgets, shares=()):
     return made
 
 
+def part_layout(part, title):
+    """The layout of a part of a panel, one widget below the other."""
+    part.setWindowTitle(title)
+    made = QtGui.QVBoxLayout(part)
+    made.setContentsMargins(*MARGINS)
+    made.setSpacing(SPACING)
+    return made
+
+
 def timer(parent, action, delay=0, is_single=True):
     """start() lets it call `action` after so many ms, or each time these are over."""
     made = QtCore.QTimer(parent)
@@ -45,6 +67,15 @@ def timer(parent, action, delay=0, is_single=True):
     made.setSingleShot(is_single)
     made.timeout.connect(action)
     return made
+
+
+def canvas(width, height):
+    """(QImage, its painter), with nothing on it."""
+    image = QtGui.QImage(width, height, QtGui.QImage.Format_RGBA8888)
+    image.fill(QtCore.Qt.transparent)
+    painter = QtGui.QPainter(image)
+    painter.setRenderHint(QtGui.QPainter.Antialiasing)
+    return image, painter
 
 
 class FaultBox(QtGui.QFrame):

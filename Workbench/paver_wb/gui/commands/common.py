@@ -4,7 +4,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb import core, mesh_object
-from paver_wb.gui.base.steps import do, python_name  # noqa: F401, for the commands
+from paver_wb.gui.base.steps import call_text, do, python_name  # noqa: F401, for the commands
 from paver_wb.gui.base.widgets import complain
 from paver_wb.gui.setup import first_use
 

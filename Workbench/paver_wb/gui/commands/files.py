@@ -9,7 +9,7 @@ from PySide import QtGui
 from paver_wb import examples, export_mesh, import_mesh, preferences
 from paver_wb.gui.base import first_view
 from paver_wb.gui.commands import export_question
-from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, Command, OnMeshed, python_name, run, shown_as, target_mesh,
+from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, Command, OnMeshed, call_text, python_name, run, shown_as, target_mesh,
                                           translate)
 
 
@@ -70,8 +70,7 @@ class Export(OnMeshed):
     @staticmethod
     def write(obj, path, more, function="export"):
         """function: of gui.file_tasks."""
-        arguments = "".join(f", {name}={value!r}" for name, value in more.items())
-        run(f"{function}({python_name(obj)}, {path!r}{arguments})", "paver_wb.gui.file_tasks")
+        run(call_text(function, python_name(obj), repr(path), **more), "paver_wb.gui.file_tasks")
 
 
 class Import(Command):

@@ -3,7 +3,7 @@ import FreeCAD
 import FreeCADGui
 
 from paver_wb import mesh_object, preferences, refinement, series
-from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, Command, do, in_step, python_name, run,
+from paver_wb.gui.commands.common import (QT_TRANSLATE_NOOP, Command, call_text, do, in_step, python_name, run,
                                           selected_meshes, shown_as, target_mesh, tell, translate)
 from paver_wb.gui.base.steps import references_text
 from paver_wb.gui.display import selection
@@ -21,9 +21,8 @@ class CreateMesh(Command):
         for module in ("paver_wb.mesh_object", "paver_wb.analysis"):
             FreeCADGui.addModule(module)
         parts = ", ".join(python_name(thing) for thing in things)
-        options = ", ".join(f"{name}={value!r}" for name, value in preferences.new_options(things).items())
-        if in_step("Create mesh", f"mesh = paver_wb.mesh_object.add(FreeCAD.ActiveDocument, [{parts}], {options})",
-                   "paver_wb.analysis.join_active(mesh)"):
+        making = call_text("paver_wb.mesh_object.add", "FreeCAD.ActiveDocument", f"[{parts}]", **preferences.new_options(things))
+        if in_step("Create mesh", "mesh = " + making, "paver_wb.analysis.join_active(mesh)"):
             FreeCADGui.Selection.clearSelection()
             do("FreeCADGui.Selection.addSelection(mesh)")
             do("edit_new(mesh)", "paver_wb.gui.base.edit_panel")

@@ -11,7 +11,7 @@ from PySide import QtCore
 from paver_wb import core, mesh_object
 from paver_wb.base.waves import wavelength_of
 from paver_wb.formats import mesh_file
-from paver_wb.gui.base.background import Latest
+from paver_wb.gui.base.background import Later, Latest
 from paver_wb.gui.display import colour_maps, colouring, drawn_mesh, legend, marks, report, view_properties
 from paver_wb.gui.display.emphasis import banner, isolation, labels, rings
 from paver_wb.gui.display.fields import put
@@ -79,7 +79,7 @@ class MeshDisplay:
         for name, node in self.modes.items():
             vobj.addDisplayMode(node, name)
         self.banner.attach(vobj)
-        banner.renew_later(vobj.Object.Document)
+        banner.renewals.ask(self.names[0])
 
     @property
     def obj(self):
@@ -121,7 +121,7 @@ class MeshDisplay:
         elif name in ("Visibility", "DisplayMode"):
             if self.stale:
                 self.changed(CHOSEN)
-            arrange_soon(self.names[0])
+            arrangements.ask(self.names[0])
         if name == "Visibility":
             self.reason_changed()
 
@@ -132,7 +132,7 @@ class MeshDisplay:
 
     def reason_changed(self):
         """The banner has another text, or another place."""
-        banner.renew_later(self.obj.Document)
+        banner.renewals.ask(self.names[0])
 
     def report(self, element):
         """Shows the report of an element, as long as it is selected."""
@@ -238,7 +238,7 @@ class MeshDisplay:
         for panel in (self.bar, self.report_panel):
             panel.show(None)
         self.colouring = colouring.Colouring(None, None)
-        arrange_soon(self.names[0])
+        arrangements.ask(self.names[0])
 
     def draw(self):
         mesh, vobj = self.mesh, self.vobj
@@ -403,14 +403,7 @@ def arrange(document):
         ends[side] = display.show_legend(label, ends.get(side, 0))
 
 
-_waiting = set()  # documents whose legends are to be arranged
-
-
-def arrange_soon(document):
-    """When FreeCAD is back in its event loop."""
-    if document not in _waiting:
-        _waiting.add(document)
-        QtCore.QTimer.singleShot(0, lambda: (_waiting.discard(document), arrange(document)))
+arrangements = Later(lambda document: arrange(document.Name))
 
 
 class Closing:
@@ -418,12 +411,12 @@ class Closing:
 
     def slotDeletedObject(self, obj):
         if mesh_object.is_mesh(obj):
-            arrange_soon(obj.Document.Name)
-            banner.renew_later(obj.Document)  # others move up
+            arrangements.ask(obj.Document.Name)
+            banner.renewals.ask(obj.Document.Name)  # others move up
 
     def slotChangedObject(self, obj, name):
         if name == "Label" and mesh_object.is_mesh(obj):
-            arrange_soon(obj.Document.Name)
+            arrangements.ask(obj.Document.Name)
 
     def slotDeletedDocument(self, document):
         for display in [one for one in _displays if one.names[0] == document.Name]:

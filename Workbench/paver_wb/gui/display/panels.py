@@ -5,6 +5,7 @@ import sys
 from pivy import coin
 from PySide import QtCore, QtGui
 
+from paver_wb.gui.base.widgets import canvas
 from paver_wb.gui.display.fields import callback, put, unpickable
 
 MARGIN = 10  # between a panel and the rim of the view, pixels
@@ -22,15 +23,14 @@ def text_size(text, of_font):
     return metrics.boundingRect(0, 0, 4000, 4000, 0, text).size()
 
 
-def sheet(width, height, margin=MARGIN):
-    """(image, painter) of a rounded sheet; the painter's origin is the sheet's upper left corner."""
-    image = QtGui.QImage(width + 2 * margin, height + 2 * margin, QtGui.QImage.Format_RGBA8888)
-    image.fill(QtCore.Qt.transparent)
-    painter = QtGui.QPainter(image)
-    painter.setRenderHint(QtGui.QPainter.Antialiasing)
-    painter.translate(margin, margin)
-    painter.setPen(QtGui.QColor(*RIM))
-    painter.setBrush(QtGui.QColor(*SHEET))
+def sheet(width, height, margins=3 * (MARGIN,), paper=SHEET, rim=RIM):
+    """(image, painter) of a rounded sheet; the painter's origin is the sheet's upper left corner. margins: at each side, above,
+    below."""
+    side, above, below = margins
+    image, painter = canvas(width + 2 * side, height + above + below)
+    painter.translate(side, above)
+    painter.setPen(QtGui.QColor(*rim))
+    painter.setBrush(QtGui.QColor(*paper))
     painter.drawRoundedRect(QtCore.QRectF(0.5, 0.5, width - 1, height - 1), 5, 5)
     return image, painter
 
@@ -109,9 +109,7 @@ def moved(image, corner, along):
     """A QImage with room so that it stands `along` pixels from the side of the view."""
     if not along:
         return image
-    made = QtGui.QImage(image.width() + along, image.height(), QtGui.QImage.Format_RGBA8888)
-    made.fill(QtCore.Qt.transparent)
-    painter = QtGui.QPainter(made)
+    made, painter = canvas(image.width() + along, image.height())
     painter.drawImage(0 if corner.endswith("right") else along, 0, image)
     painter.end()
     return made
@@ -180,7 +178,7 @@ class ViewPanel:
 def label(text):
     """QImage of a small sheet with a line of text."""
     size = text_size(text, font(8))
-    image, painter = sheet(size.width() + 8, size.height() + 2, 3)
+    image, painter = sheet(size.width() + 8, size.height() + 2, 3 * (3,))
     painter.setFont(font(8))
     painter.setPen(QtGui.QColor(*INK))
     painter.drawText(QtCore.QRectF(0, 0, size.width() + 8, size.height() + 2), QtCore.Qt.AlignCenter, text)

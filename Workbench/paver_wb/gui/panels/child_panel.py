@@ -2,6 +2,7 @@
 import FreeCAD
 from PySide import QtGui
 
+from paver_wb.children.references import meshes_of
 from paver_wb.gui.base import edit_panel
 from paver_wb.gui.base.steps import in_step
 from paver_wb.gui.base.widgets import FaultBox
@@ -12,9 +13,9 @@ translate = FreeCAD.Qt.translate
 
 class ChildBox(QtGui.QWidget):
     """The fields of a child in `form`, what it refers to in `where`, and what is wrong. Subclasses have name: what names of
-    widgets begin with; meshes_of(obj): mesh objects that have it; build(): adds the fields, of which `first` gets the cursor;
-    checked(references): what they become, ReferenceMissing for what cannot be referred to; text_fault(): empty, or a sentence
-    on what is no value; line(): what OK does, as Python."""
+    widgets begin with; build(): adds the fields, of which `first` gets the cursor; checked(references): what they become,
+    ReferenceMissing for what cannot be referred to; text_fault(): empty, or a sentence on what is no value; line(): what OK
+    does, as Python."""
 
     name = ""
 
@@ -34,7 +35,7 @@ class ChildBox(QtGui.QWidget):
             layout.addWidget(part)
 
     def mesh(self):
-        return next(iter(self.meshes_of(self.obj)), None)
+        return next(iter(meshes_of(self.obj)), None)
 
 
 class ChildPanel(edit_panel.EditPanel):

@@ -7,7 +7,7 @@ from PySide import QtCore, QtGui
 from paver_wb import core, mesh_object, properties
 from paver_wb.base.units import length_text
 from paver_wb.base.waves import wavelength
-from paver_wb.gui.base.widgets import MARGINS, SPACING, named, row
+from paver_wb.gui.base.widgets import SPACING, fold_button, named, part_layout, row
 from paver_wb.gui.panels import fields
 
 translate = FreeCAD.Qt.translate
@@ -76,10 +76,7 @@ class OptionsBox(QtGui.QWidget):
         self.refresh()
 
     def build(self):
-        self.setWindowTitle(translate("Paver", "Options"))
-        layout = QtGui.QVBoxLayout(self)
-        layout.setContentsMargins(*MARGINS)
-        layout.setSpacing(SPACING)
+        layout = part_layout(self, translate("Paver", "Options"))
         form = new_form()
         self.by_length = self.radio("ByLength", labels()["size"], translate("Paver", "Elements of one target length"))
         self.by_frequency = self.radio("ByFrequency", labels()["frequency"],
@@ -110,13 +107,9 @@ class OptionsBox(QtGui.QWidget):
 
     def build_more(self, layout):
         """The rest, folded up: common meshes do without."""
-        self.more = named(QtGui.QToolButton(), "More", translate("Paver", "Curvature, gradation, limits, sewing, where to mesh"))
-        self.more.setText(translate("Paver", "More options"))
-        self.more.setCheckable(True)
-        self.more.setAutoRaise(True)
-        self.more.setArrowType(QtCore.Qt.RightArrow)
-        self.more.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
         self.rest = QtGui.QWidget()
+        self.more = fold_button("More", translate("Paver", "More options"), translate(
+            "Paver", "Curvature, gradation, limits, sewing, where to mesh"), self.rest.setVisible)
         main = ("size",) + BY_FREQUENCY + SHAPE_OF_ELEMENTS
         form = new_form()
         for name in self.table:
@@ -125,13 +118,8 @@ class OptionsBox(QtGui.QWidget):
         self.run_in_row(form)
         self.rest.setLayout(form)
         self.rest.hide()
-        self.more.toggled.connect(self.fold)
         layout.addWidget(self.more)
         layout.addWidget(self.rest)
-
-    def fold(self, is_open):
-        self.more.setArrowType(QtCore.Qt.DownArrow if is_open else QtCore.Qt.RightArrow)
-        self.rest.setVisible(is_open)
 
     def radio(self, name, text, tip):
         button = named(QtGui.QRadioButton(text), name, tip)

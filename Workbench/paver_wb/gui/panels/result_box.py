@@ -8,7 +8,7 @@ from paver_wb.formats import mesh_file
 from paver_wb.gui.base import run_status, verdict
 from paver_wb.gui.base.background import Latest
 from paver_wb.gui.base.steps import do, python_name
-from paver_wb.gui.base.widgets import MARGINS, SPACING, named, text_label
+from paver_wb.gui.base.widgets import named, part_layout, text_label
 from paver_wb.statistics import number
 
 translate = FreeCAD.Qt.translate
@@ -16,10 +16,10 @@ NAME, VALUE = range(2)  # columns: where there is no room for both, names are cu
 NARROWEST = 60  # pixels of a column
 
 
-def figures(mesh):
-    """[(name, value, tooltip)] of a StoredMesh."""
-    quality, report, (edges, users) = mesh.report["quality"], mesh.report, statistics.mesh_edges(mesh)
-    lengths, sj = statistics.edge_lengths(mesh, edges), quality["sj"]["all"]
+def figures(mesh, measured):
+    """[(name, value, tooltip)] of a StoredMesh and its statistics.Figures."""
+    quality, report, lengths = mesh.report["quality"], mesh.report, measured.lengths
+    sj = quality["sj"]["all"]
     count = len(mesh.quads) + len(mesh.triangles)
     rows = [
         (translate("Paver", "Elements"), number(count), translate("Paver", "Quads and triangles")),
@@ -38,7 +38,7 @@ def figures(mesh):
         (translate("Paver", "Irregular nodes"), percent_text(quality.get("irregular_share")),
          translate("Paver", "Nodes inside faces where not four quads meet")),
         (translate("Paver", "Watertight"), translate("Paver", "yes") if quality["watertight"] else translate(
-            "Paver", "no, {} free edges").format(number(quality.get("border_edges", int((users == 1).sum())))),
+            "Paver", "no, {} free edges").format(number(quality.get("border_edges", int((measured.users == 1).sum())))),
          translate("Paver", "Whether every mesh edge lies in exactly two elements")),
     ]
     return [row for row in rows if row[VALUE]] + wires(mesh) + parts(report) + times(report)
@@ -82,7 +82,8 @@ def times(report):
 
 def looked_at(mesh):
     """(figures, findings) of a StoredMesh."""
-    return figures(mesh), mesh_check.of_mesh(mesh)
+    measured = statistics.of_mesh(mesh)
+    return figures(mesh, measured), mesh_check.of_mesh(mesh, measured)
 
 
 class ResultBox(QtGui.QWidget):
@@ -92,10 +93,7 @@ class ResultBox(QtGui.QWidget):
     def __init__(self, obj):
         super().__init__()
         self.obj, self.latest, self.found = obj, Latest(self.show_figures, self.show_error), None
-        self.setWindowTitle(translate("Paver", "Result"))
-        layout = QtGui.QVBoxLayout(self)
-        layout.setContentsMargins(*MARGINS)
-        layout.setSpacing(SPACING)
+        layout = part_layout(self, translate("Paver", "Result"))
         self.verdict = verdict.VerdictLine(self.show_details)
         layout.addWidget(self.verdict)
         self.text = text_label("ResultText", translate("Paver", "What keeps figures or faces from being here"))

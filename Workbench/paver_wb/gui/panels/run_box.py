@@ -9,7 +9,7 @@ from paver_wb.base.paths import ICONS
 from paver_wb.base.texts import counted
 from paver_wb.gui import run_place
 from paver_wb.gui.base import run_log, run_status
-from paver_wb.gui.base.widgets import MARGINS, SPACING, FaultBox, button, named, row, text_label, timer
+from paver_wb.gui.base.widgets import FaultBox, button, fold_button, named, part_layout, row, text_label, timer
 from paver_wb.gui.panels.options_box import with_labels
 from paver_wb.gui.preview.box import PreviewBox
 from paver_wb.statistics import memory, number
@@ -54,10 +54,7 @@ class RunBox(QtGui.QWidget):
         self.obj, self.run, self.lines, self.place, self.in_sight = obj, None, None, None, self
         self.scrolling = timer(self, self.scroll, SCROLL_DELAY)
         self.ticking = timer(self, self.tell, run_status.TICK, is_single=False)
-        self.setWindowTitle(translate("Paver", "Mesh"))
-        layout = QtGui.QVBoxLayout(self)
-        layout.setContentsMargins(*MARGINS)
-        layout.setSpacing(SPACING)
+        layout = part_layout(self, translate("Paver", "Mesh"))
         self.status = text_label("Status", translate("Paver", "Whether the mesh fits the options and the shapes of its objects"))
         self.prediction = text_label("Prediction", translate(
             "Paver", "What meshing with these options comes to, or has come to"))
@@ -90,18 +87,13 @@ class RunBox(QtGui.QWidget):
         return self.fault
 
     def log_box(self):
-        self.fold = named(QtGui.QToolButton(), "LogFold", translate("Paver", "What the last run has done and is doing"))
-        self.fold.setText(translate("Paver", "Log"))
-        self.fold.setCheckable(True)
-        self.fold.setAutoRaise(True)
-        self.fold.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
+        self.fold = fold_button("LogFold", translate("Paver", "Log"), translate(
+            "Paver", "What the last run has done and is doing"), self.show_log)
         self.log = named(QtGui.QPlainTextEdit(), "Log", translate(
             "Paver", "Stages of the last run and their seconds, and what came of it"))
         self.log.setReadOnly(True)
         self.log.setFixedHeight(LOG_HEIGHT)
-        self.fold.toggled.connect(self.show_log)
         self.fold.setChecked(preferences.parameters().GetBool(SHOW_LOG, True))
-        self.show_log(self.fold.isChecked())
         column = QtGui.QVBoxLayout()
         column.addWidget(self.fold)
         column.addWidget(self.log)
@@ -109,7 +101,6 @@ class RunBox(QtGui.QWidget):
 
     @QtCore.Slot(bool)
     def show_log(self, is_open):
-        self.fold.setArrowType(QtCore.Qt.DownArrow if is_open else QtCore.Qt.RightArrow)
         self.log.setVisible(is_open and self.lines is not None)  # the options stand below it
         preferences.parameters().SetBool(SHOW_LOG, is_open)
 

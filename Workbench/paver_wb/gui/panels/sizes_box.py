@@ -9,8 +9,8 @@ from PySide import QtCore, QtGui
 
 from paver_wb import refinement
 from paver_wb.base.units import example, unit_of
-from paver_wb.gui.base.steps import do, in_step, python_name, references_text
-from paver_wb.gui.base.widgets import MARGINS, SPACING, button, named, row, text_label, timer
+from paver_wb.gui.base.steps import call_text, do, in_step, python_name, references_text
+from paver_wb.gui.base.widgets import button, named, part_layout, row, text_label, timer
 from paver_wb.gui.display import selection
 from paver_wb.gui.panels import fields
 
@@ -50,9 +50,8 @@ def value_of(obj, text):
 
 
 def as_arguments(obj):
-    """(references, value) of a refinement, as text for Python: arguments of refinement.change."""
-    value = f"length={obj.Length.Value!r}" if obj.By == refinement.LENGTH else f"eps_r={obj.EpsR!r}, mu_r={obj.MuR!r}"
-    return references_text(obj.References), value
+    """(references as text for Python, {argument: value}) of a refinement, for refinement.change."""
+    return references_text(obj.References), refinement.value_of(obj)
 
 
 def show_in_view(obj, shows_mesh):
@@ -80,10 +79,7 @@ class SizesBox(QtGui.QWidget):
         self.obj, self.shown, self.steps = obj, [], 0
         self.target = target or (lambda: refinement.target_of(obj))
         self.settle()
-        self.setWindowTitle(translate("Paver", "Local sizes"))
-        layout = QtGui.QVBoxLayout(self)
-        layout.setContentsMargins(*MARGINS)
-        layout.setSpacing(SPACING)
+        layout = part_layout(self, translate("Paver", "Local sizes"))
         self.table = named(QtGui.QTableWidget(0, 3), "Sizes", translate(
             "Paver", "Target lengths of parts of the model; elements grow from there on"))
         self.table.setHorizontalHeaderLabels([translate("Paver", "Where"), translate("Paver", "By"),
@@ -177,12 +173,13 @@ class SizesBox(QtGui.QWidget):
             if obj.Name not in self.settled:
                 lines.append(f'FreeCAD.getDocument("{obj.Document.Name}").removeObject("{obj.Name}")')
             elif as_arguments(obj) != self.settled[obj.Name][1:]:
-                lines.append(f"paver_wb.refinement.change({python_name(obj)}, {', '.join(self.settled[obj.Name][1:])})")
+                _, references, value = self.settled[obj.Name]
+                lines.append(call_text("paver_wb.refinement.change", python_name(obj), references, **value))
         there = {obj.Name for obj in refinement.of_mesh(self.obj)}
         for name, (label, references, value) in self.settled.items():
             if name not in there:
-                lines += [f"refinement = paver_wb.refinement.make({python_name(self.obj)}, {references}, {value}, "
-                          f"name={name!r})", f"refinement.Label = {label!r}"]
+                lines += ["refinement = " + call_text("paver_wb.refinement.make", python_name(self.obj), references, **value,
+                                                      name=name), f"refinement.Label = {label!r}"]
         if lines:
             in_step(self.obj.Document, translate("Paver", "Drop local sizes"), ["paver_wb.refinement"], lines)
 
@@ -229,6 +226,5 @@ class SizesBox(QtGui.QWidget):
             self.set(obj, {"eps_r": obj.EpsR, "mu_r": obj.MuR})
 
     def set(self, obj, arguments):
-        text = ", ".join(f"{name}={value!r}" for name, value in arguments.items())
         self.do(translate("Paver", "Size of {}").format(obj.Label),
-                f"paver_wb.refinement.set_value({python_name(obj)}, {text})")
+                call_text("paver_wb.refinement.set_value", python_name(obj), **arguments))

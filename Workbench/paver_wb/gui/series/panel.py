@@ -2,12 +2,11 @@
 import os
 
 import FreeCAD
-import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb import mesh_check, mesh_object, series, statistics
-from paver_wb.gui.base import verdict
-from paver_wb.gui.base.steps import do, python_name
+from paver_wb.gui.base import measuring, verdict
+from paver_wb.gui.base.steps import call_text, do, python_name
 from paver_wb.gui.base.widgets import FaultBox, button, named, row, timer
 from paver_wb.gui.series import run as series_run
 from paver_wb.gui.series.values_box import ValuesBox, shown
@@ -15,7 +14,6 @@ from paver_wb.gui.series.values_box import ValuesBox, shown
 translate = FreeCAD.Qt.translate
 STEP, ELEMENTS, UNKNOWNS, MATRIX, TIME, SJ, VERDICT = range(7)
 ROOM = 8  # pixels between columns
-_open = {}  # (names of document and mesh object or series): the dialog on screen
 
 
 def headers():
@@ -47,22 +45,15 @@ def verdict_of(found):
     return found.reason, found.verdict
 
 
-class SeriesDialog(QtGui.QDialog):
+class SeriesDialog(measuring.BesideDialog):
     """Stays open beside the window. `series`: the one that the table shows, or None."""
 
     def __init__(self, mesh, obj):
-        super().__init__(FreeCADGui.getMainWindow())
+        super().__init__(mesh or obj, "SeriesDialog", translate("Paver", "Series of {}").format((mesh or obj).Label))
         self.mesh, self.series, self.run = mesh, None, None
-        self.document = (mesh or obj).Document.Name
-        self.key = key_of(mesh, obj)
-        named(self, "SeriesDialog")
-        self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-        self.setWindowTitle(translate("Paver", "Series of {}").format((mesh or obj).Label))
         self.resize(860, 460)
-        self.finished.connect(self.leave)
         self.build()
         self.refreshing = timer(self, self.refresh)
-        FreeCAD.addDocumentObserver(self)
         series_run.announcer.started.connect(self.watch)
         self.show_series(obj)
 
@@ -129,8 +120,7 @@ class SeriesDialog(QtGui.QDialog):
         except ValueError as error:
             self.fault.tell(str(error))
             return
-        text = "".join(f", {name}={value!r}" for name, value in arguments.items())
-        self.attempt(f"start({python_name(self.mesh)}{text})")
+        self.attempt(call_text("start", python_name(self.mesh), **arguments))
 
     def go_on(self):
         self.attempt(f"go_on({python_name(self.series)})")
@@ -233,23 +223,13 @@ class SeriesDialog(QtGui.QDialog):
         if obj == self.mesh or (self.mesh is None and self.series is None):
             self.close()
 
-    def slotDeletedDocument(self, document):
-        if document.Name == self.document:
-            self.close()
-
-    def leave(self, _result):
-        FreeCAD.removeDocumentObserver(self)
+    def leave(self, result):
+        super().leave(result)
         series_run.announcer.started.disconnect(self.watch)
         self.refreshing.stop()
         if self.run:
             self.run.told.disconnect(self.refresh_soon)
             self.run.ended.disconnect(self.run_ended)
-        _open.pop(self.key, None)
-
-
-def key_of(mesh, obj):
-    thing = mesh or obj
-    return thing.Document.Name, thing.Name
 
 
 def show(obj):
@@ -258,11 +238,7 @@ def show(obj):
     if obj == mesh:
         known = [made for made in series.of_document(obj.Document) if made.Mesh == mesh]
         obj = known[-1] if known else None
-    key = key_of(mesh, obj)
-    if key not in _open:
-        _open[key] = SeriesDialog(mesh, obj)
-    elif obj is not None and _open[key].run is None:
-        _open[key].show_series(obj)
-    _open[key].show()
-    _open[key].raise_()
-    return _open[key]
+    dialog = measuring.opened(SeriesDialog, mesh or obj)
+    if dialog and obj is not None and dialog.run is None:
+        dialog.show_series(obj)
+    return measuring.front(dialog or SeriesDialog(mesh, obj))

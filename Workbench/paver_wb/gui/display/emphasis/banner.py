@@ -3,15 +3,15 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import mesh_object
+from paver_wb.gui.base.background import Later
 from paver_wb.gui.display.fields import put
-from paver_wb.gui.display.panels import MARGIN, UPPER_MIDDLE, ViewPanel, font, text_size
+from paver_wb.gui.display.panels import MARGIN, UPPER_MIDDLE, ViewPanel, font, sheet, text_size
 
 MOST_BANNERS = 4  # one below the other
 PAD, GAP = 10, 6
 SHEET, RIM, INK = (255, 233, 168, 240), (196, 120, 0, 255), (45, 32, 0, 255)
 MOST_WIDTH = 420
 translate = FreeCAD.Qt.translate
-_waiting = set()  # names of documents whose banners are renewed when the event loop comes to it
 
 
 class Banner(ViewPanel):
@@ -39,16 +39,9 @@ def picture(heading, text, row=0):
     lines = [QtGui.QFontMetrics(f).elidedText(t, QtCore.Qt.ElideMiddle, MOST_WIDTH) for f, t in zip(fonts, (heading, text))]
     sizes = [text_size(line, f) for line, f in zip(lines, fonts)]
     width, height = max(size.width() for size in sizes) + 2 * PAD, sum(size.height() for size in sizes) + PAD
-    top = MARGIN + row * (height + GAP)
-    image = QtGui.QImage(width, top + height, QtGui.QImage.Format_RGBA8888)
-    image.fill(QtCore.Qt.transparent)
-    painter = QtGui.QPainter(image)
-    painter.setRenderHint(QtGui.QPainter.Antialiasing)
-    painter.setPen(QtGui.QColor(*RIM))
-    painter.setBrush(QtGui.QColor(*SHEET))
-    painter.drawRoundedRect(QtCore.QRectF(0.5, top + 0.5, width - 1, height - 1), 5, 5)
+    image, painter = sheet(width, height, (0, MARGIN + row * (height + GAP), 0), SHEET, RIM)
     painter.setPen(QtGui.QColor(*INK))
-    y = top + PAD / 2
+    y = PAD / 2
     for line, of_font, size in zip(lines, fonts, sizes):
         painter.setFont(of_font)
         painter.drawText(QtCore.QRectF(0, y, width, size.height()), QtCore.Qt.AlignCenter, line)
@@ -57,21 +50,8 @@ def picture(heading, text, row=0):
     return image
 
 
-def renew_later(document):
-    """Of all meshes of a document, as soon as FreeCAD is back in its event loop."""
-    if not _waiting:
-        QtCore.QTimer.singleShot(0, renew_waiting)
-    _waiting.add(document.Name)
-
-
-def renew_waiting():
-    names = set(_waiting)
-    _waiting.clear()
-    for name in names & set(FreeCAD.listDocuments()):
-        renew(FreeCAD.getDocument(name))
-
-
 def renew(document):
+    """Those of all meshes of a document."""
     row = 0
     for obj in mesh_object.meshes_of(document):
         display = getattr(obj.ViewObject.Proxy, "display", None)
@@ -84,6 +64,9 @@ def renew(document):
             row += 1
         else:
             display.banner.tell([])
+
+
+renewals = Later(renew)
 
 
 def place_of(obj, display):

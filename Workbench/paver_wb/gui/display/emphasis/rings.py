@@ -3,6 +3,7 @@ import numpy as np
 from pivy import coin
 from PySide import QtCore, QtGui
 
+from paver_wb.gui.base.widgets import canvas
 from paver_wb.gui.display.emphasis.on_screen import OnScreen
 from paver_wb.gui.display.fields import put, separator
 from paver_wb.gui.display.panels import set_image
@@ -46,10 +47,7 @@ def spread(places):
 
 def picture():
     """QImage of a ring with a pale rim, to be seen on everything."""
-    image = QtGui.QImage(DIAMETER + HALO, DIAMETER + HALO, QtGui.QImage.Format_RGBA8888)
-    image.fill(QtCore.Qt.transparent)
-    painter = QtGui.QPainter(image)
-    painter.setRenderHint(QtGui.QPainter.Antialiasing)
+    image, painter = canvas(DIAMETER + HALO, DIAMETER + HALO)
     inside = QtCore.QRectF(HALO / 2, HALO / 2, DIAMETER, DIAMETER)
     for colour, width in ((AROUND, HALO), (COLOUR, WIDTH)):
         painter.setPen(QtGui.QPen(QtGui.QColor(*colour), width))
