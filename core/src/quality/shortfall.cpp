@@ -83,6 +83,25 @@ std::string folded(const RunReport& report) {
                      listed(faces, most_named_faces));
 }
 
+// Coarse chords cut off less: eight around a sphere 15 % of its area.
+std::string cut_off(const RunReport& report) {
+  constexpr double least = 0.65, least_turned = 0.8;  // area of the elements, by the face's; where normals turn, too
+  constexpr double least_loss = 0.01;                  // of the area of all faces: small faces are merged at borders
+  constexpr double turned = 90 * std::numbers::pi / 180;
+  double whole = 0;
+  for (const FaceReport& face : report.faces) whole += face.status == FaceStatus::meshed ? face.cad_area : 0;
+  std::vector<std::string> faces;
+  for (const FaceReport& face : report.faces)
+    if (face.status == FaceStatus::meshed && face.cad_area - face.mesh_area > least_loss * whole &&
+        face.mesh_area < (face.distance.angle > turned ? least_turned : least) * face.cad_area)
+      faces.push_back(fmt::format("{} ({:.0f} %)", face.name, 100 * face.mesh_area / face.cad_area));
+  if (faces.empty()) return {};
+  return fmt::format(
+      "Elements cut across what their face has between their nodes, by its area that they have: {}; use a smaller size "
+      "or max-turn there.",
+      listed(faces, most_named_faces));
+}
+
 constexpr const char* no_mesh = "None of the faces has an area, so there is no mesh.";
 
 }  // namespace
@@ -116,7 +135,7 @@ std::vector<std::string> doubts(const RunReport& report) {
         "{} and {} come within {:.3g} mm of each other at ({:.6g}, {:.6g}, {:.6g}) and share no node there; where "
         "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
         gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
-  for (std::string sentence : {holes(report.model.holes), long_sides(report), folded(report)})
+  for (std::string sentence : {holes(report.model.holes), long_sides(report), folded(report), cut_off(report)})
     if (!sentence.empty()) sentences.push_back(std::move(sentence));
   return sentences;
 }
