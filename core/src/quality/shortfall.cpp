@@ -86,7 +86,7 @@ std::string folded(const RunReport& report) {
 // Coarse chords cut off less: eight around a sphere 15 % of its area.
 std::string cut_off(const RunReport& report) {
   constexpr double least = 0.65, least_turned = 0.8;  // area of the elements, by the face's; where normals turn, too
-  constexpr double least_loss = 0.01;                  // of the area of all faces: small faces are merged at borders
+  constexpr double least_loss = 0.01;                 // of the area of all faces: small faces are merged at borders
   constexpr double turned = 90 * std::numbers::pi / 180;
   double whole = 0;
   for (const FaceReport& face : report.faces) whole += face.status == FaceStatus::meshed ? face.cad_area : 0;
