@@ -97,6 +97,16 @@ TEST(MergeSmall, HairlinesGoWhateverTheAngles) {
   EXPECT_TRUE(test::mesh_of(block_with_hairline(0.01), 2).report.merges.empty());
 }
 
+// Without its rims both sides of a foil had one border, and at low frequencies the same elements.
+TEST(MergeSmall, TheRimsOfAPlateStay) {
+  for (const double size : {1e6, 50.0}) {
+    const MeshResult result = test::mesh_of(BRepPrimAPI_MakeBox(300, 200, 0.017).Shape(), size);
+    EXPECT_TRUE(result.report.merges.empty());
+    EXPECT_STREQ(verdict(result.report), "sound");
+    EXPECT_EQ(result.report.quality.triangles, 0);
+  }
+}
+
 TEST(MergeSmall, ABoxWithSmallFilletsIsABox) {
   const MeshResult result = test::mesh_of(box_with_fillets(0.05), 2);
   EXPECT_STREQ(verdict(result.report), "sound");

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "sizing/merging/merge_steps.h"
 #include "sizing/merging/side_match.h"
@@ -43,6 +45,7 @@ class ThinFaces {
         may_go = 0;
         has_changed = true;
       }
+      has_changed = keep_rims() || has_changed;
     }
     for (int f = 0; f < count; ++f)
       if (may_go_[f])
@@ -50,6 +53,41 @@ class ThinFaces {
   }
 
  private:
+  /// Rims of a plate, all of which would go: its two faces had nothing but their border, and lay on one another.
+  /// Whether there are any.
+  bool keep_rims() {
+    struct Meeting {
+      std::set<int> edges, rims;
+    };
+    std::map<std::pair<int, int>, Meeting> meetings;  // of two faces: the first one's edges at rims between them
+    for (int f = 0; f < static_cast<int>(may_go_.size()); ++f) {
+      const std::optional<Sides> sides = may_go_[f] ? find(f) : std::nullopt;
+      if (!sides) continue;
+      const int one = neighbour(f, sides->one.front().edge), two = neighbour(f, sides->two.front().edge);
+      auto note = [&](int at, int other, const Side& side) {
+        Meeting& meeting = meetings[{at, other}];
+        meeting.rims.insert(f);
+        for (const SideEdge& e : side) meeting.edges.insert(e.edge);
+      };
+      note(one, two, sides->one), note(two, one, sides->two);
+    }
+    bool has_any = false;
+    for (const auto& [faces, meeting] : meetings) {
+      if (faces.first < 0 || !has_only(edits_.face(faces.first), meeting.edges)) continue;
+      for (int f : meeting.rims) may_go_[f] = 0;
+      has_any = true;
+    }
+    return has_any;
+  }
+
+  bool has_only(const Face& face, const std::set<int>& edges) const {
+    return std::ranges::all_of(face.loops, [&](const Loop& loop) {
+      return std::ranges::all_of(loop.coedges, [&](const Coedge& use) {
+        return edges.contains(use.edge) || edits_.edge(use.edge).is_degenerate;
+      });
+    });
+  }
+
   /// The sides of a face that can go, `one` the side that stays.
   std::optional<Sides> find(int f) const {
     const Face& thin = edits_.face(f);
