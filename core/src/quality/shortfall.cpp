@@ -70,36 +70,41 @@ std::string long_sides(const RunReport& report) {
                      listed(faces, most_named_faces));
 }
 
+constexpr double turned = 90 * std::numbers::pi / 180;  // between normals of mesh and surface
+
 // Along a lip of next to no radius normals turn within a hundredth of an element; what folds over has more area, too.
 std::string folded(const RunReport& report) {
-  constexpr double degree = std::numbers::pi / 180, most = 90 * degree;  // between normals of mesh and surface
-  constexpr double largest = 1.01;                                       // area of the elements, by the face's
+  constexpr double largest = 1.01;  // area of the elements, by the face's
   std::vector<std::string> faces;
   for (const FaceReport& face : report.faces)
-    if (face.distance.angle > most && face.mesh_area > largest * face.cad_area)
+    if (face.distance.angle > turned && face.mesh_area > largest * face.cad_area)
       faces.push_back(fmt::format("{} ({:+.1f} %)", face.name, 100 * (face.mesh_area / face.cad_area - 1)));
   if (faces.empty()) return {};
   return fmt::format("Elements fold over one another, by what they have more of area: {}; use a smaller size there.",
                      listed(faces, most_named_faces));
 }
 
-// Coarse chords cut off less: eight around a sphere 15 % of its area.
-std::string cut_off(const RunReport& report) {
-  constexpr double least = 0.65, least_turned = 0.8;  // area of the elements, by the face's; where normals turn, too
-  constexpr double least_loss = 0.01;                 // of the area of all faces: small faces are merged at borders
-  constexpr double turned = 90 * std::numbers::pi / 180;
+// Chords cut off less: eight around a ball take 15 % of its area. Normals that turn by more than 90 degrees are no sign
+// by themselves: along a lip they do.
+bool is_too_coarse(const FaceReport& face) {
+  constexpr double least = 0.65, least_turned = 0.8;  // area of the elements, by the face's
+  constexpr double farthest = 0.15;                   // distance of mesh and surface, by the longest side
+  if (face.mesh_area < least * face.cad_area) return true;
+  return face.distance.angle > turned &&
+         (face.mesh_area < least_turned * face.cad_area || face.distance.largest > farthest * face.longest_side);
+}
+
+std::string too_coarse(const RunReport& report) {
+  constexpr double small = 0.02;  // of the area of all faces: such faces are merged at their borders
   double whole = 0;
-  for (const FaceReport& face : report.faces) whole += face.status == FaceStatus::meshed ? face.cad_area : 0;
+  for (const FaceReport& face : report.faces) whole += face.cad_area;
   std::vector<std::string> faces;
   for (const FaceReport& face : report.faces)
-    if (face.status == FaceStatus::meshed && face.cad_area - face.mesh_area > least_loss * whole &&
-        face.mesh_area < (face.distance.angle > turned ? least_turned : least) * face.cad_area)
-      faces.push_back(fmt::format("{} ({:.0f} %)", face.name, 100 * face.mesh_area / face.cad_area));
+    if (face.status == FaceStatus::meshed && face.cad_area > small * whole && is_too_coarse(face))
+      faces.push_back(fmt::format("{} ({:.0f} % of its area)", face.name, 100 * face.mesh_area / face.cad_area));
   if (faces.empty()) return {};
-  return fmt::format(
-      "Elements cut across what their face has between their nodes, by its area that they have: {}; use a smaller size "
-      "or max-turn there.",
-      listed(faces, most_named_faces));
+  return fmt::format("Elements are too coarse for the shape of {}; use a smaller size or max-turn there.",
+                     listed(faces, most_named_faces));
 }
 
 constexpr const char* no_mesh = "None of the faces has an area, so there is no mesh.";
@@ -135,7 +140,7 @@ std::vector<std::string> doubts(const RunReport& report) {
         "{} and {} come within {:.3g} mm of each other at ({:.6g}, {:.6g}, {:.6g}) and share no node there; where "
         "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
         gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
-  for (std::string sentence : {holes(report.model.holes), long_sides(report), folded(report), cut_off(report)})
+  for (std::string sentence : {holes(report.model.holes), long_sides(report), folded(report), too_coarse(report)})
     if (!sentence.empty()) sentences.push_back(std::move(sentence));
   return sentences;
 }

@@ -126,18 +126,26 @@ TEST(Doubts, NameFacesWhoseElementsFoldOver) {
   EXPECT_NE(doubts(report)[0].find(": Face3 (+9.0 %);"), std::string::npos);
 }
 
-TEST(Doubts, NameFacesThatElementsCutAcross) {
+TEST(Doubts, NameFacesThatElementsAreTooCoarseFor) {
   RunReport report;
   report.target_length = 1;
-  report.faces.resize(4);
-  for (int i = 0; i < 4; ++i) report.faces[static_cast<std::size_t>(i)].name = "Face" + std::to_string(i + 1);
+  report.faces.resize(6);
+  for (int i = 0; i < 6; ++i) report.faces[static_cast<std::size_t>(i)].name = "Face" + std::to_string(i + 1);
   report.faces[0].cad_area = 100, report.faces[0].mesh_area = 86;  // a ball of few elements
   report.faces[1].cad_area = 1, report.faces[1].mesh_area = 0.1;   // small beside the others
+  report.faces[4].cad_area = 100, report.faces[4].mesh_area = 100,
+  report.faces[4].distance = {.largest = 0.01, .angle = 3};
+  report.faces[4].longest_side = 1;  // a lip
   EXPECT_TRUE(doubts(report).empty());
+  report.faces[5].cad_area = 100, report.faces[5].mesh_area = 100,
+  report.faces[5].distance = {.largest = 0.3, .angle = 3};
+  report.faces[5].longest_side = 1;
   report.faces[2].cad_area = 100, report.faces[2].mesh_area = 43;
   report.faces[3].cad_area = 100, report.faces[3].mesh_area = 75, report.faces[3].distance.angle = 2;
   ASSERT_EQ(doubts(report).size(), 1U);
-  EXPECT_NE(doubts(report)[0].find(": Face3 (43 %), Face4 (75 %);"), std::string::npos) << doubts(report)[0];
+  EXPECT_NE(doubts(report)[0].find("of Face3 (43 % of its area), Face4 (75 % of its area), Face6 (100 % of its area);"),
+            std::string::npos)
+      << doubts(report)[0];
 }
 
 }  // namespace
