@@ -57,11 +57,12 @@ Error current_error() {
   } catch (const std::bad_alloc&) {
     return Error(ErrorCode::out_of_memory,
                  "Out of memory; choose a larger target length, fewer ranks or fewer threads.");
-  } catch (const std::system_error& error) {
-    return Error(
-        ErrorCode::out_of_memory,
-        fmt::format("The system gives no more means ({}); choose fewer ranks or fewer threads.", error.what()));
   } catch (const std::exception& error) {
+    const auto* system = dynamic_cast<const std::system_error*>(&error);
+    if (system && system->code() == std::errc::resource_unavailable_try_again)  // no more threads
+      return Error(
+          ErrorCode::out_of_memory,
+          fmt::format("The system gives no more means ({}); choose fewer ranks or fewer threads.", error.what()));
     return Error(ErrorCode::internal, fmt::format("Internal error ({}); report it with the model.", error.what()));
   } catch (...) {
     return Error(ErrorCode::internal, "Internal error of an unknown kind; report it with the model.");
