@@ -23,7 +23,7 @@ std::string unconnected_parts(const std::vector<std::array<std::string, 2>>& pai
   for (const auto& [one, other] : pairs) names.push_back(one + " and " + other);
   return fmt::format(
       "Parts that touch, or come near it, could not be connected and are meshed as drawn: {}; fuse them in the CAD "
-      "program, or say connect none where they are to stay apart.",
+      "program, give a sew-tolerance where their edges are to meet, or say connect none where they are to stay apart.",
       listed(names, most_named_faces, "more pairs"));
 }
 

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "brep/connecting/workpiece_impl.h"
@@ -301,11 +302,15 @@ class CreaseDivider {
         return true;
       }
       if (!has_near_images(current[0])) return false;
-      double area = face_area(current[0]);
       // A trial first: the kernel records divided edges even where it fails.
       Handle(ShapeBuild_ReShape) trial = new ShapeBuild_ReShape;
-      if (!is_sound(faces_of(compose(current[0], cuts, work_.diagonal, trial)), area)) return false;
-      context_->Replace(current[0], compose(current[0], cuts, work_.diagonal, context_));
+      const std::vector<double> areas = areas_of(compose(current[0], cuts, work_.diagonal, trial));
+      if (!is_sound(areas, work.area)) return false;
+      const TopoDS_Shape divided = compose(current[0], cuts, work_.diagonal, context_);
+      const std::vector<TopoDS_Face> pieces = faces_of(divided);
+      for (std::size_t i = 0; i < std::min(pieces.size(), areas.size()); ++i)
+        areas_[pieces[i].TShape().get()] = areas[i];
+      context_->Replace(current[0], divided);
       return true;
     } catch (const Standard_Failure&) {
       return false;
@@ -360,10 +365,15 @@ class CreaseDivider {
     return result;
   }
 
-  static bool is_sound(const std::vector<TopoDS_Face>& pieces, double area) {
-    double sum = 0;
-    for (const TopoDS_Face& piece : pieces) sum += face_area(piece);
-    return pieces.size() > 1 && std::abs(sum - area) <= area_share * area;
+  static std::vector<double> areas_of(const TopoDS_Shape& pieces) {
+    std::vector<double> areas;
+    for (const TopoDS_Face& piece : faces_of(pieces)) areas.push_back(face_area(piece));
+    return areas;
+  }
+
+  static bool is_sound(const std::vector<double>& areas, double area) {
+    const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
+    return areas.size() > 1 && std::abs(sum - area) <= area_share * area;
   }
 
   void replace_faces() {
@@ -376,7 +386,8 @@ class CreaseDivider {
         if (is_reversed) piece.Reverse();
         part.face = piece;
         if (pieces.size() > 1) {
-          part.area = face_area(piece);
+          const auto known = areas_.find(piece.TShape().get());
+          part.area = known != areas_.end() ? known->second : face_area(piece);
           part.has_area = work_.is_area(part.area);
         }
         replaced.push_back(std::move(part));
@@ -395,6 +406,7 @@ class CreaseDivider {
 
   Workpiece& work_;
   Handle(ShapeBuild_ReShape) context_;
+  std::map<const TopoDS_TShape*, double> areas_;  // of pieces, as far as they were measured: that takes the most time
 };
 
 }  // namespace
