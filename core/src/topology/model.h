@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <ranges>
 #include <set>
 #include <string>
 #include <vector>
@@ -106,8 +105,42 @@ inline bool is_of_wire(const Model& model, int edge) {
   return e < model.edge_part.size() && model.edge_part[e] >= 0;
 }
 
-/// Of all loops, one after the other.
-auto coedges_of(auto& loops) { return loops | std::views::transform(&Loop::coedges) | std::views::join; }
+/// The coedges of loops, one after the other. (Clang 14 cannot compile the views of the library that would do it.)
+template <class Loops>
+class CoedgesOf {
+ public:
+  class Iterator {
+   public:
+    Iterator(Loops& loops, std::size_t loop) : loops_(loops), loop_(loop) { skip(); }
+    auto& operator*() const { return loops_[loop_].coedges[at_]; }
+    Iterator& operator++() {
+      ++at_;
+      skip();
+      return *this;
+    }
+    bool operator==(const Iterator& other) const { return loop_ == other.loop_ && at_ == other.at_; }
+
+   private:
+    void skip() {
+      for (; loop_ < loops_.size() && at_ == loops_[loop_].coedges.size(); ++loop_) at_ = 0;
+    }
+
+    Loops& loops_;
+    std::size_t loop_, at_ = 0;
+  };
+
+  explicit CoedgesOf(Loops& loops) : loops_(loops) {}
+  Iterator begin() const { return {loops_, 0}; }
+  Iterator end() const { return {loops_, loops_.size()}; }
+
+ private:
+  Loops& loops_;
+};
+
+template <class Loops>
+CoedgesOf<Loops> coedges_of(Loops& loops) {
+  return CoedgesOf<Loops>(loops);
+}
 
 inline const Edge& edge_of(const Model& model, const Coedge& coedge) { return model.edges[coedge.edge]; }
 
