@@ -23,8 +23,8 @@ struct GridCells {
 };
 
 /// The cells of `face`, which must be FORWARD and stays as it is. `spans` follow each other in u and in v over the
-/// face's whole range. A face fits when it is a B-spline or swept surface bounded by the
-/// sides of its range.
+/// face's whole range. A face fits when it is a B-spline or swept surface, bounded by the sides
+/// of its range.
 GridCells divide_grid(const TopoDS_Face& face, const std::array<std::vector<GridSpan>, 2>& spans, double diagonal);
 
 }  // namespace paver

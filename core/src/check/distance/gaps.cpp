@@ -163,7 +163,7 @@ class GapSearch {
                         [&](const Edge* edge) { return is_nearer(found.where, *edge, far); });
   }
 
-  // Told to a sixteenth of `far`, by places along the edge.
+  // By places along the edge, a quarter of `far` apart where it is not ten thousand times as long.
   static bool is_nearer(Vec3 x, const Edge& edge, double far) {
     constexpr double most = 1e4;
     const int steps = static_cast<int>(std::clamp(4 * edge.length / far, 4.0, most));
