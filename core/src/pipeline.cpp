@@ -211,7 +211,7 @@ class Run {
       for (int part : face.back) report.back.push_back(model_.parts[part]);
       report.front_medium = medium_of(model_, face.front);
       report.back_medium = medium_of(model_, face.back);
-      report.wavelength = shortest_wavelength(options_, {report.front_medium, report.back_medium});
+      report.wavelength = shortest_wavelength(options_, {*report.front_medium, *report.back_medium});
       if (face.has_area && !face.fault.empty()) report.fail(stage_name(Stage::topology), face.fault);
       result_.report.faces.push_back(report);
       result_.face_names.push_back(face.label.empty() ? face.name : face.label);
@@ -307,6 +307,10 @@ class Run {
     }
   }
 
+  static void keep_common(std::vector<std::string>& names, const std::vector<std::string>& others) {
+    std::erase_if(names, [&](const std::string& name) { return std::ranges::find(others, name) == others.end(); });
+  }
+
   // A face has failed when one of its pieces has, and has no area when none of them has.
   static void add_piece(FaceReport& face, const FaceReport& piece) {
     face.distance =
@@ -325,9 +329,11 @@ class Run {
       face.reason = piece.reason;
       face.where = piece.where;
     }
-    if (face.front != piece.front || face.back != piece.back) face.front.clear(), face.back.clear();
-    if (face.front_medium != piece.front_medium) face.front_medium.clear();
-    if (face.back_medium != piece.back_medium) face.back_medium.clear();
+    keep_common(face.front, piece.front);
+    keep_common(face.back, piece.back);
+    if (face.front_medium != piece.front_medium) face.front_medium.reset();
+    if (face.back_medium != piece.back_medium) face.back_medium.reset();
+    if (piece.wavelength) face.wavelength = std::min(*piece.wavelength, face.wavelength.value_or(INFINITY));
     face.cad_area += piece.cad_area;
     face.closed_by_triangulation += piece.closed_by_triangulation;
   }

@@ -61,10 +61,11 @@ struct SurfaceDistance {
 };
 
 struct FaceReport {
-  std::string name;                       ///< "Face12"; "Face3 + Face9" for what these have in common
-  std::vector<std::string> front, back;   ///< solids in front of it, where its normal looks, and behind it
-  std::optional<double> wavelength;       ///< mm, the shortest of the media on both sides; none without a frequency
-  std::string front_medium, back_medium;  ///< of the first of these that has one; empty: that around the solids
+  std::string name;                      ///< "Face12"; "Face3 + Face9" for what these have in common
+  std::vector<std::string> front, back;  ///< solids in front of all of it, where its normal looks, and behind it
+  std::optional<double> wavelength;      ///< mm, the shortest of the media on both sides; none without a frequency
+  /// Of the first of these that has one; empty: that around the solids; none: its pieces lie in different ones.
+  std::optional<std::string> front_medium, back_medium;
   FaceStatus status = FaceStatus::meshed;
   std::string stage, reason;  ///< when not meshed: where it stopped and why
   std::optional<Vec3> where;  ///< when failed: a point near the trouble, where one is known

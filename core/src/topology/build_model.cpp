@@ -314,7 +314,9 @@ class ModelBuilder {
     model_.edge_part.assign(model_.edges.size(), -1);
     for (const WorkWire& wire : work_.wires) {
       int edge = index.find(wire.edge);
-      if (edge >= 0) model_.edge_part[edge] = wire.part;
+      if (edge < 0) continue;
+      model_.edge_part[edge] = wire.part;
+      model_.edges[edge].inside_of = wire.inside_of;
     }
     for (const WorkPoint& point : work_.points)
       model_.points.push_back({point.part, index.find_vertex(point.vertex), false, model_.parts[point.part]});

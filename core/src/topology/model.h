@@ -35,6 +35,7 @@ struct Edge {
   bool is_periodic = false;    ///< used twice by one face, a period apart, and by nothing else: its parametric seam
   std::shared_ptr<const Curve> curve;
   std::vector<int> faces;  ///< every face that uses it, a face twice where it has the face on both sides; none: a wire
+  std::vector<int> inside_of;  ///< of a wire: parts that are solids that it lies inside of
   bool is_wire() const { return faces.empty() && curve; }
   double parameter(double share) const { return (1 - share) * t0 + share * t1; }
 };

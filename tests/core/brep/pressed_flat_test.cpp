@@ -4,7 +4,9 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GeomConvert.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
@@ -66,6 +68,26 @@ TEST(PressedFlat, EndsAreClosedWhereverTheSeamLies) {
       EXPECT_NEAR(report.quality.border_edges, 2 * std::numbers::pi * 10 / size, 6) << "at the circle alone";
       EXPECT_LT(report.quality.distance.largest, 0.12 * size);
     }
+}
+
+/// Waved, across x = 20.
+TopoDS_Face wall() {
+  TColgp_Array2OfPnt poles(1, 3, 1, 3);
+  for (int i = 1; i <= 3; ++i)
+    for (int j = 1; j <= 3; ++j) poles(i, j) = gp_Pnt(i == j ? 22 : 18, 15 * (i - 2), 15 * (j - 2));
+  const Handle(Geom_Surface) surface = GeomConvert::SurfaceToBSplineSurface(new Geom_BezierSurface(poles));
+  return BRepBuilderAPI_MakeFace(surface, 1e-7).Face();
+}
+
+TEST(PressedFlat, BodiesAreConnectedToWhatCrossesThem) {
+  for (int first : {0, 1, 2, 3}) {
+    SCOPED_TRACE(testing::Message() << "seam at " << first);
+    const RunReport report = test::report_of(test::compound({tube(first, 0.55, 0.55), wall()}), 4);
+    EXPECT_EQ(report.model.contacts.size(), 1U);
+    EXPECT_TRUE(report.model.unconnected.empty());
+    EXPECT_STREQ(verdict(report), "sound") << report.faces[0].reason;
+    EXPECT_NEAR(report.quality.mesh_area, report.model.area, 0.01 * report.model.area);
+  }
 }
 
 TEST(PressedFlat, AnEndThatIsNotFlatStaysOpen) {

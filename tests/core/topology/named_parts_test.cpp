@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <algorithm>
+#include <gp_Pln.hxx>
 #include <set>
 
 #include "brep/occt_impl.h"
@@ -107,6 +110,35 @@ TEST(NamedParts, VolumesHaveTheirFacesSignedByTheOutwardNormal) {
   for (const FaceReport& face : result.report.faces) {
     if (face.quads == 0) continue;
     EXPECT_TRUE(face.back_medium == "Lower" || face.back_medium == "Upper") << face.name;
+  }
+}
+
+/// A box, a square sheet that lies half in it and half beside it, and two wires of length 8, in it and beside it.
+TopoDS_Shape box_with_insides() {
+  const TopoDS_Face sheet = BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(10, 10, 5), gp_Dir(0, 0, 1)), -6, 6, -4, 4);
+  return test::compound({BRepPrimAPI_MakeBox(10, 20, 10).Shape(), sheet,
+                         BRepBuilderAPI_MakeEdge(gp_Pnt(3, 2, 3), gp_Pnt(3, 10, 3)).Shape(),
+                         BRepBuilderAPI_MakeEdge(gp_Pnt(-3, 2, 3), gp_Pnt(-3, 10, 3)).Shape()});
+}
+
+TEST(NamedParts, WhatLiesInsideASolidHasTheWavelengthInItsMedium) {
+  Options options;
+  options.frequency = 7.5e9;  // 40 mm
+  options.divisions = 10;
+  options.media = {{"Dense", {"Solid1"}, 16.0}};
+  for (const Connect connect : {Connect::imprint, Connect::none}) {
+    SCOPED_TRACE(connect == Connect::none ? "not connected" : "connected");
+    options.connect = connect;
+    const MeshResult result = test::mesh_of(box_with_insides(), options);
+    const FaceReport& sheet = result.report.faces[6];
+    EXPECT_NEAR(*sheet.wavelength, 10, 0.01);
+    if (connect == Connect::none) continue;
+    EXPECT_TRUE(sheet.front.empty() && sheet.back.empty()) << "as not all of it lies inside";
+    EXPECT_EQ(sheet.front_medium, std::nullopt);
+    EXPECT_GT(sheet.quads, 48) << "of 1 mm on 48 mm2";
+    EXPECT_LT(sheet.quads, 96);
+    EXPECT_EQ(result.report.quality.wire_lines, 8 + 2);
+    EXPECT_EQ(result.report.faces[0].back, std::vector<std::string>{"Solid1"});
   }
 }
 

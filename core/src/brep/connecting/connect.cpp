@@ -259,7 +259,10 @@ ConnectResult connect(Workpiece& work, Connect how, double tolerance, Progress& 
   const bool has_ends =
       std::any_of(work.points.begin(), work.points.end(), [](const WorkPoint& point) { return point.is_end; });
   if (is_fused || has_ends) result.contacts = find_contacts(fused);
-  if (how == Connect::none) return result;
+  if (how == Connect::none) {
+    find_insides(work);
+    return result;
+  }
   result.failed = std::move(connector.failed);
   find_insides(fused);
   if (how == Connect::united) drop_inside(fused);

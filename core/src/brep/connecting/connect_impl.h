@@ -69,7 +69,7 @@ NearParts find_near_parts(const Workpiece& work, double tolerance);
 /// Contacts between connected parts.
 std::vector<Contact> find_contacts(const Workpiece& work);
 
-/// Notes for every face which solids it lies inside of, among those whose boxes hold it.
+/// Notes for every face and wire which solids it lies inside of, among those whose boxes hold it.
 void find_insides(Workpiece& work);
 
 }  // namespace paver

@@ -13,27 +13,46 @@
 namespace paver {
 namespace {
 
-constexpr double open_share = 1e-3;  // of the face: ends of its border that do not meet
+constexpr double open_share = 1e-3;   // of the face: ends of its border that do not meet
+constexpr double vague_share = 1e-4;  // of the face
 constexpr std::size_t most_edges = 400;
 constexpr int most_chords = 4096;  // as long as edges have eight
 
-/// Whether faces touch as far as boxes and slabs of their cells tell, which are halved where these meet.
+/// How faces meet as far as boxes and slabs of their cells tell, which are halved where these meet.
 class Meeting {
  public:
   Meeting(const PartPiece& one, const PartPiece& two) : one_(one), two_(two) {}
 
   bool may_be(const FaceCell& a, const FaceCell& b, int depth = 0) {
-    if (a.box.IsOut(b.box) || lies_beside(a, b) || lies_beside(b, a) || one_.is_outside(a) || two_.is_outside(b))
-      return false;
+    if (are_apart(a, b)) return false;
     if (depth == deepest || ++divided_ > most_divided) return true;
-    if (a.box.SquareExtent() > b.box.SquareExtent())
-      return std::ranges::any_of(one_.halves(a), [&](const FaceCell& part) { return may_be(part, b, depth + 1); });
-    return std::ranges::any_of(two_.halves(b), [&](const FaceCell& part) { return may_be(a, part, depth + 1); });
+    return any_half(a, b, [&](const FaceCell& c, const FaceCell& d) { return may_be(c, d, depth + 1); });
+  }
+
+  /// Whether the cells may run along each other where they meet.
+  bool may_be_flat(const FaceCell& a, const FaceCell& b, int depth = 0) {
+    if (are_apart(a, b)) return false;
+    if (depth == deepest_flat) return sine(a.normal, b.normal) <= flat_sine;
+    if (++divided_ > most_divided) return true;
+    return any_half(a, b, [&](const FaceCell& c, const FaceCell& d) { return may_be_flat(c, d, depth + 1); });
   }
 
  private:
   static constexpr int deepest = 40;           // halvings of both together
+  static constexpr int deepest_flat = 10;      // cells are flat by then, and there are not many
   static constexpr int most_divided = 100000;  // cells of a pair of faces
+  static constexpr double flat_sine = 0.1;
+
+  template <class Test>
+  bool any_half(const FaceCell& a, const FaceCell& b, Test test) {
+    if (a.box.SquareExtent() > b.box.SquareExtent())
+      return std::ranges::any_of(one_.halves(a), [&](const FaceCell& part) { return test(part, b); });
+    return std::ranges::any_of(two_.halves(b), [&](const FaceCell& part) { return test(a, part); });
+  }
+
+  bool are_apart(const FaceCell& a, const FaceCell& b) const {
+    return a.box.IsOut(b.box) || lies_beside(a, b) || lies_beside(b, a) || one_.is_outside(a) || two_.is_outside(b);
+  }
 
   /// Whether one is all on one side of the other's slab.
   static bool lies_beside(const FaceCell& slab, const FaceCell& other) {
@@ -49,9 +68,22 @@ class Meeting {
     return between > slab.sag + other.sag;
   }
 
+  static double sine(const gp_XYZ& a, const gp_XYZ& b) {
+    const double product = a.Modulus() * b.Modulus();
+    return product > 0 ? a.CrossMagnitude(b) / product : 0;
+  }
+
   const PartPiece &one_, &two_;
   int divided_ = 0;
 };
+
+/// Whether a test holds for some cell of the one and some of the other.
+template <class Test>
+bool any_cells(PartPiece& one, PartPiece& two, Test test) {
+  return std::ranges::any_of(one.cells(), [&](const FaceCell& a) {
+    return !a.box.IsOut(two.box()) && std::ranges::any_of(two.cells(), [&](const FaceCell& b) { return test(a, b); });
+  });
+}
 
 }  // namespace
 
@@ -125,6 +157,9 @@ PartPiece::PartPiece(const TopoDS_Shape& shape, double margin) : shape_(shape), 
   if (shape.ShapeType() != TopAbs_FACE) return;
   surface_.Initialize(TopoDS::Face(shape), Standard_False);
   is_free_form_ = !is_simple();
+  const double extent = std::sqrt(box_.SquareExtent());
+  is_vague_ = std::ranges::any_of(
+      edges_of(shape), [&](const TopoDS_Edge& edge) { return BRep_Tool::Tolerance(edge) > vague_share * extent; });
 }
 
 bool PartPiece::is_level_with(const PartPiece& other) const {
@@ -223,6 +258,11 @@ FaceCell PartPiece::cell(gp_Pnt2d lo, gp_Pnt2d hi) const {
   return cell;
 }
 
+bool crosses(PartPiece& one, PartPiece& two) {
+  Meeting meeting(one, two);
+  return !any_cells(one, two, [&](const FaceCell& a, const FaceCell& b) { return meeting.may_be_flat(a, b); });
+}
+
 bool may_touch(PartPiece& one, PartPiece& two) {
   if (one.box().IsOut(two.box())) return false;
   if (!one.is_face() || !two.is_face()) {
@@ -231,11 +271,7 @@ bool may_touch(PartPiece& one, PartPiece& two) {
            std::ranges::any_of(face.cells(), [&](const FaceCell& cell) { return !cell.box.IsOut(other.box()); });
   }
   Meeting meeting(one, two);
-  for (const FaceCell& a : one.cells())
-    if (!a.box.IsOut(two.box()))
-      for (const FaceCell& b : two.cells())
-        if (meeting.may_be(a, b)) return true;
-  return false;
+  return any_cells(one, two, [&](const FaceCell& a, const FaceCell& b) { return meeting.may_be(a, b); });
 }
 
 }  // namespace paver

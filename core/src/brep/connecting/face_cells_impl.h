@@ -51,6 +51,8 @@ class PartPiece {
   const Bnd_Box& box() const { return box_; }
   bool is_free_form() const { return is_free_form_; }
   bool is_elementary() const { return surface_.GetType() <= GeomAbs_Torus; }
+  /// An edge or vertex of it may be so far off that the kernel would take it for others.
+  bool is_vague() const { return is_vague_; }
   bool is_face() const { return shape_.ShapeType() == TopAbs_FACE; }
   /// Both are flat, and in one plane.
   bool is_level_with(const PartPiece& other) const;
@@ -74,12 +76,15 @@ class PartPiece {
   double margin_;
   Bnd_Box box_;
   BRepAdaptor_Surface surface_;
-  bool is_free_form_ = false;
+  bool is_free_form_ = false, is_vague_ = false;
   std::vector<FaceCell> cells_;
   FaceBorder border_;
 };
 
 /// As far as boxes of cells tell, and slabs along them.
 bool may_touch(PartPiece& one, PartPiece& two);
+
+/// Whether two faces that may touch do so at an angle, everywhere: not along each other.
+bool crosses(PartPiece& one, PartPiece& two);
 
 }  // namespace paver

@@ -1,8 +1,9 @@
-// Which faces lie inside solids that they do not bound: a point of the face, by the number of times that rays from it
-// leave the solid.
+// Which faces and wires lie inside solids that they do not bound: a point of them, by the number of times that rays
+// from it leave the solid.
 //
 // The kernel's own classifier looks along one line, and takes points below a lofted wing, outside of its box even, for
 // inside where it misses a face. So several directions are asked.
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
 #include <IntCurvesFace_ShapeIntersector.hxx>
@@ -52,6 +53,11 @@ class InsideClassifier {
   IntCurvesFace_ShapeIntersector rays_;
 };
 
+gp_Pnt middle_of(const TopoDS_Edge& edge) {
+  const CurveRange range = range_of(edge);
+  return BRepAdaptor_Curve(edge).Value(range.at(0.5));
+}
+
 }  // namespace
 
 void find_insides(Workpiece& work) {
@@ -67,14 +73,19 @@ void find_insides(Workpiece& work) {
     Bnd_Box box;
     BRepBndLib::Add(solid, box, Standard_False);
     std::unique_ptr<InsideClassifier> classifier;
+    auto holds = [&](const gp_Pnt& point) {
+      if (box.IsOut(point)) return false;
+      if (!classifier) classifier = std::make_unique<InsideClassifier>(solid);
+      return classifier->holds(point);
+    };
     for (std::size_t f = 0; f < work.faces.size(); ++f) {
       WorkFace& face = work.faces[f];
       if (!face.is_usable() || face.has_part(static_cast<int>(part)) || box.IsOut(boxes[f])) continue;
       const auto point = point_inside(face.face, context);
-      if (!point || box.IsOut(*point)) continue;
-      if (!classifier) classifier = std::make_unique<InsideClassifier>(solid);
-      if (classifier->holds(*point)) face.inside_of.push_back(static_cast<int>(part));
+      if (point && holds(*point)) face.inside_of.push_back(static_cast<int>(part));
     }
+    for (WorkWire& wire : work.wires)
+      if (holds(middle_of(wire.edge))) wire.inside_of.push_back(static_cast<int>(part));
   }
 }
 

@@ -64,7 +64,8 @@ struct WorkPart {
 struct WorkWire {
   TopoDS_Edge edge;
   int part = -1;
-  int origin = -1;  ///< index in LooseShapes::edges of the shape as read
+  int origin = -1;                  ///< index in LooseShapes::edges of the shape as read
+  std::vector<int> inside_of = {};  ///< parts that are solids that it lies inside of, rising
 };
 
 /// A vertex that ends no edge.

@@ -71,6 +71,7 @@ class CreaseFinder {
     if (!is_finite()) return cuts;
     cuts.u = inner_creases(true);
     cuts.v = inner_creases(false);
+    for (bool is_u : {true, false}) add_flat_ends(is_u, is_u ? cuts.u : cuts.v);
     cuts.creases = static_cast<int>(cuts.u.size() + cuts.v.size());
     for (bool is_u : {true, false}) {
       if (!has_sharp_closure(is_u)) continue;
@@ -180,6 +181,37 @@ class CreaseFinder {
       if (inside_->Perform(uv) != TopAbs_OUT) return true;
     }
     return false;
+  }
+
+  /// Where an end is pressed flat, the face is divided so that each piece has an edge there once, and for that at the
+  /// place where the border starts: the kernel connects nothing to a face that has an edge twice on one side.
+  void add_flat_ends(bool is_u, std::vector<double>& values) const {
+    const double margin = end_share * range(is_u);
+    auto add = [&](const gp_Pnt2d& uv) {
+      const double value = is_u ? uv.X() : uv.Y();
+      const bool is_end = value < first(is_u) + margin || value > last(is_u) - margin;
+      const bool is_known = std::ranges::any_of(values, [&](double v) { return std::abs(v - value) <= margin; });
+      if (!is_end && !is_known) values.push_back(value);
+    };
+    for (const TopoDS_Edge& edge : edges_of(face_)) {
+      if (BRep_Tool::Degenerated(edge) || use_count(edge, face_) != 2) continue;
+      const EdgeImage one = image_of(forward(edge), face_);
+      const EdgeImage two = image_of(TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)), face_);
+      if (one.curve.IsNull() || two.curve.IsNull() || !lies_on_one_end(!is_u, {one, two})) continue;
+      for (const EdgeImage& image : {one, two})
+        for (const double share : {0.0, 1.0}) add(image.uv(share));
+    }
+    std::ranges::sort(values);
+  }
+
+  bool lies_on_one_end(bool is_u, const std::array<EdgeImage, 2>& images) const {
+    return std::ranges::any_of(std::array{first(is_u), last(is_u)}, [&](double end) {
+      return std::ranges::all_of(images, [&](const EdgeImage& image) {
+        return std::ranges::all_of(std::array{0.0, 0.5, 1.0}, [&](double share) {
+          return std::abs((is_u ? image.uv(share).X() : image.uv(share).Y()) - end) <= end_share * range(is_u);
+        });
+      });
+    });
   }
 
   /// Whether the face closes on itself in this direction, along a periodic edge that is a crease.

@@ -86,17 +86,25 @@ class GridDivider {
     return surface_->IsKind(STANDARD_TYPE(Geom_BSplineSurface)) || surface_->IsKind(STANDARD_TYPE(Geom_SweptSurface));
   }
 
-  /// Every edge must lie on one of the sides, whole, and once: not back along itself, where the face is pressed flat.
+  /// Every edge must lie on one of the sides, whole; twice on one, where the face is pressed flat, only where it needs
+  /// no division.
   bool find_sides() {
     for (const TopoDS_Edge& edge : edges_of(face_))
       if (!add_to_side(edge, image_of(edge, face_))) return false;
     for (int axis : {0, 1}) {
       for (Line& side : sides_[axis]) {
         std::sort(side.begin(), side.end(), [](const SideEdge& a, const SideEdge& b) { return a.low < b.low; });
-        if (!covers(side, axis)) return false;
+        if (!covers(side, axis) || runs_back(side, axis)) return false;
       }
     }
     return true;
+  }
+
+  bool runs_back(const Line& side, int axis) const {
+    return std::ranges::any_of(side, [&](const SideEdge& part) {
+      return !cuts_of(part, axis).empty() &&
+             std::ranges::count_if(side, [&](const SideEdge& other) { return other.edge.IsSame(part.edge); }) > 1;
+    });
   }
 
   bool add_to_side(const TopoDS_Edge& edge, const EdgeImage& image) {
@@ -111,9 +119,6 @@ class GridDivider {
           is_on &= std::abs(coordinate(image.curve->Value(t0 + (t1 - t0) * i / line_samples), 1 - axis) - value) <=
                    slack(1 - axis);
         if (!is_on) continue;
-        const Line& side = sides_[axis][end];
-        if (std::any_of(side.begin(), side.end(), [&](const SideEdge& part) { return part.edge.IsSame(edge); }))
-          return false;
         double a = coordinate(image.curve->Value(t0), axis), b = coordinate(image.curve->Value(t1), axis);
         sides_[axis][end].push_back({forward(edge), std::min(a, b), std::max(a, b), a < b, image.curve});
         return true;
@@ -179,17 +184,23 @@ class GridDivider {
       return parts;
     }
     std::vector<SideEdge> parts = cut(whole, axis);
+    if (parts.size() == 1) return parts;
     divided_.push_back({whole.edge, parts});
-    if (parts.size() > 1 || !parts[0].edge.IsSame(whole.edge)) replace(whole, parts, axis);
+    replace(whole, parts, axis);
     return parts;
   }
 
-  std::vector<SideEdge> cut(const SideEdge& whole, int axis) {
+  std::vector<double> cuts_of(const SideEdge& whole, int axis) const {
     std::vector<double> values;
     for (const auto& span : spans(axis))
       for (double value : span)
         if (value > whole.low + slack(axis) && value < whole.high - slack(axis)) values.push_back(value);
     values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+  }
+
+  std::vector<SideEdge> cut(const SideEdge& whole, int axis) {
+    std::vector<double> values = cuts_of(whole, axis);
     if (values.empty()) return {whole};
     values.insert(values.begin(), whole.low);
     values.push_back(whole.high);

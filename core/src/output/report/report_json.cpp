@@ -13,6 +13,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr int report_version = 1;  // grows when a key changes its meaning or goes
 
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
 const char* status_name(FaceStatus status) {
   static constexpr const char* names[] = {"meshed", "no_area", "failed", "common", "dropped", "merged"};
   static_assert(std::size(names) == static_cast<std::size_t>(FaceStatus::merged) + 1);
@@ -135,13 +140,13 @@ Json solver_json(const RunReport& run) {
   auto in_waves = [&](double length) { return wave ? Json(length / *wave) : Json(nullptr); };
   return {{"unknowns", figures.unknowns},
           {"matrix_mib", figures.matrix_mib},
-          {"wavelength", wave ? Json(*wave) : Json(nullptr)},
-          {"wavelength_around", run.wavelength ? Json(*run.wavelength) : Json(nullptr)},
+          {"wavelength", or_null(wave)},
+          {"wavelength_around", or_null(run.wavelength)},
           {"shortest_edge_wavelengths", in_waves(figures.shortest_edge)},
           {"longest_edge_wavelengths", in_waves(figures.longest_edge)},
           {"elements_per_square_wavelength",
            density(run.quality.quads + run.quality.triangles, run.quality.mesh_area, run.wavelength)},
-          {"segment", figures.least_segment ? Json(*figures.least_segment) : Json(nullptr)},
+          {"segment", or_null(figures.least_segment)},
           {"hints", solver_hints(figures)}};
 }
 
@@ -152,8 +157,8 @@ Json face_json(const FaceReport& face, const std::string& label) {
       {"label", label},
       {"front", face.front},
       {"back", face.back},
-      {"front_medium", face.front_medium},
-      {"back_medium", face.back_medium},
+      {"front_medium", or_null(face.front_medium)},
+      {"back_medium", or_null(face.back_medium)},
       {"status", status_name(face.status)},
       {"stage", face.stage},
       {"reason", face.reason},

@@ -71,7 +71,10 @@ void check_length(const Model& model, const LocalSize& local, double length) {
 }  // namespace
 
 LocalSizes::LocalSizes(const Model& model, const Options& options, double h, const std::vector<SizeSource>& places)
-    : of_face_(model.faces.size(), none), of_edge_(static_cast<std::size_t>(model.read_edges), none), lines_(places) {
+    : of_face_(model.faces.size(), none),
+      of_edge_(static_cast<std::size_t>(model.read_edges), none),
+      of_part_(model.parts.size(), none),
+      lines_(places) {
   for (const SizeSource& place : places) least_ = std::min(least_, place.h);
   for (const LocalSize& local : options.local) {
     double length = local_length(options, local);
@@ -161,7 +164,7 @@ void LocalSizes::note_inside(const Model& model, const LocalSize& local) {
   }
 }
 
-// Every part in its own way; a solid is its faces.
+// Every part in its own way; a solid is its faces and what lies inside.
 void LocalSizes::put(const Model& model, const LocalSize& local, double length) {
   const PartName part = *parse_part(local.part);
   const auto index = static_cast<std::size_t>(part.index);
@@ -182,7 +185,18 @@ void LocalSizes::put(const Model& model, const LocalSize& local, double length) 
       return;
     case PartKind::solid:
       for (int face : model.solid_faces[index]) put_on_face(face);
-      return;
+      return put_inside(model, part.index, length);
+  }
+}
+
+/// On what lies inside of a solid, and on its own faces in whichever entry of the report they are.
+void LocalSizes::put_inside(const Model& model, int solid, double length) {
+  for (std::size_t p = 0; p < model.parts.size(); ++p) {
+    if (model.part_solid[p] != solid) continue;
+    of_part_[p] = std::min(of_part_[p], length);
+    for (std::size_t f = 0; f < model.faces.size(); ++f)
+      for (const std::vector<int>* side : {&model.faces[f].front, &model.faces[f].back})
+        if (std::ranges::find(*side, static_cast<int>(p)) != side->end()) of_face_[f] = std::min(of_face_[f], length);
   }
 }
 
@@ -191,6 +205,7 @@ double LocalSizes::on_edge(const Edge& edge) const {
   if (is_empty()) return least;
   for (int origin : edge.origins) least = std::min(least, of_edge_[origin]);
   for (int face : edge.faces) least = std::min(least, of_face_[face]);
+  for (int part : edge.inside_of) least = std::min(least, of_part_[part]);
   return least;
 }
 

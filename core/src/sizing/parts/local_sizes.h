@@ -24,9 +24,9 @@ class LocalSizes {
   LocalSizes(const Model& model, const Options& options, double h, const std::vector<SizeSource>& places = {});
 
   bool is_empty() const { return !(least_ < none); }
-  /// Length asked for on a whole face: its own and those of its solids.
+  /// Length asked for on a whole face: its own and those of the solids beside or around it.
   double on_face(int face) const { return is_empty() ? none : of_face_[face]; }
-  /// Length asked for on a whole edge: its own and those of its faces.
+  /// Length asked for on a whole edge: its own and those of its faces, of a wire that of the solids around it.
   double on_edge(const Edge& edge) const;
   /// Least over all parts of their length plus gradation times the distance to their edges or vertex, and `most`.
   double at(Vec3 x, double most = none) const { return sources_.least(x, most); }
@@ -38,6 +38,7 @@ class LocalSizes {
  private:
   void note_inside(const Model& model, const LocalSize& local);
   void put(const Model& model, const LocalSize& local, double length);
+  void put_inside(const Model& model, int solid, double length);
   void put_on_sharp_edges(const Model& model, const Options& options, double h);
   void put_on_tips(const Model& model, const Options& options, double h);
   void put_on_gaps(const Model& model, const Options& options, double h);
@@ -46,6 +47,7 @@ class LocalSizes {
 
   std::vector<double> of_face_;  // per face of the model
   std::vector<double> of_edge_;  // per edge of the shape as read
+  std::vector<double> of_part_;  // of solids: of what lies inside
   std::vector<std::pair<Vec3, double>> points_;
   std::vector<SizeSource> lines_;  // across gaps, about small holes, at given places
   NearestSource sources_;
