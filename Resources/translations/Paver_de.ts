@@ -719,6 +719,14 @@
         <translation>{} Paare von Teilen berühren sich: {}.</translation>
     </message>
     <message>
+        <source>{} is open where its edges run along each other, {} mm apart.</source>
+        <translation>{} ist offen, wo Kanten im Abstand von {} mm nebeneinander verlaufen.</translation>
+    </message>
+    <message>
+        <source>{} come within {} mm of each other and share no node there.</source>
+        <translation>{} kommen einander auf {} mm nahe und haben dort keinen Knoten gemeinsam.</translation>
+    </message>
+    <message>
         <source>All elements are quads.</source>
         <translation>Alle Elemente sind Vierecke.</translation>
     </message>
@@ -793,10 +801,6 @@
     <message>
         <source>The faces of {} cannot all look outwards; repair the solid.</source>
         <translation>Die Flächen von {} können nicht alle nach außen zeigen; bitte den Körper reparieren.</translation>
-    </message>
-    <message>
-        <source>{} come within {} mm of each other and share no node there.</source>
-        <translation>{} kommen einander auf {} mm nahe und haben dort keinen Knoten gemeinsam.</translation>
     </message>
     <message>
         <source>No edge is longer than {} of the target length.</source>

@@ -230,8 +230,11 @@ def parts(mesh):
         findings.append(Finding(ERROR, translate("Paver", "The faces of {} cannot all look outwards; repair the solid.").format(
             solid), numbers(elements_of(mesh, [solid]))))
     for gap in mesh.report.get("gaps", []):
-        findings.append(Finding(WARNING, translate("Paver", "{} come within {} mm of each other and share no node there.").format(
-            " \u2013 ".join(gap["parts"]), f"{gap['distance']:.3g}"), at_places(mesh, [gap["where"]])))
+        text = (translate("Paver", "{} is open where its edges run along each other, {} mm apart.")
+                if gap["parts"][0] == gap["parts"][1] else
+                translate("Paver", "{} come within {} mm of each other and share no node there."))
+        findings.append(Finding(WARNING, text.format(
+            " \u2013 ".join(dict.fromkeys(gap["parts"])), f"{gap['distance']:.3g}"), at_places(mesh, [gap["where"]])))
     return findings + separate_meshes(mesh)
 
 

@@ -19,6 +19,7 @@
 #include "boundary/edge_nodes.h"
 #include "boundary/prediction.h"
 #include "brep/occt_impl.h"
+#include "check/distance/cracks.h"
 #include "check/distance/gaps.h"
 #include "check/distance/surface_distance.h"
 #include "parallel/pave_parts.h"
@@ -366,6 +367,7 @@ class Run {
       const auto& named = report.model.unconnected;
       return std::find(named.begin(), named.end(), gap.parts) != named.end();
     });
+    for (Gap& crack : find_cracks(model_, report.target_length)) report.gaps.push_back(std::move(crack));
     merge_pieces();
     measure_wires();
     report.components = find_components(model_, report.faces);

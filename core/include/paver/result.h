@@ -132,11 +132,12 @@ struct Contact {
   double gap = 0;                  ///< largest that was closed, mm
 };
 
-/// Two parts that come within a hundredth of the target length of each other and share no node there.
+/// Two parts that come within a hundredth of the target length of each other and share no node there; or free edges of
+/// one part that run along each other, nearer than a thousandth.
 struct Gap {
-  std::array<std::string, 2> parts;
-  double distance = 0;  ///< least, mm
-  Vec3 where;           ///< on one of them
+  std::array<std::string, 2> parts;  ///< of a crack twice the same
+  double distance = 0;               ///< least, of a crack the largest where it was looked at, mm
+  Vec3 where;                        ///< on one of them
 };
 
 /// What was repaired in a model that is not clean.

@@ -136,10 +136,17 @@ std::vector<std::string> faults(const RunReport& report) {
 std::vector<std::string> doubts(const RunReport& report) {
   std::vector<std::string> sentences;
   for (const Gap& gap : report.gaps)
-    sentences.push_back(fmt::format(
-        "{} and {} come within {:.3g} mm of each other at ({:.6g}, {:.6g}, {:.6g}) and share no node there; where "
-        "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
-        gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
+    if (gap.parts[0] == gap.parts[1])
+      sentences.push_back(
+          fmt::format("{} is open at ({:.6g}, {:.6g}, {:.6g}), where its edges run along each other up to {:.3g} mm "
+                      "apart and share "
+                      "no node; where they are to be one, give a sew-tolerance above that.",
+                      gap.parts[0], gap.where.x, gap.where.y, gap.where.z, gap.distance));
+    else
+      sentences.push_back(fmt::format(
+          "{} and {} come within {:.3g} mm of each other at ({:.6g}, {:.6g}, {:.6g}) and share no node there; where "
+          "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
+          gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
   for (std::string sentence : {holes(report.model.holes), long_sides(report), folded(report), too_coarse(report)})
     if (!sentence.empty()) sentences.push_back(std::move(sentence));
   return sentences;

@@ -37,6 +37,8 @@ constexpr double short_factor = 6;
 // An open group counts as sewn when no more than this share of its free edges is left.
 constexpr double open_share = 1.0 / 3;
 constexpr int foot_steps = 4;
+// Edges that leave a vertex are two sides of a crack where they are no farther apart than this share of their length.
+constexpr double wedge_share = 3e-3;
 
 long free_count(const EdgeUses& uses) { return static_cast<long>(uses.free_edges().size()); }
 
@@ -93,7 +95,7 @@ class GroupSewer {
     const Sewn fitting = sew_at(std::min(fitting_share * work_.diagonal, most));
     if (fitting.free == 0) return fitting;
     const double most_left = most_tolerance(fitting.uses);
-    for (const Gap& gap : gaps_to_close(fitting.uses, std::max(most, most_left))) {
+    for (const Gap& gap : gaps_to_close(fitting, std::max(most, most_left))) {
       const double tolerance = corner_factor * gap.width;
       const bool is_anew = tolerance <= most;  // what fits in part leaves short pieces
       if (!(is_anew || tolerance <= most_left) || tolerance <= fitting.tolerance) continue;
@@ -184,10 +186,10 @@ class GroupSewer {
     return has_fewer && !wider.has_lost && !collapses(wider, before) ? wider : sewn;
   }
 
-  /// The widest that are worth a try: of all free edges, of borders along which there is something all round, and of
-  /// most free edges.
-  static std::vector<Gap> gaps_to_close(const EdgeUses& uses, double most) {
-    const std::vector<TopoDS_Edge> edges = uses.free_edges();
+  /// The widest that are worth a try: of all free edges, of borders along which there is something all round, of edges
+  /// that leave a vertex along each other, and of most free edges.
+  static std::vector<Gap> gaps_to_close(const Sewn& sewn, double most) {
+    const std::vector<TopoDS_Edge> edges = sewn.uses.free_edges();
     std::vector<double> widths = gaps_between(edges, most);
     Gap cracks;
     for (const std::vector<std::size_t>& border : borders(edges)) {
@@ -200,7 +202,42 @@ class GroupSewer {
     std::sort(widths.begin(), widths.end());
     const auto all = static_cast<double>(edges.size());
     const std::size_t enough = edges.size() - static_cast<std::size_t>(open_share * all);
-    return {{widths.back(), all}, cracks, {widths[enough - 1], all}};
+    return {{widths.back(), all}, cracks, wedges(sewn.faces, edges, most), {widths[enough - 1], all}};
+  }
+
+  /// Of edges of two faces.
+  static Gap wedges(const std::vector<TopoDS_Face>& faces, const std::vector<TopoDS_Edge>& edges, double most) {
+    struct Side {
+      int face = -1;
+      TopoDS_Edge edge;
+    };
+    NCollection_IndexedDataMap<TopoDS_Shape, int, TopTools_ShapeMapHasher> face_of;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      if (!faces[f].IsNull())
+        for (const TopoDS_Edge& edge : edges_of(faces[f])) face_of.Add(edge, static_cast<int>(f));
+    NCollection_IndexedDataMap<TopoDS_Shape, std::vector<Side>, TopTools_ShapeMapHasher> leaving;
+    for (const TopoDS_Edge& edge : edges)
+      for (const TopoDS_Vertex& end : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)})
+        leaving(leaving.Add(end, {})).push_back({face_of.FindFromKey(edge), edge});
+    Gap gap;
+    for (int v = 1; v <= leaving.Extent(); ++v)
+      for (const Side& one : leaving(v))
+        for (const Side& other : leaving(v)) {
+          if (one.face >= other.face) continue;
+          const Polyline a = polyline(one.edge), b = polyline(other.edge);
+          const double width = std::max(distance_along(a, b), distance_along(b, a));
+          if (width > std::min(most, wedge_share * length_of(a))) continue;
+          gap.width = std::max(gap.width, width);
+          gap.edges += 2;
+        }
+    return gap;
+  }
+
+  static double distance_along(const Polyline& line, const Polyline& other) {
+    double distance = 0;
+    for (std::size_t k = 1; k < line.points.size(); k += 6)
+      distance = std::max(distance, other.curve ? distance_to(other, foot_steps, line.points[k]) : INFINITY);
+    return distance;
   }
 
   /// Edges that hang together.
