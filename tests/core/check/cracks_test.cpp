@@ -51,6 +51,11 @@ TEST(Cracks, AreToldWhereTheyStay) {
   EXPECT_STREQ(verdict(report), "doubtful");
 }
 
+TEST(Cracks, StripsAreNone) {
+  const RunReport report = report_of(polygon({{0, 0, 0}, {60, 0, 0}, {60, 1e-3, 0}, {0, 1e-3, 0}}));
+  EXPECT_TRUE(report.gaps.empty());
+}
+
 TEST(Cracks, NotchesAreNone) {
   const RunReport report = report_of(patches(1));
   EXPECT_EQ(report.model.free_edges, 10);

@@ -7,6 +7,7 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "brep/connecting/face_cells_impl.h"
 
@@ -21,7 +22,7 @@ constexpr int most_chords = 4096;  // as long as edges have eight
 /// How faces meet as far as boxes and slabs of their cells tell, which are halved where these meet.
 class Meeting {
  public:
-  Meeting(const PartPiece& one, const PartPiece& two, const std::vector<Bnd_Box>& common = {})
+  Meeting(const PartPiece& one, const PartPiece& two, std::span<const Bnd_Box> common = {})
       : one_(one), two_(two), common_(common) {}
 
   bool may_be(const FaceCell& a, const FaceCell& b, int depth = 0) {
@@ -83,7 +84,7 @@ class Meeting {
   }
 
   const PartPiece &one_, &two_;
-  const std::vector<Bnd_Box>& common_;
+  std::span<const Bnd_Box> common_;
   int divided_ = 0;
   bool has_met_ = false;
 };

@@ -93,7 +93,9 @@ std::vector<Gap> find_cracks(const Model& model, double h) {
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (std::size_t j = i + 1; j < edges.size() && edges[j].box.low.x <= edges[i].box.high.x; ++j) {
       if (++pairs > most_pairs) break;
-      if (edges[i].part != edges[j].part || !edges[i].box.meets(edges[j].box)) continue;
+      // Both sides of a strip or slot are of one face.
+      if (edges[i].part != edges[j].part || edges[i].edge->faces == edges[j].edge->faces) continue;
+      if (!edges[i].box.meets(edges[j].box)) continue;
       look_along(edges[i], edges[j], cracks);
       look_along(edges[j], edges[i], cracks);
     }

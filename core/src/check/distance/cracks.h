@@ -1,4 +1,4 @@
-// Cracks: free edges of one part that run along each other, as where sewing left a gap open.
+// Cracks: free edges of two faces of one part that run along each other, as where sewing left a gap open.
 #pragma once
 
 #include <vector>
