@@ -3,7 +3,6 @@
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
@@ -59,24 +58,6 @@ TEST(NearParts, SheetsThatCrossAreConnected) {
   const TopoDS_Shape lid = BRepPrimAPI_MakeRevol(edge, about).Shape();
   const RunReport report = test::report_of(test::compound({dish(0), lid}), 5);
   EXPECT_EQ(report.model.contacts.size(), 1U);
-  EXPECT_STREQ(verdict(report), "sound");
-}
-
-/// An extrusion along y, over 10, of a spline through these points of (x, z).
-TopoDS_Shape bent_strip(std::initializer_list<gp_Pnt2d> profile) {
-  TColgp_Array1OfPnt points(1, static_cast<int>(profile.size()));
-  for (int i = 1; const gp_Pnt2d& p : profile) points.SetValue(i++, gp_Pnt(p.X(), 0, p.Y()));
-  const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(GeomAPI_PointsToBSpline(points).Curve());
-  return BRepPrimAPI_MakePrism(edge, gp_Vec(0, 10, 0)).Shape();
-}
-
-// They are sewn to one sheet at x = 0; the second one curls back through the first.
-TEST(NearParts, SheetsWithACommonEdgeThatCrossElsewhereAreConnected) {
-  const TopoDS_Shape wave = bent_strip({{0, 0}, {5, 0.6}, {10, -0.2}, {16, 0.5}}),
-                     curl = bent_strip({{0, 0}, {-3, 4}, {2, 8}, {7, 4}, {8, 0}, {8.5, -3}});
-  const RunReport report = test::report_of(test::compound({wave, curl}), 1.5);
-  EXPECT_EQ(report.model.sewn_edges, 2);
-  EXPECT_EQ(report.model.nonmanifold_edges, 1);
   EXPECT_STREQ(verdict(report), "sound");
 }
 

@@ -7,7 +7,6 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "brep/connecting/face_cells_impl.h"
 
@@ -22,8 +21,7 @@ constexpr int most_chords = 4096;  // as long as edges have eight
 /// How faces meet as far as boxes and slabs of their cells tell, which are halved where these meet.
 class Meeting {
  public:
-  Meeting(const PartPiece& one, const PartPiece& two, std::span<const Bnd_Box> common = {})
-      : one_(one), two_(two), common_(common) {}
+  Meeting(const PartPiece& one, const PartPiece& two) : one_(one), two_(two) {}
 
   bool may_be(const FaceCell& a, const FaceCell& b, int depth = 0) {
     if (are_apart(a, b)) return false;
@@ -31,25 +29,17 @@ class Meeting {
     return any_half(a, b, [&](const FaceCell& c, const FaceCell& d) { return may_be(c, d, depth + 1); });
   }
 
-  /// Whether the cells may run along each other where they meet, but for what both have in common.
+  /// Whether the cells may run along each other where they meet.
   bool may_be_flat(const FaceCell& a, const FaceCell& b, int depth = 0) {
     if (are_apart(a, b)) return false;
-    if (depth == (common_.empty() ? deepest_flat : deepest_beside)) {
-      if (std::ranges::any_of(common_, [&](const Bnd_Box& box) { return !box.IsOut(a.box) || !box.IsOut(b.box); }))
-        return false;
-      has_met_ = true;
-      return sine(a.normal, b.normal) <= flat_sine;
-    }
+    if (depth == deepest_flat) return sine(a.normal, b.normal) <= flat_sine;
     if (++divided_ > most_divided) return true;
     return any_half(a, b, [&](const FaceCell& c, const FaceCell& d) { return may_be_flat(c, d, depth + 1); });
   }
 
-  bool has_met() const { return has_met_; }
-
  private:
   static constexpr int deepest = 40;           // halvings of both together
   static constexpr int deepest_flat = 10;      // cells are flat by then, and there are not many
-  static constexpr int deepest_beside = 6;     // where all along a common edge they meet
   static constexpr int most_divided = 100000;  // cells of a pair of faces
   static constexpr double flat_sine = 0.1;
 
@@ -84,9 +74,7 @@ class Meeting {
   }
 
   const PartPiece &one_, &two_;
-  std::span<const Bnd_Box> common_;
   int divided_ = 0;
-  bool has_met_ = false;
 };
 
 /// Whether a test holds for some cell of the one and some of the other.
@@ -270,10 +258,9 @@ FaceCell PartPiece::cell(gp_Pnt2d lo, gp_Pnt2d hi) const {
   return cell;
 }
 
-bool crosses(PartPiece& one, PartPiece& two, const std::vector<Bnd_Box>& common) {
-  Meeting meeting(one, two, common);
-  return !any_cells(one, two, [&](const FaceCell& a, const FaceCell& b) { return meeting.may_be_flat(a, b); }) &&
-         meeting.has_met();
+bool crosses(PartPiece& one, PartPiece& two) {
+  Meeting meeting(one, two);
+  return !any_cells(one, two, [&](const FaceCell& a, const FaceCell& b) { return meeting.may_be_flat(a, b); });
 }
 
 bool may_touch(PartPiece& one, PartPiece& two) {

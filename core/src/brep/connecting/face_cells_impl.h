@@ -84,8 +84,7 @@ class PartPiece {
 /// As far as boxes of cells tell, and slabs along them.
 bool may_touch(PartPiece& one, PartPiece& two);
 
-/// Whether two faces that may touch do so at an angle, everywhere: not along each other. `common`: what both have and
-/// may touch in.
-bool crosses(PartPiece& one, PartPiece& two, const std::vector<Bnd_Box>& common);
+/// Whether two faces that may touch do so at an angle, everywhere: not along each other.
+bool crosses(PartPiece& one, PartPiece& two);
 
 }  // namespace paver

@@ -1,5 +1,4 @@
 // Sheets whose faces touch elsewhere than along common edges: each pair of faces that may is given to the kernel.
-#include <BRepAdaptor_Curve.hxx>
 #include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
@@ -25,8 +24,6 @@ namespace {
 
 /// Pairs of faces of a sewn sheet that are looked at closely; files of more loose faces are skins drawn to fit.
 constexpr int most_tries = 200;
-/// And of free-form ones whether they cross.
-constexpr int most_looks = 1000;
 /// Edges lie on one another where they are no farther apart than so many times what is sewn.
 constexpr double doubled = 4;
 
@@ -209,7 +206,7 @@ class LooseFaces {
   }
 
   /// All, where some of different sheets as read touch elsewhere than along the seams; else those that lie on another
-  /// one from a common edge on, or cross one. In closed skins only where edges lie on one another: all others are drawn
+  /// one from a common edge on. In closed skins only where edges lie on one another: all others are drawn
   /// to fit, and the kernel would find no more than what sewing closed.
   std::vector<int> find() {
     separate(find_folds(faces_));
@@ -220,23 +217,19 @@ class LooseFaces {
       if (is_closed && at_edges.empty()) return found();
       std::vector<PartPiece> pieces;
       for (const WorkFace* face : faces_) pieces.emplace_back(face->face, 0.5 * tolerance_);
-      std::vector<FacePair> pairs(at_edges.begin(), at_edges.end()), crossing;
+      std::vector<FacePair> pairs(at_edges.begin(), at_edges.end());
       if (!is_closed) {
         const std::vector<FacePair> more = pairs_that_touch(faces_, pieces);
         pairs.insert(pairs.end(), more.begin(), more.end());
       }
-      int looks = 0;
+      // All faces of a loose sheet are intersected with each other, the free-form ones, too.
       std::erase_if(pairs, [&](const FacePair& pair) {
-        PartPiece &one = pieces[pair.first], &two = pieces[pair.second];
-        if (one.is_elementary() || two.is_elementary()) return false;
-        if (++looks <= most_looks && crosses(one, two, common_of(pair))) crossing.push_back(pair);
-        return true;
+        return !pieces[pair.first].is_elementary() && !pieces[pair.second].is_elementary();
       });
       for (const FacePair& pair : pairs) {
         if (is_changed(pair)) return indices_;
         if (tries_ > most_tries) break;
       }
-      separate(crossing);
     }
     return found();
   }
@@ -251,31 +244,6 @@ class LooseFaces {
   void separate(const auto& pairs) {
     for (const auto& [one, two] : pairs)
       if (!separate_.contains(one) && !separate_.contains(two) && is_changed({one, two})) separate_.insert(two);
-  }
-
-  /// Boxes along the edges and about the vertices that two faces share.
-  std::vector<Bnd_Box> common_of(const FacePair& pair) const {
-    constexpr int pieces = 32;
-    std::vector<Bnd_Box> boxes;
-    auto add = [&](const gp_Pnt& from, const gp_Pnt& to) {
-      Bnd_Box& box = boxes.emplace_back();
-      box.Add(from), box.Add(to);
-      box.Enlarge(tolerance_ + 0.5 * from.Distance(to));
-    };
-    const TopoDS_Face &one = faces_[pair.first]->face, &two = faces_[pair.second]->face;
-    const auto edges = shapes_of(two, TopAbs_EDGE), vertices = shapes_of(two, TopAbs_VERTEX);
-    for (const TopoDS_Edge& edge : edges_of(one)) {
-      const CurveRange range = range_of(edge);
-      if (!edges.Contains(edge) || BRep_Tool::Degenerated(edge) || !range.is_finite()) continue;
-      const BRepAdaptor_Curve curve(edge);
-      for (int i = 0; i < pieces; ++i)
-        add(curve.Value(range.at(double(i) / pieces)), curve.Value(range.at(double(i + 1) / pieces)));
-    }
-    const auto own = shapes_of(one, TopAbs_VERTEX);
-    for (int i = 1; i <= own.Extent(); ++i)
-      if (vertices.Contains(own(i)))
-        add(BRep_Tool::Pnt(TopoDS::Vertex(own(i))), BRep_Tool::Pnt(TopoDS::Vertex(own(i))));
-    return boxes;
   }
 
   std::vector<int> found() const {

@@ -41,7 +41,7 @@ NearParts find_near_parts(const Workpiece& work, double tolerance) {
         const bool is_hard = !are_solids && one.is_free_form() && two.is_free_form() && !has_copy(one, pieces[b]) &&
                              !has_copy(two, pieces[a]) && !one.is_on_surface_of(two);
         if ((found != Nearness::apart && !is_hard) || !may_touch(one, two)) continue;
-        if (is_hard && (is_vague[a] || is_vague[b] || !crosses(one, two, {}))) return Nearness::free_form;
+        if (is_hard && (is_vague[a] || is_vague[b] || !crosses(one, two))) return Nearness::free_form;
         if (is_hard || found == Nearness::apart) found = is_hard ? Nearness::crossing : Nearness::near;
       }
     }
