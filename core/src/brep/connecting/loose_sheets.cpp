@@ -206,8 +206,8 @@ class LooseFaces {
   }
 
   /// All, where some of different sheets as read touch elsewhere than along the seams; else those that lie on another
-  /// one from a common edge on. In closed skins only where edges lie on one another: all others are drawn
-  /// to fit, and the kernel would find no more than what sewing closed.
+  /// one from a common edge on. In closed skins only where edges lie on one another: all others are drawn to fit, and
+  /// the kernel would find no more than what sewing closed.
   std::vector<int> find() {
     separate(find_folds(faces_));
     const bool is_closed = are_closed(faces_);
