@@ -25,7 +25,7 @@ std::vector<std::vector<int>> clusters_of(const std::vector<Pair>& pairs, const 
   UnionFind together(parts.size());
   for (auto [a, b] : pairs) together.merge(a, b);
   std::vector<std::vector<int>> clusters = together.sets();
-  std::erase_if(clusters, [&](const std::vector<int>& list) { return list.size() == 1 && !parts[list[0]].is_loose(); });
+  std::erase_if(clusters, [&](const std::vector<int>& list) { return list.size() == 1 && !parts[list[0]].is_loose; });
   return clusters;
 }
 
@@ -59,7 +59,7 @@ class Connector {
   void connect_cluster(std::vector<int> parts) {
     if (try_to_fuse(parts) || (leave_points(parts) && (parts.size() < 2 || try_to_fuse(parts)))) return;
     for (int part : parts)
-      if (work_.parts[part].is_loose()) failed.push_back({part, part});
+      if (work_.parts[part].is_loose) failed.push_back({part, part});
     std::vector<Pair> pairs = pairs_among(parts), bad;
     for (const Pair& pair : pairs)
       if (pairs.size() > 1 && !fuse(work_, {pair[0], pair[1]}, tolerance_, progress_)) bad.push_back(pair);
@@ -252,7 +252,7 @@ void drop_inside(Workpiece& work) {
 ConnectResult connect(Workpiece& work, Connect how, double tolerance, Progress& progress) {
   ConnectResult result;
   find_loose_sheets(work, tolerance);
-  if (work.parts.size() < 2 && (work.parts.empty() || !work.parts[0].is_loose())) return result;
+  if (work.parts.size() < 2 && (work.parts.empty() || !work.parts[0].is_loose)) return result;
   Workpiece fused = work;
   Connector connector(fused, tolerance, progress);
   bool is_fused = connector.run();

@@ -60,7 +60,7 @@ struct NearParts {
   std::vector<std::array<int, 2>> free_form;
 };
 
-/// Finds faces of sheets sewn of several that touch others elsewhere than along the seams: WorkPart::loose_faces.
+/// Marks sheets sewn of several whose faces touch elsewhere than along the seams: WorkPart::is_loose.
 void find_loose_sheets(Workpiece& work, double tolerance);
 
 /// Parts that may touch within `tolerance`, by boxes of small pieces of their faces, wires and points.

@@ -55,25 +55,27 @@ class Fuser {
     return face.is_usable() && std::any_of(parts_.begin(), parts_.end(), [&](int part) { return face.has_part(part); });
   }
 
-  /// The kernel looks for nothing between the faces of one argument.
+  /// One argument: the kernel looks for nothing between the faces of one.
   void add_arguments(int part) {
-    const std::vector<int>& loose = work_.parts[part].loose_faces;
+    if (!work_.parts[part].is_loose) {
+      arguments_.Append(argument(part));
+      return;
+    }
+    for (const WorkFace& face : work_.faces)
+      if (face.is_usable() && face.has_part(part)) arguments_.Append(face.face);
+  }
+
+  TopoDS_Shape argument(int part) {
     BRep_Builder builder;
     TopoDS_Compound compound;
     builder.MakeCompound(compound);
-    for (int f = 0; const WorkFace& face : work_.faces) {
-      const bool is_loose = std::ranges::binary_search(loose, f++);
-      if (!face.is_usable() || !face.has_part(part)) continue;
-      if (is_loose)
-        arguments_.Append(face.face);
-      else
-        builder.Add(compound, face.face);
-    }
+    for (const WorkFace& face : work_.faces)
+      if (face.is_usable() && face.has_part(part)) builder.Add(compound, face.face);
     for (const WorkWire& wire : work_.wires)
       if (wire.part == part) builder.Add(compound, wire.edge);
     for (const WorkPoint& point : work_.points)
       if (point.part == part && !point.is_end) builder.Add(compound, point.vertex);
-    if (compound.NbChildren() > 0) arguments_.Append(compound);
+    return compound;
   }
 
   bool add_images(int f, BRepAlgoAPI_BuilderAlgo& builder, double tolerance, Fusion& fusion) {
@@ -100,7 +102,7 @@ class Fuser {
     for (std::size_t i = 1; i < image.of.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         for (const FaceUse& use : face_of(image, i).uses)
-          if (!work_.parts[use.part].is_loose() && face_of(image, j).has_part(use.part)) return true;
+          if (!work_.parts[use.part].is_loose && face_of(image, j).has_part(use.part)) return true;
     return false;
   }
 

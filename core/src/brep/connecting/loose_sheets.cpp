@@ -195,75 +195,46 @@ std::set<FacePair> pairs_at_doubled_edges(const std::vector<const WorkFace*>& fa
   return pairs;
 }
 
-/// Which faces of a sheet to give to the kernel one by one.
-class LooseFaces {
- public:
-  LooseFaces(const Workpiece& work, int part, double tolerance) : tolerance_(tolerance) {
-    for (int f = 0; const WorkFace& face : work.faces) {
-      if (face.is_usable() && face.has_part(part)) faces_.push_back(&face), indices_.push_back(f);
-      ++f;
-    }
+/// Whether a sheet sewn of several has faces of different ones that touch elsewhere than along the seams, or faces that
+/// lie on one another from a common edge on. In closed skins only where edges lie on one another: all others are drawn
+/// to fit, and the kernel would find no more than what sewing closed.
+bool is_loose(const Workpiece& work, int part, double tolerance) {
+  std::vector<const WorkFace*> faces;
+  for (const WorkFace& face : work.faces)
+    if (face.is_usable() && face.has_part(part)) faces.push_back(&face);
+  int tries = 0;
+  auto is_changed = [&](const FacePair& pair) {
+    return ++tries <= most_tries && changes_when_fused(faces[pair.first]->face, faces[pair.second]->face, tolerance);
+  };
+  if (std::ranges::any_of(find_folds(faces), is_changed)) return true;
+  auto is_sewn = [&](const WorkFace* face) { return face->read_sheet != faces[0]->read_sheet; };
+  if (std::none_of(faces.begin(), faces.end(), is_sewn)) return false;
+  const bool is_closed = are_closed(faces);
+  const std::set<FacePair> at_edges = pairs_at_doubled_edges(faces, doubled * tolerance);
+  if (is_closed && at_edges.empty()) return false;
+  std::vector<FacePair> pairs(at_edges.begin(), at_edges.end());
+  std::vector<PartPiece> pieces;
+  for (const WorkFace* face : faces) pieces.emplace_back(face->face, 0.5 * tolerance);
+  if (!is_closed) {
+    const std::vector<FacePair> more = pairs_that_touch(faces, pieces);
+    pairs.insert(pairs.end(), more.begin(), more.end());
   }
-
-  /// All, where some of different sheets as read touch elsewhere than along the seams; else those that lie on another
-  /// one from a common edge on. In closed skins only where edges lie on one another: all others are drawn to fit, and
-  /// the kernel would find no more than what sewing closed.
-  std::vector<int> find() {
-    separate(find_folds(faces_));
-    const bool is_closed = are_closed(faces_);
-    auto is_sewn = [&](const WorkFace* face) { return face->read_sheet != faces_[0]->read_sheet; };
-    if (std::ranges::any_of(faces_, is_sewn)) {
-      const std::set<FacePair> at_edges = pairs_at_doubled_edges(faces_, doubled * tolerance_);
-      if (is_closed && at_edges.empty()) return found();
-      std::vector<PartPiece> pieces;
-      for (const WorkFace* face : faces_) pieces.emplace_back(face->face, 0.5 * tolerance_);
-      std::vector<FacePair> pairs(at_edges.begin(), at_edges.end());
-      if (!is_closed) {
-        const std::vector<FacePair> more = pairs_that_touch(faces_, pieces);
-        pairs.insert(pairs.end(), more.begin(), more.end());
-      }
-      // All faces of a loose sheet are intersected with each other, the free-form ones, too.
-      std::erase_if(pairs, [&](const FacePair& pair) {
-        return !pieces[pair.first].is_elementary() && !pieces[pair.second].is_elementary();
-      });
-      for (const FacePair& pair : pairs) {
-        if (is_changed(pair)) return indices_;
-        if (tries_ > most_tries) break;
-      }
-    }
-    return found();
+  // All faces of a loose sheet are intersected with each other, the free-form ones, too.
+  std::erase_if(pairs, [&](const FacePair& pair) {
+    return !pieces[pair.first].is_elementary() && !pieces[pair.second].is_elementary();
+  });
+  for (const FacePair& pair : pairs) {
+    if (is_changed(pair)) return true;
+    if (tries > most_tries) return false;
   }
-
- private:
-  bool is_changed(const FacePair& pair) {
-    return ++tries_ <= most_tries &&
-           changes_when_fused(faces_[pair.first]->face, faces_[pair.second]->face, tolerance_);
-  }
-
-  /// One of each pair that changes.
-  void separate(const auto& pairs) {
-    for (const auto& [one, two] : pairs)
-      if (!separate_.contains(one) && !separate_.contains(two) && is_changed({one, two})) separate_.insert(two);
-  }
-
-  std::vector<int> found() const {
-    std::vector<int> result;
-    for (std::size_t f : separate_) result.push_back(indices_[f]);
-    return result;
-  }
-
-  double tolerance_;
-  std::vector<const WorkFace*> faces_;
-  std::vector<int> indices_;  // in the work
-  std::set<std::size_t> separate_;
-  int tries_ = 0;
-};
+  return false;
+}
 
 }  // namespace
 
 void find_loose_sheets(Workpiece& work, double tolerance) {
   for (std::size_t p = 0; p < work.parts.size(); ++p)
-    if (work.parts[p].solid < 0) work.parts[p].loose_faces = LooseFaces(work, static_cast<int>(p), tolerance).find();
+    if (work.parts[p].solid < 0) work.parts[p].is_loose = is_loose(work, static_cast<int>(p), tolerance);
 }
 
 }  // namespace paver

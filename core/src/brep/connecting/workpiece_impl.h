@@ -55,11 +55,9 @@ struct WorkFace {
 /// An object of the input: a solid, faces that hang together without one, edges that bound no face likewise, or a
 /// vertex that ends no edge.
 struct WorkPart {
-  std::string name;  ///< "Solid2", "Sheet1", "Wire1", "Point1"
-  int solid = -1;    ///< index of the solid of the shape as read
-  /// Faces of a sheet that touch others of it elsewhere than at the edges they share, rising.
-  std::vector<int> loose_faces = {};
-  bool is_loose() const { return !loose_faces.empty(); }
+  std::string name;       ///< "Solid2", "Sheet1", "Wire1", "Point1"
+  int solid = -1;         ///< index of the solid of the shape as read
+  bool is_loose = false;  ///< a sheet sewn of several whose faces touch elsewhere than at the edges they share
 };
 
 /// An edge that bounds no face.
