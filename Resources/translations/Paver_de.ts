@@ -803,6 +803,10 @@
         <translation>Die Flächen von {} können nicht alle nach außen zeigen; bitte den Körper reparieren.</translation>
     </message>
     <message>
+        <source>Elements run through each other: {}.</source>
+        <translation>Elemente durchdringen einander: {}.</translation>
+    </message>
+    <message>
         <source>No edge is longer than {} of the target length.</source>
         <translation>Keine Kante ist länger als das {}-Fache der Ziellänge.</translation>
     </message>

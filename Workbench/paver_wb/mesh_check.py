@@ -235,6 +235,10 @@ def parts(mesh):
                 translate("Paver", "{} come within {} mm of each other and share no node there."))
         findings.append(Finding(WARNING, text.format(
             " \u2013 ".join(dict.fromkeys(gap["parts"])), f"{gap['distance']:.3g}"), at_places(mesh, [gap["where"]])))
+    if crossings := mesh.report.get("crossings", []):
+        texts = [" \u2013 ".join(dict.fromkeys(crossing["faces"])) for crossing in crossings]
+        findings.append(Finding(WARNING, translate("Paver", "Elements run through each other: {}.").format(
+            listed(texts, MOST_CONTACTS, "; ")), at_places(mesh, [crossing["where"] for crossing in crossings])))
     return findings + separate_meshes(mesh)
 
 

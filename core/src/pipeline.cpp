@@ -20,6 +20,7 @@
 #include "boundary/prediction.h"
 #include "brep/occt_impl.h"
 #include "check/distance/cracks.h"
+#include "check/distance/crossings.h"
 #include "check/distance/gaps.h"
 #include "check/distance/surface_distance.h"
 #include "parallel/pave_parts.h"
@@ -367,6 +368,9 @@ class Run {
       const auto& named = report.model.unconnected;
       return std::find(named.begin(), named.end(), gap.parts) != named.end();
     });
+    PartPairs told = report.model.unconnected;
+    for (const Gap& gap : report.gaps) told.push_back(gap.parts);
+    report.crossings = find_crossings(result_.mesh, model_, told, ranks_);
     for (Gap& crack : find_cracks(model_, report.target_length)) report.gaps.push_back(std::move(crack));
     merge_pieces();
     measure_wires();

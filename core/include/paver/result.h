@@ -140,6 +140,12 @@ struct Gap {
   Vec3 where;                        ///< on one of them
 };
 
+/// Elements of two faces, or of one, run through each other and share no node there.
+struct Crossing {
+  std::array<std::string, 2> faces;  ///< of one that crosses itself twice the same
+  Vec3 where;
+};
+
 /// What was repaired in a model that is not clean.
 enum class RepairKind {
   sewn_edge,      ///< edges made common
@@ -225,6 +231,7 @@ struct RunReport {
   ModelReport model;
   std::vector<std::vector<std::string>> components;  ///< separate meshes, each by the parts it is of
   std::vector<Gap> gaps;                             ///< not of parts that are named as unconnected
+  std::vector<Crossing> crossings;                   ///< not of parts that are named there or in gaps
   double target_length = 0;                          ///< mm
   int order = 2, threads = 1;
   Elements elements = Elements::quad_dominant;

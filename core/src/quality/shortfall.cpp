@@ -107,6 +107,18 @@ std::string too_coarse(const RunReport& report) {
                      listed(faces, most_named_faces));
 }
 
+std::string crossings(const std::vector<Crossing>& places) {
+  std::vector<std::string> listed_places;
+  for (const auto& [faces, where] : places) {
+    const std::string with = faces[0] == faces[1] ? "itself" : faces[1];
+    listed_places.push_back(
+        fmt::format("{} with {} at ({:.6g}, {:.6g}, {:.6g})", faces[0], with, where.x, where.y, where.z));
+  }
+  return fmt::format(
+      "Elements run through each other: {}; where the shape crosses itself repair it, elsewhere use a smaller size.",
+      listed(listed_places, most_named_faces));
+}
+
 constexpr const char* no_mesh = "None of the faces has an area, so there is no mesh.";
 
 }  // namespace
@@ -147,6 +159,7 @@ std::vector<std::string> doubts(const RunReport& report) {
           "{} and {} come within {:.3g} mm of each other at ({:.6g}, {:.6g}, {:.6g}) and share no node there; where "
           "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
           gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
+  if (!report.crossings.empty()) sentences.push_back(crossings(report.crossings));
   for (std::string sentence : {holes(report.model.holes), long_sides(report), folded(report), too_coarse(report)})
     if (!sentence.empty()) sentences.push_back(std::move(sentence));
   return sentences;

@@ -131,6 +131,24 @@ std::array<Vec3, 2> ElementPatch::slopes(Vec2 uv) const {
   return {sum(*this, w.by_u), sum(*this, w.by_v)};
 }
 
+Box ElementPatch::bounds() const {
+  Box box;
+  for (int k = 0; k < corners; ++k) box.add(nodes[k]);
+  if (order == 1) return box;
+  auto middle = [](Vec3 a, Vec3 on_curve, Vec3 b) { return 2 * on_curve - 0.5 * (a + b); };
+  if (corners == 2) {
+    box.add(middle(nodes[0], nodes[2], nodes[1]));
+    return box;
+  }
+  std::array<Vec3, 4> sides;
+  for (int k = 0; k < corners; ++k) {
+    sides[k] = middle(nodes[k], nodes[corners + k], nodes[(k + 1) % corners]);
+    box.add(sides[k]);
+  }
+  if (corners == 4) box.add(middle(sides[3], middle(nodes[4], nodes[8], nodes[6]), sides[1]));
+  return box;
+}
+
 Vec2 ElementPatch::nearest(Vec3 x, Vec2 start) const {
   Vec2 uv = start;
   double distance = norm(at(uv) - x);

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "base/box.h"
 #include "paver/vec.h"
 
 namespace paver {
@@ -19,6 +20,8 @@ struct ElementPatch {
   Vec3 at(Vec2 uv) const;
   /// Of the derivatives by u and v.
   std::array<Vec3, 2> slopes(Vec2 uv) const;
+  /// Holds all of the patch: of its nodes as a Bezier patch has them.
+  Box bounds() const;
   /// Where the patch is nearest to x, from a place that is near it: Gauss-Newton with steps halved until they help.
   Vec2 nearest(Vec3 x, Vec2 start) const;
 };

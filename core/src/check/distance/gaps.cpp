@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <tuple>
 
 #include "base/tasks/gather.h"
-#include "check/distance/element_patch.h"
+#include "check/distance/box_pairs.h"
+#include "check/distance/mesh_pieces.h"
 
 namespace paver {
 namespace {
@@ -19,67 +18,22 @@ namespace {
 using Parts = std::vector<int>;
 using Pair = std::array<int, 2>;
 
-/// Of how far a quadratic element reaches beyond its nodes, of their extent.
-constexpr double overshoot = 0.3;
 constexpr double no_gap = 1e-9;  // of the target length: nothing is nearer
 /// Parts with points or edges in common touch elsewhere, too, where they come nearer than this, in target lengths, so
 /// many target lengths from all these: a ball on a plate lies farther from it there, however fine the mesh.
 constexpr double common_gap = 1e-3, from_common = 4;
 
-/// An element or a line of a wire, as ranks give it to each other.
-struct Piece {
-  ElementPatch patch;
-  int face = -1, edge = -1;
-  std::array<int, 9> node_edge{};  // B-rep edge per node, or -1
-  double target = 0;
-
-  Box box() const {
-    Box box;
-    for (int k = 0; k < patch.node_count(); ++k) box.add(patch.nodes[k]);
-    const Vec3 more = overshoot * (patch.order - 1) * (box.high - box.low);
-    const double gap = 0.5 * told_gap * target;
-    const Vec3 grown = more + Vec3{gap, gap, gap};
-    return {box.low - grown, box.high + grown};
-  }
-  auto key() const {
-    const Vec3 a = patch.nodes[0], b = patch.nodes[1], c = patch.nodes[2];
-    return std::tuple(face, edge, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
-  }
-};
+/// With half of the largest gap that is told.
+Box box_about(const Piece& piece) {
+  const Box box = piece.patch.bounds();
+  const double half = 0.5 * told_gap * piece.target;
+  const Vec3 more{half, half, half};
+  return {box.low - more, box.high + more};
+}
 
 struct Common {
   std::vector<Vec3> points;
   std::vector<const Edge*> edges;
-};
-
-/// Cubes about the model, those at its border without end: at most `most` along a side, none smaller than the longest
-/// element.
-class CellGrid {
- public:
-  CellGrid(const Box& whole, double longest) : low_(whole.low) {
-    const Vec3 size = whole.high - whole.low;
-    side_ = std::max(longest, std::max({size.x, size.y, size.z}) / most);
-  }
-
-  template <class Visit>
-  void visit(const Box& box, Visit visit) const {
-    const std::array<int, 3> a = cell(box.low), b = cell(box.high);
-    for (int x = a[0]; x <= b[0]; ++x)
-      for (int y = a[1]; y <= b[1]; ++y)
-        for (int z = a[2]; z <= b[2]; ++z) visit((x * most + y) * most + z);
-  }
-
- private:
-  static constexpr int most = 64;
-
-  std::array<int, 3> cell(Vec3 x) const {
-    auto along = [&](double from) { return std::clamp(static_cast<int>(from / side_), 0, most - 1); };
-    const Vec3 from = x - low_;
-    return {along(from.x), along(from.y), along(from.z)};
-  }
-
-  Vec3 low_;
-  double side_ = 1;
 };
 
 /// A cell of a grid about the model, and one of the sets of parts that have elements in it.
@@ -90,21 +44,20 @@ struct Occupied {
 
 class GapSearch {
  public:
-  GapSearch(const SurfaceMesh& mesh, const Model& model, Ranks& ranks) : mesh_(mesh), model_(model), ranks_(ranks) {}
+  GapSearch(const SurfaceMesh& mesh, const Model& model, Ranks& ranks)
+      : model_(model), ranks_(ranks), all_(mesh, model, ranks) {}
 
   std::vector<Gap> run() {
     if (model_.parts.size() < 2) return {};
     find_common();
     number_sets();
-    measure();
     gather();
+    std::vector<Box> boxes;
     for (const Piece& piece : pieces_) {
-      boxes_.push_back(piece.box());
+      boxes.push_back(box_about(piece));
       about_.push_back(parts_about(piece));
     }
-    std::vector<int> all(pieces_.size());
-    std::iota(all.begin(), all.end(), 0);
-    search(all);
+    for_meeting(boxes, [&](int i, int j) { compare(i, j); });
     std::vector<Gap> gaps;
     for (const auto& [pair, found] : nearest_)
       gaps.push_back({{model_.parts[pair[0]], model_.parts[pair[1]]}, found.distance, found.where});
@@ -195,61 +148,21 @@ class GapSearch {
     return !common.empty();
   }
 
-  template <class Visit>
-  void for_pieces(Visit visit) const {
-    auto all = [&](const std::vector<int>& rows, const std::vector<int>& owners, int corners, int stride) {
-      for (std::size_t i = 0; i < owners.size(); ++i) {
-        Piece piece;
-        piece.patch.corners = corners;
-        piece.patch.order = mesh_.order;
-        (corners > 2 ? piece.face : piece.edge) = owners[i];
-        if (corners == 2 && model_.edge_part[owners[i]] < 0) continue;
-        for (int k = 0; k < stride; ++k) {
-          piece.patch.nodes[k] = mesh_.nodes[rows[i * stride + k]];
-          piece.node_edge[k] = mesh_.node_edge[rows[i * stride + k]];
-        }
-        for (int k = 0; k < corners; ++k) piece.target += mesh_.node_target[rows[i * stride + k]] / corners;
-        piece.target = std::min(piece.target, longest_);
-        visit(piece);
-      }
-    };
-    all(mesh_.quads, mesh_.quad_face, 4, mesh_.nodes_per_quad());
-    all(mesh_.triangles, mesh_.triangle_face, 3, mesh_.nodes_per_triangle());
-    all(mesh_.lines, mesh_.line_edge, 2, mesh_.order + 1);
-  }
-
-  // Of all ranks: the box about all nodes, and the longest element: at the lowest frequencies the target length is
-  // beyond that, and all parts were near each other.
-  void measure() {
-    std::vector<Box> whole(1);
-    double longest = 0;
-    for_pieces([&](const Piece& piece) {
-      const Vec3* x = piece.patch.nodes.data();
-      for (int k = 0; k < piece.patch.corners; ++k) {
-        whole[0].add(x[k]);
-        longest = std::max(longest, norm(x[k] - x[0]));
-      }
-    });
-    unite(whole, ranks_);
-    whole_ = whole[0];
-    longest_ = greatest(longest, ranks_);
-  }
-
   // Pieces that share a cell with one of other parts, in an order that does not depend on ranks.
   void gather() {
-    const CellGrid grid(whole_, longest_);
+    const CellGrid grid = all_.cells();
     std::vector<Occupied> occupied;
-    for_pieces([&](const Piece& piece) {
-      grid.visit(piece.box(), [&](int cell) {
+    all_.visit([&](const Piece& piece) {
+      grid.visit(box_about(piece), [&](int cell) {
         const Occupied next{cell, set_of(piece)};
         if (occupied.empty() || next != occupied.back()) occupied.push_back(next);
       });
     });
     keep_shared(occupied);
     std::vector<Piece> mine;
-    for_pieces([&](const Piece& piece) {
+    all_.visit([&](const Piece& piece) {
       bool is_near = false;
-      grid.visit(piece.box(), [&](int cell) {
+      grid.visit(box_about(piece), [&](int cell) {
         is_near = is_near || std::ranges::binary_search(occupied, Occupied{cell, set_of(piece)});
       });
       if (is_near) mine.push_back(piece);
@@ -281,57 +194,7 @@ class GapSearch {
     occupied = std::move(shared);
   }
 
-  // Halves the pieces along the longest side of their box and compares the halves where they meet.
-  void search(const std::vector<int>& all) {
-    if (all.size() < 2) return;
-    auto [low, high] = halves(all);
-    search(low);
-    search(high);
-    meet(std::move(low), std::move(high));
-  }
-
-  // Pairs between two sets of pieces: those of either that the other's box does not meet are left out on the way.
-  void meet(std::vector<int> a, std::vector<int> b) {
-    keep_meeting(a, b);
-    keep_meeting(b, a);
-    constexpr std::size_t few = 64;
-    if (a.empty() || b.empty()) return;
-    if (a.size() * b.size() <= few || std::min(a.size(), b.size()) == 1) {
-      for (int i : a)
-        for (int j : b) compare(i, j);
-      return;
-    }
-    std::vector<int>& larger = a.size() >= b.size() ? a : b;
-    const std::vector<int> other = a.size() >= b.size() ? b : a;
-    auto [low, high] = halves(larger);
-    meet(std::move(low), other);
-    meet(std::move(high), other);
-  }
-
-  Box box_of(const std::vector<int>& some) const {
-    Box box;
-    for (int i : some) box.add(boxes_[i]);
-    return box;
-  }
-
-  void keep_meeting(std::vector<int>& a, const std::vector<int>& b) const {
-    const Box box = box_of(b);
-    std::erase_if(a, [&](int i) { return !boxes_[i].meets(box); });
-  }
-
-  std::pair<std::vector<int>, std::vector<int>> halves(std::vector<int> all) const {
-    const Box box = box_of(all);
-    const Vec3 size = box.high - box.low;
-    const bool is_x = size.x >= size.y && size.x >= size.z, is_y = !is_x && size.y >= size.z;
-    auto along = [&](Vec3 x) { return is_x ? x.x : is_y ? x.y : x.z; };
-    auto place = [&](int i) { return std::pair(along(boxes_[i].low + boxes_[i].high), i); };
-    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-    std::nth_element(all.begin(), middle, all.end(), [&](int i, int j) { return place(i) < place(j); });
-    return {{all.begin(), middle}, {middle, all.end()}};
-  }
-
   void compare(int i, int j) {
-    if (!boxes_[i].meets(boxes_[j])) return;
     const Piece &a = pieces_[i], &b = pieces_[j];
     if (have_common(about_[i], about_[j])) return;
     std::vector<Pair> pairs;
@@ -356,16 +219,13 @@ class GapSearch {
     return known != nearest_.end() && known->second.distance <= no_gap * target;
   }
 
-  const SurfaceMesh& mesh_;
   const Model& model_;
   Ranks& ranks_;
-  Box whole_;
-  double longest_ = std::numeric_limits<double>::infinity();  // mm, of the elements
+  const MeshPieces all_;
   std::vector<std::set<int>> vertex_parts_;
   std::map<Pair, Common> common_;
   std::vector<Parts> sets_;  // each rising
   std::vector<int> face_set_, edge_set_;
-  std::vector<Box> boxes_;
   std::vector<Piece> pieces_;
   std::vector<Parts> about_;  // per piece: parts_about()
   std::map<Pair, PatchDistance> nearest_;

@@ -190,6 +190,7 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
                {"model", model_json(run.model)},
                {"components", run.components},
                {"gaps", Json::array()},
+               {"crossings", Json::array()},
                {"verdict", verdict(run)},
                {"faults", faults(run)},
                {"doubts", doubts(run)},
@@ -207,6 +208,8 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
   for (const Gap& gap : run.gaps)
     json["gaps"].push_back(
         {{"parts", gap.parts}, {"distance", gap.distance}, {"where", {gap.where.x, gap.where.y, gap.where.z}}});
+  for (const auto& [faces, where] : run.crossings)
+    json["crossings"].push_back({{"faces", faces}, {"where", {where.x, where.y, where.z}}});
   for (std::size_t i = 0; i < run.faces.size(); ++i) {
     const std::string& label = i < result.face_names.size() ? result.face_names[i] : run.faces[i].name;
     json["faces"].push_back(face_json(run.faces[i], label));

@@ -1,0 +1,14 @@
+// Pairs of boxes that meet, by a tree of boxes.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "base/box.h"
+
+namespace paver {
+
+/// visit(i, j) once for each two of the boxes that meet, in an order that follows from the boxes alone.
+void for_meeting(const std::vector<Box>& boxes, const std::function<void(int i, int j)>& visit);
+
+}  // namespace paver
