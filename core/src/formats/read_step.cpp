@@ -89,6 +89,9 @@ extern "C" void paver_read_format(const FileSource& file, const Doubt& doubt, Sh
   report.unit = stated_unit(reader);
   transfer(reader, shape, progress, face_name);
   if (shape.shape.IsNull()) return;
+  report.unread = unread_faces(reader, [](const Handle(Standard_Transient) & entity) {
+    return !Handle(StepShape_FaceSurface)::DownCast(entity).IsNull();
+  });
   label_objects(reader, shape);
   restore_poles(reader, shape);
 }

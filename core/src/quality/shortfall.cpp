@@ -34,6 +34,13 @@ std::string one_sided_solids(const std::vector<std::string>& solids) {
       fmt::join(solids, ", "));
 }
 
+std::string unread(const std::vector<std::string>& faces) {
+  if (faces.empty()) return "";
+  return fmt::format(
+      "Faces in the file that could not be read, and are missing: {}; export the model again, or in another format.",
+      listed(faces, most_named_faces));
+}
+
 std::string holes(const std::vector<std::string>& faces) {
   if (faces.empty()) return "";
   return fmt::format(
@@ -160,7 +167,8 @@ std::vector<std::string> doubts(const RunReport& report) {
           "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
           gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
   if (!report.crossings.empty()) sentences.push_back(crossings(report.crossings));
-  for (std::string sentence : {holes(report.model.holes), long_sides(report), folded(report), too_coarse(report)})
+  for (std::string sentence :
+       {unread(report.model.unread), holes(report.model.holes), long_sides(report), folded(report), too_coarse(report)})
     if (!sentence.empty()) sentences.push_back(std::move(sentence));
   return sentences;
 }

@@ -138,6 +138,23 @@ TEST_F(ReadShape, ReadsStepFilesWithTheByteOrderMarkOfUtf8) {
   EXPECT_EQ(face_count(*read(path)), 6);
 }
 
+// A cone's angle in degrees where the file says radians: the kernel makes nothing of that face.
+TEST_F(ReadShape, TellsFacesOfStepFilesThatCannotBeRead) {
+  const std::string path = write_step();
+  std::string text = read_text(path);
+  const std::size_t at = text.find("PLANE(''"), end = text.find(')', at);
+  ASSERT_NE(end, std::string::npos);
+  text.replace(end, 1, ",1.,30.)").replace(at, 5, "CONICAL_SURFACE");
+  write_text(path, text);
+  EXPECT_EQ(face_count(*read(path)), 5);
+  ASSERT_EQ(report_.unread.size(), 1U);
+  EXPECT_EQ(report_.unread[0].front(), '#');
+  Options options;
+  options.size = 5;
+  Progress progress;
+  EXPECT_STREQ(verdict(mesh_file(path, options, progress).report), "doubtful");
+}
+
 TEST_F(ReadShape, ReadsAgainAndAgain) {
   std::string step = write_step(), iges = write_iges();
   for (int i = 0; i < 5; ++i) {

@@ -67,6 +67,7 @@ Json model_json(const ModelReport& m) {
           {"one_sided", m.one_sided},
           {"curve_distance", m.curve_distance},
           {"stray_edges", m.stray_edges},
+          {"unread", m.unread},
           {"holes", m.holes},
           {"repairs", repairs_json(m.repairs)}};
 }
