@@ -228,10 +228,7 @@ class CrossingSearch {
       grid.visit(piece.patch.bounds(), [&](int cell) { is_near = is_near || is_mixed[cell]; });
       if (is_near) mine.push_back(piece);
     });
-    pieces_ = gather_all(mine, ranks_);
-    std::ranges::sort(pieces_, {}, &Piece::key);
-    auto is_same = [](const Piece& a, const Piece& b) { return a.key() == b.key(); };
-    pieces_.erase(std::unique(pieces_.begin(), pieces_.end(), is_same), pieces_.end());
+    pieces_ = gather_pieces(mine, ranks_);
   }
 
   // Those in which elements of any rank look different ways.

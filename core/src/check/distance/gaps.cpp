@@ -48,7 +48,6 @@ class GapSearch {
       : model_(model), ranks_(ranks), all_(mesh, model, ranks) {}
 
   std::vector<Gap> run() {
-    if (model_.parts.size() < 2) return {};
     find_common();
     number_sets();
     gather();
@@ -167,10 +166,7 @@ class GapSearch {
       });
       if (is_near) mine.push_back(piece);
     });
-    pieces_ = gather_all(mine, ranks_);
-    std::ranges::sort(pieces_, {}, &Piece::key);
-    auto is_same = [](const Piece& a, const Piece& b) { return a.key() == b.key(); };
-    pieces_.erase(std::unique(pieces_.begin(), pieces_.end(), is_same), pieces_.end());
+    pieces_ = gather_pieces(mine, ranks_);
   }
 
   // Of all ranks: those whose cell has a set without a part of theirs.
@@ -234,6 +230,7 @@ class GapSearch {
 }  // namespace
 
 std::vector<Gap> find_gaps(const SurfaceMesh& mesh, const Model& model, Ranks& ranks) {
+  if (model.parts.size() < 2) return {};
   return GapSearch(mesh, model, ranks).run();
 }
 

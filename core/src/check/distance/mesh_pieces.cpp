@@ -1,10 +1,16 @@
 #include "check/distance/mesh_pieces.h"
 
-#include <vector>
-
 #include "base/tasks/gather.h"
 
 namespace paver {
+
+std::vector<Piece> gather_pieces(const std::vector<Piece>& mine, Ranks& ranks) {
+  std::vector<Piece> pieces = gather_all(mine, ranks);
+  std::ranges::sort(pieces, {}, &Piece::key);
+  auto is_same = [](const Piece& a, const Piece& b) { return a.key() == b.key(); };
+  pieces.erase(std::unique(pieces.begin(), pieces.end(), is_same), pieces.end());
+  return pieces;
+}
 
 CellGrid::CellGrid(const Box& whole, double longest) : low_(whole.low) {
   const Vec3 size = whole.high - whole.low;

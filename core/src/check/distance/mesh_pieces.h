@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <tuple>
+#include <vector>
 
 #include "base/box.h"
 #include "check/distance/element_patch.h"
@@ -26,6 +27,9 @@ struct Piece {
     return std::tuple(face, edge, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
   }
 };
+
+/// Collective: the pieces of all ranks, each once, in an order that does not depend on ranks.
+std::vector<Piece> gather_pieces(const std::vector<Piece>& mine, Ranks& ranks);
 
 /// Cubes about a model, those at its border without end: at most `most` along a side, none smaller than the longest
 /// element.
