@@ -5,6 +5,7 @@
 #include <IGESData_IGESModel.hxx>
 
 #include "formats/exchange_settings_impl.h"
+#include "formats/iges_losses_impl.h"
 #include "formats/transfer_impl.h"
 
 namespace paver {
@@ -40,6 +41,7 @@ extern "C" void paver_read_format(const FileSource& file, const Doubt& doubt, Sh
   if (has_fails(model)) doubt();
   reader.SetReadVisible(Standard_False);
   transfer(reader, shape, progress, face_name);
+  report.unread = iges_losses(reader);
 }
 
 }  // namespace paver

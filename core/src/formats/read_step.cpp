@@ -3,44 +3,64 @@
 #include <StepBasic_Product.hxx>
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepBasic_ProductDefinitionFormation.hxx>
+#include <StepRepr_HArray1OfRepresentationItem.hxx>
+#include <StepRepr_Representation.hxx>
+#include <StepRepr_RepresentationItem.hxx>
 #include <StepShape_FaceSurface.hxx>
-#include <TColStd_SequenceOfAsciiString.hxx>
+#include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <fstream>
 #include <string_view>
+#include <utility>
 
 #include "formats/exchange_settings_impl.h"
+#include "formats/lost_entities_impl.h"
 #include "formats/object_labels_impl.h"
+#include "formats/step_losses_impl.h"
 #include "formats/step_poles_impl.h"
+#include "formats/step_units_impl.h"
 #include "formats/transfer_impl.h"
 
 namespace paver {
 namespace {
 
-std::string stated_unit(STEPControl_Reader& reader) {
-  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
-  reader.FileUnits(lengths, angles, solid_angles);
-  std::string unit;
-  for (int i = 1; i <= lengths.Length(); ++i) {
-    std::string name = lengths(i).ToCString();
-    if (unit.find(name) != std::string::npos) continue;
-    unit += (unit.empty() ? "" : ", ") + name;
-  }
-  return unit.empty() ? "not stated" : unit;
+/// Takes out of a representation what could not be loaded: newer kinds than the kernel knows, as tessellated solids,
+/// may stand beside those it knows, or be a representation of their own. False where `entity` is of no use without.
+bool go_without_items(const Handle(Standard_Transient) & entity) {
+  if (const auto link = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(entity); !link.IsNull())
+    return link->UsedRepresentation().IsNull();
+  const auto representation = Handle(StepRepr_Representation)::DownCast(entity);
+  if (representation.IsNull() || representation->Items().IsNull()) return false;
+  std::vector<Handle(StepRepr_RepresentationItem)> known;
+  for (int i = 1; i <= representation->NbItems(); ++i)
+    if (!representation->ItemsValue(i).IsNull()) known.push_back(representation->ItemsValue(i));
+  if (known.empty()) return false;
+  Handle(StepRepr_HArray1OfRepresentationItem) items =
+      new StepRepr_HArray1OfRepresentationItem(1, static_cast<int>(known.size()));
+  for (std::size_t i = 0; i < known.size(); ++i) items->SetValue(static_cast<int>(i) + 1, known[i]);
+  representation->SetItems(items);
+  return true;
 }
 
 /// The reader marks entities whose content it could not load, and crashes later where it follows them into geometry.
-void check_entities(const std::string& name, STEPControl_Reader& reader) {
+/// Gives the labels of representations that it can do without some of their items.
+std::vector<std::string> check_entities(const std::string& name, STEPControl_Reader& reader) {
+  std::vector<std::string> incomplete;
   Handle(Interface_InterfaceModel) model = reader.Model();
   for (int i = 1; i <= model->NbEntities(); ++i) {
     if (!model->IsErrorEntity(i)) continue;
     Handle(Standard_Transient) entity = model->Value(i);
     std::string_view type = entity->DynamicType()->Name();
     if (!type.starts_with("StepGeom_") && !type.starts_with("StepShape_")) continue;
-    if (const char* reason = fail_of(model, i))
+    const char* const reason = fail_of(model, i);
+    if (!reason) continue;
+    if (!go_without_items(entity))
       throw Error(ErrorCode::damaged_file, "'" + name + "' is damaged at entity " +
                                                model->StringLabel(entity)->ToCString() + " (" + reason +
                                                "); export the model again.");
+    if (entity->IsKind(STANDARD_TYPE(StepRepr_Representation)))
+      incomplete.push_back(entity_label(model, entity) + " (items)");
   }
+  return incomplete;
 }
 
 Handle(TCollection_HAsciiString) face_name(const Handle(Standard_Transient) & entity) {
@@ -84,14 +104,13 @@ extern "C" void paver_read_format(const FileSource& file, const Doubt& doubt, Sh
   std::ifstream content(file.path, std::ios::binary);  // OpenCASCADE 7.8 opens no path that is not UTF-8
   skip_byte_order_mark(content);
   check_loaded(reader.ReadStream(file.path.c_str(), content), file, "STEP", progress);
-  check_entities(file.name, reader);
+  std::vector<std::string> unread = check_entities(file.name, reader);
   if (has_fails(reader.Model())) doubt();
   report.unit = stated_unit(reader);
   transfer(reader, shape, progress, face_name);
+  for (std::string& label : step_losses(reader)) unread.push_back(std::move(label));
+  report.unread.insert(report.unread.end(), unread.begin(), unread.end());
   if (shape.shape.IsNull()) return;
-  report.unread = unread_faces(reader, [](const Handle(Standard_Transient) & entity) {
-    return !Handle(StepShape_FaceSurface)::DownCast(entity).IsNull();
-  });
   label_objects(reader, shape);
   restore_poles(reader, shape);
 }

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <Interface_Check.hxx>
-#include <Interface_EntityIterator.hxx>
-#include <Interface_Graph.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <Interface_ReportEntity.hxx>
 #include <TCollection_HAsciiString.hxx>
@@ -45,21 +43,6 @@ inline bool has_fails(const Handle(Interface_InterfaceModel) & model) {
   for (int i = 1; i <= model->NbEntities(); ++i)
     if (fail_of(model, i)) return true;
   return false;
-}
-
-/// Faces that something in the file uses and of which nothing came, as the file numbers them.
-template <class IsFace>
-std::vector<std::string> unread_faces(XSControl_Reader& reader, IsFace is_face) {
-  std::vector<std::string> unread;
-  Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
-  Handle(Interface_InterfaceModel) model = reader.Model();
-  const Interface_Graph& graph = reader.WS()->Graph();
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    Handle(Standard_Transient) entity = model->Value(i);
-    if (is_face(entity) && TransferBRep::ShapeResult(process, entity).IsNull() && graph.Sharings(entity).More())
-      unread.emplace_back(model->StringLabel(entity)->ToCString());
-  }
-  return unread;
 }
 
 /// Transfers all roots. `name_of(entity)`: what the file calls a face, null for other entities and where it has no

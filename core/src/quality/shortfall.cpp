@@ -34,11 +34,12 @@ std::string one_sided_solids(const std::vector<std::string>& solids) {
       fmt::join(solids, ", "));
 }
 
-std::string unread(const std::vector<std::string>& faces) {
-  if (faces.empty()) return "";
+std::string unread(const std::vector<std::string>& entities) {
+  if (entities.empty()) return "";
   return fmt::format(
-      "Faces in the file that could not be read, and are missing: {}; export the model again, or in another format.",
-      listed(faces, most_named_faces));
+      "Not read, or not as the file has it, so that something is missing, elsewhere or of another size: {}; export the "
+      "model again, or in another format.",
+      listed(entities, most_named_faces));
 }
 
 std::string holes(const std::vector<std::string>& faces) {

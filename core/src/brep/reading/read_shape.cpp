@@ -10,6 +10,7 @@
 #include <mutex>
 #include <utility>
 
+#include "base/listed.h"
 #include "brep/connecting/trial.h"
 #include "brep/occt_shapes_impl.h"
 #include "brep/reading/file_format.h"
@@ -31,13 +32,28 @@ std::unique_lock<std::timed_mutex> wait_for_readers(const Progress& progress) {
   return lock;
 }
 
-bool is_doubtful_step(std::string_view content, const FileSource& file) {
+/// Notes entities that other ones name and that are not there.
+bool is_doubtful_step(std::string_view content, const FileSource& file, ModelReport& report) {
   const StepNames names = find_step_names(content);
   if (names.doubled != 0 && !names.has_scopes)
     throw Error(ErrorCode::damaged_file, fmt::format("'{}' is damaged at entity #{} (there is more than one of it); "
                                                      "export the model again.",
                                                      file.name, names.doubled));
+  if (!names.has_scopes)
+    for (const std::uint64_t number : names.missing) report.unread.push_back(fmt::format("#{} (not there)", number));
   return names.doubled != 0 || !names.is_whole;
+}
+
+constexpr std::size_t most_named = 5;  // in an error; a report has all
+
+Error nothing_to_mesh(const FileSource& file, const std::vector<std::string>& unread) {
+  if (unread.empty())
+    return {ErrorCode::no_faces, "'" + file.name +
+                                     "' has no faces and no wires, so there is nothing to mesh; "
+                                     "export surfaces, solids or curves, not meshes."};
+  return {ErrorCode::no_faces,
+          fmt::format("Nothing of '{}' could be read: {}; export the model again, or in another format.", file.name,
+                      listed(unread, most_named))};
 }
 
 }  // namespace
@@ -75,17 +91,15 @@ std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, P
       return;
     }
     const std::string content = content_of(file);
-    if (format == FileFormat::iges ? !fault_of_iges(content).empty() : is_doubtful_step(content, file)) try_once();
+    if (format == FileFormat::iges ? !fault_of_iges(content).empty() : is_doubtful_step(content, file, report))
+      try_once();
     auto lock = wait_for_readers(progress);
     format_library(format == FileFormat::step ? "step" : "iges", file)(file, try_once, *shape, report, progress);
   });
   progress.check();
 
   const auto faces = shapes_of(shape->shape, TopAbs_FACE), edges = shapes_of(shape->shape, TopAbs_EDGE);
-  if (faces.IsEmpty() && edges.IsEmpty())
-    throw Error(ErrorCode::no_faces, "'" + file.name +
-                                         "' has no faces and no wires, so there is nothing to mesh; "
-                                         "export surfaces, solids or curves, not meshes.");
+  if (faces.IsEmpty() && edges.IsEmpty()) throw nothing_to_mesh(file, report.unread);
   const LooseShapes loose(shape->shape);
   shape->labels.resize(static_cast<std::size_t>(faces.Extent() + loose.edges.Extent() + loose.vertices.Extent()));
   return shape;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <vector>
+#include <iterator>
 
 namespace paver {
 namespace {
@@ -41,7 +41,8 @@ StepNames find_step_names(std::string_view text) {
   used.erase(std::unique(used.begin(), used.end()), used.end());
   if (const auto twice = std::adjacent_find(defined.begin(), defined.end()); twice != defined.end())
     names.doubled = *twice;
-  names.is_whole &= std::includes(defined.begin(), defined.end(), used.begin(), used.end());
+  std::set_difference(used.begin(), used.end(), defined.begin(), defined.end(), std::back_inserter(names.missing));
+  names.is_whole &= names.missing.empty();
   return names;
 }
 

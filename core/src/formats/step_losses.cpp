@@ -1,0 +1,178 @@
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepGeom_Axis2Placement3d.hxx>
+#include <StepGeom_CartesianTransformationOperator3d.hxx>
+#include <StepGeom_Direction.hxx>
+#include <StepRepr_ItemDefinedTransformation.hxx>
+#include <StepRepr_MappedItem.hxx>
+#include <StepRepr_NextAssemblyUsageOccurrence.hxx>
+#include <StepRepr_PropertyDefinition.hxx>
+#include <StepRepr_RepresentationMap.hxx>
+#include <StepRepr_RepresentationRelationshipWithTransformation.hxx>
+#include <StepRepr_Transformation.hxx>
+#include <StepShape_Block.hxx>
+#include <StepShape_BooleanResult.hxx>
+#include <StepShape_ConnectedFaceSet.hxx>
+#include <StepShape_ContextDependentShapeRepresentation.hxx>
+#include <StepShape_EdgeBasedWireframeModel.hxx>
+#include <StepShape_EdgeCurve.hxx>
+#include <StepShape_EdgeLoop.hxx>
+#include <StepShape_Face.hxx>
+#include <StepShape_FaceBasedSurfaceModel.hxx>
+#include <StepShape_GeometricSet.hxx>
+#include <StepShape_RightAngularWedge.hxx>
+#include <StepShape_RightCircularCone.hxx>
+#include <StepShape_RightCircularCylinder.hxx>
+#include <StepShape_ShapeDefinitionRepresentation.hxx>
+#include <StepShape_ShapeRepresentation.hxx>
+#include <StepShape_ShellBasedSurfaceModel.hxx>
+#include <StepShape_SolidModel.hxx>
+#include <StepShape_Sphere.hxx>
+#include <StepShape_Torus.hxx>
+#include <TColStd_MapOfTransient.hxx>
+#include <cmath>
+#include <gp_Vec.hxx>
+
+#include "formats/lost_entities_impl.h"
+#include "formats/step_losses_impl.h"
+#include "formats/step_units_impl.h"
+
+namespace paver {
+namespace {
+
+using Entity = Handle(Standard_Transient);
+
+constexpr double least_scale = 1e-9;  // by which sizes may be off 1 and none is meant
+
+template <class... Types>
+bool is_any(const Entity& entity) {
+  return (entity->IsKind(STANDARD_TYPE(Types)) || ...);
+}
+
+/// Of which something has to come by itself.
+bool is_shape(const Entity& entity) {
+  return is_any<StepShape_Face, StepShape_EdgeLoop, StepShape_EdgeCurve, StepShape_ConnectedFaceSet,
+                StepShape_SolidModel, StepShape_ShellBasedSurfaceModel, StepShape_FaceBasedSurfaceModel,
+                StepShape_EdgeBasedWireframeModel, StepShape_GeometricSet, StepShape_Block, StepShape_Sphere,
+                StepShape_Torus, StepShape_RightAngularWedge, StepShape_RightCircularCylinder,
+                StepShape_RightCircularCone, StepShape_BooleanResult>(entity);
+}
+
+/// What came of a shell may be known only to the solid or the surface model that has it: it is lost with its faces. One
+/// that turns another one over has its faces a level deeper.
+bool has_lost_face(const LostEntities& lost, const Interface_Graph& graph, const Entity& shell, int levels = 1) {
+  for (Interface_EntityIterator inner = graph.Shareds(shell); inner.More(); inner.Next()) {
+    const bool is_face = is_any<StepShape_Face>(inner.Value());
+    if (is_face ? lost.is_lost(inner.Value())
+                : is_any<StepShape_ConnectedFaceSet>(inner.Value()) && levels > 0 &&
+                      has_lost_face(lost, graph, inner.Value(), levels - 1))
+      return true;
+  }
+  return false;
+}
+
+/// Whether a representation has any shape, or leads to one: one for a part alone may refer to one with its shape.
+bool leads_to_shape(const Interface_Graph& graph, const Entity& start) {
+  std::vector<Entity> open{start};
+  TColStd_MapOfTransient seen;
+  while (!open.empty()) {
+    const Entity entity = open.back();
+    open.pop_back();
+    if (!seen.Add(entity)) continue;
+    if (is_shape(entity)) return true;
+    for (Interface_EntityIterator inner = graph.Shareds(entity); inner.More(); inner.Next())
+      if (!is_any<StepBasic_ProductDefinition>(inner.Value())) open.push_back(inner.Value());
+    if (!is_any<StepRepr_Representation, StepBasic_ProductDefinition, StepRepr_ProductDefinitionUsage,
+                StepRepr_PropertyDefinition>(entity))
+      continue;
+    for (Interface_EntityIterator user = graph.Sharings(entity); user.More(); user.Next())
+      if (is_any<StepRepr_PropertyDefinition, StepShape_ShapeDefinitionRepresentation,
+                 StepShape_ContextDependentShapeRepresentation>(user.Value()) ||
+          user.Value()->IsInstance(STANDARD_TYPE(StepRepr_ShapeRepresentationRelationship)))
+        open.push_back(user.Value());
+  }
+  return false;
+}
+
+bool is_shape_representation(const Entity& entity) {
+  return !entity.IsNull() && is_any<StepShape_ShapeRepresentation>(entity);
+}
+
+/// A part at a place of an assembly. Parts may be empty, and representations of drawings are mapped as well.
+bool is_placed_shape(const Interface_Graph& graph, const Entity& entity) {
+  if (const auto mapped = Handle(StepRepr_MappedItem)::DownCast(entity); !mapped.IsNull())
+    return !mapped->MappingSource().IsNull() &&
+           is_shape_representation(mapped->MappingSource()->MappedRepresentation()) &&
+           leads_to_shape(graph, mapped->MappingSource()->MappedRepresentation());
+  const auto usage = Handle(StepRepr_NextAssemblyUsageOccurrence)::DownCast(entity);
+  return !usage.IsNull() &&
+         (leads_to_shape(graph, usage) ||
+          (!usage->RelatedProductDefinition().IsNull() && leads_to_shape(graph, usage->RelatedProductDefinition())));
+}
+
+/// Whether a representation that could not be read is not the only one of its part: tessellated and exact ones of one
+/// part may stand side by side. True for all other entities.
+bool has_representation(const Interface_Graph& graph, const Entity& entity) {
+  const auto link = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(entity);
+  if (link.IsNull() || !link->UsedRepresentation().IsNull()) return true;
+  const Entity part = link->Definition().Value();
+  if (part.IsNull()) return true;
+  for (Interface_EntityIterator user = graph.Sharings(part); user.More(); user.Next()) {
+    const auto other = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(user.Value());
+    if (!other.IsNull() && !other->UsedRepresentation().IsNull()) return true;
+  }
+  return false;
+}
+
+bool is_axes(const Entity& placement) { return !placement.IsNull() && is_any<StepGeom_Axis2Placement3d>(placement); }
+
+/// Without a scale and no mirror image, of which the kernel makes turned parts of the same size. The second axis alone
+/// says on which side it is: ISO 10303-42, base_axis.
+bool is_motion(const Entity& entity) {
+  const auto operation = Handle(StepGeom_CartesianTransformationOperator3d)::DownCast(entity);
+  if (operation.IsNull() || operation->LocalOrigin().IsNull()) return false;
+  if (operation->HasScale() && std::abs(operation->Scale() - 1) > least_scale) return false;
+  if (!operation->HasAxis2()) return true;
+  const auto axis = [](bool has, const Handle(StepGeom_Direction) & direction, const gp_Vec& otherwise) {
+    if (!has || direction.IsNull() || direction->NbDirectionRatios() < 3) return otherwise;
+    return gp_Vec(direction->DirectionRatiosValue(1), direction->DirectionRatiosValue(2),
+                  direction->DirectionRatiosValue(3));
+  };
+  const gp_Vec x = axis(operation->HasAxis1(), operation->Axis1(), gp_Vec(1, 0, 0)),
+               y = axis(true, operation->Axis2(), gp_Vec(0, 1, 0)),
+               z = axis(operation->HasAxis3(), operation->Axis3(), gp_Vec(0, 0, 1));
+  return z.Crossed(x).Dot(y) > 0;
+}
+
+bool is_placed_as_stated(const Entity& entity) {
+  if (const auto mapped = Handle(StepRepr_MappedItem)::DownCast(entity); !mapped.IsNull()) {
+    const Handle(StepRepr_RepresentationMap) source = mapped->MappingSource();
+    if (source.IsNull() || !is_shape_representation(source->MappedRepresentation())) return true;
+    return is_motion(mapped->MappingTarget()) || (is_axes(source->MappingOrigin()) && is_axes(mapped->MappingTarget()));
+  }
+  const auto relation = Handle(StepRepr_RepresentationRelationshipWithTransformation)::DownCast(entity);
+  if (relation.IsNull()) return true;
+  const Entity operation = relation->TransformationOperator().Value();
+  const auto axes = Handle(StepRepr_ItemDefinedTransformation)::DownCast(operation);
+  return axes.IsNull() ? is_motion(operation) : is_axes(axes->TransformItem1()) && is_axes(axes->TransformItem2());
+}
+
+}  // namespace
+
+std::vector<std::string> step_losses(STEPControl_Reader& reader) {
+  const LostEntities lost(reader);
+  const Interface_Graph& graph = reader.WS()->Graph();
+  std::vector<std::string> labels = lost.labels([&](const Entity& entity) {
+    if (is_any<StepShape_ConnectedFaceSet>(entity)) return has_lost_face(lost, graph, entity);
+    return is_shape(entity) || is_placed_shape(graph, entity);
+  });
+  const Handle(Interface_InterfaceModel) model = reader.Model();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const Entity entity = model->Value(i);
+    if (!has_representation(graph, entity)) labels.push_back(entity_label(model, entity));
+    if (!is_placed_as_stated(entity)) labels.push_back(entity_label(model, entity) + " (position)");
+    if (!is_measured_as_stated(entity)) labels.push_back(entity_label(model, entity) + " (unit of length)");
+  }
+  return labels;
+}
+
+}  // namespace paver
