@@ -197,7 +197,9 @@ struct ModelReport {
   std::vector<std::string> one_sided;                   ///< solids whose faces have no side in common that is outside
   double curve_distance = 0;                            ///< largest of an edge's curve from a face that uses it, mm
   std::vector<std::string> stray_edges;  ///< those whose curves are farther from a face than tolerances explain
-  std::vector<std::string> unread;       ///< faces of a STEP file of which the kernel made nothing: "#12"
+  /// What a STEP or IGES file has and the kernel makes nothing of, or something else: "#12 ConicalSurface".
+  std::vector<std::string> unread;
+  std::vector<std::string> open_solids;  ///< with edges on one face only: "Solid2", in a file "#158 ManifoldSolidBrep"
   std::vector<std::string> holes;        ///< faces left out as too small, without which their bodies are open
   std::vector<Repair> repairs;           ///< in the order of RepairKind, those that occurred
 };

@@ -111,6 +111,7 @@ extern "C" void paver_read_format(const FileSource& file, const Doubt& doubt, Sh
   for (std::string& label : step_losses(reader)) unread.push_back(std::move(label));
   report.unread.insert(report.unread.end(), unread.begin(), unread.end());
   if (shape.shape.IsNull()) return;
+  report.open_solids = open_solids(reader);
   label_objects(reader, shape);
   restore_poles(reader, shape);
 }

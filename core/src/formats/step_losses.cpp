@@ -19,6 +19,7 @@
 #include <StepShape_Face.hxx>
 #include <StepShape_FaceBasedSurfaceModel.hxx>
 #include <StepShape_GeometricSet.hxx>
+#include <StepShape_ManifoldSolidBrep.hxx>
 #include <StepShape_RightAngularWedge.hxx>
 #include <StepShape_RightCircularCone.hxx>
 #include <StepShape_RightCircularCylinder.hxx>
@@ -29,6 +30,7 @@
 #include <StepShape_Sphere.hxx>
 #include <StepShape_Torus.hxx>
 #include <TColStd_MapOfTransient.hxx>
+#include <TopExp_Explorer.hxx>
 #include <cmath>
 #include <gp_Vec.hxx>
 
@@ -157,6 +159,20 @@ bool is_placed_as_stated(const Entity& entity) {
 }
 
 }  // namespace
+
+std::vector<std::string> open_solids(STEPControl_Reader& reader) {
+  std::vector<std::string> labels;
+  const Handle(Interface_InterfaceModel) model = reader.Model();
+  const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const Entity entity = model->Value(i);
+    if (!is_any<StepShape_ManifoldSolidBrep>(entity)) continue;
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
+    if (!shape.IsNull() && TopExp_Explorer(shape, TopAbs_SHELL, TopAbs_SOLID).More())
+      labels.push_back(entity_label(model, entity));
+  }
+  return labels;
+}
 
 std::vector<std::string> step_losses(STEPControl_Reader& reader) {
   const LostEntities lost(reader);

@@ -11,4 +11,7 @@ namespace paver {
 /// image or no placement at all), and of units of length that are not as stated. After the transfer.
 std::vector<std::string> step_losses(STEPControl_Reader& reader);
 
+/// Labels of solids that came without a closed shell.
+std::vector<std::string> open_solids(STEPControl_Reader& reader);
+
 }  // namespace paver

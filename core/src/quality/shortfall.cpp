@@ -42,6 +42,15 @@ std::string unread(const std::vector<std::string>& entities) {
       listed(entities, most_named_faces));
 }
 
+std::string open_solids(const std::vector<std::string>& solids) {
+  if (solids.empty()) return "";
+  return fmt::format(
+      "Solids that are open, as faces of theirs are missing or do not meet: {}; repair them in the CAD program, or "
+      "give a "
+      "sew-tolerance above their gaps.",
+      listed(solids, most_named_faces, "more"));
+}
+
 std::string holes(const std::vector<std::string>& faces) {
   if (faces.empty()) return "";
   return fmt::format(
@@ -168,8 +177,8 @@ std::vector<std::string> doubts(const RunReport& report) {
           "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
           gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
   if (!report.crossings.empty()) sentences.push_back(crossings(report.crossings));
-  for (std::string sentence :
-       {unread(report.model.unread), holes(report.model.holes), long_sides(report), folded(report), too_coarse(report)})
+  for (std::string sentence : {unread(report.model.unread), open_solids(report.model.open_solids),
+                               holes(report.model.holes), long_sides(report), folded(report), too_coarse(report)})
     if (!sentence.empty()) sentences.push_back(std::move(sentence));
   return sentences;
 }

@@ -7,6 +7,7 @@
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "brep/connecting/connect_impl.h"
 #include "brep/connecting/workpiece_impl.h"
@@ -339,15 +340,20 @@ class ModelBuilder {
     report.sewn_edges = sewn_.free_before - sewn_.free_after;
     work_.note_repair(RepairKind::sewn_edge, report.sewn_edges, sewn_.tolerance);
     report.repairs = work_.repairs;
+    std::set<int> open_parts;
     for (const Edge& edge : model_.edges) {
       if (edge.faces.size() == 1 && !edge.is_degenerate) {
         ++report.free_edges;
         if (report.free_edge_names.size() < most_names) report.free_edge_names.push_back(edge.name);
+        for (const int part : model_.face_parts[edge.faces.front()])
+          if (model_.part_solid[part] >= 0) open_parts.insert(part);
       } else if (edge.faces.size() > 2) {
         ++report.nonmanifold_edges;
         if (report.nonmanifold_edge_names.size() < most_names) report.nonmanifold_edge_names.push_back(edge.name);
       }
     }
+    if (report.free_edges == 0) report.open_solids.clear();  // sewing has closed them
+    for (const int part : open_parts) report.open_solids.push_back(model_.parts[part]);
   }
 
   /// Faces that were left out though they are no slivers, whose sides meet without them, and that are missed: a tip cut

@@ -15,6 +15,7 @@ TEST(StepText, EveryEntityIsThereOnce) {
 
 TEST(StepText, FindsWhatIsMissingAndWhatIsThereTwice) {
   EXPECT_FALSE(find_step_names("#1=A(#2);").is_whole);
+  EXPECT_EQ(find_step_names("#1=A(#9,#2,#3);#2=B(#9);").missing, (std::vector<std::uint64_t>{3, 9}));
   EXPECT_FALSE(find_step_names("#=A();").is_whole);
   EXPECT_EQ(find_step_names("#9=A();#7=B();#9=C();#7=D();").doubled, 7U);
 }

@@ -68,6 +68,7 @@ Json model_json(const ModelReport& m) {
           {"curve_distance", m.curve_distance},
           {"stray_edges", m.stray_edges},
           {"unread", m.unread},
+          {"open_solids", m.open_solids},
           {"holes", m.holes},
           {"repairs", repairs_json(m.repairs)}};
 }
