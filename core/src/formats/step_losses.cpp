@@ -1,7 +1,9 @@
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepGeom_Axis2Placement3d.hxx>
 #include <StepGeom_CartesianTransformationOperator3d.hxx>
+#include <StepGeom_Curve.hxx>
 #include <StepGeom_Direction.hxx>
+#include <StepGeom_Surface.hxx>
 #include <StepRepr_ItemDefinedTransformation.hxx>
 #include <StepRepr_MappedItem.hxx>
 #include <StepRepr_NextAssemblyUsageOccurrence.hxx>
@@ -69,6 +71,14 @@ bool has_lost_face(const LostEntities& lost, const Interface_Graph& graph, const
                       has_lost_face(lost, graph, inner.Value(), levels - 1))
       return true;
   }
+  return false;
+}
+
+/// A surface or a curve that stands for itself.
+bool is_in_set(const Interface_Graph& graph, const Entity& entity) {
+  if (!is_any<StepGeom_Surface, StepGeom_Curve>(entity)) return false;
+  for (Interface_EntityIterator user = graph.Sharings(entity); user.More(); user.Next())
+    if (is_any<StepShape_GeometricSet>(user.Value())) return true;
   return false;
 }
 
@@ -179,7 +189,7 @@ std::vector<std::string> step_losses(STEPControl_Reader& reader) {
   const Interface_Graph& graph = reader.WS()->Graph();
   std::vector<std::string> labels = lost.labels([&](const Entity& entity) {
     if (is_any<StepShape_ConnectedFaceSet>(entity)) return has_lost_face(lost, graph, entity);
-    return is_shape(entity) || is_placed_shape(graph, entity);
+    return is_shape(entity) || is_in_set(graph, entity) || is_placed_shape(graph, entity);
   });
   const Handle(Interface_InterfaceModel) model = reader.Model();
   for (int i = 1; i <= model->NbEntities(); ++i) {
