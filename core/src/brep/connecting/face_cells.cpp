@@ -220,8 +220,12 @@ bool PartPiece::is_simple() const {
   const GeomAbs_SurfaceType type = surface_.GetType();
   if (type == GeomAbs_SurfaceOfRevolution || type == GeomAbs_SurfaceOfExtrusion)
     return surface_.BasisCurve()->GetType() <= GeomAbs_Circle;
-  return type <= GeomAbs_Torus ||
-         GeomLib_IsPlanarSurface(BRep_Tool::Surface(TopoDS::Face(shape_)), Precision::Confusion()).IsPlanar();
+  if (type <= GeomAbs_Torus) return true;
+  try {
+    return GeomLib_IsPlanarSurface(BRep_Tool::Surface(TopoDS::Face(shape_)), Precision::Confusion()).IsPlanar();
+  } catch (const Standard_Failure&) {  // its normals cancel out: a ruled surface twisted by half a turn
+    return false;
+  }
 }
 
 // So many that bulges of cells can be told, and fewer across a strip.
