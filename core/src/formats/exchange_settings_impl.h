@@ -6,22 +6,29 @@
 
 namespace paver {
 
-/// Asks the readers for millimetres as long as it lives. Make it after the reader, which registers the setting.
-class MillimetreReading {
+/// Holds as long as it lives. Make it after the reader, which registers the settings; one that it does not know is
+/// left.
+class ReaderSetting {
  public:
-  MillimetreReading() {
-    if (const char* unit = Interface_Static::CVal(setting)) saved_ = unit;
-    Interface_Static::SetCVal(setting, "MM");
+  ReaderSetting(const char* name, const char* value) : name_(name) {
+    if (const char* saved = Interface_Static::CVal(name)) saved_ = saved;
+    Interface_Static::SetCVal(name, value);
   }
-  ~MillimetreReading() {
-    if (!saved_.empty()) Interface_Static::SetCVal(setting, saved_.c_str());
+  ~ReaderSetting() {
+    if (!saved_.empty()) Interface_Static::SetCVal(name_, saved_.c_str());
   }
-  MillimetreReading(const MillimetreReading&) = delete;
-  MillimetreReading& operator=(const MillimetreReading&) = delete;
+  ReaderSetting(const ReaderSetting&) = delete;
+  ReaderSetting& operator=(const ReaderSetting&) = delete;
 
  private:
-  static constexpr const char* setting = "xstep.cascade.unit";
+  const char* name_;
   std::string saved_;
+};
+
+/// Lengths come in millimetres.
+class MillimetreReading : ReaderSetting {
+ public:
+  MillimetreReading() : ReaderSetting("xstep.cascade.unit", "MM") {}
 };
 
 }  // namespace paver

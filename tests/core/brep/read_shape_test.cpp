@@ -132,6 +132,18 @@ TEST_F(ReadShape, GivesFacesTheNamesOfAStepFile) {
   EXPECT_EQ(std::count(shape->labels.begin(), shape->labels.end(), ""), 5);
 }
 
+// Older writers put their own letters in: a name that is not UTF-8 lost one.
+TEST_F(ReadShape, ReadsNamesInLettersOfWesternEurope) {
+  const std::string path = write_step(), text = read_text(path);
+  for (const std::string letter : {"\xC4", "\xC3\x84"}) {
+    std::string named = text;
+    named.insert(named.find("ADVANCED_FACE('") + 15, letter + "rger");
+    write_text(path, named);
+    const auto labels = read(path)->labels;
+    EXPECT_EQ(std::count(labels.begin(), labels.end(), "\xC3\x84rger"), 1) << letter;
+  }
+}
+
 TEST_F(ReadShape, ReadsStepFilesWithTheByteOrderMarkOfUtf8) {
   const std::string path = write_step();
   write_text(path, "\xEF\xBB\xBF" + read_text(path));
