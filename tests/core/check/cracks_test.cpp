@@ -20,12 +20,14 @@ TopoDS_Face polygon(std::initializer_list<gp_Pnt> corners) {
 }
 
 /// Of side 10 about (10, 10, 0); the upper two end `gap` apart at y = 20.
-TopoDS_Shape patches(double gap) {
-  return test::compound({polygon({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}),
-                         polygon({{10, 0, 0}, {20, 0, 0}, {20, 10, 0}, {10, 10, 0}}),
-                         polygon({{0, 10, 0}, {10, 10, 0}, {10 - gap, 20, 0}, {0, 20, 0}}),
-                         polygon({{10, 10, 0}, {20, 10, 0}, {20, 20, 0}, {10, 20, 0}})});
+std::vector<TopoDS_Shape> patches_of(double gap) {
+  return {polygon({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}),
+          polygon({{10, 0, 0}, {20, 0, 0}, {20, 10, 0}, {10, 10, 0}}),
+          polygon({{0, 10, 0}, {10, 10, 0}, {10 - gap, 20, 0}, {0, 20, 0}}),
+          polygon({{10, 10, 0}, {20, 10, 0}, {20, 20, 0}, {10, 20, 0}})};
 }
+
+TopoDS_Shape patches(double gap) { return test::compound(patches_of(gap)); }
 
 RunReport report_of(const TopoDS_Shape& shape, std::optional<double> sew_tolerance = {}) {
   Options options;
@@ -48,6 +50,17 @@ TEST(Cracks, AreToldWhereTheyStay) {
   EXPECT_EQ(report.gaps[0].parts[0], report.gaps[0].parts[1]);
   EXPECT_NEAR(report.gaps[0].distance, 1e-3, 1e-4);
   EXPECT_GT(report.gaps[0].where.y, 19);
+  EXPECT_STREQ(verdict(report), "doubtful");
+}
+
+// The left side of the crack has a wall, so that only its right side is free.
+TEST(Cracks, BesideAnEdgeOfTwoFacesAreTold) {
+  const double gap = 1e-3;
+  std::vector<TopoDS_Shape> faces = patches_of(gap);
+  faces.push_back(polygon({{10, 10, 0}, {10 - gap, 20, 0}, {10 - gap, 20, 5}, {10, 10, 5}}));
+  const RunReport report = report_of(test::compound(faces), 1e-5);
+  ASSERT_EQ(report.gaps.size(), 1U);
+  EXPECT_NEAR(report.gaps[0].distance, gap, 1e-4);
   EXPECT_STREQ(verdict(report), "doubtful");
 }
 
