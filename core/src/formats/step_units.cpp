@@ -2,14 +2,13 @@
 #include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
 #include <StepBasic_HArray1OfNamedUnit.hxx>
 #include <StepBasic_MeasureWithUnit.hxx>
-#include <StepBasic_SiUnit.hxx>
+#include <StepBasic_SiUnitAndLengthUnit.hxx>
 #include <StepBasic_Unit.hxx>
 #include <StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx.hxx>
 #include <StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext.hxx>
 #include <StepRepr_GlobalUnitAssignedContext.hxx>
 #include <StepShape_ShapeRepresentation.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
-#include <cmath>
 #include <optional>
 #include <set>
 
@@ -18,24 +17,22 @@
 namespace paver {
 namespace {
 
-constexpr double millimetres_per_metre = 1000;
-constexpr int most_conversions = 8;  // from unit to unit; more is a circle
-constexpr double same_factor = 1e-9;
+constexpr double not_understood = 0;
 
-/// In millimetres; 0 of what cannot be worked out, nothing of other units than lengths.
-std::optional<double> length_of(const Handle(Standard_Transient) & entity, int conversions = 0) {
-  if (const auto unit = Handle(StepBasic_SiUnit)::DownCast(entity); !unit.IsNull()) {
-    if (unit->Name() != StepBasic_sunMetre) return {};
-    return millimetres_per_metre * (unit->HasPrefix() ? STEPConstruct_UnitContext::ConvertSiPrefix(unit->Prefix()) : 1);
-  }
-  const auto unit = Handle(StepBasic_ConversionBasedUnit)::DownCast(entity);
+/// In metres, nothing of other units than lengths. The kernel follows a conversion to an SI unit, and no further.
+std::optional<double> length_of(const Handle(StepBasic_NamedUnit) & unit) {
+  const auto metres = [](const Handle(StepBasic_SiUnit) & si) {
+    if (si.IsNull() || si->Name() != StepBasic_sunMetre) return not_understood;
+    return si->HasPrefix() ? STEPConstruct_UnitContext::ConvertSiPrefix(si->Prefix()) : 1;
+  };
   if (unit.IsNull()) return {};
-  const Handle(StepBasic_MeasureWithUnit) measure = unit->ConversionFactor();
-  if (measure.IsNull() || conversions > most_conversions)
-    return entity->IsKind(STANDARD_TYPE(StepBasic_ConversionBasedUnitAndLengthUnit)) ? std::optional(0.0)
-                                                                                     : std::nullopt;
-  const auto inner = length_of(measure->UnitComponent().Value(), conversions + 1);
-  return inner ? std::optional(*inner * measure->ValueComponent()) : std::nullopt;
+  if (unit->IsKind(STANDARD_TYPE(StepBasic_SiUnitAndLengthUnit)))
+    return metres(Handle(StepBasic_SiUnit)::DownCast(unit));
+  const auto converted = Handle(StepBasic_ConversionBasedUnitAndLengthUnit)::DownCast(unit);
+  if (converted.IsNull()) return {};
+  const Handle(StepBasic_MeasureWithUnit) measure = converted->ConversionFactor();
+  if (measure.IsNull()) return not_understood;
+  return measure->ValueComponent() * metres(Handle(StepBasic_SiUnit)::DownCast(measure->UnitComponent().Value()));
 }
 
 Handle(StepRepr_GlobalUnitAssignedContext) units_of(const Handle(StepRepr_RepresentationContext) & context) {
@@ -70,10 +67,7 @@ bool is_measured_as_stated(const Handle(Standard_Transient) & entity) {
   std::set<double> lengths;
   for (int i = 1; i <= units->NbUnits(); ++i)
     if (const auto length = length_of(units->UnitsValue(i))) lengths.insert(*length);
-  STEPConstruct_UnitContext factors;
-  factors.ComputeFactors(units);
-  return lengths.size() == 1 && factors.LengthDone() &&
-         std::abs(factors.LengthFactor() / *lengths.begin() - 1) < same_factor;
+  return lengths.size() == 1 && *lengths.begin() > 0;
 }
 
 }  // namespace paver

@@ -40,7 +40,7 @@ class ReaderLosses : public Test {
     test::write_text(path_, text);
     Progress progress;
     report_ = {};
-    shape_ = read_shape(path_, report_, progress);
+    read_shape(path_, report_, progress);
     return report_.unread;
   }
 
@@ -69,7 +69,6 @@ class ReaderLosses : public Test {
   test::TemporaryFolder folder_;
   std::string path_ = folder_.file("model.step");
   ModelReport report_;
-  std::shared_ptr<Shape> shape_;
 };
 
 TEST_F(ReaderLosses, NoneInCleanFiles) {
@@ -135,12 +134,8 @@ TEST_F(ReaderLosses, UnitsThatAreNotAsStated) {
           "#9004 = LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(12.),#9005);\n"
           "#9005 = ( CONVERSION_BASED_UNIT('INCH',#9001) LENGTH_UNIT() NAMED_UNIT(#9002) );\n#9003 = " +
               millimetre);
-  const std::vector<std::string> told = unread(chain);  // a kernel may know better
-  const double area = test::model_of(shape_->shape).report.area, foot = 304.8;
-  if (told.empty())
-    EXPECT_NEAR(area / (2200 * foot * foot), 1, 1e-9);
-  else
-    EXPECT_NE(told[0].find("(unit of length)"), std::string::npos);
+  ASSERT_EQ(unread(chain).size(), 1U);
+  EXPECT_NE(report_.unread[0].find("(unit of length)"), std::string::npos);
 }
 
 // The second axis of a mirror image looks the other way: the kernel turns the part instead.
