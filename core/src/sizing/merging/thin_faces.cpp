@@ -21,6 +21,7 @@ constexpr double end_share = 1.5;       // of the limit: edges so short end a fa
 constexpr double wider = 3;        // than a face: so wide are neighbours that take its place, and those at its ends
 constexpr double hairline = 1e-4;  // target lengths: what is narrower goes whatever the angles
 constexpr double opposite = 2;     // times the limit: vertices so near are opposite each other
+constexpr double most_ratio = 3;  // of the lengths of opposite edges: nodes of the one would fall together on the other
 
 struct Sides {
   Side one, two;          // run the same way
@@ -202,7 +203,7 @@ class ThinFaces {
     Side &kept = sides.one, &gone = sides.two;
     for (const SideEdge& e : kept)
       if (!is_hairline(f) && !limits_.is_sharp(e.edge)) edits_.note_smooth(e.edge);
-    if (!divide_alike(edits_, kept, gone, opposite * sides.limit)) return;
+    if (!divide_alike(edits_, kept, gone, opposite * sides.limit) || !are_alike(kept, gone)) return;
     const Vec3 where = edits_.edge(kept.front().edge).curve->point(edits_.edge(kept.front().edge).t0);
     const double width = distance_between(edits_, kept, gone);
     merges_.push_back(
@@ -218,6 +219,13 @@ class ThinFaces {
       for (std::size_t k = 0; k < from.size(); ++k)
         if (from[k] != to[k]) edits_.move_vertex(from[k], to[k], limits_.target_length());
     }
+  }
+
+  bool are_alike(const Side& one, const Side& two) const {
+    return std::ranges::equal(one, two, [&](const SideEdge& a, const SideEdge& b) {
+      const auto [least, most] = std::minmax(edits_.edge(a.edge).length, edits_.edge(b.edge).length);
+      return most <= most_ratio * least;
+    });
   }
 
   void take_out_face(int f, const Side& kept, const Side& gone, const std::vector<int>& ends) {
