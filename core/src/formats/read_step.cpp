@@ -120,7 +120,8 @@ extern "C" void paver_read_format(const FileSource& file, const Doubt& doubt, Sh
                                   Progress& progress) {
   STEPControl_Reader reader;
   MillimetreReading millimetres;
-  std::ifstream content(file.path, std::ios::binary);  // OpenCASCADE 7.8 opens no path that is not UTF-8
+  std::ifstream content(file.path, std::ios::binary);                // OpenCASCADE 7.8 opens no path that is not UTF-8
+  const ReaderSetting no_triangles("read.step.tessellated", "Off");  // of newer kernels: faces without surfaces
   skip_byte_order_mark(content);
   const ReaderSetting letters("read.step.codepage",
                               is_utf8(content) ? "UTF8" : "CP1252");  // older writers' own letters

@@ -35,6 +35,7 @@
 #include <TopExp_Explorer.hxx>
 #include <cmath>
 #include <gp_Vec.hxx>
+#include <string_view>
 
 #include "formats/lost_entities_impl.h"
 #include "formats/step_losses_impl.h"
@@ -121,16 +122,31 @@ bool is_placed_shape(const Interface_Graph& graph, const Entity& entity) {
           (!usage->RelatedProductDefinition().IsNull() && leads_to_shape(graph, usage->RelatedProductDefinition())));
 }
 
+// By name, as older kernels have no such class.
+bool is_tessellated(const Entity& entity) {
+  return std::string_view(entity->DynamicType()->Name()).starts_with("StepVisual_Tessellated");
+}
+
+bool is_exact(const Entity& representation) { return !representation.IsNull() && !is_tessellated(representation); }
+
+/// Triangles that stand for themselves among exact shapes.
+bool is_tessellated_item(const Interface_Graph& graph, const Entity& entity) {
+  if (!is_tessellated(entity)) return false;
+  for (Interface_EntityIterator user = graph.Sharings(entity); user.More(); user.Next())
+    if (is_any<StepShape_ShapeRepresentation>(user.Value()) && is_exact(user.Value())) return true;
+  return false;
+}
+
 /// Whether a representation that could not be read is not the only one of its part: tessellated and exact ones of one
 /// part may stand side by side. True for all other entities.
 bool has_representation(const Interface_Graph& graph, const Entity& entity) {
   const auto link = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(entity);
-  if (link.IsNull() || !link->UsedRepresentation().IsNull()) return true;
+  if (link.IsNull() || is_exact(link->UsedRepresentation())) return true;
   const Entity part = link->Definition().Value();
   if (part.IsNull()) return true;
   for (Interface_EntityIterator user = graph.Sharings(part); user.More(); user.Next()) {
     const auto other = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(user.Value());
-    if (!other.IsNull() && !other->UsedRepresentation().IsNull()) return true;
+    if (!other.IsNull() && is_exact(other->UsedRepresentation())) return true;
   }
   return false;
 }
@@ -189,7 +205,8 @@ std::vector<std::string> step_losses(STEPControl_Reader& reader) {
   const Interface_Graph& graph = reader.WS()->Graph();
   std::vector<std::string> labels = lost.labels([&](const Entity& entity) {
     if (is_any<StepShape_ConnectedFaceSet>(entity)) return has_lost_face(lost, graph, entity);
-    return is_shape(entity) || is_in_set(graph, entity) || is_placed_shape(graph, entity);
+    return is_shape(entity) || is_in_set(graph, entity) || is_tessellated_item(graph, entity) ||
+           is_placed_shape(graph, entity);
   });
   const Handle(Interface_InterfaceModel) model = reader.Model();
   for (int i = 1; i <= model->NbEntities(); ++i) {

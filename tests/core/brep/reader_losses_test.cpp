@@ -8,6 +8,7 @@
 #include <IGESControl_Writer.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <Poly_Triangulation.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TopoDS_Shell.hxx>
@@ -183,6 +184,21 @@ TEST_F(ReaderLosses, SolidsOfOtherFilesThatAreOpen) {
   EXPECT_EQ(test::model_of(solid).report.open_solids, std::vector<std::string>{"Solid1"});
   EXPECT_TRUE(test::model_of(shell).report.open_solids.empty());
   EXPECT_TRUE(test::model_of(box).report.open_solids.empty());
+}
+
+TEST_F(ReaderLosses, FacesOfTrianglesOnly) {
+  BRep_Builder builder;
+  TopoDS_Face face;
+  builder.MakeFace(face);
+  Handle(Poly_Triangulation) triangles = new Poly_Triangulation(3, 1, false);
+  for (int i = 1; i <= 3; ++i) triangles->SetNode(i, gp_Pnt(i % 2, i / 2, 0));
+  triangles->SetTriangle(1, Poly_Triangle(1, 2, 3));
+  builder.UpdateFace(face, triangles);
+  path_ = folder_.file("triangles.brep");
+  BRepTools::Write(test::compound({face, BRepPrimAPI_MakeBox(10, 20, 30).Shape()}), path_.c_str());
+  const std::string text = test::read_text(path_);
+  EXPECT_EQ(unread(text), std::vector<std::string>{"Face1 (triangles only)"});
+  EXPECT_EQ(verdict_of(text), "doubtful");
 }
 
 TEST_F(ReaderLosses, UnitAndScaleOfAnIgesModel) {

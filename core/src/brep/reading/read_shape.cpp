@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Tool.hxx>
+#include <TopoDS.hxx>
 #include <algorithm>
 #include <chrono>
 #include <fstream>
@@ -42,6 +45,22 @@ bool is_doubtful_step(std::string_view content, const FileSource& file, ModelRep
   if (!names.has_scopes)
     for (const std::uint64_t number : names.missing) report.unread.push_back(fmt::format("#{} (not there)", number));
   return names.doubled != 0 || !names.is_whole;
+}
+
+/// Faces that have triangles and no surface: newer kernels make them of tessellated solids, and none can go on with
+/// them.
+void leave_triangles_out(Shape& shape, ModelReport& report) {
+  BRepTools_ReShape changes;
+  bool has_any = false;
+  const auto faces = shapes_of(shape.shape, TopAbs_FACE);
+  for (int i = faces.Extent(); i > 0; --i) {
+    if (!BRep_Tool::Surface(TopoDS::Face(faces(i))).IsNull()) continue;
+    changes.Remove(faces(i));
+    has_any = true;
+    report.unread.insert(report.unread.begin(), "Face" + std::to_string(i) + " (triangles only)");
+    if (static_cast<std::size_t>(i) <= shape.labels.size()) shape.labels.erase(shape.labels.begin() + i - 1);
+  }
+  if (has_any) shape.shape = changes.Apply(shape.shape);
 }
 
 constexpr std::size_t most_named = 5;  // in an error; a report has all
@@ -98,6 +117,7 @@ std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, P
   });
   progress.check();
 
+  if (!shape->shape.IsNull()) leave_triangles_out(*shape, report);
   const auto faces = shapes_of(shape->shape, TopAbs_FACE), edges = shapes_of(shape->shape, TopAbs_EDGE);
   if (faces.IsEmpty() && edges.IsEmpty()) throw nothing_to_mesh(file, report.unread);
   const LooseShapes loose(shape->shape);
