@@ -75,11 +75,26 @@ bool has_lost_face(const LostEntities& lost, const Interface_Graph& graph, const
   return false;
 }
 
+bool is_of(const char* package, const Entity& entity) {
+  return std::string_view(entity->DynamicType()->Name()).starts_with(package);
+}
+
+/// Part of a drawing, of dimensions or of what a shape was constructed with, and of no shape: the kernel leaves these.
+bool is_beside_shapes(const Interface_Graph& graph, const Entity& entity) {
+  Interface_EntityIterator user = graph.Sharings(entity);
+  if (!user.More()) return false;
+  for (; user.More(); user.Next()) {
+    if (is_of("StepShape_", user.Value())) return false;
+    if (!is_any<StepRepr_Representation>(user.Value()) && !is_any<StepShape_GeometricSet>(entity)) return false;
+  }
+  return true;
+}
+
 /// A surface or a curve that stands for itself.
 bool is_in_set(const Interface_Graph& graph, const Entity& entity) {
   if (!is_any<StepGeom_Surface, StepGeom_Curve>(entity)) return false;
   for (Interface_EntityIterator user = graph.Sharings(entity); user.More(); user.Next())
-    if (is_any<StepShape_GeometricSet>(user.Value())) return true;
+    if (is_any<StepShape_GeometricSet>(user.Value()) && !is_beside_shapes(graph, user.Value())) return true;
   return false;
 }
 
@@ -123,9 +138,7 @@ bool is_placed_shape(const Interface_Graph& graph, const Entity& entity) {
 }
 
 // By name, as older kernels have no such class.
-bool is_tessellated(const Entity& entity) {
-  return std::string_view(entity->DynamicType()->Name()).starts_with("StepVisual_Tessellated");
-}
+bool is_tessellated(const Entity& entity) { return is_of("StepVisual_Tessellated", entity); }
 
 bool is_exact(const Entity& representation) { return !representation.IsNull() && !is_tessellated(representation); }
 
@@ -152,6 +165,15 @@ bool has_representation(const Interface_Graph& graph, const Entity& entity) {
 }
 
 bool is_axes(const Entity& placement) { return !placement.IsNull() && is_any<StepGeom_Axis2Placement3d>(placement); }
+
+/// Shapes or places of them, which dimensions and drawings have not.
+bool has_shapes(const Entity& entity) {
+  const auto representation = Handle(StepShape_ShapeRepresentation)::DownCast(entity);
+  if (representation.IsNull() || representation->Items().IsNull()) return false;
+  for (const Handle(StepRepr_RepresentationItem) & item : *representation->Items())
+    if (is_axes(item) || (!item.IsNull() && (is_shape(item) || is_any<StepRepr_MappedItem>(item)))) return true;
+  return false;
+}
 
 /// Without a scale and no mirror image, of which the kernel makes turned parts of the same size. The second axis alone
 /// says on which side it is: ISO 10303-42, base_axis.
@@ -205,15 +227,17 @@ std::vector<std::string> step_losses(STEPControl_Reader& reader) {
   const Interface_Graph& graph = reader.WS()->Graph();
   std::vector<std::string> labels = lost.labels([&](const Entity& entity) {
     if (is_any<StepShape_ConnectedFaceSet>(entity)) return has_lost_face(lost, graph, entity);
-    return is_shape(entity) || is_in_set(graph, entity) || is_tessellated_item(graph, entity) ||
-           is_placed_shape(graph, entity);
+    return is_shape(entity)
+               ? !is_beside_shapes(graph, entity)
+               : is_in_set(graph, entity) || is_tessellated_item(graph, entity) || is_placed_shape(graph, entity);
   });
   const Handle(Interface_InterfaceModel) model = reader.Model();
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const Entity entity = model->Value(i);
     if (!has_representation(graph, entity)) labels.push_back(entity_label(model, entity));
     if (!is_placed_as_stated(entity)) labels.push_back(entity_label(model, entity) + " (position)");
-    if (!is_measured_as_stated(entity)) labels.push_back(entity_label(model, entity) + " (unit of length)");
+    if (has_shapes(entity) && !is_measured_as_stated(entity))
+      labels.push_back(entity_label(model, entity) + " (unit of length)");
   }
   return labels;
 }

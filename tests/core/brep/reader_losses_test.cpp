@@ -80,6 +80,21 @@ TEST_F(ReaderLosses, NoneInCleanFiles) {
   EXPECT_TRUE(unread(step_of(test::compound({plate, rod}))).empty());
 }
 
+// Lines of drawings and of dimensions, planes that a shape was constructed with.
+TEST_F(ReaderLosses, NoneOfWhatStandsBesideShapes) {
+  std::string text = box();
+  const std::string axes = number_of(text, "AXIS2_PLACEMENT_3D"),
+                    context = number_of(text, "( GEOMETRIC_REPRESENTATION_CONTEXT(3)");
+  add(text, "#9000 = DRAUGHTING_MODEL('',(#9001)," + context +
+                ");\n#9001 = ANNOTATION_CURVE_OCCURRENCE('',(),#9002);\n#9002 = GEOMETRIC_CURVE_SET('',(#9003));\n"
+                "#9003 = POLYLINE('',(#9004,#9005));\n#9004 = CARTESIAN_POINT('',(0.,0.,0.));\n"
+                "#9005 = CARTESIAN_POINT('',(9.,0.,0.));\n#9006 = CONSTRUCTIVE_GEOMETRY_REPRESENTATION('',(#9007)," +
+                context + ");\n#9007 = GEOMETRIC_SET('',(#9008));\n#9008 = PLANE(''," + axes +
+                ");\n#9009 = SHAPE_DIMENSION_REPRESENTATION('',(#9010),#9011);\n"
+                "#9010 = DESCRIPTIVE_REPRESENTATION_ITEM('','');\n#9011 = REPRESENTATION_CONTEXT('','');");
+  EXPECT_EQ(unread(text), std::vector<std::string>{});
+}
+
 // The hole of a plate would be filled without a word.
 TEST_F(ReaderLosses, ALoopWhoseCurveCannotBeMade) {
   const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, 0), 20, 20, 2).Shape();
