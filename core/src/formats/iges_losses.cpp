@@ -36,6 +36,7 @@ bool is_known_unit(const IGESData_GlobalSection& global) {
 }  // namespace
 
 std::vector<std::string> iges_losses(IGESControl_Reader& reader) {
+  if (!has_entities(reader)) return {};
   std::vector<std::string> labels = LostEntities(reader).labels(is_shape);
   const Handle(IGESData_IGESModel) model = reader.IGESModel();
   for (int i = 1; i <= model->NbEntities(); ++i)

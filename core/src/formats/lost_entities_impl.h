@@ -28,6 +28,12 @@ inline std::string entity_label(const Handle(Interface_InterfaceModel) & model,
   return std::string(model->StringLabel(entity)->ToCString()) + " " + (end_of_package ? end_of_package + 1 : type);
 }
 
+/// Without any the kernel has no graph of them.
+inline bool has_entities(const XSControl_Reader& reader) {
+  const Handle(Interface_InterfaceModel) model = reader.Model();
+  return !model.IsNull() && model->NbEntities() > 0;
+}
+
 /// Looks through the entities of a file after they were transferred.
 class LostEntities {
  public:

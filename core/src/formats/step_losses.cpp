@@ -223,6 +223,7 @@ std::vector<std::string> open_solids(STEPControl_Reader& reader) {
 }
 
 std::vector<std::string> step_losses(STEPControl_Reader& reader) {
+  if (!has_entities(reader)) return {};
   const LostEntities lost(reader);
   const Interface_Graph& graph = reader.WS()->Graph();
   std::vector<std::string> labels = lost.labels([&](const Entity& entity) {
