@@ -803,6 +803,14 @@
         <translation>Die Flächen von {} können nicht alle nach außen zeigen; bitte den Körper reparieren.</translation>
     </message>
     <message>
+        <source>{} is open: faces are missing or do not meet.</source>
+        <translation>{} ist offen: Flächen fehlen oder treffen sich nicht.</translation>
+    </message>
+    <message>
+        <source>Not read, or not as the file has it: {}.</source>
+        <translation>Nicht gelesen, oder nicht, wie die Datei es hat: {}.</translation>
+    </message>
+    <message>
         <source>Elements run through each other: {}.</source>
         <translation>Elemente durchdringen einander: {}.</translation>
     </message>

@@ -229,6 +229,12 @@ def parts(mesh):
     for solid in mesh.report["model"].get("one_sided", []):
         findings.append(Finding(ERROR, translate("Paver", "The faces of {} cannot all look outwards; repair the solid.").format(
             solid), numbers(elements_of(mesh, [solid]))))
+    for solid in mesh.report["model"].get("open_solids", []):
+        findings.append(Finding(WARNING, translate("Paver", "{} is open: faces are missing or do not meet.").format(solid),
+                                numbers(elements_of(mesh, [solid]))))
+    if unread := mesh.report["model"].get("unread", []):
+        findings.append(Finding(WARNING, translate("Paver", "Not read, or not as the file has it: {}.").format(
+            listed(unread, MOST_CONTACTS))))
     for gap in mesh.report.get("gaps", []):
         text = (translate("Paver", "{} is open where its edges run along each other, {} mm apart.")
                 if gap["parts"][0] == gap["parts"][1] else
