@@ -93,6 +93,12 @@ class Checks(WithMesh):
         mesh, _ = self.meshed(self.add("Part::Feature", Shape=both), size=2)
         self.assertEqual(mesh_check.check(mesh)[0].level, mesh_check.ERROR)
 
+    def test_open_solids_are_warnings(self):
+        solid = Part.Solid(Part.Shell(Part.makeBox(10, 20, 30).Faces[1:]))
+        mesh, _ = self.meshed(self.add("Part::Feature", Shape=solid), size=5)
+        self.assertEqual(mesh_check.check(mesh)[0].level, mesh_check.WARNING)
+        self.assertIn("is open", mesh_check.check(mesh)[0].text)
+
     def test_wires_alone(self):
         wire = self.document.addObject("Part::Feature", "Wire")
         wire.Shape = Part.makeLine(FreeCAD.Vector(), FreeCAD.Vector(0, 0, 30))
