@@ -1,3 +1,5 @@
+// In: an IGES file after its transfer. Out: labels of what is not as the file has it. Steps: shapes of which nothing
+// came; transformations of transformations; unit and scale.
 #include <IGESData_BasicEditor.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESEntity.hxx>

@@ -31,8 +31,8 @@ Handle(TCollection_HAsciiString) face_name(const Handle(Standard_Transient) & en
 
 }  // namespace
 
-extern "C" void paver_read_format(const FileSource& file, const Doubt& doubt, Shape& shape, ModelReport& report,
-                                  Progress& progress) {
+extern "C" void paver_read_format(const FileSource& file, std::string_view /*content*/, const Doubt& doubt,
+                                  Shape& shape, ModelReport& report, Progress& progress) {
   IGESControl_Reader reader;
   MillimetreReading millimetres;
   check_loaded(reader.ReadFile(file.path.c_str()), file, "IGES", progress);

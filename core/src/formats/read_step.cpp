@@ -10,7 +10,6 @@
 #include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <fstream>
 #include <string_view>
-#include <utility>
 
 #include "formats/exchange_settings_impl.h"
 #include "formats/lost_entities_impl.h"
@@ -84,23 +83,16 @@ void skip_byte_order_mark(std::istream& content) {
   if (!content.read(start.data(), 3) || start != "\xEF\xBB\xBF") content.clear(), content.seekg(0);
 }
 
-/// Whether every letter beyond ASCII is one of UTF-8, as far as counts of bytes tell. Goes back to where it started.
-bool is_utf8(std::istream& content) {
-  const auto start = content.tellg();
+/// Whether every letter beyond ASCII is one of UTF-8, as far as counts of bytes tell.
+bool is_utf8(std::string_view content) {
   int open = 0;  // bytes of a letter that are still to come
-  bool is_valid = true;
-  std::vector<char> block(1 << 16);
-  while (is_valid && (content.read(block.data(), static_cast<std::streamsize>(block.size())), content.gcount() > 0)) {
-    for (auto byte = block.begin(); byte != block.begin() + content.gcount() && is_valid; ++byte) {
-      const auto letter = static_cast<unsigned char>(*byte);
-      const bool is_inner = (letter & 0xC0U) == 0x80U;
-      is_valid = is_inner == (open > 0) && letter < 0xF8U;
-      open = is_inner ? open - 1 : letter >= 0xF0U ? 3 : letter >= 0xE0U ? 2 : letter >= 0xC0U ? 1 : 0;
-    }
+  for (const char byte : content) {
+    const auto letter = static_cast<unsigned char>(byte);
+    const bool is_inner = (letter & 0xC0U) == 0x80U;
+    if (is_inner != (open > 0) || letter >= 0xF8U) return false;
+    open = is_inner ? open - 1 : letter >= 0xF0U ? 3 : letter >= 0xE0U ? 2 : letter >= 0xC0U ? 1 : 0;
   }
-  content.clear();
-  content.seekg(start);
-  return is_valid && open == 0;
+  return open == 0;
 }
 
 void label_objects(STEPControl_Reader& reader, Shape& shape) {
@@ -116,22 +108,24 @@ void label_objects(STEPControl_Reader& reader, Shape& shape) {
 
 }  // namespace
 
-extern "C" void paver_read_format(const FileSource& file, const Doubt& doubt, Shape& shape, ModelReport& report,
-                                  Progress& progress) {
+extern "C" void paver_read_format(const FileSource& file, std::string_view content, const Doubt& doubt, Shape& shape,
+                                  ModelReport& report, Progress& progress) {
   STEPControl_Reader reader;
   MillimetreReading millimetres;
-  std::ifstream content(file.path, std::ios::binary);                // OpenCASCADE 7.8 opens no path that is not UTF-8
   const ReaderSetting no_triangles("read.step.tessellated", "Off");  // of newer kernels: faces without surfaces
-  skip_byte_order_mark(content);
-  const ReaderSetting letters("read.step.codepage",
-                              is_utf8(content) ? "UTF8" : "CP1252");  // older writers' own letters
-  check_loaded(reader.ReadStream(file.path.c_str(), content), file, "STEP", progress);
-  std::vector<std::string> unread = check_entities(file.name, reader);
+  // Older writers put in letters of their own.
+  const ReaderSetting letters("read.step.codepage", is_utf8(content) ? "UTF8" : "CP1252");
+  std::ifstream stream(file.path, std::ios::binary);  // OpenCASCADE 7.8 opens no path that is not UTF-8
+  skip_byte_order_mark(stream);
+  check_loaded(reader.ReadStream(file.path.c_str(), stream), file, "STEP", progress);
+  const auto add = [&](const std::vector<std::string>& labels) {
+    report.unread.insert(report.unread.end(), labels.begin(), labels.end());
+  };
+  add(check_entities(file.name, reader));
   if (has_fails(reader.Model())) doubt();
   report.unit = stated_unit(reader);
   transfer(reader, shape, progress, face_name);
-  for (std::string& label : step_losses(reader)) unread.push_back(std::move(label));
-  report.unread.insert(report.unread.end(), unread.begin(), unread.end());
+  add(step_losses(reader));
   if (shape.shape.IsNull()) return;
   report.open_solids = open_solids(reader);
   label_objects(reader, shape);

@@ -1,3 +1,5 @@
+// In: a STEP file after its transfer. Out: labels of what is not as the file has it. Steps: shapes and parts of which
+// nothing came; representations that were not read; positions; units of length.
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepGeom_Axis2Placement3d.hxx>
 #include <StepGeom_CartesianTransformationOperator3d.hxx>

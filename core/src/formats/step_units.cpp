@@ -1,3 +1,4 @@
+// Units of the contexts of shapes: one of length, SI or converted to SI in one step.
 #include <STEPConstruct_UnitContext.hxx>
 #include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
 #include <StepBasic_HArray1OfNamedUnit.hxx>

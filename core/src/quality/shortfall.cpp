@@ -46,9 +46,8 @@ std::string open_solids(const std::vector<std::string>& solids) {
   if (solids.empty()) return "";
   return fmt::format(
       "Solids that are open, as faces of theirs are missing or do not meet: {}; repair them in the CAD program, or "
-      "give a "
-      "sew-tolerance above their gaps.",
-      listed(solids, most_named_faces, "more"));
+      "give a sew-tolerance above their gaps.",
+      listed(solids, most_named_faces));
 }
 
 std::string holes(const std::vector<std::string>& faces) {

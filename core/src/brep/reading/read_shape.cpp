@@ -50,17 +50,20 @@ bool is_doubtful_step(std::string_view content, const FileSource& file, ModelRep
 /// Faces that have triangles and no surface: newer kernels make them of tessellated solids, and none can go on with
 /// them.
 void leave_triangles_out(Shape& shape, ModelReport& report) {
-  BRepTools_ReShape changes;
-  bool has_any = false;
   const auto faces = shapes_of(shape.shape, TopAbs_FACE);
-  for (int i = faces.Extent(); i > 0; --i) {
-    if (!BRep_Tool::Surface(TopoDS::Face(faces(i))).IsNull()) continue;
-    changes.Remove(faces(i));
-    has_any = true;
-    report.unread.insert(report.unread.begin(), "Face" + std::to_string(i) + " (triangles only)");
-    if (static_cast<std::size_t>(i) <= shape.labels.size()) shape.labels.erase(shape.labels.begin() + i - 1);
-  }
-  if (has_any) shape.shape = changes.Apply(shape.shape);
+  BRepTools_ReShape changes;
+  std::vector<std::string> triangles, labels;
+  for (int i = 1; i <= faces.Extent(); ++i)
+    if (BRep_Tool::Surface(TopoDS::Face(faces(i))).IsNull()) {
+      changes.Remove(faces(i));
+      triangles.push_back("Face" + std::to_string(i) + " (triangles only)");
+    } else if (static_cast<std::size_t>(i) <= shape.labels.size()) {
+      labels.push_back(shape.labels[i - 1]);
+    }
+  if (triangles.empty()) return;
+  shape.shape = changes.Apply(shape.shape);
+  shape.labels = std::move(labels);
+  report.unread.insert(report.unread.begin(), triangles.begin(), triangles.end());
 }
 
 constexpr std::size_t most_named = 5;  // in an error; a report has all
@@ -113,7 +116,8 @@ std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, P
     if (format == FileFormat::iges ? !fault_of_iges(content).empty() : is_doubtful_step(content, file, report))
       try_once();
     auto lock = wait_for_readers(progress);
-    format_library(format == FileFormat::step ? "step" : "iges", file)(file, try_once, *shape, report, progress);
+    format_library(format == FileFormat::step ? "step" : "iges", file)(file, content, try_once, *shape, report,
+                                                                       progress);
   });
   progress.check();
 
