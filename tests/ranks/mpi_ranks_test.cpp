@@ -32,6 +32,19 @@ TEST_P(MpiRanksTest, GatherGivesWhatEachRankGave) {
   }
 }
 
+TEST_P(MpiRanksTest, ExchangeGivesWhatEachRankHasForThisOne) {
+  for (int round = 0; round < 20; ++round) {
+    std::vector<std::string> mine;
+    for (int to = 0; to < ranks_.count(); ++to) mine.push_back(message(ranks_.rank() + 2 * to + round));
+    const std::vector<std::string> theirs = ranks_.exchange(mine);
+    ASSERT_EQ(theirs.size(), mine.size());
+    for (int from = 0; from < ranks_.count(); ++from)
+      EXPECT_EQ(theirs[static_cast<std::size_t>(from)], message(from + 2 * ranks_.rank() + round));
+  }
+  const std::vector<std::string> nothing(static_cast<std::size_t>(ranks_.count()));
+  EXPECT_EQ(ranks_.exchange(nothing), nothing);
+}
+
 TEST_P(MpiRanksTest, AddUpSumsEveryValue) {
   std::vector<long> values(11);
   std::iota(values.begin(), values.end(), 1000L * ranks_.rank());

@@ -5,6 +5,8 @@
 #include <functional>
 #include <thread>
 
+#include "base/packing.h"
+
 namespace paver::test {
 namespace {
 
@@ -15,6 +17,12 @@ class ThreadRank : public Ranks {
   int rank() const override { return rank_; }
   int count() const override { return meeting_.count(); }
   std::vector<std::string> gather(std::string_view mine) override { return meeting_.exchange(rank_, "gather", mine); }
+  std::vector<std::string> exchange(const std::vector<std::string>& mine) override {
+    std::vector<std::string> theirs;
+    for (const std::string& all : meeting_.exchange(rank_, "exchange", pack(mine)))
+      theirs.push_back(unpack<std::vector<std::string>>(all)[static_cast<std::size_t>(rank_)]);
+    return theirs;
+  }
   void add_up(std::span<long> values) override { reduce("add_up", values, std::plus<>()); }
   void find_least(std::span<double> values) override {
     reduce("find_least", values, [](double a, double b) { return std::min(a, b); });

@@ -20,6 +20,8 @@ class Ranks {
   virtual int count() const = 0;
   /// Collective: what each rank gives, by rank. Any bytes, of different lengths; empty ones, too.
   virtual std::vector<std::string> gather(std::string_view mine) = 0;
+  /// Collective: mine[r] is for rank r; what each rank has for this one, by rank. Bytes as above.
+  virtual std::vector<std::string> exchange(const std::vector<std::string>& mine) = 0;
   /// Collective: each value becomes its sum over all ranks; same number of values everywhere.
   virtual void add_up(std::span<long> values) = 0;
   /// Collective: likewise the least of all ranks. No value is NaN; which sign the least of several zeros has is open.
@@ -37,6 +39,7 @@ class SingleRank : public Ranks {
   int rank() const override { return 0; }
   int count() const override { return 1; }
   std::vector<std::string> gather(std::string_view mine) override { return {std::string(mine)}; }
+  std::vector<std::string> exchange(const std::vector<std::string>& mine) override { return mine; }
   void add_up(std::span<long>) override {}
   void find_least(std::span<double>) override {}
   long take(int queue) override { return next_[static_cast<std::size_t>(queue)].fetch_add(1); }

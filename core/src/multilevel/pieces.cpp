@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/box.h"
 
@@ -12,7 +13,8 @@ namespace paver {
 namespace {
 
 constexpr double paved_elements = 1500;          // fine ones: paving takes several times as long as division
-constexpr int most_cuts = 2;                     // of what is paved together, each in two: large patches have levels
+constexpr int few_cuts = 2;                      // of what is paved together, each in two: large patches have levels
+constexpr double most_elements = 10000;          // fine ones: what has more is cut further
 constexpr double shortest = 0.5, longest = 1.6;  // fine edges on a cut, in target lengths
 
 struct Centre {
@@ -34,24 +36,33 @@ bool is_wide(const Centre* first, const Centre* last) {
   return box.high.x - box.low.x >= box.high.y - box.low.y;
 }
 
-void halve(Centre* first, Centre* last, int pieces, std::vector<std::vector<int>>& result) {
-  if (pieces < 2 || last - first < 2) {
-    std::vector<int>& piece = result.emplace_back();
-    for (const Centre* c = first; c != last; ++c) piece.push_back(c->element);
-    std::sort(piece.begin(), piece.end());
-    return;
-  }
-  const bool by_x = is_wide(first, last);
+/// The first of what lies beyond `share` of the fine elements. Neither side is empty.
+Centre* divide(Centre* first, Centre* last, bool by_x, double share) {
   std::sort(first, last, [&](const Centre& a, const Centre& b) {
     const double at = by_x ? a.p.x : a.p.y, other = by_x ? b.p.x : b.p.y;
     return at != other ? at < other : a.element < b.element;
   });
-  const int first_pieces = pieces / 2;
   double all = 0, sum = 0;
   for (const Centre* c = first; c != last; ++c) all += c->fine;
   Centre* middle = first;
-  while (middle + 1 != last && sum + 0.5 * middle->fine < all * first_pieces / pieces) sum += (middle++)->fine;
-  if (middle == first) ++middle;
+  while (middle + 1 != last && sum + 0.5 * middle->fine < all * share) sum += (middle++)->fine;
+  return middle == first ? middle + 1 : middle;
+}
+
+std::vector<int> elements_of(const Centre* first, const Centre* last) {
+  std::vector<int> elements;
+  for (const Centre* c = first; c != last; ++c) elements.push_back(c->element);
+  std::sort(elements.begin(), elements.end());
+  return elements;
+}
+
+void halve(Centre* first, Centre* last, int pieces, std::vector<std::vector<int>>& result) {
+  if (pieces < 2 || last - first < 2) {
+    result.push_back(elements_of(first, last));
+    return;
+  }
+  const int first_pieces = pieces / 2;
+  Centre* middle = divide(first, last, is_wide(first, last), static_cast<double>(first_pieces) / pieces);
   halve(first, middle, first_pieces, result);
   halve(middle, last, pieces - first_pieces, result);
 }
@@ -67,9 +78,14 @@ double fine_elements(const LevelPlan& plan, int element) {
   return (m + 0.5 * plan.counts[edges[2]]) * (n + 0.5 * plan.counts[edges[3]]);
 }
 
-std::vector<std::vector<int>> halved(const LevelPlan& plan, const std::vector<int>& elements, int pieces) {
+std::vector<Centre> centres_of(const LevelPlan& plan, const std::vector<int>& elements) {
   std::vector<Centre> centres;
   for (int e : elements) centres.push_back({centre_of(plan.mesh, e), e, fine_elements(plan, e)});
+  return centres;
+}
+
+std::vector<std::vector<int>> halved(const LevelPlan& plan, const std::vector<int>& elements, int pieces) {
+  std::vector<Centre> centres = centres_of(plan, elements);
   std::vector<std::vector<int>> result;
   halve(centres.data(), centres.data() + centres.size(), pieces, result);
   return result;
@@ -100,18 +116,32 @@ class PavedCutter {
       : plan_(plan), front_(region, mesh_), fine_(region, plan, front_) {}
 
   void cut(std::vector<int> group, int cuts) {
-    if (cuts > 0 && fine_elements(plan_, group) > 2 * paved_elements) {
-      std::vector<std::vector<int>> parts = halved(plan_, group, 2);
-      if (parts.size() == 2 && is_region(plan_, parts[0]) && is_region(plan_, parts[1]) &&
-          lay_cut(parts[0], parts[1])) {
-        for (std::vector<int>& part : parts) cut(std::move(part), cuts - 1);
+    const double fine = fine_elements(plan_, group);
+    if (group.size() > 1 && (fine > most_elements || (cuts > 0 && fine > 2 * paved_elements)))
+      if (auto parts = cut_in_two(group)) {
+        for (std::vector<int>& part : *parts) cut(std::move(part), cuts - 1);
         return;
       }
-    }
     plan_.pieces.push_back(std::move(group));
   }
 
  private:
+  using Two = std::array<std::vector<int>, 2>;
+
+  // In the middle of the longer side or of the shorter one, else beside it.
+  std::optional<Two> cut_in_two(const std::vector<int>& group) {
+    std::vector<Centre> centres = centres_of(plan_, group);
+    Centre *first = centres.data(), *last = first + centres.size();
+    const bool is_by_x = is_wide(first, last);
+    for (double share : {0.5, 0.4, 0.6, 0.3, 0.7})
+      for (bool by_x : {is_by_x, !is_by_x}) {
+        const Centre* middle = divide(first, last, by_x, share);
+        Two parts{elements_of(first, middle), elements_of(middle, last)};
+        if (is_region(plan_, parts[0]) && is_region(plan_, parts[1]) && lay_cut(parts[0], parts[1])) return parts;
+      }
+    return std::nullopt;
+  }
+
   /// Quads alone need an even number of sides about them: one that is odd has an odd neighbour across the cut. False,
   /// and nothing done, where no good line of fine nodes can be laid along the cut.
   bool lay_cut(const std::vector<int>& part, const std::vector<int>& other) {
@@ -192,7 +222,7 @@ void cut_in_pieces(const Region& region, LevelPlan& plan, double elements) {
   if (paved.empty()) return;
   number_outlines(plan);  // none on the cuts yet
   PavedCutter cutter(region, plan);
-  for (std::vector<int>& group : groups_by_nodes(plan.mesh, std::move(paved))) cutter.cut(std::move(group), most_cuts);
+  for (std::vector<int>& group : groups_by_nodes(plan.mesh, std::move(paved))) cutter.cut(std::move(group), few_cuts);
 }
 
 }  // namespace paver

@@ -1,5 +1,5 @@
-// All ranks get the lists of all; each answers for the nodes whose number leaves its own rank over, and for the edges
-// whose lower node is such a one. It needs the edges at the upper nodes, too, for their valence.
+// Each rank answers for the nodes whose number leaves its own rank over, and for the edges whose lower node is such a
+// one. Of edges that are not of two elements the owners of both ends hear.
 #include "quality/shared_edges.h"
 
 #include <algorithm>
@@ -21,6 +21,11 @@ struct NodeRecord {
   int is_outside;
 };
 
+/// Of an edge that is not of two elements.
+struct OddEnd {
+  long number, uses;
+};
+
 /// Those of the same key become one.
 template <class T, class Key, class Add>
 void unite(std::vector<T>& all, Key key, Add add) {
@@ -36,11 +41,11 @@ void unite(std::vector<T>& all, Key key, Add add) {
   all.resize(count);
 }
 
-void add_odd_edge(std::vector<NodeRecord>& nodes, long number, long uses) {
-  const auto node = std::ranges::lower_bound(nodes, number, {}, &NodeRecord::number);
-  if (node == nodes.end() || node->number != number) return;  // another rank answers for it
-  node->twice_valence += static_cast<int>(2 - uses);
-  if (uses == 1) node->is_outside = true;
+void add_odd_end(std::vector<NodeRecord>& nodes, const OddEnd& end) {
+  const auto node = std::ranges::lower_bound(nodes, end.number, {}, &NodeRecord::number);
+  if (node == nodes.end() || node->number != end.number) return;
+  node->twice_valence += static_cast<int>(2 - end.uses);
+  if (end.uses == 1) node->is_outside = true;
 }
 
 }  // namespace
@@ -55,11 +60,8 @@ SharedFigures measure_shared(const SurfaceMesh& mesh, const ShareNumbers& number
   for (std::size_t i = 0; i < is_used.size(); ++i)
     if (is_used[i] && numbers.is_shared(i))
       shared_nodes.push_back({numbers.node_number[i], edges.twice_valence[i], is_outside[i]});
-  auto is_own = [&](long number) { return number % ranks.count() == ranks.rank(); };
-  std::vector<EdgeRecord> all_edges =
-      gather_wanted(shared_edges, ranks, [&](const EdgeRecord& edge) { return is_own(edge.low) || is_own(edge.high); });
-  std::vector<NodeRecord> all_nodes =
-      gather_wanted(shared_nodes, ranks, [&](const NodeRecord& node) { return is_own(node.number); });
+  std::vector<EdgeRecord> all_edges = deal(shared_edges, ranks, [](const EdgeRecord& edge) { return edge.low; });
+  std::vector<NodeRecord> all_nodes = deal(shared_nodes, ranks, [](const NodeRecord& node) { return node.number; });
   unite(
       all_edges, [](const EdgeRecord& edge) { return std::tie(edge.low, edge.high); },
       [](EdgeRecord& edge, const EdgeRecord& more) { edge.uses += more.uses; });
@@ -71,16 +73,15 @@ SharedFigures measure_shared(const SurfaceMesh& mesh, const ShareNumbers& number
       });
 
   SharedFigures figures;
+  std::vector<OddEnd> ends;
   for (const EdgeRecord& edge : all_edges) {
-    if (edge.uses != 2) {
-      add_odd_edge(all_nodes, edge.low, edge.uses);
-      add_odd_edge(all_nodes, edge.high, edge.uses);
-    }
-    if (!is_own(edge.low)) continue;
+    if (edge.uses != 2)
+      for (long number : {edge.low, edge.high}) ends.push_back({number, edge.uses});
     figures.chords.push_back(edge.chord);
     figures.border += edge.uses == 1;
     figures.nonmanifold += edge.uses > 2;
   }
+  for (const OddEnd& end : deal(ends, ranks, [](const OddEnd& end) { return end.number; })) add_odd_end(all_nodes, end);
   figures.nodes = static_cast<long>(all_nodes.size());
   for (const NodeRecord& node : all_nodes) {
     if (node.twice_valence == 0 || node.is_outside) continue;

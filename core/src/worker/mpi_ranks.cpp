@@ -163,4 +163,39 @@ std::vector<std::string> MpiRanks::gather(std::string_view mine) {
   return all;
 }
 
+// In as many rounds as the longest message takes.
+std::vector<std::string> MpiRanks::exchange(const std::vector<std::string>& mine) {
+  progress_.check();
+  const auto ranks = static_cast<std::size_t>(count_);
+  std::vector<std::int64_t> mine_sizes(ranks), sizes(ranks);
+  for (std::size_t r = 0; r < ranks; ++r) mine_sizes[r] = static_cast<std::int64_t>(mine[r].size());
+  complete([&](MPI_Request* request) {
+    MPI_Ialltoall(mine_sizes.data(), 1, MPI_INT64_T, sizes.data(), 1, MPI_INT64_T, MPI_COMM_WORLD, request);
+  });
+  const auto slice = static_cast<std::int64_t>(std::max<std::size_t>(most_bytes_ / ranks, 1));
+  double last = -static_cast<double>(*std::ranges::max_element(mine_sizes));
+  find_least({&last, 1});
+  std::vector<std::string> theirs(ranks);
+  for (std::int64_t from = 0; static_cast<double>(from) < -last; from += slice) {
+    std::vector<int> mine_counts(ranks), counts(ranks), mine_starts(ranks + 1), starts(ranks + 1);
+    std::string sent;
+    for (std::size_t r = 0; r < ranks; ++r) {
+      mine_counts[r] = static_cast<int>(std::clamp<std::int64_t>(mine_sizes[r] - from, 0, slice));
+      counts[r] = static_cast<int>(std::clamp<std::int64_t>(sizes[r] - from, 0, slice));
+      if (mine_counts[r] > 0)
+        sent.append(mine[r], static_cast<std::size_t>(from), static_cast<std::size_t>(mine_counts[r]));
+      mine_starts[r + 1] = mine_starts[r] + mine_counts[r];
+      starts[r + 1] = starts[r] + counts[r];
+    }
+    std::string received(static_cast<std::size_t>(starts[ranks]), '\0');
+    complete([&](MPI_Request* request) {
+      MPI_Ialltoallv(sent.data(), mine_counts.data(), mine_starts.data(), MPI_CHAR, received.data(), counts.data(),
+                     starts.data(), MPI_CHAR, MPI_COMM_WORLD, request);
+    });
+    for (std::size_t r = 0; r < ranks; ++r)
+      theirs[r].append(received, static_cast<std::size_t>(starts[r]), static_cast<std::size_t>(counts[r]));
+  }
+  return theirs;
+}
+
 }  // namespace paver

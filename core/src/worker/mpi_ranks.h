@@ -29,6 +29,7 @@ class MpiRanks : public Ranks {
   int rank() const override { return rank_; }
   int count() const override { return count_; }
   std::vector<std::string> gather(std::string_view mine) override;
+  std::vector<std::string> exchange(const std::vector<std::string>& mine) override;
   void add_up(std::span<long> values) override;
   void find_least(std::span<double> values) override;
   long take(int queue) override;

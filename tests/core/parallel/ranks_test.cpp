@@ -62,12 +62,23 @@ TEST(Gather, BoxesOfAllRanksBecomeOne) {
   });
 }
 
-TEST(Gather, OnlyWantedValuesStay) {
+TEST(Gather, ValuesGoToAllRanks) {
   run_on_ranks(3, [](Ranks& ranks) {
     const std::vector<std::string> mine{"all", std::to_string(ranks.rank())};
-    auto is_number = [](const std::string& text) { return text != "all"; };
-    EXPECT_EQ(gather_wanted(mine, ranks, is_number), (std::vector<std::string>{"0", "1", "2"}));
-    EXPECT_EQ(gather_all(mine, ranks).size(), 6u);
+    EXPECT_EQ(gather_all(mine, ranks), (std::vector<std::string>{"all", "0", "all", "1", "all", "2"}));
+  });
+}
+
+TEST(Deal, EachValueGoesToTheRankOfItsNumber) {
+  run_on_ranks(3, [](Ranks& ranks) {
+    const long rank = ranks.rank();
+    const std::vector<long> mine{rank, 10 + rank, 20};
+    const std::vector<long> here = deal(mine, ranks, [](long value) { return value; });
+    std::vector<long> expected;
+    for (long from = 0; from < 3; ++from)
+      for (long value : {from, 10 + from, 20L})
+        if (value % 3 == rank) expected.push_back(value);
+    EXPECT_EQ(here, expected);
   });
 }
 

@@ -14,23 +14,41 @@
 
 namespace paver {
 
-/// Collective: of the values that the ranks give, by rank, those that are wanted here.
-template <class T, class Wanted>
-std::vector<T> gather_wanted(const std::vector<T>& mine, Ranks& ranks, Wanted is_wanted) {
-  std::vector<T> wanted;
-  for (std::string& bytes : ranks.gather(pack(mine))) {
-    for (T& value : unpack<std::vector<T>>(bytes))
-      if (is_wanted(value)) wanted.push_back(std::move(value));
-    bytes = {};
-  }
-  return wanted;
-}
-
 /// Collective: the values that the ranks give, by rank.
 template <class T>
 std::vector<T> gather_all(const std::vector<T>& mine, Ranks& ranks) {
   if (ranks.count() == 1) return mine;
-  return gather_wanted(mine, ranks, [](const T&) { return true; });
+  std::vector<T> all;
+  for (std::string& bytes : ranks.gather(pack(mine))) {
+    for (T& value : unpack<std::vector<T>>(bytes)) all.push_back(std::move(value));
+    bytes = {};
+  }
+  return all;
+}
+
+/// Collective: mine[r] is for rank r; what each has for this one, by rank.
+template <class T>
+std::vector<std::vector<T>> exchange_all(const std::vector<std::vector<T>>& mine, Ranks& ranks) {
+  std::vector<std::string> packed;
+  for (const std::vector<T>& some : mine) packed.push_back(pack(some));
+  std::vector<std::vector<T>> theirs;
+  for (std::string& bytes : ranks.exchange(packed)) {
+    theirs.push_back(unpack<std::vector<T>>(bytes));
+    bytes = {};
+  }
+  return theirs;
+}
+
+/// Collective: each value goes to rank number(value) modulo their count; those for this one, by the rank they come
+/// from.
+template <class T, class Number>
+std::vector<T> deal(const std::vector<T>& mine, Ranks& ranks, Number number) {
+  if (ranks.count() == 1) return mine;
+  std::vector<std::vector<T>> by_rank(static_cast<std::size_t>(ranks.count()));
+  for (const T& value : mine) by_rank[number(value) % ranks.count()].push_back(value);
+  std::vector<T> here;
+  for (const std::vector<T>& some : exchange_all(by_rank, ranks)) here.insert(here.end(), some.begin(), some.end());
+  return here;
 }
 
 /// Collective.

@@ -1,5 +1,5 @@
-// Steps: cells of space in which elements look different ways; the elements in these, from all ranks; pairs whose boxes
-// meet; a side of one that goes through the other.
+// Steps: pairs of elements that are near each other in cells of space where elements look different ways; a side of one
+// that goes through the other.
 #include "check/distance/crossings.h"
 
 #include <algorithm>
@@ -9,8 +9,7 @@
 #include <utility>
 
 #include "base/tasks/gather.h"
-#include "check/distance/box_pairs.h"
-#include "check/distance/mesh_pieces.h"
+#include "check/near/near_search.h"
 
 namespace paver {
 namespace {
@@ -46,11 +45,6 @@ struct Directions {
   void add(const std::array<double, 6>& least, const std::array<double, 6>& most) {
     for (int k = 0; k < 6; ++k) low[k] = std::min(low[k], least[k]), high[k] = std::max(high[k], most[k]);
   }
-};
-
-struct CellDirections {
-  int cell = 0;
-  Directions directions;
 };
 
 /// At the corners, between the two sides there.
@@ -181,8 +175,30 @@ Box box_about(const ElementPatch& patch) {
   return {box.low - more, box.high + more};
 }
 
+/// One place for each two faces, however many of their elements run through each other; a face in pieces is one.
+struct FoundCrossings {
+  using Pair = std::array<int, 2>;
+  struct Place {
+    Pair origins{}, faces{};
+    PairOrder order;
+    Vec3 where;
+  };
+
+  void add(const Place& place) {
+    const auto [known, is_new] = by_origins.try_emplace(place.origins, place);
+    if (!is_new && place.order < known->second.order) known->second = place;
+  }
+  void add(const FoundCrossings& others) {
+    for (const auto& [origins, place] : others.by_origins) add(place);
+  }
+
+  std::map<Pair, Place> by_origins;
+};
+
 class CrossingSearch {
  public:
+  using Summary = Directions;
+
   CrossingSearch(const SurfaceMesh& mesh, const Model& model, const PartPairs& told, Ranks& ranks)
       : model_(model), ranks_(ranks), all_(mesh, model, ranks) {
     auto number = [&](const std::string& part) {
@@ -192,68 +208,30 @@ class CrossingSearch {
       told_.push_back({std::min(number(one), number(other)), std::max(number(one), number(other))});
   }
 
+  bool is_wanted(std::size_t element) const { return element < all_.element_count(); }
+  Box box(const Piece& piece) const { return box_about(piece.patch); }
+  Directions summary(const Piece& piece) const {
+    Directions own;
+    add_normals(piece.patch, own);
+    return own;
+  }
+  bool is_mixed(const Directions& directions) const { return directions.differ(); }
+
   std::vector<Crossing> run() {
-    gather();
-    std::vector<Box> boxes;
-    for (const Piece& piece : pieces_) boxes.push_back(box_about(piece.patch));
-    long number = 0;
-    for_meeting(boxes, [&](int i, int j) {
-      if (++number % ranks_.count() == ranks_.rank()) compare(pieces_[i], pieces_[j], number);
-    });
-    return of_all_ranks();
+    auto found = NearSearch(*this, all_, ranks_)
+                     .run<FoundCrossings>([&](FoundCrossings& some, const Piece& a, const Piece& b,
+                                              const PairOrder& order) { compare(some, a, b, order); });
+    std::vector<FoundCrossings::Place> mine;
+    for (const auto& [origins, place] : found.by_origins) mine.push_back(place);
+    for (const FoundCrossings::Place& place : gather_all(mine, ranks_)) found.add(place);
+    std::vector<Crossing> crossings;
+    for (const auto& [origins, place] : found.by_origins)
+      crossings.push_back({{model_.faces[place.faces[0]].name, model_.faces[place.faces[1]].name}, place.where});
+    return crossings;
   }
 
  private:
-  using Pair = std::array<int, 2>;
-  struct Place {
-    Pair origins{}, faces{};
-    long number = 0;  ///< of the pair of elements, the same on all ranks
-    Vec3 where;
-  };
-
-  template <class Visit>
-  void visit_elements(Visit visit) const {
-    all_.visit([&](const Piece& piece) {
-      if (piece.face >= 0) visit(piece);
-    });
-  }
-
-  // In an order that does not depend on ranks.
-  void gather() {
-    const CellGrid grid = all_.cells();
-    const std::vector<char> is_mixed = mixed_cells(grid);
-    std::vector<Piece> mine;
-    visit_elements([&](const Piece& piece) {
-      bool is_near = false;
-      grid.visit(piece.patch.bounds(), [&](int cell) { is_near = is_near || is_mixed[cell]; });
-      if (is_near) mine.push_back(piece);
-    });
-    pieces_ = gather_pieces(mine, ranks_);
-  }
-
-  // Those in which elements of any rank look different ways.
-  std::vector<char> mixed_cells(const CellGrid& grid) const {
-    constexpr int cells = CellGrid::most * CellGrid::most * CellGrid::most;
-    std::vector<int> place(cells, -1);
-    std::vector<CellDirections> used;
-    auto of = [&](int cell) -> Directions& {
-      if (place[cell] < 0) {
-        place[cell] = static_cast<int>(used.size());
-        used.push_back({cell, {}});
-      }
-      return used[place[cell]].directions;
-    };
-    visit_elements([&](const Piece& piece) {
-      Directions own;
-      add_normals(piece.patch, own);
-      grid.visit(piece.patch.bounds(), [&](int cell) { of(cell).add(own); });
-    });
-    if (ranks_.count() > 1)
-      for (const CellDirections& other : gather_all(used, ranks_)) of(other.cell).add(other.directions);
-    std::vector<char> is_mixed(cells, 0);
-    for (const CellDirections& one : used) is_mixed[one.cell] = one.directions.differ();
-    return is_mixed;
-  }
+  using Pair = FoundCrossings::Pair;
 
   bool is_told(int face, int other) const {
     for (int p : model_.face_parts[face])
@@ -279,35 +257,18 @@ class CrossingSearch {
     return false;
   }
 
-  // One place is told for two faces, however many of their elements run through each other; a face in pieces is one.
-  void compare(const Piece& a, const Piece& b, long number) {
+  void compare(FoundCrossings& found, const Piece& a, const Piece& b, const PairOrder& order) const {
     auto origin = [&](const Piece& piece) { return model_.faces[piece.face].origin; };
-    if (origin(b) < origin(a)) return compare(b, a, number);
+    if (origin(b) < origin(a)) return compare(found, b, a, order);
     const Pair origins{origin(a), origin(b)};
-    if (found_.contains(origins) || is_told(a.face, b.face)) return;
-    if (have_common_corner(a, b)) return;
-    if (const auto where = crossing(a.patch, b.patch)) found_[origins] = {origins, {a.face, b.face}, number, *where};
-  }
-
-  std::vector<Crossing> of_all_ranks() {
-    std::vector<Place> mine;
-    for (const auto& [origins, place] : found_) mine.push_back(place);
-    for (const Place& one : gather_all(mine, ranks_)) {
-      const auto [known, is_new] = found_.try_emplace(one.origins, one);
-      if (!is_new && one.number < known->second.number) known->second = one;
-    }
-    std::vector<Crossing> crossings;
-    for (const auto& [origins, place] : found_)
-      crossings.push_back({{model_.faces[place.faces[0]].name, model_.faces[place.faces[1]].name}, place.where});
-    return crossings;
+    if (found.by_origins.contains(origins) || is_told(a.face, b.face) || have_common_corner(a, b)) return;
+    if (const auto where = crossing(a.patch, b.patch)) found.add({origins, {a.face, b.face}, order, *where});
   }
 
   const Model& model_;
   Ranks& ranks_;
   const MeshPieces all_;
-  std::vector<Piece> pieces_;
-  std::vector<Pair> told_;       // parts, the lower first
-  std::map<Pair, Place> found_;  // by origins
+  std::vector<Pair> told_;  // parts, the lower first
 };
 
 }  // namespace

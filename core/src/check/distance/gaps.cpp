@@ -1,5 +1,5 @@
-// Steps: elements that share a cell of a grid with others that have no part in common with them, from all ranks; a tree
-// of boxes about them; distances of the pairs whose boxes meet.
+// Steps: pairs of elements that are near each other in cells of space where elements have no part in common; their
+// distances.
 #include "check/distance/gaps.h"
 
 #include <algorithm>
@@ -9,8 +9,7 @@
 #include <tuple>
 
 #include "base/tasks/gather.h"
-#include "check/distance/box_pairs.h"
-#include "check/distance/mesh_pieces.h"
+#include "check/near/near_search.h"
 
 namespace paver {
 namespace {
@@ -36,30 +35,95 @@ struct Common {
   std::vector<const Edge*> edges;
 };
 
-/// A cell of a grid about the model, and one of the sets of parts that have elements in it.
-struct Occupied {
-  int cell = 0, set = 0;
-  auto operator<=>(const Occupied&) const = default;
+/// Both rising.
+bool have_common(const Parts& a, const Parts& b) {
+  for (auto p = a.begin(), q = b.begin(); p != a.end() && q != b.end(); ++(*p < *q ? p : q))
+    if (*p == *q) return true;
+  return false;
+}
+
+/// Some of the sets of parts that have elements in a cell.
+struct CellSets {
+  static constexpr int most = 6;
+  std::array<int, most> sets{};
+  int count = 0;  ///< most + 1: of more
+
+  void add(int set) {
+    if (count > most || std::find(sets.begin(), sets.begin() + count, set) != sets.begin() + count) return;
+    if (count < most) sets[count] = set;
+    ++count;
+  }
+  void add(const CellSets& others) {
+    if (others.count > most) count = others.count;
+    for (int i = 0; i < std::min(others.count, most); ++i) add(others.sets[i]);
+  }
+};
+
+/// Places by pairs of parts: the nearest; of those where the parts meet, the first.
+struct FoundGaps {
+  struct Place {
+    Pair parts{};
+    PatchDistance found;
+    bool is_met = false;
+    PairOrder order;
+
+    auto key() const {
+      const Vec3 x = found.where;
+      return std::tuple(!is_met, is_met ? order : PairOrder{}, found.distance, x.x, x.y, x.z);
+    }
+  };
+
+  void add(const Place& place) {
+    const auto [known, is_new] = by_parts.try_emplace(place.parts, place);
+    if (!is_new && place.key() < known->second.key()) known->second = place;
+  }
+  void add(const FoundGaps& others) {
+    for (const auto& [parts, place] : others.by_parts) add(place);
+  }
+  /// Parts that run through each other do so in many elements.
+  bool is_met(Pair parts) const {
+    const auto known = by_parts.find(parts);
+    return known != by_parts.end() && known->second.is_met;
+  }
+
+  std::map<Pair, Place> by_parts;
 };
 
 class GapSearch {
  public:
-  GapSearch(const SurfaceMesh& mesh, const Model& model, Ranks& ranks)
-      : model_(model), ranks_(ranks), all_(mesh, model, ranks) {}
+  using Summary = CellSets;
 
-  std::vector<Gap> run() {
+  GapSearch(const SurfaceMesh& mesh, const Model& model, Ranks& ranks)
+      : model_(model), ranks_(ranks), all_(mesh, model, ranks) {
     find_common();
     number_sets();
-    gather();
-    std::vector<Box> boxes;
-    for (const Piece& piece : pieces_) {
-      boxes.push_back(box_about(piece));
-      about_.push_back(parts_about(piece));
-    }
-    for_meeting(boxes, [&](int i, int j) { compare(i, j); });
+  }
+
+  bool is_wanted(std::size_t element) const { return element < all_.element_count() || all_.is_of_wire(element); }
+  Box box(const Piece& piece) const { return box_about(piece); }
+  CellSets summary(const Piece& piece) const {
+    CellSets own;
+    own.add(set_of(piece));
+    return own;
+  }
+  bool is_mixed(const CellSets& some) const {
+    for (int i = 0; i < std::min(some.count, CellSets::most); ++i)
+      for (int k = 0; k < i; ++k)
+        if (!have_common(sets_[some.sets[i]], sets_[some.sets[k]])) return true;
+    return some.count > CellSets::most;
+  }
+
+  std::vector<Gap> run() {
+    auto found = NearSearch(*this, all_, ranks_)
+                     .run<FoundGaps>([&](FoundGaps& some, const Piece& a, const Piece& b, const PairOrder& order) {
+                       compare(some, a, b, order);
+                     });
+    std::vector<FoundGaps::Place> mine;
+    for (const auto& [pair, place] : found.by_parts) mine.push_back(place);
+    for (const FoundGaps::Place& place : gather_all(mine, ranks_)) found.add(place);
     std::vector<Gap> gaps;
-    for (const auto& [pair, found] : nearest_)
-      gaps.push_back({{model_.parts[pair[0]], model_.parts[pair[1]]}, found.distance, found.where});
+    for (const auto& [pair, place] : found.by_parts)
+      gaps.push_back({{model_.parts[pair[0]], model_.parts[pair[1]]}, place.found.distance, place.found.where});
     return gaps;
   }
 
@@ -141,78 +205,19 @@ class GapSearch {
     return {about.begin(), about.end()};
   }
 
-  static bool have_common(const Parts& a, const Parts& b) {
-    Parts common;
-    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
-    return !common.empty();
-  }
-
-  // Pieces that share a cell with one of other parts, in an order that does not depend on ranks.
-  void gather() {
-    const CellGrid grid = all_.cells();
-    std::vector<Occupied> occupied;
-    all_.visit([&](const Piece& piece) {
-      grid.visit(box_about(piece), [&](int cell) {
-        const Occupied next{cell, set_of(piece)};
-        if (occupied.empty() || next != occupied.back()) occupied.push_back(next);
-      });
-    });
-    keep_shared(occupied);
-    std::vector<Piece> mine;
-    all_.visit([&](const Piece& piece) {
-      bool is_near = false;
-      grid.visit(box_about(piece), [&](int cell) {
-        is_near = is_near || std::ranges::binary_search(occupied, Occupied{cell, set_of(piece)});
-      });
-      if (is_near) mine.push_back(piece);
-    });
-    pieces_ = gather_pieces(mine, ranks_);
-  }
-
-  // Of all ranks: those whose cell has a set without a part of theirs.
-  void keep_shared(std::vector<Occupied>& occupied) const {
-    auto sort = [&] {
-      std::ranges::sort(occupied);
-      occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
-    };
-    sort();
-    occupied = gather_all(occupied, ranks_);
-    sort();
-    std::vector<Occupied> shared;
-    for (auto first = occupied.begin(); first != occupied.end();) {
-      const auto last = std::find_if(first, occupied.end(), [&](const Occupied& o) { return o.cell != first->cell; });
-      std::copy_if(first, last, std::back_inserter(shared), [&](const Occupied& o) {
-        return std::any_of(first, last,
-                           [&](const Occupied& other) { return !have_common(sets_[o.set], sets_[other.set]); });
-      });
-      first = last;
-    }
-    occupied = std::move(shared);
-  }
-
-  void compare(int i, int j) {
-    const Piece &a = pieces_[i], &b = pieces_[j];
-    if (have_common(about_[i], about_[j])) return;
+  void compare(FoundGaps& some, const Piece& a, const Piece& b, const PairOrder& order) const {
+    const Parts &of_a = sets_[set_of(a)], &of_b = sets_[set_of(b)];
+    if (have_common(of_a, of_b)) return;
     std::vector<Pair> pairs;
-    for (int p : sets_[set_of(a)])
-      for (int q : sets_[set_of(b)]) pairs.push_back({std::min(p, q), std::max(p, q)});
+    for (int p : of_a)
+      for (int q : of_b)
+        if (const Pair pair{std::min(p, q), std::max(p, q)}; !some.is_met(pair)) pairs.push_back(pair);
+    if (pairs.empty() || have_common(parts_about(a), parts_about(b))) return;
     const double target = std::min(a.target, b.target);
-    std::erase_if(pairs, [&](Pair pair) { return meets_already(pair, target); });
-    if (pairs.empty()) return;
     const PatchDistance found = distance(a.patch, b.patch);
     if (found.distance > told_gap * target) return;
-    for (Pair pair : pairs) {
-      if (!is_told(pair, found, target)) continue;
-      auto [known, is_new] = nearest_.try_emplace(pair, found);
-      auto key = [](const PatchDistance& d) { return std::tuple(d.distance, d.where.x, d.where.y, d.where.z); };
-      if (!is_new && key(found) < key(known->second)) known->second = found;
-    }
-  }
-
-  // Parts that run through each other do so in many elements, and one place is told.
-  bool meets_already(Pair pair, double target) const {
-    const auto known = nearest_.find(pair);
-    return known != nearest_.end() && known->second.distance <= no_gap * target;
+    for (Pair pair : pairs)
+      if (is_told(pair, found, target)) some.add({pair, found, found.distance <= no_gap * target, order});
   }
 
   const Model& model_;
@@ -222,9 +227,6 @@ class GapSearch {
   std::map<Pair, Common> common_;
   std::vector<Parts> sets_;  // each rising
   std::vector<int> face_set_, edge_set_;
-  std::vector<Piece> pieces_;
-  std::vector<Parts> about_;  // per piece: parts_about()
-  std::map<Pair, PatchDistance> nearest_;
 };
 
 }  // namespace

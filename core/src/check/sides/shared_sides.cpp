@@ -1,4 +1,4 @@
-// All ranks get the lists of all; each answers for the sides and elements whose lowest node leaves its own rank over.
+// Each rank answers for the sides and elements whose lowest node leaves its own rank over.
 // Steps: what the loops of the faces ask for; side by side, what each face does with it; then all faces together.
 #include <algorithm>
 #include <span>
@@ -51,13 +51,6 @@ std::vector<WantedSide> wanted_sides(const CheckedMesh& checked, const Ranks& ra
   }
   std::ranges::sort(wanted, {}, [](const WantedSide& one) { return key(one.side); });
   return wanted;
-}
-
-/// Those of all ranks that this one answers for.
-template <class T, class Lowest>
-std::vector<T> exchange(const std::vector<T>& mine, Ranks& ranks, Lowest lowest) {
-  if (ranks.count() == 1) return mine;
-  return gather_wanted(mine, ranks, [&](const T& one) { return lowest(one) % ranks.count() == ranks.rank(); });
 }
 
 /// visit(there, wanted) for those of either that have a key in common, by rising keys. Both are in this order.
@@ -171,11 +164,11 @@ void check_elements(std::vector<SharedElement> elements, MeshFaults& faults) {
 }  // namespace
 
 void check_shared(const CheckedMesh& checked, const SharedLists& mine, Ranks& ranks, MeshFaults& faults) {
-  std::vector<SharedSide> sides = exchange(mine.sides, ranks, [](const SharedSide& side) { return side.low; });
+  std::vector<SharedSide> sides = deal(mine.sides, ranks, [](const SharedSide& side) { return side.low; });
   std::ranges::sort(sides, {}, [](const SharedSide& side) { return key(side); });
   check_sides(checked, sides, wanted_sides(checked, ranks), faults);
   auto lowest = [](const SharedElement& element) { return std::max(element.corners[0], element.corners[1]); };
-  check_elements(exchange(mine.elements, ranks, lowest), faults);
+  check_elements(deal(mine.elements, ranks, lowest), faults);
 }
 
 }  // namespace paver
