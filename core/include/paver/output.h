@@ -27,6 +27,7 @@ struct OutputFiles {
   std::string input{};                        ///< path of the model: never written over; empty: it came from no file
   std::string repaired{};                     ///< path of the model as meshed (.brep); empty: none
   std::string repaired_text{};                ///< what to write there: repaired_model()
+  int threads = 0;                            ///< of this process; 0: all cores
 
   /// Of all files that there are to write.
   std::vector<std::string> paths() const;

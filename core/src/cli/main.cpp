@@ -33,6 +33,7 @@ MeshResult mesh_and_write(const Arguments& arguments, Progress& progress) {
   Terminal terminal(progress, arguments.is_quiet, temporaries);
   const CadModel model = read_file(arguments.input, progress);
   OutputFiles files = arguments.files;
+  files.threads = arguments.options.threads;
   if (!files.repaired.empty()) files.repaired_text = repaired_model(model, arguments.options, progress);
   MeshResult result = mesh_model(model, arguments.options, progress);
   if (is_empty(result)) files.mesh.clear();

@@ -44,9 +44,16 @@ class Raiser {
   void copy_linear() {
     const SurfaceMesh& from = linear_.mesh;
     mesh().order = 2;
-    mesh().nodes = from.nodes;
-    mesh().node_edge = from.node_edge;
-    mesh().node_target = from.node_target;
+    // Room for all that may follow, so that no large array is copied again: two sides and a centre per quad.
+    const std::size_t most = from.nodes.size() + 3 * (from.quad_count() + from.triangle_count()) +
+                             3 * from.line_edge.size() + 2 * cuts_.sides().size();
+    auto copy = [&](const auto& values, auto& to) {
+      to.reserve(most);
+      to.insert(to.end(), values.begin(), values.end());
+    };
+    copy(from.nodes, mesh().nodes);
+    copy(from.node_edge, mesh().node_edge);
+    copy(from.node_target, mesh().node_target);
     mesh().quad_face = from.quad_face;
     mesh().triangle_face = from.triangle_face;
     mesh().line_edge = from.line_edge;

@@ -86,7 +86,7 @@ void reserve(int descriptor, long bytes, const std::string& path) {
 }
 
 /// Writes at a place of an open file.
-void write_at(int descriptor, const char* data, std::size_t bytes, long offset, const std::string& path) {
+void write_to(int descriptor, const char* data, std::size_t bytes, long offset, const std::string& path) {
   std::size_t done = 0;
   while (done < bytes) {
     ssize_t written = ::pwrite(descriptor, data + done, bytes - done, offset + static_cast<long>(done));
@@ -158,9 +158,13 @@ void AtomicFile::seek(long offset) {
   at_ = offset;
 }
 
-void AtomicFile::drain(const char* data, std::size_t bytes) {
+void AtomicFile::write_at(const char* data, std::size_t bytes, long offset) const {
   if (progress_) progress_->check();
-  write_at(descriptor_, data, bytes, at_, path_);
+  write_to(descriptor_, data, bytes, offset, path_);
+}
+
+void AtomicFile::drain(const char* data, std::size_t bytes) {
+  write_at(data, bytes, at_);
   at_ += static_cast<long>(bytes);
 }
 

@@ -27,6 +27,8 @@ class AtomicFile : public ByteSink {
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   void seek(long offset) override;
+  /// Writes at a place, from any thread, beside what goes on here.
+  void write_at(const char* data, std::size_t bytes, long offset) const;
   /// Makes what this rank has written safe on disk. Not collective.
   void finish();
   /// Gives the file its name; rank 0 calls it once all ranks have finished.
@@ -42,6 +44,28 @@ class AtomicFile : public ByteSink {
   int descriptor_ = -1;
   bool is_created_ = false;  // here, and has not got its name yet
   long at_ = 0;              // where what waits belongs
+};
+
+/// What a thread by itself writes at places of a file.
+class FilePiece : public ByteSink {
+ public:
+  explicit FilePiece(const AtomicFile& file) : ByteSink(std::size_t{1} << 18), file_(file) {}
+  void seek(long offset) override {
+    if (offset == at_ + static_cast<long>(waiting())) return;
+    flush();
+    at_ = offset;
+  }
+  /// The last call.
+  void finish() { flush(); }
+
+ private:
+  void drain(const char* data, std::size_t bytes) override {
+    file_.write_at(data, bytes, at_);
+    at_ += static_cast<long>(bytes);
+  }
+
+  const AtomicFile& file_;
+  long at_ = 0;
 };
 
 }  // namespace paver

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "base/tasks/gather.h"
+#include "base/tasks/tasks.h"
 #include "output/atomic_file_impl.h"
 #include "output/mesh_writers_impl.h"
 #include "paver/output.h"
@@ -162,11 +163,11 @@ void check_outputs(const OutputFiles& files, int ranks) {
 
 void write_outputs(MeshResult& result, const OutputFiles& files, Progress& progress) {
   SingleRank alone;
-  write_held(result, whole_numbers(result.mesh), files, progress, alone);
+  run_in_arena(files.threads, [&] { write_held(result, whole_numbers(result.mesh), files, progress, alone); });
 }
 
 void write_outputs(MeshShare& share, const OutputFiles& files, Progress& progress, Ranks& ranks) {
-  write_held(share.result, share, files, progress, ranks);
+  run_in_arena(files.threads, [&] { write_held(share.result, share, files, progress, ranks); });
 }
 
 }  // namespace paver

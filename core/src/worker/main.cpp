@@ -93,6 +93,7 @@ int run_job(const std::string& path, MpiRanks& ranks, Progress& progress, std::o
   CadModel model =
       read_bytes(from_rank_0(ranks, [&] { return file_content(job.input, name); }), name, progress, job.labels);
   OutputFiles files = job.files;
+  files.threads = options.threads;
   if (!files.repaired.empty()) files.repaired_text = repaired_model(model, options, progress);
   MeshShare share = mesh_share(model, options, progress, ranks);
   if (is_empty(share.result)) files.mesh.clear();

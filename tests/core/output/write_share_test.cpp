@@ -77,6 +77,22 @@ TEST_F(WriteShare, WritesTheFileOfOneProcess) {
   }
 }
 
+TEST_F(WriteShare, ThreadsWritePartsOfALargeMesh) {
+  MeshResult whole = fake::WavyMesh(1, 300, 0.3).result();
+  ASSERT_GT(whole.mesh.quad_count(), std::size_t{2} << 15) << "in parts";
+  OutputFiles files{path("one.msh"), "", MshVersion::v4_1, false};
+  files.threads = 1;
+  Progress progress;
+  write_outputs(whole, files, progress);
+  OutputFiles others = files;
+  others.mesh = path("more.msh");
+  others.threads = 4;
+  write_outputs(whole, others, progress);
+  EXPECT_TRUE(content(others.mesh) == content(files.mesh));
+  write_dealt(whole, 2, 7, 1000, others);
+  EXPECT_TRUE(content(others.mesh) == content(files.mesh));
+}
+
 TEST_F(WriteShare, LeavesOutNodesThatNothingUses) {
   MeshResult whole = fake::WavyMesh(2, 8, 0).result();
   SurfaceMesh& mesh = whole.mesh;

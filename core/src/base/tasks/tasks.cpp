@@ -44,6 +44,11 @@ class HandOver {
 
 }  // namespace
 
+void run_in_arena(int threads, const std::function<void()>& work) {
+  tbb::task_arena arena(thread_count(threads));
+  arena.execute(work);
+}
+
 int thread_count(int threads) { return threads > 0 ? threads : tbb::this_task_arena::max_concurrency(); }
 
 void run_tasks(int threads, const std::vector<double>& cost, const std::function<void(int)>& task) {

@@ -27,6 +27,9 @@ std::vector<DoneTask> run_tasks(int threads, const std::vector<double>& cost, co
 /// exception stops the rest and is thrown on.
 void run_stretches(std::size_t count, std::size_t most, const std::function<void(std::size_t, std::size_t)>& work);
 
+/// The work, in an arena of `threads` threads (0: all cores).
+void run_in_arena(int threads, const std::function<void()>& work);
+
 /// Number of threads that `threads` stands for.
 int thread_count(int threads);
 

@@ -31,7 +31,8 @@ struct Piece {
 /// the lowest frequencies they are beyond that, and all parts were near each other.
 class MeshPieces {
  public:
-  /// Collective. The model's faces and edges are those of the mesh; both are used as long as this.
+  /// Collective, on the threads of the calling arena. The model's faces and edges are those of the mesh; both are used
+  /// as long as this.
   MeshPieces(const SurfaceMesh& mesh, const Model& model, Ranks& ranks);
 
   std::size_t element_count() const { return quads_ + triangles_; }
@@ -44,8 +45,12 @@ class MeshPieces {
   double largest_coordinate() const { return largest_coordinate_; }
 
  private:
-  std::span<const int> quad(std::size_t i) const { return row(mesh_.quads, mesh_.nodes_per_quad(), i); }
-  std::span<const int> triangle(std::size_t i) const { return row(mesh_.triangles, mesh_.nodes_per_triangle(), i); }
+  int corners_of(std::size_t i) const { return i < quads_ ? 4 : i < element_count() ? 3 : 2; }
+  std::span<const int> nodes_of(std::size_t i) const {
+    if (i < quads_) return row(mesh_.quads, mesh_.nodes_per_quad(), i);
+    if (i < element_count()) return row(mesh_.triangles, mesh_.nodes_per_triangle(), i - quads_);
+    return mesh_.line(i - element_count());
+  }
   static std::span<const int> row(const std::vector<int>& rows, int stride, std::size_t i) {
     return {&rows[i * static_cast<std::size_t>(stride)], static_cast<std::size_t>(stride)};
   }
@@ -53,7 +58,7 @@ class MeshPieces {
   const SurfaceMesh& mesh_;
   const Model& model_;
   std::size_t quads_, triangles_;
-  double longest_ = Box::infinity, largest_coordinate_ = 0;
+  double longest_ = 0, largest_coordinate_ = 0;
 };
 
 }  // namespace paver

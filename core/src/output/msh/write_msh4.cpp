@@ -3,7 +3,10 @@
 // 64-bit, and all records of a block have one size, so that the number of records before one is its place.
 //
 // All ranks know the whole layout. Rank 0 writes the beginning and what stands between the sections; of the blocks each
-// rank writes its own runs, the first run with the head of the block.
+// rank writes its own runs, the first run with the head of the block; its threads share these out.
+#include <algorithm>
+
+#include "base/tasks/tasks.h"
 #include "output/mesh_writers_impl.h"
 #include "output/msh/msh4_impl.h"
 
@@ -28,6 +31,24 @@ Blocks lay_out(const PlacedRows& rows, long record_bytes, long& at, long& record
     records += count;
   }
   return blocks;
+}
+
+/// Runs, long ones in parts, some at a time that have about as many rows together.
+std::vector<std::vector<PlacedRun>> shares_of(const std::vector<PlacedRun>& runs) {
+  constexpr std::size_t most = 1 << 15;  // rows
+  std::vector<std::vector<PlacedRun>> shares;
+  std::size_t left = 0;  // rows that the last share has room for
+  for (PlacedRun run : runs)
+    while (run.begin < run.end) {
+      if (left == 0) {
+        shares.emplace_back();
+        left = most;
+      }
+      const std::size_t rows = std::min(left, run.end - run.begin);
+      shares.back().push_back({run.group, run.position, run.begin, run.begin + rows});
+      run.position += static_cast<long>(rows), run.begin += rows, left -= rows;
+    }
+  return shares;
 }
 
 /// One kind of element.
@@ -56,17 +77,36 @@ class Msh4Writer : public MeshWriter {
   void write(AtomicFile& file) const override {
     Msh4Numbers out(file, is_ascii_);
     write_text(0, beginning_, out);
-    for (const PlacedRun& run : numbering_.curve_nodes.runs)
-      write_nodes(1, numbering_.curve_nodes, curve_blocks_, run, out);
-    for (const PlacedRun& run : numbering_.surface_nodes.runs)
-      write_nodes(2, numbering_.surface_nodes, surface_blocks_, run, out);
+    auto nodes = [&](int dimension, const PlacedRows& rows, const Blocks& blocks) {
+      write_runs(rows.runs, file, out,
+                 [&](const PlacedRun& run, Msh4Numbers& to) { write_nodes(dimension, rows, blocks, run, to); });
+    };
+    nodes(1, numbering_.curve_nodes, curve_blocks_);
+    nodes(2, numbering_.surface_nodes, surface_blocks_);
     write_text(middle_at_, middle_, out);
     for (const Table* table : {&points_, &lines_, &triangles_, &quads_})
-      for (const PlacedRun& run : table->rows.runs) write_elements(*table, run, out);
+      write_runs(table->rows.runs, file, out,
+                 [&](const PlacedRun& run, Msh4Numbers& to) { write_elements(*table, run, to); });
     write_text(end_, ending_, out);
   }
 
  private:
+  /// Text from the first run to the last; else threads write some of them each, wherever these are.
+  template <class Write>
+  void write_runs(const std::vector<PlacedRun>& runs, const AtomicFile& file, Msh4Numbers& out, Write write) const {
+    if (is_ascii_) {
+      for (const PlacedRun& run : runs) write(run, out);
+      return;
+    }
+    const std::vector<std::vector<PlacedRun>> shares = shares_of(runs);
+    run_stretches(shares.size(), 1, [&](std::size_t i, std::size_t) {
+      FilePiece piece(file);
+      Msh4Numbers to(piece, false);
+      for (const PlacedRun& run : shares[i]) write(run, to);
+      piece.finish();
+    });
+  }
+
   void lay_out_file(Ranks& ranks) {
     MemorySink beginning, middle, ending;
     Msh4Numbers first(beginning, is_ascii_), between(middle, is_ascii_), last(ending, is_ascii_);
