@@ -80,17 +80,19 @@ TEST_F(WriteShare, WritesTheFileOfOneProcess) {
 TEST_F(WriteShare, ThreadsWritePartsOfALargeMesh) {
   MeshResult whole = fake::WavyMesh(1, 300, 0.3).result();
   ASSERT_GT(whole.mesh.quad_count(), std::size_t{2} << 15) << "in parts";
-  OutputFiles files{path("one.msh"), "", MshVersion::v4_1, false};
-  files.threads = 1;
-  Progress progress;
-  write_outputs(whole, files, progress);
-  OutputFiles others = files;
-  others.mesh = path("more.msh");
-  others.threads = 4;
-  write_outputs(whole, others, progress);
-  EXPECT_TRUE(content(others.mesh) == content(files.mesh));
-  write_dealt(whole, 2, 7, 1000, others);
-  EXPECT_TRUE(content(others.mesh) == content(files.mesh));
+  for (const std::string ending : {".msh", ".vtu"}) {
+    OutputFiles files{path("one" + ending), "", MshVersion::v4_1, false};
+    files.threads = 1;
+    Progress progress;
+    write_outputs(whole, files, progress);
+    OutputFiles others = files;
+    others.mesh = path("more" + ending);
+    others.threads = 4;
+    write_outputs(whole, others, progress);
+    EXPECT_TRUE(content(others.mesh) == content(files.mesh)) << ending;
+    write_dealt(whole, 2, 7, 1000, others);
+    EXPECT_TRUE(content(others.mesh) == content(files.mesh)) << ending;
+  }
 }
 
 TEST_F(WriteShare, LeavesOutNodesThatNothingUses) {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <iterator>
 
+#include "base/tasks/tasks.h"
 #include "output/numbering_impl.h"
 #include "output/vtu/vtu_impl.h"
 
@@ -21,11 +22,17 @@ struct Stretch {
   long number;  ///< of the first in the file
 };
 
-std::vector<Stretch> stretches_of(const RowNumbers& number, std::size_t rows) {
+/// Of the rows that have a number, no longer than a thread is to write at a time. `number(i)`: from 0, or -1.
+template <class Number>
+std::vector<Stretch> stretches_of(std::size_t rows, Number number) {
+  constexpr std::size_t most = 1 << 15;
   std::vector<Stretch> stretches;
   for (std::size_t i = 0; i < rows; ++i) {
-    bool follows = i > 0 && number[i] == number[i - 1] + 1;
-    if (!follows) stretches.push_back({i, i, number[i]});
+    const long own = number(i);
+    if (own < 0) continue;
+    const bool follows = !stretches.empty() && stretches.back().end == i && i - stretches.back().begin < most &&
+                         own == stretches.back().number + static_cast<long>(i - stretches.back().begin);
+    if (!follows) stretches.push_back({i, i, own});
     stretches.back().end = i + 1;
   }
   return stretches;
@@ -67,7 +74,14 @@ class VtuWriter : public MeshWriter {
         file.seek(at(array, 0) - size_bytes);
         file.write_packed<std::uint64_t>(static_cast<std::uint64_t>(size_.bytes(array)));
       }
-      write_array(array, file);
+      for_stretches(array, [&](const std::vector<Stretch>& stretches, auto write) {
+        run_stretches(stretches.size(), 1, [&](std::size_t i, std::size_t) {
+          FilePiece piece(file);
+          write(stretches[i], piece);
+          piece.finish();
+        });
+      });
+      if (is_first_ && array != VtuArray::points) write_lines(array, file);
     }
     if (!is_first_) return;
     file.seek(end_);
@@ -87,38 +101,39 @@ class VtuWriter : public MeshWriter {
     return data_at_[static_cast<std::size_t>(array)] + entry * size_.entry_bytes(array);
   }
 
-  void write_array(VtuArray array, ByteSink& sink) const {
-    if (array == VtuArray::points) return write_points(sink);
-    write_cells(array, true, sink);
-    write_cells(array, false, sink);
-    if (!is_first_) return;
+  /// visit(stretches, write) for the points, or for quads, then triangles; write(stretch, sink).
+  template <class Visit>
+  void for_stretches(VtuArray array, Visit visit) const {
+    if (array == VtuArray::points) {
+      auto number = [&](std::size_t node) { return numbers_.is_own(node) ? tags_.of_node[node] - 1 : -1; };
+      visit(stretches_of(mesh_.nodes.size(), number), [&](const Stretch& stretch, ByteSink& sink) {
+        sink.seek(at(array, stretch.number));
+        sink.write(&mesh_.nodes[stretch.begin], (stretch.end - stretch.begin) * sizeof(Vec3));
+      });
+      return;
+    }
+    for (bool is_quad : {true, false}) {
+      const VtuCells cells(mesh_, is_quad, size_, tags_.of_node);
+      const RowNumbers& numbers = is_quad ? numbers_.quad_number : numbers_.triangle_number;
+      auto number = [&](std::size_t i) { return numbers[i]; };
+      visit(stretches_of(cells.count(), number), [&](const Stretch& stretch, ByteSink& sink) {
+        sink.seek(at(array, size_.entries_before(array, is_quad, stretch.number)));
+        cells.write(array, stretch.begin, stretch.end, stretch.number, sink);
+      });
+    }
+  }
+
+  void write_lines(VtuArray array, ByteSink& sink) const {
     sink.seek(at(array, size_.entries_before_line(array, 0)));
     lines_.write(array, size_, tags_.of_node, sink);
   }
 
-  void write_points(ByteSink& sink) const {
-    long last = 0;
-    for (std::size_t node = 0; node < mesh_.nodes.size(); ++node) {
-      const long tag = tags_.of_node[node];
-      if (tag == 0 || !numbers_.is_own(node)) continue;
-      if (tag != last + 1 || last == 0) sink.seek(at(VtuArray::points, tag - 1));
-      sink.write_packed(mesh_.nodes[node]);
-      last = tag;
-    }
-  }
-
-  void write_cells(VtuArray array, bool is_quad, ByteSink& sink) const {
-    const VtuCells cells(mesh_, is_quad, size_, tags_.of_node);
-    const RowNumbers& number = is_quad ? numbers_.quad_number : numbers_.triangle_number;
-    for (const Stretch& stretch : stretches_of(number, cells.count())) {
-      sink.seek(at(array, size_.entries_before(array, is_quad, stretch.number)));
-      cells.write(array, stretch.begin, stretch.end, stretch.number, sink);
-    }
-  }
-
   void write_as_text(VtuArray array, AtomicFile& file) const {
     MemorySink sink;
-    write_array(array, sink);
+    for_stretches(array, [&](const std::vector<Stretch>& stretches, auto write) {
+      for (const Stretch& stretch : stretches) write(stretch, sink);
+    });
+    if (array != VtuArray::points) write_lines(array, sink);
     const auto [type, name, bytes, per_line] = size_.entry(array);
     if (type == "Float64") return write_numbers<double>(sink.content(), per_line, file);
     if (bytes == 8) return write_numbers<std::int64_t>(sink.content(), per_line, file);
