@@ -33,8 +33,9 @@ struct PairOrder {
 /// - Summary, trivially copyable, of the elements in a cell, with add(const Summary&) in any order,
 /// - bool is_wanted(std::size_t element) and Summary summary(const Piece&) const,
 /// - Box box(const Piece&) const: what is near, no smaller than the piece,
-/// - bool is_mixed(const Summary&) const: whether there are pairs to look at. True of a cell where it is true of a
-/// part. Runs on the threads of the calling arena.
+/// - bool is_mixed(const Summary&) const: whether there are pairs to look at. True of a cell where it is of a part.
+///
+/// Runs on the threads of the calling arena.
 template <class Kind>
 class NearSearch {
  public:
