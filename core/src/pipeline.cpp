@@ -2,8 +2,6 @@
 // read -> topology -> sizing -> boundary nodes -> regions -> paving -> repair -> join -> curving -> quality
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -503,14 +501,11 @@ auto on_one_rank(const Options& options, Progress& progress, Work work) {
 
 MeshShare mesh_share(const CadModel& model, const Options& options, Progress& progress, Ranks& ranks) {
   check(options);
-  // More threads than cores are as many as are asked for, without a warning of the library's.
-  using Control = tbb::global_control;
-  const auto threads = static_cast<std::size_t>(thread_count(options.threads));
-  const Control allowed(Control::max_allowed_parallelism,
-                        std::max(threads, Control::active_value(Control::max_allowed_parallelism)));
-  tbb::task_arena arena(static_cast<int>(threads));  // for what spreads by itself
-  return guard_occt(ErrorCode::internal, kernel_failure,
-                    [&] { return arena.execute([&] { return Run(options, progress, ranks).mesh(model); }); });
+  return guard_occt(ErrorCode::internal, kernel_failure, [&] {
+    MeshShare share;
+    run_in_arena(options.threads, [&] { share = Run(options, progress, ranks).mesh(model); });
+    return share;
+  });
 }
 
 MeshResult mesh_model(const CadModel& model, const Options& options, Progress& progress) {

@@ -121,7 +121,7 @@ void fail_to_write(const std::string& path, int error_number) {
 }
 
 AtomicFile::AtomicFile(const Progress* progress, const std::string& path)
-    : ByteSink(buffer_bytes), path_(path), progress_(progress) {}
+    : PlacedSink(buffer_bytes), path_(path), progress_(progress) {}
 
 AtomicFile::AtomicFile(const std::string& path, const Progress* progress) : AtomicFile(progress, path) { create(0); }
 
@@ -152,20 +152,9 @@ void AtomicFile::create(long bytes) {
   reserve(descriptor_, bytes, path_);
 }
 
-void AtomicFile::seek(long offset) {
-  if (offset == at_ + static_cast<long>(waiting())) return;
-  flush();
-  at_ = offset;
-}
-
 void AtomicFile::write_at(const char* data, std::size_t bytes, long offset) const {
   if (progress_) progress_->check();
   write_to(descriptor_, data, bytes, offset, path_);
-}
-
-void AtomicFile::drain(const char* data, std::size_t bytes) {
-  write_at(data, bytes, at_);
-  at_ += static_cast<long>(bytes);
 }
 
 void AtomicFile::finish() {

@@ -12,9 +12,31 @@ namespace paver {
 /// "Cannot write 'PATH': REASON."
 [[noreturn]] void fail_to_write(const std::string& path, int error_number);
 
+/// What is written goes to places of a file.
+class PlacedSink : public ByteSink {
+ public:
+  void seek(long offset) override {
+    if (offset == at_ + static_cast<long>(waiting())) return;
+    flush();
+    at_ = offset;
+  }
+
+ protected:
+  using ByteSink::ByteSink;
+
+ private:
+  virtual void write_at(const char* data, std::size_t bytes, long offset) const = 0;
+  void drain(const char* data, std::size_t bytes) override {
+    write_at(data, bytes, at_);
+    at_ += static_cast<long>(bytes);
+  }
+
+  long at_ = 0;  // where what waits belongs
+};
+
 /// Written under a temporary name beside its path. Destroyed before commit(): removed. Every failure throws
 /// Error{unwritable_output} with the path and the reason. `progress` (may be null) is checked for cancel while writing.
-class AtomicFile : public ByteSink {
+class AtomicFile : public PlacedSink {
  public:
   /// By this process alone.
   explicit AtomicFile(const std::string& path, const Progress* progress = nullptr);
@@ -26,9 +48,8 @@ class AtomicFile : public ByteSink {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  void seek(long offset) override;
-  /// Writes at a place, from any thread, beside what goes on here.
-  void write_at(const char* data, std::size_t bytes, long offset) const;
+  /// From any thread, beside what goes on here.
+  void write_at(const char* data, std::size_t bytes, long offset) const override;
   /// Makes what this rank has written safe on disk. Not collective.
   void finish();
   /// Gives the file its name; rank 0 calls it once all ranks have finished.
@@ -37,35 +58,26 @@ class AtomicFile : public ByteSink {
  private:
   AtomicFile(const Progress* progress, const std::string& path);
   void create(long bytes);
-  void drain(const char* data, std::size_t bytes) override;
 
   std::string path_, target_, temporary_;
   const Progress* progress_;
   int descriptor_ = -1;
   bool is_created_ = false;  // here, and has not got its name yet
-  long at_ = 0;              // where what waits belongs
 };
 
 /// What a thread by itself writes at places of a file.
-class FilePiece : public ByteSink {
+class FilePiece : public PlacedSink {
  public:
-  explicit FilePiece(const AtomicFile& file) : ByteSink(std::size_t{1} << 18), file_(file) {}
-  void seek(long offset) override {
-    if (offset == at_ + static_cast<long>(waiting())) return;
-    flush();
-    at_ = offset;
-  }
+  explicit FilePiece(const AtomicFile& file) : PlacedSink(std::size_t{1} << 18), file_(file) {}
   /// The last call.
   void finish() { flush(); }
 
  private:
-  void drain(const char* data, std::size_t bytes) override {
-    file_.write_at(data, bytes, at_);
-    at_ += static_cast<long>(bytes);
+  void write_at(const char* data, std::size_t bytes, long offset) const override {
+    file_.write_at(data, bytes, offset);
   }
 
   const AtomicFile& file_;
-  long at_ = 0;
 };
 
 }  // namespace paver

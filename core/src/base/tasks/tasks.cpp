@@ -1,6 +1,7 @@
 // Dynamic queue of tasks, largest first: each thread takes the next one when it is done with the last.
 #include "base/tasks/tasks.h"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
@@ -45,7 +46,13 @@ class HandOver {
 }  // namespace
 
 void run_in_arena(int threads, const std::function<void()>& work) {
-  tbb::task_arena arena(thread_count(threads));
+  // More threads than cores are as many as are asked for, without a warning of the library's.
+  using Control = tbb::global_control;
+  const int count = thread_count(threads);
+  const Control allowed(
+      Control::max_allowed_parallelism,
+      std::max(static_cast<std::size_t>(count), Control::active_value(Control::max_allowed_parallelism)));
+  tbb::task_arena arena(count);
   arena.execute(work);
 }
 

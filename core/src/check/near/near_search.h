@@ -179,18 +179,16 @@ class NearSearch {
   // Entries go to the owners of their cells.
   void deal() {
     received_.clear();
-    if (ranks_.count() > 1) {
-      std::vector<std::vector<SharedPiece>> mine(static_cast<std::size_t>(ranks_.count()));
-      std::erase_if(entries_, [&](const Entry& entry) {
-        const int rank = owner(entry.cell);
-        if (rank != ranks_.rank()) mine[rank].push_back({entry.cell, pieces_.piece(entry.piece)});
-        return rank != ranks_.rank();
-      });
-      for (const std::vector<SharedPiece>& some : exchange_all(mine, ranks_))
-        for (const auto& [cell, piece] : some) {
-          entries_.push_back({cell, ~static_cast<int>(received_.size())});
-          received_.push_back(piece);
-        }
+    std::vector<SharedPiece> of_others;
+    std::erase_if(entries_, [&](const Entry& entry) {
+      const bool is_of_other = owner(entry.cell) != ranks_.rank();
+      if (is_of_other) of_others.push_back({entry.cell, pieces_.piece(entry.piece)});
+      return is_of_other;
+    });
+    auto owner_of = [&](const SharedPiece& shared) { return owner(shared.cell); };
+    for (const auto& [cell, piece] : paver::deal(of_others, ranks_, owner_of)) {
+      entries_.push_back({cell, ~static_cast<int>(received_.size())});
+      received_.push_back(piece);
     }
     std::ranges::sort(entries_, {}, [](const Entry& entry) { return std::tuple(entry.cell, entry.piece); });
   }
