@@ -16,6 +16,7 @@
 
 #include "brep/reading/read_shape.h"
 #include "paver/mesher.h"
+#include "support/folders.h"
 #include "topology/build_model.h"
 
 namespace {
@@ -28,8 +29,8 @@ struct Case {
   double area;  ///< mm^2, to choose the target length
   long elements;
   std::string path() const {
-    std::string path = std::string(PAVER_EXAMPLES) + "/" + name + ".step";
-    return std::filesystem::exists(path) ? path : std::string(PAVER_EXAMPLES) + "/" + name + ".brep";
+    const std::filesystem::path step = paver::test::examples_folder() / (name + ".step");
+    return std::filesystem::exists(step) ? step : paver::test::examples_folder() / (name + ".brep");
   }
   std::string label() const { return name + "/" + std::to_string(elements); }
   paver::Options options() const {

@@ -9,6 +9,7 @@
 #include <gp_Ax1.hxx>
 #include <string>
 
+#include "support/folders.h"
 #include "support/report_of.h"
 
 namespace paver {
@@ -18,7 +19,7 @@ using test::report_of;
 
 TopoDS_Shape example(const std::string& name) {
   STEPControl_Reader reader;
-  EXPECT_EQ(reader.ReadFile((std::string(PAVER_EXAMPLES) + "/" + name + ".step").c_str()), IFSelect_RetDone);
+  EXPECT_EQ(reader.ReadFile((test::examples_folder() / (name + ".step")).c_str()), IFSelect_RetDone);
   reader.TransferRoots();
   return reader.OneShape();
 }

@@ -4,10 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepBndLib.hxx>
+#include <Bnd_Box.hxx>
+#include <cmath>
 #include <filesystem>
 #include <set>
 
-#include "support/judge.h"
+#include "brep/shape_impl.h"
+#include "support/folders.h"
 
 namespace paver {
 namespace {
@@ -26,8 +30,9 @@ TEST(SharesOfRealModels, AreTheSameOnThreeRanks) {
     Progress progress;
     const CadModel model = read_file(file, progress);
     Options options;
-    options.size = 1e9;
-    options.size = mesh_model(model, options, progress).report.model.diagonal / 15;
+    Bnd_Box box;
+    BRepBndLib::Add(model.shape->shape, box, Standard_False);
+    options.size = std::sqrt(box.SquareExtent()) / 15;
     options.threads = 1;
     const MeshResult alone = mesh_model(model, options, progress);
     test::expect_same_on_ranks(model, options, alone, 3, 1);

@@ -10,13 +10,15 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "support/folders.h"
+
 namespace paver::test {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const fs::path records = fs::path(PAVER_TESTS_FOLDER) / "judge" / "verdicts.json";
+const fs::path records = tests_folder() / "judge" / "verdicts.json";
 
 /// Of all that the judge says: what tests hold against our figures.
 constexpr const char* figures[] = {"/counts/quads",
@@ -80,11 +82,6 @@ void record(const std::string& name, const Json& entry) {
 }
 
 }  // namespace
-
-fs::path shared_folder() {
-  const char* shared = std::getenv("PAVER_SHARED");
-  return shared && *shared ? shared : PAVER_SHARED;
-}
 
 Json verdict_on(const std::string& name, const fs::path& mesh, double target_length) {
   const fs::path judge = shared_folder() / "tools" / "quality.py";

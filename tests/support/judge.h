@@ -7,9 +7,6 @@
 
 namespace paver::test {
 
-/// The folder of $PAVER_SHARED, else the one beside the project. It need not be there.
-std::filesystem::path shared_folder();
-
 /// The judge's figures of a mesh file by their JSON pointers, as recorded in tests/judge/verdicts.json under `name`;
 /// `target_length` 0: the file's mean length of edges. Throws std::runtime_error unless the file is, byte for byte, the
 /// one that was judged. Where the shared folder is there, the judge is asked as well and must say what is recorded;

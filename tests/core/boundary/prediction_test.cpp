@@ -9,6 +9,7 @@
 #include <string>
 
 #include "paver/mesher.h"
+#include "support/folders.h"
 #include "support/report_of.h"
 
 namespace paver {
@@ -20,7 +21,7 @@ INSTANTIATE_TEST_SUITE_P(Examples, Predict,
 
 TEST_P(Predict, ComesNearTheMesh) {
   Progress progress;
-  CadModel model = read_file(std::string(PAVER_EXAMPLES) + "/" + GetParam() + ".step", progress);
+  CadModel model = read_file(test::examples_folder() / (GetParam() + std::string(".step")), progress);
   for (Elements kind : {Elements::quad_dominant, Elements::all_triangle}) {
     Options options;
     options.size = 6;
@@ -52,7 +53,7 @@ TEST(Predict, ShortBendsCountOnce) {
 
 TEST(Predict, MemoryGrowsWithElementsAndOrder) {
   Progress progress;
-  CadModel model = read_file(std::string(PAVER_EXAMPLES) + "/box.step", progress);
+  CadModel model = read_file(test::examples_folder() / "box.step", progress);
   Options options;
   options.size = 1;
   double fine = predict(model, options, progress).memory_mib;

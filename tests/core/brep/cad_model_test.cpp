@@ -19,6 +19,7 @@
 
 #include "core/brep/shape_files.h"
 #include "paver/mesher.h"
+#include "support/folders.h"
 
 namespace paver {
 namespace {
@@ -90,7 +91,7 @@ TEST(ReadBytes, ReadsEveryBrepFormatWithPlacementOrientationAndOrder) {
 
 TEST(ReadBytes, ReadsExamplesLikeTheirFiles) {
   for (const char* name : {"box.step", "conesphere_one_face.brep"}) {
-    std::string path = std::string(PAVER_EXAMPLES) + "/" + name;
+    std::string path = test::examples_folder() / name;
     Progress progress;
     CadModel file = read_file(path, progress), bytes = read(test::read_text(path));
     EXPECT_EQ(file.report.file, path);
@@ -145,7 +146,7 @@ TEST(ReadBytes, NeverCrashesOnDamagedBinaryShapes) {
 }
 
 TEST(ReadBytes, WorksInManyThreadsAtOnce) {
-  std::string step = test::read_text(std::string(PAVER_EXAMPLES) + "/box_cylinder.step");
+  std::string step = test::read_text(test::examples_folder() / "box_cylinder.step");
   std::string brep = freecad_binary(BRepPrimAPI_MakeBox(1, 2, 3).Shape());
   std::atomic<int> read_well = 0;
   std::vector<std::thread> threads;

@@ -6,6 +6,7 @@
 #include "paver/mesher.h"
 #include "paver/output.h"
 #include "support/deal_shares.h"
+#include "support/folders.h"
 
 namespace paver {
 namespace {
@@ -15,7 +16,7 @@ MeshResult mesh_example(const char* name, double size, int order) {
   options.size = size;
   options.order = order;
   Progress progress;
-  return mesh_file(std::string(PAVER_EXAMPLES) + "/" + name, options, progress);
+  return mesh_file(test::examples_folder() / name, options, progress);
 }
 
 /// Bit for bit.

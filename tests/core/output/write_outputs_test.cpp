@@ -15,6 +15,7 @@
 
 #include "core/quality/wavy_mesh.h"
 #include "paver/output.h"
+#include "support/folders.h"
 #include "support/judge.h"
 #include "support/measure_quality.h"
 
@@ -25,7 +26,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr const char* python = "/usr/bin/python3";
-const fs::path gmsh_summary = fs::path(PAVER_TESTS_FOLDER) / "core/output/gmsh_summary.py";
+const fs::path gmsh_summary = test::tests_folder() / "core/output/gmsh_summary.py";
 
 bool has_module(const char* name) {
   return std::system(fmt::format("{} -c 'import {}' >/dev/null 2>&1", python, name).c_str()) == 0;

@@ -16,6 +16,7 @@
 #include "output/atomic_file_impl.h"
 #include "paver/output.h"
 #include "support/deal_shares.h"
+#include "support/folders.h"
 #include "support/thread_ranks.h"
 
 namespace paver {
@@ -134,7 +135,7 @@ TEST_F(WriteShare, DoesSoForMeshesOfModels) {
     Options options;
     options.size = 12;
     Progress progress;
-    MeshResult whole = mesh_file(fmt::format("{}/{}.step", PAVER_EXAMPLES, name), options, progress);
+    MeshResult whole = mesh_file(test::examples_folder() / fmt::format("{}.step", name), options, progress);
     expect_same_bytes(whole, name);
   }
 }

@@ -34,7 +34,7 @@
 #include <gp_Pln.hxx>
 #include <numbers>
 
-#include "support/judge.h"
+#include "support/folders.h"
 #include "support/report_of.h"
 
 namespace paver {
