@@ -12,12 +12,14 @@ namespace paver {
 namespace {
 
 /// Counts per edge after tying, from wishes.
-std::vector<int> tied(const Model& model, const std::vector<double>& wishes, int minimum = 1, bool are_short = false) {
+std::vector<int> tied(const Model& model, const std::vector<double>& wishes, int minimum = 1, bool are_short = false,
+                      std::size_t first_short = 0) {
   std::vector<std::vector<Loop>> loops;
   for (std::size_t f = 0; f < model.faces.size(); ++f) loops.push_back(linked_loops(model, static_cast<int>(f)));
   std::vector<EdgeCount> counts;
   for (double wish : wishes)
-    counts.push_back({wish, minimum, std::max(minimum, static_cast<int>(wish + 0.5)), false, are_short});
+    counts.push_back({wish, minimum, std::max(minimum, static_cast<int>(wish + 0.5)), false,
+                      are_short && counts.size() >= first_short});
   TiedCounts result = tie_opposite_sides(model, find_opposite_sides(model, loops), loops, counts);
   std::vector<int> chosen;
   for (int group : result.group) chosen.push_back(result.groups[static_cast<std::size_t>(group)].count);
@@ -98,6 +100,18 @@ TEST(TieSides, ARimShorterThanTheTargetLengthTakesAsManyAsTheOtherEndOfItsRod) {
     EXPECT_EQ(counts[0] == counts[1], is_short);
     EXPECT_EQ(counts[0], 8);
   }
+}
+
+// A rod ends on a dish: with 12 intervals round the dish, as many on the common rim, there were 5 on the other.
+TEST(TieSides, RimsOfARodAreTiedToEachOtherBeforeALongRim) {
+  fake::Builder builder;
+  const int dish = add_circle(builder, 1), rim = add_circle(builder, 0.1), end = add_circle(builder, 0.09);
+  add_ring(builder, dish, rim, 3);
+  add_ring(builder, rim, end, 1);
+  const std::vector<int> counts = tied(builder.take(), {12.6, 7.6, 5.1}, 5, true, 1);
+  EXPECT_EQ(counts[1], counts[2]);
+  EXPECT_EQ(counts[1], 8);
+  EXPECT_EQ(counts[0], 12);
 }
 
 TEST(TieSides, SidesOfAThinRingWithCornersTakeOneCount) {

@@ -69,6 +69,10 @@ class Tying {
     return std::all_of(side.begin(), side.end(), [&](int e) { return counts_[e].count > 0; });
   }
 
+  bool is_short(const std::vector<int>& side) const {
+    return std::ranges::all_of(side, [&](int e) { return counts_[e].is_short; });
+  }
+
   /// Whether there is one row at most between the sides of a ring with corners: in wider ones rows need not meet.
   bool is_narrow(const Model& model, const OppositeSides& pair) const {
     double length = 0, wish = 0;
@@ -219,8 +223,10 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
                         tying.can_equal(p));
   std::vector<int> order(pairs.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return model.faces[pairs[a].face].area > model.faces[pairs[b].face].area; });
+  // A long rim must not take a short one away from those beside it.
+  auto is_unlike = [&](const OppositeSides& pair) { return tying.is_short(pair.first) != tying.is_short(pair.second); };
+  std::ranges::stable_sort(order, {},
+                           [&](int i) { return std::pair(is_unlike(pairs[i]), -model.faces[pairs[i].face].area); });
   std::erase_if(order, [&](int i) { return !can_equal[i]; });
   for (int i : order) {
     const OppositeSides& pair = pairs[i];

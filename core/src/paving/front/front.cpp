@@ -9,6 +9,7 @@
 #include "paving/closing/acute_corners.h"
 #include "paving/closing/fan_rings.h"
 #include "paving/front/loop_node.h"
+#include "paving/front/wide_corners.h"
 #include "regions/crossing_facets.h"
 
 namespace paver {
@@ -46,6 +47,7 @@ int Front::add_boundary_node(const std::vector<LoopNode>& loop, std::size_t i) {
   true_angle_.resize(node, -1);
   true_angle_.push_back(loop[i].angle);
   out_facet_.resize(node + 1, -1), sectors_.resize(node + 1, 0), colour_.resize(node + 1);
+  is_passed_.resize(node + 1, false);
   return node;
 }
 
@@ -100,13 +102,27 @@ std::optional<int> Front::start(std::optional<double> sharpest_corner) {
     }
     add_start_loop({ring.rbegin(), ring.rend()});
   }
-  return open_void();
+  std::optional<int> crossing = open_void();
+  if (!crossing) find_passed_corners(loops);
+  return crossing;
+}
+
+void Front::find_passed_corners(const std::vector<std::vector<int>>& loops) {
+  for (const std::vector<int>& loop : loops) {
+    std::vector<double> angles;
+    for (int node : loop) {
+      const int f = facet_from(node);
+      angles.push_back(f < 0 ? M_PI : angle_after(facets[f].prev));
+    }
+    for (std::size_t i : passed_corners(angles)) is_passed_[loop[i]] = true;
+  }
 }
 
 void Front::start_whole() {
   true_angle_.resize(mesh.node_count(), -1);
   out_facet_.assign(mesh.node_count(), -1), sectors_.assign(mesh.node_count(), 0);
   colour_.assign(mesh.node_count(), {});
+  is_passed_.assign(mesh.node_count(), false);
 }
 
 std::optional<int> Front::open_void() {
@@ -138,6 +154,7 @@ int Front::add_node(Vec2 p) { return add_placed_node(region.place(p)); }
 int Front::add_placed_node(const NodePlace& at) {
   int node = mesh.add_node(at, region.target(at.p));
   out_facet_.push_back(-1);
+  is_passed_.push_back(false);
   sectors_.push_back(0);
   colour_.emplace_back();
   return node;

@@ -60,6 +60,8 @@ class Front {
   /// Angle of the void at facet f's end node, radians in (0, 2 pi). Between two boundary facets it is that of the true
   /// edges: two chords of a smooth arc are a side, however coarse they are.
   double angle_after(int f) const;
+  /// Whether rows run on past this corner of the boundary, which might end them as well (wide_corners.h).
+  bool is_passed(int node) const { return is_passed_[node]; }
   /// The same between the chords themselves.
   double chord_angle_after(int f) const;
   double length(int f) const { return mesh.length(facets[f].a, facets[f].b); }
@@ -117,6 +119,7 @@ class Front {
   void set_apex(int centre, const std::vector<int>& ring);
   std::optional<int> open_void();
   void add_start_loop(const std::vector<int>& nodes);
+  void find_passed_corners(const std::vector<std::vector<int>>& loops);
   void note_boundary(const std::vector<std::vector<int>>& loops);
   bool find_outline(int f, int c, int d, Outline& o);
   void collect_fan(int f, std::vector<int>& fan) const;
@@ -129,6 +132,7 @@ class Front {
   bool colours_allow(const Outline& o);
 
   std::vector<double> true_angle_;  // per start node; -1 where not known
+  std::vector<char> is_passed_;     // per node
   std::vector<int> out_facet_;
   std::vector<int> sectors_;
   std::vector<Colour> colour_;

@@ -13,7 +13,8 @@ struct Limits {
 };
 
 /// [Blacker91], by number of edges as in [White97].
-Limits limits(bool is_fixed, int edges) {
+Limits limits(bool is_fixed, bool is_passed, int edges) {
+  if (is_passed) edges = std::max(edges, 4);
   if (is_fixed) return edges <= 3 ? Limits{135 * deg, 225 * deg, 290 * deg} : Limits{110 * deg, 225 * deg, never};
   if (edges <= 2) return {135 * deg, 210 * deg, 320 * deg};
   if (edges == 3) return {110 * deg, 240 * deg, 320 * deg};
@@ -28,7 +29,7 @@ constexpr double sharpest_end = M_PI / 3, sharp_weight = 0.5;  // ends sharper t
 
 NodeState classify(const Front& front, int node, double angle) {
   int edges = front.mesh.star[node].size() + 1;
-  Limits l = limits(front.mesh.is_fixed[node], edges);
+  Limits l = limits(front.mesh.is_fixed[node], front.is_passed(node), edges);
   if (angle < l.end) return NodeState::end;
   if (angle < l.side) return NodeState::side;
   return angle < l.corner ? NodeState::corner : NodeState::reversal;
