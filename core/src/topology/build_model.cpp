@@ -3,6 +3,8 @@
 // and name, with has_area = false or a fault.
 #include "topology/build_model.h"
 
+#include <fmt/format.h>
+
 #include <ShapeAnalysis_Surface.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
@@ -323,6 +325,13 @@ class ModelBuilder {
       model_.points.push_back({point.part, index.find_vertex(point.vertex), false, model_.parts[point.part]});
     model_.report.contacts = connected_.contacts;
     for (auto [a, b] : connected_.failed) model_.report.unconnected.push_back({model_.parts[a], model_.parts[b]});
+    if (connected_.merged.empty()) return;
+    std::vector<std::string> names;
+    for (int part : connected_.merged) names.push_back(model_.parts[part]);
+    model_.notes.push_back(
+        fmt::format("Faces of parts that touch are written differently, up to {:.2g} mm apart, and were "
+                    "taken for one: {}.",
+                    connected_.merged_gap, list_names(names)));
   }
 
   void fill_report() {

@@ -51,6 +51,8 @@ class Connector {
   }
 
   std::vector<Pair> failed;
+  std::set<int> merged;
+  double merged_gap = 0;
 
  private:
   /// Where all together cannot be fused, the parts that cannot be in pairs are left out, the one with most such pairs
@@ -87,8 +89,13 @@ class Connector {
 
   bool try_to_fuse(const std::vector<int>& parts) {
     auto fusion = fuse(work_, parts, tolerance_, progress_);
-    if (fusion) fusions_.push_back(std::move(*fusion));
-    return fusion.has_value();
+    if (!fusion) return false;
+    merged.insert(fusion->merged.begin(), fusion->merged.end());
+    merged_gap = std::max(merged_gap, fusion->gap);
+    for (const Pair& pair : pairs_among(parts))
+      if (fusion->doubled.contains(pair[0]) && fusion->doubled.contains(pair[1])) failed.push_back(pair);
+    fusions_.push_back(std::move(*fusion));
+    return true;
   }
 
   std::vector<Pair> pairs_among(const std::vector<int>& parts) const {
@@ -264,6 +271,8 @@ ConnectResult connect(Workpiece& work, Connect how, double tolerance, Progress& 
     return result;
   }
   result.failed = std::move(connector.failed);
+  result.merged = std::move(connector.merged);
+  result.merged_gap = connector.merged_gap;
   find_insides(fused);
   if (how == Connect::united) drop_inside(fused);
   if (const Vec3 back = work.centre - fused.centre; norm(back) > 0 && !move_work(fused, back))

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct ConnectResult {
   std::vector<Contact> contacts;
   /// Pairs of parts that may touch but could not be connected.
   std::vector<std::array<int, 2>> failed;
+  /// Parts whose faces were written differently where they touch, and taken for one up to `merged_gap` (mm).
+  std::set<int> merged;
+  double merged_gap = 0;
 };
 
 /// Fuses parts whose faces, wires or points may touch: what they have in common exists once afterwards, in
@@ -47,6 +51,11 @@ struct Fusion {
   std::vector<Image> images;                                  ///< in the order of the first face each is a piece of
   std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> edges;   ///< edge and one of its images, where these differ
   std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> points;  ///< point and its image, where these differ
+  double tolerance = 0;                                       ///< mm
+  /// Parts with pieces that lay along each other up to `gap` (mm) apart, written differently, and were made one.
+  std::set<int> merged;
+  double gap = 0;
+  std::set<int> doubled;  ///< parts with such pieces that are still two
 };
 
 /// Fuses these parts of the work at one of several tolerances, `tolerance` first; nothing when none of them works.
