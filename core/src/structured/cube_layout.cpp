@@ -13,7 +13,7 @@ namespace {
 
 constexpr double flattest = 0.2;  // ratio of m to a and b
 constexpr double tie_price = 1e-3;
-constexpr double most_turn = 2.1;     // radians across an element: beyond, it misses what the surface does there
+constexpr double most_turn = 1.6;     // radians across an element: beyond, it misses what the surface does there
 constexpr double most_uneven = 0.4;   // two polar charts are no better where lengths vary so much
 constexpr int most_change = 3;        // of counts, from those that are even
 constexpr double near_enough = 0.04;  // of the elements asked for

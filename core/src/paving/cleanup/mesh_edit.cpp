@@ -45,6 +45,17 @@ double area_in_targets(const RegionMesh& mesh, const Element& e) {
   return 0.5 * std::sqrt(std::max(0.0, dot(one, one) * dot(other, other) - mixed * mixed)) / (h * h);
 }
 
+/// Per node, of the region there; 0 where it is not known or loops touch.
+std::vector<double> boundary_angles(const Front& front) {
+  std::vector<double> angles(front.mesh.node_count(), 0);
+  std::vector<char> is_known(front.mesh.node_count(), false);
+  for (const BoundaryFacet& facet : front.boundary) {
+    angles[facet.a] = is_known[facet.a] ? 0 : std::max(0.0, facet.angle);
+    is_known[facet.a] = true;
+  }
+  return angles;
+}
+
 /// Whether every edge at the node lies in two elements.
 bool is_surrounded(const RegionMesh& mesh, int node) {
   const auto& star = mesh.star[node];
@@ -64,6 +75,7 @@ MeshEdit::MeshEdit(Front& front)
   delta_.assign(mesh_.node_count(), 0);
   commit();
   find_border();
+  const std::vector<double> true_angle = boundary_angles(front);
   for (int i = 0; i < mesh_.node_count(); ++i) {
     if (!mesh_.is_fixed[i]) continue;
     if (mesh_.global[i] < 0 && is_surrounded(mesh_, i)) {
@@ -72,6 +84,7 @@ MeshEdit::MeshEdit(Front& front)
     }
     double angle = 0;
     for (int e : mesh_.star[i]) angle += corner_angle(mesh_, mesh_.elements[e], i);
+    angle = std::max(angle, true_angle[i]);  // two chords of a smooth arc are no corner once sides are curved
     aims_[i].ideal = static_cast<float>(ideal_elements(angle));
     aims_[i].least = std::max(1, static_cast<int>(std::ceil(angle / widest - 1e-9)));
   }

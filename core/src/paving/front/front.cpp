@@ -54,7 +54,7 @@ int Front::add_boundary_node(const std::vector<LoopNode>& loop, std::size_t i) {
 void Front::note_boundary(const std::vector<std::vector<int>>& loops) {
   for (std::size_t l = 0; l < loops.size(); ++l)
     for (std::size_t i = 0, n = loops[l].size(); i < n; ++i)
-      boundary.push_back({loops[l][i], loops[l][(i + 1) % n], region.loops[l][i].edge});
+      boundary.push_back({loops[l][i], loops[l][(i + 1) % n], region.loops[l][i].edge, region.loops[l][i].angle});
 }
 
 std::optional<int> Front::start_at(const std::vector<std::vector<int>>& loops) {

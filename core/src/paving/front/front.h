@@ -22,6 +22,7 @@ struct Facet {
 struct BoundaryFacet {
   int a = -1, b = -1;
   int edge = -1;
+  double angle = -1;  ///< of the region at `a`, between the edges themselves, radians; -1 where it is not known
 };
 
 class Front {
