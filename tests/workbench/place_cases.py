@@ -115,9 +115,10 @@ class Places(InDocument):
         body, feature = self.body()
         body.Placement = at(20)
         obj, _ = self.mesh(body)
-        thing, path = references.standing(body, f"{feature.Name}.Face6")
+        # A face that the chamfer does not touch: FreeCAD 1.0 gives up references to those that it cuts.
+        thing, path = references.standing(body, f"{feature.Name}.Face2")
         child = refinement.make(obj, [(thing, references.without_features(thing, path))], 1)
-        self.assertEqual(child.References, [(body, ("Face6",))])
+        self.assertEqual(child.References, [(body, ("Face2",))])
         self.assertEqual(references.without_features(body, feature.Name + "."), "")
         old, _ = self.mesh(feature)  # as documents of before Bodies were meant have it
         self.assertTrue(refinement.make(old, [(body, "Face1")], 1))

@@ -174,8 +174,8 @@ class Tube {
   std::optional<RegionMesh> lay() {
     mesh_.turn_weight = region_.size.turn_weight();
     const std::size_t n = from_.size();
-    const std::size_t shift = nearest_turn(
-        n, [&](auto i, auto j) { return to_[j].p - from_[i].p; }, 1e-9);
+    const auto gap = [&](auto i, auto j) { return to_[j].p - from_[i].p; };
+    const std::size_t shift = nearest_turn(n, gap, 1e-9);
     for (std::size_t i = 0; i < n; ++i)
       rays_.emplace_back(region_, from_[i].p, opposite(i, shift).p, DomeRows::even, Ray::Way::by_chart);
     const int rows = static_cast<int>(std::clamp(std::lround(mean_length(rays_)), 1L, long{most_rows}));
