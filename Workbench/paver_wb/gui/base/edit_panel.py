@@ -92,7 +92,11 @@ def edit_new(obj):
     """
     global _new
     _new, document, name = obj, obj.Document.Name, obj.Name
-    QtCore.QTimer.singleShot(0, lambda: FreeCADGui.getDocument(document).setEdit(name))
+
+    def edit():
+        if document in FreeCAD.listDocuments() and FreeCAD.getDocument(document).getObject(name):  # not closed or undone since
+            FreeCADGui.getDocument(document).setEdit(name)
+    QtCore.QTimer.singleShot(0, edit)
 
 
 def set_edit(obj, kind):
