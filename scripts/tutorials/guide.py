@@ -336,7 +336,8 @@ class Guide:
 
     def predicts(self):
         """How many elements the panel predicts, once it does. Not how much memory, as that depends on the machine."""
-        window.wait(lambda: window.widget("Paver_Prediction").text().startswith("About"), "for the prediction")
+        window.wait(lambda: window.widget("Paver_Prediction") and window.widget("Paver_Prediction").text().startswith("About"),
+                    "for the prediction")
         return re.match(r"About (.+?) elements", self.says("Prediction"))[1]
 
     def previews(self):

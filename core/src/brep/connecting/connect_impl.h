@@ -59,7 +59,8 @@ struct Fusion {
 };
 
 /// Fuses these parts of the work at one of several tolerances, `tolerance` first; nothing when none of them works.
-/// Whether it works is checked: every face has images that cover it.
+/// Whether it works is checked: every face has images that cover it. Where pieces of different parts lie along each
+/// other and are two, again at the distance between them, as long as that connects no parts that were apart.
 std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress);
 
 struct NearParts {

@@ -146,9 +146,10 @@ class DoubledPieces {
   }
 
   /// The largest distance between such pieces, or width of what is left beside common ones, mm; 0 where there are none.
-  double gap() {
+  double gap(const Progress& progress) {
     double largest = 0;
     for (const auto& [pair, edges] : shared_edges()) {
+      progress.check();
       const double found = gap_between(pair, edges);
       if (!(found > 0)) continue;
       largest = std::max(largest, found);
@@ -297,26 +298,38 @@ std::optional<Fusion> fuse_at(Fuser& fuser, std::initializer_list<double> tolera
   return std::nullopt;
 }
 
+/// Notes doubled pieces of a fusion and fuses with a tolerance that makes them one; nothing where there are none, where
+/// that is not to be tried (`is_last`) or fails, or where it connects what was apart.
+std::optional<Fusion> fuse_wider(const Workpiece& work, Fuser& fuser, Fusion& fusion, bool is_last,
+                                 Progress& progress) {
+  constexpr double slack = 2;  // distances are samples
+  DoubledPieces pieces(work, fusion);
+  const double gap = pieces.gap(progress);
+  fusion.doubled = pieces.in_lenses;
+  if (!(gap > 0) || is_last) return std::nullopt;
+  const double wider = std::max(slack * gap, 2 * fusion.tolerance);
+  std::optional<Fusion> next = fuse_at(fuser, {wider, gap_factor * wider}, progress);
+  if (!next || !std::ranges::includes(pieces.touching(), DoubledPieces(work, *next).touching())) return std::nullopt;
+  next->merged = std::move(pieces.parts);
+  next->merged.insert(fusion.merged.begin(), fusion.merged.end());
+  next->gap = std::max(gap, fusion.gap);
+  return next;
+}
+
 }  // namespace
 
 std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress) {
   constexpr int most_tries = 3;
-  constexpr double slack = 2;  // distances are samples
   Fuser fuser(work, parts);
   std::optional<Fusion> fusion = fuse_at(fuser, {tolerance, 0, gap_factor * tolerance}, progress);
-  for (int i = 0; fusion; ++i) {
-    DoubledPieces pieces(work, *fusion);
-    const double gap = pieces.gap();
-    fusion->doubled = pieces.in_lenses;
-    if (!(gap > 0) || i == most_tries) break;
-    const double wider = std::max(slack * gap, 2 * fusion->tolerance);
-    std::optional<Fusion> next = fuse_at(fuser, {wider, gap_factor * wider}, progress);
-    // It must connect nothing that was apart.
-    if (!next || !std::ranges::includes(pieces.touching(), DoubledPieces(work, *next).touching())) break;
-    next->merged = std::move(pieces.parts);
-    next->merged.insert(fusion->merged.begin(), fusion->merged.end());
-    next->gap = std::max(gap, fusion->gap);
-    fusion = std::move(next);
+  try {
+    for (int i = 0; fusion && i <= most_tries; ++i) {
+      std::optional<Fusion> next = fuse_wider(work, fuser, *fusion, i == most_tries, progress);
+      if (!next) break;
+      fusion = std::move(next);
+    }
+  } catch (const Standard_Failure&) {
+    progress.check();  // it stays as it is
   }
   return fusion;
 }
