@@ -1,9 +1,10 @@
 // Equal counts on opposite sides, so that such faces can be meshed as grids.
 // In: loops, counts. Out: groups of edges with one count each.
-// Steps: edges that lie opposite each other are joined, faces of most elements first, while there is a count that all
-// members of a group can take (where a face has one pair of sides only that can be equal: while they differ by
-// rounding, for such a face stays irregular anyway); each group takes the one nearest to their wishes; sides of unequal
-// numbers of edges then get equal sums by changing groups that no earlier pair of sides holds.
+// Steps: edges that lie opposite each other are joined, those of one kind (shorter than the target length, or not) and
+// of large faces first, while there is a count that all members of a group can take (where a face has one pair of sides
+// only that can be equal: while they differ by rounding, for such a face stays irregular anyway); each group takes the
+// one nearest to their wishes; sides of unequal numbers of edges then get equal sums by changing groups that no earlier
+// pair of sides holds.
 #include "boundary/facing/tie_sides.h"
 
 #include <algorithm>

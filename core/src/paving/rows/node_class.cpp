@@ -1,6 +1,8 @@
 // Node states from the interior angle and the valence.
 #include "paving/rows/node_class.h"
 
+#include <algorithm>
+
 namespace paver {
 namespace {
 
@@ -14,7 +16,7 @@ struct Limits {
 
 /// [Blacker91], by number of edges as in [White97].
 Limits limits(bool is_fixed, bool is_passed, int edges) {
-  if (is_passed) edges = std::max(edges, 4);
+  if (is_passed) edges = std::max(edges, 4);  // an end up to 110 degrees only
   if (is_fixed) return edges <= 3 ? Limits{135 * deg, 225 * deg, 290 * deg} : Limits{110 * deg, 225 * deg, never};
   if (edges <= 2) return {135 * deg, 210 * deg, 320 * deg};
   if (edges == 3) return {110 * deg, 240 * deg, 320 * deg};
