@@ -213,6 +213,12 @@ class DoubledPieces {
     return shared;
   }
 
+  static double perimeter_of(const TopoDS_Face& piece) {
+    double perimeter = 0;
+    for (const TopoDS_Edge& edge : edges_of(piece)) perimeter += edge_length(edge);
+    return perimeter;
+  }
+
   bool has_common_part(int a, int b) const {
     return std::ranges::any_of(parts_[a], [&](int part) { return parts_[b].contains(part); });
   }
@@ -220,8 +226,7 @@ class DoubledPieces {
   /// Of what is left of a face beside the piece that another has as well, where their outlines are one but for
   /// rounding; else 0.
   double sliver_width(const TopoDS_Face& piece) const {
-    double perimeter = 0;
-    for (const TopoDS_Edge& edge : edges_of(piece)) perimeter += edge_length(edge);
+    const double perimeter = perimeter_of(piece);
     const double width = 2 * face_area(piece) / perimeter;
     return width <= std::min(widest_sliver * diagonal_, flattest_wedge * 0.5 * perimeter) ? std::max(width, least_gap)
                                                                                           : 0;
@@ -233,9 +238,7 @@ class DoubledPieces {
     if (!are_parallel(one, other, edges[0])) return 0;
     double area = face_area(one);
     if (const double other_area = face_area(other); other_area < area) std::swap(one, other), area = other_area;
-    double perimeter = 0;
-    for (const TopoDS_Edge& edge : edges_of(one)) perimeter += edge_length(edge);
-    const double most = (edges.size() > 1 ? flattest_lens : flattest_wedge) * 2 * area / perimeter;
+    const double most = (edges.size() > 1 ? flattest_lens : flattest_wedge) * 2 * area / perimeter_of(one);
     gp_Pnt inside;
     gp_Pnt2d uv;
     if (!(most > 0) || BOPTools_AlgoTools3D::PointInFace(one, inside, uv, context_) != 0) return 0;

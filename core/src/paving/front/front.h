@@ -61,10 +61,10 @@ class Front {
   /// Angle of the void at facet f's end node, radians in (0, 2 pi). Between two boundary facets it is that of the true
   /// edges: two chords of a smooth arc are a side, however coarse they are.
   double angle_after(int f) const;
-  /// Whether rows run on past this corner of the boundary, which might end them as well (wide_corners.h).
-  bool is_passed(int node) const { return is_passed_[node]; }
   /// The same between the chords themselves.
   double chord_angle_after(int f) const;
+  /// Whether rows run on past this corner of the boundary, which might end them as well (wide_corners.h).
+  bool is_passed(int node) const { return is_passed_[node]; }
   double length(int f) const { return mesh.length(facets[f].a, facets[f].b); }
   /// Facets of f's loop, starting with f.
   void collect_loop(int f, std::vector<int>& loop) const;
