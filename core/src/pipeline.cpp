@@ -361,14 +361,15 @@ class Run {
     }
     report.quality.metric = assembler.metric();
     report.quality.metric.predicted = predicted_;
-    report.gaps = find_gaps(result_.mesh, model_, ranks_);
+    const MeshPieces pieces(result_.mesh, model_, ranks_);
+    report.gaps = find_gaps(pieces, model_, ranks_);
     std::erase_if(report.gaps, [&](const Gap& gap) {
       const auto& named = report.model.unconnected;
       return std::find(named.begin(), named.end(), gap.parts) != named.end();
     });
     PartPairs told = report.model.unconnected;
     for (const Gap& gap : report.gaps) told.push_back(gap.parts);
-    report.crossings = find_crossings(result_.mesh, model_, told, ranks_);
+    report.crossings = find_crossings(pieces, model_, told, ranks_);
     for (Gap& crack : find_cracks(model_, report.target_length)) report.gaps.push_back(std::move(crack));
     merge_pieces();
     measure_wires();

@@ -19,7 +19,7 @@ constexpr double small = 0.01;                 // of an interval: as far from a 
 constexpr double fan_radius = 0.8;             // of the target length: the quads about an apex
 constexpr double fan_room = 0.45, point_room = 0.4;  // of the distance to the nearest loop, about an apex and a point
 constexpr double dip = 0.6;  // per radian of half a quad about an apex: its outer corner lies so far behind the line
-constexpr double wide_cone = 5.2;     // radians about an apex: four quads, else three
+constexpr int fewest_quads = 4;       // about an apex: three lie twice as far off the surface
 constexpr double beside_pole = 1e-3;  // of the sides about it
 constexpr double least_side = 0.3;    // of the fan's radius, or of the target length
 constexpr double most_about = 0.2;    // of the way round a rod: half of the four quads about a point on it
@@ -429,8 +429,7 @@ class RegionBuilder {
     };
     // Two sides of each within the limit of turn.
     const std::vector<double> turned = turns_about([&](double share) { return at(share, radius); });
-    const int quads =
-        std::max(shape.cone_angle > wide_cone ? 4 : 3, static_cast<int>(std::lround(0.5 * turned.back())));
+    const int quads = std::max(fewest_quads, static_cast<int>(std::lround(0.5 * turned.back())));
     Fan fan;
     fan.is_apex = shape.is_sharp();
     fan.centre.x = shape.apex;

@@ -325,13 +325,13 @@ class ModelBuilder {
       model_.points.push_back({point.part, index.find_vertex(point.vertex), false, model_.parts[point.part]});
     model_.report.contacts = connected_.contacts;
     for (auto [a, b] : connected_.failed) model_.report.unconnected.push_back({model_.parts[a], model_.parts[b]});
-    if (connected_.merged.empty()) return;
+    if (connected_.merged.parts.empty()) return;
     std::vector<std::string> names;
-    for (int part : connected_.merged) names.push_back(model_.parts[part]);
+    for (int part : connected_.merged.parts) names.push_back(model_.parts[part]);
     model_.notes.push_back(
         fmt::format("Faces of parts that touch are written differently, up to {:.2g} mm apart, and were "
                     "taken for one: {}.",
-                    connected_.merged_gap, list_names(names)));
+                    connected_.merged.gap, list_names(names)));
   }
 
   void fill_report() {

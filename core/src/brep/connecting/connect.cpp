@@ -8,6 +8,7 @@
 
 #include "base/union_find.h"
 #include "brep/connecting/connect_impl.h"
+#include "brep/connecting/near/near_parts_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
 
@@ -51,8 +52,7 @@ class Connector {
   }
 
   std::vector<Pair> failed;
-  std::set<int> merged;
-  double merged_gap = 0;
+  MergedParts merged;
 
  private:
   /// Where all together cannot be fused, the parts that cannot be in pairs are left out, the one with most such pairs
@@ -90,8 +90,7 @@ class Connector {
   bool try_to_fuse(const std::vector<int>& parts) {
     auto fusion = fuse(work_, parts, tolerance_, progress_);
     if (!fusion) return false;
-    merged.insert(fusion->merged.begin(), fusion->merged.end());
-    merged_gap = std::max(merged_gap, fusion->gap);
+    merged.add(fusion->merged);
     for (const Pair& pair : pairs_among(parts))
       if (fusion->doubled.contains(pair[0]) && fusion->doubled.contains(pair[1])) failed.push_back(pair);
     fusions_.push_back(std::move(*fusion));
@@ -125,6 +124,7 @@ class Connector {
           origins.insert(work_.faces[f].origin);
         }
         WorkFace piece = piece_of(image);
+        if (origins.size() > 1) piece.gap = closed_gap(image, work_, fusion.tolerance);
         if (origins.size() == 1) {
           pieces[image.of[0]].push_back(std::move(piece));
         } else {
@@ -272,7 +272,6 @@ ConnectResult connect(Workpiece& work, Connect how, double tolerance, Progress& 
   }
   result.failed = std::move(connector.failed);
   result.merged = std::move(connector.merged);
-  result.merged_gap = connector.merged_gap;
   find_insides(fused);
   if (how == Connect::united) drop_inside(fused);
   if (const Vec3 back = work.centre - fused.centre; norm(back) > 0 && !move_work(fused, back))

@@ -1,6 +1,7 @@
 // Parts that touch are made to share faces, edges and vertices.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <set>
@@ -25,13 +26,22 @@ void name_parts(Workpiece& work, const std::vector<std::string>& labels);
 /// "Face12" of a face as read, "Face3 + Face9" of what these have in common.
 std::string entry_name(const Workpiece& work, int origin);
 
+/// Parts whose faces were written differently where they touch, up to `gap` (mm) apart, and were made one.
+struct MergedParts {
+  std::set<int> parts;
+  double gap = 0;
+
+  void add(const MergedParts& others) {
+    parts.insert(others.parts.begin(), others.parts.end());
+    gap = std::max(gap, others.gap);
+  }
+};
+
 struct ConnectResult {
   std::vector<Contact> contacts;
   /// Pairs of parts that may touch but could not be connected.
   std::vector<std::array<int, 2>> failed;
-  /// Parts whose faces were written differently where they touch, and taken for one up to `merged_gap` (mm).
-  std::set<int> merged;
-  double merged_gap = 0;
+  MergedParts merged;
 };
 
 /// Fuses parts whose faces, wires or points may touch: what they have in common exists once afterwards, in
@@ -52,10 +62,8 @@ struct Fusion {
   std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> edges;   ///< edge and one of its images, where these differ
   std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> points;  ///< point and its image, where these differ
   double tolerance = 0;                                       ///< mm
-  /// Parts with pieces that lay along each other up to `gap` (mm) apart, written differently, and were made one.
-  std::set<int> merged;
-  double gap = 0;
-  std::set<int> doubled;  ///< parts with such pieces that are still two
+  MergedParts merged;
+  std::set<int> doubled;  ///< parts with pieces along each other that are still two
 };
 
 /// Fuses these parts of the work at one of several tolerances, `tolerance` first; nothing when none of them works.
@@ -63,18 +71,15 @@ struct Fusion {
 /// other and are two, again at the distance between them, as long as that connects no parts that were apart.
 std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress);
 
-struct NearParts {
-  std::vector<std::array<int, 2>> pairs;
-  /// Pairs whose free-form faces may touch or cross where at least one part is no solid: for these the kernel's fuse
-  /// takes minutes or has no end, so it is not tried.
-  std::vector<std::array<int, 2>> free_form;
-};
-
 /// Marks sheets sewn of several whose faces touch elsewhere than along the seams: WorkPart::is_loose.
 void find_loose_sheets(Workpiece& work, double tolerance);
 
-/// Parts that may touch within `tolerance`, by boxes of small pieces of their faces, wires and points.
-NearParts find_near_parts(const Workpiece& work, double tolerance);
+/// What a tolerance tells of the gap closed there, mm: the kernel widens tolerances so far; its own accuracy is no gap.
+double closed_gap(double tolerance);
+
+/// Between the faces of the work that this is an image of, mm. Of what is wider than `fusion_tolerance` (mm) the
+/// distance is measured: where faces meet at a small angle the kernel's tolerances are larger than any gap.
+double closed_gap(const Fusion::Image& image, const Workpiece& work, double fusion_tolerance);
 
 /// Contacts between connected parts.
 std::vector<Contact> find_contacts(const Workpiece& work);

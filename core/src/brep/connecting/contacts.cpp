@@ -93,7 +93,7 @@ class ContactFinder {
     if (!face.has_area || parts.size() < 2) return;
     for_pairs(parts, [&](Pair pair) {
       Found& contact = note(pair, ContactKind::face, {f}, face.area);
-      contact.gap = std::max(contact.gap, gap_about(face.face));
+      contact.gap = std::max(contact.gap, face.gap);
     });
     for (const TopoDS_Edge& edge : edges_of(face.face))
       for_pairs(parts, [&](Pair pair) { bordered_.insert({edges_.FindIndex(edge), pair}); });
@@ -123,15 +123,6 @@ class ContactFinder {
       Found& contact = note(pair, ContactKind::point, meeting.faces, 1);
       contact.gap = std::max(contact.gap, closed_gap(BRep_Tool::Tolerance(TopoDS::Vertex(vertices_.FindKey(index)))));
     });
-  }
-
-  /// The kernel widens tolerances to the gaps that it closes; its own accuracy is no gap.
-  static double closed_gap(double tolerance) { return tolerance > 2 * Precision::Confusion() ? tolerance : 0; }
-
-  static double gap_about(const TopoDS_Face& face) {
-    double gap = 0;
-    for (const TopoDS_Edge& edge : edges_of(face)) gap = std::max(gap, closed_gap(BRep_Tool::Tolerance(edge)));
-    return gap;
   }
 
   const Workpiece& work_;

@@ -15,7 +15,7 @@
 
 #include "base/box.h"
 #include "brep/connecting/connect_impl.h"
-#include "brep/connecting/face_cells_impl.h"
+#include "brep/connecting/near/face_cells_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
 

@@ -40,6 +40,7 @@ struct WorkFace {
   std::vector<FaceUse> uses;   ///< known from list_parts() on; the first one's side is the face's
   std::vector<int> inside_of;  ///< parts that it lies inside of, both sides; rising
   double area = 0;             ///< mm^2
+  double gap = 0;              ///< mm, that was closed between the faces it is a piece of; by connect()
   bool has_area = true;
   bool is_common = false;   ///< stands for a face all of which is common with others: they have an entry of their own
   bool is_dropped = false;  ///< left out since it lies inside the union of parts

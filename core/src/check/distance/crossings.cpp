@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/tasks/gather.h"
+#include "check/near/found_places.h"
 #include "check/near/near_search.h"
 
 namespace paver {
@@ -175,32 +175,23 @@ Box box_about(const ElementPatch& patch) {
   return {box.low - more, box.high + more};
 }
 
-/// One place for each two faces, however many of their elements run through each other; a face in pieces is one.
-struct FoundCrossings {
-  using Pair = std::array<int, 2>;
-  struct Place {
-    Pair origins{}, faces{};
-    PairOrder order;
-    Vec3 where;
-  };
+/// The first of two faces, however many of their elements run through each other; a face in pieces is one.
+struct CrossingPlace {
+  std::array<int, 2> pair{};  ///< origins of the faces
+  std::array<int, 2> faces{};
+  PairOrder order;
+  Vec3 where;
 
-  void add(const Place& place) {
-    const auto [known, is_new] = by_origins.try_emplace(place.origins, place);
-    if (!is_new && place.order < known->second.order) known->second = place;
-  }
-  void add(const FoundCrossings& others) {
-    for (const auto& [origins, place] : others.by_origins) add(place);
-  }
-
-  std::map<Pair, Place> by_origins;
+  PairOrder key() const { return order; }
 };
+using FoundCrossings = FoundPlaces<CrossingPlace>;
 
 class CrossingSearch {
  public:
   using Summary = Directions;
 
-  CrossingSearch(const SurfaceMesh& mesh, const Model& model, const PartPairs& told, Ranks& ranks)
-      : model_(model), ranks_(ranks), all_(mesh, model, ranks) {
+  CrossingSearch(const MeshPieces& all, const Model& model, const PartPairs& told, Ranks& ranks)
+      : model_(model), ranks_(ranks), all_(all) {
     auto number = [&](const std::string& part) {
       return static_cast<int>(std::ranges::find(model.parts, part) - model.parts.begin());
     };
@@ -221,11 +212,8 @@ class CrossingSearch {
     auto found = NearSearch(*this, all_, ranks_)
                      .run<FoundCrossings>([&](FoundCrossings& some, const Piece& a, const Piece& b,
                                               const PairOrder& order) { compare(some, a, b, order); });
-    std::vector<FoundCrossings::Place> mine;
-    for (const auto& [origins, place] : found.by_origins) mine.push_back(place);
-    for (const FoundCrossings::Place& place : gather_all(mine, ranks_)) found.add(place);
     std::vector<Crossing> crossings;
-    for (const auto& [origins, place] : found.by_origins)
+    for (const CrossingPlace& place : list_all(std::move(found), ranks_))
       crossings.push_back({{model_.faces[place.faces[0]].name, model_.faces[place.faces[1]].name}, place.where});
     return crossings;
   }
@@ -261,20 +249,21 @@ class CrossingSearch {
     auto origin = [&](const Piece& piece) { return model_.faces[piece.face].origin; };
     if (origin(b) < origin(a)) return compare(found, b, a, order);
     const Pair origins{origin(a), origin(b)};
-    if (found.by_origins.contains(origins) || is_told(a.face, b.face) || have_common_corner(a, b)) return;
+    if (found.of(origins) || is_told(a.face, b.face) || have_common_corner(a, b)) return;
     if (const auto where = crossing(a.patch, b.patch)) found.add({origins, {a.face, b.face}, order, *where});
   }
 
   const Model& model_;
   Ranks& ranks_;
-  const MeshPieces all_;
+  const MeshPieces& all_;
   std::vector<Pair> told_;  // parts, the lower first
 };
 
 }  // namespace
 
-std::vector<Crossing> find_crossings(const SurfaceMesh& mesh, const Model& model, const PartPairs& told, Ranks& ranks) {
-  return CrossingSearch(mesh, model, told, ranks).run();
+std::vector<Crossing> find_crossings(const MeshPieces& pieces, const Model& model, const PartPairs& told,
+                                     Ranks& ranks) {
+  return CrossingSearch(pieces, model, told, ranks).run();
 }
 
 }  // namespace paver

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "check/near/mesh_pieces.h"
 #include "paver/ranks.h"
 #include "paver/result.h"
 #include "topology/model.h"
@@ -17,7 +18,8 @@ using PartPairs = std::vector<std::array<std::string, 2>>;
 /// the mesh as it is, in the order of the model's faces. Names are those of `model.faces`. Told where a side of one is
 /// more than a hundredth of the longer element before and behind the other, or a corner lies on the other at an angle;
 /// where elements about there are less than 15 degrees apart, it may be missed.
-/// `mesh`: what is here of it. `told`: parts that are known to lack a connection, about which nothing more is said.
-std::vector<Crossing> find_crossings(const SurfaceMesh& mesh, const Model& model, const PartPairs& told, Ranks& ranks);
+/// `pieces`: of the mesh, all that is here of it. `told`: parts that are known to lack a connection, about which
+/// nothing more is said.
+std::vector<Crossing> find_crossings(const MeshPieces& pieces, const Model& model, const PartPairs& told, Ranks& ranks);
 
 }  // namespace paver

@@ -8,7 +8,7 @@
 #include <set>
 #include <tuple>
 
-#include "base/tasks/gather.h"
+#include "check/near/found_places.h"
 #include "check/near/near_search.h"
 
 namespace paver {
@@ -59,42 +59,31 @@ struct CellSets {
   }
 };
 
-/// Places by pairs of parts: the nearest; of those where the parts meet, the first.
-struct FoundGaps {
-  struct Place {
-    Pair parts{};
-    PatchDistance found;
-    bool is_met = false;
-    PairOrder order;
+/// Of a pair of parts: the nearest; of those where the parts meet, the first.
+struct GapPlace {
+  Pair pair{};
+  PatchDistance found;
+  bool is_met = false;
+  PairOrder order;
 
-    auto key() const {
-      const Vec3 x = found.where;
-      return std::tuple(!is_met, is_met ? order : PairOrder{}, found.distance, x.x, x.y, x.z);
-    }
-  };
-
-  void add(const Place& place) {
-    const auto [known, is_new] = by_parts.try_emplace(place.parts, place);
-    if (!is_new && place.key() < known->second.key()) known->second = place;
+  auto key() const {
+    const Vec3 x = found.where;
+    return std::tuple(!is_met, is_met ? order : PairOrder{}, found.distance, x.x, x.y, x.z);
   }
-  void add(const FoundGaps& others) {
-    for (const auto& [parts, place] : others.by_parts) add(place);
-  }
-  /// Parts that run through each other do so in many elements.
-  bool is_met(Pair parts) const {
-    const auto known = by_parts.find(parts);
-    return known != by_parts.end() && known->second.is_met;
-  }
-
-  std::map<Pair, Place> by_parts;
 };
+using FoundGaps = FoundPlaces<GapPlace>;
+
+/// Parts that run through each other do so in many elements.
+bool are_met(const FoundGaps& found, Pair parts) {
+  const GapPlace* place = found.of(parts);
+  return place && place->is_met;
+}
 
 class GapSearch {
  public:
   using Summary = CellSets;
 
-  GapSearch(const SurfaceMesh& mesh, const Model& model, Ranks& ranks)
-      : model_(model), ranks_(ranks), all_(mesh, model, ranks) {
+  GapSearch(const MeshPieces& all, const Model& model, Ranks& ranks) : model_(model), ranks_(ranks), all_(all) {
     find_common();
     number_sets();
   }
@@ -118,12 +107,10 @@ class GapSearch {
                      .run<FoundGaps>([&](FoundGaps& some, const Piece& a, const Piece& b, const PairOrder& order) {
                        compare(some, a, b, order);
                      });
-    std::vector<FoundGaps::Place> mine;
-    for (const auto& [pair, place] : found.by_parts) mine.push_back(place);
-    for (const FoundGaps::Place& place : gather_all(mine, ranks_)) found.add(place);
     std::vector<Gap> gaps;
-    for (const auto& [pair, place] : found.by_parts)
-      gaps.push_back({{model_.parts[pair[0]], model_.parts[pair[1]]}, place.found.distance, place.found.where});
+    for (const GapPlace& place : list_all(std::move(found), ranks_))
+      gaps.push_back(
+          {{model_.parts[place.pair[0]], model_.parts[place.pair[1]]}, place.found.distance, place.found.where});
     return gaps;
   }
 
@@ -211,7 +198,7 @@ class GapSearch {
     std::vector<Pair> pairs;
     for (int p : of_a)
       for (int q : of_b)
-        if (const Pair pair{std::min(p, q), std::max(p, q)}; !some.is_met(pair)) pairs.push_back(pair);
+        if (const Pair pair{std::min(p, q), std::max(p, q)}; !are_met(some, pair)) pairs.push_back(pair);
     if (pairs.empty() || have_common(parts_about(a), parts_about(b))) return;
     const double target = std::min(a.target, b.target);
     const PatchDistance found = distance(a.patch, b.patch);
@@ -222,7 +209,7 @@ class GapSearch {
 
   const Model& model_;
   Ranks& ranks_;
-  const MeshPieces all_;
+  const MeshPieces& all_;
   std::vector<std::set<int>> vertex_parts_;
   std::map<Pair, Common> common_;
   std::vector<Parts> sets_;  // each rising
@@ -231,9 +218,9 @@ class GapSearch {
 
 }  // namespace
 
-std::vector<Gap> find_gaps(const SurfaceMesh& mesh, const Model& model, Ranks& ranks) {
+std::vector<Gap> find_gaps(const MeshPieces& pieces, const Model& model, Ranks& ranks) {
   if (model.parts.size() < 2) return {};
-  return GapSearch(mesh, model, ranks).run();
+  return GapSearch(pieces, model, ranks).run();
 }
 
 }  // namespace paver

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "check/near/mesh_pieces.h"
 #include "paver/ranks.h"
 #include "paver/result.h"
 #include "topology/model.h"
@@ -14,8 +15,8 @@ inline constexpr double told_gap = 0.01;
 
 /// Collective: pairs of parts whose elements come nearer than told_gap, by the mesh as it is, each with its least
 /// distance, in the order of the model's parts; where they share vertices or edges far nearer and away from these.
-/// `mesh`: what is here of it, its faces and edges those of the model. Elements that are of, or have nodes of, one part
+/// `pieces`: of the mesh, all that is here of it. Elements that are of, or have nodes of, one part
 /// in common say nothing: it is between them, as a thin slab is.
-std::vector<Gap> find_gaps(const SurfaceMesh& mesh, const Model& model, Ranks& ranks);
+std::vector<Gap> find_gaps(const MeshPieces& pieces, const Model& model, Ranks& ranks);
 
 }  // namespace paver

@@ -1,6 +1,9 @@
 // Cells and pieces are halved until the target length varies little in each: only near what asks for a short one.
 #include "sizing/parts/local_counts.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace paver {
 namespace {
 
@@ -14,10 +17,25 @@ constexpr double rim = 0.01;            // of the box of a face: nodes on its bo
 constexpr double graded_excess = 1.9;   // rows give up nodes more slowly than the gradation allows (docs/prediction.md)
 constexpr int samples_per_pcurve = 17;  // for the box of a face
 
+/// Of a surface per area of its (u, v), in target lengths `h` of which a turn by `turn_limit` radians is one; 0 at
+/// poles.
+double turned_area(const Surface& surface, Vec2 uv, double h, double turn_limit) {
+  Vec3 x, xu, xv, xuu, xuv, xvv;
+  surface.d2(uv, x, xu, xv, xuu, xuv, xvv);
+  const Vec3 across = cross(xu, xv);
+  if (!(norm(across) > 0)) return 0;
+  const Vec3 n = unit(across);
+  auto turn = [&](Vec3 slope) { return 1 / (turn_limit * norm(across)) * (slope - dot(slope, n) * n); };
+  const Vec3 nu = turn(cross(xuu, xv) + cross(xu, xuv)), nv = turn(cross(xuv, xv) + cross(xu, xvv));
+  auto product = [&](Vec3 a, Vec3 b, Vec3 c, Vec3 d) { return dot(a, b) / (h * h) + dot(c, d); };
+  const double uu = product(xu, xu, nu, nu), uv_part = product(xu, xv, nu, nv), vv = product(xv, xv, nv, nv);
+  return std::sqrt(std::max(0.0, uu * vv - uv_part * uv_part));
+}
+
 class CellCounter {
  public:
-  CellCounter(const Surface& surface, const FaceSize& size, double gradation, LocalCounts& counts)
-      : surface_(surface), size_(size), gradation_(gradation), counts_(counts) {}
+  CellCounter(const Surface& surface, const FaceSize& size, const SizeField& field, LocalCounts& counts)
+      : surface_(surface), size_(size), gradation_(field.gradation), turn_limit_(field.turn_limit), counts_(counts) {}
 
   void add(Vec2 lo, Vec2 hi, int depth) {
     Vec2 middle = 0.5 * (lo + hi);
@@ -35,18 +53,26 @@ class CellCounter {
       return;
     }
     if (is_near) counts_.near.add(lo), counts_.near.add(hi);
-    counts_.is_graded = counts_.is_graded || size_.given_at(x) < graded_share * size_.own();
+    const bool is_graded = size_.given_at(x) < graded_share * size_.own();
+    counts_.is_graded = counts_.is_graded || is_graded;
     double cell = norm(cross(xu, xv)) * (hi.x - lo.x) * (hi.y - lo.y);
     if (!std::isfinite(cell)) return;
     area_ += cell;
-    more_ += cell / (h * h) - cell / (plain * plain);
+    const double more = graded_excess * (cell / (h * h) - cell / (plain * plain));
+    more_ += is_graded ? std::max(more, more_by_turns(middle, h, plain) * (hi.x - lo.x) * (hi.y - lo.y)) : more;
   }
-  double more_density() const { return area_ > 0 ? graded_excess * more_ / area_ : 0; }
+  double more_density() const { return area_ > 0 ? more_ / area_ : 0; }
 
  private:
+  // Per area of (u, v). About a tip the surface turns as much on faces, too, where turns do not count elsewhere.
+  double more_by_turns(Vec2 uv, double h, double plain) const {
+    const double before_turn = size_.turn_weight() > 0 ? turn_limit_ : INFINITY;
+    return turned_area(surface_, uv, h, turn_limit_) - turned_area(surface_, uv, plain, before_turn);
+  }
+
   const Surface& surface_;
   const FaceSize& size_;
-  double gradation_, area_ = 0, more_ = 0;
+  double gradation_, turn_limit_, area_ = 0, more_ = 0;
   int cells_ = 0;
   LocalCounts& counts_;
 };
@@ -86,7 +112,7 @@ LocalCounts count_with_local(const Model& model, const Face& face, const FaceSiz
   }
   SampleBox box = sample_box(model, face);
   if (!face.surface || !box.has_area()) return counts;
-  CellCounter cells(*face.surface, size, field.gradation, counts);
+  CellCounter cells(*face.surface, size, field, counts);
   Vec2 step{(box.hi.x - box.lo.x) / first_cells, (box.hi.y - box.lo.y) / first_cells};
   for (int j = 0; j < first_cells; ++j)
     for (int i = 0; i < first_cells; ++i) {

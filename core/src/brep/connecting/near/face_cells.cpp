@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brep/connecting/face_cells_impl.h"
+#include "brep/connecting/near/face_cells_impl.h"
 
 namespace paver {
 namespace {

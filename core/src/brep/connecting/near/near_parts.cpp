@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "brep/connecting/connect_impl.h"
-#include "brep/connecting/face_cells_impl.h"
+#include "brep/connecting/near/face_cells_impl.h"
+#include "brep/connecting/near/near_parts_impl.h"
 
 namespace paver {
 namespace {
