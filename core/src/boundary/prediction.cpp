@@ -1,6 +1,6 @@
-// Elements of a face: its area over h^2, and one more for each facet that its boundary has beyond its length over h.
-// Short and bent edges make such facets, and rows of small elements before them. How near it comes:
-// core/docs/prediction.md.
+// Elements of a face: its area over h^2, and more for facets that its boundary has beyond its length over h: short and
+// bent edges make such facets, and rows of small elements before them, twice as many about holes, whose rows widen. A
+// strip narrower than h has one row of elements between its facets. How near it comes: core/docs/prediction.md.
 #include "boundary/prediction.h"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 namespace paver {
 namespace {
 
+constexpr double rows_about_holes = 1.9;  // of the facets that holes have more: docs/prediction.md
 constexpr double base_mib = 10;
 constexpr double bytes_per_element = 350, bytes_per_node_of_element = 50;
 
@@ -20,7 +21,10 @@ std::vector<double> predict_elements(const Model& model, const SizeField& size, 
     if (elements[i] <= 0) continue;
     double facets = 0;
     for (const Coedge& coedge : coedges_of(model.faces[i].loops)) facets += counts[coedge.edge];
-    elements[i] += std::max(0.0, facets - size.perimeter[i]);
+    const bool has_holes = model.faces[i].loops.size() > 1;
+    const bool is_strip = !has_holes && elements[i] <= std::max(1.0, 0.5 * size.perimeter[i] - 1);
+    const double more = (has_holes ? rows_about_holes : 1) * std::max(0.0, facets - size.perimeter[i]);
+    elements[i] = is_strip ? std::max(1.0, 0.5 * facets - 1) : elements[i] + more;
     if (kind == Elements::all_triangle) elements[i] *= 2;
   }
   return elements;
