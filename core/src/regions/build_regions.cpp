@@ -198,7 +198,9 @@ class RegionBuilder {
     const auto [x, xu, xv] = face_.surface->slope(uv);
     const Vec3 normal = cross(xu, xv);
     constexpr double degenerate = 1e-6;  // sine between the derivatives
-    return {uv, normal, norm(normal) > degenerate * norm(xu) * norm(xv)};
+    constexpr double collapsed = 1e-9;   // of the other derivative: rounding, at a pole
+    const bool is_pole = std::min(norm(xu), norm(xv)) <= collapsed * std::max(norm(xu), norm(xv));
+    return {uv, normal, !is_pole && norm(normal) > degenerate * norm(xu) * norm(xv)};
   }
 
   double target_at(Vec2 uv) const { return std::min(size_.h, size_.faces[index_].at(uv, *face_.surface)); }

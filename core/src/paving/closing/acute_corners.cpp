@@ -7,8 +7,8 @@
 //        | \m1/ |
 //       a2--m2--b2      The loop runs on b2 -> m2 -> a2.
 //
-// Two columns, or four with two quads at the apex where the turn from side to side asks for them. They end where they
-// are wide enough, where the sides run on side by side or nodes do not face each other.
+// Two columns, or four or six with two or three quads at the apex where the turn from side to side asks for them. They
+// end where they are wide enough, where the sides run on side by side or nodes do not face each other.
 #include "paving/closing/acute_corners.h"
 
 #include <algorithm>
@@ -21,9 +21,11 @@ namespace {
 
 constexpr double acute = 45 * M_PI / 180;    // interior angle
 constexpr double obtuse = 150 * M_PI / 180;  // the same: such a node is on a side
-constexpr double wide_turn = 3;              // target lengths from side to side, turns counted: for four columns
-constexpr int width_steps = 8;               // in which they are measured
-constexpr double wide_enough = 0.6;          // of the target length: width of a column
+constexpr double wide_turn = 3;              // target lengths from side to side, turns counted: for two more columns
+constexpr int most_columns = 6;
+constexpr double bent = 1.5;           // of the width: the same, where the surface turns about the apex
+constexpr int width_steps = 8;         // in which they are measured
+constexpr double wide_enough = 0.6;    // of the target length: width of a column
 constexpr double dip = 0.35;           // of the first row's width: the apex quad's fourth node lies so far behind it
 constexpr double most_uneven = 1.25;   // ratio of the two sides' lengths up to facing nodes
 constexpr double least_opening = 0.4;  // of the mean of the rows before: sides that run side by side end the corner
@@ -38,7 +40,9 @@ class AcuteCorner {
 
   /// Only corners about which the surface turns far are fans though they are not acute.
   bool is_fan(double angle) {
-    columns_ = turned_width(1) > wide_turn * target(1) ? 4 : 2;
+    const double turned = width(1, target(1) / region_.turn_limit);
+    columns_ = std::clamp(2 * static_cast<int>(std::ceil(turned / (wide_turn * target(1)))), 2, most_columns);
+    is_bent_ = turned > bent * width(1, 0);
     return angle < acute || columns_ > 2;
   }
 
@@ -49,12 +53,12 @@ class AcuteCorner {
     int count = 0;
     for (int k = 1; k <= most; ++k) {
       left += distance(a(k), a(k - 1)), right += distance(b(k), b(k - 1));
-      double width = distance(a(k), b(k));
-      if (!(width - last > least_opening * last / std::max(1, k - 1)) ||
+      const double wide = width(k, 0);
+      if (!(wide - last > least_opening * last / std::max(1, k - 1)) ||
           std::max(left, right) > most_uneven * std::min(left, right))
         break;
-      count = k, last = width;
-      if (width > columns_ * wide_enough * target(k)) break;
+      count = k, last = wide;
+      if (wide > columns_ * wide_enough * target(k)) break;
     }
     while (count > 0 && holds_any(count, others)) --count;
     return columns_ == 2 && count < 2 ? 0 : count;
@@ -63,7 +67,7 @@ class AcuteCorner {
   /// The nodes within the last row, over which the loop runs from b to a.
   std::vector<int> lay(int count) {
     // Skew of elements that turn far counts for little in smoothing: their rows would lean.
-    const bool is_kept = mesh_.has_turns() || columns_ > 2;
+    const bool is_kept = mesh_.has_turns() || is_bent_;
     std::vector<int> before, row;
     for (int k = 1; k <= count; ++k, before = std::move(row)) {
       row = {a(k)};
@@ -87,14 +91,14 @@ class AcuteCorner {
   double distance(int u, int v) const { return norm(mesh_.x[u] - mesh_.x[v]); }
   double target(int k) const { return 0.5 * (mesh_.h[a(k)] + mesh_.h[b(k)]); }
 
-  /// From side to side as lengths count turns, whether or not they do on this face.
-  double turned_width(int k) const {
+  /// From side to side along the surface; `turn_weight`: what a radian of its turn counts besides, mm.
+  double width(int k, double turn_weight) const {
     double sum = 0;
     MetricVec last;
     for (int i = 0; i <= width_steps; ++i) {
       const double share = static_cast<double>(i) / width_steps;
       const NodePlace at = region_.place((1 - share) * mesh_.p[a(k)] + share * mesh_.p[b(k)]);
-      const MetricVec here{at.x, (target(k) / region_.turn_limit) * unit(cross(at.xp, at.xq))};
+      const MetricVec here{at.x, turn_weight * unit(cross(at.xp, at.xq))};
       if (i > 0) sum += norm(here - last);
       last = here;
     }
@@ -155,6 +159,7 @@ class AcuteCorner {
   RegionMesh& mesh_;
   const std::vector<int>& nodes_;
   int columns_ = 2;
+  bool is_bent_ = false;
 };
 
 // Interior angle of the loop at its node i: the true one, or where the surface has no tangent plane that of the chords.
