@@ -495,14 +495,14 @@ Options unlimited(Options options) {
 template <class Work>
 auto on_one_rank(const Options& options, Progress& progress, Work work) {
   SingleRank alone;
-  return guard_occt(ErrorCode::internal, kernel_failure, [&] { return work(Run(options, progress, alone)); });
+  return guard_occt(ErrorCode::internal, kernel_failure, progress, [&] { return work(Run(options, progress, alone)); });
 }
 
 }  // namespace
 
 MeshShare mesh_share(const CadModel& model, const Options& options, Progress& progress, Ranks& ranks) {
   check(options);
-  return guard_occt(ErrorCode::internal, kernel_failure, [&] {
+  return guard_occt(ErrorCode::internal, kernel_failure, progress, [&] {
     MeshShare share;
     run_in_arena(options.threads, [&] { share = Run(options, progress, ranks).mesh(model); });
     return share;

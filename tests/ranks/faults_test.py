@@ -44,6 +44,15 @@ def test_a_signal_to_the_parent_ends_all_ranks(start, ranks, number):
     assert "Cancelled" in run.sentence()
 
 
+def test_too_few_open_files_are_told_at_once(tmp_path):
+    limit = lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (33, 33))  # noqa: E731
+    done = subprocess.run([PROGRAM, "mesh", WING, "-o", str(tmp_path / "out.msh"), "--size", "20", "--ranks", "2"],
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60, preexec_fn=limit)
+    assert done.returncode == USAGE
+    assert "takes 40 open files, and the system allows 33" in done.stderr
+    assert not os.listdir(tmp_path)
+
+
 @pytest.mark.parametrize("ranks", [2, 5])
 def test_a_parent_that_vanishes_takes_all_ranks_with_it(start, ranks):
     run = start(ranks, *LONG)

@@ -28,14 +28,16 @@ inline std::string failure_text(const Standard_Failure& failure) {
   return message && *message ? message : failure.DynamicType()->Name();
 }
 
-/// Calls `f` and turns OpenCASCADE's exceptions into Error{code, text}; `text` is the sentence to say.
+/// Calls `f` and turns OpenCASCADE's exceptions into Error{code, text}; `text` is the sentence to say. What the kernel
+/// leaves unfinished when it is cancelled may fail later on: then that is what is said.
 template <class F>
-auto guard_occt(ErrorCode code, const std::string& text, F&& f) {
+auto guard_occt(ErrorCode code, const std::string& text, const Progress& progress, F&& f) {
   try {
     return f();
   } catch (const Standard_OutOfMemory&) {
     throw Error(ErrorCode::out_of_memory, "Out of memory in the CAD kernel; use a smaller model or more memory.");
   } catch (const Standard_Failure& failure) {
+    progress.check();
     throw Error(code, text + " (the CAD kernel says: " + failure_text(failure) + ").");
   }
 }

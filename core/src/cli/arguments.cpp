@@ -51,10 +51,16 @@ void add_options(CLI::App& mesh, Texts& texts) {
   }
 }
 
+/// As from a variable of a script that is not set: nothing would be written, and nobody told.
+std::string has_name(const std::string& file) { return file.empty() ? "the name of the file is empty" : ""; }
+
 void add_output_options(CLI::App& mesh, Arguments& arguments, Texts& texts) {
-  mesh.add_option("--report", arguments.files.report, "Write a report with all figures (JSON)")->type_name("FILE");
+  mesh.add_option("--report", arguments.files.report, "Write a report with all figures (JSON)")
+      ->type_name("FILE")
+      ->check(has_name);
   mesh.add_option("--repaired", arguments.files.repaired, "Write the model as meshed: repaired, sewn, connected (BREP)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(has_name);
   mesh.add_option("--msh-version", texts.msh_version, "Version of a .msh file, 4.1 or 2.2")
       ->type_name("V")
       ->check(CLI::IsMember({"4.1", "2.2"}))

@@ -66,6 +66,11 @@ void complain(std::string text) {
   fmt::print(stderr, "paver: {}\n", text);
 }
 
+void open_standard_streams() {
+  for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDWR);
+}
+
 Progress& guard_run(const Arguments& arguments) {
   static Progress own;
   Progress* progress = make_shared_progress();

@@ -71,6 +71,7 @@ int run(int argc, const char* const* argv) {
 }  // namespace paver
 
 int main(int argc, char** argv) {
+  paver::open_standard_streams();
   constexpr int with_trial = 5;
   if (argc == with_trial && std::string_view(argv[1]) == paver::trial_command)
     return paver::try_file(argv[2], argv[3], std::strtol(argv[4], nullptr, 10));

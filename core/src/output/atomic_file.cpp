@@ -142,6 +142,7 @@ AtomicFile::AtomicFile(const std::string& path, long bytes, const Progress* prog
 AtomicFile::~AtomicFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
   if (is_created_) ::unlink(temporary_.c_str());
+  if (has_earlier_) ::unlink(earlier_.c_str());
 }
 
 void AtomicFile::create(long bytes) {
@@ -163,9 +164,17 @@ void AtomicFile::finish() {
 }
 
 void AtomicFile::commit() {
+  earlier_ = temporary_ + ".earlier";
+  has_earlier_ = ::link(target_.c_str(), earlier_.c_str()) == 0;
+  is_new_ = !has_earlier_ && errno == ENOENT;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail_to_write(path_, errno);
   is_created_ = false;
   synchronise_folder(target_);
+}
+
+void AtomicFile::undo() {
+  if (std::exchange(has_earlier_, false)) ::rename(earlier_.c_str(), target_.c_str());
+  if (std::exchange(is_new_, false)) ::unlink(target_.c_str());
 }
 
 }  // namespace paver

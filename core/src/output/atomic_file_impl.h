@@ -54,15 +54,19 @@ class AtomicFile : public PlacedSink {
   void finish();
   /// Gives the file its name; rank 0 calls it once all ranks have finished.
   void commit();
+  /// Puts back what had that name before; where the file system cannot keep it, the new file stays. Never throws.
+  void undo();
 
  private:
   AtomicFile(const Progress* progress, const std::string& path);
   void create(long bytes);
 
-  std::string path_, target_, temporary_;
+  std::string path_, target_, temporary_, earlier_;
   const Progress* progress_;
   int descriptor_ = -1;
-  bool is_created_ = false;  // here, and has not got its name yet
+  bool is_created_ = false;   // here, and has not got its name yet
+  bool is_new_ = false;       // has its name, which no file had before
+  bool has_earlier_ = false;  // what had its name is kept as `earlier_` until this is destroyed
 };
 
 /// What a thread by itself writes at places of a file.

@@ -103,17 +103,13 @@ std::vector<std::unique_ptr<AtomicFile>> write_texts(const OutputFiles& files, c
 }
 
 /// The mesh last: who waits for it finds the others, too.
-void commit_all(const OutputFiles& files, std::vector<std::unique_ptr<AtomicFile>>& texts, AtomicFile* mesh) {
-  std::vector<std::string> paths{files.repaired, files.report}, committed;
-  std::erase(paths, "");
+void commit_all(std::vector<std::unique_ptr<AtomicFile>>& texts, AtomicFile* mesh) {
+  std::size_t committed = 0;
   try {
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-      texts[i]->commit();
-      committed.push_back(paths[i]);
-    }
+    for (; committed < texts.size(); ++committed) texts[committed]->commit();
     if (mesh) mesh->commit();
   } catch (const Error&) {
-    for (const std::string& path : committed) std::filesystem::remove(path);
+    for (std::size_t i = 0; i < committed; ++i) texts[i]->undo();
     throw;
   }
 }
@@ -137,7 +133,7 @@ void write_held(MeshResult& result, const ShareNumbers& numbers, const OutputFil
     progress.advance();
   });
   do_together(ranks, [&] {
-    if (ranks.rank() == 0) commit_all(files, texts, mesh.get());
+    if (ranks.rank() == 0) commit_all(texts, mesh.get());
   });
 }
 

@@ -473,7 +473,7 @@ class ModelBuilder {
 Model build_model(const Shape& shape, const Options& options, ModelReport report, Progress& progress,
                   SharedTasks& tasks, std::string* brep) {
   QuietMessages quiet;
-  return guard_occt(ErrorCode::internal, "The topology of the model cannot be built",
+  return guard_occt(ErrorCode::internal, "The topology of the model cannot be built", progress,
                     [&] { return ModelBuilder(shape, std::move(report), progress, tasks).build(options, brep); });
 }
 

@@ -55,6 +55,13 @@ TEST(CheckOptions, NamesTheBadFieldAndItsValue) {
   EXPECT_EQ(refusal_after([](Options& o) { o.sew_tolerance = 0; }), "");
 }
 
+TEST(CheckOptions, LengthsAndTurnsAreOfASizeThatCanBeReckonedWith) {
+  EXPECT_EQ(refusal_after([](Options& o) { o.size = 1e-300; }), "size is 1e-300 mm; it must be from 1e-09 to 1e+15.");
+  EXPECT_EQ(refusal_after([](Options& o) { o.size = 1e300; }), "size is 1e+300 mm; it must be from 1e-09 to 1e+15.");
+  EXPECT_NE(refusal_after([](Options& o) { o.chord_error = 1e-300; }), "");
+  EXPECT_NE(refusal_after([](Options& o) { o.max_turn = 1e-300; }), "");
+}
+
 TEST(CheckOptions, LocalLengthsArePositiveAndForPartsOfModels) {
   auto of = [](LocalSize local) { return refusal_after([=](Options& o) { o.local = {local}; }); };
   EXPECT_EQ(of({"Face3", 1.0}), "");

@@ -65,6 +65,10 @@ class Contract(unittest.TestCase):
         self.refused(self.mesh("--size", "5", "--divisions", "9"), USAGE, "--frequency")
         self.refused(self.mesh("--frequency", "1GHz", "--eps-r", "0"), USAGE, "--eps-r")
         self.refused(self.mesh("--size", "5", "--max-turn", "200"), USAGE, "--max-turn is 200 degrees")
+        for option in ("--size", "--frequency"):
+            for value in ("1e-300", "1e300"):
+                self.refused(self.mesh(option, value), USAGE, " mm; it must be ")
+        self.refused(self.mesh("--size", "5", "--report", ""), USAGE, "--report: the name of the file is empty")
         self.refused(self.mesh("--size", "5", "--msh-version", "3"), USAGE, "3")
         self.refused(self.mesh("--size", "5", "--order", "two"), USAGE, "two")
         self.refused(self.call("mesh", BOX, "-o", os.path.join(self.folder, "out.stl"), "--size", 5), USAGE, ".msh")
@@ -121,6 +125,13 @@ class Contract(unittest.TestCase):
         self.assertEqual(sorted(os.listdir(self.folder)), ["out.msh", "report.json"])
         done = self.mesh("--size", "2cm", "--quiet")
         self.assertEqual((done.returncode, done.stdout, done.stderr), (OK, "", ""))
+
+    def test_files_are_whole_where_standard_streams_are_closed(self):
+        command = [runs.PROGRAM, "mesh", BOX, "-o", self.out, "--size", "5", "--ascii", "--report", self.report]
+        subprocess.run(["sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh", *command], timeout=60, check=True)
+        with open(self.out) as mesh, open(self.report) as report:
+            self.assertTrue(mesh.read().startswith("$MeshFormat"))
+            self.assertEqual(json.load(report)["target_length"], 5)
 
     def test_versions_and_ascii(self):
         for options, head in ((["--msh-version", "2.2"], "2.2 1 8"), (["--msh-version", "2.2", "--ascii"], "2.2 0 8"),

@@ -249,5 +249,21 @@ TEST_F(WriteShare, RemovesTheFileWhenOneRankCannotWriteItsPieces) {
   EXPECT_EQ(files_left(), 0);
 }
 
+TEST_F(WriteShare, WhatHadTheNameComesBack) {
+  std::ofstream(path("old.json")) << "earlier";
+  for (bool is_undone : {true, false}) {
+    AtomicFile old(path("old.json")), fresh(path("fresh.json"));
+    for (AtomicFile* file : {&old, &fresh}) {
+      file->write("new");
+      file->finish();
+      file->commit();
+      if (is_undone) file->undo();
+    }
+    EXPECT_EQ(content(path("old.json")), is_undone ? "earlier" : "new");
+    EXPECT_EQ(fs::exists(path("fresh.json")), !is_undone);
+  }
+  EXPECT_EQ(files_left(), 2);
+}
+
 }  // namespace
 }  // namespace paver

@@ -19,34 +19,37 @@ namespace {
 constexpr double light_speed_mm_per_s = 299'792'458e3;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_threads = 1024, most_ranks = 4096;
+constexpr double least_length = 1e-9, most_length = 1e15;  // mm: beyond them squares of coordinates lose their digits
+constexpr double least_turn = 0.01;                        // degrees
 
 [[noreturn]] void refuse(const std::string& text) { throw Error(ErrorCode::bad_option, text); }
 
-void check_positive(const char* name, double value, const char* unit = "") {
+void check_positive(const std::string& name, double value, const char* unit = "") {
   if (!(value > 0 && value < infinity)) {
     refuse(fmt::format("{} is {:.6g}{}; it must be a finite number above 0.", name, value, unit));
   }
 }
 
-void check_range(const char* name, double value, double low, double high) {
+void check_range(const std::string& name, double value, double low, double high, const char* unit = "") {
   if (!(value >= low && value <= high)) {
-    refuse(fmt::format("{} is {:.6g}; it must be from {:.6g} to {:.6g}.", name, value, low, high));
+    refuse(fmt::format("{} is {:.6g}{}; it must be from {:.6g} to {:.6g}.", name, value, unit, low, high));
   }
+}
+
+void check_length(const std::string& name, double value) {
+  check_positive(name, value, " mm");
+  check_range(name, value, least_length, most_length, " mm");
 }
 
 void check_target(const Options& options) {
   if (options.size && options.frequency) refuse("Both size and frequency are set; give only one of them.");
   if (!options.size && !options.frequency) refuse("No target length: set size, or frequency and divisions.");
-  if (options.size) check_positive("size", *options.size, " mm");
+  if (options.size) check_length("size", *options.size);
   if (options.frequency) check_positive("frequency", *options.frequency, " Hz");
   check_positive("divisions", options.divisions);
   check_positive("eps_r", options.eps_r);
   check_positive("mu_r", options.mu_r);
-  double h = target_length(options);
-  if (!(h > 0 && h < infinity)) {
-    refuse(fmt::format("The target length that follows from the frequency is {:.6g} mm; it must be finite and above 0.",
-                       h));
-  }
+  check_length("The target length that follows from the frequency", target_length(options));
 }
 
 void check_local(const Options& options, const LocalSize& local) {
@@ -54,15 +57,12 @@ void check_local(const Options& options, const LocalSize& local) {
     refuse(fmt::format("local names '{}', which is no part of a model; write Face3, Edge5, Vertex2 or Solid1.",
                        local.part));
   const std::string name = "local " + local.part;
-  if (local.size) check_positive(name.c_str(), *local.size, " mm");
-  check_positive((name + " eps_r").c_str(), local.eps_r);
-  check_positive((name + " mu_r").c_str(), local.mu_r);
+  if (local.size) check_length(name, *local.size);
+  check_positive(name + " eps_r", local.eps_r);
+  check_positive(name + " mu_r", local.mu_r);
   if (!local.size && !options.frequency)
     refuse(fmt::format("{} has a medium, which needs frequency; set frequency, or give a length instead.", name));
-  double h = local_length(options, local);
-  if (!(h > 0 && h < infinity))
-    refuse(fmt::format("{}: the length that follows from the frequency is {:.6g} mm; it must be finite and above 0.",
-                       name, h));
+  check_length(name + ": the length that follows from the frequency", local_length(options, local));
 }
 
 double length_in_medium(const Options& options, double eps_r, double mu_r) {
@@ -101,11 +101,11 @@ void check(const Options& options) {
   check_range("merge_width", options.merge_width, 0, 0.5);
   if (options.max_turn) {
     double degrees = *options.max_turn * 180 / std::numbers::pi;
-    if (!(degrees > 0 && degrees <= 90.000001)) {
-      refuse(fmt::format("max_turn is {:.6g} degrees; it must be above 0 and at most 90 degrees.", degrees));
+    if (!(degrees >= least_turn && degrees <= 90.000001)) {
+      refuse(fmt::format("max_turn is {:.6g} degrees; it must be from {:.6g} to 90 degrees.", degrees, least_turn));
     }
   }
-  if (options.chord_error) check_positive("chord_error", *options.chord_error, " mm");
+  if (options.chord_error) check_length("chord_error", *options.chord_error);
   if (options.max_elements < 1) {
     refuse(fmt::format("max_elements is {}; it must be at least 1.", options.max_elements));
   }

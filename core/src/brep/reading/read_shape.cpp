@@ -106,7 +106,7 @@ std::shared_ptr<Shape> read_shape(const FileSource& file, ModelReport& report, P
     if (!std::exchange(was_tried, true)) try_elsewhere(file, progress);
   };
   QuietMessages quiet;
-  guard_occt(ErrorCode::damaged_file, "'" + file.name + "' could not be read; export the model again", [&] {
+  guard_occt(ErrorCode::damaged_file, "'" + file.name + "' could not be read; export the model again", progress, [&] {
     if (format == FileFormat::brep || format == FileFormat::binary_brep) {
       if (format == FileFormat::binary_brep && !file.is_handed_over) try_once();
       read_brep(file, format == FileFormat::binary_brep, *shape, report, progress);
