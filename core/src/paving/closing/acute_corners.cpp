@@ -21,7 +21,7 @@ namespace {
 
 constexpr double acute = 45 * M_PI / 180;    // interior angle
 constexpr double obtuse = 150 * M_PI / 180;  // the same: such a node is on a side
-constexpr double wide_turn = 3;              // target lengths from side to side, turns counted: for two more columns
+constexpr double wide_turn = 2.3;            // target lengths from side to side, turns counted: for two more columns
 constexpr int most_columns = 6;
 constexpr double bent = 1.5;           // of the width: the same, where the surface turns about the apex
 constexpr int width_steps = 8;         // in which they are measured

@@ -103,6 +103,7 @@ void LocalSizes::put_on_tips(const Model& model, const Options& options, double 
     auto is_at_tip = [&](const auto& point) { return norm(point.first - x) < same_point * length; };
     if (length >= tip.room || std::any_of(given.begin(), given.end(), is_at_tip)) continue;
     points_.push_back({x, length});
+    tip_faces_.insert(tip_faces_.end(), tip.faces.begin(), tip.faces.end());
     least_ = std::min(least_, length);
   }
 }

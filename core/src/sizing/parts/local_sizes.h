@@ -2,6 +2,7 @@
 // around them.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
@@ -32,6 +33,8 @@ class LocalSizes {
   double at(Vec3 x, double most = none) const { return sources_.least(x, most); }
   /// Least of all.
   double least() const { return least_; }
+  /// Whether the surface comes to a point at a corner of the face, where it has a length for that.
+  bool has_tip(int face) const { return std::ranges::find(tip_faces_, face) != tip_faces_.end(); }
   /// Lengths that have no effect, or less than asked for, in sentences.
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -48,6 +51,7 @@ class LocalSizes {
   std::vector<double> of_face_;  // per face of the model
   std::vector<double> of_edge_;  // per edge of the shape as read
   std::vector<double> of_part_;  // of solids: of what lies inside
+  std::vector<int> tip_faces_;
   std::vector<std::pair<Vec3, double>> points_;
   std::vector<SizeSource> lines_;  // across gaps, about small holes, at given places
   NearestSource sources_;
