@@ -119,7 +119,8 @@ def check_arguments(arguments):
     first += [f"{stem}.{ending}" for stem in stems for ending in arguments.export[:1]]
     for path in first:
         if not os.path.isdir(os.path.dirname(os.path.abspath(path))):
-            raise fault(f"Cannot write '{path}': no such file or directory.", "unwritable_output")
+            raise fault(f"Cannot write '{path}': no such file or directory; make that folder, or choose another "
+                        "one.", "unwritable_output")
     if arguments.folder and not os.path.isdir(arguments.folder):
         raise fault(f"The folder {os.path.abspath(arguments.folder)} does not exist; make it, or name another.", "unwritable_output")
 

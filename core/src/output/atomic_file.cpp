@@ -39,6 +39,25 @@ std::string reason_of(int error_number) {
   return reason;
 }
 
+const char* remedy_for(int error_number) {
+  switch (error_number) {
+    case ENOSPC:
+    case EDQUOT:
+      return "make room there, or choose another place";
+    case EFBIG:
+      return "allow larger files (ulimit -f), or choose a larger target length";
+    case ENOENT:
+    case ENOTDIR:
+      return "make that folder, or choose another one";
+    case EISDIR:
+    case ENAMETOOLONG:
+    case ELOOP:
+      return "choose another name";
+    default:
+      return "choose another place, or see to it that this one may be written";
+  }
+}
+
 /// Makes a new name in a folder survive a power cut; not every file system can, and that is no failure.
 void synchronise_folder(const fs::path& file) {
   fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -56,8 +75,9 @@ std::string writable_target(const std::string& path) {
   if (::stat(target.c_str(), &found) != 0) return target;
   if (S_ISDIR(found.st_mode)) fail_to_write(path, EISDIR);
   if (!S_ISREG(found.st_mode)) {
-    throw Error(ErrorCode::unwritable_output,
-                fmt::format("Cannot write '{}': it is a device or pipe, not a regular file.", path));
+    throw Error(
+        ErrorCode::unwritable_output,
+        fmt::format("Cannot write '{}': it is a device or pipe, not a regular file; choose another name.", path));
   }
   if (::access(target.c_str(), W_OK) != 0) fail_to_write(path, errno);
   return target;
@@ -117,7 +137,8 @@ std::string temporary_name(const std::string& path, long process) {
 }
 
 void fail_to_write(const std::string& path, int error_number) {
-  throw Error(ErrorCode::unwritable_output, fmt::format("Cannot write '{}': {}.", path, reason_of(error_number)));
+  throw Error(ErrorCode::unwritable_output,
+              fmt::format("Cannot write '{}': {}; {}.", path, reason_of(error_number), remedy_for(error_number)));
 }
 
 AtomicFile::AtomicFile(const Progress* progress, const std::string& path)

@@ -9,7 +9,7 @@
 
 namespace paver {
 
-/// "Cannot write 'PATH': REASON."
+/// "Cannot write 'PATH': REASON; what to do."
 [[noreturn]] void fail_to_write(const std::string& path, int error_number);
 
 /// What is written goes to places of a file.

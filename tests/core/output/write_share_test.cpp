@@ -192,7 +192,9 @@ TEST_F(WriteShare, TellsAllRanksOfAFolderThatCannotBeWritten) {
   MeshResult whole = fake::WavyMesh(1, 4, 0).result();
   std::string where = path("no/such/a.msh");
   expect_all(failures(whole, 3, {where, "", MshVersion::v4_1, false}),
-             fmt::format("unwritable_output: Cannot write '{}': no such file or directory.", where));
+             fmt::format("unwritable_output: Cannot write '{}': no such file or directory; make that folder, or choose "
+                         "another one.",
+                         where));
   where = path("no/such/r.json");
   expect_all(failures(whole, 3, {path("a.vtu"), where, MshVersion::v4_1, false}),
              "unwritable_output: Cannot write '" + where);
