@@ -146,12 +146,12 @@ bool has_ridge(const std::vector<CurvatureSample>& samples, const std::vector<do
 }
 
 // Turns count where they matter, and sides can follow them (decision metric); not on large faces that bend gently,
-// which are meshed by levels. Faces without a border have layouts for one length, or are cut and paved: with tips, or
-// where only ridges ask for that, and the face is not so small that a few quads go round it.
-bool turns_count(const Model& model, const Face& face, double h, double stretch, bool has_tip,
+// which are meshed by levels. Faces without a border have layouts for one length, or are cut and paved: with tips at
+// both ends, or where a tip or only ridges ask for that, and the face is not so small that a few quads go round it.
+bool turns_count(const Model& model, const Face& face, double h, double stretch, int tips,
                  const std::vector<CurvatureSample>& samples, const std::vector<double>& sizes) {
   const bool is_large = face.area > small_face * h * h;
-  if (!has_border(model, face) && !has_tip && !(is_large && has_ridge(samples, sizes))) return false;
+  if (!has_border(model, face) && tips < 2 && !(is_large && (tips > 0 || has_ridge(samples, sizes)))) return false;
   return stretch > (face.area > large_face * h * h ? large_stretch : least_stretch);
 }
 
@@ -166,7 +166,7 @@ double line_spacing(double spacing, double stretch, double weight) {
   return turn * most_spacing * spacing > cell_turn ? std::max(spacing, cell_turn / turn) : most_spacing * spacing;
 }
 
-SampledFace sample_face(const Model& model, const Face& face, double h, double turn_limit, bool has_tip,
+SampledFace sample_face(const Model& model, const Face& face, double h, double turn_limit, int tips,
                         const Options& options) {
   SampledFace flat{FaceSize(h), 1 / (h * h)};
   if (!face.surface || face.surface->kind() == SurfaceKind::plane) return flat;
@@ -192,7 +192,7 @@ SampledFace sample_face(const Model& model, const Face& face, double h, double t
 
   const double weight = h / turn_limit;
   const Vec2 stretch = largest_stretch(samples, weight);
-  if (options.aspect > 1 && turns_count(model, face, h, std::max(stretch.x, stretch.y), has_tip, samples, sizes)) {
+  if (options.aspect > 1 && turns_count(model, face, h, std::max(stretch.x, stretch.y), tips, samples, sizes)) {
     const double least = least_spacing(h, turn_limit, options.aspect), spacing = std::max(table_spacing * h, least);
     const Vec2 apart{line_spacing(spacing, stretch.x, weight), line_spacing(spacing, stretch.y, weight)};
     const auto normals =
@@ -330,7 +330,7 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
     const Face& face = model.faces[f];
     bool is_meshed = face.is_meshed();
     SampledFace sampled = is_meshed ? sample_face(model, face, field.face_h[f], field.turn_limit,
-                                                  field.local->has_tip(static_cast<int>(f)), options)
+                                                  field.local->tips_of(static_cast<int>(f)), options)
                                     : SampledFace{FaceSize(field.h), 0};
     field.perimeter.push_back(sampled.size.turn_weight() > 0 ? turned_perimeter(model, face, sampled.size)
                                                              : perimeter(model, face) / field.face_h[f]);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/local_parts.h"
 #include "paver/error.h"
@@ -103,7 +104,8 @@ void LocalSizes::put_on_tips(const Model& model, const Options& options, double 
     auto is_at_tip = [&](const auto& point) { return norm(point.first - x) < same_point * length; };
     if (length >= tip.room || std::any_of(given.begin(), given.end(), is_at_tip)) continue;
     points_.push_back({x, length});
-    tip_faces_.insert(tip_faces_.end(), tip.faces.begin(), tip.faces.end());
+    tips_of_face_.resize(model.faces.size());
+    for (int face : std::set<int>(tip.faces.begin(), tip.faces.end())) ++tips_of_face_[face];
     least_ = std::min(least_, length);
   }
 }

@@ -2,7 +2,6 @@
 // around them.
 #pragma once
 
-#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
@@ -33,8 +32,8 @@ class LocalSizes {
   double at(Vec3 x, double most = none) const { return sources_.least(x, most); }
   /// Least of all.
   double least() const { return least_; }
-  /// Whether the surface comes to a point at a corner of the face, where it has a length for that.
-  bool has_tip(int face) const { return std::ranges::find(tip_faces_, face) != tip_faces_.end(); }
+  /// Corners of the face where the surface comes to a point and has a length for that.
+  int tips_of(int face) const { return tips_of_face_.empty() ? 0 : tips_of_face_[face]; }
   /// Lengths that have no effect, or less than asked for, in sentences.
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -48,10 +47,10 @@ class LocalSizes {
   void put_on_holes(const Model& model, double h);
   void add_sources(const Model& model, double gradation);
 
-  std::vector<double> of_face_;  // per face of the model
-  std::vector<double> of_edge_;  // per edge of the shape as read
-  std::vector<double> of_part_;  // of solids: of what lies inside
-  std::vector<int> tip_faces_;
+  std::vector<double> of_face_;    // per face of the model
+  std::vector<int> tips_of_face_;  // empty: there are none
+  std::vector<double> of_edge_;    // per edge of the shape as read
+  std::vector<double> of_part_;    // of solids: of what lies inside
   std::vector<std::pair<Vec3, double>> points_;
   std::vector<SizeSource> lines_;  // across gaps, about small holes, at given places
   NearestSource sources_;
