@@ -17,20 +17,32 @@ constexpr double rim = 0.01;            // of the box of a face: nodes on its bo
 constexpr double graded_excess = 1.9;   // rows give up nodes more slowly than the gradation allows (docs/prediction.md)
 constexpr int samples_per_pcurve = 17;  // for the box of a face
 
-/// Of a surface per area of its (u, v), in target lengths `h` of which a turn by `turn_limit` radians is one; 0 at
-/// poles.
-double turned_area(const Surface& surface, Vec2 uv, double h, double turn_limit) {
-  Vec3 x, xu, xv, xuu, xuv, xvv;
-  surface.d2(uv, x, xu, xv, xuu, xuv, xvv);
-  const Vec3 across = cross(xu, xv);
-  if (!(norm(across) > 0)) return 0;
-  const Vec3 n = unit(across);
-  auto turn = [&](Vec3 slope) { return 1 / (turn_limit * norm(across)) * (slope - dot(slope, n) * n); };
-  const Vec3 nu = turn(cross(xuu, xv) + cross(xu, xuv)), nv = turn(cross(xuv, xv) + cross(xu, xvv));
-  auto product = [&](Vec3 a, Vec3 b, Vec3 c, Vec3 d) { return dot(a, b) / (h * h) + dot(c, d); };
-  const double uu = product(xu, xu, nu, nu), uv_part = product(xu, xv, nu, nv), vv = product(xv, xv, nv, nv);
-  return std::sqrt(std::max(0.0, uu * vv - uv_part * uv_part));
-}
+/// What a surface and its turn come to about a place, per area of its (u, v).
+class TurnedArea {
+ public:
+  TurnedArea(const Surface& surface, Vec2 uv) {
+    Vec3 x, xuu, xuv, xvv;
+    surface.d2(uv, x, xu_, xv_, xuu, xuv, xvv);
+    const Vec3 across = cross(xu_, xv_);
+    if (!(norm(across) > 0)) return;  // a pole: none
+    const Vec3 n = unit(across);
+    auto turn = [&](Vec3 slope) { return 1 / norm(across) * (slope - dot(slope, n) * n); };
+    nu_ = turn(cross(xuu, xv_) + cross(xu_, xuv)), nv_ = turn(cross(xuv, xv_) + cross(xu_, xvv));
+  }
+
+  /// In squares of the target length `h`, of which a turn by `turn_limit` radians is one, too.
+  double in(double h, double turn_limit) const {
+    auto product = [&](Vec3 a, Vec3 b, Vec3 m, Vec3 n) {
+      return dot(a, b) / (h * h) + dot(m, n) / (turn_limit * turn_limit);
+    };
+    const double uu = product(xu_, xu_, nu_, nu_), mixed = product(xu_, xv_, nu_, nv_),
+                 vv = product(xv_, xv_, nv_, nv_);
+    return std::sqrt(std::max(0.0, uu * vv - mixed * mixed));
+  }
+
+ private:
+  Vec3 xu_, xv_, nu_, nv_;
+};
 
 class CellCounter {
  public:
@@ -66,8 +78,8 @@ class CellCounter {
  private:
   // Per area of (u, v). About a tip the surface turns as much on faces, too, where turns do not count elsewhere.
   double more_by_turns(Vec2 uv, double h, double plain) const {
-    const double before_turn = size_.turn_weight() > 0 ? turn_limit_ : INFINITY;
-    return turned_area(surface_, uv, h, turn_limit_) - turned_area(surface_, uv, plain, before_turn);
+    const TurnedArea area(surface_, uv);
+    return area.in(h, turn_limit_) - area.in(plain, size_.turn_weight() > 0 ? turn_limit_ : INFINITY);
   }
 
   const Surface& surface_;
