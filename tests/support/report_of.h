@@ -2,6 +2,7 @@
 #pragma once
 
 #include <BRepTools.hxx>
+#include <algorithm>
 #include <string>
 
 #include "core/brep/shape_files.h"
@@ -24,5 +25,12 @@ inline MeshResult mesh_of(const TopoDS_Shape& shape, double size) {
 }
 
 inline RunReport report_of(const TopoDS_Shape& shape, double size) { return mesh_of(shape, size).report; }
+
+/// Over all faces, mm.
+inline double longest_side(const RunReport& report) {
+  double longest = 0;
+  for (const FaceReport& face : report.faces) longest = std::max(longest, face.longest_side);
+  return longest;
+}
 
 }  // namespace paver::test

@@ -32,18 +32,12 @@ TopoDS_Shape wall(double half_angle, int pieces, bool ends_at_apex) {
   return sewing.SewedShape();
 }
 
-double longest_side(const RunReport& report) {
-  double longest = 0;
-  for (const FaceReport& face : report.faces) longest = std::max(longest, face.longest_side);
-  return longest;
-}
-
 TEST(TipsInPieces, ColumnsEndInAFaceThatGoesNearlyRound) {
   for (double degrees : {240.0, 300.0, 340.0}) {
     const TopoDS_Shape cut = BRepPrimAPI_MakeCone(15, 0, 60, degrees * pi / 180).Shape();
     for (double h : {1.5, 4.0}) {
       const RunReport report = test::report_of(cut, h);
-      EXPECT_LT(longest_side(report), 1.7 * h) << degrees << " " << h;
+      EXPECT_LT(test::longest_side(report), 1.7 * h) << degrees << " " << h;
       EXPECT_LT(report.quality.distance.largest, 0.02 * h) << degrees << " " << h;
     }
   }

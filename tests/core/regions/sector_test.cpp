@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <BRepPrimAPI_MakeCone.hxx>
-#include <algorithm>
 #include <numbers>
 
 #include "support/report_of.h"
@@ -10,17 +9,11 @@
 namespace paver {
 namespace {
 
-double longest_side(const RunReport& report) {
-  double longest = 0;
-  for (const FaceReport& face : report.faces) longest = std::max(longest, face.longest_side);
-  return longest;
-}
-
 TEST(Sector, OfAFlatConeHasElementsOfOneLength) {
   for (double degrees : {240.0, 317.0, 345.0}) {
     const RunReport report =
         test::report_of(BRepPrimAPI_MakeCone(10, 0, 3, degrees * std::numbers::pi / 180).Shape(), 1);
-    EXPECT_LT(longest_side(report), 1.6) << degrees;
+    EXPECT_LT(test::longest_side(report), 1.6) << degrees;
     EXPECT_STREQ(verdict(report), "sound") << degrees;
     EXPECT_LE(report.quality.triangles, 2) << degrees;
   }

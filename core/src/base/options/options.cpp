@@ -99,12 +99,8 @@ void check(const Options& options) {
   check_range("gap_elements", options.gap_elements, 1, 8);
   check_range("merge", options.merge, 0, 0.5);
   check_range("merge_width", options.merge_width, 0, 0.5);
-  if (options.max_turn) {
-    double degrees = *options.max_turn * 180 / std::numbers::pi;
-    if (!(degrees >= least_turn && degrees <= 90.000001)) {
-      refuse(fmt::format("max_turn is {:.6g} degrees; it must be from {:.6g} to 90 degrees.", degrees, least_turn));
-    }
-  }
+  if (options.max_turn)
+    check_range("max_turn", *options.max_turn * 180 / std::numbers::pi, least_turn, 90.000001, " degrees");
   if (options.chord_error) check_length("chord_error", *options.chord_error);
   if (options.max_elements < 1) {
     refuse(fmt::format("max_elements is {}; it must be at least 1.", options.max_elements));

@@ -124,10 +124,10 @@ class Connector {
           origins.insert(work_.faces[f].origin);
         }
         WorkFace piece = piece_of(image);
-        if (origins.size() > 1) piece.gap = closed_gap(image, work_, fusion.tolerance);
         if (origins.size() == 1) {
           pieces[image.of[0]].push_back(std::move(piece));
         } else {
+          piece.gap = closed_gap(image, work_, fusion.tolerance);
           common[{origins.begin(), origins.end()}].push_back(std::move(piece));
         }
       }
