@@ -8,6 +8,7 @@
 
 #include "boundary/edge_metric.h"
 #include "boundary/edge_nodes.h"
+#include "boundary/facing/few_sides.h"
 #include "boundary/facing/match_gaps.h"
 #include "boundary/facing/match_strips.h"
 #include "boundary/facing/tie_sides.h"
@@ -132,6 +133,7 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
     loops.push_back(model.faces[f].is_meshed() ? linked_loops(model, static_cast<int>(f)) : std::vector<Loop>{});
     for (const Loop& loop : loops.back()) loop_edges.push_back(edges_of(loop));
   }
+  divide_few_sides(model, loops, counts);
   match_gaps(model, size, loops, counts);
   const std::vector<OppositeSides> pairs = find_opposite_sides(model, loops);
   match_bent_strips(model, pairs, counts);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "curving/near_surface.h"
+#include "repair/edits/row_along.h"
 
 namespace paver {
 namespace {
@@ -27,14 +28,16 @@ bool has_even_sides(const RegionMesh& mesh, const Element& e, int n) {
   return true;
 }
 
-bool has_flat_sides(const RegionMesh& mesh, const Element& e, int n, const BoundarySides& sides) {
+bool has_flat_sides(const ElementJudge& judge, const Element& e, int n) {
+  const RegionMesh& mesh = judge.mesh();
   for (int k = 0; k < n; ++k) {
     const int a = e.v[k], b = e.v[(k + 1) % n];
     if (mesh.global[a] < 0 || mesh.global[b] < 0) continue;
     if (mesh.global[a] == mesh.global[b]) return false;
-    const BoundarySide* side = sides.find(mesh.global[a], mesh.global[b]);
+    const BoundarySide* side = judge.sides().find(mesh.global[a], mesh.global[b]);
     const Vec3 chord = mesh.x[b] - mesh.x[a];
     if (side && norm(side->middle - mesh.x[a] - 0.5 * chord) > most_bulge * norm(chord)) return false;
+    if (side && is_straight(judge, e.v[(k + n - 1) % n], a, b, least_jacobian)) return false;
   }
   return true;
 }
@@ -42,7 +45,7 @@ bool has_flat_sides(const RegionMesh& mesh, const Element& e, int n, const Bound
 bool is_bad(const ElementJudge& judge, const Element& e) {
   if (!has_jacobian(judge.mesh(), e, poor)) return true;
   const double value = judge.value(e.v);
-  return value <= 0 || (value < poor && judge.order() > 1 && judge.is_far_off(e.v));
+  return value <= 0 || (value < poor && judge.order() > 1);
 }
 
 }  // namespace
@@ -55,7 +58,7 @@ std::vector<int> find_bad(const ElementJudge& judge) {
     if (!e.is_alive()) continue;
     const int n = e.corners();
     const bool is_plain = has_jacobian(mesh, e, least_jacobian) && is_flat(mesh, e, n) && is_positive(mesh, e) &&
-                          has_flat_sides(mesh, e, n, judge.sides()) && has_even_sides(mesh, e, n);
+                          has_flat_sides(judge, e, n) && has_even_sides(mesh, e, n);
     if (!is_plain && is_bad(judge, e)) bad.push_back(static_cast<int>(i));
   }
   return bad;

@@ -11,6 +11,7 @@
 #include "repair/edits/divide_inside.h"
 #include "repair/edits/move_corners.h"
 #include "repair/edits/patch.h"
+#include "repair/edits/row_along.h"
 
 namespace paver {
 namespace {
@@ -78,7 +79,7 @@ class Mender {
   struct Candidate {
     ElementSet gone;
     Filling filling;
-    std::optional<Vec2> node;  ///< place of a new node, the next of the mesh
+    std::vector<Vec2> nodes;  ///< places of new nodes, the next of the mesh
     double merit = -10;
   };
 
@@ -100,6 +101,27 @@ class Mender {
       return true;
     }
     Candidate best;
+    try_sets(e, best);
+    if (best.gone.empty() && !may_have_triangles_ && has_straight_corner(judge_, e)) {
+      may_have_triangles_ = true;
+      try_sets(e, best);
+    }
+    if (now <= 0 && best.filling.worst < fair) {
+      if (divide_bend(judge_, e, kinds_, mesh_) > 0) {
+        note(ElementRepairKind::divided, where);
+        return true;
+      }
+      try_sides(e, best);
+    }
+    if (best.gone.empty() && now <= 0) grow(e, best);
+    if (best.gone.empty()) return false;
+    carry_out(best);
+    note(best.nodes.empty() ? ElementRepairKind::refilled : ElementRepairKind::divided, where);
+    return true;
+  }
+
+  /// The element alone, with one neighbour, with two, the stars of its corners, its ring.
+  void try_sets(int e, Candidate& best) {
     const ElementSet about = neighbours_of(mesh_, e);
     try_set({e}, best);
     for (int f : about) try_set({e, f}, best);
@@ -112,18 +134,6 @@ class Mender {
       if (v >= 0) try_set({mesh_.star[v].begin(), mesh_.star[v].end()}, best);
     try_set(with(about, e), best);
     try_set(ring_about(mesh_, e), best);
-    if (now <= 0 && best.filling.worst < fair) {
-      if (divide_bend(judge_, e, kinds_, mesh_) > 0) {
-        note(ElementRepairKind::divided, where);
-        return true;
-      }
-      try_sides(e, best);
-    }
-    if (best.gone.empty() && now <= 0) grow(e, best);
-    if (best.gone.empty()) return false;
-    carry_out(best);
-    note(best.node ? ElementRepairKind::divided : ElementRepairKind::refilled, where);
-    return true;
   }
 
   /// Fillings of places that overlap ask for the same elements again and again.
@@ -170,8 +180,29 @@ class Mender {
       h += mesh_.h[v] / static_cast<double>(outline.loop.size());
     }
     const int node = add_node(p, h);
-    consider({set, fill_about(node, outline.loop, kinds_, value), p}, best);
+    consider({set, fill_about(node, outline.loop, kinds_, value), {p}}, best);
     mesh_.drop_last_node();
+    if (kinds_.quads && best.filling.worst < fair)
+      for (const SmoothRun& run : smooth_runs(judge_, outline.loop)) try_row(set, outline.loop, run, best);
+  }
+
+  /// Along a smooth part of the border, where two sides of a quad would leave no angle between them.
+  void try_row(const ElementSet& set, const std::vector<int>& outline, SmoothRun run, Candidate& best) {
+    if (outline.size() < run.sides + 2 || (outline.size() == run.sides + 2 && run.sides < 3)) return;
+    const std::vector<Vec2> places = places_of_row(mesh_, outline, run);
+    std::vector<int> made;
+    for (Vec2 p : places) made.push_back(add_node(p, mesh_.h[outline[run.first]]));
+    const BorderRow row = row_along(outline, run, made);
+    double worst = 1;
+    for (const Corners& quad : row.quads)
+      if (worst > floor_) worst = std::min(worst, value_of(quad, floor_));
+    if (worst > floor_) {
+      Filling filling = fill(row.rest, set);
+      filling.worst = std::min(filling.worst, worst);
+      filling.elements.insert(filling.elements.end(), row.quads.begin(), row.quads.end());
+      consider({set, std::move(filling), places}, best);
+    }
+    for (std::size_t i = 0; i < made.size(); ++i) mesh_.drop_last_node();
   }
 
   /// For the place of some elements.
@@ -217,7 +248,7 @@ class Mender {
         here.worst = std::min(here.worst, there.worst);
         here.triangles += there.triangles;
         here.elements.insert(here.elements.end(), there.elements.begin(), there.elements.end());
-        consider({{e, other}, std::move(here), mesh_.p[node]}, best);
+        consider({{e, other}, std::move(here), {mesh_.p[node]}}, best);
       }
       mesh_.drop_last_node();
     }
@@ -234,16 +265,16 @@ class Mender {
   }
 
   void carry_out(const Candidate& best) {
-    if (best.node) {
-      double h = 0;
-      int count = 0;
-      for (int e : best.gone)
-        for (int v : mesh_.elements[e].v)
-          if (v >= 0) h += mesh_.h[v], ++count;
-      add_node(*best.node, h / count);
-    }
+    double h = 0;
+    int count = 0;
+    for (int e : best.gone)
+      for (int v : mesh_.elements[e].v)
+        if (v >= 0) h += mesh_.h[v], ++count;
+    const int first = mesh_.node_count();
+    for (Vec2 p : best.nodes) add_node(p, h / count);
     for (int e : best.gone) mesh_.remove_element(e);
     for (const Corners& corners : best.filling.elements) mesh_.add_element(corners);
+    if (best.nodes.size() > 1) settle_nodes(judge_, first, mesh_);
   }
 
   /// Of its sides on B-rep edges the one that leaves its chord farthest, or the longest where none bends.

@@ -10,73 +10,12 @@
 #include <iterator>
 #include <optional>
 
-#include "topology/corner_angle.h"
+#include "boundary/facing/sides_of_loops.h"
 
 namespace paver {
 namespace {
 
-constexpr double least_corner = 0.7853981633974483;    // 45 degrees
-constexpr double largest_corner = 2.356194490192345;   // 135 degrees
-constexpr double least_straight = 2.6179938779914944;  // 150 degrees; from there to 210 a side runs on
-
 constexpr double many_widths = 4;  // so long are the sides of a thin ring
-
-enum class Junction { corner, reflex, straight, other };
-
-Junction junction_of(double angle) {
-  if (angle >= least_corner && angle <= largest_corner) return Junction::corner;
-  if (angle >= 2 * M_PI - largest_corner && angle <= 2 * M_PI - least_corner) return Junction::reflex;
-  return angle >= least_straight && angle <= 2 * M_PI - least_straight ? Junction::straight : Junction::other;
-}
-
-/// Chains of edges between corners, from the first corner on; one chain where there is no corner.
-using Sides = std::vector<std::vector<int>>;
-
-/// At the start of each coedge; none where one has no curve or the loop turns back along one.
-std::vector<double> angles_of(const Model& model, const Face& face, const Loop& loop) {
-  const std::size_t n = loop.coedges.size();
-  std::vector<double> angles;
-  for (const Coedge& coedge : loop.coedges)
-    if (!edge_of(model, coedge).curve) return {};
-  for (std::size_t i = 0; i < n; ++i) {
-    const Coedge &before = loop.coedges[(i + n - 1) % n], &after = loop.coedges[i];
-    if (n > 1 && before.edge == after.edge) return {};
-    angles.push_back(corner_angle(model, face, before, after));
-  }
-  return angles;
-}
-
-/// The first junction that is not straight, or 0.
-std::size_t first_bend(const std::vector<Junction>& junctions) {
-  const auto bend = std::ranges::find_if(junctions, [](Junction j) { return j != Junction::straight; });
-  return bend == junctions.end() ? 0 : static_cast<std::size_t>(bend - junctions.begin());
-}
-
-/// The loop's edges from junction `first` on; a chain begins there and wherever it bends.
-Sides chains_of(const Loop& loop, std::size_t first, const std::vector<Junction>& junctions) {
-  Sides chains;
-  for (std::size_t k = 0, n = junctions.size(); k < n; ++k) {
-    const std::size_t i = (first + k) % n;
-    if (k == 0 || junctions[i] != Junction::straight) chains.emplace_back();
-    chains.back().push_back(loop.coedges[i].edge);
-  }
-  return chains;
-}
-
-/// `has_reflex`: sides end at corners of a hole, too.
-std::optional<Sides> sides_of(const Loop& loop, const std::vector<double>& angles, bool has_reflex) {
-  if (angles.empty()) return std::nullopt;
-  std::vector<Junction> junctions;  // at the start of each coedge
-  for (double angle : angles) {
-    junctions.push_back(junction_of(angle));
-    if (has_reflex && junctions.back() == Junction::reflex) junctions.back() = Junction::corner;
-    if (junctions.back() != Junction::corner && junctions.back() != Junction::straight) return std::nullopt;
-  }
-  Sides sides = chains_of(loop, first_bend(junctions), junctions);
-  const bool has_corner = std::ranges::find(junctions, Junction::corner) != junctions.end();
-  if (has_corner && sides.size() == 1) return std::nullopt;  // a drop
-  return sides;
-}
 
 Vec3 middle_of(const Edge& edge) { return edge.curve->point(0.5 * (edge.t0 + edge.t1)); }
 

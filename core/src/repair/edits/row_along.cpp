@@ -1,0 +1,73 @@
+#include "repair/edits/row_along.h"
+
+namespace paver {
+namespace {
+
+constexpr double most_sine = 0.2;  // of the angle by which a border turns where it goes on straight
+
+}  // namespace
+
+bool is_straight(const ElementJudge& judge, int before, int v, int after, double most_sine) {
+  const RegionMesh& mesh = judge.mesh();
+  const BoundarySide *in = judge.sides().find(mesh.global[before], mesh.global[v]),
+                     *out = judge.sides().find(mesh.global[v], mesh.global[after]);
+  if (!in || !out) return false;
+  const Vec3 x = mesh.x[v], back = unit(4 * in->middle - 3 * x - mesh.x[before]),
+             on = unit(4 * out->middle - 3 * x - mesh.x[after]);
+  return dot(back, on) < 0 && norm(cross(back, on)) <= most_sine;
+}
+
+bool has_straight_corner(const ElementJudge& judge, int element) {
+  const Element& e = judge.mesh().elements[element];
+  const int n = e.corners();
+  for (int k = 0; k < n; ++k)
+    if (is_straight(judge, e.v[(k + n - 1) % n], e.v[k], e.v[(k + 1) % n], most_sine)) return true;
+  return false;
+}
+
+std::vector<SmoothRun> smooth_runs(const ElementJudge& judge, std::span<const int> outline) {
+  const std::size_t n = outline.size();
+  std::vector<char> is_flat(n);
+  std::size_t start = n;  // a node where the border does not go on straight
+  for (std::size_t i = 0; i < n; ++i) {
+    is_flat[i] = is_straight(judge, outline[(i + n - 1) % n], outline[i], outline[(i + 1) % n], most_sine);
+    if (!is_flat[i] && start == n) start = i;
+  }
+  std::vector<SmoothRun> runs;
+  if (start == n) return runs;
+  for (std::size_t k = 1; k < n; ++k) {
+    const std::size_t i = (start + k) % n;
+    if (!is_flat[i]) continue;
+    if (k > 1 && is_flat[(i + n - 1) % n]) {
+      ++runs.back().sides;
+    } else {
+      runs.push_back({(i + n - 1) % n, 2});
+    }
+  }
+  return runs;
+}
+
+BorderRow row_along(std::span<const int> outline, SmoothRun run, std::span<const int> made) {
+  const std::size_t n = outline.size();
+  auto at = [&](std::size_t i) { return outline[(run.first + i) % n]; };
+  BorderRow row;
+  std::vector<int> inner{at(n - 1)};  // beside the run's nodes
+  inner.insert(inner.end(), made.begin(), made.end());
+  inner.push_back(at(run.sides + 1));
+  for (std::size_t k = 0; k < run.sides; ++k) row.quads.push_back({at(k), at(k + 1), inner[k + 1], inner[k]});
+  if (inner.front() == inner.back()) inner.pop_back();
+  row.rest = std::move(inner);
+  for (std::size_t k = run.sides + 2; k + 1 < n; ++k) row.rest.push_back(at(k));
+  return row;
+}
+
+std::vector<Vec2> places_of_row(const RegionMesh& mesh, std::span<const int> outline, SmoothRun run) {
+  Vec2 middle;
+  for (int v : outline) middle = middle + (1.0 / static_cast<double>(outline.size())) * mesh.p[v];
+  std::vector<Vec2> places;
+  for (std::size_t k = 1; k < run.sides; ++k)
+    places.push_back(0.5 * (mesh.p[outline[(run.first + k) % outline.size()]] + middle));
+  return places;
+}
+
+}  // namespace paver
