@@ -10,6 +10,7 @@ MOST_TRIANGLES = 40000
 PIECES = 50  # of the model's diagonal: how long sides of triangles are at most, or more where they would be too many
 CHORD = 0.004  # distance of triangles from their face, of the model's diagonal
 MOST_SPLIT = 16  # of a side of one triangle
+POLE = 1e-6  # mm: size of what is one point
 
 
 def original(job):
@@ -24,16 +25,16 @@ def original(job):
     return shape
 
 
-def split(corners, longest):
-    """(n, 3, 3) triangles cut into such with sides up to `longest`, each by itself."""
+def split(corners, values, longest):
+    """What (n, 3, 3) triangles have at their corners, (n, 3, k), on such with sides up to `longest`: each cut by itself."""
     sides = np.linalg.norm(corners - np.roll(corners, -1, axis=1), axis=2).max(axis=1)
     pieces = np.clip(np.ceil(sides / longest), 1, MOST_SPLIT).astype(int)
-    return np.concatenate([grid(corners[pieces == count], count) for count in np.unique(pieces)]) if len(corners) else corners
+    return np.concatenate([grid(values[pieces == count], count) for count in np.unique(pieces)]) if len(corners) else values
 
 
-def grid(corners, count):
-    """Each triangle cut into count^2."""
-    a, b, c = (corners[:, k] for k in range(3))
+def grid(values, count):
+    """Each triangle cut into count^2, what it has at its corners linear over it."""
+    a, b, c = (values[:, k] for k in range(3))
 
     def at(i, j):
         return a + (i / count) * (b - a) + (j / count) * (c - a)
@@ -47,28 +48,78 @@ def grid(corners, count):
 
 
 def tessellated(face, chord):
+    """(n, 3) points and (m, 3) numbers of them, triangles."""
     points, triangles = face.tessellate(chord)
-    points = np.array([tuple(point) for point in points]).reshape(-1, 3)
-    return points[np.array(triangles, np.int64).reshape(-1, 3)]
+    return np.array([tuple(point) for point in points]).reshape(-1, 3), np.array(triangles, np.int64).reshape(-1, 3)
+
+
+class Axis:
+    """One of the two parameters of a surface: what the parameters of a triangle's corners are beside each other.
+    A point on the seam of a surface that closes has two of them, a pole all."""
+
+    def __init__(self, surface, axis):
+        low, high = surface.bounds()[2 * axis:2 * axis + 2]
+        self.surface, self.axis, self.low, self.high = surface, axis, low, high
+        self.is_periodic = surface.isVPeriodic() if axis else surface.isUPeriodic()
+        self.is_closed = self.is_periodic or (surface.isVClosed() if axis else surface.isUClosed())
+
+    def poles(self, uv):
+        """Which of the (n, 2) parameters are where the surface shrinks to a point along this axis."""
+        if not self.is_closed:
+            return np.zeros(len(uv), bool)
+        across = 1 - self.axis
+        at_pole = {}
+        for value in np.unique(uv[:, across]):
+            ends = [(low, value) if across else (value, low) for low in np.linspace(self.low, self.high, 4)[:3]]
+            points = np.array([tuple(self.surface.value(*end)) for end in ends])
+            at_pole[value] = np.ptp(points, axis=0).max() < POLE
+        return np.array([at_pole[value] for value in uv[:, across]], bool)
+
+    def joined(self, corners, poles):
+        """(m, 3) parameters of triangles' corners and whether these are poles: the same beside each other."""
+        if not self.is_closed:
+            return corners
+        period, rows = self.high - self.low, np.arange(len(corners))
+        off_middle = np.abs((corners - self.low) % period - period / 2) + np.where(poles, period, 0)
+        middle = corners[rows, off_middle.argmin(axis=1)][:, None]
+        corners = corners + period * np.round((middle - corners) / period)
+        if not self.is_periodic:
+            corners = np.clip(corners, self.low, self.high)
+        others = np.where(poles, 0, corners).sum(axis=1) / np.maximum(3 - poles.sum(axis=1), 1)
+        return np.where(poles, others[:, None], corners)
+
+    def within(self, values):
+        """The same parameters within the bounds."""
+        return self.low + (values - self.low) % (self.high - self.low) if self.is_periodic else values
+
+
+def parameters(face, points, triangles, longest):
+    """(n, 2) of the corners of triangles on a face, split to `longest`. Searched for once a point, which takes long on
+    splines."""
+    import FreeCAD
+    surface = face.Surface
+    uv = np.array([surface.parameter(FreeCAD.Vector(*point)) for point in points.tolist()]).reshape(-1, 2)
+    axes = Axis(surface, 0), Axis(surface, 1)
+    joined = np.stack([axis.joined(uv[triangles, axis.axis], axis.poles(uv)[triangles]) for axis in axes], axis=2)
+    fine = split(points[triangles], joined, longest).reshape(-1, 2)
+    return np.stack([axis.within(fine[:, axis.axis]) for axis in axes], axis=1)
 
 
 def sizes(model, shape, options):
     """((n, 3, 3) float32 corners of triangles over all faces that will be meshed, (n, 3) float32 target lengths there, mm).
     model: paver.Model of the shape. Errors as in paver.mesh."""
-    import FreeCAD
     diagonal = max(shape.BoundBox.DiagonalLength, 1e-9)
     coarse = [tessellated(face, CHORD * diagonal) for face in shape.Faces]
-    area = sum(np.linalg.norm(np.cross(t[:, 1] - t[:, 0], t[:, 2] - t[:, 0]), axis=1).sum() / 2 for t in coarse)
+    corners = [points[triangles] for points, triangles in coarse]
+    area = sum(np.linalg.norm(np.cross(t[:, 1] - t[:, 0], t[:, 2] - t[:, 0]), axis=1).sum() / 2 for t in corners)
     longest = max(diagonal / PIECES, (4 * area / MOST_TRIANGLES) ** 0.5)
-    fine = [split(triangles, longest) for triangles in coarse]
     faces, uv, points = [], [], []
-    for number, (face, triangles) in enumerate(zip(shape.Faces, fine)):
+    for number, (face, (at, triangles)) in enumerate(zip(shape.Faces, coarse)):
         surface = face.Surface
-        for point in triangles.reshape(-1, 3).tolist():
-            u, v = surface.parameter(FreeCAD.Vector(*point))
-            faces.append(number)
-            uv.append((u, v))
-            points.append(tuple(surface.value(u, v)))
+        fine = parameters(face, at, triangles, longest).tolist()
+        faces += [number] * len(fine)
+        uv += fine
+        points += [tuple(surface.value(u, v)) for u, v in fine]
     points = np.array(points).reshape(-1, 3)
     lengths = core.load().target_lengths(model, faces, np.array(uv).reshape(-1, 2), points, **options)
     corners, lengths = points.reshape(-1, 3, 3).astype(np.float32), lengths.reshape(-1, 3).astype(np.float32)

@@ -66,6 +66,7 @@ class Mender {
         if (is_bad(static_cast<int>(i))) queue.push_back(static_cast<int>(i));
     }
     left.insert(left.end(), queue.begin(), queue.end());
+    if (!in_rows_.empty()) even_out(judge_, free_nodes_near(mesh_, in_rows_), mesh_);
     for (int e : left) {
       if (!is_bad(e)) continue;
       mended_.left.push_back(e);
@@ -270,11 +271,13 @@ class Mender {
     for (int e : best.gone)
       for (int v : mesh_.elements[e].v)
         if (v >= 0) h += mesh_.h[v], ++count;
-    const int first = mesh_.node_count();
-    for (Vec2 p : best.nodes) add_node(p, h / count);
+    std::vector<int> nodes;
+    for (Vec2 p : best.nodes) nodes.push_back(add_node(p, h / count));
     for (int e : best.gone) mesh_.remove_element(e);
     for (const Corners& corners : best.filling.elements) mesh_.add_element(corners);
-    if (best.nodes.size() > 1) settle_nodes(judge_, first, mesh_);
+    if (nodes.size() < 2) return;
+    raise_worst_about(judge_, nodes, mesh_);
+    in_rows_.insert(in_rows_.end(), nodes.begin(), nodes.end());
   }
 
   /// Of its sides on B-rep edges the one that leaves its chord farthest, or the longest where none bends.
@@ -303,6 +306,7 @@ class Mender {
   std::unordered_map<Corners, Known, CornersHash> known_;  // of elements between nodes that stay where they are
   int first_tried_ = 0;                                    // nodes from here on are for trying
   int growths_ = 0;
+  std::vector<int> in_rows_;  // new nodes
   Mended mended_;
 };
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "paving/smoothing/fit.h"
 #include "paving/smoothing/search_about.h"
 
 namespace paver {
@@ -13,6 +13,10 @@ namespace {
 constexpr int rounds = 7, vain_rounds = 2;
 constexpr double first_step = 0.5;  // of the scale of the mesh at the node
 constexpr double shrink = 0.6;      // of the step per round
+constexpr int sweeps = 10;
+constexpr double good = 0.4;                   // value of the worst element about a node that goes on
+constexpr double shares[] = {1.0, 0.5, 0.25};  // of its step, until one keeps that
+constexpr double own_share = 0;                // lengths are to become target lengths
 
 /// Of the elements about a node; looks no further once it is at most `enough`.
 double worst_at(const ElementJudge& judge, int v, double enough) {
@@ -24,7 +28,23 @@ double worst_at(const ElementJudge& judge, int v, double enough) {
   return worst;
 }
 
-void search(const ElementJudge& judge, const std::vector<int>& nodes, RegionMesh& mesh) {
+void towards_length(const ElementJudge& judge, int v, RegionMesh& mesh) {
+  MetricVec sum, step[4];
+  for (int e : mesh.star[v])
+    if (fit(mesh, mesh.elements[e], own_share, step)) sum += step[mesh.elements[e].corner_of(v)];
+  sum = (1.0 / mesh.star[v].size()) * sum;
+  const double least = std::min(good, worst_at(judge, v, -INFINITY));
+  const NodePlace from = mesh.place(v);
+  for (double share : shares) {
+    mesh.put(v, judge.region().place(judge.region().chart->walk(from.p, mesh.pull_back(v, share * sum))));
+    if (worst_at(judge, v, -INFINITY) >= least) return;
+    mesh.put(v, from);
+  }
+}
+
+}  // namespace
+
+void raise_worst_about(const ElementJudge& judge, const std::vector<int>& nodes, RegionMesh& mesh) {
   double step = first_step;
   int vain = 0;
   for (int round = 0; round < rounds && vain < vain_rounds; ++round, step *= shrink) {
@@ -36,25 +56,22 @@ void search(const ElementJudge& judge, const std::vector<int>& nodes, RegionMesh
   }
 }
 
-}  // namespace
-
 bool move_corners(const ElementJudge& judge, int element, double least, RegionMesh& mesh) {
   std::vector<int> nodes;
   for (int v : mesh.elements[element].v)
     if (v >= 0 && !mesh.is_fixed[v]) nodes.push_back(v);
   std::vector<NodePlace> places;
   for (int v : nodes) places.push_back(mesh.place(v));
-  search(judge, nodes, mesh);
+  raise_worst_about(judge, nodes, mesh);
   auto is_good = [&](int v) { return worst_at(judge, v, -INFINITY) >= least; };
   if (judge.value(element) >= least && std::all_of(nodes.begin(), nodes.end(), is_good)) return true;
   for (std::size_t i = 0; i < nodes.size(); ++i) mesh.put(nodes[i], places[i]);
   return false;
 }
 
-void settle_nodes(const ElementJudge& judge, int first, RegionMesh& mesh) {
-  std::vector<int> nodes(static_cast<std::size_t>(mesh.node_count() - first));
-  std::iota(nodes.begin(), nodes.end(), first);
-  search(judge, nodes, mesh);
+void even_out(const ElementJudge& judge, const std::vector<int>& nodes, RegionMesh& mesh) {
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (int v : nodes) towards_length(judge, v, mesh);
 }
 
 }  // namespace paver

@@ -8,7 +8,10 @@ namespace paver {
 /// All back, and false, where that does not make every element about the nodes worth `least`.
 bool move_corners(const ElementJudge& judge, int element, double least, RegionMesh& mesh);
 
-/// Nodes from `first` on, one after the other, as far as that makes the worst element about each better.
-void settle_nodes(const ElementJudge& judge, int first, RegionMesh& mesh);
+/// Nodes go, one after the other, where the worst element about each is best.
+void raise_worst_about(const ElementJudge& judge, const std::vector<int>& nodes, RegionMesh& mesh);
+
+/// Nodes go towards elements of the target length, as long as those about them are good or no worse than before.
+void even_out(const ElementJudge& judge, const std::vector<int>& nodes, RegionMesh& mesh);
 
 }  // namespace paver

@@ -15,6 +15,9 @@ ElementSet neighbours_of(const RegionMesh& mesh, int element);
 /// All elements at its nodes, itself as well, rising.
 ElementSet ring_about(const RegionMesh& mesh, int element);
 
+/// Nodes up to two elements away from some, rising, but for fixed ones.
+std::vector<int> free_nodes_near(const RegionMesh& mesh, const std::vector<int>& nodes);
+
 struct PatchOutline {
   std::vector<int> loop;    ///< counter-clockwise; empty where there is not one simple loop
   std::vector<int> inside;  ///< nodes that are not on it
