@@ -189,7 +189,7 @@ class Mender {
 
   /// Along a smooth part of the border, where two sides of a quad would leave no angle between them.
   void try_row(const ElementSet& set, const std::vector<int>& outline, SmoothRun run, Candidate& best) {
-    if (outline.size() < run.sides + 2 || (outline.size() == run.sides + 2 && run.sides < 3)) return;
+    if (!leaves_filling(outline, run)) return;
     const std::vector<Vec2> places = places_of_row(mesh_, outline, run);
     std::vector<int> made;
     for (Vec2 p : places) made.push_back(add_node(p, mesh_.h[outline[run.first]]));

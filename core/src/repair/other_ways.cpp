@@ -9,6 +9,7 @@
 #include "paving/dome_grid.h"
 #include "paving/strip_grid.h"
 #include "quality/metrics.h"
+#include "repair/edits/fill_region.h"
 #include "repair/find_bad.h"
 #include "repair/mend_mesh.h"
 #include "repair/shared_sides.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr long few_elements = 100;   // of a region, looked at as a whole
 constexpr double fair = 0.2;         // value of the worst element of a grid
+constexpr double good = 0.35;        // from there on it is better than triangles
 constexpr double least_share = 0.5;  // of the elements that paving takes
 
 bool has_few_elements(const RegionMesh& mesh) { return mesh.living_elements() <= few_elements; }
@@ -129,13 +131,15 @@ bool OtherWays::make_regular(Mended& mended, PavedRegion& paved) const {
   if (!is_coarse_and_mixed(paved.mesh)) return false;
   std::optional<RegionMesh> grid = lay_four_sided(region_, few_elements);
   if (grid && static_cast<double>(grid->elements.size()) < least_share * quads_in(paved.mesh)) grid.reset();
-  return take_grid(std::move(grid), mended, paved) || take_grid(lay_tube(region_), mended, paved);
+  return take_grid(std::move(grid), mended, paved) || take_grid(lay_tube(region_), mended, paved) ||
+         take_grid(fill_with_row(region_, sides_, options_.order), mended, paved);
 }
 
 bool OtherWays::take_grid(std::optional<RegionMesh> grid, Mended& mended, PavedRegion& paved) const {
   if (!grid) return false;
   const double value = worst_value({region_, *grid, sides_, options_.order});
-  if (value < fair || value <= worst_value({region_, paved.mesh, sides_, options_.order})) return false;
+  const double before = worst_value({region_, paved.mesh, sides_, options_.order});
+  if (value < fair || value <= std::min(before, good)) return false;
   if (!is_sound(*grid)) return false;
   mended = {}, paved = {std::move(*grid), {}};
   return true;

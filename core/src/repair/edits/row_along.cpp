@@ -47,6 +47,10 @@ std::vector<SmoothRun> smooth_runs(const ElementJudge& judge, std::span<const in
   return runs;
 }
 
+bool leaves_filling(std::span<const int> outline, SmoothRun run) {
+  return outline.size() > run.sides + 2 || (outline.size() == run.sides + 2 && run.sides > 2);
+}
+
 BorderRow row_along(std::span<const int> outline, SmoothRun run, std::span<const int> made) {
   const std::size_t n = outline.size();
   auto at = [&](std::size_t i) { return outline[(run.first + i) % n]; };

@@ -23,6 +23,9 @@ struct BorderRow {
   std::vector<int> rest;  ///< the outline that is left
 };
 
+/// Whether what is left of an outline beside a row is a polygon.
+bool leaves_filling(std::span<const int> outline, SmoothRun run);
+
 /// `made`: the new nodes, one fewer than the run has sides.
 BorderRow row_along(std::span<const int> outline, SmoothRun run, std::span<const int> made);
 

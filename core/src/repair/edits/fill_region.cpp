@@ -1,0 +1,67 @@
+#include "repair/edits/fill_region.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "repair/edits/move_corners.h"
+#include "repair/edits/row_along.h"
+
+namespace paver {
+namespace {
+
+constexpr ElementKinds quads_only{true, false};
+
+RegionMesh mesh_of_loop(const Region& region) {
+  RegionMesh mesh;
+  mesh.turn_weight = region.size.turn_weight();
+  for (const LoopNode& node : region.loops[0]) add_node(region, node, mesh);
+  return mesh;
+}
+
+/// With a row along the run and its rest filled; no elements where that is not to be had.
+RegionMesh filled(const Region& region, const BoundarySides& sides, int order, std::span<const int> loop,
+                  SmoothRun run) {
+  RegionMesh mesh = mesh_of_loop(region);
+  const ElementJudge judge(region, mesh, sides, order);
+  std::vector<int> made;
+  for (Vec2 p : places_of_row(mesh, loop, run)) {
+    const NodePlace place = region.place(p);
+    made.push_back(mesh.add_node(place, region.target(p)));
+  }
+  const BorderRow row = row_along(loop, run, made);
+  const Filling rest = fill_outline(
+      row.rest, quads_only, [&](const Corners& v, double floor) { return judge.value(v, floor); },
+      [](int, int) { return false; });
+  if (!(rest.worst > 0)) return mesh;
+  for (const std::vector<Corners>* elements : {&row.quads, &rest.elements})
+    for (const Corners& corners : *elements) mesh.add_element(corners);
+  raise_worst_about(judge, made, mesh);
+  even_out(judge, made, mesh);
+  return mesh;
+}
+
+double worst_of(const ElementJudge& judge) {
+  double worst = judge.mesh().elements.empty() ? 0 : 1;
+  for (const Element& e : judge.mesh().elements) worst = std::min(worst, judge.value(e.v));
+  return worst;
+}
+
+}  // namespace
+
+std::optional<RegionMesh> fill_with_row(const Region& region, const BoundarySides& sides, int order) {
+  if (region.loops.size() != 1 || !region.fans.empty() || region.loops[0].size() > most_outline + 2)
+    return std::nullopt;
+  std::vector<int> loop(region.loops[0].size());
+  std::iota(loop.begin(), loop.end(), 0);
+  const RegionMesh border = mesh_of_loop(region);
+  std::optional<RegionMesh> best;
+  double most = 0;
+  for (const SmoothRun& run : smooth_runs({region, border, sides, order}, loop)) {
+    if (!leaves_filling(loop, run)) continue;
+    RegionMesh mesh = filled(region, sides, order, loop, run);
+    if (const double worst = worst_of({region, mesh, sides, order}); worst > most) most = worst, best = std::move(mesh);
+  }
+  return best;
+}
+
+}  // namespace paver
