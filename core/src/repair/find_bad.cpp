@@ -13,7 +13,8 @@ constexpr double least_along = 0.94;    // cosine, from the element's normal to 
 constexpr double least_jacobian = 0.4;  // scaled
 // Between the derivatives at the ends of a side, of its chord; where it turns more the surface may do anything between.
 constexpr double most_side_turn = 0.4;
-constexpr double most_bulge = 0.1;  // of its chord, of a side on a B-rep edge
+constexpr double most_bulge = 0.1;   // of its chord, of a side on a B-rep edge
+constexpr double least_share = 0.2;  // of a side, by the opposite one
 
 bool is_flat(const RegionMesh& mesh, const Element& e, int n) {
   Vec3 area;
@@ -42,6 +43,17 @@ bool has_flat_sides(const ElementJudge& judge, const Element& e, int n) {
   return true;
 }
 
+/// Between opposite ones: the Jacobian of a quad goes from one to the other.
+bool has_like_sides(const RegionMesh& mesh, const Element& e, int n) {
+  if (n == 3) return true;
+  for (int k : {0, 1}) {
+    const Vec3 one = mesh.x[e.v[k + 1]] - mesh.x[e.v[k]], other = mesh.x[e.v[(k + 3) % 4]] - mesh.x[e.v[k + 2]];
+    const auto [less, more] = std::minmax({dot(one, one), dot(other, other)});
+    if (less < least_share * least_share * more) return false;
+  }
+  return true;
+}
+
 bool is_bad(const ElementJudge& judge, const Element& e) {
   if (!has_jacobian(judge.mesh(), e, poor)) return true;
   const double value = judge.value(e.v);
@@ -58,7 +70,7 @@ std::vector<int> find_bad(const ElementJudge& judge) {
     if (!e.is_alive()) continue;
     const int n = e.corners();
     const bool is_plain = has_jacobian(mesh, e, least_jacobian) && is_flat(mesh, e, n) && is_positive(mesh, e) &&
-                          has_flat_sides(judge, e, n) && has_even_sides(mesh, e, n);
+                          has_like_sides(mesh, e, n) && has_flat_sides(judge, e, n) && has_even_sides(mesh, e, n);
     if (!is_plain && is_bad(judge, e)) bad.push_back(static_cast<int>(i));
   }
   return bad;
