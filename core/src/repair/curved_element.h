@@ -13,7 +13,8 @@
 
 namespace paver {
 
-constexpr double poor = 0.1;  ///< value of an element below which better ones are looked for
+constexpr double fair = 0.2;  ///< value of an element below which better ones are looked for
+constexpr double poor = 0.1;  ///< below it these may be triangles
 
 /// An interval of a B-rep edge.
 struct BoundarySide {

@@ -11,7 +11,6 @@ namespace {
 // Where all hold, a curved side leaves its chord by less than a tenth of it, and no two sides of a corner meet.
 constexpr double least_along = 0.94;    // cosine, from the element's normal to the surface's at its corners
 constexpr double least_jacobian = 0.4;  // scaled
-constexpr double fair = 0.2;            // value below which better elements are looked for
 // Between the derivatives at the ends of a side, of its chord; where it turns more the surface may do anything between.
 constexpr double most_side_turn = 0.4;
 constexpr double most_bulge = 0.1;   // of its chord, of a side on a B-rep edge

@@ -20,7 +20,6 @@ constexpr int steps_per_element = 12, least_steps = 24;
 constexpr std::size_t most_grown = 28;  // nodes about elements that are filled anew together
 constexpr int most_growths = 1000;      // of a region, each a filling
 constexpr double least_bend = 0.01;     // of the chord: below, a side counts as straight
-constexpr double fair = 0.2;            // value from which on an element needs no more mending
 constexpr double as_good = 1e-9;        // merits nearer than this are equal, the first is taken
 constexpr double least_gain = 0.05;     // of value, of an element that is valid
 

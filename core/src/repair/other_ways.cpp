@@ -18,7 +18,6 @@ namespace paver {
 namespace {
 
 constexpr long few_elements = 100;   // of a region, looked at as a whole
-constexpr double fair = 0.2;         // value of the worst element of a grid
 constexpr double good = 0.35;        // from there on it is better than triangles
 constexpr double least_share = 0.5;  // of the elements that paving takes
 

@@ -1,11 +1,12 @@
-// Free nodes of a bad element go where the worst element about them is best.
+// Free nodes go where the elements about them are better.
 #pragma once
 
 #include "repair/curved_element.h"
 
 namespace paver {
 
-/// All back, and false, where that does not make every element about the nodes worth `least`.
+/// Of a bad element, where the worst about each is best. All back, and false, where that does not make every element
+/// about the nodes worth `least`.
 bool move_corners(const ElementJudge& judge, int element, double least, RegionMesh& mesh);
 
 /// Nodes go, one after the other, where the worst element about each is best.

@@ -96,7 +96,7 @@ class Outline {
 
 }  // namespace
 
-double merit(double worst, int triangles) { return std::min(worst, good_enough) - triangle_price * triangles; }
+double merit(double worst, int triangles) { return std::min(worst, fair) - triangle_price * triangles; }
 
 Filling fill_outline(std::span<const int> outline, ElementKinds kinds, const ElementValue& value,
                      const std::function<bool(int, int)>& is_taken, std::size_t most_nodes) {

@@ -26,9 +26,8 @@ inline ElementKinds kinds_of(Elements elements) {
   return {elements != Elements::all_triangle, elements != Elements::all_quad};
 }
 
-/// What a filling is worth against others of the same place: from `good_enough` on fewer triangles count.
+/// What a filling is worth against others of the same place: from `fair` on fewer triangles count.
 double merit(double worst, int triangles);
-constexpr double good_enough = 0.2;
 
 constexpr int most_outline = 10;  ///< nodes: what is filled anew many times
 
