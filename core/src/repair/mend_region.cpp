@@ -192,16 +192,16 @@ class Mender {
     consider({set, fill_about(node, outline.loop, kinds_, value), {p}}, best);
     mesh_.drop_last_node();
     if (kinds_.quads && best.filling.worst < fair)
-      for (const SmoothRun& run : smooth_runs(judge_, outline.loop)) try_row(set, outline.loop, run, best);
+      for (const SmoothChain& chain : smooth_chains(judge_, outline.loop)) try_row(set, outline.loop, chain, best);
   }
 
   /// Along a smooth part of the border, where two sides of a quad would leave no angle between them.
-  void try_row(const ElementSet& set, const std::vector<int>& outline, SmoothRun run, Candidate& best) {
-    if (!leaves_filling(outline, run)) return;
-    const std::vector<Vec2> places = places_of_row(mesh_, outline, run);
+  void try_row(const ElementSet& set, const std::vector<int>& outline, SmoothChain chain, Candidate& best) {
+    if (!leaves_filling(outline, chain)) return;
+    const std::vector<Vec2> places = places_of_row(mesh_, outline, chain);
     std::vector<int> made;
-    for (Vec2 p : places) made.push_back(add_node(p, mesh_.h[outline[run.first]]));
-    const BorderRow row = row_along(outline, run, made);
+    for (Vec2 p : places) made.push_back(add_node(p, mesh_.h[outline[chain.first]]));
+    const BorderRow row = row_along(outline, chain, made);
     double worst = 1;
     for (const Corners& quad : row.quads)
       if (worst > floor_) worst = std::min(worst, value_of(quad, floor_));

@@ -75,7 +75,7 @@ TEST(RowAlong, EndsOfBarsAndPartsOfBallsHaveNoFlatElement) {
   }
 }
 
-// Outlines as numbers of nodes; the run goes from the second node on, or from the first.
+// Outlines as numbers of nodes; the chain goes from the second node on, or from the first.
 TEST(RowAlong, GivesQuadsAndWhatTheyLeave) {
   const std::array outline{0, 1, 2, 3, 4, 5};
   const std::array made{6, 7};

@@ -18,17 +18,17 @@ RegionMesh mesh_of_loop(const Region& region) {
   return mesh;
 }
 
-/// With a row along the run and its rest filled; no elements where that is not to be had.
+/// With a row along the chain and its rest filled; no elements where that is not to be had.
 RegionMesh filled(const Region& region, const BoundarySides& sides, int order, std::span<const int> loop,
-                  SmoothRun run) {
+                  SmoothChain chain) {
   RegionMesh mesh = mesh_of_loop(region);
   const ElementJudge judge(region, mesh, sides, order);
   std::vector<int> made;
-  for (Vec2 p : places_of_row(mesh, loop, run)) {
+  for (Vec2 p : places_of_row(mesh, loop, chain)) {
     const NodePlace place = region.place(p);
     made.push_back(mesh.add_node(place, region.target(p)));
   }
-  const BorderRow row = row_along(loop, run, made);
+  const BorderRow row = row_along(loop, chain, made);
   const Filling rest = fill_outline(
       row.rest, quads_only, [&](const Corners& v, double floor) { return judge.value(v, floor); },
       [](int, int) { return false; });
@@ -56,9 +56,9 @@ std::optional<RegionMesh> fill_with_row(const Region& region, const BoundarySide
   const RegionMesh border = mesh_of_loop(region);
   std::optional<RegionMesh> best;
   double most = 0;
-  for (const SmoothRun& run : smooth_runs({region, border, sides, order}, loop)) {
-    if (!leaves_filling(loop, run)) continue;
-    RegionMesh mesh = filled(region, sides, order, loop, run);
+  for (const SmoothChain& chain : smooth_chains({region, border, sides, order}, loop)) {
+    if (!leaves_filling(loop, chain)) continue;
+    RegionMesh mesh = filled(region, sides, order, loop, chain);
     if (const double worst = worst_of({region, mesh, sides, order}); worst > most) most = worst, best = std::move(mesh);
   }
   return best;

@@ -25,7 +25,7 @@ bool has_straight_corner(const ElementJudge& judge, int element) {
   return false;
 }
 
-std::vector<SmoothRun> smooth_runs(const ElementJudge& judge, std::span<const int> outline) {
+std::vector<SmoothChain> smooth_chains(const ElementJudge& judge, std::span<const int> outline) {
   const std::size_t n = outline.size();
   std::vector<char> is_flat(n);
   std::size_t start = n;  // a node where the border does not go on straight
@@ -33,44 +33,44 @@ std::vector<SmoothRun> smooth_runs(const ElementJudge& judge, std::span<const in
     is_flat[i] = is_straight(judge, outline[(i + n - 1) % n], outline[i], outline[(i + 1) % n], most_sine);
     if (!is_flat[i] && start == n) start = i;
   }
-  std::vector<SmoothRun> runs;
-  if (start == n) return runs;
+  std::vector<SmoothChain> chains;
+  if (start == n) return chains;
   for (std::size_t k = 1; k < n; ++k) {
     const std::size_t i = (start + k) % n;
     if (!is_flat[i]) continue;
     if (k > 1 && is_flat[(i + n - 1) % n]) {
-      ++runs.back().sides;
+      ++chains.back().sides;
     } else {
-      runs.push_back({(i + n - 1) % n, 2});
+      chains.push_back({(i + n - 1) % n, 2});
     }
   }
-  return runs;
+  return chains;
 }
 
-bool leaves_filling(std::span<const int> outline, SmoothRun run) {
-  return outline.size() > run.sides + 2 || (outline.size() == run.sides + 2 && run.sides > 2);
+bool leaves_filling(std::span<const int> outline, SmoothChain chain) {
+  return outline.size() > chain.sides + 2 || (outline.size() == chain.sides + 2 && chain.sides > 2);
 }
 
-BorderRow row_along(std::span<const int> outline, SmoothRun run, std::span<const int> made) {
+BorderRow row_along(std::span<const int> outline, SmoothChain chain, std::span<const int> made) {
   const std::size_t n = outline.size();
-  auto at = [&](std::size_t i) { return outline[(run.first + i) % n]; };
+  auto at = [&](std::size_t i) { return outline[(chain.first + i) % n]; };
   BorderRow row;
-  std::vector<int> inner{at(n - 1)};  // beside the run's nodes
+  std::vector<int> inner{at(n - 1)};  // beside the chain's nodes
   inner.insert(inner.end(), made.begin(), made.end());
-  inner.push_back(at(run.sides + 1));
-  for (std::size_t k = 0; k < run.sides; ++k) row.quads.push_back({at(k), at(k + 1), inner[k + 1], inner[k]});
+  inner.push_back(at(chain.sides + 1));
+  for (std::size_t k = 0; k < chain.sides; ++k) row.quads.push_back({at(k), at(k + 1), inner[k + 1], inner[k]});
   if (inner.front() == inner.back()) inner.pop_back();
   row.rest = std::move(inner);
-  for (std::size_t k = run.sides + 2; k + 1 < n; ++k) row.rest.push_back(at(k));
+  for (std::size_t k = chain.sides + 2; k + 1 < n; ++k) row.rest.push_back(at(k));
   return row;
 }
 
-std::vector<Vec2> places_of_row(const RegionMesh& mesh, std::span<const int> outline, SmoothRun run) {
+std::vector<Vec2> places_of_row(const RegionMesh& mesh, std::span<const int> outline, SmoothChain chain) {
   Vec2 middle;
   for (int v : outline) middle = middle + (1.0 / static_cast<double>(outline.size())) * mesh.p[v];
   std::vector<Vec2> places;
-  for (std::size_t k = 1; k < run.sides; ++k)
-    places.push_back(0.5 * (mesh.p[outline[(run.first + k) % outline.size()]] + middle));
+  for (std::size_t k = 1; k < chain.sides; ++k)
+    places.push_back(0.5 * (mesh.p[outline[(chain.first + k) % outline.size()]] + middle));
   return places;
 }
 
