@@ -200,7 +200,7 @@ double ElementJudge::value(const Corners& v, double floor) const {
   if (runs_against(v, n, x)) return folded;
   const double off = along < (order_ == 1 ? nearly_flat : steep) ? off_surface(v, n, x) : 0;
   if (off > 1) return std::max(1 - off, -1.0);
-  return std::min({sj, bound.ratio, order_ > 1 && off > far ? poor * (1 - off) / (1 - far) : 1});
+  return std::min({sj, bound.ratio, order_ > 1 && off > far ? very_poor * (1 - off) / (1 - far) : 1});
 }
 
 bool ElementJudge::is_far_off(const Corners& v) const {

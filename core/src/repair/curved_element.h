@@ -13,8 +13,8 @@
 
 namespace paver {
 
-constexpr double fair = 0.2;  ///< value of an element below which better ones are looked for
-constexpr double poor = 0.1;  ///< below it these may be triangles
+constexpr double fair = 0.2;       ///< value of an element that is not poor
+constexpr double very_poor = 0.1;  ///< of one for which triangles may come
 
 /// An interval of a B-rep edge.
 struct BoundarySide {

@@ -5,9 +5,8 @@
 
 namespace paver {
 
-/// Those that are not valid, those of a scaled Jacobian below `poor`, and those far off the surface, rising. Elements
-/// that plainly are valid are not curved for it: those of well-shaped corners along whose sides and across which the
-/// surface hardly turns.
+/// Those that are not valid and those that are not `fair`, rising. Elements that plainly are fair are not curved for
+/// it: those of well-shaped corners along whose sides and across which the surface hardly turns.
 std::vector<int> find_bad(const ElementJudge& judge);
 
 }  // namespace paver

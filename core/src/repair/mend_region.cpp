@@ -103,7 +103,7 @@ class Mender {
     known_.clear(), first_tried_ = mesh_.node_count();
     const double now = judge_.value(e);
     floor_ = now > 0 ? now + least_gain : 0;
-    may_have_triangles_ = now <= 0 || !has_jacobian(mesh_, mesh_.elements[e], poor);
+    may_have_triangles_ = now <= 0 || !has_jacobian(mesh_, mesh_.elements[e], very_poor);
     const Vec3 where = middle(e);
     if (move_corners(judge_, e, fair, mesh_)) {
       note(ElementRepairKind::moved, where);

@@ -74,7 +74,7 @@ TEST(FindBad, FindsAllThatAreNotValidAndNoneThatIsNotPoor) {
       if (!square.mesh.is_fixed[v]) square.put(v, square.mesh.p[v] + Vec2{off(random), off(random)});
     const BoundarySides sides(square.region, square.edges);
     const std::vector<int> found = find_bad({square.region, square.mesh, sides, 2}),
-                           poor_ones = square.worth_less_than(poor);
+                           poor_ones = square.worth_less_than(fair);
     EXPECT_TRUE(std::ranges::includes(found, square.bad()));
     EXPECT_TRUE(std::ranges::includes(poor_ones, found));
   }
