@@ -60,12 +60,6 @@ EdgeCount count_for_edge(const Edge& edge, const SizeField& size, std::span<cons
   return result;
 }
 
-void want_two(EdgeCount& edge) {
-  if (edge.count == 0) return;
-  edge.minimum = std::max(edge.minimum, 2);
-  edge.count = std::max(edge.count, 2);
-}
-
 // Edges between the same two vertices would fall onto one another as single intervals: all but the shortest get two.
 void divide_lenses(const Model& model, std::vector<EdgeCount>& counts) {
   std::map<std::pair<int, int>, std::vector<int>> between;

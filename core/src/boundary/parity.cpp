@@ -200,6 +200,12 @@ class LoopGraph {
 
 }  // namespace
 
+void want_two(EdgeCount& edge) {
+  if (edge.count == 0) return;
+  edge.minimum = std::max(edge.minimum, 2);
+  edge.count = std::max(edge.count, 2);
+}
+
 int even_out_loops(const std::vector<std::vector<int>>& loop_edges, std::vector<EdgeCount>& counts,
                    bool may_split_short) {
   LoopGraph graph(loop_edges, counts, may_split_short);

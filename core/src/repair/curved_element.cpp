@@ -182,6 +182,13 @@ ElementArea ElementJudge::area(const Corners& v) const {
           element_slack(0.5 * norm(twice), along, order_ > 1)};
 }
 
+double ElementJudge::worst_value() const {
+  double worst = 1;
+  for (const Element& e : mesh_.elements)
+    if (e.is_alive()) worst = std::min(worst, value(e.v));
+  return worst;
+}
+
 double ElementJudge::value(const Corners& v, double floor) const {
   const Element element{v};
   const int n = element.corners();
@@ -201,11 +208,6 @@ double ElementJudge::value(const Corners& v, double floor) const {
   const double off = along < (order_ == 1 ? nearly_flat : steep) ? off_surface(v, n, x) : 0;
   if (off > 1) return std::max(1 - off, -1.0);
   return std::min({sj, bound.ratio, order_ > 1 && off > far ? very_poor * (1 - off) / (1 - far) : 1});
-}
-
-bool ElementJudge::is_far_off(const Corners& v) const {
-  const int n = Element{v}.corners();
-  return least_along(v, n) < steep && off_surface(v, n, nodes(v, n)) > far;
 }
 
 }  // namespace paver

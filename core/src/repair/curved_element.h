@@ -53,9 +53,8 @@ class ElementJudge {
   /// boundary twice. Elements of a scaled Jacobian up to `floor` are not looked at any further: theirs is the value.
   double value(const Corners& v, double floor = -1) const;
   double value(int element) const { return value(mesh_.elements[element].v); }
-
-  /// Of a valid element: whether it lies so far off the surface that it is poor.
-  bool is_far_off(const Corners& v) const;
+  /// Of all elements of the mesh.
+  double worst_value() const;
 
   ElementArea area(const Corners& v) const;
 

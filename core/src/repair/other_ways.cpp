@@ -28,13 +28,6 @@ double quads_in(const RegionMesh& mesh) {
   return static_cast<double>(mesh.living_elements()) - 0.5 * static_cast<double>(mesh.triangle_count());
 }
 
-double worst_value(const ElementJudge& judge) {
-  double worst = 1;
-  for (const Element& e : judge.mesh().elements)
-    if (e.is_alive()) worst = std::min(worst, judge.value(e.v));
-  return worst;
-}
-
 }  // namespace
 
 bool OtherWays::can_help(const RegionMesh& mesh) const {
@@ -136,8 +129,8 @@ bool OtherWays::make_regular(Mended& mended, PavedRegion& paved) const {
 
 bool OtherWays::take_grid(std::optional<RegionMesh> grid, Mended& mended, PavedRegion& paved) const {
   if (!grid) return false;
-  const double value = worst_value({region_, *grid, sides_, options_.order});
-  const double before = worst_value({region_, paved.mesh, sides_, options_.order});
+  const double value = ElementJudge(region_, *grid, sides_, options_.order).worst_value();
+  const double before = ElementJudge(region_, paved.mesh, sides_, options_.order).worst_value();
   if (value < fair || value <= std::min(before, good)) return false;
   if (!is_sound(*grid)) return false;
   mended = {}, paved = {std::move(*grid), {}};

@@ -23,7 +23,7 @@ std::vector<int> single_sides(const Sides& sides, const std::vector<EdgeCount>& 
   for (auto side = sides.begin(); side != sides.end(); ++side) {
     if (side == longest) continue;
     if (intervals(*side) != 1) return {};
-    single.push_back(side->front());
+    single.push_back(*std::ranges::find_if(*side, [&](int e) { return counts[e].count == 1; }));
   }
   return single;
 }
@@ -38,7 +38,7 @@ void divide_few_sides(const Model& model, const std::vector<std::vector<Loop>>& 
     if (!sides || sides->size() < 2 || sides->size() > 3) continue;
     const std::vector<int> single = single_sides(*sides, counts);
     if (std::ranges::any_of(single, [&](int e) { return counts[e].wish <= shortest_divided; })) continue;
-    for (int e : single) counts[e].count = 2, counts[e].minimum = std::max(counts[e].minimum, 2);
+    for (int e : single) want_two(counts[e]);
   }
 }
 

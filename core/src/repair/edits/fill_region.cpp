@@ -18,9 +18,9 @@ RegionMesh mesh_of_loop(const Region& region) {
   return mesh;
 }
 
-/// With a row along the chain and its rest filled; no elements where that is not to be had.
-RegionMesh filled(const Region& region, const BoundarySides& sides, int order, std::span<const int> loop,
-                  SmoothChain chain) {
+/// With a row along the chain and its rest filled.
+std::optional<RegionMesh> filled(const Region& region, const BoundarySides& sides, int order, std::span<const int> loop,
+                                 SmoothChain chain) {
   RegionMesh mesh = mesh_of_loop(region);
   const ElementJudge judge(region, mesh, sides, order);
   std::vector<int> made;
@@ -32,18 +32,12 @@ RegionMesh filled(const Region& region, const BoundarySides& sides, int order, s
   const Filling rest = fill_outline(
       row.rest, quads_only, [&](const Corners& v, double floor) { return judge.value(v, floor); },
       [](int, int) { return false; });
-  if (!(rest.worst > 0)) return mesh;
+  if (!(rest.worst > 0)) return std::nullopt;
   for (const std::vector<Corners>* elements : {&row.quads, &rest.elements})
     for (const Corners& corners : *elements) mesh.add_element(corners);
   raise_worst_about(judge, made, mesh);
   even_out(judge, made, mesh);
   return mesh;
-}
-
-double worst_of(const ElementJudge& judge) {
-  double worst = judge.mesh().elements.empty() ? 0 : 1;
-  for (const Element& e : judge.mesh().elements) worst = std::min(worst, judge.value(e.v));
-  return worst;
 }
 
 }  // namespace
@@ -58,8 +52,9 @@ std::optional<RegionMesh> fill_with_row(const Region& region, const BoundarySide
   double most = 0;
   for (const SmoothChain& chain : smooth_chains({region, border, sides, order}, loop)) {
     if (!leaves_filling(loop, chain)) continue;
-    RegionMesh mesh = filled(region, sides, order, loop, chain);
-    if (const double worst = worst_of({region, mesh, sides, order}); worst > most) most = worst, best = std::move(mesh);
+    std::optional<RegionMesh> mesh = filled(region, sides, order, loop, chain);
+    const double worst = mesh ? ElementJudge(region, *mesh, sides, order).worst_value() : 0;
+    if (worst > most) most = worst, best = std::move(mesh);
   }
   return best;
 }
