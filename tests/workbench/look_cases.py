@@ -5,7 +5,7 @@ import Part
 
 from mesh_cases import InDocument
 from paver_wb import core, mesh_check, mesh_object, meshing
-from paver_wb.processes import fem_process, mesh_job, model_look
+from paver_wb.processes import fem_process, mesh_job, model_look, size_look
 
 V = FreeCAD.Vector
 
@@ -17,6 +17,10 @@ class Looks(InDocument):
             parts.append(self.document.addObject("Part::Feature", "Shape"))
             parts[-1].Shape = shape
         return meshing.prepare(mesh_object.add(self.document, parts, **(options or {"size": 2})))
+
+    def model_and_shape(self, solid):
+        job = self.job(solid)
+        return job.model(), size_look.original(job)
 
     def expect_pairs_of_the_report(self, job, look):
         report = mesh_job.run(job).report
@@ -98,6 +102,18 @@ class Looks(InDocument):
             np.abs(np.hypot(places[:, 0] - 100, places[:, 1]) - 2) < 1e-3)
         self.assertAlmostEqual(np.median(lengths[is_wall]) / (np.pi / 4 * 2), 1, delta=0.1)
         self.assertLess(len(corners), 60000)
+
+    def test_triangles_lie_once_over_surfaces_that_close(self):
+        circles = [Part.makeCircle(radius, V(0, 0, z)) for radius, z in ((3, 0), (5, 4), (2, 9))]
+        for solid in (Part.makeSphere(5), Part.makeCone(5, 0, 10), Part.makeTorus(8, 2), Part.makeCylinder(3, 10, V(), V(0, 0, 1), 200),
+                      Part.makeSphere(5).toNurbs(), Part.makeLoft([Part.Wire(circle) for circle in circles], True)):
+            solid.Placement = FreeCAD.Placement(V(3, 2, 1), FreeCAD.Rotation(V(1, 2, 3), 40))
+            corners, _ = size_look.sizes(*self.model_and_shape(solid), {"size": 2})
+            corners = corners.astype(float)
+            sides = np.linalg.norm(corners - np.roll(corners, -1, axis=1), axis=2)
+            areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+            self.assertAlmostEqual(areas.sum() / solid.Area, 1, delta=0.02)
+            self.assertLess(sides.max(), 3 * solid.BoundBox.DiagonalLength / size_look.PIECES)
 
 
 def job_vertex(shape):
