@@ -70,8 +70,8 @@ class Axis:
         across = 1 - self.axis
         at_pole = {}
         for value in np.unique(uv[:, across]):
-            ends = [(low, value) if across else (value, low) for low in np.linspace(self.low, self.high, 4)[:3]]
-            points = np.array([tuple(self.surface.value(*end)) for end in ends])
+            places = [(along, value) if across else (value, along) for along in np.linspace(self.low, self.high, 4)[:3]]
+            points = np.array([tuple(self.surface.value(*place)) for place in places])
             at_pole[value] = np.ptp(points, axis=0).max() < POLE
         return np.array([at_pole[value] for value in uv[:, across]], bool)
 

@@ -66,7 +66,7 @@ class Mender {
     }
     left.insert(left.end(), queue.begin(), queue.end());
     for (int e : left)
-      if (mesh_.elements[e].is_alive() && !is_bad(e)) raise_worst_about(judge_, free_corners(e), mesh_);
+      if (mesh_.elements[e].is_alive() && !is_bad(e)) raise_worst_about(judge_, free_corners(mesh_, e), mesh_);
     if (!in_rows_.empty()) even_out(judge_, free_nodes_near(mesh_, in_rows_), mesh_);
     for (int e : left) {
       if (!is_bad(e)) continue;
@@ -77,13 +77,6 @@ class Mender {
   }
 
  private:
-  std::vector<int> free_corners(int e) const {
-    std::vector<int> nodes;
-    for (int v : mesh_.elements[e].v)
-      if (v >= 0 && !mesh_.is_fixed[v]) nodes.push_back(v);
-    return nodes;
-  }
-
   /// A change of connectivity: elements that go, and what comes.
   struct Candidate {
     ElementSet gone;

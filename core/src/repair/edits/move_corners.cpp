@@ -6,6 +6,7 @@
 
 #include "paving/smoothing/fit.h"
 #include "paving/smoothing/search_about.h"
+#include "repair/edits/patch.h"
 
 namespace paver {
 namespace {
@@ -57,9 +58,7 @@ void raise_worst_about(const ElementJudge& judge, const std::vector<int>& nodes,
 }
 
 bool move_corners(const ElementJudge& judge, int element, double least, RegionMesh& mesh) {
-  std::vector<int> nodes;
-  for (int v : mesh.elements[element].v)
-    if (v >= 0 && !mesh.is_fixed[v]) nodes.push_back(v);
+  const std::vector<int> nodes = free_corners(mesh, element);
   std::vector<NodePlace> places;
   for (int v : nodes) places.push_back(mesh.place(v));
   raise_worst_about(judge, nodes, mesh);

@@ -23,13 +23,19 @@ ElementSet ring_about(const RegionMesh& mesh, int element) {
   return ring;
 }
 
+std::vector<int> free_corners(const RegionMesh& mesh, int element) {
+  std::vector<int> nodes;
+  for (int v : mesh.elements[element].v)
+    if (v >= 0 && !mesh.is_fixed[v]) nodes.push_back(v);
+  return nodes;
+}
+
 std::vector<int> free_nodes_near(const RegionMesh& mesh, const std::vector<int>& nodes) {
   std::vector<int> near;
   for (int of : nodes)
     for (int first : mesh.star[of])
       for (int e : ring_about(mesh, first))
-        for (int v : mesh.elements[e].v)
-          if (v >= 0 && !mesh.is_fixed[v]) near.push_back(v);
+        for (int v : free_corners(mesh, e)) near.push_back(v);
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
   return near;

@@ -15,6 +15,9 @@ ElementSet neighbours_of(const RegionMesh& mesh, int element);
 /// All elements at its nodes, itself as well, rising.
 ElementSet ring_about(const RegionMesh& mesh, int element);
 
+/// Of an element, but for fixed ones.
+std::vector<int> free_corners(const RegionMesh& mesh, int element);
+
 /// Nodes up to two elements away from some, rising, but for fixed ones.
 std::vector<int> free_nodes_near(const RegionMesh& mesh, const std::vector<int>& nodes);
 
