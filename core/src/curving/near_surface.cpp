@@ -12,23 +12,22 @@ double leaning(Vec3 normal, Vec3 tangent) {
   return all > 0 ? off * off / all : 0;
 }
 
-/// How far a side from a at p to b at q lies off the surface, mm.
+/// How far a side lies off the surface, mm.
 struct SideOff {
   const Region& region;
-  Vec2 p, q;
-  Vec3 a, b;
+  SideEnd a, b;
   double fair;
 
   /// The half before or after the middle, which is `x` at `m`; `fair` where it is less.
   double half(Vec2 m, Vec3 x, bool is_first) const {
     double most = fair;
-    const Vec2 end = is_first ? p : q;
-    Vec2 place = half_way(region, end, m);
+    const SideEnd& near = is_first ? a : b;
+    const SideEnd& far = is_first ? b : a;
+    Vec2 place = half_way(region, near.p, m);
     for (double t : {0.25, 0.125}) {
-      const Vec3 y =
-          (1 - 2 * t) * (1 - t) * (is_first ? a : b) + 4 * t * (1 - t) * x - t * (1 - 2 * t) * (is_first ? b : a);
-      most = std::max(most, distance_to_surface(region, place, y, norm(b - a), most));
-      place = half_way(region, end, place);
+      const Vec3 y = (1 - 2 * t) * (1 - t) * near.x + 4 * t * (1 - t) * x - t * (1 - 2 * t) * far.x;
+      most = std::max(most, distance_to_surface(region, place, y, norm(b.x - a.x), most));
+      place = half_way(region, near.p, place);
     }
     return most;
   }
@@ -39,8 +38,9 @@ struct Facing {
   Vec3 one, other;
   /// Whether a normal is opposite to both, and these agree: the surface is thin there, and this is its other side.
   bool is_behind(Vec3 normal) const { return dot(normal, one) < 0 && dot(normal, other) < 0 && dot(one, other) > 0; }
-  /// Cosine between a normal and the mean of both.
-  double along(Vec3 normal) const { return dot(unit(normal), unit(unit(one) + unit(other))); }
+  Vec3 mean() const { return unit(one) + unit(other); }
+  /// Sine of how far a normal leans from the mean of both to the side of a chord.
+  double aside(Vec3 normal, Vec3 chord) const { return dot(unit(normal), unit(cross(chord, mean()))); }
 };
 
 /// As nearest_point. Places behind `ends`, if any, are not taken. `normal`: of the surface there, of any length.
@@ -65,6 +65,54 @@ Vec3 approach(const Region& region, Vec2& p, Vec3 target, double scale, const Fa
   }
   return nearest;
 }
+
+struct SurfacePlace {
+  Vec2 p;
+  Vec3 x, normal;
+};
+
+/// Brings a middle of a side to where its normal leans to neither side. On a tube that bends the chord's middle is
+/// nearest to another row of it than that of both ends, and middles would slide round it.
+class Straightener {
+ public:
+  Straightener(const Region& region, const Facing& ends, Vec3 middle, Vec3 chord)
+      : region_(region), ends_(ends), middle_(middle), chord_(chord) {}
+
+  /// Of the side from p to q in the chart.
+  void straighten(SurfacePlace& found, Vec2 p, Vec2 q) const {
+    const double least = leaning(found);
+    if (!(least > fair)) return;
+    SurfacePlace best = level(half_way(region_, p, q));
+    if (leaning(best) > fair) {
+      const double one = aside(found), share = one / (one - aside(best));
+      if (share > 0 && share < most_share) {
+        const SurfacePlace next = level(region_.chart->walk(found.p, share * region_.chart->step_to(found.p, best.p)));
+        if (leaning(next) < leaning(best)) best = next;
+      }
+    }
+    if (leaning(best) < 0.5 * least) found = best;
+  }
+
+ private:
+  static constexpr double fair = 0.05;       // sine: 3 degrees
+  static constexpr double most_share = 1.5;  // of the way from the chord's foot to the place half way
+
+  double aside(const SurfacePlace& at) const { return ends_.aside(at.normal, chord_); }
+  double leaning(const SurfacePlace& at) const { return std::abs(aside(at)); }
+
+  /// About p, as far from one end as from the other.
+  SurfacePlace level(Vec2 p) const {
+    const Vec3 x = region_.point(p);
+    SurfacePlace at{p, {}, {}};
+    const Vec3 target = x - (dot(x - middle_, chord_) / dot(chord_, chord_)) * chord_;
+    at.x = approach(region_, at.p, target, norm(chord_), &ends_, at.normal);
+    return at;
+  }
+
+  const Region& region_;
+  Facing ends_;
+  Vec3 middle_, chord_;
+};
 
 }  // namespace
 
@@ -93,38 +141,28 @@ Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
 
 // About a nose at one end a parabola through the middle is flat where the surface turns. Its Jacobian at an end is 4
 // times the share of the chord before the middle, less 1: 0.4 of the mean at the limit.
-Vec3 side_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec3 a, Vec3 b, Vec2& p) {
+Vec3 side_middle(const Region& region, const SideEnd& a, const SideEnd& b, Vec2& p) {
   constexpr double most_leaning = 0.2 * 0.2;
   constexpr double fair_off = 0.02;  // of the target length: even sides serve a solver better than that
   constexpr double shift = 0.05;
   constexpr int most_shifts = 3;
-  constexpr double most_astray = 0.85;  // cosine between the normals of the middle and of both ends
-  constexpr double most_turn = 1;       // of the cubic, by its chord
-  constexpr double least_bulge = 0.02;  // of the chord: flatter sides are right, as are those of an apex
-  const double scale = norm(b - a);
-  const Facing ends{cross(mesh.xp[v], mesh.xq[v]), cross(mesh.xp[w], mesh.xq[w])};
-  const Vec2 guess = p;
-  Vec3 normal;
-  Vec3 x = approach(region, p, 0.5 * (a + b), scale, &ends, normal);
-  // Along a fillet that is thin against the side the middle of the chord is nearest to another row of it.
-  const Vec3 bulge = x - 0.5 * (a + b);
-  if (const double along = ends.along(normal); along < most_astray && norm(bulge) > least_bulge * scale) {
-    if (const SideCubic cubic(mesh, v, w); cubic.is_smooth(most_turn)) {
-      Vec2 place = guess;
-      const Vec3 y = approach(region, place, cubic.at(0.5), scale, &ends, normal);
-      if (ends.along(normal) > along) x = y, p = place;
-    }
-  }
-  if (leaning(ends.one, 4 * x - 3 * a - b) <= most_leaning && leaning(ends.other, a + 3 * b - 4 * x) <= most_leaning)
+  const Vec3 middle = 0.5 * (a.x + b.x), chord = b.x - a.x;
+  const Facing ends{a.normal, b.normal};
+  SurfacePlace at{p, {}, {}};
+  at.x = approach(region, at.p, middle, norm(chord), &ends, at.normal);
+  Straightener(region, ends, middle, chord).straighten(at, a.p, b.p);
+  Vec3 x = at.x;
+  p = at.p;
+  if (leaning(ends.one, 4 * x - 3 * a.x - b.x) <= most_leaning &&
+      leaning(ends.other, a.x + 3 * b.x - 4 * x) <= most_leaning)
     return x;
-  const SideOff off{region, mesh.p[v], mesh.p[w], a, b, fair_off * std::min(mesh.h[v], mesh.h[w])};
+  const SideOff off{region, a, b, fair_off * std::min(a.h, b.h)};
   double least = off.half(p, x, true), other = off.half(p, x, false);
   const double way = least > other ? -shift : shift;
   least = std::max(least, other);
   for (int i = 1; i <= most_shifts && least > off.fair; ++i) {
-    const double along = 0.5 + i * way;
     Vec2 next = p;
-    const Vec3 y = approach(region, next, (1 - along) * a + along * b, scale, &ends, normal);
+    const Vec3 y = approach(region, next, middle + i * way * chord, norm(chord), &ends, at.normal);
     const double most = std::max(off.half(next, y, true), off.half(next, y, false));
     if (!(most < least)) break;
     x = y, p = next, least = most;

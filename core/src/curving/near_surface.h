@@ -52,10 +52,22 @@ Vec2 guess_centre(const Region& region, const RegionMesh& mesh, const Corners& c
 /// nearest on the way where that does not settle. Gives the point there.
 Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale);
 
-/// The middle node of a curved side from node v at a to w at b: the point of the surface nearest to the middle of the
-/// chord or, where the parabola through that would leave the surface steeply at one end, to a place up to 0.15 of the
-/// chord nearer to this end. `p`: where it may be and is in the chart.
-Vec3 side_middle(const Region& region, const RegionMesh& mesh, int v, int w, Vec3 a, Vec3 b, Vec2& p);
+struct SideEnd {
+  Vec2 p;
+  Vec3 x, normal;  ///< the normal of any length; none at an apex
+  double h = 0;    ///< target length
+};
+
+/// Node v of a mesh, which is at x.
+inline SideEnd side_end(const RegionMesh& mesh, int v, Vec3 x) {
+  return {mesh.p[v], x, cross(mesh.xp[v], mesh.xq[v]), mesh.h[v]};
+}
+
+/// The middle node of a curved side: the point of the surface nearest to the middle of the chord or, where its normal
+/// leans to the side there against those at the ends, the one beside it that does not. Where the parabola through that
+/// would leave the surface steeply at one end, up to 0.15 of the chord nearer to this end. `p`: where it may be and is
+/// in the chart.
+Vec3 side_middle(const Region& region, const SideEnd& a, const SideEnd& b, Vec2& p);
 
 /// When a search for a foot point may end.
 struct FootSearch {

@@ -17,25 +17,35 @@ std::vector<Vec2> place_sides(const CurvingPart& part, const std::vector<std::ar
   for (std::size_t k = 0; k < sides.size(); ++k) {
     auto [v, w] = sides[k];
     places[k] = guess_middle(*part.region, *part.mesh, v, w, {});
-    mesh.nodes[first + static_cast<int>(k)] =
-        side_middle(*part.region, *part.mesh, v, w, mesh.nodes[node_of[v]], mesh.nodes[node_of[w]], places[k]);
+    mesh.nodes[first + static_cast<int>(k)] = side_middle(*part.region, side_end(*part.mesh, v, mesh.nodes[node_of[v]]),
+                                                          side_end(*part.mesh, w, mesh.nodes[node_of[w]]), places[k]);
   }
   return places;
 }
 
-// Where a cut has a place of its own it counts, so that all parts and ranks find the same; else the part's.
-void place_cuts(const OrderTwoMesh& raised, const Cuts& cuts, const CurvingPart& part, std::size_t i, SurfaceMesh& mesh,
-                std::vector<char>& is_placed) {
+// Where a cut has a place of its own it counts, so that all parts and ranks find the same, to the last bit; else the
+// part's. `boundary`: nodes of the boundary stage.
+void place_cuts(const OrderTwoMesh& raised, const Cuts& cuts, const CurvingPart& part, std::size_t i,
+                std::size_t boundary, SurfaceMesh& mesh, std::vector<char>& is_placed) {
   for (std::size_t k = 0; k < raised.border_cut[i].size(); ++k) {
     const int number = raised.border_cut[i][k];
     if (number < 0 || is_placed[number]) continue;
     is_placed[number] = 1;
     const CutSide& cut = cuts.sides()[number];
     auto [v, w] = raised.sides[i].border[k];
-    Vec2 middle = 0.5 * (cut.region ? cut.pa + cut.pb : part.mesh->p[v] + part.mesh->p[w]);
-    const Vec3 a = mesh.nodes[(*part.node_of)[v]], b = mesh.nodes[(*part.node_of)[w]];
-    mesh.nodes[raised.border_node[i][k]] =
-        nearest_point(cut.region ? *cut.region : *part.region, middle, 0.5 * (a + b), norm(b - a));
+    if (shared_node(part.mesh->global[v], part.outline, boundary) != cut.a) std::swap(v, w);
+    const Region& region = cut.region ? *cut.region : *part.region;
+    auto end_of = [&](int node, Vec2 place) {
+      SideEnd end = side_end(*part.mesh, node, mesh.nodes[(*part.node_of)[node]]);
+      end.h = region.h;
+      if (!cut.region) return end;
+      const SurfaceSlope slope = region.slope(place);
+      end.p = place, end.normal = cross(slope.u, slope.v);
+      return end;
+    };
+    const SideEnd a = end_of(v, cut.pa), b = end_of(w, cut.pb);
+    Vec2 middle = half_way(region, a.p, b.p);
+    mesh.nodes[raised.border_node[i][k]] = side_middle(region, a, b, middle);
   }
 }
 
@@ -70,7 +80,7 @@ CurvedMesh curve_elements(const JoinedMesh& linear, const EdgeNodes& edges, cons
   SurfaceMesh& mesh = raised.mesh;
   std::vector<char> is_placed(cuts.sides().size(), 0);
   for (std::size_t i = 0; i < parts.size(); ++i)
-    if (parts[i].mesh) place_cuts(raised, cuts, parts[i], i, mesh, is_placed);
+    if (parts[i].mesh) place_cuts(raised, cuts, parts[i], i, edges.nodes.size(), mesh, is_placed);
   const std::vector<PartRows> first = part_rows(linear.sizes);
   run_tasks(threads, part_costs(linear.sizes), [&](int i) {
     progress.check();

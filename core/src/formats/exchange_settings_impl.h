@@ -25,6 +25,21 @@ class ReaderSetting {
   std::string saved_;
 };
 
+/// How far the readers may move what does not meet, mm. As ReaderSetting.
+class LargestTolerance {
+ public:
+  explicit LargestTolerance(double value) : saved_(Interface_Static::RVal(name)) {
+    Interface_Static::SetRVal(name, value);
+  }
+  ~LargestTolerance() { Interface_Static::SetRVal(name, saved_); }
+  LargestTolerance(const LargestTolerance&) = delete;
+  LargestTolerance& operator=(const LargestTolerance&) = delete;
+
+ private:
+  static constexpr const char* name = "read.maxprecision.val";
+  double saved_;
+};
+
 /// Lengths come in millimetres.
 class MillimetreReading : ReaderSetting {
  public:

@@ -1,14 +1,19 @@
 // STEP: reads the file, transfers all roots in millimetres, and takes the names of its objects and faces along.
+#include <Bnd_Box.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepBasic_ProductDefinitionFormation.hxx>
+#include <StepGeom_CartesianPoint.hxx>
 #include <StepRepr_HArray1OfRepresentationItem.hxx>
 #include <StepRepr_Representation.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <StepShape_ShapeDefinitionRepresentation.hxx>
+#include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <gp_Pnt.hxx>
 #include <string_view>
 
 #include "formats/exchange_settings_impl.h"
@@ -95,6 +100,23 @@ bool is_utf8(std::string_view content) {
   return open == 0;
 }
 
+/// How far the kernel may move what does not meet, mm: as by itself, but no more than a small share of the model. It
+/// drops edges that are shorter.
+double most_imprecise(STEPControl_Reader& reader) {
+  constexpr double by_itself = 1, most_share = 0.01;
+  const Handle(Interface_InterfaceModel) model = reader.Model();
+  Bnd_Box box;
+  double unit = 0;
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto point = Handle(StepGeom_CartesianPoint)::DownCast(model->Value(i));
+    if (!point.IsNull() && point->NbCoordinates() == 3)
+      box.Add(gp_Pnt(point->CoordinatesValue(1), point->CoordinatesValue(2), point->CoordinatesValue(3)));
+    unit = std::max(unit, largest_unit(model->Value(i)));
+  }
+  if (box.IsVoid() || !(unit > 0)) return by_itself;
+  return std::min(by_itself, most_share * unit * std::sqrt(box.SquareExtent()));
+}
+
 void label_objects(STEPControl_Reader& reader, Shape& shape) {
   ObjectLabels objects;
   Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
@@ -123,6 +145,7 @@ extern "C" void paver_read_format(const FileSource& file, std::string_view conte
   };
   add(check_entities(file.name, reader));
   if (has_fails(reader.Model())) doubt();
+  const LargestTolerance tolerance(most_imprecise(reader));
   report.unit = stated_unit(reader);
   transfer(reader, shape, progress, face_name);
   add(step_losses(reader));

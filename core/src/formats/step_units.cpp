@@ -46,6 +46,17 @@ Handle(StepRepr_GlobalUnitAssignedContext) units_of(const Handle(StepRepr_Repres
   return Handle(StepRepr_GlobalUnitAssignedContext)::DownCast(context);
 }
 
+/// Units of length of a representation of a shape, in metres; nothing of other entities.
+std::optional<std::set<double>> lengths_for(const Handle(Standard_Transient) & entity) {
+  const auto representation = Handle(StepShape_ShapeRepresentation)::DownCast(entity);
+  if (representation.IsNull()) return std::nullopt;
+  std::set<double> lengths;
+  const Handle(StepRepr_GlobalUnitAssignedContext) units = units_of(representation->ContextOfItems());
+  for (int i = 1; !units.IsNull() && i <= units->NbUnits(); ++i)
+    if (const auto length = length_of(units->UnitsValue(i))) lengths.insert(*length);
+  return lengths;
+}
+
 }  // namespace
 
 std::string stated_unit(STEPControl_Reader& reader) {
@@ -61,14 +72,14 @@ std::string stated_unit(STEPControl_Reader& reader) {
 }
 
 bool is_measured_as_stated(const Handle(Standard_Transient) & entity) {
-  const auto representation = Handle(StepShape_ShapeRepresentation)::DownCast(entity);
-  if (representation.IsNull()) return true;
-  const Handle(StepRepr_GlobalUnitAssignedContext) units = units_of(representation->ContextOfItems());
-  if (units.IsNull()) return false;
-  std::set<double> lengths;
-  for (int i = 1; i <= units->NbUnits(); ++i)
-    if (const auto length = length_of(units->UnitsValue(i))) lengths.insert(*length);
-  return lengths.size() == 1 && *lengths.begin() > 0;
+  const auto lengths = lengths_for(entity);
+  return !lengths || (lengths->size() == 1 && *lengths->begin() > 0);
+}
+
+double largest_unit(const Handle(Standard_Transient) & entity) {
+  constexpr double millimetres = 1000;
+  const auto lengths = lengths_for(entity);
+  return lengths && !lengths->empty() ? millimetres * *lengths->rbegin() : 0;
 }
 
 }  // namespace paver

@@ -15,4 +15,7 @@ std::string stated_unit(STEPControl_Reader& reader);
 /// the number (ISO 10303-41, conversion_based_unit). True for all other entities.
 bool is_measured_as_stated(const Handle(Standard_Transient) & entity);
 
+/// Of a representation of a shape, mm; 0 for other entities, and where the kernel understands none.
+double largest_unit(const Handle(Standard_Transient) & entity);
+
 }  // namespace paver

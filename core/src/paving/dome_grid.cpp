@@ -178,7 +178,15 @@ class Tube {
     const std::size_t shift = nearest_turn(n, gap, 1e-9);
     for (std::size_t i = 0; i < n; ++i)
       rays_.emplace_back(region_, from_[i].p, opposite(i, shift).p, DomeRows::even, Ray::Way::by_chart);
-    const int rows = static_cast<int>(std::clamp(std::lround(mean_length(rays_)), 1L, long{most_rows}));
+    // Where a pipe bends it turns most along its outer and inner line. Lengths do not count turns closer than a few
+    // target lengths.
+    double longest = 0;
+    for (const Ray& ray : rays_) {
+      const double turn = turn_along(region_, [&](double share) { return ray.at(share); });
+      longest = std::max({longest, ray.length(), turn / region_.turn_limit});
+    }
+    const int rows = static_cast<int>(std::clamp(std::lround(longest), 1L, long{most_rows}));
+    if (longest > longest_row * rows) return std::nullopt;
     std::vector<int> last, next;
     for (int row = 0; row <= rows; ++row, last = std::move(next)) {
       next.clear();
@@ -210,6 +218,14 @@ class Tube {
 };
 
 }  // namespace
+
+bool is_slim_tube(const Region& region) {
+  constexpr double slim = 0.7;  // of the target length
+  if (region.loops.size() != 2) return false;
+  return std::ranges::all_of(region.loops, [&](const std::vector<LoopNode>& loop) {
+    return std::ranges::all_of(loop, [&](const LoopNode& node) { return norm(node.x - loop[0].x) < slim * region.h; });
+  });
+}
 
 std::optional<RegionMesh> lay_tube(const Region& region) {
   if (region.loops.size() != 2 || !region.fans.empty()) return std::nullopt;

@@ -23,6 +23,9 @@ enum class DomeRows {
 /// is not positive in the chart.
 std::optional<RegionMesh> lay_dome(const Region& region, Elements elements, DomeRows rows = DomeRows::even);
 
+/// Whether the ends of a region between two loops are narrower than the target length.
+bool is_slim_tube(const Region& region);
+
 /// The same of a region between two loops of equally many nodes, a short bent pipe: rows from one loop to the other.
 std::optional<RegionMesh> lay_tube(const Region& region);
 

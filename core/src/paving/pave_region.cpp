@@ -8,6 +8,7 @@
 #include "paving/cleanup/chords.h"
 #include "paving/cleanup/clean_up.h"
 #include "paving/disc_grid.h"
+#include "paving/dome_grid.h"
 #include "paving/faults.h"
 #include "paving/fill_void.h"
 #include "paving/lay_fill.h"
@@ -156,6 +157,8 @@ PavedRegion pave_region(const Region& region, const Progress& progress, Elements
   if (auto filled = lay_fill(region)) return finish({std::move(*filled), {}}, elements);
   if (auto disc = lay_disc(region, progress)) return finish({std::move(*disc), {}}, elements);
   if (auto strip = lay_strip(region)) return finish({std::move(*strip), {}}, elements);
+  if (is_slim_tube(region))
+    if (auto tube = lay_tube(region)) return finish({std::move(*tube), {}}, elements);
   if (elements == Elements::all_quad) return pave_without_triangles(region, progress);
   PavedRegion best = pave_region_once(region, progress, elements);
   Tangle least(region, best.mesh);

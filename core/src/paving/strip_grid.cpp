@@ -14,6 +14,7 @@ namespace {
 constexpr double least_corner = M_PI / 4, largest_corner = 3 * M_PI / 4;
 constexpr double least_straight = 5 * M_PI / 6;  // up to as much beyond pi a side runs on
 constexpr double narrow = 0.7;                   // of the target length
+constexpr double widest = 1.4;                   // target lengths per element round a tube
 constexpr double least_jacobian = 0.3;
 
 /// Nothing where an element is not positive in the chart, or has a lesser scaled Jacobian.
@@ -50,11 +51,16 @@ class Strip {
     return true;
   }
 
+  /// Or a tube, cut open along its periodic edge, that has nodes enough round it.
   bool is_narrow() const {
+    if (is_along_edge(columns_, [&](int i) { return std::pair(&low(i), &high(i)); }))
+      return has_room(0, columns_, rows_);
+    if (is_along_edge(rows_, [&](int j) { return std::pair(&left(j), &right(j)); }))
+      return has_room(columns_, rows_, columns_);
     double most = 0;
     for (int i = 0; i <= columns_; ++i) {
-      const LoopNode &low = at(i), &high = at(2 * columns_ + rows_ - i);
-      most = std::max(most, norm(high.x - low.x) / std::min(low.h, high.h));
+      const LoopNode &one = low(i), &other = high(i);
+      most = std::max(most, norm(other.x - one.x) / std::min(one.h, other.h));
     }
     return most < narrow;
   }
@@ -78,6 +84,20 @@ class Strip {
   std::size_t elements() const { return static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_); }
 
  private:
+  /// Whether two sides of `count` intervals are the same ones.
+  static bool is_along_edge(int count, auto&& pair_at) {
+    for (int i = 0; i <= count; ++i)
+      if (const auto [one, other] = pair_at(i); one->global < 0 || one->global != other->global) return false;
+    return true;
+  }
+
+  /// Of a tube, by its area where that is known: along it from node `first` of the loop on, `round` elements about.
+  bool has_room(int first, int along, int round) const {
+    double length = 0;
+    for (int i = first; i < first + along; ++i) length += norm(at(i + 1).x - at(i).x);
+    return region_.own_area <= widest * region_.h * round * length;
+  }
+
   /// Counted from the first corner.
   const LoopNode& at(int i) const { return loop_[(first_ + static_cast<std::size_t>(i)) % loop_.size()]; }
   const LoopNode& low(int i) const { return at(i); }
@@ -121,12 +141,14 @@ class Ring {
 
   /// Nor does the surface turn by more than one element may.
   bool is_narrow(const Region& region) const {
-    constexpr double most_turn = 1.5;  // target lengths
+    constexpr double most_turn = 1.6;  // of the limit
     for (std::size_t i = 0; i < one_.size(); ++i) {
       const LoopNode &a = one_[i], &b = two_[facing(i)];
       if (norm(b.x - a.x) >= narrow * std::min(a.h, b.h)) return false;
-      const double turned = norm(region.place(b.p).n - region.place(a.p).n);
-      if (region.size.turn_weight() * turned > most_turn) return false;
+      const auto between = [&](double share) {
+        return region.chart->walk(a.p, share * region.chart->step_to(a.p, b.p));
+      };
+      if (turn_along(region, between) > most_turn * region.turn_limit) return false;
     }
     return true;
   }

@@ -63,6 +63,24 @@ struct Region : RegionTask {
   double target(Vec2 p) const { return size.at(chart->uv(p), *surface); }
 };
 
+/// Radians that the surface turns by along a line, as a few of its points tell. `at(share)`: from 0 to 1, in the chart.
+template <class At>
+double turn_along(const Region& region, At at) {
+  constexpr int steps = 8;
+  const auto normal = [&](int i) {
+    const SurfaceSlope slope = region.slope(at(static_cast<double>(i) / steps));
+    return unit(cross(slope.u, slope.v));
+  };
+  double turn = 0;
+  Vec3 last = normal(0);
+  for (int i = 1; i <= steps; ++i) {
+    const Vec3 next = normal(i);
+    turn += std::atan2(norm(cross(last, next)), dot(last, next));
+    last = next;
+  }
+  return turn;
+}
+
 /// Distance to the nearest node of the loops, infinite where there is none.
 double nearest_node(const Region& region, Vec3 at);
 

@@ -92,7 +92,7 @@ const ElementJudge::KnownSide& ElementJudge::known_side(int a, int b) const {
   KnownSide& side = known_[(static_cast<std::size_t>(a) * 0x9E3779B1U + static_cast<std::size_t>(b)) % most_known];
   if (side.a != a || side.b != b || side.from != mesh_.p[a] || side.to != mesh_.p[b]) {
     side = {a, b, mesh_.p[a], mesh_.p[b], guess_middle(region_, mesh_, a, b, {}), {}};
-    side.middle = side_middle(region_, mesh_, a, b, mesh_.x[a], mesh_.x[b], side.place);
+    side.middle = side_middle(region_, side_end(mesh_, a, mesh_.x[a]), side_end(mesh_, b, mesh_.x[b]), side.place);
   }
   return side;
 }

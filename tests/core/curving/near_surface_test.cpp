@@ -106,7 +106,7 @@ struct Side {
   }
   Vec3 middle() const {
     Vec2 p = guess_middle(region, mesh, v, w, {});
-    return side_middle(region, mesh, v, w, mesh.x[v], mesh.x[w], p);
+    return side_middle(region, side_end(mesh, v, mesh.x[v]), side_end(mesh, w, mesh.x[w]), p);
   }
   Vec3 nearest_to_chord() const {
     Vec2 p = guess_middle(region, mesh, v, w, {});
@@ -162,6 +162,16 @@ TEST(SideMiddle, StaysOnItsRowOfAFilletThatIsThinAgainstIt) {
   const Vec3 half_way = ring->point({0.3, 0.8});
   EXPECT_GT(norm(side.nearest_to_chord() - half_way), 0.1) << "on another row";
   EXPECT_LT(norm(side.middle() - half_way), 0.02);
+}
+
+TEST(SideMiddle, StaysOnItsRowOfATubeThatBends) {
+  const auto ring = std::make_shared<Ring>();
+  for (double bend : {0.15, 0.3, pi / 4}) {
+    const Side side(ring, {0, pi / 2}, {bend, pi / 2});
+    const Vec3 half_way = ring->point({bend / 2, pi / 2});
+    EXPECT_GT(norm(side.nearest_to_chord() - half_way), 0.01) << "slides round the tube";
+    EXPECT_LT(norm(side.middle() - half_way), 1e-3) << bend;
+  }
 }
 
 TEST(SideMiddle, IsTheNearestToTheMiddleOfTheChordWhereTheSideBendsEvenly) {

@@ -97,6 +97,15 @@ TEST(TubeGrid, HasRowsFromLoopToLoopWhereNodesFaceEachOther) {
   for (const Element& e : mesh->elements) EXPECT_GT(scaled_jacobian(*mesh, e), 0.9);
 }
 
+TEST(TubeGrid, IsSlimWhereBothEndsAreNarrowerThanTheTargetLength) {
+  Region region = ring(12, 12);
+  EXPECT_FALSE(is_slim_tube(region));
+  region.h = 9;
+  EXPECT_TRUE(is_slim_tube(region));
+  region.loops.pop_back();
+  EXPECT_FALSE(is_slim_tube(region));
+}
+
 TEST(TubeGrid, IsNoneWhereTheLoopsDifferOrAreMany) {
   EXPECT_FALSE(lay_tube(ring(12, 11)));
   EXPECT_FALSE(lay_tube(ring(60, 60)));

@@ -73,6 +73,24 @@ TEST(StripGrid, NodesOfTheLoopAreKept) {
   }
 }
 
+// Nodes of both of its sides along the periodic edge are the same.
+TEST(StripGrid, AreTubesCutOpenThatHaveNodesEnoughRound) {
+  auto tube = [](int round, int along) {
+    Region region = strip(6, 20, {round, along, round, along});
+    const auto first = static_cast<std::size_t>(round), n = static_cast<std::size_t>(along);
+    std::vector<LoopNode>& loop = region.loops[0];
+    for (std::size_t i = 0; i <= n; ++i) loop[(2 * (first + n) - i) % loop.size()].global = loop[first + i].global;
+    region.own_area = region.area;
+    return lay_strip(region);
+  };
+  for (int along : {4, 20}) {
+    const auto mesh = tube(6, along);
+    ASSERT_TRUE(mesh) << along;
+    EXPECT_EQ(mesh->elements.size(), 6U * static_cast<unsigned>(along)) << along;
+  }
+  EXPECT_FALSE(tube(4, 20)) << "1.5 target lengths wide";
+}
+
 TEST(StripGrid, WideRegionsAreNone) { EXPECT_FALSE(lay_strip(strip(10, 2, {10, 2, 10, 2}))); }
 
 TEST(StripGrid, SidesMustHaveEquallyMany) { EXPECT_FALSE(lay_strip(strip(10, 0.1, {10, 1, 9, 1}))); }

@@ -60,7 +60,8 @@ double area_of(const Surface& surface) {
 }
 
 TEST(OtherWays, AFaceThatItsElementsDoNotCoverBecomesADome) {
-  Trial trial(test::dome(2, 12, 1));
+  Trial trial(test::dome(2.8, 12, 1));
+  trial.options.elements = Elements::all_quad;
   trial.region.own_area = area_of(*trial.region.surface);
   for (int i = 0; i < 5; ++i) trial.paved.mesh.add_element({i, i + 1, 10 - i, 11 - i});  // straight across
   EXPECT_TRUE(trial.can_help());

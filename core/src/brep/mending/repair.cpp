@@ -1,9 +1,9 @@
 // Small repairs that later stages rely on, done on a copy when there is anything to do:
-// 1. a face without loops (a whole sphere or torus in some files) gets the natural bounds of its surface;
+// 1. a face without loops (a whole sphere or torus in some files) gets the natural bounds of its surface; of a whole
+//    spindle one piece between its poles is left;
 // 2. an edge without an image in a face's (u, v) gets one, by projection, and the face its area;
 // 3. an edge flagged as a pole (of no length) that has length becomes an ordinary edge, or goes where it only leads
-// from
-//    one loop of a ring to the other;
+//    from one loop of a ring to the other;
 // 4. a loop of a plane within another one that runs the same way around is turned: with the wrong area inside, faces
 //    that touch this one would be connected with what it does not cover.
 #include <BRepAdaptor_Surface.hxx>
@@ -77,7 +77,12 @@ bool needs_repair(const TopoDS_Face& face, double diagonal) {
   const TopoDS_Face plain = forward(face);
   auto is_false = [&](const TopoDS_Edge& edge) { return is_false_pole(edge, plain, diagonal); };
   return std::ranges::any_of(edges_of(plain), is_false) || lacks_image(face) || is_garbled_ring(plain, diagonal) ||
-         has_loops_alike(plain);
+         has_loops_alike(plain) || between_poles(plain);
+}
+
+void note_border(const WorkFace& face, Workpiece& work) {
+  work.note_repair(RepairKind::border, 1, 0, face_name(face.origin));
+  work.is_rebuilt = true;
 }
 
 void add_natural_bounds(WorkFace& face, Workpiece& work) {
@@ -102,8 +107,17 @@ void add_natural_bounds(WorkFace& face, Workpiece& work) {
   face.face = TopoDS::Face(maker.Face().Moved(location).Oriented(face.face.Orientation()));
   face.area = face_area(face.face);
   if (!std::isfinite(face.area)) face.fault = "its area cannot be computed";
-  work.note_repair(RepairKind::border, 1, 0, face_name(face.origin));
-  work.is_rebuilt = true;
+  note_border(face, work);
+}
+
+/// Whether the face was a whole spindle.
+bool end_at_poles(WorkFace& face, Workpiece& work) {
+  const std::optional<TopoDS_Face> piece = between_poles(forward(face.face));
+  if (!piece) return false;
+  face.face = TopoDS::Face(piece->Oriented(face.face.Orientation()));
+  face.area = face_area(face.face);
+  note_border(face, work);
+  return true;
 }
 
 void add_image(const TopoDS_Edge& edge, const TopoDS_Face& face) {
@@ -237,7 +251,7 @@ void repair(Workpiece& work, Progress& progress) {
       copy_shape(work);
       if (!has_loops(face.face)) {
         add_natural_bounds(face, work);
-      } else {
+      } else if (!end_at_poles(face, work)) {
         const bool is_other = mend_ring(face, work) || turn_loops(face, work);
         repair_edges(face, work);
         if (is_other || !face.has_area) measure_again(face, work);
