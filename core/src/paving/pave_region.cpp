@@ -78,18 +78,30 @@ long pave_front(Front& front, const Attempt& attempt, const Progress& progress, 
   return front.closed_by_triangulation;
 }
 
-PavedRegion pave_whole(const Region& region, const Attempt& attempt, const Progress& progress, Elements elements) {
+/// Nothing where the loops cross, or what is laid at acute corners in advance does; without `sharpest` none is.
+std::optional<PavedRegion> pave_from(const Region& region, const Attempt& attempt, const Progress& progress,
+                                     Elements elements, std::optional<double> sharpest, Vec3& crossing) {
   PavedRegion paved;
   Front front(region, paved.mesh);
-  if (auto crossing = front.start(elements == Elements::all_quad ? 0 : sharpest_corner)) {
-    const Vec3 x = front.mesh.x[front.facets[*crossing].a];
-    throw Error(
-        ErrorCode::face_failed,
-        "its loops cross, touch or run the wrong way round; repair the face in the CAD model or use a smaller size",
-        {"paving", region.face, -1, x});
+  if (const auto facet = front.start(sharpest)) {
+    crossing = front.mesh.x[front.facets[*facet].a];
+    return std::nullopt;
   }
   paved.closed_by_triangulation = pave_front(front, attempt, progress, elements);
   return paved;
+}
+
+PavedRegion pave_whole(const Region& region, const Attempt& attempt, const Progress& progress, Elements elements) {
+  const double sharpest = elements == Elements::all_quad ? 0 : sharpest_corner;
+  Vec3 crossing;
+  auto paved = pave_from(region, attempt, progress, elements, sharpest, crossing);
+  if (!paved) paved = pave_from(region, attempt, progress, elements, std::nullopt, crossing);
+  if (!paved)
+    throw Error(
+        ErrorCode::face_failed,
+        "its loops cross, touch or run the wrong way round; repair the face in the CAD model or use a smaller size",
+        {"paving", region.face, -1, crossing});
+  return std::move(*paved);
 }
 
 /// The region without its small holes, then these cut into it; nothing where it has none or they do not fit in without

@@ -65,6 +65,9 @@ class Strip {
     return most < narrow;
   }
 
+  /// Cut open along its periodic edge.
+  bool is_tube() const { return is_along_columns() || is_along_rows(); }
+
   std::optional<RegionMesh> lay(double turn_weight, double least = least_jacobian) {
     std::vector<int> node(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1));
     auto number = [&](int i, int j) -> int& { return node[j * (columns_ + 1) + i]; };
@@ -84,6 +87,13 @@ class Strip {
   std::size_t elements() const { return static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_); }
 
  private:
+  bool is_along_columns() const {
+    return is_along_edge(columns_, [&](int i) { return std::pair(&low(i), &high(i)); });
+  }
+  bool is_along_rows() const {
+    return is_along_edge(rows_, [&](int j) { return std::pair(&left(j), &right(j)); });
+  }
+
   /// Whether two sides of `count` intervals are the same ones.
   static bool is_along_edge(int count, auto&& pair_at) {
     for (int i = 0; i <= count; ++i)
@@ -187,7 +197,8 @@ std::optional<RegionMesh> lay_strip(const Region& region) {
   if (region.loops.size() != 1) return std::nullopt;
   Strip strip(region);
   if (!strip.find_sides() || !strip.is_narrow()) return std::nullopt;
-  return strip.lay(region.size.turn_weight());
+  if (auto grid = strip.lay(region.size.turn_weight())) return grid;
+  return strip.is_tube() ? strip.lay(0) : std::nullopt;
 }
 
 std::optional<RegionMesh> lay_four_sided(const Region& region, std::size_t most_elements) {
