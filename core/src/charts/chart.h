@@ -31,6 +31,8 @@ class Chart {
   virtual bool bends() const { return false; }
   /// The step of the walk from p to q: walk(p, step_to(p, q)) == q.
   virtual Vec2 step_to(Vec2 p, Vec2 q) const { return q - p; }
+  /// So much of the walk from p to q.
+  Vec2 between(Vec2 p, Vec2 q, double share) const { return walk(p, share * step_to(p, q)); }
 };
 
 /// Surface point at chart point p and its derivatives by the chart coordinates; gives (u, v) there.

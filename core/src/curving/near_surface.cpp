@@ -86,7 +86,7 @@ class Straightener {
     if (leaning(best) > fair) {
       const double one = aside(found), share = one / (one - aside(best));
       if (share > 0 && share < most_share) {
-        const SurfacePlace next = level(region_.chart->walk(found.p, share * region_.chart->step_to(found.p, best.p)));
+        const SurfacePlace next = level(region_.chart->between(found.p, best.p, share));
         if (leaning(next) < leaning(best)) best = next;
       }
     }

@@ -29,16 +29,10 @@ struct SideCubic {
     const Vec3 turn = last - first, chord = b - a;
     return dot(turn, turn) <= most_turn * most_turn * dot(chord, chord);
   }
-  Vec3 at(double s) const {
-    const double r = 1 - s;
-    return r * r * ((1 + 2 * s) * a + s * first) + s * s * ((3 - 2 * s) * b - r * last);
-  }
 };
 
 /// Half of the chart's walk from p to q.
-inline Vec2 half_way(const Region& region, Vec2 p, Vec2 q) {
-  return region.chart->walk(p, 0.5 * region.chart->step_to(p, q));
-}
+inline Vec2 half_way(const Region& region, Vec2 p, Vec2 q) { return region.chart->between(p, q, 0.5); }
 
 /// About where the surface is nearest to a point that lies `off` the middle of the chord from node v to w. Just half
 /// way where the cubic does not tell.

@@ -53,10 +53,8 @@ class Strip {
 
   /// Or a tube, cut open along its periodic edge, that has nodes enough round it.
   bool is_narrow() const {
-    if (is_along_edge(columns_, [&](int i) { return std::pair(&low(i), &high(i)); }))
-      return has_room(0, columns_, rows_);
-    if (is_along_edge(rows_, [&](int j) { return std::pair(&left(j), &right(j)); }))
-      return has_room(columns_, rows_, columns_);
+    if (is_along_columns()) return has_room(0, columns_, rows_);
+    if (is_along_rows()) return has_room(columns_, rows_, columns_);
     double most = 0;
     for (int i = 0; i <= columns_; ++i) {
       const LoopNode &one = low(i), &other = high(i);
@@ -155,9 +153,7 @@ class Ring {
     for (std::size_t i = 0; i < one_.size(); ++i) {
       const LoopNode &a = one_[i], &b = two_[facing(i)];
       if (norm(b.x - a.x) >= narrow * std::min(a.h, b.h)) return false;
-      const auto between = [&](double share) {
-        return region.chart->walk(a.p, share * region.chart->step_to(a.p, b.p));
-      };
+      const auto between = [&](double share) { return region.chart->between(a.p, b.p, share); };
       if (turn_along(region, between) > most_turn * region.turn_limit) return false;
     }
     return true;

@@ -12,13 +12,12 @@
 #include <IGESControl_Writer.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
-#include <STEPControl_Controller.hxx>
-#include <STEPControl_Writer.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
 #include "brep/occt_impl.h"
 #include "core/brep/shape_files.h"
+#include "core/brep/step_files.h"
 #include "paver/mesher.h"
 
 namespace paver {
@@ -31,12 +30,8 @@ using test::write_text;
 class ReadShape : public testing::Test {
  protected:
   std::string write_step() {
-    QuietMessages quiet;  // the writers talk a lot
-    STEPControl_Controller::Init();
-    STEPControl_Writer writer;
-    writer.Transfer(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), STEPControl_AsIs);
     std::string path = folder_.file("box.step");
-    writer.Write(path.c_str());
+    test::write_step(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), path);
     return path;
   }
   /// The same numbers, in inches: versions of the writer differ in what they make of a unit.

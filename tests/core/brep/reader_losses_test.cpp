@@ -9,14 +9,13 @@
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <Poly_Triangulation.hxx>
-#include <STEPControl_Controller.hxx>
-#include <STEPControl_Writer.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 
 #include "brep/occt_impl.h"
 #include "brep/reading/read_shape.h"
 #include "core/brep/shape_files.h"
+#include "core/brep/step_files.h"
 #include "paver/mesher.h"
 
 namespace paver {
@@ -27,11 +26,7 @@ using testing::Test;
 class ReaderLosses : public Test {
  protected:
   std::string step_of(const TopoDS_Shape& shape) {
-    QuietMessages quiet;
-    STEPControl_Controller::Init();
-    STEPControl_Writer writer;
-    writer.Transfer(shape, STEPControl_AsIs);
-    writer.Write(path_.c_str());
+    test::write_step(shape, path_);
     return test::read_text(path_);
   }
 

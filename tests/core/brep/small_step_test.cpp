@@ -5,12 +5,10 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <GC_MakeArcOfCircle.hxx>
-#include <STEPControl_Controller.hxx>
-#include <STEPControl_Writer.hxx>
 #include <gp.hxx>
 
-#include "brep/occt_impl.h"
 #include "core/brep/shape_files.h"
+#include "core/brep/step_files.h"
 #include "support/report_of.h"
 
 namespace paver {
@@ -19,13 +17,7 @@ namespace {
 RunReport report_from_step(const TopoDS_Shape& shape, double size) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("model.step");
-  {
-    QuietMessages quiet;
-    STEPControl_Controller::Init();
-    STEPControl_Writer writer;
-    writer.Transfer(shape, STEPControl_AsIs);
-    writer.Write(path.c_str());
-  }
+  test::write_step(shape, path);
   Options options;
   options.size = size;
   Progress progress;

@@ -8,12 +8,11 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <GProp_GProps.hxx>
-#include <STEPControl_Controller.hxx>
-#include <STEPControl_Writer.hxx>
 #include <cmath>
 
 #include "brep/occt_impl.h"
 #include "core/brep/shape_files.h"
+#include "core/brep/step_files.h"
 
 namespace paver {
 namespace {
@@ -27,13 +26,7 @@ double area_of(const TopoDS_Shape& shape) {
 std::shared_ptr<Shape> read_again(const TopoDS_Shape& shape) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("model.step");
-  {
-    QuietMessages quiet;
-    STEPControl_Controller::Init();
-    STEPControl_Writer writer;
-    writer.Transfer(shape, STEPControl_AsIs);
-    writer.Write(path.c_str());
-  }
+  test::write_step(shape, path);
   ModelReport report;
   Progress progress;
   return read_shape(path, report, progress);

@@ -16,10 +16,10 @@ constexpr Vec2 in_triangle[] = {{0.2, 0.2}, {0.6, 0.2}, {0.2, 0.6}};
 }  // namespace
 
 Vec2 place_at(const Region& region, int corners, const std::array<Vec2, 4>& p, Vec2 uv) {
-  auto between = [&](Vec2 a, Vec2 b, double s) { return region.chart->walk(a, s * region.chart->step_to(a, b)); };
-  if (corners == 4) return between(between(p[0], p[1], uv.x), between(p[3], p[2], uv.x), uv.y);
+  const Chart& chart = *region.chart;
+  if (corners == 4) return chart.between(chart.between(p[0], p[1], uv.x), chart.between(p[3], p[2], uv.x), uv.y);
   const double far = uv.x + uv.y;
-  return far > 0 ? between(p[0], between(p[1], p[2], uv.y / far), far) : p[0];
+  return far > 0 ? chart.between(p[0], chart.between(p[1], p[2], uv.y / far), far) : p[0];
 }
 
 double deviation(const Region& region, const ElementPatch& element, const std::array<Vec2, 4>& places, double known) {
