@@ -80,17 +80,17 @@ class Straightener {
 
   /// Of the side from p to q in the chart.
   void straighten(SurfacePlace& found, Vec2 p, Vec2 q) const {
-    const double least = leaning(found);
+    const double least = tilt(found);
     if (!(least > fair)) return;
     SurfacePlace best = level(half_way(region_, p, q));
-    if (leaning(best) > fair) {
+    if (tilt(best) > fair) {
       const double one = aside(found), share = one / (one - aside(best));
       if (share > 0 && share < most_share) {
         const SurfacePlace next = level(region_.chart->between(found.p, best.p, share));
-        if (leaning(next) < leaning(best)) best = next;
+        if (tilt(next) < tilt(best)) best = next;
       }
     }
-    if (leaning(best) < 0.5 * least) found = best;
+    if (tilt(best) < 0.5 * least) found = best;
   }
 
  private:
@@ -98,7 +98,7 @@ class Straightener {
   static constexpr double most_share = 1.5;  // of the way from the chord's foot to the place half way
 
   double aside(const SurfacePlace& at) const { return ends_.aside(at.normal, chord_); }
-  double leaning(const SurfacePlace& at) const { return std::abs(aside(at)); }
+  double tilt(const SurfacePlace& at) const { return std::abs(aside(at)); }
 
   /// About p, as far from one end as from the other.
   SurfacePlace level(Vec2 p) const {

@@ -11,6 +11,7 @@
 #include "mesh/region_mesh.h"
 #include "sizing/size_field.h"
 #include "structured/mapped_fill.h"
+#include "topology/corner_angle.h"
 
 namespace paver {
 
@@ -75,7 +76,7 @@ double turn_along(const Region& region, At at) {
   Vec3 last = normal(0);
   for (int i = 1; i <= steps; ++i) {
     const Vec3 next = normal(i);
-    turn += std::atan2(norm(cross(last, next)), dot(last, next));
+    turn += angle_between(last, next);
     last = next;
   }
   return turn;
