@@ -28,11 +28,12 @@ double largest_curvature(const Surface& surface, Vec2 uv, Vec3 xu, Vec3 xv, doub
 }
 
 double length_on(const Face& face, const FaceSize& size, const FacePoint& point) {
-  const auto [x, xu, xv] = face.surface->slope(point.uv);
+  const Vec2 uv = face.converted ? face.converted(point.uv) : point.uv;
+  const auto [x, xu, xv] = face.surface->slope(uv);
   if (!(norm(x - point.x) < same_place * size.own())) return size.given_at(point.x);
-  const double h = size.at(point.uv, *face.surface);
+  const double h = size.at(uv, *face.surface);
   if (!size.normals() || !(size.turn_weight() > 0)) return h;
-  const double curvature = largest_curvature(*face.surface, point.uv, xu, xv, probe * h);
+  const double curvature = largest_curvature(*face.surface, uv, xu, xv, probe * h);
   const double turn = size.turn_weight() * std::min(curvature * h, sharpest);
   return h / std::sqrt(1 + turn * turn);
 }

@@ -16,6 +16,7 @@
 #include "brep/mending/mend_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
+#include "brep/recognising/recognise_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
 #include "topology/build_parts_impl.h"
 
@@ -58,6 +59,7 @@ class ModelBuilder {
     drop_doubles(work_);
     mend_faces(work_, progress_);
     fault_lost_areas(work_);
+    recognise(work_);
     sewn_ = sew(work_, options.sew_tolerance, progress_);
     fault_lost_caps(work_);
     list_parts(work_, shape_.shape);
@@ -143,6 +145,7 @@ class ModelBuilder {
     face.area = work.area;
     face.has_area = work.has_area;
     face.fault = work.fault;
+    face.converted = work.converted;
     face.is_reversed = work.face.Orientation() == TopAbs_REVERSED;
     if (face.has_area) {
       note_uses(i, index);

@@ -1,6 +1,7 @@
 // The B-rep as index arrays: what every later stage reads. Built once, const afterwards.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -58,15 +59,16 @@ struct Face {
   int origin = -1;    ///< 0-based entry of the report that it is, or is a piece of; pieces stand in a row
   std::string label;  ///< name given in the file, or empty
   std::shared_ptr<const Surface> surface;
-  bool is_reversed = false;      ///< outward normal is -(xu x xv)
-  double area = 0;               ///< mm^2
-  double merged_area = 0;        ///< mm^2 that merging its neighbours or edges may have taken or given
-  bool has_area = true;          ///< false: left out with a note, has no loops
-  bool is_common = false;        ///< no face but a place in the report: all of it is common with others
-  bool is_dropped = false;       ///< left out since it lies inside the union of parts
-  bool is_merged = false;        ///< left to its neighbours, as it is small against the target length
-  std::vector<int> front, back;  ///< parts that are solids in front of it (where its normal looks) and behind it
-  std::string fault;             ///< not empty: cannot be meshed, and why (e.g. an edge without a curve on the face)
+  std::function<Vec2(Vec2)> converted;  ///< (u, v) from those of the surface as read; empty: they are the same
+  bool is_reversed = false;             ///< outward normal is -(xu x xv)
+  double area = 0;                      ///< mm^2
+  double merged_area = 0;               ///< mm^2 that merging its neighbours or edges may have taken or given
+  bool has_area = true;                 ///< false: left out with a note, has no loops
+  bool is_common = false;               ///< no face but a place in the report: all of it is common with others
+  bool is_dropped = false;              ///< left out since it lies inside the union of parts
+  bool is_merged = false;               ///< left to its neighbours, as it is small against the target length
+  std::vector<int> front, back;         ///< parts that are solids in front of it (where its normal looks) and behind it
+  std::string fault;  ///< not empty: cannot be meshed, and why (e.g. an edge without a curve on the face)
   std::vector<Loop> loops;
   std::vector<InnerPoint> points;
   bool is_meshed() const { return has_area && fault.empty() && !is_common && !is_dropped && !is_merged; }

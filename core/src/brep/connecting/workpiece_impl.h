@@ -13,6 +13,7 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +46,7 @@ struct WorkFace {
   bool is_common = false;   ///< stands for a face all of which is common with others: they have an entry of their own
   bool is_dropped = false;  ///< left out since it lies inside the union of parts
   std::string fault;        ///< not empty: cannot be meshed, and why
+  std::function<Vec2(Vec2)> converted;  ///< (u, v) from those of the surface as read; empty: they are the same
 
   bool is_usable() const { return has_area && fault.empty(); }
   void lose_area() { has_area = false, area = 0; }
