@@ -194,9 +194,11 @@ struct ModelReport {
   std::vector<std::string> free_edge_names, nonmanifold_edge_names;  ///< "Edge7"
   std::vector<Contact> contacts;
   std::vector<std::array<std::string, 2>> unconnected;  ///< pairs of parts that touch and could not be connected
-  std::vector<std::string> one_sided;                   ///< solids whose faces have no side in common that is outside
-  double curve_distance = 0;                            ///< largest of an edge's curve from a face that uses it, mm
-  std::vector<std::string> stray_edges;  ///< those whose curves are farther from a face than tolerances explain
+  std::vector<std::string> merged_parts;  ///< that touch along faces which were written differently and taken for one
+  double merged_gap = 0;                  ///< between those, mm
+  std::vector<std::string> one_sided;     ///< solids whose faces have no side in common that is outside
+  double curve_distance = 0;              ///< largest of an edge's curve from a face that uses it, mm
+  std::vector<std::string> stray_edges;   ///< those whose curves are farther from a face than tolerances explain
   /// What a STEP or IGES file has and the kernel makes nothing of, or something else: "#12 ConicalSurface".
   std::vector<std::string> unread;
   std::vector<std::string> open_solids;  ///< with edges on one face only: "Solid2", in a file "#158 ManifoldSolidBrep"

@@ -12,7 +12,7 @@ PAVER_FIELDS(Crossing, faces, where)
 PAVER_FIELDS(Repair, kind, count, distance, faces)
 PAVER_FIELDS(ModelReport, file, format, unit, solids, shells, faces, edges, vertices, free_edges, nonmanifold_edges,
              sewn_edges, sew_tolerance, diagonal, area, free_edge_names, nonmanifold_edge_names, contacts, unconnected,
-             one_sided, curve_distance, stray_edges, unread, open_solids, holes, repairs)
+             merged_parts, merged_gap, one_sided, curve_distance, stray_edges, unread, open_solids, holes, repairs)
 PAVER_FIELDS(FaceReport, name, front, back, wavelength, front_medium, back_medium, status, stage, reason, where, quads,
              triangles, worst_sj, longest_side, cad_area, mesh_area, distance, closed_by_triangulation)
 PAVER_FIELDS(ElementRepair, kind, entity, where)

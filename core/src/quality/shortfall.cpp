@@ -123,6 +123,17 @@ std::string too_coarse(const RunReport& report) {
                      listed(faces, most_named_faces));
 }
 
+// Farther apart than elements may be off their surface, faces may have been drawn so.
+std::string merged(const RunReport& report) {
+  constexpr double widest = 0.05;  // of the target length
+  const ModelReport& model = report.model;
+  if (!(model.merged_gap > widest * report.target_length)) return {};
+  return fmt::format(
+      "Faces of {} lie up to {:.2g} mm apart and were taken for one; where they are to stay apart, "
+      "say connect none.",
+      listed(model.merged_parts, most_named_faces), model.merged_gap);
+}
+
 std::string crossings(const std::vector<Crossing>& places) {
   std::vector<std::string> listed_places;
   for (const auto& [faces, where] : places) {
@@ -176,8 +187,9 @@ std::vector<std::string> doubts(const RunReport& report) {
           "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
           gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
   if (!report.crossings.empty()) sentences.push_back(crossings(report.crossings));
-  for (std::string sentence : {unread(report.model.unread), open_solids(report.model.open_solids),
-                               holes(report.model.holes), long_sides(report), folded(report), too_coarse(report)})
+  for (std::string sentence :
+       {unread(report.model.unread), open_solids(report.model.open_solids), holes(report.model.holes),
+        long_sides(report), folded(report), too_coarse(report), merged(report)})
     if (!sentence.empty()) sentences.push_back(std::move(sentence));
   return sentences;
 }

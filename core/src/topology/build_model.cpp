@@ -329,8 +329,9 @@ class ModelBuilder {
     model_.report.contacts = connected_.contacts;
     for (auto [a, b] : connected_.failed) model_.report.unconnected.push_back({model_.parts[a], model_.parts[b]});
     if (connected_.merged.parts.empty()) return;
-    std::vector<std::string> names;
+    std::vector<std::string>& names = model_.report.merged_parts;
     for (int part : connected_.merged.parts) names.push_back(model_.parts[part]);
+    model_.report.merged_gap = connected_.merged.gap;
     model_.notes.push_back(
         fmt::format("Faces of parts that touch are written differently, up to {:.2g} mm apart, and were "
                     "taken for one: {}.",

@@ -10,8 +10,8 @@ namespace paver {
 namespace {
 
 /// Distances by the mean width of the smaller piece up to which two are taken for one: with one common edge that is an
-/// angle of a quarter of a degree, with more a lens.
-constexpr double flattest_wedge = 2e-3, flattest_lens = 2e-2;
+/// angle of a thousandth, as placements rounded to three digits make, with more a lens.
+constexpr double flattest_wedge = 5e-4, flattest_lens = 2e-2;
 constexpr double widest_sliver = 1e-5;  // of the diagonal
 constexpr double most_sine = 0.1;       // between the normals at a common edge
 constexpr double least_gap = 1e-7;      // mm: the kernel's own

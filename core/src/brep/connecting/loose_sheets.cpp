@@ -219,10 +219,11 @@ bool is_loose(const Workpiece& work, int part, double tolerance) {
     const std::vector<FacePair> more = pairs_that_touch(faces, pieces);
     pairs.insert(pairs.end(), more.begin(), more.end());
   }
-  // All faces of a loose sheet are intersected with each other, the free-form ones, too.
-  std::erase_if(pairs, [&](const FacePair& pair) {
-    return !pieces[pair.first].is_elementary() && !pieces[pair.second].is_elementary();
-  });
+  // All faces of a loose sheet are intersected with each other, the free-form ones, too. Beside such ones its flat and
+  // round splines are ends of bodies.
+  const bool is_free_form = !std::ranges::all_of(pieces, &PartPiece::is_elementary);
+  auto is_plain = [&](std::size_t f) { return pieces[f].is_elementary() && !(is_free_form && faces[f]->converted); };
+  std::erase_if(pairs, [&](const FacePair& pair) { return !is_plain(pair.first) && !is_plain(pair.second); });
   for (const FacePair& pair : pairs) {
     if (is_changed(pair)) return true;
     if (tries > most_tries) return false;

@@ -55,11 +55,12 @@ struct EdgeChange {
 
 class Recognition {
  public:
-  explicit Recognition(Workpiece& work) : work_(work) {}
-
-  bool has_candidates() {
+  explicit Recognition(Workpiece& work) : work_(work) {
     list_faces();
     list_edges();
+  }
+
+  bool has_candidates() const {
     return std::ranges::any_of(faces_, [](const FaceChange& face) { return face.elementary.has_value(); }) ||
            std::ranges::any_of(edges_, [](const EdgeChange& edge) { return edge.plain.has_value(); });
   }
@@ -271,8 +272,7 @@ class Recognition {
 void recognise(Workpiece& work) {
   if (!Recognition(work).has_candidates()) return;
   copy_shape(work);
-  Recognition recognition(work);
-  recognition.has_candidates();
+  Recognition recognition(work);  // of the copy
   recognition.decide();
   recognition.apply();
 }
