@@ -249,7 +249,7 @@ class Run {
     const std::vector<int> counts = count_intervals(ClosedLayouts::made, layouts);
     const std::vector<double> predicted = predict_elements(model_, size_, counts, options_.elements);
     predicted_ = std::accumulate(predicted.begin(), predicted.end(), 0.0);
-    DividedLoops divided = divide_loops(model_, size_, layouts, counts, shared_);
+    DividedLoops divided = divide_loops(model_, size_, layouts, counts, options_.order > 1, shared_);
     nodes_ = std::move(divided.nodes);
     regions_ = std::move(divided.regions);
     for (const CrossingFace& failure : divided.failures)

@@ -238,6 +238,7 @@ struct RunReport {
   std::vector<Gap> gaps;                             ///< not of parts that are named as unconnected
   std::vector<Crossing> crossings;                   ///< not of parts that are named there or in gaps
   double target_length = 0;                          ///< mm
+  double off_edge = 0;  ///< mm, of sides that were straightened along edges of the shape to keep elements valid
   int order = 2, threads = 1;
   Elements elements = Elements::quad_dominant;
   QualityReport quality;

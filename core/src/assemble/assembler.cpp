@@ -196,6 +196,7 @@ RepairResult Assembler::straighten() {
 }
 
 void Assembler::note_straightened() {
+  report_.off_edge = off_edge_;
   if (off_edge_ > 0)
     report_.notes.push_back(fmt::format(
         "To keep elements valid sides were straightened along B-rep edges, up to {:.3g} mm off.", off_edge_));

@@ -21,9 +21,9 @@ PAVER_FIELDS(Medium, name, parts, eps_r, mu_r, loss_tangent, is_conductor)
 PAVER_FIELDS(Port, name, parts)
 PAVER_FIELDS(Wire, name, parts, radius)
 PAVER_FIELDS(Volume, name, medium, sides)
-PAVER_FIELDS(RunReport, model, components, gaps, crossings, target_length, order, threads, elements, quality, faces,
-             media, ports, wires, wavelength, least_segment, lost_parts, merges, element_repairs, notes, stage_seconds,
-             stage_runs, tasks, peak_memory_mib)
+PAVER_FIELDS(RunReport, model, components, gaps, crossings, target_length, off_edge, order, threads, elements, quality,
+             faces, media, ports, wires, wavelength, least_segment, lost_parts, merges, element_repairs, notes,
+             stage_seconds, stage_runs, tasks, peak_memory_mib)
 PAVER_FIELDS(SurfaceMesh, order, nodes, quads, quad_face, triangles, triangle_face, lines, line_edge, node_edge,
              further_edges, node_target, points)
 PAVER_FIELDS(MeshResult, mesh, report, face_names, face_groups, edge_names, edge_groups, point_names, volumes)

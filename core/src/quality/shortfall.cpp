@@ -134,6 +134,15 @@ std::string merged(const RunReport& report) {
       listed(model.merged_parts, most_named_faces), model.merged_gap);
 }
 
+// A side that leaves a narrow strip may take a tenth of its area along.
+std::string off_edge(const RunReport& report) {
+  constexpr double farthest = 0.02;  // of the target length
+  if (!(report.off_edge > farthest * std::min(report.target_length, report.model.diagonal))) return {};
+  return fmt::format(
+      "Sides of elements lie up to {:.3g} mm off their edges, to keep elements valid; use a smaller size.",
+      report.off_edge);
+}
+
 std::string crossings(const std::vector<Crossing>& places) {
   std::vector<std::string> listed_places;
   for (const auto& [faces, where] : places) {
@@ -189,7 +198,7 @@ std::vector<std::string> doubts(const RunReport& report) {
   if (!report.crossings.empty()) sentences.push_back(crossings(report.crossings));
   for (std::string sentence :
        {unread(report.model.unread), open_solids(report.model.open_solids), holes(report.model.holes),
-        long_sides(report), folded(report), too_coarse(report), merged(report)})
+        long_sides(report), folded(report), too_coarse(report), merged(report), off_edge(report)})
     if (!sentence.empty()) sentences.push_back(std::move(sentence));
   return sentences;
 }

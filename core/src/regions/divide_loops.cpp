@@ -1,6 +1,7 @@
 // In: model, layouts, interval counts. Out: nodes, regions, faces that failed.
 // Steps, round by round: divide; of each region the facets that cross; where their curves keep apart the edge that
 // bulges more is to have twice as many intervals; where they do not the face fails, and what it asked for is forgotten.
+// Of elements with curved sides then those whose sides run over each other, twice as many once or twice.
 #include "regions/divide_loops.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <set>
 
 #include "regions/build_regions.h"
+#include "regions/bulging_facets.h"
 #include "regions/crossing_facets.h"
 #include "regions/curves_apart.h"
 
@@ -18,6 +20,7 @@ namespace paver {
 namespace {
 
 constexpr int most_doublings = 6;         // of one edge: beyond, elements would be slivers a thousand times as long
+constexpr int most_crowded = 2;           // of one edge where only curved sides run over each other
 constexpr int most_intervals = 100000;    // of an edge that is divided further
 constexpr int most_rounds = 24;           // doublings of several edges one after another
 constexpr std::size_t most_pairs = 1000;  // of one region and round
@@ -28,13 +31,16 @@ struct Crossing {
   int other = -1;
   Meeting::Kind kind = Meeting::Kind::apart;
   Vec3 where;
+  bool is_crowded = false;  ///< of curved sides only: fewer doublings, and no face fails for it
 };
 
 /// What the facets of one region are pieces of.
 class FacetCurves {
  public:
   FacetCurves(const Model& model, const EdgeNodes& nodes, const Region& region)
-      : model_(model), nodes_(nodes), region_(region), numbers_(number_loop_nodes(region)) {}
+      : nodes_(nodes), region_(region), numbers_(number_loop_nodes(region)) {
+    for (const Coedge& coedge : coedges_of(model.faces[region.face].loops)) coedges_[coedge.edge].push_back(&coedge);
+  }
 
   Crossing judge(const std::array<LoopFacet, 2>& pair) const {
     const PlaneCurve one = curve(pair[0]), other = curve(pair[1]);
@@ -52,6 +58,8 @@ class FacetCurves {
     }
     return result;
   }
+
+  Vec2 middle(LoopFacet f) const { return curve(f).point(0.5); }
 
  private:
   bool is_in_ring(LoopFacet f) const { return f.loop >= static_cast<int>(region_.loops.size()); }
@@ -85,8 +93,10 @@ class FacetCurves {
     PlaneCurve result{a.p, b.p, nullptr};
     if (edge(f) < 0) return result;
     const EdgeDivision& division = nodes_.edges[a.edge];
-    for (const Coedge& coedge : coedges_of(model_.faces[region_.face].loops)) {
-      if (coedge.edge != a.edge) continue;
+    const auto uses = coedges_.find(a.edge);
+    if (uses == coedges_.end()) return result;
+    for (const Coedge* use : uses->second) {
+      const Coedge& coedge = *use;
       for (int k = 0; k < division.intervals(); ++k) {
         const int from = coedge.is_reversed ? k + 1 : k, to = coedge.is_reversed ? k : k + 1;
         if (division.node[from] != a.global) continue;
@@ -104,18 +114,62 @@ class FacetCurves {
     return result;
   }
 
-  const Model& model_;
   const EdgeNodes& nodes_;
   const Region& region_;
   const LoopNodes numbers_;
+  std::map<int, std::vector<const Coedge*>> coedges_;  // by edge
 };
 
+/// Whether the side between two nodes that follow each other on a loop leaves its chord in space.
+bool is_bulging(const EdgeNodes& nodes, const LoopNode& a, const LoopNode& b) {
+  constexpr double straight = 0.004;  // of the chord
+  if (a.edge < 0) return false;
+  const EdgeDivision& division = nodes.edges[a.edge];
+  const int n = division.intervals();
+  // Inner nodes of an edge are numbered in a row.
+  const int first = n > 1 ? division.node[1] : -1;
+  auto place = [&](int global) { return n > 1 && global >= first && global < first + n - 1 ? global - first + 1 : -1; };
+  const int i = place(a.global), j = place(b.global);
+  int k = 0;
+  if (i >= 0 && j >= 0)
+    k = std::min(i, j);
+  else if (i >= 0 || j >= 0)
+    k = std::max(i, j) == 1 ? 0 : n - 1;
+  if (n == 2) k = division.node[0] == (i >= 0 ? b.global : a.global) ? 0 : 1;
+  const Vec3* x = &division.x[2 * static_cast<std::size_t>(k)];
+  return norm(x[1] - 0.5 * (x[0] + x[2])) > straight * norm(x[2] - x[0]);
+}
+
+/// One for each edge that is to be divided as its curved sides would run over others.
+std::vector<Crossing> find_crowded(const Model& model, const EdgeNodes& nodes, const Region& region) {
+  std::optional<FacetCurves> curves;  // where there is a bulge
+  std::vector<CurvedFacet> facets;
+  std::vector<int> edges;
+  for (std::size_t l = 0; l < region.loops.size(); ++l)
+    for (std::size_t i = 0, n = region.loops[l].size(); i < n; ++i) {
+      const LoopNode &a = region.loops[l][i], &b = region.loops[l][(i + 1) % n];
+      facets.push_back({a.p, 0.5 * (a.p + b.p), b.p, a.global, b.global});
+      edges.push_back(a.edge);
+      if (!is_bulging(nodes, a, b)) continue;
+      if (!curves) curves.emplace(model, nodes, region);
+      facets.back().middle = curves->middle({static_cast<int>(l), static_cast<int>(i)});
+    }
+  std::vector<Crossing> result;
+  if (!curves) return result;
+  for (const int f : crowded_facets(facets)) {
+    const auto is_known = [&](const Crossing& known) { return known.edge == edges[f]; };
+    if (edges[f] >= 0 && std::ranges::none_of(result, is_known))
+      result.push_back({edges[f], -1, Meeting::Kind::apart, {}, true});
+  }
+  return result;
+}
+
 /// One for each edge that is to be divided, or the one whose curves do not keep apart.
-std::vector<Crossing> find_crossings(const Model& model, const EdgeNodes& nodes, const Region& region) {
+std::vector<Crossing> find_crossings(const Model& model, const EdgeNodes& nodes, const Region& region, bool is_curved) {
   std::vector<Crossing> result;
   if (region.fill) return result;
   const auto pairs = crossing_facets(region, most_pairs);
-  if (pairs.empty()) return result;
+  if (pairs.empty()) return is_curved ? find_crowded(model, nodes, region) : result;
   const FacetCurves curves(model, nodes, region);
   for (const auto& pair : pairs) {
     const Crossing crossing = curves.judge(pair);
@@ -129,8 +183,8 @@ std::vector<Crossing> find_crossings(const Model& model, const EdgeNodes& nodes,
 class LoopDivider {
  public:
   LoopDivider(const Model& model, const SizeField& size, const std::vector<FaceLayout>& layouts,
-              const std::vector<int>& counts, SharedTasks& tasks)
-      : model_(model), size_(size), layouts_(layouts), counts_(counts), tasks_(tasks) {}
+              const std::vector<int>& counts, bool is_curved, SharedTasks& tasks)
+      : model_(model), size_(size), layouts_(layouts), counts_(counts), is_curved_(is_curved), tasks_(tasks) {}
 
   DividedLoops run() {
     for (int round = 0;; ++round) {
@@ -174,8 +228,9 @@ class LoopDivider {
       for (const auto& loop : region.loops) nodes += static_cast<double>(loop.size());
       costs.push_back(region.fill ? 0 : node_cost * nodes);
     }
-    const auto found = tasks_.run<std::vector<Crossing>>(
-        Stage::boundary, costs, [&](int i) { return find_crossings(model_, result_.nodes, result_.regions[i]); });
+    const auto found = tasks_.run<std::vector<Crossing>>(Stage::boundary, costs, [&](int i) {
+      return find_crossings(model_, result_.nodes, result_.regions[i], is_curved_);
+    });
     std::map<std::pair<int, int>, int> asked = asked_;
     for (std::size_t i = 0; i < found.size(); ++i) {
       const int face = result_.regions[i].face;
@@ -185,6 +240,10 @@ class LoopDivider {
           continue;
         }
         const int times = doublings(crossing.edge) + 1;
+        if (crossing.is_crowded) {
+          if (times <= most_crowded) asked[{face, crossing.edge}] = times;
+          continue;
+        }
         if (crossing.kind == Meeting::Kind::near || is_last || times > most_doublings ||
             count(crossing.edge, times) > most_intervals) {
           fail(face, crossing,
@@ -194,9 +253,10 @@ class LoopDivider {
         }
       }
     }
+    const bool is_asked = asked != asked_ || result_.failures.size() > has_failed_.size();
     asked_ = std::move(asked);
     for (const CrossingFace& failure : result_.failures) has_failed_.insert(failure.face);
-    return std::any_of(found.begin(), found.end(), [](const auto& list) { return !list.empty(); });
+    return is_asked;
   }
 
   void fail(int face, const Crossing& crossing, const char* what) {
@@ -218,6 +278,7 @@ class LoopDivider {
   const SizeField& size_;
   const std::vector<FaceLayout>& layouts_;
   const std::vector<int>& counts_;
+  const bool is_curved_;
   SharedTasks& tasks_;
   DividedLoops result_;
   std::map<std::pair<int, int>, int> asked_;  // by face and edge: doublings
@@ -227,8 +288,8 @@ class LoopDivider {
 }  // namespace
 
 DividedLoops divide_loops(const Model& model, const SizeField& size, const std::vector<FaceLayout>& layouts,
-                          const std::vector<int>& counts, SharedTasks& tasks) {
-  return LoopDivider(model, size, layouts, counts, tasks).run();
+                          const std::vector<int>& counts, bool is_curved, SharedTasks& tasks) {
+  return LoopDivider(model, size, layouts, counts, is_curved, tasks).run();
 }
 
 }  // namespace paver
