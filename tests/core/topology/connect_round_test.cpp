@@ -2,6 +2,7 @@
 // together is looked for in the mesh itself.
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -17,6 +18,7 @@
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <algorithm>
+#include <cmath>
 #include <gp_Ax2.hxx>
 #include <gp_Ax3.hxx>
 #include <gp_Pln.hxx>
@@ -106,6 +108,21 @@ void expect_one_piece(const char* name, const TopoDS_Shape& shape) {
   EXPECT_EQ(pieces(result.mesh), 1u);
   EXPECT_EQ(same_way(result.mesh), 0);
   EXPECT_NEAR(result.report.quality.mesh_area, result.report.quality.cad_area, 2e-3 * result.report.quality.cad_area);
+}
+
+// Cut out of one ball they share vertices, edges and its surface.
+TEST(ConnectRound, OctantsThatMeetAtThePeriodicEdgeOfTheirBall) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(30).Shape();
+  auto octant = [&](double y) {
+    return BRepAlgoAPI_Common(ball, BRepPrimAPI_MakeBox(gp_Pnt(0, std::min(0.0, y), 0), 40, std::abs(y), 40).Shape())
+        .Shape();
+  };
+  const RunReport report = test::report_of(compound({octant(40), octant(-40)}), 5);
+  EXPECT_STREQ(verdict(report), "sound");
+  // Three quarter discs each, of which one is common, and two eighths of the ball.
+  const double area = std::numbers::pi * 900 * (5 * 0.25 + 1);
+  EXPECT_NEAR(report.quality.mesh_area, area, 1e-4 * area);
+  EXPECT_EQ(report.components.size(), 1U);
 }
 
 TEST(ConnectRound, APeriodicEdgeKeepsTheNodesThatOthersNeed) {

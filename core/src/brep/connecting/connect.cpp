@@ -56,10 +56,11 @@ class Connector {
 
  private:
   /// Where all together cannot be fused, the parts that cannot be in pairs are left out, the one with most such pairs
-  /// first; where that does not help, all stay as they are. So there are two tries and each pair's. Before that the
-  /// points are left out.
+  /// first; where that does not help, all stay as they are. So there are two tries and each pair's. Before that what
+  /// solids share is copied, and the points are left out.
   void connect_cluster(std::vector<int> parts) {
-    if (try_to_fuse(parts) || (leave_points(parts) && (parts.size() < 2 || try_to_fuse(parts)))) return;
+    if (try_to_fuse(parts) || try_to_fuse_unshared(parts)) return;
+    if (leave_points(parts) && (parts.size() < 2 || try_to_fuse(parts))) return;
     for (int part : parts)
       if (work_.parts[part].is_loose) failed.push_back({part, part});
     std::vector<Pair> pairs = pairs_among(parts), bad;
@@ -74,6 +75,13 @@ class Connector {
     const std::vector<Pair> connected = pairs_among(parts);
     for (Pair pair : pairs)
       if (std::find(connected.begin(), connected.end(), pair) == connected.end()) failed.push_back(pair);
+  }
+
+  bool try_to_fuse_unshared(const std::vector<int>& parts) {
+    Workpiece before = work_;
+    if (unshare_parts(work_, parts) && try_to_fuse(parts)) return true;
+    work_ = std::move(before);
+    return false;
   }
 
   /// Points shall not cost the others their connection, nor a try each. Whether there were any.

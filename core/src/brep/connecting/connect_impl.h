@@ -71,6 +71,10 @@ struct Fusion {
 /// other and are two, again at the distance between them, as long as that connects no parts that were apart.
 std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress);
 
+/// Gives solids that share vertices with others before them in the list faces, edges and vertices of their own; false
+/// where none does. Not those with faces that another part has as well.
+bool unshare_parts(Workpiece& work, const std::vector<int>& parts);
+
 /// Marks sheets sewn of several whose faces touch elsewhere than along the seams: WorkPart::is_loose.
 void find_loose_sheets(Workpiece& work, double tolerance);
 

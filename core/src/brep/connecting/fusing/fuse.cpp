@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "brep/connecting/connect_impl.h"
-#include "brep/connecting/doubled_pieces_impl.h"
+#include "brep/connecting/fusing/doubled_pieces_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
 

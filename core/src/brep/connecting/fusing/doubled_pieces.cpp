@@ -3,7 +3,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
 
-#include "brep/connecting/doubled_pieces_impl.h"
+#include "brep/connecting/fusing/doubled_pieces_impl.h"
 #include "brep/occt_shapes_impl.h"
 
 namespace paver {
