@@ -1,8 +1,13 @@
 // Target lengths at points, before anything is meshed.
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_Surface.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <cmath>
 
 #include "core/brep/shape_files.h"
@@ -28,6 +33,21 @@ TEST(PointLengths, AreShorterAcrossARidgeByTheTurnLimit) {
     const double length = lengths(BRepPrimAPI_MakeCylinder(radius, 100).Shape(), options, {on_wall})[0];
     EXPECT_NEAR(length / (limit * radius), 1, 0.3) << limit;
   }
+}
+
+// Meshed as the cylinder it is, it keeps the parameters of the spline for whoever asks.
+TEST(PointLengths, AreAskedForByTheParametersOfASplineThatIsACylinder) {
+  constexpr double radius = 10, share_u = 0.3, share_v = 0.4;
+  const TopoDS_Shape spline = BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeCylinder(radius, 100).Shape()).Shape();
+  const TopoDS_Face wall = TopoDS::Face(TopExp_Explorer(spline, TopAbs_FACE).Current());
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  BRep_Tool::Surface(wall)->Bounds(u0, u1, v0, v1);
+  const Vec2 uv{std::lerp(u0, u1, share_u), std::lerp(v0, v1, share_v)};
+  const gp_Pnt x = BRep_Tool::Surface(wall)->Value(uv.x, uv.y);
+  Options options;
+  options.size = 50;
+  options.max_turn = 0.4;
+  EXPECT_NEAR(lengths(spline, options, {{0, uv, {x.X(), x.Y(), x.Z()}}})[0] / (0.4 * radius), 1, 0.3);
 }
 
 TEST(PointLengths, FollowLengthsOfPartsOnPiecesThatOtherPartsHaveInCommon) {
