@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "base/listed.h"
@@ -134,10 +135,15 @@ std::string merged(const RunReport& report) {
       listed(model.merged_parts, most_named_faces), model.merged_gap);
 }
 
-// A side that leaves a narrow strip may take a tenth of its area along.
+// On a narrow strip a side need not be far off its edge to take some of its area along.
 std::string off_edge(const RunReport& report) {
-  constexpr double farthest = 0.02;  // of the target length
-  if (!(report.off_edge > farthest * std::min(report.target_length, report.model.diagonal))) return {};
+  constexpr double farthest = 0.05, least = 0.01;  // of the target length
+  constexpr double largest = 1.05;                 // area of the elements, by the face's
+  const double h = std::min(report.target_length, report.model.diagonal);
+  auto is_larger = [](const FaceReport& face) { return face.mesh_area > largest * face.cad_area; };
+  const bool is_off =
+      report.off_edge > farthest * h || (report.off_edge > least * h && std::ranges::any_of(report.faces, is_larger));
+  if (!is_off) return {};
   return fmt::format(
       "Sides of elements lie up to {:.3g} mm off their edges, to keep elements valid; use a smaller size.",
       report.off_edge);
