@@ -5,6 +5,7 @@
 #include <Geom2d_Curve.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_Surface.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -80,6 +81,12 @@ inline EdgeImage image_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   EdgeImage image;
   image.curve = BRep_Tool::CurveOnSurface(edge, face, image.first, image.last);
   return image;
+}
+
+/// The curve under its trims.
+inline Handle(Geom_Curve) untrimmed(Handle(Geom_Curve) curve) {
+  while (auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve)) curve = trimmed->BasisCurve();
+  return curve;
 }
 
 /// The surface under its trims.

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "base/box.h"
-#include "base/predicates.h"
 #include "base/segment.h"
+#include "regions/curves_apart.h"
 
 namespace paver {
 namespace {
@@ -32,13 +32,9 @@ Chain side_of(const CurvedFacet& f) {
 double bulge(const CurvedFacet& f) { return norm(f.middle - 0.5 * (f.start + f.end)); }
 bool is_bulging(const CurvedFacet& f) { return bulge(f) > straight * norm(f.end - f.start); }
 
-bool cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  return side_of_line(a, b, c) * side_of_line(a, b, d) < 0 && side_of_line(c, d, a) * side_of_line(c, d, b) < 0;
-}
-
 bool crosses(const Chain& chain, Vec2 c, Vec2 d) {
   for (int i = 0; i < pieces; ++i)
-    if (cross(chain[i], chain[i + 1], c, d)) return true;
+    if (do_cross(chain[i], chain[i + 1], c, d)) return true;
   return false;
 }
 

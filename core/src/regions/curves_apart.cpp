@@ -22,10 +22,6 @@ struct Piece {
   int depth;
 };
 
-bool do_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  return side_of_line(a, b, c) * side_of_line(a, b, d) < 0 && side_of_line(c, d, a) * side_of_line(c, d, b) < 0;
-}
-
 double distance(const Piece& s, const Piece& t) {
   if (do_cross(s.a, s.b, t.a, t.b)) return 0;
   return std::min({distance_to_segment(s.a, t.a, t.b), distance_to_segment(s.b, t.a, t.b),
@@ -106,6 +102,10 @@ class Pair {
 };
 
 }  // namespace
+
+bool do_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  return side_of_line(a, b, c) * side_of_line(a, b, d) < 0 && side_of_line(c, d, a) * side_of_line(c, d, b) < 0;
+}
 
 double PlaneCurve::bulge(double from, double to) const {
   constexpr double safety = 1.25;  // for what lies between the points looked at

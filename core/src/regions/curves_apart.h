@@ -36,6 +36,9 @@ struct Meeting {
 /// Other than in the ends that they share (`shared`: up to two).
 Meeting find_meeting(const PlaneCurve& one, const PlaneCurve& other, const std::vector<SharedEnd>& shared);
 
+/// Whether the chords ab and cd have a point in common within both, exactly.
+bool do_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
+
 /// Where two chords come nearest to each other: where they cross, or the end that lies nearest to the other.
 Vec2 nearest_point(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 

@@ -270,9 +270,11 @@ class Recognition {
 }  // namespace
 
 void recognise(Workpiece& work) {
-  if (!Recognition(work).has_candidates()) return;
-  copy_shape(work);
-  Recognition recognition(work);  // of the copy
+  if (!work.is_copied) {
+    if (!Recognition(work).has_candidates()) return;
+    copy_shape(work);
+  }
+  Recognition recognition(work);
   recognition.decide();
   recognition.apply();
 }

@@ -5,7 +5,6 @@
 #include <Geom_BezierCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Line.hxx>
-#include <Geom_TrimmedCurve.hxx>
 #include <numbers>
 #include <vector>
 
@@ -15,7 +14,7 @@
 namespace paver {
 namespace {
 
-/// Odd, so that the middle is one; and one less is a multiple of three short of one, for circles.
+/// Odd, so that the middle is one.
 constexpr int samples = 17;
 
 struct Found {
@@ -23,8 +22,7 @@ struct Found {
   double last = 0;
 };
 
-bool is_spline(Handle(Geom_Curve) curve) {
-  while (auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve)) curve = trimmed->BasisCurve();
+bool is_spline(const Handle(Geom_Curve) & curve) {
   return curve->IsKind(STANDARD_TYPE(Geom_BSplineCurve)) || curve->IsKind(STANDARD_TYPE(Geom_BezierCurve));
 }
 
@@ -72,7 +70,7 @@ std::optional<PlainCurve> recognise_curve(const TopoDS_Edge& edge, double tolera
   TopLoc_Location location;
   double first = 0, last = 0;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, first, last);
-  if (curve.IsNull() || !is_spline(curve)) return std::nullopt;
+  if (curve.IsNull() || !is_spline(untrimmed(curve))) return std::nullopt;
   std::vector<gp_Pnt> points;
   for (int i = 0; i < samples; ++i) points.push_back(curve->Value(first + (last - first) * i / (samples - 1)));
   for (const auto through : {line_through, circle_through}) {

@@ -1,5 +1,5 @@
 // Planes, cylinders, cones, spheres and tori, lines and arcs, that files write as something else: IGES has turned lines
-// and circles for them, programs that know splines only write splines. The kernel connects those up to 45 times as
+// and circles for them, programs that know splines only write splines. The kernel connects those up to 40 times as
 // slowly, and these are evaluated in closed form, too.
 #pragma once
 

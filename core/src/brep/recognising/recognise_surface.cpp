@@ -19,7 +19,6 @@
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
-#include <Geom_TrimmedCurve.hxx>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -40,11 +39,6 @@ constexpr int samples = 7, turn_samples = 16;
 struct Range {
   double u0, u1, v0, v1;
 };
-
-Handle(Geom_Curve) untrimmed_curve(Handle(Geom_Curve) curve) {
-  while (auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve)) curve = trimmed->BasisCurve();
-  return curve;
-}
 
 gp_Pnt2d unchanged(const gp_Pnt2d& uv) { return uv; }
 
@@ -106,7 +100,7 @@ std::optional<Elementary> turned_circle(const gp_Circ& circle, const gp_Ax1& axi
 }
 
 std::optional<Elementary> recognise_turned(const Geom_SurfaceOfRevolution& surface, const Range& range) {
-  const Handle(Geom_Curve) meridian = untrimmed_curve(surface.BasisCurve());
+  const Handle(Geom_Curve) meridian = untrimmed(surface.BasisCurve());
   if (const auto circle = Handle(Geom_Circle)::DownCast(meridian))
     return turned_circle(circle->Circ(), surface.Axis(), range);
   const auto line = Handle(Geom_Line)::DownCast(meridian);
@@ -127,7 +121,7 @@ std::optional<Elementary> on_plane(const Handle(Geom_Surface) & surface, const H
 }
 
 std::optional<Elementary> recognise_extruded(const Handle(Geom_SurfaceOfLinearExtrusion) & extruded) {
-  const Handle(Geom_Curve) profile = untrimmed_curve(extruded->BasisCurve());
+  const Handle(Geom_Curve) profile = untrimmed(extruded->BasisCurve());
   const gp_Dir along = extruded->Direction();
   if (const auto line = Handle(Geom_Line)::DownCast(profile)) {
     const gp_Lin lin = line->Lin();

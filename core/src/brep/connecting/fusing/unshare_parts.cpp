@@ -41,8 +41,10 @@ bool unshare_parts(Workpiece& work, const std::vector<int>& parts) {
       faces.push_back(static_cast<int>(f));
       TopExp::MapShapes(face.face, TopAbs_VERTEX, vertices);
     }
-    for (int i = 1; i <= vertices.Extent(); ++i) is_shared = is_shared || known.Contains(vertices(i));
-    for (int i = 1; i <= vertices.Extent(); ++i) known.Add(vertices(i));
+    for (int i = 1; i <= vertices.Extent(); ++i) {
+      is_shared = is_shared || known.Contains(vertices(i));
+      known.Add(vertices(i));
+    }
     if (!is_own || !is_shared) continue;
     copy_faces(work, faces);
     has_shared = true;
