@@ -114,6 +114,16 @@ TEST(TieSides, RimsOfARodAreTiedToEachOtherBeforeALongRim) {
   EXPECT_EQ(counts[0], 12);
 }
 
+// Around a pin: the pin's rims take ten, as its length is; the ring with eight outside had needles.
+TEST(TieSides, RimsOfAThinRingTakeOneCountBeforeAllOthers) {
+  fake::Builder builder;
+  const int outer = add_circle(builder, 1.1), rim = add_circle(builder, 1), end = add_circle(builder, 1);
+  add_ring(builder, outer, rim, 0.66);
+  add_ring(builder, rim, end, 20);
+  const std::vector<int> counts = tied(builder.take(), {7.48, 10.2, 10.2}, 8);
+  EXPECT_EQ(counts, (std::vector<int>(3, 10)));
+}
+
 TEST(TieSides, SidesOfAThinRingWithCornersTakeOneCount) {
   const std::vector<double> wishes{1.6, 1.6, 1.6, 1.6, 1.4, 1.4, 1.4, 1.4};
   const std::vector<int> narrow = tied(fake::frame(4, 0.1), wishes),

@@ -3,6 +3,8 @@
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
@@ -47,6 +49,36 @@ TopoDS_Shape dish(double height) {
 TEST(NearParts, SheetsAlongOneAnotherDoNotTouch) {
   const RunReport report = test::report_of(test::compound({dish(0), dish(1.5)}), 5);
   EXPECT_TRUE(report.model.unconnected.empty());
+  EXPECT_STREQ(verdict(report), "sound");
+}
+
+/// One arm of two: a strip of width 0.8 that winds outwards, extruded; 0.77 apart from the turns of the other.
+TopoDS_Shape spiral_arm(double phase) {
+  constexpr int turns = 6, per_turn = 12, count = turns * per_turn + 1;
+  auto side = [&](double radius) {
+    TColgp_Array1OfPnt points(1, count);
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2 * std::numbers::pi * i / per_turn, r = radius + 0.5 * angle;
+      points.SetValue(i + 1, gp_Pnt(r * std::cos(angle + phase), r * std::sin(angle + phase), 0));
+    }
+    return BRepBuilderAPI_MakeEdge(GeomAPI_PointsToBSpline(points).Curve()).Edge();
+  };
+  const TopoDS_Edge inner = side(3), outer = side(3.8);
+  auto end_of = [](const TopoDS_Edge& edge, bool last) {
+    return last ? TopExp::LastVertex(edge) : TopExp::FirstVertex(edge);
+  };
+  BRepBuilderAPI_MakeWire border(inner);
+  border.Add(BRepBuilderAPI_MakeEdge(end_of(inner, true), end_of(outer, true)).Edge());
+  border.Add(outer);
+  border.Add(BRepBuilderAPI_MakeEdge(end_of(outer, false), end_of(inner, false)).Edge());
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(border.Wire(), true).Face(), gp_Vec(0, 0, 0.035)).Shape();
+}
+
+// The kernel would look for where they meet, for minutes.
+TEST(NearParts, ArmsOfASpiralDoNotTouch) {
+  const RunReport report = test::report_of(test::compound({spiral_arm(0), spiral_arm(std::numbers::pi)}), 4);
+  EXPECT_TRUE(report.model.contacts.empty());
+  EXPECT_EQ(report.components.size(), 2U);
   EXPECT_STREQ(verdict(report), "sound");
 }
 

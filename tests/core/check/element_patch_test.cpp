@@ -63,5 +63,17 @@ TEST(ElementPatch, DistancesBetweenPatchesAreNotThoseOfTheirNodes) {
   EXPECT_NEAR(distance(round_quad(0.5), round_quad(0.5, {}, 1.05)).distance, 0.05, 1e-3);
 }
 
+TEST(ElementPatch, PlanesPartPatches) {
+  const ElementPatch needle{3, 1, {Vec3{0, 0, 0}, {10, 0, 0}, {10, 0.1, 0}}};
+  auto quad = [](Vec3 at) {
+    return ElementPatch{4, 1, {at, at + Vec3{1, 0, 0}, at + Vec3{1, 0, 1}, at + Vec3{0, 0, 1}}};
+  };
+  EXPECT_FALSE(are_apart(needle, quad({8, 0.05, -0.5}), 0)) << "crosses it";
+  EXPECT_TRUE(are_apart(needle, quad({2, 0.05, -0.5}), 0)) << "beside its long side, within its box";
+  EXPECT_FALSE(are_apart(needle, quad({2, 0.05, -0.5}), 0.1)) << "nearer than asked";
+  EXPECT_TRUE(are_apart(needle, quad({8, 0.05, 0.2}), 0.1)) << "above it";
+  EXPECT_FALSE(are_apart(round_quad(1), round_quad(0.5, {-0.05, 0.1, 0.1}), 0)) << "bent ones cross";
+}
+
 }  // namespace
 }  // namespace paver

@@ -3,18 +3,23 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <gp_Circ.hxx>
 #include <numbers>
 
 #include "support/report_of.h"
@@ -199,6 +204,36 @@ TEST(MergeSmall, AThinFaceDoesNotLoseItsEnds) {
   const TopoDS_Shape plate = BRepPrimAPI_MakeBox(100, 60, 5).Shape();
   const TopoDS_Shape groove = BRepPrimAPI_MakeBox(gp_Pnt(40, 20, 4.6), gp_Pnt(62, 21.2, 6)).Shape();
   const MeshResult result = test::mesh_of(BRepAlgoAPI_Cut(plate, groove).Shape(), 1e6);
+  EXPECT_EQ(faces_of(result, FaceStatus::failed), 0);
+}
+
+/// A plate with a round notch in its border, and in its plane half a ring about that and a pad about the ring. The pad
+/// is tiny: one place for all its border would draw the ring across the notch.
+TopoDS_Shape plate_with_pad_at_notch() {
+  auto arc = [](double radius) {
+    return BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2({0, 0, 0}, gp_Dir(0, 0, 1)), radius), 0, std::numbers::pi).Edge();
+  };
+  BRepBuilderAPI_MakeWire border(arc(0.4));
+  const std::vector<gp_Pnt> corners{{-0.4, 0, 0}, {-50, 0, 0}, {-50, 60, 0}, {50, 60, 0}, {50, 0, 0}, {0.4, 0, 0}};
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    border.Add(BRepBuilderAPI_MakeEdge(corners[i - 1], corners[i]).Edge());
+  const double y = std::sqrt(0.55 * 0.55 - 0.25);
+  BRepBuilderAPI_MakePolygon pad;
+  for (const gp_Pnt& point : {gp_Pnt(0.5, y, 0), gp_Pnt(0.5, 1.3, 0), gp_Pnt(-0.5, 1.3, 0), gp_Pnt(-0.5, y, 0)})
+    pad.Add(point);
+  BRepAlgoAPI_BuilderAlgo fuse;
+  TopTools_ListOfShape arguments;
+  arguments.Append(BRepBuilderAPI_MakeFace(border.Wire()).Face());
+  arguments.Append(arc(0.55));
+  arguments.Append(pad.Wire());
+  fuse.SetArguments(arguments);
+  fuse.Build();
+  return fuse.Shape();
+}
+
+TEST(MergeSmall, ATinyFaceStaysWhereItsNeighbourIsNarrow) {
+  const MeshResult result = test::mesh_of(plate_with_pad_at_notch(), 1e6);
+  EXPECT_EQ(result.report.faces.size(), 3U);
   EXPECT_EQ(faces_of(result, FaceStatus::failed), 0);
 }
 

@@ -4,6 +4,7 @@
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -296,6 +297,19 @@ TEST(Connect, APointApartIsNamedAndNoNode) {
   EXPECT_EQ(result.report.components, (std::vector<std::vector<std::string>>{{"Sheet1"}}));
   EXPECT_EQ(result.report.notes,
             std::vector<std::string>{"On no face and on no edge, so that they are no nodes: Point1."});
+}
+
+TEST(Connect, AWireIsDividedWhereItTouchesItself) {
+  auto lines = [](std::vector<gp_Pnt> points) {
+    BRepBuilderAPI_MakePolygon polygon;
+    for (const gp_Pnt& point : points) polygon.Add(point);
+    return report_of(polygon.Shape(), 1e6).quality.wire_lines;
+  };
+  const gp_Pnt left{-10, 0, 0}, right{10, 0, 0}, up{10, 10, 0}, over{0, 10, 0}, back{5, 0, 0}, on{15, 0, 0};
+  EXPECT_EQ(lines({left, right, up, over, {0, -10, 0}}), 6) << "crosses itself";
+  EXPECT_EQ(lines({left, right, up, over, {0, 0, 0}}), 5) << "ends on itself";
+  EXPECT_EQ(lines({left, right, up, {5, 10, 0}, back, on}), 6) << "runs along itself";
+  EXPECT_EQ(lines({left, right, up, over}), 3) << "touches nothing";
 }
 
 TEST(Connect, AWireAloneIsMeshed) {

@@ -43,9 +43,11 @@ Error breakdown(const std::string& name, Stage stage, int signal, const std::str
                                                       "stage {}); export the model again.",
                                                       name, ::strsignal(signal), stage_name(stage)));
   if (is_of_kernel(stage) && signal == SIGXCPU)
-    return Error(ErrorCode::damaged_file, fmt::format("'{}' could not be read: the CAD kernel came to no end with it "
-                                                      "(in stage {}); export the model again.",
-                                                      name, stage_name(stage)));
+    return Error(
+        ErrorCode::damaged_file,
+        fmt::format("'{}' could not be read: the CAD kernel came to no end with it (in stage {}); export the "
+                    "model again{}.",
+                    name, stage_name(stage), stage == Stage::topology ? ", or mesh its parts one by one" : ""));
   std::string what =
       fmt::format("{} was ended by signal {} ({}) in stage {}", who, signal, ::strsignal(signal), stage_name(stage));
   if (signal == SIGKILL)

@@ -1,16 +1,17 @@
 // Equal counts on opposite sides, so that such faces can be meshed as grids.
 // In: loops, counts. Out: groups of edges with one count each.
-// Steps: edges that lie opposite each other are joined, those of one kind (shorter than the target length, or not) and
-// of large faces first, while there is a count that all members of a group can take (where a face has one pair of sides
-// only that can be equal: while they differ by rounding, for such a face stays irregular anyway); each group takes the
-// one nearest to their wishes; sides of unequal numbers of edges then get equal sums by changing groups that no earlier
-// pair of sides holds.
+// Steps: edges that lie opposite each other are joined, those of faces far narrower than their intervals first, then
+// those of one kind (shorter than the target length, or not) and of large faces, while there is a count that all
+// members of a group can take (where a face has one pair of sides only that can be equal: while they differ by
+// rounding, for such a face stays irregular anyway); each group takes the one nearest to their wishes; sides of unequal
+// numbers of edges then get equal sums by changing groups that no earlier pair of sides holds.
 #include "boundary/facing/tie_sides.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 #include "base/union_find.h"
 
@@ -21,7 +22,10 @@ constexpr double most_intervals = 1e8;   // keeps counts within int
 constexpr double largest_change = 0.12;  // of an edge's wish
 // Intervals on the rims of a ring, by the target length: cones up to 1 : 1.67 come out regular (decision frusta).
 constexpr double shortest_on_rim = 0.75, longest_on_rim = 1.25;
-constexpr double narrow = 0.7;    // intervals
+constexpr double narrow = 0.7;  // intervals
+constexpr double thin = 0.2;    // intervals: what lies between unequal sides are needles
+// Of the wish: sides of thin faces may take as many more.
+constexpr double most_on_thin = 1.5;
 constexpr double rounding = 0.9;  // intervals: short edges may change by more than that share
 constexpr int most_on_short = 4;  // intervals: on an edge shorter than the target length no length is right
 // Of the intervals that its bends ask for: those of the other end of a thin rod ask for more.
@@ -34,16 +38,21 @@ struct Range {
   bool is_possible(bool is_even) const { return is_even ? (least + 1) / 2 <= most / 2 : least <= most; }
 };
 
-Range range_of(const EdgeCount& edge, bool is_rim) {
+struct EdgeKind {
+  bool is_rim = false, is_of_thin = false;  // of a ring or a bent strip; of a thin face
+};
+
+Range range_of(const EdgeCount& edge, EdgeKind kind) {
   double slack = std::max(largest_change * edge.wish, rounding);
   double lowest = edge.wish - slack, highest = edge.wish + slack;
-  if (is_rim)
+  if (kind.is_rim)
     lowest = std::min(lowest, edge.wish / longest_on_rim), highest = std::max(highest, edge.wish / shortest_on_rim);
   // The count it has is always allowed: its minimum may lie far above its wish.
   int least = std::max(edge.minimum, static_cast<int>(std::ceil(std::max(lowest, 1.0))));
   int most = static_cast<int>(std::floor(std::min(highest, most_intervals)));
   if (edge.is_short) most = std::max(most, std::min(2 * edge.count, most_on_short));
-  if (edge.is_short && is_rim) most = std::max(most, static_cast<int>(most_on_short_rim * edge.count));
+  if (kind.is_of_thin) most = std::max(most, static_cast<int>(std::min(most_on_thin * edge.wish, most_intervals)));
+  if (edge.is_short && kind.is_rim) most = std::max(most, static_cast<int>(most_on_short_rim * edge.count));
   return {std::min(least, edge.count), std::max(most, edge.count)};
 }
 
@@ -51,10 +60,10 @@ Range common(Range a, Range b) { return {std::max(a.least, b.least), std::min(a.
 
 class Tying {
  public:
-  Tying(const std::vector<EdgeCount>& counts, const std::vector<bool>& is_rim)
-      : counts_(counts), is_rim_(is_rim), groups_(counts.size()) {
+  Tying(const std::vector<EdgeCount>& counts, const std::vector<EdgeKind>& kinds)
+      : counts_(counts), kinds_(kinds), groups_(counts.size()) {
     for (std::size_t e = 0; e < counts.size(); ++e)
-      members_.push_back({range_of(counts[e], is_rim[e]),
+      members_.push_back({range_of(counts[e], kinds[e]),
                           {counts[e].count, counts[e].count},
                           counts[e].minimum,
                           1,
@@ -87,7 +96,7 @@ class Tying {
     auto reach = [&](const std::vector<int>& side) {
       double least = 0, most = 0;
       for (int e : side) {
-        Range range = range_of(counts_[e], is_rim_[e]);
+        Range range = range_of(counts_[e], kinds_[e]);
         least += range.least, most += range.most;
       }
       return std::pair{least, most};
@@ -198,23 +207,37 @@ class Tying {
   }
 
   const std::vector<EdgeCount>& counts_;
-  const std::vector<bool>& is_rim_;
+  const std::vector<EdgeKind>& kinds_;
   UnionFind groups_;
   std::vector<Members> members_;
   std::vector<int> chosen_;    // per group
   std::vector<bool> is_held_;  // per group: an equal sum depends on it
 };
 
+/// Whether a face is far narrower between two sides than their intervals are long.
+bool is_thin_between(const Model& model, const OppositeSides& pair, const std::vector<EdgeCount>& counts) {
+  const double length = length_of(model, pair.first) + length_of(model, pair.second);
+  double wish = 0;
+  for (const std::vector<int>* side : {&pair.first, &pair.second})
+    for (int e : *side) wish += counts[e].wish;
+  return 2 * model.faces[pair.face].area * wish <= thin * length * length;
+}
+
 }  // namespace
 
 TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSides>& pairs,
                               const std::vector<std::vector<Loop>>& loops, const std::vector<EdgeCount>& counts) {
-  std::vector<bool> is_rim(counts.size(), false);
-  for (const OppositeSides& pair : pairs)
-    if (pair.partner < 0)
-      for (const std::vector<int>* side : {&pair.first, &pair.second})
-        for (int e : *side) is_rim[e] = true;
-  Tying tying(counts, is_rim);
+  std::vector<EdgeKind> kinds(counts.size());
+  std::vector<bool> is_thin;
+  for (const OppositeSides& pair : pairs) {
+    is_thin.push_back(is_thin_between(model, pair, counts));
+    for (const std::vector<int>* side : {&pair.first, &pair.second})
+      for (int e : *side) {
+        kinds[e].is_rim = kinds[e].is_rim || pair.partner < 0;
+        kinds[e].is_of_thin = kinds[e].is_of_thin || is_thin.back();
+      }
+  }
+  Tying tying(counts, kinds);
   for (const std::vector<Loop>& of_face : loops)
     for (const Loop& loop : of_face)
       if (loop.coedges.size() == 1 && counts[loop.coedges[0].edge].count > 0) tying.mark_even(loop.coedges[0].edge);
@@ -226,8 +249,8 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
   std::iota(order.begin(), order.end(), 0);
   // A long rim must not take a short one away from those beside it.
   auto is_unlike = [&](const OppositeSides& pair) { return tying.is_short(pair.first) != tying.is_short(pair.second); };
-  std::ranges::stable_sort(order, {},
-                           [&](int i) { return std::pair(is_unlike(pairs[i]), -model.faces[pairs[i].face].area); });
+  std::ranges::stable_sort(
+      order, {}, [&](int i) { return std::tuple(!is_thin[i], is_unlike(pairs[i]), -model.faces[pairs[i].face].area); });
   std::erase_if(order, [&](int i) { return !can_equal[i]; });
   for (int i : order) {
     const OppositeSides& pair = pairs[i];

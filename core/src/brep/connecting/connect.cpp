@@ -21,7 +21,7 @@ using Pair = std::array<int, 2>;
 /// coordinates are, and it takes 1e-7 mm for granted.
 constexpr double far_away = 10;
 
-/// Clusters of parts that pairs hang together; those of one part are left out but for loose sheets.
+/// Clusters of parts that pairs hang together; those of one part are left out but for loose ones.
 std::vector<std::vector<int>> clusters_of(const std::vector<Pair>& pairs, const std::vector<WorkPart>& parts) {
   UnionFind together(parts.size());
   for (auto [a, b] : pairs) together.merge(a, b);
@@ -266,7 +266,7 @@ void drop_inside(Workpiece& work) {
 
 ConnectResult connect(Workpiece& work, Connect how, double tolerance, Progress& progress) {
   ConnectResult result;
-  find_loose_sheets(work, tolerance);
+  find_loose_parts(work, tolerance);
   if (work.parts.size() < 2 && (work.parts.empty() || !work.parts[0].is_loose)) return result;
   Workpiece fused = work;
   Connector connector(fused, tolerance, progress);

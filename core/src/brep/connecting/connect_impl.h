@@ -75,8 +75,8 @@ std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts,
 /// where none does. Not those with faces that another part has as well.
 bool unshare_parts(Workpiece& work, const std::vector<int>& parts);
 
-/// Marks sheets sewn of several whose faces touch elsewhere than along the seams: WorkPart::is_loose.
-void find_loose_sheets(Workpiece& work, double tolerance);
+/// Marks sheets and wires that touch themselves: WorkPart::is_loose.
+void find_loose_parts(Workpiece& work, double tolerance);
 
 /// What a tolerance tells of the gap closed there, mm: the kernel widens tolerances so far; its own accuracy is no gap.
 double closed_gap(double tolerance);

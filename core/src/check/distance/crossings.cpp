@@ -108,26 +108,6 @@ std::optional<Vec3> piercing(const ElementPatch& line, const ElementPatch& patch
   return std::nullopt;
 }
 
-/// The range of a patch along a direction.
-std::pair<double, double> extent(const ElementPatch& patch, Vec3 direction) {
-  ElementPatch along = patch;
-  for (int k = 0; k < patch.node_count(); ++k) along.nodes[k] = {dot(direction, patch.nodes[k]), 0, 0};
-  const Box box = along.bounds();
-  return {box.low.x, box.high.x};
-}
-
-bool are_apart_along(const ElementPatch& a, const ElementPatch& b, Vec3 direction, double near) {
-  const auto [a_low, a_high] = extent(a, direction);
-  const auto [b_low, b_high] = extent(b, direction);
-  const double margin = near * norm(direction);
-  return a_low > b_high + margin || b_low > a_high + margin;
-}
-
-Vec3 mean_normal(const ElementPatch& patch) {
-  const Vec3* x = patch.nodes.data();
-  return patch.corners == 3 ? cross(x[1] - x[0], x[2] - x[0]) : cross(x[2] - x[0], x[3] - x[1]);
-}
-
 double longest_side(const ElementPatch& patch) {
   double longest = 0;
   for (int k = 0; k < patch.corners; ++k)
@@ -147,24 +127,23 @@ std::optional<Vec3> touching(const ElementPatch& one, const ElementPatch& patch,
     const Offset offset = offset_from(patch, x, middle_of(patch));
     if (offset.distance > near) continue;
     const auto [u, v] = patch.slopes(offset.foot);
-    if (are_aslant(cross(u, v), mean_normal(one))) return x;
+    if (are_aslant(cross(u, v), one.mean_normal())) return x;
   }
   return std::nullopt;
 }
 
 std::optional<Vec3> crossing(const ElementPatch& a, const ElementPatch& b) {
-  const double longest = std::max(longest_side(a), longest_side(b));
-  for (const ElementPatch* one : {&a, &b})
-    if (are_apart_along(a, b, mean_normal(*one), on_patch * longest)) return std::nullopt;
+  const double longest = std::max(longest_side(a), longest_side(b)), near = on_patch * longest;
+  if (are_apart(a, b, near)) return std::nullopt;
   const std::array<std::pair<const ElementPatch*, const ElementPatch*>, 2> both{{{&a, &b}, {&b, &a}}};
   for (const auto& [one, other] : both)
     for (int k = 0; k < one->corners; ++k) {
       const ElementPatch side = side_of(*one, k);
-      if (!side.bounds().meets(other->bounds())) continue;
-      if (auto where = piercing(side, *other, least_depth * longest, on_patch * longest)) return where;
+      if (!side.bounds().meets(other->bounds()) || are_apart(side, *other, near)) continue;
+      if (auto where = piercing(side, *other, least_depth * longest, near)) return where;
     }
   for (const auto& [one, other] : both)
-    if (auto where = touching(*one, *other, on_patch * longest)) return where;
+    if (auto where = touching(*one, *other, near)) return where;
   return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace paver {
 namespace {
@@ -110,6 +111,26 @@ Vec2 step(const ElementPatch& patch, Vec2 uv, Vec3 to_x) {
   return best;
 }
 
+/// The range of a patch along a direction.
+std::pair<double, double> extent(const ElementPatch& patch, Vec3 direction) {
+  ElementPatch along = patch;
+  for (int k = 0; k < patch.node_count(); ++k) along.nodes[k] = {dot(direction, patch.nodes[k]), 0, 0};
+  const Box box = along.bounds();
+  return {box.low.x, box.high.x};
+}
+
+bool are_apart_along(const ElementPatch& a, const ElementPatch& b, Vec3 direction, double near) {
+  const auto [a_low, a_high] = extent(a, direction);
+  const auto [b_low, b_high] = extent(b, direction);
+  const double margin = near * norm(direction);
+  return a_low > b_high + margin || b_low > a_high + margin;
+}
+
+Vec3 middle_of(const ElementPatch& patch) {
+  const Box box = patch.bounds();
+  return 0.5 * (box.low + box.high);
+}
+
 }  // namespace
 
 int ElementPatch::node_count() const {
@@ -149,6 +170,12 @@ Box ElementPatch::bounds() const {
   return box;
 }
 
+Vec3 ElementPatch::mean_normal() const {
+  if (corners == 2) return {};
+  return corners == 3 ? cross(nodes[1] - nodes[0], nodes[2] - nodes[0])
+                      : cross(nodes[2] - nodes[0], nodes[3] - nodes[1]);
+}
+
 Vec2 ElementPatch::nearest(Vec3 x, Vec2 start) const {
   Vec2 uv = start;
   double distance = norm(at(uv) - x);
@@ -183,6 +210,17 @@ PatchDistance distance(const ElementPatch& a, const ElementPatch& b) {
     least = d;
   }
   return {least, a.at(on_a)};
+}
+
+bool are_apart(const ElementPatch& a, const ElementPatch& b, double near) {
+  if (are_apart_along(a, b, middle_of(b) - middle_of(a), near)) return true;
+  for (const ElementPatch* one : {&a, &b}) {
+    const Vec3 normal = one->mean_normal();
+    if (are_apart_along(a, b, normal, near)) return true;
+    for (int k = 0; k < one->corners; ++k)
+      if (are_apart_along(a, b, cross(normal, one->nodes[(k + 1) % one->corners] - one->nodes[k]), near)) return true;
+  }
+  return false;
 }
 
 }  // namespace paver

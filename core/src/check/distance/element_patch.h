@@ -22,6 +22,8 @@ struct ElementPatch {
   std::array<Vec3, 2> slopes(Vec2 uv) const;
   /// Holds all of the patch: of its nodes as a Bezier patch has them.
   Box bounds() const;
+  /// Of the diagonals, of any length; of a line none.
+  Vec3 mean_normal() const;
   /// Where the patch is nearest to x, from a place that is near it: Gauss-Newton with steps halved until they help.
   Vec2 nearest(Vec3 x, Vec2 start) const;
 };
@@ -33,5 +35,9 @@ struct PatchDistance {
   Vec3 where;  ///< on the first
 };
 PatchDistance distance(const ElementPatch& a, const ElementPatch& b);
+
+/// Whether a plane is seen to part two patches by more than `near`: along one of them or upright on one of its sides, or
+/// across the way between them.
+bool are_apart(const ElementPatch& a, const ElementPatch& b, double near);
 
 }  // namespace paver

@@ -199,8 +199,9 @@ class GapSearch {
     for (int p : of_a)
       for (int q : of_b)
         if (const Pair pair{std::min(p, q), std::max(p, q)}; !are_met(some, pair)) pairs.push_back(pair);
-    if (pairs.empty() || have_common(parts_about(a), parts_about(b))) return;
     const double target = std::min(a.target, b.target);
+    if (pairs.empty() || are_apart(a.patch, b.patch, told_gap * target)) return;
+    if (have_common(parts_about(a), parts_about(b))) return;
     const PatchDistance found = distance(a.patch, b.patch);
     if (found.distance > told_gap * target) return;
     for (Pair pair : pairs)

@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t fewest_edges = 3;  // that a loop keeps
 constexpr double tiny_share = 0.2;       // of short edges: smaller faces go whatever angles they make
 constexpr double much_longer = 3;        // times a short edge
+constexpr double longest_end = 3;        // widths of a face: an edge that goes is an end of it, no side
 
 class ShortEdges {
  public:
@@ -176,7 +177,7 @@ class ShortEdges {
   double short_edge(int e) const { return edits_.edge(e).curve ? limits_.short_edge(e) : 0; }
 
   /// Whether the face keeps a border of some edges, or none at all of a hole that the small face fills. One that
-  /// `goes` itself may keep two.
+  /// `goes` itself may keep two; one that stays keeps its sides: all across a narrow face would be drawn to one place.
   bool leaves_loop(int f, const std::vector<Coedge>& gone, bool goes) const {
     const auto is_gone = [&](const Coedge& c) {
       return std::any_of(gone.begin(), gone.end(), [&](const Coedge& g) { return g.edge == c.edge; });
@@ -187,8 +188,11 @@ class ShortEdges {
       if (going == 0) continue;
       const bool is_hole = edits_.face(f).loops.size() > 1 && going == coedges.size() && going == gone.size();
       if (!is_hole && coedges.size() < going + (goes ? 2 : fewest_edges)) return false;
+      if (is_hole || goes) continue;
       for (const Coedge& coedge : coedges)
-        if (going == 1 && !goes && is_gone(coedge) && limits_.sharpens(f, coedge.edge)) return false;
+        if (is_gone(coedge) && (edits_.edge(coedge.edge).length > longest_end * limits_.width(f) ||
+                                (going == 1 && limits_.sharpens(f, coedge.edge))))
+          return false;
     }
     return true;
   }

@@ -15,14 +15,13 @@ double parameter(const Edge& edge, bool is_reversed, double share) {
   return is_reversed ? edge.t1 + share * (edge.t0 - edge.t1) : edge.t0 + share * (edge.t1 - edge.t0);
 }
 
-double one_way(const ModelEdits& edits, const Side& from, const Side& to) {
+/// Largest distance from `most` on of points of a side from the other one; of those beyond `limit` one.
+double one_way(const ModelEdits& edits, const Side& from, const Side& to, double most, double limit) {
   const SideCurve a(edits, from), b(edits, to);
-  double most = 0;
   for (std::size_t i = 0; i < from.size(); ++i)
-    for (int k = 0; k <= steps; ++k) {
+    for (int k = 0; k <= steps && most <= limit; ++k) {
       const double within = static_cast<double>(k) / steps, share = (1 - within) * a.begin(i) + within * a.begin(i + 1);
-      const Vec3 x = a.point(a.at(share));
-      most = std::max(most, norm(x - b.point(b.nearest(x, 0, 1))));
+      most = std::max(most, b.distance(a.point(a.at(share)), most));
     }
   return most;
 }
@@ -44,26 +43,49 @@ SidePlace SideCurve::at(double share) const {
 
 Vec3 SideCurve::point(const SidePlace& place) const { return edits_.edge(side_[place.at].edge).curve->point(place.t); }
 
-SidePlace SideCurve::nearest(Vec3 x, double from, double to) const {
-  const auto distance = [&](double share) { return norm(point(at(share)) - x); };
-  const int count = steps * static_cast<int>(side_.size());
-  double best = from, least = distance(from);
-  const double step = (to - from) / count;
-  for (int i = 1; i <= count; ++i)
-    if (const double here = distance(from + i * step); here < least) least = here, best = from + i * step;
-  // Golden section between the neighbours of the nearest sample.
-  constexpr double golden = 0.6180339887498949;
-  double lo = std::max(from, best - step), hi = std::min(to, best + step);
-  for (int i = 0; i < 30; ++i) {
-    const double a = hi - golden * (hi - lo), b = lo + golden * (hi - lo);
-    (distance(a) < distance(b) ? hi : lo) = distance(a) < distance(b) ? b : a;
-  }
-  const double middle = 0.5 * (lo + hi);
-  return at(distance(middle) < least ? middle : best);
+const std::vector<Vec3>& SideCurve::samples() const {
+  const int count = samples_.empty() ? steps * static_cast<int>(side_.size()) : -1;
+  for (int i = 0; i <= count; ++i) samples_.push_back(point(at(static_cast<double>(i) / count)));
+  return samples_;
 }
 
-double distance_between(const ModelEdits& edits, const Side& one, const Side& two) {
-  return std::max(one_way(edits, one, two), one_way(edits, two, one));
+SideCurve::Sample SideCurve::nearest_sample(Vec3 x) const {
+  Sample best{0, INFINITY};
+  for (std::size_t i = 0; i < samples().size(); ++i)
+    if (const double here = norm(samples_[i] - x); here < best.distance) best = {i, here};
+  return best;
+}
+
+SidePlace SideCurve::nearest(Vec3 x) const { return nearest(x, nearest_sample(x)); }
+
+// Golden section between the neighbours of the nearest sample.
+SidePlace SideCurve::nearest(Vec3 x, const Sample& sample) const {
+  constexpr double golden = 0.6180339887498949;
+  constexpr int rounds = 30;
+  const auto distance = [&](double share) { return norm(point(at(share)) - x); };
+  const double step = 1.0 / static_cast<double>(samples().size() - 1), best = static_cast<double>(sample.index) * step;
+  double lo = std::max(0.0, best - step), hi = std::min(1.0, best + step);
+  double a = hi - golden * (hi - lo), b = lo + golden * (hi - lo), at_a = distance(a), at_b = distance(b);
+  for (int i = 0; i < rounds; ++i) {
+    if (at_a < at_b) {
+      hi = b, b = a, at_b = at_a;
+      at_a = distance(a = hi - golden * (hi - lo));
+    } else {
+      lo = a, a = b, at_a = at_b;
+      at_b = distance(b = lo + golden * (hi - lo));
+    }
+  }
+  const double middle = 0.5 * (lo + hi);
+  return at(distance(middle) < sample.distance ? middle : best);
+}
+
+double SideCurve::distance(Vec3 x, double enough) const {
+  const Sample sample = nearest_sample(x);
+  return sample.distance <= enough ? sample.distance : norm(point(nearest(x, sample)) - x);
+}
+
+double distance_between(const ModelEdits& edits, const Side& one, const Side& two, double limit) {
+  return one_way(edits, two, one, one_way(edits, one, two, 0, limit), limit);
 }
 
 double tilt_between(const ModelEdits& edits, const Side& one, const Side& two) {
@@ -92,7 +114,7 @@ std::optional<std::vector<SidePlace>> cuts_for(const ModelEdits& edits, const Si
   double last = 0;
   for (std::size_t i = 1; i < vertices.size(); ++i) {
     const Vec3 x = a.point(a.at(a.begin(i)));
-    const SidePlace place = b.nearest(x, 0, 1);
+    const SidePlace place = b.nearest(x);
     if (norm(b.point(place) - x) > most) return std::nullopt;
     bool has_vertex = false;
     for (std::size_t k = 1; k < cut.size(); ++k) has_vertex = has_vertex || norm(b.point(b.at(b.begin(k))) - x) <= most;

@@ -37,20 +37,24 @@ class ThinFaces {
   void run() {
     // Faces of a narrow band end at one another: first which of them can go, if those do that they end at.
     const auto count = static_cast<int>(edits_.model().faces.size());
-    may_go_.assign(static_cast<std::size_t>(count), 1);
+    for (int f = 0; f < count; ++f) {
+      sides_.push_back(find(f));
+      may_go_.push_back(sides_.back().has_value());
+    }
     for (bool has_changed = true; has_changed;) {
       has_changed = false;
       for (int f = 0; f < count; ++f) {
-        char& may_go = may_go_[f];
-        if (!may_go || find(f)) continue;
-        may_go = 0;
+        if (!may_go_[f] || can_go(f, *sides_[f])) continue;
+        may_go_[f] = 0;
         has_changed = true;
       }
       has_changed = keep_rims() || has_changed;
     }
-    for (int f = 0; f < count; ++f)
-      if (may_go_[f])
-        if (std::optional<Sides> sides = find(f)) merge(f, *sides);
+    for (int f = 0; f < count; ++f) {
+      if (!may_go_[f]) continue;
+      std::optional<Sides> sides = find(f);  // of edges that others before it have left
+      if (sides && can_go(f, *sides)) merge(f, *sides);
+    }
   }
 
  private:
@@ -62,15 +66,15 @@ class ThinFaces {
     };
     std::map<std::pair<int, int>, Meeting> meetings;  // of two faces: the first one's edges at rims between them
     for (int f = 0; f < static_cast<int>(may_go_.size()); ++f) {
-      const std::optional<Sides> sides = may_go_[f] ? find(f) : std::nullopt;
-      if (!sides) continue;
-      const int one = neighbour(f, sides->one.front().edge), two = neighbour(f, sides->two.front().edge);
+      if (!may_go_[f]) continue;
+      const Sides& sides = *sides_[f];
+      const int one = neighbour(f, sides.one.front().edge), two = neighbour(f, sides.two.front().edge);
       auto note = [&](int at, int other, const Side& side) {
         Meeting& meeting = meetings[{at, other}];
         meeting.rims.insert(f);
         for (const SideEdge& e : side) meeting.edges.insert(e.edge);
       };
-      note(one, two, sides->one), note(two, one, sides->two);
+      note(one, two, sides.one), note(two, one, sides.two);
     }
     bool has_any = false;
     for (const auto& [faces, meeting] : meetings) {
@@ -89,7 +93,7 @@ class ThinFaces {
     });
   }
 
-  /// The sides of a face that can go, `one` the side that stays.
+  /// The sides of a thin face, `one` the side that would stay.
   std::optional<Sides> find(int f) const {
     const Face& thin = edits_.face(f);
     if (!thin.has_area || !thin.surface || thin.loops.empty() || limits_.is_protected_face(f)) return std::nullopt;
@@ -107,7 +111,7 @@ class ThinFaces {
     const std::optional<double> one = corner_across(f, sides->one), two = corner_across(f, sides->two);
     if (!one && !two) return std::nullopt;
     if (!two || (one && *one < *two)) std::swap(sides->one, sides->two);
-    return can_go(f, *sides) ? sides : std::nullopt;
+    return sides;
   }
 
   /// Loops without periodic edges, which tie the two loops of a ring. None where the face has poles or images fail;
@@ -149,7 +153,8 @@ class ThinFaces {
         std::rotate(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(i), one.end());
         std::rotate(two.begin(), two.begin() + static_cast<std::ptrdiff_t>(k), two.end());
         // An elbow is as short on its inner side: the pipe before it does not end where that after it begins.
-        if (distance_between(edits_, one, two) > limit || tilt_between(edits_, one, two) > smooth_angle * M_PI / 180)
+        if (distance_between(edits_, one, two, limit) > limit ||
+            tilt_between(edits_, one, two) > smooth_angle * M_PI / 180)
           return std::nullopt;
         return Sides{one, two, {}};
       }
@@ -193,7 +198,7 @@ class ThinFaces {
       sides.two = reversed(sides.two);
       for (const End& end : {a, b})
         if (end.behind > end.first) sides.ends.push_back(loop[end.first % n].edge);
-      const double distance = distance_between(edits_, sides.one, sides.two);
+      const double distance = distance_between(edits_, sides.one, sides.two, least);
       if (distance < least) least = distance, best = std::move(sides);
     }
     return best;
@@ -294,7 +299,8 @@ class ThinFaces {
   ModelEdits& edits_;
   const MergeLimits& limits_;
   std::vector<Merge>& merges_;
-  std::vector<char> may_go_;  // per face
+  std::vector<std::optional<Sides>> sides_;  // per face, before any is merged
+  std::vector<char> may_go_;                 // per face
 };
 
 }  // namespace

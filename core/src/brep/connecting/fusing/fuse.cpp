@@ -60,7 +60,7 @@ class Fuser {
     return face.is_usable() && std::any_of(parts_.begin(), parts_.end(), [&](int part) { return face.has_part(part); });
   }
 
-  /// One argument: the kernel looks for nothing between the faces of one.
+  /// One argument: the kernel looks for nothing between the faces, or edges, of one.
   void add_arguments(int part) {
     if (!work_.parts[part].is_loose) {
       arguments_.Append(argument(part));
@@ -68,6 +68,8 @@ class Fuser {
     }
     for (const WorkFace& face : work_.faces)
       if (face.is_usable() && face.has_part(part)) arguments_.Append(face.face);
+    for (const WorkWire& wire : work_.wires)
+      if (wire.part == part) arguments_.Append(wire.edge);
   }
 
   TopoDS_Shape argument(int part) {

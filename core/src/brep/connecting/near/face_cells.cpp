@@ -91,7 +91,7 @@ FaceBorder::FaceBorder(const TopoDS_Face& face) {
   const TopoDS_Face plain = forward(face);
   const std::vector<TopoDS_Edge> edges = edges_of(plain);
   is_whole_ = edges.size() <= most_edges;
-  const int chords = std::clamp(most_chords / std::max(static_cast<int>(edges.size()), 1), 8, 128);
+  const int chords = std::clamp(most_chords / std::max(static_cast<int>(edges.size()), 1), 8, 1024);
   for (const TopoDS_Edge& edge : edges)
     if (is_whole_) add(image_of(edge, plain), chords);
   if (!is_closed()) chords_.clear();
@@ -121,20 +121,38 @@ bool FaceBorder::comes_near(const Chord& chord, const gp_Pnt2d& lo, const gp_Pnt
   return std::abs(way.Crossed(to)) <= std::abs(way.X()) * half.Y() + std::abs(way.Y()) * half.X();
 }
 
-void FaceBorder::add(const EdgeImage& image, int chords) {
+// Twice as many chords until bulges are small against the edge: turns of a spiral lie beside one another.
+void FaceBorder::add(const EdgeImage& image, int most) {
+  constexpr int usual = 128;
   if (image.curve.IsNull()) {
     is_whole_ = false;
     return;
   }
-  const int count = Handle(Geom2d_Line)::DownCast(image.curve).IsNull() ? chords : 1;
+  int count = Handle(Geom2d_Line)::DownCast(image.curve).IsNull() ? std::min(most, usual) : 1;
+  std::vector<Chord> line = chords_of(image, count);
+  for (; count > 1 && 2 * count <= most && !are_flat(line); line = chords_of(image, count)) count *= 2;
+  chords_.insert(chords_.end(), line.begin(), line.end());
+  ends_.push_back(line.front().a);
+  ends_.push_back(line.back().b);
+}
+
+std::vector<FaceBorder::Chord> FaceBorder::chords_of(const EdgeImage& image, int count) {
+  std::vector<Chord> line;
   gp_Pnt2d last = image.uv(0);
-  ends_.push_back(last);
   for (int i = 1; i <= count; ++i) {
     const gp_Pnt2d next = image.uv(static_cast<double>(i) / count), middle = image.uv((i - 0.5) / count);
-    chords_.push_back({last, next, 2 * middle.Distance(gp_Pnt2d(0.5 * (last.XY() + next.XY())))});
+    line.push_back({last, next, 2 * middle.Distance(gp_Pnt2d(0.5 * (last.XY() + next.XY())))});
     last = next;
   }
-  ends_.push_back(last);
+  return line;
+}
+
+bool FaceBorder::are_flat(const std::vector<Chord>& line) {
+  constexpr double flat = 1e-3;  // of the box about them
+  Bnd_Box2d box;
+  for (const Chord& chord : line) box.Add(chord.a), box.Add(chord.b);
+  const double most = flat * std::sqrt(box.SquareExtent());
+  return std::ranges::all_of(line, [&](const Chord& chord) { return chord.bulge <= most; });
 }
 
 bool FaceBorder::is_closed() const {

@@ -35,7 +35,9 @@ class FaceBorder {
   };
 
   static bool comes_near(const Chord& chord, const gp_Pnt2d& lo, const gp_Pnt2d& hi);
-  void add(const EdgeImage& image, int chords);
+  static std::vector<Chord> chords_of(const EdgeImage& image, int count);
+  static bool are_flat(const std::vector<Chord>& line);
+  void add(const EdgeImage& image, int most);
   bool is_closed() const;
 
   std::vector<Chord> chords_;

@@ -1,4 +1,5 @@
-// Sheets whose faces touch elsewhere than along common edges: each pair of faces that may is given to the kernel.
+// Parts that touch themselves: sheets whose faces do elsewhere than along common edges, for which each pair of faces
+// that may is given to the kernel, and wires whose edges do elsewhere than at common vertices.
 #include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
@@ -29,13 +30,10 @@ constexpr double doubled = 4;
 
 using FacePair = std::pair<std::size_t, std::size_t>;
 
-/// Whether two faces have more in common than the edges and vertices they share.
-bool changes_when_fused(const TopoDS_Face& one, const TopoDS_Face& two, double tolerance) {
+/// Whether faces have more in common than the edges and vertices they share, or edges than vertices.
+bool change_when_fused(const TopTools_ListOfShape& arguments, double tolerance) {
   try {
     BRepAlgoAPI_BuilderAlgo builder;
-    TopTools_ListOfShape arguments;
-    arguments.Append(one);
-    arguments.Append(two);
     builder.SetArguments(arguments);
     builder.SetNonDestructive(Standard_True);
     builder.SetRunParallel(Standard_False);
@@ -198,13 +196,16 @@ std::set<FacePair> pairs_at_doubled_edges(const std::vector<const WorkFace*>& fa
 /// Whether a sheet sewn of several has faces of different ones that touch elsewhere than along the seams, or faces that
 /// lie on one another from a common edge on. In closed skins only where edges lie on one another: all others are drawn
 /// to fit, and the kernel would find no more than what sewing closed.
-bool is_loose(const Workpiece& work, int part, double tolerance) {
+bool is_loose_sheet(const Workpiece& work, int part, double tolerance) {
   std::vector<const WorkFace*> faces;
   for (const WorkFace& face : work.faces)
     if (face.is_usable() && face.has_part(part)) faces.push_back(&face);
   int tries = 0;
   auto is_changed = [&](const FacePair& pair) {
-    return ++tries <= most_tries && changes_when_fused(faces[pair.first]->face, faces[pair.second]->face, tolerance);
+    TopTools_ListOfShape both;
+    both.Append(faces[pair.first]->face);
+    both.Append(faces[pair.second]->face);
+    return ++tries <= most_tries && change_when_fused(both, tolerance);
   };
   if (std::ranges::any_of(find_folds(faces), is_changed)) return true;
   auto is_sewn = [&](const WorkFace* face) { return face->read_sheet != faces[0]->read_sheet; };
@@ -231,11 +232,29 @@ bool is_loose(const Workpiece& work, int part, double tolerance) {
   return false;
 }
 
+/// Whether edges of a wire touch elsewhere than at the vertices they share, as of a stub drawn in one go with its line.
+/// Not where a vertex is so vague that the kernel would take other places for it.
+bool is_loose_wire(const Workpiece& work, int part, double tolerance) {
+  constexpr double vague = 1e-3;  // of the edge
+  TopTools_ListOfShape edges;
+  for (const WorkWire& wire : work.wires) {
+    if (wire.part != part) continue;
+    for (TopExp_Explorer end(wire.edge, TopAbs_VERTEX); end.More(); end.Next())
+      if (BRep_Tool::Tolerance(TopoDS::Vertex(end.Current())) > std::max(tolerance, vague * edge_length(wire.edge)))
+        return false;
+    edges.Append(wire.edge);
+  }
+  return edges.Extent() > 1 && change_when_fused(edges, tolerance);
+}
+
 }  // namespace
 
-void find_loose_sheets(Workpiece& work, double tolerance) {
-  for (std::size_t p = 0; p < work.parts.size(); ++p)
-    if (work.parts[p].solid < 0) work.parts[p].is_loose = is_loose(work, static_cast<int>(p), tolerance);
+void find_loose_parts(Workpiece& work, double tolerance) {
+  for (std::size_t p = 0; p < work.parts.size(); ++p) {
+    WorkPart& part = work.parts[p];
+    const int index = static_cast<int>(p);
+    part.is_loose = part.solid < 0 && (is_loose_sheet(work, index, tolerance) || is_loose_wire(work, index, tolerance));
+  }
 }
 
 }  // namespace paver
