@@ -36,8 +36,8 @@ struct PatchDistance {
 };
 PatchDistance distance(const ElementPatch& a, const ElementPatch& b);
 
-/// Whether a plane is seen to part two patches by more than `near`: along one of them or upright on one of its sides, or
-/// across the way between them.
+/// Whether a plane is seen to part two patches by more than `near`: along one of them or upright on one of its sides,
+/// or across the way between them.
 bool are_apart(const ElementPatch& a, const ElementPatch& b, double near);
 
 }  // namespace paver

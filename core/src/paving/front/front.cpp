@@ -8,6 +8,7 @@
 #include "mesh/spatial_order.h"
 #include "paving/closing/acute_corners.h"
 #include "paving/closing/fan_rings.h"
+#include "paving/closing/tube_rows.h"
 #include "paving/front/loop_node.h"
 #include "paving/front/wide_corners.h"
 #include "regions/crossing_facets.h"
@@ -86,10 +87,9 @@ std::optional<int> Front::start(std::optional<double> sharpest_corner) {
   }
   note_boundary(loops);
   const std::vector<Vec2> places = mesh.p;
-  for (std::size_t l = 0; l < loops.size(); ++l) {
-    if (sharpest_corner) lay_acute_corners(region, mesh, region.loops[l], loops[l], places, *sharpest_corner);
-    add_start_loop(loops[l]);
-  }
+  for (std::size_t l = 0; sharpest_corner && l < loops.size(); ++l)
+    lay_acute_corners(region, mesh, region.loops[l], loops[l], places, *sharpest_corner);
+  for (const std::vector<int>& loop : lay_tube_rows(region, mesh, loops)) add_start_loop(loop);
   for (const Fan& fan : region.fans) {
     int centre = add_loop_node(region, fan.centre, fan.ring[0].p, true, mesh);
     std::vector<int> ring;

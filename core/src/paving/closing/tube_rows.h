@@ -1,0 +1,16 @@
+// Rows of quads round a slim tube.
+#pragma once
+
+#include <vector>
+
+#include "mesh/region_mesh.h"
+#include "regions/region.h"
+
+namespace paver {
+
+/// Where a tube is cut open along its periodic edge, and narrow against the target length: rows from one side of the
+/// cut to the other, as far as nothing else is there. `loops`: nodes in the mesh; those of what is left are returned.
+std::vector<std::vector<int>> lay_tube_rows(const Region& region, RegionMesh& mesh,
+                                            std::vector<std::vector<int>> loops);
+
+}  // namespace paver
