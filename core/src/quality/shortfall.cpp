@@ -60,9 +60,11 @@ std::string holes(const std::vector<std::string>& faces) {
 
 // Nodes lie on curves and on surfaces: where these are farther apart the mesh leaves one of them.
 constexpr double farthest_curve = 0.25;  // of the target length
+constexpr double largest_share = 0.05;   // of the diagonal: no target length forgives more than for this one
 
 bool has_stray_curves(const RunReport& report) {
-  return report.model.curve_distance > farthest_curve * report.target_length;
+  const double h = std::min(report.target_length, largest_share * report.model.diagonal);
+  return report.model.curve_distance > farthest_curve * h;
 }
 
 std::string stray_curves(const RunReport& report) {

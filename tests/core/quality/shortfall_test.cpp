@@ -43,6 +43,7 @@ TEST(Shortfall, NamesSolidsWithoutAnOutside) {
 TEST(Shortfall, NamesCurvesFarOffTheirFaces) {
   MeshResult result = fake::WavyMesh(1, 4, 0).result();
   result.report.target_length = 2;
+  result.report.model.diagonal = 100;
   result.report.model.stray_edges = {"Edge3", "Edge7"};
   result.report.model.curve_distance = 0.49;
   EXPECT_FALSE(shortfall(result));
@@ -52,6 +53,10 @@ TEST(Shortfall, NamesCurvesFarOffTheirFaces) {
   EXPECT_EQ(exit_code(error->code()), 4);
   EXPECT_NE(std::string(error->what()).find("0.51 mm off faces that use them (Edge3, Edge7), so"), std::string::npos);
   EXPECT_STREQ(verdict(result.report), "faulty");
+  result.report.target_length = 1e6;
+  EXPECT_FALSE(shortfall(result));
+  result.report.model.curve_distance = 1.3;
+  EXPECT_TRUE(shortfall(result)) << "however long elements are";
 }
 
 TEST(Shortfall, NamesPartsThatAreNotConnected) {
