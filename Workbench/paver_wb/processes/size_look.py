@@ -11,6 +11,7 @@ PIECES = 50  # of the model's diagonal: how long sides of triangles are at most,
 CHORD = 0.004  # distance of triangles from their face, of the model's diagonal
 MOST_SPLIT = 16  # of a side of one triangle
 POLE = 1e-6  # mm: size of what is one point
+SAME = 1e-8  # of the model's diagonal: nearer places are one
 
 
 def original(job):
@@ -93,12 +94,19 @@ class Axis:
         return self.low + (values - self.low) % (self.high - self.low) if self.is_periodic else values
 
 
-def parameters(face, points, triangles, longest):
-    """(n, 2) of the corners of triangles on a face, split to `longest`. Searched for once a point, which takes long on
-    splines."""
+def nodes(face, diagonal):
+    """(u, v) of the nodes of a tessellated face by where they are, in SAME of the diagonal."""
+    return {tuple(np.round(np.array(tuple(face.Surface.value(*uv))) / (SAME * diagonal))): uv for uv in face.getUVNodes()}
+
+
+def parameters(face, points, triangles, longest, diagonal):
+    """(n, 2) of the corners of triangles on a tessellated face, split to `longest`. They are searched for, which takes
+    long on splines, on its border only: elsewhere a node of the tessellation is where its parameters are."""
     import FreeCAD
-    surface = face.Surface
-    uv = np.array([surface.parameter(FreeCAD.Vector(*point)) for point in points.tolist()]).reshape(-1, 2)
+    surface, known = face.Surface, nodes(face, diagonal)
+    keys = [tuple(key) for key in np.round(points / (SAME * diagonal))]
+    uv = np.array([known.get(key) or surface.parameter(FreeCAD.Vector(*point))
+                   for key, point in zip(keys, points.tolist())]).reshape(-1, 2)
     axes = Axis(surface, 0), Axis(surface, 1)
     joined = np.stack([axis.joined(uv[triangles, axis.axis], axis.poles(uv)[triangles]) for axis in axes], axis=2)
     fine = split(points[triangles], joined, longest).reshape(-1, 2)
@@ -116,7 +124,7 @@ def sizes(model, shape, options):
     faces, uv, points = [], [], []
     for number, (face, (at, triangles)) in enumerate(zip(shape.Faces, coarse)):
         surface = face.Surface
-        fine = parameters(face, at, triangles, longest).tolist()
+        fine = parameters(face, at, triangles, longest, diagonal).tolist()
         faces += [number] * len(fine)
         uv += fine
         points += [tuple(surface.value(u, v)) for u, v in fine]

@@ -262,16 +262,24 @@ class LoopDivider {
   void fail(int face, const Crossing& crossing, const char* what) {
     for (const CrossingFace& known : result_.failures)
       if (known.face == face) return;
-    result_.failures.push_back({face, fmt::format("{} {}", names(crossing), what), crossing.where});
+    result_.failures.push_back({face, fmt::format("{} {}", names(face, crossing), what), crossing.where});
   }
 
-  std::string names(const Crossing& crossing) const {
+  std::string names(int face, const Crossing& crossing) const {
     if (crossing.edge < 0) return "its own cuts";
-    const std::string& name = model_.edges[crossing.edge].name;
-    if (crossing.other < 0) return fmt::format("its edge {} and its periodic edge", name);
-    if (crossing.other == crossing.edge) return fmt::format("two pieces of its edge {}", name);
-    const std::string& other = model_.edges[crossing.other].name;
-    return fmt::format("its edges {} and {}", name, other);
+    const std::string one = name(face, crossing.edge);
+    if (crossing.other < 0) return fmt::format("its {} and its periodic edge", one);
+    if (crossing.other == crossing.edge) return fmt::format("two pieces of its {}", one);
+    return fmt::format("its {} and its {}", one, name(face, crossing.other));
+  }
+
+  /// Edges that connecting added have a name that no user knows.
+  std::string name(int face, int e) const {
+    const Edge& edge = model_.edges[e];
+    const auto other =
+        std::ranges::find_if(edge.faces, [&](int f) { return model_.faces[f].name != model_.faces[face].name; });
+    if (!edge.origins.empty() || other == edge.faces.end()) return "edge " + edge.name;
+    return "line with " + model_.faces[*other].name;
   }
 
   const Model& model_;
