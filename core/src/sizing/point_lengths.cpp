@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "topology/naming/named_parts.h"
 
@@ -42,9 +43,14 @@ double length_on(const Face& face, const FaceSize& size, const FacePoint& point)
 
 std::vector<double> point_lengths(const Model& model, const SizeField& size, const std::vector<FacePoint>& points) {
   std::vector<std::vector<std::size_t>> pieces(static_cast<std::size_t>(model.read_faces));
+  std::map<const Surface*, std::size_t> meshed;  // the last one: of those that are merged it has the surface
+  for (std::size_t f = 0; f < model.faces.size(); ++f)
+    if (model.faces[f].is_meshed()) meshed[model.faces[f].surface.get()] = f;
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
-    if (!model.faces[f].is_meshed()) continue;
-    for (int of : model.faces_as_read(model.faces[f].origin)) pieces[of].push_back(f);
+    const Face& face = model.faces[f];
+    const auto of_surface = meshed.find(face.surface.get());
+    if (!face.is_meshed() && !(face.is_merged && of_surface != meshed.end())) continue;
+    for (int of : model.faces_as_read(face.origin)) pieces[of].push_back(face.is_meshed() ? f : of_surface->second);
   }
   std::vector<double> lengths;
   for (const FacePoint& point : points) {

@@ -1,11 +1,10 @@
 // In: loops of a region, two sides of one of which are the same edge. Out: quads between these sides.
 // Rows of the front would lose columns there, for the normals' table has lines too far apart to see the turn round a
-// slim tube, and would close across it. Steps: the cut; stretches along it that have nothing but the cut
-// beside them; columns, by a rim at an end or the turn; a row per interval of the cut.
+// slim tube, and would close across it. Steps: the cut; stretches along it that have nothing but the cut beside them;
+// columns, by a rim at an end or the turn; a row per interval of the cut.
 #include "paving/closing/tube_rows.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -14,8 +13,8 @@
 namespace paver {
 namespace {
 
-constexpr double slim = 4;      // target lengths round it: the table has ten lines then
-constexpr double level = 1e-6;  // of a cut's length: nodes of a rim lie so far from a line across
+constexpr double slim = 4;         // target lengths round it: the table has ten lines then
+constexpr double off_line = 1e-6;  // of a cut's length: nodes of a rim lie so far from a line across
 constexpr std::size_t fewest_rows = 2;
 
 /// Of the region's loop `loop`: facets from `first` on run along the cut, and back from `second` on.
@@ -79,7 +78,7 @@ class TubeRows {
     for (std::size_t k = 0; k <= cut.count; ++k) {
       const Vec2 across = mesh_.p[far(cut, k)] - mesh_.p[near(cut, k)];
       width_ = std::max(width_, norm(across));
-      if (std::fabs(dot(across, along_)) > level * length_) return false;
+      if (std::fabs(dot(across, along_)) > off_line * length_) return false;
       if (k > 0 && !(place(near(cut, k)) > place(near(cut, k - 1)))) return false;
     }
     return cross(along_, mesh_.p[far(cut, 0)] - mesh_.p[near(cut, 0)]) > 0 && width_ < slim * region_.h;
@@ -93,8 +92,8 @@ class TubeRows {
     const std::vector<double> others = places_of_others(cut);
     std::vector<Stretch> stretches;
     for (std::size_t i = 1; i < others.size(); ++i) {
-      const std::size_t low = others[i - 1] <= level * length_ ? rim(cut, false) : 0,
-                        high = others[i] >= (1 - level) * length_ ? rim(cut, true) : 0,
+      const std::size_t low = others[i - 1] <= off_line * length_ ? rim(cut, false) : 0,
+                        high = others[i] >= (1 - off_line) * length_ ? rim(cut, true) : 0,
                         columns = low > 0    ? low
                                   : high > 0 ? high
                                              : turns();
@@ -128,7 +127,7 @@ class TubeRows {
   /// Intervals of the rim at an end of the cut, if it runs straight across; else 0.
   std::size_t rim(const Cut& cut, bool at_end) const {
     const std::vector<int> nodes = rim_nodes(cut, at_end);
-    auto is_across = [&](int node) { return std::fabs(place(node) - (at_end ? length_ : 0)) <= level * length_; };
+    auto is_across = [&](int node) { return std::fabs(place(node) - (at_end ? length_ : 0)) <= off_line * length_; };
     return std::ranges::all_of(nodes, is_across) ? nodes.size() - 1 : 0;
   }
 
