@@ -196,12 +196,13 @@ class Run {
     result_.report.media = options_.media;
     result_.report.ports = options_.ports;
     result_.report.wires = options_.wires;
-    result_.report.merges = join_coplanar_triangles(model_, options_);
+    const CoplanarTriangles coplanar = join_coplanar_triangles(model_, options_);
     const std::vector<Merge> small = merge_small(model_, options_);
     result_.report.model = model_.report;
     result_.report.notes = model_.notes;
-    for (const std::string& note : {note_coplanar_triangles(result_.report.merges), note_merges(small)})
-      if (!note.empty()) result_.report.notes.push_back(note);
+    for (const std::string& note : notes_of(coplanar)) result_.report.notes.push_back(note);
+    if (const std::string note = note_merges(small); !note.empty()) result_.report.notes.push_back(note);
+    result_.report.merges = coplanar.merges;
     result_.report.merges.insert(result_.report.merges.end(), small.begin(), small.end());
     for (const Face& face : model_.faces) {
       FaceReport report;

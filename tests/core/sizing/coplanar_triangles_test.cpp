@@ -19,6 +19,7 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -77,6 +78,9 @@ TEST(CoplanarTriangles, QuadrilateralsOfABentFaceAreQuads) {
   const MeshResult result = test::mesh_of(tessellated(BRepPrimAPI_MakeTorus(10, 3).Shape(), 0.1), 2);
   EXPECT_EQ(result.report.quality.triangles, 0);
   EXPECT_EQ(2 * result.report.quality.quads, static_cast<long>(result.report.faces.size()));
+  EXPECT_TRUE(std::ranges::any_of(result.report.notes, [](const std::string& note) {
+    return note.find("elements are no larger than these") != std::string::npos;
+  }));
 }
 
 TEST(CoplanarTriangles, WhatAUserAsksForStays) {

@@ -20,6 +20,7 @@ constexpr std::size_t fewest = 8;          // triangles of a part: a box has twe
 constexpr double least_share = 0.5;        // of its faces
 constexpr double coplanar = 1e-6;          // of the diagonal: corners lie so far from the plane
 constexpr double straight = 1e-6;          // of an edge: its middle lies so far from its chord
+constexpr double small_share = 0.5;        // of the target length: the root of a face's area
 constexpr double largest_turn = M_PI / 4;  // between normals: a face folded back on itself lies in its plane, too
 
 /// A plane with its (u, v) as lengths in it.
@@ -42,19 +43,20 @@ class Plane {
   Vec3 origin_, normal_, by_u_, by_v_;
 };
 
-class CoplanarTriangles {
+class CoplanarJoiner {
  public:
-  CoplanarTriangles(Model& model, const Options& options)
+  CoplanarJoiner(Model& model, const Options& options)
       : model_(model), edits_(model), limits_(edits_, options, lasting_), group_(model.faces.size(), -1) {}
 
-  std::vector<Merge> run() {
+  CoplanarTriangles run() {
     find_faces();
     std::vector<int> order(model_.faces.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, std::greater{}, [&](int f) { return model_.faces[f].area; });
     for (int f : order)
       if (may_join_[f] && group_[f] < 0) join(grow(f));
-    return std::move(merges_);
+    for (int f : order) joined_.small += may_join_[f] && model_.faces[f].is_meshed() && is_small(model_.faces[f]);
+    return std::move(joined_);
   }
 
  private:
@@ -71,6 +73,11 @@ class CoplanarTriangles {
         continue;
       for (int f : faces) may_join_[f] = is_flat(f);
     }
+  }
+
+  bool is_small(const Face& face) const {
+    const double side = small_share * limits_.target_length();
+    return face.area < side * side;
   }
 
   bool is_triangle(int f) const {
@@ -162,7 +169,7 @@ class CoplanarTriangles {
   void take_out(int f, Face& kept) {
     Face& face = model_.faces[f];
     const Edge& edge = edge_of(model_, face.loops[0].coedges[0]);
-    merges_.push_back({MergeKind::face, face.name, kept.name, limits_.extent(f), model_.vertices[edge.start]});
+    joined_.merges.push_back({MergeKind::face, face.name, kept.name, limits_.extent(f), model_.vertices[edge.start]});
     kept.area += face.area;
     face.area = 0;
     face.loops.clear();
@@ -226,22 +233,32 @@ class CoplanarTriangles {
   const MergeLimits limits_;
   std::vector<char> may_join_;  // per face
   std::vector<int> group_;      // per face: the first of those in its plane, -1 before that is known
-  std::vector<Merge> merges_;
+  CoplanarTriangles joined_;
 };
 
 }  // namespace
 
-std::vector<Merge> join_coplanar_triangles(Model& model, const Options& options) {
+CoplanarTriangles join_coplanar_triangles(Model& model, const Options& options) {
   if (!(options.merge > 0) || model.faces.size() < fewest) return {};
-  return CoplanarTriangles(model, options).run();
+  return CoplanarJoiner(model, options).run();
 }
 
-std::string note_coplanar_triangles(const std::vector<Merge>& merges) {
-  if (merges.empty()) return {};
-  return fmt::format(
-      "Flat triangles beside others in their plane, as of an STL file, are meshed with them: {} (merge off keeps "
-      "them).",
-      merges.size());
+std::vector<std::string> notes_of(const CoplanarTriangles& joined) {
+  constexpr long many = 100;  // a few are as many elements
+  std::vector<std::string> notes;
+  if (!joined.merges.empty())
+    notes.push_back(
+        fmt::format("Flat faces beside others in their plane, triangles as of an STL file, are meshed with them: {} "
+                    "(merge off keeps "
+                    "them).",
+                    joined.merges.size()));
+  if (joined.small >= many)
+    notes.push_back(
+        fmt::format("Surfaces are made of flat triangles, as of an STL file, {} smaller than the target length, and "
+                    "elements are no "
+                    "larger than these; mesh the CAD model itself, or one with fewer triangles.",
+                    joined.small));
+  return notes;
 }
 
 }  // namespace paver

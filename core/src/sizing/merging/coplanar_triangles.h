@@ -10,12 +10,17 @@
 
 namespace paver {
 
+struct CoplanarTriangles {
+  std::vector<Merge> merges;
+  long small = 0;  ///< faces left of these parts that are smaller than half the target length: elements are no larger
+};
+
 /// Where most faces of a part are flat triangles, as of an STL file, its faces in one plane are meshed as one: the
 /// largest of them, whose surface the others refer to then. Not across what other parts have, or a user named or gave a
 /// length. Nothing with Options::merge 0.
-std::vector<Merge> join_coplanar_triangles(Model& model, const Options& options);
+CoplanarTriangles join_coplanar_triangles(Model& model, const Options& options);
 
-/// In one sentence; empty where there are none.
-std::string note_coplanar_triangles(const std::vector<Merge>& merges);
+/// In a sentence each.
+std::vector<std::string> notes_of(const CoplanarTriangles& joined);
 
 }  // namespace paver
