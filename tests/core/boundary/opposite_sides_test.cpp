@@ -70,6 +70,23 @@ TEST(OppositeSides, OfAStripThatBendsAreItsStraightParts) {
   EXPECT_EQ(pairs[1].partner, -1);
 }
 
+TEST(OppositeSides, OfACrescentRunFromTipToTip) {
+  const auto pairs = pairs_of(fake::polygon({{-10, 0, 0}, {0, -0.1, 0}, {10, 0, 0}, {0, 0.1, 0}}));
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_TRUE(pairs[0].is_crescent);
+  EXPECT_EQ(pairs[0].first, (Side{0, 1}));
+  EXPECT_EQ(pairs[0].second, (Side{3, 2}));
+  EXPECT_NEAR(pairs[0].width, 0.1, 1e-3);
+  EXPECT_TRUE(pairs_of(fake::polygon({{-10, 0, 0}, {0, -3, 0}, {10, 0, 0}, {0, 3, 0}})).empty()) << "too wide";
+}
+
+TEST(OppositeSides, OfACrescentMayEndInAShortEdge) {
+  const auto pairs = pairs_of(fake::polygon({{-10, 0, 0}, {0, -0.2, 0}, {10, -0.01, 0}, {10, 0.01, 0}, {0, 0.2, 0}}));
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].first, (Side{0, 1}));
+  EXPECT_EQ(pairs[0].second, (Side{4, 3}));
+}
+
 TEST(OppositeSides, OfATubeAreItsEnds) {
   auto pairs = pairs_of(fake::tube(1, 2));
   ASSERT_EQ(pairs.size(), 1u);

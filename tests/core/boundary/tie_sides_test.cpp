@@ -124,6 +124,13 @@ TEST(TieSides, RimsOfAThinRingTakeOneCountBeforeAllOthers) {
   EXPECT_EQ(counts, (std::vector<int>(3, 10)));
 }
 
+TEST(TieSides, SidesOfACrescentTakeOneCountWhereItIsThin) {
+  const Model model = fake::polygon({{-10, 0, 0}, {0, -0.1, 0}, {10, 0, 0}, {0, 0.1, 0}});
+  const std::vector<int> thin = tied(model, {3.4, 3.4, 3.6, 3.6}), wide = tied(model, {34, 34, 36, 36});
+  EXPECT_EQ(thin[0] + thin[1], thin[2] + thin[3]);
+  EXPECT_EQ(wide, (std::vector<int>{34, 34, 36, 36}));
+}
+
 TEST(TieSides, SidesOfAThinRingWithCornersTakeOneCount) {
   const std::vector<double> wishes{1.6, 1.6, 1.6, 1.6, 1.4, 1.4, 1.4, 1.4};
   const std::vector<int> narrow = tied(fake::frame(4, 0.1), wishes),

@@ -2,7 +2,8 @@
 // In: loops. Out: pairs of sides.
 // Corners are junctions with an interior angle between 45 and 135 degrees; everywhere else a side runs straight on. One
 // loop with four corners: two pairs. Two loops without any: one pair, its edges matched by nearest middles. Two loops
-// with equally many, near each other: a pair for each side. One loop about a bent strip: a pair for each straight part.
+// with equally many, near each other: a pair for each side. One loop about a bent strip: a pair for each straight part;
+// about a narrow crescent: its two long sides.
 #include "boundary/facing/opposite_sides.h"
 
 #include <algorithm>
@@ -120,6 +121,32 @@ class BentStrip {
   std::vector<double> angles_;  // at the start of each
 };
 
+/// The two long sides of a narrow crescent, between ends that are sharp corners or short edges; none where it is no
+/// such.
+std::vector<OppositeSides> sides_of_crescent(const Model& model, int face, double width, const Loop& loop,
+                                             const std::vector<double>& angles) {
+  constexpr double least_slim = 10;    // widths
+  constexpr double longest_end = 2;    // widths
+  constexpr double most_unlike = 0.1;  // of the longer side
+  const std::size_t n = angles.size();
+  auto is_end_edge = [&](std::size_t i) { return edge_of(model, loop.coedges[i]).length <= longest_end * width; };
+  auto is_tip = [&](std::size_t i) { return angles[i] < M_PI / 4 && !is_end_edge(i) && !is_end_edge((i + n - 1) % n); };
+  std::size_t first = 0;
+  while (first < n && !is_tip(first) && !is_end_edge((first + n - 1) % n)) ++first;
+  Sides sides;
+  for (std::size_t k = 0; k < n && first < n; ++k) {
+    const std::size_t i = (first + k) % n;
+    if (is_end_edge(i)) continue;
+    if (k == 0 || is_tip(i) || is_end_edge((i + n - 1) % n)) sides.emplace_back();
+    sides.back().push_back(loop.coedges[i].edge);
+  }
+  if (sides.size() != 2) return {};
+  const auto [shorter, longer] = std::minmax({length_of(model, sides[0]), length_of(model, sides[1])});
+  if (longer - shorter > most_unlike * longer || shorter < least_slim * width) return {};
+  std::ranges::reverse(sides[1]);
+  return {{face, sides[0], sides[1], -1, width, true}};
+}
+
 }  // namespace
 
 double length_of(const Model& model, const std::vector<int>& side) {
@@ -140,8 +167,11 @@ std::vector<OppositeSides> find_opposite_sides(const Model& model, const std::ve
       if (auto found = sides_of(loop, angles, loops[f].size() == 2)) sides.push_back(*found);
     }
     const double width = width_of(model, model.faces[f], loops[f]);
-    if (loops[f].size() == 1 && (sides.empty() || sides[0].size() != 4))
-      std::ranges::move(BentStrip(model, face, width, loops[f][0], angles).pairs(), std::back_inserter(pairs));
+    if (loops[f].size() == 1 && (sides.empty() || sides[0].size() != 4)) {
+      std::vector<OppositeSides> found = BentStrip(model, face, width, loops[f][0], angles).pairs();
+      if (found.empty()) found = sides_of_crescent(model, face, width, loops[f][0], angles);
+      std::ranges::move(found, std::back_inserter(pairs));
+    }
     if (sides.size() != loops[f].size()) continue;
     if (sides.size() == 1 && sides[0].size() == 4) {
       const int place = static_cast<int>(pairs.size());

@@ -13,11 +13,13 @@ struct OppositeSides {
   int face = -1;
   std::vector<int> first, second;
   int partner = -1;  ///< the other pair of the same face, by its place in the list; -1 for rings and bent strips
-  double width = 0;  ///< of a ring whose sides have corners, of a bent strip: its mean width, mm
+  double width = 0;  ///< of a ring whose sides have corners, of a bent strip, of a crescent: its mean width, mm
+  bool is_crescent = false;  ///< sides that meet at both ends: rows between them have other lengths unless it is thin
 };
 
 /// Of all faces: sides between four corners, and the two loops of rings, or where both have as many corners their
-/// sides; the parts of strips that bend. `loops[f]`: linked_loops of face f without periodic edges.
+/// sides; the parts of strips that bend; the sides of narrow crescents. `loops[f]`: linked_loops of face f without
+/// periodic edges.
 std::vector<OppositeSides> find_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops);
 
 double length_of(const Model& model, const std::vector<int>& side);

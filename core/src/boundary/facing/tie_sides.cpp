@@ -233,7 +233,7 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
     is_thin.push_back(is_thin_between(model, pair, counts));
     for (const std::vector<int>* side : {&pair.first, &pair.second})
       for (int e : *side) {
-        kinds[e].is_rim = kinds[e].is_rim || pair.partner < 0;
+        kinds[e].is_rim = kinds[e].is_rim || (pair.partner < 0 && !pair.is_crescent);
         kinds[e].is_of_thin = kinds[e].is_of_thin || is_thin.back();
       }
   }
@@ -242,9 +242,11 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
     for (const Loop& loop : of_face)
       if (loop.coedges.size() == 1 && counts[loop.coedges[0].edge].count > 0) tying.mark_even(loop.coedges[0].edge);
   std::vector<bool> can_equal;
-  for (const OppositeSides& p : pairs)
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const OppositeSides& p = pairs[i];
     can_equal.push_back(tying.is_divided(p.first) && tying.is_divided(p.second) && tying.is_narrow(model, p) &&
-                        tying.can_equal(p));
+                        tying.can_equal(p) && (!p.is_crescent || is_thin[i]));
+  }
   std::vector<int> order(pairs.size());
   std::iota(order.begin(), order.end(), 0);
   // A long rim must not take a short one away from those beside it.
