@@ -56,6 +56,17 @@ Range range_of(const EdgeCount& edge, EdgeKind kind) {
   return {std::min(least, edge.count), std::max(most, edge.count)};
 }
 
+/// Of both sides together.
+double length_of(const Model& model, const OppositeSides& pair) {
+  return length_of(model, pair.first) + length_of(model, pair.second);
+}
+double wish_of(const OppositeSides& pair, const std::vector<EdgeCount>& counts) {
+  double wish = 0;
+  for (const std::vector<int>* side : {&pair.first, &pair.second})
+    for (int e : *side) wish += counts[e].wish;
+  return wish;
+}
+
 Range common(Range a, Range b) { return {std::max(a.least, b.least), std::min(a.most, b.most)}; }
 
 class Tying {
@@ -85,10 +96,7 @@ class Tying {
 
   /// Whether there is one row at most between the sides of a ring with corners: in wider ones rows need not meet.
   bool is_narrow(const Model& model, const OppositeSides& pair) const {
-    double length = 0, wish = 0;
-    for (const std::vector<int>* side : {&pair.first, &pair.second})
-      for (int e : *side) length += model.edges[e].length, wish += counts_[e].wish;
-    return pair.width * wish <= narrow * length;
+    return pair.width * wish_of(pair, counts_) <= narrow * length_of(model, pair);
   }
 
   /// Whether equal sums of the sides are in reach.
@@ -216,11 +224,8 @@ class Tying {
 
 /// Whether a face is far narrower between two sides than their intervals are long.
 bool is_thin_between(const Model& model, const OppositeSides& pair, const std::vector<EdgeCount>& counts) {
-  const double length = length_of(model, pair.first) + length_of(model, pair.second);
-  double wish = 0;
-  for (const std::vector<int>* side : {&pair.first, &pair.second})
-    for (int e : *side) wish += counts[e].wish;
-  return 2 * model.faces[pair.face].area * wish <= thin * length * length;
+  const double length = length_of(model, pair), width = 2 * model.faces[pair.face].area / length;
+  return width * wish_of(pair, counts) <= thin * length;
 }
 
 }  // namespace

@@ -18,8 +18,9 @@ struct TiedCounts {
 /// Ties sides that lie opposite each other on a face with four corners between 45 and 135 degrees and smooth sides, and
 /// the two loops of a ring (a tube, an annulus), as long as no member's count comes to differ from its wish by more
 /// than rounding or 12 %; where the other two sides of a face cannot be equal, by rounding only. Sides of several edges
-/// are tied edge by edge where they have equally many, else by their sums. Large faces come first. A group with an edge
-/// that makes a whole loop gets an even count. `pairs`: of find_opposite_sides with the same `loops`.
+/// are tied edge by edge where they have equally many, else by their sums. Faces far narrower than their intervals come
+/// first, and may change by half; then large ones. A group with an edge that makes a whole loop gets an even count.
+/// `pairs`: of find_opposite_sides with the same `loops`.
 TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSides>& pairs,
                               const std::vector<std::vector<Loop>>& loops, const std::vector<EdgeCount>& counts);
 

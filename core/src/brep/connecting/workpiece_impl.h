@@ -60,7 +60,7 @@ struct WorkFace {
 struct WorkPart {
   std::string name;       ///< "Solid2", "Sheet1", "Wire1", "Point1"
   int solid = -1;         ///< index of the solid of the shape as read
-  bool is_loose = false;  ///< a sheet sewn of several whose faces touch elsewhere than at the edges they share
+  bool is_loose = false;  ///< a sheet sewn of several or a wire that touches itself where its pieces share nothing
 };
 
 /// An edge that bounds no face.

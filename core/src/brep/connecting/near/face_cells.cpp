@@ -17,6 +17,7 @@ constexpr double open_share = 1e-3;   // of the face: ends of its border that do
 constexpr double vague_share = 1e-4;  // of the face
 constexpr std::size_t most_edges = 400;
 constexpr int most_chords = 4096;  // as long as edges have eight
+constexpr int fewest_of_edge = 8, usual_of_edge = 128, most_of_edge = 1024;
 
 /// How faces meet as far as boxes and slabs of their cells tell, which are halved where these meet.
 class Meeting {
@@ -91,7 +92,8 @@ FaceBorder::FaceBorder(const TopoDS_Face& face) {
   const TopoDS_Face plain = forward(face);
   const std::vector<TopoDS_Edge> edges = edges_of(plain);
   is_whole_ = edges.size() <= most_edges;
-  const int chords = std::clamp(most_chords / std::max(static_cast<int>(edges.size()), 1), 8, 1024);
+  const int chords =
+      std::clamp(most_chords / std::max(static_cast<int>(edges.size()), 1), fewest_of_edge, most_of_edge);
   for (const TopoDS_Edge& edge : edges)
     if (is_whole_) add(image_of(edge, plain), chords);
   if (!is_closed()) chords_.clear();
@@ -123,12 +125,11 @@ bool FaceBorder::comes_near(const Chord& chord, const gp_Pnt2d& lo, const gp_Pnt
 
 // Twice as many chords until bulges are small against the edge: turns of a spiral lie beside one another.
 void FaceBorder::add(const EdgeImage& image, int most) {
-  constexpr int usual = 128;
   if (image.curve.IsNull()) {
     is_whole_ = false;
     return;
   }
-  int count = Handle(Geom2d_Line)::DownCast(image.curve).IsNull() ? std::min(most, usual) : 1;
+  int count = Handle(Geom2d_Line)::DownCast(image.curve).IsNull() ? std::min(most, usual_of_edge) : 1;
   std::vector<Chord> line = chords_of(image, count);
   for (; count > 1 && 2 * count <= most && !are_flat(line); line = chords_of(image, count)) count *= 2;
   chords_.insert(chords_.end(), line.begin(), line.end());
