@@ -703,12 +703,12 @@
         <translation>{} Elemente haben eine skalierte Jacobi-Determinante unter {}; die kleinste ist {}.</translation>
     </message>
     <message>
-        <source>{} small edge or face was merged, of {} mm: {}.</source>
-        <translation>{} kleine Kante oder Fläche wurde zusammengefasst, von {} mm: {}.</translation>
+        <source>{} edge or face was merged, of {} mm: {}.</source>
+        <translation>{} Kante oder Fläche wurde zusammengefasst, von {} mm: {}.</translation>
     </message>
     <message>
-        <source>{} small edges and faces were merged, up to {} mm: {}.</source>
-        <translation>{} kleine Kanten und Flächen wurden zusammengefasst, bis zu {} mm: {}.</translation>
+        <source>{} edges and faces were merged, up to {} mm: {}.</source>
+        <translation>{} Kanten und Flächen wurden zusammengefasst, bis zu {} mm: {}.</translation>
     </message>
     <message>
         <source>{} pair of parts touches: {}.</source>

@@ -147,13 +147,13 @@ def repairs(mesh):
 
 
 def merges(mesh):
-    """What was merged, as it is small. Nothing of documents that were saved before this was known."""
+    """What was merged, as it is small or lies in the plane of others. Nothing of documents that were saved before this was known."""
     made = mesh.report.get("merges", [])
     if not made:
         return []
     return [several(NOTE, at_places(mesh, [merge["where"] for merge in made[:MOST_PLACES]]), len(made),
-                    translate("Paver", "{} small edge or face was merged, of {} mm: {}."),
-                    translate("Paver", "{} small edges and faces were merged, up to {} mm: {}."),
+                    translate("Paver", "{} edge or face was merged, of {} mm: {}."),
+                    translate("Paver", "{} edges and faces were merged, up to {} mm: {}."),
                     f"{max(merge['size'] for merge in made):.3g}", listed([merge["name"] for merge in made], MOST_MERGES))]
 
 
