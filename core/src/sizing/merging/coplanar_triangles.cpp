@@ -16,12 +16,13 @@
 namespace paver {
 namespace {
 
-constexpr std::size_t fewest = 8;          // triangles of a part: a box has twelve, before others touch it
-constexpr double least_share = 0.5;        // of its faces
-constexpr double coplanar = 1e-6;          // of the diagonal: corners lie so far from the plane
-constexpr double straight = 1e-6;          // of an edge: its middle lies so far from its chord
-constexpr double small_share = 0.5;        // of the target length: the root of a face's area
-constexpr double largest_turn = M_PI / 4;  // between normals: a face folded back on itself lies in its plane, too
+constexpr std::size_t fewest = 8;            // triangles of a part: a box has twelve, before others touch it
+constexpr double least_share = 0.5;          // of its faces
+constexpr double coplanar = 1e-6;            // of the diagonal: corners lie so far from the plane
+constexpr double single_precision = 2.4e-7;  // of the largest coordinate: STL files have no more
+constexpr double straight = 1e-6;            // of an edge: its middle lies so far from its chord
+constexpr double small_share = 0.5;          // of the target length: the root of a face's area
+constexpr double largest_turn = M_PI / 4;    // between normals: a face folded back on itself lies in its plane, too
 
 /// A plane with its (u, v) as lengths in it.
 class Plane {
@@ -46,7 +47,11 @@ class Plane {
 class CoplanarJoiner {
  public:
   CoplanarJoiner(Model& model, const Options& options)
-      : model_(model), edits_(model), limits_(edits_, options, lasting_), group_(model.faces.size(), -1) {}
+      : model_(model), edits_(model), limits_(edits_, options, lasting_), group_(model.faces.size(), -1) {
+    double largest = 0;
+    for (Vec3 x : model.vertices) largest = std::max({largest, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)});
+    tolerance_ = std::max(coplanar * model.report.diagonal, single_precision * largest);
+  }
 
   CoplanarTriangles run() {
     find_faces();
@@ -127,7 +132,7 @@ class CoplanarJoiner {
   bool lies_in(const Plane& plane, int f) const {
     for (const Coedge& use : coedges_of(model_.faces[f].loops)) {
       const Vec3 x = model_.vertices[start_of(edge_of(model_, use), use)];
-      if (std::fabs(plane.height(x)) > coplanar * model_.report.diagonal) return false;
+      if (std::fabs(plane.height(x)) > tolerance_) return false;
     }
     return true;
   }
@@ -231,6 +236,7 @@ class CoplanarJoiner {
   ModelEdits edits_;
   std::vector<int> lasting_;  // none
   const MergeLimits limits_;
+  double tolerance_ = 0;        // mm
   std::vector<char> may_join_;  // per face
   std::vector<int> group_;      // per face: the first of those in its plane, -1 before that is known
   CoplanarTriangles joined_;
