@@ -94,19 +94,24 @@ class Axis:
         return self.low + (values - self.low) % (self.high - self.low) if self.is_periodic else values
 
 
+def keys(points, diagonal):
+    """What places that are one have in common."""
+    return [tuple(key) for key in np.round(np.reshape(points, (-1, 3)) / (SAME * diagonal))]
+
+
 def nodes(face, diagonal):
-    """(u, v) of the nodes of a tessellated face by where they are, in SAME of the diagonal."""
-    return {tuple(np.round(np.array(tuple(face.Surface.value(*uv))) / (SAME * diagonal))): uv for uv in face.getUVNodes()}
+    """(u, v) of the nodes of a tessellated face by the keys of their places."""
+    uv = face.getUVNodes()
+    return dict(zip(keys([tuple(face.Surface.value(*node)) for node in uv], diagonal), uv))
 
 
 def parameters(face, points, triangles, longest, diagonal):
     """(n, 2) of the corners of triangles on a tessellated face, split to `longest`. They are searched for, which takes
-    long on splines, on its border only: elsewhere a node of the tessellation is where its parameters are."""
+    long on splines, only where no node of the tessellation lies at its own parameters, as one on an edge may not."""
     import FreeCAD
     surface, known = face.Surface, nodes(face, diagonal)
-    keys = [tuple(key) for key in np.round(points / (SAME * diagonal))]
     uv = np.array([known.get(key) or surface.parameter(FreeCAD.Vector(*point))
-                   for key, point in zip(keys, points.tolist())]).reshape(-1, 2)
+                   for key, point in zip(keys(points, diagonal), points.tolist())]).reshape(-1, 2)
     axes = Axis(surface, 0), Axis(surface, 1)
     joined = np.stack([axis.joined(uv[triangles, axis.axis], axis.poles(uv)[triangles]) for axis in axes], axis=2)
     fine = split(points[triangles], joined, longest).reshape(-1, 2)

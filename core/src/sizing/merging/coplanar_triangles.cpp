@@ -1,6 +1,6 @@
 // In: model. Out: the model with fewer faces.
-// Steps: parts of which most faces are triangles; of these, and of what connecting cut from them, the largest first,
-// and all that lie in its plane about it; the edges between them go, the others are chained to loops.
+// Steps: parts of which most faces are triangles (some of theirs were cut where others touch); of their flat faces the
+// largest first, and all that lie in its plane about it; the edges between them go, the others are chained to loops.
 #include "sizing/merging/coplanar_triangles.h"
 
 #include <fmt/format.h>
