@@ -127,10 +127,19 @@ bool is_shape_representation(const Entity& entity) {
   return !entity.IsNull() && is_any<StepShape_ShapeRepresentation>(entity);
 }
 
-/// A part at a place of an assembly. Parts may be empty, and representations of drawings are mapped as well.
+/// Whether only colours and drawings have it.
+bool is_presented_only(const Interface_Graph& graph, const Entity& entity) {
+  Interface_EntityIterator user = graph.Sharings(entity);
+  bool is_presented = user.More();
+  for (; user.More(); user.Next()) is_presented = is_presented && is_of("StepVisual_", user.Value());
+  return is_presented;
+}
+
+/// A part at a place of an assembly. Parts may be empty, representations of drawings are mapped as well, and drawings
+/// map parts.
 bool is_placed_shape(const Interface_Graph& graph, const Entity& entity) {
   if (const auto mapped = Handle(StepRepr_MappedItem)::DownCast(entity); !mapped.IsNull())
-    return !mapped->MappingSource().IsNull() &&
+    return !mapped->MappingSource().IsNull() && !is_presented_only(graph, entity) &&
            is_shape_representation(mapped->MappingSource()->MappedRepresentation()) &&
            leads_to_shape(graph, mapped->MappingSource()->MappedRepresentation());
   const auto usage = Handle(StepRepr_NextAssemblyUsageOccurrence)::DownCast(entity);

@@ -170,6 +170,22 @@ TEST_F(ReaderLosses, PositionsWithAScaleOrAMirrorImage) {
   EXPECT_EQ(mapped("$", "-1."), told);
 }
 
+// As exported with colours: the part is read once, where the assembly has it.
+TEST_F(ReaderLosses, PartsThatAreMappedForTheirColoursAlone) {
+  std::string text = box();
+  const std::string axes = number_of(text, "AXIS2_PLACEMENT_3D"),
+                    part = number_of(text, "ADVANCED_BREP_SHAPE_REPRESENTATION"),
+                    context = number_of(text, "( GEOMETRIC_REPRESENTATION_CONTEXT(3)");
+  const auto mapped_by = [&](const std::string& representation) {
+    std::string whole = text;
+    add(whole, "#9000 = MAPPED_ITEM('',#9001," + axes + ");\n#9001 = REPRESENTATION_MAP(" + axes + "," + part +
+                   ");\n#9002 = " + representation + "('',(#9000," + axes + ")," + context + ");");
+    return unread(whole);
+  };
+  EXPECT_TRUE(mapped_by("DRAUGHTING_MODEL").empty());
+  EXPECT_EQ(mapped_by("SHAPE_REPRESENTATION"), std::vector<std::string>{"#9000 MappedItem"});
+}
+
 TEST_F(ReaderLosses, SolidsThatAreOpen) {
   std::string text = box();
   const std::string solid = number_of(text, "MANIFOLD_SOLID_BREP");
