@@ -7,6 +7,7 @@
 #include "base/predicates.h"
 #include "mesh/spatial_order.h"
 #include "paving/closing/acute_corners.h"
+#include "paving/closing/closed_tube_rows.h"
 #include "paving/closing/fan_rings.h"
 #include "paving/closing/tube_rows.h"
 #include "paving/front/loop_node.h"
@@ -89,7 +90,8 @@ std::optional<int> Front::start(std::optional<double> sharpest_corner) {
   const std::vector<Vec2> places = mesh.p;
   for (std::size_t l = 0; sharpest_corner && l < loops.size(); ++l)
     lay_acute_corners(region, mesh, region.loops[l], loops[l], places, *sharpest_corner);
-  for (const std::vector<int>& loop : lay_tube_rows(region, mesh, loops)) add_start_loop(loop);
+  const auto beside_cuts = lay_tube_rows(region, mesh, loops);
+  for (const std::vector<int>& loop : lay_closed_tube_rows(region, mesh, beside_cuts)) add_start_loop(loop);
   for (const Fan& fan : region.fans) {
     int centre = add_loop_node(region, fan.centre, fan.ring[0].p, true, mesh);
     std::vector<int> ring;

@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t fewest_edges = 3;  // that a loop keeps
 constexpr double tiny_share = 0.2;       // of short edges: smaller faces go whatever angles they make
 constexpr double much_longer = 3;        // times a short edge
+constexpr double slender = 0.2;          // of its extent: so wide is a face with two sides
 constexpr double longest_end = 3;        // widths of a face: an edge that goes is an end of it, no side
 
 class ShortEdges {
@@ -128,6 +129,10 @@ class ShortEdges {
   void visit_face(int f) {
     Face& small = edits_.face(f);
     if (!small.has_area || small.loops.size() != 1 || limits_.is_protected_face(f)) return;
+    if (limits_.width(f) < slender * limits_.extent(f) && limits_.may_be_merged(f)) {
+      going_.push_back(f);  // one of its sides for the other moves less than all of it to a point
+      return;
+    }
     std::vector<Coedge> coedges = small.loops.front().coedges;
     std::erase_if(coedges, [&](const Coedge& coedge) { return edits_.edge(coedge.edge).is_degenerate; });
     if (coedges.empty() || !is_tiny(f, coedges)) return;
@@ -201,7 +206,7 @@ class ShortEdges {
   const MergeLimits& limits_;
   std::vector<Merge>& merges_;
   std::vector<std::vector<Vec3>> members_;  // places that were merged into a vertex
-  std::vector<int> going_;                  // faces that run out into a point where a tiny one was
+  std::vector<int> going_;                  // thin faces, and those that run out into a point where a tiny one was
 };
 
 }  // namespace

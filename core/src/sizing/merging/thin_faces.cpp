@@ -21,6 +21,7 @@ constexpr double end_share = 1.5;       // of the limit: edges so short end a fa
 constexpr double wider = 3;        // than a face: so wide are neighbours that take its place, and those at its ends
 constexpr double hairline = 1e-4;  // target lengths: what is narrower goes whatever the angles
 constexpr double opposite = 2;     // times the limit: vertices so near are opposite each other
+constexpr double clearly = 0.9;    // so much nearer are sides that are less alike
 constexpr double most_ratio = 3;  // of the lengths of opposite edges: nodes of the one would fall together on the other
 
 struct Sides {
@@ -161,7 +162,8 @@ class ThinFaces {
     return std::nullopt;
   }
 
-  /// Of all pairs of ends those that leave sides of about one length; of these the sides that are nearest.
+  /// Of all pairs of ends those that leave sides of about one length; of these the sides that are nearest, or most
+  /// alike: an edge at an end that belongs to a side has no counterpart in the other.
   std::optional<Sides> sides_between_ends(const Side& loop, double limit) const {
     struct End {
       std::size_t first, behind;  // the sides end before `first` and begin at `behind`
@@ -199,7 +201,7 @@ class ThinFaces {
       for (const End& end : {a, b})
         if (end.behind > end.first) sides.ends.push_back(loop[end.first % n].edge);
       const double distance = distance_between(edits_, sides.one, sides.two, least);
-      if (distance < least) least = distance, best = std::move(sides);
+      if (distance < (best ? clearly : 1) * least) least = distance, best = std::move(sides);
     }
     return best;
   }
