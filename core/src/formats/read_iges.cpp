@@ -1,24 +1,33 @@
-// IGES: reads the file, transfers all roots (also blanked ones) in millimetres, and takes names of faces along.
+// IGES: reads the file, transfers all roots (also blanked ones) in millimetres, and takes names of faces along; then
+// what is not as the file has it: shapes of which nothing came; transformations of transformations; unit and scale.
 #include <IGESControl_Reader.hxx>
+#include <IGESData_BasicEditor.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <IGESData_TransfEntity.hxx>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
-#include "formats/exchange_settings_impl.h"
-#include "formats/iges_losses_impl.h"
 #include "formats/transfer_impl.h"
 
 namespace paver {
 namespace {
 
 constexpr int trimmed_surface = 144, face_entity = 510;
+constexpr double same_scale = 1e-9;
+constexpr int named_unit = 3, last_unit = 11;  // unit flags: IGES 5.3, 2.2.4.3.14
 
-std::string stated_unit(const Handle(IGESData_IGESModel) & model) {
-  // IGES 5.3, 2.2.4.3.14: units flag; 3 means "see the name".
+// By number of type, IGES 5.3, 3.2: bounded, trimmed and curve-bounded surfaces; solids from primitives up to
+// assemblies, B-rep solids, instances; subfigure instances, also in arrays; faces and shells.
+constexpr std::array shape_types = {142, 143, 144, 150, 152, 154, 156, 158, 160, 162, 164, 168,
+                                    180, 182, 184, 186, 408, 412, 414, 420, 430, 508, 510, 514};
+
+std::string stated_unit(const IGESData_GlobalSection& global) {
   static const char* const names[] = {"", "INCH", "MM", "", "FOOT", "MILE", "M", "KM", "MIL", "UM", "CM", "UIN"};
-  const IGESData_GlobalSection& global = model->GlobalSection();
   int flag = global.UnitFlag();
-  if (flag >= 1 && flag <= 11 && *names[flag]) return names[flag];
+  if (flag >= 1 && flag <= last_unit && flag != named_unit) return names[flag];
   Handle(TCollection_HAsciiString) name = global.UnitName();
   return name.IsNull() || name->IsEmpty() ? "not stated" : name->ToCString();
 }
@@ -29,19 +38,45 @@ Handle(TCollection_HAsciiString) face_name(const Handle(Standard_Transient) & en
   return is_face ? part->NameValue() : Handle(TCollection_HAsciiString)();
 }
 
+bool is_shape(const Handle(Standard_Transient) & entity) {
+  const auto part = Handle(IGESData_IGESEntity)::DownCast(entity);
+  return !part.IsNull() && std::binary_search(shape_types.begin(), shape_types.end(), part->TypeNumber());
+}
+
+/// Flags and names as IGES 5.3 has them, of which the kernel takes all others for millimetres.
+bool is_known_unit(const IGESData_GlobalSection& global) {
+  if (global.UnitFlag() != named_unit) return global.UnitFlag() >= 1 && global.UnitFlag() <= last_unit;
+  const Handle(TCollection_HAsciiString) name = global.UnitName();
+  return !name.IsNull() && IGESData_BasicEditor::UnitNameFlag(name->ToCString()) > 0;
+}
+
+/// Labels of shapes of which nothing came, of transformations that have one of their own, which is not applied, and of
+/// a unit and a scale of the model that are not understood. After the transfer.
+std::vector<std::string> losses(IGESControl_Reader& reader) {
+  if (!has_entities(reader)) return {};
+  std::vector<std::string> labels = LostEntities(reader).labels(is_shape);
+  for (const Handle(Standard_Transient) & entity : entities_of(reader))
+    if (const auto matrix = Handle(IGESData_TransfEntity)::DownCast(entity); !matrix.IsNull() && matrix->HasTransf())
+      labels.push_back(entity_label(reader, matrix) + " (transformation of its own)");
+  const IGESData_GlobalSection& global = reader.IGESModel()->GlobalSection();
+  if (!is_known_unit(global)) labels.emplace_back("unit of length");
+  if (std::abs(global.Scale() - 1) > same_scale && global.Scale() != 0) labels.emplace_back("scale of the model");
+  return labels;
+}
+
 }  // namespace
 
 extern "C" void paver_read_format(const FileSource& file, std::string_view /*content*/, const Doubt& doubt,
                                   Shape& shape, ModelReport& report, Progress& progress) {
   IGESControl_Reader reader;
-  MillimetreReading millimetres;
+  const ReaderSetting millimetres("xstep.cascade.unit", "MM");
   check_loaded(reader.ReadFile(file.path.c_str()), file, "IGES", progress);
   Handle(IGESData_IGESModel) model = reader.IGESModel();
-  if (!model.IsNull()) report.unit = stated_unit(model);
+  if (!model.IsNull()) report.unit = stated_unit(model->GlobalSection());
   if (has_fails(model)) doubt();
   reader.SetReadVisible(Standard_False);
   transfer(reader, shape, progress, face_name);
-  report.unread = iges_losses(reader);
+  report.unread = losses(reader);
 }
 
 }  // namespace paver

@@ -14,18 +14,29 @@
 #include <cmath>
 #include <fstream>
 #include <gp_Pnt.hxx>
+#include <map>
 #include <string_view>
 
-#include "formats/exchange_settings_impl.h"
-#include "formats/lost_entities_impl.h"
-#include "formats/object_labels_impl.h"
-#include "formats/step_losses_impl.h"
-#include "formats/step_poles_impl.h"
-#include "formats/step_units_impl.h"
+#include "formats/step_impl.h"
 #include "formats/transfer_impl.h"
 
 namespace paver {
 namespace {
+
+/// How far the readers may move what does not meet, mm. As ReaderSetting.
+class LargestTolerance {
+ public:
+  explicit LargestTolerance(double value) : saved_(Interface_Static::RVal(name)) {
+    Interface_Static::SetRVal(name, value);
+  }
+  ~LargestTolerance() { Interface_Static::SetRVal(name, saved_); }
+  LargestTolerance(const LargestTolerance&) = delete;
+  LargestTolerance& operator=(const LargestTolerance&) = delete;
+
+ private:
+  static constexpr const char* name = "read.maxprecision.val";
+  double saved_;
+};
 
 /// Takes out of a representation what could not be loaded: newer kinds than the kernel knows, as tessellated solids,
 /// may stand beside those it knows, or be a representation of their own. False where `entity` is of no use without.
@@ -62,7 +73,7 @@ std::vector<std::string> check_entities(const std::string& name, STEPControl_Rea
                                                model->StringLabel(entity)->ToCString() + " (" + reason +
                                                "); export the model again.");
     if (entity->IsKind(STANDARD_TYPE(StepRepr_Representation)))
-      incomplete.push_back(entity_label(model, entity) + " (items)");
+      incomplete.push_back(entity_label(reader, entity) + " (items)");
   }
   return incomplete;
 }
@@ -71,6 +82,67 @@ Handle(TCollection_HAsciiString) face_name(const Handle(Standard_Transient) & en
   Handle(StepShape_FaceSurface) face = Handle(StepShape_FaceSurface)::DownCast(entity);
   return face.IsNull() ? Handle(TCollection_HAsciiString)() : face->Name();
 }
+
+/// Names of the objects of an assembly, given to their faces: "Board/Face3".
+class ObjectLabels {
+ public:
+  /// What `shape` is called, wherever in an assembly it stands.
+  void add(const TopoDS_Shape& shape, const std::string& name) {
+    if (!shape.IsNull() && !name.empty()) names_[shape.TShape().get()] = name;
+  }
+
+  /// Puts the object before each label, which is "Face3", counted in the object, where the face has none of its own. An
+  /// object that is there several times is "Bolt:1", "Bolt:2". A model of a single object is left as it is.
+  /// `labels`: in the order of TopExp::MapShapes.
+  void give_to(const TopoDS_Shape& assembly, std::vector<std::string>& labels) {
+    TopExp::MapShapes(assembly, TopAbs_FACE, faces_);
+    object_of_.assign(static_cast<std::size_t>(faces_.Extent()), -1);
+    visit(assembly, -1);
+    std::map<std::string, int> uses, given;
+    for (const Object& object : objects_)
+      if (object.faces > 0) ++uses[object.name];
+    if (uses.size() < 2 && (uses.empty() || uses.begin()->second < 2)) return;
+    for (Object& object : objects_) {
+      const std::string name = object.name;
+      if (object.faces > 0 && uses[name] > 1) object.name.append(":").append(std::to_string(++given[name]));
+      object.faces = 0;
+    }
+    for (std::size_t f = 0; f < object_of_.size(); ++f) {
+      if (object_of_[f] < 0) continue;
+      Object& object = objects_[object_of_[f]];
+      ++object.faces;
+      if (labels[f].empty()) labels[f].append("Face").append(std::to_string(object.faces));
+      labels[f].insert(0, object.name + "/");
+    }
+  }
+
+ private:
+  struct Object {
+    std::string name;
+    int faces = 0;  // of its own; an assembly whose faces are all in other objects has none
+  };
+
+  /// `object`: the innermost one around, negative where there is none. A face is of the first object that has it.
+  void visit(const TopoDS_Shape& shape, int object) {
+    if (auto named = names_.find(shape.TShape().get()); named != names_.end()) {
+      object = static_cast<int>(objects_.size());
+      objects_.push_back({named->second});
+    }
+    if (shape.ShapeType() < TopAbs_FACE) {
+      for (TopoDS_Iterator inner(shape); inner.More(); inner.Next()) visit(inner.Value(), object);
+    } else if (shape.ShapeType() == TopAbs_FACE && object >= 0) {
+      int& known = object_of_[faces_.FindIndex(shape) - 1];
+      if (known >= 0) return;
+      known = object;
+      ++objects_[object].faces;
+    }
+  }
+
+  std::unordered_map<const TopoDS_TShape*, std::string> names_;
+  TopTools_IndexedMapOfShape faces_;
+  std::vector<Object> objects_;
+  std::vector<int> object_of_;  // per face
+};
 
 /// Of a part, as its writer calls it; empty where it only says who wrote it.
 std::string product_name(const Handle(StepBasic_ProductDefinition) & definition) {
@@ -104,14 +176,13 @@ bool is_utf8(std::string_view content) {
 /// drops edges that are shorter.
 double most_imprecise(STEPControl_Reader& reader) {
   constexpr double by_itself = 1, most_share = 0.01;
-  const Handle(Interface_InterfaceModel) model = reader.Model();
   Bnd_Box box;
   double unit = 0;
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    const auto point = Handle(StepGeom_CartesianPoint)::DownCast(model->Value(i));
+  for (const Handle(Standard_Transient) & entity : entities_of(reader)) {
+    const auto point = Handle(StepGeom_CartesianPoint)::DownCast(entity);
     if (!point.IsNull() && point->NbCoordinates() == 3)
       box.Add(gp_Pnt(point->CoordinatesValue(1), point->CoordinatesValue(2), point->CoordinatesValue(3)));
-    unit = std::max(unit, largest_unit(model->Value(i)));
+    unit = std::max(unit, largest_unit(entity));
   }
   if (box.IsVoid() || !(unit > 0)) return by_itself;
   return std::min(by_itself, most_share * unit * std::sqrt(box.SquareExtent()));
@@ -119,12 +190,9 @@ double most_imprecise(STEPControl_Reader& reader) {
 
 void label_objects(STEPControl_Reader& reader, Shape& shape) {
   ObjectLabels objects;
-  Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
-  Handle(Interface_InterfaceModel) model = reader.Model();
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    auto definition = Handle(StepBasic_ProductDefinition)::DownCast(model->Value(i));
-    if (!definition.IsNull()) objects.add(TransferBRep::ShapeResult(process, definition), product_name(definition));
-  }
+  for (const Handle(Standard_Transient) & entity : entities_of(reader))
+    if (const auto definition = Handle(StepBasic_ProductDefinition)::DownCast(entity); !definition.IsNull())
+      objects.add(shape_of(reader, definition), product_name(definition));
   objects.give_to(shape.shape, shape.labels);
 }
 
@@ -133,7 +201,7 @@ void label_objects(STEPControl_Reader& reader, Shape& shape) {
 extern "C" void paver_read_format(const FileSource& file, std::string_view content, const Doubt& doubt, Shape& shape,
                                   ModelReport& report, Progress& progress) {
   STEPControl_Reader reader;
-  MillimetreReading millimetres;
+  const ReaderSetting millimetres("xstep.cascade.unit", "MM");
   const ReaderSetting no_triangles("read.step.tessellated", "Off");  // of newer kernels: faces without surfaces
   // Older writers put in letters of their own.
   const ReaderSetting letters("read.step.codepage", is_utf8(content) ? "UTF8" : "CP1252");

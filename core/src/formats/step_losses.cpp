@@ -39,9 +39,8 @@
 #include <gp_Vec.hxx>
 #include <string_view>
 
-#include "formats/lost_entities_impl.h"
-#include "formats/step_losses_impl.h"
-#include "formats/step_units_impl.h"
+#include "formats/step_impl.h"
+#include "formats/transfer_impl.h"
 
 namespace paver {
 namespace {
@@ -52,7 +51,15 @@ constexpr double least_scale = 1e-9;  // by which sizes may be off 1 and none is
 
 template <class... Types>
 bool is_any(const Entity& entity) {
-  return (entity->IsKind(STANDARD_TYPE(Types)) || ...);
+  return !entity.IsNull() && (entity->IsKind(STANDARD_TYPE(Types)) || ...);
+}
+
+/// Whether a test holds for any of some entities.
+template <class Test>
+bool any_of(Interface_EntityIterator entities, Test test) {
+  for (; entities.More(); entities.Next())
+    if (test(entities.Value())) return true;
+  return false;
 }
 
 /// Of which something has to come by itself.
@@ -67,14 +74,10 @@ bool is_shape(const Entity& entity) {
 /// What came of a shell may be known only to the solid or the surface model that has it: it is lost with its faces. One
 /// that turns another one over has its faces a level deeper.
 bool has_lost_face(const LostEntities& lost, const Interface_Graph& graph, const Entity& shell, int levels = 1) {
-  for (Interface_EntityIterator inner = graph.Shareds(shell); inner.More(); inner.Next()) {
-    const bool is_face = is_any<StepShape_Face>(inner.Value());
-    if (is_face ? lost.is_lost(inner.Value())
-                : is_any<StepShape_ConnectedFaceSet>(inner.Value()) && levels > 0 &&
-                      has_lost_face(lost, graph, inner.Value(), levels - 1))
-      return true;
-  }
-  return false;
+  return any_of(graph.Shareds(shell), [&](const Entity& inner) {
+    if (is_any<StepShape_Face>(inner)) return lost.is_lost(inner);
+    return is_any<StepShape_ConnectedFaceSet>(inner) && levels > 0 && has_lost_face(lost, graph, inner, levels - 1);
+  });
 }
 
 bool is_of(const char* package, const Entity& entity) {
@@ -83,21 +86,18 @@ bool is_of(const char* package, const Entity& entity) {
 
 /// Part of a drawing, of dimensions or of what a shape was constructed with, and of no shape: the kernel leaves these.
 bool is_beside_shapes(const Interface_Graph& graph, const Entity& entity) {
-  Interface_EntityIterator user = graph.Sharings(entity);
-  if (!user.More()) return false;
-  for (; user.More(); user.Next()) {
-    if (is_of("StepShape_", user.Value())) return false;
-    if (!is_any<StepRepr_Representation>(user.Value()) && !is_any<StepShape_GeometricSet>(entity)) return false;
-  }
-  return true;
+  const Interface_EntityIterator users = graph.Sharings(entity);
+  return users.NbEntities() > 0 && !any_of(users, [&](const Entity& user) {
+           return is_of("StepShape_", user) ||
+                  (!is_any<StepRepr_Representation>(user) && !is_any<StepShape_GeometricSet>(entity));
+         });
 }
 
 /// A surface or a curve that stands for itself.
 bool is_in_set(const Interface_Graph& graph, const Entity& entity) {
-  if (!is_any<StepGeom_Surface, StepGeom_Curve>(entity)) return false;
-  for (Interface_EntityIterator user = graph.Sharings(entity); user.More(); user.Next())
-    if (is_any<StepShape_GeometricSet>(user.Value()) && !is_beside_shapes(graph, user.Value())) return true;
-  return false;
+  return is_any<StepGeom_Surface, StepGeom_Curve>(entity) && any_of(graph.Sharings(entity), [&](const Entity& user) {
+           return is_any<StepShape_GeometricSet>(user) && !is_beside_shapes(graph, user);
+         });
 }
 
 /// Whether a representation has any shape, or leads to one: one for a part alone may refer to one with its shape.
@@ -123,10 +123,6 @@ bool leads_to_shape(const Interface_Graph& graph, const Entity& start) {
   return false;
 }
 
-bool is_shape_representation(const Entity& entity) {
-  return !entity.IsNull() && is_any<StepShape_ShapeRepresentation>(entity);
-}
-
 /// Whether only colours and drawings have it.
 bool is_presented_only(const Interface_Graph& graph, const Entity& entity) {
   Interface_EntityIterator user = graph.Sharings(entity);
@@ -140,7 +136,7 @@ bool is_presented_only(const Interface_Graph& graph, const Entity& entity) {
 bool is_placed_shape(const Interface_Graph& graph, const Entity& entity) {
   if (const auto mapped = Handle(StepRepr_MappedItem)::DownCast(entity); !mapped.IsNull())
     return !mapped->MappingSource().IsNull() && !is_presented_only(graph, entity) &&
-           is_shape_representation(mapped->MappingSource()->MappedRepresentation()) &&
+           is_any<StepShape_ShapeRepresentation>(mapped->MappingSource()->MappedRepresentation()) &&
            leads_to_shape(graph, mapped->MappingSource()->MappedRepresentation());
   const auto usage = Handle(StepRepr_NextAssemblyUsageOccurrence)::DownCast(entity);
   return !usage.IsNull() &&
@@ -155,10 +151,9 @@ bool is_exact(const Entity& representation) { return !representation.IsNull() &&
 
 /// Triangles that stand for themselves among exact shapes.
 bool is_tessellated_item(const Interface_Graph& graph, const Entity& entity) {
-  if (!is_tessellated(entity)) return false;
-  for (Interface_EntityIterator user = graph.Sharings(entity); user.More(); user.Next())
-    if (is_any<StepShape_ShapeRepresentation>(user.Value()) && is_exact(user.Value())) return true;
-  return false;
+  return is_tessellated(entity) && any_of(graph.Sharings(entity), [](const Entity& user) {
+           return is_any<StepShape_ShapeRepresentation>(user) && is_exact(user);
+         });
 }
 
 /// Whether a representation that could not be read is not the only one of its part: tessellated and exact ones of one
@@ -167,22 +162,20 @@ bool has_representation(const Interface_Graph& graph, const Entity& entity) {
   const auto link = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(entity);
   if (link.IsNull() || is_exact(link->UsedRepresentation())) return true;
   const Entity part = link->Definition().Value();
-  if (part.IsNull()) return true;
-  for (Interface_EntityIterator user = graph.Sharings(part); user.More(); user.Next()) {
-    const auto other = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(user.Value());
-    if (!other.IsNull() && is_exact(other->UsedRepresentation())) return true;
-  }
-  return false;
+  return part.IsNull() || any_of(graph.Sharings(part), [](const Entity& user) {
+           const auto other = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(user);
+           return !other.IsNull() && is_exact(other->UsedRepresentation());
+         });
 }
 
-bool is_axes(const Entity& placement) { return !placement.IsNull() && is_any<StepGeom_Axis2Placement3d>(placement); }
+bool is_axes(const Entity& placement) { return is_any<StepGeom_Axis2Placement3d>(placement); }
 
 /// Shapes or places of them, which dimensions and drawings have not.
 bool has_shapes(const Entity& entity) {
   const auto representation = Handle(StepShape_ShapeRepresentation)::DownCast(entity);
   if (representation.IsNull() || representation->Items().IsNull()) return false;
   for (const Handle(StepRepr_RepresentationItem) & item : *representation->Items())
-    if (is_axes(item) || (!item.IsNull() && (is_shape(item) || is_any<StepRepr_MappedItem>(item)))) return true;
+    if (is_axes(item) || is_shape(item) || is_any<StepRepr_MappedItem>(item)) return true;
   return false;
 }
 
@@ -207,7 +200,7 @@ bool is_motion(const Entity& entity) {
 bool is_placed_as_stated(const Entity& entity) {
   if (const auto mapped = Handle(StepRepr_MappedItem)::DownCast(entity); !mapped.IsNull()) {
     const Handle(StepRepr_RepresentationMap) source = mapped->MappingSource();
-    if (source.IsNull() || !is_shape_representation(source->MappedRepresentation())) return true;
+    if (source.IsNull() || !is_any<StepShape_ShapeRepresentation>(source->MappedRepresentation())) return true;
     return is_motion(mapped->MappingTarget()) || (is_axes(source->MappingOrigin()) && is_axes(mapped->MappingTarget()));
   }
   const auto relation = Handle(StepRepr_RepresentationRelationshipWithTransformation)::DownCast(entity);
@@ -221,14 +214,11 @@ bool is_placed_as_stated(const Entity& entity) {
 
 std::vector<std::string> open_solids(STEPControl_Reader& reader) {
   std::vector<std::string> labels;
-  const Handle(Interface_InterfaceModel) model = reader.Model();
-  const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    const Entity entity = model->Value(i);
+  for (const Entity& entity : entities_of(reader)) {
     if (!is_any<StepShape_ManifoldSolidBrep>(entity)) continue;
-    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
+    const TopoDS_Shape shape = shape_of(reader, entity);
     if (!shape.IsNull() && TopExp_Explorer(shape, TopAbs_SHELL, TopAbs_SOLID).More())
-      labels.push_back(entity_label(model, entity));
+      labels.push_back(entity_label(reader, entity));
   }
   return labels;
 }
@@ -243,13 +233,11 @@ std::vector<std::string> step_losses(STEPControl_Reader& reader) {
                ? !is_beside_shapes(graph, entity)
                : is_in_set(graph, entity) || is_tessellated_item(graph, entity) || is_placed_shape(graph, entity);
   });
-  const Handle(Interface_InterfaceModel) model = reader.Model();
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    const Entity entity = model->Value(i);
-    if (!has_representation(graph, entity)) labels.push_back(entity_label(model, entity));
-    if (!is_placed_as_stated(entity)) labels.push_back(entity_label(model, entity) + " (position)");
+  for (const Entity& entity : entities_of(reader)) {
+    if (!has_representation(graph, entity)) labels.push_back(entity_label(reader, entity));
+    if (!is_placed_as_stated(entity)) labels.push_back(entity_label(reader, entity) + " (position)");
     if (has_shapes(entity) && !is_measured_as_stated(entity))
-      labels.push_back(entity_label(model, entity) + " (unit of length)");
+      labels.push_back(entity_label(reader, entity) + " (unit of length)");
   }
   return labels;
 }

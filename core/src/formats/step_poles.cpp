@@ -16,10 +16,6 @@
 #include <TopAbs.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS_Vertex.hxx>
-#include <TransferBRep.hxx>
-#include <Transfer_TransientProcess.hxx>
-#include <XSControl_TransferReader.hxx>
-#include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -27,7 +23,8 @@
 #include <vector>
 
 #include "brep/occt_shapes_impl.h"
-#include "formats/step_poles_impl.h"
+#include "formats/step_impl.h"
+#include "formats/transfer_impl.h"
 
 namespace paver {
 namespace {
@@ -242,15 +239,13 @@ std::optional<TopoDS_Face> whole_face(const TopoDS_Face& read) {
 }  // namespace
 
 void restore_poles(XSControl_Reader& reader, Shape& shape) {
-  const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
-  const Handle(Interface_InterfaceModel) model = reader.Model();
   const auto faces = shapes_of(shape.shape, TopAbs_FACE);
   BRepTools_ReShape change;
   change.ModeConsiderLocation() = true;  // parts may stand in several places
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    const auto entity = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
+  for (const Handle(Standard_Transient) & any : entities_of(reader)) {
+    const auto entity = Handle(StepShape_FaceSurface)::DownCast(any);
     if (entity.IsNull() || dead_ends(*entity) != 2) continue;
-    for (const TopoDS_Face& read : faces_of(TransferBRep::ShapeResult(process, entity))) {
+    for (const TopoDS_Face& read : faces_of(shape_of(reader, entity))) {
       const std::optional<TopoDS_Face> whole = whole_face(read);
       if (!whole) continue;
       // The reader may have turned the face over with its loop.

@@ -13,7 +13,7 @@
 #include <optional>
 #include <set>
 
-#include "formats/step_units_impl.h"
+#include "formats/step_impl.h"
 
 namespace paver {
 namespace {
