@@ -21,7 +21,6 @@
 #include <vector>
 
 #include "brep/occt_shapes_impl.h"
-#include "brep/reading/format_library_impl.h"
 #include "brep/reading/readers_impl.h"
 
 namespace paver {

@@ -1,6 +1,4 @@
 // What OpenCASCADE writes is sound in every version; each kind of damage that its reader follows blindly is found.
-#include "brep/reading/brep_text.h"
-
 #include <gtest/gtest.h>
 
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -14,6 +12,7 @@
 #include <TopoDS.hxx>
 #include <sstream>
 
+#include "brep/reading/texts.h"
 #include "core/brep/shape_files.h"
 
 namespace paver {

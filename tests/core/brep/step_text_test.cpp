@@ -1,7 +1,7 @@
 // What the text of a STEP file says of its entities' names.
-#include "brep/reading/step_text.h"
-
 #include <gtest/gtest.h>
+
+#include "brep/reading/texts.h"
 
 namespace paver {
 namespace {

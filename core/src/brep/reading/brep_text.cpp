@@ -2,14 +2,14 @@
 //
 // Tables in order: locations, curves in parameters, curves, polygons, polygons on triangulations, surfaces,
 // triangulations, shapes; last the shape that is meant. Shapes name others that come before them, counted from the end.
-#include "brep/reading/brep_text.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <string_view>
+
+#include "brep/reading/texts.h"
 
 namespace paver {
 namespace {

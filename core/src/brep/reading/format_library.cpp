@@ -5,7 +5,7 @@
 #include <typeinfo>
 
 #include "base/process/own_folders.h"
-#include "brep/reading/format_library_impl.h"
+#include "brep/reading/readers_impl.h"
 
 namespace paver {
 namespace {

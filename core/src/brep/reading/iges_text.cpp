@@ -1,7 +1,5 @@
 // IGES 5.3: lines of 80 columns, section letter in the 73rd, its line number behind it. An entity has two lines in the
 // directory (D), which say where its parameters (P) are; entities point at each other by the number of the first.
-#include "brep/reading/iges_text.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "base/trimmed.h"
+#include "brep/reading/texts.h"
 
 namespace paver {
 namespace {

@@ -9,8 +9,8 @@
 #include <BinTools_ShapeSet.hxx>
 #include <sstream>
 
-#include "brep/reading/brep_text.h"
 #include "brep/reading/readers_impl.h"
+#include "brep/reading/texts.h"
 
 namespace paver {
 namespace {

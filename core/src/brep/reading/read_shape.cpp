@@ -14,13 +14,10 @@
 #include <utility>
 
 #include "base/listed.h"
-#include "brep/connecting/trial.h"
 #include "brep/occt_shapes_impl.h"
 #include "brep/reading/file_format.h"
-#include "brep/reading/format_library_impl.h"
-#include "brep/reading/iges_text.h"
 #include "brep/reading/readers_impl.h"
-#include "brep/reading/step_text.h"
+#include "brep/reading/texts.h"
 #include "brep/shape_impl.h"
 
 namespace paver {

@@ -1,9 +1,9 @@
 // Entities are "#12=NAME(...,#7,...);"; texts in quotes and comments may hold anything.
-#include "brep/reading/step_text.h"
-
 #include <algorithm>
 #include <charconv>
 #include <iterator>
+
+#include "brep/reading/texts.h"
 
 namespace paver {
 namespace {

@@ -1,7 +1,5 @@
 // The other process is the command line's program. A file costs it a start and is read twice: that is why only doubtful
 // ones are tried (core/docs/decisions/damaged-files.md).
-#include "brep/connecting/trial.h"
-
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/wait.h>
@@ -9,6 +7,7 @@
 
 #include "base/process/child.h"
 #include "base/process/own_folders.h"
+#include "brep/reading/readers_impl.h"
 #include "paver/breakdown.h"
 
 namespace paver {
