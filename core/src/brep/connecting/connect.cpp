@@ -8,21 +8,18 @@
 
 #include "base/union_find.h"
 #include "brep/connecting/connect_impl.h"
-#include "brep/connecting/near/near_parts_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
 
 namespace paver {
 namespace {
 
-using Pair = std::array<int, 2>;
-
 /// Of the diagonal: parts that are farther from the origin are fused there. The kernel's intersections are as exact as
 /// coordinates are, and it takes 1e-7 mm for granted.
 constexpr double far_away = 10;
 
 /// Clusters of parts that pairs hang together; those of one part are left out but for loose ones.
-std::vector<std::vector<int>> clusters_of(const std::vector<Pair>& pairs, const std::vector<WorkPart>& parts) {
+std::vector<std::vector<int>> clusters_of(const std::vector<PartPair>& pairs, const std::vector<WorkPart>& parts) {
   UnionFind together(parts.size());
   for (auto [a, b] : pairs) together.merge(a, b);
   std::vector<std::vector<int>> clusters = together.sets();
@@ -51,7 +48,7 @@ class Connector {
     return true;
   }
 
-  std::vector<Pair> failed;
+  std::vector<PartPair> failed;
   MergedParts merged;
 
  private:
@@ -63,17 +60,17 @@ class Connector {
     if (leave_points(parts) && (parts.size() < 2 || try_to_fuse(parts))) return;
     for (int part : parts)
       if (work_.parts[part].is_loose) failed.push_back({part, part});
-    std::vector<Pair> pairs = pairs_among(parts), bad;
-    for (const Pair& pair : pairs)
+    std::vector<PartPair> pairs = pairs_among(parts), bad;
+    for (const PartPair& pair : pairs)
       if (pairs.size() > 1 && !fuse(work_, {pair[0], pair[1]}, tolerance_, progress_)) bad.push_back(pair);
     while (!bad.empty()) {
       const int worst = most_frequent(bad);
       std::erase(parts, worst);
-      std::erase_if(bad, [&](Pair pair) { return pair[0] == worst || pair[1] == worst; });
+      std::erase_if(bad, [&](PartPair pair) { return pair[0] == worst || pair[1] == worst; });
     }
     if (pairs_among(parts).size() == pairs.size() || !try_to_fuse(parts)) parts.clear();
-    const std::vector<Pair> connected = pairs_among(parts);
-    for (Pair pair : pairs)
+    const std::vector<PartPair> connected = pairs_among(parts);
+    for (PartPair pair : pairs)
       if (std::find(connected.begin(), connected.end(), pair) == connected.end()) failed.push_back(pair);
   }
 
@@ -90,7 +87,7 @@ class Connector {
       return std::any_of(work_.points.begin(), work_.points.end(),
                          [&](const auto& point) { return point.part == part; });
     };
-    for (const Pair& pair : pairs_among(parts))
+    for (const PartPair& pair : pairs_among(parts))
       if (is_point(pair[0]) || is_point(pair[1])) failed.push_back(pair);
     return std::erase_if(parts, is_point) > 0;
   }
@@ -99,23 +96,23 @@ class Connector {
     auto fusion = fuse(work_, parts, tolerance_, progress_);
     if (!fusion) return false;
     merged.add(fusion->merged);
-    for (const Pair& pair : pairs_among(parts))
+    for (const PartPair& pair : pairs_among(parts))
       if (fusion->doubled.contains(pair[0]) && fusion->doubled.contains(pair[1])) failed.push_back(pair);
     fusions_.push_back(std::move(*fusion));
     return true;
   }
 
-  std::vector<Pair> pairs_among(const std::vector<int>& parts) const {
+  std::vector<PartPair> pairs_among(const std::vector<int>& parts) const {
     auto has = [&](int part) { return std::find(parts.begin(), parts.end(), part) != parts.end(); };
-    std::vector<Pair> pairs;
-    for (Pair pair : pairs_)
+    std::vector<PartPair> pairs;
+    for (PartPair pair : pairs_)
       if (has(pair[0]) && has(pair[1])) pairs.push_back(pair);
     return pairs;
   }
 
-  static int most_frequent(const std::vector<Pair>& pairs) {
+  static int most_frequent(const std::vector<PartPair>& pairs) {
     std::map<int, int> count;
-    for (Pair pair : pairs) ++count[pair[0]], ++count[pair[1]];
+    for (PartPair pair : pairs) ++count[pair[0]], ++count[pair[1]];
     auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
     return std::max_element(count.begin(), count.end(), less)->first;
   }
@@ -227,7 +224,7 @@ class Connector {
   Workpiece& work_;
   double tolerance_;
   Progress& progress_;
-  std::vector<Pair> pairs_;
+  std::vector<PartPair> pairs_;
   std::vector<Fusion> fusions_;
   Handle(IntTools_Context) context_ = new IntTools_Context;
 };

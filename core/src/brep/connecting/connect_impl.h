@@ -26,6 +26,19 @@ void name_parts(Workpiece& work, const std::vector<std::string>& labels);
 /// "Face12" of a face as read, "Face3 + Face9" of what these have in common.
 std::string entry_name(const Workpiece& work, int origin);
 
+/// Two parts of the work, the first one's index being less; one of a part with itself where that is loose.
+using PartPair = std::array<int, 2>;
+
+struct NearParts {
+  std::vector<PartPair> pairs;
+  /// Pairs whose free-form faces may touch or cross where at least one part is no solid: for these the kernel's fuse
+  /// takes minutes or has no end, so it is not tried.
+  std::vector<PartPair> free_form;
+};
+
+/// Parts that may touch within `tolerance`, by boxes of small pieces of their faces, wires and points.
+NearParts find_near_parts(const Workpiece& work, double tolerance);
+
 /// Parts whose faces were written differently where they touch, up to `gap` (mm) apart, and were made one.
 struct MergedParts {
   std::set<int> parts;
@@ -40,7 +53,7 @@ struct MergedParts {
 struct ConnectResult {
   std::vector<Contact> contacts;
   /// Pairs of parts that may touch but could not be connected.
-  std::vector<std::array<int, 2>> failed;
+  std::vector<PartPair> failed;
   MergedParts merged;
 };
 
@@ -70,6 +83,18 @@ struct Fusion {
 /// Whether it works is checked: every face has images that cover it. Where pieces of different parts lie along each
 /// other and are two, again at the distance between them, as long as that connects no parts that were apart.
 std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress);
+
+/// Pieces of different parts that lie along each other but are two: a surface and its approximation cross along many
+/// lines, two planes of which one is turned by rounding along one, and the kernel keeps both.
+struct DoubledPieces {
+  double gap = 0;       ///< the largest distance between such pieces, or width of what is left beside common ones, mm
+  std::set<int> parts;  ///< with such pieces
+  std::set<int> in_lenses;  ///< likewise, along each other between two common edges
+};
+DoubledPieces find_doubled_pieces(const Workpiece& work, const Fusion& fusion, const Progress& progress);
+
+/// Pairs of parts that have a vertex in common after a fusion.
+std::set<PartPair> touching_parts(const Workpiece& work, const Fusion& fusion);
 
 /// Gives solids that share vertices with others before them in the list faces, edges and vertices of their own; false
 /// where none does. Not those with faces that another part has as well.

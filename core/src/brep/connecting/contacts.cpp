@@ -1,5 +1,7 @@
-// Contacts between connected parts, from what faces, edges and vertices have in common.
+// Contacts between connected parts, from what faces, edges and vertices have in common; and gaps that were closed
+// there.
 #include <BRep_Tool.hxx>
+#include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <algorithm>
 #include <map>
 #include <set>
@@ -9,8 +11,6 @@
 
 namespace paver {
 namespace {
-
-using Pair = std::array<int, 2>;
 
 /// What meets at an edge or a vertex.
 struct Meeting {
@@ -30,9 +30,7 @@ class ContactFinder {
     for (int i = 1; i <= edges_.Extent(); ++i) add_edge(i);
     for (int i = 1; i <= vertices_.Extent(); ++i) add_vertex(i);
     std::vector<Contact> contacts;
-    for (auto& [key, contact] : found_) {
-      std::sort(contact.faces.begin(), contact.faces.end());
-      contact.faces.erase(std::unique(contact.faces.begin(), contact.faces.end()), contact.faces.end());
+    for (const auto& [key, contact] : found_) {
       Contact& made = contacts.emplace_back();
       for (int k : {0, 1}) made.parts[k] = work_.parts[key.first[k]].name;
       made.kind = key.second;
@@ -45,7 +43,7 @@ class ContactFinder {
 
  private:
   struct Found {
-    std::vector<int> faces;  ///< as read
+    std::set<int> faces;  ///< as read
     double size = 0, gap = 0;
   };
 
@@ -73,15 +71,15 @@ class ContactFinder {
   template <class F>
   static void for_pairs(const std::set<int>& parts, F&& f) {
     for (auto a = parts.begin(); a != parts.end(); ++a)
-      for (auto b = std::next(a); b != parts.end(); ++b) f(Pair{*a, *b});
+      for (auto b = std::next(a); b != parts.end(); ++b) f(PartPair{*a, *b});
   }
 
-  Found& note(Pair pair, ContactKind kind, const std::vector<int>& faces, double size) {
+  Found& note(PartPair pair, ContactKind kind, const std::vector<int>& faces, double size) {
     Found& contact = found_[{pair, kind}];
     contact.size += size;
     for (int f : faces) {
       const std::vector<int> names = work_.faces_as_read(work_.faces[f].origin);
-      contact.faces.insert(contact.faces.end(), names.begin(), names.end());
+      contact.faces.insert(names.begin(), names.end());
     }
     return contact;
   }
@@ -91,14 +89,14 @@ class ContactFinder {
     std::set<int> parts;
     for (const FaceUse& use : face.uses) parts.insert(use.part);
     if (!face.has_area || parts.size() < 2) return;
-    for_pairs(parts, [&](Pair pair) {
+    for_pairs(parts, [&](PartPair pair) {
       Found& contact = note(pair, ContactKind::face, {f}, face.area);
       contact.gap = std::max(contact.gap, face.gap);
     });
     for (const TopoDS_Edge& edge : edges_of(face.face))
-      for_pairs(parts, [&](Pair pair) { bordered_.insert({edges_.FindIndex(edge), pair}); });
+      for_pairs(parts, [&](PartPair pair) { bordered_.insert({edges_.FindIndex(edge), pair}); });
     for (TopExp_Explorer inner(face.face, TopAbs_VERTEX); inner.More(); inner.Next())
-      for_pairs(parts, [&](Pair pair) { touched_.insert({vertices_.FindIndex(inner.Current()), pair}); });
+      for_pairs(parts, [&](PartPair pair) { touched_.insert({vertices_.FindIndex(inner.Current()), pair}); });
   }
 
   /// Edges that no face as read has been given are where parts cross.
@@ -107,7 +105,7 @@ class ContactFinder {
     const TopoDS_Edge edge = TopoDS::Edge(edges_.FindKey(index));
     if (meeting.parts.size() < 2 || BRep_Tool::Degenerated(edge)) return;
     ContactKind kind = edge_origins(work_, edge).empty() ? ContactKind::crossing : ContactKind::edge;
-    for_pairs(meeting.parts, [&](Pair pair) {
+    for_pairs(meeting.parts, [&](PartPair pair) {
       for (TopExp_Explorer ends(edge, TopAbs_VERTEX); ends.More(); ends.Next())
         touched_.insert({vertices_.FindIndex(ends.Current()), pair});
       if (bordered_.count({index, pair})) return;
@@ -118,7 +116,7 @@ class ContactFinder {
 
   void add_vertex(int index) {
     const Meeting& meeting = vertices_(index);
-    for_pairs(meeting.parts, [&](Pair pair) {
+    for_pairs(meeting.parts, [&](PartPair pair) {
       if (touched_.count({index, pair})) return;
       Found& contact = note(pair, ContactKind::point, meeting.faces, 1);
       contact.gap = std::max(contact.gap, closed_gap(BRep_Tool::Tolerance(TopoDS::Vertex(vertices_.FindKey(index)))));
@@ -127,11 +125,39 @@ class ContactFinder {
 
   const Workpiece& work_;
   Meetings edges_, vertices_;
-  std::map<std::pair<Pair, ContactKind>, Found> found_;
-  std::set<std::pair<int, Pair>> bordered_, touched_;  // edges of common faces; vertices of common edges and faces
+  std::map<std::pair<PartPair, ContactKind>, Found> found_;
+  std::set<std::pair<int, PartPair>> bordered_, touched_;  // edges of common faces; vertices of common edges and faces
 };
 
+/// From places of the image's border, on its surface, to the faces' surfaces.
+double measured_gap(const Fusion::Image& image, const Workpiece& work) {
+  const Handle(IntTools_Context) context = new IntTools_Context;
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(image.face);
+  double gap = 0;
+  for (const TopoDS_Edge& edge : edges_of(image.face)) {
+    const EdgeImage border = image_of(edge, image.face);
+    if (border.curve.IsNull()) continue;
+    for (double share : {0.0, 0.5, 1.0}) {
+      const gp_Pnt2d uv = border.uv(share);
+      for (int f : image.of) {
+        GeomAPI_ProjectPointOnSurf& foot = context->ProjPS(work.faces[f].face);
+        foot.Perform(surface->Value(uv.X(), uv.Y()));
+        if (foot.IsDone() && foot.NbPoints() > 0) gap = std::max(gap, foot.LowerDistance());
+      }
+    }
+  }
+  return gap;
+}
+
 }  // namespace
+
+double closed_gap(double tolerance) { return tolerance > 2 * Precision::Confusion() ? tolerance : 0; }
+
+double closed_gap(const Fusion::Image& image, const Workpiece& work, double fusion_tolerance) {
+  double gap = 0;
+  for (const TopoDS_Edge& edge : edges_of(image.face)) gap = std::max(gap, closed_gap(BRep_Tool::Tolerance(edge)));
+  return gap > fusion_tolerance ? std::min(gap, std::max(fusion_tolerance, measured_gap(image, work))) : gap;
+}
 
 std::vector<Contact> find_contacts(const Workpiece& work) { return ContactFinder(work).run(); }
 

@@ -10,7 +10,6 @@
 #include <optional>
 
 #include "brep/connecting/connect_impl.h"
-#include "brep/connecting/fusing/doubled_pieces_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
 
@@ -60,29 +59,21 @@ class Fuser {
     return face.is_usable() && std::any_of(parts_.begin(), parts_.end(), [&](int part) { return face.has_part(part); });
   }
 
-  /// One argument: the kernel looks for nothing between the faces, or edges, of one.
+  /// One argument, but each shape of a loose part: the kernel looks for nothing between the faces, or edges, of one.
   void add_arguments(int part) {
-    if (!work_.parts[part].is_loose) {
-      arguments_.Append(argument(part));
-      return;
-    }
+    TopTools_ListOfShape shapes;
     for (const WorkFace& face : work_.faces)
-      if (face.is_usable() && face.has_part(part)) arguments_.Append(face.face);
+      if (face.is_usable() && face.has_part(part)) shapes.Append(face.face);
     for (const WorkWire& wire : work_.wires)
-      if (wire.part == part) arguments_.Append(wire.edge);
-  }
-
-  TopoDS_Shape argument(int part) {
-    BRep_Builder builder;
-    TopoDS_Compound compound;
-    builder.MakeCompound(compound);
-    for (const WorkFace& face : work_.faces)
-      if (face.is_usable() && face.has_part(part)) builder.Add(compound, face.face);
-    for (const WorkWire& wire : work_.wires)
-      if (wire.part == part) builder.Add(compound, wire.edge);
+      if (wire.part == part) shapes.Append(wire.edge);
     for (const WorkPoint& point : work_.points)
-      if (point.part == part && !point.is_end) builder.Add(compound, point.vertex);
-    return compound;
+      if (point.part == part && !point.is_end) shapes.Append(point.vertex);
+    if (work_.parts[part].is_loose) return arguments_.Append(shapes);
+    BRep_Builder builder;
+    TopoDS_Compound whole;
+    builder.MakeCompound(whole);
+    for (const TopoDS_Shape& shape : shapes) builder.Add(whole, shape);
+    arguments_.Append(whole);
   }
 
   bool add_images(int f, BRepAlgoAPI_BuilderAlgo& builder, double tolerance, Fusion& fusion) {
@@ -146,14 +137,13 @@ std::optional<Fusion> fuse_at(Fuser& fuser, std::initializer_list<double> tolera
 std::optional<Fusion> fuse_wider(const Workpiece& work, Fuser& fuser, Fusion& fusion, bool is_last,
                                  Progress& progress) {
   constexpr double slack = 2;  // distances are samples
-  DoubledPieces pieces(work, fusion);
-  const double gap = pieces.gap(progress);
-  fusion.doubled = pieces.in_lenses();
-  if (!(gap > 0) || is_last) return std::nullopt;
-  const double wider = std::max(slack * gap, 2 * fusion.tolerance);
+  const DoubledPieces pieces = find_doubled_pieces(work, fusion, progress);
+  fusion.doubled = pieces.in_lenses;
+  if (!(pieces.gap > 0) || is_last) return std::nullopt;
+  const double wider = std::max(slack * pieces.gap, 2 * fusion.tolerance);
   std::optional<Fusion> next = fuse_at(fuser, {wider, gap_factor * wider}, progress);
-  if (!next || !std::ranges::includes(pieces.touching(), DoubledPieces(work, *next).touching())) return std::nullopt;
-  next->merged = {pieces.parts(), gap};
+  if (!next || !std::ranges::includes(touching_parts(work, fusion), touching_parts(work, *next))) return std::nullopt;
+  next->merged = {pieces.parts, pieces.gap};
   next->merged.add(fusion.merged);
   return next;
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "brep/connecting/connect_impl.h"
 #include "brep/connecting/near/face_cells_impl.h"
-#include "brep/connecting/near/near_parts_impl.h"
 
 namespace paver {
 namespace {
@@ -48,13 +48,13 @@ NearParts find_near_parts(const Workpiece& work, double tolerance) {
     return found;
   };
   NearParts near;
-  std::vector<std::array<int, 2>> crossing;
+  std::vector<PartPair> crossing;
   std::vector<char> is_left(work.parts.size(), 0);  // not all of what touches it is connected
   for (std::size_t a = 0; a < work.parts.size(); ++a)
     for (std::size_t b = a + 1; b < work.parts.size(); ++b) {
       const Nearness found = nearness(a, b);
       if (found == Nearness::apart) continue;
-      const std::array pair{static_cast<int>(a), static_cast<int>(b)};
+      const PartPair pair{static_cast<int>(a), static_cast<int>(b)};
       (found == Nearness::near ? near.pairs : found == Nearness::crossing ? crossing : near.free_form).push_back(pair);
       if (found == Nearness::free_form) is_left[a] = is_left[b] = 1;
     }
