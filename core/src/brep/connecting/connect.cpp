@@ -206,7 +206,7 @@ class Connector {
     for (const Fusion& fusion : fusions_)
       for (const auto& [edge, image] : fusion.edges) {
         replaced.Add(edge);
-        add_edge_origins(work_, image, edge_origins(work_, edge));
+        add_edge_origins(work_, image, edge);
         for (const WorkWire& wire : work_.wires)
           if (wire.edge.IsSame(edge)) pieces.push_back({forward(TopoDS::Edge(image)), wire.part, wire.origin});
       }

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "base/listed.h"
 #include "brep/connecting/workpiece_impl.h"
@@ -205,13 +206,13 @@ std::vector<int> edge_origins(const Workpiece& work, const TopoDS_Shape& edge) {
   return position > 0 ? std::vector<int>{position - 1} : std::vector<int>();
 }
 
-void add_edge_origins(Workpiece& work, const TopoDS_Shape& image, const std::vector<int>& origins) {
-  for (const TopoDS_Edge& edge : edges_of(image)) {
-    std::vector<int> all = edge_origins(work, edge);
-    all.insert(all.end(), origins.begin(), origins.end());
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    work.replaced_edges.Bind(edge, all);
+void add_edge_origins(Workpiece& work, const TopoDS_Shape& image, const TopoDS_Shape& edge) {
+  const std::vector<int> origins = edge_origins(work, edge);
+  for (const TopoDS_Edge& piece : edges_of(image)) {
+    const std::vector<int> known = edge_origins(work, piece);
+    std::set<int> all(known.begin(), known.end());
+    all.insert(origins.begin(), origins.end());
+    work.replaced_edges.Bind(piece, {all.begin(), all.end()});
   }
 }
 

@@ -157,8 +157,8 @@ TopTools_IndexedMapOfShape edge_map(const Workpiece& work);
 /// The 0-based edges of the shape as read that an edge is or lies on; none for an edge that was added.
 std::vector<int> edge_origins(const Workpiece& work, const TopoDS_Shape& edge);
 
-/// Notes that the edges of `image` lie on `origins`, besides what they are known to lie on.
-void add_edge_origins(Workpiece& work, const TopoDS_Shape& image, const std::vector<int>& origins);
+/// Notes that the edges of `image` lie where `edge` does, besides what they are known to lie on.
+void add_edge_origins(Workpiece& work, const TopoDS_Shape& image, const TopoDS_Shape& edge);
 
 /// How often faces use their edges.
 struct EdgeUses {

@@ -54,8 +54,6 @@ struct Axes {
   Vec2 uv(Vec2 p) const { return of(p); }
 };
 
-double range_end(double value, double none) { return Precision::IsInfinite(value) ? none : value; }
-
 class PoleCompleter {
  public:
   PoleCompleter(const TopoDS_Face& face, double diagonal) : face_(face), tolerance_(pole_share * diagonal) {}
@@ -174,12 +172,12 @@ class PoleCompleter {
     period_ = axes_.of(surface_->period());
     // Left of u, along which the face lies to the left, is v; left of v is -u.
     side_ = axes_.is_round_u ? turn_ : -turn_;
-    for (const Vec2& shift : shifts_from(0)) first_shifts_.push_back(shift);
+    const std::vector<Vec2> shifts = shifts_from(0);
     low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
     for (std::size_t i = 0; i < round_.size(); ++i)
       for (const Vec2& p : round_[i].points) {
-        low_ = std::min(low_, side_ * (p + first_shifts_[i]).y);
-        high_ = std::max(high_, side_ * (p + first_shifts_[i]).y);
+        low_ = std::min(low_, side_ * (p + shifts[i]).y);
+        high_ = std::max(high_, side_ * (p + shifts[i]).y);
       }
   }
 
@@ -200,11 +198,9 @@ class PoleCompleter {
     std::array<double, 4> bounds{};
     geometry()->Bounds(bounds[0], bounds[1], bounds[2], bounds[3]);
     const std::size_t low = axes_.is_round_u ? 2 : 0;
-    constexpr double none = std::numeric_limits<double>::infinity();
-    double end = side_ > 0 ? range_end(bounds[low + 1], none) : range_end(-bounds[low], none);
-    if (period_.y > 0) end = low_ + period_.y;
+    const double end = period_.y > 0 ? low_ + period_.y : side_ > 0 ? bounds[low + 1] : -bounds[low];
     std::vector<double> list;
-    if (std::isfinite(end)) {
+    if (!Precision::IsInfinite(end)) {
       for (int i = 0; i <= finite_rows; ++i) list.push_back(high_ + (end - high_) * i / finite_rows);
       return list;
     }
@@ -436,7 +432,6 @@ class PoleCompleter {
   Walks round_, periodic_;
   TopoDS_Shape wire_;
   std::vector<std::vector<Vec2>> holes_;
-  std::vector<Vec2> first_shifts_;
   double low_ = 0, high_ = 0;  ///< reach of the loop
   double pole_ = 0;            ///< reach
 };

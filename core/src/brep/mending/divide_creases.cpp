@@ -69,17 +69,17 @@ class CreaseFinder {
   Cuts find() {
     Cuts cuts;
     if (!is_finite()) return cuts;
-    cuts.u = inner_creases(true);
-    cuts.v = inner_creases(false);
-    for (bool is_u : {true, false}) add_flat_ends(is_u, is_u ? cuts.u : cuts.v);
-    cuts.creases = static_cast<int>(cuts.u.size() + cuts.v.size());
     for (bool is_u : {true, false}) {
-      if (!has_sharp_closure(is_u)) continue;
-      ++cuts.creases;
       std::vector<double>& values = is_u ? cuts.u : cuts.v;
-      if (values.empty()) values.push_back(first(is_u) + 0.5 * range(is_u));
+      values = inner_creases(is_u);
+      add_flat_ends(is_u, values);
+      cuts.creases += static_cast<int>(values.size());
+      if (has_sharp_closure(is_u)) {
+        ++cuts.creases;
+        if (values.empty()) values.push_back(first(is_u) + 0.5 * range(is_u));
+      }
+      cuts.spans[is_u ? 0 : 1] = spans(is_u, values);
     }
-    cuts.spans = {spans(true, cuts.u), spans(false, cuts.v)};
     return cuts;
   }
 
@@ -106,18 +106,16 @@ class CreaseFinder {
     return result;
   }
 
-  /// Nothing at poles.
-  std::optional<gp_Vec> normal(double u, double v) const {
+  static double coordinate(bool is_u, const gp_Pnt2d& uv) { return is_u ? uv.X() : uv.Y(); }
+
+  /// `along` in the direction asked for, `other` in the other one. Nothing at poles.
+  std::optional<gp_Vec> normal(bool is_u, double along, double other) const {
     gp_Pnt point;
     gp_Vec xu, xv;
-    surface_.D1(u, v, point, xu, xv);
-    gp_Vec across = xu.Crossed(xv);
+    surface_.D1(is_u ? along : other, is_u ? other : along, point, xu, xv);
+    const gp_Vec across = xu.Crossed(xv);
     if (across.Magnitude() <= least_normal_) return std::nullopt;
     return across;
-  }
-
-  std::optional<gp_Vec> normal_at(bool is_u, double along, double other) const {
-    return is_u ? normal(along, other) : normal(other, along);
   }
 
   static bool is_jump(const std::optional<gp_Vec>& a, const std::optional<gp_Vec>& b) {
@@ -142,12 +140,9 @@ class CreaseFinder {
       bool is_strip_end = is_strip[i - 1] != is_strip[i];
       if (is_inside && (is_strip_end || is_crease(is_u, ends(i)))) creases.push_back(ends(i));
     }
-    if (!is_whole_strip(is_strip)) divide_between_strips(ends, is_strip, creases);
+    if (std::find(is_strip.begin() + 1, is_strip.end(), false) != is_strip.end())
+      divide_between_strips(ends, is_strip, creases);
     return creases;
-  }
-
-  static bool is_whole_strip(const std::vector<bool>& is_strip) {
-    return std::find(is_strip.begin() + 1, is_strip.end(), false) == is_strip.end();
   }
 
   /// A face closed by flat strips at both ends needs two pieces between them, for their common edge to be ordinary.
@@ -165,7 +160,7 @@ class CreaseFinder {
     for (int i = 0; i < strip_samples; ++i) {
       for (int j = 0; j < strip_samples; ++j) {
         double along = low + (high - low) * (i + 0.5) / strip_samples;
-        if (normal_at(is_u, along, first(!is_u) + range(!is_u) * (j + 0.5) / strip_samples)) return false;
+        if (normal(is_u, along, first(!is_u) + range(!is_u) * (j + 0.5) / strip_samples)) return false;
       }
     }
     return true;
@@ -174,7 +169,7 @@ class CreaseFinder {
   bool is_crease(bool is_u, double value) {
     for (int i = 0; i < crease_samples; ++i) {
       double other = first(!is_u) + range(!is_u) * (i + 0.5) / crease_samples;
-      auto below = normal_at(is_u, value - aside(is_u), other), above = normal_at(is_u, value + aside(is_u), other);
+      auto below = normal(is_u, value - aside(is_u), other), above = normal(is_u, value + aside(is_u), other);
       if (!is_jump(below, above)) continue;
       gp_Pnt2d uv = is_u ? gp_Pnt2d(value, other) : gp_Pnt2d(other, value);
       if (!inside_) inside_.emplace(face_, Precision::PConfusion());  // dear, and few faces have anything to ask
@@ -188,27 +183,33 @@ class CreaseFinder {
   void add_flat_ends(bool is_u, std::vector<double>& values) const {
     const double margin = end_share * range(is_u);
     auto add = [&](const gp_Pnt2d& uv) {
-      const double value = is_u ? uv.X() : uv.Y();
+      const double value = coordinate(is_u, uv);
       const bool is_end = value < first(is_u) + margin || value > last(is_u) - margin;
       const bool is_known = std::ranges::any_of(values, [&](double v) { return std::abs(v - value) <= margin; });
       if (!is_end && !is_known) values.push_back(value);
     };
     for (const TopoDS_Edge& edge : edges_of(face_)) {
       if (BRep_Tool::Degenerated(edge) || use_count(edge, face_) != 2) continue;
-      const EdgeImage one = image_of(forward(edge), face_);
-      const EdgeImage two = image_of(TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)), face_);
-      if (one.curve.IsNull() || two.curve.IsNull() || !lies_on_one_end(!is_u, {one, two})) continue;
-      for (const EdgeImage& image : {one, two})
+      const auto images = both_images(edge);
+      if (!images || !lies_on_one_end(!is_u, *images)) continue;
+      for (const EdgeImage& image : *images)
         for (const double share : {0.0, 1.0}) add(image.uv(share));
     }
     std::ranges::sort(values);
+  }
+
+  /// On both sides of an edge that the face uses twice; nothing where one is missing.
+  std::optional<std::array<EdgeImage, 2>> both_images(const TopoDS_Edge& edge) const {
+    std::array images{image_of(forward(edge), face_), image_of(TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)), face_)};
+    if (images[0].curve.IsNull() || images[1].curve.IsNull()) return std::nullopt;
+    return images;
   }
 
   bool lies_on_one_end(bool is_u, const std::array<EdgeImage, 2>& images) const {
     return std::ranges::any_of(std::array{first(is_u), last(is_u)}, [&](double end) {
       return std::ranges::all_of(images, [&](const EdgeImage& image) {
         return std::ranges::all_of(std::array{0.0, 0.5, 1.0}, [&](double share) {
-          return std::abs((is_u ? image.uv(share).X() : image.uv(share).Y()) - end) <= end_share * range(is_u);
+          return std::abs(coordinate(is_u, image.uv(share)) - end) <= end_share * range(is_u);
         });
       });
     });
@@ -224,19 +225,18 @@ class CreaseFinder {
   }
 
   bool is_sharp_closure(const TopoDS_Edge& edge, bool is_u) const {
-    const EdgeImage one = image_of(forward(edge), face_);
-    const EdgeImage two = image_of(TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)), face_);
-    if (one.curve.IsNull() || two.curve.IsNull()) return false;
+    const auto images = both_images(edge);
+    if (!images) return false;
+    const auto& [one, two] = *images;
     for (int i = 0; i < crease_samples; ++i) {
       double t = two.first + (two.last - two.first) * (i + 0.5) / crease_samples;
       gp_Pnt2d a = one.curve->Value(t), b = two.curve->Value(t);
-      bool is_around_u = std::abs(a.X() - b.X()) > 0.5 * range(true);
-      bool is_around_v = std::abs(a.Y() - b.Y()) > 0.5 * range(false);
-      if (is_u ? !is_around_u : !is_around_v) continue;
-      if (is_u ? b.X() < a.X() : b.Y() < a.Y()) std::swap(a, b);
-      auto low = is_u ? normal_at(is_u, a.X() + aside(is_u), a.Y()) : normal_at(is_u, a.Y() + aside(is_u), a.X()),
-           high = is_u ? normal_at(is_u, b.X() - aside(is_u), b.Y()) : normal_at(is_u, b.Y() - aside(is_u), b.X());
-      if (is_jump(low, high)) return true;
+      if (coordinate(is_u, b) < coordinate(is_u, a)) std::swap(a, b);
+      const double low = coordinate(is_u, a), high = coordinate(is_u, b);
+      if (!(high - low > 0.5 * range(is_u))) continue;
+      if (is_jump(normal(is_u, low + aside(is_u), coordinate(!is_u, a)),
+                  normal(is_u, high - aside(is_u), coordinate(!is_u, b))))
+        return true;
     }
     return false;
   }
@@ -432,7 +432,7 @@ class CreaseDivider {
   void note_divided_edges(const TopTools_IndexedMapOfShape& edges) {
     for (int i = 1; i <= edges.Extent(); ++i) {
       TopoDS_Shape image = context_->Apply(edges(i).Oriented(TopAbs_FORWARD));
-      if (!image.IsNull() && !image.IsSame(edges(i))) add_edge_origins(work_, image, edge_origins(work_, edges(i)));
+      if (!image.IsNull() && !image.IsSame(edges(i))) add_edge_origins(work_, image, edges(i));
     }
   }
 

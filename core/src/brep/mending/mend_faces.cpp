@@ -47,9 +47,8 @@ void take_over(Workpiece& work, Context& context) {
     if (!image.IsNull() && image.ShapeType() == TopAbs_FACE) face.face = TopoDS::Face(image);
   }
   for (int i = 1; i <= before.Extent(); ++i) {
-    const std::vector<int> origins = edge_origins(work, before(i));
     const TopoDS_Shape image = context.Apply(before(i));
-    if (!image.IsNull() && !image.IsSame(before(i))) add_edge_origins(work, image, origins);
+    if (!image.IsNull() && !image.IsSame(before(i))) add_edge_origins(work, image, before(i));
   }
   work.is_rebuilt = true;
 }
@@ -60,16 +59,18 @@ class LoopCloser {
   explicit LoopCloser(Workpiece& work) : work_(work) {}
 
   void add_face(const WorkFace& work) {
-    const long before = closed_;
+    const std::size_t before = joined_.size();
     for (const TopoDS_Wire& wire : wires_of(work.face)) add_loop(wire);
-    if (closed_ > before) names_.push_back(face_name(work.origin));
+    if (joined_.size() > before) names_.push_back(face_name(work.origin));
   }
 
   void run() {
-    if (closed_ == 0) return;
+    if (joined_.empty()) return;
+    UnionFind together(static_cast<std::size_t>(vertices_.Extent()) + 1);
+    for (const Link& link : joined_) together.merge(link.end, link.start);
     BRepTools_ReShape context;
     double reach = 0;
-    for (const std::vector<int>& cluster : together_.sets())
+    for (const std::vector<int>& cluster : together.sets())
       if (cluster.size() > 1) reach = std::max(reach, join(cluster, context));
     take_over(work_, context);
     for (const std::string& name : names_) work_.note_repair(RepairKind::closed_loop, 1, reach, name);
@@ -85,8 +86,8 @@ class LoopCloser {
     std::map<int, int> balance;  // starts less ends
     double shortest = std::numeric_limits<double>::infinity();
     auto add = [&](const TopoDS_Edge& edge, const TopoDS_Vertex& first, const TopoDS_Vertex& last) {
-      ++balance[number(first)];
-      --balance[number(last)];
+      ++balance[vertices_.Add(first)];
+      --balance[vertices_.Add(last)];
       if (!first.IsSame(last)) shortest = std::min(shortest, edge_length(edge));
     };
     if (!visit_border(wire, add)) return;
@@ -95,9 +96,7 @@ class LoopCloser {
     const auto joined = close(balance, links);
     const bool is_closed =
         std::all_of(balance.begin(), balance.end(), [](const auto& entry) { return entry.second == 0; });
-    if (!is_closed || joined.empty()) return;
-    for (const Link& link : joined) together_.merge(link.end, link.start);
-    ++closed_;
+    if (is_closed) joined_.insert(joined_.end(), joined.begin(), joined.end());
   }
 
   std::vector<Link> links_between(const std::map<int, int>& balance, double most) const {
@@ -124,16 +123,8 @@ class LoopCloser {
     return joined;
   }
 
-  int number(const TopoDS_Vertex& vertex) {
-    const int index = vertices_.Add(vertex) - 1;
-    if (index == static_cast<int>(points_.size())) {
-      points_.push_back(BRep_Tool::Pnt(vertex));
-      together_.add();
-    }
-    return index;
-  }
-
-  const gp_Pnt& point(int vertex) const { return points_[vertex]; }
+  const TopoDS_Vertex& vertex(int number) const { return TopoDS::Vertex(vertices_(number)); }
+  gp_Pnt point(int number) const { return BRep_Tool::Pnt(vertex(number)); }
 
   /// One vertex in their middle, with a tolerance that holds them all; gives how far they were moved.
   double join(const std::vector<int>& cluster, BRepTools_ReShape& context) const {
@@ -143,21 +134,18 @@ class LoopCloser {
     double reach = 0, tolerance = 0;
     for (int i : cluster) {
       reach = std::max(reach, middle.Distance(point(i)));
-      tolerance =
-          std::max(tolerance, middle.Distance(point(i)) + BRep_Tool::Tolerance(TopoDS::Vertex(vertices_(i + 1))));
+      tolerance = std::max(tolerance, middle.Distance(point(i)) + BRep_Tool::Tolerance(vertex(i)));
     }
     TopoDS_Vertex common;
     BRep_Builder().MakeVertex(common, middle, tolerance);
-    for (int i : cluster) context.Replace(vertices_(i + 1).Oriented(TopAbs_FORWARD), common);
+    for (int i : cluster) context.Replace(vertex(i).Oriented(TopAbs_FORWARD), common);
     return reach;
   }
 
   Workpiece& work_;
   TopTools_IndexedMapOfShape vertices_;
-  std::vector<gp_Pnt> points_;
-  UnionFind together_;
+  std::vector<Link> joined_;        ///< of loops that these close; between numbers of vertices
   std::vector<std::string> names_;  ///< of the faces
-  long closed_ = 0;
 };
 
 /// Number of faults that the kernel finds in a face and its edges.

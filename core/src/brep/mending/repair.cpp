@@ -34,14 +34,13 @@ constexpr int pole_samples = 23;
 
 bool has_loops(const TopoDS_Face& face) { return TopExp_Explorer(face, TopAbs_WIRE).More(); }
 
-bool is_pole(const TopoDS_Edge& edge) { return BRep_Tool::Degenerated(edge); }
-
 bool has_image(const TopoDS_Edge& edge, const TopoDS_Face& face) { return !image_of(edge, face).curve.IsNull(); }
 
 bool lacks_image(const TopoDS_Face& face) {
   const TopoDS_Face plain = forward(face);
-  return std::ranges::any_of(edges_of(plain),
-                             [&](const TopoDS_Edge& edge) { return !is_pole(edge) && !has_image(edge, plain); });
+  return std::ranges::any_of(edges_of(plain), [&](const TopoDS_Edge& edge) {
+    return !BRep_Tool::Degenerated(edge) && !has_image(edge, plain);
+  });
 }
 
 /// Twice what a loop of a FORWARD face encloses in (u, v), negative where it runs clockwise.
@@ -80,8 +79,10 @@ bool needs_repair(const TopoDS_Face& face, double diagonal) {
          has_loops_alike(plain) || between_poles(plain);
 }
 
-void note_border(const WorkFace& face, Workpiece& work) {
-  work.note_repair(RepairKind::border, 1, 0, face_name(face.origin));
+/// Puts another face in its place, on the same side.
+void replace(WorkFace& face, const TopoDS_Face& by, RepairKind kind, Workpiece& work) {
+  face.face = TopoDS::Face(by.Oriented(face.face.Orientation()));
+  work.note_repair(kind, 1, 0, face_name(face.origin));
   work.is_rebuilt = true;
 }
 
@@ -104,24 +105,18 @@ void add_natural_bounds(WorkFace& face, Workpiece& work) {
     face.fault = "it has no boundary and none can be made; trim it in the CAD program";
     return;
   }
-  face.face = TopoDS::Face(maker.Face().Moved(location).Oriented(face.face.Orientation()));
+  replace(face, TopoDS::Face(maker.Face().Moved(location)), RepairKind::border, work);
   face.area = face_area(face.face);
   if (!std::isfinite(face.area)) face.fault = "its area cannot be computed";
-  note_border(face, work);
 }
 
 /// Whether the face was a whole spindle.
 bool end_at_poles(WorkFace& face, Workpiece& work) {
   const std::optional<TopoDS_Face> piece = between_poles(forward(face.face));
   if (!piece) return false;
-  face.face = TopoDS::Face(piece->Oriented(face.face.Orientation()));
+  replace(face, *piece, RepairKind::border, work);
   face.area = face_area(face.face);
-  note_border(face, work);
   return true;
-}
-
-void add_image(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  ShapeFix_Edge().FixAddPCurve(edge, face, use_count(edge, face) > 1);
 }
 
 /// Iso lines, as the borders of faces are, become exact curves; others are approximated.
@@ -144,10 +139,8 @@ void add_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
 bool mend_ring(WorkFace& face, Workpiece& work) {
   const TopoDS_Face plain = forward(face.face);
   if (!is_garbled_ring(plain, work.diagonal)) return false;
-  const bool has_poles = std::ranges::any_of(edges_of(plain), is_pole);
-  face.face = TopoDS::Face(mended_ring(plain, work.diagonal).Oriented(face.face.Orientation()));
-  work.note_repair(has_poles ? RepairKind::pole : RepairKind::periodic_edge, 1, 0, face_name(face.origin));
-  work.is_rebuilt = true;
+  const bool has_poles = std::ranges::any_of(edges_of(plain), &BRep_Tool::Degenerated);
+  replace(face, mended_ring(plain, work.diagonal), has_poles ? RepairKind::pole : RepairKind::periodic_edge, work);
   return true;
 }
 
@@ -159,9 +152,7 @@ bool turn_loops(WorkFace& face, Workpiece& work) {
   if (!fix.FixOrientation() || (!fix.Result().IsNull() && fix.Result().ShapeType() != TopAbs_FACE)) return false;
   const TopoDS_Face turned = fix.Face();
   if (!(face_area(turned) < face.area)) return false;
-  face.face = TopoDS::Face(turned.Oriented(face.face.Orientation()));
-  work.note_repair(RepairKind::turned_loop, 1, 0, face_name(face.origin));
-  work.is_rebuilt = true;
+  replace(face, turned, RepairKind::turned_loop, work);
   return true;
 }
 
@@ -177,14 +168,11 @@ void close_flat_ends(WorkFace& face, Workpiece& work) {
   for (const TopoDS_Edge& edge : edges_of(plain))
     if (is_false_pole(edge, plain, work.diagonal) && !is_shared(edge, face, work)) poles.push_back(edge);
   for (const TopoDS_Edge& pole : poles) {
-    const std::vector<int> origins = edge_origins(work, pole);
     const auto flat = pressed_flat(forward(face.face), pole, work.diagonal);
     if (!flat) continue;
-    face.face = TopoDS::Face(flat->face.Oriented(face.face.Orientation()));
+    replace(face, flat->face, RepairKind::pole, work);
     for (const TopoDS_Edge& edge : flat->edges)
-      if (edge.Orientation() == TopAbs_FORWARD) add_edge_origins(work, edge, origins);
-    work.note_repair(RepairKind::pole, 1, 0, face_name(face.origin));
-    work.is_rebuilt = true;
+      if (edge.Orientation() == TopAbs_FORWARD) add_edge_origins(work, edge, pole);
   }
 }
 
@@ -196,9 +184,9 @@ void repair_edges(WorkFace& face, Workpiece& work) {
       add_curve(edge, plain);
       work.note_repair(RepairKind::pole, 1, 0, face_name(face.origin));
     }
-    if (is_pole(edge)) continue;
+    if (BRep_Tool::Degenerated(edge)) continue;
     if (!has_image(edge, plain)) {
-      add_image(edge, plain);
+      ShapeFix_Edge().FixAddPCurve(edge, plain, use_count(edge, plain) > 1);
       work.note_repair(RepairKind::image, 1, 0, face_name(face.origin));
     }
     if (!has_image(edge, plain)) {
@@ -215,19 +203,10 @@ void measure_again(WorkFace& face, const Workpiece& work) {
   face.has_area = !face.fault.empty() || work.is_area(face.area);
 }
 
-std::optional<std::string> attempt(auto&& work_on_face) {
-  try {
-    work_on_face();
-    return std::nullopt;
-  } catch (const Standard_Failure& failure) {
-    return "the CAD kernel cannot repair it (" + failure_text(failure) + "); repair it in the CAD program";
-  }
-}
-
 }  // namespace
 
 bool is_false_pole(const TopoDS_Edge& edge, const TopoDS_Face& face, double diagonal) {
-  if (!is_pole(edge)) return false;
+  if (!BRep_Tool::Degenerated(edge)) return false;
   const EdgeImage image = image_of(edge, face);
   if (image.curve.IsNull()) return false;
   BRepAdaptor_Surface surface(face, Standard_False);
@@ -246,8 +225,8 @@ void repair(Workpiece& work, Progress& progress) {
     progress.advance(repair_units);
     WorkFace& face = work.faces[i];
     if (!face.fault.empty()) continue;
-    auto failure = attempt([&] {
-      if (!(face.has_area ? needs_repair(face.face, work.diagonal) : lacks_image(face.face))) return;
+    try {
+      if (!(face.has_area ? needs_repair(face.face, work.diagonal) : lacks_image(face.face))) continue;
       copy_shape(work);
       if (!has_loops(face.face)) {
         add_natural_bounds(face, work);
@@ -256,10 +235,10 @@ void repair(Workpiece& work, Progress& progress) {
         repair_edges(face, work);
         if (is_other || !face.has_area) measure_again(face, work);
       }
-    });
-    if (!failure) continue;
-    face.fault = *failure;
-    face.has_area = true;
+    } catch (const Standard_Failure& failure) {
+      face.fault = "the CAD kernel cannot repair it (" + failure_text(failure) + "); repair it in the CAD program";
+      face.has_area = true;
+    }
   }
 }
 

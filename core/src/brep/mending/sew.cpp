@@ -302,7 +302,7 @@ class GroupSewer {
 };
 
 void put(Workpiece& work, const std::vector<int>& group, const Sewn& sewn, SewResult& result) {
-  for (const auto& [edge, image] : sewn.edges) add_edge_origins(work, image, edge_origins(work, edge));
+  for (const auto& [edge, image] : sewn.edges) add_edge_origins(work, image, edge);
   for (std::size_t k = 0; k < group.size(); ++k) {
     WorkFace& face = work.faces[group[k]];
     if (!sewn.faces[k].IsNull()) {

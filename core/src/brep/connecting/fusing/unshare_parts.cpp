@@ -18,8 +18,7 @@ void copy_faces(Workpiece& work, const std::vector<int>& faces) {
   for (int f : faces) builder.Add(together, work.faces[f].face);
   BRepBuilderAPI_Copy copy(together);
   const auto edges = shapes_of(together, TopAbs_EDGE);
-  for (int i = 1; i <= edges.Extent(); ++i)
-    add_edge_origins(work, copy.ModifiedShape(edges(i)), edge_origins(work, edges(i)));
+  for (int i = 1; i <= edges.Extent(); ++i) add_edge_origins(work, copy.ModifiedShape(edges(i)), edges(i));
   const std::vector<TopoDS_Face> copies = faces_of(copy.Shape());
   for (std::size_t i = 0; i < faces.size(); ++i) work.faces[faces[i]].face = copies[i];
   work.is_rebuilt = true;
