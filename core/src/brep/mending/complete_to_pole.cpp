@@ -47,13 +47,6 @@ struct Walk {
 
 using Walks = std::vector<Walk>;
 
-/// Which parameter goes round; the other one goes across.
-struct Axes {
-  bool is_round_u = true;
-  Vec2 of(Vec2 uv) const { return is_round_u ? uv : Vec2{uv.y, uv.x}; }
-  Vec2 uv(Vec2 p) const { return of(p); }
-};
-
 class PoleCompleter {
  public:
   PoleCompleter(const TopoDS_Face& face, double diagonal) : face_(face), tolerance_(pole_share * diagonal) {}
@@ -110,7 +103,7 @@ class PoleCompleter {
       return periodic.empty();
     }
     if (!round_.empty() || std::abs(*turns_u) + std::abs(*turns_v) != 1) return false;
-    axes_.is_round_u = *turns_u != 0;
+    is_round_u_ = *turns_u != 0;
     turn_ = *turns_u + *turns_v;
     round_ = std::move(walks);
     periodic_ = std::move(periodic);
@@ -165,13 +158,13 @@ class PoleCompleter {
 
   void turn_to_axes() {
     auto turn = [&](std::vector<Vec2>& points) {
-      for (Vec2& p : points) p = axes_.of(p);
+      for (Vec2& p : points) p = turned(p);
     };
     for (Walk& walk : round_) turn(walk.points);
     for (std::vector<Vec2>& hole : holes_) turn(hole);
-    period_ = axes_.of(surface_->period());
+    period_ = turned(surface_->period());
     // Left of u, along which the face lies to the left, is v; left of v is -u.
-    side_ = axes_.is_round_u ? turn_ : -turn_;
+    side_ = is_round_u_ ? turn_ : -turn_;
     const std::vector<Vec2> shifts = shifts_from(0);
     low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
     for (std::size_t i = 0; i < round_.size(); ++i)
@@ -181,7 +174,10 @@ class PoleCompleter {
       }
   }
 
-  Vec3 at(double round, double across) const { return surface_->point(axes_.uv({round, across})); }
+  /// (round, across) of (u, v), and back.
+  Vec2 turned(Vec2 p) const { return is_round_u_ ? p : Vec2{p.y, p.x}; }
+
+  Vec3 at(double round, double across) const { return surface_->point(turned({round, across})); }
 
   /// How far the row `reach` across, on the face's side, extends.
   double extent(double reach) const {
@@ -197,15 +193,15 @@ class PoleCompleter {
   std::vector<double> rows() const {
     std::array<double, 4> bounds{};
     geometry()->Bounds(bounds[0], bounds[1], bounds[2], bounds[3]);
-    const std::size_t low = axes_.is_round_u ? 2 : 0;
+    const std::size_t low = is_round_u_ ? 2 : 0;
     const double end = period_.y > 0 ? low_ + period_.y : side_ > 0 ? bounds[low + 1] : -bounds[low];
     std::vector<double> list;
     if (!Precision::IsInfinite(end)) {
       for (int i = 0; i <= finite_rows; ++i) list.push_back(high_ + (end - high_) * i / finite_rows);
       return list;
     }
-    const SurfaceSlope slope = surface_->slope(axes_.uv({round_.front().points.front().x, side_ * high_}));
-    const double speed = norm(axes_.is_round_u ? slope.v : slope.u);
+    const SurfaceSlope slope = surface_->slope(turned({round_.front().points.front().x, side_ * high_}));
+    const double speed = norm(is_round_u_ ? slope.v : slope.u);
     double step = speed > 0 ? extent(high_) / (endless_rows * speed) : 1;
     for (int i = 0; i < endless_rows; ++i, step *= row_growth)
       list.push_back(list.empty() ? high_ : list.back() + step);
@@ -288,7 +284,7 @@ class PoleCompleter {
   }
 
   /// Whether images may leave the range of the surface.
-  bool may_leave_range() const { return axes_.is_round_u ? geometry()->IsUPeriodic() : geometry()->IsVPeriodic(); }
+  bool may_leave_range() const { return is_round_u_ ? geometry()->IsUPeriodic() : geometry()->IsVPeriodic(); }
 
   bool is_free(Vec2 from) const {
     auto is_met = [&](const std::vector<Vec2>& line) { return meets(line, from); };
@@ -332,7 +328,7 @@ class PoleCompleter {
     builder.MakeWire(wire);
     for (std::size_t k = 0; k < round_.size(); ++k) {
       const std::size_t i = (start + k) % round_.size();
-      if (!(shifts[i] == Vec2{})) move_image(round_[i].edge, axes_.uv(shifts[i]));
+      if (!(shifts[i] == Vec2{})) move_image(round_[i].edge, turned(shifts[i]));
       builder.Add(wire, round_[i].edge);
     }
     const bool is_up = to.y > from.y;
@@ -341,10 +337,7 @@ class PoleCompleter {
     builder.Add(wire, make_pole(to + turn, to, top));
     builder.Add(wire, side.Oriented(is_up ? TopAbs_REVERSED : TopAbs_FORWARD));
     wire.Closed(Standard_True);
-    CompletedFace made{TopoDS::Face(face_.EmptyCopied()), side, {}};
-    builder.NaturalRestriction(made.face, Standard_False);
-    for (TopoDS_Iterator parts(face_); parts.More(); parts.Next())
-      builder.Add(made.face, parts.Value().IsSame(wire_) ? wire : parts.Value());
+    CompletedFace made{face_with(wire, wire_), side, {}};
     for (const Walk& walk : periodic_) made.replaced.push_back(walk.edge);
     return made;
   }
@@ -357,10 +350,17 @@ class PoleCompleter {
     builder.MakeWire(wire);
     builder.Add(wire, make_pole(from + turn, from, top_vertex(from)));
     wire.Closed(Standard_True);
-    CompletedFace made{TopoDS::Face(face_.EmptyCopied()), {}, {}};
-    builder.NaturalRestriction(made.face, Standard_False);
-    for (TopoDS_Iterator parts(face_); parts.More(); parts.Next()) builder.Add(made.face, parts.Value());
-    builder.Add(made.face, wire);
+    return {face_with(wire, {}), {}, {}};
+  }
+
+  /// The face with another wire, in place of one of its own where that is not null.
+  TopoDS_Face face_with(const TopoDS_Wire& wire, const TopoDS_Shape& replaced) const {
+    TopoDS_Face made = TopoDS::Face(face_.EmptyCopied());
+    BRep_Builder builder;
+    builder.NaturalRestriction(made, Standard_False);
+    for (TopoDS_Iterator parts(face_); parts.More(); parts.Next())
+      builder.Add(made, parts.Value().IsSame(replaced) ? wire : parts.Value());
+    if (replaced.IsNull()) builder.Add(made, wire);
     return made;
   }
 
@@ -384,7 +384,7 @@ class PoleCompleter {
   }
 
   Handle(Geom2d_Line) line(Vec2 point, Vec2 direction) const {
-    const Vec2 uv = axes_.uv(point), along = axes_.uv(direction);
+    const Vec2 uv = turned(point), along = turned(direction);
     return new Geom2d_Line(gp_Pnt2d(uv.x, uv.y), gp_Dir2d(along.x, along.y));
   }
 
@@ -400,7 +400,7 @@ class PoleCompleter {
     }
     TopoDS_Edge side;
     BRep_Builder builder;
-    builder.MakeEdge(side, axes_.is_round_u ? surface->UIso(from.x) : surface->VIso(from.x), location, tolerance);
+    builder.MakeEdge(side, is_round_u_ ? surface->UIso(from.x) : surface->VIso(from.x), location, tolerance);
     const Handle(Geom2d_Line) there = line({from.x + turn.x, 0}, {0, 1}), back = line({from.x, 0}, {0, 1});
     const bool is_up = to.y > from.y;
     builder.UpdateEdge(side, is_up ? there : back, is_up ? back : there, face_, tolerance);
@@ -425,10 +425,10 @@ class PoleCompleter {
   const TopoDS_Face& face_;
   double tolerance_;
   std::unique_ptr<Surface> surface_;
-  Axes axes_;
-  Vec2 period_;   ///< round and across
-  int turn_ = 0;  ///< 1: the loop goes with the parameter round, -1: against it
-  int side_ = 0;  ///< 1: the face lies where the parameter across grows. Reach is that parameter times side
+  bool is_round_u_ = true;  ///< which parameter goes round; the other one goes across
+  Vec2 period_;             ///< round and across
+  int turn_ = 0;            ///< 1: the loop goes with the parameter round, -1: against it
+  int side_ = 0;            ///< 1: the face lies where the parameter across grows. Reach is that parameter times side
   Walks round_, periodic_;
   TopoDS_Shape wire_;
   std::vector<std::vector<Vec2>> holes_;

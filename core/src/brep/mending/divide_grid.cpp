@@ -75,7 +75,6 @@ class GridDivider {
   using Line = std::vector<SideEdge>;
 
   double slack(int axis) const { return side_share * (axes_[axis].high - axes_[axis].low); }
-  int count(int axis) const { return static_cast<int>(axes_[axis].spans.size()); }
   gp_Pnt point(int axis, double along, double across) const {
     gp_Pnt2d uv = uv_of(axis, along, across);
     return surface_->Value(uv.X(), uv.Y()).Transformed(location_.Transformation());
@@ -154,7 +153,7 @@ class GridDivider {
 
   void divide_sides() {
     for (int axis : {0, 1}) {
-      lines_[axis].assign(static_cast<std::size_t>(count(1 - axis)) + 1, std::vector<Line>(spans(axis).size()));
+      lines_[axis].assign(spans(1 - axis).size() + 1, std::vector<Line>(spans(axis).size()));
       for (int end : {0, 1}) {
         auto& line = end == 0 ? lines_[axis].front() : lines_[axis].back();
         for (const SideEdge& part : sides_[axis][end]) divide_edge(part, axis, line);
@@ -166,8 +165,7 @@ class GridDivider {
 
   /// Puts the parts of an edge into the spans they belong to.
   void divide_edge(const SideEdge& whole, int axis, std::vector<Line>& line) {
-    std::vector<SideEdge> parts = parts_of(whole, axis);
-    for (const SideEdge& part : parts) {
+    for (const SideEdge& part : parts_of(whole, axis)) {
       double middle = 0.5 * (part.low + part.high);
       for (std::size_t s = 0; s < line.size(); ++s)
         if (middle > spans(axis)[s][0] && middle < spans(axis)[s][1]) line[s].push_back(part);
@@ -344,8 +342,8 @@ class GridDivider {
       return spline;
     }
     // A direction that is whole stays periodic.
-    if (count(1) == 1) return new Geom_RectangularTrimmedSurface(own, u0, u1, Standard_True);
-    if (count(0) == 1) return new Geom_RectangularTrimmedSurface(own, v0, v1, Standard_False);
+    if (spans(1).size() == 1) return new Geom_RectangularTrimmedSurface(own, u0, u1, Standard_True);
+    if (spans(0).size() == 1) return new Geom_RectangularTrimmedSurface(own, v0, v1, Standard_False);
     return new Geom_RectangularTrimmedSurface(own, u0, u1, v0, v1);
   }
 
