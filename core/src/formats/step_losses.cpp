@@ -125,10 +125,8 @@ bool leads_to_shape(const Interface_Graph& graph, const Entity& start) {
 
 /// Whether only colours and drawings have it.
 bool is_presented_only(const Interface_Graph& graph, const Entity& entity) {
-  Interface_EntityIterator user = graph.Sharings(entity);
-  bool is_presented = user.More();
-  for (; user.More(); user.Next()) is_presented = is_presented && is_of("StepVisual_", user.Value());
-  return is_presented;
+  const Interface_EntityIterator users = graph.Sharings(entity);
+  return users.NbEntities() > 0 && !any_of(users, [](const Entity& user) { return !is_of("StepVisual_", user); });
 }
 
 /// A part at a place of an assembly. Parts may be empty, representations of drawings are mapped as well, and drawings
