@@ -8,9 +8,7 @@
 
 #include "boundary/edge_metric.h"
 #include "boundary/edge_nodes.h"
-#include "boundary/facing/few_sides.h"
-#include "boundary/facing/match_gaps.h"
-#include "boundary/facing/match_strips.h"
+#include "boundary/facing/raise_counts.h"
 #include "boundary/facing/tie_sides.h"
 #include "boundary/parity.h"
 #include "boundary/region_loops.h"

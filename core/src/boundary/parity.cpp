@@ -206,6 +206,10 @@ void want_two(EdgeCount& edge) {
   edge.count = std::max(edge.count, 2);
 }
 
+bool are_divided(const std::vector<int>& edges, const std::vector<EdgeCount>& counts) {
+  return std::ranges::all_of(edges, [&](int e) { return counts[e].count > 0; });
+}
+
 int even_out_loops(const std::vector<std::vector<int>>& loop_edges, std::vector<EdgeCount>& counts,
                    bool may_split_short) {
   LoopGraph graph(loop_edges, counts, may_split_short);

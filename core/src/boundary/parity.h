@@ -17,6 +17,8 @@ struct EdgeCount {
 /// Two intervals at least, where it is divided at all.
 void want_two(EdgeCount& edge);
 
+bool are_divided(const std::vector<int>& edges, const std::vector<EdgeCount>& counts);
+
 /// Changes counts by one so that the loops come out even: `loop_edges` lists the edges of each loop, an edge once per
 /// use. Which edges change is a T-join on the graph whose nodes are loops and whose arcs are the edges between them
 /// (edges of one loop only lead to the outside, which takes any parity); odd loops are paired by least relative change.

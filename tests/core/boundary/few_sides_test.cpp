@@ -1,8 +1,7 @@
 // Faces of two and three sides: how many intervals the others get where one side has several.
-#include "boundary/facing/few_sides.h"
-
 #include <gtest/gtest.h>
 
+#include "boundary/facing/raise_counts.h"
 #include "boundary/region_loops.h"
 #include "support/fake_model.h"
 

@@ -1,10 +1,9 @@
 // Thin strips between arcs: how many intervals their sides get.
-#include "boundary/facing/match_strips.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 
+#include "boundary/facing/raise_counts.h"
 #include "support/fake_model.h"
 
 namespace paver {

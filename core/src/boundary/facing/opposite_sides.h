@@ -15,6 +15,13 @@ struct OppositeSides {
   int partner = -1;  ///< the other pair of the same face, by its place in the list; -1 for rings and bent strips
   double width = 0;  ///< of a ring whose sides have corners, of a bent strip, of a crescent: its mean width, mm
   bool is_crescent = false;  ///< sides that meet at both ends: rows between them have other lengths unless it is thin
+
+  /// Of both sides.
+  std::vector<int> edges() const {
+    std::vector<int> both = first;
+    both.insert(both.end(), second.begin(), second.end());
+    return both;
+  }
 };
 
 /// Of all faces: sides between four corners, and the two loops of rings, or where both have as many corners their
@@ -22,6 +29,10 @@ struct OppositeSides {
 /// periodic edges.
 std::vector<OppositeSides> find_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops);
 
-double length_of(const Model& model, const std::vector<int>& side);
+/// Of both sides together.
+double length_of(const Model& model, const OppositeSides& pair);
+
+/// The mean width of a face all of which lies between the two.
+double width_between(const Model& model, const OppositeSides& pair);
 
 }  // namespace paver

@@ -33,15 +33,11 @@ std::vector<double> angles_of(const Model& model, const Face& face, const Loop& 
   return angles;
 }
 
-std::size_t first_bend(const std::vector<Junction>& at_nodes) {
+Sides chains_of(const Loop& loop, const std::vector<Junction>& at_nodes) {
   const auto bend = std::ranges::find_if(at_nodes, [](Junction j) { return j != Junction::straight; });
-  return bend == at_nodes.end() ? 0 : static_cast<std::size_t>(bend - at_nodes.begin());
-}
-
-Sides chains_of(const Loop& loop, std::size_t first, const std::vector<Junction>& at_nodes) {
   Sides chains;
   for (std::size_t k = 0, n = at_nodes.size(); k < n; ++k) {
-    const std::size_t i = (first + k) % n;
+    const std::size_t i = (static_cast<std::size_t>(bend - at_nodes.begin()) + k) % n;
     if (k == 0 || at_nodes[i] != Junction::straight) chains.emplace_back();
     chains.back().push_back(loop.coedges[i].edge);
   }
@@ -56,7 +52,7 @@ std::optional<Sides> sides_of(const Loop& loop, const std::vector<double>& angle
     if (has_reflex && at_nodes.back() == Junction::reflex) at_nodes.back() = Junction::corner;
     if (at_nodes.back() != Junction::corner && at_nodes.back() != Junction::straight) return std::nullopt;
   }
-  Sides sides = chains_of(loop, first_bend(at_nodes), at_nodes);
+  Sides sides = chains_of(loop, at_nodes);
   const bool has_corner = std::ranges::find(at_nodes, Junction::corner) != at_nodes.end();
   if (has_corner && sides.size() == 1) return std::nullopt;  // a drop
   return sides;

@@ -21,11 +21,8 @@ std::vector<double> angles_of(const Model& model, const Face& face, const Loop& 
 /// Chains of edges between corners, from the first corner on; one chain where there is no corner.
 using Sides = std::vector<std::vector<int>>;
 
-/// The first junction that is not straight, or 0.
-std::size_t first_bend(const std::vector<Junction>& junctions);
-
-/// The loop's edges from junction `first` on; a chain begins there and wherever it bends.
-Sides chains_of(const Loop& loop, std::size_t first, const std::vector<Junction>& junctions);
+/// The loop's edges from the first junction on that is not straight; a chain begins wherever it bends.
+Sides chains_of(const Loop& loop, const std::vector<Junction>& junctions);
 
 /// By its angles_of(). None where it has other junctions than straight ones and corners, or one corner only.
 /// `has_reflex`: sides end at corners of a hole, too.

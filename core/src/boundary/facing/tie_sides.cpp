@@ -34,7 +34,7 @@ constexpr double rounding_slack = 1e-6;  // equal wishes at a half round alike
 
 /// Counts an edge may take.
 struct Range {
-  int least = 0, most = std::numeric_limits<int>::max();
+  int least, most;
   bool is_possible(bool is_even) const { return is_even ? (least + 1) / 2 <= most / 2 : least <= most; }
 };
 
@@ -57,13 +57,9 @@ Range range_of(const EdgeCount& edge, EdgeKind kind) {
 }
 
 /// Of both sides together.
-double length_of(const Model& model, const OppositeSides& pair) {
-  return length_of(model, pair.first) + length_of(model, pair.second);
-}
 double wish_of(const OppositeSides& pair, const std::vector<EdgeCount>& counts) {
   double wish = 0;
-  for (const std::vector<int>* side : {&pair.first, &pair.second})
-    for (int e : *side) wish += counts[e].wish;
+  for (int e : pair.edges()) wish += counts[e].wish;
   return wish;
 }
 
@@ -72,45 +68,25 @@ Range common(Range a, Range b) { return {std::max(a.least, b.least), std::min(a.
 class Tying {
  public:
   Tying(const std::vector<EdgeCount>& counts, const std::vector<EdgeKind>& kinds)
-      : counts_(counts), kinds_(kinds), groups_(counts.size()) {
-    for (std::size_t e = 0; e < counts.size(); ++e)
-      members_.push_back({range_of(counts[e], kinds[e]),
-                          {counts[e].count, counts[e].count},
-                          counts[e].minimum,
-                          1,
-                          counts[e].wish,
-                          false,
-                          false});
-    is_held_.assign(counts.size(), false);
+      : counts_(counts), groups_(counts.size()), chosen_(counts.size(), 0), is_held_(counts.size(), false) {
+    for (std::size_t e = 0; e < counts.size(); ++e) {
+      const int count = counts[e].count;
+      members_.push_back({range_of(counts[e], kinds[e]), {count, count}, counts[e].minimum, 1, counts[e].wish});
+    }
   }
 
   void mark_even(int edge) { members_[groups_.find(edge)].is_even = true; }
 
-  bool is_divided(const std::vector<int>& side) const {
-    return std::all_of(side.begin(), side.end(), [&](int e) { return counts_[e].count > 0; });
-  }
-
-  bool is_short(const std::vector<int>& side) const {
-    return std::ranges::all_of(side, [&](int e) { return counts_[e].is_short; });
-  }
-
-  /// Whether there is one row at most between the sides of a ring with corners: in wider ones rows need not meet.
-  bool is_narrow(const Model& model, const OppositeSides& pair) const {
-    return pair.width * wish_of(pair, counts_) <= narrow * length_of(model, pair);
-  }
-
-  /// Whether equal sums of the sides are in reach.
+  /// Whether equal sums of the sides are in reach, before any edges are joined.
   bool can_equal(const OppositeSides& pair) const {
     auto reach = [&](const std::vector<int>& side) {
-      double least = 0, most = 0;
-      for (int e : side) {
-        Range range = range_of(counts_[e], kinds_[e]);
-        least += range.least, most += range.most;
-      }
+      long least = 0, most = 0;
+      for (int e : side) least += members_[e].range.least, most += members_[e].range.most;
       return std::pair{least, most};
     };
-    auto first = reach(pair.first), second = reach(pair.second);
-    return std::max(first.first, second.first) <= std::min(first.second, second.second);
+    const auto [least, most] = reach(pair.first);
+    const auto [other_least, other_most] = reach(pair.second);
+    return std::max(least, other_least) <= std::min(most, other_most);
   }
 
   /// `makes_grid`: worth a larger change.
@@ -134,7 +110,6 @@ class Tying {
   }
 
   void choose_counts() {
-    chosen_.assign(counts_.size(), 0);
     for (std::size_t e = 0; e < counts_.size(); ++e) {
       if (groups_.find(static_cast<int>(e)) != static_cast<int>(e) || counts_[e].count == 0) continue;
       chosen_[e] = members_[e].size > 1 || members_[e].is_even ? nearest_count(members_[e]) : counts_[e].count;
@@ -164,8 +139,7 @@ class Tying {
       chosen_[best] += best_step;
       excess += excess > 0 ? -1 : 1;
     }
-    for (const std::vector<int>* side : {&pair.first, &pair.second})
-      for (int e : *side) is_held_[groups_.find(e)] = true;
+    for (int e : pair.edges()) is_held_[groups_.find(e)] = true;
   }
 
   TiedCounts result() {
@@ -185,7 +159,7 @@ class Tying {
     Range range, rounded;  // counts they may take; counts they had
     int minimum, size;
     double wish;  // sum
-    bool is_even, makes_grid;
+    bool is_even = false, makes_grid = false;
   };
 
   double mean_wish(int group) const { return members_[group].wish / members_[group].size; }
@@ -208,24 +182,24 @@ class Tying {
     const Members& members = members_[group];
     int count = chosen_[group] + step;
     if (is_held_[group] || members.is_even || count < members.range.least || count > members.range.most) return false;
-    auto uses = [&](const std::vector<int>& side) {
-      return std::count_if(side.begin(), side.end(), [&](int e) { return groups_.find(e) == group; });
-    };
-    return uses(pair.first) + uses(pair.second) == 1;
+    return std::ranges::count_if(pair.edges(), [&](int e) { return groups_.find(e) == group; }) == 1;
   }
 
   const std::vector<EdgeCount>& counts_;
-  const std::vector<EdgeKind>& kinds_;
   UnionFind groups_;
   std::vector<Members> members_;
   std::vector<int> chosen_;    // per group
   std::vector<bool> is_held_;  // per group: an equal sum depends on it
 };
 
+/// Whether there is one row at most between the sides of a ring with corners: in wider ones rows need not meet.
+bool is_narrow(const Model& model, const OppositeSides& pair, const std::vector<EdgeCount>& counts) {
+  return pair.width * wish_of(pair, counts) <= narrow * length_of(model, pair);
+}
+
 /// Whether a face is far narrower between two sides than their intervals are long.
 bool is_thin_between(const Model& model, const OppositeSides& pair, const std::vector<EdgeCount>& counts) {
-  const double length = length_of(model, pair), width = 2 * model.faces[pair.face].area / length;
-  return width * wish_of(pair, counts) <= thin * length;
+  return width_between(model, pair) * wish_of(pair, counts) <= thin * length_of(model, pair);
 }
 
 }  // namespace
@@ -236,11 +210,10 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
   std::vector<bool> is_thin;
   for (const OppositeSides& pair : pairs) {
     is_thin.push_back(is_thin_between(model, pair, counts));
-    for (const std::vector<int>* side : {&pair.first, &pair.second})
-      for (int e : *side) {
-        kinds[e].is_rim = kinds[e].is_rim || (pair.partner < 0 && !pair.is_crescent);
-        kinds[e].is_of_thin = kinds[e].is_of_thin || is_thin.back();
-      }
+    for (int e : pair.edges()) {
+      kinds[e].is_rim = kinds[e].is_rim || (pair.partner < 0 && !pair.is_crescent);
+      kinds[e].is_of_thin = kinds[e].is_of_thin || is_thin.back();
+    }
   }
   Tying tying(counts, kinds);
   for (const std::vector<Loop>& of_face : loops)
@@ -249,25 +222,28 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
   std::vector<bool> can_equal;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const OppositeSides& p = pairs[i];
-    can_equal.push_back(tying.is_divided(p.first) && tying.is_divided(p.second) && tying.is_narrow(model, p) &&
-                        tying.can_equal(p) && (!p.is_crescent || is_thin[i]));
+    can_equal.push_back(are_divided(p.edges(), counts) && is_narrow(model, p, counts) && tying.can_equal(p) &&
+                        (!p.is_crescent || is_thin[i]));
   }
   std::vector<int> order(pairs.size());
   std::iota(order.begin(), order.end(), 0);
   // A long rim must not take a short one away from those beside it.
-  auto is_unlike = [&](const OppositeSides& pair) { return tying.is_short(pair.first) != tying.is_short(pair.second); };
+  auto is_short = [&](const std::vector<int>& side) {
+    return std::ranges::all_of(side, [&](int e) { return counts[e].is_short; });
+  };
+  auto is_unlike = [&](const OppositeSides& pair) { return is_short(pair.first) != is_short(pair.second); };
   std::ranges::stable_sort(
       order, {}, [&](int i) { return std::tuple(!is_thin[i], is_unlike(pairs[i]), -model.faces[pairs[i].face].area); });
   std::erase_if(order, [&](int i) { return !can_equal[i]; });
+  auto makes_grid = [&](int i) { return pairs[i].partner < 0 || can_equal[pairs[i].partner]; };
   for (int i : order) {
     const OppositeSides& pair = pairs[i];
-    bool makes_grid = pair.partner < 0 || can_equal[pair.partner];
     for (std::size_t k = 0; pair.first.size() == pair.second.size() && k < pair.first.size(); ++k)
-      tying.join_if_alike(pair.first[k], pair.second[k], makes_grid);
+      tying.join_if_alike(pair.first[k], pair.second[k], makes_grid(i));
   }
   tying.choose_counts();
   for (int i : order)
-    if (pairs[i].partner < 0 || can_equal[pairs[i].partner]) tying.equal_sums(pairs[i]);
+    if (makes_grid(i)) tying.equal_sums(pairs[i]);
   return tying.result();
 }
 

@@ -1,0 +1,30 @@
+// Larger counts on edges, for the sake of the faces beside them.
+#pragma once
+
+#include <vector>
+
+#include "boundary/facing/opposite_sides.h"
+#include "boundary/parity.h"
+#include "sizing/size_field.h"
+#include "topology/model.h"
+
+namespace paver {
+
+// `loops[f]`: linked_loops of face f without periodic edges.
+
+/// Gives two intervals to the edges of faces with two or three sides, of which all but one have one interval each: a
+/// quad there would have two sides on the other one, and no angle between them. Not where one of these edges is short
+/// against the target length.
+void divide_few_sides(const Model& model, const std::vector<std::vector<Loop>>& loops, std::vector<EdgeCount>& counts);
+
+/// Where a face is smaller than the target length, and a gap between two loops that is narrower than 0.7 of its size,
+/// the loop of fewer intervals gets as many as the other one, and both some more so that the edges of the former get
+/// equally many; but only where one row of quads across the gap would be good with these.
+void match_gaps(const Model& model, const SizeField& size, const std::vector<std::vector<Loop>>& loops,
+                std::vector<EdgeCount>& counts);
+
+/// Of a face between four corners whose long sides bulge from the chords of their intervals by more than half of its
+/// width the side of fewer intervals gets as many as the other: chords of unequal ones would cross.
+void match_bent_strips(const Model& model, const std::vector<OppositeSides>& pairs, std::vector<EdgeCount>& counts);
+
+}  // namespace paver
