@@ -68,9 +68,7 @@ void divide_lenses(const Model& model, std::vector<EdgeCount>& counts) {
   }
   for (auto& [vertices, edges] : between) {
     if (edges.size() < 2) continue;
-    auto shortest = std::min_element(edges.begin(), edges.end(),
-                                     [&counts](int a, int b) { return counts[a].wish < counts[b].wish; });
-    edges.erase(shortest);
+    edges.erase(std::ranges::min_element(edges, {}, [&](int e) { return counts[e].wish; }));
     for (int e : edges) want_two(counts[e]);
   }
 }
@@ -94,14 +92,19 @@ void divide_where_borders_turn_back(const Model& model, std::vector<EdgeCount>& 
     }
 }
 
-/// Two odd loops of one face are even together; a face that stays odd may have a short edge split.
-void even_out_faces(const std::vector<std::vector<Loop>>& loops, TiedCounts& tied) {
-  std::vector<std::vector<int>> face_edges;
+void even_out(const std::vector<std::vector<Loop>>& loops, bool all_quad, TiedCounts& tied) {
+  std::vector<std::vector<int>> of_loops, of_faces;  // groups
   for (const std::vector<Loop>& face : loops) {
-    std::vector<int>& edges = face_edges.emplace_back();
-    for (const Coedge& coedge : coedges_of(face)) edges.push_back(tied.group[coedge.edge]);
+    of_faces.emplace_back();
+    for (const Loop& loop : face) {
+      of_loops.push_back(edges_of(loop));
+      for (int& e : of_loops.back()) e = tied.group[e];
+      of_faces.back().insert(of_faces.back().end(), of_loops.back().begin(), of_loops.back().end());
+    }
   }
-  even_out_loops(face_edges, tied.groups, true);
+  even_out_loops(of_loops, tied.groups);
+  // Two odd loops of one face are even together; a face that stays odd may have a short edge split.
+  if (all_quad) even_out_loops(of_faces, tied.groups, true);
 }
 
 }  // namespace
@@ -120,21 +123,15 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
   divide_where_borders_turn_back(model, counts);
 
   std::vector<std::vector<Loop>> loops;
-  std::vector<std::vector<int>> loop_edges;
-  for (std::size_t f = 0; f < model.faces.size(); ++f) {
+  for (std::size_t f = 0; f < model.faces.size(); ++f)
     loops.push_back(model.faces[f].is_meshed() ? linked_loops(model, static_cast<int>(f)) : std::vector<Loop>{});
-    for (const Loop& loop : loops.back()) loop_edges.push_back(edges_of(loop));
-  }
   divide_few_sides(model, loops, counts);
   match_gaps(model, size, loops, counts);
   const std::vector<OppositeSides> pairs = find_opposite_sides(model, loops);
   match_bent_strips(model, pairs, counts);
   TiedCounts tied = tie_opposite_sides(model, pairs, loops, counts);
   progress.check();
-  for (std::vector<int>& edges : loop_edges)
-    for (int& e : edges) e = tied.group[e];
-  even_out_loops(loop_edges, tied.groups);
-  if (all_quad) even_out_faces(loops, tied);
+  even_out(loops, all_quad, tied);
 
   std::vector<int> result;
   for (int group : tied.group) result.push_back(tied.groups[group].count);

@@ -12,13 +12,9 @@ namespace {
 
 void number_vertices(const Model& model, const std::vector<int>& counts, EdgeNodes& result) {
   std::vector<int> edge_of_vertex(model.vertices.size(), -1);
-  for (std::size_t e = 0; e < model.edges.size(); ++e) {
-    if (counts[e] <= 0) continue;
-    for (int vertex : {model.edges[e].start, model.edges[e].end}) {
-      int& first = edge_of_vertex[vertex];
-      if (first < 0) first = static_cast<int>(e);
-    }
-  }
+  for (std::size_t e = model.edges.size(); e-- > 0;)  // so that the first one stays
+    if (counts[e] > 0)
+      for (int vertex : {model.edges[e].start, model.edges[e].end}) edge_of_vertex[vertex] = static_cast<int>(e);
   result.node_of_vertex.assign(model.vertices.size(), -1);
   for (std::size_t v = 0; v < model.vertices.size(); ++v) {
     if (edge_of_vertex[v] < 0) continue;
@@ -52,15 +48,12 @@ Places divide(const Model& model, int index, const SizeField& size, int count) {
     add(t, edge.curve->point(t));
   };
   add(edge.t0, model.vertices[edge.start]);
-  places.target.push_back(metric.size_at_length(0));
   for (std::size_t i = 1; i < lengths.size(); ++i) {
     add_on_curve(0.5 * (lengths[i - 1] + lengths[i]));
-    if (i + 1 == lengths.size()) break;
-    add_on_curve(lengths[i]);
-    places.target.push_back(metric.size_at_length(lengths[i]));
+    if (i + 1 < lengths.size()) add_on_curve(lengths[i]);
   }
   add(edge.t1, model.vertices[edge.end]);
-  places.target.push_back(metric.size_at_length(metric.length()));
+  for (double length : lengths) places.target.push_back(metric.size_at_length(length));
   return places;
 }
 

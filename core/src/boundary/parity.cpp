@@ -39,20 +39,19 @@ double change_cost(const EdgeCount& edge, bool may_split_short) {
 class LoopGraph {
  public:
   LoopGraph(const std::vector<std::vector<int>>& loop_edges, const std::vector<EdgeCount>& counts, bool may_split_short)
-      : counts_(counts),
-        may_split_short_(may_split_short),
-        uses_(counts.size()),
-        flips_(counts.size(), false),
-        is_odd_(loop_edges.size() + 1, false) {
-    for (std::size_t l = 0; l < loop_edges.size(); ++l) {
-      long total = 0;
+      : uses_(counts.size()), flips_(counts.size(), false), is_odd_(loop_edges.size() + 1, false) {
+    for (const EdgeCount& edge : counts)
+      cost_.push_back(edge.count == 0 ? unreachable : change_cost(edge, may_split_short));
+    for (int l = 0; l < outside(); ++l)
       for (int edge : loop_edges[l]) {
-        uses_[edge].push_back(static_cast<int>(l));
-        total += counts[edge].count;
+        // A loop that uses an edge twice keeps its parity when the edge changes.
+        std::vector<int>& loops = uses_[edge];
+        if (!loops.empty() && loops.back() == l)
+          loops.pop_back();
+        else
+          loops.push_back(l);
+        if (counts[edge].count % 2 != 0) is_odd_[l] = !is_odd_[l];
       }
-      is_odd_[l] = total % 2 != 0;
-    }
-    for (std::vector<int>& loops : uses_) drop_pairs(loops);
     build_arcs();
   }
 
@@ -66,16 +65,11 @@ class LoopGraph {
     for (bool has_changed = true; has_changed;) {
       has_changed = false;
       for (std::size_t e = 0; e < uses_.size(); ++e) {
-        if (uses_[e].size() < 3 || flips_[e] || counts_[e].count == 0 ||
-            change_cost(counts_[e], may_split_short_) == unreachable)
-          continue;
-        int before = odd_count();
+        if (uses_[e].size() < 3 || flips_[e] || cost_[e] == unreachable) continue;
+        const auto odd = std::ranges::count_if(uses_[e], [&](int loop) { return is_odd_[loop]; });
+        if (2 * static_cast<std::size_t>(odd) <= uses_[e].size()) continue;
         flip_edge(static_cast<int>(e));
-        if (odd_count() < before) {
-          has_changed = true;
-        } else {
-          flip_edge(static_cast<int>(e));
-        }
+        has_changed = true;
       }
     }
   }
@@ -94,30 +88,16 @@ class LoopGraph {
     int arc = -1;  // towards the source; -1 at the source
   };
 
-  // A loop that uses an edge twice keeps its parity when the edge changes. Uses come loop by loop.
-  static void drop_pairs(std::vector<int>& loops) {
-    std::vector<int> odd;
-    for (int loop : loops)
-      if (!odd.empty() && odd.back() == loop) {
-        odd.pop_back();
-      } else {
-        odd.push_back(loop);
-      }
-    loops = odd;
-  }
-
   int outside() const { return static_cast<int>(is_odd_.size()) - 1; }
 
   void build_arcs() {
     arcs_of_.resize(is_odd_.size());
     for (std::size_t e = 0; e < uses_.size(); ++e) {
-      if (counts_[e].count == 0 || uses_[e].empty() || uses_[e].size() > 2) continue;
+      if (cost_[e] == unreachable || uses_[e].empty() || uses_[e].size() > 2) continue;
       int a = uses_[e][0], b = uses_[e].size() == 2 ? uses_[e][1] : outside();
-      double cost = change_cost(counts_[e], may_split_short_);
-      if (a == b || cost == unreachable) continue;
       arcs_of_[a].push_back(static_cast<int>(arcs_.size()));
       arcs_of_[b].push_back(static_cast<int>(arcs_.size()));
-      arcs_.push_back({static_cast<int>(e), a, b, cost});
+      arcs_.push_back({static_cast<int>(e), a, b, cost_[e]});
     }
   }
 
@@ -189,9 +169,8 @@ class LoopGraph {
     return has_paired;
   }
 
-  const std::vector<EdgeCount>& counts_;
-  const bool may_split_short_;
-  std::vector<std::vector<int>> uses_;  // loops of each edge, once per use
+  std::vector<double> cost_;            // per edge
+  std::vector<std::vector<int>> uses_;  // per edge: loops that use it an odd number of times
   std::vector<bool> flips_;
   std::vector<bool> is_odd_;
   std::vector<Arc> arcs_;
@@ -216,11 +195,8 @@ int even_out_loops(const std::vector<std::vector<int>>& loop_edges, std::vector<
   graph.pair_odd_loops();
   graph.use_nonmanifold_edges();
   graph.pair_odd_loops();
-  std::vector<int> changed;
-  for (std::size_t e = 0; e < counts.size(); ++e) {
-    changed.push_back(graph.is_flipped(e) ? changed_count(counts[e]) : counts[e].count);
-  }
-  for (std::size_t e = 0; e < counts.size(); ++e) counts[e].count = changed[e];
+  for (std::size_t e = 0; e < counts.size(); ++e)
+    if (graph.is_flipped(e)) counts[e].count = changed_count(counts[e]);
   return graph.odd_count();
 }
 

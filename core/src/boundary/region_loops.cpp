@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace paver {
 namespace {
@@ -24,37 +26,28 @@ bool lie_apart(const Edge& edge, const Coedge& a, const Coedge& b, Vec2 period) 
   });
 }
 
-// One coedge that stays, with its links; `place` counts all coedges of the face in order.
+// One coedge that stays, with its links.
 struct Link {
   const Coedge* coedge = nullptr;
-  int place = 0;
   int next = -1;
   bool has_previous = false;
   int from = -1, to = -1;  // vertices
 };
 
-// Links each coedge to the one behind it in its loop where both stay.
+// In the order of the face. Each is linked to those beside it in its loop that stay, too.
 std::vector<Link> kept_links(const Model& model, int face, const std::vector<std::vector<bool>>& dropped) {
-  const Face& whole = model.faces[face];
   std::vector<Link> links;
-  int place = 0;
-  for (std::size_t l = 0; l < whole.loops.size(); ++l) {
-    const std::vector<Coedge>& coedges = whole.loops[l].coedges;
-    int first_link = -1, last_link = -1;  // link of the first coedge and of the one before, -1 where dropped
-    for (std::size_t c = 0; c < coedges.size(); ++c, ++place) {
+  for (std::size_t l = 0; l < dropped.size(); ++l) {
+    const std::vector<Coedge>& coedges = model.faces[face].loops[l].coedges;
+    const std::size_t n = coedges.size();
+    const int first = static_cast<int>(links.size());
+    auto stays = [&](std::size_t c) { return !edge_of(model, coedges[c % n]).is_degenerate && !dropped[l][c % n]; };
+    for (std::size_t c = 0; c < n; ++c) {
+      if (!stays(c)) continue;
       const Edge& edge = edge_of(model, coedges[c]);
-      int here = -1;
-      if (!edge.is_degenerate && !dropped[l][c]) {
-        here = static_cast<int>(links.size());
-        links.push_back({&coedges[c], place, -1, last_link >= 0, start_of(edge, coedges[c]), end_of(edge, coedges[c])});
-        if (last_link >= 0) links[last_link].next = here;
-      }
-      if (c == 0) first_link = here;
-      last_link = here;
-    }
-    if (first_link >= 0 && last_link >= 0) {
-      links[last_link].next = first_link;
-      links[first_link].has_previous = true;
+      const int here = static_cast<int>(links.size());
+      const int next = !stays(c + 1) ? -1 : c + 1 < n ? here + 1 : first;
+      links.push_back({&coedges[c], next, stays(c + n - 1), start_of(edge, coedges[c]), end_of(edge, coedges[c])});
     }
   }
   return links;
@@ -107,26 +100,21 @@ void join_open_ends(std::vector<Link>& links) {
 
 std::vector<std::vector<bool>> periodic_coedges(const Model& model, int face) {
   const Face& whole = model.faces[face];
-  struct Use {
-    int edge;
-    std::size_t loop, coedge;
-  };
-  std::vector<Use> uses;
+  const Vec2 period = whole.surface ? whole.surface->period() : Vec2{};
   std::vector<std::vector<bool>> result;
+  std::map<int, std::pair<std::size_t, std::size_t>> last;  // per edge: loop and coedge of its last use
   for (std::size_t l = 0; l < whole.loops.size(); ++l) {
-    result.emplace_back(whole.loops[l].coedges.size(), false);
-    for (std::size_t c = 0; c < whole.loops[l].coedges.size(); ++c)
-      uses.push_back({whole.loops[l].coedges[c].edge, l, c});
-  }
-  std::stable_sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) { return a.edge < b.edge; });
-  Vec2 period = whole.surface ? whole.surface->period() : Vec2{};
-  for (std::size_t i = 1; i < uses.size(); ++i) {
-    const Use &a = uses[i - 1], &b = uses[i];
-    if (a.edge != b.edge) continue;
-    const Edge& edge = model.edges[a.edge];
-    if (!lie_apart(edge, whole.loops[a.loop].coedges[a.coedge], whole.loops[b.loop].coedges[b.coedge], period))
-      continue;
-    result[a.loop][a.coedge] = result[b.loop][b.coedge] = true;
+    const std::vector<Coedge>& coedges = whole.loops[l].coedges;
+    result.emplace_back(coedges.size(), false);
+    for (std::size_t c = 0; c < coedges.size(); ++c) {
+      const int edge = coedges[c].edge;
+      if (const auto use = last.find(edge); use != last.end()) {
+        const auto [loop, before] = use->second;
+        if (lie_apart(model.edges[edge], whole.loops[loop].coedges[before], coedges[c], period))
+          result[loop][before] = result[l][c] = true;
+      }
+      last[edge] = {l, c};
+    }
   }
   return result;
 }
