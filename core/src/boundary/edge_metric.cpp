@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "boundary/small_bends.h"
 
@@ -29,9 +30,10 @@ constexpr double most_change = 0.3;         // of h between rows, where lengths 
 constexpr double small_share = 0.03;        // of the edge: bends that are longer are not small
 constexpr double most_by_curvature = 4096;  // intervals on one edge that its own curvature may ask for
 
-Vec3 finite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z) ? a : Vec3{}; }
-
-Vec3 velocity(const Curve& curve, double t) { return finite(curve.slope(t).t); }
+Vec3 velocity(const Curve& curve, double t) {
+  const Vec3 a = curve.slope(t).t;
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z) ? a : Vec3{};
+}
 
 // Between unit vectors; 0 where the curve has no tangent.
 double angle_between(Vec3 a, Vec3 b) {
@@ -81,15 +83,15 @@ Vec3 EdgeMetric::direction_at(double t) const {
 }
 
 void EdgeMetric::tabulate() {
-  for (int i = 0; i <= first_panels; ++i) {
-    double share = static_cast<double>(i) / first_panels;
-    top_speed_ = std::max(top_speed_, norm(velocity(*curve_, (1 - share) * t0_ + share * t1_)));
-  }
+  auto at = [&](int i) {
+    const double share = static_cast<double>(i) / first_panels;
+    return (1 - share) * t0_ + share * t1_;
+  };
+  for (int i = 0; i <= first_panels; ++i) top_speed_ = std::max(top_speed_, norm(velocity(*curve_, at(i))));
   std::vector<Panel> panels;
   double total = 0;
   for (int i = 0; i < first_panels; ++i) {
-    double lo = static_cast<double>(i) / first_panels, hi = static_cast<double>(i + 1) / first_panels;
-    Panel panel{(1 - lo) * t0_ + lo * t1_, (1 - hi) * t0_ + hi * t1_, {}, {}, 0};
+    Panel panel{at(i), at(i + 1), {}, {}, 0};
     panel.direction_a = i == 0 ? direction_at(panel.a) : panels.back().direction_b;
     panel.direction_b = direction_at(panel.b);
     panel.length = quadrature(panel.a, panel.b);
@@ -261,14 +263,13 @@ void EdgeMetric::set_sizes(const Edge& edge, const SizeField& size) {
       row.h = std::min(row.h, length_at_bend(row.s, std::max(limit_.longest_edge(bend), least)));
   }
   // A second round carries the size through the point where a closed edge meets itself.
+  auto limit_by = [&](const Row& beside, Row& row) {
+    row.h = std::min(row.h, beside.h + size.gradation * std::abs(row.s - beside.s));
+  };
   for (int round = 0; round < (is_closed ? 2 : 1); ++round) {
     if (is_closed) rows_.front().h = rows_.back().h = std::min(rows_.front().h, rows_.back().h);
-    for (std::size_t i = 1; i < rows_.size(); ++i) {
-      rows_[i].h = std::min(rows_[i].h, rows_[i - 1].h + size.gradation * (rows_[i].s - rows_[i - 1].s));
-    }
-    for (std::size_t i = rows_.size() - 1; i-- > 0;) {
-      rows_[i].h = std::min(rows_[i].h, rows_[i + 1].h + size.gradation * (rows_[i + 1].s - rows_[i].s));
-    }
+    for (std::size_t i = 1; i < rows_.size(); ++i) limit_by(rows_[i - 1], rows_[i]);
+    for (std::size_t i = rows_.size() - 1; i-- > 0;) limit_by(rows_[i + 1], rows_[i]);
   }
 }
 
@@ -362,23 +363,21 @@ double EdgeMetric::smooth_turn() const {
 std::vector<EdgeMetric::Kink> EdgeMetric::kinks_with_nodes(int n) const {
   constexpr double least_apart = 0.1;  // target lengths
   std::vector<Kink> kinks = kinks_, used;
-  std::stable_sort(kinks.begin(), kinks.end(), [](const Kink& a, const Kink& b) { return a.turn > b.turn; });
+  std::ranges::stable_sort(kinks, std::greater{}, &Kink::turn);
   for (const Kink& kink : kinks) {
     const double here = rows_[kink.row].weight;
     const auto is_near = [&](double other) { return std::abs(other - here) < least_apart; };
     if (static_cast<int>(used.size()) >= n - 1) break;
     if (is_near(0) || is_near(weight())) continue;
-    if (std::none_of(used.begin(), used.end(), [&](const Kink& k) { return is_near(rows_[k.row].weight); }))
-      used.push_back(kink);
+    if (std::ranges::none_of(used, [&](const Kink& k) { return is_near(rows_[k.row].weight); })) used.push_back(kink);
   }
-  std::sort(used.begin(), used.end(), [](const Kink& a, const Kink& b) { return a.row < b.row; });
+  std::ranges::sort(used, {}, &Kink::row);
   return used;
 }
 
 std::vector<double> EdgeMetric::node_lengths(int n) const {
-  const std::vector<Kink> used = kinks_with_nodes(n);
   std::vector<Row> ends = {rows_.front()};  // of the pieces between kinks
-  for (const Kink& kink : used) ends.push_back(rows_[kink.row]);
+  for (const Kink& kink : kinks_with_nodes(n)) ends.push_back(rows_[kink.row]);
   ends.push_back(rows_.back());
 
   const std::vector<int> counts = share_intervals(ends, n);
@@ -396,20 +395,18 @@ std::vector<double> EdgeMetric::node_lengths(int n) const {
 // One interval for each piece, the others to wherever they are longest.
 std::vector<int> EdgeMetric::share_intervals(const std::vector<Row>& ends, int n) const {
   const std::size_t pieces = ends.size() - 1;
+  auto weight_of = [&](std::size_t i) { return ends[i + 1].weight - ends[i].weight; };
   std::vector<int> counts;
   int given = 0;
   for (std::size_t i = 0; i < pieces; ++i) {
-    double share = weight() > 0 ? (ends[i + 1].weight - ends[i].weight) / weight() : 0;
+    double share = weight() > 0 ? weight_of(i) / weight() : 0;
     counts.push_back(1 + static_cast<int>((n - static_cast<int>(pieces)) * share));
     given += counts.back();
   }
   for (; given < n; ++given) {
     std::size_t longest = 0;
-    for (std::size_t i = 1; i < pieces; ++i) {
-      double here = (ends[i + 1].weight - ends[i].weight) / counts[i];
-      double best = (ends[longest + 1].weight - ends[longest].weight) / counts[longest];
-      if (here > best) longest = i;
-    }
+    for (std::size_t i = 1; i < pieces; ++i)
+      if (weight_of(i) / counts[i] > weight_of(longest) / counts[longest]) longest = i;
     ++counts[longest];
   }
   return counts;

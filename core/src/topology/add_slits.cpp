@@ -9,6 +9,7 @@
 
 #include "brep/surfaces/evaluators_impl.h"
 #include "topology/build_parts_impl.h"
+#include "topology/corner_angle.h"
 
 namespace paver {
 namespace {
@@ -124,8 +125,7 @@ class SlitLinker : CoedgeWalker {
   double turn_in_uv(const Coedge& in, const Coedge& out) const {
     if (is_way_back(in, out)) return 2 * M_PI;
     const Vec2 back = uv_at(in, 1 - step_share) - uv_at(in, 1), ahead = uv_at(out, step_share) - uv_at(out, 0);
-    const double angle = std::atan2(cross(ahead, back), dot(ahead, back));
-    return angle > 0 ? angle : angle + 2 * M_PI;
+    return angle_to_left(ahead, back);
   }
 
   /// Angle of the face between the end of `in` and the start of `out`, radians in (0, 2 pi]: all around where `out` is

@@ -66,7 +66,9 @@ class ModelBuilder {
     name_parts(work_, shape_.labels);
     if (!brep)  // what is written has the faces as they were read
       for (const DividedFace& face : divide_creases(work_)) note_divided(face);
-    connected_ = connect(work_, options.connect, contact_tolerance(options), progress_);
+    // Far less than what is sewn: parts that lie so near have been put there.
+    const double contact_tolerance = options.sew_tolerance.value_or(contact_share * work_.diagonal);
+    connected_ = connect(work_, options.connect, contact_tolerance, progress_);
     progress_.advance(connect_units * faces.Extent());
     EdgeIndex index = build_edges(work_, model_);
     model_.read_edges = work_.read_edges.Extent();
@@ -86,16 +88,11 @@ class ModelBuilder {
     model_.report.holes = find_holes(index);
     add_notes();
     if (options.strict) refuse_faults();
-    if (brep) *brep = repaired_brep(work_, reversals());
+    if (brep) *brep = repaired_brep(work_, model_.faces);
     return std::move(model_);
   }
 
  private:
-  /// Far less than what is sewn: parts that lie so near have been put there.
-  double contact_tolerance(const Options& options) const {
-    return options.sew_tolerance.value_or(contact_share * work_.diagonal);
-  }
-
   // What users may name besides faces and edges.
   void list_named(const TopTools_IndexedMapOfShape& faces) {
     const auto vertices = shapes_of(shape_.shape, TopAbs_VERTEX), solids = shapes_of(shape_.shape, TopAbs_SOLID);
@@ -198,7 +195,7 @@ class ModelBuilder {
       if (vertex < 0) continue;
       auto is_same = [&](const InnerPoint& point) { return point.vertex == vertex; };
       // What several faces have in common has the vertex from each of them.
-      if (std::any_of(face.points.begin(), face.points.end(), is_same)) continue;
+      if (std::ranges::any_of(face.points, is_same)) continue;
       TopLoc_Location location;
       Handle(Geom_Surface) surface = BRep_Tool::Surface(shape, location);
       gp_Pnt at = BRep_Tool::Pnt(TopoDS::Vertex(parts.Value())).Transformed(location.Transformation().Inverted());
@@ -380,21 +377,12 @@ class ModelBuilder {
       for (const TopoDS_Edge& shape : edges_of(face.face)) {
         border += edge_length(shape);
         const int e = index.find(shape);
-        is_missed |= e >= 0 && edge_at(e).faces.size() == 1 && !edge_at(e).is_degenerate;
+        is_missed |= e >= 0 && model_.edges[e].faces.size() == 1 && !model_.edges[e].is_degenerate;
       }
       if (is_missed && 2 * face_area(face.face) > least_width * work_.diagonal * border)
         names.push_back(face_name(face.origin));
     }
     return names;
-  }
-
-  const Edge& edge_at(int e) const { return model_.edges[e]; }
-
-  /// Per face of the work.
-  std::vector<char> reversals() const {
-    std::vector<char> list;
-    for (const Face& face : model_.faces) list.push_back(face.is_reversed);
-    return list;
   }
 
   /// What is not as it should be, in one sentence; nothing of it is meshed.

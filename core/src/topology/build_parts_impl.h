@@ -14,19 +14,13 @@ namespace paver {
 /// Which model edge an OpenCASCADE edge is.
 struct EdgeIndex {
   TopTools_IndexedMapOfShape map;         ///< all edges, in the order of the model
-  std::vector<int> edge;                  ///< per position: index in Model::edges, -1 where no face uses it
+  std::vector<int> edge;                  ///< per position from 1: index in Model::edges, -1 where no face uses it
   TopTools_IndexedMapOfShape vertex_map;  ///< all vertices
   std::vector<int> vertex{-1};            ///< per position from 1: index in Model::vertices
 
   /// -1: not in the model.
-  int find(const TopoDS_Shape& shape) const {
-    int position = map.FindIndex(shape);
-    return position > 0 ? edge[position] : -1;
-  }
-  int find_vertex(const TopoDS_Shape& shape) const {
-    int position = vertex_map.FindIndex(shape);
-    return position > 0 ? vertex[position] : -1;
-  }
+  int find(const TopoDS_Shape& shape) const { return edge[map.FindIndex(shape)]; }
+  int find_vertex(const TopoDS_Shape& shape) const { return vertex[vertex_map.FindIndex(shape)]; }
 };
 
 /// Fills model.edges and model.vertices with what the faces and wires use, and with the points. Edges shorter than 1e-7
@@ -68,8 +62,8 @@ int add_slits(const Surface& surface, const std::vector<Edge>& edges, const std:
               std::vector<Loop>& loops);
 
 /// The faces with an area as BREP text, part by part: closed ones as solids, others as shells, then the wires and
-/// points. `is_reversed`: per face of the work, what orienting made of it.
-std::string repaired_brep(const Workpiece& work, const std::vector<char>& is_reversed);
+/// points. `faces`: those of the model, as orienting left them.
+std::string repaired_brep(const Workpiece& work, const std::vector<Face>& faces);
 
 /// Turns faces over until neighbours agree, and closed bodies until their normals look outwards. Adds notes.
 /// Gives the names of those that were turned. Collective.

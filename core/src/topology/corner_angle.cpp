@@ -23,8 +23,7 @@ double angle_about_turn(const Face& face, const Edge& edge, const Coedge& before
   const double corner = start_parameter(edge, after);
   const double beside = corner + turn_step * (end_parameter(edge, after) - corner);
   const Vec2 at = after.pcurve->uv(corner), from = after.pcurve->uv(beside) - at, to = before.pcurve->uv(beside) - at;
-  double turn = std::atan2(cross(from, to), dot(from, to));
-  if (turn <= 0) turn += 2 * M_PI;
+  const double turn = angle_to_left(from, to);
   const Vec3 x = face.surface->point(at);
   double sum = 0;
   Vec3 last{};

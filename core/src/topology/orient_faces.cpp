@@ -2,6 +2,7 @@
 // must look outwards. Files without topology say nothing about either, so neighbours are walked over edges of exactly
 // two of the part's faces.
 #include <algorithm>
+#include <map>
 #include <queue>
 #include <set>
 
@@ -110,6 +111,7 @@ class Orienter {
   void align_sheets() {
     const std::vector<std::vector<Link>> links = sheet_links();
     std::vector<bool> is_done(groups_.size(), false);
+    std::set<std::size_t> turned;
     for (std::size_t first = 0; first < groups_.size(); ++first) {
       std::queue<std::size_t> open;
       if (!is_done[first]) open.push(first);
@@ -120,8 +122,7 @@ class Orienter {
           if (is_done[other]) continue;
           is_done[other] = true;
           // What was turned since the links were taken counts as well.
-          if (link.is_turned != turned_groups_.contains(open.front()))
-            turn(groups_[other]), turned_groups_.insert(other);
+          if (link.is_turned != turned.contains(open.front())) turn(groups_[other]), turned.insert(other);
           open.push(other);
         }
     }
@@ -169,12 +170,11 @@ class Orienter {
 
   /// Near all of them: what the sum over the faces is off grows with the distance.
   Vec3 middle_of(const std::vector<int>& members) const {
-    Vec3 sum{0, 0, 0};
+    Vec3 sum;
     double count = 0;
     for (int u : members)
       for (const Coedge& c : coedges_of(loops_of(u))) {
-        const Edge& edge = edge_of(model_, c);
-        sum += model_.vertices[edge.start];
+        sum += model_.vertices[edge_of(model_, c).start];
         ++count;
       }
     return (1 / std::max(count, 1.0)) * sum;
@@ -209,19 +209,14 @@ class Orienter {
   /// A solid's shells are judged together (those of cavities look inwards), other closed parts one by one.
   void look_outwards() {
     std::vector<std::vector<int>> bodies;
-    std::vector<int> body_of_solid;
+    std::map<int, std::size_t> body_of_solid;
     for (const auto& group : groups_) {
       if (!is_closed(group)) continue;
-      int solid = work_.parts[use(group[0]).part].solid;
-      if (solid >= static_cast<int>(body_of_solid.size()))
-        body_of_solid.resize(static_cast<std::size_t>(solid) + 1, -1);
-      if (solid >= 0 && body_of_solid[solid] >= 0) {
-        auto& body = bodies[body_of_solid[solid]];
-        body.insert(body.end(), group.begin(), group.end());
-        continue;
-      }
-      if (solid >= 0) body_of_solid[solid] = static_cast<int>(bodies.size());
-      bodies.push_back(group);
+      const int solid = work_.parts[use(group[0]).part].solid;
+      const std::size_t body =
+          solid < 0 ? bodies.size() : body_of_solid.try_emplace(solid, bodies.size()).first->second;
+      if (body == bodies.size()) bodies.emplace_back();
+      bodies[body].insert(bodies[body].end(), group.begin(), group.end());
     }
     const std::vector<double> inside = volumes(bodies);
     for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -267,7 +262,6 @@ class Orienter {
   std::vector<int> group_;                ///< per use: index of its group, -1 before
   std::vector<bool> is_turned_;           ///< per use
   std::vector<std::vector<int>> groups_;  ///< uses that hang together
-  std::set<std::size_t> turned_groups_;   ///< by align_sheets()
   std::set<int> one_sided_;               ///< parts
 };
 

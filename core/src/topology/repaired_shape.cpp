@@ -29,26 +29,18 @@ struct Shell {
   }
 };
 
-/// Of faces that hang together by edges.
-std::vector<Shell> shells_of(const std::vector<TopoDS_Face>& faces) {
-  Hanging together(faces.size(), TopAbs_EDGE);
-  for (std::size_t f = 0; f < faces.size(); ++f) together.add(f, faces[f]);
-  std::map<int, Shell> shells;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    Shell& shell = shells[together.group_of(f)];
-    if (shell.shell.IsNull()) BRep_Builder().MakeShell(shell.shell);
-    shell.add(faces[f]);
-  }
-  std::vector<Shell> list;
-  for (auto& [root, shell] : shells) list.push_back(std::move(shell));
-  return list;
-}
-
 void add_part(const std::vector<TopoDS_Face>& faces, TopoDS_Compound& whole) {
   BRep_Builder builder;
-  std::vector<Shell> shells = shells_of(faces);
+  Hanging together(faces.size(), TopAbs_EDGE);
+  for (std::size_t f = 0; f < faces.size(); ++f) together.add(f, faces[f]);
+  std::map<int, Shell> shells;  // of faces that hang together by edges
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    Shell& shell = shells[together.group_of(f)];
+    if (shell.shell.IsNull()) builder.MakeShell(shell.shell);
+    shell.add(faces[f]);
+  }
   TopoDS_Solid solid;
-  for (Shell& shell : shells) {
+  for (auto& [root, shell] : shells) {
     const bool is_closed = shell.is_closed();
     shell.shell.Closed(is_closed);
     if (!is_closed) {
@@ -63,22 +55,22 @@ void add_part(const std::vector<TopoDS_Face>& faces, TopoDS_Compound& whole) {
 
 }  // namespace
 
-std::string repaired_brep(const Workpiece& work, const std::vector<char>& is_reversed) {
+std::string repaired_brep(const Workpiece& work, const std::vector<Face>& faces) {
   BRep_Builder builder;
   TopoDS_Compound whole;
   builder.MakeCompound(whole);
-  std::vector<std::vector<TopoDS_Face>> faces(work.parts.size());
+  std::vector<std::vector<TopoDS_Face>> of_parts(work.parts.size());
   for (std::size_t f = 0; f < work.faces.size(); ++f) {
     const WorkFace& face = work.faces[f];
     if (!face.has_area) continue;
     if (face.uses.empty()) builder.Add(whole, face.face);
     for (const FaceUse& use : face.uses) {
-      const bool is_turned = (is_reversed[f] != 0) != use.is_opposed;
+      const bool is_turned = faces[f].is_reversed != use.is_opposed;
       const TopoDS_Shape side = face.face.Oriented(is_turned ? TopAbs_REVERSED : TopAbs_FORWARD);
-      faces[use.part].push_back(TopoDS::Face(side));
+      of_parts[use.part].push_back(TopoDS::Face(side));
     }
   }
-  for (const auto& part : faces)
+  for (const auto& part : of_parts)
     if (!part.empty()) add_part(part, whole);
   for (const WorkWire& wire : work.wires) builder.Add(whole, wire.edge);
   for (const WorkPoint& point : work.points) builder.Add(whole, point.vertex);

@@ -227,9 +227,7 @@ class CoplanarJoiner {
       const Vec3 x = model_.vertices[start_of(edge, use)], y = model_.vertices[end_of(edge, use)];
       return plane.uv(is_back ? x : y) - plane.uv(is_back ? y : x);
     };
-    const Vec2 back = way(in, true), on = way(out, false);
-    const double angle = std::atan2(cross(on, back), dot(on, back));
-    return angle > 0 ? angle : angle + 2 * M_PI;
+    return angle_to_left(way(out, false), way(in, true));
   }
 
   Model& model_;
