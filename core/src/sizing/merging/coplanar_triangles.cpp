@@ -130,10 +130,8 @@ class CoplanarJoiner {
   }
 
   bool lies_in(const Plane& plane, int f) const {
-    for (const Coedge& use : coedges_of(model_.faces[f].loops)) {
-      const Vec3 x = model_.vertices[start_of(edge_of(model_, use), use)];
-      if (std::fabs(plane.height(x)) > tolerance_) return false;
-    }
+    for (const Coedge& use : coedges_of(model_.faces[f].loops))
+      if (std::fabs(plane.height(model_.vertices[start_of(edge_of(model_, use), use)])) > tolerance_) return false;
     return true;
   }
 
@@ -177,9 +175,7 @@ class CoplanarJoiner {
     joined_.merges.push_back({MergeKind::face, face.name, kept.name, limits_.extent(f), model_.vertices[edge.start]});
     kept.area += face.area;
     face.area = 0;
-    face.loops.clear();
-    face.has_area = false;
-    face.is_merged = true;
+    edits_.leave_out(f);
     face.surface = kept.surface;
   }
 

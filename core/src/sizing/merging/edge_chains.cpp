@@ -84,8 +84,7 @@ class ChainJoiner {
       Joint joint{static_cast<int>(v)};
       if (is_joint(joint)) joints.push_back(joint);
     }
-    std::stable_sort(joints.begin(), joints.end(),
-                     [](const Joint& a, const Joint& b) { return a.shorter < b.shorter; });
+    std::ranges::stable_sort(joints, {}, &Joint::shorter);
     for (const Joint& joint : joints) join(joint);
   }
 
@@ -96,7 +95,7 @@ class ChainJoiner {
     if (a.faces != b.faces || limits_.is_protected(edges[0]) || limits_.is_protected(edges[1])) return false;
     if (a.is_periodic || b.is_periodic) return false;
     joint.shorter = std::min(a.length, b.length);
-    joint.angle = angle_between(-1 * direction_out(a, a.end == joint.vertex), direction_out(b, b.end == joint.vertex));
+    joint.angle = bend_between(a, b, joint.vertex);
     if (joint.shorter > reach(joint) * limits_.short_edge(a.length < b.length ? edges[0] : edges[1])) return false;
     const bool is_within_pieces =
         joint.angle <= straight && std::max(a.length, b.length) <= straight_reach * limits_.short_edge(edges[0]);
@@ -137,25 +136,20 @@ class ChainJoiner {
     const std::vector<int>& edges = edits_.edges_at(joint.vertex);
     const int a = chain_of_[edges[0]], b = chain_of_[edges[1]];
     if (a == b) return;  // one vertex of a closed chain stays
-    const int shorter = length(a) < length(b) ? a : b;
-    const double limit = limits_.short_edge(edges[0]), at_corner = length(shorter) * joint.angle;
-    if (length(shorter) > reach(joint) * limit || at_corner > limit * smooth_angle * M_PI / 180) return;
+    const double shorter = std::min(lengths_[a], lengths_[b]), limit = limits_.short_edge(edges[0]);
+    if (shorter > reach(joint) * limit || shorter * joint.angle > limit * smooth_angle * M_PI / 180) return;
     Side &one = chains_[a], &two = chains_[b];
     if (edits_.start_of(one.front()) == joint.vertex && one.front().edge == edges[0]) one = reversed(one);
     if (edits_.end_of(two.back()) == joint.vertex && two.back().edge == edges[1]) two = reversed(two);
     for (const SideEdge& piece : two) chain_of_[piece.edge] = a;
     one.insert(one.end(), two.begin(), two.end());
     two.clear();
-    lengths_[a] += length(b);
+    lengths_[a] += lengths_[b];
   }
 
-  double length(int chain) const { return lengths_[chain]; }
-
   void make(Side& chain, std::vector<Merge>& merges) {
-    const auto longest = [&](const SideEdge& a, const SideEdge& b) {
-      return edits_.edge(a.edge).length < edits_.edge(b.edge).length;
-    };
-    const SideEdge named = *std::max_element(chain.begin(), chain.end(), longest);
+    const SideEdge named =
+        *std::ranges::max_element(chain, {}, [&](const SideEdge& piece) { return edits_.edge(piece.edge).length; });
     if (named.is_reversed) chain = reversed(chain);
     const int kept = named.edge;
     auto pieces = std::make_shared<Pieces>();

@@ -11,10 +11,7 @@ namespace {
 
 template <class F>
 void for_uses(Model& model, const Edge& edge, int index, F&& f) {
-  std::vector<int> faces = edge.faces;
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  for (int face : faces)
+  for (int face : std::set<int>(edge.faces.begin(), edge.faces.end()))
     for (Loop& loop : model.faces[face].loops)
       for (std::size_t i = 0; i < loop.coedges.size(); ++i)
         if (loop.coedges[i].edge == index) f(loop.coedges, i);
@@ -23,10 +20,10 @@ void for_uses(Model& model, const Edge& edge, int index, F&& f) {
 }  // namespace
 
 double ParameterMatch::operator()(double t) const {
-  const std::size_t i = cell_of(from_, t);
-  const double step = from_[i + 1] - from_[i];
-  const double share = step > 0 ? std::clamp((t - from_[i]) / step, 0.0, 1.0) : 0;
-  return (1 - share) * to_[i] + share * to_[i + 1];
+  const std::size_t i = cell_of(from, t);
+  const double step = from[i + 1] - from[i];
+  const double share = step > 0 ? std::clamp((t - from[i]) / step, 0.0, 1.0) : 0;
+  return (1 - share) * to[i] + share * to[i + 1];
 }
 
 Side reversed(Side side) {
@@ -41,6 +38,10 @@ Vec3 direction_out(const Edge& edge, bool at_end) {
   const double step = chord * (edge.t1 - edge.t0);
   const Vec3 from = edge.curve->point(at_end ? edge.t1 : edge.t0);
   return unit(edge.curve->point(at_end ? edge.t1 - step : edge.t0 + step) - from);
+}
+
+double bend_between(const Edge& one, const Edge& other, int vertex) {
+  return angle_between(-1 * direction_out(one, one.end == vertex), direction_out(other, other.end == vertex));
 }
 
 ModelEdits::ModelEdits(Model& model)
@@ -135,12 +136,12 @@ int ModelEdits::split(int e, double t) {
   return behind;
 }
 
-void ModelEdits::replace(int gone, int kept, bool same_direction, const std::shared_ptr<const ParameterMatch>& match) {
+void ModelEdits::replace(int gone, int kept, bool same_direction, const ParameterMatch& match) {
   for_uses(model_, edge(gone), gone, [&](std::vector<Coedge>& coedges, std::size_t i) {
     Coedge& coedge = coedges[i];
     coedge.edge = kept;
     coedge.is_reversed = coedge.is_reversed == same_direction;
-    coedge.pcurve = image_by([image = coedge.pcurve, match](double t) { return image->uv((*match)(t)); });
+    coedge.pcurve = image_by([image = coedge.pcurve, match](double t) { return image->uv(match(t)); });
   });
   Edge &from = edge(gone), &to = edge(kept);
   to.faces.insert(to.faces.end(), from.faces.begin(), from.faces.end());
@@ -149,6 +150,12 @@ void ModelEdits::replace(int gone, int kept, bool same_direction, const std::sha
   unlink(gone);
   from.curve.reset();
   from.faces.clear();
+}
+
+void ModelEdits::leave_out(int f) {
+  face(f).has_area = false;
+  face(f).is_merged = true;
+  face(f).loops.clear();
 }
 
 }  // namespace paver

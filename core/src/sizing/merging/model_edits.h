@@ -1,9 +1,7 @@
 // Changes to the model that take small parts out of it.
 #pragma once
 
-#include <memory>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "topology/corner_angle.h"
@@ -12,13 +10,10 @@
 namespace paver {
 
 /// A parameter of one edge for each of another: linear between rows.
-class ParameterMatch {
- public:
-  ParameterMatch(std::vector<double> from, std::vector<double> to) : from_(std::move(from)), to_(std::move(to)) {}
-  double operator()(double t) const;
+struct ParameterMatch {
+  std::vector<double> from, to;  ///< `from` rises
 
- private:
-  std::vector<double> from_, to_;  // `from` rises
+  double operator()(double t) const;
 };
 
 /// An edge as part of a side of a face, or of a chain.
@@ -63,8 +58,10 @@ class ModelEdits {
   void move_vertex(int from, int to, double reach);
   /// Divides the edge at `t`; gives the edge behind it. All faces have both.
   int split(int edge, double t);
-  /// Faces that use `gone` use `kept` in its place. `image`: what kept's parameter is on `gone`.
-  void replace(int gone, int kept, bool same_direction, const std::shared_ptr<const ParameterMatch>& match);
+  /// Faces that use `gone` use `kept` in its place. `match`: what kept's parameter is on `gone`.
+  void replace(int gone, int kept, bool same_direction, const ParameterMatch& match);
+  /// A face that its neighbours take over; its loops go.
+  void leave_out(int face);
 
  private:
   void unlink(int edge);
@@ -79,5 +76,8 @@ class ModelEdits {
 
 /// Direction of an edge where it leaves one of its ends, of length one.
 Vec3 direction_out(const Edge& edge, bool at_end);
+
+/// Angle by which one edge that ends at a vertex bends off from the other.
+double bend_between(const Edge& one, const Edge& other, int vertex);
 
 }  // namespace paver

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "sizing/merging/merge_steps.h"
 
@@ -33,8 +34,7 @@ class ShortEdges {
     std::vector<int> edges;
     for (std::size_t e = 0; e < edits_.model().edges.size(); ++e)
       if (may_collapse(static_cast<int>(e))) edges.push_back(static_cast<int>(e));
-    std::stable_sort(edges.begin(), edges.end(),
-                     [&](int a, int b) { return edits_.edge(a).length < edits_.edge(b).length; });
+    std::ranges::stable_sort(edges, {}, [&](int e) { return edits_.edge(e).length; });
     for (int e : edges)
       if (may_collapse(e)) visit_edge(e);
   }
@@ -49,31 +49,21 @@ class ShortEdges {
   void visit_edge(int e) {
     if (!leaves_loops(e) || ends_strip(e)) return;
     const Edge& edge = edits_.edge(e);
-    const std::optional<double> at_start = corner_at(e, edge.start), at_end = corner_at(e, edge.end);
-    const bool start_goes = at_start && can_move(e, edge.start, edge.end);
-    const bool end_goes = at_end && can_move(e, edge.end, edge.start);
+    const int at_start = next_at(e, edge.start), at_end = next_at(e, edge.end);
+    const bool start_goes = at_start >= 0 && can_move(e, edge.start, edge.end);
+    const bool end_goes = at_end >= 0 && can_move(e, edge.end, edge.start);
     if (!start_goes && !end_goes) return;
-    const bool is_start = start_goes && (!end_goes || *at_start <= *at_end);
+    const bool is_start = start_goes && (!end_goes || bend(e, at_start, edge.start) <= bend(e, at_end, edge.end));
     const int gone = is_start ? edge.start : edge.end, kept = is_start ? edge.end : edge.start;
-    merges_.push_back({MergeKind::edge, edge.name, name_of_next(e, gone), edge.length, edits_.point(kept)});
+    const Edge& next = edits_.edge(is_start ? at_start : at_end);
+    merges_.push_back({MergeKind::edge, edge.name, next.name, edge.length, edits_.point(kept)});
     edits_.take_out({e});
     move(gone, kept);
   }
 
-  /// Least angle by which another edge of one of its faces bends off from the edge where it ends at the vertex; nothing
-  /// where all are corners.
-  std::optional<double> corner_at(int e, int vertex) const {
-    const int next = next_at(e, vertex);
-    if (next < 0) return std::nullopt;
-    return bend(e, next, vertex);
-  }
+  double bend(int e, int other, int vertex) const { return bend_between(edits_.edge(e), edits_.edge(other), vertex); }
 
-  double bend(int e, int other, int vertex) const {
-    const Edge &a = edits_.edge(e), &b = edits_.edge(other);
-    return angle_between(-1 * direction_out(a, a.end == vertex), direction_out(b, b.end == vertex));
-  }
-
-  /// The edge at the vertex that goes on from `e` best.
+  /// The edge at the vertex that goes on from `e` best; -1 where all make corners with it.
   int next_at(int e, int vertex) const {
     int best = -1;
     double least = smooth_angle * M_PI / 180;
@@ -85,26 +75,21 @@ class ShortEdges {
     return best;
   }
 
-  std::string name_of_next(int e, int vertex) const { return edits_.edge(next_at(e, vertex)).name; }
-
   /// All that the vertex stands for stays within the limit, and no other edge there is as short.
   bool can_move(int e, int from, int to) const {
     if (edits_.is_fixed(from) || from == to || limits_.holds(from, {e}, edits_.edge(e).length)) return false;
     const std::vector<int>& edges = edits_.edges_at(from);
     const double least = much_longer * edits_.edge(e).length, limit = limits_.short_edge(e);
-    if (std::any_of(edges.begin(), edges.end(),
-                    [&](int other) { return other != e && edits_.edge(other).length < least; }))
+    if (std::ranges::any_of(edges, [&](int other) { return other != e && edits_.edge(other).length < least; }))
       return false;
-    const std::vector<Vec3>& members = members_[from];
-    return std::all_of(members.begin(), members.end(), [&](Vec3 x) { return norm(x - edits_.point(to)) <= limit; });
+    return std::ranges::all_of(members_[from], [&](Vec3 x) { return norm(x - edits_.point(to)) <= limit; });
   }
 
   bool leaves_loops(int e) const {
     for (int f : edits_.edge(e).faces)
       for (const Loop& loop : edits_.face(f).loops) {
-        const bool has_edge = std::any_of(loop.coedges.begin(), loop.coedges.end(),
-                                          [e](const Coedge& coedge) { return coedge.edge == e; });
-        const auto kept = std::count_if(loop.coedges.begin(), loop.coedges.end(), [&](const Coedge& coedge) {
+        const bool has_edge = std::ranges::find(loop.coedges, e, &Coedge::edge) != loop.coedges.end();
+        const auto kept = std::ranges::count_if(loop.coedges, [&](const Coedge& coedge) {
           return coedge.edge != e && !edits_.edge(coedge.edge).is_degenerate;
         });
         if (has_edge && static_cast<std::size_t>(kept) < fewest_edges) return false;
@@ -114,8 +99,7 @@ class ShortEdges {
 
   /// Whether a face would run out into a point where the edge is.
   bool ends_strip(int e) const {
-    const std::vector<int>& faces = edits_.edge(e).faces;
-    return std::any_of(faces.begin(), faces.end(), [&](int f) { return limits_.sharpens(f, e); });
+    return std::ranges::any_of(edits_.edge(e).faces, [&](int f) { return limits_.sharpens(f, e); });
   }
 
   void move(int from, int to) {
@@ -136,27 +120,24 @@ class ShortEdges {
     std::vector<Coedge> coedges = small.loops.front().coedges;
     std::erase_if(coedges, [&](const Coedge& coedge) { return edits_.edge(coedge.edge).is_degenerate; });
     if (coedges.empty() || !is_tiny(f, coedges)) return;
-    std::vector<int> edges, vertices;
+    std::vector<int> edges;
+    std::set<int> vertices;
     for (const Coedge& coedge : coedges) {
       edges.push_back(coedge.edge);
-      for (int vertex : {edits_.edge(coedge.edge).start, edits_.edge(coedge.edge).end}) vertices.push_back(vertex);
+      vertices.insert({edits_.edge(coedge.edge).start, edits_.edge(coedge.edge).end});
     }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     const auto is_held = [&](int vertex) { return limits_.holds(vertex, edges, limits_.extent(f)); };
     // One of them may stay where it is.
-    const auto held = std::count_if(vertices.begin(), vertices.end(), is_held);
+    const auto held = std::ranges::count_if(vertices, is_held);
     if (held > 1) return;
-    const int kept = held == 0 ? vertices.front() : *std::find_if(vertices.begin(), vertices.end(), is_held);
+    const int kept = held == 0 ? *vertices.begin() : *std::ranges::find_if(vertices, is_held);
     for (const Coedge& coedge : coedges)
       if (const int other = limits_.neighbour(f, coedge.edge); !leaves_loop(other, coedges, false))
         going_.push_back(other);
     const std::string into = edits_.edge(edges.front()).name;
     merges_.push_back({MergeKind::face, small.name, into, limits_.extent(f), edits_.point(kept)});
-    small.has_area = false;
-    small.is_merged = true;
     edits_.take_out(edges);
-    small.loops.clear();
+    edits_.leave_out(f);
     for (int vertex : vertices)
       if (vertex != kept) move(vertex, kept);
   }
@@ -184,12 +165,10 @@ class ShortEdges {
   /// Whether the face keeps a border of some edges, or none at all of a hole that the small face fills. One that
   /// `goes` itself may keep two; one that stays keeps its sides: all across a narrow face would be drawn to one place.
   bool leaves_loop(int f, const std::vector<Coedge>& gone, bool goes) const {
-    const auto is_gone = [&](const Coedge& c) {
-      return std::any_of(gone.begin(), gone.end(), [&](const Coedge& g) { return g.edge == c.edge; });
-    };
+    const auto is_gone = [&](const Coedge& c) { return std::ranges::find(gone, c.edge, &Coedge::edge) != gone.end(); };
     for (std::size_t l = 0; l < edits_.face(f).loops.size(); ++l) {
       const std::vector<Coedge>& coedges = edits_.face(f).loops[l].coedges;
-      const auto going = static_cast<std::size_t>(std::count_if(coedges.begin(), coedges.end(), is_gone));
+      const auto going = static_cast<std::size_t>(std::ranges::count_if(coedges, is_gone));
       if (going == 0) continue;
       const bool is_hole = edits_.face(f).loops.size() > 1 && going == coedges.size() && going == gone.size();
       if (!is_hole && coedges.size() < going + (goes ? 2 : fewest_edges)) return false;

@@ -87,11 +87,9 @@ class ThinFaces {
   }
 
   bool has_only(const Face& face, const std::set<int>& edges) const {
-    return std::ranges::all_of(face.loops, [&](const Loop& loop) {
-      return std::ranges::all_of(loop.coedges, [&](const Coedge& use) {
-        return edges.contains(use.edge) || edits_.edge(use.edge).is_degenerate;
-      });
-    });
+    for (const Coedge& use : coedges_of(face.loops))
+      if (!edges.contains(use.edge) && !edits_.edge(use.edge).is_degenerate) return false;
+    return true;
   }
 
   /// The sides of a thin face, `one` the side that would stay.
@@ -236,12 +234,9 @@ class ThinFaces {
   }
 
   void take_out_face(int f, const Side& kept, const Side& gone, const std::vector<int>& ends) {
-    Face& thin = edits_.face(f);
-    for (const Coedge& coedge : coedges_of(thin.loops))
+    for (const Coedge& coedge : coedges_of(edits_.face(f).loops))
       if (edits_.edge(coedge.edge).is_degenerate) std::erase(edits_.edge(coedge.edge).faces, f);
-    thin.loops.clear();
-    thin.has_area = false;
-    thin.is_merged = true;
+    edits_.leave_out(f);
     for (const Side* side : {&kept, &gone})
       for (const SideEdge& e : *side) std::erase(edits_.edge(e.edge).faces, f);
     edits_.take_out(ends);
