@@ -3,6 +3,7 @@
 #include "sizing/normal_table.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/cells.h"
 
@@ -40,16 +41,16 @@ std::vector<double> lines_between(const Surface& surface, double lo, double hi, 
   std::vector<double> length(track_steps + 1, 0);
   std::vector<double> longest(track_steps, 0);
   for (int track = 0; track < tracks; ++track) {
-    Vec3 last = surface.point(place(0.0, static_cast<double>(track) / (tracks - 1)));
+    const double across = static_cast<double>(track) / (tracks - 1);
+    Vec3 last = surface.point(place(0.0, across));
     for (int i = 0; i < track_steps; ++i) {
-      const Vec3 x =
-          surface.point(place(static_cast<double>(i + 1) / track_steps, static_cast<double>(track) / (tracks - 1)));
+      const Vec3 x = surface.point(place(static_cast<double>(i + 1) / track_steps, across));
       const double step = norm(x - last);
       if (std::isfinite(step)) longest[i] = std::max(longest[i], step);
       last = x;
     }
   }
-  for (int i = 0; i < track_steps; ++i) length[static_cast<std::size_t>(i) + 1] = length[i] + longest[i];
+  std::partial_sum(longest.begin(), longest.end(), length.begin() + 1);
   whole = length.back();
   const double fitting = std::min(length.back() / spacing, 1e6);
   const auto cells =

@@ -1,4 +1,4 @@
-// Box of a face in (u, v).
+// How large a face is: its box in (u, v), its extent, whether it ends anywhere.
 #pragma once
 
 #include <algorithm>
@@ -28,5 +28,11 @@ struct SampleBox {
 
 /// Of a face's loops.
 SampleBox sample_box(const Model& model, const Face& face);
+
+/// Diagonal of a box about the face, mm; infinity where nothing of it can be found.
+double face_extent(const Model& model, const Face& face);
+
+/// Whether the face has edges other than its own periodic and degenerate ones.
+bool has_border(const Model& model, const Face& face);
 
 }  // namespace paver

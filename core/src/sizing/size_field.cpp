@@ -15,7 +15,6 @@
 #include <numeric>
 
 #include "base/box.h"
-#include "sizing/face_extent.h"
 #include "sizing/parts/local_counts.h"
 
 namespace paver {
@@ -256,17 +255,12 @@ void add_turning_sides(const Face& face, int index, SizeField& field) {
 
 void check_predicted(double predicted, double h, long limit, bool is_local) {
   if (predicted <= static_cast<double>(limit)) return;
-  if (is_local)
-    throw Error(ErrorCode::too_many_elements,
-                fmt::format("About {:.3g} elements are predicted at target length {:.6g} mm and the local ones, above "
-                            "the limit of {}; choose longer ones, a larger max_turn, or raise max_elements.",
-                            predicted, h, limit),
-                {"sizing", -1, -1, std::nullopt});
-  double enough = h * std::sqrt(predicted / static_cast<double>(limit));
+  const double enough = h * std::sqrt(predicted / static_cast<double>(limit));
   throw Error(ErrorCode::too_many_elements,
-              fmt::format("About {:.3g} elements are predicted at target length {:.6g} mm, above the limit of {}; "
-                          "choose a target length of {:.3g} mm or more, a larger max_turn, or raise max_elements.",
-                          predicted, h, limit, enough),
+              fmt::format("About {:.3g} elements are predicted at target length {:.6g} mm{}, above the limit of {}; "
+                          "choose {}, a larger max_turn, or raise max_elements.",
+                          predicted, h, is_local ? " and the local ones" : "", limit,
+                          is_local ? "longer ones" : fmt::format("a target length of {:.3g} mm or more", enough)),
               {"sizing", -1, -1, std::nullopt});
 }
 

@@ -1,5 +1,3 @@
-#include "sizing/parts/find_gaps.h"
-
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
@@ -13,6 +11,7 @@
 #include <gp_Pln.hxx>
 #include <set>
 
+#include "sizing/parts/find_places.h"
 #include "support/report_of.h"
 
 namespace paver {

@@ -1,7 +1,6 @@
-#include "sizing/parts/find_tips.h"
-
 #include <gtest/gtest.h>
 
+#include "sizing/parts/find_places.h"
 #include "sizing/parts/local_sizes.h"
 #include "support/fake_model.h"
 

@@ -1,5 +1,3 @@
-#include "sizing/parts/sharp_edges.h"
-
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
@@ -10,6 +8,7 @@
 #include <algorithm>
 #include <gp_Pln.hxx>
 
+#include "sizing/parts/find_places.h"
 #include "support/report_of.h"
 
 namespace paver {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/local_parts.h"
-#include "sizing/face_extent.h"
+#include "sizing/sample_box.h"
 
 namespace paver {
 

@@ -1,14 +1,13 @@
 // In: faces with their edges, target lengths. Out: pieces of gaps.
 // Steps, face by face: samples along its edges, in cells as wide as a gap may be; from each the nearest one that faces
 // it; neighbours along an edge whose gaps hang together become one piece.
-#include "sizing/parts/find_gaps.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <optional>
-#include <utility>
+
+#include "sizing/parts/find_places.h"
 
 namespace paver {
 namespace {
@@ -41,9 +40,8 @@ class GapsOfFace {
           last->next_from = here->from, last->next_to = here->to, last->width = std::min(last->width, here->width);
         pieces.push_back(*last);
       }
-      last = here;
-      if (sample.is_last && last) pieces.push_back(*std::exchange(last, std::nullopt));
-      if (sample.is_last) last.reset();
+      if (sample.is_last && here) pieces.push_back(*here);
+      last = sample.is_last ? std::nullopt : here;
     }
   }
 

@@ -1,10 +1,9 @@
 // In: loops of faces. Out: vertices. Every face gives what it spans at its vertices; edges say where the surface is
 // closed.
-#include "sizing/parts/find_tips.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "sizing/parts/find_places.h"
 #include "topology/corner_angle.h"
 
 namespace paver {

@@ -13,9 +13,8 @@ constexpr int most_cells = 200000;   // of a face, where all of it is near
 constexpr int deepest_piece = 20;    // halvings
 constexpr double coarse_cell = 0.8;  // of h over the gradation: size of a cell that is not halved
 constexpr double graded_share = 0.9;
-constexpr double rim = 0.01;            // of the box of a face: nodes on its border may lie a rounding outside
-constexpr double graded_excess = 1.9;   // rows give up nodes more slowly than the gradation allows (docs/prediction.md)
-constexpr int samples_per_pcurve = 17;  // for the box of a face
+constexpr double rim = 0.01;           // of the box of a face: nodes on its border may lie a rounding outside
+constexpr double graded_excess = 1.9;  // rows give up nodes more slowly than the gradation allows (docs/prediction.md)
 
 /// What a surface and its turn come to about a place, per area of its (u, v).
 class TurnedArea {
@@ -101,19 +100,6 @@ double facets_on(const Edge& edge, double t0, double t1, double face_h, const Si
 }
 
 }  // namespace
-
-SampleBox sample_box(const Model& model, const Face& face) {
-  SampleBox box;
-  for (const Coedge& coedge : coedges_of(face.loops)) {
-    if (!coedge.pcurve) continue;
-    const Edge& edge = edge_of(model, coedge);
-    for (int i = 0; i < samples_per_pcurve; ++i) {
-      double share = static_cast<double>(i) / (samples_per_pcurve - 1);
-      box.add(coedge.pcurve->uv(edge.parameter(share)));
-    }
-  }
-  return box;
-}
 
 LocalCounts count_with_local(const Model& model, const Face& face, const FaceSize& size, const SizeField& field) {
   LocalCounts counts;

@@ -12,10 +12,8 @@
 
 #include "base/local_parts.h"
 #include "paver/error.h"
-#include "sizing/face_extent.h"
-#include "sizing/parts/find_gaps.h"
-#include "sizing/parts/find_tips.h"
-#include "sizing/parts/sharp_edges.h"
+#include "sizing/parts/find_places.h"
+#include "sizing/sample_box.h"
 #include "topology/naming/named_parts.h"
 
 namespace paver {
