@@ -28,13 +28,10 @@
 #include "regions/divide_loops.h"
 #include "repair/repair_parts.h"
 #include "sizing/chord_lengths.h"
-#include "sizing/merging/coplanar_triangles.h"
 #include "sizing/merging/merge_small.h"
 #include "sizing/point_lengths.h"
 #include "sizing/sample_box.h"
 #include "topology/build_model.h"
-#include "topology/naming/components.h"
-#include "topology/naming/edge_entities.h"
 #include "topology/naming/named_parts.h"
 
 namespace paver {

@@ -88,19 +88,15 @@ double limited_size(const CurvatureSample& sample, double h, double turn_limit, 
 // Poles carry no curvature of their own: they take the smallest h of their neighbours on the grid.
 void fill_degenerate(std::vector<double>& sizes, double h) {
   const std::vector<double> known = sizes;
-  for (int row = 0; row < grid_size; ++row) {
+  for (int row = 0; row < grid_size; ++row)
     for (int column = 0; column < grid_size; ++column) {
       double& size = sizes[row * grid_size + column];
       if (!std::isnan(size)) continue;
       size = h;
-      for (int r = std::max(0, row - 1); r <= std::min(grid_size - 1, row + 1); ++r) {
-        for (int c = std::max(0, column - 1); c <= std::min(grid_size - 1, column + 1); ++c) {
-          double neighbour = known[r * grid_size + c];
-          if (!std::isnan(neighbour)) size = std::min(size, neighbour);
-        }
-      }
+      for (int r = std::max(0, row - 1); r <= std::min(grid_size - 1, row + 1); ++r)
+        for (int c = std::max(0, column - 1); c <= std::min(grid_size - 1, column + 1); ++c)
+          size = std::fmin(size, known[r * grid_size + c]);  // the other one where that is NaN
     }
-  }
 }
 
 /// Largest stretch of lengths by turns, x along rows of samples (u) and y along columns (v); `weight` is what a radian

@@ -4,6 +4,7 @@
 #include <BRepTools_WireExplorer.hxx>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "base/box.h"
@@ -82,8 +83,9 @@ class LoopBuilder : CoedgeWalker {
       return;
     }
     auto chained = chain(std::move(all));
-    if (chained && !(is_good && total_gap(*chained) >= largest_gap(explored))) {
-      for (Loop& loop : *chained) result_.loops.push_back(std::move(loop));
+    auto is_better = [&](const Loop& loop) { return largest_gap(loop.coedges) < largest_gap(explored); };
+    if (chained && (!is_good || std::ranges::all_of(*chained, is_better))) {
+      std::ranges::move(*chained, std::back_inserter(result_.loops));
     } else if (is_good) {
       result_.loops.push_back({std::move(explored)});
     } else {
@@ -115,12 +117,6 @@ class LoopBuilder : CoedgeWalker {
     double worst = 0;
     for (std::size_t i = 0; i < chain.size(); ++i)
       worst = std::max(worst, gap(chain[i], chain[(i + 1) % chain.size()]));
-    return worst;
-  }
-
-  double total_gap(const std::vector<Loop>& loops) const {
-    double worst = 0;
-    for (const Loop& loop : loops) worst = std::max(worst, largest_gap(loop.coedges));
     return worst;
   }
 

@@ -1,6 +1,4 @@
 // Triangles of a tessellation that lie in one plane are one face, and nothing else is.
-#include "sizing/merging/coplanar_triangles.h"
-
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
@@ -25,6 +23,7 @@
 
 #include "core/brep/shape_files.h"
 #include "paver/mesher.h"
+#include "sizing/merging/merge_small.h"
 #include "support/report_of.h"
 
 namespace paver {

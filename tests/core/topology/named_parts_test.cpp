@@ -16,7 +16,6 @@
 #include "core/brep/shape_files.h"
 #include "paver/mesher.h"
 #include "support/report_of.h"
-#include "topology/naming/edge_entities.h"
 
 namespace paver {
 namespace {

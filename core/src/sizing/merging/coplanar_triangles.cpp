@@ -1,8 +1,6 @@
 // In: model. Out: the model with fewer faces.
 // Steps: parts of which most faces are triangles (some of theirs were cut where others touch); of their flat faces the
 // largest first, and all that lie in its plane about it; the edges between them go, the others are chained to loops.
-#include "sizing/merging/coplanar_triangles.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +9,7 @@
 #include <numeric>
 
 #include "sizing/merging/merge_limits.h"
-#include "sizing/merging/model_edits.h"
+#include "sizing/merging/merge_small.h"
 
 namespace paver {
 namespace {

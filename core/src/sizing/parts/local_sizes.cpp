@@ -91,16 +91,19 @@ LocalSizes::LocalSizes(const Model& model, const Options& options, double h, con
   if (!is_empty()) add_sources(model, options.gradation);
 }
 
+double LocalSizes::least_on(const std::vector<int>& faces, double most) const {
+  for (int face : faces) most = std::min(most, on_face(face));
+  return most;
+}
+
 // A length that is given for the vertex itself holds. Where all edges are shorter anyway there is nothing to do.
 void LocalSizes::put_on_tips(const Model& model, const Options& options, double h) {
   const std::vector<std::pair<Vec3, double>> given = points_;
   for (const Tip& tip : find_tips(model)) {
-    double length = h;
-    for (int face : tip.faces) length = std::min(length, on_face(face));
-    length /= options.tip;
+    const double length = least_on(tip.faces, h) / options.tip;
     const Vec3 x = model.vertices[tip.vertex];
     auto is_at_tip = [&](const auto& point) { return norm(point.first - x) < same_point * length; };
-    if (length >= tip.room || std::any_of(given.begin(), given.end(), is_at_tip)) continue;
+    if (length >= tip.room || std::ranges::any_of(given, is_at_tip)) continue;
     points_.push_back({x, length});
     tips_of_face_.resize(model.faces.size());
     for (int face : std::set<int>(tip.faces.begin(), tip.faces.end())) ++tips_of_face_[face];
@@ -112,9 +115,7 @@ void LocalSizes::put_on_sharp_edges(const Model& model, const Options& options, 
   const std::vector<bool> is_sharp = find_sharp_edges(model);
   for (std::size_t e = 0; e < is_sharp.size(); ++e) {
     if (!is_sharp[e]) continue;
-    double length = h;
-    for (int face : model.edges[e].faces) length = std::min(length, on_face(face));
-    length /= options.grade_edges;
+    const double length = least_on(model.edges[e].faces, h) / options.grade_edges;
     least_ = std::min(least_, length);
     for (int origin : model.edges[e].origins) of_edge_[origin] = std::min(of_edge_[origin], length);
   }

@@ -41,6 +41,8 @@ class LocalSizes {
   void note_inside(const Model& model, const LocalSize& local);
   void put(const Model& model, const LocalSize& local, double length);
   void put_inside(const Model& model, int solid, double length);
+  /// On any of the faces; `most` where that is more.
+  double least_on(const std::vector<int>& faces, double most) const;
   void put_on_sharp_edges(const Model& model, const Options& options, double h);
   void put_on_tips(const Model& model, const Options& options, double h);
   void put_on_gaps(const Model& model, const Options& options, double h);

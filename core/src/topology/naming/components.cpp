@@ -1,10 +1,10 @@
 // In: model, reports of faces. Out: parts by component. Faces, wires and points that share a vertex share its node.
-#include "topology/naming/components.h"
-
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "base/union_find.h"
+#include "topology/naming/named_parts.h"
 
 namespace paver {
 namespace {
@@ -15,21 +15,24 @@ class Components {
       : model_(model), entries_(entries), together_(model.vertices.size() + model.faces.size() + model.edges.size()) {}
 
   std::vector<std::vector<std::string>> run() {
-    for (std::size_t f = 0; f < model_.faces.size(); ++f)
-      if (is_meshed(f)) add_face(f);
-    for (std::size_t e = 0; e < model_.edges.size(); ++e)
-      if (has_lines_of_wire(e)) add_ends(model_.edges[e], edge_item(e));
+    std::vector<std::pair<int, int>> items;  // with a part of each
+    for (std::size_t f = 0; f < model_.faces.size(); ++f) {
+      if (!is_meshed(f)) continue;
+      add_face(f);
+      for (int part : model_.face_parts[f]) items.emplace_back(face_item(f), part);
+    }
+    for (std::size_t e = 0; e < model_.edges.size(); ++e) {
+      if (!has_lines_of_wire(e)) continue;
+      add_ends(model_.edges[e], edge_item(e));
+      items.emplace_back(edge_item(e), model_.edge_part[e]);
+    }
     std::map<int, std::vector<char>> parts;  // per component: whether it has each part
     auto note = [&](int item, int part) {
       std::vector<char>& has = parts[together_.find(item)];
       has.resize(model_.parts.size(), 0);
       has[part] = 1;
     };
-    for (std::size_t f = 0; f < model_.faces.size(); ++f)
-      if (is_meshed(f))
-        for (int part : model_.face_parts[f]) note(face_item(f), part);
-    for (std::size_t e = 0; e < model_.edges.size(); ++e)
-      if (has_lines_of_wire(e)) note(edge_item(e), model_.edge_part[e]);
+    for (const auto& [item, part] : items) note(item, part);
     for (const PartPoint& point : model_.points)
       if (point.part >= 0 && parts.contains(together_.find(vertex_item(point.vertex))))
         note(vertex_item(point.vertex), point.part);

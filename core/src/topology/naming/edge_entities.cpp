@@ -1,9 +1,7 @@
 // In: model. Out: entity of every edge, names and groups of the entities.
-#include "topology/naming/edge_entities.h"
-
 #include <algorithm>
 
-#include "paver/result.h"
+#include "topology/naming/named_parts.h"
 
 namespace paver {
 namespace {

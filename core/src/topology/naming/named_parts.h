@@ -1,7 +1,9 @@
-// What users name in a model: parts as read, groups of the mesh, solids with their media.
+// What users name in a model: parts as read, groups of the mesh, solids with their media; what edges are called in
+// files; which parts hang together.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "paver/options.h"
 #include "topology/model.h"
@@ -27,5 +29,18 @@ std::vector<Volume> list_volumes(const Model& model);
 
 /// Parts of ports and wires that are not in the mesh under their name: "Edge5 of 'Feed'".
 std::vector<std::string> lost_parts(const Options& options, const Model& model, const MeshResult& result);
+
+struct EdgeEntities {
+  std::vector<int> of_edge;  ///< per edge of the model: its entity
+  /// Per entity. The first are the edges of the shape as read, then follow those that dividing and connecting added,
+  /// and pieces of an edge that are in another group than its other pieces ("Junction1", "Piece2").
+  std::vector<std::string> names, groups;
+};
+
+EdgeEntities list_edge_entities(const Model& model);
+
+/// Sets of parts whose meshes share nodes, each by name, parts and sets in the order of the model. `entries`: reports
+/// of the faces; those that are not meshed hang nothing together.
+std::vector<std::vector<std::string>> find_components(const Model& model, const std::vector<FaceReport>& entries);
 
 }  // namespace paver
