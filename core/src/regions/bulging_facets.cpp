@@ -1,14 +1,14 @@
 // In: facets with middles. Out: those to be divided.
-// A sweep over their boxes; sides of order 2 as chains of chords.
+// Pairs whose boxes meet; sides of order 2 as chains of chords.
 #include "regions/bulging_facets.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <set>
+#include <utility>
 
-#include "base/box.h"
+#include "base/boxes/box_pairs.h"
 #include "base/segment.h"
 #include "regions/curves_apart.h"
 
@@ -49,15 +49,12 @@ class CrowdedFacets {
   }
 
   std::vector<int> find() {
-    std::vector<std::size_t> order(facets_.size()), open;
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t f) { return boxes_[f].low.x; });
-    for (const std::size_t f : order) {
-      std::erase_if(open, [&](std::size_t other) { return boxes_[other].high.x < boxes_[f].low.x; });
-      for (const std::size_t other : open)
-        if (boxes_[f].meets(boxes_[other])) judge(f, other);
-      open.push_back(f);
-    }
+    // Of two that bulge alike the one farther right is divided.
+    auto place = [&](int f) { return std::pair(boxes_[f].low.x, f); };
+    for_meeting(boxes_, [&](int i, int j) {
+      if (place(i) < place(j)) std::swap(i, j);
+      judge(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+    });
     return {found_.begin(), found_.end()};
   }
 

@@ -1,6 +1,5 @@
 // In: region. Out: pairs of facets.
-// Steps: nodes; a tree of boxes about the facets, halved along the longer side; pairs of boxes that meet, down to pairs
-// of facets; these by exact orientation tests.
+// Steps: nodes; pairs of facets whose boxes meet; these by exact orientation tests.
 #include "regions/crossing_facets.h"
 
 #include <algorithm>
@@ -8,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "base/box.h"
+#include "base/boxes/box_pairs.h"
 #include "base/predicates.h"
 #include "base/segment.h"
 
@@ -22,109 +21,44 @@ struct Segment {
   LoopFacet facet;
   int a, b;  // nodes
   int edge;
-  Box box;
-  Vec3 middle() const { return 0.5 * (box.low + box.high); }
 };
 
-class FacetTree {
+class FacetPairs {
  public:
-  FacetTree(const Region& region, std::size_t most) : most_(most) {
+  explicit FacetPairs(const Region& region) {
     LoopNodes nodes = number_loop_nodes(region);
     at_ = std::move(nodes.at);
-    for (std::size_t l = 0; l < region.loops.size(); ++l)
-      add_loop(static_cast<int>(l), nodes.of_loop[l], &region.loops[l]);
-    for (const Fan& fan : region.fans) add_ring(fan);
-    if (!segments_.empty()) build(0, segments_.size());
+    for (std::size_t l = 0; l < region.loops.size(); ++l) add_loop(nodes.of_loop[l], &region.loops[l]);
+    for (const Fan& fan : region.fans) {
+      std::vector<int> ring;
+      for (const LoopNode& node : fan.ring) {
+        ring.push_back(static_cast<int>(at_.size()));
+        at_.push_back(node.p);
+      }
+      add_loop(ring, nullptr);
+    }
   }
 
-  std::vector<std::array<LoopFacet, 2>> pairs() {
-    if (!boxes_.empty()) visit_within(0);
-    std::sort(found_.begin(), found_.end());
-    if (found_.size() > most_) found_.resize(most_);
-    return std::move(found_);
+  std::vector<std::array<LoopFacet, 2>> find(std::size_t most) const {
+    std::vector<std::array<LoopFacet, 2>> found;
+    for_meeting(boxes_, [&](int i, int j) {
+      const Segment &s = segments_[std::min(i, j)], &t = segments_[std::max(i, j)];
+      if (found.size() < most && has_trouble(s, t)) found.push_back({s.facet, t.facet});
+    });
+    std::sort(found.begin(), found.end());
+    return found;
   }
 
  private:
-  struct Node {
-    Box box;
-    std::size_t first, last;  // of segments_
-    int low = -1, high = -1;  // halves; -1 at a leaf
-  };
-  static constexpr std::size_t leaf_size = 4;
-
-  void add_loop(int loop, const std::vector<int>& nodes, const std::vector<LoopNode>* edges) {
+  void add_loop(const std::vector<int>& nodes, const std::vector<LoopNode>* edges) {
     for (std::size_t i = 0, n = nodes.size(); i < n; ++i) {
-      Segment s{{loop, static_cast<int>(i)}, nodes[i], nodes[(i + 1) % n], edges ? (*edges)[i].edge : -1, {}};
-      s.box.add(at_[s.a]);
-      s.box.add(at_[s.b]);
+      const Segment s{{loops_, static_cast<int>(i)}, nodes[i], nodes[(i + 1) % n], edges ? (*edges)[i].edge : -1};
       segments_.push_back(s);
+      Box& box = boxes_.emplace_back();
+      box.add(at_[s.a]);
+      box.add(at_[s.b]);
     }
     ++loops_;
-  }
-
-  void add_ring(const Fan& fan) {
-    std::vector<int> nodes;
-    for (const LoopNode& node : fan.ring) {
-      nodes.push_back(static_cast<int>(at_.size()));
-      at_.push_back(node.p);
-    }
-    add_loop(loops_, nodes, nullptr);
-  }
-
-  int build(std::size_t first, std::size_t last) {
-    const int here = static_cast<int>(boxes_.size());
-    boxes_.push_back({{}, first, last, -1, -1});
-    Box box;
-    for (std::size_t i = first; i < last; ++i) box.add(segments_[i].box);
-    boxes_[here].box = box;
-    auto begin = segments_.begin();
-    if (last - first <= leaf_size) {
-      std::ranges::sort(begin + static_cast<long>(first), begin + static_cast<long>(last), {}, &Segment::facet);
-      return here;
-    }
-    const bool is_wide = box.high.x - box.low.x > box.high.y - box.low.y;
-    auto before = [&](const Segment& s, const Segment& t) {
-      const double p = is_wide ? s.middle().x : s.middle().y, q = is_wide ? t.middle().x : t.middle().y;
-      return p < q || (p == q && s.facet < t.facet);
-    };
-    const std::size_t middle = first + (last - first) / 2;
-    std::nth_element(begin + static_cast<long>(first), begin + static_cast<long>(middle),
-                     begin + static_cast<long>(last), before);
-    const int low = build(first, middle), high = build(middle, last);
-    boxes_[here].low = low, boxes_[here].high = high;
-    return here;
-  }
-
-  void visit_within(int node) {
-    const Node& n = boxes_[node];
-    if (n.low < 0) {
-      for (std::size_t i = n.first; i < n.last; ++i)
-        for (std::size_t j = n.first; j < i; ++j) test(segments_[i], segments_[j]);
-      return;
-    }
-    visit_within(n.low);
-    visit_within(n.high);
-    visit_between(n.low, n.high);
-  }
-
-  void visit_between(int one, int other) {
-    const Node &a = boxes_[one], &b = boxes_[other];
-    if (!a.box.meets(b.box) || found_.size() >= most_) return;
-    if (a.low < 0 && b.low < 0) {
-      for (std::size_t i = a.first; i < a.last; ++i)
-        for (std::size_t j = b.first; j < b.last; ++j) test(segments_[i], segments_[j]);
-    } else if (b.low < 0 || (a.low >= 0 && a.last - a.first >= b.last - b.first)) {
-      visit_between(a.low, other);
-      visit_between(a.high, other);
-    } else {
-      visit_between(one, b.low);
-      visit_between(one, b.high);
-    }
-  }
-
-  void test(const Segment& s, const Segment& t) {
-    if (!s.box.meets(t.box) || !has_trouble(s, t)) return;
-    found_.push_back(s.facet < t.facet ? std::array{s.facet, t.facet} : std::array{t.facet, s.facet});
   }
 
   bool has_trouble(const Segment& s, const Segment& t) const {
@@ -146,11 +80,9 @@ class FacetTree {
     return std::abs(orientation(o, at_[one], at_[other])) <= no_angle * norm(a) * norm(b) && dot(a, b) > 0;
   }
 
-  const std::size_t most_;
   std::vector<Vec2> at_;
-  std::vector<Segment> segments_;
-  std::vector<Node> boxes_;
-  std::vector<std::array<LoopFacet, 2>> found_;
+  std::vector<Segment> segments_;  // in the order of their facets
+  std::vector<Box> boxes_;         // of them
   int loops_ = 0;
 };
 
@@ -192,7 +124,7 @@ LoopNodes number_loop_nodes(const Region& region) {
 }
 
 std::vector<std::array<LoopFacet, 2>> crossing_facets(const Region& region, std::size_t most) {
-  auto pairs = FacetTree(region, most).pairs();
+  auto pairs = FacetPairs(region).find(most);
   for (std::size_t f = 0; f < region.fans.size() && pairs.size() < most; ++f)
     if (auto facet = facet_that_cuts_off(region, region.fans[f].centre.p))
       pairs.push_back({*facet, {static_cast<int>(region.loops.size() + f), 0}});

@@ -12,9 +12,9 @@
 #include <tuple>
 #include <vector>
 
+#include "base/boxes/box_pairs.h"
 #include "base/tasks/gather.h"
 #include "base/tasks/tasks.h"
-#include "check/near/box_pairs.h"
 #include "check/near/cell_table.h"
 #include "check/near/mesh_pieces.h"
 #include "paver/ranks.h"

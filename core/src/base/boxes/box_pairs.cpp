@@ -1,5 +1,5 @@
 // Steps: halves of the boxes along the longest side of what holds them all; pairs within each; pairs between both.
-#include "check/near/box_pairs.h"
+#include "base/boxes/box_pairs.h"
 
 #include <algorithm>
 #include <numeric>
