@@ -26,6 +26,12 @@ struct EdgeNodes {
   std::vector<double> node_target;  ///< per node: target length there
   std::vector<EdgeDivision> edges;  ///< per edge of the model; degenerate edges: no intervals
   std::vector<int> node_of_vertex;  ///< per vertex of the model; -1 where no divided edge uses it
+
+  /// The new node's number.
+  int add(Vec3 x, int edge, double target) {
+    nodes.push_back(x), node_edge.push_back(edge), node_target.push_back(target);
+    return static_cast<int>(nodes.size()) - 1;
+  }
 };
 
 /// Interval counts per edge: max(1, round(integral of ds/h)), at least 3 on an edge that closes on itself, no interval

@@ -1,6 +1,7 @@
 // The charts: rows of constant v side by side, or polar about a pole or an axis.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -69,7 +70,13 @@ struct ParameterBox {
 
   /// (u, v) of a place in the box, or the place of (u, v).
   Vec2 uv(Vec2 place) const { return is_swapped ? Vec2{place.y, place.x} : place; }
+  /// Below and above a cut at y, which is no pole.
+  std::array<ParameterBox, 2> halves(double y) const;
 };
+
+inline std::array<ParameterBox, 2> ParameterBox::halves(double y) const {
+  return {{{lo, {hi.x, y}, is_swapped, low_pole, false}, {{lo.x, y}, hi, is_swapped, false, high_pole}}};
+}
 
 /// Mean |S_u| and arc length along v, tabulated over the box: what both charts are scaled by.
 class MeridianTable {

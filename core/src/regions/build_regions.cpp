@@ -2,7 +2,9 @@
 #include "regions/build_regions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <unordered_map>
 
 #include "base/cells.h"
@@ -294,7 +296,7 @@ class RegionBuilder {
           auto& [node, uv] = at->second;
           if (is_new) {
             uv = region.chart->uv(fill.block->place(i, j));
-            node = append(face_.surface->point(uv), region.size.at(uv, *face_.surface));
+            node = nodes_.add(face_.surface->point(uv), -1, region.size.at(uv, *face_.surface));
           }
           const Vec2 here = nearest_image(uv, closed.layout.blocks[b].middle, closed.layout.period);
           loop.push_back({node, -1, region.chart->to_chart(here), nodes_.nodes[node], nodes_.node_target[node], -1});
@@ -305,41 +307,34 @@ class RegionBuilder {
 
   // Two regions with a common artificial loop of fixed nodes.
   void build_halves(const std::vector<Loop>& loops, std::vector<Region>& regions) {
-    ParameterBox low = layout_.box, high = layout_.box;
-    low.hi.y = high.lo.y = layout_.cut;
-    low.high_pole = high.low_pole = false;
-    Region a = make_region(), b = make_region();
-    a.goes_round = b.goes_round = true;
+    const std::array<ParameterBox, 2> boxes = layout_.box.halves(layout_.cut);
+    std::array<Region, 2> halves{make_region(), make_region()};
+    std::array<Slits, 2> slits;
+    for (std::size_t k : {0, 1}) {
+      halves[k].goes_round = true;
+      halves[k].chart = make_polar_chart(*halves[k].surface, boxes[k], layout_.period);
+    }
     if (loops.empty()) {
-      const double of_low = area_of(low), of_high = area_of(high);
-      a.own_area = face_.area * of_low / (of_low + of_high), b.own_area = face_.area - a.own_area;
+      const double of_low = area_of(boxes[0]), of_high = area_of(boxes[1]);
+      halves[0].own_area = face_.area * of_low / (of_low + of_high);
+      halves[1].own_area = face_.area - halves[0].own_area;
     }
-    a.chart = make_polar_chart(*a.surface, low, layout_.period);
-    b.chart = make_polar_chart(*b.surface, high, layout_.period);
-    Slits slits_a, slits_b;
+    auto half_at = [&](double meridian) { return meridian < layout_.cut ? 0U : 1U; };
     for (const Loop& loop : loops) {
-      bool is_low = meridian_of(loop) < layout_.cut;
-      add_loop(loop, is_low ? a : b, is_low ? slits_a : slits_b);
+      const std::size_t k = half_at(meridian_of(loop));
+      add_loop(loop, halves[k], slits[k]);
     }
-    settle_loops(slits_a, a);
-    settle_loops(slits_b, b);
     std::vector<LoopNode> ring = cut_nodes();
-    for (LoopNode& node : ring) node.p = b.chart->to_chart(uv_[&node - ring.data()]);
-    // The ring runs along the period: it has the high side on its left unless the box is swapped.
-    std::vector<LoopNode> forward = ring;
-    for (LoopNode& node : ring) node.p = a.chart->to_chart(uv_[&node - ring.data()]);
-    std::vector<LoopNode> backward(ring.rbegin(), ring.rend());
-    if (layout_.box.is_swapped) {
-      std::reverse(forward.begin(), forward.end());
-      std::reverse(backward.begin(), backward.end());
+    for (std::size_t k : {0, 1}) {
+      settle_loops(slits[k], halves[k]);
+      for (std::size_t i = 0; i < ring.size(); ++i) ring[i].p = halves[k].chart->to_chart(uv_[i]);
+      // The ring runs along the period: it has the high side on its left unless the box is swapped.
+      const bool is_forward = (k == 1) != layout_.box.is_swapped;
+      halves[k].loops.push_back(is_forward ? ring : std::vector<LoopNode>(ring.rbegin(), ring.rend()));
+      add_fan(boxes[k], halves[k]);
     }
-    a.loops.push_back(std::move(backward));
-    b.loops.push_back(std::move(forward));
-    add_fan(low, a);
-    add_fan(high, b);
-    for (const InnerPoint& point : face_.points) add_point(point, layout_.box.uv(point.uv).y < layout_.cut ? a : b);
-    regions.push_back(std::move(a));
-    regions.push_back(std::move(b));
+    for (const InnerPoint& point : face_.points) add_point(point, halves[half_at(layout_.box.uv(point.uv).y)]);
+    std::ranges::move(halves, std::back_inserter(regions));
   }
 
   /// How far to go along the meridian from a pole for a way of length `reach`; `guess` as if it went on as it starts.
@@ -403,17 +398,10 @@ class RegionBuilder {
       node.x = face_.surface->point(uv_.back());
       node.h = target_at(uv_.back());
       node.angle = M_PI;
-      node.global = append(node.x, node.h);
+      node.global = nodes_.add(node.x, -1, node.h);
       ring.push_back(node);
     }
     return ring;
-  }
-
-  int append(Vec3 x, double h) {
-    nodes_.nodes.push_back(x);
-    nodes_.node_edge.push_back(-1);
-    nodes_.node_target.push_back(h);
-    return static_cast<int>(nodes_.nodes.size()) - 1;
   }
 
   // An apex must be a node: quads about it in advance, as many as the surface's angle there asks for. The same for a
@@ -438,7 +426,7 @@ class RegionBuilder {
     fan.centre.h = std::min(h, radius);
     fan.centre.p = {0, 0};
     const int vertex = pole_vertex(shape.apex);
-    fan.centre.global = vertex >= 0 ? node_at(vertex, fan.centre.h) : append(shape.apex, fan.centre.h);
+    fan.centre.global = vertex >= 0 ? node_at(vertex, fan.centre.h) : nodes_.add(shape.apex, -1, fan.centre.h);
     constexpr double farthest = 1.4, least_cosine = 0.7;  // of the corners between a fan's spokes
     double half = shape.cone_angle / (2 * quads);
     for (int i = 0; i < 2 * quads; ++i) {
@@ -516,7 +504,9 @@ class RegionBuilder {
       double angle = M_PI * i / quads, reach = i % 2 ? M_SQRT2 * side : side;
       Vec3 way = reach * (std::cos(angle) * across + std::sin(angle) * up);
       LoopNode node;
-      node.p = region.chart->walk(fan.centre.p, step_along(xp, xq, way));
+      Vec2 step;
+      pull_back(xp, xq, way, step);
+      node.p = region.chart->walk(fan.centre.p, step);
       node.x = region.point(node.p);
       node.h = std::max(side, least_side * fan.centre.h);
       fan.ring.push_back(node);
@@ -524,16 +514,9 @@ class RegionBuilder {
     region.fans.push_back(std::move(fan));
   }
 
-  /// Chart displacement whose image is the tangent vector `way`.
-  static Vec2 step_along(Vec3 xp, Vec3 xq, Vec3 way) {
-    double pp = dot(xp, xp), pq = dot(xp, xq), qq = dot(xq, xq), p = dot(xp, way), q = dot(xq, way);
-    double det = pp * qq - pq * pq;
-    return {(qq * p - pq * q) / det, (pp * q - pq * p) / det};
-  }
-
   int node_at(int vertex, double h) {
     int& known = nodes_.node_of_vertex[vertex];
-    if (known < 0) known = append(model_.vertices[vertex], h);
+    if (known < 0) known = nodes_.add(model_.vertices[vertex], -1, h);
     return known;
   }
 

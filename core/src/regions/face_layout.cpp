@@ -133,9 +133,7 @@ class LayoutPlanner {
   void choose_polar() {
     if (layout_.box.low_pole && layout_.box.high_pole) {
       if (!find_cut()) return;
-      ParameterBox low = layout_.box, high = layout_.box;
-      low.hi.y = high.lo.y = layout_.cut;
-      low.high_pole = high.low_pole = false;
+      const auto [low, high] = layout_.box.halves(layout_.cut);
       if (make_polar_chart(*face_.surface, low, layout_.period) &&
           make_polar_chart(*face_.surface, high, layout_.period))
         layout_.kind = LayoutKind::two_polar;

@@ -139,10 +139,8 @@ std::vector<DividedSide> divide_intervals(const Model& model, std::vector<SideTo
     EdgeDivision& division = nodes.edges[side.edge];
     for (int i = 0; i < division.intervals(); ++i) {
       if (std::minmax(division.node[i], division.node[i + 1]) != std::minmax(side.a, side.b)) continue;
-      const int node = static_cast<int>(nodes.nodes.size());
-      nodes.nodes.push_back(division.x[2 * static_cast<std::size_t>(i) + 1]);
-      nodes.node_edge.push_back(side.edge);
-      nodes.node_target.push_back(0.5 * (nodes.node_target[side.a] + nodes.node_target[side.b]));
+      const int node = nodes.add(division.x[2 * static_cast<std::size_t>(i) + 1], side.edge,
+                                 0.5 * (nodes.node_target[side.a] + nodes.node_target[side.b]));
       divide(*model.edges[side.edge].curve, static_cast<std::size_t>(i), node, division);
       divided.push_back({side.a, side.b, node});
       break;
