@@ -13,11 +13,6 @@
 #include "quality/metric_figures.h"
 
 namespace paver {
-namespace {
-
-constexpr int rings_of_mending = 12;  // farther than straighten_at_edges() reaches
-
-}  // namespace
 
 Assembler::Assembler(const Model& model, const EdgeNodes& nodes, const std::vector<Region>& regions, PartPaver& paver,
                      const Options& options, Progress& progress, Ranks& ranks, std::function<void(Stage)> begin,
@@ -125,7 +120,7 @@ void Assembler::curve() {
     for (auto [a, b] : paver_.outline_sides(static_cast<int>(r)))
       outlines.push_back({regions_[r].face, std::min(a, b), std::max(a, b), nullptr, {}, {}});
   cuts_.emplace(regions_, std::move(outlines));
-  curved_ = curve_elements(joined_, nodes_, model_, *cuts_, parts_, options_.threads, progress_);
+  curved_ = curve_elements({joined_, nodes_, model_, *cuts_, parts_, options_.threads}, progress_);
   mesh_ = std::move(curved_.mesh);
   find_invalid();
 }
@@ -185,8 +180,9 @@ void Assembler::straighten_last() {
 
 // Sides on B-rep edges have neighbours on other ranks: all mend the same neighbourhood, each keeps what is its own.
 RepairResult Assembler::straighten() {
+  constexpr int rings = 12;  // farther than straighten_at_edges() reaches
   number();
-  Neighbourhood about = gather_neighbourhood(share_, invalid_quads_, invalid_triangles_, rings_of_mending, ranks_);
+  Neighbourhood about = gather_neighbourhood(share_, invalid_quads_, invalid_triangles_, rings, ranks_);
   RepairResult result = straighten_at_edges(about.mesh, is_valid, about.invalid_quads, about.invalid_triangles);
   put_nodes_back(about, share_);
   result.moved = rows_here(result.moved, about.node_number, share_.node_number);

@@ -19,15 +19,7 @@ struct Line {
 
 class Raiser {
  public:
-  Raiser(const JoinedMesh& linear, const EdgeNodes& edges, const Model& model, const Cuts& cuts,
-         const std::vector<CurvingPart>& parts, int threads)
-      : linear_(linear),
-        edges_(edges),
-        model_(model),
-        cuts_(cuts),
-        parts_(parts),
-        threads_(threads),
-        cost_(part_costs(linear.sizes)) {}
+  explicit Raiser(const CurvingTask& task) : task_(task), parts_(task.parts), cost_(part_costs(task.linear.sizes)) {}
 
   OrderTwoMesh run() {
     copy_linear();
@@ -42,11 +34,11 @@ class Raiser {
   SurfaceMesh& mesh() { return result_.mesh; }
 
   void copy_linear() {
-    const SurfaceMesh& from = linear_.mesh;
+    const SurfaceMesh& from = task_.linear.mesh;
     mesh().order = 2;
     // Room for all that may follow, so that no large array is copied again: two sides and a centre per quad.
     const std::size_t most = from.nodes.size() + 3 * (from.quad_count() + from.triangle_count()) +
-                             3 * from.line_edge.size() + 2 * cuts_.sides().size();
+                             3 * from.line_edge.size() + 2 * task_.cuts.sides().size();
     auto copy = [&](const auto& values, auto& to) {
       to.reserve(most);
       to.insert(to.end(), values.begin(), values.end());
@@ -61,13 +53,13 @@ class Raiser {
   }
 
   void number_lines() {
-    std::vector<std::size_t> interval_of_edge(edges_.edges.size(), 0);
+    std::vector<std::size_t> interval_of_edge(task_.edges.edges.size(), 0);
     for (std::size_t i = 0; i < mesh().line_edge.size(); ++i) {
       const int edge = mesh().line_edge[i];
       const std::size_t interval = interval_of_edge[edge]++;
-      const int a = linear_.mesh.lines[2 * i], b = linear_.mesh.lines[2 * i + 1];
+      const int a = task_.linear.mesh.lines[2 * i], b = task_.linear.mesh.lines[2 * i + 1];
       const int node = static_cast<int>(mesh().nodes.size());
-      mesh().nodes.push_back(edges_.edges[edge].x.at(2 * interval + 1));
+      mesh().nodes.push_back(task_.edges.edges[edge].x.at(2 * interval + 1));
       mesh().node_edge.push_back(edge);
       mesh().lines.insert(mesh().lines.end(), {a, b, node});
       lines_.push_back({std::min(a, b), std::max(a, b), edge, node});
@@ -77,7 +69,7 @@ class Raiser {
 
   void number_parts() {
     result_.sides.resize(parts_.size());
-    run_tasks(threads_, cost_, [&](int i) {
+    run_tasks(task_.threads, cost_, [&](int i) {
       if (parts_[i].mesh) result_.sides[i] = number_sides(*parts_[i].mesh);
     });
   }
@@ -87,7 +79,7 @@ class Raiser {
     auto [a, b] = std::minmax(one, other);
     auto line = std::lower_bound(lines_.begin(), lines_.end(), Line{a, b, -1, -1});
     for (; line != lines_.end() && line->a == a && line->b == b; ++line) {
-      const std::vector<int>& faces = model_.edges[line->edge].faces;
+      const std::vector<int>& faces = task_.model.edges[line->edge].faces;
       if (std::find(faces.begin(), faces.end(), face) != faces.end()) return line->node;
     }
     return -1;
@@ -96,25 +88,24 @@ class Raiser {
   int cut_of(const CurvingPart& part, int v, int w) const {
     const std::vector<int>& global = part.mesh->global;
     if (global[v] < 0 || global[w] < 0) return -1;
-    const std::size_t boundary = edges_.nodes.size();
-    return cuts_.find(part.region->face, shared_node(global[v], part.outline, boundary),
-                      shared_node(global[w], part.outline, boundary));
+    const std::size_t boundary = task_.edges.nodes.size();
+    return task_.cuts.find(part.region->face, shared_node(global[v], part.outline, boundary),
+                           shared_node(global[w], part.outline, boundary));
   }
 
   // Cuts that are used get their nodes first; border sides on neither line nor cut count as the part's own.
   void number_nodes() {
-    std::vector<std::vector<int>>& cut = result_.border_cut;
-    cut.resize(parts_.size());
-    result_.border_node.resize(parts_.size());
-    result_.cut_node.assign(cuts_.sides().size(), -1);
+    result_.cut_node.assign(task_.cuts.sides().size(), -1);
     constexpr int is_used = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-      for (auto [v, w] : result_.sides[i].border) {
+      PartSides& sides = result_.sides[i];
+      for (auto [v, w] : sides.border) {
         const std::vector<int>& node_of = *parts_[i].node_of;
-        int node = line_node(node_of[v], node_of[w], parts_[i].region->face);
-        cut[i].push_back(node < 0 ? cut_of(parts_[i], v, w) : -1);
-        if (cut[i].back() >= 0) result_.cut_node[cut[i].back()] = is_used;
-        result_.border_node[i].push_back(node);
+        const int node = line_node(node_of[v], node_of[w], parts_[i].region->face);
+        const int cut = node < 0 ? cut_of(parts_[i], v, w) : -1;
+        if (cut >= 0) result_.cut_node[cut] = is_used;
+        sides.border_cut.push_back(cut);
+        sides.border_node.push_back(node);
       }
     }
     int next = static_cast<int>(mesh().nodes.size());
@@ -122,16 +113,16 @@ class Raiser {
       if (node == is_used) node = next++;
     result_.first_inside = next;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-      result_.first_own.push_back(next);
       PartSides& sides = result_.sides[i];
-      for (std::size_t k = 0; k < cut[i].size(); ++k) {
-        int& node = result_.border_node[i][k];
-        if (cut[i][k] >= 0) node = result_.cut_node[cut[i][k]];
+      sides.first_own = next;
+      for (std::size_t k = 0; k < sides.border.size(); ++k) {
+        int& node = sides.border_node[k];
+        if (sides.border_cut[k] >= 0) node = result_.cut_node[sides.border_cut[k]];
         if (node >= 0) continue;
         node = next + static_cast<int>(sides.inside.size());
         sides.inside.push_back(sides.border[k]);
       }
-      const long own = static_cast<long>(sides.inside.size()) + linear_.sizes[i].quads;
+      const long own = static_cast<long>(sides.inside.size()) + task_.linear.sizes[i].quads;
       result_.own_nodes.push_back(own);
       next += static_cast<int>(own);
     }
@@ -143,37 +134,33 @@ class Raiser {
   void fill_elements() {
     mesh().quads.resize(9 * mesh().quad_count());
     mesh().triangles.resize(6 * mesh().triangle_count());
-    const std::vector<PartRows> first = part_rows(linear_.sizes);
-    run_tasks(threads_, cost_, [&](int i) {
+    const std::vector<PartRows> first = part_rows(task_.linear.sizes);
+    run_tasks(task_.threads, cost_, [&](int i) {
       if (parts_[i].mesh) fill_part(static_cast<std::size_t>(i), first[i].quad, first[i].triangle);
     });
   }
 
   void fill_part(std::size_t i, std::size_t quad, std::size_t triangle) {
     const PartSides& sides = result_.sides[i];
-    int centre = result_.first_own[i] + static_cast<int>(sides.inside.size());
-    const bool is_reversed = model_.faces[parts_[i].region->face].is_reversed;
+    int centre = sides.first_own + static_cast<int>(sides.inside.size());
+    const bool is_reversed = task_.model.faces[parts_[i].region->face].is_reversed;
     const std::vector<Element>& elements = parts_[i].mesh->elements;
     for (std::size_t e = 0; e < elements.size(); ++e) {
       if (!elements[e].is_alive()) continue;
       const int n = elements[e].corners();
       int* to = n == 4 ? &mesh().quads[9 * quad] : &mesh().triangles[6 * triangle];
-      const int* from = n == 4 ? &linear_.mesh.quads[4 * quad++] : &linear_.mesh.triangles[3 * triangle++];
+      const int* from = n == 4 ? &task_.linear.mesh.quads[4 * quad++] : &task_.linear.mesh.triangles[3 * triangle++];
       for (int k = 0; k < n; ++k) {
         const int side = sides.of_element[e][is_reversed ? n - 1 - k : k];
         to[k] = from[k];
-        to[n + k] = side >= 0 ? result_.first_own[i] + side : result_.border_node[i][-1 - side];
+        to[n + k] = side >= 0 ? sides.first_own + side : sides.border_node[-1 - side];
       }
       if (n == 4) to[8] = centre++;
     }
   }
 
-  const JoinedMesh& linear_;
-  const EdgeNodes& edges_;
-  const Model& model_;
-  const Cuts& cuts_;
+  const CurvingTask& task_;
   const std::vector<CurvingPart>& parts_;
-  const int threads_;
   const std::vector<double> cost_;
   std::vector<Line> lines_;
   OrderTwoMesh result_;
@@ -205,10 +192,7 @@ PartSides number_sides(const RegionMesh& mesh) {
   return sides;
 }
 
-OrderTwoMesh number_order_2(const JoinedMesh& linear, const EdgeNodes& edges, const Model& model, const Cuts& cuts,
-                            const std::vector<CurvingPart>& parts, int threads) {
-  return Raiser(linear, edges, model, cuts, parts, threads).run();
-}
+OrderTwoMesh number_order_2(const CurvingTask& task) { return Raiser(task).run(); }
 
 Vec3 blended_centre(const SurfaceMesh& mesh, int quad) {
   const int* nodes = &mesh.quads[9 * static_cast<std::size_t>(quad)];

@@ -10,30 +10,29 @@ namespace paver {
 namespace {
 
 /// Per side inside the part: its middle's place in the chart.
-std::vector<Vec2> place_sides(const CurvingPart& part, const std::vector<std::array<int, 2>>& sides, int first,
-                              SurfaceMesh& mesh) {
+std::vector<Vec2> place_sides(const CurvingPart& part, const PartSides& sides, SurfaceMesh& mesh) {
   const std::vector<int>& node_of = *part.node_of;
-  std::vector<Vec2> places(sides.size());
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    auto [v, w] = sides[k];
-    places[k] = guess_middle(*part.region, *part.mesh, v, w, {});
-    mesh.nodes[first + static_cast<int>(k)] = side_middle(*part.region, side_end(*part.mesh, v, mesh.nodes[node_of[v]]),
-                                                          side_end(*part.mesh, w, mesh.nodes[node_of[w]]), places[k]);
+  std::vector<Vec2> places;
+  int next = sides.first_own;
+  for (auto [v, w] : sides.inside) {
+    Vec2& place = places.emplace_back(guess_middle(*part.region, *part.mesh, v, w, {}));
+    mesh.nodes[next++] = side_middle(*part.region, side_end(*part.mesh, v, mesh.nodes[node_of[v]]),
+                                     side_end(*part.mesh, w, mesh.nodes[node_of[w]]), place);
   }
   return places;
 }
 
 // Where a cut has a place of its own it counts, so that all parts and ranks find the same, to the last bit; else the
-// part's. `boundary`: nodes of the boundary stage.
-void place_cuts(const OrderTwoMesh& raised, const Cuts& cuts, const CurvingPart& part, std::size_t i,
-                std::size_t boundary, SurfaceMesh& mesh, std::vector<char>& is_placed) {
-  for (std::size_t k = 0; k < raised.border_cut[i].size(); ++k) {
-    const int number = raised.border_cut[i][k];
+// part's.
+void place_cuts(const PartSides& sides, const CurvingTask& task, const CurvingPart& part, SurfaceMesh& mesh,
+                std::vector<char>& is_placed) {
+  for (std::size_t k = 0; k < sides.border.size(); ++k) {
+    const int number = sides.border_cut[k];
     if (number < 0 || is_placed[number]) continue;
     is_placed[number] = 1;
-    const CutSide& cut = cuts.sides()[number];
-    auto [v, w] = raised.sides[i].border[k];
-    if (shared_node(part.mesh->global[v], part.outline, boundary) != cut.a) std::swap(v, w);
+    const CutSide& cut = task.cuts.sides()[number];
+    auto [v, w] = sides.border[k];
+    if (shared_node(part.mesh->global[v], part.outline, task.edges.nodes.size()) != cut.a) std::swap(v, w);
     const Region& region = cut.region ? *cut.region : *part.region;
     auto end_of = [&](int node, Vec2 place) {
       SideEnd end = side_end(*part.mesh, node, mesh.nodes[(*part.node_of)[node]]);
@@ -45,18 +44,18 @@ void place_cuts(const OrderTwoMesh& raised, const Cuts& cuts, const CurvingPart&
     };
     const SideEnd a = end_of(v, cut.pa), b = end_of(w, cut.pb);
     Vec2 middle = half_way(region, a.p, b.p);
-    mesh.nodes[raised.border_node[i][k]] = side_middle(region, a, b, middle);
+    mesh.nodes[sides.border_node[k]] = side_middle(region, a, b, middle);
   }
 }
 
 /// Places the centres of a part's quads, of which `quad` is the first, with what is known of its sides.
-void place_centres(const CurvingPart& part, const PartSides& sides, const std::vector<int>& border_node,
-                   const std::vector<Vec2>& places, std::size_t quad, SurfaceMesh& mesh) {
+void place_centres(const CurvingPart& part, const PartSides& sides, const std::vector<Vec2>& places, std::size_t quad,
+                   SurfaceMesh& mesh) {
   auto middle_place = [&](int side) {
     if (side >= 0) return places[side];
     auto [v, w] = sides.border[-1 - side];
     auto position = [&](int node) { return mesh.nodes[(*part.node_of)[node]]; };
-    const Vec3 middle = mesh.nodes[border_node[-1 - side]];
+    const Vec3 middle = mesh.nodes[sides.border_node[-1 - side]];
     return guess_middle(*part.region, *part.mesh, v, w, middle - 0.5 * (position(v) + position(w)));
   };
   const std::vector<Element>& elements = part.mesh->elements;
@@ -74,20 +73,19 @@ void place_centres(const CurvingPart& part, const PartSides& sides, const std::v
 
 }  // namespace
 
-CurvedMesh curve_elements(const JoinedMesh& linear, const EdgeNodes& edges, const Model& model, const Cuts& cuts,
-                          const std::vector<CurvingPart>& parts, int threads, const Progress& progress) {
-  OrderTwoMesh raised = number_order_2(linear, edges, model, cuts, parts, threads);
+CurvedMesh curve_elements(const CurvingTask& task, const Progress& progress) {
+  const std::vector<CurvingPart>& parts = task.parts;
+  OrderTwoMesh raised = number_order_2(task);
   SurfaceMesh& mesh = raised.mesh;
-  std::vector<char> is_placed(cuts.sides().size(), 0);
+  std::vector<char> is_placed(task.cuts.sides().size(), 0);
   for (std::size_t i = 0; i < parts.size(); ++i)
-    if (parts[i].mesh) place_cuts(raised, cuts, parts[i], i, edges.nodes.size(), mesh, is_placed);
-  const std::vector<PartRows> first = part_rows(linear.sizes);
-  run_tasks(threads, part_costs(linear.sizes), [&](int i) {
+    if (parts[i].mesh) place_cuts(raised.sides[i], task, parts[i], mesh, is_placed);
+  const std::vector<PartRows> first = part_rows(task.linear.sizes);
+  run_tasks(task.threads, part_costs(task.linear.sizes), [&](int i) {
     progress.check();
     if (!parts[i].mesh) return;
-    const PartSides& sides = raised.sides[i];
-    const std::vector<Vec2> places = place_sides(parts[i], sides.inside, raised.first_own[i], mesh);
-    place_centres(parts[i], sides, raised.border_node[i], places, first[i].quad, mesh);
+    const std::vector<Vec2> places = place_sides(parts[i], raised.sides[i], mesh);
+    place_centres(parts[i], raised.sides[i], places, first[i].quad, mesh);
   });
   CurvedMesh result{std::move(mesh), std::move(raised.own_nodes), {}, raised.first_inside};
   for (std::size_t c = 0; c < raised.cut_node.size(); ++c)

@@ -16,9 +16,8 @@ struct CurvedMesh {
   int first_inside = 0;         ///< from here on nodes belong to one part only
 };
 
-/// The order-2 mesh of `linear`: middles of B-rep edges as divided, all others the surface point nearest to the middle
-/// of the chord, centres the one nearest to the blend of the sides. Runs on `threads` threads.
-CurvedMesh curve_elements(const JoinedMesh& linear, const EdgeNodes& edges, const Model& model, const Cuts& cuts,
-                          const std::vector<CurvingPart>& parts, int threads, const Progress& progress);
+/// The order-2 mesh: middles of B-rep edges as divided, all others the surface point nearest to the middle
+/// of the chord, centres the one nearest to the blend of the sides.
+CurvedMesh curve_elements(const CurvingTask& task, const Progress& progress);
 
 }  // namespace paver

@@ -26,7 +26,7 @@ struct Measured : test::PavedModel {
     joined = join_regions(model, edges, test::all_of(edges), join);
     for (std::size_t i = 0; i < regions.size(); ++i) parts.push_back({&regions[i], &paved[i], &joined.node_of[i]});
     mesh =
-        order == 1 ? joined.mesh : curve_elements(joined, edges, model, Cuts(regions, {}), parts, 1, Progress()).mesh;
+        order == 1 ? joined.mesh : curve_elements({joined, edges, model, Cuts(regions, {}), parts, 1}, Progress()).mesh;
   }
   std::vector<SurfaceDistance> run(int threads = 1) const { return measured(INFINITY, threads).faces; }
   MeshDistances measured(double most, int threads = 1) const {

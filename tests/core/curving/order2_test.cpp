@@ -52,7 +52,7 @@ struct Wall {
       regions[i].face = static_cast<int>(i);
       parts.push_back({&regions[i], meshes[i], &joined.node_of[i]});
     }
-    return number_order_2(joined, edges, model, Cuts({}, cuts), parts, 1);
+    return number_order_2({joined, edges, model, Cuts({}, cuts), parts, 1});
   }
   SurfaceMesh raised() const { return raised({&mesh}).mesh; }
 
@@ -128,7 +128,7 @@ TEST(NumberOrder2, PiecesShareTheMiddlesOfTheCutBetweenThem) {
   wall.cuts = {{0, 4, 5, nullptr, {}, {}}};
   OrderTwoMesh apart = wall.raised({&low, &high});  // faces 0 and 1: the cut is face 0's
   EXPECT_NE(apart.mesh.quads[6], apart.mesh.quads[9 + 4]);
-  EXPECT_EQ(apart.border_cut[0][2], 0);
+  EXPECT_EQ(apart.sides[0].border_cut[2], 0);
   EXPECT_EQ(apart.cut_node[0], apart.mesh.quads[6]);
   EXPECT_EQ(apart.first_inside, apart.cut_node[0] + 1);
 }
@@ -144,7 +144,7 @@ TEST(NumberSides, EachOnceInTheOrderOfFirstUse) {
 }
 
 TEST(NumberOrder2, AnEmptyMeshStaysEmpty) {
-  OrderTwoMesh raised = number_order_2({}, {}, {}, Cuts({}, {}), {}, 1);
+  OrderTwoMesh raised = number_order_2({{}, {}, {}, Cuts({}, {}), {}, 1});
   EXPECT_EQ(raised.mesh.order, 2);
   EXPECT_TRUE(raised.mesh.nodes.empty());
 }
