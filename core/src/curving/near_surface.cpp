@@ -71,48 +71,34 @@ struct SurfacePlace {
   Vec3 x, normal;
 };
 
-/// Brings a middle of a side to where its normal leans to neither side. On a tube that bends the chord's middle is
-/// nearest to another row of it than that of both ends, and middles would slide round it.
-class Straightener {
- public:
-  Straightener(const Region& region, const Facing& ends, Vec3 middle, Vec3 chord)
-      : region_(region), ends_(ends), middle_(middle), chord_(chord) {}
-
-  /// Of the side from p to q in the chart.
-  void straighten(SurfacePlace& found, Vec2 p, Vec2 q) const {
-    const double least = tilt(found);
-    if (!(least > fair)) return;
-    SurfacePlace best = level(half_way(region_, p, q));
-    if (tilt(best) > fair) {
-      const double one = aside(found), share = one / (one - aside(best));
-      if (share > 0 && share < most_share) {
-        const SurfacePlace next = level(region_.chart->between(found.p, best.p, share));
-        if (tilt(next) < tilt(best)) best = next;
-      }
-    }
-    if (tilt(best) < 0.5 * least) found = best;
-  }
-
- private:
-  static constexpr double fair = 0.05;       // sine: 3 degrees
-  static constexpr double most_share = 1.5;  // of the way from the chord's foot to the place half way
-
-  double aside(const SurfacePlace& at) const { return ends_.aside(at.normal, chord_); }
-  double tilt(const SurfacePlace& at) const { return std::abs(aside(at)); }
-
-  /// About p, as far from one end as from the other.
-  SurfacePlace level(Vec2 p) const {
-    const Vec3 x = region_.point(p);
+/// Brings a middle of the side from a to b to where its normal leans to neither side. On a tube that bends the chord's
+/// middle is nearest to another row of it than that of both ends, and middles would slide round it.
+void straighten(const Region& region, const Facing& ends, const SideEnd& a, const SideEnd& b, SurfacePlace& found) {
+  constexpr double fair = 0.05;       // sine: 3 degrees
+  constexpr double most_share = 1.5;  // of the way from the chord's foot to the place half way
+  const Vec3 middle = 0.5 * (a.x + b.x), chord = b.x - a.x;
+  auto aside = [&](const SurfacePlace& at) { return ends.aside(at.normal, chord); };
+  auto tilt = [&](const SurfacePlace& at) { return std::abs(aside(at)); };
+  // About p, as far from one end as from the other.
+  auto level = [&](Vec2 p) {
+    const Vec3 x = region.point(p);
     SurfacePlace at{p, {}, {}};
-    const Vec3 target = x - (dot(x - middle_, chord_) / dot(chord_, chord_)) * chord_;
-    at.x = approach(region_, at.p, target, norm(chord_), &ends_, at.normal);
+    const Vec3 target = x - (dot(x - middle, chord) / dot(chord, chord)) * chord;
+    at.x = approach(region, at.p, target, norm(chord), &ends, at.normal);
     return at;
+  };
+  const double least = tilt(found);
+  if (!(least > fair)) return;
+  SurfacePlace best = level(half_way(region, a.p, b.p));
+  if (tilt(best) > fair) {
+    const double one = aside(found), share = one / (one - aside(best));
+    if (share > 0 && share < most_share) {
+      const SurfacePlace next = level(region.chart->between(found.p, best.p, share));
+      if (tilt(next) < tilt(best)) best = next;
+    }
   }
-
-  const Region& region_;
-  Facing ends_;
-  Vec3 middle_, chord_;
-};
+  if (tilt(best) < 0.5 * least) found = best;
+}
 
 }  // namespace
 
@@ -150,7 +136,7 @@ Vec3 side_middle(const Region& region, const SideEnd& a, const SideEnd& b, Vec2&
   const Facing ends{a.normal, b.normal};
   SurfacePlace at{p, {}, {}};
   at.x = approach(region, at.p, middle, norm(chord), &ends, at.normal);
-  Straightener(region, ends, middle, chord).straighten(at, a.p, b.p);
+  straighten(region, ends, a, b, at);
   Vec3 x = at.x;
   p = at.p;
   if (leaning(ends.one, 4 * x - 3 * a.x - b.x) <= most_leaning &&

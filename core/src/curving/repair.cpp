@@ -22,6 +22,7 @@ constexpr int most_depth = 2, most_depth_at_edges = 8;
 struct Element {
   bool is_quad = true;
   int index = -1;
+  bool operator==(const Element&) const = default;
 };
 
 class Repairer {
@@ -35,13 +36,8 @@ class Repairer {
     for (int triangle : triangles) invalid.push_back({false, triangle});
     if (!invalid.empty()) list_neighbours();
     for (int pass = 0; pass < passes && !invalid.empty(); ++pass) {
-      std::vector<Element> remaining;
-      for (const Element& element : invalid) {
-        if (!is_valid(element) && !mend(element)) remaining.push_back(element);
-      }
-      bool has_mended = remaining.size() < invalid.size();
-      invalid = std::move(remaining);
-      if (!has_mended) break;
+      if (std::erase_if(invalid, [&](const Element& element) { return is_valid(element) || mend(element); }) == 0)
+        break;
     }
     for (const Element& element : invalid) {
       (element.is_quad ? result_.invalid_quads : result_.invalid_triangles).push_back(element.index);
@@ -125,10 +121,8 @@ class Repairer {
     for (int c = 0; c < corners; ++c) {
       int middle = nodes[corners + c];
       if (is_kept(middle)) continue;
-      for (const Element& other : elements_at_[middle]) {
-        bool is_itself = other.is_quad == element.is_quad && other.index == element.index;
-        if (!is_itself && is_valid(other)) neighbours.push_back(other);
-      }
+      for (const Element& other : elements_at_[middle])
+        if (other != element && is_valid(other)) neighbours.push_back(other);
     }
     return neighbours;
   }
