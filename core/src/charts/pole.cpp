@@ -5,13 +5,6 @@
 #include <cmath>
 
 namespace paver {
-namespace {
-
-constexpr double sharp_spread = 0.26;  // radians (15 degrees): normals about a pole that differ more make it an apex
-
-}  // namespace
-
-bool PoleShape::is_sharp() const { return spread >= sharp_spread; }
 
 PoleShape measure_pole(const Surface& surface, const ParameterBox& box, double period, bool is_low) {
   double pole = is_low ? box.lo.y : box.hi.y, inward = is_low ? 1 : -1;

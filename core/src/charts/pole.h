@@ -11,7 +11,8 @@ struct PoleShape {
   double slant = 0;       ///< mm from the pole, where this was measured
   double cone_angle = 0;  ///< radians: length of a circle about the pole per length of its slant, 2 pi where smooth
   double small = 0;       ///< the same distance in the meridian's parameter
-  bool is_sharp() const;
+  /// 15 degrees: normals that differ more make it an apex.
+  bool is_sharp() const { return spread >= 0.26; }
 };
 
 /// The pole at the low or the high end of the box; `period` of the direction that goes round.

@@ -58,15 +58,9 @@ class Joiner {
   }
 
   void add_boundary() {
-    SurfaceMesh& mesh = joined_.mesh;
-    for (std::size_t i = 0; i < boundary(); ++i) {
-      if (!use_.nodes[i]) continue;
-      boundary_node_[i] = static_cast<int>(mesh.nodes.size());
-      mesh.nodes.push_back(edges_.nodes[i]);
-      mesh.node_edge.push_back(edges_.node_edge[i]);
-      mesh.node_target.push_back(edges_.node_target[i]);
-    }
-    joined_.boundary_nodes = static_cast<long>(mesh.nodes.size());
+    for (std::size_t i = 0; i < boundary(); ++i)
+      if (use_.nodes[i]) boundary_node_[i] = add_node(edges_.nodes[i], edges_.node_edge[i], edges_.node_target[i]);
+    joined_.boundary_nodes = static_cast<long>(joined_.mesh.nodes.size());
   }
 
   void add_lines() {
@@ -88,13 +82,12 @@ class Joiner {
     }
   }
 
-  int add_node(const RegionMesh& region, int i) {
+  int add_node(Vec3 x, int edge, double target) {
     SurfaceMesh& mesh = joined_.mesh;
-    mesh.nodes.push_back(region.x[i]);
-    mesh.node_edge.push_back(-1);
-    mesh.node_target.push_back(region.h[i]);
+    mesh.nodes.push_back(x), mesh.node_edge.push_back(edge), mesh.node_target.push_back(target);
     return static_cast<int>(mesh.nodes.size()) - 1;
   }
+  int add_node(const RegionMesh& region, int i) { return add_node(region.x[i], -1, region.h[i]); }
 
   int outline_of(const JoinPart& part, int i) const {
     return shared_node(part.mesh->global[i], part.outline, boundary()) - static_cast<int>(boundary());

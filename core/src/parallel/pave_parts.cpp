@@ -155,17 +155,13 @@ void PartPaver::add_pieces(int region, std::vector<Part>& parts) const {
   }
 }
 
-void PartPaver::number_outlines() {
+void PartPaver::put(std::vector<Part> parts) {
+  parts_ = std::move(parts);
   first_outline_.assign(1, 0);
   is_in_pieces_.assign(regions_.size(), 0);
   for (const Part& part : parts_) is_in_pieces_[part.region] |= part.piece >= 0;
   for (std::size_t r = 0; r < regions_.size(); ++r)
     first_outline_.push_back(first_outline_.back() + (is_in_pieces_[r] ? plans_[r]->outline_nodes : 0));
-}
-
-void PartPaver::put(std::vector<Part> parts) {
-  parts_ = std::move(parts);
-  number_outlines();
 }
 
 // Outline nodes are numbered behind those of the boundary stage.

@@ -77,7 +77,6 @@ class PartPaver {
   void advance(double cost);
   Part whole(int region) const { return {region, -1, costs_[region], nullptr, nullptr}; }
   void add_pieces(int region, std::vector<Part>& parts) const;
-  void number_outlines();
 
   const std::vector<Region>& regions_;
   const std::vector<double> costs_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cells.h"
 #include "base/predicates.h"
 
 namespace paver {
@@ -117,11 +118,9 @@ Meridian::Meridian(const ClosedFace& face) : face_(face), arc_{0} {
 
 Vec2 Meridian::uv(double turns, double share) const {
   const double wish = share * arc_.back();
-  const int last = static_cast<int>(arc_.size()) - 2;
-  int i = static_cast<int>(std::upper_bound(arc_.begin(), arc_.end(), wish) - arc_.begin()) - 1;
-  i = std::clamp(i, 0, last);
-  const double step = (face_.box.hi.y - face_.box.lo.y) / (last + 1);
-  const double y = face_.box.lo.y + step * (i + (wish - arc_[i]) / (arc_[i + 1] - arc_[i]));
+  const std::size_t i = cell_of(arc_, wish);
+  const double step = (face_.box.hi.y - face_.box.lo.y) / static_cast<double>(arc_.size() - 1);
+  const double y = face_.box.lo.y + step * (static_cast<double>(i) + (wish - arc_[i]) / (arc_[i + 1] - arc_[i]));
   return face_.box.uv({face_.box.lo.x + turns * face_.period, std::clamp(y, face_.box.lo.y, face_.box.hi.y)});
 }
 

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cells.h"
 #include "structured/closed_layout.h"
 
 namespace paver {
@@ -66,8 +67,7 @@ class Profile {
   }
   Vec2 uv(Vec2 place) const {
     const double whole = std::floor(place.y), wish = (place.y - whole) * length();
-    const auto above = std::upper_bound(arc_.begin(), arc_.end() - 1, wish);
-    const std::size_t i = static_cast<std::size_t>(above - arc_.begin()) - 1;
+    const std::size_t i = cell_of(arc_, wish);
     const double cell = (wish - arc_[i]) / (arc_[i + 1] - arc_[i]);
     const double along = (static_cast<double>(start_ + i) + cell) / profile_cells + whole;
     return uv_at({place.x, along}, is_turned_);
