@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "structured/block_layout.h"
-#include "structured/grid_places.h"
 #include "structured/grid_smoothing.h"
+#include "structured/mapped_fill.h"
 
 namespace paver {
 

@@ -9,6 +9,7 @@
 //       mid 0 -- pole -- mid 2 ...
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "structured/closed_layout.h"
@@ -32,11 +33,7 @@ struct PrismCounts {
   int rings = 0;
   double off_price = 0;  ///< of what is farther from the elements asked for than near enough
 
-  int sum() const {
-    int all = 0;
-    for (int s : spokes) all += s;
-    return all;
-  }
+  int sum() const { return std::accumulate(spokes.begin(), spokes.end(), 0); }
   double quads() const {
     int cap = 0;
     for (std::size_t i = 0; i < spokes.size(); ++i) cap += spokes[i] * spokes[(i + 1) % spokes.size()];
