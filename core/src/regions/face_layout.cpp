@@ -28,6 +28,12 @@ Vec2 image(const Model& model, const Coedge& c, double share) {
   return c.pcurve->uv(e.t0 + share * (e.t1 - e.t0));
 }
 
+/// What a face takes of a parameter, and how that closes.
+struct ParameterRange : Range {
+  bool wraps = false, low_pole = false, high_pole = false;
+  bool has_pole() const { return low_pole || high_pole; }
+};
+
 class LayoutPlanner {
  public:
   LayoutPlanner(const Model& model, const SizeField& size, int face, ClosedLayouts closed, const Progress& progress)
@@ -39,19 +45,18 @@ class LayoutPlanner {
   FaceLayout run() {
     measure();
     find_poles();
-    bool goes_round_u = wraps_u_, goes_round_v = wraps_v_;
-    bool is_swapped = goes_round_v && !goes_round_u;
-    if (!goes_round_u && !goes_round_v) is_swapped = (u_low_ || u_high_) && !(v_low_ || v_high_);
-    layout_.box = {{u_.lo, v_.lo}, {u_.hi, v_.hi}, is_swapped, v_low_, v_high_};
-    if (is_swapped) layout_.box = {{v_.lo, u_.lo}, {v_.hi, u_.hi}, true, u_low_, u_high_};
+    const bool goes_round = u_.wraps || v_.wraps;
+    const bool is_swapped = goes_round ? !u_.wraps : u_.has_pole() && !v_.has_pole();
+    const ParameterRange &along = is_swapped ? v_ : u_, &across = is_swapped ? u_ : v_;
+    layout_.box = {{along.lo, across.lo}, {along.hi, across.hi}, is_swapped, across.low_pole, across.high_pole};
     Vec2 period = face_.surface->period();
     layout_.period = is_swapped ? period.y : period.x;
-    if ((goes_round_u || goes_round_v) && layout_.period > 0 && !lay_closed()) choose_polar();
-    if (!goes_round_u && !goes_round_v && is_wide_sector()) layout_.kind = LayoutKind::sector;
+    if (goes_round && layout_.period > 0 && !lay_closed()) choose_polar();
+    if (!goes_round && is_wide_sector()) layout_.kind = LayoutKind::sector;
     if (layout_.kind == LayoutKind::row || layout_.kind == LayoutKind::sector) {
       for (auto& loop : layout_.dropped) loop.assign(loop.size(), false);
     } else if (layout_.kind == LayoutKind::polar || layout_.kind == LayoutKind::two_polar) {
-      settle_periodic(goes_round_u && goes_round_v);
+      settle_periodic(u_.wraps && v_.wraps);
     }
     return layout_;
   }
@@ -68,8 +73,8 @@ class LayoutPlanner {
         }
         if (!periodic_[l][c]) continue;
         Vec2 gap = gap_to_twin(coedge);
-        if (period.x > 0 && std::fabs(gap.x) > 0.25 * period.x) wraps_u_ = true;
-        if (period.y > 0 && std::fabs(gap.y) > 0.25 * period.y) wraps_v_ = true;
+        if (period.x > 0 && std::fabs(gap.x) > 0.25 * period.x) u_.wraps = true;
+        if (period.y > 0 && std::fabs(gap.y) > 0.25 * period.y) v_.wraps = true;
       }
   }
 
@@ -94,8 +99,8 @@ class LayoutPlanner {
       bool is_low = at - range.lo < range.hi - at;
       (along_u ? v_share : u_share)[is_low ? 0 : 1] += std::max(du, dv);
     }
-    u_low_ = u_share[0] >= least_share, u_high_ = u_share[1] >= least_share;
-    v_low_ = v_share[0] >= least_share, v_high_ = v_share[1] >= least_share;
+    u_.low_pole = u_share[0] >= least_share, u_.high_pole = u_share[1] >= least_share;
+    v_.low_pole = v_share[0] >= least_share, v_.high_pole = v_share[1] >= least_share;
   }
 
   // A face without border: all its edges are its own periodic ones or poles.
@@ -116,7 +121,7 @@ class LayoutPlanner {
       for (bool is_low : {true, false})
         if (measure_pole(*face_.surface, box, layout_.period, is_low).is_sharp()) return false;
       lay([&] { return lay_cube(face, progress_); });
-    } else if (wraps_u_ && wraps_v_ && !box.low_pole && !box.high_pole) {
+    } else if (u_.wraps && v_.wraps && !box.low_pole && !box.high_pole) {
       face.other_period = box.is_swapped ? period.x : period.y;
       if (box.hi.y - box.lo.y > most_periods * face.other_period) return false;
       lay([&] { return lay_torus(face, progress_); });
@@ -230,9 +235,7 @@ class LayoutPlanner {
   const Progress& progress_;
   FaceLayout layout_;
   std::vector<std::vector<bool>> periodic_;  // per loop and coedge
-  Range u_, v_;
-  bool wraps_u_ = false, wraps_v_ = false;
-  bool u_low_ = false, u_high_ = false, v_low_ = false, v_high_ = false;
+  ParameterRange u_, v_;
 };
 
 }  // namespace
@@ -265,9 +268,10 @@ void settle_counts(const Model& model, const std::vector<FaceLayout>& layouts, s
       const Loop& loop = model.faces[f].loops[l];
       if (is_lone_slit(loop)) least[loop.coedges[0].edge] = 2;
       for (std::size_t c = 0; c < layouts[f].dropped[l].size(); ++c) {
-        int e = loop.coedges[c].edge;
-        if (!layouts[f].dropped[l][c]) is_needed[e] = true;
-        if (!layouts[f].dropped[l][c] && model.edges[e].is_periodic) is_cut[e] = true;
+        if (layouts[f].dropped[l][c]) continue;
+        const int e = loop.coedges[c].edge;
+        is_needed[e] = true;
+        if (model.edges[e].is_periodic) is_cut[e] = true;
       }
     }
   for (std::size_t e = 0; e < counts.size(); ++e) {

@@ -12,17 +12,14 @@ namespace paver {
 NodePlace Region::place(Vec2 p) const {
   NodePlace at;
   at.p = p;
-  const NormalTable* normals = size.normals();
-  if (!normals) {
-    evaluate(p, at.x, at.xp, at.xq);
-    return at;
-  }
   Vec2 uv, uv_x, uv_y;
   Vec3 xu, xv, by_u, by_v;
   chart->to_uv(p, uv, uv_x, uv_y);
   surface->d1(uv, at.x, xu, xv);
   at.xp = uv_x.x * xu + uv_x.y * xv;
   at.xq = uv_y.x * xu + uv_y.y * xv;
+  const NormalTable* normals = size.normals();
+  if (!normals) return at;
   at.n = normals->at(uv);
   normals->slopes(uv, {norm(xu), norm(xv)}, by_u, by_v);
   at.np = uv_x.x * by_u + uv_x.y * by_v;
