@@ -12,26 +12,18 @@ double leaning(Vec3 normal, Vec3 tangent) {
   return all > 0 ? off * off / all : 0;
 }
 
-/// How far a side lies off the surface, mm.
-struct SideOff {
-  const Region& region;
-  SideEnd a, b;
-  double fair;
-
-  /// The half before or after the middle, which is `x` at `m`; `fair` where it is less.
-  double half(Vec2 m, Vec3 x, bool is_first) const {
-    double most = fair;
-    const SideEnd& near = is_first ? a : b;
-    const SideEnd& far = is_first ? b : a;
-    Vec2 place = half_way(region, near.p, m);
-    for (double t : {0.25, 0.125}) {
-      const Vec3 y = (1 - 2 * t) * (1 - t) * near.x + 4 * t * (1 - t) * x - t * (1 - 2 * t) * far.x;
-      most = std::max(most, distance_to_surface(region, place, y, norm(b.x - a.x), most));
-      place = half_way(region, near.p, place);
-    }
-    return most;
+/// How far half of a side, from its end `near` to its middle, which is `x` at `m`, lies off the surface, mm; `least`
+/// where it is less.
+double half_off(const Region& region, const SideEnd& near, const SideEnd& far, Vec2 m, Vec3 x, double least) {
+  double most = least;
+  Vec2 place = half_way(region, near.p, m);
+  for (double t : {0.25, 0.125}) {
+    const Vec3 y = (1 - 2 * t) * (1 - t) * near.x + 4 * t * (1 - t) * x - t * (1 - 2 * t) * far.x;
+    most = std::max(most, distance_to_surface(region, place, y, norm(far.x - near.x), most));
+    place = half_way(region, near.p, place);
   }
-};
+  return most;
+}
 
 /// Normals at both ends of a side, of any length.
 struct Facing {
@@ -142,14 +134,14 @@ Vec3 side_middle(const Region& region, const SideEnd& a, const SideEnd& b, Vec2&
   if (leaning(ends.one, 4 * x - 3 * a.x - b.x) <= most_leaning &&
       leaning(ends.other, a.x + 3 * b.x - 4 * x) <= most_leaning)
     return x;
-  const SideOff off{region, a, b, fair_off * std::min(a.h, b.h)};
-  double least = off.half(p, x, true), other = off.half(p, x, false);
+  const double fair = fair_off * std::min(a.h, b.h);
+  double least = half_off(region, a, b, p, x, fair), other = half_off(region, b, a, p, x, fair);
   const double way = least > other ? -shift : shift;
   least = std::max(least, other);
-  for (int i = 1; i <= most_shifts && least > off.fair; ++i) {
+  for (int i = 1; i <= most_shifts && least > fair; ++i) {
     Vec2 next = p;
     const Vec3 y = approach(region, next, middle + i * way * chord, norm(chord), &ends, at.normal);
-    const double most = std::max(off.half(next, y, true), off.half(next, y, false));
+    const double most = std::max(half_off(region, a, b, next, y, fair), half_off(region, b, a, next, y, fair));
     if (!(most < least)) break;
     x = y, p = next, least = most;
   }
