@@ -74,9 +74,7 @@ class RegionDivider {
 
   void insert(int e, int a, int b, int middle) {
     const std::vector<int> outline = with_node_between(mesh_.elements[e], a, b, middle);
-    Filling filling = fill_outline(
-        outline, kinds_, [&](const Corners& v, double floor) { return judge_.value(v, floor); },
-        [](int, int) { return false; });
+    Filling filling = fill_outline(outline, kinds_, judge_);
     if (filling.elements.empty()) filling.elements = fan_at(outline, middle);
     mesh_.remove_element(e);
     for (const Corners& corners : filling.elements) mesh_.add_element(corners);

@@ -1,6 +1,7 @@
 #include "repair/other_ways.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include "check/area_slack.h"
@@ -9,7 +10,8 @@
 #include "paving/dome_grid.h"
 #include "paving/strip_grid.h"
 #include "quality/metrics.h"
-#include "repair/edits/fill_region.h"
+#include "repair/edits/move_corners.h"
+#include "repair/edits/row_along.h"
 #include "repair/find_bad.h"
 #include "repair/mend_mesh.h"
 #include "repair/shared_sides.h"
@@ -28,6 +30,125 @@ double quads_in(const RegionMesh& mesh) {
   return static_cast<double>(mesh.living_elements()) - 0.5 * static_cast<double>(mesh.triangle_count());
 }
 
+RegionMesh mesh_of_loop(const Region& region) {
+  RegionMesh mesh;
+  mesh.turn_weight = region.size.turn_weight();
+  for (const LoopNode& node : region.loops[0]) add_node(region, node, mesh);
+  return mesh;
+}
+
+/// The whole mesh of a region with few nodes about it, by some of the other ways.
+class Remesher {
+ public:
+  Remesher(const OtherWays& of, Mended& mended, PavedRegion& paved)
+      : of_(of), region_(of.region), order_(of.options.order), mended_(mended), paved_(paved) {}
+
+  bool make_whole() {
+    auto lay = [&](DomeRows rows) { return take_rows(lay_dome(region_, of_.options.elements, rows)); };
+    return lay(DomeRows::even) || lay(DomeRows::in_chart) || lay(DomeRows::many) || take_rows(lay_tube(region_)) ||
+           pave_without_turns() || pave_by_other_rule(region_) || lay(DomeRows::most);
+  }
+
+  bool make_regular() {
+    if (!of_.is_coarse_and_mixed(paved_.mesh)) return false;
+    std::optional<RegionMesh> grid = lay_four_sided(region_, few_elements);
+    if (grid && static_cast<double>(grid->elements.size()) < least_share * quads_in(paved_.mesh)) grid.reset();
+    return take_grid(std::move(grid)) || take_grid(lay_tube(region_)) || take_grid(fill_with_row());
+  }
+
+ private:
+  bool take_rows(std::optional<RegionMesh> rows) {
+    if (rows && of_.options.elements == Elements::all_triangle) split_all_quads(*rows);
+    return rows && take(region_, {std::move(*rows), {}});
+  }
+
+  // It may be that no element fits lengths that count turns.
+  bool pave_without_turns() {
+    if (!paved_.mesh.has_turns()) return false;
+    Region plain = region_;
+    plain.size.count_no_turns();
+    return take_paved(plain, [&] { return pave_region(plain, of_.progress, of_.options.elements); }) ||
+           pave_by_other_rule(plain);
+  }
+
+  bool pave_by_other_rule(const Region& region) {
+    return take_paved(region,
+                      [&] { return pave_region_once(region, of_.progress, of_.options.elements, RowRule::no_fit); });
+  }
+
+  template <class Pave>
+  bool take_paved(const Region& region, Pave pave) {
+    try {
+      return take(region, pave());
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::face_failed) throw;
+      return false;
+    }
+  }
+
+  bool take(const Region& region, PavedRegion second) {
+    const ElementJudge judge(region, second.mesh, of_.sides, order_);
+    Mended again = mend_mesh(judge, kinds_of(of_.options.elements), find_bad(judge), second.mesh);
+    if (!again.left.empty() || !of_.is_sound(second.mesh)) return false;
+    mended_ = std::move(again), paved_ = std::move(second);
+    return true;
+  }
+
+  bool take_grid(std::optional<RegionMesh> grid) {
+    if (!grid) return false;
+    const double value = worst_value(*grid), before = worst_value(paved_.mesh);
+    if (value < fair || value <= std::min(before, good) || !of_.is_sound(*grid)) return false;
+    mended_ = {}, paved_ = {std::move(*grid), {}};
+    return true;
+  }
+
+  double worst_value(const RegionMesh& mesh) const {
+    return ElementJudge(region_, mesh, of_.sides, order_).worst_value();
+  }
+
+  /// Of quads only: a row along a smooth part of the loop and the best filling of what it leaves; of all such parts
+  /// that with the best worst element. Nothing where the region has more than one loop, a fan, more nodes than are
+  /// filled anew, or no such part.
+  std::optional<RegionMesh> fill_with_row() const {
+    if (region_.loops.size() != 1 || !region_.fans.empty() || region_.loops[0].size() > most_outline + 2)
+      return std::nullopt;
+    std::vector<int> loop(region_.loops[0].size());
+    std::iota(loop.begin(), loop.end(), 0);
+    const RegionMesh border = mesh_of_loop(region_);
+    std::optional<RegionMesh> best;
+    double most = 0;
+    for (const SmoothChain& chain : smooth_chains({region_, border, of_.sides, order_}, loop)) {
+      if (!leaves_filling(loop, chain)) continue;
+      std::optional<RegionMesh> mesh = filled(loop, chain);
+      const double worst = mesh ? worst_value(*mesh) : 0;
+      if (worst > most) most = worst, best = std::move(mesh);
+    }
+    return best;
+  }
+
+  /// With a row along the chain and its rest filled.
+  std::optional<RegionMesh> filled(std::span<const int> loop, SmoothChain chain) const {
+    RegionMesh mesh = mesh_of_loop(region_);
+    const ElementJudge judge(region_, mesh, of_.sides, order_);
+    std::vector<int> made;
+    for (Vec2 p : places_of_row(mesh, loop, chain)) made.push_back(mesh.add_node(region_.place(p), region_.target(p)));
+    const BorderRow row = row_along(loop, chain, made);
+    const Filling rest = fill_outline(row.rest, {true, false}, judge);
+    if (!(rest.worst > 0)) return std::nullopt;
+    for (const std::vector<Corners>* elements : {&row.quads, &rest.elements})
+      for (const Corners& corners : *elements) mesh.add_element(corners);
+    raise_worst_about(judge, made, mesh);
+    even_out(judge, made, mesh);
+    return mesh;
+  }
+
+  const OtherWays& of_;
+  const Region& region_;
+  const int order_;
+  Mended& mended_;
+  PavedRegion& paved_;
+};
+
 }  // namespace
 
 bool OtherWays::can_help(const RegionMesh& mesh) const {
@@ -37,8 +158,9 @@ bool OtherWays::can_help(const RegionMesh& mesh) const {
 void OtherWays::improve(Mended& mended, PavedRegion& paved) const {
   const Vec3 where = paved.mesh.x[mended.left.empty() ? 0 : paved.mesh.elements[mended.left[0]].v[0]];
   const bool is_whole = mended.left.empty() && is_sound(paved.mesh);
-  bool is_changed = !is_whole && make_whole(mended, paved);
-  is_changed = make_regular(mended, paved) || is_changed;
+  Remesher remesher(*this, mended, paved);
+  bool is_changed = !is_whole && remesher.make_whole();
+  is_changed = remesher.make_regular() || is_changed;
   if (is_changed) mended.places.push_back({ElementRepairKind::paved_again, where});
 }
 
@@ -49,7 +171,7 @@ bool OtherWays::is_sound(const RegionMesh& mesh) const {
 /// The front of a rod, a few elements about, may close along it. Of few elements.
 bool OtherWays::has_long_side(const RegionMesh& mesh) const {
   if (!has_few_elements(mesh)) return false;
-  const double longest = far_too_long * region_.h;
+  const double longest = far_too_long * region.h;
   return std::any_of(mesh.elements.begin(), mesh.elements.end(), [&](const Element& e) {
     for (int k = 0; e.is_alive() && k < e.corners(); ++k)
       if (norm(mesh.x[e.v[(k + 1) % e.corners()]] - mesh.x[e.v[k]]) > longest) return true;
@@ -60,81 +182,19 @@ bool OtherWays::has_long_side(const RegionMesh& mesh) const {
 /// As far as can be told from its elements, where these are few: a front may close across a body instead of around it
 /// where lengths are about the body's own.
 bool OtherWays::can_be_whole(const RegionMesh& mesh) const {
-  if (!(region_.own_area > 0) || face_.surface->kind() == SurfaceKind::plane || !has_few_elements(mesh)) return true;
-  const ElementJudge judge(region_, mesh, sides_, options_.order);
+  if (!(region.own_area > 0) || face.surface->kind() == SurfaceKind::plane || !has_few_elements(mesh)) return true;
+  const ElementJudge judge(region, mesh, sides, options.order);
   ElementArea sum;
   for (const Element& e : mesh.elements) {
     if (!e.is_alive()) continue;
     const ElementArea one = judge.area(e.v);
     sum.area += one.area, sum.slack += one.slack;
   }
-  return can_be_area(sum.area, face_, region_.own_area, sum.slack);
+  return can_be_area(sum.area, face, region.own_area, sum.slack);
 }
 
 bool OtherWays::is_coarse_and_mixed(const RegionMesh& mesh) const {
-  return options_.elements == Elements::quad_dominant && has_few_elements(mesh) && mesh.triangle_count() > 0;
-}
-
-bool OtherWays::make_whole(Mended& mended, PavedRegion& paved) const {
-  auto lay = [&](DomeRows rows) { return take_rows(lay_dome(region_, options_.elements, rows), mended, paved); };
-  return lay(DomeRows::even) || lay(DomeRows::in_chart) || lay(DomeRows::many) ||
-         take_rows(lay_tube(region_), mended, paved) || pave_without_turns(mended, paved) ||
-         pave_by_other_rule(region_, mended, paved) || lay(DomeRows::most);
-}
-
-bool OtherWays::take_rows(std::optional<RegionMesh> rows, Mended& mended, PavedRegion& paved) const {
-  if (rows && options_.elements == Elements::all_triangle) split_all_quads(*rows);
-  return rows && take(region_, {std::move(*rows), {}}, mended, paved);
-}
-
-// It may be that no element fits lengths that count turns.
-bool OtherWays::pave_without_turns(Mended& mended, PavedRegion& paved) const {
-  if (!paved.mesh.has_turns()) return false;
-  Region plain = region_;
-  plain.size.count_no_turns();
-  auto pave = [&] { return pave_region(plain, progress_, options_.elements); };
-  return take_paved(plain, pave, mended, paved) || pave_by_other_rule(plain, mended, paved);
-}
-
-bool OtherWays::pave_by_other_rule(const Region& region, Mended& mended, PavedRegion& paved) const {
-  auto pave = [&] { return pave_region_once(region, progress_, options_.elements, RowRule::no_fit); };
-  return take_paved(region, pave, mended, paved);
-}
-
-template <class Pave>
-bool OtherWays::take_paved(const Region& region, Pave pave, Mended& mended, PavedRegion& paved) const {
-  try {
-    return take(region, pave(), mended, paved);
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::face_failed) throw;
-    return false;
-  }
-}
-
-bool OtherWays::take(const Region& region, PavedRegion second, Mended& mended, PavedRegion& paved) const {
-  const ElementJudge judge(region, second.mesh, sides_, options_.order);
-  Mended again = mend_mesh(judge, kinds_of(options_.elements), find_bad(judge), second.mesh);
-  if (!again.left.empty() || !is_sound(second.mesh)) return false;
-  mended = std::move(again), paved = std::move(second);
-  return true;
-}
-
-bool OtherWays::make_regular(Mended& mended, PavedRegion& paved) const {
-  if (!is_coarse_and_mixed(paved.mesh)) return false;
-  std::optional<RegionMesh> grid = lay_four_sided(region_, few_elements);
-  if (grid && static_cast<double>(grid->elements.size()) < least_share * quads_in(paved.mesh)) grid.reset();
-  return take_grid(std::move(grid), mended, paved) || take_grid(lay_tube(region_), mended, paved) ||
-         take_grid(fill_with_row(region_, sides_, options_.order), mended, paved);
-}
-
-bool OtherWays::take_grid(std::optional<RegionMesh> grid, Mended& mended, PavedRegion& paved) const {
-  if (!grid) return false;
-  const double value = ElementJudge(region_, *grid, sides_, options_.order).worst_value();
-  const double before = ElementJudge(region_, paved.mesh, sides_, options_.order).worst_value();
-  if (value < fair || value <= std::min(before, good)) return false;
-  if (!is_sound(*grid)) return false;
-  mended = {}, paved = {std::move(*grid), {}};
-  return true;
+  return options.elements == Elements::quad_dominant && has_few_elements(mesh) && mesh.triangle_count() > 0;
 }
 
 }  // namespace paver

@@ -104,6 +104,12 @@ Filling fill_outline(std::span<const int> outline, ElementKinds kinds, const Ele
   return Outline(outline, kinds, value, is_taken).run();
 }
 
+Filling fill_outline(std::span<const int> outline, ElementKinds kinds, const ElementJudge& judge) {
+  return fill_outline(
+      outline, kinds, [&](const Corners& v, double floor) { return judge.value(v, floor); },
+      [](int, int) { return false; });
+}
+
 Filling fill_about(int centre, std::span<const int> outline, ElementKinds kinds, const ElementValue& value) {
   const auto n = outline.size();
   auto at = [&](std::size_t i) { return outline[i % n]; };

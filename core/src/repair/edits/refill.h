@@ -39,6 +39,9 @@ using ElementValue = std::function<double(const Corners&, double floor)>;
 Filling fill_outline(std::span<const int> outline, ElementKinds kinds, const ElementValue& value,
                      const std::function<bool(int, int)>& is_taken, std::size_t most_nodes = most_outline);
 
+/// The same of sides that are nowhere else, by the judge's values.
+Filling fill_outline(std::span<const int> outline, ElementKinds kinds, const ElementJudge& judge);
+
 /// The same with a node inside: triangles and quads about it, by turns as few triangles as there may be.
 Filling fill_about(int centre, std::span<const int> outline, ElementKinds kinds, const ElementValue& value);
 
