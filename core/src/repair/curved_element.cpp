@@ -19,16 +19,30 @@ constexpr double cusp_sine = 0.05;  // between two edges
 constexpr double value_of_cusp = 0.05;
 constexpr double far = 0.25;  // of the distance that may be: from there on an element is poor
 
+const JacobianForm& form_of(int corners, int order) {
+  return jacobian_form(corners == 4 ? ElementShape::quad : ElementShape::triangle, order);
+}
+
+/// Of the sides of a quad of order 2.
+Vec3 blend_of(const std::array<Vec3, 9>& x) {
+  Vec3 blend;
+  for (int k = 0; k < 4; ++k) blend += 0.5 * x[4 + k] - 0.25 * x[k];
+  return blend;
+}
+
 }  // namespace
 
+std::set<int> bounding_edges(std::span<const Region> regions) {
+  std::set<int> edges;
+  for (const Region& region : regions)
+    for (const auto& loop : region.loops)
+      for (const LoopNode& node : loop)
+        if (node.edge >= 0) edges.insert(node.edge);
+  return edges;
+}
+
 BoundarySides::BoundarySides(const Region& region, const EdgeNodes& edges) {
-  std::vector<int> bounding;
-  for (const auto& loop : region.loops)
-    for (const LoopNode& node : loop)
-      if (node.edge >= 0) bounding.push_back(node.edge);
-  std::sort(bounding.begin(), bounding.end());
-  bounding.erase(std::unique(bounding.begin(), bounding.end()), bounding.end());
-  for (int edge : bounding) {
+  for (int edge : bounding_edges({&region, 1})) {
     const EdgeDivision& division = edges.edges[edge];
     for (int i = 0; i < division.intervals(); ++i)
       sides_.try_emplace(std::minmax(division.node[i], division.node[i + 1]),
@@ -113,9 +127,7 @@ std::array<Vec3, 9> ElementJudge::curved(const Corners& v, int n) const {
   }
   if (n == 3) return x;
   Vec2 place = guess_centre(region_, mesh_, v, middles);
-  Vec3 blend;
-  for (int k = 0; k < 4; ++k) blend += 0.5 * x[4 + k] - 0.25 * x[k];
-  x[8] = nearest_point(region_, place, blend, norm(x[2] - x[0]));
+  x[8] = nearest_point(region_, place, blend_of(x), norm(x[2] - x[0]));
   return x;
 }
 
@@ -158,11 +170,8 @@ bool ElementJudge::is_valid_cusp(const Corners& v, int n, std::array<Vec3, 9> x)
     }
   }
   if (!has_cusp) return false;
-  if (n == 4) {
-    x[8] = {};
-    for (int k = 0; k < 4; ++k) x[8] += 0.5 * x[4 + k] - 0.25 * x[k];
-  }
-  return jacobian_form(n == 4 ? ElementShape::quad : ElementShape::triangle, order_).is_valid(x.data());
+  if (n == 4) x[8] = blend_of(x);
+  return form_of(n, order_).is_valid(x.data());
 }
 
 std::array<Vec3, 9> ElementJudge::nodes(const Corners& v, int n) const {
@@ -178,8 +187,7 @@ ElementArea ElementJudge::area(const Corners& v) const {
   for (int k = 0; k < n; ++k)
     if (const Vec3 normal = mesh_.normal(v[k]); dot(normal, normal) > 0)
       along = std::min(along, dot(unit(twice), normal));
-  return {jacobian_form(n == 4 ? ElementShape::quad : ElementShape::triangle, order_).area(x.data()),
-          element_slack(0.5 * norm(twice), along, order_ > 1)};
+  return {form_of(n, order_).area(x.data()), element_slack(0.5 * norm(twice), along, order_ > 1)};
 }
 
 double ElementJudge::worst_value() const {
@@ -200,8 +208,7 @@ double ElementJudge::value(const Corners& v, double floor) const {
   if (sj < least_height) return std::min(sj, 0.0);
   if (sj <= floor) return sj;
   const std::array<Vec3, 9> x = nodes(v, n);
-  const ElementShape shape = n == 4 ? ElementShape::quad : ElementShape::triangle;
-  const JacobianBound bound = jacobian_form(shape, order_).bound(x.data());
+  const JacobianBound bound = form_of(n, order_).bound(x.data());
   if (bound.validity != Validity::valid)
     return is_valid_cusp(v, n, x) ? value_of_cusp : std::clamp(bound.ratio, -1.0, 0.0) - 1e-3;
   if (runs_against(v, n, x)) return folded;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,9 @@ namespace paver {
 
 constexpr double fair = 0.2;       ///< value of an element that is not poor
 constexpr double very_poor = 0.1;  ///< of one for which triangles may come
+
+/// B-rep edges on regions' borders.
+std::set<int> bounding_edges(std::span<const Region> regions);
 
 /// An interval of a B-rep edge.
 struct BoundarySide {

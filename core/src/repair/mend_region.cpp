@@ -164,13 +164,12 @@ class Mender {
   void try_set(const ElementSet& set, Candidate& best) {
     const PatchOutline outline = outline_of(mesh_, set, most_outline);
     if (outline.loop.empty()) return;
-    auto value = [&](const Corners& v, double floor) { return value_of(v, floor); };
     std::vector<int> fixed;
     for (int v : outline.inside)
       if (mesh_.is_fixed[v]) fixed.push_back(v);
     if (fixed.size() > 1) return;
     if (fixed.size() == 1) {
-      consider({set, fill_about(fixed[0], outline.loop, kinds_, value), {}}, best);
+      consider({set, fill_about(fixed[0], outline.loop, kinds_, value_), {}}, best);
       return;
     }
     consider({set, fill(outline.loop, set), {}}, best);
@@ -182,7 +181,7 @@ class Mender {
       h += mesh_.h[v] / static_cast<double>(outline.loop.size());
     }
     const int node = add_node(p, h);
-    consider({set, fill_about(node, outline.loop, kinds_, value), {p}}, best);
+    consider({set, fill_about(node, outline.loop, kinds_, value_), {p}}, best);
     mesh_.drop_last_node();
     if (kinds_.quads && best.filling.worst < fair)
       for (const SmoothChain& chain : smooth_chains(judge_, outline.loop)) try_row(set, outline.loop, chain, best);
@@ -210,8 +209,7 @@ class Mender {
   /// For the place of some elements.
   Filling fill(const std::vector<int>& outline, const ElementSet& set, std::size_t most_nodes = most_outline) {
     return fill_outline(
-        outline, kinds_, [&](const Corners& v, double floor) { return value_of(v, floor); },
-        [&](int a, int b) { return is_side_outside(mesh_, set, a, b); }, most_nodes);
+        outline, kinds_, value_, [&](int a, int b) { return is_side_outside(mesh_, set, a, b); }, most_nodes);
   }
 
   /// Neighbours join it one by one, nearest first, as long as there is one loop about all and no fixed node inside.
@@ -302,6 +300,7 @@ class Mender {
   RegionMesh& mesh_;
   const ElementJudge& judge_;
   const ElementKinds kinds_;
+  const ElementValue value_ = [this](const Corners& v, double floor) { return value_of(v, floor); };
   double floor_ = 0;                                       // value that what comes must exceed
   bool may_have_triangles_ = true;                         // more of them than what goes
   std::unordered_map<Corners, Known, CornersHash> known_;  // of elements between nodes that stay where they are

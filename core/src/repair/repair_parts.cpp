@@ -99,7 +99,7 @@ class PartRepairer {
     std::vector<int> bad = find_bad({place, parts_[i].paved->mesh, sides, options_.order});
     const bool has_twins = !twin_sides(parts_[i].paved->mesh).empty();
     const Face& face = model_.faces[region_of(i).face];
-    const OtherWays ways(region_of(i), face, sides, options_, progress_);
+    const OtherWays ways{region_of(i), face, sides, options_, progress_};
     const bool is_first = round_ == 0 && parts_[i].piece < 0;
     if (!bad.empty() || has_twins || (is_first && ways.can_help(parts_[i].paved->mesh))) {
       auto copy = std::make_shared<PavedRegion>(*parts_[i].paved);
@@ -119,33 +119,34 @@ class PartRepairer {
 
   // Only on the rank that has the part.
   template <class Change>
-  auto change(std::size_t part, Change change) {
+  void change(std::size_t part, Change change) {
     auto copy = std::make_shared<PavedRegion>(*parts_[part].paved);
-    auto result = change(copy->mesh);
+    change(copy->mesh);
     parts_[part].paved = std::move(copy);
     is_due_[part] = 1;
-    return result;
+  }
+
+  // Of all parts on all ranks.
+  template <class Side>
+  std::vector<Side> all_of(std::vector<Side> PartFindings::*sides) const {
+    std::vector<Side> mine;
+    for (const PartFindings& found : findings_) std::ranges::copy(found.*sides, std::back_inserter(mine));
+    return gather_all(mine, ranks_);
   }
 
   void divide_shared() {
-    std::vector<InnerSide> mine;
-    for (const PartFindings& found : findings_) mine.insert(mine.end(), found.inner.begin(), found.inner.end());
-    std::map<int, std::vector<InnerSide>> of_part;
-    for (const InnerSide& side : sides_to_part(gather_all(mine, ranks_), regions_, nodes_))
-      if (parts_[side.part].paved) of_part[side.part].push_back(side);
-    for (const auto& entry : of_part) {
-      const auto i = static_cast<std::size_t>(entry.first);
-      const std::vector<InnerSide>& sides = entry.second;
-      const std::vector<Vec3> made =
-          change(i, [&](RegionMesh& mesh) { return divide_inner_sides(paver_.place_of(parts_[i]), sides, mesh); });
-      for (Vec3 x : made) places_.push_back({ElementRepairKind::divided, region_of(i).face, x});
-    }
+    std::map<std::size_t, std::vector<InnerSide>> of_part;
+    for (const InnerSide& side : sides_to_part(all_of(&PartFindings::inner), regions_, nodes_))
+      if (parts_[side.part].paved) of_part[static_cast<std::size_t>(side.part)].push_back(side);
+    for (const auto& [part, sides] : of_part)
+      change(part, [&, i = part, &inner = sides](RegionMesh& mesh) {
+        for (Vec3 x : divide_inner_sides(paver_.place_of(parts_[i]), inner, mesh))
+          places_.push_back({ElementRepairKind::divided, region_of(i).face, x});
+      });
   }
 
   void divide_edges() {
-    std::vector<SideToDivide> mine;
-    for (const PartFindings& found : findings_) mine.insert(mine.end(), found.sides.begin(), found.sides.end());
-    const std::vector<DividedSide> divided = divide_intervals(model_, gather_all(mine, ranks_), nodes_);
+    const std::vector<DividedSide> divided = divide_intervals(model_, all_of(&PartFindings::sides), nodes_);
     if (divided.empty()) return;
     paver_.put(std::move(parts_));
     paver_.add_boundary_nodes(static_cast<int>(divided.size()));
@@ -158,17 +159,13 @@ class PartRepairer {
         places_.push_back({ElementRepairKind::divided_edge, nodes_.node_edge[node], nodes_.nodes[node]});
     }
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-      if (!parts_[i].paved || !has_any(parts_[i].paved->mesh, ends)) continue;
+      auto is_end = [&](int node) { return ends.contains(node); };
+      if (!parts_[i].paved || std::ranges::none_of(parts_[i].paved->mesh.global, is_end)) continue;
       const BoundarySides sides(region_of(i), nodes_);
       change(i, [&](RegionMesh& mesh) {
         divide_boundary_sides({paver_.place_of(parts_[i]), mesh, sides, options_.order}, nodes_, divided, kinds_, mesh);
-        return true;
       });
     }
-  }
-
-  static bool has_any(const RegionMesh& mesh, const std::set<int>& nodes) {
-    return std::any_of(mesh.global.begin(), mesh.global.end(), [&](int node) { return nodes.contains(node); });
   }
 
   std::vector<ElementRepair> all_places() {

@@ -6,20 +6,15 @@
 #include <set>
 
 #include "curving/near_surface.h"
-#include "repair/edits/patch.h"
+#include "repair/curved_element.h"
 
 namespace paver {
 namespace {
 
 /// Intervals of the edges that bound regions, by their nodes.
 std::set<std::pair<int, int>> intervals_of(std::span<const Region> regions, const EdgeNodes& nodes) {
-  std::set<int> edges;
-  for (const Region& region : regions)
-    for (const auto& loop : region.loops)
-      for (const LoopNode& node : loop)
-        if (node.edge >= 0) edges.insert(node.edge);
   std::set<std::pair<int, int>> intervals;
-  for (int edge : edges) {
+  for (int edge : bounding_edges(regions)) {
     const std::vector<int>& along = nodes.edges[edge].node;
     for (std::size_t i = 1; i < along.size(); ++i) intervals.insert(std::minmax(along[i - 1], along[i]));
   }
