@@ -93,7 +93,7 @@ class RegionBuilder {
         if (i == 0 && before->edge == c.edge && before->is_reversed != c.is_reversed && !c.is_slit)
           node.angle = chart_angle(*before, c, region);
         out.push_back(node);
-        is_slit.push_back(c.is_slit || is_slit_of_layout(c.edge));
+        is_slit.push_back(c.is_slit || std::ranges::find(layout_.slits, c.edge) != layout_.slits.end());
       }
       if (n > 0) before = &c;
     }
@@ -106,10 +106,6 @@ class RegionBuilder {
     unite_places(slits, region.loops);
     for (std::size_t l = 0; l < slits.size(); ++l) open_slits(slits[l], region.loops[l]);
     choose_sides(slits, region.loops);
-  }
-
-  bool is_slit_of_layout(int edge) const {
-    return std::find(layout_.slits.begin(), layout_.slits.end(), edge) != layout_.slits.end();
   }
 
   // Loops, and parts of one, that meet at a vertex have it at one place: their edges' images end near each other only,
@@ -434,7 +430,8 @@ class RegionBuilder {
           radius *
           (i % 2 ? std::min(farthest, std::max(1 / std::max(least_cosine, std::cos(half)), 1 + dip * half)) : 1.0);
       LoopNode node;
-      const Vec2 uv = at(share_at(turned, static_cast<double>(i) / (2 * quads)), reach);
+      const double share = static_cast<double>(i) / (2 * quads);
+      const Vec2 uv = at(turned.back() > 0 ? share_of(turned, share * turned.back()) : share, reach);
       node.p = region.chart->to_chart(uv);
       node.x = region.surface->point(uv);
       node.h = std::min(h, std::max(radius * 2 * half, least_side * radius));
@@ -466,11 +463,6 @@ class RegionBuilder {
     return turned;
   }
 
-  /// The share of the way where that share of the whole is reached.
-  static double share_at(const std::vector<double>& sums, double share) {
-    return sums.back() > 0 ? share_of(sums, share * sums.back()) : share;
-  }
-
   /// The share of the way where the sum is `wanted`.
   static double share_of(const std::vector<double>& sums, double wanted) {
     const std::size_t i = cell_of(sums, wanted);
@@ -485,11 +477,10 @@ class RegionBuilder {
     fan.centre.p = region.chart->to_chart(point.uv);
     fan.centre.h = target_at(point.uv);
     fan.centre.global = node_at(point.vertex, fan.centre.h);
-    auto has_fan = [&](const Fan& other) { return other.centre.global == fan.centre.global; };
-    if (std::any_of(region.fans.begin(), region.fans.end(), has_fan)) return;  // an apex
-    auto has_node = [&](const LoopNode& node) { return node.global == fan.centre.global; };
+    auto is_same = [&](const LoopNode& node) { return node.global == fan.centre.global; };
+    if (std::ranges::any_of(region.fans, is_same, &Fan::centre)) return;  // an apex
     for (const auto& loop : region.loops)
-      if (std::any_of(loop.begin(), loop.end(), has_node)) return;  // on a periodic edge that stays as a cut
+      if (std::ranges::any_of(loop, is_same)) return;  // on a periodic edge that stays as a cut
     fan.centre.x = nodes_.nodes[fan.centre.global];
     double room = nearest_facet(region, fan.centre.x);
     for (const InnerPoint& other : face_.points)

@@ -22,10 +22,21 @@ struct Piece {
   int depth;
 };
 
-double distance(const Piece& s, const Piece& t) {
-  if (do_cross(s.a, s.b, t.a, t.b)) return 0;
-  return std::min({distance_to_segment(s.a, t.a, t.b), distance_to_segment(s.b, t.a, t.b),
-                   distance_to_segment(t.a, s.a, s.b), distance_to_segment(t.b, s.a, s.b)});
+struct Nearest {
+  Vec2 at;
+  double distance;  // between the chords
+};
+
+Nearest nearest(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  if (do_cross(a, b, c, d)) {
+    const double u = orientation(c, d, a), v = orientation(c, d, b);
+    return {a + (u / (u - v)) * (b - a), 0};
+  }
+  Nearest found{a, distance_to_segment(a, c, d)};
+  for (const Nearest& end : {Nearest{b, distance_to_segment(b, c, d)}, Nearest{c, distance_to_segment(c, a, b)},
+                             Nearest{d, distance_to_segment(d, a, b)}})
+    if (end.distance < found.distance) found = end;
+  return found;
 }
 
 class Pair {
@@ -46,13 +57,14 @@ class Pair {
   }
 
   bool keep_apart(const Piece& s, const Piece& t) {
-    at_ = nearest_point(s.a, s.b, t.a, t.b);
+    const Nearest found = nearest(s.a, s.b, t.a, t.b);
+    at_ = found.at;
     if (++steps_ > most_steps) return false;
     std::vector<SharedEnd> ends;
     for (const SharedEnd& end : shared_)
       if ((end.first == s.from || end.first == s.to) && (end.second == t.from || end.second == t.to))
         ends.push_back(end);
-    if (ends.empty() && distance(s, t) > s.bulge + t.bulge) return true;
+    if (ends.empty() && found.distance > s.bulge + t.bulge) return true;
     const bool is_first = s.bulge >= t.bulge;
     const Piece& wider = is_first ? s : t;
     const bool is_straight = !(wider.bulge > least_);
@@ -117,21 +129,7 @@ double PlaneCurve::bulge(double from, double to) const {
   return safety * most;
 }
 
-Vec2 nearest_point(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  if (do_cross(a, b, c, d)) {
-    const double u = orientation(c, d, a), v = orientation(c, d, b);
-    return a + (u / (u - v)) * (b - a);
-  }
-  Vec2 nearest = a;
-  double least = distance_to_segment(a, c, d);
-  auto look = [&](Vec2 p, double away) {
-    if (away < least) nearest = p, least = away;
-  };
-  look(b, distance_to_segment(b, c, d));
-  look(c, distance_to_segment(c, a, b));
-  look(d, distance_to_segment(d, a, b));
-  return nearest;
-}
+Vec2 nearest_point(Vec2 a, Vec2 b, Vec2 c, Vec2 d) { return nearest(a, b, c, d).at; }
 
 Meeting find_meeting(const PlaneCurve& one, const PlaneCurve& other, const std::vector<SharedEnd>& shared) {
   return Pair(one, other, shared).run();

@@ -99,8 +99,7 @@ class FacetCurves {
       const Coedge& coedge = *use;
       for (int k = 0; k < division.intervals(); ++k) {
         const int from = coedge.is_reversed ? k + 1 : k, to = coedge.is_reversed ? k : k + 1;
-        if (division.node[from] != a.global) continue;
-        if (division.node[to] != b.global) continue;
+        if (division.node[from] != a.global || division.node[to] != b.global) continue;
         const double s = division.t[2 * static_cast<std::size_t>(from)],
                      t = division.t[2 * static_cast<std::size_t>(to)];
         const Chart& chart = *region_.chart;

@@ -124,7 +124,7 @@ class Mender {
 
   /// The element alone, with one neighbour, with two, the stars of its corners, its ring.
   void try_sets(int e, Candidate& best) {
-    const ElementSet about = neighbours_of(mesh_, e);
+    ElementSet about = neighbours_of(mesh_, e);
     try_set({e}, best);
     for (int f : about) try_set({e, f}, best);
     for (std::size_t i = 0; i < about.size(); ++i) {
@@ -134,7 +134,8 @@ class Mender {
     }
     for (int v : mesh_.elements[e].v)
       if (v >= 0) try_set({mesh_.star[v].begin(), mesh_.star[v].end()}, best);
-    try_set(with(about, e), best);
+    about.push_back(e);
+    try_set(about, best);
     try_set(ring_about(mesh_, e), best);
   }
 
@@ -154,11 +155,6 @@ class Mender {
     const Element& element = mesh_.elements[e];
     for (int k = 0; k < element.corners(); ++k) sum += (1.0 / element.corners()) * mesh_.x[element.v[k]];
     return sum;
-  }
-
-  static ElementSet with(ElementSet set, int e) {
-    set.push_back(e);
-    return set;
   }
 
   void try_set(const ElementSet& set, Candidate& best) {

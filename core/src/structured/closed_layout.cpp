@@ -69,13 +69,14 @@ class CurvedQuad {
   bool is_near(double h) const {
     constexpr std::array<double, 3> shares{0.25, 0.5, 0.75};
     const double most = most_off * std::min({h, norm(x_[8] - x_[0]), norm(x_[6] - x_[2])});
+    auto is_off = [&](double s, double t) {
+      const Vec3 y = at(s, t);
+      return norm(foot(block_, surface_, place(s, t), y) - y) > most;
+    };
     for (double s : shares)
       for (double t : shares)
-        if (const Vec3 y = at(s, t); norm(foot(block_, surface_, place(s, t), y) - y) > most) return false;
-    for (double s : {0.25, 0.75})
-      for (const Vec2 on : {Vec2{s, 0}, {0, s}})
-        if (const Vec3 y = at(on.x, on.y); norm(foot(block_, surface_, place(on.x, on.y), y) - y) > most) return false;
-    return true;
+        if (is_off(s, t)) return false;
+    return !is_off(0.25, 0) && !is_off(0, 0.25) && !is_off(0.75, 0) && !is_off(0, 0.75);
   }
 
  private:

@@ -113,15 +113,6 @@ CubeCounts choose_counts(const ClosedFace& face, const FaceExtent& extent) {
   return best;
 }
 
-std::shared_ptr<const ClosedLayout> lay(const ClosedFace& face, CubeCounts counts, const Progress& progress) {
-  const Cube cube(face, counts);
-  if (!cube.is_possible()) return nullptr;
-  auto place = [&](std::size_t block, double s, double t) { return cube.place(block, s, t); };
-  const BlockGrid grid = placed_grid(face, cube.layout(), place, most_placed, progress);
-  const GridFigures figures = measure_grid(grid.grid());
-  return is_good(figures, most_uneven, most_turn) ? mapped(face, cube.layout(), grid, figures.turn) : nullptr;
-}
-
 }  // namespace
 
 std::shared_ptr<const ClosedLayout> lay_cube(const ClosedFace& face, const Progress& progress) {
@@ -131,7 +122,12 @@ std::shared_ptr<const ClosedLayout> lay_cube(const ClosedFace& face, const Progr
   const double off = std::fabs(counts.quads() / extent.elements - 1);
   if (off > too_far_off)
     if (auto prism = lay_prism(face, off, progress)) return prism;
-  return lay(face, counts, progress);
+  const Cube cube(face, counts);
+  if (!cube.is_possible()) return nullptr;
+  auto place = [&](std::size_t block, double s, double t) { return cube.place(block, s, t); };
+  const BlockGrid grid = placed_grid(face, cube.layout(), place, most_placed, progress);
+  const GridFigures figures = measure_grid(grid.grid());
+  return is_good(figures, most_uneven, most_turn) ? mapped(face, cube.layout(), grid, figures.turn) : nullptr;
 }
 
 }  // namespace paver

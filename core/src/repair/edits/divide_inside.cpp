@@ -65,14 +65,11 @@ class BendDivider {
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   }
 
-  int node_between(int a, int b) const {
-    const auto at = nodes_.find(std::minmax(a, b));
-    return at == nodes_.end() ? -1 : at->second;
-  }
-
   void refill(int e) {
-    const std::vector<int> outline =
-        with_nodes_between(mesh_.elements[e], [&](int a, int b) { return node_between(a, b); });
+    const std::vector<int> outline = with_nodes_between(mesh_.elements[e], [&](int a, int b) {
+      const auto at = nodes_.find(std::minmax(a, b));
+      return at == nodes_.end() ? -1 : at->second;
+    });
     Filling filling = fill_outline(
         outline, kinds_, [&](const Corners& v, double floor) { return judge_.value(v, floor); },
         [&](int a, int b) { return is_side_outside(mesh_, {e}, a, b); });

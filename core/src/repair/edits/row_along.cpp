@@ -1,11 +1,6 @@
 #include "repair/edits/row_along.h"
 
 namespace paver {
-namespace {
-
-constexpr double straight_sine = 0.2;  // of the angle by which a border turns where it goes on straight
-
-}  // namespace
 
 bool is_straight(const ElementJudge& judge, int before, int v, int after, double most_sine) {
   const RegionMesh& mesh = judge.mesh();
@@ -21,7 +16,7 @@ bool has_straight_corner(const ElementJudge& judge, int element) {
   const Element& e = judge.mesh().elements[element];
   const int n = e.corners();
   for (int k = 0; k < n; ++k)
-    if (is_straight(judge, e.v[(k + n - 1) % n], e.v[k], e.v[(k + 1) % n], straight_sine)) return true;
+    if (is_straight(judge, e.v[(k + n - 1) % n], e.v[k], e.v[(k + 1) % n])) return true;
   return false;
 }
 
@@ -30,7 +25,7 @@ std::vector<SmoothChain> smooth_chains(const ElementJudge& judge, std::span<cons
   std::vector<char> is_flat(n);
   std::size_t start = n;  // a node where the border does not go on straight
   for (std::size_t i = 0; i < n; ++i) {
-    is_flat[i] = is_straight(judge, outline[(i + n - 1) % n], outline[i], outline[(i + 1) % n], straight_sine);
+    is_flat[i] = is_straight(judge, outline[(i + n - 1) % n], outline[i], outline[(i + 1) % n]);
     if (!is_flat[i] && start == n) start = i;
   }
   std::vector<SmoothChain> chains;

@@ -34,7 +34,7 @@ std::vector<Vec2> places_of_row(const RegionMesh& mesh, std::span<const int> out
 
 /// Whether the border goes on straight at node v, so that no order 2 element has a Jacobian there: at a corner between
 /// sides from `before` and to `after`, both on B-rep edges, of which the sine of the angle is at most `most_sine`.
-bool is_straight(const ElementJudge& judge, int before, int v, int after, double most_sine);
+bool is_straight(const ElementJudge& judge, int before, int v, int after, double most_sine = 0.2);
 
 /// Whether an element has such a corner.
 bool has_straight_corner(const ElementJudge& judge, int element);
