@@ -1,8 +1,7 @@
 // Single quads on facets of small regions.
-#include "paving/rows/factory_facet.h"
-
 #include <gtest/gtest.h>
 
+#include "paving/rows/row.h"
 #include "support/planar_region.h"
 
 namespace paver {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "paving/rows/factory_facet.h"
 #include "paving/rows/row_plan.h"
 
 namespace paver {
@@ -48,6 +47,39 @@ int lay_around(Front& front, int node, const NodePlan& plan, int level, std::vec
 }
 
 }  // namespace
+
+bool lay_quad(Front& front, int f, const Wish* left, const Wish* right, int level, std::vector<int>& new_nodes) {
+  constexpr double least_of_new = 0.05, least_of_old = 1e-3;  // scaled Jacobian
+  const Facet facet = front.facets[f];
+  const int a = facet.a, b = facet.b, before = front.facets[facet.prev].a, after = front.facets[facet.next].b;
+  auto start = [&] { return front.empty.facet_side(f).triangle; };
+  Granted d{before, false}, c{after, false};
+  if (left) d = grant(front, *left, start(), b, right ? after : -1);
+  if (d.node < 0) return false;
+  if (right) c = grant(front, *right, start(), a, left ? d.node : -1);
+  auto put = [&](const Granted& g, int base) {
+    return !g.is_new || front.empty.insert(g.node, front.empty.walk(start(), base, front.mesh.p[g.node]));
+  };
+  const double least = d.is_new || c.is_new ? least_of_new : least_of_old;
+  const bool is_fit = c.node >= 0 && c.node != d.node && positive_jacobian(front.mesh, {a, b, c.node, d.node}) > least;
+  bool is_laid = false;
+  if (is_fit && put(d, a)) {
+    if (put(c, b)) {
+      is_laid = front.form_element(f, c.node, d.node, level);
+      if (!is_laid && c.is_new) front.empty.erase(c.node, start(), b);
+    }
+    if (!is_laid && d.is_new) front.empty.erase(d.node, start(), a);
+  }
+  for (const Granted& g : {d, c}) {
+    if (!g.is_new) continue;
+    if (is_laid) {
+      new_nodes.push_back(g.node);
+    } else {
+      front.drop_last_node();
+    }
+  }
+  return is_laid;
+}
 
 std::vector<Row> find_rows(const Front& front, const std::vector<int>& loop, const std::vector<double>& angles) {
   int n = static_cast<int>(loop.size());

@@ -24,4 +24,9 @@ std::vector<Row> find_rows(const Front& front, const std::vector<int>& loop, con
 /// Lays the quads of the row until it is done or blocked, and gives their number. Adds the new front nodes.
 int lay_row(Front& front, const Row& row, std::vector<int>& new_nodes);
 
+/// Lays one quad on facet f, the factory facet. Each side corner is either the neighbour on the front (an end) or
+/// granted for a wish. `left` belongs to the start node of f, `right` to its end node; null: end. New front nodes are
+/// appended to `new_nodes`. False, and nothing changed, when it does not fit.
+bool lay_quad(Front& front, int f, const Wish* left, const Wish* right, int level, std::vector<int>& new_nodes);
+
 }  // namespace paver
