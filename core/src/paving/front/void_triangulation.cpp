@@ -44,6 +44,12 @@ void VoidTriangulation::link(int t, int corner, int neighbour) {
   }
 }
 
+void VoidTriangulation::link_both(int t, int corner, int neighbour) {
+  link(t, corner, neighbour);
+  const auto& v = triangles_[t].v;
+  if (neighbour >= 0) link(neighbour, side_between(neighbour, v[(corner + 1) % 3], v[(corner + 2) % 3]), t);
+}
+
 int VoidTriangulation::side_between(int t, int a, int b) const {
   const auto& v = triangles_[t].v;
   for (int i = 0; i < 3; ++i) {
@@ -53,27 +59,33 @@ int VoidTriangulation::side_between(int t, int a, int b) const {
   return -1;
 }
 
-// The triangle of the fan whose wedge at `node` holds the direction to `target`.
-bool VoidTriangulation::first_in_fan(int start, int node, Vec2 target, int& t) const {
-  Vec2 o = at(node);
-  auto holds = [&](int s) {
+// The first triangle of the fan about `node` that `is_wanted`, or -1.
+template <class Wanted>
+int VoidTriangulation::find_in_fan(int start, int node, Wanted is_wanted) const {
+  int t = start;
+  do {
+    if (is_wanted(t)) return t;
+    t = rotate_ccw(t, node);
+    if (t == start) return -1;
+  } while (t >= 0);
+  for (t = rotate_cw(start, node); t >= 0; t = rotate_cw(t, node))
+    if (is_wanted(t)) return t;
+  return -1;
+}
+
+// The one whose wedge at `node` holds the direction to `target`.
+int VoidTriangulation::find_towards(int start, int node, Vec2 target) const {
+  const Vec2 o = at(node);
+  return find_in_fan(start, node, [&](int s) {
     int k = corner_of(s, node);
     const auto& v = triangles_[s].v;
     return orientation(o, at(v[(k + 1) % 3]), target) >= 0 && orientation(o, at(v[(k + 2) % 3]), target) <= 0;
-  };
-  for (t = start; t >= 0;) {
-    if (holds(t)) return true;
-    t = rotate_ccw(t, node);
-    if (t == start) return false;
-  }
-  for (t = rotate_cw(start, node); t >= 0; t = rotate_cw(t, node))
-    if (holds(t)) return true;
-  return false;
+  });
 }
 
 Location VoidTriangulation::walk(int start, int node, Vec2 target) const {
-  int t;
-  if (!first_in_fan(start, node, target, t)) return {};
+  int t = find_towards(start, node, target);
+  if (t < 0) return {};
   Vec2 o = at(node);
   int k = corner_of(t, node);
   int u = triangles_[t].v[(k + 1) % 3], w = triangles_[t].v[(k + 2) % 3];
@@ -107,24 +119,15 @@ Location VoidTriangulation::walk(int start, int node, Vec2 target) const {
 }
 
 bool VoidTriangulation::insert(int node, const Location& where) {
-  int t = where.triangle;
-  stack_.clear();
-  crossed_.assign(1, t);
-  outer_.clear();
+  crossed_.assign(1, where.triangle);
   if (where.kind == Location::Kind::on_side) {
-    int other = triangles_[t].n[where.corner];
+    int other = triangles_[where.triangle].n[where.corner];
     if (other < 0) return false;
     crossed_.push_back(other);
   } else if (where.kind != Location::Kind::inside) {
     return false;
   }
-  for (int c : crossed_)
-    for (int i = 0; i < 3; ++i) {
-      int n = triangles_[c].n[i];
-      if (crossed_.size() == 2 && (n == crossed_[0] || n == crossed_[1])) continue;
-      outer_.push_back({triangles_[c].v[(i + 1) % 3], triangles_[c].v[(i + 2) % 3], n});
-    }
-  for (int c : crossed_) remove(c);
+  remove_crossed();
   made_.clear();
   for (const OuterSide& s : outer_) made_.push_back(make(s.a, s.b, node));
   link_cavity();
@@ -141,8 +144,7 @@ void VoidTriangulation::divide_side(Side side, const int (&node)[2], const int (
   made_ = {make(a, node[0], z), make(node[0], node[1], z), make(node[1], b, z)};
   for (int i = 0; i < 3; ++i) link(made_[i], 2, facet_code(facet[i]));
   link_cavity();
-  stack_ = made_;
-  legalise(stack_);
+  legalise(made_);
 }
 
 // A walk along a line through other vertices may end at a facet between them.
@@ -172,8 +174,18 @@ void VoidTriangulation::erase(int node, int start, int near) {
   clip_ears(ring);
   for (int c : crossed_) remove(c);
   link_cavity();
-  stack_ = made_;
-  legalise(stack_);
+  legalise(made_);
+}
+
+// Takes out the triangles of crossed_; their sides to others are outer_.
+void VoidTriangulation::remove_crossed() {
+  auto is_crossed = [&](int n) { return n >= 0 && std::find(crossed_.begin(), crossed_.end(), n) != crossed_.end(); };
+  outer_.clear();
+  for (int c : crossed_)
+    for (int i = 0; i < 3; ++i)
+      if (int n = triangles_[c].n[i]; !is_crossed(n))
+        outer_.push_back({triangles_[c].v[(i + 1) % 3], triangles_[c].v[(i + 2) % 3], n});
+  for (int c : crossed_) remove(c);
 }
 
 // Links the triangles of made_ with one another and with the sides in outer_.
@@ -194,8 +206,7 @@ void VoidTriangulation::link_cavity() {
       if (std::ranges::any_of(made_, link_to)) continue;
       for (const OuterSide& o : outer_)
         if (o.a == a && o.b == b) {
-          link(t, i, o.neighbour);
-          if (o.neighbour >= 0) link(o.neighbour, side_between(o.neighbour, a, b), t);
+          link_both(t, i, o.neighbour);
           break;
         }
     }
@@ -231,8 +242,8 @@ bool VoidTriangulation::clip_ears(std::vector<int>& polygon) {
 
 bool VoidTriangulation::recover(int start, int a, int b) {
   Vec2 pa = at(a), pb = at(b);
-  int t;
-  if (!first_in_fan(start, a, pb, t)) return false;
+  int t = find_towards(start, a, pb);
+  if (t < 0) return false;
   int k = corner_of(t, a);
   int u = triangles_[t].v[(k + 1) % 3], w = triangles_[t].v[(k + 2) % 3];
   if (u == b || w == b) return true;
@@ -267,13 +278,7 @@ bool VoidTriangulation::recover(int start, int a, int b) {
     for (int m : made_) remove(m);
     return false;
   }
-  outer_.clear();
-  auto is_crossed = [&](int n) { return n >= 0 && std::find(crossed_.begin(), crossed_.end(), n) != crossed_.end(); };
-  for (int c : crossed_)
-    for (int i = 0; i < 3; ++i)
-      if (int n = triangles_[c].n[i]; !is_crossed(n))
-        outer_.push_back({triangles_[c].v[(i + 1) % 3], triangles_[c].v[(i + 2) % 3], n});
-  for (int c : crossed_) remove(c);
+  remove_crossed();
   link_cavity();
   spoiled_.insert(spoiled_.end(), made_.begin(), made_.end());
   return true;
@@ -308,14 +313,10 @@ void VoidTriangulation::flip(int t, int corner) {
   triangles_[other].v = {a, z, c};
   note(t);
   note(other);
-  auto attach = [&](int s, int side, int n) {
-    link(s, side, n);
-    if (n >= 0) link(n, side_between(n, triangles_[s].v[(side + 1) % 3], triangles_[s].v[(side + 2) % 3]), s);
-  };
-  attach(t, 0, n_bz);
-  attach(t, 2, n_ab);
-  attach(other, 0, n_zc);
-  attach(other, 1, n_ca);
+  link_both(t, 0, n_bz);
+  link_both(t, 2, n_ab);
+  link_both(other, 0, n_zc);
+  link_both(other, 1, n_ca);
   triangles_[t].n[1] = other;
   triangles_[other].n[2] = t;
 }
@@ -425,13 +426,7 @@ bool VoidTriangulation::bound_facet(int f, int count, std::pair<int, int> ends) 
     if (other >= 0) link(other, side_between(other, from, to), facet_code(count + 3 + f));
     return true;
   };
-  int start = hint_[a], t = start;
-  do {
-    if (try_set(t)) return true;
-    t = rotate_ccw(t, a);
-  } while (t >= 0 && t != start);
-  for (t = rotate_cw(start, a); t >= 0 && t != start; t = rotate_cw(t, a))
-    if (try_set(t)) return true;
+  if (find_in_fan(hint_[a], a, try_set) >= 0) return true;
   for (int s = 0; s < triangle_count(); ++s)  // another sector of a
     if (triangles_[s].is_alive && has_node(s, a) && try_set(s)) return true;
   return false;

@@ -104,7 +104,11 @@ class VoidTriangulation {
   Vec2 at(int v) const { return v >= 0 ? points_[v] : frame_[-1 - v]; }
   int triangle_at(int node, int start, int near) const;
   int make(int a, int b, int c);
-  bool first_in_fan(int start, int node, Vec2 target, int& t) const;
+  template <class Wanted>
+  int find_in_fan(int start, int node, Wanted is_wanted) const;
+  int find_towards(int start, int node, Vec2 target) const;
+  void link_both(int t, int corner, int neighbour);
+  void remove_crossed();
   void flip(int t, int corner);
   bool should_flip(int t, int corner) const;
   void legalise_about(int node);
