@@ -84,12 +84,8 @@ class VoidFiller {
     std::vector<std::pair<int, int>> found;
     for (int f : alive_) {
       if (seen_[f] == call_) continue;
-      int size = 0, g = f;
-      do {
-        seen_[g] = call_;
-        ++size;
-        g = front_.facets[g].next;
-      } while (g != f);
+      int size = 0;
+      front_.each_of_loop(f, [&](int g) { seen_[g] = call_, ++size; });
       found.push_back({size, f});
     }
     std::stable_sort(found.begin(), found.end(), [](auto p, auto q) { return p.first < q.first; });

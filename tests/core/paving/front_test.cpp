@@ -197,7 +197,8 @@ TEST(Front, NodesMoveOnlyWhereNothingTurnsOver) {
   EXPECT_TRUE(t.front.can_move(inner, {1.2, 0.8}));
   EXPECT_FALSE(t.front.can_move(inner, {0.4, 0.4}));  // concave
   EXPECT_FALSE(t.front.can_move(inner, {5, 5}));
-  t.front.set_position(inner, t.region.place({1.2, 1.3}));
+  t.mesh.put(inner, t.region.place({1.2, 1.3}));
+  t.front.renew_void({inner});
   EXPECT_EQ(front_faults(t.front), "");
 }
 

@@ -153,7 +153,7 @@ class ChordRemover {
     return best;
   }
 
-  void move(int node, Vec2 p) { front_.set_position(node, front_.region.place(p)); }
+  void move(int node, Vec2 p) { mesh_.put(node, front_.region.place(p)); }
 
   Division stars(int centre, const std::vector<int>& v) const {
     Division best;

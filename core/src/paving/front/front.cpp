@@ -48,8 +48,7 @@ int Front::add_boundary_node(const std::vector<LoopNode>& loop, std::size_t i) {
   take_clear_tangents(region, node, next - before, mesh);
   true_angle_.resize(node, -1);
   true_angle_.push_back(loop[i].angle);
-  out_facet_.resize(node + 1, -1), sectors_.resize(node + 1, 0), colour_.resize(node + 1);
-  is_passed_.resize(node + 1, false);
+  at_node_.resize(node + 1);
   return node;
 }
 
@@ -116,15 +115,13 @@ void Front::find_passed_corners(const std::vector<std::vector<int>>& loops) {
       const int f = facet_from(node);
       angles.push_back(f < 0 ? M_PI : angle_after(facets[f].prev));
     }
-    for (std::size_t i : passed_corners(angles)) is_passed_[loop[i]] = true;
+    for (std::size_t i : passed_corners(angles)) at_node_[loop[i]].is_passed = true;
   }
 }
 
 void Front::start_whole() {
   true_angle_.resize(mesh.node_count(), -1);
-  out_facet_.assign(mesh.node_count(), -1), sectors_.assign(mesh.node_count(), 0);
-  colour_.assign(mesh.node_count(), {});
-  is_passed_.assign(mesh.node_count(), false);
+  at_node_.assign(mesh.node_count(), {});
 }
 
 std::optional<int> Front::open_void() {
@@ -132,8 +129,7 @@ std::optional<int> Front::open_void() {
   std::vector<std::pair<int, int>> ends;
   for (std::size_t f = 0; f < facets.size(); ++f) {
     ends.push_back({facets[f].a, facets[f].b});
-    out_facet_[facets[f].a] = static_cast<int>(f);
-    ++sectors_[facets[f].a];
+    note_start(static_cast<int>(f));
   }
   auto crossing = empty.build(ends);
   if (!crossing) link_sectors();
@@ -144,7 +140,7 @@ std::optional<int> Front::open_void() {
 void Front::link_sectors() {
   for (int f = 0, n = static_cast<int>(facets.size()); f < n; ++f) {
     int w = facets[f].b;
-    if (sectors_[w] < 2) continue;
+    if (sectors(w) < 2) continue;
     int t = empty.facet_side(f).triangle;
     while (t >= 0) t = empty.rotate_cw(t, w);
     join(f, facet_of(t));
@@ -154,24 +150,20 @@ void Front::link_sectors() {
 int Front::add_node(Vec2 p) { return add_placed_node(region.place(p)); }
 
 int Front::add_placed_node(const NodePlace& at) {
-  int node = mesh.add_node(at, region.target(at.p));
-  out_facet_.push_back(-1);
-  is_passed_.push_back(false);
-  sectors_.push_back(0);
-  colour_.emplace_back();
-  return node;
+  at_node_.emplace_back();
+  return mesh.add_node(at, region.target(at.p));
 }
 
 void Front::drop_last_node() {
   mesh.drop_last_node();
-  out_facet_.pop_back(), sectors_.pop_back(), colour_.pop_back();
+  at_node_.pop_back();
 }
 
 double Front::angle_after(int f) const {
   int b = facets[f].b;
   double chords = chord_angle_after(f);
   bool is_boundary = b < static_cast<int>(true_angle_.size()) && true_angle_[b] >= 0 && mesh.star[b].size() == 0;
-  if (!is_boundary || sectors_[b] != 1) return chords;
+  if (!is_boundary || sectors(b) != 1) return chords;
   double angle = true_angle_[b];
   if (angle - chords > M_PI) angle -= 2 * M_PI;
   if (chords - angle > M_PI) angle += 2 * M_PI;
@@ -197,11 +189,7 @@ double Front::chord_angle_after(int f) const {
 
 void Front::collect_loop(int f, std::vector<int>& loop) const {
   loop.clear();
-  int g = f;
-  do {
-    loop.push_back(g);
-    g = facets[g].next;
-  } while (g != f);
+  each_of_loop(f, [&](int g) { loop.push_back(g); });
 }
 
 Front::Colour Front::root(Colour c) const {
@@ -214,16 +202,19 @@ Front::Colour Front::root(Colour c) const {
   return c;
 }
 
+Front::Colour Front::root(int node) const {
+  const Colour own = at_node_[node].colour;
+  return own.set < 0 ? own : root(own);
+}
+
 bool Front::may_connect(int a, int b) const {
-  if (colour_[a].set < 0 || colour_[b].set < 0) return true;
-  Colour ca = root(colour_[a]), cb = root(colour_[b]);
-  return ca.set != cb.set || ca.bit != cb.bit;
+  const Colour ca = root(a), cb = root(b);
+  return ca.set < 0 || ca.set != cb.set || ca.bit != cb.bit;
 }
 
 // Records that a and b are joined by a mesh edge: they get opposite colours.
 void Front::unite(int a, int b) {
-  Colour& ca = colour_[a];
-  Colour& cb = colour_[b];
+  Colour &ca = at_node_[a].colour, &cb = at_node_[b].colour;
   if (ca.set < 0 && cb.set < 0) return;
   if (ca.set < 0) {
     ca = {cb.set, !cb.bit};
@@ -239,9 +230,8 @@ void Front::colour_loop(int f) {
   int set = static_cast<int>(parent_.size());
   parent_.push_back({set, false});
   bool bit = false;
-  int g = f;
-  do {
-    Colour& colour = colour_[facets[g].a];
+  each_of_loop(f, [&](int g) {
+    Colour& colour = at_node_[facets[g].a].colour;
     if (colour.set >= 0) {  // shared with a loop coloured before
       Colour other = root(colour), own = root({set, bit});
       if (other.set != own.set) parent_[own.set] = {other.set, other.bit != own.bit};
@@ -249,30 +239,34 @@ void Front::colour_loop(int f) {
       colour = {set, bit};
     }
     bit = !bit;
-    g = facets[g].next;
-  } while (g != f);
+  });
 }
 
 int Front::add_facet(int a, int b, int level) {
   int f = static_cast<int>(facets.size());
   facets.push_back({a, b, -1, -1, level, true});
-  out_facet_[a] = f;
-  ++sectors_[a];
+  note_start(f);
   return f;
+}
+
+void Front::note_start(int f) {
+  NodeOnFront& start = at_node_[facets[f].a];
+  start.out_facet = f;
+  ++start.sectors;
 }
 
 void Front::kill(int f) {
   facets[f].is_alive = false;
-  int a = facets[f].a;
-  --sectors_[a];
-  if (out_facet_[a] != f) return;
-  out_facet_[a] = -1;
-  if (sectors_[a] > 0)  // rare: several sectors meet here, find one of the others
-    for (int g = static_cast<int>(facets.size()) - 1; g >= 0; --g)
-      if (facets[g].is_alive && facets[g].a == a) {
-        out_facet_[a] = g;
-        break;
-      }
+  NodeOnFront& start = at_node_[facets[f].a];
+  --start.sectors;
+  if (start.out_facet != f) return;
+  start.out_facet = start.sectors > 0 ? newest_facet(facets[f].a) : -1;  // rare: several sectors meet here
+}
+
+int Front::newest_facet(int from) const {
+  for (int f = static_cast<int>(facets.size()) - 1; f >= 0; --f)
+    if (facets[f].is_alive && (from < 0 || facets[f].a == from)) return f;
+  return -1;
 }
 
 void Front::join(int prev, int next) {
@@ -286,10 +280,8 @@ bool Front::colours_allow(const Outline& o) {
     if (o.facet[i] < 0 && !may_connect(o.corner[i], o.corner[(i + 1) % 4])) return false;
   // Two of the new sides may join the same two loops: then the path between must fit, too.
   for (int i = 0; i < 4; ++i) {
-    int a = o.corner[i], b = o.corner[(i + 2) % 4];
-    if (colour_[a].set < 0 || colour_[b].set < 0) continue;
-    Colour ca = root(colour_[a]), cb = root(colour_[b]);
-    if (ca.set == cb.set && ca.bit != cb.bit) return false;
+    const Colour ca = root(o.corner[i]), cb = root(o.corner[(i + 2) % 4]);
+    if (ca.set >= 0 && ca.set == cb.set && ca.bit != cb.bit) return false;
   }
   return true;
 }
@@ -333,7 +325,7 @@ bool Front::find_outline(int f, int c, int d, Outline& o) {
   }
   for (int i = 0; i < o.count; ++i) {
     int before = (i + o.count - 1) % o.count, w = o.corner[i];
-    if (o.facet[i] >= 0 || o.facet[before] >= 0 || sectors_[w] == 0) continue;
+    if (o.facet[i] >= 0 || o.facet[before] >= 0 || sectors(w) == 0) continue;
     int s = o.behind[before].triangle;
     while (s >= 0) s = empty.rotate_ccw(s, w);
     o.entering[i] = facet_of(s);
@@ -407,9 +399,9 @@ bool element_stays_positive(const RegionMesh& mesh, const Element& e, int node, 
 bool Front::can_move(int node, Vec2 p) const {
   for (int e : mesh.star[node])
     if (!element_stays_positive(mesh, mesh.elements[e], node, p)) return false;
-  if (sectors_[node] > 1) return false;
-  if (sectors_[node] == 0) return true;
-  for (int t = empty.facet_side(out_facet_[node]).triangle; t >= 0; t = empty.rotate_ccw(t, node)) {
+  if (sectors(node) > 1) return false;
+  if (sectors(node) == 0) return true;
+  for (int t = empty.facet_side(facet_from(node)).triangle; t >= 0; t = empty.rotate_ccw(t, node)) {
     int k = empty.corner_of(t, node);
     const auto& v = empty.triangle(t).v;
     if (orientation(p, mesh.p[v[(k + 1) % 3]], mesh.p[v[(k + 2) % 3]]) <= 0) return false;
@@ -417,15 +409,10 @@ bool Front::can_move(int node, Vec2 p) const {
   return true;
 }
 
-void Front::set_position(int node, const NodePlace& at) {
-  mesh.put(node, at);
-  renew_void({&node, 1});
-}
-
-void Front::renew_void(std::span<const int> nodes) {
+void Front::renew_void(const std::vector<int>& nodes) {
   stack_.clear();
   for (int node : nodes)
-    if (sectors_[node] > 0) collect_fan(out_facet_[node], stack_);
+    if (sectors(node) > 0) collect_fan(facet_from(node), stack_);
   empty.legalise(stack_);
 }
 
@@ -455,13 +442,7 @@ void Front::end_void() {
   if (mesh.node_count() < fewest_to_order) return;
   const std::vector<int> number = order_spatially(mesh);
   for (BoundaryFacet& facet : boundary) facet.a = number[facet.a], facet.b = number[facet.b];
-  out_facet_.assign(number.size(), -1), sectors_.assign(number.size(), 0), colour_.assign(number.size(), {});
-}
-
-int Front::newest_facet() const {
-  for (int f = static_cast<int>(facets.size()) - 1; f >= 0; --f)
-    if (facets[f].is_alive) return f;
-  return -1;
+  at_node_.assign(number.size(), {});
 }
 
 bool Front::is_alone(int f, int size) const {
@@ -500,7 +481,7 @@ void Front::collect_fan(int f, std::vector<int>& fan) const {
 
 bool Front::close_seam(int f, Vec2 p) {
   int g = facets[f].next, a = facets[f].a, b = facets[f].b, c = facets[g].b;
-  if (sectors_[a] != 1 || sectors_[c] != 1) return false;
+  if (sectors(a) != 1 || sectors(c) != 1) return false;
   int keep = mesh.is_fixed[c] ? c : a, gone = keep == a ? c : a;
   int before = facets[f].prev, after = facets[g].next;
   auto refuse = [&] {
@@ -542,8 +523,8 @@ bool Front::close_seam(int f, Vec2 p) {
   kill(g);
   facets[before].b = facets[after].a = keep;
   join(before, after);
-  sectors_[gone] = 0, out_facet_[gone] = -1;
-  sectors_[keep] = 1, out_facet_[keep] = after;
+  at_node_[gone].sectors = 0, at_node_[gone].out_facet = -1;
+  at_node_[keep].sectors = 1, at_node_[keep].out_facet = after;
   while (mesh.star[gone].size() > 0) mesh.replace_node(*mesh.star[gone].begin(), gone, keep);
   mesh.h[keep] = 0.5 * (mesh.h[keep] + mesh.h[gone]);
   if (!mesh.is_fixed[keep]) mesh.put(keep, region.place(p));

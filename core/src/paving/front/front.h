@@ -1,7 +1,6 @@
 // The front of one region: its facets, the void they enclose, and the edits that keep both in step with the mesh.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "mesh/region_mesh.h"
@@ -49,9 +48,9 @@ class Front {
   double misfit_weight = 1;             ///< weight of the fit to the sides at its ends in the choice of a row
 
   /// A facet that starts at `node`, or -1 when it is not on the front.
-  int facet_from(int node) const { return out_facet_[node]; }
+  int facet_from(int node) const { return at_node_[node].out_facet; }
   /// Number of sectors of the void that meet at `node`.
-  int sectors(int node) const { return sectors_[node]; }
+  int sectors(int node) const { return at_node_[node].sectors; }
   /// New node at p, not yet in the void.
   int add_node(Vec2 p);
   /// The same where the surface has been evaluated there.
@@ -64,9 +63,18 @@ class Front {
   /// The same between the chords themselves.
   double chord_angle_after(int f) const;
   /// Whether rows run on past this corner of the boundary, which might end them as well (wide_corners.h).
-  bool is_passed(int node) const { return is_passed_[node]; }
+  bool is_passed(int node) const { return at_node_[node].is_passed; }
   double length(int f) const { return mesh.length(facets[f].a, facets[f].b); }
-  /// Facets of f's loop, starting with f.
+  /// `use(facet)` for those of f's loop, starting with f.
+  template <class Use>
+  void each_of_loop(int f, Use use) const {
+    int g = f;
+    do {
+      use(g);
+      g = facets[g].next;
+    } while (g != f);
+  }
+  /// All of them.
   void collect_loop(int f, std::vector<int>& loop) const;
 
   /// Whether a mesh edge between two front nodes leaves all loops even.
@@ -85,12 +93,10 @@ class Front {
   int divide_facet(int f);
   /// Removes the void that facet f borders with all its facets and returns its triangles (fourth entry -1).
   std::vector<Corners> take_void(int f);
-  /// The facet made last that is still on the front, or -1.
-  int newest_facet() const;
-  /// Moves a node that can_move() allowed, with its position already evaluated.
-  void set_position(int node, const NodePlace& at);
-  /// To be called for nodes that were moved otherwise: the void about them is triangulated well again.
-  void renew_void(std::span<const int> nodes);
+  /// The facet made last, of those that start at `from` if given, that is still on the front, or -1.
+  int newest_facet(int from = -1) const;
+  /// To be called for nodes that were moved: the void about them is triangulated well again.
+  void renew_void(const std::vector<int>& nodes);
   /// Moves a node, not the void about it. Near the place of its last evaluation it follows the tangent
   /// plane there, which is off by a hundredth of the target length or so and costs no evaluation.
   void slide(int node, Vec2 p) { slide(node, p, mesh.scale_at(node)); }
@@ -115,6 +121,12 @@ class Front {
     int set = -1;
     bool bit = false;
   };
+  struct NodeOnFront {
+    int out_facet = -1;
+    int sectors = 0;
+    Colour colour;
+    bool is_passed = false;
+  };
   struct Outline;
   void link_sectors();
   void set_apex(int centre, const std::vector<int>& ring);
@@ -126,17 +138,16 @@ class Front {
   void collect_fan(int f, std::vector<int>& fan) const;
   void relink(const Outline& o, int level);
   int add_facet(int a, int b, int level);
+  void note_start(int f);
   void kill(int f);
   void join(int prev, int next);
   Colour root(Colour c) const;
+  Colour root(int node) const;
   void unite(int a, int b);
   bool colours_allow(const Outline& o);
 
   std::vector<double> true_angle_;  // per start node; -1 where not known
-  std::vector<char> is_passed_;     // per node
-  std::vector<int> out_facet_;
-  std::vector<int> sectors_;
-  std::vector<Colour> colour_;
+  std::vector<NodeOnFront> at_node_;
   mutable std::vector<Colour> parent_;  // per set: its parent set and whether colours are swapped
   std::vector<int> stack_;
 };
