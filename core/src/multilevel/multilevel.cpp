@@ -30,7 +30,6 @@ constexpr double most_coarse = 10000;   // from here on ratios are larger still:
 constexpr double fewest_coarser = 800;  // and for the mesh under a coarse one, whose lengths are evened out afterwards
 constexpr double evenness = 2.1;        // of coarse meshes: their irregular nodes are few among the fine ones
 constexpr int even_sweeps = 4, count_sweeps = 12, fine_sweeps = 1;
-constexpr double worst_goal = 0.74;
 constexpr double mean_slack = 0.05;               // of the mean length of fine edges, by their target
 constexpr double piece_elements = 4096;           // fine ones: enough pieces for many ranks, few nodes between them
 constexpr double poor = 0.2, most_poor = 0.0005;  // scaled Jacobian where the boundary leaves it free; of a piece
@@ -191,8 +190,7 @@ void smooth(Front& front, const std::vector<int>& rests, const Progress& progres
   for (int v : rests) front.mesh.is_fixed[v] = 1;
   sweep_nodes(front, fine_sweeps, progress);
   for (int v : rests) front.mesh.is_fixed[v] = 0;
-  front.end_slides();
-  raise_worst(front, worst_goal, 2);
+  raise_worst(front, 2);
 }
 
 }  // namespace

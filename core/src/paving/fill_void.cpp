@@ -141,7 +141,7 @@ class VoidFiller {
           if (v >= 0 && !mesh.is_fixed[v]) near_.push_back(v);
     std::sort(near_.begin(), near_.end());
     near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
-    smooth_nodes(front_, near_, 2);
+    smooth_nodes(front_, near_);
     near_.clear();
     for (int node : fresh_) {
       near_.push_back(node);

@@ -34,7 +34,6 @@ constexpr std::size_t most_growth = 40;  // elements made, by those there are; o
 constexpr double dearest = 2.5, dearest_turn = 0.5, likely_share = 0.25, least_fall = 0.1, least_fit = 0.05;
 constexpr double even_jacobian = 0.6;  // least scaled Jacobian such a change may leave
 constexpr double uneven = 0.25;        // spread about a regular node from which on it is looked at
-constexpr double worst_goal = 0.74;
 // A triangle goes whatever it costs in energy, and for elements half as long or nearly twice.
 constexpr Demand triangle_demand{.gain = -100, .jacobian = 0.3, .shortest = 0.4, .longest = 1.9};
 // Where triangles are not wanted at all, in this order.
@@ -311,11 +310,9 @@ void clean_up(Front& front, const Progress& progress, bool all_quad, int first_n
   sweep_nodes(front, sweeps, progress);
   clean.run_again();
   sweep_nodes(front, sweeps_again, progress);
-  front.end_slides();
-  raise_worst(front, worst_goal, 3);
+  raise_worst(front, 3);
   clean.mend();
-  front.end_slides();
-  raise_worst(front, worst_goal, 2);
+  raise_worst(front, 2);
 }
 
 }  // namespace paver

@@ -47,7 +47,9 @@ bool search(Front& front, int node) {
 
 }  // namespace
 
-void raise_worst(Front& front, double goal, int rounds) {
+void raise_worst(Front& front, int rounds) {
+  constexpr double goal = 0.74;
+  front.end_slides();
   RegionMesh& mesh = front.mesh;
   std::vector<int> nodes, next;
   auto collect = [&](int e) {

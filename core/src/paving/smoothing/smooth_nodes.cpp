@@ -56,7 +56,8 @@ bool smooth_node(Front& front, int node) {
 
 }  // namespace
 
-void smooth_nodes(Front& front, const std::vector<int>& nodes, int sweeps) {
+void smooth_nodes(Front& front, const std::vector<int>& nodes) {
+  constexpr int sweeps = 2;
   std::vector<int> moved;
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (int node : nodes)

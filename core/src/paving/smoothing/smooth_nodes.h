@@ -3,14 +3,13 @@
 
 #include <vector>
 
-#include "mesh/region_mesh.h"
 #include "paving/front/front.h"
 
 namespace paver {
 
-/// Moves the given nodes in turn, `sweeps` times. A node moves only if every element and void triangle about it stays
+/// Moves the given nodes in turn, twice. A node moves only if every element and void triangle about it stays
 /// positive in the chart and the worst scaled Jacobian about it does not fall, or stays above 0.7.
 /// Fixed nodes stay.
-void smooth_nodes(Front& front, const std::vector<int>& nodes, int sweeps);
+void smooth_nodes(Front& front, const std::vector<int>& nodes);
 
 }  // namespace paver
