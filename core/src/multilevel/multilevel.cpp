@@ -14,7 +14,6 @@
 #include "multilevel/fine_mesh.h"
 #include "multilevel/patches.h"
 #include "multilevel/pieces.h"
-#include "multilevel/subdivide.h"
 #include "paving/disc_grid.h"
 #include "paving/faults.h"
 #include "paving/smoothing/raise_worst.h"

@@ -8,8 +8,11 @@
 
 namespace paver {
 
-/// Marks elements (1 in `is_marked`) that would leave an outline of the marked ones touching itself.
-void settle_marks(const RegionMesh& mesh, const CoarseNet& net, std::vector<char>& is_marked);
+/// Coarse elements (1) whose counts do not fit or whose fine lengths would be far from their target, with room about
+/// them: they are paved. `lengths`: per coarse edge, its length in fine target lengths. Empty where much would have to
+/// be.
+std::vector<char> choose_paved(const RegionMesh& mesh, const CoarseNet& net, const std::vector<int>& counts,
+                               const std::vector<double>& lengths);
 
 /// Paves the coarse elements of `marked` at the fine target length: those that share a node together, between the fine
 /// nodes on their outline, by `pave`. Gives the new nodes about poles: best left where they are.
