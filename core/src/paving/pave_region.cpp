@@ -78,30 +78,24 @@ long pave_front(Front& front, const Attempt& attempt, const Progress& progress, 
   return front.closed_by_triangulation;
 }
 
-/// Nothing where the loops cross, or what is laid at acute corners in advance does; without `sharpest` none is.
-std::optional<PavedRegion> pave_from(const Region& region, const Attempt& attempt, const Progress& progress,
-                                     Elements elements, std::optional<double> sharpest, Vec3& crossing) {
-  PavedRegion paved;
-  Front front(region, paved.mesh);
-  if (const auto facet = front.start(sharpest)) {
-    crossing = front.mesh.x[front.facets[*facet].a];
-    return std::nullopt;
-  }
-  paved.closed_by_triangulation = pave_front(front, attempt, progress, elements);
-  return paved;
-}
-
+/// Where what is laid at acute corners in advance crosses the loops, none is.
 PavedRegion pave_whole(const Region& region, const Attempt& attempt, const Progress& progress, Elements elements) {
   const double sharpest = elements == Elements::all_quad ? 0 : sharpest_corner;
   Vec3 crossing;
-  auto paved = pave_from(region, attempt, progress, elements, sharpest, crossing);
-  if (!paved) paved = pave_from(region, attempt, progress, elements, std::nullopt, crossing);
-  if (!paved)
-    throw Error(
-        ErrorCode::face_failed,
-        "its loops cross, touch or run the wrong way round; repair the face in the CAD model or use a smaller size",
-        {"paving", region.face, -1, crossing});
-  return std::move(*paved);
+  for (const bool has_corners : {true, false}) {
+    PavedRegion paved;
+    Front front(region, paved.mesh);
+    const auto facet = front.start(has_corners ? std::optional(sharpest) : std::nullopt);
+    if (!facet) {
+      paved.closed_by_triangulation = pave_front(front, attempt, progress, elements);
+      return paved;
+    }
+    crossing = front.mesh.x[front.facets[*facet].a];
+  }
+  throw Error(
+      ErrorCode::face_failed,
+      "its loops cross, touch or run the wrong way round; repair the face in the CAD model or use a smaller size",
+      {"paving", region.face, -1, crossing});
 }
 
 /// The region without its small holes, then these cut into it; nothing where it has none or they do not fit in without
@@ -111,13 +105,8 @@ std::optional<PavedRegion> pave_and_cut(const Region& region, const Attempt& att
   const std::vector<std::size_t> holes = small_holes(region);
   if (holes.empty()) return std::nullopt;
   const Region whole = without_holes(region, holes);
-  PavedRegion paved;
   auto disc = region.evenness > 1 ? std::nullopt : lay_disc(whole, progress);  // paving is more even
-  if (disc) {
-    paved.mesh = std::move(*disc);
-  } else {
-    paved = pave_whole(whole, attempt, progress, elements);
-  }
+  const PavedRegion paved = disc ? PavedRegion{std::move(*disc), {}} : pave_whole(whole, attempt, progress, elements);
   const long pairs = pairs_left(paved.mesh);
   for (double width : gap_widths) {
     PavedRegion cut = paved;
@@ -166,11 +155,11 @@ PavedRegion pave_region_once(const Region& region, const Progress& progress, Ele
 }
 
 PavedRegion pave_region(const Region& region, const Progress& progress, Elements elements) {
-  if (auto filled = lay_fill(region)) return finish({std::move(*filled), {}}, elements);
-  if (auto disc = lay_disc(region, progress)) return finish({std::move(*disc), {}}, elements);
-  if (auto strip = lay_strip(region)) return finish({std::move(*strip), {}}, elements);
-  if (is_slim_tube(region))
-    if (auto tube = lay_tube(region)) return finish({std::move(*tube), {}}, elements);
+  auto laid = lay_fill(region);
+  if (!laid) laid = lay_disc(region, progress);
+  if (!laid) laid = lay_strip(region);
+  if (!laid && is_slim_tube(region)) laid = lay_tube(region);
+  if (laid) return finish({std::move(*laid), {}}, elements);
   if (elements == Elements::all_quad) return pave_without_triangles(region, progress);
   PavedRegion best = pave_region_once(region, progress, elements);
   Tangle least(region, best.mesh);
