@@ -28,7 +28,7 @@ class Ray {
       : chart_(way == Way::by_chart ? region.chart.get() : nullptr),
         from_(from),
         step_(chart_ ? chart_->step_to(from, end) : end - from) {
-    const std::vector<Sample> samples = rows == DomeRows::in_chart ? chart_samples(region) : even_samples(region);
+    const std::vector<Sample> samples = samples_of(region, rows == DomeRows::in_chart);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       shares_.push_back(samples[i].share);
       if (i == 0) continue;
@@ -58,26 +58,19 @@ class Ray {
 
   Vec2 point(double s) const { return chart_ ? chart_->walk(from_, s * step_) : from_ + s * step_; }
 
-  std::vector<Sample> chart_samples(const Region& region) const {
+  // Steps in polar charts of long bodies lie nearly all near the middle: the longest piece is halved again and again.
+  std::vector<Sample> samples_of(const Region& region, bool in_chart) const {
     std::vector<Sample> samples;
-    for (int i = 0; i <= chart_steps; ++i) {
-      const double share = static_cast<double>(i) / chart_steps;
-      samples.push_back({share, region.place(point(share))});
-    }
-    return samples;
-  }
-
-  // Polar charts of long bodies have nearly all of them near the middle: the longest piece is halved again and again.
-  std::vector<Sample> even_samples(const Region& region) const {
-    std::vector<Sample> samples;
-    for (double share : {0.0, 0.5, 1.0}) samples.push_back({share, region.place(point(share))});
-    while (samples.size() < most_samples) {
+    auto sample = [&](double share) { return Sample{share, region.place(point(share))}; };
+    const int steps = in_chart ? chart_steps : 2;
+    for (int i = 0; i <= steps; ++i) samples.push_back(sample(static_cast<double>(i) / steps));
+    while (!in_chart && samples.size() < most_samples) {
       std::size_t longest = 1;
       double most = -1;
       for (std::size_t i = 1; i < samples.size(); ++i)
         if (const double d = norm(samples[i].at.x - samples[i - 1].at.x); d > most * (1 + 1e-9)) most = d, longest = i;
       const double share = 0.5 * (samples[longest - 1].share + samples[longest].share);
-      samples.insert(samples.begin() + static_cast<std::ptrdiff_t>(longest), {share, region.place(point(share))});
+      samples.insert(samples.begin() + static_cast<std::ptrdiff_t>(longest), sample(share));
     }
     return samples;
   }
@@ -142,7 +135,7 @@ class Dome {
     std::vector<int> inner;
     for (std::size_t i = 0; i < outer.size(); ++i) {
       const Vec2 p = rays_[i].at(is_fan && i % 2 == 1 ? far_corner * share : share);
-      inner.push_back(mesh_.add_node(region_.place(p), region_.target(p)));
+      inner.push_back(add_node(region_, p, mesh_));
     }
     for (std::size_t i = 0; i < outer.size(); ++i) {
       const std::size_t next = (i + 1) % outer.size();
@@ -152,8 +145,8 @@ class Dome {
   }
 
   void add_fan(const std::vector<int>& ring) {
-    const int middle = region_.fans.empty() ? mesh_.add_node(region_.place(middle_), region_.target(middle_))
-                                            : add_node(region_, region_.fans[0].centre, mesh_);
+    const auto& fans = region_.fans;
+    const int middle = fans.empty() ? add_node(region_, middle_, mesh_) : add_node(region_, fans[0].centre, mesh_);
     std::size_t i = 0;
     for (; i + 2 <= ring.size(); i += 2) mesh_.add_element({middle, ring[i], ring[i + 1], ring[(i + 2) % ring.size()]});
     if (i < ring.size()) mesh_.add_element({middle, ring[i], ring[0], -1});
@@ -207,8 +200,7 @@ class Tube {
   int add(std::size_t i, int row, int rows, std::size_t shift) {
     if (row == 0) return add_node(region_, from_[i], mesh_);
     if (row == rows) return add_node(region_, opposite(i, shift), mesh_);
-    const Vec2 p = rays_[i].at(static_cast<double>(row) / rows);
-    return mesh_.add_node(region_.place(p), region_.target(p));
+    return add_node(region_, rays_[i].at(static_cast<double>(row) / rows), mesh_);
   }
 
   const Region& region_;

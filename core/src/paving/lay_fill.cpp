@@ -4,16 +4,6 @@
 #include <algorithm>
 
 namespace paver {
-namespace {
-
-int add_inside(const Region& region, Vec2 p, RegionMesh& mesh) {
-  NodePlace at;
-  at.p = p;
-  const Vec2 uv = region.evaluate(p, at.x, at.xp, at.xq);
-  return mesh.add_node(at, region.size.at(uv, *region.surface));
-}
-
-}  // namespace
 
 std::optional<RegionMesh> lay_fill(const Region& region) {
   if (!region.fill) return std::nullopt;
@@ -29,7 +19,7 @@ std::optional<RegionMesh> lay_fill(const Region& region) {
     at(outline[k][0] - fill.first[0], outline[k][1] - fill.first[1]) = add_node(region, loop[k], mesh);
   for (int j = 1; j < rows; ++j)
     for (int i = 1; i < columns; ++i)
-      at(i, j) = add_inside(region, fill.block->place(fill.first[0] + i, fill.first[1] + j), mesh);
+      at(i, j) = add_node(region, fill.block->place(fill.first[0] + i, fill.first[1] + j), mesh);
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) {
       Corners quad{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};

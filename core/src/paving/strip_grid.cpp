@@ -74,7 +74,7 @@ class Strip {
     for (int j = 0; j <= rows_; ++j)
       for (int i = 0; i <= columns_; ++i) {
         const LoopNode* known = on_loop(i, j);
-        number(i, j) = known ? add(*known) : add(inside(i, j));
+        number(i, j) = known ? add_node(region_, *known, mesh_) : add_node(region_, inside(i, j), mesh_);
       }
     for (int j = 0; j < rows_; ++j)
       for (int i = 0; i < columns_; ++i)
@@ -126,9 +126,6 @@ class Strip {
         (1 - t) * ((1 - s) * low(0).p + s * low(columns_).p) + t * ((1 - s) * high(0).p + s * high(columns_).p);
     return (1 - t) * low(i).p + t * high(i).p + (1 - s) * left(j).p + s * right(j).p - corners;
   }
-
-  int add(Vec2 p) { return mesh_.add_node(region_.place(p), region_.target(p)); }
-  int add(const LoopNode& known) { return add_node(region_, known, mesh_); }
 
   const Region& region_;
   const std::vector<LoopNode>& loop_;

@@ -80,4 +80,8 @@ int add_node(const Region& region, const LoopNode& known, RegionMesh& mesh) {
   return node;
 }
 
+int add_node(const Region& region, Vec2 p, RegionMesh& mesh) {
+  return mesh.add_node(region.place(p), region.target(p));
+}
+
 }  // namespace paver

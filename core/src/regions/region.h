@@ -99,6 +99,9 @@ std::vector<std::vector<int>> find_loop_nodes(const Region& region, const Region
 /// A node of the boundary, held, in a mesh of the region.
 int add_node(const Region& region, const LoopNode& known, RegionMesh& mesh);
 
+/// A node inside, with its target length.
+int add_node(const Region& region, Vec2 p, RegionMesh& mesh);
+
 /// A region still without loops and fans. The evaluator is shared.
 inline Region task_of(const RegionTask& task) { return {task, 0, {}, {}, {}}; }
 

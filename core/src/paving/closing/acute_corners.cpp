@@ -72,13 +72,10 @@ class AcuteCorner {
     for (int k = 1; k <= count; ++k, before = std::move(row)) {
       row = {a(k)};
       for (int j = 1; j < columns_; ++j)
-        row.push_back(add_inner(k, j)), mesh_.is_fixed[row.back()] = is_kept && k < count;
+        row.push_back(add_node(region_, inner(k, j), mesh_)), mesh_.is_fixed[row.back()] = is_kept && k < count;
       row.push_back(b(k));
-      auto at = [](const std::vector<int>& from, int j) { return from[j]; };
-      for (int j = 0; k == 1 && j < columns_; j += 2)
-        mesh_.add_element({a(0), at(row, j), at(row, j + 1), at(row, j + 2)});
-      for (int j = 0; k > 1 && j < columns_; ++j)
-        mesh_.add_element({at(before, j), at(row, j), at(row, j + 1), at(before, j + 1)});
+      for (int j = 0; k == 1 && j < columns_; j += 2) mesh_.add_element({a(0), row[j], row[j + 1], row[j + 2]});
+      for (int j = 0; k > 1 && j < columns_; ++j) mesh_.add_element({before[j], row[j], row[j + 1], before[j + 1]});
     }
     return {before.rbegin() + 1, before.rend() - 1};
   }
@@ -116,11 +113,6 @@ class AcuteCorner {
     Vec2 ahead = across(2) - p;
     double length = norm(0.5 * (mesh_.x[a(2)] + mesh_.x[b(2)] - mesh_.x[a(1)] - mesh_.x[b(1)]));
     return p + std::min(0.5, dip * 2 / columns_ * distance(a(1), b(1)) / length) * ahead;
-  }
-
-  int add_inner(int k, int j) {
-    Vec2 p = inner(k, j);
-    return mesh_.add_node(region_.place(p), region_.target(p));
   }
 
   // All quads turn left in the chart, and nothing lies among them or so near before them that no row fits in between.

@@ -72,8 +72,7 @@ class FanRings {
   std::vector<int> lay(const std::vector<int>& ring, double growth) {
     std::vector<int> outer;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 p = grown(ring, i, growth);
-      outer.push_back(mesh_.add_node(region_.place(p), region_.target(p)));
+      outer.push_back(add_node(region_, grown(ring, i, growth), mesh_));
       mesh_.is_fixed[ring[i]] = 1;
     }
     for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -188,7 +188,7 @@ class TubeRows {
     for (std::size_t j = 1; j < columns; ++j) {
       const double share = static_cast<double>(j) / static_cast<double>(columns);
       const Vec2 p = (1 - share) * mesh_.p[near(cut, k)] + share * mesh_.p[far(cut, k)];
-      nodes.push_back(mesh_.add_node(region_.place(p), region_.target(p)));
+      nodes.push_back(add_node(region_, p, mesh_));
     }
     nodes.push_back(far(cut, k));
     return nodes;
