@@ -36,8 +36,4 @@ std::unique_ptr<MeshWriter> msh2_writer(HeldMesh held, bool is_ascii, Ranks& ran
 /// and "sj".
 std::unique_ptr<MeshWriter> vtu_writer(HeldMesh held, bool is_ascii, Ranks& ranks);
 
-/// What both Gmsh formats start with: the format and its version, and the names of the groups where there are any.
-struct Groups;
-void write_msh_beginning(const char* version, const Groups& groups, bool is_ascii, ByteSink& sink);
-
 }  // namespace paver

@@ -1,7 +1,7 @@
 // Points, curves and surfaces of a .msh 4.1 file with the boxes about them.
 #include "base/box.h"
 #include "base/tasks/gather.h"
-#include "output/msh/msh4_impl.h"
+#include "output/msh/msh_impl.h"
 
 namespace paver {
 namespace {
@@ -20,14 +20,14 @@ void add_boxes(const SurfaceMesh& mesh, const std::vector<int>& table, const std
 /// Zeros without sign: which sign a least value of several zeros has would depend on the order of nodes.
 Vec3 unsigned_zeros(Vec3 x) { return x + Vec3{0, 0, 0}; }
 
-void write_entity(const Box& box, std::size_t entity, Msh4Numbers& out) {
+void write_entity(const Box& box, std::size_t entity, MshNumbers& out) {
   out.integer(static_cast<int>(entity) + 1);
   out.point(unsigned_zeros(box.low)), out.point(unsigned_zeros(box.high));
 }
 
 /// A volume of the solid with its signed surfaces, as far as these have elements.
 void write_volume(const Volume& volume, std::size_t index, int group, const std::vector<Box>& surfaces,
-                  Msh4Numbers& out) {
+                  MshNumbers& out) {
   std::vector<int> sides;
   Box box;
   for (int side : volume.sides) {
@@ -50,7 +50,7 @@ std::size_t present(const std::vector<Box>& boxes) {
 
 }  // namespace
 
-void write_msh4_beginning(const MeshResult& result, const Numbering& numbering, Ranks& ranks, Msh4Numbers& out) {
+void write_msh4_beginning(const MeshResult& result, const Numbering& numbering, Ranks& ranks, MshNumbers& out) {
   const SurfaceMesh& mesh = result.mesh;
   const std::vector<int>& volume_groups = numbering.groups.of_volume;
   const auto volumes = static_cast<std::size_t>(
@@ -61,7 +61,7 @@ void write_msh4_beginning(const MeshResult& result, const Numbering& numbering, 
   add_boxes(mesh, mesh.quads, mesh.quad_face, surfaces);
   unite(surfaces, ranks);
 
-  write_msh_beginning("4.1", numbering.groups, out.is_ascii(), out.sink());
+  write_msh_beginning("4.1", numbering.groups, out);
   out.sink().write("$Entities\n");
   for (std::size_t count : {mesh.points.size(), present(curves), present(surfaces), volumes}) out.count(count);
   out.end_line();
@@ -94,7 +94,7 @@ void write_msh4_beginning(const MeshResult& result, const Numbering& numbering, 
   out.sink().write("$Nodes\n");
 }
 
-void write_msh4_head(std::size_t blocks, long total, Msh4Numbers& out) {
+void write_msh4_head(std::size_t blocks, long total, MshNumbers& out) {
   const auto tags = static_cast<std::size_t>(total);
   for (std::size_t value : {blocks, tags, std::size_t{tags > 0}, tags}) out.count(value);
   out.end_line();

@@ -1,11 +1,7 @@
 // Gmsh .msh 2.2, ASCII and binary. Elements in the order points, lines, triangles, quads, each with two tags: physical
 // group and entity.
-#include <fmt/format.h>
-
-#include <iterator>
-
 #include "output/mesh_writers_impl.h"
-#include "output/numbering_impl.h"
+#include "output/msh/msh_impl.h"
 
 namespace paver {
 namespace {
@@ -25,49 +21,30 @@ struct Table {
   }
 };
 
-void write_nodes(const SurfaceMesh& mesh, const Numbering& numbering, bool is_ascii, AtomicFile& file) {
-  file.write(fmt::format("$Nodes\n{}\n", numbering.tags.count));
-  fmt::memory_buffer text;
+void write_nodes(const SurfaceMesh& mesh, const Numbering& numbering, MshNumbers& out) {
+  out.sink().write(fmt::format("$Nodes\n{}\n", numbering.tags.count));
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
     const int tag = static_cast<int>(numbering.tags.of_node[i]);
     if (tag == 0) continue;
-    Vec3 x = mesh.nodes[i];
-    if (is_ascii) {
-      text.clear();
-      fmt::format_to(std::back_inserter(text), "{} {} {} {}\n", tag, x.x, x.y, x.z);
-      file.write(text.data(), text.size());
-    } else {
-      file.write_packed(tag);
-      file.write_packed(x);
-    }
+    out.integer(tag), out.point(mesh.nodes[i]);
+    out.end_line();
   }
-  file.write(is_ascii ? "$EndNodes\n" : "\n$EndNodes\n");
+  out.end_section("Nodes");
 }
 
-void write_table(const Table& table, const Numbering& numbering, bool is_ascii, int& number, AtomicFile& file) {
-  std::size_t rows = table.entity_of.size();
+/// In text each element says its type, in binary all of a type together do.
+void write_table(const Table& table, const Numbering& numbering, int& number, MshNumbers& out) {
+  const std::size_t rows = table.entity_of.size();
   if (rows == 0) return;
-  if (!is_ascii) {
-    for (int head : {table.type, static_cast<int>(rows), tags_per_element}) file.write_packed(head);
-  }
-  fmt::memory_buffer text;
-  const std::vector<long>& tag = numbering.tags.of_node;
+  if (!out.is_ascii())
+    for (int head : {table.type, static_cast<int>(rows), tags_per_element}) out.integer(head);
   for (std::size_t row = 0; row < rows; ++row) {
-    int group = table.group(row), entity = table.entity_of[row] + 1;
+    out.integer(++number);
+    if (out.is_ascii()) out.integer(table.type), out.integer(tags_per_element);
+    out.integer(table.group(row)), out.integer(table.entity_of[row] + 1);
     const int* nodes = table.nodes.data() + row * table.stride;
-    ++number;
-    if (!is_ascii) {
-      for (int value : {number, group, entity}) file.write_packed(value);
-      for (int k = 0; k < table.stride; ++k) file.write_packed(static_cast<int>(tag[nodes[k]]));
-      continue;
-    }
-    text.clear();
-    fmt::format_to(std::back_inserter(text), "{} {} {} {} {}", number, table.type, tags_per_element, group, entity);
-    for (int k = 0; k < table.stride; ++k) {
-      fmt::format_to(std::back_inserter(text), " {}", tag[nodes[k]]);
-    }
-    text.push_back('\n');
-    file.write(text.data(), text.size());
+    for (int k = 0; k < table.stride; ++k) out.integer(static_cast<int>(numbering.tags.of_node[nodes[k]]));
+    out.end_line();
   }
 }
 
@@ -77,8 +54,9 @@ class Msh2Writer : public MeshWriter {
       : mesh_(held.result.mesh), is_ascii_(is_ascii), numbering_(held, ranks) {}
 
   void write(AtomicFile& file) const override {
-    write_msh_beginning("2.2", numbering_.groups, is_ascii_, file);
-    write_nodes(mesh_, numbering_, is_ascii_, file);
+    MshNumbers out(file, is_ascii_);
+    write_msh_beginning("2.2", numbering_.groups, out);
+    write_nodes(mesh_, numbering_, out);
     file.write(fmt::format("$Elements\n{}\n", numbering_.points.total() + mesh_.line_edge.size() +
                                                   mesh_.triangle_count() + mesh_.quad_count()));
     const int p = mesh_.order;
@@ -89,8 +67,8 @@ class Msh2Writer : public MeshWriter {
           Table{gmsh_line_type(p), p + 1, mesh_.lines, mesh_.line_edge, numbering_.groups.of_edge},
           Table{gmsh_triangle_type(p), mesh_.nodes_per_triangle(), mesh_.triangles, mesh_.triangle_face, groups},
           Table{gmsh_quad_type(p), mesh_.nodes_per_quad(), mesh_.quads, mesh_.quad_face, groups}})
-      write_table(table, numbering_, is_ascii_, number, file);
-    file.write(is_ascii_ ? "$EndElements\n" : "\n$EndElements\n");
+      write_table(table, numbering_, number, out);
+    out.end_section("Elements");
   }
 
  private:
@@ -101,9 +79,10 @@ class Msh2Writer : public MeshWriter {
 
 }  // namespace
 
-void write_msh_beginning(const char* version, const Groups& groups, bool is_ascii, ByteSink& sink) {
-  sink.write(fmt::format("$MeshFormat\n{} {} 8\n", version, is_ascii ? 0 : 1));
-  if (!is_ascii) {
+void write_msh_beginning(const char* version, const Groups& groups, MshNumbers& out) {
+  ByteSink& sink = out.sink();
+  sink.write(fmt::format("$MeshFormat\n{} {} 8\n", version, out.is_ascii() ? 0 : 1));
+  if (!out.is_ascii()) {
     sink.write_packed(1);  // readers learn the byte order from it
     sink.write("\n");
   }

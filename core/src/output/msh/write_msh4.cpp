@@ -8,7 +8,7 @@
 
 #include "base/tasks/tasks.h"
 #include "output/mesh_writers_impl.h"
-#include "output/msh/msh4_impl.h"
+#include "output/msh/msh_impl.h"
 
 namespace paver {
 namespace {
@@ -75,25 +75,25 @@ class Msh4Writer : public MeshWriter {
   long file_bytes() const override { return is_ascii_ ? 0 : end_ + static_cast<long>(ending_.size()); }
 
   void write(AtomicFile& file) const override {
-    Msh4Numbers out(file, is_ascii_);
+    MshNumbers out(file, is_ascii_);
     write_text(0, beginning_, out);
     auto nodes = [&](int dimension, const PlacedRows& rows, const Blocks& blocks) {
       write_runs(rows.runs, file, out,
-                 [&](const PlacedRun& run, Msh4Numbers& to) { write_nodes(dimension, rows, blocks, run, to); });
+                 [&](const PlacedRun& run, MshNumbers& to) { write_nodes(dimension, rows, blocks, run, to); });
     };
     nodes(1, numbering_.curve_nodes, curve_blocks_);
     nodes(2, numbering_.surface_nodes, surface_blocks_);
     write_text(middle_at_, middle_, out);
     for (const Table* table : {&points_, &lines_, &triangles_, &quads_})
       write_runs(table->rows.runs, file, out,
-                 [&](const PlacedRun& run, Msh4Numbers& to) { write_elements(*table, run, to); });
+                 [&](const PlacedRun& run, MshNumbers& to) { write_elements(*table, run, to); });
     write_text(end_, ending_, out);
   }
 
  private:
   /// Text from the first run to the last; else threads write some of them each, wherever these are.
   template <class Write>
-  void write_runs(const std::vector<PlacedRun>& runs, const AtomicFile& file, Msh4Numbers& out, Write write) const {
+  void write_runs(const std::vector<PlacedRun>& runs, const AtomicFile& file, MshNumbers& out, Write write) const {
     if (is_ascii_) {
       for (const PlacedRun& run : runs) write(run, out);
       return;
@@ -101,7 +101,7 @@ class Msh4Writer : public MeshWriter {
     const std::vector<std::vector<PlacedRun>> shares = shares_of(runs);
     run_stretches(shares.size(), 1, [&](std::size_t i, std::size_t) {
       FilePiece piece(file);
-      Msh4Numbers to(piece, false);
+      MshNumbers to(piece, false);
       for (const PlacedRun& run : shares[i]) write(run, to);
       piece.finish();
     });
@@ -109,7 +109,7 @@ class Msh4Writer : public MeshWriter {
 
   void lay_out_file(Ranks& ranks) {
     MemorySink beginning, middle, ending;
-    Msh4Numbers first(beginning, is_ascii_), between(middle, is_ascii_), last(ending, is_ascii_);
+    MshNumbers first(beginning, is_ascii_), between(middle, is_ascii_), last(ending, is_ascii_);
     write_msh4_beginning(result_, numbering_, ranks, first);
     const PlacedRows &curve_nodes = numbering_.curve_nodes, &surface_nodes = numbering_.surface_nodes;
     write_msh4_head(curve_nodes.used_groups() + surface_nodes.used_groups(), numbering_.tags.count, first);
@@ -135,20 +135,20 @@ class Msh4Writer : public MeshWriter {
       table->blocks = lay_out(table->rows, table->record_bytes(), end_, elements);
   }
 
-  void write_text(long at, const std::string& text, Msh4Numbers& out) const {
+  void write_text(long at, const std::string& text, MshNumbers& out) const {
     if (!is_first_) return;
     out.seek(at);
     out.sink().write(text);
   }
 
-  static void write_head(int dimension, int entity, int kind, long count, Msh4Numbers& out) {
+  static void write_head(int dimension, int entity, int kind, long count, MshNumbers& out) {
     for (int value : {dimension, entity + 1, kind}) out.integer(value);
     out.count(static_cast<std::size_t>(count));
     out.end_line();
   }
 
   void write_nodes(int dimension, const PlacedRows& rows, const Blocks& blocks, const PlacedRun& run,
-                   Msh4Numbers& out) const {
+                   MshNumbers& out) const {
     const auto group = static_cast<std::size_t>(run.group);
     const long tags_at = blocks.offset[group] + head_bytes;
     out.seek(run.position == 0 ? blocks.offset[group] : tags_at + run.position * tag_bytes);
@@ -164,7 +164,7 @@ class Msh4Writer : public MeshWriter {
     }
   }
 
-  void write_elements(const Table& table, const PlacedRun& run, Msh4Numbers& out) const {
+  void write_elements(const Table& table, const PlacedRun& run, MshNumbers& out) const {
     const auto group = static_cast<std::size_t>(run.group);
     const long at = table.blocks.offset[group];
     out.seek(run.position == 0 ? at : at + head_bytes + run.position * table.record_bytes());

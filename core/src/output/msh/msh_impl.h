@@ -1,4 +1,4 @@
-// The sections of a .msh 4.1 file: how numbers are written, and what stands before the nodes.
+// The sections of a .msh file: how numbers are written, and what stands before the nodes.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,9 +11,9 @@
 namespace paver {
 
 /// Numbers of a section as text with blanks between them, or packed.
-class Msh4Numbers {
+class MshNumbers {
  public:
-  Msh4Numbers(ByteSink& sink, bool is_ascii) : sink_(sink), is_ascii_(is_ascii) {}
+  MshNumbers(ByteSink& sink, bool is_ascii) : sink_(sink), is_ascii_(is_ascii) {}
 
   bool is_ascii() const { return is_ascii_; }
   ByteSink& sink() { return sink_; }
@@ -47,10 +47,13 @@ class Msh4Numbers {
   fmt::memory_buffer line_;
 };
 
+/// What both Gmsh formats start with: the format and its version, and the names of the groups where there are any.
+void write_msh_beginning(const char* version, const Groups& groups, MshNumbers& out);
+
 /// Collective. The file down to the head of its section for nodes: format, physical names, entities.
-void write_msh4_beginning(const MeshResult& result, const Numbering& numbering, Ranks& ranks, Msh4Numbers& out);
+void write_msh4_beginning(const MeshResult& result, const Numbering& numbering, Ranks& ranks, MshNumbers& out);
 
 /// Blocks, total, lowest and highest tag: how the sections for nodes and elements begin.
-void write_msh4_head(std::size_t blocks, long total, Msh4Numbers& out);
+void write_msh4_head(std::size_t blocks, long total, MshNumbers& out);
 
 }  // namespace paver
