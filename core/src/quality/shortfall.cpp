@@ -35,27 +35,9 @@ std::string one_sided_solids(const std::vector<std::string>& solids) {
       fmt::join(solids, ", "));
 }
 
-std::string unread(const std::vector<std::string>& entities) {
-  if (entities.empty()) return "";
-  return fmt::format(
-      "Not read, or not as the file has it, so that something is missing, elsewhere or of another size: {}; export the "
-      "model again, or in another format.",
-      listed(entities, most_named_faces));
-}
-
-std::string open_solids(const std::vector<std::string>& solids) {
-  if (solids.empty()) return "";
-  return fmt::format(
-      "Solids that are open, as faces of theirs are missing or do not meet: {}; repair them in the CAD program, or "
-      "give a sew-tolerance above their gaps.",
-      listed(solids, most_named_faces));
-}
-
-std::string holes(const std::vector<std::string>& faces) {
-  if (faces.empty()) return "";
-  return fmt::format(
-      "Too small to have an area and left out, which leaves holes in their bodies: {}; remove them in the CAD program.",
-      listed(faces, most_named_faces));
+/// A sentence about these; empty without any.
+std::string about(const std::vector<std::string>& items, fmt::format_string<std::string> sentence) {
+  return items.empty() ? "" : fmt::format(sentence, listed(items, most_named_faces));
 }
 
 // Nodes lie on curves and on surfaces: where these are farther apart the mesh leaves one of them.
@@ -84,9 +66,8 @@ std::string long_sides(const RunReport& report) {
   for (const FaceReport& face : report.faces)
     if (face.longest_side > far_too_long * report.target_length)
       faces.push_back(fmt::format("{} ({:.1f})", face.name, face.longest_side / report.target_length));
-  if (faces.empty()) return {};
-  return fmt::format("Elements are many times as long as the target length: {}; a slightly different size may mesh it.",
-                     listed(faces, most_named_faces));
+  return about(faces,
+               "Elements are many times as long as the target length: {}; a slightly different size may mesh it.");
 }
 
 constexpr double turned = 90 * std::numbers::pi / 180;  // between normals of mesh and surface
@@ -98,9 +79,7 @@ std::string folded(const RunReport& report) {
   for (const FaceReport& face : report.faces)
     if (face.distance.angle > turned && face.mesh_area > largest * face.cad_area)
       faces.push_back(fmt::format("{} ({:+.1f} %)", face.name, 100 * (face.mesh_area / face.cad_area - 1)));
-  if (faces.empty()) return {};
-  return fmt::format("Elements fold over one another, by what they have more of area: {}; use a smaller size there.",
-                     listed(faces, most_named_faces));
+  return about(faces, "Elements fold over one another, by what they have more of area: {}; use a smaller size there.");
 }
 
 // Chords cut off less: eight around a ball take 15 % of its area. Normals that turn by more than 90 degrees are no sign
@@ -121,9 +100,7 @@ std::string too_coarse(const RunReport& report) {
   for (const FaceReport& face : report.faces)
     if (face.status == FaceStatus::meshed && face.cad_area > small * whole && is_too_coarse(face))
       faces.push_back(fmt::format("{} ({:.0f} % of its area)", face.name, 100 * face.mesh_area / face.cad_area));
-  if (faces.empty()) return {};
-  return fmt::format("Elements are too coarse for the shape of {}; use a smaller size or max-turn there.",
-                     listed(faces, most_named_faces));
+  return about(faces, "Elements are too coarse for the shape of {}; use a smaller size or max-turn there.");
 }
 
 // Farther apart than elements may be off their surface, faces may have been drawn so.
@@ -151,16 +128,17 @@ std::string off_edge(const RunReport& report) {
       report.off_edge);
 }
 
+std::string place(Vec3 where) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", where.x, where.y, where.z); }
+
 std::string crossings(const std::vector<Crossing>& places) {
-  std::vector<std::string> listed_places;
+  std::vector<std::string> found;
   for (const auto& [faces, where] : places) {
     const std::string with = faces[0] == faces[1] ? "itself" : faces[1];
-    listed_places.push_back(
-        fmt::format("{} with {} at ({:.6g}, {:.6g}, {:.6g})", faces[0], with, where.x, where.y, where.z));
+    found.push_back(fmt::format("{} with {} at {}", faces[0], with, place(where)));
   }
-  return fmt::format(
-      "Elements run through each other: {}; where the shape crosses itself repair it, elsewhere use a smaller size.",
-      listed(listed_places, most_named_faces));
+  return about(found,
+               "Elements run through each other: {}; where the shape crosses itself repair it, elsewhere use a smaller "
+               "size.");
 }
 
 constexpr const char* no_mesh = "None of the faces has an area, so there is no mesh.";
@@ -194,18 +172,26 @@ std::vector<std::string> doubts(const RunReport& report) {
   for (const Gap& gap : report.gaps)
     if (gap.parts[0] == gap.parts[1])
       sentences.push_back(
-          fmt::format("{} is open at ({:.6g}, {:.6g}, {:.6g}), where its edges run along each other up to {:.3g} mm "
-                      "apart and share "
-                      "no node; where they are to be one, give a sew-tolerance above that.",
-                      gap.parts[0], gap.where.x, gap.where.y, gap.where.z, gap.distance));
+          fmt::format("{} is open at {}, where its edges run along each other up to {:.3g} mm apart and share no node; "
+                      "where they are to be one, give a sew-tolerance above that.",
+                      gap.parts[0], place(gap.where), gap.distance));
     else
-      sentences.push_back(fmt::format(
-          "{} and {} come within {:.3g} mm of each other at ({:.6g}, {:.6g}, {:.6g}) and share no node there; where "
-          "they are to touch, close the gap in the CAD program or with a sew-tolerance.",
-          gap.parts[0], gap.parts[1], gap.distance, gap.where.x, gap.where.y, gap.where.z));
-  if (!report.crossings.empty()) sentences.push_back(crossings(report.crossings));
+      sentences.push_back(
+          fmt::format("{} and {} come within {:.3g} mm of each other at {} and share no node there; where they are to "
+                      "touch, close the gap in the CAD program or with a sew-tolerance.",
+                      gap.parts[0], gap.parts[1], gap.distance, place(gap.where)));
+  const ModelReport& model = report.model;
   for (std::string sentence :
-       {unread(report.model.unread), open_solids(report.model.open_solids), holes(report.model.holes),
+       {crossings(report.crossings),
+        about(model.unread,
+              "Not read, or not as the file has it, so that something is missing, elsewhere or of another size: {}; "
+              "export the model again, or in another format."),
+        about(model.open_solids,
+              "Solids that are open, as faces of theirs are missing or do not meet: {}; repair them in the CAD "
+              "program, or give a sew-tolerance above their gaps."),
+        about(model.holes,
+              "Too small to have an area and left out, which leaves holes in their bodies: {}; remove them in the CAD "
+              "program."),
         long_sides(report), folded(report), too_coarse(report), merged(report), off_edge(report)})
     if (!sentence.empty()) sentences.push_back(std::move(sentence));
   return sentences;
