@@ -7,9 +7,50 @@
 #include "paver/solver.h"
 
 namespace paver {
-namespace {
 
 using Json = nlohmann::ordered_json;
+
+// The library finds these for what lists hold.
+static void to_json(Json& json, const Vec3& x) { json = {x.x, x.y, x.z}; }
+static void to_json(Json& json, const Contact& contact) {
+  json = {{"parts", contact.parts},
+          {"kind", contact_name(contact.kind)},
+          {"faces", contact.faces},
+          {"size", contact.size},
+          {"gap", contact.gap}};
+}
+static void to_json(Json& json, const Repair& repair) {
+  json = {{"kind", repair_name(repair.kind)},
+          {"count", repair.count},
+          {"distance", repair.distance},
+          {"faces", repair.faces}};
+}
+static void to_json(Json& json, const Gap& gap) {
+  json = {{"parts", gap.parts}, {"distance", gap.distance}, {"where", gap.where}};
+}
+static void to_json(Json& json, const Crossing& crossing) {
+  json = {{"faces", crossing.faces}, {"where", crossing.where}};
+}
+static void to_json(Json& json, const Merge& merge) {
+  json = {{"kind", merge_name(merge.kind)},
+          {"name", merge.name},
+          {"into", merge.into},
+          {"size", merge.size},
+          {"where", merge.where}};
+}
+static void to_json(Json& json, const ElementRepair& repair) {
+  json = {{"kind", element_repair_name(repair.kind)}, {"entity", repair.entity}, {"where", repair.where}};
+}
+static void to_json(Json& json, const Medium& medium) {
+  json = {{"name", medium.name}, {"parts", medium.parts},        {"eps_r", medium.eps_r},
+          {"mu_r", medium.mu_r}, {"tan_d", medium.loss_tangent}, {"conductor", medium.is_conductor}};
+}
+static void to_json(Json& json, const Port& port) { json = {{"name", port.name}, {"parts", port.parts}}; }
+static void to_json(Json& json, const Wire& wire) {
+  json = {{"name", wire.name}, {"parts", wire.parts}, {"radius", wire.radius}};
+}
+
+namespace {
 
 constexpr int report_version = 1;  // grows when a key changes its meaning or goes
 
@@ -22,27 +63,6 @@ const char* status_name(FaceStatus status) {
   static constexpr const char* names[] = {"meshed", "no_area", "failed", "common", "dropped", "merged"};
   static_assert(std::size(names) == static_cast<std::size_t>(FaceStatus::merged) + 1);
   return names[static_cast<std::size_t>(status)];
-}
-
-Json contacts_json(const std::vector<Contact>& contacts) {
-  Json json = Json::array();
-  for (const Contact& contact : contacts)
-    json.push_back({{"parts", contact.parts},
-                    {"kind", contact_name(contact.kind)},
-                    {"faces", contact.faces},
-                    {"size", contact.size},
-                    {"gap", contact.gap}});
-  return json;
-}
-
-Json repairs_json(const std::vector<Repair>& repairs) {
-  Json json = Json::array();
-  for (const Repair& repair : repairs)
-    json.push_back({{"kind", repair_name(repair.kind)},
-                    {"count", repair.count},
-                    {"distance", repair.distance},
-                    {"faces", repair.faces}});
-  return json;
 }
 
 Json model_json(const ModelReport& m) {
@@ -62,7 +82,7 @@ Json model_json(const ModelReport& m) {
           {"free_edge_names", m.free_edge_names},
           {"nonmanifold_edges", m.nonmanifold_edges},
           {"nonmanifold_edge_names", m.nonmanifold_edge_names},
-          {"contacts", contacts_json(m.contacts)},
+          {"contacts", m.contacts},
           {"unconnected", m.unconnected},
           {"one_sided", m.one_sided},
           {"curve_distance", m.curve_distance},
@@ -70,7 +90,7 @@ Json model_json(const ModelReport& m) {
           {"unread", m.unread},
           {"open_solids", m.open_solids},
           {"holes", m.holes},
-          {"repairs", repairs_json(m.repairs)}};
+          {"repairs", m.repairs}};
 }
 
 Json sj_json(const ScaledJacobianStats& sj) { return {{"min", sj.min}, {"mean", sj.mean}, {"below_03", sj.below_03}}; }
@@ -113,21 +133,6 @@ Json quality_json(const QualityReport& q) {
           {"nonmanifold_edges", q.nonmanifold_edges},
           {"watertight", q.watertight},
           {"metric", metric_json(q.metric)}};
-}
-
-Json named_json(const RunReport& run) {
-  Json json = {{"media", Json::array()}, {"ports", Json::array()}, {"wires", Json::array()}};
-  for (const auto& [name, parts, eps_r, mu_r, loss_tangent, is_conductor] : run.media)
-    json["media"].push_back({{"name", name},
-                             {"parts", parts},
-                             {"eps_r", eps_r},
-                             {"mu_r", mu_r},
-                             {"tan_d", loss_tangent},
-                             {"conductor", is_conductor}});
-  for (const auto& [name, parts] : run.ports) json["ports"].push_back({{"name", name}, {"parts", parts}});
-  for (const auto& [name, parts, radius] : run.wires)
-    json["wires"].push_back({{"name", name}, {"parts", parts}, {"radius", radius}});
-  return json;
 }
 
 /// Elements per square wavelength; null without a frequency or elements.
@@ -173,7 +178,7 @@ Json face_json(const FaceReport& face, const std::string& label) {
       {"mesh_area", face.mesh_area},
       {"elements_per_square_wavelength", density(face.quads + face.triangles, face.mesh_area, face.wavelength)},
       {"closed_by_triangulation", face.closed_by_triangulation}};
-  if (face.where) json["where"] = {face.where->x, face.where->y, face.where->z};
+  if (face.where) json["where"] = *face.where;
   return json;
 }
 
@@ -191,42 +196,30 @@ std::string report_json(const MeshResult& result, std::uint64_t mesh_checksum) {
                {"threads", run.threads},
                {"model", model_json(run.model)},
                {"components", run.components},
-               {"gaps", Json::array()},
-               {"crossings", Json::array()},
+               {"gaps", run.gaps},
+               {"crossings", run.crossings},
                {"verdict", verdict(run)},
                {"faults", faults(run)},
                {"doubts", doubts(run)},
                {"quality", quality_json(run.quality)},
                {"solver", solver_json(run)},
                {"faces", Json::array()},
-               {"merges", Json::array()},
-               {"element_repairs", Json::array()},
+               {"merges", run.merges},
+               {"element_repairs", run.element_repairs},
                {"notes", run.notes},
                {"stage_seconds", Json::object()},
                {"stage_runs", Json::object()},
                {"tasks", Json::object()},
                {"peak_memory_mib", run.peak_memory_mib},
-               {"checksum", fmt::format("{:016x}", mesh_checksum)}};
-  for (const Gap& gap : run.gaps)
-    json["gaps"].push_back(
-        {{"parts", gap.parts}, {"distance", gap.distance}, {"where", {gap.where.x, gap.where.y, gap.where.z}}});
-  for (const auto& [faces, where] : run.crossings)
-    json["crossings"].push_back({{"faces", faces}, {"where", {where.x, where.y, where.z}}});
+               {"checksum", fmt::format("{:016x}", mesh_checksum)},
+               {"media", run.media},
+               {"ports", run.ports},
+               {"wires", run.wires},
+               {"lost_parts", run.lost_parts}};
   for (std::size_t i = 0; i < run.faces.size(); ++i) {
     const std::string& label = i < result.face_names.size() ? result.face_names[i] : run.faces[i].name;
     json["faces"].push_back(face_json(run.faces[i], label));
   }
-  json.update(named_json(run));
-  json["lost_parts"] = run.lost_parts;
-  for (const auto& [kind, name, into, size, where] : run.merges)
-    json["merges"].push_back({{"kind", merge_name(kind)},
-                              {"name", name},
-                              {"into", into},
-                              {"size", size},
-                              {"where", {where.x, where.y, where.z}}});
-  for (const auto& [kind, entity, where] : run.element_repairs)
-    json["element_repairs"].push_back(
-        {{"kind", element_repair_name(kind)}, {"entity", entity}, {"where", {where.x, where.y, where.z}}});
   for (const auto& [stage, runs] : run.stage_runs) json["stage_runs"][stage] = runs;
   for (const auto& [stage, seconds] : run.stage_seconds) json["stage_seconds"][stage] = seconds;
   for (const auto& [stage, seconds, elements] : run.tasks)
