@@ -20,6 +20,7 @@ struct Box {
     low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
     high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
   }
+  Box grown(double by) const { return {low - Vec3{by, by, by}, high + Vec3{by, by, by}}; }
   bool meets(const Box& b) const {
     return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y && low.z <= b.high.z &&
            b.low.z <= high.z;

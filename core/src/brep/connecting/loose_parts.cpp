@@ -147,7 +147,7 @@ std::vector<SheetEdge> edges_of_sheet(const std::vector<const WorkFace*>& faces,
     one.middle = one.curve->point(0.5 * (t0 + t1));
     for (Vec3 x : one.line(pieces).points) one.box.add(x);
     const double more = tolerance + bow * norm(one.box.high - one.box.low);
-    one.box = {one.box.low - Vec3{more, more, more}, one.box.high + Vec3{more, more, more}};
+    one.box = one.box.grown(more);
   }
   std::erase_if(edges, [](const SheetEdge& one) { return !one.curve; });
   return edges;

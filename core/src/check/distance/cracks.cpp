@@ -47,8 +47,7 @@ std::vector<Side> sides(const Model& model, double h) {
       one.box.add(one.points[i]);
       if (i > 0) bulge = std::max(bulge, norm(one.at((i - 0.5) / chords) - 0.5 * (one.points[i - 1] + one.points[i])));
     }
-    const Vec3 more{2 * bulge, 2 * bulge, 2 * bulge};
-    one.box = {one.box.low - more, one.box.high + more};
+    one.box = one.box.grown(2 * bulge);
   }
   std::ranges::stable_sort(list, {}, [](const Side& one) { return one.box.low.x; });
   return list;

@@ -120,10 +120,9 @@ bool are_aslant(Vec3 n, Vec3 m) { return dot(cross(n, m), cross(n, m)) > least_s
 /// A corner that lies on the patch, at an angle: where the line in which two meshes cross falls on nodes of both.
 std::optional<Vec3> touching(const ElementPatch& one, const ElementPatch& patch, double near) {
   const Box box = patch.bounds();
-  const Vec3 more{near, near, near};
   for (int k = 0; k < one.corners; ++k) {
     const Vec3 x = one.nodes[k];
-    if (!box.meets({x - more, x + more})) continue;
+    if (!box.meets(Box{x, x}.grown(near))) continue;
     const Offset offset = offset_from(patch, x, middle_of(patch));
     if (offset.distance > near) continue;
     const auto [u, v] = patch.slopes(offset.foot);
@@ -145,13 +144,6 @@ std::optional<Vec3> crossing(const ElementPatch& a, const ElementPatch& b) {
   for (const auto& [one, other] : both)
     if (auto where = touching(*one, *other, near)) return where;
   return std::nullopt;
-}
-
-Box box_about(const ElementPatch& patch) {
-  const Box box = patch.bounds();
-  const double near = on_patch * longest_side(patch);
-  const Vec3 more{near, near, near};
-  return {box.low - more, box.high + more};
 }
 
 /// The first of two faces, however many of their elements run through each other; a face in pieces is one.
@@ -179,7 +171,7 @@ class CrossingSearch {
   }
 
   bool is_wanted(std::size_t element) const { return element < all_.element_count(); }
-  Box box(const Piece& piece) const { return box_about(piece.patch); }
+  Box box(const Piece& piece) const { return piece.patch.bounds().grown(on_patch * longest_side(piece.patch)); }
   Directions summary(const Piece& piece) const {
     Directions own;
     add_normals(piece.patch, own);

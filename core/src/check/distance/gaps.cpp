@@ -22,25 +22,12 @@ constexpr double no_gap = 1e-9;  // of the target length: nothing is nearer
 /// many target lengths from all these: a ball on a plate lies farther from it there, however fine the mesh.
 constexpr double common_gap = 1e-3, from_common = 4;
 
-/// With half of the largest gap that is told.
-Box box_about(const Piece& piece) {
-  const Box box = piece.patch.bounds();
-  const double half = 0.5 * told_gap * piece.target;
-  const Vec3 more{half, half, half};
-  return {box.low - more, box.high + more};
-}
-
 struct Common {
   std::vector<Vec3> points;
   std::vector<const Edge*> edges;
 };
 
-/// Both rising.
-bool have_common(const Parts& a, const Parts& b) {
-  for (auto p = a.begin(), q = b.begin(); p != a.end() && q != b.end(); ++(*p < *q ? p : q))
-    if (*p == *q) return true;
-  return false;
-}
+bool have_common(const Parts& a, const Parts& b) { return std::ranges::find_first_of(a, b) != a.end(); }
 
 /// Some of the sets of parts that have elements in a cell.
 struct CellSets {
@@ -89,7 +76,8 @@ class GapSearch {
   }
 
   bool is_wanted(std::size_t element) const { return element < all_.element_count() || all_.is_of_wire(element); }
-  Box box(const Piece& piece) const { return box_about(piece); }
+  /// With half of the largest gap that is told.
+  Box box(const Piece& piece) const { return piece.patch.bounds().grown(0.5 * told_gap * piece.target); }
   CellSets summary(const Piece& piece) const {
     CellSets own;
     own.add(set_of(piece));
