@@ -1,8 +1,7 @@
-#include "check/boundary_nodes.h"
-
 #include <algorithm>
 
 #include "base/segment.h"
+#include "check/checked_mesh.h"
 #include "check/vector_area.h"
 
 namespace paver {

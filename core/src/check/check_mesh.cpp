@@ -1,9 +1,5 @@
 #include "check/check_mesh.h"
 
-#include "check/boundary_nodes.h"
-#include "check/elements.h"
-#include "check/sides/sides.h"
-
 namespace paver {
 
 MeshCheck check_mesh(const CheckedMesh& checked, MeshFaults folded, int threads, const Progress& progress,

@@ -45,4 +45,19 @@ struct CheckedMesh {
   Vec3 middle(int a, int b) const { return 0.5 * (mesh.nodes[a] + mesh.nodes[b]); }
 };
 
+/// Whether elements face the way of their faces and their inner nodes lie on them. Of this rank: faults, and what the
+/// turn of each element may cost of its face's area.
+void check_elements(const CheckedMesh& checked, int threads, const Progress& progress, MeshFaults& faults,
+                    AreaSlack& slack);
+
+/// Whether nodes on B-rep edges lie there. Of the edges that this rank answers for: faults, and what the sides along
+/// them cost of the faces' areas. Nodes are where the edge was divided; a middle that was moved to mend elements lies
+/// between its curve and the chord.
+void check_boundary_nodes(const CheckedMesh& checked, const Ranks& ranks, MeshFaults& faults, AreaSlack& slack);
+
+/// Whether elements fit together; collective, `faults` are those of this rank. Sides inside a face are in two elements
+/// that run opposite; those on a B-rep edge in as many elements of each face as that uses the edge there, and in no
+/// more than the edge has faces. At order 2 the elements of a side have the same middle. No two elements are the same.
+void check_sides(const CheckedMesh& checked, int threads, const Progress& progress, Ranks& ranks, MeshFaults& faults);
+
 }  // namespace paver

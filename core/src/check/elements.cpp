@@ -1,11 +1,10 @@
 // Part by part, with what the part knows of its nodes: places in the chart and derivatives there. What these say of an
 // element comes first; the surface is asked where that leaves a doubt.
-#include "check/elements.h"
-
 #include <algorithm>
 #include <mutex>
 
 #include "base/tasks/tasks.h"
+#include "check/checked_mesh.h"
 #include "check/direction.h"
 #include "check/distance/element_patch.h"
 #include "check/vector_area.h"

@@ -1,8 +1,7 @@
 // Sides that fit two by two and are wrong all the same, made by hand.
-#include "check/sides/sides.h"
-
 #include <gtest/gtest.h>
 
+#include "check/checked_mesh.h"
 #include "check/sides/sides_impl.h"
 #include "core/check/checked_model.h"
 #include "support/thread_ranks.h"

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "check/near/found_places.h"
-#include "check/near/near_search.h"
 
 namespace paver {
 namespace {
@@ -161,8 +160,7 @@ class CrossingSearch {
  public:
   using Summary = Directions;
 
-  CrossingSearch(const MeshPieces& all, const Model& model, const PartPairs& told, Ranks& ranks)
-      : model_(model), ranks_(ranks), all_(all) {
+  CrossingSearch(const MeshPieces& all, const Model& model, const PartPairs& told) : model_(model), all_(all) {
     auto number = [&](const std::string& part) {
       return static_cast<int>(std::ranges::find(model.parts, part) - model.parts.begin());
     };
@@ -179,14 +177,12 @@ class CrossingSearch {
   }
   bool is_mixed(const Directions& directions) const { return directions.differ(); }
 
-  std::vector<Crossing> run() {
-    auto found = NearSearch(*this, all_, ranks_)
-                     .run<FoundCrossings>([&](FoundCrossings& some, const Piece& a, const Piece& b,
-                                              const PairOrder& order) { compare(some, a, b, order); });
-    std::vector<Crossing> crossings;
-    for (const CrossingPlace& place : list_all(std::move(found), ranks_))
-      crossings.push_back({{model_.faces[place.faces[0]].name, model_.faces[place.faces[1]].name}, place.where});
-    return crossings;
+  void compare(FoundCrossings& found, const Piece& a, const Piece& b, const PairOrder& order) const {
+    auto origin = [&](const Piece& piece) { return model_.faces[piece.face].origin; };
+    if (origin(b) < origin(a)) return compare(found, b, a, order);
+    const Pair origins{origin(a), origin(b)};
+    if (found.of(origins) || is_told(a.face, b.face) || have_common_corner(a, b)) return;
+    if (const auto where = crossing(a.patch, b.patch)) found.add({origins, {a.face, b.face}, order, *where});
   }
 
  private:
@@ -216,16 +212,7 @@ class CrossingSearch {
     return false;
   }
 
-  void compare(FoundCrossings& found, const Piece& a, const Piece& b, const PairOrder& order) const {
-    auto origin = [&](const Piece& piece) { return model_.faces[piece.face].origin; };
-    if (origin(b) < origin(a)) return compare(found, b, a, order);
-    const Pair origins{origin(a), origin(b)};
-    if (found.of(origins) || is_told(a.face, b.face) || have_common_corner(a, b)) return;
-    if (const auto where = crossing(a.patch, b.patch)) found.add({origins, {a.face, b.face}, order, *where});
-  }
-
   const Model& model_;
-  Ranks& ranks_;
   const MeshPieces& all_;
   std::vector<Pair> told_;  // parts, the lower first
 };
@@ -234,7 +221,10 @@ class CrossingSearch {
 
 std::vector<Crossing> find_crossings(const MeshPieces& pieces, const Model& model, const PartPairs& told,
                                      Ranks& ranks) {
-  return CrossingSearch(pieces, model, told, ranks).run();
+  std::vector<Crossing> crossings;
+  for (const auto& place : find_places<CrossingPlace>(CrossingSearch(pieces, model, told), pieces, ranks))
+    crossings.push_back({{model.faces[place.faces[0]].name, model.faces[place.faces[1]].name}, place.where});
+  return crossings;
 }
 
 }  // namespace paver

@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "check/near/found_places.h"
-#include "check/near/near_search.h"
 
 namespace paver {
 namespace {
@@ -70,7 +69,7 @@ class GapSearch {
  public:
   using Summary = CellSets;
 
-  GapSearch(const MeshPieces& all, const Model& model, Ranks& ranks) : model_(model), ranks_(ranks), all_(all) {
+  GapSearch(const MeshPieces& all, const Model& model) : model_(model), all_(all) {
     find_common();
     number_sets();
   }
@@ -90,16 +89,20 @@ class GapSearch {
     return some.count > CellSets::most;
   }
 
-  std::vector<Gap> run() {
-    auto found = NearSearch(*this, all_, ranks_)
-                     .run<FoundGaps>([&](FoundGaps& some, const Piece& a, const Piece& b, const PairOrder& order) {
-                       compare(some, a, b, order);
-                     });
-    std::vector<Gap> gaps;
-    for (const GapPlace& place : list_all(std::move(found), ranks_))
-      gaps.push_back(
-          {{model_.parts[place.pair[0]], model_.parts[place.pair[1]]}, place.found.distance, place.found.where});
-    return gaps;
+  void compare(FoundGaps& some, const Piece& a, const Piece& b, const PairOrder& order) const {
+    const Parts &of_a = sets_[set_of(a)], &of_b = sets_[set_of(b)];
+    if (have_common(of_a, of_b)) return;
+    std::vector<Pair> pairs;
+    for (int p : of_a)
+      for (int q : of_b)
+        if (const Pair pair{std::min(p, q), std::max(p, q)}; !are_met(some, pair)) pairs.push_back(pair);
+    const double target = std::min(a.target, b.target);
+    if (pairs.empty() || are_apart(a.patch, b.patch, told_gap * target)) return;
+    if (have_common(parts_about(a), parts_about(b))) return;
+    const PatchDistance found = distance(a.patch, b.patch);
+    if (found.distance > told_gap * target) return;
+    for (Pair pair : pairs)
+      if (is_told(pair, found, target)) some.add({pair, found, found.distance <= no_gap * target, order});
   }
 
  private:
@@ -180,24 +183,7 @@ class GapSearch {
     return {about.begin(), about.end()};
   }
 
-  void compare(FoundGaps& some, const Piece& a, const Piece& b, const PairOrder& order) const {
-    const Parts &of_a = sets_[set_of(a)], &of_b = sets_[set_of(b)];
-    if (have_common(of_a, of_b)) return;
-    std::vector<Pair> pairs;
-    for (int p : of_a)
-      for (int q : of_b)
-        if (const Pair pair{std::min(p, q), std::max(p, q)}; !are_met(some, pair)) pairs.push_back(pair);
-    const double target = std::min(a.target, b.target);
-    if (pairs.empty() || are_apart(a.patch, b.patch, told_gap * target)) return;
-    if (have_common(parts_about(a), parts_about(b))) return;
-    const PatchDistance found = distance(a.patch, b.patch);
-    if (found.distance > told_gap * target) return;
-    for (Pair pair : pairs)
-      if (is_told(pair, found, target)) some.add({pair, found, found.distance <= no_gap * target, order});
-  }
-
   const Model& model_;
-  Ranks& ranks_;
   const MeshPieces& all_;
   std::vector<std::set<int>> vertex_parts_;
   std::map<Pair, Common> common_;
@@ -209,7 +195,10 @@ class GapSearch {
 
 std::vector<Gap> find_gaps(const MeshPieces& pieces, const Model& model, Ranks& ranks) {
   if (model.parts.size() < 2) return {};
-  return GapSearch(pieces, model, ranks).run();
+  std::vector<Gap> gaps;
+  for (const auto& [pair, found, is_met, order] : find_places<GapPlace>(GapSearch(pieces, model), pieces, ranks))
+    gaps.push_back({{model.parts[pair[0]], model.parts[pair[1]]}, found.distance, found.where});
+  return gaps;
 }
 
 }  // namespace paver

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/tasks/gather.h"
-#include "paver/ranks.h"
+#include "check/near/near_search.h"
 
 namespace paver {
 
@@ -39,9 +39,14 @@ class FoundPlaces {
   std::map<Pair, Place> by_pair_;
 };
 
-/// Collective: those of all ranks.
-template <class Place>
-std::vector<Place> list_all(FoundPlaces<Place> found, Ranks& ranks) {
+/// Collective: what kind.compare(found, a, b, order) finds on all ranks.
+template <class Place, class Kind>
+std::vector<Place> find_places(const Kind& kind, const MeshPieces& pieces, Ranks& ranks) {
+  using Found = FoundPlaces<Place>;
+  auto compare = [&](Found& found, const Piece& a, const Piece& b, const PairOrder& order) {
+    kind.compare(found, a, b, order);
+  };
+  Found found = NearSearch(kind, pieces, ranks).template run<Found>(compare);
   for (const Place& place : gather_all(found.list(), ranks)) found.add(place);
   return found.list();
 }

@@ -1,7 +1,5 @@
 // Sides with a node that only one part has are looked at part by part: dealt into one bucket per upper node, which is
 // the part's own, and sorted there. Linear in the number of elements. The others are listed for check_shared().
-#include "check/sides/sides.h"
-
 #include <algorithm>
 #include <mutex>
 
