@@ -32,10 +32,9 @@ Terminal::Terminal(const Progress& progress, bool is_quiet, std::vector<std::str
       stage_start_(Clock::now()),
       thread_([this] { watch(); }) {}
 
-void Terminal::stop() {
+Terminal::~Terminal() {
   {
     std::lock_guard lock(mutex_);
-    if (is_stopped_) return;
     is_stopped_ = true;
   }
   stopping_.notify_all();
@@ -59,12 +58,7 @@ void Terminal::watch() {
 }
 
 void Terminal::show() {
-  if (is_quiet_) return;
-  if (is_terminal_) {
-    show_on_line();
-  } else {
-    show_finished_stages();
-  }
+  if (!is_quiet_) is_terminal_ ? show_on_line() : show_finished_stages();
 }
 
 void Terminal::show_on_line() {

@@ -19,12 +19,10 @@ class Terminal {
  public:
   Terminal(const Progress& progress, bool is_quiet, std::vector<std::string> temporaries,
            std::chrono::milliseconds patience = std::chrono::milliseconds(700));
-  ~Terminal() { stop(); }
+  /// Ends the thread and clears its line.
+  ~Terminal();
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
-
-  /// Ends the thread and clears its line. Safe to call twice.
-  void stop();
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -6,7 +6,7 @@
 
 int main(int argc, char** argv) {
   constexpr int first_of_command = 3, usage_exit_code = 2;
-  if (argc > first_of_command) return paver::watch_run({{argv[1], argv[2]}, {argv + first_of_command, argv + argc}});
+  if (argc > first_of_command) return paver::watch_run({argv[1], argv[2]}, {argv + first_of_command, argv + argc});
   std::fputs("paver-watch: Paver starts this program itself, for 'paver mesh ... --ranks N'.\n", stderr);
   return usage_exit_code;
 }

@@ -146,18 +146,18 @@ void remove_outputs(const std::string& folder) {
 
 }  // namespace
 
-int watch_run(const WatchedRun& run) {
+int watch_run(const std::vector<std::string>& folders, const std::vector<std::string>& command) {
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
   listen_to_signals();
   Wish wish = Wish::run;
-  int status = wait_for(start(run.command), wish);
+  int status = wait_for(start(command), wish);
   kill_descendants();
-  remove_outputs(run.folders.front());
+  remove_outputs(folders.front());
   ::close(STDOUT_FILENO);
   ::close(STDERR_FILENO);
   while (wish != Wish::stop) wish = next_wish();
   std::error_code ignored;
-  for (const std::string& folder : run.folders) fs::remove_all(folder, ignored);
+  for (const std::string& folder : folders) fs::remove_all(folder, ignored);
   return WIFEXITED(status) ? WEXITSTATUS(status) : signal_exit_code + WTERMSIG(status);
 }
 
