@@ -14,12 +14,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <regex>
 #include <sstream>
 #include <string_view>
 #include <thread>
@@ -139,36 +139,16 @@ int wait_for_end(Child& child) {
   return *child.status();
 }
 
-/// Each run of blanks and line ends as one blank: mpirun breaks its lines anywhere.
-std::string on_one_line(const std::string& text) {
-  std::string line;
-  for (char c : text) {
-    const bool is_blank = std::isspace(static_cast<unsigned char>(c)) != 0;
-    if (!is_blank || (!line.empty() && line.back() != ' ')) line.push_back(is_blank ? ' ' : c);
-  }
-  return line;
-}
-
-/// The number that follows `words` in `text`, and what follows it.
-std::optional<int> number_after(std::string_view words, std::string_view& text) {
-  const std::size_t at = text.find(words);
-  if (at == std::string_view::npos) return std::nullopt;
-  std::string_view rest = text.substr(at + words.size());
-  int number = 0;
-  auto [end, fault] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
-  if (fault != std::errc()) return std::nullopt;
-  text = rest.substr(static_cast<std::size_t>(end - rest.data()));
-  return number;
-}
-
-/// What mpirun says when a rank ended by a signal.
+/// What mpirun says when a rank ended by a signal; it breaks its lines anywhere.
 std::optional<Error> lost_rank(const std::string& name, const std::string& output, int ranks,
                                const Progress& progress) {
-  const std::string line = on_one_line(output);
-  std::string_view rest = line;
-  const std::optional<int> rank = number_after("process rank ", rest), signal = number_after("exited on signal ", rest);
-  if (!rank || !signal) return std::nullopt;
-  return breakdown(name, progress.stage(), *signal, fmt::format("Rank {} of {}", *rank, ranks),
+  static const std::regex rank_words("process\\s+rank\\s+(\\d{1,9})"),
+      signal_words("exited\\s+on\\s+signal\\s+(\\d{1,9})");
+  std::smatch rank, signal;
+  if (!std::regex_search(output, rank, rank_words) ||
+      !std::regex_search(rank[0].second, output.end(), signal, signal_words))
+    return std::nullopt;
+  return breakdown(name, progress.stage(), std::stoi(signal[1]), fmt::format("Rank {} of {}", rank[1].str(), ranks),
                    "fewer ranks or a larger target length");
 }
 
