@@ -62,26 +62,19 @@ bool JacobianForm::coefficients(const Vec3* x, Coefficients& c) const {
   return std::all_of(c.begin(), c.begin() + count_, [](double value) { return std::isfinite(value); });
 }
 
-double JacobianForm::least_sample(const Coefficients& c) const {
-  double result = std::numeric_limits<double>::infinity();
-  const double* row = samples_.data();
+void JacobianForm::apply(const std::vector<double>& matrix, const Coefficients& c, Coefficients& result) const {
+  const double* row = matrix.data();
   for (int i = 0; i < count_; ++i, row += count_) {
     double value = 0;
     for (int k = 0; k < count_; ++k) value += row[k] * c[k];
-    result = std::min(result, value);
+    result[i] = value;
   }
-  return result;
 }
 
 void JacobianForm::split(const Coefficients& c, int level, Split& state) const {
   Coefficients quarter;
   for (const std::vector<double>& matrix : children_) {
-    const double* row = matrix.data();
-    for (int i = 0; i < count_; ++i, row += count_) {
-      double value = 0;
-      for (int k = 0; k < count_; ++k) value += row[k] * c[k];
-      quarter[i] = value;
-    }
+    apply(matrix, c, quarter);
     if (least_of(quarter.data(), corners_) <= flat_ratio) {
       state.is_invalid = true;
       return;
@@ -102,8 +95,12 @@ JacobianBound JacobianForm::bound(const Vec3* x, bool is_close) const {
   if (!coefficients(x, c)) return {Validity::invalid, 0};
   double low = least(c.data(), count_);
   if (low >= poor_ratio || (low > flat_ratio && !is_close)) return {Validity::valid, low};
-  double corner = least_of(c.data(), corners_);
-  double sampled = low > flat_ratio ? low : std::min(corner, least_sample(c));
+  double sampled = low;
+  if (low <= flat_ratio) {
+    Coefficients values;
+    apply(samples_, c, values);
+    sampled = std::min(least_of(c.data(), corners_), least(values.data(), count_));
+  }
   if (sampled > flat_ratio) {
     Split state{is_close};
     split(c, 0, state);

@@ -90,7 +90,7 @@ class JacobianForm {
   void build_quadrature();
   JacobianBound bound(const Vec3* x, bool is_close) const;
   bool coefficients(const Vec3* x, Coefficients& c) const;
-  double least_sample(const Coefficients& c) const;
+  void apply(const std::vector<double>& matrix, const Coefficients& c, Coefficients& result) const;
   void split(const Coefficients& c, int level, Split& state) const;
 
   ElementShape shape_;
