@@ -17,9 +17,9 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import meshfile  # noqa: E402
+import meshfile  # noqa: E402, makes the workbench's readers known
+from paver_wb.formats import raw_mesh, read_vtu  # noqa: E402
 
-WORKBENCH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Workbench")  # has a reader of .vtu
 VIEWS = {"iso": (-55, 28), "x": (0, 0), "y": (90, 0), "z": (-90, 90), "-x": (180, 0), "-y": (-90, 0), "-z": (-90, -90)}
 LARGEST = 20000     # pixels, each way
 
@@ -298,8 +298,6 @@ def read(path):
         if len(mesh.quads) + len(mesh.triangles) == 0:
             raise ValueError("it has no triangles and no quads")
         return mesh
-    sys.path.append(WORKBENCH)
-    from paver_wb.formats import raw_mesh, read_vtu
     with open(path, "rb") as f:
         found = raw_mesh.tables(read_vtu.read(f.read()))
     return meshfile.Mesh(order=found.order, nodes=found.nodes, quads=found.quads, quad_tag=found.quad_faces,

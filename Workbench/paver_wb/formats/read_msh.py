@@ -1,4 +1,6 @@
-"""Surface elements of Gmsh files, versions 2.2 and 4.1, text and binary."""
+"""Gmsh files, versions 2.2 and 4.1, text and binary. scripts/meshfile.py reads with it, too."""
+from typing import NamedTuple
+
 import numpy as np
 
 from paver_wb.formats.raw_mesh import Damaged, RawMesh
@@ -40,10 +42,37 @@ def line(data, at):
     return data[at:end].decode("utf-8", "replace").strip(), end + 1
 
 
+class Sections(NamedTuple):
+    """What a file has. names: {(dimension, number of a physical group): name}; physical: {(dimension, tag of an entity): its
+    group}, of version 4.1; nodes: (tags, (n, 3) points), None without; blocks: [(Gmsh's type, tag of the entity, its group in
+    version 2.2 or 0, rows of node tags)]; totals: {section: how many nodes or elements it says that it has}."""
+
+    names: dict
+    physical: dict
+    nodes: object
+    blocks: list
+    totals: dict
+
+
 def read(data):
-    """RawMesh of the bytes of a file. Damaged when it is none."""
+    """RawMesh of the bytes of a file: its surface elements. Damaged when it is none."""
+    found = sections(data)
+    if found.nodes is None:
+        raise Damaged("it has no $Nodes")
+    tags, points = found.nodes
+    return RawMesh(points, tags, [(SURFACE[kind], rows, group_name(found, tag, number))
+                                  for kind, tag, number, rows in found.blocks if kind in SURFACE])
+
+
+def group_name(found, tag, number):
+    """The physical name of a surface, else its number."""
+    return found.names.get((2, number or abs(found.physical.get((2, tag), 0)))) or f"Face{tag}"
+
+
+def sections(data, known=NODES):
+    """The Sections of the bytes of a file. known: nodes by types of elements; Damaged for another type."""
     at, version, is_binary = 0, "", False
-    names, physical, nodes, blocks = {}, {}, None, []
+    names, physical, nodes, blocks, totals = {}, {}, None, [], {}
     while at < len(data):
         section, at = line(data, at)
         if not section.startswith("$") or section.startswith("$End"):
@@ -62,35 +91,27 @@ def read(data):
                 entry, at = line(data, at)
                 dimension, number, name = entry.split(" ", 2)
                 names[int(dimension), int(number)] = name.strip('"')
-        elif section in ("$Entities", "$Nodes", "$Elements"):
-            count = 0
-            if version == "2.2":
-                text, at = line(data, at)
-                count = int(text)
+        elif section == "$Entities":
             cursor = Cursor(data, at, is_binary)
-            if section == "$Entities":
-                physical = entities(cursor)
-            elif section == "$Nodes":
-                nodes = nodes2(cursor, count) if version == "2.2" else nodes4(cursor)
+            physical, at = entities(cursor), cursor.at
+        elif section in ("$Nodes", "$Elements"):
+            is_old = version == "2.2"
+            if is_old:
+                text, at = line(data, at)
+            cursor = Cursor(data, at, is_binary)
+            parts, totals[section] = (0, int(text)) if is_old else cursor.take(4, "i8")[:2].tolist()
+            if section == "$Nodes":
+                nodes = nodes2(cursor, totals[section]) if is_old else nodes4(cursor, parts)
             else:
-                blocks = elements2(cursor, count) if version == "2.2" else elements4(cursor, physical)
+                blocks = elements2(cursor, totals[section], known) if is_old else elements4(cursor, parts, known)
             at = cursor.at
         end = data.find(b"$End" + section[1:].encode(), at)
         at = len(data) if end < 0 else end
-    if nodes is None:
-        raise Damaged("it has no $Nodes")
-    named = [(SURFACE[kind], rows, group_name(names, tag, number)) for kind, tag, number, rows in blocks
-             if kind in SURFACE]
-    return RawMesh(nodes[1], nodes[0], named)
-
-
-def group_name(names, tag, number):
-    """The physical name of a surface, else its number."""
-    return names.get((2, number)) or f"Face{tag}"
+    return Sections(names, physical, nodes, blocks, totals)
 
 
 def entities(cursor):
-    """{tag of a surface: number of its physical group}."""
+    """{(dimension, tag): number of the physical group} of every entity that has one."""
     physical = {}
     counts = cursor.take(4, "i8")
     for dimension in range(4):
@@ -100,33 +121,29 @@ def entities(cursor):
             numbers = cursor.take(int(cursor.take(1, "i8")[0]), "i4")
             if dimension > 0:
                 cursor.take(int(cursor.take(1, "i8")[0]), "i4")
-            if dimension == 2 and len(numbers):
-                physical[tag] = int(abs(numbers[0]))
+            if len(numbers):
+                physical[dimension, tag] = int(numbers[0])
     return physical
 
 
-def nodes4(cursor):
-    blocks = int(cursor.take(4, "i8")[0])
-    tags, points = [], []
+def nodes4(cursor, blocks):
+    tags, points = [np.zeros(0, np.int64)], [np.zeros((0, 3))]
     for _ in range(blocks):
         dimension, _, is_parametric = cursor.take(3, "i4")
         count = int(cursor.take(1, "i8")[0])
         tags.append(cursor.take(count, "i8"))
         width = 3 + (int(dimension) if is_parametric else 0)
         points.append(cursor.take(width * count, "f8").reshape(count, width)[:, :3])
-    if not tags:
-        return np.zeros(0, np.int64), np.zeros((0, 3))
     return np.concatenate(tags), np.concatenate(points)
 
 
-def elements4(cursor, physical):
-    """[(type, tag of the surface, number of its physical group, rows of node tags)]."""
+def elements4(cursor, blocks, known):
     found = []
-    for _ in range(int(cursor.take(4, "i8")[0])):
+    for _ in range(blocks):
         _, tag, kind = (int(n) for n in cursor.take(3, "i4"))
-        width = nodes_of(kind) + 1
+        width = nodes_of(kind, known) + 1
         count = int(cursor.take(1, "i8")[0])
-        found.append((kind, tag, physical.get(tag, 0), cursor.take(count * width, "i8").reshape(count, width)[:, 1:]))
+        found.append((kind, tag, 0, cursor.take(count * width, "i8").reshape(count, width)[:, 1:]))
     return found
 
 
@@ -139,22 +156,22 @@ def nodes2(cursor, count):
     return table[:, 0].astype(np.int64), table[:, 1:]
 
 
-def elements2(cursor, count):
+def elements2(cursor, count, known):
     tables, done = {}, 0
     while done < count:
         if cursor.is_binary:
             kind, several, tags = (int(n) for n in cursor.take(3, "i4"))
-            table = cursor.take(several * (1 + tags + nodes_of(kind)), "i4").reshape(several, -1)[:, 1:]
+            table = cursor.take(several * (1 + tags + nodes_of(kind, known)), "i4").reshape(several, -1)[:, 1:]
         else:
             _, kind, tags = (int(n) for n in cursor.take(3, "i4"))
-            several, table = 1, cursor.take(tags + nodes_of(kind), "i4").reshape(1, -1)
+            several, table = 1, cursor.take(tags + nodes_of(kind, known), "i4").reshape(1, -1)
         for row in table:
             tables.setdefault((kind, int(row[1]) if tags > 1 else 0, int(row[0]) if tags else 0), []).append(row[tags:])
         done += several
     return [(*key, np.array(table)) for key, table in tables.items()]
 
 
-def nodes_of(kind):
-    if kind not in NODES:
+def nodes_of(kind, known):
+    if kind not in known:
         raise Damaged(f"it has elements of Gmsh's type {kind}, which are not known here")
-    return NODES[kind]
+    return known[kind]
