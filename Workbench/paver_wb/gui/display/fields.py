@@ -38,27 +38,45 @@ def callback(owner):
     return node
 
 
+def node(kind, **values):
+    """A node of a class of Coin's with these values of its fields."""
+    made = kind()
+    for name, value in values.items():
+        setattr(made, name, value)
+    return made
+
+
 def unpickable():
-    style = coin.SoPickStyle()
-    style.style = coin.SoPickStyle.UNPICKABLE
-    return style
+    return node(coin.SoPickStyle, style=coin.SoPickStyle.UNPICKABLE)
 
 
 def unlit():
-    model = coin.SoLightModel()
-    model.model = coin.SoLightModel.BASE_COLOR
-    return model
+    return node(coin.SoLightModel, model=coin.SoLightModel.BASE_COLOR)
 
 
 def colour_node(rgb):
-    node = coin.SoBaseColor()
-    node.rgb = tuple(rgb[:3])
-    return node
+    return node(coin.SoBaseColor, rgb=tuple(rgb[:3]))
 
 
-def line_style(width, point_size=0):
-    style = coin.SoDrawStyle()
-    style.lineWidth = width
-    if point_size:
-        style.pointSize = point_size
-    return style
+def line_style(width, **more):
+    return node(coin.SoDrawStyle, lineWidth=width, **more)
+
+
+def own_indices(shape):
+    """Indices of points that no two rows of (n, k) share, as Coin wants them."""
+    return rows_as_indices(np.arange(shape[0] * shape[1]).reshape(shape[:2]))
+
+
+def rows_as_indices(rows):
+    """(n, k) rows of points as Coin wants them, each ended by -1."""
+    made = np.full((len(rows), rows.shape[1] + 1), -1, np.int32)
+    made[:, :-1] = rows
+    return made.ravel()
+
+
+def fill_rows(index_field, points_field, points, rows=None):
+    """Fills the points of lines or faces and their indices: (n, k) rows of these; without them the points are (n, k, 3), those of
+    each row its own. Coin never sees indices of points that are not there."""
+    fill(index_field, np.zeros(0, np.int32), INTEGERS)
+    fill(points_field, points.reshape(-1, 3), FLOATS)
+    fill(index_field, own_indices(points.shape) if rows is None else rows_as_indices(rows), INTEGERS)

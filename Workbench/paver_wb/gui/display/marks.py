@@ -4,9 +4,9 @@ import numpy as np
 from pivy import coin
 
 from paver_wb.gui.display import colour_maps
-from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, line_style, put, separator,
-                                         unlit, unpickable)
-from paver_wb.gui.display.scene import both_sides, by_index, rows_as_indices
+from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, fill_rows, line_style, node, own_indices,
+                                         put, separator, unlit, unpickable)
+from paver_wb.gui.display.scene import both_sides, by_index
 
 FREE, CROWDED = (0.95, 0.05, 0.25), (0.60, 0.10, 0.85)  # mesh edges of one element, of more than two
 WORST, TRIANGLE = (0.90, 0.05, 0.55), (0.20, 0.35, 0.95)
@@ -91,9 +91,7 @@ class EdgeMark(Mark):
         """outlines: (edges, n + 1) rows of points."""
         self.count = len(outlines)
         used, rows = np.unique(outlines, return_inverse=True)
-        fill(self.lines.coordIndex, np.zeros(0, np.int32), INTEGERS)
-        fill(self.points.point, points[used].reshape(-1, 3), FLOATS)
-        fill(self.lines.coordIndex, rows_as_indices(rows.reshape(outlines.shape)), INTEGERS)
+        fill_rows(self.lines.coordIndex, self.points.point, points[used], rows.reshape(outlines.shape))
 
     def empty(self):
         self.show(np.zeros((0, 3), np.float32), np.zeros((0, 2), np.int64))
@@ -123,9 +121,8 @@ class NormalMark(Mark):
     """A line along the normal of every element, brighter towards its end."""
 
     def __init__(self):
-        self.vertices, self.lines = coin.SoVertexProperty(), coin.SoIndexedLineSet()
-        self.vertices.materialBinding = coin.SoVertexProperty.PER_VERTEX_INDEXED
-        self.lines.vertexProperty = self.vertices
+        self.vertices = node(coin.SoVertexProperty, materialBinding=coin.SoVertexProperty.PER_VERTEX_INDEXED)
+        self.lines = node(coin.SoIndexedLineSet, vertexProperty=self.vertices)
         self.root = separator(unpickable(), unlit(), line_style(2), self.lines)
         self.empty()
 
@@ -141,7 +138,7 @@ class NormalMark(Mark):
         fill(self.vertices.vertex, pairs.reshape(-1, 3), FLOATS)
         fill(self.vertices.orderedRGBA, np.tile(colour_maps.packed(np.array([NORMAL_ROOT, NORMAL_TIP])), self.count),
              COLOURS)
-        fill(self.lines.coordIndex, rows_as_indices(np.arange(2 * self.count).reshape(-1, 2)), INTEGERS)
+        fill(self.lines.coordIndex, own_indices((self.count, 2)), INTEGERS)
 
     def empty(self):
         self.put(np.zeros((0, 2, 3)))

@@ -14,10 +14,10 @@ from paver_wb.formats import mesh_file
 from paver_wb.gui.base.background import Later, Latest
 from paver_wb.gui.display import colour_maps, colouring, drawn_mesh, legend, marks, report, view_properties
 from paver_wb.gui.display.emphasis import banner, isolation, labels, rings
-from paver_wb.gui.display.fields import put
+from paver_wb.gui.display.fields import put, rows_as_indices
 from paver_wb.gui.display.panels import CORNERS, MARGIN, TAKEN, ViewPanel, moved
 from paver_wb.gui.display.picking import Picker
-from paver_wb.gui.display.scene import DIMMED, Scene, rows_as_indices
+from paver_wb.gui.display.scene import DIMMED, Scene
 
 CURVED, CURVED_EDGES, EDGES = MODES = ("Curved", "Curved + edges", "Edges only")
 WITH_LEGEND = (CURVED, CURVED_EDGES)

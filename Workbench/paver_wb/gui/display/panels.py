@@ -6,7 +6,7 @@ from pivy import coin
 from PySide import QtCore, QtGui
 
 from paver_wb.gui.base.widgets import canvas
-from paver_wb.gui.display.fields import callback, put, unpickable
+from paver_wb.gui.display.fields import callback, node, put, unpickable
 
 MARGIN = 10  # between a panel and the rim of the view, pixels
 SHEET, RIM, INK, FAINT = (255, 255, 255, 225), (0, 0, 0, 70), (25, 28, 32), (105, 110, 118)
@@ -43,6 +43,13 @@ def set_image(node, image):
     image = image.convertToFormat(QtGui.QImage.Format_RGBA8888).mirrored(False, True)
     content = bytes(image.constBits())
     node.image.setValue(coin.SbVec2s(image.width(), image.height()), 4, content)
+
+
+def image_node(image, across, up):
+    """A SoImage that stands at its place by its alignments."""
+    made = node(coin.SoImage, horAlignment=across, vertAlignment=up)
+    set_image(made, image)
+    return made
 
 
 def give_ray_back(_, action):
@@ -150,11 +157,11 @@ class ViewPanel:
     def stand_between(self, planes):
         """Where clipping planes leave it alone, for the frame that is being drawn; None: back in the model. Nobody is told."""
         centre, size = self.middle
-        for node in (self.camera, self.place):
-            node.enableNotify(False)
+        for part in (self.camera, self.place):
+            part.enableNotify(False)
         self.stand(centre if planes is None else kept_point(centre, planes, 0.01 * size), size)
-        for node in (self.camera, self.place):
-            node.enableNotify(True)
+        for part in (self.camera, self.place):
+            part.enableNotify(True)
 
     def stand(self, centre, size):
         half = size * 1e-3

@@ -3,7 +3,7 @@ import numpy as np
 from pivy import coin
 
 from paver_wb.gui.display.edge_density import EdgeDensity
-from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, put, separator, unlit,
+from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, fill_rows, node, put, separator, unlit,
                                          unpickable)
 
 # Of FreeCAD's LineWidth: edges of elements, of the model, wires; of its PointSize: ends of lines of wires.
@@ -54,13 +54,10 @@ class Scene:
 
     def set_wires(self, lines):
         """lines: (n, k, 3) points along each line of a wire; dots show where one ends."""
-        count = len(lines)
         self.wire_dots.numPoints = 0
-        fill(self.wire_lines.coordIndex, np.zeros(0, np.int32), INTEGERS)
-        fill(self.wire_points.point, lines.reshape(-1, 3), FLOATS)
+        fill_rows(self.wire_lines.coordIndex, self.wire_points.point, lines)
         fill(self.wire_nodes.point, lines[:, [0, -1]].reshape(-1, 3), FLOATS)
-        fill(self.wire_lines.coordIndex, rows_as_indices(np.arange(lines[..., 0].size).reshape(lines.shape[:2])), INTEGERS)
-        self.wire_dots.numPoints = 2 * count
+        self.wire_dots.numPoints = 2 * len(lines)
 
     def set_points(self, points, normals):
         """Nothing is drawn from here on until set_indices."""
@@ -97,39 +94,19 @@ class Scene:
 
 def both_sides():
     """An open surface has two."""
-    hints = coin.SoShapeHints()
-    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
-    hints.shapeType = coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
-    hints.faceType = coin.SoShapeHints.CONVEX
-    return hints
+    return node(coin.SoShapeHints, vertexOrdering=coin.SoShapeHints.COUNTERCLOCKWISE,
+                shapeType=coin.SoShapeHints.UNKNOWN_SHAPE_TYPE, faceType=coin.SoShapeHints.CONVEX)
 
 
 def soft_material():
     """Without gloss, which would wash colours out."""
-    material = coin.SoMaterial()
-    material.ambientColor = (0.3, 0.3, 0.3)
-    material.specularColor = (0, 0, 0)
-    return material
+    return node(coin.SoMaterial, ambientColor=(0.3, 0.3, 0.3), specularColor=(0, 0, 0))
 
 
 def fill_lights():
     """Weak lights besides the camera's: faces seen at an angle keep colours that can be read."""
-    made = []
-    for direction in FILL_DIRECTIONS:
-        light = coin.SoDirectionalLight()
-        light.direction, light.intensity = direction, FILL_INTENSITY
-        made.append(light)
-    return made
+    return [node(coin.SoDirectionalLight, direction=direction, intensity=FILL_INTENSITY) for direction in FILL_DIRECTIONS]
 
 
 def by_index():
-    binding = coin.SoNormalBinding()
-    binding.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
-    return binding
-
-
-def rows_as_indices(rows):
-    """(n, k) rows of points as Coin wants them, each ended by -1."""
-    made = np.full((len(rows), rows.shape[1] + 1), -1, np.int32)
-    made[:, :-1] = rows
-    return made.ravel()
+    return node(coin.SoNormalBinding, value=coin.SoNormalBinding.PER_VERTEX_INDEXED)

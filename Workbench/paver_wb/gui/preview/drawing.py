@@ -4,9 +4,9 @@ import numpy as np
 from pivy import coin
 
 from paver_wb.gui.display import colour_maps
-from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, line_style, put, separator, unlit,
+from paver_wb.gui.display.fields import (COLOURS, FLOATS, colour_node, fill, fill_rows, line_style, node, put, separator, unlit,
                                          unpickable)
-from paver_wb.gui.display.scene import both_sides, rows_as_indices
+from paver_wb.gui.display.scene import both_sides
 
 NAME = "PaverPreview"
 CONTACT, SMALL = (0.05, 0.55, 0.95), (0.95, 0.35, 0.0)
@@ -14,12 +14,16 @@ MAP = "Viridis"  # dark: short
 LINE_WIDTH, MARK_SIZE, TRANSPARENCY = 3, 9, 0.55
 
 
+def rows_of(kind, points):
+    """(points, a node of the class `kind`) of (n, k, 3) points of each line or face."""
+    vertices, made = coin.SoCoordinate3(), kind()
+    fill_rows(made.coordIndex, vertices.point, points)
+    return vertices, made
+
+
 def lines_of(points):
     """A node of (n, k, 3) points along each line."""
-    vertices, lines = coin.SoCoordinate3(), coin.SoIndexedLineSet()
-    fill(vertices.point, points.reshape(-1, 3), FLOATS)
-    fill(lines.coordIndex, rows_as_indices(np.arange(points[..., 0].size).reshape(points.shape[:2])), INTEGERS)
-    return put(coin.SoGroup(), vertices, lines)
+    return put(coin.SoGroup(), *rows_of(coin.SoIndexedLineSet, points))
 
 
 def marks_of(points):
@@ -29,12 +33,8 @@ def marks_of(points):
 
 
 def triangles_of(corners):
-    vertices, faces, material = coin.SoCoordinate3(), coin.SoIndexedFaceSet(), coin.SoMaterial()
-    material.diffuseColor = CONTACT
-    material.transparency = TRANSPARENCY
-    fill(vertices.point, corners.reshape(-1, 3), FLOATS)
-    fill(faces.coordIndex, rows_as_indices(np.arange(3 * len(corners)).reshape(-1, 3)), INTEGERS)
-    return separator(both_sides(), material, vertices, faces)
+    material = node(coin.SoMaterial, diffuseColor=CONTACT, transparency=TRANSPARENCY)
+    return separator(both_sides(), material, *rows_of(coin.SoIndexedFaceSet, corners))
 
 
 def size_colours(lengths, target):
@@ -46,34 +46,31 @@ def size_colours(lengths, target):
 
 def sizes_of(triangles, lengths, target):
     """A node of the faces in colours of their target lengths, on top of what is drawn there."""
-    vertices, colours, binding = coin.SoCoordinate3(), coin.SoPackedColor(), coin.SoMaterialBinding()
-    faces, nearer = coin.SoIndexedFaceSet(), coin.SoPolygonOffset()
-    nearer.factor, nearer.units = -1, -1
-    binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
-    fill(vertices.point, triangles.reshape(-1, 3), FLOATS)
+    colours, nearer = coin.SoPackedColor(), node(coin.SoPolygonOffset, factor=-1, units=-1)
     fill(colours.orderedRGBA, colour_maps.packed(size_colours(lengths.ravel(), target)), COLOURS)
-    fill(faces.coordIndex, rows_as_indices(np.arange(3 * len(triangles)).reshape(-1, 3)), INTEGERS)
-    return separator(unpickable(), unlit(), both_sides(), nearer, colours, binding, vertices, faces)
+    return separator(unpickable(), unlit(), both_sides(), nearer, colours,
+                     node(coin.SoMaterialBinding, value=coin.SoMaterialBinding.PER_VERTEX_INDEXED),
+                     *rows_of(coin.SoIndexedFaceSet, triangles))
 
 
 def node_of(look):
     """The Coin node of a Look."""
-    node = coin.SoSeparator()
-    node.setName(NAME)
+    made = separator()
+    made.setName(NAME)
     if len(look.size_triangles):
-        put(node, sizes_of(look.size_triangles, look.size_lengths, look.target))
-    return put(node, over_all(look))
+        put(made, sizes_of(look.size_triangles, look.size_lengths, look.target))
+    return put(made, over_all(look))
 
 
 def over_all(look):
     """What is seen through the model. Lines and marks come after the faces, which they lie on."""
-    node = put(coin.SoAnnotation(), unpickable(), unlit())
+    made = put(coin.SoAnnotation(), unpickable(), unlit())
     for points, make, colour in ((look.contact_triangles, triangles_of, CONTACT), (look.contact_lines, lines_of, CONTACT),
                                  (look.contact_points, marks_of, CONTACT), (look.small_lines, lines_of, SMALL),
                                  (look.small_places, marks_of, SMALL)):
         if len(points):
-            put(node, separator(colour_node(colour), line_style(LINE_WIDTH, MARK_SIZE), make(points)))
-    return node
+            put(made, separator(colour_node(colour), line_style(LINE_WIDTH, pointSize=MARK_SIZE), make(points)))
+    return made
 
 
 class Drawing:
@@ -85,12 +82,12 @@ class Drawing:
     def show(self, look):
         self.clear()
         for view in FreeCADGui.getDocument(self.document).mdiViewsOfType("Gui::View3DInventor"):
-            scene, node = view.getSceneGraph(), node_of(look)
-            scene.addChild(node)
-            self.shown.append((scene, node))
+            scene, made = view.getSceneGraph(), node_of(look)
+            scene.addChild(made)
+            self.shown.append((scene, made))
 
     def clear(self):
-        for scene, node in self.shown:
-            if scene.findChild(node) >= 0:
-                scene.removeChild(node)
+        for scene, made in self.shown:
+            if scene.findChild(made) >= 0:
+                scene.removeChild(made)
         self.shown = []

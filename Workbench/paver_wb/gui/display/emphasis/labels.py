@@ -4,9 +4,8 @@ import numpy as np
 from pivy import coin
 
 from paver_wb.gui.display.emphasis.on_screen import OnScreen, quietly
-from paver_wb.gui.display.fields import FLOATS, INTEGERS, colour_node, fill, line_style, put, separator, unlit
-from paver_wb.gui.display.panels import label, set_image
-from paver_wb.gui.display.scene import rows_as_indices
+from paver_wb.gui.display.fields import FLOATS, INTEGERS, colour_node, fill, line_style, own_indices, put, separator, unlit
+from paver_wb.gui.display.panels import image_node, label
 
 MOST_LABELS = 20
 OFFSET, GAP = 10, 1  # pixels: from the point to the lower left corner of its label; between labels
@@ -32,15 +31,15 @@ class Labels(OnScreen):
         self.places = [coin.SoTranslation() for _ in images]
         fill(self.lines.coordIndex, np.zeros(0, np.int32), INTEGERS)
         self.put_at(self.points)
-        fill(self.lines.coordIndex, rows_as_indices(np.arange(2 * len(images)).reshape(-1, 2)), INTEGERS)
+        fill(self.lines.coordIndex, own_indices((len(images), 2)), INTEGERS)
         put(self.content, separator(unlit(), colour_node(LINE), line_style(1), self.ends, self.lines))
         for place, image in zip(self.places, images):
-            put(self.content, separator(place, image_node(image)))
+            put(self.content, separator(place, image_node(image, coin.SoImage.LEFT, coin.SoImage.BOTTOM)))
 
     def put_at(self, places):
         """Labels at these points of the model."""
-        for node, place in zip(self.places, places):
-            quietly(node, lambda node=node, place=place: node.translation.setValue(*(float(x) for x in place)))
+        for at, place in zip(self.places, places):
+            quietly(at, lambda at=at, place=place: at.translation.setValue(*(float(x) for x in place)))
         ends = np.stack([self.points, places], axis=1).reshape(-1, 3)
         quietly(self.ends, lambda: fill(self.ends.point, ends, FLOATS))
 
@@ -66,13 +65,6 @@ def through(matrix, points):
     """(n, 3) points as a matrix moves them."""
     moved = np.column_stack([points, np.ones(len(points))]) @ matrix
     return moved[:, :3] / moved[:, 3:]
-
-
-def image_node(image):
-    node = coin.SoImage()
-    node.horAlignment, node.vertAlignment = coin.SoImage.LEFT, coin.SoImage.BOTTOM
-    set_image(node, image)
-    return node
 
 
 def apart(corners, sizes, view):

@@ -5,8 +5,8 @@ from PySide import QtCore, QtGui
 
 from paver_wb.gui.base.widgets import canvas
 from paver_wb.gui.display.emphasis.on_screen import OnScreen
-from paver_wb.gui.display.fields import put, separator
-from paver_wb.gui.display.panels import set_image
+from paver_wb.gui.display.fields import node, put, separator
+from paver_wb.gui.display.panels import image_node
 
 DIAMETER, WIDTH, HALO = 36, 4, 8  # pixels
 COLOUR, AROUND = (225, 0, 120), (255, 255, 255, 210)
@@ -18,9 +18,8 @@ class Rings(OnScreen):
 
     def __init__(self):
         super().__init__()
-        self.node, self.places = coin.SoImage(), np.zeros((0, 3))
-        self.node.horAlignment, self.node.vertAlignment = coin.SoImage.CENTER, coin.SoImage.HALF
-        set_image(self.node, picture())
+        self.node = image_node(picture(), coin.SoImage.CENTER, coin.SoImage.HALF)
+        self.places = np.zeros((0, 3))
 
     def show(self, places):
         places = spread(np.asarray(places, float).reshape(-1, 3))
@@ -29,8 +28,7 @@ class Rings(OnScreen):
         self.places = places
         self.content.removeAllChildren()
         for place in places:
-            at = coin.SoTranslation()
-            at.translation = tuple(float(x) for x in place)
+            at = node(coin.SoTranslation, translation=tuple(float(x) for x in place))
             put(self.content, separator(at, self.node))
 
 
