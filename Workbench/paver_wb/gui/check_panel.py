@@ -7,7 +7,7 @@ from paver_wb import mesh_check, mesh_object, meshing
 from paver_wb.formats import mesh_file
 from paver_wb.gui.base import measuring, verdict
 from paver_wb.gui.base.steps import do, in_step, python_name
-from paver_wb.gui.base.widgets import button, complain, named, row, text_label
+from paver_wb.gui.base.widgets import button, complain, named, row, stack, text_label
 from paver_wb.gui.display import actions, report
 from paver_wb.gui.display.emphasis import isolation
 
@@ -58,14 +58,9 @@ class CheckPanel(measuring.MeasuringDialog):
         self.list.setIconSize(QtCore.QSize(verdict.SIZE, verdict.SIZE))
         self.list.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
         self.list.itemClicked.connect(self.select)
-        layout = QtGui.QVBoxLayout(self)
-        layout.addLayout(row(self.sign, self.verdict, shares=(0, 1)))
-        layout.addWidget(self.list)
-        layout.addWidget(self.busy)
-        layout.addLayout(self.walk())
         self.figures = text_label("CheckFigures", translate("Paver", "Figures of the element in the middle of the view"))
-        layout.addWidget(self.figures)
-        layout.addLayout(self.bottom())
+        stack(QtGui.QVBoxLayout(self), row(self.sign, self.verdict, shares=(0, 1)), self.list, self.busy, self.walk(),
+              self.figures, self.bottom())
         self.show_walk()
 
     def walk(self):

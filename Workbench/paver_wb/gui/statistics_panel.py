@@ -7,7 +7,7 @@ from paver_wb.base.units import length_text, unit_of
 from paver_wb.formats import mesh_file
 from paver_wb.gui.base import measuring
 from paver_wb.gui.base.histogram import Histogram
-from paver_wb.gui.base.widgets import button, named, row, text_label
+from paver_wb.gui.base.widgets import button, named, row, stack, text_label
 from paver_wb.gui.panels import fields
 
 translate = FreeCAD.Qt.translate
@@ -30,18 +30,11 @@ class StatisticsPanel(measuring.MeasuringDialog):
         self.table.setRootIsDecorated(False)
         self.table.setAlternatingRowColors(True)
         self.histograms = [Histogram("Paver_Histogram" + name) for name in ("Lengths", "Areas", "SJ")]
-        charts = QtGui.QVBoxLayout()
-        for chart in self.histograms:
-            charts.addWidget(chart)
         both = QtGui.QHBoxLayout()
         both.addWidget(self.table, 5)
-        both.addLayout(charts, 4)
-        layout = QtGui.QVBoxLayout(self)
-        layout.addLayout(both)
+        both.addLayout(stack(QtGui.QVBoxLayout(), *self.histograms), 4)
         self.hints = text_label("StatisticsHints", translate("Paver", "What may trouble a solver"))
-        layout.addWidget(self.hints)
-        layout.addWidget(self.busy)
-        layout.addLayout(self.bottom())
+        stack(QtGui.QVBoxLayout(self), both, self.hints, self.busy, self.bottom())
 
     def bottom(self):
         self.frequency = named(fields.QuantityField("frequency", may_be_empty=True, empty_text="\u2013"), "StatisticsFrequency")

@@ -4,7 +4,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb import core
-from paver_wb.gui.base.widgets import timer
+from paver_wb.gui.base.widgets import stack, timer
 
 translate = FreeCAD.Qt.translate
 BAR_WIDTH, LABEL_WIDTH = 190, 220
@@ -59,8 +59,7 @@ class Box(QtGui.QWidget):
         self.button.setToolTip(translate("Paver", "Stops it; the document stays as it was"))
         self.button.clicked.connect(self.stop)
         self.ticking = timer(self, self.refresh, TICK, is_single=False)
-        for widget in (self.label, self.bar, self.button):
-            layout.addWidget(widget)
+        stack(layout, self.label, self.bar, self.button)
 
     def watch(self, run):
         self.runs.append(run)

@@ -51,6 +51,13 @@ def row(*widgets, shares=()):
     return made
 
 
+def stack(layout, *parts):
+    """Puts widgets and layouts into a layout, one after the other, and gives it."""
+    for part in parts:
+        layout.addLayout(part) if isinstance(part, QtGui.QLayout) else layout.addWidget(part)
+    return layout
+
+
 def part_layout(part, title):
     """The layout of a part of a panel, one widget below the other."""
     part.setWindowTitle(title)

@@ -5,7 +5,7 @@ from PySide import QtGui
 from paver_wb.children.references import meshes_of
 from paver_wb.gui.base import edit_panel
 from paver_wb.gui.base.steps import in_step
-from paver_wb.gui.base.widgets import FaultBox
+from paver_wb.gui.base.widgets import FaultBox, stack
 from paver_wb.gui.panels.references_box import ReferencesBox
 
 translate = FreeCAD.Qt.translate
@@ -29,10 +29,7 @@ class ChildBox(QtGui.QWidget):
         self.where = ReferencesBox(obj, self.name, self.mesh, self.checked)
         self.where.failed.connect(self.fault.tell)
         self.fault.tell("")
-        layout = QtGui.QVBoxLayout(self)
-        layout.addLayout(self.form)
-        for part in (QtGui.QLabel(translate("Paver", "Where")), self.where, self.fault):
-            layout.addWidget(part)
+        stack(QtGui.QVBoxLayout(self), self.form, QtGui.QLabel(translate("Paver", "Where")), self.where, self.fault)
 
     def mesh(self):
         return next(iter(meshes_of(self.obj)), None)

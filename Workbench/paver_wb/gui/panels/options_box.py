@@ -7,7 +7,7 @@ from PySide import QtCore, QtGui
 from paver_wb import core, mesh_object, properties
 from paver_wb.base.units import length_text
 from paver_wb.base.waves import wavelength
-from paver_wb.gui.base.widgets import SPACING, fold_button, named, part_layout, row
+from paver_wb.gui.base.widgets import SPACING, fold_button, named, part_layout, row, stack
 from paver_wb.gui.panels import fields
 
 translate = FreeCAD.Qt.translate
@@ -118,8 +118,7 @@ class OptionsBox(QtGui.QWidget):
         self.run_in_row(form)
         self.rest.setLayout(form)
         self.rest.hide()
-        layout.addWidget(self.more)
-        layout.addWidget(self.rest)
+        stack(layout, self.more, self.rest)
 
     def radio(self, name, text, tip):
         button = named(QtGui.QRadioButton(text), name, tip)

@@ -5,7 +5,7 @@ from PySide import QtCore, QtGui
 
 from paver_wb.children import references
 from paver_wb.gui.base.steps import references_text
-from paver_wb.gui.base.widgets import button, named
+from paver_wb.gui.base.widgets import button, named, stack
 from paver_wb.gui.display import selection
 from paver_wb.gui.panels.sizes_box import view_buttons
 
@@ -27,8 +27,7 @@ class ReferencesBox(QtGui.QWidget):
         self.references = [[thing, element] for thing, elements in obj.References for element in elements or ("",)]
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.make_list())
-        layout.addLayout(self.buttons())
+        stack(layout, self.make_list(), self.buttons())
         self.refresh()
 
     def make_list(self):

@@ -8,7 +8,7 @@ from paver_wb.formats import mesh_file
 from paver_wb.gui.base import run_status, verdict
 from paver_wb.gui.base.background import Latest
 from paver_wb.gui.base.steps import do, python_name
-from paver_wb.gui.base.widgets import named, part_layout, text_label
+from paver_wb.gui.base.widgets import named, part_layout, stack, text_label
 from paver_wb.statistics import number
 
 translate = FreeCAD.Qt.translate
@@ -93,9 +93,7 @@ class ResultBox(QtGui.QWidget):
     def __init__(self, obj):
         super().__init__()
         self.obj, self.latest, self.found = obj, Latest(self.show_figures, self.show_error), None
-        layout = part_layout(self, translate("Paver", "Result"))
         self.verdict = verdict.VerdictLine(self.show_details)
-        layout.addWidget(self.verdict)
         self.text = text_label("ResultText", translate("Paver", "What keeps figures or faces from being here"))
         self.table = named(QtGui.QTableWidget(0, 2), "Result", translate("Paver", "Figures of the mesh that the object has"))
         self.table.horizontalHeader().hide()
@@ -109,8 +107,7 @@ class ResultBox(QtGui.QWidget):
         self.table.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
         self.table.setShowGrid(False)
         self.table.setAlternatingRowColors(True)
-        layout.addWidget(self.text)
-        layout.addWidget(self.table)
+        stack(part_layout(self, translate("Paver", "Result")), self.verdict, self.text, self.table)
 
     def refresh(self, mesh=None):
         """Shows the mesh that the object has now; `mesh`: the StoredMesh, where it is at hand."""

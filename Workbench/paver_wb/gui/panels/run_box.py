@@ -9,7 +9,7 @@ from paver_wb.base.paths import ICONS
 from paver_wb.base.texts import counted
 from paver_wb.gui import run_place
 from paver_wb.gui.base import run_log, run_status
-from paver_wb.gui.base.widgets import FaultBox, button, fold_button, named, part_layout, row, text_label, timer
+from paver_wb.gui.base.widgets import FaultBox, button, fold_button, named, part_layout, row, stack, text_label, timer
 from paver_wb.gui.panels.options_box import with_labels
 from paver_wb.gui.preview.box import PreviewBox
 from paver_wb.statistics import memory, number
@@ -54,20 +54,14 @@ class RunBox(QtGui.QWidget):
         self.obj, self.run, self.lines, self.place, self.in_sight = obj, None, None, None, self
         self.scrolling = timer(self, self.scroll, SCROLL_DELAY)
         self.ticking = timer(self, self.tell, run_status.TICK, is_single=False)
-        layout = part_layout(self, translate("Paver", "Mesh"))
         self.status = text_label("Status", translate("Paver", "Whether the mesh fits the options and the shapes of its objects"))
         self.prediction = text_label("Prediction", translate(
             "Paver", "What meshing with these options comes to, or has come to"))
-        layout.addLayout(self.buttons())
-        layout.addWidget(self.status)
-        layout.addWidget(self.prediction)
         self.preview = PreviewBox(obj)
-        layout.addWidget(self.preview)
         self.bar = named(QtGui.QProgressBar(), "Progress", translate(
             "Paver", "Stage of the work, and how much of all work is done"))
-        layout.addWidget(self.bar)
-        layout.addWidget(self.fault_box())
-        layout.addLayout(self.log_box())
+        stack(part_layout(self, translate("Paver", "Mesh")), self.buttons(), self.status, self.prediction, self.preview, self.bar,
+              self.fault_box(), self.log_box())
         self.follow_log(run_log.of(obj))
         self.idle()
 
@@ -94,10 +88,7 @@ class RunBox(QtGui.QWidget):
         self.log.setReadOnly(True)
         self.log.setFixedHeight(LOG_HEIGHT)
         self.fold.setChecked(preferences.parameters().GetBool(SHOW_LOG, True))
-        column = QtGui.QVBoxLayout()
-        column.addWidget(self.fold)
-        column.addWidget(self.log)
-        return column
+        return stack(QtGui.QVBoxLayout(), self.fold, self.log)
 
     @QtCore.Slot(bool)
     def show_log(self, is_open):

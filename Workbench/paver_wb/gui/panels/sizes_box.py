@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 from paver_wb import refinement
 from paver_wb.base.units import example, unit_of
 from paver_wb.gui.base.steps import call_text, do, in_step, python_name, references_text
-from paver_wb.gui.base.widgets import button, named, part_layout, row, text_label, timer
+from paver_wb.gui.base.widgets import button, named, part_layout, row, stack, text_label, timer
 from paver_wb.gui.display import selection
 from paver_wb.gui.panels import fields
 
@@ -79,7 +79,6 @@ class SizesBox(QtGui.QWidget):
         self.obj, self.shown, self.steps = obj, [], 0
         self.target = target or (lambda: refinement.target_of(obj))
         self.settle()
-        layout = part_layout(self, translate("Paver", "Local sizes"))
         self.table = named(QtGui.QTableWidget(0, 3), "Sizes", translate(
             "Paver", "Target lengths of parts of the model; elements grow from there on"))
         self.table.setHorizontalHeaderLabels([translate("Paver", "Where"), translate("Paver", "By"),
@@ -97,10 +96,8 @@ class SizesBox(QtGui.QWidget):
         self.remove = button("RemoveSize", translate("Paver", "Remove"),
                              translate("Paver", "Deletes the chosen local sizes"), self.remove_chosen)
         self.note = text_label("SizesNote", translate("Paver", "Local sizes that are not shorter than the rest"))
-        layout.addWidget(self.table)
-        layout.addWidget(self.note)
-        layout.addLayout(row(self.add, self.remove, shares=(2, 1)))
-        layout.addLayout(row(*view_buttons("View", lambda: self.obj), shares=(1, 1)))
+        stack(part_layout(self, translate("Paver", "Local sizes")), self.table, self.note,
+              row(self.add, self.remove, shares=(2, 1)), row(*view_buttons("View", lambda: self.obj), shares=(1, 1)))
         self.timer = timer(self, self.refresh)
         self.refresh()
 

@@ -11,7 +11,7 @@ from paver_wb.base import proxies, source_shapes
 from paver_wb.base.texts import counted
 from paver_wb.base.units import length_text
 from paver_wb.gui.base.background import Latest
-from paver_wb.gui.base.widgets import named, text_label, timer
+from paver_wb.gui.base.widgets import named, stack, text_label, timer
 from paver_wb.gui.preview.drawing import CONTACT, SMALL, Drawing, size_colours
 from paver_wb.processes import fem_process
 from paver_wb.statistics import number
@@ -79,8 +79,7 @@ class PreviewBox(QtGui.QWidget):
         self.text = text_label("PreviewText")
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.check)
-        layout.addWidget(self.text)
+        stack(layout, self.check, self.text)
         self.text.hide()
         self.check.setChecked(preferences.parameters().GetBool(SHOWN, False))
         self.check.toggled.connect(self.switch)

@@ -7,7 +7,7 @@ from PySide import QtCore, QtGui
 from paver_wb import mesh_check, mesh_object, series, statistics
 from paver_wb.gui.base import measuring, verdict
 from paver_wb.gui.base.steps import call_text, do, python_name
-from paver_wb.gui.base.widgets import FaultBox, button, named, row, timer
+from paver_wb.gui.base.widgets import FaultBox, button, named, row, stack, timer
 from paver_wb.gui.series import run as series_run
 from paver_wb.gui.series.values_box import ValuesBox, shown
 
@@ -58,15 +58,11 @@ class SeriesDialog(measuring.BesideDialog):
         self.show_series(obj)
 
     def build(self):
-        layout = QtGui.QVBoxLayout(self)
         self.box = ValuesBox(self.mesh) if self.mesh else None
         self.fault = FaultBox()
         if self.box:
             self.box.failed.connect(self.fault.tell)
-            layout.addWidget(self.box)
-        layout.addWidget(self.fault)
-        layout.addWidget(self.new_table())
-        layout.addLayout(self.bottom())
+        stack(QtGui.QVBoxLayout(self), *filter(None, [self.box]), self.fault, self.new_table(), self.bottom())
         self.fault.tell("")
 
     def new_table(self):

@@ -9,7 +9,7 @@ from PySide import QtCore, QtGui
 from paver_wb import binary, core
 from paver_wb.gui.base import run_status, run_task, widgets
 from paver_wb.gui.base.background import Latest
-from paver_wb.gui.base.widgets import named, row
+from paver_wb.gui.base.widgets import named, row, stack
 from paver_wb.gui.setup import core_build
 
 LOG_LINES, WIDTH = 5000, 640  # pixels
@@ -48,14 +48,10 @@ class FirstUse(QtGui.QDialog):
         self.setObjectName("Paver_FirstUse")
         self.setWindowTitle(translate("Paver", "Set up Paver"))
         self.state = text_label("State")
-        layout = QtGui.QVBoxLayout(self)
-        layout.addWidget(self.state)
         self.boxes = [self.binary_box(), self.build_box()]
-        for box in self.boxes:
-            layout.addWidget(box)
         self.again = button("Again", translate("Paver", "Look again"), self.look)
         self.close_button = button("Close", translate("Paver", "Close"), self.close)
-        layout.addLayout(row(None, self.again, self.close_button))
+        stack(QtGui.QVBoxLayout(self), self.state, *self.boxes, row(None, self.again, self.close_button))
         self.look()
 
     def binary_box(self):
@@ -63,9 +59,7 @@ class FirstUse(QtGui.QDialog):
         self.wheel_text = text_label("Wheel")
         self.use = button("Use", translate("Paver", "Use it"), lambda: self.unpack(self.wheel))
         self.choose_button = button("Choose", translate("Paver", "Choose file..."), self.choose)
-        layout = QtGui.QVBoxLayout(box)
-        layout.addWidget(self.wheel_text)
-        layout.addLayout(row(self.use, self.choose_button, None))
+        stack(QtGui.QVBoxLayout(box), self.wheel_text, row(self.use, self.choose_button, None))
         return box
 
     def build_box(self):
@@ -84,11 +78,8 @@ class FirstUse(QtGui.QDialog):
         self.log.setMinimumHeight(180)
         self.bar.hide()
         self.log.hide()
-        layout = QtGui.QVBoxLayout(box)
-        layout.addWidget(self.packages)
-        layout.addLayout(row(self.command, self.copy_button))
-        layout.addLayout(row(self.build_button, self.stop_button, None))
-        layout.addWidget(self.bar)
+        layout = stack(QtGui.QVBoxLayout(box), self.packages, row(self.command, self.copy_button),
+                       row(self.build_button, self.stop_button, None), self.bar)
         layout.addWidget(self.log, 1)
         return box
 
