@@ -75,6 +75,18 @@ def assemble(sections):
     return mesh
 
 
+def sides(mesh):
+    """Every element side as a row (start, end[, middle]), and its element's number, quads first."""
+    found, number, first = [], [], 0
+    for rows, corners in ((mesh.quads, 4), (mesh.triangles, 3)):
+        for k in range(corners):
+            columns = [k, (k + 1) % corners] + ([corners + k] if mesh.order == 2 else [])
+            found.append(rows[:, columns])
+            number.append(first + np.arange(len(rows)))
+        first += len(rows)
+    return np.concatenate(found), np.concatenate(number)
+
+
 def scaled_jacobian(mesh):
     """Straight-sided scaled Jacobian of every quad and of every triangle (definition: core/docs/quality.md)."""
     values = []

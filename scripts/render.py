@@ -186,18 +186,6 @@ def draw_faces(canvas, mesh, p):
         first += len(rows)
 
 
-def sides(mesh):
-    """Every element side as a row (start, end[, middle]), and its element's number."""
-    found, number, first = [], [], 0
-    for rows, corners in ((mesh.quads, 4), (mesh.triangles, 3)):
-        for k in range(corners):
-            columns = [k, (k + 1) % corners] + ([corners + k] if mesh.order == 2 else [])
-            found.append(rows[:, columns])
-            number.append(first + np.arange(len(rows)))
-        first += len(rows)
-    return np.concatenate(found), np.concatenate(number)
-
-
 def draw_lines(canvas, p, rows, element, order, radius, mask):
     """Marks in `mask` the pixels of the lines `rows` where they are not hidden: a pixel counts as visible when the
     line's own element (or, with element None, anything no nearer than the line) is what the pixel or one beside it
@@ -276,7 +264,7 @@ def render(mesh, view=None, size=(1600, 1200), zoom=1.0, at=None, title="", edge
     pixels = pixels.reshape(height, width, 3)
     if edges:
         mask = np.zeros((height, width), bool)
-        rows, element = sides(mesh)
+        rows, element = meshfile.sides(mesh)
         typical = np.median(np.linalg.norm(np.diff(p[rows[:, :2]][:, :, :2], axis=1)[:, 0], axis=1))
         draw_lines(canvas, p, rows, element, mesh.order, 1 if typical > 14 else 0, mask)
         pixels[mask] = pixels[mask] // 4

@@ -61,8 +61,7 @@ def inverted(mesh):
 def edge_figures(mesh, size):
     """Lengths, border and valence. What divides faces is an edge between elements of different ones: seams do not."""
     sides, tags = runs.directed_sides(mesh)
-    keys = runs.edge_keys(mesh, sides, runs.middle_nodes(mesh) if mesh.order == 2 else None)
-    edges, number, uses = np.unique(keys, axis=0, return_inverse=True, return_counts=True)
+    edges, number, uses = np.unique(runs.edge_keys(sides), axis=0, return_inverse=True, return_counts=True)
     number = number.ravel()
     lowest, highest = np.full(len(edges), tags.max()), np.zeros(len(edges), np.int64)
     np.minimum.at(lowest, number, tags)

@@ -7,6 +7,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 import runs
+import render
 
 TOOLS = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(runs.PROGRAM))), "tests")
 TANGLES = ("hanging_nodes", "duplicate_nodes", "duplicate_elements", "edge_middle_node_mismatch")
@@ -20,29 +21,13 @@ def nodes_on(mesh):
 
 def points_on(mesh, per_side=9):
     """Points all over a mesh's elements, on their straight or curved sides' surface."""
-    t = np.linspace(0, 1, per_side)
-    u, v = (x.ravel() for x in np.meshgrid(t, t))
+    u, v = (x.ravel() for x in np.meshgrid(*[np.linspace(0, 1, per_side)] * 2))
     points = [nodes_on(mesh)]
-    for elements, corners in ((mesh.quads, 4), (mesh.triangles, 3)):
-        if not len(elements):
-            continue
-        x = mesh.nodes[elements]
-        inside = np.ones_like(u, bool) if corners == 4 else u + v <= 1 + 1e-9
-        for a, b in zip(u[inside], v[inside]):
-            points.append(np.tensordot(weights(x.shape[1], a, b), x, (0, 1)))
+    for rows, weights, inside in ((mesh.quads, render.quad_weights, u >= 0),
+                                  (mesh.triangles, render.triangle_weights, u + v <= 1 + 1e-9)):
+        if len(rows):
+            points.append(np.einsum("wk,ekc->wec", weights(u[inside], v[inside], mesh.order), mesh.nodes[rows]).reshape(-1, 3))
     return np.concatenate(points)
-
-
-def weights(nodes, u, v):
-    """Of the Lagrange nodes of an element at (u, v), in Gmsh's order."""
-    if nodes in (4, 9):
-        f, g = (([1 - s, s] if nodes == 4 else [(1 - s) * (1 - 2 * s), s * (2 * s - 1), 4 * s * (1 - s)]) for s in (u, v))
-        places = [(0, 0), (1, 0), (1, 1), (0, 1), (2, 0), (1, 2), (2, 1), (0, 2), (2, 2)][:nodes]
-        return np.array([f[i] * g[j] for i, j in places])
-    w = 1 - u - v
-    if nodes == 3:
-        return np.array([w, u, v])
-    return np.array([w * (2 * w - 1), u * (2 * u - 1), v * (2 * v - 1), 4 * w * u, 4 * u * v, 4 * v * w])
 
 
 def is_as_model(mesh, model, size):

@@ -153,25 +153,14 @@ def sewn(model, out, tolerance):
 # Checks of a mesh alone. Each gives sentences, none when all is well.
 
 def directed_sides(mesh):
-    """Sides of all elements as rows (start, end), element by element, and their face tags."""
-    sides, tags = [], []
-    for rows, tag, corners in ((mesh.quads, mesh.quad_tag, 4), (mesh.triangles, mesh.triangle_tag, 3)):
-        for k in range(corners):
-            sides.append(rows[:, [k, (k + 1) % corners]])
-            tags.append(tag)
-    return np.concatenate(sides), np.concatenate(tags)
+    """Sides of all elements as rows (start, end[, middle]), and their face tags."""
+    sides, elements = meshfile.sides(mesh)
+    return sides, np.concatenate([mesh.quad_tag, mesh.triangle_tag])[elements]
 
 
-def middle_nodes(mesh):
-    """Middle node of every side, in the order of directed_sides (order 2)."""
-    return np.concatenate([rows[:, corners + k] for rows, corners in ((mesh.quads, 4), (mesh.triangles, 3))
-                           for k in range(corners)])
-
-
-def edge_keys(mesh, ends, middles):
-    """Edges as rows (smaller end, larger end, middle node or -1): two curved edges may have the same ends."""
-    middles = middles if mesh.order == 2 else np.full(len(ends), -1)
-    return np.concatenate([np.sort(ends, 1), middles[:, None]], 1)
+def edge_keys(sides):
+    """Edges as rows (smaller end, larger end[, middle]): two curved edges may have the same ends."""
+    return np.concatenate([np.sort(sides[:, :2], 1), sides[:, 2:]], 1)
 
 
 def coinciding(mesh, closed):
@@ -213,9 +202,8 @@ def conformity(mesh, closed, junctions=False):
     sides, tags = directed_sides(mesh)
     if (sides[:, 0] == sides[:, 1]).any():
         faults.append("an edge ends where it starts")
-    keys = edge_keys(mesh, sides, middle_nodes(mesh) if mesh.order == 2 else None)
-    edges, number, uses = np.unique(keys, axis=0, return_inverse=True, return_counts=True)
-    lines = edge_keys(mesh, mesh.lines[:, :2], mesh.lines[:, 2] if mesh.order == 2 else None)
+    edges, number, uses = np.unique(edge_keys(sides), axis=0, return_inverse=True, return_counts=True)
+    lines = edge_keys(mesh.lines)
     on_line = in_rows(edges, lines)
     is_meeting = junctions & on_line & (uses > 2)
     if closed and ((uses != 2) & ~is_meeting).any():
@@ -247,15 +235,15 @@ def in_rows(rows, table):
 def euler(mesh):
     """V - E + F."""
     sides, _ = directed_sides(mesh)
-    edges = np.unique(edge_keys(mesh, sides, middle_nodes(mesh) if mesh.order == 2 else None), axis=0)
-    return len(np.unique(sides)) - len(edges) + len(mesh.quads) + len(mesh.triangles)
+    edges = np.unique(edge_keys(sides), axis=0)
+    return len(np.unique(sides[:, :2])) - len(edges) + len(mesh.quads) + len(mesh.triangles)
 
 
 def hanging_nodes(mesh):
     """Border nodes that lie inside another border edge (straight sides), closer than 1e-6 of its length."""
     from scipy.spatial import cKDTree
     sides, _ = directed_sides(mesh)
-    edges, uses = np.unique(np.sort(sides, 1), axis=0, return_counts=True)
+    edges, uses = np.unique(np.sort(sides[:, :2], 1), axis=0, return_counts=True)
     border = edges[uses == 1]
     if not len(border):
         return 0
