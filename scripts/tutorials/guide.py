@@ -66,6 +66,20 @@ def bring(widget):
     window.pause(50)
 
 
+def frame_in(view, item):
+    """Where an item of a list, a tree or a table is on the screen."""
+    rect = view.visualItemRect(item)
+    return QtCore.QRect(view.viewport().mapToGlobal(rect.topLeft()), rect.size())
+
+
+def click_on(view, item, key=QtCore.Qt.NoModifier):
+    """Clicks on such an item, which is scrolled into sight."""
+    view.scrollToItem(item)
+    window.pause(50)
+    window.QTest.mouseClick(view.viewport(), QtCore.Qt.LeftButton, key, view.visualItemRect(item).center())
+    window.pause(100)
+
+
 class Guide:
     """folder: where the user's files are. `steps`: those that were done."""
 
@@ -222,22 +236,9 @@ class Guide:
     def select(self, label, key=QtCore.Qt.NoModifier):
         """Clicks on an object in the tree."""
         window.tree_dock()
-        tree, item = self.item(label)
-        tree.scrollToItem(item)
-        window.pause(50)
-        rect = tree.visualItemRect(item)
-        window.QTest.mouseClick(tree.viewport(), QtCore.Qt.LeftButton, key, rect.center())
-        window.pause(100)
-        self.pictures.mark_if(lambda: self.frame_of_item(label))
+        click_on(*self.item(label), key)
+        self.pictures.mark_if(lambda: frame_in(*self.item(label)) if window.widgets(QtGui.QTreeWidget) else None)
         return f"**{label}**"
-
-    def frame_of_item(self, label):
-        """Of an object in the tree, None where no tree is seen."""
-        if not window.widgets(QtGui.QTreeWidget):
-            return None
-        tree, item = self.item(label)
-        rect = tree.visualItemRect(item)
-        return QtCore.QRect(tree.viewport().mapToGlobal(rect.topLeft()), rect.size())
 
     def add(self, label):
         return self.select(label, QtCore.Qt.ControlModifier)
@@ -371,12 +372,8 @@ class Guide:
         found = window.widget("Paver_CheckList")
         item = next((found.item(i) for i in range(found.count()) if words in found.item(i).text()), None)
         self.expect(item is not None, f"the check finds: {words}")
-        found.scrollToItem(item)
-        window.pause(50)
-        rect = found.visualItemRect(item)
-        window.QTest.mouseClick(found.viewport(), QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, rect.center())
-        window.pause(100)
-        frame = QtCore.QRect(found.viewport().mapToGlobal(rect.topLeft()), rect.size())
+        click_on(found, item)
+        frame = frame_in(found, item)
         self.pictures.mark_if(lambda: frame if window.widget("Paver_CheckList") else None)
         return quoted(item.text())
 
@@ -412,10 +409,9 @@ class Guide:
     def row(self, step):
         """Clicks on a row of a series."""
         table, number = self.series_row(step)
-        rect = table.visualItemRect(table.item(number, 0))
-        window.QTest.mouseClick(table.viewport(), QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, rect.center())
+        click_on(table, table.item(number, 0))
         window.pause(2 * SETTLE)
-        frame = QtCore.QRect(table.viewport().mapToGlobal(rect.topLeft()), rect.size())
+        frame = frame_in(table, table.item(number, 0))
         self.pictures.mark_if(lambda: frame if window.widget("Paver_SeriesTable") else None)
         return step
 
