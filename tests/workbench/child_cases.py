@@ -108,7 +108,8 @@ class ChildProcess(unittest.TestCase):
 
     def test_child_ends_and_cleans_up_when_its_input_closes(self):
         """As when FreeCAD dies."""
-        child_process.write_job(meshing.prepare(self.mesh, size=0.02, max_elements=10**8), self.folder)
+        job = meshing.prepare(self.mesh, size=0.02, max_elements=10**8)
+        child_process.write_content(child_process.content_of(job, self.folder, child_process.MESH), self.folder)
         child = child_process.subprocess.Popen(
             child_process.command(self.folder), env=child_process.environment(), stdin=child_process.subprocess.PIPE,
             stdout=child_process.subprocess.PIPE, stderr=child_process.subprocess.DEVNULL)

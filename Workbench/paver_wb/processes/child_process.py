@@ -63,12 +63,11 @@ def environment():
     return {**os.environ, "PYTHONPATH": os.pathsep.join(packages)}
 
 
-def write_job(job, folder):
-    """The file of a mesh_job.Job."""
+def content_of(job, folder, made):
+    """What JOB says of a mesh_job.Job, whose shape is written; made: name of the file that comes of it."""
     with open(os.path.join(folder, SHAPE), "wb") as file:
         file.write(job.shape)
-    write_content({"input": SHAPE, "name": job.name, "labels": job.labels, "options": job.options, "mesh": MESH,
-                   "sources": job.sources}, folder)
+    return {"input": SHAPE, "name": job.name, "labels": job.labels, "options": job.options, "mesh": made, "sources": job.sources}
 
 
 def write_content(content, folder):
@@ -187,7 +186,7 @@ def run(job, folder, progress=None, cancel=None):
     progress(stage, fraction) and cancel as in paver.mesh; stopping takes at most half a second. ChildDied when the
     process ends without a result; else errors as those of mesh_job.run.
     """
-    write_job(job, folder)
+    write_content(content_of(job, folder, MESH), folder)
     do(folder, error_of, death, progress, cancel)
     path = os.path.join(folder, MESH)
     return mesh_file.read(path), path

@@ -66,10 +66,7 @@ def look(job, folder, cancel=None):
     """model_look.Look of a mesh_job.Job. Errors as those of paver.mesh, ChildDied, Cancelled."""
     if not is_possible():
         return model_look.look(job)
-    with open(os.path.join(folder, child_process.SHAPE), "wb") as file:
-        file.write(job.shape)
-    run({"input": child_process.SHAPE, "name": job.name, "labels": job.labels, "options": job.options,
-         "sources": job.sources, "mesh": LOOK}, folder, cancel, child_process.error_of, look_death)
+    run(child_process.content_of(job, folder, LOOK), folder, cancel, child_process.error_of, look_death)
     return model_look.load(os.path.join(folder, LOOK))
 
 
