@@ -2003,10 +2003,6 @@
         <translation>Aller Stufen</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
         <source>What keeps figures or faces from being here</source>
         <translation>Was Angaben oder Flächen hier fernhält</translation>
     </message>
@@ -2021,6 +2017,10 @@
     <message>
         <source>Time of this stage</source>
         <translation>Zeit dieser Stufe</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>Nothing is meshed yet.</source>
@@ -2047,10 +2047,6 @@
         <translation>; in einem eigenen Prozess</translation>
     </message>
     <message>
-        <source>Mesh</source>
-        <translation>Vernetzen</translation>
-    </message>
-    <message>
         <source>Whether the mesh fits the options and the shapes of its objects</source>
         <translation>Ob das Netz zu den Optionen und den Formen seiner Objekte passt</translation>
     </message>
@@ -2061,6 +2057,10 @@
     <message>
         <source>Stage of the work, and how much of all work is done</source>
         <translation>Stufe der Arbeit, und wie viel der ganzen Arbeit getan ist</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Vernetzen</translation>
     </message>
     <message>
         <source>Meshes with these options, as Apply does; FreeCAD can be used meanwhile</source>
@@ -2147,10 +2147,6 @@
         <translation>Zeigt das Netz</translation>
     </message>
     <message>
-        <source>Local sizes</source>
-        <translation>Örtliche Längen</translation>
-    </message>
-    <message>
         <source>Target lengths of parts of the model; elements grow from there on</source>
         <translation>Ziellängen von Teilen des Modells; von dort an wachsen die Elemente</translation>
     </message>
@@ -2173,6 +2169,10 @@
     <message>
         <source>Refine</source>
         <translation>Verfeinern</translation>
+    </message>
+    <message>
+        <source>Local sizes</source>
+        <translation>Örtliche Längen</translation>
     </message>
     <message>
         <source>εr, μr of the medium there, whose wavelength counts</source>
