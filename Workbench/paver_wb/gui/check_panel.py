@@ -1,5 +1,4 @@
 """What a check of a mesh finds, as a list: a click goes to the place, Next through all elements of a finding."""
-import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
@@ -7,11 +6,10 @@ from paver_wb import mesh_check, mesh_object, meshing
 from paver_wb.formats import mesh_file
 from paver_wb.gui.base import measuring, verdict
 from paver_wb.gui.base.steps import do, in_step, python_name
-from paver_wb.gui.base.widgets import button, complain, named, row, stack, text_label
+from paver_wb.gui.base.widgets import button, complain, named, row, stack, text_label, translate
 from paver_wb.gui.display import actions, report
 from paver_wb.gui.display.emphasis import isolation
 
-translate = FreeCAD.Qt.translate
 MOST_SELECTED = 500  # elements that a click selects, and that a line in the console names
 WIDTH, HEIGHT, COUNT_WIDTH = 540, 380, 120
 ABOVE = 40  # pixels between the dialog and the window's lower rim: its title bar and the status bar

@@ -10,12 +10,11 @@ from paver_wb import analysis, export_mesh, import_mesh, mesh_object, meshing, p
 from paver_wb.formats import mesh_file
 from paver_wb.gui import run_control
 from paver_wb.gui.base import run_task
-from paver_wb.gui.base.widgets import complain
+from paver_wb.gui.base.widgets import complain, translate
 from paver_wb.gui.display import drawn_mesh
 from paver_wb.processes import fem_process
 
 STATUS_TIME = 10000  # ms
-translate = FreeCAD.Qt.translate
 
 
 def remember(path):

@@ -2,17 +2,14 @@
 
 Everything is put into it by OK, in one step of undo; Cancel drops it, and takes back what was made for this panel.
 """
-import FreeCAD
 from PySide import QtGui
 
 from paver_wb.base import proxies
 from paver_wb.children import named_parts
 from paver_wb.gui.base.steps import call_text, python_name
-from paver_wb.gui.base.widgets import named
+from paver_wb.gui.base.widgets import named, translate
 from paver_wb.gui.panels import fields
 from paver_wb.gui.panels.child_panel import ChildBox, ChildPanel
-
-translate = FreeCAD.Qt.translate
 
 
 def labels():

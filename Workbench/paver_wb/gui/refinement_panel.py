@@ -3,16 +3,13 @@
 Everything is put into the refinement by OK, in one step of undo; Cancel drops it, and takes back a refinement that was made
 for this panel.
 """
-import FreeCAD
 
 from paver_wb import refinement
 from paver_wb.base.units import example
 from paver_wb.gui.base.steps import call_text, python_name
-from paver_wb.gui.base.widgets import named, text_label
+from paver_wb.gui.base.widgets import named, text_label, translate
 from paver_wb.gui.panels import fields
 from paver_wb.gui.panels.child_panel import ChildBox, ChildPanel
-
-translate = FreeCAD.Qt.translate
 
 
 class RefinementBox(ChildBox):

@@ -1,5 +1,4 @@
 """The statistics of a mesh: a table and histograms, in millimetres and wavelengths."""
-import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import statistics
@@ -7,10 +6,8 @@ from paver_wb.base.units import length_text, unit_of
 from paver_wb.formats import mesh_file
 from paver_wb.gui.base import measuring
 from paver_wb.gui.base.histogram import Histogram
-from paver_wb.gui.base.widgets import button, named, row, stack, text_label
+from paver_wb.gui.base.widgets import button, named, row, stack, text_label, translate
 from paver_wb.gui.panels import fields
-
-translate = FreeCAD.Qt.translate
 
 
 class StatisticsPanel(measuring.MeasuringDialog):

@@ -6,9 +6,8 @@ from PySide import QtCore, QtGui
 
 from paver_wb import mesh_object
 from paver_wb.gui.base.background import Latest
-from paver_wb.gui.base.widgets import button, named
+from paver_wb.gui.base.widgets import button, named, translate
 
-translate = FreeCAD.Qt.translate
 BAR_HEIGHT = 14
 _open = {}  # (class, names of document and object): the dialog on screen
 

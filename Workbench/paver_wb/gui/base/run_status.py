@@ -1,12 +1,10 @@
 """Runs and tasks in the status bar: which one, how far, and a button that stops it."""
-import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb import core
-from paver_wb.gui.base.widgets import stack, timer
+from paver_wb.gui.base.widgets import stack, timer, translate
 
-translate = FreeCAD.Qt.translate
 BAR_WIDTH, LABEL_WIDTH = 190, 220
 TICK = 1000  # ms, in which the time left goes on while nothing else is told
 _box = None

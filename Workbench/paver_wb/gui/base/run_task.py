@@ -7,13 +7,12 @@ import FreeCAD
 from PySide import QtCore
 
 from paver_wb.gui.base import background, run_status
-from paver_wb.gui.base.widgets import complain
+from paver_wb.gui.base.widgets import complain, translate
 
 PATIENCE = 700  # ms until work that was asked to stop is left to itself
 BUSY = 100  # ms between looks at a document that something else is changing
 WAITING, RUNNING, TAKING, ENDED = "waiting", "running", "taking", "ended"
 DONE, STOPPED, FAILED = "done", "stopped", "failed"
-translate = FreeCAD.Qt.translate
 _tasks = []  # those that have begun and not ended
 
 

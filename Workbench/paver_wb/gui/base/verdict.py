@@ -1,15 +1,13 @@
 """How findings of a check look: signs in colours that are seen on light and dark windows, and the worst one in a line."""
-import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import mesh_check
-from paver_wb.gui.base.widgets import button, canvas, named, row, text_label
+from paver_wb.gui.base.widgets import button, canvas, named, row, text_label, translate
 
 COLOURS = {mesh_check.ERROR: ("#c01c28", "#ffffff"), mesh_check.WARNING: ("#f8c630", "#241c00"),
            mesh_check.NOTE: ("#3465a4", "#ffffff"), mesh_check.GOOD: ("#2e7d32", "#ffffff")}  # sheet, ink
 SIGNS = {mesh_check.ERROR: "\u2715", mesh_check.WARNING: "!", mesh_check.NOTE: "i", mesh_check.GOOD: "\u2713"}
 SIZE = 18  # pixels of a sign
-translate = FreeCAD.Qt.translate
 
 
 def sign(level):

@@ -1,14 +1,11 @@
 """What the panels of children of a mesh object share."""
-import FreeCAD
 from PySide import QtGui
 
 from paver_wb.children.references import meshes_of
 from paver_wb.gui.base import edit_panel
 from paver_wb.gui.base.steps import in_step
-from paver_wb.gui.base.widgets import FaultBox, stack
+from paver_wb.gui.base.widgets import FaultBox, stack, translate
 from paver_wb.gui.panels.references_box import ReferencesBox
-
-translate = FreeCAD.Qt.translate
 
 
 class ChildBox(QtGui.QWidget):

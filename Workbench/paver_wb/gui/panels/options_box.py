@@ -1,16 +1,14 @@
 """The part of the task panel that has the options of a mesh object."""
 import re
 
-import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import core, mesh_object, properties
 from paver_wb.base.units import length_text
 from paver_wb.base.waves import wavelength
-from paver_wb.gui.base.widgets import SPACING, fold_button, named, part_layout, row, stack
+from paver_wb.gui.base.widgets import SPACING, fold_button, named, part_layout, row, stack, translate
 from paver_wb.gui.panels import fields
 
-translate = FreeCAD.Qt.translate
 BY_FREQUENCY = ("frequency", "divisions", "eps_r", "mu_r")
 SHAPE_OF_ELEMENTS = ("elements", "order")
 RUN_IN = "RunIn"

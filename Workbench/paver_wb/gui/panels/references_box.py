@@ -1,15 +1,13 @@
 """The list of what a child of a mesh object refers to, with buttons that add what is selected in the 3D view."""
-import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb.children import references
 from paver_wb.gui.base.steps import references_text
-from paver_wb.gui.base.widgets import button, named, stack
+from paver_wb.gui.base.widgets import button, named, stack, translate
 from paver_wb.gui.display import selection
 from paver_wb.gui.panels.sizes_box import view_buttons
 
-translate = FreeCAD.Qt.translate
 LIST_HEIGHT = 120  # pixels
 
 

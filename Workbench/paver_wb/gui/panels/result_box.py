@@ -1,5 +1,4 @@
 """The part of the task panel that shows figures of the mesh."""
-import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import mesh_check, statistics
@@ -8,10 +7,9 @@ from paver_wb.formats import mesh_file
 from paver_wb.gui.base import run_status, verdict
 from paver_wb.gui.base.background import Latest
 from paver_wb.gui.base.steps import do, python_name
-from paver_wb.gui.base.widgets import named, part_layout, stack, text_label
+from paver_wb.gui.base.widgets import named, part_layout, stack, text_label, translate
 from paver_wb.statistics import number
 
-translate = FreeCAD.Qt.translate
 NAME, VALUE = range(2)  # columns: where there is no room for both, names are cut and figures are not
 NARROWEST = 60  # pixels of a column
 

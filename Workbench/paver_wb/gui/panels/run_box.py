@@ -1,7 +1,6 @@
 """The part of the task panel that predicts, meshes, shows the progress, stops, and tells what went wrong."""
 import os
 
-import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import mesh_object, preferences
@@ -9,12 +8,11 @@ from paver_wb.base.paths import ICONS
 from paver_wb.base.texts import counted
 from paver_wb.gui import run_place
 from paver_wb.gui.base import run_log, run_status
-from paver_wb.gui.base.widgets import FaultBox, button, fold_button, named, part_layout, row, stack, text_label, timer
+from paver_wb.gui.base.widgets import FaultBox, button, fold_button, named, part_layout, row, stack, text_label, timer, translate
 from paver_wb.gui.panels.options_box import with_labels
 from paver_wb.gui.preview.box import PreviewBox
 from paver_wb.statistics import memory, number
 
-translate = FreeCAD.Qt.translate
 LOG_HEIGHT, SHOW_LOG = 110, "ShowLog"
 SCROLL_DELAY = 50  # ms
 

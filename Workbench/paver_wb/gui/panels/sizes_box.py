@@ -3,18 +3,16 @@
 They are objects of their own: what is done here is done at once, each in a step of undo. drop() brings back what there was
 when the panel was opened or its options were last put into effect.
 """
-import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb import refinement
 from paver_wb.base.units import example, unit_of
 from paver_wb.gui.base.steps import call_text, do, in_step, python_name, references_text
-from paver_wb.gui.base.widgets import button, named, part_layout, row, stack, text_label, timer
+from paver_wb.gui.base.widgets import button, named, part_layout, row, stack, text_label, timer, translate
 from paver_wb.gui.display import selection
 from paver_wb.gui.panels import fields
 
-translate = FreeCAD.Qt.translate
 WHERE, BY, VALUE = range(3)
 MOST_ROWS = 5  # that are seen without scrolling
 VALUE_WIDTH = 70

@@ -11,12 +11,11 @@ from paver_wb.base import proxies, source_shapes
 from paver_wb.base.texts import counted
 from paver_wb.base.units import length_text
 from paver_wb.gui.base.background import Latest
-from paver_wb.gui.base.widgets import named, stack, text_label, timer
+from paver_wb.gui.base.widgets import named, stack, text_label, timer, translate
 from paver_wb.gui.preview.drawing import CONTACT, SMALL, Drawing, size_colours
 from paver_wb.processes import fem_process
 from paver_wb.statistics import number
 
-translate = FreeCAD.Qt.translate
 DELAY = 400  # ms without an edit
 SQUARES = 6  # of a scale
 SHOWN = "ShowPreview"

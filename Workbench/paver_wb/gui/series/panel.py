@@ -1,17 +1,15 @@
 """The dialog of series: what to vary, and the table that fills while the steps are meshed."""
 import os
 
-import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import mesh_check, mesh_object, series, statistics
 from paver_wb.gui.base import measuring, verdict
 from paver_wb.gui.base.steps import call_text, do, python_name
-from paver_wb.gui.base.widgets import FaultBox, button, named, row, stack, timer
+from paver_wb.gui.base.widgets import FaultBox, button, named, row, stack, timer, translate
 from paver_wb.gui.series import run as series_run
 from paver_wb.gui.series.values_box import ValuesBox, shown
 
-translate = FreeCAD.Qt.translate
 STEP, ELEMENTS, UNKNOWNS, MATRIX, TIME, SJ, VERDICT = range(7)
 ROOM = 8  # pixels between columns
 

@@ -9,9 +9,8 @@ from paver_wb import meshing, series
 from paver_wb.base import proxies
 from paver_wb.gui import run_control, run_place
 from paver_wb.gui.base.run_task import DONE, STOPPED, WAITING
-from paver_wb.gui.base.widgets import complain
+from paver_wb.gui.base.widgets import complain, translate
 
-translate = FreeCAD.Qt.translate
 _at_work = []  # SeriesRuns that have not ended
 
 

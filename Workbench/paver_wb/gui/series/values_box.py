@@ -1,13 +1,11 @@
 """What a series varies, its values, and what becomes of the meshes: the fields above the table."""
-import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import export_mesh, preferences, properties, series
 from paver_wb.base import proxies
-from paver_wb.gui.base.widgets import button, named, row
+from paver_wb.gui.base.widgets import button, named, row, translate
 from paver_wb.gui.panels import fields
 
-translate = FreeCAD.Qt.translate
 KINDS = {series.FREQUENCY: "frequency", series.SIZE: "length"}
 MOST_IN_RANGE = 50
 RANGE_WIDTH = 110

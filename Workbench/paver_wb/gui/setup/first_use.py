@@ -9,11 +9,10 @@ from PySide import QtCore, QtGui
 from paver_wb import binary, core
 from paver_wb.gui.base import run_status, run_task, widgets
 from paver_wb.gui.base.background import Latest
-from paver_wb.gui.base.widgets import named, row, stack
+from paver_wb.gui.base.widgets import named, row, stack, translate
 from paver_wb.gui.setup import core_build
 
 LOG_LINES, WIDTH = 5000, 640  # pixels
-translate = FreeCAD.Qt.translate
 _dialog = None
 
 
