@@ -47,14 +47,13 @@ class CheckPanel(measuring.MeasuringDialog):
 
     def build(self):
         self.verdict, self.sign = named(QtGui.QLabel(), "CheckVerdict"), QtGui.QLabel()
-        self.list = named(QtGui.QListWidget(), "CheckList", translate(
+        self.list = named(QtGui.QListWidget(
+            wordWrap=True, iconSize=QtCore.QSize(verdict.SIZE, verdict.SIZE),
+            horizontalScrollBarPolicy=QtCore.Qt.ScrollBarAlwaysOff), "CheckList", translate(
             "Paver", "Click on a line to go to its elements in the 3D view, which get rings"))
         font = self.verdict.font()
         font.setBold(True)
         self.verdict.setFont(font)
-        self.list.setWordWrap(True)
-        self.list.setIconSize(QtCore.QSize(verdict.SIZE, verdict.SIZE))
-        self.list.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
         self.list.itemClicked.connect(self.select)
         self.figures = text_label("CheckFigures", translate("Paver", "Figures of the element in the middle of the view"))
         stack(QtGui.QVBoxLayout(self), row(self.sign, self.verdict, shares=(0, 1)), self.list, self.busy, self.walk(),

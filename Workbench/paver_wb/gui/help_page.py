@@ -33,9 +33,7 @@ def show():
     if dock is None:
         dock = QtGui.QDockWidget(translate("Paver", "Help on Paver"), main)
         dock.setObjectName(NAME)
-        browser = QtGui.QTextBrowser()
-        browser.setObjectName(NAME + "Text")
-        browser.setOpenLinks(False)
+        browser = QtGui.QTextBrowser(objectName=NAME + "Text", openLinks=False)
         browser.anchorClicked.connect(lambda url: follow(browser, url))
         browser.document().setDocumentMargin(12)
         dock.setWidget(browser)

@@ -20,12 +20,9 @@ class StatisticsPanel(measuring.MeasuringDialog):
         self.resize(900, 620)
 
     def build(self):
-        self.table = named(QtGui.QTreeWidget(), "StatisticsTable")
-        self.table.setColumnCount(3)
+        self.table = named(QtGui.QTreeWidget(columnCount=3, rootIsDecorated=False, alternatingRowColors=True), "StatisticsTable")
         self.table.setHeaderLabels([translate("Paver", "Figure"), translate("Paver", "Value"),
                                     translate("Paver", "In wavelengths, memory")])
-        self.table.setRootIsDecorated(False)
-        self.table.setAlternatingRowColors(True)
         self.histograms = [Histogram("Paver_Histogram" + name) for name in ("Lengths", "Areas", "SJ")]
         both = QtGui.QHBoxLayout()
         both.addWidget(self.table, 5)

@@ -42,10 +42,8 @@ class MeasuringDialog(BesideDialog):
     def __init__(self, obj, name, title):
         super().__init__(obj, name, title)
         self.obj, self.latest = obj, Latest(self.take, self.take_error)
-        self.busy = named(QtGui.QProgressBar(), "Measuring", translate(
+        self.busy = named(QtGui.QProgressBar(minimum=0, maximum=0, textVisible=False), "Measuring", translate(
             "Paver", "The mesh is being measured; the window can be used meanwhile"))
-        self.busy.setRange(0, 0)
-        self.busy.setTextVisible(False)
         self.busy.setFixedHeight(BAR_HEIGHT)
         self.busy.hide()
         self.build()

@@ -24,12 +24,8 @@ def button(name, text, tip, action):
 
 def fold_button(name, text, tip, fold):
     """fold(is_open): shows or hides what stands below."""
-    made = named(QtGui.QToolButton(), name, tip)
-    made.setText(text)
-    made.setCheckable(True)
-    made.setAutoRaise(True)
-    made.setArrowType(QtCore.Qt.RightArrow)
-    made.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
+    made = named(QtGui.QToolButton(text=text, checkable=True, autoRaise=True, arrowType=QtCore.Qt.RightArrow,
+                                   toolButtonStyle=QtCore.Qt.ToolButtonTextBesideIcon), name, tip)
     made.toggled.connect(lambda is_open: made.setArrowType(QtCore.Qt.DownArrow if is_open else QtCore.Qt.RightArrow))
     made.toggled.connect(fold)
     return made
@@ -37,9 +33,7 @@ def fold_button(name, text, tip, fold):
 
 def text_label(name, tip=""):
     """For whole sentences."""
-    made = named(QtGui.QLabel(), name, tip)
-    made.setWordWrap(True)
-    return made
+    return named(QtGui.QLabel(wordWrap=True), name, tip)
 
 
 def row(*widgets, shares=()):
@@ -69,9 +63,7 @@ def part_layout(part, title):
 
 def timer(parent, action, delay=0, is_single=True):
     """start() lets it call `action` after so many ms, or each time these are over."""
-    made = QtCore.QTimer(parent)
-    made.setInterval(delay)
-    made.setSingleShot(is_single)
+    made = QtCore.QTimer(parent, interval=delay, singleShot=is_single)
     made.timeout.connect(action)
     return made
 

@@ -18,10 +18,10 @@ class ChildBox(QtGui.QWidget):
 
     def __init__(self, obj):
         super().__init__()
-        self.obj, self.form, self.fault = obj, QtGui.QFormLayout(), FaultBox()
+        self.obj, self.fault = obj, FaultBox()
+        self.form = QtGui.QFormLayout(fieldGrowthPolicy=QtGui.QFormLayout.AllNonFixedFieldsGrow)
         self.setWindowTitle(obj.Label)
         self.setWindowIcon(QtGui.QIcon(obj.ViewObject.Proxy.getIcon()))
-        self.form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
         self.build()
         self.where = ReferencesBox(obj, self.name, self.mesh, self.checked)
         self.where.failed.connect(self.fault.tell)

@@ -39,18 +39,9 @@ def with_labels(text):
 
 
 def new_form():
-    form = QtGui.QFormLayout()
+    form = QtGui.QFormLayout(verticalSpacing=SPACING, fieldGrowthPolicy=QtGui.QFormLayout.AllNonFixedFieldsGrow)
     form.setContentsMargins(0, 0, 0, 0)
-    form.setVerticalSpacing(SPACING)
-    form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
     return form
-
-
-def separator():
-    line = QtGui.QFrame()
-    line.setFrameShape(QtGui.QFrame.HLine)
-    line.setFrameShadow(QtGui.QFrame.Sunken)
-    return line
 
 
 class OptionsBox(QtGui.QWidget):
@@ -84,7 +75,7 @@ class OptionsBox(QtGui.QWidget):
         form.addRow(self.by_frequency, self.fields["frequency"])
         self.add_row(form, "divisions", self.wavelength)
         self.add_row(form, "eps_r", self.label("mu_r"), self.fields["mu_r"])
-        form.addRow(separator())
+        form.addRow(QtGui.QFrame(frameShape=QtGui.QFrame.HLine, frameShadow=QtGui.QFrame.Sunken))
         for name in SHAPE_OF_ELEMENTS:
             self.add_row(form, name)
         layout.addLayout(form)

@@ -29,9 +29,8 @@ class ReferencesBox(QtGui.QWidget):
         self.refresh()
 
     def make_list(self):
-        self.list = named(QtGui.QListWidget(), self.name + "Where", translate(
+        self.list = named(QtGui.QListWidget(selectionMode=QtGui.QAbstractItemView.ExtendedSelection), self.name + "Where", translate(
             "Paver", "What it refers to; a click shows it in the 3D view"))
-        self.list.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
         self.list.setFixedHeight(LIST_HEIGHT)
         self.list.itemSelectionChanged.connect(self.show_chosen)
         return self.list

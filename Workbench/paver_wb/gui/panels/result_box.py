@@ -93,18 +93,15 @@ class ResultBox(QtGui.QWidget):
         self.obj, self.latest, self.found = obj, Latest(self.show_figures, self.show_error), None
         self.verdict = verdict.VerdictLine(self.show_details)
         self.text = text_label("ResultText", translate("Paver", "What keeps figures or faces from being here"))
-        self.table = named(QtGui.QTableWidget(0, 2), "Result", translate("Paver", "Figures of the mesh that the object has"))
+        self.table = named(QtGui.QTableWidget(
+            0, 2, wordWrap=False, showGrid=False, alternatingRowColors=True, editTriggers=QtGui.QAbstractItemView.NoEditTriggers,
+            horizontalScrollBarPolicy=QtCore.Qt.ScrollBarAlwaysOff, verticalScrollBarPolicy=QtCore.Qt.ScrollBarAlwaysOff),
+            "Result", translate("Paver", "Figures of the mesh that the object has"))
         self.table.horizontalHeader().hide()
         self.table.verticalHeader().hide()
-        self.table.setWordWrap(False)
-        self.table.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
         for column, mode in ((NAME, QtGui.QHeaderView.Stretch), (VALUE, QtGui.QHeaderView.ResizeToContents)):
             self.table.horizontalHeader().setSectionResizeMode(column, mode)
         self.table.horizontalHeader().setMinimumSectionSize(NARROWEST)
-        self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
-        self.table.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
-        self.table.setShowGrid(False)
-        self.table.setAlternatingRowColors(True)
         stack(part_layout(self, translate("Paver", "Result")), self.verdict, self.text, self.table)
 
     def refresh(self, mesh=None):

@@ -81,9 +81,8 @@ class RunBox(QtGui.QWidget):
     def log_box(self):
         self.fold = fold_button("LogFold", translate("Paver", "Log"), translate(
             "Paver", "What the last run has done and is doing"), self.show_log)
-        self.log = named(QtGui.QPlainTextEdit(), "Log", translate(
+        self.log = named(QtGui.QPlainTextEdit(readOnly=True), "Log", translate(
             "Paver", "Stages of the last run and their seconds, and what came of it"))
-        self.log.setReadOnly(True)
         self.log.setFixedHeight(LOG_HEIGHT)
         self.fold.setChecked(preferences.parameters().GetBool(SHOW_LOG, True))
         return stack(QtGui.QVBoxLayout(), self.fold, self.log)

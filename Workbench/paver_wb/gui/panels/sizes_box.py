@@ -77,14 +77,13 @@ class SizesBox(QtGui.QWidget):
         self.obj, self.shown, self.steps = obj, [], 0
         self.target = target or (lambda: refinement.target_of(obj))
         self.settle()
-        self.table = named(QtGui.QTableWidget(0, 3), "Sizes", translate(
+        self.table = named(QtGui.QTableWidget(0, 3, selectionBehavior=QtGui.QAbstractItemView.SelectRows), "Sizes", translate(
             "Paver", "Target lengths of parts of the model; elements grow from there on"))
         self.table.setHorizontalHeaderLabels([translate("Paver", "Where"), translate("Paver", "By"),
                                               translate("Paver", "Value")])
         self.table.horizontalHeader().setSectionResizeMode(WHERE, QtGui.QHeaderView.Stretch)
         self.table.setColumnWidth(VALUE, VALUE_WIDTH)
         self.table.verticalHeader().hide()
-        self.table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         self.table.itemChanged.connect(self.edited)
         self.table.itemSelectionChanged.connect(self.show_chosen)
         self.add = button("AddSize", translate("Paver", "Add from selection"), translate(

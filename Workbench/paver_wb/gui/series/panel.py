@@ -64,8 +64,10 @@ class SeriesDialog(measuring.BesideDialog):
         self.fault.tell("")
 
     def new_table(self):
-        self.table = named(QtGui.QTableWidget(0, len(headers())), "SeriesTable", translate(
-            "Paver", "Click on a row to see its mesh"))
+        self.table = named(QtGui.QTableWidget(
+            0, len(headers()), wordWrap=False, showGrid=False, alternatingRowColors=True,
+            selectionBehavior=QtGui.QAbstractItemView.SelectRows, selectionMode=QtGui.QAbstractItemView.SingleSelection,
+            editTriggers=QtGui.QAbstractItemView.NoEditTriggers), "SeriesTable", translate("Paver", "Click on a row to see its mesh"))
         self.table.setHorizontalHeaderLabels(headers())
         for column, tip in enumerate(header_tips()):
             self.table.horizontalHeaderItem(column).setToolTip(tip)
@@ -73,12 +75,6 @@ class SeriesDialog(measuring.BesideDialog):
         self.table.horizontalHeader().setHighlightSections(False)
         self.table.horizontalHeaderItem(VERDICT).setTextAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter)
         self.table.verticalHeader().hide()
-        self.table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
-        self.table.setSelectionMode(QtGui.QAbstractItemView.SingleSelection)
-        self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
-        self.table.setAlternatingRowColors(True)
-        self.table.setShowGrid(False)
-        self.table.setWordWrap(False)
         self.table.cellClicked.connect(self.show_step)
         return self.table
 

@@ -51,9 +51,8 @@ class ValuesBox(QtGui.QWidget):
     def __init__(self, mesh):
         super().__init__()
         self.mesh = mesh
-        form = QtGui.QFormLayout(self)
+        form = QtGui.QFormLayout(self, fieldGrowthPolicy=QtGui.QFormLayout.AllNonFixedFieldsGrow)
         form.setContentsMargins(0, 0, 0, 0)
-        form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
         names = [translate("Paver", "Frequency"), translate("Paver", "Elements per \u03bb"), translate("Paver", "Target length")]
         self.option = named(fields.ChoiceField(series.VARIED, names), "SeriesOption",
                             translate("Paver", "What differs from mesh to mesh; all else is as in the mesh object"))
@@ -67,12 +66,9 @@ class ValuesBox(QtGui.QWidget):
         self.begin()
 
     def range_row(self):
-        self.first, self.last = (named(QtGui.QLineEdit(), "Series" + name) for name in ("First", "Last"))
-        for field in (self.first, self.last):
-            field.setMaximumWidth(RANGE_WIDTH)
-        self.count = named(QtGui.QSpinBox(), "SeriesCount", translate("Paver", "How many values"))
-        self.count.setRange(2, MOST_IN_RANGE)
-        self.count.setValue(5)
+        self.first, self.last = (named(QtGui.QLineEdit(maximumWidth=RANGE_WIDTH), "Series" + name) for name in ("First", "Last"))
+        self.count = named(QtGui.QSpinBox(minimum=2, maximum=MOST_IN_RANGE, value=5), "SeriesCount", translate(
+            "Paver", "How many values"))
         self.how = named(fields.ChoiceField(series.SPREADS, [translate("Paver", "evenly"), translate("Paver", "logarithmic")]),
                          "SeriesSpread", translate("Paver", "By equal steps, or by equal factors"))
         self.fill_in = button("SeriesFillIn", translate("Paver", "Fill in"),

@@ -24,10 +24,8 @@ def button(name, text, action):
 
 def text_label(name):
     """For sentences that users may copy."""
-    made = widgets.text_label("FirstUse" + name)
-    made.setTextFormat(QtCore.Qt.PlainText)
-    made.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-    return made
+    return named(QtGui.QLabel(wordWrap=True, textFormat=QtCore.Qt.PlainText,
+                              textInteractionFlags=QtCore.Qt.TextSelectableByMouse), "FirstUse" + name)
 
 
 def what_is_wrong(fault):
@@ -64,17 +62,13 @@ class FirstUse(QtGui.QDialog):
     def build_box(self):
         box = QtGui.QGroupBox(translate("Paver", "Build it here"))
         self.packages = text_label("Packages")
-        self.command = named(QtGui.QLineEdit(), "FirstUseCommand")
-        self.command.setReadOnly(True)
+        self.command = named(QtGui.QLineEdit(readOnly=True), "FirstUseCommand")
         self.copy_button = button("Copy", translate("Paver", "Copy"), self.copy)
         self.build_button = button("Build", translate("Paver", "Build"), self.begin)
         self.stop_button = button("Stop", translate("Paver", "Stop"), self.stop)
         self.bar = named(QtGui.QProgressBar(), "FirstUseBar")
-        self.log = named(QtGui.QPlainTextEdit(), "FirstUseLog")
-        self.log.setReadOnly(True)
-        self.log.setMaximumBlockCount(LOG_LINES)
-        self.log.setLineWrapMode(QtGui.QPlainTextEdit.NoWrap)
-        self.log.setMinimumHeight(180)
+        self.log = named(QtGui.QPlainTextEdit(readOnly=True, maximumBlockCount=LOG_LINES, minimumHeight=180,
+                                              lineWrapMode=QtGui.QPlainTextEdit.NoWrap), "FirstUseLog")
         self.bar.hide()
         self.log.hide()
         layout = stack(QtGui.QVBoxLayout(box), self.packages, row(self.command, self.copy_button),
