@@ -275,7 +275,7 @@ def stored(obj):
 def faces_under(obj, elements):
     """[(source, ["Face3"])] that elements of the mesh, numbered from 0, lie on. ValueError when the object is not meshed, or
     its faces are no longer those that were."""
-    if has_other_shape(obj):
+    if check(obj) == OUT_OF_DATE and obj.ShapeChanged:
         raise ValueError(translate("Paver", "The shape of '{}' has changed since meshing, so its elements tell no faces; mesh it "
                                    "again, or select faces of the model.").format(obj.Label))
     mesh, things, found = stored(obj), sources(obj), {}
@@ -287,10 +287,6 @@ def faces_under(obj, elements):
             if thing is not None:
                 found.setdefault(thing, []).append(element)
     return list(found.items())
-
-
-def has_other_shape(obj):
-    return check(obj) == OUT_OF_DATE and obj.ShapeChanged
 
 
 def groups_of(obj, mesh):

@@ -154,10 +154,8 @@ def set_value(obj, length=None, eps_r=None, mu_r=None):
 
 def decisive(mesh):
     """Text that is equal for equal refinements; empty without any."""
-    entries = []
-    for obj in of_mesh(mesh):
-        value = (obj.Length.Value,) if obj.By == LENGTH else (obj.EpsR, obj.MuR)
-        entries.append(([(thing.Name, tuple(elements)) for thing, elements in obj.References], value))
+    entries = [([(thing.Name, tuple(elements)) for thing, elements in obj.References], tuple(value_of(obj).values()))
+               for obj in of_mesh(mesh)]
     return repr(sorted(entries)) if entries else ""
 
 

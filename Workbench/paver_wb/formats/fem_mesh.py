@@ -37,13 +37,12 @@ def serendipity(mesh):
 
 def numbered(mesh, lines):
     """lines: {name: rows of nodes}. (points, quads, triangles, {name: lines}, {name: nodes of vertices}) with only the nodes that these use."""
-    (quads, triangles), wires = serendipity(mesh), lines
-    vertices = mesh_file.points(mesh)
-    is_used = mesh_file.used_nodes(len(mesh.nodes), quads, triangles, *wires.values())
+    quads, triangles = serendipity(mesh)
+    is_used = mesh_file.used_nodes(len(mesh.nodes), quads, triangles, *lines.values())
     number = np.cumsum(is_used) - 1
     return (np.asarray(mesh.nodes)[is_used], number[quads], number[triangles],
-            {name: number[lines] for name, lines in wires.items()},
-            {name: [int(number[node]) for node in nodes if is_used[node]] for name, nodes in vertices.items()})
+            {name: number[rows] for name, rows in lines.items()},
+            {name: [int(number[node]) for node in nodes if is_used[node]] for name, nodes in mesh_file.points(mesh).items()})
 
 
 def write_vtu(path, points, blocks):

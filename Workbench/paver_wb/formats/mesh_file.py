@@ -112,10 +112,6 @@ def of_result(result, face_names):
                       **arrays)
 
 
-def padding(size):
-    return b"\0" * (-size % 8)
-
-
 def pack(array):
     """(bytes that compress well, what was done to them)."""
     if array.dtype.kind == "i":
@@ -146,7 +142,7 @@ def write(mesh, path):
         data, packed = pack(array)
         head["arrays"][name] = {"type": kind, "shape": array.shape, "offset": offset, "crc": zlib.crc32(data),
                                 "packed": packed}
-        blocks += [data, padding(len(data))]
+        blocks += [data, b"\0" * (-len(data) % 8)]
         offset += len(data) + len(blocks[-1])
     text = json.dumps(head).encode()
     text += b" " * (-len(text) % 8)

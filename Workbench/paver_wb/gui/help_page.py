@@ -1,13 +1,12 @@
 """The help page, in a dock of FreeCAD's window."""
 import os
 
-import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
 from paver_wb.base.paths import PAGES
+from paver_wb.gui.base.widgets import translate
 
-translate = FreeCAD.Qt.translate
 NAME = "Paver_HelpPage"
 
 

@@ -7,7 +7,6 @@ object that was made for this panel and is unused.
 """
 import os
 
-import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
@@ -18,10 +17,10 @@ from paver_wb.children import named_parts
 from paver_wb.gui import run_control
 from paver_wb.gui.base import edit_panel
 from paver_wb.gui.base.steps import call_text, do, in_step, python_name
+from paver_wb.gui.base.widgets import translate
 from paver_wb.gui.panels import options_box, result_box, run_box, run_predict, sizes_box
 from paver_wb.gui.setup import first_use
 
-translate = FreeCAD.Qt.translate
 FRAME = 90  # pixels that FreeCAD puts around a part of a panel, scroll bar included
 
 

@@ -13,8 +13,6 @@ from paver_wb.processes import size_look
 PIECES = 12  # straight ones that an edge is drawn with
 CHORD = 0.01  # distance of drawn triangles from their face, of the model's diagonal
 MOST = 5000  # edges, faces or places of a kind
-ARRAYS = ("contact_triangles", "contact_lines", "contact_points", "small_lines", "small_places",
-          "size_triangles", "size_lengths")
 
 
 class Look(NamedTuple):
@@ -36,6 +34,9 @@ class Look(NamedTuple):
     pairs: int
     short: int
     thin: int
+
+
+ARRAYS = Look._fields[:7]
 
 
 class Users:
@@ -127,9 +128,8 @@ def line(edge):
 
 
 def triangles(faces, chord):
-    found = [np.array([tuple(point) for point in points], np.float32).reshape(-1, 3)[np.array(corners, np.int64).reshape(-1, 3)]
-             for points, corners in (face.tessellate(chord) for face in faces)]
-    return np.concatenate([np.zeros((0, 3, 3), np.float32), *found])
+    found = [points[corners] for points, corners in (size_look.tessellated(face, chord) for face in faces)]
+    return np.concatenate([np.zeros((0, 3, 3)), *found]).astype(np.float32)
 
 
 def edges_of(faces):

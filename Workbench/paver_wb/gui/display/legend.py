@@ -46,11 +46,9 @@ def key_rows(key):
 
 def picture(legend, label=""):
     """QImage of a Scale or a Key; label: the mesh that it is of, where there are others."""
-    return (picture_of_scale if isinstance(legend, colouring.Scale) else picture_of_key)(titled(legend, label))
-
-
-def titled(legend, label):
-    return legend._replace(title=f"{label}: {legend.title}") if label else legend
+    if label:
+        legend = legend._replace(title=f"{label}: {legend.title}")
+    return (picture_of_scale if isinstance(legend, colouring.Scale) else picture_of_key)(legend)
 
 
 def ink(painter, colour=INK, **style):
@@ -61,7 +59,7 @@ def ink(painter, colour=INK, **style):
 def picture_of_scale(scale):
     lines, below = heading(scale), summary(scale)
     texts = [text for _, text in ticks(scale)]
-    left = PAD + max(text_size(text, font()).width() for text in texts) + 8
+    left = PAD + widest(texts) + 8
     widths = [text_size(lines[0], font(10, True)).width()] + [text_size(x, font(8)).width() for x in lines[1:] + below]
     width = max(left + BAR_WIDTH + HISTOGRAM_WIDTH + PAD, max(widths) + 2 * PAD)
     top = PAD + ROW * len(lines) + 10

@@ -1,12 +1,11 @@
 """Fields for options. Each has `value()`, `set_value(v)` and the signal `changed`, which only the user's edits emit."""
-import FreeCAD
 from PySide import QtCore, QtGui
 
 from paver_wb import refinement
 from paver_wb.base import units
 from paver_wb.base.units import number_text, quantity_text  # noqa: F401, for the parts of the panels
+from paver_wb.gui.base.widgets import translate
 
-translate = FreeCAD.Qt.translate
 # Both colours, as themes choose theirs.
 BAD = "QLineEdit { color: #ffffff; background-color: #c01c28; selection-color: #c01c28; selection-background-color: #ffffff }"
 

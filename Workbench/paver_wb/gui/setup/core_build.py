@@ -6,18 +6,17 @@ import shlex
 import subprocess
 import sys
 
-import FreeCAD
 from PySide import QtCore
 
 from paver_wb import binary
 from paver_wb.gui.base import run_task
+from paver_wb.gui.base.widgets import translate
 from paver_wb.processes import child_process
 
 PATIENCE = 3  # seconds until processes that were asked to end are killed
 STEP = re.compile(r"^\[(\d+)/(\d+)\] ")  # how ninja begins a line
 PYTHON = "/usr/bin/python3"  # for which scripts/build builds
 OF_FREECAD = ("PYTHONHOME", "PYTHONPATH", "LD_LIBRARY_PATH")  # for itself, where it brings its own libraries
-translate = FreeCAD.Qt.translate
 
 
 def script(name):
