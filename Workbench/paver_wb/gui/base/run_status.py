@@ -48,13 +48,11 @@ class Box(QtGui.QWidget):
         self.runs = []
         layout = QtGui.QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        self.label, self.bar, self.button = QtGui.QLabel(), QtGui.QProgressBar(), QtGui.QToolButton()
+        self.label, self.bar = QtGui.QLabel(alignment=QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter), QtGui.QProgressBar()
+        self.button = QtGui.QToolButton(text=translate("Paver", "Stop"), objectName="PaverStatusStop", toolTip=translate(
+            "Paver", "Stops it; the document stays as it was"))
         self.bar.setFixedWidth(BAR_WIDTH)
         self.label.setFixedWidth(LABEL_WIDTH)  # another one at each stage would lay out the whole status bar again
-        self.label.setAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
-        self.button.setText(translate("Paver", "Stop"))
-        self.button.setObjectName("PaverStatusStop")
-        self.button.setToolTip(translate("Paver", "Stops it; the document stays as it was"))
         self.button.clicked.connect(self.stop)
         self.ticking = timer(self, self.refresh, TICK, is_single=False)
         stack(layout, self.label, self.bar, self.button)
