@@ -5,14 +5,14 @@ import weakref
 import numpy as np
 from pivy import coin
 
-FLOATS, INTEGERS, COLOURS = np.float32, np.int32, np.uint32
+KINDS = {"SoMFVec3f": np.float32, "SoMFInt32": np.int32, "SoMFUInt32": np.uint32}
 
 
-def fill(field, array, kind):
-    """Makes the field hold the numbers of `array`, converted to `kind` where they are of another."""
+def fill(field, array):
+    """Makes the field hold the numbers of `array`, converted to its own kind where they are of another."""
+    kind = KINDS[type(field).__name__]
     array = np.ascontiguousarray(array, dtype=kind)
-    vectors = kind == FLOATS
-    count = len(array) if vectors else array.size
+    count = len(array) if kind == np.float32 else array.size
     field.setNum(count)
     if count:
         pointer = field.startEditing()
@@ -77,6 +77,6 @@ def rows_as_indices(rows):
 def fill_rows(index_field, points_field, points, rows=None):
     """Fills the points of lines or faces and their indices: (n, k) rows of these; without them the points are (n, k, 3), those of
     each row its own. Coin never sees indices of points that are not there."""
-    fill(index_field, np.zeros(0, np.int32), INTEGERS)
-    fill(points_field, points.reshape(-1, 3), FLOATS)
-    fill(index_field, own_indices(points.shape) if rows is None else rows_as_indices(rows), INTEGERS)
+    fill(index_field, np.zeros(0, np.int32))
+    fill(points_field, points.reshape(-1, 3))
+    fill(index_field, own_indices(points.shape) if rows is None else rows_as_indices(rows))

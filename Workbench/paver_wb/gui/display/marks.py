@@ -4,8 +4,8 @@ import numpy as np
 from pivy import coin
 
 from paver_wb.gui.display import colour_maps
-from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, fill_rows, line_style, node, own_indices,
-                                         put, separator, unlit, unpickable)
+from paver_wb.gui.display.fields import (colour_node, fill, fill_rows, line_style, node, own_indices, put, separator, unlit,
+                                         unpickable)
 from paver_wb.gui.display.scene import both_sides, by_index
 
 FREE, CROWDED = (0.95, 0.05, 0.25), (0.60, 0.10, 0.85)  # mesh edges of one element, of more than two
@@ -70,13 +70,13 @@ class ElementMark(Mark):
             return self.clear()
         self.elements, self.count = tuple(int(e) for e in elements), len(elements)
         rows = mesh.triangle_rows(self.elements, subdivision)
-        fill(self.face_set.coordIndex, tessellation.triangle_indices.reshape(-1, 4)[rows], INTEGERS)
-        fill(self.lines.coordIndex, mesh.element_outlines(self.elements, subdivision), INTEGERS)
+        fill(self.face_set.coordIndex, tessellation.triangle_indices.reshape(-1, 4)[rows])
+        fill(self.lines.coordIndex, mesh.element_outlines(self.elements, subdivision))
 
     def empty(self):
         self.elements, self.count = (), 0
         for field in (self.face_set.coordIndex, self.lines.coordIndex):
-            fill(field, np.zeros(0, np.int32), INTEGERS)
+            fill(field, np.zeros(0, np.int32))
 
 
 class EdgeMark(Mark):
@@ -110,7 +110,7 @@ class NodeMark(Mark):
         self.count = len(nodes)
         self.colour.rgb, self.style.pointSize = colour, size
         self.dots.numPoints = 0
-        fill(self.points.point, nodes, FLOATS)
+        fill(self.points.point, nodes)
         self.dots.numPoints = self.count
 
     def empty(self):
@@ -134,11 +134,10 @@ class NormalMark(Mark):
 
     def put(self, pairs):
         self.count = len(pairs)
-        fill(self.lines.coordIndex, np.zeros(0, np.int32), INTEGERS)
-        fill(self.vertices.vertex, pairs.reshape(-1, 3), FLOATS)
-        fill(self.vertices.orderedRGBA, np.tile(colour_maps.packed(np.array([NORMAL_ROOT, NORMAL_TIP])), self.count),
-             COLOURS)
-        fill(self.lines.coordIndex, own_indices((self.count, 2)), INTEGERS)
+        fill(self.lines.coordIndex, np.zeros(0, np.int32))
+        fill(self.vertices.vertex, pairs.reshape(-1, 3))
+        fill(self.vertices.orderedRGBA, np.tile(colour_maps.packed(np.array([NORMAL_ROOT, NORMAL_TIP])), self.count))
+        fill(self.lines.coordIndex, own_indices((self.count, 2)))
 
     def empty(self):
         self.put(np.zeros((0, 2, 3)))

@@ -3,8 +3,7 @@ import numpy as np
 from pivy import coin
 
 from paver_wb.gui.display.edge_density import EdgeDensity
-from paver_wb.gui.display.fields import (COLOURS, FLOATS, INTEGERS, colour_node, fill, fill_rows, node, put, separator, unlit,
-                                         unpickable)
+from paver_wb.gui.display.fields import colour_node, fill, fill_rows, node, put, separator, unlit, unpickable
 
 # Of FreeCAD's LineWidth: edges of elements, of the model, wires; of its PointSize: ends of lines of wires.
 EDGE_WIDTH, MODEL_EDGE_WIDTH, WIRE_WIDTH, WIRE_NODE = 0.5, 1, 1.5, 1.4
@@ -56,31 +55,31 @@ class Scene:
         """lines: (n, k, 3) points along each line of a wire; dots show where one ends."""
         self.wire_dots.numPoints = 0
         fill_rows(self.wire_lines.coordIndex, self.wire_points.point, lines)
-        fill(self.wire_nodes.point, lines[:, [0, -1]].reshape(-1, 3), FLOATS)
+        fill(self.wire_nodes.point, lines[:, [0, -1]].reshape(-1, 3))
         self.wire_dots.numPoints = 2 * len(lines)
 
     def set_points(self, points, normals):
         """Nothing is drawn from here on until set_indices."""
         nothing = np.zeros(0, np.int32)
         self.set_indices(nothing, nothing, nothing)  # never indices of points or colours that are not there
-        fill(self.points.point, points, FLOATS)
-        fill(self.normals.vector, normals, FLOATS)
+        fill(self.points.point, points)
+        fill(self.normals.vector, normals)
 
     def set_indices(self, triangles, edges, model_edges):
         """edges: of elements; model_edges: of those on edges of the model."""
         for field, indices in ((self.face_set.coordIndex, triangles), (self.lines.coordIndex, edges),
                                (self.model_lines.coordIndex, model_edges)):
             if len(indices) or field.getNum():
-                fill(field, indices, INTEGERS)
+                fill(field, indices)
 
     def set_colours(self, per_point):
         """per_point: (points,) packed colours as they shall be drawn."""
         self.binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
-        fill(self.packed.orderedRGBA, per_point, COLOURS)
+        fill(self.packed.orderedRGBA, per_point)
 
     def set_one_colour(self, packed):
         self.binding.value = coin.SoMaterialBinding.OVERALL
-        fill(self.packed.orderedRGBA, np.array([packed], np.uint32), COLOURS)
+        fill(self.packed.orderedRGBA, np.array([packed], np.uint32))
 
     def set_shaded(self, is_shaded):
         self.light.model = coin.SoLightModel.PHONG if is_shaded else coin.SoLightModel.BASE_COLOR

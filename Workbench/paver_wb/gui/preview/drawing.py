@@ -4,8 +4,7 @@ import numpy as np
 from pivy import coin
 
 from paver_wb.gui.display import colour_maps
-from paver_wb.gui.display.fields import (COLOURS, FLOATS, colour_node, fill, fill_rows, line_style, node, put, separator, unlit,
-                                         unpickable)
+from paver_wb.gui.display.fields import colour_node, fill, fill_rows, line_style, node, put, separator, unlit, unpickable
 from paver_wb.gui.display.scene import both_sides
 
 NAME = "PaverPreview"
@@ -28,7 +27,7 @@ def lines_of(points):
 
 def marks_of(points):
     vertices, marks = coin.SoCoordinate3(), coin.SoPointSet()
-    fill(vertices.point, points, FLOATS)
+    fill(vertices.point, points)
     return put(coin.SoGroup(), vertices, marks)
 
 
@@ -47,7 +46,7 @@ def size_colours(lengths, target):
 def sizes_of(triangles, lengths, target):
     """A node of the faces in colours of their target lengths, on top of what is drawn there."""
     colours, nearer = coin.SoPackedColor(), node(coin.SoPolygonOffset, factor=-1, units=-1)
-    fill(colours.orderedRGBA, colour_maps.packed(size_colours(lengths.ravel(), target)), COLOURS)
+    fill(colours.orderedRGBA, colour_maps.packed(size_colours(lengths.ravel(), target)))
     return separator(unpickable(), unlit(), both_sides(), nearer, colours,
                      node(coin.SoMaterialBinding, value=coin.SoMaterialBinding.PER_VERTEX_INDEXED),
                      *rows_of(coin.SoIndexedFaceSet, triangles))

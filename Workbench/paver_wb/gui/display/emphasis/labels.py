@@ -4,7 +4,7 @@ import numpy as np
 from pivy import coin
 
 from paver_wb.gui.display.emphasis.on_screen import OnScreen, quietly
-from paver_wb.gui.display.fields import FLOATS, INTEGERS, colour_node, fill, line_style, own_indices, put, separator, unlit
+from paver_wb.gui.display.fields import colour_node, fill, line_style, own_indices, put, separator, unlit
 from paver_wb.gui.display.panels import image_node, label
 
 MOST_LABELS = 20
@@ -29,9 +29,9 @@ class Labels(OnScreen):
         images = [label(text) for text in self.texts]
         self.sizes = np.array([(image.width(), image.height()) for image in images], float).reshape(-1, 2)
         self.places = [coin.SoTranslation() for _ in images]
-        fill(self.lines.coordIndex, np.zeros(0, np.int32), INTEGERS)
+        fill(self.lines.coordIndex, np.zeros(0, np.int32))
         self.put_at(self.points)
-        fill(self.lines.coordIndex, own_indices((len(images), 2)), INTEGERS)
+        fill(self.lines.coordIndex, own_indices((len(images), 2)))
         put(self.content, separator(unlit(), colour_node(LINE), line_style(1), self.ends, self.lines))
         for place, image in zip(self.places, images):
             put(self.content, separator(place, image_node(image, coin.SoImage.LEFT, coin.SoImage.BOTTOM)))
@@ -41,7 +41,7 @@ class Labels(OnScreen):
         for at, place in zip(self.places, places):
             quietly(at, lambda at=at, place=place: at.translation.setValue(*(float(x) for x in place)))
         ends = np.stack([self.points, places], axis=1).reshape(-1, 3)
-        quietly(self.ends, lambda: fill(self.ends.point, ends, FLOATS))
+        quietly(self.ends, lambda: fill(self.ends.point, ends))
 
     def before_frame(self, state):
         """Places for the camera of this frame."""
