@@ -92,9 +92,3 @@ class MeshViewProvider(ViewProvider):
         """Those that no other mesh has: a copy may have the children of its original."""
         return [child for child in self.claimChildren()
                 if not any(is_mesh(other) and other != self.Object for other in child.InList)]
-
-    def onDelete(self, vobj, subelements):
-        """Deletes the children too, which are of no use without their mesh."""
-        for child in self.own_children():
-            child.Document.removeObject(child.Name)
-        return True

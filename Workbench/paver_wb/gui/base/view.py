@@ -34,6 +34,12 @@ class ViewProvider(Stateless):
         """Objects that are of no use without this one."""
         return []
 
+    def onDelete(self, vobj, subelements):
+        """Deletes these too."""
+        for child in self.own_children():
+            child.Document.removeObject(child.Name)
+        return True
+
 
 class ChildViewProvider(ViewProvider):
     """Of what has no picture in the 3D view."""

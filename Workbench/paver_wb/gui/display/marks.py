@@ -82,9 +82,9 @@ class ElementMark(Mark):
 class EdgeMark(Mark):
     """Mesh edges in a colour of their own, with points of their own: shrunk elements leave them where they are."""
 
-    def __init__(self, colour, width=4):
+    def __init__(self, colour):
         self.points, self.lines = coin.SoCoordinate3(), coin.SoIndexedLineSet()
-        self.root = separator(unpickable(), unlit(), colour_node(colour), line_style(width), self.points, self.lines)
+        self.root = separator(unpickable(), unlit(), colour_node(colour), line_style(4), self.points, self.lines)
         self.empty()
 
     def show(self, points, outlines):

@@ -26,9 +26,7 @@ class SeriesViewProvider(ViewProvider):
     def unsetEdit(self, vobj, mode=0):
         return True
 
-    def onDelete(self, vobj, subelements):
-        """Deletes the steps' meshes too, with their children."""
-        for mesh in vobj.Object.Meshes:
-            for thing in (*mesh.ViewObject.Proxy.own_children(), mesh):
-                thing.Document.removeObject(thing.Name)
-        return True
+    def own_children(self):
+        """The steps' meshes, each after its own children."""
+        for mesh in self.claimChildren():
+            yield from (*mesh.ViewObject.Proxy.own_children(), mesh)
