@@ -18,8 +18,10 @@ struct OppositeSides {
 
   /// Of both sides.
   std::vector<int> edges() const {
-    std::vector<int> both = first;
-    both.insert(both.end(), second.begin(), second.end());
+    std::vector<int> both;
+    both.reserve(first.size() + second.size());
+    for (const std::vector<int>* side : {&first, &second})
+      for (int e : *side) both.push_back(e);
     return both;
   }
 };
