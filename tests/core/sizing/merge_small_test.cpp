@@ -207,6 +207,18 @@ TEST(MergeSmall, AThinFaceDoesNotLoseItsEnds) {
   EXPECT_EQ(faces_of(result, FaceStatus::failed), 0);
 }
 
+/// A ring with a web whose flat end lies in it by 0.018 mm: at both of its faces two pieces of 1 mm that have two
+/// sides. As points they would move all about them by 1 mm, and of each two one would stay.
+TEST(MergeSmall, SlenderFacesGiveWayToASideRatherThanToAPoint) {
+  const TopoDS_Shape ring =
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(30, 40).Shape(), BRepPrimAPI_MakeCylinder(28, 40).Shape()).Shape();
+  const TopoDS_Shape web = BRepPrimAPI_MakeBox(gp_Pnt(1.5, -1, 0), gp_Pnt(28, 1, 40)).Shape();
+  const MeshResult result = test::mesh_of(BRepAlgoAPI_Fuse(ring, web).Shape(), 12);
+  EXPECT_EQ(faces_of(result, FaceStatus::merged), 4);
+  for (const Merge& merge : result.report.merges) EXPECT_LT(merge.size, 0.02) << merge.name;
+  EXPECT_STREQ(verdict(result.report), "sound");
+}
+
 /// A plate with a round notch in its border, and in its plane half a ring about that and a pad about the ring. The pad
 /// is tiny: one place for all its border would draw the ring across the notch.
 TopoDS_Shape plate_with_pad_at_notch() {

@@ -160,8 +160,8 @@ class ThinFaces {
     return std::nullopt;
   }
 
-  /// Of all pairs of ends those that leave sides of about one length; of these the sides that are nearest, or most
-  /// alike: an edge at an end that belongs to a side has no counterpart in the other.
+  /// Of all pairs of ends those that leave sides of about one length; of these the sides that are nearest, and of
+  /// such as are about as near those with edges at their ends: in a side it has no counterpart in the other.
   std::optional<Sides> sides_between_ends(const Side& loop, double limit) const {
     struct End {
       std::size_t first, behind;  // the sides end before `first` and begin at `behind`
@@ -198,8 +198,10 @@ class ThinFaces {
       sides.two = reversed(sides.two);
       for (const End& end : {a, b})
         if (end.behind > end.first) sides.ends.push_back(loop[end.first % n].edge);
-      const double distance = distance_between(edits_, sides.one, sides.two, least);
-      if (distance < (best ? clearly : 1) * least) least = distance, best = std::move(sides);
+      const bool has_more_ends = best && sides.ends.size() > best->ends.size();
+      const double distance = distance_between(edits_, sides.one, sides.two, least / clearly);
+      if (distance < (has_more_ends ? 1 / clearly : best ? clearly : 1) * least)
+        least = distance, best = std::move(sides);
     }
     return best;
   }
