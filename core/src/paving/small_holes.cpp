@@ -10,6 +10,7 @@
 #include <map>
 
 #include "base/segment.h"
+#include "paving/closing/hole_rings.h"
 
 namespace paver {
 namespace {
@@ -55,41 +56,38 @@ bool is_clear(const Region& region, std::size_t hole) {
   return true;
 }
 
+/// Makes room for a hole, or the outermost ring about it, in the first `elements` of the mesh.
 class Cutter {
  public:
-  Cutter(Front& front, const std::vector<LoopNode>& hole, double width)
-      : front_(front),
-        mesh_(front.mesh),
-        hole_(hole),
-        middle_(middle_of(hole)),
-        radius_(radius_of(hole, middle_)),
-        width_(width) {}
+  Cutter(Front& front, const std::vector<int>& hole, int elements, double width)
+      : front_(front), mesh_(front.mesh), hole_(hole), elements_(elements), width_(width) {
+    for (int node : hole) middle_ += (1.0 / static_cast<double>(hole.size())) * mesh_.x[node];
+    for (int node : hole) radius_ = std::max(radius_, norm(mesh_.x[node] - middle_));
+  }
 
-  /// Loops of the void; none where it would be no ring.
-  std::vector<std::vector<int>> run() {
+  /// The void's outline; none where it would be no ring.
+  std::vector<int> run() {
     lower_targets();
-    for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e)
+    for (int e = 0; e < elements_; ++e)
       if (mesh_.elements[e].is_alive() && is_near(mesh_.elements[e])) near_.push_back(e);
     if (near_.empty()) return {};
     std::vector<int> outline = outline_of_near();
-    if (outline.empty()) return {};
-    for (int e : near_) mesh_.remove_element(e);
-    std::vector<int> nodes;
-    for (std::size_t i = 0; i < hole_.size(); ++i) nodes.push_back(front_.add_boundary_node(hole_, i));
-    return {outline, nodes};
+    if (!outline.empty())
+      for (int e : near_) mesh_.remove_element(e);
+    return outline;
   }
 
  private:
   double distance(Vec3 x) const {
     double least = 1e300;
     for (std::size_t i = 0; i < hole_.size(); ++i)
-      least = std::min(least, distance_to_segment(x, hole_[i].x, hole_[(i + 1) % hole_.size()].x));
+      least = std::min(least, distance_to_segment(x, mesh_.x[hole_[i]], mesh_.x[hole_[(i + 1) % hole_.size()]]));
     return least;
   }
 
   void lower_targets() {
     double h = 0;
-    for (const LoopNode& node : hole_) h = std::max(h, node.h);
+    for (int node : hole_) h = std::max<double>(h, mesh_.h[node]);
     for (int v = 0; v < mesh_.node_count(); ++v) {
       double away = std::max(0.0, norm(mesh_.x[v] - middle_) - radius_);
       if (!mesh_.is_fixed[v]) mesh_.h[v] = std::min(mesh_.h[v], h + front_.region.gradation * away);
@@ -129,9 +127,11 @@ class Cutter {
 
   Front& front_;
   RegionMesh& mesh_;
-  const std::vector<LoopNode>& hole_;
+  const std::vector<int>& hole_;
+  const int elements_;
+  const double width_;
   Vec3 middle_;
-  double radius_, width_;
+  double radius_ = 0;
   std::vector<int> near_;
 };
 
@@ -156,13 +156,20 @@ Region without_holes(const Region& region, const std::vector<std::size_t>& holes
 }
 
 bool cut_holes(Front& front, const std::vector<std::size_t>& holes, double width) {
-  std::vector<std::vector<int>> loops;
+  const int elements = static_cast<int>(front.mesh.elements.size());
+  std::vector<std::vector<int>> loops = find_loop_nodes(front.region, front.mesh);
+  for (std::size_t hole : holes)
+    for (std::size_t i = 0; i < loops[hole].size(); ++i)
+      loops[hole][i] = front.add_boundary_node(front.region.loops[hole], i);
+  for (std::size_t hole : holes) loops[hole] = lay_hole_rings(front.region, front.mesh, loops, hole);
+  std::vector<std::vector<int>> of_void;
   for (std::size_t hole : holes) {
-    std::vector<std::vector<int>> of_hole = Cutter(front, front.region.loops[hole], width).run();
-    if (of_hole.empty()) return false;
-    for (std::vector<int>& loop : of_hole) loops.push_back(std::move(loop));
+    std::vector<int> outline = Cutter(front, loops[hole], elements, width).run();
+    if (outline.empty()) return false;
+    of_void.push_back(std::move(outline));
+    of_void.push_back(loops[hole]);
   }
-  return !front.start_at(loops);
+  return !front.start_at(of_void);
 }
 
 }  // namespace paver

@@ -149,7 +149,7 @@ class Ring {
     constexpr double most_turn = 1.6;  // of the limit
     for (std::size_t i = 0; i < one_.size(); ++i) {
       const LoopNode &a = one_[i], &b = two_[facing(i)];
-      if (norm(b.x - a.x) >= narrow * std::min(a.h, b.h)) return false;
+      if (norm(b.x - a.x) >= narrow * std::min(region.target(a.p), region.target(b.p))) return false;
       const auto between = [&](double share) { return region.chart->between(a.p, b.p, share); };
       if (turn_along(region, between) > most_turn * region.turn_limit) return false;
     }

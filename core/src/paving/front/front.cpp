@@ -9,6 +9,7 @@
 #include "paving/closing/acute_corners.h"
 #include "paving/closing/closed_tube_rows.h"
 #include "paving/closing/fan_rings.h"
+#include "paving/closing/hole_rings.h"
 #include "paving/closing/tube_rows.h"
 #include "paving/front/loop_node.h"
 #include "paving/front/wide_corners.h"
@@ -89,8 +90,8 @@ std::optional<int> Front::start(std::optional<double> sharpest_corner) {
   const std::vector<Vec2> places = mesh.p;
   for (std::size_t l = 0; sharpest_corner && l < loops.size(); ++l)
     lay_acute_corners(region, mesh, region.loops[l], loops[l], places, *sharpest_corner);
-  const auto beside_cuts = lay_tube_rows(region, mesh, loops);
-  for (const std::vector<int>& loop : lay_closed_tube_rows(region, mesh, beside_cuts)) add_start_loop(loop);
+  const auto left = lay_closed_tube_rows(region, mesh, lay_tube_rows(region, mesh, loops));
+  for (std::size_t l = 0; l < left.size(); ++l) add_start_loop(lay_hole_rings(region, mesh, left, l));
   for (const Fan& fan : region.fans) {
     int centre = add_loop_node(region, fan.centre, fan.ring[0].p, true, mesh);
     std::vector<int> ring;
