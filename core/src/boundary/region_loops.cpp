@@ -88,7 +88,7 @@ void join_open_ends(std::vector<Link>& links) {
   std::vector<int> heads = chain_heads(links);
   for (int i = 0; i < static_cast<int>(links.size()); ++i) {
     if (links[i].next >= 0) continue;
-    const int head = heads[i], next = find_next(links, i, head);
+    const int head = std::exchange(heads[i], -1), next = find_next(links, i, head);
     links[i].next = next;
     links[next].has_previous = true;
     auto it = std::find(heads.begin(), heads.end(), next);

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+#include <random>
+
 #include "support/fake_model.h"
 
 namespace paver {
@@ -65,6 +69,66 @@ TEST(LinkedLoops, RingsThroughOneVertexStayApart) {
                  builder.use(b1, false, {full, 1}, {3, 1}), builder.use(b2, false, {3, 1}, {0, 1})}});
   Model model = builder.take();
   EXPECT_EQ(edges_of(linked_loops(model, 0)), (Edges{{a1, a2}, {b1, b2}}));
+}
+
+// Loops through four vertices that go on at random where they meet, without the edges that are used both ways: many
+// chains are open at one vertex, and all must close.
+TEST(LinkedLoops, ChainsThatAreOpenAtOneVertexClose) {
+  std::mt19937 random(1);
+  const auto below = [&](std::size_t n) { return static_cast<int>(random() % n); };
+  for (int trial = 0; trial < 20000; ++trial) {
+    fake::Builder builder;
+    std::vector<int> vertices;
+    for (double x : {0.0, 1.0, 2.0, 3.0}) vertices.push_back(builder.vertex({x, 0, 0}));
+    struct Use {
+      Coedge coedge;
+      int from, to;
+      bool is_dropped;
+    };
+    std::vector<Use> uses;
+    auto add = [&](int edge, bool is_reversed, int from, int to, bool is_dropped) {
+      uses.push_back({builder.use(edge, is_reversed, {0, 0}, {1, 0}), from, to, is_dropped});
+    };
+    for (int i = 1 + below(5); i > 0; --i) {
+      const int from = vertices[below(4)], to = vertices[below(4)], edge = builder.line(from, to);
+      add(edge, false, from, to, true), add(edge, true, to, from, true);
+    }
+    std::size_t kept = 0;
+    for (int i = 1 + below(4); i > 0; --i) {
+      const int first = vertices[below(4)], second = vertices[below(4)];
+      add(builder.line(first, second), false, first, second, false);
+      add(builder.line(second, first), false, second, first, false);
+      kept += 2;
+    }
+    std::vector<std::size_t> order(uses.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::shuffle(order, random);
+    std::vector<bool> is_done(uses.size(), false), is_entered(uses.size(), false);
+    std::vector<std::vector<Coedge>> loops;
+    std::vector<std::vector<bool>> is_dropped;
+    for (std::size_t start = 0; start < uses.size(); ++start) {
+      if (is_done[start]) continue;
+      loops.emplace_back(), is_dropped.emplace_back();
+      for (std::size_t at = start; !is_done[at];) {
+        is_done[at] = true;
+        loops.back().push_back(uses[at].coedge), is_dropped.back().push_back(uses[at].is_dropped);
+        at = *std::ranges::find_if(order, [&](std::size_t k) { return !is_entered[k] && uses[k].from == uses[at].to; });
+        is_entered[at] = true;
+      }
+    }
+    builder.face(std::make_shared<fake::Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}), 1, loops);
+    const Model model = builder.take();
+    std::size_t count = 0;
+    for (const Loop& linked : linked_loops(model, 0, is_dropped)) {
+      const std::size_t n = linked.coedges.size();
+      count += n;
+      for (std::size_t i = 0; i < n; ++i) {
+        const Coedge &use = linked.coedges[i], &next = linked.coedges[(i + 1) % n];
+        ASSERT_EQ(end_of(model.edges[use.edge], use), start_of(model.edges[next.edge], next)) << trial;
+      }
+    }
+    ASSERT_EQ(count, kept) << trial;
+  }
 }
 
 TEST(LinkedLoops, ASlitInAPlaneStays) {
