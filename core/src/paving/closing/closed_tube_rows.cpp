@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/segment.h"
+#include "paving/closing/tube_rows.h"
 
 namespace paver {
 namespace {
@@ -91,9 +92,9 @@ class ClosedTubeRows {
     if (rim >= 0) {
       for (int node : loops_[rim]) columns.push_back(unit_of(mesh_.p[node]));
     } else {
-      const int count = turns();
-      for (int i = 0; i < count; ++i) {
-        const double angle = 2 * M_PI * i / count;
+      const std::size_t count = columns_by_turn(region_);
+      for (std::size_t i = 0; i < count; ++i) {
+        const double angle = 2 * M_PI * static_cast<double>(i) / static_cast<double>(count);
         columns.push_back({std::cos(angle), std::sin(angle)});
       }
     }
@@ -118,12 +119,6 @@ class ClosedTubeRows {
       last = next;
     }
     return way;
-  }
-
-  int turns() const {
-    constexpr double slack = 1e-3;
-    const int least = static_cast<int>(std::ceil(2 * M_PI / region_.turn_limit - slack));
-    return std::max(least + least % 2, 4);
   }
 
   struct Row {

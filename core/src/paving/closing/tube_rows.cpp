@@ -96,7 +96,7 @@ class TubeRows {
                         high = others[i] >= (1 - off_line) * length_ ? rim(cut, true) : 0,
                         columns = low > 0    ? low
                                   : high > 0 ? high
-                                             : turns();
+                                             : columns_by_turn(region_);
       const double room = width_ / static_cast<double>(columns);
       Stretch stretch{cut.count, 0, columns};
       for (std::size_t k = 0; k <= cut.count; ++k) {
@@ -134,12 +134,6 @@ class TubeRows {
   std::vector<int> rim_nodes(const Cut& cut, bool at_end) const {
     return at_end ? chain(cut.loop, cut.first + cut.count, cut.second)
                   : chain(cut.loop, cut.second + cut.count, cut.first);
-  }
-
-  std::size_t turns() const {
-    constexpr double full = 2 * M_PI, slack = 1e-3;
-    const auto least = static_cast<std::size_t>(std::ceil(full / region_.turn_limit - slack));
-    return std::max<std::size_t>(least + least % 2, 4);
   }
 
   void lay(const Cut& cut, const std::vector<Stretch>& stretches) {
@@ -202,6 +196,12 @@ class TubeRows {
 };
 
 }  // namespace
+
+std::size_t columns_by_turn(const Region& region) {
+  constexpr double full = 2 * M_PI, slack = 1e-3;
+  const auto least = static_cast<std::size_t>(std::ceil(full / region.turn_limit - slack));
+  return std::max<std::size_t>(least + least % 2, 4);
+}
 
 std::vector<std::vector<int>> lay_tube_rows(const Region& region, RegionMesh& mesh,
                                             std::vector<std::vector<int>> loops) {
