@@ -54,6 +54,7 @@ class CrowdedFacets {
     for_meeting(boxes_, [&](int i, int j) {
       if (place(i) < place(j)) std::swap(i, j);
       judge(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+      return true;
     });
     return {found_.begin(), found_.end()};
   }

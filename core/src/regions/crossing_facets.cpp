@@ -43,7 +43,8 @@ class FacetPairs {
     std::vector<std::array<LoopFacet, 2>> found;
     for_meeting(boxes_, [&](int i, int j) {
       const Segment &s = segments_[std::min(i, j)], &t = segments_[std::max(i, j)];
-      if (found.size() < most && has_trouble(s, t)) found.push_back({s.facet, t.facet});
+      if (has_trouble(s, t)) found.push_back({s.facet, t.facet});
+      return found.size() < most;
     });
     std::sort(found.begin(), found.end());
     return found;

@@ -10,10 +10,10 @@ namespace {
 
 class BoxPairs {
  public:
-  BoxPairs(const std::vector<Box>& boxes, const std::function<void(int, int)>& visit) : boxes_(boxes), visit_(visit) {}
+  BoxPairs(const std::vector<Box>& boxes, const std::function<bool(int, int)>& visit) : boxes_(boxes), visit_(visit) {}
 
   void search(const std::vector<int>& all) {
-    if (all.size() < 2) return;
+    if (all.size() < 2 || is_over_) return;
     auto [low, high] = halves(all);
     search(low);
     search(high);
@@ -23,6 +23,7 @@ class BoxPairs {
  private:
   // Those of either that the other's box does not meet are left out on the way.
   void meet(std::vector<int> a, std::vector<int> b) {
+    if (is_over_) return;
     keep_meeting(a, b);
     keep_meeting(b, a);
     constexpr std::size_t few = 64;
@@ -30,7 +31,7 @@ class BoxPairs {
     if (a.size() * b.size() <= few || std::min(a.size(), b.size()) == 1) {
       for (int i : a)
         for (int j : b)
-          if (boxes_[i].meets(boxes_[j])) visit_(i, j);
+          if (!is_over_ && boxes_[i].meets(boxes_[j])) is_over_ = !visit_(i, j);
       return;
     }
     std::vector<int>& larger = a.size() >= b.size() ? a : b;
@@ -63,12 +64,13 @@ class BoxPairs {
   }
 
   const std::vector<Box>& boxes_;
-  const std::function<void(int, int)>& visit_;
+  const std::function<bool(int, int)>& visit_;
+  bool is_over_ = false;
 };
 
 }  // namespace
 
-void for_meeting(const std::vector<Box>& boxes, const std::function<void(int i, int j)>& visit) {
+void for_meeting(const std::vector<Box>& boxes, const std::function<bool(int i, int j)>& visit) {
   std::vector<int> all(boxes.size());
   std::iota(all.begin(), all.end(), 0);
   BoxPairs(boxes, visit).search(all);

@@ -8,7 +8,8 @@
 
 namespace paver {
 
-/// visit(i, j) once for each two of the boxes that meet, in an order that follows from the boxes alone.
-void for_meeting(const std::vector<Box>& boxes, const std::function<void(int i, int j)>& visit);
+/// visit(i, j) once for each two of the boxes that meet, in an order that follows from the boxes alone, until it gives
+/// false.
+void for_meeting(const std::vector<Box>& boxes, const std::function<bool(int i, int j)>& visit);
 
 }  // namespace paver

@@ -225,8 +225,9 @@ class NearSearch {
     for_meeting(boxes, [&](int i, int j) {
       ++order.number;
       const Vec3 a = boxes[i].low, b = boxes[j].low;
-      if (cells().at({std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}) != order.cell) return;
-      if (is_own(boxes[i]) || is_own(boxes[j])) compare(found, pieces[i], pieces[j], order);
+      const bool is_here = cells().at({std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}) == order.cell;
+      if (is_here && (is_own(boxes[i]) || is_own(boxes[j]))) compare(found, pieces[i], pieces[j], order);
+      return true;
     });
   }
 
