@@ -41,15 +41,6 @@ double angle_between(Vec3 a, Vec3 b) {
   return std::atan2(norm(cross(a, b)), dot(a, b));
 }
 
-// Curvature of the curve at t, 0 where it has none.
-double curvature(const Curve& curve, double t) {
-  Vec3 x, xt, xtt;
-  curve.d2(t, x, xt, xtt);
-  double speed = norm(xt);
-  double value = norm(cross(xt, xtt)) / (speed * speed * speed);
-  return std::isfinite(value) ? value : 0;
-}
-
 }  // namespace
 
 EdgeMetric::EdgeMetric(const Edge& edge, const SizeField& size, std::span<const TurningSide> sides)

@@ -35,7 +35,6 @@ constexpr double most_normals_apart = 2;  // normals that look opposite ways
 constexpr double slope_reach = 0.625;     // of the spacing: derivatives of normals are taken so far to either side
 constexpr double large_face = 13500;      // of h^2: about where levels begin
 constexpr double chord_turn = 1.25;       // the same for sides as long as h that are straight
-constexpr double short_turn_limit = 75 * M_PI / 180;  // decision turn-of-short-edges
 constexpr double degenerate_area = 1e-9;  // of the largest |xu x xv| on the face: such a point counts as a pole
 
 struct CurvatureSample {
@@ -290,17 +289,6 @@ double FaceSize::by_curvature(Vec2 uv) const {
   return (1 - b) * ((1 - a) * low[0] + a * low[1]) + b * ((1 - a) * high[0] + a * high[1]);
 }
 
-double TurnLimit::longest_edge(double curvature) const {
-  if (!(curvature > 0)) return h;
-  double strict = usual / curvature;
-  if (strict >= h || of_short <= usual) return std::min(strict, h);
-  return std::min(of_short / curvature, std::sqrt(strict * h));  // length * turn == h * usual
-}
-
-bool TurnLimit::may_turn(double turn, double length) const {
-  return turn <= usual || (turn <= of_short && turn * length <= usual * h);
-}
-
 TurnLimit SizeField::turn_limit_of(const Edge& edge) const {
   const bool is_inside = edge.faces.size() == 2 && edge.faces[0] == edge.faces[1];
   return {h, turn_limit, is_inside ? 0 : short_turn_limit};
@@ -312,8 +300,9 @@ SizeField build_size_field(const Model& model, const Options& options, Progress&
   SizeField field;
   field.h = target_length(options);
   field.gradation = options.gradation;
-  field.turn_limit = options.turn_limit();
-  if (!options.max_turn) field.short_turn_limit = short_turn_limit, field.small_bend = options.merge;
+  const TurnLimit limit = turn_limit(options, field.h);
+  field.turn_limit = limit.usual, field.short_turn_limit = limit.of_short;
+  if (!options.max_turn) field.small_bend = options.merge;
   give_local(model, options, places, field);
   field.turning.resize(model.edges.size());
   for (std::size_t f = 0; f < model.faces.size(); ++f) {

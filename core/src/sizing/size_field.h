@@ -13,6 +13,7 @@
 #include "sizing/normal_table.h"
 #include "sizing/parts/local_sizes.h"
 #include "sizing/sample_box.h"
+#include "sizing/turn_limit.h"
 #include "topology/model.h"
 
 namespace paver {
@@ -76,19 +77,6 @@ class FaceSize {
 struct TurningSide {
   int face = -1;
   std::shared_ptr<const ParameterCurve> pcurve;  ///< over the edge's t
-};
-
-/// How far boundary edges may turn, radians.
-struct TurnLimit {
-  double h = 0;         ///< mm
-  double usual = 0;     ///< per element edge
-  double of_short = 0;  ///< see SizeField::short_turn_limit
-
-  /// Longest boundary edge along a curve of this curvature (1 / mm).
-  double longest_edge(double curvature) const;
-  /// Whether a boundary edge of this length may turn so much.
-  bool may_turn(double turn, double length) const;
-  double largest() const { return std::max(usual, of_short); }
 };
 
 struct SizeField {

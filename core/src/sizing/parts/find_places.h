@@ -1,9 +1,10 @@
-// Where a model asks for shorter lengths: tips, sharp edges, gaps.
+// Where a model asks for shorter lengths: tips, sharp edges, gaps, small holes.
 #pragma once
 
 #include <functional>
 #include <vector>
 
+#include "sizing/parts/nearest_source.h"
 #include "topology/model.h"
 
 namespace paver {
@@ -33,5 +34,12 @@ struct GapPiece {
 /// Where faces are narrower than 0.7 of their target length, `length(face)`: between edges of one face that run within
 /// 30 degrees of each other's direction. Looked for every quarter of the target length.
 std::vector<GapPiece> find_gaps(const Model& model, const std::function<double(int face)>& length);
+
+/// Pieces of borders that are divided far more finely than another border of their face is near them: lengths that grow
+/// from there by the gradation reach it at less than a share of its intervals. A border is what hangs together of the
+/// edges about a face; `interval(edge, t)`: about how long intervals are there.
+std::vector<SizeSource> find_fine_borders(const Model& model,
+                                          const std::function<double(const Edge&, double t)>& interval,
+                                          double gradation);
 
 }  // namespace paver

@@ -51,7 +51,7 @@ double NearestSource::bound(const Branch& branch, Vec3 x) const {
   return branch.h + gradation_ * norm(away);
 }
 
-double NearestSource::least(Vec3 x, double most) const {
+double NearestSource::search(Vec3 x, double most, int left_out) const {
   double best = most;
   if (branches_.empty()) return best;
   std::array<int, 64> open;  // depth of a tree over an int's count of sources, two boxes a level
@@ -63,6 +63,7 @@ double NearestSource::least(Vec3 x, double most) const {
     if (bound(branch, x) >= best) continue;
     for (int i = branch.first; i < branch.first + branch.count; ++i) {
       const SizeSource& source = sources_[i];
+      if (source.group == left_out) continue;
       best = std::min(best, source.h + gradation_ * distance_to_segment(x, source.a, source.b));
     }
     if (branch.count > 0) continue;
