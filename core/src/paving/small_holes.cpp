@@ -24,14 +24,8 @@ double chart_area(const std::vector<LoopNode>& loop) {
   return 0.5 * area;
 }
 
-// Whether the loop goes round the chart's origin, by the sum of the angles at which its facets are seen from there.
 bool holds_origin(const std::vector<LoopNode>& loop) {
-  double angle = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    Vec2 a = loop[i].p, b = loop[(i + 1) % loop.size()].p;
-    angle += std::atan2(cross(a, b), dot(a, b));
-  }
-  return std::fabs(angle) > M_PI;
+  return goes_round_origin(loop.size(), [&](std::size_t i) { return loop[i].p; });
 }
 
 Vec3 middle_of(const std::vector<LoopNode>& loop) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cells.h"
 #include "base/segment.h"
 #include "paving/closing/tube_rows.h"
 
@@ -76,12 +77,7 @@ class ClosedTubeRows {
   }
 
   bool goes_round(const std::vector<int>& loop) const {
-    double turned = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Vec2 a = mesh_.p[loop[i]], b = mesh_.p[loop[(i + 1) % loop.size()]];
-      turned += std::atan2(cross(a, b), dot(a, b));
-    }
-    return std::fabs(turned) > M_PI;
+    return goes_round_origin(loop.size(), [&](std::size_t i) { return mesh_.p[loop[i]]; });
   }
 
   /// Rows from a rim towards what else is there, else from the outer end inwards.
@@ -101,7 +97,7 @@ class ClosedTubeRows {
     // The chart keeps angles, so a stretch is as long, against the way round it, as its places tell.
     const double rooms = room * (rim >= 0 ? 1 : 2);
     if (std::fabs(to - from) * static_cast<double>(columns.size()) < 2 * M_PI * rooms) return;
-    const double width = way_round(columns, 0.5 * (from + to)) / static_cast<double>(columns.size());
+    const double width = length_round(columns, 0.5 * (from + to)) / static_cast<double>(columns.size());
     if (!(width * static_cast<double>(columns.size()) < slim * region_.h)) return;
     const std::vector<Row> rows = divide(columns[0], from, to, rim >= 0 ? 0 : room * width, width);
     if (rows.size() > 1) lay(columns, rows, rim);
@@ -110,7 +106,7 @@ class ClosedTubeRows {
   static Vec2 unit_of(Vec2 p) { return (1 / norm(p)) * p; }
   static Vec2 at(Vec2 column, double place) { return std::exp(place) * column; }
 
-  double way_round(const std::vector<Vec2>& columns, double place) const {
+  double length_round(const std::vector<Vec2>& columns, double place) const {
     double way = 0;
     Vec3 last = region_.point(at(columns.back(), place));
     for (Vec2 column : columns) {
@@ -127,10 +123,10 @@ class ClosedTubeRows {
 
   /// Of a rising table, the value where it reaches x.
   static double value_at(const std::vector<double>& table, const std::vector<double>& values, double x) {
-    const auto after = std::clamp<std::ptrdiff_t>(std::ranges::lower_bound(table, x) - table.begin(), 1, samples);
-    const double rise = table[after] - table[after - 1];
-    const double share = rise > 0 ? std::clamp((x - table[after - 1]) / rise, 0.0, 1.0) : 0;
-    return values[after - 1] + share * (values[after] - values[after - 1]);
+    const std::size_t i = cell_of(table, x);
+    const double rise = table[i + 1] - table[i];
+    const double share = rise > 0 ? std::clamp((x - table[i]) / rise, 0.0, 1.0) : 0;
+    return values[i] + share * (values[i + 1] - values[i]);
   }
 
   /// Places of rows, from so much beyond `from` on; nothing where there is no room for any.
