@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/boxes/box_tree.h"
 #include "base/segment.h"
 #include "paving/closing/hole_rings.h"
 
@@ -16,7 +17,8 @@ namespace paver {
 namespace {
 
 constexpr std::size_t most_facets = 12;
-constexpr double clearance = 2.5;  // of the target length there, to other loops
+constexpr double clearance = 2.5;   // of the target length there, to other loops
+constexpr double slack = 1 + 1e-9;  // for rounding
 
 double chart_area(const std::vector<LoopNode>& loop) {
   double area = 0;
@@ -40,30 +42,57 @@ double radius_of(const std::vector<LoopNode>& loop, Vec3 middle) {
   return radius;
 }
 
-bool is_clear(const Region& region, std::size_t hole) {
-  const std::vector<LoopNode>& loop = region.loops[hole];
-  const Vec3 middle = middle_of(loop);
-  const double room = radius_of(loop, middle) + clearance * region.size.given_at(middle);
-  for (std::size_t l = 0; l < region.loops.size(); ++l)
-    for (const LoopNode& node : region.loops[l])
-      if (l != hole && norm(node.x - middle) < room) return false;
-  return true;
-}
+/// Nodes of loops by their places.
+class LoopNodeTree {
+ public:
+  explicit LoopNodeTree(const Region& region) : region_(region), tree_(boxes(region)) {
+    for (std::size_t l = 0; l < region.loops.size(); ++l)
+      for (const LoopNode& node : region.loops[l]) nodes_.push_back({l, node.x});
+  }
+
+  bool is_clear(std::size_t hole) const {
+    const std::vector<LoopNode>& loop = region_.loops[hole];
+    const Vec3 middle = middle_of(loop);
+    const double room = radius_of(loop, middle) + clearance * region_.size.given_at(middle);
+    const double least = tree_.least(
+        middle, room, [&](int i) { return nodes_[i].first == hole ? INFINITY : norm(nodes_[i].second - middle); });
+    return !(least < room);
+  }
+
+ private:
+  static std::vector<Box> boxes(const Region& region) {
+    std::vector<Box> boxes;
+    for (const auto& loop : region.loops)
+      for (const LoopNode& node : loop) boxes.emplace_back().add(node.x);
+    return boxes;
+  }
+
+  const Region& region_;
+  std::vector<std::pair<std::size_t, Vec3>> nodes_;  // loop and place
+  BoxTree tree_;
+};
 
 /// Makes room for a hole, or the outermost ring about it, in the first `elements` of the mesh.
 class Cutter {
  public:
   Cutter(Front& front, const std::vector<int>& hole, int elements, double width)
-      : front_(front), mesh_(front.mesh), hole_(hole), elements_(elements), width_(width) {
+      : front_(front), mesh_(front.mesh), hole_(hole), elements_(elements) {
     for (int node : hole) middle_ += (1.0 / static_cast<double>(hole.size())) * mesh_.x[node];
     for (int node : hole) radius_ = std::max(radius_, norm(mesh_.x[node] - middle_));
+    limit_ = width * front_.region.size.given_at(middle_);
   }
 
-  /// The void's outline; none where it would be no ring.
-  std::vector<int> run() {
-    lower_targets();
-    for (int e = 0; e < elements_; ++e)
-      if (mesh_.elements[e].is_alive() && is_near(mesh_.elements[e])) near_.push_back(e);
+  /// What goes is in it.
+  Box box() const {
+    Box box;
+    box.add(middle_);
+    return box.grown(slack * (radius_ + limit_));
+  }
+
+  /// The void's outline; none where it would be no ring. `nodes`: all that may go or have a target length that falls.
+  std::vector<int> run(const std::vector<int>& nodes) {
+    lower_targets(nodes);
+    find_near(nodes);
     if (near_.empty()) return {};
     std::vector<int> outline = outline_of_near();
     if (!outline.empty())
@@ -79,23 +108,28 @@ class Cutter {
     return least;
   }
 
-  void lower_targets() {
+  void lower_targets(const std::vector<int>& nodes) {
     double h = 0;
     for (int node : hole_) h = std::max<double>(h, mesh_.h[node]);
-    for (int v = 0; v < mesh_.node_count(); ++v) {
+    for (int v : nodes) {
       double away = std::max(0.0, norm(mesh_.x[v] - middle_) - radius_);
       if (!mesh_.is_fixed[v]) mesh_.h[v] = std::min(mesh_.h[v], h + front_.region.gradation * away);
     }
   }
 
-  bool is_near(const Element& e) const {
-    for (int k = 0; k < e.corners(); ++k) {
-      Vec3 x = mesh_.x[e.v[k]];
-      double limit = width_ * front_.region.size.given_at(middle_), away = norm(x - middle_);
-      if (away < radius_) return true;
-      if (away < radius_ + limit && distance(x) < limit) return true;
-    }
-    return false;
+  bool is_near(Vec3 x) const {
+    const double away = norm(x - middle_);
+    return away < radius_ || (away < radius_ + limit_ && distance(x) < limit_);
+  }
+
+  // With a corner near the hole.
+  void find_near(const std::vector<int>& nodes) {
+    for (int v : nodes)
+      if (is_near(mesh_.x[v]))
+        for (int e : mesh_.star[v])
+          if (e < elements_) near_.push_back(e);
+    std::ranges::sort(near_);
+    near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
   }
 
   // Empty where the elements have no single simple outline or reach the boundary.
@@ -123,11 +157,25 @@ class Cutter {
   RegionMesh& mesh_;
   const std::vector<int>& hole_;
   const int elements_;
-  const double width_;
   Vec3 middle_;
   double radius_ = 0;
+  double limit_ = 0;  // distance of what goes
   std::vector<int> near_;
 };
+
+/// Per hole: nodes near enough to go, or to have a target length that the gradation lets fall from there.
+std::vector<std::vector<int>> nodes_about(const RegionMesh& mesh, double gradation,
+                                          const std::vector<Cutter>& cutters) {
+  std::vector<Box> boxes;
+  for (const Cutter& cutter : cutters) boxes.push_back(cutter.box());
+  const BoxTree holes(std::move(boxes));
+  std::vector<std::vector<int>> nodes(cutters.size());
+  for (int v = 0; v < mesh.node_count(); ++v) {
+    const Box reach = Box{mesh.x[v], mesh.x[v]}.grown(slack * mesh.h[v] / gradation);
+    holes.each_meeting(reach, [&](int i) { nodes[i].push_back(v); });
+  }
+  return nodes;
+}
 
 }  // namespace
 
@@ -138,14 +186,18 @@ std::vector<std::size_t> small_holes(const Region& region) {
     const std::vector<LoopNode>& loop = region.loops[l];
     bool is_small = loop.size() <= most_facets && loop.size() % 2 == 0;
     bool is_hole = chart_area(loop) < 0 && !(region.goes_round && holds_origin(loop));
-    if (is_small && is_hole && is_clear(region, l)) holes.push_back(l);
+    if (is_small && is_hole) holes.push_back(l);
   }
+  if (holes.empty()) return holes;
+  const LoopNodeTree nodes(region);
+  std::erase_if(holes, [&](std::size_t hole) { return !nodes.is_clear(hole); });
   return holes;
 }
 
 Region without_holes(const Region& region, const std::vector<std::size_t>& holes) {
   Region whole = region;
-  for (std::size_t i = holes.size(); i-- > 0;) whole.loops.erase(whole.loops.begin() + static_cast<long>(holes[i]));
+  for (std::size_t hole : holes) whole.loops[hole].clear();
+  std::erase_if(whole.loops, [](const auto& loop) { return loop.empty(); });
   return whole;
 }
 
@@ -155,13 +207,16 @@ bool cut_holes(Front& front, const std::vector<std::size_t>& holes, double width
   for (std::size_t hole : holes)
     for (std::size_t i = 0; i < loops[hole].size(); ++i)
       loops[hole][i] = front.add_boundary_node(front.region.loops[hole], i);
-  for (std::size_t hole : holes) loops[hole] = lay_hole_rings(front.region, front.mesh, loops, hole);
+  lay_hole_rings(front.region, front.mesh, loops, holes);
+  std::vector<Cutter> cutters;
+  for (std::size_t hole : holes) cutters.emplace_back(front, loops[hole], elements, width);
+  const std::vector<std::vector<int>> nodes = nodes_about(front.mesh, front.region.gradation, cutters);
   std::vector<std::vector<int>> of_void;
-  for (std::size_t hole : holes) {
-    std::vector<int> outline = Cutter(front, loops[hole], elements, width).run();
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    std::vector<int> outline = cutters[i].run(nodes[i]);
     if (outline.empty()) return false;
     of_void.push_back(std::move(outline));
-    of_void.push_back(loops[hole]);
+    of_void.push_back(loops[holes[i]]);
   }
   return !front.start_at(of_void);
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/boxes/box_tree.h"
 #include "base/predicates.h"
 #include "base/segment.h"
 
@@ -24,14 +25,50 @@ constexpr double round_off = 0.5;     // so much of what a ring is out of round 
 constexpr double most_turn = M_PI / 6;  // of the surface, from the middle on
 constexpr int corrections = 4;
 
+/// Facets of loops by their places.
+class FacetTree {
+ public:
+  FacetTree(const RegionMesh& mesh, const std::vector<std::vector<int>>& loops) : tree_(find(mesh, loops)) {}
+
+  /// To the nearest facet of other loops.
+  double distance_to_others(Vec3 x, std::size_t loop) const {
+    return tree_.least(x, INFINITY, [&](int i) {
+      const Facet& facet = facets_[i];
+      return facet.loop == loop ? INFINITY : distance_to_segment(x, facet.a, facet.b);
+    });
+  }
+
+ private:
+  struct Facet {
+    std::size_t loop;
+    Vec3 a, b;
+  };
+
+  std::vector<Box> find(const RegionMesh& mesh, const std::vector<std::vector<int>>& loops) {
+    std::vector<Box> boxes;
+    for (std::size_t l = 0; l < loops.size(); ++l)
+      for (std::size_t i = 0, n = loops[l].size(); i < n; ++i) {
+        facets_.push_back({l, mesh.x[loops[l][i]], mesh.x[loops[l][(i + 1) % n]]});
+        boxes.emplace_back().add(facets_.back().a);
+        boxes.back().add(facets_.back().b);
+      }
+    return boxes;
+  }
+
+  std::vector<Facet> facets_;
+  BoxTree tree_;
+};
+
 class HoleRings {
  public:
-  HoleRings(const Region& region, RegionMesh& mesh, const std::vector<std::vector<int>>& loops, std::size_t hole)
-      : region_(region), mesh_(mesh), loops_(loops), hole_(hole), ring_(loops[hole]) {}
+  HoleRings(const Region& region, RegionMesh& mesh, const std::vector<int>& loop)
+      : region_(region), mesh_(mesh), ring_(loop) {}
 
-  std::vector<int> run() {
-    if (!is_small() || !is_round()) return ring_;
-    const double end = room * distance_to_others();
+  bool is_wanted() { return is_small() && is_round(); }
+
+  /// Nodes of the outermost one. `to_others`: distance from the middle to other loops.
+  std::vector<int> run(double to_others) {
+    const double end = room * std::min(to_others, distance_to_fans());
     while (relative_width() < wide_enough) {
       const double next = radius_ * (1 + 2 * M_PI / static_cast<double>(ring_.size()));
       if (next > end || !lay(next)) break;
@@ -39,10 +76,12 @@ class HoleRings {
     return ring_;
   }
 
+  Vec3 middle() const { return at_middle_.x; }
+
  private:
   /// A loop of few facets that the region lies about, all of them short.
   bool is_small() const {
-    if (ring_.size() < fewest_columns || ring_.size() > most_columns || loops_.size() < 2) return false;
+    if (ring_.size() < fewest_columns || ring_.size() > most_columns) return false;
     double area = 0;
     for (std::size_t i = 0; i < ring_.size(); ++i) area += cross(mesh_.p[ring_[i]], mesh_.p[after(i)]);
     return area < 0 && widest_facet() < short_facets * region_.target(mesh_.p[ring_[0]]);
@@ -88,12 +127,8 @@ class HoleRings {
     return most <= roundest * least && turned < 3 * M_PI;
   }
 
-  double distance_to_others() const {
+  double distance_to_fans() const {
     double least = INFINITY;
-    for (std::size_t l = 0; l < loops_.size(); ++l)
-      for (std::size_t i = 0, n = loops_[l].size(); l != hole_ && i < n; ++i)
-        least =
-            std::min(least, distance_to_segment(at_middle_.x, mesh_.x[loops_[l][i]], mesh_.x[loops_[l][(i + 1) % n]]));
     for (const Fan& fan : region_.fans)
       for (const LoopNode& node : fan.ring) least = std::min(least, norm(node.x - at_middle_.x));
     return least;
@@ -135,8 +170,6 @@ class HoleRings {
 
   const Region& region_;
   RegionMesh& mesh_;
-  const std::vector<std::vector<int>>& loops_;
-  const std::size_t hole_;
   std::vector<int> ring_;
   Vec2 middle_;
   NodePlace at_middle_;
@@ -146,10 +179,16 @@ class HoleRings {
 
 }  // namespace
 
-std::vector<int> lay_hole_rings(const Region& region, RegionMesh& mesh, const std::vector<std::vector<int>>& loops,
-                                std::size_t hole) {
-  if (region.evenness > 1) return loops[hole];  // a coarse element becomes many, all of its length
-  return HoleRings(region, mesh, loops, hole).run();
+void lay_hole_rings(const Region& region, RegionMesh& mesh, std::vector<std::vector<int>>& loops,
+                    const std::vector<std::size_t>& holes) {
+  if (region.evenness > 1 || loops.size() < 2) return;  // a coarse element becomes many, all of its length
+  std::optional<FacetTree> facets;
+  for (std::size_t hole : holes) {
+    HoleRings rings(region, mesh, loops[hole]);
+    if (!rings.is_wanted()) continue;
+    if (!facets) facets.emplace(mesh, loops);
+    loops[hole] = rings.run(facets->distance_to_others(rings.middle(), hole));
+  }
 }
 
 }  // namespace paver

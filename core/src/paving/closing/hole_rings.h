@@ -8,9 +8,10 @@
 
 namespace paver {
 
-/// About a loop that is a round hole of a few facets, short against the target length: rings, each as much wider than
-/// the last one as its columns ask for. `loops`: nodes in the mesh. Nodes of the outermost ring, else of the loop.
-std::vector<int> lay_hole_rings(const Region& region, RegionMesh& mesh, const std::vector<std::vector<int>>& loops,
-                                std::size_t hole);
+/// About those of `holes` that are round loops of a few facets, short against the target length: rings, each as much
+/// wider than the last one as its columns ask for. `loops`: nodes in the mesh; those with rings become the outermost
+/// one.
+void lay_hole_rings(const Region& region, RegionMesh& mesh, std::vector<std::vector<int>>& loops,
+                    const std::vector<std::size_t>& holes);
 
 }  // namespace paver

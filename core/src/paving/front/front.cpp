@@ -3,6 +3,7 @@
 #include "paving/front/front.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/predicates.h"
 #include "mesh/spatial_order.h"
@@ -90,8 +91,11 @@ std::optional<int> Front::start(std::optional<double> sharpest_corner) {
   const std::vector<Vec2> places = mesh.p;
   for (std::size_t l = 0; sharpest_corner && l < loops.size(); ++l)
     lay_acute_corners(region, mesh, region.loops[l], loops[l], places, *sharpest_corner);
-  const auto left = lay_closed_tube_rows(region, mesh, lay_tube_rows(region, mesh, loops));
-  for (std::size_t l = 0; l < left.size(); ++l) add_start_loop(lay_hole_rings(region, mesh, left, l));
+  auto left = lay_closed_tube_rows(region, mesh, lay_tube_rows(region, mesh, loops));
+  std::vector<std::size_t> all(left.size());
+  std::iota(all.begin(), all.end(), 0);
+  lay_hole_rings(region, mesh, left, all);
+  for (const std::vector<int>& loop : left) add_start_loop(loop);
   for (const Fan& fan : region.fans) {
     int centre = add_loop_node(region, fan.centre, fan.ring[0].p, true, mesh);
     std::vector<int> ring;
