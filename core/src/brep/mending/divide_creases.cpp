@@ -17,6 +17,7 @@
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_HSequenceOfReal.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopTools_DataMapOfShapeInteger.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -188,8 +189,7 @@ class CreaseFinder {
       const bool is_known = std::ranges::any_of(values, [&](double v) { return std::abs(v - value) <= margin; });
       if (!is_end && !is_known) values.push_back(value);
     };
-    for (const TopoDS_Edge& edge : edges_of(face_)) {
-      if (BRep_Tool::Degenerated(edge) || use_count(edge, face_) != 2) continue;
+    for (const TopoDS_Edge& edge : edges_used_twice()) {
       const auto images = both_images(edge);
       if (!images || !lies_on_one_end(!is_u, *images)) continue;
       for (const EdgeImage& image : *images)
@@ -217,11 +217,20 @@ class CreaseFinder {
 
   /// Whether the face closes on itself in this direction, along a periodic edge that is a crease.
   bool has_sharp_closure(bool is_u) const {
-    return std::ranges::any_of(edges_of(face_), [&](const TopoDS_Edge& edge) {
+    return std::ranges::any_of(edges_used_twice(), [&](const TopoDS_Edge& edge) {
       // A piece of a face that goes round keeps both images of the periodic edge, but has it on one side only.
-      return !BRep_Tool::Degenerated(edge) && BRep_Tool::IsClosed(edge, face_) && use_count(edge, face_) == 2 &&
-             is_sharp_closure(edge, is_u);
+      return BRep_Tool::IsClosed(edge, face_) && is_sharp_closure(edge, is_u);
     });
+  }
+
+  /// Either use of them.
+  std::vector<TopoDS_Edge> edges_used_twice() const {
+    std::vector<TopoDS_Edge> edges = edges_of(face_);
+    TopTools_DataMapOfShapeInteger uses;
+    for (const TopoDS_Edge& edge : edges)
+      if (!uses.Bind(edge, 1)) ++uses.ChangeFind(edge);
+    std::erase_if(edges, [&](const TopoDS_Edge& edge) { return BRep_Tool::Degenerated(edge) || uses(edge) != 2; });
+    return edges;
   }
 
   bool is_sharp_closure(const TopoDS_Edge& edge, bool is_u) const {
