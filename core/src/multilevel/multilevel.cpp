@@ -46,6 +46,17 @@ int ratio_for(const Region& region, int multilevel) {
   return ratio >= least_ratio ? ratio : 0;
 }
 
+/// Whether short facets of loops ask for more elements than the area does, as many small holes do: what they ask for is
+/// too small to be divided.
+bool is_crowded(const Region& coarse) {
+  if (coarse.size.is_graded()) return false;
+  double more = 0;
+  for (const auto& loop : coarse.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      more += std::max(0.0, 1 - norm(loop[(i + 1) % loop.size()].x - loop[i].x) / coarse.h);
+  return more > coarse.area / (coarse.h * coarse.h);
+}
+
 /// From a coarse mesh to a plan.
 class Planner {
  public:
@@ -160,13 +171,13 @@ std::optional<PavedRegion> pave_on_levels(const Region& region, int multilevel, 
 PavedRegion pave_coarse(const Region& region, int multilevel, const Progress& progress, Elements elements) {
   if (auto paved = pave_on_levels(region, multilevel, progress, elements)) return std::move(*paved);
   if (auto disc = lay_disc(region, progress)) return {std::move(*disc), {}};
-  return pave_region_once(region, progress, elements);
+  return pave_coarse_region(region, progress, elements);
 }
 
 std::optional<LevelPlan> plan_level(const Region& region, int multilevel, int ratio, const Progress& progress,
                                     Elements elements) {
   std::optional<CoarseRegion> coarse = coarsen(region, ratio);
-  if (!coarse) return std::nullopt;
+  if (!coarse || is_crowded(coarse->region)) return std::nullopt;
   coarse->region.evenness = evenness;
   try {
     PavedRegion paved = pave_coarse(coarse->region, multilevel, progress, elements);

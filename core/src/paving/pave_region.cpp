@@ -25,11 +25,13 @@ constexpr double tangled = 0.2;  // scaled Jacobian below which a region is pave
 struct Attempt {
   double size = 1;
   double misfit_weight = 1;
+  bool is_coarse = false;  ///< elements are to be divided
 };
 constexpr Attempt all_quad_attempts[] = {{1, 1}, {1, 0}, {0.95, 1}, {1.05, 1}, {0.9, 1}, {0.8, 1}, {0.5, 1}, {0.25, 1}};
 constexpr double sharpest_corner = 6 * M_PI / 180;  // sharper corners take a triangle, unless none is wanted
 constexpr double gap_widths[] = {0.8, 1.2};         // of the target length: about small holes
 constexpr std::size_t few_elements = 100;           // on larger regions a second way is as often worse as better
+constexpr double least_coarse = 0.7;                // of a coarse mesh's sides: squares, in the mean, by target lengths
 constexpr double few_flat = 0.01;                   // of the elements: not worth four times as many
 
 Region scaled(const Region& region, double size) {
@@ -68,11 +70,28 @@ struct Tangle {
 /// Pairs of triangles that clean-up could not join; an odd one is what the region's boundary asks for.
 long pairs_left(const RegionMesh& mesh) { return mesh.triangle_count() / 2; }
 
+/// Whether elements are far smaller than the target length, as about many small holes: lengths that loops ask for are
+/// too short to be divided.
+bool is_too_fine(const Region& region, const RegionMesh& mesh) {
+  double sum = 0;
+  long sides = 0;
+  for (const Element& e : mesh.elements)
+    for (int k = 0; e.is_alive() && k < e.corners(); ++k, ++sides) {
+      const int a = e.v[k], b = e.v[(k + 1) % e.corners()];
+      const double h = region.target(mesh.p[a]), length = norm(mesh.step(mesh.point(a), mesh.point(b), h)) / h;
+      sum += length * length;
+    }
+  return sum < least_coarse * static_cast<double>(sides);
+}
+
 /// Paves the void of a started front; nodes before `first_node` belong to a mesh that is done. Gives how often it was
 /// closed by triangulation.
 long pave_front(Front& front, const Attempt& attempt, const Progress& progress, Elements elements, int first_node = 0) {
   front.misfit_weight = attempt.misfit_weight;
   fill_void(front, progress);
+  if (attempt.is_coarse && is_too_fine(front.region, front.mesh))
+    throw Error(ErrorCode::face_failed, "its loops ask for shorter lengths than a coarse mesh has",
+                {"paving", front.region.face, -1, {}});
   clean_up(front, progress, elements == Elements::all_quad, first_node);
   remove_chords(front);
   return front.closed_by_triangulation;
@@ -152,6 +171,10 @@ PavedRegion finish(PavedRegion paved, Elements elements) {
 
 PavedRegion pave_region_once(const Region& region, const Progress& progress, Elements elements, RowRule rule) {
   return finish(pave_once(region, {1, rule == RowRule::fit ? 1.0 : 0.0}, progress, elements), elements);
+}
+
+PavedRegion pave_coarse_region(const Region& region, const Progress& progress, Elements elements) {
+  return finish(pave_once(region, {.is_coarse = true}, progress, elements), elements);
 }
 
 PavedRegion pave_region(const Region& region, const Progress& progress, Elements elements) {

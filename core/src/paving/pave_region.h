@@ -26,4 +26,8 @@ enum class RowRule { fit, no_fit };
 PavedRegion pave_region_once(const Region& region, const Progress& progress,
                              Elements elements = Elements::quad_dominant, RowRule rule = RowRule::fit);
 
+/// The same of a coarse mesh, whose elements will be divided. Throws Error{face_failed}, too, where they come out far
+/// shorter than the target length.
+PavedRegion pave_coarse_region(const Region& region, const Progress& progress, Elements elements);
+
 }  // namespace paver
