@@ -62,5 +62,19 @@ TEST(HoleRings, HolesSideBySideShareTheRoomBetweenThem) {
     }
 }
 
+// Lengths had grown by the gradation from each hole on, more slowly than rings, from the size on that holes are apart.
+TEST(HoleRings, ManyHolesHaveHardlyMoreElementsAtLongerTargetLengths) {
+  std::vector<gp_Pnt> middles;
+  for (double x : {-30, 0, 30})
+    for (double y : {-30, 0, 30}) middles.emplace_back(x, y, -2);
+  const TopoDS_Shape plate = plate_with_holes(middles);
+  auto elements = [&](double h) {
+    const QualityReport quality = test::report_of(plate, h).quality;
+    return static_cast<double>(quality.quads + quality.triangles);
+  };
+  const double apart = elements(20);
+  for (double h : {50.0, 1e6}) EXPECT_LE(elements(h), 1.15 * apart) << h;
+}
+
 }  // namespace
 }  // namespace paver

@@ -10,7 +10,9 @@
 #include <cmath>
 #include <set>
 
+#include "base/boxes/box_tree.h"
 #include "base/local_parts.h"
+#include "base/segment.h"
 #include "paver/error.h"
 #include "sizing/parts/find_places.h"
 #include "sizing/sample_box.h"
@@ -26,8 +28,10 @@ constexpr double narrowest_gap = 0.02;                  // of the target length:
 constexpr double hole_intervals = 6;                    // a small round hole is divided into about so many
 constexpr double small_hole = 0.1;                      // of the face's extent: interval of a hole that counts as small
 constexpr double small_interval = 0.5;                  // of the target length: the same
-constexpr double least_length = 1e-6;                   // of the model's diagonal
-constexpr double same_point = 1e-3;                     // of the length at a tip: what lies nearer is the tip
+constexpr double roundest = 1.5;                        // the most by which distances from a round hole's middle differ
+constexpr double ring_room = 0.3;      // of a hole's distance to other loops: for rings of quads about it
+constexpr double least_length = 1e-6;  // of the model's diagonal
+constexpr double same_point = 1e-3;    // of the length at a tip: what lies nearer is the tip
 
 void add_pieces(const Edge& edge, double length, int count, std::vector<SizeSource>& sources) {
   if (edge.is_degenerate || !edge.curve) return;
@@ -44,6 +48,63 @@ bool is_straight(const Edge& edge) {
   constexpr double straight = 0.999;
   return edge.curve && norm(edge.curve->point(edge.t1) - edge.curve->point(edge.t0)) >= straight * edge.length;
 }
+
+/// Pieces of a face's loops.
+class LoopPieces {
+ public:
+  LoopPieces(const Model& model, const Face& face) : of_loop_(face.loops.size()), tree_(find(model, face)) {}
+
+  /// About a round hole that is far smaller than its distance to other loops rings of quads grow as their columns get
+  /// wider (paving/closing/hole_rings), faster than by the gradation: that starts where they end. Where there is room
+  /// for one ring only nothing is won.
+  std::vector<SizeSource> sources(std::size_t loop, double length) const {
+    constexpr double growth = 1 + 2 * M_PI / hole_intervals;
+    std::vector<SizeSource> hole = of_loop_[loop];
+    for (SizeSource& piece : hole) piece.h = length;
+    if (static_cast<double>(hole.size()) < hole_intervals) return hole;  // straight sides, too few for rings
+    Vec3 middle;
+    for (const SizeSource& piece : hole) middle += (1.0 / static_cast<double>(hole.size())) * piece.a;
+    double radius = 0, least = INFINITY;
+    for (const SizeSource& piece : hole)
+      radius = std::max(radius, norm(piece.a - middle)), least = std::min(least, norm(piece.a - middle));
+    const double room = ring_room * distance_to_others(loop, middle);
+    if (!(radius > 0 && room < INFINITY) || radius > roundest * least) return hole;
+    double wider = 1;
+    while (wider * growth * radius <= room) wider *= growth;
+    if (wider < growth * growth) return hole;
+    for (SizeSource& piece : hole)
+      piece = {middle + wider * (piece.a - middle), middle + wider * (piece.b - middle), wider * piece.h};
+    return hole;
+  }
+
+ private:
+  std::vector<Box> find(const Model& model, const Face& face) {
+    std::vector<Box> boxes;
+    for (std::size_t l = 0; l < face.loops.size(); ++l) {
+      for (const Coedge& coedge : face.loops[l].coedges) {
+        const Edge& edge = edge_of(model, coedge);
+        add_pieces(edge, 0, is_straight(edge) ? 1 : fewest_pieces, of_loop_[l]);
+      }
+      for (const SizeSource& piece : of_loop_[l]) {
+        all_.push_back({l, piece});
+        boxes.emplace_back().add(piece.a);
+        boxes.back().add(piece.b);
+      }
+    }
+    return boxes;
+  }
+
+  double distance_to_others(std::size_t loop, Vec3 x) const {
+    return tree_.least(x, INFINITY, [&](int i) {
+      const auto& [other, piece] = all_[i];
+      return other == loop ? INFINITY : distance_to_segment(x, piece.a, piece.b);
+    });
+  }
+
+  std::vector<std::vector<SizeSource>> of_loop_;
+  std::vector<std::pair<std::size_t, SizeSource>> all_;  // with their loops
+  BoxTree tree_;
+};
 
 /// About what a loop is divided into where the target length is far longer: its sides, turns of 60 degrees, six at
 /// most.
@@ -145,13 +206,13 @@ void LocalSizes::put_on_holes(const Model& model, double h) {
     if (!face.has_area || face.is_merged || face.loops.size() < 3) continue;
     const double extent = face_extent(model, face), holes = static_cast<double>(face.loops.size() - 1);
     if (extent >= h && std::sqrt(face.area / holes) >= h) continue;
-    for (const Loop& loop : face.loops) {
-      const double length = longest_interval(model, loop);
+    const LoopPieces pieces(model, face);
+    for (std::size_t l = 0; l < face.loops.size(); ++l) {
+      const double length = longest_interval(model, face.loops[l]);
       if (!(length > 0) || length > std::min(small_hole * extent, small_interval * h)) continue;
-      least_ = std::min(least_, length);
-      for (const Coedge& coedge : loop.coedges) {
-        const Edge& edge = edge_of(model, coedge);
-        add_pieces(edge, length, is_straight(edge) ? 1 : fewest_pieces, lines_);
+      for (const SizeSource& source : pieces.sources(l, length)) {
+        least_ = std::min(least_, source.h);
+        lines_.push_back(source);
       }
     }
   }
