@@ -178,7 +178,7 @@ class ModelBuilder {
       work_.note_repair(RepairKind::turned_loop, result.turned_loops, 0, face.name);
       if (result.largest_gap > gap_share) gaps_.push_back(face.name);
       if (face.fault.empty()) check_images(face, plain);
-      if (face.fault.empty() && result.turned_loops > 0) face.area = area_of(face).value_or(face.area);
+      if (face.fault.empty() && result.turned_loops > 0) measure(face, plain);
     } catch (const Error& error) {
       face.fault = error.what();
     } catch (const Standard_Failure& failure) {
@@ -256,8 +256,8 @@ class ModelBuilder {
     }
     if (moved <= coarse_share * work_.diagonal) return;
     for (Loop& loop : face.loops) chain_images(loop, face.surface->period());
-    // The kernel's area is that of its images.
-    face.area = area_of(face).value_or(face.area);
+    // The area so far is that within the images it had.
+    measure(face, shape);
   }
 
   /// Images that were looked for each by itself begin where the one before ends, not periods away.
@@ -271,13 +271,15 @@ class ModelBuilder {
     }
   }
 
-  std::optional<double> area_of(const Face& face) const {
+  /// Gives a face the area within its images, where they say so.
+  void measure(Face& face, const TopoDS_Face& shape) const {
     std::vector<BorderImage> border;
     for (const Coedge& c : coedges_of(face.loops)) {
       const Edge& edge = edge_of(model_, c);
       border.push_back({c.pcurve, edge.t0, edge.t1, c.is_reversed});
     }
-    return area_within(*face.surface, border);
+    const auto area = area_within(shape, *face.surface, border);
+    if (area && *area > 0) face.area = *area;
   }
 
   /// Nodes at the ends of edges lie in the vertices: their images must lie there, too, or elements turn over that are

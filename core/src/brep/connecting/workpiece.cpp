@@ -54,55 +54,6 @@ void add_edge_points(const TopoDS_Edge& edge, Bnd_Box& box) {
   for (int i = 0; i <= edge_samples; ++i) box.Add(curve.Value(t0 + (t1 - t0) * i / edge_samples));
 }
 
-/// Whether the kernel's usual rule for areas may be percents off: it takes few points of a spline, however many spans
-/// it has. A wing's end was 10 % too large.
-bool has_splines(const TopoDS_Face& face) {
-  if (BRepAdaptor_Surface(face, false).GetType() > GeomAbs_Torus) return true;
-  return std::ranges::any_of(edges_of(face), [](const TopoDS_Edge& edge) {
-    return !BRep_Tool::Degenerated(edge) && BRepAdaptor_Curve(edge).GetType() > GeomAbs_Parabola;
-  });
-}
-
-/// By the kernel's usual rule, or one that halves until it is as accurate as it can tell.
-double area_by_rule(const TopoDS_Face& face, std::optional<double> accuracy) {
-  GProp_GProps properties;
-  if (accuracy)
-    BRepGProp::SurfaceProperties(face, properties, *accuracy);
-  else
-    BRepGProp::SurfaceProperties(face, properties);
-  return std::abs(properties.Mass());
-}
-
-/// By the images of its border; nothing where one is missing, they do not say, or twice as many places say otherwise.
-std::optional<double> area_by_border(const TopoDS_Face& face, double accuracy) {
-  const TopoDS_Face plain = forward(face);
-  const std::unique_ptr<Surface> surface = make_surface(plain, 0);
-  std::vector<BorderImage> border;
-  for (const TopoDS_Edge& edge : edges_of(plain)) {
-    if (edge.Orientation() == TopAbs_INTERNAL || edge.Orientation() == TopAbs_EXTERNAL) continue;
-    const auto [t0, t1] = range_of(edge);
-    border.push_back({make_parameter_curve(edge, plain, t0, t1), t0, t1, edge.Orientation() == TopAbs_REVERSED});
-    if (!border.back().image) return std::nullopt;
-  }
-  const std::optional<double> area = surface ? area_within(*surface, border) : std::nullopt;
-  const std::optional<double> finer = area ? area_within(*surface, border, 2) : std::nullopt;
-  return finer && std::abs(*finer - *area) <= accuracy * *area ? finer : std::nullopt;
-}
-
-/// At most the length of its border: two chords of each edge.
-double border_chords(const TopoDS_Face& face) {
-  double sum = 0;
-  for (const TopoDS_Edge& edge : edges_of(face)) {
-    if (BRep_Tool::Degenerated(edge)) continue;
-    const BRepAdaptor_Curve curve(edge);
-    const double from = curve.FirstParameter(), to = curve.LastParameter();
-    if (Precision::IsInfinite(from) || Precision::IsInfinite(to)) continue;
-    const gp_Pnt middle = curve.Value(0.5 * (from + to));
-    sum += middle.Distance(curve.Value(from)) + middle.Distance(curve.Value(to));
-  }
-  return sum;
-}
-
 }  // namespace
 
 const char* repair_name(RepairKind kind) {
@@ -248,26 +199,11 @@ EdgeUses count_uses(const std::vector<WorkFace>& faces) {
 }
 
 double face_area(const TopoDS_Face& face) {
-  constexpr double accuracy = 1e-5;  // with 1e-4 wings are still 0.6 % off
-  constexpr double alike = 1e-3;     // what areas may differ by before and after a fusion
-  constexpr double far_off = 0.03;   // from both rules: the border says something else
-  constexpr double sliver = 1e-6;    // of its border squared: less is rounding, and smaller by the usual rule
   try {
-    const double usual = area_by_rule(face, std::nullopt);
-    if (!has_splines(face)) return usual;
-    const double area = area_by_rule(face, accuracy), border = border_chords(face);
-    if (!(area > sliver * border * border)) {
-      // The rule that halves sees nothing of a border whose first span is tiny.
-      if (!(usual > sliver * border * border)) return std::min(area, usual);
-      const auto told = area_by_border(face, alike);
-      return told && std::abs(*told - usual) <= far_off * usual ? usual : std::min(area, usual);
-    }
-    if (std::abs(area - usual) <= alike * area) return area;
-    // Pieces of extrusions whose two ends are divided in other places are percents off by the rule that halves.
-    const double referee = area_by_border(face, alike).value_or(area);
-    const double nearer = std::abs(area - referee) <= std::abs(usual - referee) ? area : usual;
-    const double off = std::abs(nearer - referee) / referee;
-    return off <= alike ? nearer : off <= far_off ? referee : area;
+    if (const std::optional<double> area = area_within_images(face)) return std::abs(*area);
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(face, properties);
+    return std::abs(properties.Mass());
   } catch (const Standard_Failure&) {
     return std::numeric_limits<double>::quiet_NaN();
   }

@@ -65,13 +65,17 @@ std::shared_ptr<const ParameterCurve> make_image_with_ends(const TopoDS_Face& fa
 struct BorderImage {
   std::shared_ptr<const ParameterCurve> image;
   double t0 = 0, t1 = 0;
-  bool is_reversed = false;  ///< runs from t1 to t0
+  bool is_reversed = false;      ///< runs from t1 to t0
+  std::vector<double> breaks{};  ///< t0, t1 and what lies between them where it may have a bend; empty: unknown
 };
 
-/// Area of the part of a surface that lies to the left of the border in (u, v), to about 1e-3. Nothing where the border
-/// does not say: it goes round without another one that goes back, or the surface is periodic in v. `finer`: times as
-/// many places either way.
-std::optional<double> area_within(const Surface& surface, const std::vector<BorderImage>& border, int finer = 1);
+/// Area of the part of a face's surface that lies to the left of the border in (u, v), to about 1e-6; negative of what
+/// lies to the right. Nothing where the border ends at another v than it begins, or a value is not finite.
+std::optional<double> area_within(const TopoDS_Face& face, const Surface& surface,
+                                  const std::vector<BorderImage>& border);
+
+/// The same by the images that the face itself has; nothing where one is missing or something has no value, too.
+std::optional<double> area_within_images(const TopoDS_Face& face);
 
 /// Straight line from `a` at t0 to `b` at t1: stands in for the missing image of a pole.
 std::shared_ptr<const ParameterCurve> make_straight_parameter_curve(Vec2 a, Vec2 b, double t0, double t1);
