@@ -77,15 +77,15 @@ BoundaryUse Assembler::boundary_use() const {
 
 void Assembler::join() {
   while (true) {
-    std::vector<JoinPart> parts;
+    parts_.clear();
     for (const Part& part : paver_.parts()) {
-      const int face = regions_[part.region].face;
-      const bool is_here = part.paved && report_.faces[face].status == FaceStatus::meshed;
-      parts.push_back({face, is_here ? &part.paved->mesh : nullptr, paver_.outline_of(part.region)});
+      const Region& region = paver_.place_of(part);
+      const bool is_here = part.paved && report_.faces[region.face].status == FaceStatus::meshed;
+      parts_.push_back({&region, is_here ? &part.paved->mesh : nullptr, nullptr, paver_.outline_of(part.region)});
     }
     std::vector<RegionFailure> failures;
     try {
-      joined_ = join_regions(model_, nodes_, boundary_use(), parts, paver_.outline_nodes());
+      joined_ = join_regions(model_, nodes_, boundary_use(), parts_, paver_.outline_nodes());
     } catch (const Error& error) {
       if (error.code() != ErrorCode::face_failed) throw;
       auto is_of = [&](const Region& region) { return region.face == error.where().face; };
@@ -97,13 +97,7 @@ void Assembler::join() {
     if (failures.empty()) break;
     report_failures(failures, regions_, report_);
   }
-  parts_.clear();
-  for (std::size_t i = 0; i < paver_.parts().size(); ++i) {
-    const Part& part = paver_.parts()[i];
-    const bool is_here = !joined_.node_of[i].empty();
-    parts_.push_back({&paver_.place_of(part), is_here ? &part.paved->mesh : nullptr, &joined_.node_of[i],
-                      paver_.outline_of(part.region)});
-  }
+  for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].node_of = &joined_.node_of[i];
 }
 
 // Raises the order and finds the elements whose Jacobian is not proven positive.
@@ -203,7 +197,7 @@ void Assembler::note_straightened() {
 
 MetricFigures Assembler::metric() const {
   std::vector<const RegionMesh*> meshes;
-  for (const CurvingPart& part : parts_) meshes.push_back(part.mesh);
+  for (const MeshPart& part : parts_) meshes.push_back(part.mesh);
   return measure_metric(meshes, options_.threads, progress_, ranks_);
 }
 

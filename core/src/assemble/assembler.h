@@ -63,7 +63,7 @@ class Assembler {
   RunReport& report_;  // the share's
   SurfaceMesh& mesh_;  // the share's
   JoinedMesh joined_;
-  std::vector<CurvingPart> parts_;
+  std::vector<MeshPart> parts_;
   std::optional<Cuts> cuts_;
   CurvedMesh curved_;  // its mesh is mesh_
   std::vector<int> invalid_quads_, invalid_triangles_;

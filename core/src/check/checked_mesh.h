@@ -32,7 +32,7 @@ struct CheckedMesh {
   const Model& model;
   const EdgeNodes& edges;
   const SurfaceMesh& mesh;
-  const std::vector<CurvingPart>& parts;
+  const std::vector<MeshPart>& parts;
   const std::vector<PartSizes>& sizes;  ///< per part: what of the mesh is its
   const RowNumbers& node_number;
   const std::vector<int>& moved;  ///< middles and centres that were moved to mend elements, rising

@@ -216,7 +216,7 @@ class PartElementCheck {
 
   const CheckedMesh& checked_;
   const SurfaceMesh& mesh_;
-  const CurvingPart& part_;
+  const MeshPart& part_;
   const RegionMesh& region_;
   const PartRows first_;  // of the part in the mesh
   const bool is_reversed_;

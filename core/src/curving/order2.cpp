@@ -85,7 +85,7 @@ class Raiser {
     return -1;
   }
 
-  int cut_of(const CurvingPart& part, int v, int w) const {
+  int cut_of(const MeshPart& part, int v, int w) const {
     const std::vector<int>& global = part.mesh->global;
     if (global[v] < 0 || global[w] < 0) return -1;
     const std::size_t boundary = task_.edges.nodes.size();
@@ -160,7 +160,7 @@ class Raiser {
   }
 
   const CurvingTask& task_;
-  const std::vector<CurvingPart>& parts_;
+  const std::vector<MeshPart>& parts_;
   const std::vector<double> cost_;
   std::vector<Line> lines_;
   OrderTwoMesh result_;

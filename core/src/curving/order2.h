@@ -7,17 +7,8 @@
 #include "boundary/edge_nodes.h"
 #include "join/cuts.h"
 #include "join/join.h"
-#include "mesh/region_mesh.h"
 
 namespace paver {
-
-/// One part with its mesh and its nodes' numbers in the joined mesh.
-struct CurvingPart {
-  const Region* region = nullptr;
-  const RegionMesh* mesh = nullptr;  ///< null: failed, or on another rank
-  const std::vector<int>* node_of = nullptr;
-  int outline = 0;  ///< as JoinPart's
-};
 
 /// What is to be curved, on so many threads. References are kept.
 struct CurvingTask {
@@ -25,7 +16,7 @@ struct CurvingTask {
   const EdgeNodes& edges;
   const Model& model;
   const Cuts& cuts;
-  const std::vector<CurvingPart>& parts;
+  const std::vector<MeshPart>& parts;
   int threads = 1;
 };
 

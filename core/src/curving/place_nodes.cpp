@@ -10,7 +10,7 @@ namespace paver {
 namespace {
 
 /// Per side inside the part: its middle's place in the chart.
-std::vector<Vec2> place_sides(const CurvingPart& part, const PartSides& sides, SurfaceMesh& mesh) {
+std::vector<Vec2> place_sides(const MeshPart& part, const PartSides& sides, SurfaceMesh& mesh) {
   const std::vector<int>& node_of = *part.node_of;
   std::vector<Vec2> places;
   int next = sides.first_own;
@@ -24,7 +24,7 @@ std::vector<Vec2> place_sides(const CurvingPart& part, const PartSides& sides, S
 
 // Where a cut has a place of its own it counts, so that all parts and ranks find the same, to the last bit; else the
 // part's.
-void place_cuts(const PartSides& sides, const CurvingTask& task, const CurvingPart& part, SurfaceMesh& mesh,
+void place_cuts(const PartSides& sides, const CurvingTask& task, const MeshPart& part, SurfaceMesh& mesh,
                 std::vector<char>& is_placed) {
   for (std::size_t k = 0; k < sides.border.size(); ++k) {
     const int number = sides.border_cut[k];
@@ -49,7 +49,7 @@ void place_cuts(const PartSides& sides, const CurvingTask& task, const CurvingPa
 }
 
 /// Places the centres of a part's quads, of which `quad` is the first, with what is known of its sides.
-void place_centres(const CurvingPart& part, const PartSides& sides, const std::vector<Vec2>& places, std::size_t quad,
+void place_centres(const MeshPart& part, const PartSides& sides, const std::vector<Vec2>& places, std::size_t quad,
                    SurfaceMesh& mesh) {
   auto middle_place = [&](int side) {
     if (side >= 0) return places[side];
@@ -74,7 +74,7 @@ void place_centres(const CurvingPart& part, const PartSides& sides, const std::v
 }  // namespace
 
 CurvedMesh curve_elements(const CurvingTask& task, const Progress& progress) {
-  const std::vector<CurvingPart>& parts = task.parts;
+  const std::vector<MeshPart>& parts = task.parts;
   OrderTwoMesh raised = number_order_2(task);
   SurfaceMesh& mesh = raised.mesh;
   std::vector<char> is_placed(task.cuts.sides().size(), 0);

@@ -23,7 +23,7 @@ void add_element(SurfaceMesh& mesh, const Element& e, const std::vector<int>& no
 
 class Joiner {
  public:
-  Joiner(const Model& model, const EdgeNodes& edges, const BoundaryUse& use, const std::vector<JoinPart>& parts,
+  Joiner(const Model& model, const EdgeNodes& edges, const BoundaryUse& use, const std::vector<MeshPart>& parts,
          int outlines)
       : model_(model),
         edges_(edges),
@@ -50,7 +50,7 @@ class Joiner {
 
   void reserve() {
     std::size_t nodes = boundary(), elements = 0;
-    for (const JoinPart& part : parts_)
+    for (const MeshPart& part : parts_)
       if (part.mesh) nodes += part.mesh->p.size(), elements += part.mesh->elements.size();
     SurfaceMesh& mesh = joined_.mesh;
     mesh.nodes.reserve(nodes), mesh.node_edge.reserve(nodes), mesh.node_target.reserve(nodes);
@@ -89,7 +89,7 @@ class Joiner {
   }
   int add_node(const RegionMesh& region, int i) { return add_node(region.x[i], -1, region.h[i]); }
 
-  int outline_of(const JoinPart& part, int i) const {
+  int outline_of(const MeshPart& part, int i) const {
     return shared_node(part.mesh->global[i], part.outline, boundary()) - static_cast<int>(boundary());
   }
 
@@ -111,8 +111,9 @@ class Joiner {
   }
 
   void add_part(std::size_t i) {
-    const JoinPart& part = parts_[i];
+    const MeshPart& part = parts_[i];
     const RegionMesh& region = *part.mesh;
+    const int face = part.region->face;
     SurfaceMesh& mesh = joined_.mesh;
     std::vector<int>& node_of = joined_.node_of[i];
     const long nodes = static_cast<long>(mesh.nodes.size()), quads = static_cast<long>(mesh.quad_count()),
@@ -128,7 +129,7 @@ class Joiner {
             global < static_cast<int>(boundary()) ? boundary_node_[global] : outline_node_[outline_of(part, v)];
     }
     for (const Element& element : region.elements)
-      if (element.is_alive()) add_element(mesh, element, node_of, model_.faces[part.face], part.face);
+      if (element.is_alive()) add_element(mesh, element, node_of, model_.faces[face], face);
     joined_.sizes[i] = {static_cast<long>(mesh.nodes.size()) - nodes, static_cast<long>(mesh.quad_count()) - quads,
                         static_cast<long>(mesh.triangle_count()) - triangles};
   }
@@ -136,7 +137,7 @@ class Joiner {
   const Model& model_;
   const EdgeNodes& edges_;
   const BoundaryUse& use_;
-  const std::vector<JoinPart>& parts_;
+  const std::vector<MeshPart>& parts_;
   std::vector<int> boundary_node_;  // per node of the boundary stage: its node in the mesh
   std::vector<int> outline_node_;   // per outline node: its node in the mesh
   JoinedMesh joined_;
@@ -163,7 +164,7 @@ std::vector<double> part_costs(const std::vector<PartSizes>& sizes) {
 }
 
 JoinedMesh join_regions(const Model& model, const EdgeNodes& edges, const BoundaryUse& use,
-                        const std::vector<JoinPart>& parts, int outlines) {
+                        const std::vector<MeshPart>& parts, int outlines) {
   return Joiner(model, edges, use, parts, outlines).run();
 }
 

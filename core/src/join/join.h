@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "boundary/edge_nodes.h"
-#include "mesh/region_mesh.h"
+#include "regions/region.h"
 #include "topology/model.h"
 
 namespace paver {
@@ -12,10 +12,11 @@ namespace paver {
 /// One part of the mesh: a region, or one of the pieces that levels cut it into.
 /// Its nodes with `global` >= 0 are shared with others: below the number of nodes of the boundary stage that node, from
 /// there on a node on the outlines of its region's pieces.
-struct JoinPart {
-  int face = -1;
-  const RegionMesh* mesh = nullptr;  ///< null: failed, or on another rank
-  int outline = 0;                   ///< number of its region's first outline node among those of all regions
+struct MeshPart {
+  const Region* region = nullptr;
+  const RegionMesh* mesh = nullptr;           ///< null: failed, or on another rank
+  const std::vector<int>* node_of = nullptr;  ///< once it is joined: JoinedMesh's
+  int outline = 0;                            ///< number of its region's first outline node among those of all regions
 };
 
 /// What a part adds to the mesh.
@@ -54,7 +55,7 @@ struct BoundaryUse {
 /// is no node. Elements of reversed faces are turned, so all run counter-clockwise against the outward normal. Throws
 /// Error{face_failed} naming the face when an element would use a node twice.
 JoinedMesh join_regions(const Model& model, const EdgeNodes& edges, const BoundaryUse& use,
-                        const std::vector<JoinPart>& parts, int outlines = 0);
+                        const std::vector<MeshPart>& parts, int outlines = 0);
 
 /// A node's number among all shared ones: boundary stage, then outlines. `global` >= 0.
 inline int shared_node(int global, int outline, std::size_t boundary_nodes) {

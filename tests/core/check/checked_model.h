@@ -74,7 +74,7 @@ class CheckedModel : public test::PavedModel {
   bool has(int face) const { return std::count(mesh.quad_face.begin(), mesh.quad_face.end(), face) > 0; }
 
   JoinedMesh joined;
-  std::vector<CurvingPart> parts;
+  std::vector<MeshPart> parts;
   std::vector<int> moved;
   std::vector<char> is_meshed;
   RowNumbers numbers;  // of nodes in the whole mesh of order 1; on one rank none
@@ -90,13 +90,12 @@ class CheckedModel : public test::PavedModel {
   }
 
   void join(int rank, int ranks) {
-    std::vector<JoinPart> join;
     for (std::size_t i = 0; i < regions.size(); ++i)
-      join.push_back({regions[i].face, static_cast<int>(i) % ranks == rank ? &paved[i] : nullptr});
-    joined = join_regions(model, edges, test::all_of(edges), join);
+      parts.push_back({&regions[i], static_cast<int>(i) % ranks == rank ? &paved[i] : nullptr});
+    joined = join_regions(model, edges, test::all_of(edges), parts);
     for (int v = 0; ranks > 1 && v < boundary(); ++v) numbers.list.push_back(v);
     for (std::size_t i = 0; i < regions.size(); ++i) {
-      parts.push_back({&regions[i], join[i].mesh, &joined.node_of[i]});
+      parts[i].node_of = &joined.node_of[i];
       for (long v = 0; ranks > 1 && v < joined.sizes[i].nodes; ++v)
         numbers.list.push_back(boundary() + 1000 * static_cast<long>(i) + v);
     }

@@ -19,7 +19,7 @@ TEST(CheckSides, FindsElementsWithTheSameCorners) {
   Region region;
   region.face = 0;
   const RegionMesh own;
-  const std::vector<CurvingPart> parts{{&region, &own, nullptr}};
+  const std::vector<MeshPart> parts{{&region, &own, nullptr}};
   const EdgeNodes edges;
   for (int shared : {0, 4}) {  // inside one part, and between parts
     const std::vector<PartSizes> sizes{{4 - shared, 2, 0}};
@@ -91,7 +91,7 @@ MeshFaults check_pair(double angle, double bend, int order = 2) {
   regions[1].face = 1;
   regions[0].face = 0;
   const RegionMesh own;
-  const std::vector<CurvingPart> parts{{&regions[0], &own, nullptr}, {&regions[1], &own, nullptr}};
+  const std::vector<MeshPart> parts{{&regions[0], &own, nullptr}, {&regions[1], &own, nullptr}};
   const EdgeNodes edges;
   const std::vector<PartSizes> sizes{{0, 1, 0}, {0, 1, 0}};
   const int count = static_cast<int>(mesh.nodes.size());

@@ -21,10 +21,9 @@ Options options_of(double h) {
 
 struct Measured : test::PavedModel {
   Measured(Model m, double h, int order) : PavedModel(std::move(m), options_of(h)), target(h) {
-    std::vector<JoinPart> join;
-    for (std::size_t i = 0; i < regions.size(); ++i) join.push_back({regions[i].face, &paved[i]});
-    joined = join_regions(model, edges, test::all_of(edges), join);
-    for (std::size_t i = 0; i < regions.size(); ++i) parts.push_back({&regions[i], &paved[i], &joined.node_of[i]});
+    for (std::size_t i = 0; i < regions.size(); ++i) parts.push_back({&regions[i], &paved[i]});
+    joined = join_regions(model, edges, test::all_of(edges), parts);
+    for (std::size_t i = 0; i < regions.size(); ++i) parts[i].node_of = &joined.node_of[i];
     mesh =
         order == 1 ? joined.mesh : curve_elements({joined, edges, model, Cuts(regions, {}), parts, 1}, Progress()).mesh;
   }
@@ -36,7 +35,7 @@ struct Measured : test::PavedModel {
 
   double target;
   JoinedMesh joined;
-  std::vector<CurvingPart> parts;
+  std::vector<MeshPart> parts;
   SurfaceMesh mesh;
 };
 

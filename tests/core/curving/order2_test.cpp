@@ -43,15 +43,14 @@ struct Wall {
   }
 
   OrderTwoMesh raised(const std::vector<const RegionMesh*>& meshes) const {
-    std::vector<JoinPart> join;
-    for (std::size_t i = 0; i < meshes.size(); ++i) join.push_back({static_cast<int>(i), meshes[i]});
-    JoinedMesh joined = join_regions(model, edges, test::all_of(edges), join);
     std::vector<Region> regions(meshes.size());
-    std::vector<CurvingPart> parts;
+    std::vector<MeshPart> parts;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       regions[i].face = static_cast<int>(i);
-      parts.push_back({&regions[i], meshes[i], &joined.node_of[i]});
+      parts.push_back({&regions[i], meshes[i]});
     }
+    JoinedMesh joined = join_regions(model, edges, test::all_of(edges), parts);
+    for (std::size_t i = 0; i < meshes.size(); ++i) parts[i].node_of = &joined.node_of[i];
     return number_order_2({joined, edges, model, Cuts({}, cuts), parts, 1});
   }
   SurfaceMesh raised() const { return raised({&mesh}).mesh; }

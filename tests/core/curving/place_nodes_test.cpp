@@ -19,10 +19,9 @@ namespace {
 /// A model meshed up to its straight elements.
 struct Meshed : test::PavedModel {
   Meshed(Model m, double h, double max_turn) : PavedModel(std::move(m), options_of(h, max_turn)) {
-    std::vector<JoinPart> join;
-    for (std::size_t i = 0; i < regions.size(); ++i) join.push_back({regions[i].face, &paved[i]});
-    joined = join_regions(model, edges, test::all_of(edges), join);
-    for (std::size_t i = 0; i < regions.size(); ++i) parts.push_back({&regions[i], &paved[i], &joined.node_of[i]});
+    for (std::size_t i = 0; i < regions.size(); ++i) parts.push_back({&regions[i], &paved[i]});
+    joined = join_regions(model, edges, test::all_of(edges), parts);
+    for (std::size_t i = 0; i < regions.size(); ++i) parts[i].node_of = &joined.node_of[i];
   }
   static Options options_of(double h, double max_turn) {
     Options options;
@@ -40,7 +39,7 @@ struct Meshed : test::PavedModel {
   }
 
   JoinedMesh joined;
-  std::vector<CurvingPart> parts;
+  std::vector<MeshPart> parts;
 };
 
 void expect_sound(const SurfaceMesh& mesh, const std::function<double(Vec3)>& distance) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 
 #include "support/alone.h"
@@ -15,10 +16,12 @@ namespace {
 struct Pair {
   Model model;
   EdgeNodes edges;
+  std::array<Region, 2> regions;
 };
 
 Pair two_squares() {
   Pair pair;
+  pair.regions[0].face = 0, pair.regions[1].face = 1;
   fake::Builder builder;
   for (Vec3 x : {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 1, 0}, Vec3{2, 0, 0}, Vec3{2, 1, 0}})
     builder.vertex(x);
@@ -66,7 +69,8 @@ RegionMesh four_quads(const EdgeNodes& edges, Vec3 at, bool is_turned) {
 TEST(JoinRegions, NeighboursShareTheNodesOfTheirEdge) {
   Pair pair = two_squares();
   RegionMesh left = four_quads(pair.edges, {0, 0, 0}, false), right = four_quads(pair.edges, {1, 0, 0}, true);
-  JoinedMesh joined = join_regions(pair.model, pair.edges, test::all_of(pair.edges), {{0, &left}, {1, &right}});
+  JoinedMesh joined = join_regions(pair.model, pair.edges, test::all_of(pair.edges),
+                                   {{&pair.regions[0], &left}, {&pair.regions[1], &right}});
   const SurfaceMesh& mesh = joined.mesh;
   EXPECT_EQ(mesh.nodes.size(), 15u);  // 6 vertices, 7 on edges, 2 inside
   EXPECT_EQ(mesh.node_edge.size(), 15u);
@@ -87,7 +91,9 @@ TEST(JoinRegions, NeighboursShareTheNodesOfTheirEdge) {
 TEST(JoinRegions, ElementsRunCounterClockwiseAgainstTheOutwardNormal) {
   Pair pair = two_squares();
   RegionMesh left = four_quads(pair.edges, {0, 0, 0}, false), right = four_quads(pair.edges, {1, 0, 0}, true);
-  SurfaceMesh mesh = join_regions(pair.model, pair.edges, test::all_of(pair.edges), {{0, &left}, {1, &right}}).mesh;
+  SurfaceMesh mesh = join_regions(pair.model, pair.edges, test::all_of(pair.edges),
+                                  {{&pair.regions[0], &left}, {&pair.regions[1], &right}})
+                         .mesh;
   for (std::size_t q = 0; q < mesh.quad_count(); ++q) {
     auto x = [&](std::size_t k) { return mesh.nodes[static_cast<std::size_t>(mesh.quads[4 * q + k])]; };
     EXPECT_GT(cross(x(1) - x(0), x(3) - x(0)).z, 0) << q;
@@ -111,7 +117,8 @@ TEST(JoinRegions, WhatNoFaceUsesIsLeftOut) {
   BoundaryUse use{std::vector<char>(pair.edges.nodes.size(), 0), {0, 1, 0, 0, 1, 1, 1}};
   for (int global : right.global)
     if (global >= 0) use.nodes[static_cast<std::size_t>(global)] = 1;
-  JoinedMesh joined = join_regions(pair.model, pair.edges, use, {{0, nullptr}, {1, &right}});
+  JoinedMesh joined =
+      join_regions(pair.model, pair.edges, use, {{&pair.regions[0], nullptr}, {&pair.regions[1], &right}});
   const SurfaceMesh& mesh = joined.mesh;
   EXPECT_EQ(joined.boundary_nodes, 8);
   EXPECT_EQ(mesh.nodes.size(), 9u);
@@ -129,7 +136,8 @@ TEST(JoinRegions, WhatNoFaceUsesIsLeftOut) {
 TEST(JoinRegions, FailedRegionsLeaveTheOthersWhole) {
   Pair pair = two_squares();
   RegionMesh right = four_quads(pair.edges, {1, 0, 0}, true);
-  JoinedMesh joined = join_regions(pair.model, pair.edges, test::all_of(pair.edges), {{0, nullptr}, {1, &right}});
+  JoinedMesh joined = join_regions(pair.model, pair.edges, test::all_of(pair.edges),
+                                   {{&pair.regions[0], nullptr}, {&pair.regions[1], &right}});
   EXPECT_EQ(joined.mesh.quad_face, (std::vector<int>{1, 1, 1, 1}));
   ASSERT_EQ(joined.node_of.size(), 2u);
   EXPECT_TRUE(joined.node_of[0].empty());
@@ -146,7 +154,7 @@ TEST(JoinRegions, DeadElementsAndTrianglesAreTakenAsTheyAre) {
   left.remove_element(0);
   left.add_element({v[0], v[1], v[2], -1});
   left.add_element({v[0], v[2], v[3], -1});
-  SurfaceMesh mesh = join_regions(pair.model, pair.edges, test::all_of(pair.edges), {{0, &left}}).mesh;
+  SurfaceMesh mesh = join_regions(pair.model, pair.edges, test::all_of(pair.edges), {{&pair.regions[0], &left}}).mesh;
   EXPECT_EQ(mesh.quad_count(), 3u);
   EXPECT_EQ(mesh.triangle_face, (std::vector<int>{0, 0}));
 }
@@ -156,7 +164,7 @@ TEST(JoinRegions, AnElementThatWouldUseANodeTwiceNamesItsFace) {
   RegionMesh left = four_quads(pair.edges, {0, 0, 0}, false);
   left.global[2] = left.global[1];  // as when both sides of a periodic edge end in one element
   try {
-    join_regions(pair.model, pair.edges, test::all_of(pair.edges), {{0, &left}});
+    join_regions(pair.model, pair.edges, test::all_of(pair.edges), {{&pair.regions[0], &left}});
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::face_failed);

@@ -51,7 +51,7 @@ struct Totals {
 
 class PartSampler {
  public:
-  PartSampler(const DistanceTask& task, const CurvingPart& part, PartRows first)
+  PartSampler(const DistanceTask& task, const MeshPart& part, PartRows first)
       : task_(task),
         part_(part),
         is_reversed_(task.model.faces[part.region->face].is_reversed),
@@ -162,7 +162,7 @@ class PartSampler {
   }
 
   const DistanceTask& task_;
-  const CurvingPart& part_;
+  const MeshPart& part_;
   const bool is_reversed_;
   std::vector<Row> rows_;
   Totals totals_;

@@ -20,7 +20,7 @@ struct DistanceTask {
   const Model& model;
   const EdgeNodes& edges;
   const SurfaceMesh& mesh;  ///< what the parts that are here were joined to, curved or not
-  const std::vector<CurvingPart>& parts;
+  const std::vector<MeshPart>& parts;
   const std::vector<PartSizes>& sizes;  ///< per part: what of the mesh is its
   double target_length = 0;
   int threads = 1;
