@@ -3,10 +3,10 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <future>
 #include <mutex>
 #include <set>
 #include <string>
-#include <thread>
 
 namespace py = pybind11;
 
@@ -40,58 +40,16 @@ class Listed {
   Progress& progress_;
 };
 
-/// One call of `work` on a thread.
-class Job {
- public:
-  explicit Job(const std::function<void(Progress&)>& work)
-      : listed_(progress_), thread_([this, &work] { run(work); }) {}
-  ~Job() { thread_.join(); }
-
-  Progress& progress() { return progress_; }
-
-  /// Whether the work has ended, after at most `interval`.
-  bool wait() {
-    std::unique_lock lock(mutex_);
-    return ended_.wait_for(lock, interval, [this] { return has_ended_; });
-  }
-
-  /// Throws what the work threw. Only after its end.
-  void check() const {
-    if (error_) std::rethrow_exception(error_);
-  }
-
- private:
-  void run(const std::function<void(Progress&)>& work) {
-    try {
-      work(progress_);
-    } catch (...) {
-      error_ = std::make_exception_ptr(current_error());
-    }
-    {
-      std::lock_guard lock(mutex_);
-      has_ended_ = true;
-    }
-    ended_.notify_all();
-  }
-
-  Progress progress_;
-  Listed listed_;
-  std::mutex mutex_;
-  std::condition_variable ended_;
-  bool has_ended_ = false;
-  std::exception_ptr error_;
-  std::thread thread_;  // last: it uses the others
-};
-
 /// Throws KeyboardInterrupt or what `poll` throws; false when the answer is to stop.
 bool ask(const py::object& poll, const char* stage, double fraction) {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   return poll.is_none() || !poll(stage, fraction).is(py::bool_(false));
 }
 
-bool has_ended(Job& job) {
+/// After at most `interval`.
+bool has_ended(const std::future<void>& job) {
   py::gil_scoped_release free;
-  return job.wait();
+  return job.wait_for(interval) == std::future_status::ready;
 }
 
 }  // namespace
@@ -106,9 +64,16 @@ void run_job(const py::object& poll, const std::function<void(Progress&)>& work)
   if (!ask(poll, stage_name(Stage::read), 0)) throw Error(ErrorCode::cancelled, "Cancelled before the start.");
   std::exception_ptr stopped;  // what ended it from the Python side
   {
-    Job job(work);
+    Progress progress;
+    Listed listed(progress);
+    std::future<void> job = std::async(std::launch::async, [&] {
+      try {
+        work(progress);
+      } catch (...) {
+        throw current_error();
+      }
+    });
     while (!has_ended(job)) {
-      Progress& progress = job.progress();
       if (progress.is_cancelled()) continue;
       try {
         if (!ask(poll, stage_name(progress.stage()), progress.fraction())) progress.cancel();
@@ -117,7 +82,7 @@ void run_job(const py::object& poll, const std::function<void(Progress&)>& work)
         progress.cancel();
       }
     }
-    if (!stopped) job.check();
+    if (!stopped) job.get();
   }
   if (stopped) std::rethrow_exception(stopped);
   if (!poll.is_none()) poll(stage_name(Stage::done), 1.0);
