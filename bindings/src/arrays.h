@@ -1,4 +1,4 @@
-// NumPy arrays that look into memory of the core.
+// NumPy arrays: as arguments, and as what looks into memory of the core.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -12,6 +12,9 @@ namespace paver::python {
 
 namespace py = pybind11;
 
+using namespace py::literals;
+using Integers = py::array_t<int, py::array::c_style | py::array::forcecast>;
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Shape = std::vector<py::ssize_t>;
 
 /// `data`, laid out as `shape` (and `strides` in bytes, else packed), is kept alive by `owner`.

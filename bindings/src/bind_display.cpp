@@ -5,7 +5,6 @@
 #include <pybind11/stl.h>
 
 #include <array>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -20,9 +19,7 @@ namespace {
 
 using VolumeArguments = std::tuple<std::string, std::string, std::vector<int>>;
 
-using Integers = py::array_t<int, py::array::c_style | py::array::forcecast>;
 using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
-using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// Rows of `columns` numbers from 0 to `below`, copied out; ValueError for anything else.
 std::vector<int> numbers(const char* name, const Integers& array, py::ssize_t columns, std::size_t below) {
@@ -41,7 +38,7 @@ void check_count(const char* name, std::size_t count, std::size_t wanted) {
 }
 
 /// A mesh without its report.
-class BareMesh {
+class BareMesh : public Measured {
  public:
   BareMesh(int order, const Doubles& nodes, const Integers& quads, const Integers& triangles,
            const Integers& quad_faces, const Integers& triangle_faces, const Integers& lines,
@@ -66,7 +63,7 @@ class BareMesh {
     check_count("line_edges", mesh_.line_edge.size(), mesh_.lines.size() / static_cast<std::size_t>(order + 1));
   }
 
-  const SurfaceMesh& mesh() const { return mesh_; }
+  const SurfaceMesh& mesh() const override { return mesh_; }
 
   /// As a result with these names of faces, edges, their groups and points, and these volumes, is written, without a
   /// report. `volumes`: name, medium and sides of each.
@@ -85,17 +82,8 @@ class BareMesh {
     });
   }
 
-  std::shared_ptr<const ElementQuality> quality() {
-    py::gil_scoped_release free;
-    std::lock_guard lock(mutex_);
-    if (!quality_) quality_ = std::make_shared<ElementQuality>(element_quality(mesh_));
-    return quality_;
-  }
-
  private:
   SurfaceMesh mesh_;
-  std::shared_ptr<const ElementQuality> quality_;
-  std::mutex mutex_;
 };
 
 /// Keeps the arrays that its tree looks into.
@@ -134,52 +122,46 @@ Vec3 vector_of(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
 
 }  // namespace
 
-py::dict tessellation_arrays(const SurfaceMesh& mesh, int subdivision, bool apart) {
+py::dict Measured::tessellate(int subdivision, bool apart) const {
   auto cut = [&] {
     py::gil_scoped_release free;
-    return std::make_shared<const Tessellation>(apart ? tessellate_apart(mesh, subdivision)
-                                                      : tessellate(mesh, subdivision));
+    return std::make_shared<const Tessellation>(apart ? tessellate_apart(mesh(), subdivision)
+                                                      : paver::tessellate(mesh(), subdivision));
   }();
   auto count = static_cast<py::ssize_t>(cut->triangle_element.size());
   constexpr py::ssize_t integer = sizeof(int);
-  py::dict arrays;
-  arrays["points"] = rows(cut, cut->points, 3);
-  arrays["normals"] = rows(cut, cut->normals, 3);
-  arrays["triangles"] = view(cut, cut->triangles.data(), {count, 3}, {4 * integer, integer});
-  arrays["triangle_indices"] = column(cut, cut->triangles);
-  arrays["triangle_elements"] = column(cut, cut->triangle_element);
   py::ssize_t per_line = subdivision + 2, lines = static_cast<py::ssize_t>(cut->outline_edge.size());
-  arrays["outlines"] = view(cut, cut->outlines.data(), {lines, per_line - 1}, {per_line * integer, integer});
-  arrays["outline_indices"] = column(cut, cut->outlines);
-  arrays["outline_edges"] = column(cut, cut->outline_edge);
-  arrays["outline_elements"] = column(cut, cut->outline_elements);
-  return arrays;
+  return py::dict("points"_a = rows(cut, cut->points, 3), "normals"_a = rows(cut, cut->normals, 3),
+                  "triangles"_a = view(cut, cut->triangles.data(), {count, 3}, {4 * integer, integer}),
+                  "triangle_indices"_a = column(cut, cut->triangles),
+                  "triangle_elements"_a = column(cut, cut->triangle_element),
+                  "outlines"_a = view(cut, cut->outlines.data(), {lines, per_line - 1}, {per_line * integer, integer}),
+                  "outline_indices"_a = column(cut, cut->outlines), "outline_edges"_a = column(cut, cut->outline_edge),
+                  "outline_elements"_a = column(cut, cut->outline_elements));
 }
 
-py::dict quality_arrays(const std::shared_ptr<const ElementQuality>& figures) {
-  py::dict arrays;
-  arrays["sj"] = column(figures, figures->sj);
-  arrays["jacobian_ratio"] = column(figures, figures->jacobian_ratio);
-  arrays["area"] = column(figures, figures->area);
-  arrays["validity"] = column(figures, figures->validity);
-  return arrays;
+py::dict Measured::quality() {
+  {
+    py::gil_scoped_release free;
+    std::lock_guard lock(mutex_);
+    if (!quality_) quality_ = std::make_shared<ElementQuality>(element_quality(mesh()));
+  }
+  return py::dict("sj"_a = column(quality_, quality_->sj),
+                  "jacobian_ratio"_a = column(quality_, quality_->jacobian_ratio),
+                  "area"_a = column(quality_, quality_->area), "validity"_a = column(quality_, quality_->validity));
 }
 
 void bind_display(py::module_& module) {
-  py::class_<BareMesh>(module, "BareMesh")
+  py::class_<Measured>(module, "Measured").def("quality", &Measured::quality).def("tessellate", &Measured::tessellate);
+  py::class_<BareMesh, Measured>(module, "BareMesh")
       .def(py::init<int, const Doubles&, const Integers&, const Integers&, const Integers&, const Integers&,
                     const Integers&, const Integers&, const Integers&>())
-      .def("write",
-           [](const BareMesh& mesh, const FileArguments& files, std::vector<std::string> face_names,
-              std::vector<std::string> edge_names, std::vector<std::string> edge_groups,
-              std::vector<std::string> point_names, const std::vector<VolumeArguments>& volumes,
-              const py::object& poll) {
-             mesh.write(output_files(files), std::move(face_names), std::move(edge_names), std::move(edge_groups),
-                        std::move(point_names), volumes, poll);
-           })
-      .def("quality", [](BareMesh& mesh) { return quality_arrays(mesh.quality()); })
-      .def("tessellate", [](const BareMesh& mesh, int subdivision, bool apart) {
-        return tessellation_arrays(mesh.mesh(), subdivision, apart);
+      .def("write", [](const BareMesh& mesh, const FileArguments& files, std::vector<std::string> face_names,
+                       std::vector<std::string> edge_names, std::vector<std::string> edge_groups,
+                       std::vector<std::string> point_names, const std::vector<VolumeArguments>& volumes,
+                       const py::object& poll) {
+        mesh.write(output_files(files), std::move(face_names), std::move(edge_names), std::move(edge_groups),
+                   std::move(point_names), volumes, poll);
       });
   py::class_<Picker>(module, "Picker")
       .def(py::init<Floats, Integers>())

@@ -15,9 +15,6 @@
 #include "bind_display.h"
 #include "job.h"
 #include "paver/output.h"
-#include "paver/quality.h"
-
-namespace py = pybind11;
 
 namespace paver::python {
 namespace {
@@ -28,20 +25,13 @@ py::list names(const std::vector<std::string>& texts) {
   return list;
 }
 
-class MeshData {
+class MeshData : public Measured {
  public:
   explicit MeshData(MeshResult&& result) : result_(std::make_shared<MeshResult>(std::move(result))) {}
 
-  const SurfaceMesh& mesh() const { return result_->mesh; }
+  const SurfaceMesh& mesh() const override { return result_->mesh; }
   const MeshResult& result() const { return *result_; }
   const std::shared_ptr<MeshResult>& owner() const { return result_; }
-
-  std::shared_ptr<const ElementQuality> quality() {
-    py::gil_scoped_release free;
-    std::lock_guard lock(mutex_);
-    if (!quality_) quality_ = std::make_shared<ElementQuality>(element_quality(mesh()));
-    return quality_;
-  }
 
   void write(const OutputFiles& files, const py::object& poll) {
     run_job(poll, [&](Progress& progress) {
@@ -57,11 +47,10 @@ class MeshData {
 
  private:
   std::shared_ptr<MeshResult> result_;
-  std::shared_ptr<const ElementQuality> quality_;
   std::mutex mutex_;
 };
 
-void bind_arrays(py::class_<MeshData>& data) {
+void bind_arrays(py::class_<MeshData, Measured>& data) {
   using Data = const MeshData&;
   data.def_property_readonly("order", [](Data d) { return d.mesh().order; });
   data.def_property_readonly("nodes", [](Data d) {
@@ -107,12 +96,8 @@ OutputFiles output_files(const FileArguments& arguments) {
 }
 
 void bind_result(py::module_& module) {
-  py::class_<MeshData> data(module, "MeshData");
+  py::class_<MeshData, Measured> data(module, "MeshData");
   bind_arrays(data);
-  data.def("quality", [](MeshData& d) { return quality_arrays(d.quality()); });
-  data.def("tessellate", [](const MeshData& d, int subdivision, bool apart) {
-    return tessellation_arrays(d.mesh(), subdivision, apart);
-  });
   data.def("report_json", &MeshData::report, py::call_guard<py::gil_scoped_release>());
   data.def("report_table", [](const MeshData& d) { return to_python(report_table(d.result().report)); });
   data.def("check", [](const MeshData& d) {

@@ -1,6 +1,4 @@
 // The compiled part of the Python package: models, runs, errors, the table of options. bindings/paver wraps it.
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <chrono>
@@ -11,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "arrays.h"
 #include "bind_display.h"
 #include "bind_result.h"
 #include "job.h"
@@ -19,8 +18,6 @@
 #include "paver/option_table.h"
 #include "paver/solver.h"
 #include "paver/stage_table.h"
-
-namespace py = pybind11;
 
 namespace paver::python {
 namespace {
@@ -88,37 +85,27 @@ py::object mesh(Source& source, const std::vector<GivenOption>& given, const py:
   return wrap_result(std::move(result));
 }
 
+template <class T>
+py::array_t<T> copied(const std::vector<T>& values) {
+  return py::array_t<T>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
 py::dict predict(Source& source, const std::vector<GivenOption>& given, const py::object& poll) {
   Options options = read_options(given);
   check(options);
   Prediction found;
   run_job(poll, [&](Progress& progress) { found = paver::predict(source.model(progress), options, progress); });
-  py::dict result;
-  result["target_length"] = found.target_length;
-  result["elements"] = found.elements;
-  result["memory_mib"] = found.memory_mib;
-  result["face_elements"] =
-      py::array_t<double>(static_cast<py::ssize_t>(found.face_elements.size()), found.face_elements.data());
   py::list merges, contacts;
-  for (const auto& [kind, name, into, size, where] : found.merges) {
-    py::dict merge;
-    merge["kind"] = merge_name(kind), merge["name"] = to_python(name), merge["into"] = to_python(into);
-    merge["size"] = size, merge["where"] = py::make_tuple(where.x, where.y, where.z);
-    merges.append(merge);
-  }
-  for (const auto& [parts, kind, faces, size, gap] : found.contacts) {
-    py::dict contact;
-    contact["parts"] = py::make_tuple(to_python(parts[0]), to_python(parts[1])), contact["kind"] = contact_name(kind);
-    contact["size"] = size, contact["gap"] = gap;
-    contacts.append(contact);
-  }
-  result["merges"] = merges;
-  result["contacts"] = contacts;
-  return result;
+  for (const auto& [kind, name, into, size, where] : found.merges)
+    merges.append(py::dict("kind"_a = merge_name(kind), "name"_a = to_python(name), "into"_a = to_python(into),
+                           "size"_a = size, "where"_a = py::make_tuple(where.x, where.y, where.z)));
+  for (const auto& [parts, kind, faces, size, gap] : found.contacts)
+    contacts.append(py::dict("parts"_a = py::make_tuple(to_python(parts[0]), to_python(parts[1])),
+                             "kind"_a = contact_name(kind), "size"_a = size, "gap"_a = gap));
+  return py::dict("target_length"_a = found.target_length, "elements"_a = found.elements,
+                  "memory_mib"_a = found.memory_mib, "face_elements"_a = copied(found.face_elements),
+                  "merges"_a = merges, "contacts"_a = contacts);
 }
-
-using Integers = py::array_t<int, py::array::c_style | py::array::forcecast>;
-using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 py::array_t<double> target_lengths(Source& source, const std::vector<GivenOption>& given, const Integers& faces,
                                    const Doubles& uv, const Doubles& points, const py::object& poll) {
@@ -136,7 +123,7 @@ py::array_t<double> target_lengths(Source& source, const std::vector<GivenOption
   run_job(poll, [&](Progress& progress) {
     found = paver::target_lengths(source.model(progress), options, places, progress);
   });
-  return py::array_t<double>(static_cast<py::ssize_t>(found.size()), found.data());
+  return copied(found);
 }
 
 /// Lengths in mm; wavelength, least_segment: 0: not known.
@@ -160,31 +147,18 @@ py::bytes repaired(Source& source, const std::vector<GivenOption>& given, const 
 py::list parts(Source& source, const py::object& poll) {
   std::vector<ModelPart> found;
   run_job(poll, [&](Progress& progress) { found = model_parts(source.model(progress)); });
-  auto array = [](const std::vector<int>& numbers) {
-    return py::array_t<int>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
-  };
   py::list result;
-  for (const ModelPart& part : found) {
-    result.append(py::make_tuple(array(part.faces), array(part.edges), array(part.vertices), array(part.solids)));
-  }
+  for (const ModelPart& part : found)
+    result.append(py::make_tuple(copied(part.faces), copied(part.edges), copied(part.vertices), copied(part.solids)));
   return result;
 }
 
 py::list options() {
   py::list list;
-  for (const OptionInfo& info : option_table()) {
-    py::dict entry;
-    entry["name"] = info.name;
-    entry["kind"] = kind_name(info.kind);
-    entry["letter"] = info.letter;
-    entry["help"] = info.help;
-    entry["default"] = info.default_text;
-    entry["needs"] = info.needs;
-    entry["excludes"] = info.excludes;
-    entry["may_be_zero"] = info.may_be_zero;
-    entry["choices"] = info.choices;
-    list.append(entry);
-  }
+  for (const OptionInfo& info : option_table())
+    list.append(py::dict("name"_a = info.name, "kind"_a = kind_name(info.kind), "letter"_a = info.letter,
+                         "help"_a = info.help, "default"_a = info.default_text, "needs"_a = info.needs,
+                         "excludes"_a = info.excludes, "may_be_zero"_a = info.may_be_zero, "choices"_a = info.choices));
   return list;
 }
 
@@ -234,8 +208,8 @@ PYBIND11_MODULE(_paver, module) {
   py::class_<Source>(module, "Source")
       .def_static("of_file", &Source::of_file)
       .def_static("of_bytes", &Source::of_bytes);
-  bind_result(module);
   bind_display(module);
+  bind_result(module);
   module.def("mesh", mesh);
   module.def("predict", predict);
   module.def("target_lengths", target_lengths);
