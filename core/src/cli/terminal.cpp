@@ -30,23 +30,19 @@ Terminal::Terminal(const Progress& progress, bool is_quiet, std::vector<std::str
       temporaries_(std::move(temporaries)),
       patience_(patience),
       stage_start_(Clock::now()),
-      thread_([this] { watch(); }) {}
+      thread_([this](std::stop_token stop) { watch(std::move(stop)); }) {}
 
 Terminal::~Terminal() {
-  {
-    std::lock_guard lock(mutex_);
-    is_stopped_ = true;
-  }
-  stopping_.notify_all();
+  thread_.request_stop();
   thread_.join();
   if (!progress_.is_cancelled()) show();
   if (!shown_.empty()) print(stderr, "\r\x1b[K");
 }
 
-void Terminal::watch() {
+void Terminal::watch(std::stop_token stop) {
   std::unique_lock lock(mutex_);
   Clock::time_point cancelled_at{};
-  while (!stopping_.wait_for(lock, interval, [this] { return is_stopped_; })) {
+  while (!stopping_.wait_for(lock, stop, interval, [&] { return stop.stop_requested(); })) {
     if (!progress_.is_cancelled()) {
       show();
     } else if (cancelled_at == Clock::time_point{}) {

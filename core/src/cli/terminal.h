@@ -27,7 +27,7 @@ class Terminal {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void watch();
+  void watch(std::stop_token stop);
   void show();
   void show_on_line();
   void show_finished_stages();
@@ -41,9 +41,8 @@ class Terminal {
   int stage_ = 0;
   Clock::time_point stage_start_;
   std::mutex mutex_;
-  std::condition_variable stopping_;
-  bool is_stopped_ = false;
-  std::thread thread_;
+  std::condition_variable_any stopping_;
+  std::jthread thread_;
 };
 
 }  // namespace paver

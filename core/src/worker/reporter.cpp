@@ -45,15 +45,11 @@ void listen_to_signals(Progress& progress) {
 Reporter::Reporter(Progress& progress, const Job& job, int rank)
     : progress_(progress), job_(job), rank_(rank), stage_start_(Clock::now()) {
   open(job.events);
-  thread_ = std::thread([this] { watch(); });
+  thread_ = std::jthread([this](std::stop_token stop) { watch(std::move(stop)); });
 }
 
 Reporter::~Reporter() {
-  {
-    std::lock_guard lock(mutex_);
-    is_stopped_ = true;
-  }
-  stopping_.notify_all();
+  thread_.request_stop();
   thread_.join();
   if (style_ == Style::lines && descriptor_ > STDERR_FILENO) ::close(descriptor_);
 }
@@ -124,10 +120,10 @@ void Reporter::end_process(int code) {
   ::_exit(code);
 }
 
-void Reporter::watch() {
+void Reporter::watch(std::stop_token stop) {
   std::unique_lock lock(mutex_);
   Clock::time_point cancelled_at{};
-  while (!stopping_.wait_for(lock, interval, [this] { return is_stopped_; })) {
+  while (!stopping_.wait_for(lock, stop, interval, [&] { return stop.stop_requested(); })) {
     if (!is_heard()) progress_.cancel();
     if (!progress_.is_cancelled()) {
       show();

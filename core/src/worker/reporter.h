@@ -38,7 +38,7 @@ class Reporter {
   enum class Style { lines, table, silent };  ///< events; for people; the other ranks there
 
   void open(const std::string& events);
-  void watch();
+  void watch(std::stop_token stop);
   void show();
   void show_finished_stages();
   void say(const std::string& line, bool is_needed);
@@ -53,9 +53,8 @@ class Reporter {
   std::chrono::steady_clock::time_point stage_start_;
   std::mutex mutex_;
   std::vector<std::string> temporaries_;
-  std::condition_variable stopping_;
-  bool is_stopped_ = false;
-  std::thread thread_;
+  std::condition_variable_any stopping_;
+  std::jthread thread_;
 };
 
 }  // namespace paver
