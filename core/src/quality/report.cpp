@@ -249,7 +249,7 @@ class Measurement {
       faces[i].quads = faces_[i].quads;
       faces[i].triangles = faces_[i].triangles;
       faces[i].mesh_area = faces_[i].area.total();
-      faces[i].longest_side = std::sqrt(-faces_[i].minus_longest2);
+      faces[i].longest_side = std::sqrt(0 - faces_[i].minus_longest2);  // of no elements not -0
       if (faces[i].quads + faces[i].triangles > 0) faces[i].worst_sj = faces_[i].least_sj;
       report.mesh_area += faces[i].mesh_area;
       report.cad_area += faces[i].cad_area;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/quality/wavy_mesh.h"
 #include "support/measure_quality.h"
 
@@ -56,6 +58,8 @@ TEST(MeasureQuality, SeesBordersAndEdgesOfThreeElements) {
   SurfaceMesh& mesh = result.mesh;
   mesh.quads.resize(20), mesh.quad_face.resize(5);
   EXPECT_EQ(measure(result, 1).border_edges, 4);
+  EXPECT_EQ(result.report.faces[5].longest_side, 0);
+  EXPECT_FALSE(std::signbit(result.report.faces[5].longest_side));
   mesh.triangles = {0, 3, 1};
   mesh.triangle_face = {0};
   QualityReport q = measure(result, 1);
