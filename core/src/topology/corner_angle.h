@@ -7,8 +7,8 @@
 
 namespace paver {
 
-/// Radians between two directions.
-inline double angle_between(Vec3 a, Vec3 b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
+/// Radians between two directions; 0 where one is none, also where their product is -0.
+inline double angle_between(Vec3 a, Vec3 b) { return std::atan2(norm(cross(a, b)), dot(a, b) + 0.0); }
 
 /// Radians from one direction to the left to the other, above 0, at most 2 pi.
 inline double angle_to_left(Vec2 from, Vec2 to) {
