@@ -100,7 +100,8 @@ class FileTasks(WithCommands):
         for start in (lambda: file_tasks.export(mesh, self.path("stopped.unv")),
                       lambda: file_tasks.export(mesh, self.path("stopped.msh"))):
             task = start()
-            task.stop()
+            self.assertIs(run_status._box.runs[-1], task)
+            run_status._box.stop()
             self.done(task, run_task.STOPPED)
             self.assertEqual(os.listdir(self.folder), [])
         export_mesh.write(mesh, self.path("long.unv"))

@@ -9,7 +9,7 @@ from PySide import QtCore
 from paver_wb import analysis, export_mesh, import_mesh, mesh_object, meshing, preferences
 from paver_wb.formats import mesh_file
 from paver_wb.gui import run_control
-from paver_wb.gui.base import run_task
+from paver_wb.gui.base import run_status, run_task
 from paver_wb.gui.base.widgets import complain, translate
 from paver_wb.gui.display import drawn_mesh
 from paver_wb.processes import fem_process
@@ -51,6 +51,7 @@ def export(obj, path, msh_version="4.1", ascii=False):
         FreeCADGui.getMainWindow().statusBar().showMessage(translate("Paver", "Written: {}").format(path), STATUS_TIME)
     task = run_task.Task(translate("Paver", "Writing {}").format(os.path.basename(path)), obj.Document, work, take)
     file = kept(obj, task.folder)
+    run_status.watch(task)
     task.begin()
     return task
 
