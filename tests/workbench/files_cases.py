@@ -284,8 +284,10 @@ class Files(WithMesh):
         mesh, _ = self.meshed(size=20)
         whole = {ending: open(export_mesh.write(mesh, self.path("mesh." + ending)), "rb").read()
                  for ending in ("msh", "vtu", "unv")}
+        text = open(export_mesh.write(mesh, self.path("text.msh"), ascii=True), "rb").read()
         broken = [("empty.msh", b""), ("text.msh", b"hello\n"), ("text.vtu", b"hello"), ("mesh.xyz", b"?"),
                   ("old.msh", b"$MeshFormat\n1 0 8\n$EndMeshFormat\n"), ("text.unv", b"hello"),
+                  ("no_end.msh", text[:text.index(b"$EndElements")].rstrip()),
                   ("cut.msh", whole["msh"][:len(whole["msh"]) // 2]), ("cut.vtu", whole["vtu"][:len(whole["vtu"]) // 2])]
         before = len(self.document.Objects)
         for name, content in broken:

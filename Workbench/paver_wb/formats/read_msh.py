@@ -105,8 +105,9 @@ def sections(data, known=NODES):
             else:
                 blocks = elements2(cursor, totals[section], known) if is_old else elements4(cursor, parts, known)
             at = cursor.at
-        end = data.find(b"$End" + section[1:].encode(), at)
-        at = len(data) if end < 0 else end
+        at = data.find(b"$End" + section[1:].encode(), at)
+        if at < 0:  # what stands last may be half a number
+            raise Damaged(f"{section} has no end")
     return Sections(names, physical, nodes, blocks, totals)
 
 
