@@ -65,22 +65,19 @@ int RegionMesh::add_element(const Corners& corners) {
 }
 
 void RegionMesh::remove_element(int e) {
-  for (int v : elements[e].v)
-    if (v >= 0) star[v].remove(e);
+  for (int v : elements[e].nodes()) star[v].remove(e);
   elements[e].v = {-1, -1, -1, -1};
 }
 
 void RegionMesh::restore_element(int e, const Corners& corners) {
   elements[e].v = corners;
-  for (int v : corners)
-    if (v >= 0) star[v].add(e);
+  for (int v : elements[e].nodes()) star[v].add(e);
 }
 
 void RegionMesh::find_stars() {
   star.assign(p.size(), {});
   for (std::size_t e = 0; e < elements.size(); ++e)
-    for (int v : elements[e].v)
-      if (v >= 0) star[v].add(static_cast<int>(e));
+    for (int v : elements[e].nodes()) star[v].add(static_cast<int>(e));
 }
 
 void RegionMesh::replace_node(int e, int from, int to) {
@@ -171,19 +168,17 @@ Vec3 area_vector(const RegionMesh& mesh, const Element& e) {
 
 // A corner without a normal, at a pole, turns to none: the metric says nothing of the angle there.
 bool counts_turns(const RegionMesh& mesh, const Element& e) {
-  return mesh.has_turns() &&
-         std::none_of(e.v.begin(), e.v.begin() + e.corners(), [&](int v) { return mesh.turn[v].n == Vec3{}; });
+  return mesh.has_turns() && std::ranges::none_of(e.nodes(), [&](int v) { return mesh.turn[v].n == Vec3{}; });
 }
 
 }  // namespace
 
 bool faces_surface(const RegionMesh& mesh, const Element& e) {
-  const int n = e.corners();
   int fixed = 0;
-  for (int i = 0; i < n; ++i) fixed += mesh.is_fixed[e.v[i]];
+  for (int v : e.nodes()) fixed += mesh.is_fixed[v];
   if (fixed < 2) return true;
   Vec3 normal{};
-  for (int i = 0; i < n; ++i) normal += mesh.normal(e.v[i]);
+  for (int v : e.nodes()) normal += mesh.normal(v);
   return dot(area_vector(mesh, e), normal) >= 0;
 }
 

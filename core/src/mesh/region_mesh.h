@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "mesh/metric_vec.h"
@@ -17,6 +18,8 @@ struct Element {
   Corners v{-1, -1, -1, -1};
   bool is_alive() const { return v[0] >= 0; }
   int corners() const { return v[3] < 0 ? 3 : 4; }
+  /// None of one that is gone.
+  std::span<const int> nodes() const { return {v.data(), static_cast<std::size_t>(is_alive() ? corners() : 0)}; }
   int corner_of(int node) const {
     for (int i = 0; i < 4; ++i)
       if (v[i] == node) return i;

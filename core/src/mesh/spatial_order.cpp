@@ -49,9 +49,7 @@ void permute(std::vector<T>& values, const std::vector<int>& number) {
 
 // By their smallest node.
 std::vector<Element> ordered(const std::vector<Element>& elements, std::size_t node_count) {
-  auto key = [](const Element& e) {
-    return e.corners() == 3 ? std::min({e.v[0], e.v[1], e.v[2]}) : *std::min_element(e.v.begin(), e.v.end());
-  };
+  auto key = [](const Element& e) { return std::ranges::min(e.nodes()); };
   std::vector<int> start(node_count + 1, 0);
   for (const Element& e : elements)
     if (e.is_alive()) ++start[key(e) + 1];

@@ -65,15 +65,15 @@ void FineMesh::share(int node, int outline) {
 }
 
 int FineMesh::pole_of(int e) const {
-  for (int v : mesh.elements[e].v)
-    if (v >= 0 && is_pole(v)) return v;
+  for (int v : mesh.elements[e].nodes())
+    if (is_pole(v)) return v;
   return -1;
 }
 
 bool FineMesh::lay(int e) {
   const Element& element = mesh.elements[e];
   const int n = element.corners();
-  for (int k = 0; k < n; ++k) corner_node(element.v[k]);
+  for (int v : element.nodes()) corner_node(v);
   std::vector<Row> rows;
   for (int k = 0; k < n; ++k) rows.push_back(row_of(net.of_element[e][k], element.v[k]));
   // A pole comes last of all corners: nothing can be placed from there.

@@ -50,10 +50,8 @@ void grow(const RegionMesh& mesh, std::vector<char>& is_marked) {
   const std::vector<char> before = is_marked;
   for (std::size_t e = 0; e < before.size(); ++e) {
     if (!before[e]) continue;
-    for (int v : mesh.elements[e].v) {
-      if (v < 0) continue;
+    for (int v : mesh.elements[e].nodes())
       for (int other : mesh.star[v]) is_marked[other] = 1;
-    }
   }
 }
 

@@ -26,7 +26,7 @@ struct Centre {
 Vec2 centre_of(const RegionMesh& mesh, int e) {
   Vec2 sum{0, 0};
   const Element& element = mesh.elements[e];
-  for (int k = 0; k < element.corners(); ++k) sum = sum + mesh.p[element.v[k]];
+  for (int v : element.nodes()) sum = sum + mesh.p[v];
   return (1.0 / element.corners()) * sum;
 }
 
@@ -188,11 +188,9 @@ std::vector<std::vector<int>> groups_by_nodes(const RegionMesh& mesh, std::set<i
     std::vector<int>& group = groups.emplace_back(1, *waits.begin());
     waits.erase(waits.begin());
     for (std::size_t i = 0; i < group.size(); ++i)
-      for (int v : mesh.elements[group[i]].v) {
-        if (v < 0) continue;
+      for (int v : mesh.elements[group[i]].nodes())
         for (int e : mesh.star[v])
           if (waits.erase(e) > 0) group.push_back(e);
-      }
     std::sort(group.begin(), group.end());
   }
   return groups;

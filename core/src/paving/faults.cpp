@@ -14,7 +14,7 @@ constexpr double steep = 0.8;         // cosine between a side and a normal
 // Thin long elements may lie beneath a bent surface and face the other way, sound as they are by themselves.
 bool faces_away(const RegionMesh& mesh, const Element& e) {
   Vec3 normal{0, 0, 0};
-  for (int k = 0; k < e.corners(); ++k) normal += mesh.normal(e.v[k]);
+  for (int v : e.nodes()) normal += mesh.normal(v);
   Vec3 last = e.corners() == 4 ? mesh.x[e.v[3]] - mesh.x[e.v[1]] : mesh.x[e.v[2]] - mesh.x[e.v[1]];
   return dot(unit(cross(mesh.x[e.v[2]] - mesh.x[e.v[0]], last)), unit(normal)) < least_facing;
 }

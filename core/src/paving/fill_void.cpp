@@ -137,8 +137,8 @@ class VoidFiller {
     std::size_t count = near_.size();
     for (std::size_t i = 0; i < count; ++i)
       for (int e : mesh.star[near_[i]])
-        for (int v : mesh.elements[e].v)
-          if (v >= 0 && !mesh.is_fixed[v]) near_.push_back(v);
+        for (int v : mesh.elements[e].nodes())
+          if (!mesh.is_fixed[v]) near_.push_back(v);
     std::sort(near_.begin(), near_.end());
     near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
     smooth_nodes(front_, near_);

@@ -132,8 +132,7 @@ class Mender {
       for (int g : neighbours_of(mesh_, about[i]))
         if (g != e) try_set({e, about[i], g}, best);
     }
-    for (int v : mesh_.elements[e].v)
-      if (v >= 0) try_set({mesh_.star[v].begin(), mesh_.star[v].end()}, best);
+    for (int v : mesh_.elements[e].nodes()) try_set({mesh_.star[v].begin(), mesh_.star[v].end()}, best);
     about.push_back(e);
     try_set(about, best);
     try_set(ring_about(mesh_, e), best);
@@ -153,7 +152,7 @@ class Mender {
   Vec3 middle(int e) const {
     Vec3 sum;
     const Element& element = mesh_.elements[e];
-    for (int k = 0; k < element.corners(); ++k) sum += (1.0 / element.corners()) * mesh_.x[element.v[k]];
+    for (int v : element.nodes()) sum += (1.0 / element.corners()) * mesh_.x[v];
     return sum;
   }
 
@@ -264,8 +263,7 @@ class Mender {
     double h = 0;
     int count = 0;
     for (int e : best.gone)
-      for (int v : mesh_.elements[e].v)
-        if (v >= 0) h += mesh_.h[v], ++count;
+      for (int v : mesh_.elements[e].nodes()) h += mesh_.h[v], ++count;
     std::vector<int> nodes;
     for (Vec2 p : best.nodes) nodes.push_back(add_node(p, h / count));
     for (int e : best.gone) mesh_.remove_element(e);

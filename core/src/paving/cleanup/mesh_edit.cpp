@@ -159,13 +159,12 @@ double MeshEdit::target_between(int node, std::size_t count) const {
 
 bool MeshEdit::apply(const Change& change) {
   for (int e : change.gone)
-    for (int v : mesh_.elements[e].v)
-      if (v >= 0 && aims_[v].is_kept) return false;
+    for (int v : mesh_.elements[e].nodes())
+      if (aims_[v].is_kept) return false;
   std::size_t start = mark();
   for (int e : change.gone) {
     journal_.push_back({Kind::gone, e, mesh_.elements[e], {}});
-    for (int v : mesh_.elements[e].v)
-      if (v >= 0) touch(v);
+    for (int v : mesh_.elements[e].nodes()) touch(v);
     mesh_.remove_element(e);
   }
   std::size_t old_count = touched_.size();
@@ -287,8 +286,8 @@ double MeshEdit::spread_about(std::span<const int> elements) {
   if (stamp_.size() < mesh_.elements.size()) stamp_.resize(mesh_.elements.size() + 1024, 0);
   ++run_;
   for (int e : elements)
-    for (int v : mesh_.elements[e].v) {
-      if (v < 0 || mesh_.is_fixed[v]) continue;
+    for (int v : mesh_.elements[e].nodes()) {
+      if (mesh_.is_fixed[v]) continue;
       for (int g : mesh_.star[v]) {
         if (stamp_[g] == run_) continue;
         stamp_[g] = run_;

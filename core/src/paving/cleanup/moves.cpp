@@ -167,8 +167,7 @@ void Moves::make_opening(int node) {
     v[mesh_.elements[e].corner_of(node)] = fresh;
     change_.gone.push_back(e);
     change_.made.push_back(v);
-    for (int corner : mesh_.elements[e].v)
-      if (corner >= 0) mean = mean + mesh_.p[corner] - mesh_.p[node];
+    for (int corner : mesh_.elements[e].nodes()) mean = mean + mesh_.p[corner] - mesh_.p[node];
   }
   int first = mesh_.elements[taken_.front()].after(node), last = mesh_.elements[taken_.back()].before(node);
   change_.made.push_back({node, first, fresh, last});

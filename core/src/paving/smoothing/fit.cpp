@@ -87,7 +87,7 @@ void add_square_steps_in_space(const MetricVec at[4], MetricVec step[4]) {
 
 double mean_target(const RegionMesh& mesh, const Element& e) {
   double sum = 0;
-  for (int k = 0; k < e.corners(); ++k) sum += mesh.h[e.v[k]];
+  for (int v : e.nodes()) sum += mesh.h[v];
   return sum / e.corners();
 }
 

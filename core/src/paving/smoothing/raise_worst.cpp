@@ -54,8 +54,8 @@ void raise_worst(Front& front, int rounds) {
   std::vector<int> nodes, next;
   auto collect = [&](int e) {
     if (!mesh.elements[e].is_alive() || scaled_jacobian(mesh, mesh.elements[e]) >= goal) return;
-    for (int v : mesh.elements[e].v)
-      if (v >= 0 && !mesh.is_fixed[v]) next.push_back(v);
+    for (int v : mesh.elements[e].nodes())
+      if (!mesh.is_fixed[v]) next.push_back(v);
   };
   for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) collect(e);
   for (int round = 0; round < rounds && !next.empty(); ++round) {

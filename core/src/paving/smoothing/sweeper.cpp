@@ -97,8 +97,8 @@ class Sweeper {
   void take_back_bad() {
     stack_.clear();
     auto collect = [&](int e) {
-      for (int v : mesh_.elements[e].v)
-        if (v >= 0 && moved_as_[v] >= 0) stack_.push_back(v);
+      for (int v : mesh_.elements[e].nodes())
+        if (moved_as_[v] >= 0) stack_.push_back(v);
     };
     for (int e : elements_) {
       old_sj_[e] = sj_[e];

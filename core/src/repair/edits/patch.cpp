@@ -16,8 +16,7 @@ ElementSet neighbours_of(const RegionMesh& mesh, int element) {
 
 ElementSet ring_about(const RegionMesh& mesh, int element) {
   ElementSet ring;
-  for (int v : mesh.elements[element].v)
-    if (v >= 0) ring.insert(ring.end(), mesh.star[v].begin(), mesh.star[v].end());
+  for (int v : mesh.elements[element].nodes()) ring.insert(ring.end(), mesh.star[v].begin(), mesh.star[v].end());
   std::sort(ring.begin(), ring.end());
   ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
   return ring;
@@ -25,8 +24,8 @@ ElementSet ring_about(const RegionMesh& mesh, int element) {
 
 std::vector<int> free_corners(const RegionMesh& mesh, int element) {
   std::vector<int> nodes;
-  for (int v : mesh.elements[element].v)
-    if (v >= 0 && !mesh.is_fixed[v]) nodes.push_back(v);
+  for (int v : mesh.elements[element].nodes())
+    if (!mesh.is_fixed[v]) nodes.push_back(v);
   return nodes;
 }
 
@@ -61,8 +60,8 @@ PatchOutline outline_of(const RegionMesh& mesh, const ElementSet& set, std::size
   }
   if (outline.loop.size() != sides.size()) return {};
   for (int e : set)
-    for (int v : mesh.elements[e].v)
-      if (v >= 0 && std::find(outline.loop.begin(), outline.loop.end(), v) == outline.loop.end() &&
+    for (int v : mesh.elements[e].nodes())
+      if (std::find(outline.loop.begin(), outline.loop.end(), v) == outline.loop.end() &&
           std::find(outline.inside.begin(), outline.inside.end(), v) == outline.inside.end())
         outline.inside.push_back(v);
   return outline;
