@@ -67,10 +67,10 @@ class BareMesh : public Measured {
 
   /// As a result with these names of faces, edges, their groups and points, and these volumes, is written, without a
   /// report. `volumes`: name, medium and sides of each.
-  void write(const OutputFiles& files, std::vector<std::string> face_names, std::vector<std::string> edge_names,
+  void write(const FileArguments& files, std::vector<std::string> face_names, std::vector<std::string> edge_names,
              std::vector<std::string> edge_groups, std::vector<std::string> point_names,
              const std::vector<VolumeArguments>& volumes, const py::object& poll) const {
-    run_job(poll, [&](Progress& progress) {
+    run_job(poll, [&, to = output_files(files)](Progress& progress) {
       MeshResult result;
       result.mesh = mesh_;
       result.face_names = std::move(face_names);
@@ -78,7 +78,7 @@ class BareMesh : public Measured {
       result.edge_groups = std::move(edge_groups);
       result.point_names = std::move(point_names);
       for (const auto& [name, medium, sides] : volumes) result.volumes.push_back({name, medium, sides});
-      write_outputs(result, files, progress);
+      write_outputs(result, to, progress);
     });
   }
 
@@ -92,9 +92,10 @@ class Picker {
   Picker(Floats points, Integers triangle_indices)
       : points_(std::move(points)), triangles_(std::move(triangle_indices)), tree_(checked()) {}
 
-  py::list hits(const Vec3& origin, const Vec3& direction) const {
+  py::list hits(const std::array<double, 3>& x, const std::array<double, 3>& along) const {
     py::list list;
-    for (const PickHit& hit : tree_.hits(origin, direction)) list.append(py::make_tuple(hit.triangle, hit.along));
+    for (const PickHit& hit : tree_.hits({x[0], x[1], x[2]}, {along[0], along[1], along[2]}))
+      list.append(py::make_tuple(hit.triangle, hit.along));
     return list;
   }
 
@@ -117,8 +118,6 @@ class Picker {
   Integers triangles_;
   PickTree tree_;
 };
-
-Vec3 vector_of(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
 
 }  // namespace
 
@@ -156,19 +155,8 @@ void bind_display(py::module_& module) {
   py::class_<BareMesh, Measured>(module, "BareMesh")
       .def(py::init<int, const Doubles&, const Integers&, const Integers&, const Integers&, const Integers&,
                     const Integers&, const Integers&, const Integers&>())
-      .def("write", [](const BareMesh& mesh, const FileArguments& files, std::vector<std::string> face_names,
-                       std::vector<std::string> edge_names, std::vector<std::string> edge_groups,
-                       std::vector<std::string> point_names, const std::vector<VolumeArguments>& volumes,
-                       const py::object& poll) {
-        mesh.write(output_files(files), std::move(face_names), std::move(edge_names), std::move(edge_groups),
-                   std::move(point_names), volumes, poll);
-      });
-  py::class_<Picker>(module, "Picker")
-      .def(py::init<Floats, Integers>())
-      .def("hits",
-           [](const Picker& picker, const std::array<double, 3>& origin, const std::array<double, 3>& direction) {
-             return picker.hits(vector_of(origin), vector_of(direction));
-           });
+      .def("write", &BareMesh::write);
+  py::class_<Picker>(module, "Picker").def(py::init<Floats, Integers>()).def("hits", &Picker::hits);
 }
 
 }  // namespace paver::python

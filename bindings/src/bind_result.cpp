@@ -33,10 +33,10 @@ class MeshData : public Measured {
   const MeshResult& result() const { return *result_; }
   const std::shared_ptr<MeshResult>& owner() const { return result_; }
 
-  void write(const OutputFiles& files, const py::object& poll) {
-    run_job(poll, [&](Progress& progress) {
+  void write(const FileArguments& files, const py::object& poll) {
+    run_job(poll, [&, to = output_files(files)](Progress& progress) {
       std::lock_guard lock(mutex_);  // the time of writing goes into the report
-      write_outputs(*result_, files, progress);
+      write_outputs(*result_, to, progress);
     });
   }
 
@@ -103,8 +103,7 @@ void bind_result(py::module_& module) {
   data.def("check", [](const MeshData& d) {
     if (auto error = shortfall(d.result())) throw Error(*error);
   });
-  data.def("write",
-           [](MeshData& d, const FileArguments& files, const py::object& poll) { d.write(output_files(files), poll); });
+  data.def("write", &MeshData::write);
   module.def("check_outputs", [](const FileArguments& files) { check_outputs(output_files(files)); });
 }
 
