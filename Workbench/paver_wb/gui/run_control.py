@@ -11,12 +11,12 @@ from paver_wb.base import source_shapes
 from paver_wb.base.texts import counted, listed
 from paver_wb.gui import run_place
 from paver_wb.gui.base import background, run_log, run_status, time_left
-from paver_wb.gui.base.run_task import DONE, RUNNING, STOPPED, WAITING, Task
+from paver_wb.gui.base.run_task import DONE, FAILED, RUNNING, STOPPED, WAITING, Task
 from paver_wb.gui.display import drawn_mesh, mesh_display
 from paver_wb.processes import child_process, mesh_job
 from paver_wb.statistics import number
 
-MESHED, CANCELLED, FAILED = "meshed", "cancelled", "failed"
+MESHED, CANCELLED = "meshed", "cancelled"
 NAMED = 3  # faces in a message
 translate = FreeCAD.Qt.translate
 

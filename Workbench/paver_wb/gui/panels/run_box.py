@@ -8,6 +8,7 @@ from paver_wb.base.paths import ICONS
 from paver_wb.base.texts import counted
 from paver_wb.gui import run_place
 from paver_wb.gui.base import run_log, run_status
+from paver_wb.gui.base.run_task import FAILED
 from paver_wb.gui.base.widgets import FaultBox, button, fold_button, named, part_layout, row, stack, text_label, timer, translate
 from paver_wb.gui.panels.options_box import with_labels
 from paver_wb.gui.preview.box import PreviewBox
@@ -179,5 +180,5 @@ class RunBox(QtGui.QWidget):
 
     def show_end(self, outcome):
         self.idle()
-        if outcome.kind == "failed" or outcome.place:
+        if outcome.kind == FAILED or outcome.place:
             self.show_fault(outcome.text, outcome.place)
