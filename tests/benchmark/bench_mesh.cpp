@@ -124,8 +124,7 @@ double sweep(const paver::Surface& surface, Vec2 lo, Vec2 hi, long count) {
   for (long k = 0; k < count; ++k) {
     double s = (static_cast<double>(k % side) + 0.5) / static_cast<double>(side);
     double t = (static_cast<double>(k / side) + 0.5) / static_cast<double>(count / side + 1);
-    Vec3 x, xu, xv;
-    surface.d1({lo.x + s * (hi.x - lo.x), lo.y + t * (hi.y - lo.y)}, x, xu, xv);
+    const auto [x, xu, xv] = surface.slope({lo.x + s * (hi.x - lo.x), lo.y + t * (hi.y - lo.y)});
     sum += x.x + xu.y + xv.z;
   }
   return sum;

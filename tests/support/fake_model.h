@@ -18,14 +18,8 @@ class Line : public Curve {
  public:
   Line(Vec3 a, Vec3 b) : a_(a), b_(b) {}
   Vec3 point(double t) const override { return a_ + t * (b_ - a_); }
-  void d1(double t, Vec3& x, Vec3& xt) const override {
-    x = point(t);
-    xt = b_ - a_;
-  }
-  void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override {
-    d1(t, x, xt);
-    xtt = {};
-  }
+  CurveSlope slope(double t) const override { return {point(t), b_ - a_}; }
+  CurveJet jet(double t) const override { return {slope(t)}; }
 
  private:
   Vec3 a_, b_;
@@ -36,14 +30,8 @@ class Ellipse : public Curve {
  public:
   Ellipse(Vec3 centre, double a, double b) : centre_(centre), a_(a), b_(b) {}
   Vec3 point(double t) const override { return centre_ + Vec3{a_ * std::cos(t), b_ * std::sin(t), 0}; }
-  void d1(double t, Vec3& x, Vec3& xt) const override {
-    x = point(t);
-    xt = {-a_ * std::sin(t), b_ * std::cos(t), 0};
-  }
-  void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override {
-    d1(t, x, xt);
-    xtt = centre_ - x;
-  }
+  CurveSlope slope(double t) const override { return {point(t), {-a_ * std::sin(t), b_ * std::cos(t), 0}}; }
+  CurveJet jet(double t) const override { return {slope(t), centre_ - point(t)}; }
 
  private:
   Vec3 centre_;
@@ -54,15 +42,8 @@ class Plane : public Surface {
  public:
   Plane(Vec3 origin, Vec3 xu, Vec3 xv) : origin_(origin), xu_(xu), xv_(xv) {}
   Vec3 point(Vec2 uv) const override { return origin_ + uv.x * xu_ + uv.y * xv_; }
-  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
-    x = point(uv);
-    xu = xu_;
-    xv = xv_;
-  }
-  void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
-    d1(uv, x, xu, xv);
-    xuu = xuv = xvv = {};
-  }
+  SurfaceSlope slope(Vec2 uv) const override { return {point(uv), xu_, xv_}; }
+  SurfaceJet jet(Vec2 uv) const override { return {slope(uv)}; }
   SurfaceKind kind() const override { return SurfaceKind::plane; }
   Vec2 period() const override { return {}; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<Plane>(*this); }
@@ -76,15 +57,13 @@ class Cylinder : public Surface {
  public:
   explicit Cylinder(double radius) : radius_(radius) {}
   Vec3 point(Vec2 uv) const override { return {radius_ * std::cos(uv.x), radius_ * std::sin(uv.x), uv.y}; }
-  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
-    x = point(uv);
-    xu = {-x.y, x.x, 0};
-    xv = {0, 0, 1};
+  SurfaceSlope slope(Vec2 uv) const override {
+    const Vec3 x = point(uv);
+    return {x, {-x.y, x.x, 0}, {0, 0, 1}};
   }
-  void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
-    d1(uv, x, xu, xv);
-    xuu = {-x.x, -x.y, 0};
-    xuv = xvv = {};
+  SurfaceJet jet(Vec2 uv) const override {
+    const SurfaceSlope at = slope(uv);
+    return {at, {-at.x.x, -at.x.y, 0}};
   }
   SurfaceKind kind() const override { return SurfaceKind::cylinder; }
   Vec2 period() const override { return {2 * pi, 0}; }
@@ -102,16 +81,13 @@ class Sphere : public Surface {
     double r = radius_ * std::cos(uv.y);
     return {r * std::cos(uv.x), r * std::sin(uv.x), radius_ * std::sin(uv.y)};
   }
-  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
-    x = point(uv);
-    xu = {-x.y, x.x, 0};
-    xv = {-x.z * std::cos(uv.x), -x.z * std::sin(uv.x), radius_ * std::cos(uv.y)};
+  SurfaceSlope slope(Vec2 uv) const override {
+    const Vec3 x = point(uv);
+    return {x, {-x.y, x.x, 0}, {-x.z * std::cos(uv.x), -x.z * std::sin(uv.x), radius_ * std::cos(uv.y)}};
   }
-  void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
-    d1(uv, x, xu, xv);
-    xuu = {-x.x, -x.y, 0};
-    xuv = {-xv.y, xv.x, 0};
-    xvv = -1 * x;
+  SurfaceJet jet(Vec2 uv) const override {
+    const SurfaceSlope at = slope(uv);
+    return {at, {-at.x.x, -at.x.y, 0}, {-at.v.y, at.v.x, 0}, -1 * at.x};
   }
   SurfaceKind kind() const override { return SurfaceKind::sphere; }
   Vec2 period() const override { return {2 * pi, 0}; }
@@ -126,17 +102,8 @@ class CubicPatch : public Surface {
  public:
   explicit CubicPatch(std::array<Vec3, 16> points) : points_(points) {}
   Vec3 point(Vec2 uv) const override { return sum(uv, 0, 0); }
-  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
-    x = sum(uv, 0, 0);
-    xu = sum(uv, 1, 0);
-    xv = sum(uv, 0, 1);
-  }
-  void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
-    d1(uv, x, xu, xv);
-    xuu = sum(uv, 2, 0);
-    xuv = sum(uv, 1, 1);
-    xvv = sum(uv, 0, 2);
-  }
+  SurfaceSlope slope(Vec2 uv) const override { return {sum(uv, 0, 0), sum(uv, 1, 0), sum(uv, 0, 1)}; }
+  SurfaceJet jet(Vec2 uv) const override { return {slope(uv), sum(uv, 2, 0), sum(uv, 1, 1), sum(uv, 0, 2)}; }
   SurfaceKind kind() const override { return SurfaceKind::other; }
   Vec2 period() const override { return {}; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<CubicPatch>(*this); }
@@ -316,14 +283,11 @@ inline Model ball(double radius) {
    public:
     explicit Meridian(double radius) : radius_(radius) {}
     Vec3 point(double t) const override { return {radius_ * std::cos(t), 0, radius_ * std::sin(t)}; }
-    void d1(double t, Vec3& x, Vec3& xt) const override {
-      x = point(t);
-      xt = {-x.z, 0, x.x};
+    CurveSlope slope(double t) const override {
+      const Vec3 x = point(t);
+      return {x, {-x.z, 0, x.x}};
     }
-    void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override {
-      d1(t, x, xt);
-      xtt = -1 * x;
-    }
+    CurveJet jet(double t) const override { return {slope(t), -1 * point(t)}; }
 
    private:
     double radius_;

@@ -39,9 +39,9 @@ class Chart {
 /// Surface point at chart point p and its derivatives by the chart coordinates; gives (u, v) there.
 inline Vec2 evaluate(const Chart& chart, const Surface& surface, Vec2 p, Vec3& x, Vec3& xp, Vec3& xq) {
   Vec2 uv, uv_x, uv_y;
-  Vec3 xu, xv;
   chart.to_uv(p, uv, uv_x, uv_y);
-  surface.d1(uv, x, xu, xv);
+  const auto [at, xu, xv] = surface.slope(uv);
+  x = at;
   xp = uv_x.x * xu + uv_x.y * xv;
   xq = uv_y.x * xu + uv_y.y * xv;
   return uv;

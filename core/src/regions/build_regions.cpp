@@ -206,10 +206,9 @@ class RegionBuilder {
   // An edge is divided finely where it turns. Where it turns within the face (a small hole in a plate) the face follows
   // with small elements; where it only turns with the face (the rim of a tube, a leading edge) long ones do.
   double target_at(const Coedge& coedge, double t, const Place& place, double edge_target) const {
-    Vec3 y, yt, ytt;
-    edge_of(model_, coedge).curve->d2(t, y, yt, ytt);
-    Vec3 tangent = unit(yt), bend = ytt - dot(ytt, tangent) * tangent;
-    double within = std::fabs(dot(bend, unit(cross(unit(place.normal), tangent)))) / dot(yt, yt);
+    const CurveJet at = edge_of(model_, coedge).curve->jet(t);
+    Vec3 tangent = unit(at.t), bend = at.tt - dot(at.tt, tangent) * tangent;
+    double within = std::fabs(dot(bend, unit(cross(unit(place.normal), tangent)))) / dot(at.t, at.t);
     double target = target_at(place.uv);
     if (!(within * target > size_.turn_limit)) return std::isfinite(within) ? target : std::min(target, edge_target);
     return std::min(target, std::max(edge_target, size_.turn_limit_of(edge_of(model_, coedge)).longest_edge(within)));

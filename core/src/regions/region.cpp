@@ -13,14 +13,15 @@ NodePlace Region::place(Vec2 p) const {
   NodePlace at;
   at.p = p;
   Vec2 uv, uv_x, uv_y;
-  Vec3 xu, xv, by_u, by_v;
   chart->to_uv(p, uv, uv_x, uv_y);
-  surface->d1(uv, at.x, xu, xv);
+  const auto [x, xu, xv] = surface->slope(uv);
+  at.x = x;
   at.xp = uv_x.x * xu + uv_x.y * xv;
   at.xq = uv_y.x * xu + uv_y.y * xv;
   const NormalTable* normals = size.normals();
   if (!normals) return at;
   at.n = normals->at(uv);
+  Vec3 by_u, by_v;
   normals->slopes(uv, {norm(xu), norm(xv)}, by_u, by_v);
   at.np = uv_x.x * by_u + uv_x.y * by_v;
   at.nq = uv_y.x * by_u + uv_y.y * by_v;

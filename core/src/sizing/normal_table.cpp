@@ -19,8 +19,8 @@ constexpr double only_rounding = 1e-9;  // of the largest |xu x xv|: a pole
 
 /// xu x xv; zero where the tangents are parallel.
 Vec3 long_normal(const Surface& surface, Vec2 uv, Vec3& x) {
-  Vec3 xu, xv;
-  surface.d1(uv, x, xu, xv);
+  const auto [at, xu, xv] = surface.slope(uv);
+  x = at;
   const Vec3 n = cross(xu, xv);
   const double size = norm(n);
   return size > degenerate * norm(xu) * norm(xv) && std::isfinite(size) ? n : Vec3{};

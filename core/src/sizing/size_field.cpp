@@ -52,14 +52,13 @@ double limiting_curvature(double larger, double smaller) { return std::max(small
 // The second fundamental form in an orthonormal tangent basis, the first vector along xu: its eigenvalues are the
 // principal curvatures, and equal ones (sphere) come out without cancellation.
 CurvatureSample sample_curvature(const Surface& surface, Vec2 uv) {
-  Vec3 x, xu, xv, xuu, xuv, xvv;
-  surface.d2(uv, x, xu, xv, xuu, xuv, xvv);
+  const SurfaceJet at = surface.jet(uv);
   CurvatureSample sample;
-  sample.area = norm(cross(xu, xv));
-  Vec3 n = unit(cross(xu, xv));
-  sample.x = x, sample.n = n;
-  double square = dot(xu, xu), shear = dot(xu, xv) / square;
-  double uu = dot(n, xuu), uv_part = dot(n, xuv), vv = dot(n, xvv);
+  sample.area = norm(cross(at.u, at.v));
+  Vec3 n = unit(cross(at.u, at.v));
+  sample.x = at.x, sample.n = n;
+  double square = dot(at.u, at.u), shear = dot(at.u, at.v) / square;
+  double uu = dot(n, at.uu), uv_part = dot(n, at.uv), vv = dot(n, at.vv);
   double along = uu / square;
   double mixed = (uv_part - shear * uu) / sample.area;
   double across = (vv - 2 * shear * uv_part + shear * shear * uu) * square / (sample.area * sample.area);
@@ -67,7 +66,7 @@ CurvatureSample sample_curvature(const Surface& surface, Vec2 uv) {
   double mean = 0.5 * std::abs(along + across), spread = std::sqrt(half * half + mixed * mixed);
   sample.larger = mean + spread;
   sample.curvature = limiting_curvature(sample.larger, std::abs(mean - spread));
-  if (!std::isfinite(sample.area)) sample = {x, {}, 0, 0, std::numeric_limits<double>::quiet_NaN()};
+  if (!std::isfinite(sample.area)) sample = {at.x, {}, 0, 0, std::numeric_limits<double>::quiet_NaN()};
   return sample;
 }
 

@@ -21,10 +21,8 @@ TurnLimit turn_limit(const Options& options, double h) {
 }
 
 double curvature(const Curve& curve, double t) {
-  Vec3 x, xt, xtt;
-  curve.d2(t, x, xt, xtt);
-  double speed = norm(xt);
-  double value = norm(cross(xt, xtt)) / (speed * speed * speed);
+  const CurveJet at = curve.jet(t);
+  const double speed = norm(at.t), value = norm(cross(at.t, at.tt)) / (speed * speed * speed);
   return std::isfinite(value) ? value : 0;
 }
 

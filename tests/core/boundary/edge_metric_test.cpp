@@ -55,14 +55,10 @@ class Hook : public Curve {
  public:
   explicit Hook(double angle) : slope_(std::tan(angle)) {}
   Vec3 point(double t) const override { return {t, slope_ * width * std::log1p(std::exp(share(t))), 0}; }
-  void d1(double t, Vec3& x, Vec3& xt) const override {
-    x = point(t);
-    xt = {1, slope_ / (1 + std::exp(-share(t))), 0};
-  }
-  void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override {
-    d1(t, x, xt);
+  CurveSlope slope(double t) const override { return {point(t), {1, slope_ / (1 + std::exp(-share(t))), 0}}; }
+  CurveJet jet(double t) const override {
     const double rise = 1 / (1 + std::exp(-share(t)));
-    xtt = {0, slope_ * rise * (1 - rise) / width, 0};
+    return {slope(t), {0, slope_ * rise * (1 - rise) / width, 0}};
   }
 
  private:
@@ -116,14 +112,8 @@ TEST(EdgeMetric, AnEdgeWithOneFaceOnBothSidesMayNot) {
 class BentLine : public Curve {
  public:
   Vec3 point(double t) const override { return t < 0.3 ? Vec3{t, 0, 0} : Vec3{0.3, t - 0.3, 0}; }
-  void d1(double t, Vec3& x, Vec3& xt) const override {
-    x = point(t);
-    xt = t < 0.3 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  }
-  void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override {
-    d1(t, x, xt);
-    xtt = {};
-  }
+  CurveSlope slope(double t) const override { return {point(t), t < 0.3 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}}; }
+  CurveJet jet(double t) const override { return {slope(t)}; }
 };
 
 TEST(EdgeMetric, AKinkTakesANode) {
@@ -147,14 +137,8 @@ TEST(EdgeMetric, AKinkTakesANode) {
 class FoldedLine : public Curve {
  public:
   Vec3 point(double t) const override { return {t * (2 - t), 0, 0}; }
-  void d1(double t, Vec3& x, Vec3& xt) const override {
-    x = point(t);
-    xt = {2 - 2 * t, 0, 0};
-  }
-  void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override {
-    d1(t, x, xt);
-    xtt = {-2, 0, 0};
-  }
+  CurveSlope slope(double t) const override { return {point(t), {2 - 2 * t, 0, 0}}; }
+  CurveJet jet(double t) const override { return {slope(t), {-2, 0, 0}}; }
 };
 
 TEST(EdgeMetric, AFoldTakesANodeToo) {
@@ -182,14 +166,11 @@ class RoundedCorner : public Curve {
     const Vec3 on_arc{1 + radius_ * std::sin(a), radius_ * (1 - std::cos(a)), 0};
     return on_arc + Vec3{std::min(t - 1, 0.0), std::max(t - 1 - arc(), 0.0), 0};
   }
-  void d1(double t, Vec3& x, Vec3& xt) const override {
-    x = point(t);
-    xt = {std::cos(angle(t)), std::sin(angle(t)), 0};
-  }
-  void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override {
-    d1(t, x, xt);
+  CurveSlope slope(double t) const override { return {point(t), {std::cos(angle(t)), std::sin(angle(t)), 0}}; }
+  CurveJet jet(double t) const override {
+    const CurveSlope at = slope(t);
     const bool is_on_arc = t > 1 && t < 1 + arc();
-    xtt = is_on_arc ? (1 / radius_) * Vec3{-xt.y, xt.x, 0} : Vec3{};
+    return {at, is_on_arc ? (1 / radius_) * Vec3{-at.t.y, at.t.x, 0} : Vec3{}};
   }
 
  private:

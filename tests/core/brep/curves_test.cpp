@@ -37,10 +37,9 @@ TEST(CurveEvaluator, AgreesWithTheKernelUnderAPlacement) {
     gp_Pnt p;
     gp_Vec d, dd;
     adaptor.D2(t, p, d, dd);
-    Vec3 x, xt, xtt;
-    curve->d2(t, x, xt, xtt);
-    EXPECT_LE(norm(x - to_vec(p)) + norm(xt - to_vec(d)) + norm(xtt - to_vec(dd)), 1e-12);
-    EXPECT_LE(norm(curve->point(t) - x), 1e-15);
+    const CurveJet at = curve->jet(t);
+    EXPECT_LE(norm(at.x - to_vec(p)) + norm(at.t - to_vec(d)) + norm(at.tt - to_vec(dd)), 1e-12);
+    EXPECT_LE(norm(curve->point(t) - at.x), 1e-15);
   }
 }
 
@@ -52,12 +51,11 @@ TEST(CurveEvaluator, UsesTheImageOnASurfaceWhereThereIsNoCurve) {
   constexpr double step = 1e-4;
   for (double t = 0.1; t < 3; t += 0.4) {
     double s = t / std::numbers::sqrt2;
-    Vec3 x, xt, xtt;
-    curve->d2(t, x, xt, xtt);
-    EXPECT_LE(norm(x - Vec3{2 * std::cos(s), 2 * std::sin(s), s}), 1e-14);
+    const CurveJet at = curve->jet(t);
+    EXPECT_LE(norm(at.x - Vec3{2 * std::cos(s), 2 * std::sin(s), s}), 1e-14);
     Vec3 before = curve->point(t - step), after = curve->point(t + step);
-    EXPECT_LE(norm(xt - (0.5 / step) * (after - before)), 1e-7);
-    EXPECT_LE(norm(xtt - (1 / (step * step)) * (after + before - 2.0 * x)), 1e-6);
+    EXPECT_LE(norm(at.t - (0.5 / step) * (after - before)), 1e-7);
+    EXPECT_LE(norm(at.tt - (1 / (step * step)) * (after + before - 2.0 * at.x)), 1e-6);
   }
 }
 

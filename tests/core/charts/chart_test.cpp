@@ -179,8 +179,7 @@ TEST(RowChart, IsIsometricOnPlanesAndCylinders) {
     auto chart = make_row_chart(*c.surface, c.box);
     Vec2 uv, uv_x, uv_y;
     chart->to_uv(chart->to_chart(in_box(c.box, 0.3, 0.6)), uv, uv_x, uv_y);
-    Vec3 x, xu, xv;
-    c.surface->d1(uv, x, xu, xv);
+    const auto [x, xu, xv] = c.surface->slope(uv);
     Vec3 a = uv_x.x * xu + uv_x.y * xv, b = uv_y.x * xu + uv_y.y * xv;
     EXPECT_NEAR(norm(a), 1, 1e-12);
     EXPECT_NEAR(norm(b), 1, 1e-12);
@@ -198,8 +197,7 @@ TEST(PolarChart, IsAboutConformalAndContinuousAcrossThePeriod) {
       EXPECT_LE(norm(start - end), 1e-12 * norm(start));
       Vec2 uv, uv_x, uv_y;
       chart->to_uv(chart->to_chart(in_box(c.box, 0.4, t)), uv, uv_x, uv_y);
-      Vec3 x, xu, xv;
-      c.surface->d1(uv, x, xu, xv);
+      const auto [x, xu, xv] = c.surface->slope(uv);
       Vec3 a = uv_x.x * xu + uv_x.y * xv, b = uv_y.x * xu + uv_y.y * xv;
       EXPECT_NEAR(norm(a) / norm(b), 1, 0.35) << t;
       EXPECT_NEAR(dot(a, b) / (norm(a) * norm(b)), 0, 0.15) << t;

@@ -20,16 +20,11 @@ class Curled : public Surface {
     const double angle = curl * (wide_ - uv.x) / wide_, radius = wide_ / curl;
     return {wide_ - radius * std::sin(angle), uv.y, -radius * (1 - std::cos(angle))};
   }
-  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
+  SurfaceSlope slope(Vec2 uv) const override {
     const double angle = uv.x >= wide_ ? 0 : curl * (wide_ - uv.x) / wide_;
-    x = point(uv);
-    xu = {std::cos(angle), 0, std::sin(angle)};
-    xv = {0, 1, 0};
+    return {point(uv), {std::cos(angle), 0, std::sin(angle)}, {0, 1, 0}};
   }
-  void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
-    d1(uv, x, xu, xv);
-    xuu = xuv = xvv = {};
-  }
+  SurfaceJet jet(Vec2 uv) const override { return {slope(uv)}; }
   SurfaceKind kind() const override { return SurfaceKind::other; }
   Vec2 period() const override { return {}; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<Curled>(*this); }

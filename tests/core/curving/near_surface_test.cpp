@@ -19,16 +19,13 @@ class Cone : public Surface {
  public:
   explicit Cone(double half_angle) : s_(std::sin(half_angle)), c_(std::cos(half_angle)) {}
   Vec3 point(Vec2 uv) const override { return {uv.y * s_ * std::cos(uv.x), uv.y * s_ * std::sin(uv.x), uv.y * c_}; }
-  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
-    x = point(uv);
-    xu = {-x.y, x.x, 0};
-    xv = {s_ * std::cos(uv.x), s_ * std::sin(uv.x), c_};
+  SurfaceSlope slope(Vec2 uv) const override {
+    const Vec3 x = point(uv);
+    return {x, {-x.y, x.x, 0}, {s_ * std::cos(uv.x), s_ * std::sin(uv.x), c_}};
   }
-  void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
-    d1(uv, x, xu, xv);
-    xuu = {-x.x, -x.y, 0};
-    xuv = {-xv.y, xv.x, 0};
-    xvv = {};
+  SurfaceJet jet(Vec2 uv) const override {
+    const SurfaceSlope at = slope(uv);
+    return {at, {-at.x.x, -at.x.y, 0}, {-at.v.y, at.v.x, 0}};
   }
   SurfaceKind kind() const override { return SurfaceKind::cone; }
   Vec2 period() const override { return {2 * pi, 0}; }
@@ -78,13 +75,8 @@ class Nose : public Surface {
  public:
   explicit Nose(double sharpness) : sharpness_(sharpness) {}
   Vec3 point(Vec2 uv) const override { return {sharpness_ * uv.x * uv.x, uv.x, uv.y}; }
-  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
-    x = point(uv), xu = {2 * sharpness_ * uv.x, 1, 0}, xv = {0, 0, 1};
-  }
-  void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
-    d1(uv, x, xu, xv);
-    xuu = {2 * sharpness_, 0, 0}, xuv = {}, xvv = {};
-  }
+  SurfaceSlope slope(Vec2 uv) const override { return {point(uv), {2 * sharpness_ * uv.x, 1, 0}, {0, 0, 1}}; }
+  SurfaceJet jet(Vec2 uv) const override { return {slope(uv), {2 * sharpness_, 0, 0}}; }
   SurfaceKind kind() const override { return SurfaceKind::other; }
   Vec2 period() const override { return {}; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<Nose>(*this); }
@@ -142,15 +134,12 @@ class Ring : public Surface {
     const double r = 5.7 + 0.3 * std::cos(uv.y);
     return {r * std::cos(uv.x), r * std::sin(uv.x), 0.3 * std::sin(uv.y)};
   }
-  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
-    x = point(uv), xu = {-x.y, x.x, 0};
+  SurfaceSlope slope(Vec2 uv) const override {
+    const Vec3 x = point(uv);
     const double s = -0.3 * std::sin(uv.y);
-    xv = {s * std::cos(uv.x), s * std::sin(uv.x), 0.3 * std::cos(uv.y)};
+    return {x, {-x.y, x.x, 0}, {s * std::cos(uv.x), s * std::sin(uv.x), 0.3 * std::cos(uv.y)}};
   }
-  void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
-    d1(uv, x, xu, xv);
-    xuu = xuv = xvv = {};
-  }
+  SurfaceJet jet(Vec2 uv) const override { return {slope(uv)}; }
   SurfaceKind kind() const override { return SurfaceKind::other; }
   Vec2 period() const override { return {2 * pi, 2 * pi}; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<Ring>(*this); }

@@ -14,10 +14,8 @@ namespace {
 
 struct Plane : Surface {
   Vec3 point(Vec2 p) const override { return {p.x, p.y, 0}; }
-  void d1(Vec2 p, Vec3& x, Vec3& a, Vec3& b) const override { x = {p.x, p.y, 0}, a = {1, 0, 0}, b = {0, 1, 0}; }
-  void d2(Vec2 p, Vec3& x, Vec3& a, Vec3& b, Vec3& c, Vec3& d, Vec3& e) const override {
-    d1(p, x, a, b), c = d = e = {};
-  }
+  SurfaceSlope slope(Vec2 p) const override { return {{p.x, p.y, 0}, {1, 0, 0}, {0, 1, 0}}; }
+  SurfaceJet jet(Vec2 p) const override { return {slope(p)}; }
   SurfaceKind kind() const override { return SurfaceKind::plane; }
   Vec2 period() const override { return {0, 0}; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<Plane>(); }

@@ -17,16 +17,12 @@ class BentTube : public Surface {
     const double a = uv.y / bend_, reach = bend_ - radius_ * std::cos(uv.x);
     return {bend_ - reach * std::cos(a), radius_ * std::sin(uv.x), reach * std::sin(a)};
   }
-  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
+  SurfaceSlope slope(Vec2 uv) const override {
     const double a = uv.y / bend_, c = std::cos(a), s = std::sin(a);
-    x = point(uv);
-    xu = radius_ * Vec3{-std::sin(uv.x) * c, std::cos(uv.x), std::sin(uv.x) * s};
-    xv = (1 - radius_ / bend_ * std::cos(uv.x)) * Vec3{s, 0, c};
+    return {point(uv), radius_ * Vec3{-std::sin(uv.x) * c, std::cos(uv.x), std::sin(uv.x) * s},
+            (1 - radius_ / bend_ * std::cos(uv.x)) * Vec3{s, 0, c}};
   }
-  void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
-    d1(uv, x, xu, xv);
-    xuu = xuv = xvv = {};
-  }
+  SurfaceJet jet(Vec2 uv) const override { return {slope(uv)}; }
   SurfaceKind kind() const override { return SurfaceKind::other; }
   Vec2 period() const override { return {2 * pi, 0}; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<BentTube>(*this); }
@@ -41,15 +37,11 @@ class Isoline : public Curve {
   Isoline(std::shared_ptr<const Surface> surface, double at, bool is_rim)
       : surface_(std::move(surface)), at_(at), is_rim_(is_rim) {}
   Vec3 point(double t) const override { return surface_->point(is_rim_ ? Vec2{t, at_} : Vec2{at_, t}); }
-  void d1(double t, Vec3& x, Vec3& xt) const override {
-    Vec3 xu, xv;
-    surface_->d1(is_rim_ ? Vec2{t, at_} : Vec2{at_, t}, x, xu, xv);
-    xt = is_rim_ ? xu : xv;
+  CurveSlope slope(double t) const override {
+    const auto [x, xu, xv] = surface_->slope(is_rim_ ? Vec2{t, at_} : Vec2{at_, t});
+    return {x, is_rim_ ? xu : xv};
   }
-  void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override {
-    d1(t, x, xt);
-    xtt = {};
-  }
+  CurveJet jet(double t) const override { return {slope(t)}; }
 
  private:
   std::shared_ptr<const Surface> surface_;

@@ -52,8 +52,7 @@ double area_of(const Surface& surface) {
     for (int j = 0; j < n; ++j) {
       const Vec2 uv{(i + 0.5) / n, (j + 0.5) / n};
       if (norm(uv - Vec2{0.5, 0.5}) > 0.5) continue;
-      Vec3 x, xu, xv;
-      surface.d1(uv, x, xu, xv);
+      const auto [x, xu, xv] = surface.slope(uv);
       area += norm(cross(xu, xv)) / (n * n);
     }
   return area;

@@ -14,11 +14,10 @@ namespace {
 
 /// Images of a plane's edges.
 void add_images(Model& model, Face& face) {
-  Vec3 origin, xu, xv;
-  face.surface->d1({0, 0}, origin, xu, xv);
+  const SurfaceSlope at = face.surface->slope({0, 0});
   auto uv = [&](int vertex) {
-    Vec3 d = model.vertices[static_cast<std::size_t>(vertex)] - origin;
-    return Vec2{dot(d, xu) / dot(xu, xu), dot(d, xv) / dot(xv, xv)};
+    Vec3 d = model.vertices[static_cast<std::size_t>(vertex)] - at.x;
+    return Vec2{dot(d, at.u) / dot(at.u, at.u), dot(d, at.v) / dot(at.v, at.v)};
   };
   for (Coedge& coedge : coedges_of(face.loops)) {
     const Edge& edge = model.edges[static_cast<std::size_t>(coedge.edge)];

@@ -18,8 +18,7 @@ TEST(NormalTable, FollowsTheNormalsOfACylinder) {
   const Model tube = fake::tube(radius, 40);
   const NormalTable table = table_of(tube, 0.5, 0.5);
   for (double u : {0.1, 1.0, 3.3, 6.2}) {
-    Vec3 x, xu, xv;
-    tube.faces[0].surface->d1({u, 7}, x, xu, xv);
+    const auto [x, xu, xv] = tube.faces[0].surface->slope({u, 7});
     const Vec3 n = unit(cross(xu, xv));
     EXPECT_NEAR(norm(table.at({u, 7}) - n), 0, 1e-3) << u;
     Vec3 by_u, by_v;
@@ -79,9 +78,10 @@ TEST(NormalTable, PolesTakeTheNormalsBesideThem) {
 class RoundedBall : public fake::Sphere {
  public:
   RoundedBall() : Sphere(radius) {}
-  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
-    Sphere::d1(uv, x, xu, xv);
-    if (std::abs(uv.y) > fake::pi / 2 - 1e-9) xu = {3e-15, 0, 5e-15};
+  SurfaceSlope slope(Vec2 uv) const override {
+    SurfaceSlope at = Sphere::slope(uv);
+    if (std::abs(uv.y) > fake::pi / 2 - 1e-9) at.u = {3e-15, 0, 5e-15};
+    return at;
   }
 };
 

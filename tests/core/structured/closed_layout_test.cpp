@@ -31,12 +31,12 @@ class Ellipsoid : public Surface {
   Vec3 point(Vec2 q) const override {
     return {std::cos(q.y) * std::cos(q.x), std::cos(q.y) * std::sin(q.x), height_ * std::sin(q.y)};
   }
-  void d1(Vec2 q, Vec3& x, Vec3& xu, Vec3& xv) const override {
-    x = point(q);
-    xu = {-x.y, x.x, 0};
-    xv = {-std::sin(q.y) * std::cos(q.x), -std::sin(q.y) * std::sin(q.x), height_ * std::cos(q.y)};
+  SurfaceSlope slope(Vec2 q) const override {
+    const Vec3 x = point(q);
+    return {
+        x, {-x.y, x.x, 0}, {-std::sin(q.y) * std::cos(q.x), -std::sin(q.y) * std::sin(q.x), height_ * std::cos(q.y)}};
   }
-  void d2(Vec2, Vec3&, Vec3&, Vec3&, Vec3&, Vec3&, Vec3&) const override {}
+  SurfaceJet jet(Vec2 q) const override { return {slope(q)}; }
   SurfaceKind kind() const override { return SurfaceKind::other; }
   Vec2 period() const override { return {2 * pi, 0}; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<Ellipsoid>(*this); }

@@ -22,12 +22,11 @@ class Torus : public Surface {
     double r = 3 + std::cos(q.y);
     return {r * std::cos(q.x), r * std::sin(q.x), std::sin(q.y)};
   }
-  void d1(Vec2 q, Vec3& x, Vec3& xu, Vec3& xv) const override {
-    x = point(q);
-    xu = {-x.y, x.x, 0};
-    xv = {-std::sin(q.y) * std::cos(q.x), -std::sin(q.y) * std::sin(q.x), std::cos(q.y)};
+  SurfaceSlope slope(Vec2 q) const override {
+    const Vec3 x = point(q);
+    return {x, {-x.y, x.x, 0}, {-std::sin(q.y) * std::cos(q.x), -std::sin(q.y) * std::sin(q.x), std::cos(q.y)}};
   }
-  void d2(Vec2, Vec3&, Vec3&, Vec3&, Vec3&, Vec3&, Vec3&) const override {}
+  SurfaceJet jet(Vec2 q) const override { return {slope(q)}; }
   SurfaceKind kind() const override { return SurfaceKind::other; }
   Vec2 period() const override { return {2 * pi, 2 * pi}; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<Torus>(*this); }

@@ -81,8 +81,7 @@ double loop_area(const Model& model, const Loop& loop) {
 /// Share of faces whose outward normal at a point of the first edge looks away from `inside`.
 void expect_outward(const Model& model, Vec3 inside) {
   for (const Face& face : model.faces) {
-    Vec3 x, xu, xv;
-    face.surface->d1(uv_at(model, face.loops[0].coedges[0], 0.3), x, xu, xv);
+    const auto [x, xu, xv] = face.surface->slope(uv_at(model, face.loops[0].coedges[0], 0.3));
     Vec3 normal = (face.is_reversed ? -1.0 : 1.0) * cross(xu, xv);
     EXPECT_GE(dot(normal, x - inside), -1e-9) << face.name;
   }
@@ -303,8 +302,7 @@ TEST(BuildModel, LeavesTheShellOfACavityLookingInwards) {
   EXPECT_TRUE(model.notes.empty());
   for (const Face& face : model.faces) {
     if (face.surface->kind() != SurfaceKind::sphere) continue;
-    Vec3 x, xu, xv;
-    face.surface->d1({1, 0.2}, x, xu, xv);
+    const auto [x, xu, xv] = face.surface->slope({1, 0.2});
     double side = dot(cross(xu, xv), x - Vec3{5, 5, 5});
     EXPECT_TRUE(face.is_reversed == (side > 0));
   }

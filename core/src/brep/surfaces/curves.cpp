@@ -33,20 +33,17 @@ class SpaceCurve : public Curve {
     call(t, [&] { curve_->D0(t, x); });
     return placed(x);
   }
-  void d1(double t, Vec3& x, Vec3& xt) const override {
+  CurveSlope slope(double t) const override {
     gp_Pnt p;
     gp_Vec d;
     call(t, [&] { curve_->D1(t, p, d); });
-    x = placed(p);
-    xt = placed(d);
+    return {placed(p), placed(d)};
   }
-  void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override {
+  CurveJet jet(double t) const override {
     gp_Pnt p;
     gp_Vec d, dd;
     call(t, [&] { curve_->D2(t, p, d, dd); });
-    x = placed(p);
-    xt = placed(d);
-    xtt = placed(dd);
+    return {{placed(p), placed(d)}, placed(dd)};
   }
 
  private:
@@ -77,19 +74,12 @@ class CurveOnSurface : public Curve {
   CurveOnSurface(Handle(Geom2d_Curve) curve, Handle(Geom_Surface) surface, const gp_Trsf& placement)
       : curve_(std::move(curve)), surface_(std::move(surface)), placement_(placement) {}
 
-  Vec3 point(double t) const override {
-    Vec3 x, xt, xtt;
-    evaluate(t, 0, x, xt, xtt);
-    return x;
-  }
-  void d1(double t, Vec3& x, Vec3& xt) const override {
-    Vec3 xtt;
-    evaluate(t, 1, x, xt, xtt);
-  }
-  void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const override { evaluate(t, 2, x, xt, xtt); }
+  Vec3 point(double t) const override { return evaluate(t, 0).x; }
+  CurveSlope slope(double t) const override { return evaluate(t, 1); }
+  CurveJet jet(double t) const override { return evaluate(t, 2); }
 
  private:
-  void evaluate(double t, int order, Vec3& x, Vec3& xt, Vec3& xtt) const {
+  CurveJet evaluate(double t, int order) const {
     gp_Pnt2d uv;
     gp_Vec2d d, dd;
     gp_Pnt p;
@@ -108,9 +98,8 @@ class CurveOnSurface : public Curve {
     }
     gp_Vec first = d.X() * u + d.Y() * v;
     gp_Vec second = d.X() * d.X() * uu + 2 * d.X() * d.Y() * w + d.Y() * d.Y() * vv + dd.X() * u + dd.Y() * v;
-    x = to_vec(p.Transformed(placement_));
-    xt = to_vec(first.Transformed(placement_));
-    xtt = to_vec(second.Transformed(placement_));
+    return {{to_vec(p.Transformed(placement_)), to_vec(first.Transformed(placement_))},
+            to_vec(second.Transformed(placement_))};
   }
 
   Handle(Geom2d_Curve) curve_;

@@ -35,15 +35,8 @@ class PlaneSurface : public Surface {
  public:
   explicit PlaneSurface(const ElementarySurface& shape) : shape_(shape) {}
   Vec3 point(Vec2 uv) const override { return shape_.origin + uv.x * shape_.x + uv.y * shape_.y; }
-  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
-    x = point(uv);
-    xu = shape_.x;
-    xv = shape_.y;
-  }
-  void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
-    d1(uv, x, xu, xv);
-    xuu = xuv = xvv = Vec3{};
-  }
+  SurfaceSlope slope(Vec2 uv) const override { return {point(uv), shape_.x, shape_.y}; }
+  SurfaceJet jet(Vec2 uv) const override { return {slope(uv)}; }
   SurfaceKind kind() const override { return SurfaceKind::plane; }
   Vec2 period() const override { return {0, 0}; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<PlaneSurface>(*this); }
@@ -68,22 +61,18 @@ class TurnedSurface : public Surface {
     ProfilePoint p = profile(uv.y);
     return shape_.origin + p.r * radial(uv.x) + p.z * shape_.z;
   }
-  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
+  SurfaceSlope slope(Vec2 uv) const override {
     ProfilePoint p = profile(uv.y);
     Vec3 e = radial(uv.x);
-    x = shape_.origin + p.r * e + p.z * shape_.z;
-    xu = p.r * tangential(uv.x);
-    xv = p.r1 * e + p.z1 * shape_.z;
+    return {shape_.origin + p.r * e + p.z * shape_.z, p.r * tangential(uv.x), p.r1 * e + p.z1 * shape_.z};
   }
-  void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
+  SurfaceJet jet(Vec2 uv) const override {
     ProfilePoint p = profile(uv.y);
     Vec3 e = radial(uv.x), t = tangential(uv.x);
-    x = shape_.origin + p.r * e + p.z * shape_.z;
-    xu = p.r * t;
-    xv = p.r1 * e + p.z1 * shape_.z;
-    xuu = -p.r * e;
-    xuv = p.r1 * t;
-    xvv = p.r2 * e + p.z2 * shape_.z;
+    return {{shape_.origin + p.r * e + p.z * shape_.z, p.r * t, p.r1 * e + p.z1 * shape_.z},
+            -p.r * e,
+            p.r1 * t,
+            p.r2 * e + p.z2 * shape_.z};
   }
   SurfaceKind kind() const override { return Kind; }
   Vec2 period() const override { return {full_turn, Kind == SurfaceKind::torus ? full_turn : 0}; }

@@ -108,28 +108,9 @@ class GeneralSurface : public Surface {
         adaptor_(other.surface_) {}
   GeneralSurface& operator=(const GeneralSurface&) = delete;
 
-  Vec3 point(Vec2 uv) const override {
-    SurfaceJet jet;
-    extend(evaluate(uv, 0, jet), jet);
-    return jet.x;
-  }
-  void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const override {
-    SurfaceJet jet;
-    extend(evaluate(uv, 1, jet), jet);
-    x = jet.x;
-    xu = jet.u;
-    xv = jet.v;
-  }
-  void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const override {
-    SurfaceJet jet;
-    extend(evaluate(uv, 2, jet), jet);
-    x = jet.x;
-    xu = jet.u;
-    xv = jet.v;
-    xuu = jet.uu;
-    xuv = jet.uv;
-    xvv = jet.vv;
-  }
+  Vec3 point(Vec2 uv) const override { return extended(uv, 0).x; }
+  SurfaceSlope slope(Vec2 uv) const override { return extended(uv, 1); }
+  SurfaceJet jet(Vec2 uv) const override { return extended(uv, 2); }
   SurfaceKind kind() const override { return SurfaceKind::other; }
   Vec2 period() const override { return {u_.period, v_.period}; }
   std::unique_ptr<Surface> clone() const override { return std::make_unique<GeneralSurface>(*this); }
@@ -157,6 +138,12 @@ class GeneralSurface : public Surface {
     return gap <= std::max(closure_share * width, std::min(tolerance, 0.01 * width)) && width > 0
                ? along.last - along.first
                : 0;
+  }
+
+  SurfaceJet extended(Vec2 uv, int order) const {
+    SurfaceJet jet;
+    extend(evaluate(uv, order, jet), jet);
+    return jet;
   }
 
   /// Values at the nearest parameters within the bounds; the result is the step from there to `uv`.
@@ -198,7 +185,7 @@ class GeneralSurface : public Surface {
       x.Transform(placement_);
       for (gp_Vec* a : {&u, &v, &uu, &uv_, &vv}) a->Transform(placement_);
     }
-    jet = {to_vec(x), to_vec(u), to_vec(v), to_vec(uu), to_vec(uv_), to_vec(vv)};
+    jet = {{to_vec(x), to_vec(u), to_vec(v)}, to_vec(uu), to_vec(uv_), to_vec(vv)};
     return true;
   }
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "paver/vec.h"
+#include "brep/surfaces/surface.h"
 
 namespace paver {
 
@@ -50,11 +50,6 @@ struct SplineNet {
   SplineBasis u, v;
   bool is_rational = false;
   std::vector<Pole> poles;
-};
-
-/// Point and derivatives of one evaluation.
-struct SurfaceJet {
-  Vec3 x, u, v, uu, uv, vv;
 };
 
 /// Keeps the last span, so each task has its own; copies share the net.

@@ -19,6 +19,13 @@ struct SurfaceSlope {
 struct CurveSlope {
   Vec3 x, t;
 };
+/// With the second derivatives.
+struct SurfaceJet : SurfaceSlope {
+  Vec3 uu{}, uv{}, vv{};
+};
+struct CurveJet : CurveSlope {
+  Vec3 tt{};
+};
 
 /// One face's surface in its own parameters. An evaluator caches the last span, so each task clones its own.
 /// Every value is finite: beyond the ends of a bounded surface it is continued linearly, across a closed one wrapped.
@@ -27,15 +34,8 @@ class Surface {
  public:
   virtual ~Surface() = default;
   virtual Vec3 point(Vec2 uv) const = 0;
-  /// Point and first derivatives.
-  virtual void d1(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv) const = 0;
-  /// Point, first and second derivatives.
-  virtual void d2(Vec2 uv, Vec3& x, Vec3& xu, Vec3& xv, Vec3& xuu, Vec3& xuv, Vec3& xvv) const = 0;
-  SurfaceSlope slope(Vec2 uv) const {
-    SurfaceSlope at;
-    d1(uv, at.x, at.u, at.v);
-    return at;
-  }
+  virtual SurfaceSlope slope(Vec2 uv) const = 0;
+  virtual SurfaceJet jet(Vec2 uv) const = 0;
   /// On the side of the cross product of the derivatives, of length one; zero where these are parallel.
   Vec3 normal(Vec2 uv) const {
     const SurfaceSlope at = slope(uv);
@@ -52,13 +52,8 @@ class Curve {
  public:
   virtual ~Curve() = default;
   virtual Vec3 point(double t) const = 0;
-  virtual void d1(double t, Vec3& x, Vec3& xt) const = 0;
-  virtual void d2(double t, Vec3& x, Vec3& xt, Vec3& xtt) const = 0;
-  CurveSlope slope(double t) const {
-    CurveSlope at;
-    d1(t, at.x, at.t);
-    return at;
-  }
+  virtual CurveSlope slope(double t) const = 0;
+  virtual CurveJet jet(double t) const = 0;
 };
 
 /// An edge's image in a face's (u, v), over the edge's own parameter; has no cache, so threads may share it.

@@ -26,8 +26,8 @@ constexpr double largest_turn = M_PI / 4;    // between normals: a face folded b
 class Plane {
  public:
   explicit Plane(const Surface& surface) {
-    Vec3 u, v;
-    surface.d1({0, 0}, origin_, u, v);
+    const auto [x, u, v] = surface.slope({0, 0});
+    origin_ = x;
     normal_ = unit(cross(u, v));
     const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), det = uu * vv - uv * uv;
     by_u_ = (vv / det) * u - (uv / det) * v;

@@ -37,16 +37,15 @@ class ChainCurve : public Curve {
     double t, pace;
     return curves_[pieces_->find(s, t, pace)]->point(t);
   }
-  void d1(double s, Vec3& x, Vec3& xs) const override {
+  CurveSlope slope(double s) const override {
     double t, pace;
-    curves_[pieces_->find(s, t, pace)]->d1(t, x, xs);
-    xs = pace * xs;
+    const CurveSlope at = curves_[pieces_->find(s, t, pace)]->slope(t);
+    return {at.x, pace * at.t};
   }
-  void d2(double s, Vec3& x, Vec3& xs, Vec3& xss) const override {
+  CurveJet jet(double s) const override {
     double t, pace;
-    curves_[pieces_->find(s, t, pace)]->d2(t, x, xs, xss);
-    xs = pace * xs;
-    xss = pace * pace * xss;
+    const CurveJet at = curves_[pieces_->find(s, t, pace)]->jet(t);
+    return {{at.x, pace * at.t}, pace * pace * at.tt};
   }
 
  private:

@@ -20,13 +20,13 @@ constexpr double graded_excess = 1.9;  // rows give up nodes more slowly than th
 class TurnedArea {
  public:
   TurnedArea(const Surface& surface, Vec2 uv) {
-    Vec3 x, xuu, xuv, xvv;
-    surface.d2(uv, x, xu_, xv_, xuu, xuv, xvv);
+    const SurfaceJet at = surface.jet(uv);
+    xu_ = at.u, xv_ = at.v;
     const Vec3 across = cross(xu_, xv_);
     if (!(norm(across) > 0)) return;  // a pole: none
     const Vec3 n = unit(across);
     auto turn = [&](Vec3 slope) { return 1 / norm(across) * (slope - dot(slope, n) * n); };
-    nu_ = turn(cross(xuu, xv_) + cross(xu_, xuv)), nv_ = turn(cross(xuv, xv_) + cross(xu_, xvv));
+    nu_ = turn(cross(at.uu, xv_) + cross(xu_, at.uv)), nv_ = turn(cross(at.uv, xv_) + cross(xu_, at.vv));
   }
 
   /// In squares of the target length `h`, of which a turn by `turn_limit` radians is one, too.
