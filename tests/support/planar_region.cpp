@@ -14,11 +14,7 @@ namespace {
 class PlaneChart : public Chart {
  public:
   Vec2 to_chart(Vec2 uv) const override { return uv; }
-  void to_uv(Vec2 p, Vec2& uv, Vec2& uv_x, Vec2& uv_y) const override {
-    uv = p;
-    uv_x = {1, 0};
-    uv_y = {0, 1};
-  }
+  ChartSlope slope(Vec2 p) const override { return {p, {1, 0}, {0, 1}}; }
 };
 
 }  // namespace

@@ -72,16 +72,15 @@ class RowChart : public Chart {
     return {sign_ * (along_.arc(along_.at(q.x)) - middle_) * width_at(c), across_.arc(c)};
   }
 
-  void to_uv(Vec2 p, Vec2& uv, Vec2& uv_x, Vec2& uv_y) const override {
+  ChartSlope slope(Vec2 p) const override {
     const Cell c = across_.at_arc(p.y);
     const double rise = across_.rise(c.i);
     const double a = width_at(c), da = c.t < 0 || c.t > 1 ? 0 : (width_[c.i + 1] - width_[c.i]) / rise;
     const double way = sign_ * p.x / a;
     const Cell b = along_.at_arc(middle_ + way);
     const double pace = along_.step() / along_.rise(b.i);
-    uv = box_.uv({along_.value(b), across_.value(c)});
-    uv_x = box_.uv({pace * sign_ / a, 0});
-    uv_y = box_.uv({-pace * way * da / a, across_.step() / rise});
+    return {box_.uv({along_.value(b), across_.value(c)}), box_.uv({pace * sign_ / a, 0}),
+            box_.uv({-pace * way * da / a, across_.step() / rise})};
   }
 
  private:
@@ -148,7 +147,7 @@ class PolarChart : public Chart {
     return {r * std::cos(phi), r * std::sin(phi)};
   }
 
-  void to_uv(Vec2 p, Vec2& uv, Vec2& uv_x, Vec2& uv_y) const override {
+  ChartSlope slope(Vec2 p) const override {
     double r = norm(p);
     if (!(r > least_)) p = {r = least_, 0};
     int i = find_cell(r);
@@ -164,10 +163,9 @@ class PolarChart : public Chart {
     double u = phi / (sign_ * turn_);
     double period = 2 * M_PI / turn_;
     if (u < 0) u += period;
-    uv = box_.uv({box_.lo.x + u, lo_ + step_ * (i + t)});
     double k = 1 / (sign_ * turn_ * r * r);
-    uv_x = box_.uv({-p.y * k, step_ * dt * p.x / r});
-    uv_y = box_.uv({p.x * k, step_ * dt * p.y / r});
+    return {box_.uv({box_.lo.x + u, lo_ + step_ * (i + t)}), box_.uv({-p.y * k, step_ * dt * p.x / r}),
+            box_.uv({p.x * k, step_ * dt * p.y / r})};
   }
 
  private:

@@ -10,18 +10,18 @@
 
 namespace paver {
 
+/// (u, v) at a chart point and its derivatives by the chart coordinates.
+struct ChartSlope {
+  Vec2 uv, by_x, by_y;
+};
+
 /// Injective map between a region's (u, v) and a plane in which orientation tests are exact.
 class Chart {
  public:
   virtual ~Chart() = default;
   virtual Vec2 to_chart(Vec2 uv) const = 0;
-  /// (u, v) at chart point p and its derivatives by p.x and p.y.
-  virtual void to_uv(Vec2 p, Vec2& uv, Vec2& uv_x, Vec2& uv_y) const = 0;
-  Vec2 uv(Vec2 p) const {
-    Vec2 at, by_x, by_y;
-    to_uv(p, at, by_x, by_y);
-    return at;
-  }
+  virtual ChartSlope slope(Vec2 p) const = 0;
+  Vec2 uv(Vec2 p) const { return slope(p).uv; }
   /// End of the walk that starts at p with the chart displacement `step`; to first order p + step. Charts that bend
   /// long straight walks on the surface follow them here.
   virtual Vec2 walk(Vec2 p, Vec2 step) const { return p + step; }
@@ -36,21 +36,13 @@ class Chart {
   Vec2 between(Vec2 p, Vec2 q, double share) const { return walk(p, share * step_to(p, q)); }
 };
 
-/// Surface point at chart point p and its derivatives by the chart coordinates; gives (u, v) there.
-inline Vec2 evaluate(const Chart& chart, const Surface& surface, Vec2 p, Vec3& x, Vec3& xp, Vec3& xq) {
-  Vec2 uv, uv_x, uv_y;
-  chart.to_uv(p, uv, uv_x, uv_y);
-  const auto [at, xu, xv] = surface.slope(uv);
-  x = at;
-  xp = uv_x.x * xu + uv_x.y * xv;
-  xq = uv_y.x * xu + uv_y.y * xv;
-  return uv;
+/// Surface point at a chart point and its derivatives by the chart coordinates.
+inline SurfaceSlope slope_at(const ChartSlope& at, const Surface& surface) {
+  const auto [x, xu, xv] = surface.slope(at.uv);
+  return {x, at.by_x.x * xu + at.by_x.y * xv, at.by_y.x * xu + at.by_y.y * xv};
 }
-
 inline SurfaceSlope slope_at(const Chart& chart, const Surface& surface, Vec2 p) {
-  SurfaceSlope at;
-  evaluate(chart, surface, p, at.x, at.u, at.v);
-  return at;
+  return slope_at(chart.slope(p), surface);
 }
 
 /// Step in the chart whose image comes nearest to r, by the derivatives there; false where these are parallel.

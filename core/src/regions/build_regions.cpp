@@ -486,16 +486,16 @@ class RegionBuilder {
       if (other.vertex != point.vertex) room = std::min(room, 0.5 * norm(model_.vertices[other.vertex] - fan.centre.x));
     double side = std::min(fan.centre.h, point_room * room);
     side = std::min(side, most_about * way_round(*face_.surface, point.uv, side));
-    auto [x, xp, xq] = region.slope(fan.centre.p);
+    SurfaceSlope at = region.slope(fan.centre.p);
     // The kernel gives surfaces of revolution no slope along their circles within 1e-7 of the axis.
-    if (!(norm(cross(xp, xq)) > 0)) region.evaluate(fan.centre.p + Vec2{beside_pole * side / norm(xp), 0}, x, xp, xq);
-    Vec3 across = unit(xp), up = unit(cross(cross(xp, xq), xp));
+    if (!(norm(cross(at.u, at.v)) > 0)) at = region.slope(fan.centre.p + Vec2{beside_pole * side / norm(at.u), 0});
+    Vec3 across = unit(at.u), up = unit(cross(cross(at.u, at.v), at.u));
     for (int i = 0; i < 2 * quads; ++i) {
       double angle = M_PI * i / quads, reach = i % 2 ? M_SQRT2 * side : side;
       Vec3 way = reach * (std::cos(angle) * across + std::sin(angle) * up);
       LoopNode node;
       Vec2 step;
-      pull_back(xp, xq, way, step);
+      pull_back(at.u, at.v, way, step);
       node.p = region.chart->walk(fan.centre.p, step);
       node.x = region.point(node.p);
       node.h = std::max(side, least_side * fan.centre.h);

@@ -12,8 +12,7 @@ namespace paver {
 NodePlace Region::place(Vec2 p) const {
   NodePlace at;
   at.p = p;
-  Vec2 uv, uv_x, uv_y;
-  chart->to_uv(p, uv, uv_x, uv_y);
+  const auto [uv, uv_x, uv_y] = chart->slope(p);
   const auto [x, xu, xv] = surface->slope(uv);
   at.x = x;
   at.xp = uv_x.x * xu + uv_x.y * xv;

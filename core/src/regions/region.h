@@ -55,8 +55,7 @@ struct Region : RegionTask {
 
   /// Surface point at a chart point.
   Vec3 point(Vec2 p) const { return surface->point(chart->uv(p)); }
-  /// Surface point and its derivatives by the chart coordinates; gives (u, v) there.
-  Vec2 evaluate(Vec2 p, Vec3& x, Vec3& xp, Vec3& xq) const { return paver::evaluate(*chart, *surface, p, x, xp, xq); }
+  /// By the chart coordinates.
   SurfaceSlope slope(Vec2 p) const { return slope_at(*chart, *surface, p); }
   /// The same with the normal, where turns count.
   NodePlace place(Vec2 p) const;

@@ -18,8 +18,8 @@ class PlainChart : public Chart {
  public:
   explicit PlainChart(Vec2 scale) : scale_(scale) {}
   Vec2 to_chart(Vec2 uv) const override { return {uv.x * scale_.x, uv.y * scale_.y}; }
-  void to_uv(Vec2 p, Vec2& uv, Vec2& uv_x, Vec2& uv_y) const override {
-    uv = {p.x / scale_.x, p.y / scale_.y}, uv_x = {1 / scale_.x, 0}, uv_y = {0, 1 / scale_.y};
+  ChartSlope slope(Vec2 p) const override {
+    return {{p.x / scale_.x, p.y / scale_.y}, {1 / scale_.x, 0}, {0, 1 / scale_.y}};
   }
 
  private:

@@ -135,8 +135,10 @@ double mean_ratio(const GluedGrid& grid) {
 
 void GluedGrid::place(int node, Vec2 p, const Surface& surface, const FaceSize& size) {
   mesh.p[node] = p;
-  const Vec2 uv = evaluate(*charts[chart[node]], surface, p, mesh.x[node], mesh.xp[node], mesh.xq[node]);
-  mesh.h[node] = size.at(uv, surface);
+  const ChartSlope at = charts[chart[node]]->slope(p);
+  const auto [x, xp, xq] = slope_at(at, surface);
+  mesh.x[node] = x, mesh.xp[node] = xp, mesh.xq[node] = xq;
+  mesh.h[node] = size.at(at.uv, surface);
 }
 
 GridFigures measure_grid(const GluedGrid& grid) {

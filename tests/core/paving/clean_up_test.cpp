@@ -23,7 +23,7 @@ struct Plane : Surface {
 
 struct SameChart : Chart {
   Vec2 to_chart(Vec2 uv) const override { return uv; }
-  void to_uv(Vec2 p, Vec2& uv, Vec2& a, Vec2& b) const override { uv = p, a = {1, 0}, b = {0, 1}; }
+  ChartSlope slope(Vec2 p) const override { return {p, {1, 0}, {0, 1}}; }
 };
 
 Region plane_region() {
