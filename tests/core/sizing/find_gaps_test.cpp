@@ -1,30 +1,20 @@
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
-#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
-#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <algorithm>
-#include <gp_Circ.hxx>
-#include <gp_Pln.hxx>
 #include <set>
 
 #include "sizing/parts/find_places.h"
+#include "support/plates.h"
 #include "support/report_of.h"
 
 namespace paver {
 namespace {
 
-TopoDS_Shape plate(double x0, double y0, double x1, double y1) {
-  return BRepBuilderAPI_MakeFace(gp_Pln(), x0, x1, y0, y1).Face();
-}
-
-TopoDS_Shape disc(double x, double y, double radius) {
-  const gp_Circ circle(gp_Ax2(gp_Pnt(x, y, 0), gp::DZ()), radius);
-  return BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle)));
-}
+using test::disc, test::plate;
 
 std::vector<GapPiece> gaps(const TopoDS_Shape& shape, double h) {
   return find_gaps(test::model_of(shape), [h](int) { return h; });
