@@ -15,6 +15,7 @@
 #include <numeric>
 
 #include "base/box.h"
+#include "sizing/parts/find_places.h"
 #include "sizing/parts/local_counts.h"
 
 namespace paver {
@@ -233,9 +234,25 @@ double predicted_elements(const Model& model, const Face& face, const SampledFac
   return std::max({1.0, face.area * sampled.mean_density, 0.5 * perimeter(model, face) * along - 1});
 }
 
+/// Where what is divided finely, as a hole beside an edge, would meet long intervals. Not for LocalSizes itself, which
+/// say before that what is to be merged.
+std::vector<SizeSource> fine_borders(const Model& model, const Options& options, double h, const LocalSizes& local) {
+  const TurnLimit limit = turn_limit(options, h);
+  auto interval = [&](const Edge& edge, double t) {
+    return std::min({h, local.on_edge(edge), edge.length, limit.longest_edge(curvature(*edge.curve, t))});
+  };
+  std::vector<SizeSource> pieces = find_fine_borders(model, interval, options.gradation);
+  std::erase_if(pieces, [h](const SizeSource& piece) { return piece.h >= h; });
+  return pieces;
+}
+
 // Lengths that are given for whole faces; none is longer than the face, whose turns were lost on it otherwise.
-void give_local(const Model& model, const Options& options, const std::vector<SizeSource>& places, SizeField& field) {
+void give_local(const Model& model, const Options& options, std::vector<SizeSource> places, SizeField& field) {
   auto local = std::make_shared<const LocalSizes>(model, options, field.h, places);
+  if (const auto fine = fine_borders(model, options, field.h, *local); !fine.empty()) {
+    places.insert(places.end(), fine.begin(), fine.end());
+    local = std::make_shared<const LocalSizes>(model, options, field.h, places);
+  }
   field.local = local;
   for (std::size_t f = 0; f < model.faces.size(); ++f)
     field.face_h.push_back(

@@ -16,7 +16,6 @@
 #include "paver/error.h"
 #include "sizing/parts/find_places.h"
 #include "sizing/sample_box.h"
-#include "sizing/turn_limit.h"
 #include "topology/naming/named_parts.h"
 
 namespace paver {
@@ -150,7 +149,6 @@ LocalSizes::LocalSizes(const Model& model, const Options& options, double h, con
   if (options.tip > 1) put_on_tips(model, options, h);
   if (options.gap_elements > 1) put_on_gaps(model, options, h);
   put_on_holes(model, h);
-  put_on_fine_borders(model, options, h);
   if (!is_empty()) add_sources(model, options.gradation);
 }
 
@@ -215,19 +213,6 @@ void LocalSizes::put_on_holes(const Model& model, double h) {
         lines_.push_back(source);
       }
     }
-  }
-}
-
-// A hole beside a border, two of unlike size: what is divided finely there would meet long sides.
-void LocalSizes::put_on_fine_borders(const Model& model, const Options& options, double h) {
-  const TurnLimit limit = turn_limit(options, h);
-  auto interval = [&](const Edge& edge, double t) {
-    return std::min({h, on_edge(edge), edge.length, limit.longest_edge(curvature(*edge.curve, t))});
-  };
-  for (const SizeSource& piece : find_fine_borders(model, interval, options.gradation)) {
-    if (piece.h >= h) continue;
-    lines_.push_back(piece);
-    least_ = std::min(least_, piece.h);
   }
 }
 

@@ -47,7 +47,6 @@ class LocalSizes {
   void put_on_tips(const Model& model, const Options& options, double h);
   void put_on_gaps(const Model& model, const Options& options, double h);
   void put_on_holes(const Model& model, double h);
-  void put_on_fine_borders(const Model& model, const Options& options, double h);
   void add_sources(const Model& model, double gradation);
 
   std::vector<double> of_face_;    // per face of the model
