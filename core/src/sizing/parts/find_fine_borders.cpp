@@ -1,6 +1,6 @@
 // In: faces with their edges, intervals. Out: pieces of borders, with the lengths of intervals there.
-// Steps, face by face: edges that hang together by vertices; pieces of them all; from each piece to other borders the
-// least of distance times gradation less a share of the interval there.
+// Steps, face by face: edges that hang together by vertices; pieces of them all; the mean interval of each border; from
+// each piece to other borders the least of distance times gradation less a share of the interval there.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -39,6 +39,7 @@ class BordersOfFace {
     for (std::size_t i = 0; i < edges_.size(); ++i) add_pieces(*edges_[i], border_[i], interval, pieces);
     for (const SizeSource& piece : pieces)
       reached.push_back({piece.a, piece.b, -share_of_interval * piece.h, piece.group});
+    take_mean_lengths(pieces);
     const NearestSource others(std::move(reached), gradation);
     std::vector<char> is_fine(edges_.size(), 0);  // per border
     for (const SizeSource& piece : pieces)
@@ -54,6 +55,17 @@ class BordersOfFace {
       pieces.push_back({edge.curve->point(t), edge.curve->point(next), 0.5 * (h + next_h), border});
       t = next, h = next_h;
     }
+  }
+
+  // Of each border: its long edges need not be divided for the sake of its own short ones.
+  void take_mean_lengths(std::vector<SizeSource>& pieces) const {
+    std::vector<double> length(edges_.size(), 0), intervals(edges_.size(), 0);
+    for (const SizeSource& piece : pieces) {
+      const double step = norm(piece.b - piece.a);
+      length[piece.group] += step, intervals[piece.group] += step / piece.h;
+    }
+    for (SizeSource& piece : pieces)
+      if (intervals[piece.group] > 0) piece.h = length[piece.group] / intervals[piece.group];
   }
 
   std::vector<const Edge*> edges_;

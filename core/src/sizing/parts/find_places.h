@@ -35,9 +35,10 @@ struct GapPiece {
 /// 30 degrees of each other's direction. Looked for every quarter of the target length.
 std::vector<GapPiece> find_gaps(const Model& model, const std::function<double(int face)>& length);
 
-/// Pieces of borders that are divided far more finely than another border of their face is near them: lengths that grow
-/// from there by the gradation reach it at less than a share of its intervals. A border is what hangs together of the
-/// edges about a face; `interval(edge, t)`: about how long intervals are there.
+/// Pieces of borders that are divided far more finely than another border of their face is near them, each with the
+/// mean interval of its border: lengths that grow from there by the gradation reach the other one at less than a share
+/// of its intervals. A border is what hangs together of the edges about a face; `interval(edge, t)`: about how long
+/// intervals are there.
 std::vector<SizeSource> find_fine_borders(const Model& model,
                                           const std::function<double(const Edge&, double t)>& interval,
                                           double gradation);
