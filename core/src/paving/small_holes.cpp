@@ -10,6 +10,7 @@
 #include <map>
 
 #include "base/boxes/box_tree.h"
+#include "base/boxes/nearest_segment.h"
 #include "base/segment.h"
 #include "paving/closing/hole_rings.h"
 
@@ -42,35 +43,20 @@ double radius_of(const std::vector<LoopNode>& loop, Vec3 middle) {
   return radius;
 }
 
-/// Nodes of loops by their places.
-class LoopNodeTree {
- public:
-  explicit LoopNodeTree(const Region& region) : region_(region), tree_(boxes(region)) {
-    for (std::size_t l = 0; l < region.loops.size(); ++l)
-      for (const LoopNode& node : region.loops[l]) nodes_.push_back({l, node.x});
-  }
+/// Nodes of loops, each loop a group.
+NearestSegment nodes_of(const Region& region) {
+  std::vector<Segment> nodes;
+  for (std::size_t l = 0; l < region.loops.size(); ++l)
+    for (const LoopNode& node : region.loops[l]) nodes.push_back({node.x, node.x, 0, static_cast<int>(l)});
+  return {std::move(nodes), 1};
+}
 
-  bool is_clear(std::size_t hole) const {
-    const std::vector<LoopNode>& loop = region_.loops[hole];
-    const Vec3 middle = middle_of(loop);
-    const double room = radius_of(loop, middle) + clearance * region_.size.given_at(middle);
-    const double least = tree_.least(
-        middle, room, [&](int i) { return nodes_[i].first == hole ? INFINITY : norm(nodes_[i].second - middle); });
-    return !(least < room);
-  }
-
- private:
-  static std::vector<Box> boxes(const Region& region) {
-    std::vector<Box> boxes;
-    for (const auto& loop : region.loops)
-      for (const LoopNode& node : loop) boxes.emplace_back().add(node.x);
-    return boxes;
-  }
-
-  const Region& region_;
-  std::vector<std::pair<std::size_t, Vec3>> nodes_;  // loop and place
-  BoxTree tree_;
-};
+bool is_clear(const Region& region, const NearestSegment& nodes, std::size_t hole) {
+  const std::vector<LoopNode>& loop = region.loops[hole];
+  const Vec3 middle = middle_of(loop);
+  const double room = radius_of(loop, middle) + clearance * region.size.given_at(middle);
+  return !(nodes.least_of_others(middle, room, static_cast<int>(hole)) < room);
+}
 
 /// Makes room for a hole, or the outermost ring about it, in the first `elements` of the mesh.
 class Cutter {
@@ -189,8 +175,8 @@ std::vector<std::size_t> small_holes(const Region& region) {
     if (is_small && is_hole) holes.push_back(l);
   }
   if (holes.empty()) return holes;
-  const LoopNodeTree nodes(region);
-  std::erase_if(holes, [&](std::size_t hole) { return !nodes.is_clear(hole); });
+  const NearestSegment nodes = nodes_of(region);
+  std::erase_if(holes, [&](std::size_t hole) { return !is_clear(region, nodes, hole); });
   return holes;
 }
 

@@ -7,7 +7,7 @@
 #include "mesh/far_place.h"
 #include "paver/options.h"
 #include "paver/result.h"
-#include "sizing/parts/nearest_source.h"
+#include "sizing/parts/size_source.h"
 
 namespace paver {
 

@@ -242,17 +242,15 @@ std::vector<SizeSource> fine_borders(const Model& model, const Options& options,
     return std::min({h, local.on_edge(edge), edge.length, limit.longest_edge(curvature(*edge.curve, t))});
   };
   std::vector<SizeSource> pieces = find_fine_borders(model, interval, options.gradation);
-  std::erase_if(pieces, [h](const SizeSource& piece) { return piece.h >= h; });
+  std::erase_if(pieces, [h](const SizeSource& piece) { return piece.value >= h; });
   return pieces;
 }
 
 // Lengths that are given for whole faces; none is longer than the face, whose turns were lost on it otherwise.
-void give_local(const Model& model, const Options& options, std::vector<SizeSource> places, SizeField& field) {
-  auto local = std::make_shared<const LocalSizes>(model, options, field.h, places);
-  if (const auto fine = fine_borders(model, options, field.h, *local); !fine.empty()) {
-    places.insert(places.end(), fine.begin(), fine.end());
-    local = std::make_shared<const LocalSizes>(model, options, field.h, places);
-  }
+void give_local(const Model& model, const Options& options, const std::vector<SizeSource>& places, SizeField& field) {
+  const auto local = std::make_shared<LocalSizes>(model, options, field.h);
+  local->add(places);
+  local->add(fine_borders(model, options, field.h, *local));
   field.local = local;
   for (std::size_t f = 0; f < model.faces.size(); ++f)
     field.face_h.push_back(

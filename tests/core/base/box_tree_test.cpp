@@ -41,27 +41,29 @@ TEST(BoxTree, FindsAllThatMeetABoxEachOnce) {
   }
 }
 
-TEST(BoxTree, TheLeastDistanceIsThatOfAllAndFewAreLookedAt) {
+TEST(BoxTree, TheLeastValueIsThatOfAllAndFewAreLookedAt) {
   Places places;
   const std::size_t count = 1000;
   const std::vector<Box> points = places.boxes(count, 0);
-  const BoxTree tree(points);
+  std::vector<double> starts;
+  for (std::size_t i = 0; i < count; ++i) starts.push_back(0.01 * static_cast<double>(i % 7) - 0.02);
+  const BoxTree tree(points, starts);
   int looked_at = 0;
   for (int k = 0; k < 100; ++k) {
     const Vec3 x = places.next();
     // Some do not count.
-    auto distance = [&](int i) { return i % 3 == 0 ? INFINITY : norm(points[i].low - x); };
+    auto value = [&](int i) { return i % 3 == 0 ? INFINITY : starts[i] + 0.5 * norm(points[i].low - x); };
     double expected = INFINITY;
-    for (std::size_t i = 0; i < count; ++i) expected = std::min(expected, distance(static_cast<int>(i)));
-    EXPECT_EQ(tree.least(x, INFINITY, [&](int i) { return ++looked_at, distance(i); }), expected);
-    EXPECT_EQ(tree.least(x, 0.5 * expected, distance), 0.5 * expected);
+    for (std::size_t i = 0; i < count; ++i) expected = std::min(expected, value(static_cast<int>(i)));
+    EXPECT_EQ(tree.least(x, INFINITY, 0.5, [&](int i) { return ++looked_at, value(i); }), expected);
+    EXPECT_EQ(tree.least(x, expected - 0.01, 0.5, value), expected - 0.01);
   }
   EXPECT_LT(looked_at, 100 * 100);
 }
 
 TEST(BoxTree, OfNoBoxesHasNone) {
-  const BoxTree tree({});
-  EXPECT_EQ(tree.least({}, 1, [](int) { return 0.0; }), 1);
+  const BoxTree tree(std::vector<Box>{});
+  EXPECT_EQ(tree.least({}, 1, 1, [](int) { return 0.0; }), 1);
   tree.each_meeting({{0, 0, 0}, {1, 1, 1}}, [](int) { FAIL(); });
 }
 

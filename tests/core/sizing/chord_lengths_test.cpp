@@ -39,8 +39,8 @@ TEST(ChordLengths, FewPlacesGetThemAlone) {
   EXPECT_TRUE(next.faces.empty());
   ASSERT_EQ(next.places.size(), 6u);  // sides and lines between their middles
   for (const SizeSource& place : next.places) {
-    EXPECT_LE(place.h, 0.8 * 0.5 * 10);
-    EXPECT_GT(place.h, 0.3 * 10);
+    EXPECT_LE(place.value, 0.8 * 0.5 * 10);
+    EXPECT_GT(place.value, 0.3 * 10);
   }
 }
 
@@ -48,7 +48,7 @@ TEST(ChordLengths, APlaceThatIsShortEnoughGetsNoLongerOne) {
   ChordLengths lengths(0.1, 2);
   const FarPlace near = square_off(0.051, 10, 10);
   const ShorterLengths next = lengths.next(faces_off({0.8}), {10}, {near, square_off(0.8, 10, 10)});
-  for (const SizeSource& place : next.places) EXPECT_LT(place.h, 10);
+  for (const SizeSource& place : next.places) EXPECT_LT(place.value, 10);
 }
 
 TEST(ChordLengths, ManyPlacesAreTheirFace) {

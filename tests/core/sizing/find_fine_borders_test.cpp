@@ -29,7 +29,7 @@ TEST(FindFineBorders, AHoleBesideAnEdgeWithTheLengthOfItsIntervals) {
   const std::vector<SizeSource> found = sources(plate_without(disc(47, 4, 2)));
   ASSERT_FALSE(found.empty());
   for (const SizeSource& piece : found) {
-    EXPECT_NEAR(piece.h, 4 * M_PI / 5, 1e-6);
+    EXPECT_NEAR(piece.value, 4 * M_PI / 5, 1e-6);
     EXPECT_NEAR(norm(piece.a - Vec3{47, 4, 0}), 2, 1e-6) << "the plate's own border is none";
   }
 }

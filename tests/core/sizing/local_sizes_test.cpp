@@ -61,12 +61,6 @@ std::string refusal(const std::string& part) {
   return "";
 }
 
-double distance_to(Vec3 x, const SizeSource& source) {
-  double best = 1e300;
-  for (int i = 0; i <= 1000; ++i) best = std::min(best, norm(x - source.a - (i / 1000.0) * (source.b - source.a)));
-  return best;
-}
-
 TEST(LocalSizes, HoldOnWiresWithoutAnyFace) {
   fake::Builder builder;
   builder.line(builder.vertex({0, 0, 0}), builder.vertex({10, 0, 0}));
@@ -78,25 +72,6 @@ TEST(LocalSizes, HoldOnWiresWithoutAnyFace) {
   EXPECT_EQ(LocalSizes(model, options, 2).on_edge(model.edges[0]), std::numeric_limits<double>::infinity());
   options.local.push_back({"Edge1", 0.5, 1, 1});
   EXPECT_EQ(LocalSizes(model, options, 2).on_edge(model.edges[0]), 0.5);
-}
-
-TEST(NearestSource, GivesTheLeastOverAllSources) {
-  std::mt19937 random(7);
-  auto number = [&] { return std::uniform_real_distribution<double>(-10, 10)(random); };
-  auto point = [&] { return Vec3{number(), number(), number()}; };
-  std::vector<SizeSource> sources;
-  for (int i = 0; i < 200; ++i) {
-    Vec3 a = point();
-    sources.push_back({a, i % 3 ? a + 0.1 * point() : a, 0.1 + 0.05 * (i % 7)});
-  }
-  NearestSource tree(sources, 0.6);
-  for (int i = 0; i < 200; ++i) {
-    Vec3 x = point();
-    double least = 1e300;
-    for (const SizeSource& source : sources) least = std::min(least, source.h + 0.6 * distance_to(x, source));
-    EXPECT_NEAR(tree.least(x), least, 1e-4);
-  }
-  EXPECT_EQ(NearestSource().least({1, 2, 3}), std::numeric_limits<double>::infinity());
 }
 
 TEST(LocalSizes, AFaceHasItsLengthAndItsNeighboursGrowFromTheirCommonEdge) {

@@ -13,15 +13,20 @@ double outside(double value, double low, double high) { return std::max({low - v
 
 }  // namespace
 
-BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
+BoxTree::BoxTree(std::vector<Box> boxes, std::vector<double> starts)
+    : boxes_(std::move(boxes)), starts_(std::move(starts)), order_(boxes_.size()) {
+  starts_.resize(boxes_.size(), 0);
   std::iota(order_.begin(), order_.end(), 0);
   if (!boxes_.empty()) add_branch(0, static_cast<int>(boxes_.size()));
 }
 
 int BoxTree::add_branch(int first, int count) {
   const auto begin = order_.begin() + first, end = begin + count;
-  Branch branch{{}, first, count};
-  for (auto i = begin; i != end; ++i) branch.box.add(boxes_[*i]);
+  Branch branch{{}, starts_[*begin], first, count};
+  for (auto i = begin; i != end; ++i) {
+    branch.box.add(boxes_[*i]);
+    branch.start = std::min(branch.start, starts_[*i]);
+  }
   const int index = static_cast<int>(branches_.size());
   branches_.push_back(branch);
   if (count <= few) return index;

@@ -12,22 +12,26 @@ namespace paver {
 /// Answers depend on the set of the boxes only, whatever the order in which they are looked at.
 class BoxTree {
  public:
-  explicit BoxTree(std::vector<Box> boxes);
+  BoxTree() = default;
+  /// `starts`: per box the least value of what lies in it, see least(); all 0 where empty.
+  explicit BoxTree(std::vector<Box> boxes, std::vector<double> starts = {});
 
   /// visit(i) for each box that meets `box`.
   template <class Visit>
   void each_meeting(const Box& box, Visit visit) const {
-    search([&](const Branch& branch) { return branch.box.meets(box); },
-           [&](int i) {
-             if (boxes_[i].meets(box)) visit(i);
-           });
+    auto is_apart = [&](const Branch& branch) { return branch.box.meets(box) ? 0.0 : 1.0; };
+    search(1, is_apart, [&](int i) {
+      if (boxes_[i].meets(box)) visit(i);
+      return 1.0;
+    });
   }
 
-  /// Least of distance(i) over all boxes, and `most`. distance(i): from x to what lies in box i, or more.
-  template <class Distance>
-  double least(Vec3 x, double most, Distance distance) const {
-    search([&](const Branch& branch) { return nearer * away(branch.box, x) < most; },
-           [&](int i) { most = std::min(most, distance(i)); });
+  /// Least of value(i) over all boxes, and `most`. value(i): of what lies in box i, its own plus `growth` times its
+  /// distance from x, or more. What cannot matter is not looked at.
+  template <class Value>
+  double least(Vec3 x, double most, double growth, Value value) const {
+    auto bound = [&](const Branch& branch) { return branch.start + nearer * growth * away(branch.box, x); };
+    search(most, bound, [&](int i) { return most = std::min(most, value(i)); });
     return most;
   }
 
@@ -35,6 +39,7 @@ class BoxTree {
   static constexpr double nearer = 1 - 1e-12;  // for rounding
   struct Branch {
     Box box;
+    double start = 0;          // least in it
     int first = 0, count = 0;  // of order_; count 0: an inner one
     int second_child = -1;     // the first one follows its parent
   };
@@ -42,24 +47,27 @@ class BoxTree {
   /// To the nearest point of a box.
   static double away(const Box& box, Vec3 x);
 
-  /// look(i) in all leaves that is_wanted() holds for, and for all they are in.
-  template <class IsWanted, class Look>
-  void search(IsWanted is_wanted, Look look) const {
+  /// look(i), which gives the limit from then on, in all leaves whose bound() is below it, the lower one of two first.
+  template <class Bound, class Look>
+  void search(double limit, Bound bound, Look look) const {
     std::array<int, 64> open;  // depth of a tree over an int's count of boxes, two branches a level
     int count = 0;
     if (!branches_.empty()) open[count++] = 0;
     while (count > 0) {
       const int index = open[--count];
       const Branch& branch = branches_[index];
-      if (!is_wanted(branch)) continue;
-      for (int k = branch.first; k < branch.first + branch.count; ++k) look(order_[k]);
+      if (!(bound(branch) < limit)) continue;
+      for (int k = branch.first; k < branch.first + branch.count; ++k) limit = look(order_[k]);
       if (branch.count > 0) continue;
-      open[count++] = branch.second_child;
-      open[count++] = index + 1;
+      int near = index + 1, far = branch.second_child;
+      if (bound(branches_[far]) < bound(branches_[near])) std::swap(near, far);
+      open[count++] = far;
+      open[count++] = near;
     }
   }
 
   std::vector<Box> boxes_;
+  std::vector<double> starts_;
   std::vector<int> order_;
   std::vector<Branch> branches_;
 };

@@ -70,6 +70,7 @@ class CreaseFinder {
   Cuts find() {
     Cuts cuts;
     if (!is_finite()) return cuts;
+    used_twice_ = edges_used_twice();
     for (bool is_u : {true, false}) {
       std::vector<double>& values = is_u ? cuts.u : cuts.v;
       values = inner_creases(is_u);
@@ -189,7 +190,7 @@ class CreaseFinder {
       const bool is_known = std::ranges::any_of(values, [&](double v) { return std::abs(v - value) <= margin; });
       if (!is_end && !is_known) values.push_back(value);
     };
-    for (const TopoDS_Edge& edge : edges_used_twice()) {
+    for (const TopoDS_Edge& edge : used_twice_) {
       const auto images = both_images(edge);
       if (!images || !lies_on_one_end(!is_u, *images)) continue;
       for (const EdgeImage& image : *images)
@@ -217,7 +218,7 @@ class CreaseFinder {
 
   /// Whether the face closes on itself in this direction, along a periodic edge that is a crease.
   bool has_sharp_closure(bool is_u) const {
-    return std::ranges::any_of(edges_used_twice(), [&](const TopoDS_Edge& edge) {
+    return std::ranges::any_of(used_twice_, [&](const TopoDS_Edge& edge) {
       // A piece of a face that goes round keeps both images of the periodic edge, but has it on one side only.
       return BRep_Tool::IsClosed(edge, face_) && is_sharp_closure(edge, is_u);
     });
@@ -252,6 +253,7 @@ class CreaseFinder {
 
   const TopoDS_Face& face_;
   BRepAdaptor_Surface surface_;
+  std::vector<TopoDS_Edge> used_twice_;
   std::optional<BRepTopAdaptor_FClass2d> inside_;
   double least_normal_ = 0;
 };

@@ -9,9 +9,8 @@
 #include <cmath>
 #include <optional>
 
-#include "base/boxes/box_tree.h"
+#include "base/boxes/nearest_segment.h"
 #include "base/predicates.h"
-#include "base/segment.h"
 
 namespace paver {
 namespace {
@@ -25,39 +24,14 @@ constexpr double round_off = 0.5;     // so much of what a ring is out of round 
 constexpr double most_turn = M_PI / 6;  // of the surface, from the middle on
 constexpr int corrections = 4;
 
-/// Facets of loops by their places.
-class FacetTree {
- public:
-  FacetTree(const RegionMesh& mesh, const std::vector<std::vector<int>>& loops) : tree_(find(mesh, loops)) {}
-
-  /// To the nearest facet of other loops.
-  double distance_to_others(Vec3 x, std::size_t loop) const {
-    return tree_.least(x, INFINITY, [&](int i) {
-      const Facet& facet = facets_[i];
-      return facet.loop == loop ? INFINITY : distance_to_segment(x, facet.a, facet.b);
-    });
-  }
-
- private:
-  struct Facet {
-    std::size_t loop;
-    Vec3 a, b;
-  };
-
-  std::vector<Box> find(const RegionMesh& mesh, const std::vector<std::vector<int>>& loops) {
-    std::vector<Box> boxes;
-    for (std::size_t l = 0; l < loops.size(); ++l)
-      for (std::size_t i = 0, n = loops[l].size(); i < n; ++i) {
-        facets_.push_back({l, mesh.x[loops[l][i]], mesh.x[loops[l][(i + 1) % n]]});
-        boxes.emplace_back().add(facets_.back().a);
-        boxes.back().add(facets_.back().b);
-      }
-    return boxes;
-  }
-
-  std::vector<Facet> facets_;
-  BoxTree tree_;
-};
+/// Facets of loops, each loop a group.
+NearestSegment facets_of(const RegionMesh& mesh, const std::vector<std::vector<int>>& loops) {
+  std::vector<Segment> facets;
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    for (std::size_t i = 0, n = loops[l].size(); i < n; ++i)
+      facets.push_back({mesh.x[loops[l][i]], mesh.x[loops[l][(i + 1) % n]], 0, static_cast<int>(l)});
+  return {std::move(facets), 1};
+}
 
 class HoleRings {
  public:
@@ -182,12 +156,12 @@ class HoleRings {
 void lay_hole_rings(const Region& region, RegionMesh& mesh, std::vector<std::vector<int>>& loops,
                     const std::vector<std::size_t>& holes) {
   if (region.evenness > 1 || loops.size() < 2) return;  // a coarse element becomes many, all of its length
-  std::optional<FacetTree> facets;
+  std::optional<NearestSegment> facets;
   for (std::size_t hole : holes) {
     HoleRings rings(region, mesh, loops[hole]);
     if (!rings.is_wanted()) continue;
-    if (!facets) facets.emplace(mesh, loops);
-    loops[hole] = rings.run(facets->distance_to_others(rings.middle(), hole));
+    if (!facets) facets = facets_of(mesh, loops);
+    loops[hole] = rings.run(facets->least_of_others(rings.middle(), INFINITY, static_cast<int>(hole)));
   }
 }
 

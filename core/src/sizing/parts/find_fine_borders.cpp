@@ -38,12 +38,12 @@ class BordersOfFace {
     std::vector<SizeSource> pieces, reached;
     for (std::size_t i = 0; i < edges_.size(); ++i) add_pieces(*edges_[i], border_[i], interval, pieces);
     for (const SizeSource& piece : pieces)
-      reached.push_back({piece.a, piece.b, -share_of_interval * piece.h, piece.group});
+      reached.push_back({piece.a, piece.b, -share_of_interval * piece.value, piece.group});
     take_mean_lengths(pieces);
-    const NearestSource others(std::move(reached), gradation);
+    const NearestSegment others(std::move(reached), gradation);
     std::vector<char> is_fine(edges_.size(), 0);  // per border
     for (const SizeSource& piece : pieces)
-      if (others.least_of_others(piece.a, -piece.h, piece.group) < -piece.h) is_fine[piece.group] = 1;
+      if (others.least_of_others(piece.a, -piece.value, piece.group) < -piece.value) is_fine[piece.group] = 1;
     std::ranges::copy_if(pieces, std::back_inserter(sources), [&](const auto& piece) { return is_fine[piece.group]; });
   }
 
@@ -62,10 +62,10 @@ class BordersOfFace {
     std::vector<double> length(edges_.size(), 0), intervals(edges_.size(), 0);
     for (const SizeSource& piece : pieces) {
       const double step = norm(piece.b - piece.a);
-      length[piece.group] += step, intervals[piece.group] += step / piece.h;
+      length[piece.group] += step, intervals[piece.group] += step / piece.value;
     }
     for (SizeSource& piece : pieces)
-      if (intervals[piece.group] > 0) piece.h = length[piece.group] / intervals[piece.group];
+      if (intervals[piece.group] > 0) piece.value = length[piece.group] / intervals[piece.group];
   }
 
   std::vector<const Edge*> edges_;

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "sizing/parts/nearest_source.h"
+#include "sizing/parts/size_source.h"
 #include "topology/model.h"
 
 namespace paver {

@@ -10,9 +10,7 @@
 #include <cmath>
 #include <set>
 
-#include "base/boxes/box_tree.h"
 #include "base/local_parts.h"
-#include "base/segment.h"
 #include "paver/error.h"
 #include "sizing/parts/find_places.h"
 #include "sizing/sample_box.h"
@@ -51,7 +49,18 @@ bool is_straight(const Edge& edge) {
 /// Pieces of a face's loops.
 class LoopPieces {
  public:
-  LoopPieces(const Model& model, const Face& face) : of_loop_(face.loops.size()), tree_(find(model, face)) {}
+  LoopPieces(const Model& model, const Face& face) : of_loop_(face.loops.size()) {
+    std::vector<SizeSource> all;
+    for (std::size_t l = 0; l < face.loops.size(); ++l) {
+      for (const Coedge& coedge : face.loops[l].coedges) {
+        const Edge& edge = edge_of(model, coedge);
+        add_pieces(edge, 0, is_straight(edge) ? 1 : fewest_pieces, of_loop_[l]);
+      }
+      for (SizeSource& piece : of_loop_[l]) piece.group = static_cast<int>(l);
+      all.insert(all.end(), of_loop_[l].begin(), of_loop_[l].end());
+    }
+    of_all_ = NearestSegment(std::move(all), 1);
+  }
 
   /// About a round hole that is far smaller than its distance to other loops rings of quads grow as their columns get
   /// wider (paving/closing/hole_rings), faster than by the gradation: that starts where they end. Where there is room
@@ -59,50 +68,27 @@ class LoopPieces {
   std::vector<SizeSource> sources(std::size_t loop, double length) const {
     constexpr double growth = 1 + 2 * M_PI / hole_intervals;
     std::vector<SizeSource> hole = of_loop_[loop];
-    for (SizeSource& piece : hole) piece.h = length;
+    for (SizeSource& piece : hole) piece.value = length;
     if (static_cast<double>(hole.size()) < hole_intervals) return hole;  // straight sides, too few for rings
     Vec3 middle;
     for (const SizeSource& piece : hole) middle += (1.0 / static_cast<double>(hole.size())) * piece.a;
     double radius = 0, least = INFINITY;
     for (const SizeSource& piece : hole)
       radius = std::max(radius, norm(piece.a - middle)), least = std::min(least, norm(piece.a - middle));
-    const double room = ring_room * distance_to_others(loop, middle);
+    const double room = ring_room * of_all_.least_of_others(middle, INFINITY, hole.front().group);
     if (!(radius > 0 && room < INFINITY) || radius > roundest * least) return hole;
     double wider = 1;
     while (wider * growth * radius <= room) wider *= growth;
     if (wider < growth * growth) return hole;
     for (SizeSource& piece : hole)
-      piece = {middle + wider * (piece.a - middle), middle + wider * (piece.b - middle), wider * piece.h};
+      piece = {middle + wider * (piece.a - middle), middle + wider * (piece.b - middle), wider * piece.value,
+               piece.group};
     return hole;
   }
 
  private:
-  std::vector<Box> find(const Model& model, const Face& face) {
-    std::vector<Box> boxes;
-    for (std::size_t l = 0; l < face.loops.size(); ++l) {
-      for (const Coedge& coedge : face.loops[l].coedges) {
-        const Edge& edge = edge_of(model, coedge);
-        add_pieces(edge, 0, is_straight(edge) ? 1 : fewest_pieces, of_loop_[l]);
-      }
-      for (const SizeSource& piece : of_loop_[l]) {
-        all_.push_back({l, piece});
-        boxes.emplace_back().add(piece.a);
-        boxes.back().add(piece.b);
-      }
-    }
-    return boxes;
-  }
-
-  double distance_to_others(std::size_t loop, Vec3 x) const {
-    return tree_.least(x, INFINITY, [&](int i) {
-      const auto& [other, piece] = all_[i];
-      return other == loop ? INFINITY : distance_to_segment(x, piece.a, piece.b);
-    });
-  }
-
   std::vector<std::vector<SizeSource>> of_loop_;
-  std::vector<std::pair<std::size_t, SizeSource>> all_;  // with their loops
-  BoxTree tree_;
+  NearestSegment of_all_;
 };
 
 /// About what a loop is divided into where the target length is far longer: its sides, turns of 60 degrees, six at
@@ -130,12 +116,11 @@ void check_length(const Model& model, const LocalSize& local, double length) {
 
 }  // namespace
 
-LocalSizes::LocalSizes(const Model& model, const Options& options, double h, const std::vector<SizeSource>& places)
+LocalSizes::LocalSizes(const Model& model, const Options& options, double h)
     : of_face_(model.faces.size(), none),
       of_edge_(static_cast<std::size_t>(model.read_edges), none),
       of_part_(model.parts.size(), none),
-      lines_(places) {
-  for (const SizeSource& place : places) least_ = std::min(least_, place.h);
+      gradation_(options.gradation) {
   for (const LocalSize& local : options.local) {
     double length = local_length(options, local);
     check_length(model, local, length);
@@ -149,7 +134,16 @@ LocalSizes::LocalSizes(const Model& model, const Options& options, double h, con
   if (options.tip > 1) put_on_tips(model, options, h);
   if (options.gap_elements > 1) put_on_gaps(model, options, h);
   put_on_holes(model, h);
-  if (!is_empty()) add_sources(model, options.gradation);
+  if (is_empty()) return;
+  put_on_edges(model);
+  nearest_ = NearestSegment(sources_, gradation_);
+}
+
+void LocalSizes::add(const std::vector<SizeSource>& sources) {
+  if (sources.empty()) return;
+  for (const SizeSource& source : sources) least_ = std::min(least_, source.value);
+  sources_.insert(sources_.end(), sources.begin(), sources.end());
+  nearest_ = NearestSegment(sources_, gradation_);
 }
 
 double LocalSizes::least_on(const std::vector<int>& faces, double most) const {
@@ -190,7 +184,7 @@ void LocalSizes::put_on_gaps(const Model& model, const Options& options, double 
     const double length = std::max(gap.width, narrowest_gap * h) / lines;
     for (int i = 0; i <= lines; ++i) {
       const double share = static_cast<double>(i) / lines;
-      lines_.push_back(
+      sources_.push_back(
           {(1 - share) * gap.from + share * gap.to, (1 - share) * gap.next_from + share * gap.next_to, length});
     }
     least_ = std::min(least_, length);
@@ -209,8 +203,8 @@ void LocalSizes::put_on_holes(const Model& model, double h) {
       const double length = longest_interval(model, face.loops[l]);
       if (!(length > 0) || length > std::min(small_hole * extent, small_interval * h)) continue;
       for (const SizeSource& source : pieces.sources(l, length)) {
-        least_ = std::min(least_, source.h);
-        lines_.push_back(source);
+        least_ = std::min(least_, source.value);
+        sources_.push_back(source);
       }
     }
   }
@@ -272,22 +266,20 @@ double LocalSizes::on_edge(const Edge& edge) const {
   return least;
 }
 
-void LocalSizes::add_sources(const Model& model, double gradation) {
-  std::vector<SizeSource> sources = lines_;
-  for (auto [point, length] : points_) sources.push_back({point, point, length});
+void LocalSizes::put_on_edges(const Model& model) {
+  for (auto [point, length] : points_) sources_.push_back({point, point, length});
   for (const Edge& edge : model.edges) {
-    double length = on_edge(edge);
+    const double length = on_edge(edge);
     if (!(length < none)) continue;
     if (edge.is_degenerate || !edge.curve) {
       Vec3 point = model.vertices[edge.start];
-      sources.push_back({point, point, length});
+      sources_.push_back({point, point, length});
       continue;
     }
     int count = std::clamp(static_cast<int>(std::min(edge.length / (piece_share * length), 1.0 * most_pieces)),
                            fewest_pieces, most_pieces);
-    add_pieces(edge, length, count, sources);
+    add_pieces(edge, length, count, sources_);
   }
-  sources_ = NearestSource(std::move(sources), gradation);
 }
 
 }  // namespace paver

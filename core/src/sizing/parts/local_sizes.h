@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "paver/options.h"
-#include "sizing/parts/nearest_source.h"
+#include "sizing/parts/size_source.h"
 #include "topology/model.h"
 
 namespace paver {
@@ -19,9 +19,10 @@ class LocalSizes {
 
  public:
   LocalSizes() = default;
-  /// Throws bad_option for parts that the model does not have. `h` is the target length of the run; `places` are
-  /// sources beside those of parts.
-  LocalSizes(const Model& model, const Options& options, double h, const std::vector<SizeSource>& places = {});
+  /// Throws bad_option for parts that the model does not have. `h` is the target length of the run.
+  LocalSizes(const Model& model, const Options& options, double h);
+  /// Sources beside those of parts.
+  void add(const std::vector<SizeSource>& sources);
 
   bool is_empty() const { return !(least_ < none); }
   /// Length asked for on a whole face: its own and those of the solids beside or around it.
@@ -29,7 +30,7 @@ class LocalSizes {
   /// Length asked for on a whole edge: its own and those of its faces, of a wire that of the solids around it.
   double on_edge(const Edge& edge) const;
   /// Least over all parts of their length plus gradation times the distance to their edges or vertex, and `most`.
-  double at(Vec3 x, double most = none) const { return sources_.least(x, most); }
+  double at(Vec3 x, double most = none) const { return nearest_.least(x, most); }
   /// Least of all.
   double least() const { return least_; }
   /// Corners of the face where the surface comes to a point and has a length for that.
@@ -47,15 +48,16 @@ class LocalSizes {
   void put_on_tips(const Model& model, const Options& options, double h);
   void put_on_gaps(const Model& model, const Options& options, double h);
   void put_on_holes(const Model& model, double h);
-  void add_sources(const Model& model, double gradation);
+  void put_on_edges(const Model& model);
 
   std::vector<double> of_face_;    // per face of the model
   std::vector<int> tips_of_face_;  // empty: there are none
   std::vector<double> of_edge_;    // per edge of the shape as read
   std::vector<double> of_part_;    // of solids: of what lies inside
   std::vector<std::pair<Vec3, double>> points_;
-  std::vector<SizeSource> lines_;  // across gaps, about small holes, at given places
-  NearestSource sources_;
+  std::vector<SizeSource> sources_;
+  NearestSegment nearest_;  // of them
+  double gradation_ = 0;
   double least_ = none;
   std::vector<std::string> notes_;
 };
