@@ -43,19 +43,19 @@ double radius_of(const std::vector<LoopNode>& loop, Vec3 middle) {
   return radius;
 }
 
-/// Nodes of loops, each loop a group.
+/// Each loop a group.
 NearestSegment nodes_of(const Region& region) {
-  std::vector<Segment> nodes;
+  std::vector<std::vector<Segment>> nodes(region.loops.size());
   for (std::size_t l = 0; l < region.loops.size(); ++l)
-    for (const LoopNode& node : region.loops[l]) nodes.push_back({node.x, node.x, 0, static_cast<int>(l)});
-  return {std::move(nodes), 1};
+    for (const LoopNode& node : region.loops[l]) nodes[l].push_back({node.x, node.x});
+  return {nodes, 1};
 }
 
 bool is_clear(const Region& region, const NearestSegment& nodes, std::size_t hole) {
   const std::vector<LoopNode>& loop = region.loops[hole];
   const Vec3 middle = middle_of(loop);
   const double room = radius_of(loop, middle) + clearance * region.size.given_at(middle);
-  return !(nodes.least_of_others(middle, room, static_cast<int>(hole)) < room);
+  return !(nodes.least_of_others(middle, room, hole) < room);
 }
 
 /// Makes room for a hole, or the outermost ring about it, in the first `elements` of the mesh.

@@ -3,6 +3,7 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "sizing/parts/find_places.h"
 #include "support/plates.h"
@@ -39,6 +40,17 @@ TEST(FindFineBorders, NoneWhereLengthsGrowFarEnough) {
   EXPECT_FALSE(sources(plate_without(disc(47, 12, 0.5))).empty());
   EXPECT_TRUE(sources(plate_without(disc(47, 22, 0.5))).empty());
   EXPECT_TRUE(sources(plate_without(disc(47, 40, 12))).empty()) << "large as well as far";
+}
+
+// Three rings of five columns have room in 0.3 of the distance to the edge.
+TEST(FindFineBorders, FarFromOthersLengthsGrowFromWhereRingsOfQuadsEnd) {
+  const std::vector<SizeSource> found = sources(plate_without(disc(47, 12, 0.3)));
+  ASSERT_FALSE(found.empty());
+  const double wider = std::pow(1 + 2 * M_PI / 5, 3);
+  for (const SizeSource& piece : found) {
+    EXPECT_NEAR(norm(piece.a - Vec3{47, 12, 0}), wider * 0.3, 0.02 * wider * 0.3);
+    EXPECT_NEAR(piece.value, wider * 0.3 * 2 * M_PI / 5, 0.02 * wider);
+  }
 }
 
 TEST(FindFineBorders, OnlyOtherBordersOfTheSameFaceCount) {

@@ -24,13 +24,13 @@ constexpr double round_off = 0.5;     // so much of what a ring is out of round 
 constexpr double most_turn = M_PI / 6;  // of the surface, from the middle on
 constexpr int corrections = 4;
 
-/// Facets of loops, each loop a group.
+/// Each loop a group.
 NearestSegment facets_of(const RegionMesh& mesh, const std::vector<std::vector<int>>& loops) {
-  std::vector<Segment> facets;
+  std::vector<std::vector<Segment>> facets(loops.size());
   for (std::size_t l = 0; l < loops.size(); ++l)
     for (std::size_t i = 0, n = loops[l].size(); i < n; ++i)
-      facets.push_back({mesh.x[loops[l][i]], mesh.x[loops[l][(i + 1) % n]], 0, static_cast<int>(l)});
-  return {std::move(facets), 1};
+      facets[l].push_back({mesh.x[loops[l][i]], mesh.x[loops[l][(i + 1) % n]]});
+  return {facets, 1};
 }
 
 class HoleRings {
@@ -161,7 +161,7 @@ void lay_hole_rings(const Region& region, RegionMesh& mesh, std::vector<std::vec
     HoleRings rings(region, mesh, loops[hole]);
     if (!rings.is_wanted()) continue;
     if (!facets) facets = facets_of(mesh, loops);
-    loops[hole] = rings.run(facets->least_of_others(rings.middle(), INFINITY, static_cast<int>(hole)));
+    loops[hole] = rings.run(facets->least_of_others(rings.middle(), INFINITY, hole));
   }
 }
 

@@ -3,8 +3,8 @@
 // each piece to other borders the least of distance times gradation less a share of the interval there.
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
+#include <optional>
 
 #include "base/union_find.h"
 #include "sizing/parts/find_places.h"
@@ -30,46 +30,60 @@ class BordersOfFace {
     for (int i = 0; i < static_cast<int>(edges_.size()); ++i)
       for (int vertex : {edges_[i]->start, edges_[i]->end})
         hanging_together.merge(i, edge_at.try_emplace(vertex, i).first->second);
-    for (int i = 0; i < static_cast<int>(edges_.size()); ++i) border_.push_back(hanging_together.find(i));
+    std::map<int, std::size_t> border_at;  // per first edge
+    for (int i = 0; i < static_cast<int>(edges_.size()); ++i)
+      border_.push_back(border_at.try_emplace(hanging_together.find(i), border_at.size()).first->second);
+    borders_.resize(border_at.size());
   }
 
-  void find(const Interval& interval, double gradation, std::vector<SizeSource>& sources) const {
-    if (std::ranges::all_of(border_, [](int border) { return border == 0; })) return;
-    std::vector<SizeSource> pieces, reached;
-    for (std::size_t i = 0; i < edges_.size(); ++i) add_pieces(*edges_[i], border_[i], interval, pieces);
-    for (const SizeSource& piece : pieces)
-      reached.push_back({piece.a, piece.b, -share_of_interval * piece.value, piece.group});
-    take_mean_lengths(pieces);
-    const NearestSegment others(std::move(reached), gradation);
-    std::vector<char> is_fine(edges_.size(), 0);  // per border
-    for (const SizeSource& piece : pieces)
-      if (others.least_of_others(piece.a, -piece.value, piece.group) < -piece.value) is_fine[piece.group] = 1;
-    std::ranges::copy_if(pieces, std::back_inserter(sources), [&](const auto& piece) { return is_fine[piece.group]; });
+  void find(const Interval& interval, double gradation, std::vector<SizeSource>& sources) {
+    if (borders_.size() < 2) return;
+    for (std::size_t i = 0; i < edges_.size(); ++i) add_pieces(*edges_[i], interval, borders_[border_[i]]);
+    const NearestSegment reached = with_values([](double length) { return -share_of_interval * length; }, gradation);
+    std::optional<NearestSegment> plain;
+    for (std::size_t b = 0; b < borders_.size(); ++b) {
+      take_mean_length(borders_[b]);
+      const double most = -borders_[b].front().value;
+      const bool is_fine = std::ranges::any_of(
+          borders_[b], [&](const auto& piece) { return reached.least_of_others(piece.a, most, b) < most; });
+      if (!is_fine) continue;
+      if (!plain) plain = with_values([](double) { return 0.0; }, 1);
+      start_where_rings_end(borders_[b], b, *plain);
+      sources.insert(sources.end(), borders_[b].begin(), borders_[b].end());
+    }
   }
 
  private:
-  static void add_pieces(const Edge& edge, int border, const Interval& interval, std::vector<SizeSource>& pieces) {
+  static void add_pieces(const Edge& edge, const Interval& interval, std::vector<SizeSource>& pieces) {
     double t = edge.t0, h = interval(edge, t);
     for (int i = 1; i <= pieces_of_edge; ++i) {
       const double next = edge.parameter(static_cast<double>(i) / pieces_of_edge), next_h = interval(edge, next);
-      pieces.push_back({edge.curve->point(t), edge.curve->point(next), 0.5 * (h + next_h), border});
+      pieces.push_back({edge.curve->point(t), edge.curve->point(next), 0.5 * (h + next_h)});
       t = next, h = next_h;
     }
   }
 
-  // Of each border: its long edges need not be divided for the sake of its own short ones.
-  void take_mean_lengths(std::vector<SizeSource>& pieces) const {
-    std::vector<double> length(edges_.size(), 0), intervals(edges_.size(), 0);
-    for (const SizeSource& piece : pieces) {
+  NearestSegment with_values(double (*value)(double length), double growth) const {
+    auto borders = borders_;
+    for (auto& border : borders)
+      for (SizeSource& piece : border) piece.value = value(piece.value);
+    return {borders, growth};
+  }
+
+  // Long edges of a border need not be divided for the sake of its own short ones.
+  static void take_mean_length(std::vector<SizeSource>& border) {
+    double length = 0, intervals = 0;
+    for (const SizeSource& piece : border) {
       const double step = norm(piece.b - piece.a);
-      length[piece.group] += step, intervals[piece.group] += step / piece.value;
+      length += step, intervals += step / piece.value;
     }
-    for (SizeSource& piece : pieces)
-      if (intervals[piece.group] > 0) piece.value = length[piece.group] / intervals[piece.group];
+    for (SizeSource& piece : border)
+      if (intervals > 0) piece.value = length / intervals;
   }
 
   std::vector<const Edge*> edges_;
-  std::vector<int> border_;  // per edge: the first edge that it hangs together with
+  std::vector<std::size_t> border_;  // per edge: edges that hang together are one
+  std::vector<std::vector<SizeSource>> borders_;
 };
 
 }  // namespace

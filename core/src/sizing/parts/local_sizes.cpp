@@ -25,10 +25,8 @@ constexpr double narrowest_gap = 0.02;                  // of the target length:
 constexpr double hole_intervals = 6;                    // a small round hole is divided into about so many
 constexpr double small_hole = 0.1;                      // of the face's extent: interval of a hole that counts as small
 constexpr double small_interval = 0.5;                  // of the target length: the same
-constexpr double roundest = 1.5;                        // the most by which distances from a round hole's middle differ
-constexpr double ring_room = 0.3;      // of a hole's distance to other loops: for rings of quads about it
-constexpr double least_length = 1e-6;  // of the model's diagonal
-constexpr double same_point = 1e-3;    // of the length at a tip: what lies nearer is the tip
+constexpr double least_length = 1e-6;                   // of the model's diagonal
+constexpr double same_point = 1e-3;                     // of the length at a tip: what lies nearer is the tip
 
 void add_pieces(const Edge& edge, double length, int count, std::vector<SizeSource>& sources) {
   if (edge.is_degenerate || !edge.curve) return;
@@ -46,50 +44,16 @@ bool is_straight(const Edge& edge) {
   return edge.curve && norm(edge.curve->point(edge.t1) - edge.curve->point(edge.t0)) >= straight * edge.length;
 }
 
-/// Pieces of a face's loops.
-class LoopPieces {
- public:
-  LoopPieces(const Model& model, const Face& face) : of_loop_(face.loops.size()) {
-    std::vector<SizeSource> all;
-    for (std::size_t l = 0; l < face.loops.size(); ++l) {
-      for (const Coedge& coedge : face.loops[l].coedges) {
-        const Edge& edge = edge_of(model, coedge);
-        add_pieces(edge, 0, is_straight(edge) ? 1 : fewest_pieces, of_loop_[l]);
-      }
-      for (SizeSource& piece : of_loop_[l]) piece.group = static_cast<int>(l);
-      all.insert(all.end(), of_loop_[l].begin(), of_loop_[l].end());
+std::vector<std::vector<SizeSource>> pieces_of_loops(const Model& model, const Face& face) {
+  std::vector<std::vector<SizeSource>> loops(face.loops.size());
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    for (const Coedge& coedge : face.loops[l].coedges) {
+      const Edge& edge = edge_of(model, coedge);
+      add_pieces(edge, 0, is_straight(edge) ? 1 : fewest_pieces, loops[l]);
     }
-    of_all_ = NearestSegment(std::move(all), 1);
   }
-
-  /// About a round hole that is far smaller than its distance to other loops rings of quads grow as their columns get
-  /// wider (paving/closing/hole_rings), faster than by the gradation: that starts where they end. Where there is room
-  /// for one ring only nothing is won.
-  std::vector<SizeSource> sources(std::size_t loop, double length) const {
-    constexpr double growth = 1 + 2 * M_PI / hole_intervals;
-    std::vector<SizeSource> hole = of_loop_[loop];
-    for (SizeSource& piece : hole) piece.value = length;
-    if (static_cast<double>(hole.size()) < hole_intervals) return hole;  // straight sides, too few for rings
-    Vec3 middle;
-    for (const SizeSource& piece : hole) middle += (1.0 / static_cast<double>(hole.size())) * piece.a;
-    double radius = 0, least = INFINITY;
-    for (const SizeSource& piece : hole)
-      radius = std::max(radius, norm(piece.a - middle)), least = std::min(least, norm(piece.a - middle));
-    const double room = ring_room * of_all_.least_of_others(middle, INFINITY, hole.front().group);
-    if (!(radius > 0 && room < INFINITY) || radius > roundest * least) return hole;
-    double wider = 1;
-    while (wider * growth * radius <= room) wider *= growth;
-    if (wider < growth * growth) return hole;
-    for (SizeSource& piece : hole)
-      piece = {middle + wider * (piece.a - middle), middle + wider * (piece.b - middle), wider * piece.value,
-               piece.group};
-    return hole;
-  }
-
- private:
-  std::vector<std::vector<SizeSource>> of_loop_;
-  NearestSegment of_all_;
-};
+  return loops;
+}
 
 /// About what a loop is divided into where the target length is far longer: its sides, turns of 60 degrees, six at
 /// most.
@@ -198,11 +162,14 @@ void LocalSizes::put_on_holes(const Model& model, double h) {
     if (!face.has_area || face.is_merged || face.loops.size() < 3) continue;
     const double extent = face_extent(model, face), holes = static_cast<double>(face.loops.size() - 1);
     if (extent >= h && std::sqrt(face.area / holes) >= h) continue;
-    const LoopPieces pieces(model, face);
+    std::vector<std::vector<SizeSource>> loops = pieces_of_loops(model, face);
+    const NearestSegment borders(loops, 1);
     for (std::size_t l = 0; l < face.loops.size(); ++l) {
       const double length = longest_interval(model, face.loops[l]);
       if (!(length > 0) || length > std::min(small_hole * extent, small_interval * h)) continue;
-      for (const SizeSource& source : pieces.sources(l, length)) {
+      for (SizeSource& piece : loops[l]) piece.value = length;
+      start_where_rings_end(loops[l], l, borders);
+      for (const SizeSource& source : loops[l]) {
         least_ = std::min(least_, source.value);
         sources_.push_back(source);
       }
