@@ -35,10 +35,10 @@ TEST(FindFineBorders, AHoleBesideAnEdgeWithTheLengthOfItsIntervals) {
   }
 }
 
-// 0.4 + 0.6 x distance against a quarter of 40.
+// About 0.6 x distance against 0.4 of 40.
 TEST(FindFineBorders, NoneWhereLengthsGrowFarEnough) {
   EXPECT_FALSE(sources(plate_without(disc(47, 12, 0.5))).empty());
-  EXPECT_TRUE(sources(plate_without(disc(47, 22, 0.5))).empty());
+  EXPECT_TRUE(sources(plate_without(disc(47, 30, 0.5))).empty());
   EXPECT_TRUE(sources(plate_without(disc(47, 40, 12))).empty()) << "large as well as far";
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 #include "base/union_find.h"
 #include "sizing/parts/find_places.h"
@@ -13,8 +12,10 @@ namespace paver {
 namespace {
 
 constexpr int pieces_of_edge = 16;
-// Of an interval: a hole in the middle of a plate as wide as one is not near its border.
-constexpr double share_of_interval = 0.25;
+constexpr double undivided = 0.99;  // of an edge's length
+// Of an interval. An edge that is not divided at all is not for less: a hole in the middle of a plate as wide as one
+// interval keeps its ring.
+constexpr double share_of_interval = 0.4, share_of_whole_edge = 0.25;
 
 class BordersOfFace {
  public:
@@ -38,17 +39,25 @@ class BordersOfFace {
 
   void find(const Interval& interval, double gradation, std::vector<SizeSource>& sources) {
     if (borders_.size() < 2) return;
-    for (std::size_t i = 0; i < edges_.size(); ++i) add_pieces(*edges_[i], interval, borders_[border_[i]]);
-    const NearestSegment reached = with_values([](double length) { return -share_of_interval * length; }, gradation);
-    std::optional<NearestSegment> plain;
+    auto reached = borders_, plain = borders_;
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      const std::size_t b = border_[i], first = borders_[b].size();
+      add_pieces(*edges_[i], interval, borders_[b]);
+      for (std::size_t k = first; k < borders_[b].size(); ++k) {
+        const auto& [start, end, length] = borders_[b][k];
+        const bool is_divided = length < undivided * edges_[i]->length;
+        reached[b].push_back({start, end, -(is_divided ? share_of_interval : share_of_whole_edge) * length});
+        plain[b].push_back({start, end});
+      }
+    }
+    const NearestSegment nearest_reached(reached, gradation), nearest(plain, 1);
     for (std::size_t b = 0; b < borders_.size(); ++b) {
       take_mean_length(borders_[b]);
       const double most = -borders_[b].front().value;
       const bool is_fine = std::ranges::any_of(
-          borders_[b], [&](const auto& piece) { return reached.least_of_others(piece.a, most, b) < most; });
+          borders_[b], [&](const auto& piece) { return nearest_reached.least_of_others(piece.a, most, b) < most; });
       if (!is_fine) continue;
-      if (!plain) plain = with_values([](double) { return 0.0; }, 1);
-      start_where_rings_end(borders_[b], b, *plain);
+      start_where_rings_end(borders_[b], b, nearest);
       sources.insert(sources.end(), borders_[b].begin(), borders_[b].end());
     }
   }
@@ -61,13 +70,6 @@ class BordersOfFace {
       pieces.push_back({edge.curve->point(t), edge.curve->point(next), 0.5 * (h + next_h)});
       t = next, h = next_h;
     }
-  }
-
-  NearestSegment with_values(double (*value)(double length), double growth) const {
-    auto borders = borders_;
-    for (auto& border : borders)
-      for (SizeSource& piece : border) piece.value = value(piece.value);
-    return {borders, growth};
   }
 
   // Long edges of a border need not be divided for the sake of its own short ones.
