@@ -2,10 +2,13 @@
 // In: model, sizes, counts. Out: divisions with global node numbers.
 // Steps: number the vertices that divided edges use; per edge, interval ends at equal weight (integral of ds/h) and on
 // kinks, middles at half arc length, both on the exact curve; the ends of an edge are the vertex points themselves.
+// Across narrow faces interval ends then move to where they face vertices.
 #include <algorithm>
 
 #include "boundary/edge_metric.h"
 #include "boundary/edge_nodes.h"
+#include "boundary/facing/facing_nodes.h"
+#include "boundary/region_loops.h"
 
 namespace paver {
 namespace {
@@ -30,15 +33,19 @@ constexpr double table_cost = 50, node_cost = 2;  // microseconds
 struct Places {
   std::vector<double> t;
   std::vector<Vec3> x;         // as in EdgeDivision
+  std::vector<double> length;  // per node, from the start
   std::vector<double> target;  // per node
 };
-PAVER_FIELDS(Places, t, x, target)
+PAVER_FIELDS(Places, t, x, length, target)
 
-Places divide(const Model& model, int index, const SizeField& size, int count) {
+EdgeMetric metric_of(const Model& model, int edge, const SizeField& size) {
+  return {model.edges[edge], size, size.turning_sides(static_cast<std::size_t>(edge))};
+}
+
+Places divide(const Model& model, int index, const EdgeMetric& metric, const std::vector<double>& lengths) {
   const Edge& edge = model.edges[index];
-  const EdgeMetric metric(edge, size, size.turning_sides(static_cast<std::size_t>(index)));
-  const std::vector<double> lengths = metric.node_lengths(count);
   Places places;
+  places.length = lengths;
   auto add = [&](double t, Vec3 x) {
     places.t.push_back(t);
     places.x.push_back(x);
@@ -78,6 +85,25 @@ void append(int edge, Places places, int start, int end, EdgeNodes& result) {
   division.node.push_back(end);
 }
 
+/// `places`: of the edges `divided`.
+void move_nodes(const Model& model, const SizeField& size, const std::vector<int>& divided,
+                std::vector<Places>& places) {
+  NodeLengths lengths(model.edges.size());
+  std::vector<int> task_of_edge(model.edges.size(), -1);
+  for (std::size_t i = 0; i < divided.size(); ++i) {
+    lengths[divided[i]] = places[i].length;
+    task_of_edge[divided[i]] = static_cast<int>(i);
+  }
+  std::vector<std::vector<Loop>> loops;
+  for (std::size_t f = 0; f < model.faces.size(); ++f)
+    loops.push_back(model.faces[f].is_meshed() ? linked_loops(model, static_cast<int>(f)) : std::vector<Loop>{});
+  for (const MovedNodes& moved : face_vertices(model, find_opposite_sides(model, loops), std::move(lengths))) {
+    const EdgeMetric metric = metric_of(model, moved.edge, size);
+    if (metric.kink_count() > 0 || !metric.turns_within(moved.lengths)) continue;
+    places[task_of_edge[moved.edge]] = divide(model, moved.edge, metric, moved.lengths);
+  }
+}
+
 }  // namespace
 
 EdgeNodes divide_edges(const Model& model, const SizeField& size, const std::vector<int>& counts, SharedTasks& tasks) {
@@ -94,8 +120,10 @@ EdgeNodes divide_edges(const Model& model, const SizeField& size, const std::vec
   }
   std::vector<Places> places = tasks.run<Places>(Stage::boundary, costs, [&](int task) {
     auto i = static_cast<std::size_t>(task);
-    return divide(model, divided[i], size, counts[divided[i]]);
+    const EdgeMetric metric = metric_of(model, divided[i], size);
+    return divide(model, divided[i], metric, metric.node_lengths(counts[divided[i]]));
   });
+  move_nodes(model, size, divided, places);
   for (std::size_t i = 0; i < divided.size(); ++i) {
     const Edge& edge = model.edges[divided[i]];
     append(divided[i], std::move(places[i]), result.node_of_vertex[edge.start], result.node_of_vertex[edge.end],

@@ -20,6 +20,7 @@ constexpr int most_newton_steps = 40;
 constexpr int first_panels = 16;            // catches size changes of faces along straight edges
 constexpr int deepest_split = 10;           // of a first panel: a kink ends the halving here
 constexpr double panel_turn = 0.25;         // radians; the table keeps half panels
+constexpr double slack_of_turns = 1.001;    // the turn is linear between rows only
 constexpr double kink_turn = 0.2;           // radians: a sharper jump of the tangent takes a node
 constexpr int kink_halvings = 30;           // of a deepest panel
 constexpr double kink_end_share = 1e-6;     // of the length: a kink so near an end is the vertex's
@@ -413,9 +414,11 @@ double EdgeMetric::turn_at_length(double s, KinkSide side) const {
 }
 
 bool EdgeMetric::turns_within(int n) const {
-  constexpr double slack = 1.001;  // the turn is linear between rows only
-  if (turn() <= limit_.usual * slack) return true;
-  const std::vector<double> lengths = node_lengths(n);
+  return turn() <= limit_.usual * slack_of_turns || turns_within(node_lengths(n));
+}
+
+bool EdgeMetric::turns_within(const std::vector<double>& lengths) const {
+  constexpr double slack = slack_of_turns;
   for (std::size_t i = 1; i < lengths.size(); ++i) {
     double end = i + 1 == lengths.size() ? turn() : turn_at_length(lengths[i], KinkSide::before);
     double turn = end - turn_at_length(lengths[i - 1], KinkSide::behind);

@@ -35,6 +35,8 @@ class EdgeMetric {
   double size_at_length(double s) const;
   /// Whether none of `n` intervals turns more than it may; the turn of a kink on a node counts for none.
   bool turns_within(int n) const;
+  /// The same of intervals between nodes at these arc lengths.
+  bool turns_within(const std::vector<double>& lengths) const;
   const TurnLimit& turn_limit() const { return limit_; }
 
  private:

@@ -1,0 +1,26 @@
+// Nodes of one side of a narrow face opposite the vertices of the other one.
+#pragma once
+
+#include <vector>
+
+#include "boundary/facing/opposite_sides.h"
+#include "topology/model.h"
+
+namespace paver {
+
+/// Per edge: arc lengths of its nodes from its start, mm; empty where it is not divided.
+using NodeLengths = std::vector<std::vector<double>>;
+
+/// New lengths of one edge's nodes.
+struct MovedNodes {
+  int edge = -1;
+  std::vector<double> lengths;
+};
+
+/// Where a face between four corners is narrower than its intervals and equally many lie on both sides, one of which is
+/// a single edge and the other has vertices between its ends: the edge's nodes, as far as they are needed to be at most
+/// one width from what they face. Edges that face such an edge across another narrow face follow it. At most one entry
+/// per edge; an edge that leads an entry comes before it. `pairs`: of find_opposite_sides.
+std::vector<MovedNodes> face_vertices(const Model& model, const std::vector<OppositeSides>& pairs, NodeLengths lengths);
+
+}  // namespace paver
