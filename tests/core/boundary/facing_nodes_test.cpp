@@ -1,0 +1,93 @@
+// Nodes opposite the vertices across narrow faces.
+#include "boundary/facing/facing_nodes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "boundary/region_loops.h"
+#include "support/fake_model.h"
+
+namespace paver {
+namespace {
+
+/// Equal intervals on every edge.
+NodeLengths even(const Model& model, const std::vector<int>& counts) {
+  NodeLengths lengths;
+  for (std::size_t e = 0; e < counts.size(); ++e) {
+    lengths.emplace_back();
+    for (int i = 0; i <= counts[e]; ++i) lengths.back().push_back(model.edges[e].length * i / counts[e]);
+  }
+  return lengths;
+}
+
+std::vector<MovedNodes> moved_in(const Model& model, const std::vector<int>& counts) {
+  std::vector<std::vector<Loop>> loops;
+  for (std::size_t f = 0; f < model.faces.size(); ++f) loops.push_back(linked_loops(model, static_cast<int>(f)));
+  return face_vertices(model, find_opposite_sides(model, loops), even(model, counts));
+}
+
+double nearest(const std::vector<double>& places, double place) {
+  double least = INFINITY;
+  for (double p : places) least = std::min(least, std::fabs(p - place));
+  return least;
+}
+
+/// The end of a board 30 wide: edge 0 below; on top edges 2 to 4, a trace of 0.5 between the others.
+Model end_of_board(double height) {
+  return fake::polygon(
+      {{0, 0, 0}, {30, 0, 0}, {30, height, 0}, {15.25, height, 0}, {14.75, height, 0}, {0, height, 0}});
+}
+
+TEST(FacingNodes, AnEvenEdgeMovesItsNodesNextToTheVerticesItFaces) {
+  const std::vector<MovedNodes> moved = moved_in(end_of_board(0.25), {5, 1, 2, 1, 2, 1});
+  ASSERT_EQ(moved.size(), 1u);
+  EXPECT_EQ(moved[0].edge, 0);
+  EXPECT_EQ(moved[0].lengths.size(), 6u);
+  EXPECT_TRUE(std::ranges::is_sorted(moved[0].lengths));
+  for (double vertex : {14.75, 15.25}) EXPECT_LE(nearest(moved[0].lengths, vertex), 0.25 + 1e-9);
+  for (std::size_t i = 1; i < moved[0].lengths.size(); ++i)
+    EXPECT_GE(moved[0].lengths[i] - moved[0].lengths[i - 1], 0.5);
+}
+
+TEST(FacingNodes, RowsThatLeanLittleStay) {
+  const Model model = fake::polygon({{0, 0, 0}, {4, 0, 0}, {4, 0.3, 0}, {2.2, 0.3, 0}, {0, 0.3, 0}});
+  EXPECT_TRUE(moved_in(model, {4, 1, 2, 2, 1}).empty());
+}
+
+TEST(FacingNodes, WideFacesAndUnequalSidesAreLeftAlone) {
+  EXPECT_TRUE(moved_in(end_of_board(12), {5, 2, 2, 1, 2, 2}).empty());
+  EXPECT_TRUE(moved_in(end_of_board(0.25), {4, 1, 2, 1, 2, 1}).empty());
+}
+
+TEST(FacingNodes, WhatFacesAMovedEdgeFollowsIt) {
+  fake::Builder builder;
+  for (Vec3 corner : {Vec3{0, 0, 0}, {30, 0, 0}, {30, 0.25, 0}, {15.25, 0.25, 0}, {14.75, 0.25, 0}, {0, 0.25, 0}})
+    builder.vertex(corner);
+  builder.vertex({0, -0.1, 0});
+  builder.vertex({30, -0.1, 0});
+  auto plane = std::make_shared<fake::Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0});
+  std::vector<Coedge> board, metal;
+  std::vector<Vec2> at = {{0, 0}, {30, 0}, {30, 0.25}, {15.25, 0.25}, {14.75, 0.25}, {0, 0.25}, {0, -0.1}, {30, -0.1}};
+  auto image = [&](int edge, bool is_reversed, std::size_t a, std::size_t b) {
+    return builder.use(edge, is_reversed, at[a], at[b]);
+  };
+  for (int i = 0; i < 6; ++i)
+    board.push_back(image(builder.line(i, (i + 1) % 6), false, static_cast<std::size_t>(i), (i + 1u) % 6));
+  metal.push_back(image(0, true, 0, 1));
+  metal.push_back(image(builder.line(0, 6), false, 0, 6));
+  metal.push_back(image(builder.line(6, 7), false, 6, 7));
+  metal.push_back(image(builder.line(7, 1), false, 7, 1));
+  builder.face(plane, 30 * 0.1, {metal});
+  builder.face(plane, 30 * 0.25, {board});
+  const std::vector<MovedNodes> moved = moved_in(builder.take(), {5, 1, 2, 1, 2, 1, 1, 5, 1});
+  ASSERT_EQ(moved.size(), 2u);
+  EXPECT_EQ(moved[0].edge, 0);
+  EXPECT_EQ(moved[1].edge, 7);
+  for (std::size_t i = 0; i < moved[0].lengths.size(); ++i)
+    EXPECT_LE(std::fabs(moved[0].lengths[i] - moved[1].lengths[i]), 0.1 + 1e-9);
+}
+
+}  // namespace
+}  // namespace paver
