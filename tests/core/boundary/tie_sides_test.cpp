@@ -58,6 +58,13 @@ TEST(TieSides, EdgesShorterThanTheTargetLengthTakeTwiceTheirCountForAGrid) {
   EXPECT_EQ(tied(square(), {9, 2, 5, 2}, 1, true), (std::vector<int>{9, 2, 5, 2})) << "four at most";
 }
 
+TEST(TieSides, AnEdgeOfAThinFaceTakesWhatItFaces) {
+  // Five edges of one interval each above one of 1.2 target lengths.
+  const Model thin = fake::polygon(
+      {{0, 0, 0}, {30, 0, 0}, {30, 0.1, 0}, {9, 0.1, 0}, {8.5, 0.1, 0}, {3, 0.1, 0}, {2.5, 0.1, 0}, {0, 0.1, 0}});
+  EXPECT_EQ(tied(thin, {1.2, 0.1, 0.8, 0.1, 0.2, 0.1, 0.1, 0.1}), (std::vector<int>{5, 1, 1, 1, 1, 1, 1, 1}));
+}
+
 TEST(TieSides, TheMinimumHolds) {
   std::vector<int> counts = tied(square(), {7.2, 9, 7.9, 9}, 8);
   EXPECT_EQ(counts, (std::vector<int>{8, 9, 8, 9}));

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <tuple>
 
 #include "base/union_find.h"
@@ -26,6 +27,8 @@ constexpr double narrow = 0.7;  // intervals
 constexpr double thin = 0.2;    // intervals: what lies between unequal sides are needles
 // Of the wish: sides of thin faces may take as many more.
 constexpr double most_on_thin = 1.5;
+// Of the wish: a side of a thin face that is one edge, for the vertices it faces.
+constexpr double most_for_vertices = 8;
 constexpr double rounding = 0.9;  // intervals: short edges may change by more than that share
 constexpr int most_on_short = 4;  // intervals: on an edge shorter than the target length no length is right
 // Of the intervals that its bends ask for: those of the other end of a thin rod ask for more.
@@ -40,6 +43,7 @@ struct Range {
 
 struct EdgeKind {
   bool is_rim = false, is_of_thin = false;  // of a ring or a bent strip; of a thin face
+  int faced = 0;                            // intervals of several edges that it faces across a thin face
 };
 
 Range range_of(const EdgeCount& edge, EdgeKind kind) {
@@ -52,6 +56,8 @@ Range range_of(const EdgeCount& edge, EdgeKind kind) {
   int most = static_cast<int>(std::floor(std::min(highest, most_intervals)));
   if (edge.is_short) most = std::max(most, std::min(2 * edge.count, most_on_short));
   if (kind.is_of_thin) most = std::max(most, static_cast<int>(std::min(most_on_thin * edge.wish, most_intervals)));
+  const double most_faced = std::min(most_for_vertices * std::max(edge.wish, 1.0), most_intervals);
+  most = std::max(most, std::min(kind.faced, static_cast<int>(most_faced)));
   if (edge.is_short && kind.is_rim) most = std::max(most, static_cast<int>(most_on_short_rim * edge.count));
   return {std::min(least, edge.count), std::max(most, edge.count)};
 }
@@ -68,7 +74,11 @@ Range common(Range a, Range b) { return {std::max(a.least, b.least), std::min(a.
 class Tying {
  public:
   Tying(const std::vector<EdgeCount>& counts, const std::vector<EdgeKind>& kinds)
-      : counts_(counts), groups_(counts.size()), chosen_(counts.size(), 0), is_held_(counts.size(), false) {
+      : counts_(counts),
+        groups_(counts.size()),
+        chosen_(counts.size(), 0),
+        is_held_(counts.size(), false),
+        is_equal_(counts.size(), false) {
     for (std::size_t e = 0; e < counts.size(); ++e) {
       const int count = counts[e].count;
       members_.push_back({range_of(counts[e], kinds[e]), {count, count}, counts[e].minimum, 1, counts[e].wish});
@@ -139,6 +149,8 @@ class Tying {
       chosen_[best] += best_step;
       excess += excess > 0 ? -1 : 1;
     }
+    for (int e : pair.edges()) is_equal_[groups_.find(e)] = true;
+    if (groups_of(pair.first) == groups_of(pair.second)) return;  // equal with any counts
     for (int e : pair.edges()) is_held_[groups_.find(e)] = true;
   }
 
@@ -149,7 +161,7 @@ class Tying {
       int group = groups_.find(static_cast<int>(e));
       tied.group.push_back(group);
       if (group != static_cast<int>(e)) continue;
-      tied.groups[e] = {mean_wish(group), members_[e].minimum, chosen_[e], is_held_[e] || members_[e].makes_grid};
+      tied.groups[e] = {mean_wish(group), members_[e].minimum, chosen_[e], is_equal_[e] || members_[e].makes_grid};
     }
     return tied;
   }
@@ -172,6 +184,12 @@ class Tying {
     return std::max(least, std::min(rounded, most));
   }
 
+  std::multiset<int> groups_of(const std::vector<int>& side) {
+    std::multiset<int> groups;
+    for (int e : side) groups.insert(groups_.find(e));
+    return groups;
+  }
+
   long sum(const std::vector<int>& side) {
     long total = 0;
     for (int e : side) total += chosen_[groups_.find(e)];
@@ -188,8 +206,9 @@ class Tying {
   const std::vector<EdgeCount>& counts_;
   UnionFind groups_;
   std::vector<Members> members_;
-  std::vector<int> chosen_;    // per group
-  std::vector<bool> is_held_;  // per group: an equal sum depends on it
+  std::vector<int> chosen_;     // per group
+  std::vector<bool> is_held_;   // per group: an equal sum depends on its count
+  std::vector<bool> is_equal_;  // per group: of sides with equal sums
 };
 
 /// Whether there is one row at most between the sides of a ring with corners: in wider ones rows need not meet.
@@ -200,6 +219,32 @@ bool is_narrow(const Model& model, const OppositeSides& pair, const std::vector<
 /// Whether a face is far narrower between two sides than their intervals are long.
 bool is_thin_between(const Model& model, const OppositeSides& pair, const std::vector<EdgeCount>& counts) {
   return width_between(model, pair) * wish_of(pair, counts) <= thin * length_of(model, pair);
+}
+
+int sum_of(const std::vector<int>& edges, const std::vector<EdgeCount>& counts) {
+  int sum = 0;
+  for (int e : edges) sum += counts[e].count;
+  return sum;
+}
+
+/// Of sides that are single edges, also of those that face one across another thin face.
+void find_faced(const std::vector<OppositeSides>& pairs, const std::vector<bool>& is_thin,
+                const std::vector<EdgeCount>& counts, std::vector<EdgeKind>& kinds) {
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (!is_thin[i] || pairs[i].partner < 0) continue;
+      auto raise = [&](const std::vector<int>& side, const std::vector<int>& other) {
+        if (side.size() != 1) return;
+        int& faced = kinds[side[0]].faced;
+        const int by_other = other.size() > 1 ? sum_of(other, counts) : kinds[other[0]].faced;
+        has_changed = has_changed || by_other > faced;
+        faced = std::max(faced, by_other);
+      };
+      raise(pairs[i].first, pairs[i].second);
+      raise(pairs[i].second, pairs[i].first);
+    }
+  }
 }
 
 }  // namespace
@@ -215,6 +260,7 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
       kinds[e].is_of_thin = kinds[e].is_of_thin || is_thin.back();
     }
   }
+  find_faced(pairs, is_thin, counts, kinds);
   Tying tying(counts, kinds);
   for (const std::vector<Loop>& of_face : loops)
     for (const Loop& loop : of_face)
