@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "base/listed.h"
@@ -73,11 +74,15 @@ std::string long_sides(const RunReport& report) {
 constexpr double turned = 90 * std::numbers::pi / 180;  // between normals of mesh and surface
 
 // Along a lip of next to no radius normals turn within a hundredth of an element; what folds over has more area, too.
-std::string folded(const RunReport& report) {
+bool folds_over(const FaceReport& face) {
   constexpr double largest = 1.01;  // area of the elements, by the face's
+  return face.distance.angle > turned && face.mesh_area > largest * face.cad_area;
+}
+
+std::string folded(const RunReport& report) {
   std::vector<std::string> faces;
   for (const FaceReport& face : report.faces)
-    if (face.distance.angle > turned && face.mesh_area > largest * face.cad_area)
+    if (folds_over(face))
       faces.push_back(fmt::format("{} ({:+.1f} %)", face.name, 100 * (face.mesh_area / face.cad_area - 1)));
   return about(faces, "Elements fold over one another, by what they have more of area: {}; use a smaller size there.");
 }
@@ -92,14 +97,27 @@ bool is_too_coarse(const FaceReport& face) {
          (face.mesh_area < least_turned * face.cad_area || face.distance.largest > farthest * face.longest_side);
 }
 
+// Curved elements follow a shape that they are fine enough for: about a nose that they bridge a body loses its edge.
+bool has_other_area(const RunReport& report, const FaceReport& face, double least, double merged) {
+  constexpr double most_curved = 0.03;  // of the face's area
+  const double off = std::fabs(face.mesh_area - face.cad_area) - merged;
+  return report.order > 1 && !folds_over(face) && off > most_curved * std::max(face.cad_area, least);
+}
+
 std::string too_coarse(const RunReport& report) {
   constexpr double small = 0.02;  // of the area of all faces: such faces are merged at their borders
-  double whole = 0;
-  for (const FaceReport& face : report.faces) whole += face.cad_area;
+  double whole = 0, merged = 0;
+  for (const FaceReport& face : report.faces) {
+    whole += face.cad_area;
+    if (face.status == FaceStatus::merged) merged += face.cad_area;
+  }
   std::vector<std::string> faces;
-  for (const FaceReport& face : report.faces)
-    if (face.status == FaceStatus::meshed && face.cad_area > small * whole && is_too_coarse(face))
+  for (const FaceReport& face : report.faces) {
+    if (face.status != FaceStatus::meshed) continue;
+    const bool is_large = face.cad_area > small * whole;
+    if ((is_large && is_too_coarse(face)) || has_other_area(report, face, small * whole, merged))
       faces.push_back(fmt::format("{} ({:.0f} % of its area)", face.name, 100 * face.mesh_area / face.cad_area));
+  }
   return about(faces, "Elements are too coarse for the shape of {}; use a smaller size or max-turn there.");
 }
 

@@ -123,7 +123,7 @@ TEST(Doubts, NameFacesWhoseElementsFoldOver) {
   report.faces[0].name = "Face1", report.faces[0].distance.angle = 3;  // a lip
   report.faces[0].cad_area = 10, report.faces[0].mesh_area = 10.01;
   report.faces[1].name = "Face2", report.faces[1].distance.angle = 1;  // coarse
-  report.faces[1].cad_area = 10, report.faces[1].mesh_area = 10.5;
+  report.faces[1].cad_area = 10, report.faces[1].mesh_area = 10.2;
   EXPECT_TRUE(doubts(report).empty());
   report.faces[2].name = "Face3", report.faces[2].distance.angle = 3;
   report.faces[2].cad_area = 10, report.faces[2].mesh_area = 10.9;
@@ -133,7 +133,7 @@ TEST(Doubts, NameFacesWhoseElementsFoldOver) {
 
 TEST(Doubts, NameFacesThatElementsAreTooCoarseFor) {
   RunReport report;
-  report.target_length = 1;
+  report.target_length = 1, report.order = 1;
   report.faces.resize(6);
   for (int i = 0; i < 6; ++i) report.faces[static_cast<std::size_t>(i)].name = "Face" + std::to_string(i + 1);
   report.faces[0].cad_area = 100, report.faces[0].mesh_area = 86;  // a ball of few elements
@@ -151,6 +151,29 @@ TEST(Doubts, NameFacesThatElementsAreTooCoarseFor) {
   EXPECT_NE(doubts(report)[0].find("of Face3 (43 % of its area), Face4 (75 % of its area), Face6 (100 % of its area);"),
             std::string::npos)
       << doubts(report)[0];
+}
+
+TEST(Doubts, NameFacesOfAnotherAreaThanTheirCurvedElements) {
+  RunReport report;
+  report.target_length = 1, report.quality.quads = 10;
+  report.faces.resize(4);
+  for (int i = 0; i < 4; ++i) {
+    FaceReport& face = report.faces[static_cast<std::size_t>(i)];
+    face.name = "Face" + std::to_string(i + 1), face.cad_area = face.mesh_area = 100;
+  }
+  report.faces[1].mesh_area = 98;                                   // a ball of eight elements
+  report.faces[2].cad_area = 0.1, report.faces[2].mesh_area = 0.2;  // small beside the others
+  EXPECT_TRUE(doubts(report).empty());
+  report.faces[0].mesh_area = 95, report.faces[3].mesh_area = 104;
+  ASSERT_EQ(doubts(report).size(), 1U);
+  EXPECT_NE(doubts(report)[0].find("of Face1 (95 % of its area), Face4 (104 % of its area);"), std::string::npos)
+      << doubts(report)[0];
+  EXPECT_STREQ(verdict(report), "doubtful");
+  report.order = 1;  // chords cut off more
+  EXPECT_TRUE(doubts(report).empty());
+  report.order = 2;
+  report.faces[2].status = FaceStatus::merged, report.faces[2].cad_area = 5;  // its neighbours have its area
+  EXPECT_TRUE(doubts(report).empty());
 }
 
 }  // namespace
