@@ -99,7 +99,7 @@ bool is_too_coarse(const FaceReport& face) {
 
 // Curved elements follow a shape that they are fine enough for: about a nose that they bridge a body loses its edge.
 bool has_other_area(const RunReport& report, const FaceReport& face, double least, double merged) {
-  constexpr double most_curved = 0.03;  // of the face's area
+  constexpr double most_curved = 0.05;  // of the face's area
   const double off = std::fabs(face.mesh_area - face.cad_area) - merged;
   return report.order > 1 && !folds_over(face) && off > most_curved * std::max(face.cad_area, least);
 }
