@@ -418,11 +418,10 @@ bool EdgeMetric::turns_within(int n) const {
 }
 
 bool EdgeMetric::turns_within(const std::vector<double>& lengths) const {
-  constexpr double slack = slack_of_turns;
   for (std::size_t i = 1; i < lengths.size(); ++i) {
     double end = i + 1 == lengths.size() ? turn() : turn_at_length(lengths[i], KinkSide::before);
     double turn = end - turn_at_length(lengths[i - 1], KinkSide::behind);
-    if (!limit_.may_turn(turn / slack, (lengths[i] - lengths[i - 1]) / slack)) return false;
+    if (!limit_.may_turn(turn / slack_of_turns, (lengths[i] - lengths[i - 1]) / slack_of_turns)) return false;
   }
   return true;
 }
