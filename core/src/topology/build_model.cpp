@@ -9,6 +9,7 @@
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "brep/connecting/connect_impl.h"
@@ -43,6 +44,11 @@ constexpr double least_width = 1e-7;
 /// Gap between images, over the face's extent in (u, v), that is worth a note.
 constexpr double gap_share = 1e-3;
 
+/// The smallest width that turns by a right angle and has elements as narrow as that takes, mm.
+double unresolved_turn(const Options& options) {
+  return target_length(options) / options.aspect * std::numbers::pi / 2 / options.turn_limit();
+}
+
 class ModelBuilder {
  public:
   ModelBuilder(const Shape& shape, ModelReport report, Progress& progress, SharedTasks& tasks)
@@ -65,7 +71,7 @@ class ModelBuilder {
     list_parts(work_, shape_.shape);
     name_parts(work_, shape_.labels);
     if (!brep)  // what is written has the faces as they were read
-      for (const DividedFace& face : divide_creases(work_)) note_divided(face);
+      for (const DividedFace& face : divide_creases(work_, unresolved_turn(options))) note_divided(face);
     // Far less than what is sewn: parts that lie so near have been put there.
     const double contact_tolerance = options.sew_tolerance.value_or(contact_share * work_.diagonal);
     connected_ = connect(work_, options.connect, contact_tolerance, progress_);

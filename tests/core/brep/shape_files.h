@@ -72,7 +72,9 @@ inline std::vector<TopoDS_Shape> loose_faces(const TopoDS_Shape& shape) {
 
 inline Shape as_shape(const TopoDS_Shape& shape) { return {shape, {}, {}}; }
 
-inline Model model_of(const TopoDS_Shape& shape, const Options& options = {}) {
+/// Without a target length one at which only creases divide faces.
+inline Model model_of(const TopoDS_Shape& shape, Options options = {}) {
+  if (!options.size && !options.frequency) options.size = 1e-3;
   Progress progress;
   Alone alone(progress);
   return build_model(as_shape(shape), options, {}, progress, alone);

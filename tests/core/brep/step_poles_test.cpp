@@ -44,7 +44,9 @@ void expect_whole(const TopoDS_Shape& shape, std::size_t most_restored) {
   EXPECT_LE(read->restored.size(), most_restored);
   Progress progress;
   test::Alone alone(progress);
-  const Model model = build_model(*read, {}, {}, progress, alone);
+  Options options;
+  options.size = 1;
+  const Model model = build_model(*read, options, {}, progress, alone);
   double area = 0;
   for (const Face& face : model.faces) {
     area += face.area;

@@ -186,9 +186,10 @@ struct DividedFace {
   int creases = 0;  ///< along which it was divided
 };
 
-/// Cuts faces along the iso-lines where their normal jumps, so that these become edges; faces afterwards are the
-/// pieces. Nothing changes where there is no such line.
-std::vector<DividedFace> divide_creases(Workpiece& work);
+/// Cuts faces along the iso-lines where their normal jumps, or turns by a right angle within `unresolved` mm and a
+/// small part of the face, so that these become edges; faces afterwards are the pieces. Nothing changes where there is
+/// no such line.
+std::vector<DividedFace> divide_creases(Workpiece& work, double unresolved);
 
 /// Area in mm^2 whatever the orientation; NaN when the kernel cannot compute it.
 double face_area(const TopoDS_Face& face);

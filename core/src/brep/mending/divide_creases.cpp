@@ -1,6 +1,7 @@
 // Divides faces along the creases of their surfaces: iso-lines where the surface is only C0 and its normal jumps.
 // Elements across a crease would fold, so each crease becomes an ordinary edge between two pieces.
-// 1. Find the creases: C0 parameters where the normal turns by more than crease_angle somewhere inside the face.
+// 1. Find the creases: C0 parameters where the normal turns by more than crease_angle somewhere inside the face, and
+//    ridges that turn too narrowly for elements to follow (find_ridges).
 // 2. A periodic edge that is a crease ends as an ordinary edge once the face has two pieces around it; where no crease
 //    lies inside, the face is cut half-way around.
 // 3. Divide by the kernel, with one memory of replaced edges: an edge shared with a neighbour is divided once.
@@ -28,6 +29,7 @@
 
 #include "brep/connecting/workpiece_impl.h"
 #include "brep/mending/divide_grid_impl.h"
+#include "brep/mending/find_ridges_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
 
@@ -63,7 +65,8 @@ struct Cuts {
 
 class CreaseFinder {
  public:
-  CreaseFinder(const TopoDS_Face& face, double diagonal) : face_(face), surface_(face) {
+  CreaseFinder(const TopoDS_Face& face, double diagonal, double unresolved)
+      : face_(face), surface_(face), unresolved_(unresolved) {
     least_normal_ = no_normal_share * diagonal * diagonal / (range(true) * range(false));
   }
 
@@ -75,8 +78,9 @@ class CreaseFinder {
       std::vector<double>& values = is_u ? cuts.u : cuts.v;
       values = inner_creases(is_u);
       add_flat_ends(is_u, values);
+      const bool closes_in_ridge = add_ridges(is_u, values);
       cuts.creases += static_cast<int>(values.size());
-      if (has_sharp_closure(is_u)) {
+      if (closes_in_ridge || has_sharp_closure(is_u)) {
         ++cuts.creases;
         if (values.empty()) values.push_back(first(is_u) + 0.5 * range(is_u));
       }
@@ -199,6 +203,32 @@ class CreaseFinder {
     std::ranges::sort(values);
   }
 
+  /// Elements that lie across a ridge leave the surface. Whether the face closes on itself in one. Faces without a
+  /// border are laid as a whole.
+  bool add_ridges(bool is_u, std::vector<double>& values) const {
+    if (surface_.GetType() < GeomAbs_BezierSurface || !has_border()) return false;
+    std::vector<double> ends;
+    for (const TopoDS_Edge& edge : edges_of(face_)) {
+      const EdgeImage image = image_of(edge, face_);
+      if (image.curve.IsNull()) continue;
+      for (const double share : {0.0, 1.0}) ends.push_back(coordinate(is_u, image.uv(share)));
+    }
+    const Ridges ridges = find_ridges(surface_, is_u, unresolved_, ends);
+    const double margin = end_share * range(is_u);
+    for (const double ridge : ridges.inside)
+      if (std::ranges::none_of(values, [&](double v) { return std::abs(v - ridge) <= margin; }))
+        values.push_back(ridge);
+    std::ranges::sort(values);
+    return ridges.at_ends;
+  }
+
+  bool has_border() const {
+    return std::ranges::any_of(edges_of(face_), [&](const TopoDS_Edge& edge) {
+      return !BRep_Tool::Degenerated(edge) &&
+             std::ranges::none_of(used_twice_, [&](const TopoDS_Edge& twice) { return twice.IsSame(edge); });
+    });
+  }
+
   /// On both sides of an edge that the face uses twice; nothing where one is missing.
   std::optional<std::array<EdgeImage, 2>> both_images(const TopoDS_Edge& edge) const {
     std::array images{image_of(forward(edge), face_), image_of(TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)), face_)};
@@ -253,6 +283,7 @@ class CreaseFinder {
 
   const TopoDS_Face& face_;
   BRepAdaptor_Surface surface_;
+  double unresolved_;
   std::vector<TopoDS_Edge> used_twice_;
   std::optional<BRepTopAdaptor_FClass2d> inside_;
   double least_normal_ = 0;
@@ -260,7 +291,8 @@ class CreaseFinder {
 
 class CreaseDivider {
  public:
-  explicit CreaseDivider(Workpiece& work) : work_(work), context_(new ShapeBuild_ReShape) {}
+  CreaseDivider(Workpiece& work, double unresolved)
+      : work_(work), unresolved_(unresolved), context_(new ShapeBuild_ReShape) {}
 
   std::vector<DividedFace> run() {
     std::vector<Cuts> cuts = find_cuts();
@@ -286,7 +318,7 @@ class CreaseDivider {
       cuts.emplace_back();
       if (!face.is_usable()) continue;
       try {
-        cuts.back() = CreaseFinder(forward(face.face), work_.diagonal).find();
+        cuts.back() = CreaseFinder(forward(face.face), work_.diagonal, unresolved_).find();
       } catch (const Standard_Failure&) {
         // Surfaces that cannot be evaluated are reported later, as a fault.
       }
@@ -448,12 +480,15 @@ class CreaseDivider {
   }
 
   Workpiece& work_;
+  double unresolved_;
   Handle(ShapeBuild_ReShape) context_;
   std::map<const TopoDS_TShape*, double> areas_;  // of pieces, as far as they were measured: that takes the most time
 };
 
 }  // namespace
 
-std::vector<DividedFace> divide_creases(Workpiece& work) { return CreaseDivider(work).run(); }
+std::vector<DividedFace> divide_creases(Workpiece& work, double unresolved) {
+  return CreaseDivider(work, unresolved).run();
+}
 
 }  // namespace paver
