@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 
@@ -32,8 +33,8 @@ struct Sample {
 };
 
 struct Ridge {
-  double low = 0, high = 0;  ///< the middle half of the turn
-  double width = 0;          ///< the shortest piece of the row that turns by a right angle, mm
+  double low = 0, middle = 0, high = 0;  ///< a quarter, half, and three quarters of the turn
+  double width = 0;                      ///< the shortest piece of the row that turns by a right angle, mm
   bool at_start = false, at_end = false;
 };
 
@@ -109,14 +110,15 @@ class Row {
   }
 
   Ridge ridge(std::size_t low, std::size_t high, double width) const {
-    const double turn = samples_[high].turn - samples_[low].turn;
-    return {at_turn(samples_[low].turn + 0.25 * turn), at_turn(samples_[low].turn + 0.75 * turn), width, low == 0,
+    const double first = samples_[low].turn, turn = samples_[high].turn - first;
+    return {at_turn(first + 0.25 * turn), at_turn(first + 0.5 * turn), at_turn(first + 0.75 * turn), width, low == 0,
             high + 1 == samples_.size()};
   }
 
+  /// Between the row's ends.
   double at_turn(double turn) const {
-    const auto after = std::ranges::lower_bound(samples_, turn, {}, &Sample::turn);
-    return after == samples_.end() ? samples_.back().at : after->at;
+    const auto after = std::ranges::upper_bound(samples_, turn, {}, &Sample::turn), before = std::prev(after);
+    return std::lerp(before->at, after->at, (turn - before->turn) / (after->turn - before->turn));
   }
 
   const BRepAdaptor_Surface& surface_;
@@ -137,7 +139,7 @@ bool is_common(Ridge& ridge, const std::vector<Ridge>& others) {
 }
 
 double cut_at(const Ridge& ridge, const std::vector<double>& preferred) {
-  const double middle = 0.5 * (ridge.low + ridge.high);
+  const double middle = std::clamp(ridge.middle, ridge.low, ridge.high);
   double best = middle;
   for (const double place : preferred)
     if (place >= ridge.low && place <= ridge.high &&
