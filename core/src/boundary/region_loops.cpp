@@ -34,20 +34,25 @@ struct Link {
   int from = -1, to = -1;  // vertices
 };
 
-// In the order of the face. Each is linked to those beside it in its loop that stay, too.
+// In the order of the face. Each is linked to those beside it in its loop that stay, too; a pole between two is one
+// point of both, whatever else starts there.
 std::vector<Link> kept_links(const Model& model, int face, const std::vector<std::vector<bool>>& dropped) {
   std::vector<Link> links;
   for (std::size_t l = 0; l < dropped.size(); ++l) {
     const std::vector<Coedge>& coedges = model.faces[face].loops[l].coedges;
     const std::size_t n = coedges.size();
     const int first = static_cast<int>(links.size());
-    auto stays = [&](std::size_t c) { return !edge_of(model, coedges[c % n]).is_degenerate && !dropped[l][c % n]; };
+    auto is_pole = [&](std::size_t c) { return edge_of(model, coedges[c % n]).is_degenerate; };
+    auto stays = [&](std::size_t c) { return !is_pole(c) && !dropped[l][c % n]; };
     for (std::size_t c = 0; c < n; ++c) {
       if (!stays(c)) continue;
       const Edge& edge = edge_of(model, coedges[c]);
       const int here = static_cast<int>(links.size());
-      const int next = !stays(c + 1) ? -1 : c + 1 < n ? here + 1 : first;
-      links.push_back({&coedges[c], next, stays(c + n - 1), start_of(edge, coedges[c]), end_of(edge, coedges[c])});
+      std::size_t after = c + 1, before = c + n - 1;
+      while (is_pole(after)) ++after;
+      while (is_pole(before)) --before;
+      const int next = !stays(after) ? -1 : after < n ? here + 1 : first;
+      links.push_back({&coedges[c], next, stays(before), start_of(edge, coedges[c]), end_of(edge, coedges[c])});
     }
   }
   return links;

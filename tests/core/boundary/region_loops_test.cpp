@@ -131,6 +131,22 @@ TEST(LinkedLoops, ChainsThatAreOpenAtOneVertexClose) {
   }
 }
 
+// A ring whose hole is a point, turned by half: both circles and both poles are at one vertex.
+TEST(LinkedLoops, CirclesWithAPoleBetweenThemAreOneLoop) {
+  fake::Builder builder;
+  const double full = 2 * fake::pi;
+  const int centre = builder.vertex({0, 0, 0});
+  const int near = builder.arc({1, 0, 0}, 1, fake::pi, 3 * fake::pi, centre, centre);
+  const int far = builder.arc({-1, 0, 0}, 1, 0, full, centre, centre);
+  const int low = builder.pole(centre), high = builder.pole(centre);
+  builder.face(
+      std::make_shared<fake::Cylinder>(1), 1,
+      {{builder.use(low, false, {0, 0}, {fake::pi, 0}), builder.use(far, false, {fake::pi, 0}, {fake::pi, full}),
+        builder.use(high, true, {0, full}, {fake::pi, full}), builder.use(near, true, {0, 0}, {0, full})}});
+  const Model model = builder.take();
+  EXPECT_EQ(edges_of(linked_loops(model, 0)), (Edges{{far, near}}));
+}
+
 TEST(LinkedLoops, ASlitInAPlaneStays) {
   fake::Builder builder;
   int a = builder.vertex({0, 0, 0}), b = builder.vertex({2, 0, 0}), c = builder.vertex({0, 2, 0});
