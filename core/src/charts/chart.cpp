@@ -107,7 +107,7 @@ class PolarChart : public Chart {
     }
     // About the pole of a slim cone it would rise beyond all numbers; there it rises more slowly everywhere.
     const double steep = log_r.back() / most_span;
-    if ((box.low_pole || box.high_pole) && steep > 1 && steep <= most_slowed)
+    if ((box.low_pole || box.high_pole) && steep > 1)
       for (double& value : log_r) value /= steep;
     span_ = log_r.back();
     rises_ = box.low_pole;
@@ -193,7 +193,6 @@ class PolarChart : public Chart {
   }
 
   ParameterBox box_;
-  static constexpr double most_slowed = 4;  // slimmer ones are as well paved as a row that narrows
   static constexpr double most_span = 150;  // of log R: beyond, products of four coordinates leave the range of double
   double turn_, lo_, step_, span_ = 0, least_ = 0;  // nearer to the pole than least_ is at it
   int cells_;

@@ -225,6 +225,19 @@ TEST(PolarChart, WalksAlongARod) {
   EXPECT_LE(norm(chart->walk(q, chart->step_to(q, p)) - p), 1e-9 * norm(p));
 }
 
+// Of a tenth of a degree from its axis to a degree: conformal ones would have radii of e^40 to e^2400.
+TEST(PolarChart, NeedlesHaveOne) {
+  for (double angle : {pi / 1800, pi / 600, pi / 180}) {
+    SCOPED_TRACE(angle);
+    const auto cone = evaluator(new Geom_ConicalSurface(gp_Ax3(), angle, 0));
+    const ParameterBox box = make_box({0, 0}, {2 * pi, 30}, false, true);
+    const auto chart = make_polar_chart(*cone, box, 2 * pi);
+    ASSERT_TRUE(chart);
+    expect_round_trip(*chart, box);
+    expect_orientation(*chart, box);
+  }
+}
+
 TEST(PolarChart, RefusesRadiiOutOfRange) {
   gp_Ax3 axes(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
   auto wire = evaluator(new Geom_CylindricalSurface(axes, 0.001));
