@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -66,6 +69,19 @@ TEST(FanRings, LeaveNoTriangleAndOnlyTheApexAcute) {
       EXPECT_GT(scaled_jacobian(mesh, e), is_at_apex ? 0.15 : 0.3) << h;
     }
   }
+}
+
+// An apple without its top: beyond the rim its surface comes back to the apex, at the lowest frequency within one step.
+TEST(FanRings, StayWithinTheLoopWhereTheSurfaceGoesOnToTheApex) {
+  const gp_Ax2 about(gp_Pnt(9, 0, 0), gp_Dir(0, -1, 0), gp_Dir(-1, 0, 0));  // from the axis downwards
+  const Handle(Geom_Surface) surface = new Geom_SurfaceOfRevolution(new Geom_Circle(about, 10), gp_Ax1());
+  const double apex = std::acos(0.9), rim = M_PI + std::asin(0.3);
+  BRepBuilderAPI_MakeFace apple(surface, 0, 2 * M_PI, apex, rim, 1e-7);
+  Options options;
+  options.size = 1e6;
+  const test::PavedModel model(test::model_of(apple.Shape()), options);
+  EXPECT_GT(wall(model).living_elements(), 0);
+  for (const Vec3& x : wall(model).x) EXPECT_LE(x.z, 3 + 1e-6);
 }
 
 TEST(FanRings, AreTheSameAtEitherOrder) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/segment.h"
+
 namespace paver {
 namespace {
 
@@ -19,12 +21,17 @@ constexpr double first_growth = 2, most_growth = 1e6;  // of a ring in the chart
 class FanRings {
  public:
   FanRings(const Region& region, RegionMesh& mesh, const Fan& fan)
-      : region_(region), mesh_(mesh), apex_(fan.centre), nearest_(nearest_node(region, apex_.x)) {}
+      : region_(region), mesh_(mesh), apex_(fan.centre), nearest_(nearest_node(region, apex_.x)) {
+    for (const auto& loop : region.loops)
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        nearest_in_chart_ =
+            std::min(nearest_in_chart_, distance_to_segment(apex_.p, loop[i].p, loop[(i + 1) % loop.size()].p));
+  }
 
   std::vector<int> run(std::vector<int> ring) {
     for (int k = 0; k < most_rings && mean_width(ring) < (mesh_.has_turns() ? wide_enough : wide_in_space); ++k) {
       const double growth = next_ring(ring);
-      if (!(growth > 1) || distance(ring, growth) > room * nearest_) break;
+      if (!(growth > 1) || radius(ring, growth) >= nearest_in_chart_ || distance(ring, growth) > room * nearest_) break;
       ring = lay(ring, growth);
     }
     return ring;
@@ -42,8 +49,11 @@ class FanRings {
   /// behind.
   Vec2 grown(const std::vector<int>& ring, std::size_t i, double growth) const {
     const Vec2 way = mesh_.p[ring[i]] - apex_.p;
-    return apex_.p + (growth * norm(mesh_.p[ring[0]] - apex_.p) / norm(way)) * way;
+    return apex_.p + (radius(ring, growth) / norm(way)) * way;
   }
+
+  /// In the chart, of the ring that follows.
+  double radius(const std::vector<int>& ring, double growth) const { return growth * norm(mesh_.p[ring[0]] - apex_.p); }
 
   /// From the apex to the ring that follows, at most.
   double distance(const std::vector<int>& ring, double growth) const {
@@ -85,7 +95,8 @@ class FanRings {
   const Region& region_;
   RegionMesh& mesh_;
   const LoopNode& apex_;
-  const double nearest_;  // loop, from the apex
+  const double nearest_;  // loop, from the apex: beyond it the surface may come near the apex again
+  double nearest_in_chart_ = INFINITY;
 };
 
 }  // namespace
