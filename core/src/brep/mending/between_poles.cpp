@@ -2,12 +2,16 @@
 // core between these poles and a shell around it. A STEP face that ends at poles only has a vertex for its border, not
 // a parameter, and is read as all of the surface, which runs through itself there. Meant is one piece: programs let a
 // meridian's parameters start where the curve that was turned starts, and run along it.
+// Besides, tori whose hole is a point: there the meridian comes to the axis and turns back, within the face.
 // 1. All edges are periodic ones.
-// 2. Where the meridian crosses the axis, by signed distances.
-// 3. The piece from the start of the parameters where that is a pole; else the one that does not go over the start.
+// 2. Where the meridian crosses the axis or touches it, by signed distances and their slopes.
+// 3. All of it from a touch on; else the piece from the start of the parameters where that is a pole; else the one that
+//    does not go over the start.
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -45,19 +49,19 @@ class Meridian {
     return size_ > 0;
   }
 
+  /// Where it comes to the axis and turns back.
+  std::optional<double> touch() const {
+    for (int i = 0; i < samples; ++i)
+      if (const auto turn = root(i, [&](double t) { return slope(t); }))
+        if (std::abs(distance(*turn)) <= flat_share * size_) return turn;
+    return std::nullopt;
+  }
+
   /// Parameters where it is on the axis, rising.
   std::vector<double> crossings() const {
     std::vector<double> found;
-    for (int i = 0; i < samples; ++i) {
-      double low = at(i), high = at(i + 1);
-      const bool is_beyond = distance(low) > 0;
-      if (is_beyond == (distance(high) > 0)) continue;
-      for (int k = 0; k < bisections; ++k) {
-        const double middle = 0.5 * (low + high);
-        ((distance(middle) > 0) == is_beyond ? low : high) = middle;
-      }
-      found.push_back(0.5 * (low + high));
-    }
+    for (int i = 0; i < samples; ++i)
+      if (const auto crossing = root(i, [&](double t) { return distance(t); })) found.push_back(*crossing);
     return found;
   }
 
@@ -69,6 +73,20 @@ class Meridian {
     return from - from.Dot(along) * along;
   }
   double distance(double t) const { return from_axis(t).Dot(side_); }
+  double slope(double t) const { return curve_->DN(t, 1).Dot(side_); }
+
+  /// Where f changes its sign between a sample and the next.
+  template <class F>
+  std::optional<double> root(int sample, F f) const {
+    double low = at(sample), high = at(sample + 1);
+    const bool is_above = f(low) > 0;
+    if (is_above == (f(high) > 0)) return std::nullopt;
+    for (int k = 0; k < bisections; ++k) {
+      const double middle = 0.5 * (low + high);
+      ((f(middle) > 0) == is_above ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  }
 
   Handle(Geom_Curve) curve_;
   gp_Ax1 axis_;
@@ -81,18 +99,33 @@ bool has_periodic_edges_only(const TopoDS_Face& face) {
   return std::ranges::all_of(edges_of(face), [&](const TopoDS_Edge& edge) { return BRep_Tool::IsClosed(edge, face); });
 }
 
+/// Along the meridian, of the piece that is meant.
+std::optional<std::array<double, 2>> poles_of(const Handle(Geom_Surface) & surface) {
+  if (const auto torus = Handle(Geom_ToroidalSurface)::DownCast(surface); !torus.IsNull()) {
+    const double hole = torus->MajorRadius() - torus->MinorRadius();
+    if (std::abs(hole) > flat_share * torus->MajorRadius()) return std::nullopt;
+    return std::array{std::numbers::pi, 3 * std::numbers::pi};
+  }
+  const auto revolved = Handle(Geom_SurfaceOfRevolution)::DownCast(surface);
+  if (revolved.IsNull()) return std::nullopt;
+  const Meridian meridian(*revolved);
+  if (!meridian.is_planar()) return std::nullopt;
+  if (const std::optional<double> touch = meridian.touch()) return std::array{*touch, *touch + meridian.period()};
+  std::vector<double> poles = meridian.crossings();
+  if (poles.size() != 2) return std::nullopt;
+  if (poles[0] < meridian.first() + start_share * meridian.period()) poles[0] = meridian.first();
+  return std::array{poles[0], poles[1]};
+}
+
 }  // namespace
 
 std::optional<TopoDS_Face> between_poles(const TopoDS_Face& face) {
   TopLoc_Location location;
-  const auto surface = Handle(Geom_SurfaceOfRevolution)::DownCast(untrimmed(BRep_Tool::Surface(face, location)));
+  const Handle(Geom_Surface) surface = untrimmed(BRep_Tool::Surface(face, location));
   if (surface.IsNull() || !surface->IsVPeriodic() || !has_periodic_edges_only(face)) return std::nullopt;
-  const Meridian meridian(*surface);
-  if (!meridian.is_planar()) return std::nullopt;
-  std::vector<double> poles = meridian.crossings();
-  if (poles.size() != 2) return std::nullopt;
-  if (poles[0] < meridian.first() + start_share * meridian.period()) poles[0] = meridian.first();
-  BRepBuilderAPI_MakeFace maker(surface, 0, 2 * std::numbers::pi, poles[0], poles[1], Precision::Confusion());
+  const std::optional<std::array<double, 2>> poles = poles_of(surface);
+  if (!poles) return std::nullopt;
+  BRepBuilderAPI_MakeFace maker(surface, 0, 2 * std::numbers::pi, (*poles)[0], (*poles)[1], Precision::Confusion());
   if (!maker.IsDone()) return std::nullopt;
   return TopoDS::Face(TopoDS::Face(maker.Shape()).Moved(location));
 }

@@ -64,7 +64,8 @@ bool is_garbled_ring(const TopoDS_Face& face, double diagonal);
 TopoDS_Face mended_ring(const TopoDS_Face& face, double diagonal);
 
 /// A FORWARD face that is all of a surface of revolution whose closed meridian crosses the axis twice, cut down to the
-/// piece between these poles that starts where its parameters do; nothing for others.
+/// piece between these poles that starts where its parameters do; one that touches it once, opened there; nothing for
+/// others.
 std::optional<TopoDS_Face> between_poles(const TopoDS_Face& face);
 
 struct CompletedFace {
