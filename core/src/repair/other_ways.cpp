@@ -22,8 +22,20 @@ namespace {
 constexpr long few_elements = 100;   // of a region, looked at as a whole
 constexpr double good = 0.35;        // from there on it is better than triangles
 constexpr double least_share = 0.5;  // of the elements that paving takes
+constexpr double coarse = 0.02;      // of its area: a region that lacks more is worth another way,
+constexpr double much_less = 0.5;    // of what the first way lacks, if that is left
+constexpr long most_more = 3;        // times the elements, at most
+constexpr double most_long = 1.5;    // target lengths: of a side
 
 bool has_few_elements(const RegionMesh& mesh) { return mesh.living_elements() <= few_elements; }
+
+double longest_side(const RegionMesh& mesh) {
+  double longest = 0;
+  for (const Element& e : mesh.elements)
+    for (int k = 0; e.is_alive() && k < e.corners(); ++k)
+      longest = std::max(longest, norm(mesh.x[e.v[(k + 1) % e.corners()]] - mesh.x[e.v[k]]));
+  return longest;
+}
 
 /// Triangles count half.
 double quads_in(const RegionMesh& mesh) {
@@ -47,6 +59,12 @@ class Remesher {
     auto lay = [&](DomeRows rows) { return take_rows(lay_dome(region_, of_.options.elements, rows)); };
     return lay(DomeRows::even) || lay(DomeRows::in_chart) || lay(DomeRows::many) || take_rows(lay_tube(region_)) ||
            pave_without_turns() || pave_by_other_rule(region_) || lay(DomeRows::most);
+  }
+
+  /// The same where the elements are valid, but too coarse for the shape.
+  bool make_finer() {
+    must_be_finer_ = true;
+    return make_whole();
   }
 
   bool make_regular() {
@@ -90,14 +108,25 @@ class Remesher {
     const ElementJudge judge(region, second.mesh, of_.sides, order_);
     Mended again = mend_mesh(judge, kinds_of(of_.options.elements), find_bad(judge), second.mesh);
     if (!again.left.empty() || !of_.is_sound(second.mesh)) return false;
+    if (must_be_finer_ && !is_finer(second.mesh)) return false;
     mended_ = std::move(again), paved_ = std::move(second);
     return true;
+  }
+
+  /// Follows the shape better without many more elements, more triangles or longer sides.
+  bool is_finer(const RegionMesh& mesh) const {
+    const RegionMesh& before = paved_.mesh;
+    const long count = mesh.living_elements(), count_before = before.living_elements();
+    return of_.lacking(mesh) <= much_less * of_.lacking(before) && count <= most_more * count_before &&
+           mesh.triangle_count() * count_before <= before.triangle_count() * count &&
+           longest_side(mesh) <= std::max(longest_side(before), most_long * region_.h);
   }
 
   bool take_grid(std::optional<RegionMesh> grid) {
     if (!grid) return false;
     const double value = worst_value(*grid), before = worst_value(paved_.mesh);
     if (value < fair || value <= std::min(before, good) || !of_.is_sound(*grid)) return false;
+    if (of_.lacking(*grid) > std::max(coarse, of_.lacking(paved_.mesh))) return false;
     mended_ = {}, paved_ = {std::move(*grid), {}};
     return true;
   }
@@ -147,19 +176,25 @@ class Remesher {
   const int order_;
   Mended& mended_;
   PavedRegion& paved_;
+  bool must_be_finer_ = false;
 };
 
 }  // namespace
 
 bool OtherWays::can_help(const RegionMesh& mesh) const {
-  return has_few_elements(mesh) && (is_coarse_and_mixed(mesh) || has_long_side(mesh) || !can_be_whole(mesh));
+  return has_few_elements(mesh) &&
+         (is_coarse_and_mixed(mesh) || has_long_side(mesh) || !can_be_whole(mesh) || lacking(mesh) > coarse);
 }
 
 void OtherWays::improve(Mended& mended, PavedRegion& paved) const {
   const Vec3 where = paved.mesh.x[mended.left.empty() ? 0 : paved.mesh.elements[mended.left[0]].v[0]];
   const bool is_whole = mended.left.empty() && is_sound(paved.mesh);
   Remesher remesher(*this, mended, paved);
-  bool is_changed = !is_whole && remesher.make_whole();
+  bool is_changed = false;
+  if (!is_whole)
+    is_changed = remesher.make_whole();
+  else if (has_few_elements(paved.mesh) && lacking(paved.mesh) > coarse)
+    is_changed = remesher.make_finer();
   is_changed = remesher.make_regular() || is_changed;
   if (is_changed) mended.places.push_back({ElementRepairKind::paved_again, where});
 }
@@ -170,19 +205,12 @@ bool OtherWays::is_sound(const RegionMesh& mesh) const {
 
 /// The front of a rod, a few elements about, may close along it. Of few elements.
 bool OtherWays::has_long_side(const RegionMesh& mesh) const {
-  if (!has_few_elements(mesh)) return false;
-  const double longest = far_too_long * region.h;
-  return std::any_of(mesh.elements.begin(), mesh.elements.end(), [&](const Element& e) {
-    for (int k = 0; e.is_alive() && k < e.corners(); ++k)
-      if (norm(mesh.x[e.v[(k + 1) % e.corners()]] - mesh.x[e.v[k]]) > longest) return true;
-    return false;
-  });
+  return has_few_elements(mesh) && longest_side(mesh) > far_too_long * region.h;
 }
 
-/// As far as can be told from its elements, where these are few: a front may close across a body instead of around it
-/// where lengths are about the body's own.
-bool OtherWays::can_be_whole(const RegionMesh& mesh) const {
-  if (!(region.own_area > 0) || face.surface->kind() == SurfaceKind::plane || !has_few_elements(mesh)) return true;
+bool OtherWays::has_known_area() const { return region.own_area > 0 && face.surface->kind() != SurfaceKind::plane; }
+
+ElementArea OtherWays::area_of(const RegionMesh& mesh) const {
   const ElementJudge judge(region, mesh, sides, options.order);
   ElementArea sum;
   for (const Element& e : mesh.elements) {
@@ -190,7 +218,19 @@ bool OtherWays::can_be_whole(const RegionMesh& mesh) const {
     const ElementArea one = judge.area(e.v);
     sum.area += one.area, sum.slack += one.slack;
   }
+  return sum;
+}
+
+/// As far as can be told from its elements, where these are few: a front may close across a body instead of around it
+/// where lengths are about the body's own.
+bool OtherWays::can_be_whole(const RegionMesh& mesh) const {
+  if (!has_known_area() || !has_few_elements(mesh)) return true;
+  const ElementArea sum = area_of(mesh);
   return can_be_area(sum.area, face, region.own_area, sum.slack);
+}
+
+double OtherWays::lacking(const RegionMesh& mesh) const {
+  return has_known_area() ? std::max(0.0, 1 - area_of(mesh).area / region.own_area) : 0;
 }
 
 bool OtherWays::is_coarse_and_mixed(const RegionMesh& mesh) const {

@@ -20,15 +20,22 @@ struct OtherWays {
 
   /// Where elements are left that are not valid or far too long, or the face is not whole, takes the first of a dome or
   /// tube, of paving that counts no turns, of either paving by the other rule for rows, and of a dome of many rows
-  /// that, mended, leaves nothing. Where a few elements, some of them triangles, are worse than a grid of about as
-  /// many or the rows of a tube, takes these.
+  /// that, mended, leaves nothing; the same where a few elements are too coarse for the shape, if these follow it
+  /// better. Where a few elements, some of them triangles, are worse than a grid of about as many or the rows of a
+  /// tube, takes these.
   void improve(Mended& mended, PavedRegion& paved) const;
 
   // Of a mesh of the region.
   bool is_sound(const RegionMesh& mesh) const;
   bool has_long_side(const RegionMesh& mesh) const;
   bool can_be_whole(const RegionMesh& mesh) const;
+  /// Share of the region's area, where that can be told: what elements that are too coarse for its shape cut off.
+  double lacking(const RegionMesh& mesh) const;
   bool is_coarse_and_mixed(const RegionMesh& mesh) const;
+
+ private:
+  bool has_known_area() const;
+  ElementArea area_of(const RegionMesh& mesh) const;
 };
 
 }  // namespace paver

@@ -71,6 +71,22 @@ TEST(OtherWays, AFaceThatItsElementsDoNotCoverBecomesADome) {
   EXPECT_FALSE(trial.can_help());
 }
 
+// Valid, and lacking a part of the area that the check still lets pass.
+TEST(OtherWays, TrianglesTooCoarseForTheirFaceBecomeADome) {
+  Trial trial(test::dome(1.6, 16, 1));
+  trial.region.own_area = area_of(*trial.region.surface);
+  for (int i = 0; i < 7; ++i) {
+    trial.paved.mesh.add_element({i, i + 1, 14 - i, -1});
+    trial.paved.mesh.add_element({i, 14 - i, 15 - i, -1});
+  }
+  EXPECT_TRUE(trial.ways().is_sound(trial.paved.mesh));
+  EXPECT_TRUE(trial.can_help());
+  const double lacks = trial.ways().lacking(trial.paved.mesh);
+  EXPECT_FALSE(trial.improve().places.empty());
+  EXPECT_LT(trial.ways().lacking(trial.paved.mesh), 0.5 * lacks);
+  EXPECT_EQ(trial.count(3), 0);
+}
+
 TEST(OtherWays, AFaceThatItsElementsCoverStays) {
   Trial trial(test::dome(0, 12, 1));
   trial.region.own_area = 0.75;
