@@ -19,13 +19,14 @@
 namespace paver {
 namespace {
 
-constexpr long few_elements = 100;   // of a region, looked at as a whole
-constexpr double good = 0.35;        // from there on it is better than triangles
-constexpr double least_share = 0.5;  // of the elements that paving takes
-constexpr double coarse = 0.02;      // of its area: a region that lacks more is worth another way,
-constexpr double much_less = 0.5;    // of what the first way lacks, if that is left
-constexpr long most_more = 3;        // times the elements, at most
-constexpr double most_long = 1.5;    // target lengths: of a side
+constexpr long few_elements = 100;      // of a region, looked at as a whole
+constexpr double good = 0.35;           // from there on it is better than triangles
+constexpr double least_share = 0.5;     // of the elements that paving takes
+constexpr double coarse = 0.02;         // of its area: a region that lacks more is worth another way
+constexpr double coarse_chords = 0.15;  // the same at order 1: eight chords around a ball take as much
+constexpr double much_less = 0.5;       // of what the first way lacks: then another one is taken
+constexpr long most_more = 3;           // times the elements, at most
+constexpr double most_long = 1.5;       // target lengths: of a side
 
 bool has_few_elements(const RegionMesh& mesh) { return mesh.living_elements() <= few_elements; }
 
@@ -126,7 +127,7 @@ class Remesher {
     if (!grid) return false;
     const double value = worst_value(*grid), before = worst_value(paved_.mesh);
     if (value < fair || value <= std::min(before, good) || !of_.is_sound(*grid)) return false;
-    if (of_.lacking(*grid) > std::max(coarse, of_.lacking(paved_.mesh))) return false;
+    if (of_.is_too_coarse(*grid) && of_.lacking(*grid) > of_.lacking(paved_.mesh)) return false;
     mended_ = {}, paved_ = {std::move(*grid), {}};
     return true;
   }
@@ -183,7 +184,7 @@ class Remesher {
 
 bool OtherWays::can_help(const RegionMesh& mesh) const {
   return has_few_elements(mesh) &&
-         (is_coarse_and_mixed(mesh) || has_long_side(mesh) || !can_be_whole(mesh) || lacking(mesh) > coarse);
+         (is_coarse_and_mixed(mesh) || has_long_side(mesh) || !can_be_whole(mesh) || is_too_coarse(mesh));
 }
 
 void OtherWays::improve(Mended& mended, PavedRegion& paved) const {
@@ -193,7 +194,7 @@ void OtherWays::improve(Mended& mended, PavedRegion& paved) const {
   bool is_changed = false;
   if (!is_whole)
     is_changed = remesher.make_whole();
-  else if (has_few_elements(paved.mesh) && lacking(paved.mesh) > coarse)
+  else if (has_few_elements(paved.mesh) && is_too_coarse(paved.mesh))
     is_changed = remesher.make_finer();
   is_changed = remesher.make_regular() || is_changed;
   if (is_changed) mended.places.push_back({ElementRepairKind::paved_again, where});
@@ -231,6 +232,10 @@ bool OtherWays::can_be_whole(const RegionMesh& mesh) const {
 
 double OtherWays::lacking(const RegionMesh& mesh) const {
   return has_known_area() ? std::max(0.0, 1 - area_of(mesh).area / region.own_area) : 0;
+}
+
+bool OtherWays::is_too_coarse(const RegionMesh& mesh) const {
+  return lacking(mesh) > (options.order > 1 ? coarse : coarse_chords);
 }
 
 bool OtherWays::is_coarse_and_mixed(const RegionMesh& mesh) const {

@@ -31,6 +31,7 @@ struct OtherWays {
   bool can_be_whole(const RegionMesh& mesh) const;
   /// Share of the region's area, where that can be told: what elements that are too coarse for its shape cut off.
   double lacking(const RegionMesh& mesh) const;
+  bool is_too_coarse(const RegionMesh& mesh) const;
   bool is_coarse_and_mixed(const RegionMesh& mesh) const;
 
  private:
