@@ -90,5 +90,14 @@ TEST(Gaps, TheTwoSidesOfASlabAreNone) {
   EXPECT_TRUE(report.gaps.empty());
 }
 
+// A trace of some thickness on a board that lies on a ground plane: its top is near to the ground as well.
+TEST(Gaps, WhatASolidLiesBetweenIsNone) {
+  const TopoDS_Shape ground = box(0, 0, -1, 4, 4, 1), trace = box(1, 1, 0.006, 2, 2, 0.002);
+  EXPECT_TRUE(report_of(compound({ground, box(0, 0, 0, 4, 4, 0.006), trace}), 1).gaps.empty());
+  const RunReport without_board = report_of(compound({ground, trace}), 1);
+  ASSERT_EQ(without_board.gaps.size(), 1u);
+  EXPECT_NEAR(without_board.gaps[0].distance, 0.006, 1e-9);
+}
+
 }  // namespace
 }  // namespace paver

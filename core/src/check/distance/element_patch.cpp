@@ -209,7 +209,7 @@ PatchDistance distance(const ElementPatch& a, const ElementPatch& b) {
     if (d >= (1 - still) * least) break;
     least = d;
   }
-  return {least, a.at(on_a)};
+  return {least, a.at(on_a), b.at(on_b) - a.at(on_a)};
 }
 
 bool are_apart(const ElementPatch& a, const ElementPatch& b, double near) {

@@ -33,6 +33,7 @@ struct ElementPatch {
 struct PatchDistance {
   double distance = 0;
   Vec3 where;  ///< on the first
+  Vec3 way;    ///< from there to the second
 };
 PatchDistance distance(const ElementPatch& a, const ElementPatch& b);
 

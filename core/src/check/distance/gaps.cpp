@@ -100,7 +100,8 @@ class GapSearch {
     if (pairs.empty() || are_apart(a.patch, b.patch, told_gap * target)) return;
     if (have_common(parts_about(a), parts_about(b))) return;
     const PatchDistance found = distance(a.patch, b.patch);
-    if (found.distance > told_gap * target) return;
+    if (found.distance > told_gap * target || leads_into_solid(a, found.way) || leads_into_solid(b, -1 * found.way))
+      return;
     for (Pair pair : pairs)
       if (is_told(pair, found, target)) some.add({pair, found, found.distance <= no_gap * target, order});
   }
@@ -164,6 +165,17 @@ class GapSearch {
     for (int i = 0; i <= steps; ++i)
       if (norm(edge.curve->point(edge.parameter(static_cast<double>(i) / steps)) - x) < far) return true;
     return false;
+  }
+
+  /// What is between parts there is meshed, too: a trace and a ground plane are as far apart as the board between them
+  /// is thick, and the far side of a part is no nearer to others than what bounds it before.
+  bool leads_into_solid(const Piece& piece, Vec3 way) const {
+    constexpr double least_steep = 0.5;  // sine
+    if (piece.face < 0) return false;
+    const Vec3 normal = piece.patch.mean_normal();
+    const double steep = dot(way, normal), least = least_steep * norm(way) * norm(normal);
+    const Face& face = model_.faces[piece.face];
+    return (steep > least && !face.front.empty()) || (steep < -least && !face.back.empty());
   }
 
   int set_of(const Piece& piece) const { return piece.face >= 0 ? face_set_[piece.face] : edge_set_[piece.edge]; }
