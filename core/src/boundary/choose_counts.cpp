@@ -1,7 +1,7 @@
 // Interval count of every edge.
 // In: model, sizes. Out: count per edge, 0 where an edge is degenerate or no face uses it.
-// Steps: round the integral of ds/h; least counts (turn, closed edges, edges between the same vertices); opposite sides
-// tied; loops made even, and where no triangle is wanted faces.
+// Steps: round the integral of ds/h; least counts (turn, closed edges, edges between the same vertices); more for the
+// sake of faces; opposite sides tied; loops made even, and where no triangle is wanted faces.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,6 +9,7 @@
 #include "boundary/edge_metric.h"
 #include "boundary/edge_nodes.h"
 #include "boundary/facing/raise_counts.h"
+#include "boundary/facing/seen_facets.h"
 #include "boundary/facing/tie_sides.h"
 #include "boundary/parity.h"
 #include "boundary/region_loops.h"
@@ -127,6 +128,7 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
     loops.push_back(model.faces[f].is_meshed() ? linked_loops(model, static_cast<int>(f)) : std::vector<Loop>{});
   divide_few_sides(model, loops, counts);
   match_gaps(model, size, loops, counts);
+  divide_seen_facets(model, loops, counts);
   const std::vector<OppositeSides> pairs = find_opposite_sides(model, loops);
   match_bent_strips(model, pairs, counts);
   TiedCounts tied = tie_opposite_sides(model, pairs, loops, counts);
