@@ -24,6 +24,7 @@ constexpr double good = 0.35;           // from there on it is better than trian
 constexpr double least_share = 0.5;     // of the elements that paving takes
 constexpr double coarse = 0.02;         // of its area: a region that lacks more is worth another way
 constexpr double coarse_chords = 0.15;  // the same at order 1: eight chords around a ball take as much
+constexpr double poor = 0.1;            // worth less, another way is none unless there was worse
 constexpr double much_less = 0.5;       // of what the first way lacks: then another one is taken
 constexpr long most_more = 3;           // times the elements, at most
 constexpr double most_long = 1.5;       // target lengths: of a side
@@ -114,13 +115,14 @@ class Remesher {
     return true;
   }
 
-  /// Follows the shape better without many more elements, more triangles or longer sides.
+  /// Follows the shape better without many more elements, more triangles, longer sides or poor elements.
   bool is_finer(const RegionMesh& mesh) const {
     const RegionMesh& before = paved_.mesh;
     const long count = mesh.living_elements(), count_before = before.living_elements();
     return of_.lacking(mesh) <= much_less * of_.lacking(before) && count <= most_more * count_before &&
            mesh.triangle_count() * count_before <= before.triangle_count() * count &&
-           longest_side(mesh) <= std::max(longest_side(before), most_long * region_.h);
+           longest_side(mesh) <= std::max(longest_side(before), most_long * region_.h) &&
+           worst_value(mesh) >= std::min(poor, worst_value(before));
   }
 
   bool take_grid(std::optional<RegionMesh> grid) {
