@@ -114,6 +114,14 @@ TEST(DivideCreases, MakesACreaseAnEdge) {
   EXPECT_EQ(model.notes[0], "Face1 was divided along 1 crease.");
 }
 
+TEST(DivideCreases, AThinStripBetweenCreasesStaysWhole) {
+  Options options;
+  options.size = 1e6;
+  const Model model = model_of(face_of(pulled({{0, 0, 0}, {9, 0, 0}, {9, 0, 0.01}, {0, 0, 0.01}})), options);
+  EXPECT_EQ(model.faces.size(), 3u);
+  expect_pieces(model);
+}
+
 TEST(DivideCreases, LeavesSmoothKnotsAlone) {
   Model model = model_of(face_of(pulled({{0, 0, 0}, {1, 0, 0.1}, {2, 0, 0}})));
   EXPECT_EQ(model.faces.size(), 1u);

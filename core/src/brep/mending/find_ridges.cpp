@@ -25,6 +25,9 @@ constexpr int most_halvings = 24;
 /// Of a row's length: ends that lie nearer to each other are one.
 constexpr double closed_share = 1e-6;
 
+/// Of the middle half of a turn: places so little outside are on its ends, as creases at both sides of a strip.
+constexpr double end_slack = 0.01;
+
 struct Sample {
   double at = 0;
   gp_Pnt point;
@@ -139,10 +142,10 @@ bool is_common(Ridge& ridge, const std::vector<Ridge>& others) {
 }
 
 double cut_at(const Ridge& ridge, const std::vector<double>& preferred) {
-  const double middle = std::clamp(ridge.middle, ridge.low, ridge.high);
+  const double middle = std::clamp(ridge.middle, ridge.low, ridge.high), slack = end_slack * (ridge.high - ridge.low);
   double best = middle;
   for (const double place : preferred)
-    if (place >= ridge.low && place <= ridge.high &&
+    if (place >= ridge.low - slack && place <= ridge.high + slack &&
         (best == middle || std::abs(place - middle) < std::abs(best - middle)))
       best = place;
   return best;
