@@ -114,10 +114,16 @@ TEST(DivideCreases, MakesACreaseAnEdge) {
   EXPECT_EQ(model.notes[0], "Face1 was divided along 1 crease.");
 }
 
-TEST(DivideCreases, AThinStripBetweenCreasesStaysWhole) {
+TEST(DivideCreases, AThinRoundedStripBetweenCreasesStaysWhole) {
+  std::vector<gp_Pnt> polygon{{0, 0, 0}, {9, 0, 0}};  // out, 45 degrees, ten small turns, 45 degrees, and back
+  for (int i = 0; i < 10; ++i) {
+    const double way = (45 + 10 * i) * M_PI / 180;
+    polygon.push_back(polygon.back().Translated(0.002 * gp_Vec(std::cos(way), 0, std::sin(way))));
+  }
+  polygon.emplace_back(0, 0, polygon.back().Z());
   Options options;
   options.size = 1e6;
-  const Model model = model_of(face_of(pulled({{0, 0, 0}, {9, 0, 0}, {9, 0, 0.01}, {0, 0, 0.01}})), options);
+  const Model model = model_of(face_of(pulled(polygon)), options);
   EXPECT_EQ(model.faces.size(), 3u);
   expect_pieces(model);
 }

@@ -207,17 +207,14 @@ class CreaseFinder {
   /// border are laid as a whole.
   bool add_ridges(bool is_u, std::vector<double>& values) const {
     if (surface_.GetType() < GeomAbs_BezierSurface || !has_border()) return false;
-    std::vector<double> preferred = values;
+    std::vector<double> vertices;
     for (const TopoDS_Edge& edge : edges_of(face_)) {
       const EdgeImage image = image_of(edge, face_);
       if (image.curve.IsNull()) continue;
-      for (const double share : {0.0, 1.0}) preferred.push_back(coordinate(is_u, image.uv(share)));
+      for (const double share : {0.0, 1.0}) vertices.push_back(coordinate(is_u, image.uv(share)));
     }
-    const Ridges ridges = find_ridges(surface_, is_u, unresolved_, preferred);
-    const double margin = end_share * range(is_u);
-    for (const double ridge : ridges.inside)
-      if (std::ranges::none_of(values, [&](double v) { return std::abs(v - ridge) <= margin; }))
-        values.push_back(ridge);
+    const Ridges ridges = find_ridges(surface_, is_u, unresolved_, values, vertices);
+    values.insert(values.end(), ridges.inside.begin(), ridges.inside.end());
     std::ranges::sort(values);
     return ridges.at_ends;
   }

@@ -25,9 +25,6 @@ constexpr int most_halvings = 24;
 /// Of a row's length: ends that lie nearer to each other are one.
 constexpr double closed_share = 1e-6;
 
-/// Of the middle half of a turn: places so little outside are on its ends, as creases at both sides of a strip.
-constexpr double end_slack = 0.01;
-
 struct Sample {
   double at = 0;
   gp_Pnt point;
@@ -36,6 +33,7 @@ struct Sample {
 };
 
 struct Ridge {
+  double from = 0, to = 0;
   double low = 0, middle = 0, high = 0;  ///< a quarter, half, and three quarters of the turn
   double width = 0;                      ///< the shortest piece of the row that turns by a right angle, mm
   bool at_start = false, at_end = false;
@@ -114,7 +112,13 @@ class Row {
 
   Ridge ridge(std::size_t low, std::size_t high, double width) const {
     const double first = samples_[low].turn, turn = samples_[high].turn - first;
-    return {at_turn(first + 0.25 * turn), at_turn(first + 0.5 * turn), at_turn(first + 0.75 * turn), width, low == 0,
+    return {samples_[low].at,
+            samples_[high].at,
+            at_turn(first + 0.25 * turn),
+            at_turn(first + 0.5 * turn),
+            at_turn(first + 0.75 * turn),
+            width,
+            low == 0,
             high + 1 == samples_.size()};
   }
 
@@ -135,6 +139,7 @@ bool is_common(Ridge& ridge, const std::vector<Ridge>& others) {
     if (other.at_start != ridge.at_start || other.at_end != ridge.at_end) continue;
     const double low = std::max(ridge.low, other.low), high = std::min(ridge.high, other.high);
     if (low > high && !ridge.at_start && !ridge.at_end) continue;
+    ridge.from = std::min(ridge.from, other.from), ridge.to = std::max(ridge.to, other.to);
     ridge.low = low, ridge.high = high, ridge.width = std::min(ridge.width, other.width);
     return true;
   }
@@ -142,10 +147,10 @@ bool is_common(Ridge& ridge, const std::vector<Ridge>& others) {
 }
 
 double cut_at(const Ridge& ridge, const std::vector<double>& preferred) {
-  const double middle = std::clamp(ridge.middle, ridge.low, ridge.high), slack = end_slack * (ridge.high - ridge.low);
+  const double middle = std::clamp(ridge.middle, ridge.low, ridge.high);
   double best = middle;
   for (const double place : preferred)
-    if (place >= ridge.low - slack && place <= ridge.high + slack &&
+    if (place >= ridge.low && place <= ridge.high &&
         (best == middle || std::abs(place - middle) < std::abs(best - middle)))
       best = place;
   return best;
@@ -153,7 +158,7 @@ double cut_at(const Ridge& ridge, const std::vector<double>& preferred) {
 
 }  // namespace
 
-Ridges find_ridges(const BRepAdaptor_Surface& surface, bool is_u, double unresolved,
+Ridges find_ridges(const BRepAdaptor_Surface& surface, bool is_u, double unresolved, const std::vector<double>& creases,
                    const std::vector<double>& preferred) {
   const double start = is_u ? surface.FirstVParameter() : surface.FirstUParameter();
   const double range = (is_u ? surface.LastVParameter() : surface.LastUParameter()) - start;
@@ -169,7 +174,8 @@ Ridges find_ridges(const BRepAdaptor_Surface& surface, bool is_u, double unresol
   }
   Ridges result;
   for (const Ridge& ridge : ridges) {
-    if (ridge.width > unresolved) continue;
+    auto is_within = [&](double crease) { return crease >= ridge.from && crease <= ridge.to; };
+    if (ridge.width > unresolved || std::ranges::any_of(creases, is_within)) continue;
     if (ridge.at_start || ridge.at_end) {
       result.at_ends |= is_closed;
     } else {

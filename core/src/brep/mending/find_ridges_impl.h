@@ -13,9 +13,9 @@ struct Ridges {
 };
 
 /// Ridges of all rows that run in u, or in v, over the face's range: each turns there by a right angle within a small
-/// part of its length, and at least one within `unresolved` mm. An iso-line goes through one of `preferred`, places in
-/// that direction, where one lies in the turn.
-Ridges find_ridges(const BRepAdaptor_Surface& surface, bool is_u, double unresolved,
+/// part of its length, and at least one within `unresolved` mm. Not those with one of the `creases` in them. An
+/// iso-line goes through one of `preferred`, places in that direction, where one lies in the turn.
+Ridges find_ridges(const BRepAdaptor_Surface& surface, bool is_u, double unresolved, const std::vector<double>& creases,
                    const std::vector<double>& preferred);
 
 }  // namespace paver
