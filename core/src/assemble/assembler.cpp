@@ -85,7 +85,8 @@ void Assembler::join() {
     }
     std::vector<RegionFailure> failures;
     try {
-      joined_ = join_regions(model_, nodes_, boundary_use(), parts_, paver_.outline_nodes());
+      joined_ = join_regions(model_, nodes_, boundary_use(), parts_,
+                             {paver_.outline_nodes(), options_.order, options_.threads});
     } catch (const Error& error) {
       if (error.code() != ErrorCode::face_failed) throw;
       auto is_of = [&](const Region& region) { return region.face == error.where().face; };
@@ -114,7 +115,8 @@ void Assembler::curve() {
     for (auto [a, b] : paver_.outline_sides(static_cast<int>(r)))
       outlines.push_back({regions_[r].face, std::min(a, b), std::max(a, b), nullptr, {}, {}});
   cuts_.emplace(regions_, std::move(outlines));
-  curved_ = curve_elements({joined_, nodes_, model_, *cuts_, parts_, options_.threads}, progress_);
+  curved_ = curve_elements(std::move(joined_.mesh), {joined_.sizes, nodes_, model_, *cuts_, parts_, options_.threads},
+                           progress_);
   mesh_ = std::move(curved_.mesh);
   find_invalid();
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <compare>
+#include <utility>
 
 #include "base/tasks/tasks.h"
 
@@ -19,10 +20,16 @@ struct Line {
 
 class Raiser {
  public:
-  explicit Raiser(const CurvingTask& task) : task_(task), parts_(task.parts), cost_(part_costs(task.linear.sizes)) {}
+  Raiser(SurfaceMesh&& linear, const CurvingTask& task)
+      : task_(task), parts_(task.parts), cost_(part_costs(task.sizes)) {
+    mesh() = std::move(linear);
+    mesh().order = 2;
+    lines_of_two_.swap(mesh().lines);
+    quads_of_four_.swap(mesh().quads);
+    triangles_of_three_.swap(mesh().triangles);
+  }
 
   OrderTwoMesh run() {
-    copy_linear();
     number_lines();
     number_parts();
     number_nodes();
@@ -33,31 +40,12 @@ class Raiser {
  private:
   SurfaceMesh& mesh() { return result_.mesh; }
 
-  void copy_linear() {
-    const SurfaceMesh& from = task_.linear.mesh;
-    mesh().order = 2;
-    // Room for all that may follow, so that no large array is copied again: two sides and a centre per quad.
-    const std::size_t most = from.nodes.size() + 3 * (from.quad_count() + from.triangle_count()) +
-                             3 * from.line_edge.size() + 2 * task_.cuts.sides().size();
-    auto copy = [&](const auto& values, auto& to) {
-      to.reserve(most);
-      to.insert(to.end(), values.begin(), values.end());
-    };
-    copy(from.nodes, mesh().nodes);
-    copy(from.node_edge, mesh().node_edge);
-    copy(from.node_target, mesh().node_target);
-    mesh().quad_face = from.quad_face;
-    mesh().triangle_face = from.triangle_face;
-    mesh().line_edge = from.line_edge;
-    mesh().points = from.points;
-  }
-
   void number_lines() {
     std::vector<std::size_t> interval_of_edge(task_.edges.edges.size(), 0);
     for (std::size_t i = 0; i < mesh().line_edge.size(); ++i) {
       const int edge = mesh().line_edge[i];
       const std::size_t interval = interval_of_edge[edge]++;
-      const int a = task_.linear.mesh.lines[2 * i], b = task_.linear.mesh.lines[2 * i + 1];
+      const int a = lines_of_two_[2 * i], b = lines_of_two_[2 * i + 1];
       const int node = static_cast<int>(mesh().nodes.size());
       mesh().nodes.push_back(task_.edges.edges[edge].x.at(2 * interval + 1));
       mesh().node_edge.push_back(edge);
@@ -122,7 +110,7 @@ class Raiser {
         node = next + static_cast<int>(sides.inside.size());
         sides.inside.push_back(sides.border[k]);
       }
-      const long own = static_cast<long>(sides.inside.size()) + task_.linear.sizes[i].quads;
+      const long own = static_cast<long>(sides.inside.size()) + task_.sizes[i].quads;
       result_.own_nodes.push_back(own);
       next += static_cast<int>(own);
     }
@@ -134,7 +122,7 @@ class Raiser {
   void fill_elements() {
     mesh().quads.resize(9 * mesh().quad_count());
     mesh().triangles.resize(6 * mesh().triangle_count());
-    const std::vector<PartRows> first = part_rows(task_.linear.sizes);
+    const std::vector<PartRows> first = part_rows(task_.sizes);
     run_tasks(task_.threads, cost_, [&](int i) {
       if (parts_[i].mesh) fill_part(static_cast<std::size_t>(i), first[i].quad, first[i].triangle);
     });
@@ -149,7 +137,7 @@ class Raiser {
       if (!elements[e].is_alive()) continue;
       const int n = elements[e].corners();
       int* to = n == 4 ? &mesh().quads[9 * quad] : &mesh().triangles[6 * triangle];
-      const int* from = n == 4 ? &task_.linear.mesh.quads[4 * quad++] : &task_.linear.mesh.triangles[3 * triangle++];
+      const int* from = n == 4 ? &quads_of_four_[4 * quad++] : &triangles_of_three_[3 * triangle++];
       for (int k = 0; k < n; ++k) {
         const int side = sides.of_element[e][is_reversed ? n - 1 - k : k];
         to[k] = from[k];
@@ -162,6 +150,7 @@ class Raiser {
   const CurvingTask& task_;
   const std::vector<MeshPart>& parts_;
   const std::vector<double> cost_;
+  std::vector<int> lines_of_two_, quads_of_four_, triangles_of_three_;  // as joined
   std::vector<Line> lines_;
   OrderTwoMesh result_;
 };
@@ -192,7 +181,9 @@ PartSides number_sides(const RegionMesh& mesh) {
   return sides;
 }
 
-OrderTwoMesh number_order_2(const CurvingTask& task) { return Raiser(task).run(); }
+OrderTwoMesh number_order_2(SurfaceMesh linear, const CurvingTask& task) {
+  return Raiser(std::move(linear), task).run();
+}
 
 Vec3 blended_centre(const SurfaceMesh& mesh, int quad) {
   const int* nodes = &mesh.quads[9 * static_cast<std::size_t>(quad)];

@@ -12,7 +12,7 @@ namespace paver {
 
 /// What is to be curved, on so many threads. References are kept.
 struct CurvingTask {
-  const JoinedMesh& linear;
+  const std::vector<PartSizes>& sizes;  ///< JoinedMesh's
   const EdgeNodes& edges;
   const Model& model;
   const Cuts& cuts;
@@ -46,7 +46,7 @@ struct OrderTwoMesh {
 
 /// A side at a part's border lies on a B-rep edge when its two nodes are the ends of one of the edge's intervals and
 /// the edge belongs to its face; else on a cut.
-OrderTwoMesh number_order_2(const CurvingTask& task);
+OrderTwoMesh number_order_2(SurfaceMesh linear, const CurvingTask& task);
 
 /// Centre of an order-2 quad that blends its sides: half the sum of the side middles less a quarter of the corners'.
 Vec3 blended_centre(const SurfaceMesh& mesh, int quad);

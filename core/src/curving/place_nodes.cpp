@@ -73,15 +73,15 @@ void place_centres(const MeshPart& part, const PartSides& sides, const std::vect
 
 }  // namespace
 
-CurvedMesh curve_elements(const CurvingTask& task, const Progress& progress) {
+CurvedMesh curve_elements(SurfaceMesh linear, const CurvingTask& task, const Progress& progress) {
   const std::vector<MeshPart>& parts = task.parts;
-  OrderTwoMesh raised = number_order_2(task);
+  OrderTwoMesh raised = number_order_2(std::move(linear), task);
   SurfaceMesh& mesh = raised.mesh;
   std::vector<char> is_placed(task.cuts.sides().size(), 0);
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (parts[i].mesh) place_cuts(raised.sides[i], task, parts[i], mesh, is_placed);
-  const std::vector<PartRows> first = part_rows(task.linear.sizes);
-  run_tasks(task.threads, part_costs(task.linear.sizes), [&](int i) {
+  const std::vector<PartRows> first = part_rows(task.sizes);
+  run_tasks(task.threads, part_costs(task.sizes), [&](int i) {
     progress.check();
     if (!parts[i].mesh) return;
     const std::vector<Vec2> places = place_sides(parts[i], raised.sides[i], mesh);

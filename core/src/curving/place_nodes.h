@@ -18,6 +18,6 @@ struct CurvedMesh {
 
 /// The order-2 mesh: middles of B-rep edges as divided, all others the surface point nearest to the middle
 /// of the chord, centres the one nearest to the blend of the sides.
-CurvedMesh curve_elements(const CurvingTask& task, const Progress& progress);
+CurvedMesh curve_elements(SurfaceMesh linear, const CurvingTask& task, const Progress& progress);
 
 }  // namespace paver

@@ -2,59 +2,76 @@
 #include "join/join.h"
 
 #include <algorithm>
+#include <functional>
+
+#include "base/tasks/tasks.h"
 
 namespace paver {
 namespace {
 
-/// Corners in the order of the B-rep face, least number of distinct nodes checked.
-void add_element(SurfaceMesh& mesh, const Element& e, const std::vector<int>& node_of, const Face& face, int index) {
-  int n = e.corners(), v[4];
+/// Corners in the order of the B-rep face; false where two of them are the same node.
+bool put_corners(const Element& e, const std::vector<int>& node_of, bool is_reversed, int* v) {
+  const int n = e.corners();
   for (int i = 0; i < n; ++i) v[i] = node_of[e.v[i]];
-  if (face.is_reversed) std::reverse(v + 1, v + n);
+  if (is_reversed) std::reverse(v + 1, v + n);
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < i; ++j)
-      if (v[i] == v[j])
-        throw Error(ErrorCode::face_failed, "an element folds onto its own periodic edge; use a smaller size",
-                    {"join", index, -1, mesh.nodes[v[i]]});
-  auto& list = n == 4 ? mesh.quads : mesh.triangles;
-  list.insert(list.end(), v, v + n);
-  (n == 4 ? mesh.quad_face : mesh.triangle_face).push_back(index);
+    if (std::find(v, v + i, v[i]) != v + i) return false;
+  return true;
 }
 
 class Joiner {
  public:
   Joiner(const Model& model, const EdgeNodes& edges, const BoundaryUse& use, const std::vector<MeshPart>& parts,
-         int outlines)
+         const JoinOptions& options)
       : model_(model),
         edges_(edges),
         use_(use),
         parts_(parts),
+        options_(options),
         boundary_node_(edges.nodes.size(), -1),
-        outline_node_(static_cast<std::size_t>(outlines), -1) {}
+        outline_node_(static_cast<std::size_t>(options.outlines), -1) {}
 
   JoinedMesh run() {
+    joined_.node_of.resize(parts_.size());
+    joined_.sizes.resize(parts_.size());
+    on_parts([this](std::size_t i) { joined_.sizes[i] = count(*parts_[i].mesh); });
     reserve();
     add_boundary();
     add_lines();
     add_points();
     add_outlines();
-    joined_.node_of.resize(parts_.size());
-    joined_.sizes.resize(parts_.size());
-    for (std::size_t i = 0; i < parts_.size(); ++i)
-      if (parts_[i].mesh) add_part(i);
+    add_parts();
     return std::move(joined_);
   }
 
  private:
   std::size_t boundary() const { return edges_.nodes.size(); }
 
+  void on_parts(const std::function<void(std::size_t)>& work) const {
+    std::vector<double> cost;
+    for (const MeshPart& part : parts_) cost.push_back(part.mesh ? static_cast<double>(part.mesh->elements.size()) : 0);
+    run_tasks(options_.threads, cost, [&](int i) {
+      if (parts_[i].mesh) work(static_cast<std::size_t>(i));
+    });
+  }
+
+  static PartSizes count(const RegionMesh& region) {
+    PartSizes sizes;
+    for (int v = 0; v < region.node_count(); ++v) sizes.nodes += region.global[v] < 0 && region.star[v].size() > 0;
+    for (const Element& element : region.elements)
+      if (element.is_alive()) ++(element.corners() == 4 ? sizes.quads : sizes.triangles);
+    return sizes;
+  }
+
+  // Room for the nodes of order 2 as well, so that no large array is copied to have more: a middle per side, a centre
+  // per quad.
   void reserve() {
-    std::size_t nodes = boundary(), elements = 0;
-    for (const MeshPart& part : parts_)
-      if (part.mesh) nodes += part.mesh->p.size(), elements += part.mesh->elements.size();
+    for (const PartSizes& part : joined_.sizes)
+      own_.nodes += part.nodes, own_.quads += part.quads, own_.triangles += part.triangles;
+    std::size_t nodes = boundary() + outline_node_.size() + static_cast<std::size_t>(own_.nodes);
+    if (options_.order > 1) nodes += 2 * nodes + static_cast<std::size_t>(own_.quads + own_.triangles);
     SurfaceMesh& mesh = joined_.mesh;
     mesh.nodes.reserve(nodes), mesh.node_edge.reserve(nodes), mesh.node_target.reserve(nodes);
-    mesh.quads.reserve(4 * elements), mesh.quad_face.reserve(elements);
   }
 
   void add_boundary() {
@@ -110,34 +127,63 @@ class Joiner {
     }
   }
 
-  void add_part(std::size_t i) {
+  void add_parts() {
+    SurfaceMesh& mesh = joined_.mesh;
+    const std::vector<PartRows> first = part_rows(joined_.sizes, static_cast<int>(mesh.nodes.size()));
+    const std::size_t nodes = mesh.nodes.size() + static_cast<std::size_t>(own_.nodes);
+    const auto quads = static_cast<std::size_t>(own_.quads), triangles = static_cast<std::size_t>(own_.triangles);
+    mesh.nodes.resize(nodes), mesh.node_edge.resize(nodes, -1), mesh.node_target.resize(nodes);
+    mesh.quads.resize(4 * quads), mesh.quad_face.resize(quads);
+    mesh.triangles.resize(3 * triangles), mesh.triangle_face.resize(triangles);
+    std::vector<const Element*> folded(parts_.size(), nullptr);
+    on_parts([&](std::size_t i) {
+      add_nodes(i, first[i].node);
+      folded[i] = add_elements(i, first[i]);
+    });
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      if (folded[i])
+        throw Error(ErrorCode::face_failed, "an element folds onto its own periodic edge; use a smaller size",
+                    {"join", parts_[i].region->face, -1, parts_[i].mesh->x[folded[i]->v[0]]});
+  }
+
+  void add_nodes(std::size_t i, int node) {
     const MeshPart& part = parts_[i];
     const RegionMesh& region = *part.mesh;
-    const int face = part.region->face;
-    SurfaceMesh& mesh = joined_.mesh;
     std::vector<int>& node_of = joined_.node_of[i];
-    const long nodes = static_cast<long>(mesh.nodes.size()), quads = static_cast<long>(mesh.quad_count()),
-               triangles = static_cast<long>(mesh.triangle_count());
     node_of.assign(region.node_count(), -1);
     for (int v = 0; v < region.node_count(); ++v) {
       if (region.star[v].size() == 0) continue;
       const int global = region.global[v];
-      if (global < 0)
-        node_of[v] = add_node(region, v);
-      else
+      if (global < 0) {
+        joined_.mesh.nodes[node] = region.x[v], joined_.mesh.node_target[node] = region.h[v];
+        node_of[v] = node++;
+      } else {
         node_of[v] =
             global < static_cast<int>(boundary()) ? boundary_node_[global] : outline_node_[outline_of(part, v)];
+      }
     }
-    for (const Element& element : region.elements)
-      if (element.is_alive()) add_element(mesh, element, node_of, model_.faces[face], face);
-    joined_.sizes[i] = {static_cast<long>(mesh.nodes.size()) - nodes, static_cast<long>(mesh.quad_count()) - quads,
-                        static_cast<long>(mesh.triangle_count()) - triangles};
+  }
+
+  /// The first element that uses a node twice, else null.
+  const Element* add_elements(std::size_t i, PartRows to) {
+    const int face = parts_[i].region->face;
+    SurfaceMesh& mesh = joined_.mesh;
+    for (const Element& element : parts_[i].mesh->elements) {
+      if (!element.is_alive()) continue;
+      const bool is_quad = element.corners() == 4;
+      int* v = is_quad ? &mesh.quads[4 * to.quad] : &mesh.triangles[3 * to.triangle];
+      if (!put_corners(element, joined_.node_of[i], model_.faces[face].is_reversed, v)) return &element;
+      (is_quad ? mesh.quad_face[to.quad++] : mesh.triangle_face[to.triangle++]) = face;
+    }
+    return nullptr;
   }
 
   const Model& model_;
   const EdgeNodes& edges_;
   const BoundaryUse& use_;
   const std::vector<MeshPart>& parts_;
+  const JoinOptions options_;
+  PartSizes own_;                   // of all parts
   std::vector<int> boundary_node_;  // per node of the boundary stage: its node in the mesh
   std::vector<int> outline_node_;   // per outline node: its node in the mesh
   JoinedMesh joined_;
@@ -164,8 +210,8 @@ std::vector<double> part_costs(const std::vector<PartSizes>& sizes) {
 }
 
 JoinedMesh join_regions(const Model& model, const EdgeNodes& edges, const BoundaryUse& use,
-                        const std::vector<MeshPart>& parts, int outlines) {
-  return Joiner(model, edges, use, parts, outlines).run();
+                        const std::vector<MeshPart>& parts, const JoinOptions& options) {
+  return Joiner(model, edges, use, parts, options).run();
 }
 
 }  // namespace paver

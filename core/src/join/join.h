@@ -50,12 +50,18 @@ struct BoundaryUse {
   std::vector<char> nodes, edges;  ///< per node, per edge
 };
 
-/// Nodes: those of the boundary stage that are in `use` first, the outline nodes (`outlines` of all regions) that are
-/// used, then each part's own in order. Lines: of the edges in `use`. Points: one per point of the model, -1 where it
-/// is no node. Elements of reversed faces are turned, so all run counter-clockwise against the outward normal. Throws
-/// Error{face_failed} naming the face when an element would use a node twice.
+struct JoinOptions {
+  int outlines = 0;  ///< outline nodes of all regions
+  int order = 1;     ///< of the mesh to come: room for the nodes of order 2
+  int threads = 1;
+};
+
+/// Nodes: those of the boundary stage that are in `use` first, the outline nodes that are used, then each part's own in
+/// order. Lines: of the edges in `use`. Points: one per point of the model, -1 where it is no node. Elements of
+/// reversed faces are turned, so all run counter-clockwise against the outward normal. Throws Error{face_failed} naming
+/// the face when an element would use a node twice.
 JoinedMesh join_regions(const Model& model, const EdgeNodes& edges, const BoundaryUse& use,
-                        const std::vector<MeshPart>& parts, int outlines = 0);
+                        const std::vector<MeshPart>& parts, const JoinOptions& options = {});
 
 /// A node's number among all shared ones: boundary stage, then outlines. `global` >= 0.
 inline int shared_node(int global, int outline, std::size_t boundary_nodes) {

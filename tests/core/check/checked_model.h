@@ -42,7 +42,8 @@ class CheckedModel : public test::PavedModel {
     is_meshed.assign(model.faces.size(), 1);
     join(rank, ranks);
     mesh = joined.mesh;
-    if (order == 2) mesh = curve_elements({joined, edges, model, Cuts(regions, {}), parts, 1}, Progress()).mesh;
+    if (order == 2)
+      mesh = curve_elements(joined.mesh, {joined.sizes, edges, model, Cuts(regions, {}), parts, 1}, Progress()).mesh;
     figures.resize(model.faces.size());
   }
 

@@ -25,7 +25,9 @@ struct Measured : test::PavedModel {
     joined = join_regions(model, edges, test::all_of(edges), parts);
     for (std::size_t i = 0; i < regions.size(); ++i) parts[i].node_of = &joined.node_of[i];
     mesh =
-        order == 1 ? joined.mesh : curve_elements({joined, edges, model, Cuts(regions, {}), parts, 1}, Progress()).mesh;
+        order == 1
+            ? joined.mesh
+            : curve_elements(joined.mesh, {joined.sizes, edges, model, Cuts(regions, {}), parts, 1}, Progress()).mesh;
   }
   std::vector<SurfaceDistance> run(int threads = 1) const { return measured(INFINITY, threads).faces; }
   MeshDistances measured(double most, int threads = 1) const {

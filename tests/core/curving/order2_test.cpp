@@ -51,7 +51,7 @@ struct Wall {
     }
     JoinedMesh joined = join_regions(model, edges, test::all_of(edges), parts);
     for (std::size_t i = 0; i < meshes.size(); ++i) parts[i].node_of = &joined.node_of[i];
-    return number_order_2({joined, edges, model, Cuts({}, cuts), parts, 1});
+    return number_order_2(joined.mesh, {joined.sizes, edges, model, Cuts({}, cuts), parts, 1});
   }
   SurfaceMesh raised() const { return raised({&mesh}).mesh; }
 
@@ -143,7 +143,7 @@ TEST(NumberSides, EachOnceInTheOrderOfFirstUse) {
 }
 
 TEST(NumberOrder2, AnEmptyMeshStaysEmpty) {
-  OrderTwoMesh raised = number_order_2({{}, {}, {}, Cuts({}, {}), {}, 1});
+  OrderTwoMesh raised = number_order_2({}, {{}, {}, {}, Cuts({}, {}), {}, 1});
   EXPECT_EQ(raised.mesh.order, 2);
   EXPECT_TRUE(raised.mesh.nodes.empty());
 }

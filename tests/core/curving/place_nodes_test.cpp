@@ -30,7 +30,7 @@ struct Meshed : test::PavedModel {
     return options;
   }
   SurfaceMesh curved(int threads = 1, const Progress& progress = Progress()) const {
-    return curve_elements({joined, edges, model, Cuts(regions, {}), parts, threads}, progress).mesh;
+    return curve_elements(joined.mesh, {joined.sizes, edges, model, Cuts(regions, {}), parts, threads}, progress).mesh;
   }
   double chord_error_of(const SurfaceMesh& mesh) const { return distances_of(mesh)[0].largest; }
   std::vector<SurfaceDistance> distances_of(const SurfaceMesh& mesh) const {

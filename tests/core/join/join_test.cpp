@@ -100,6 +100,18 @@ TEST(JoinRegions, ElementsRunCounterClockwiseAgainstTheOutwardNormal) {
   }
 }
 
+TEST(JoinRegions, ThreadsMakeNoDifference) {
+  Pair pair = two_squares();
+  RegionMesh left = four_quads(pair.edges, {0, 0, 0}, false), right = four_quads(pair.edges, {1, 0, 0}, true);
+  const std::vector<MeshPart> parts{{&pair.regions[0], &left}, {&pair.regions[1], &right}};
+  const BoundaryUse use = test::all_of(pair.edges);
+  const JoinedMesh one = join_regions(pair.model, pair.edges, use, parts, {.threads = 1}),
+                   two = join_regions(pair.model, pair.edges, use, parts, {.order = 2, .threads = 2});
+  EXPECT_EQ(one.mesh.quads, two.mesh.quads);
+  EXPECT_EQ(one.mesh.node_target, two.mesh.node_target);
+  EXPECT_EQ(one.node_of, two.node_of);
+}
+
 TEST(JoinRegions, LinesRunAlongEveryEdge) {
   Pair pair = two_squares();
   SurfaceMesh mesh = join_regions(pair.model, pair.edges, test::all_of(pair.edges), {}).mesh;
