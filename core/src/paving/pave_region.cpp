@@ -30,6 +30,7 @@ struct Attempt {
 constexpr Attempt all_quad_attempts[] = {{1, 1}, {1, 0}, {0.95, 1}, {1.05, 1}, {0.9, 1}, {0.8, 1}, {0.5, 1}, {0.25, 1}};
 constexpr double sharpest_corner = 6 * M_PI / 180;  // sharper corners take a triangle, unless none is wanted
 constexpr double gap_widths[] = {0.8, 1.2};         // of the target length: about small holes
+constexpr long few_pairs = 2;                       // of triangles: with more left another width leaves some, too
 constexpr std::size_t few_elements = 100;           // on larger regions a second way is as often worse as better
 constexpr double least_coarse = 0.7;                // of a coarse mesh's sides: squares, in the mean, by target lengths
 constexpr double few_flat = 0.01;                   // of the elements: not worth four times as many
@@ -133,7 +134,9 @@ std::optional<PavedRegion> pave_and_cut(const Region& region, const Attempt& att
     front.closed_by_triangulation = paved.closed_by_triangulation;
     if (!cut_holes(front, holes, width)) continue;
     cut.closed_by_triangulation = pave_front(front, attempt, progress, elements, paved.mesh.node_count());
-    if (pairs_left(cut.mesh) <= pairs) return cut;
+    const long more = pairs_left(cut.mesh) - pairs;
+    if (more <= 0) return cut;
+    if (more > few_pairs) break;
   }
   return std::nullopt;
 }
