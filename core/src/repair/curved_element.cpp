@@ -16,8 +16,7 @@ namespace {
 constexpr double folded = -0.5;     // value of an element that faces away or has a node twice
 constexpr double steep = 0.7;       // cosine between its normal and the surface's at a corner: may miss the surface
 constexpr double cusp_sine = 0.05;  // between two edges
-constexpr double value_of_cusp = 0.05;
-constexpr double far = 0.25;  // of the distance that may be: from there on an element is poor
+constexpr double far = 0.25;        // of the distance that may be: from there on an element is poor
 
 const JacobianForm& form_of(int corners, int order) {
   return jacobian_form(corners == 4 ? ElementShape::quad : ElementShape::triangle, order);

@@ -15,7 +15,9 @@
 
 namespace paver {
 
-constexpr double fair = 0.2;       ///< value of an element that is not poor
+constexpr double fair = 0.2;  ///< value of an element that is not poor
+/// Of an element that is valid only if its sides leave their edges: less than others have that are valid.
+constexpr double value_of_cusp = 1e-3;
 constexpr double very_poor = 0.1;  ///< of one for which triangles may come
 
 /// B-rep edges on regions' borders.

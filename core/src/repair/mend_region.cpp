@@ -95,7 +95,7 @@ class Mender {
   bool mend(int e) {
     known_.clear(), first_tried_ = mesh_.node_count();
     const double now = judge_.value(e);
-    floor_ = now > 0 ? now + least_gain : 0;
+    floor_ = now > value_of_cusp ? now + least_gain : std::max(now, 0.0);
     may_have_triangles_ = now <= 0 || !has_jacobian(mesh_, mesh_.elements[e], very_poor);
     const Vec3 where = middle(e);
     if (move_corners(judge_, e, fair, mesh_)) {

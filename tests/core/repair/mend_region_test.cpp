@@ -174,6 +174,34 @@ TEST(MendRegion, BringsElementsThatAreFarOffNearerWithoutTriangles) {
   EXPECT_LT(after, before / 2);
 }
 
+/// A wedge of one quad: its corner in the middle of the upper side is flat, and the curve there bends the other way.
+struct Wedge : Square {
+  Wedge() {
+    const std::vector<Vec2> corners{{0, 0}, {10, 0}, {20, 0.8005}, {10, 0.4005}};
+    const std::vector<Vec3> middles{{5, 0, 0}, {15, 0.4, 0}, {15, 0.602, 0}, {5, 0.201, 0}};
+    region = test::planar_region({corners}, 4);
+    mesh = RegionMesh();
+    edges.edges.resize(4);
+    for (int i = 0; i < 4; ++i) {
+      const Vec2 p = corners[i], q = corners[(i + 1) % 4];
+      const int v = mesh.add_node(p, {p.x, p.y, 0}, {1, 0, 0}, {0, 1, 0}, 4);
+      mesh.is_fixed[v] = 1, mesh.global[v] = i;
+      region.loops[0][i].edge = i, region.loops[0][i].global = i;
+      edges.edges[i] = {{0, 0.5, 1}, {{p.x, p.y, 0}, middles[i], {q.x, q.y, 0}}, {i, (i + 1) % 4}};
+    }
+    mesh.add_element({0, 1, 2, 3});
+  }
+};
+
+TEST(MendRegion, MakesTrianglesWhereAQuadWouldHaveToLeaveItsEdges) {
+  Wedge wedge;
+  const BoundarySides sides(wedge.region, wedge.edges);
+  EXPECT_EQ((ElementJudge{wedge.region, wedge.mesh, sides, 2}.value(0)), value_of_cusp);
+  wedge.mend({0});
+  EXPECT_EQ(wedge.mesh.triangle_count(), 2);
+  EXPECT_TRUE(wedge.worth_less_than(2 * value_of_cusp).empty());
+}
+
 TEST(MendRegion, IsTheSameEveryTime) {
   Square one, two;
   one.put(12, {3.4, 3.3}), two.put(12, {3.4, 3.3});
