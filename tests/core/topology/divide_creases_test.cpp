@@ -7,6 +7,7 @@
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
@@ -202,6 +203,9 @@ TEST(DivideCreases, DividesPartsOfAFaceThatIsCrossed) {
   for (double area : areas["Face1"]) EXPECT_NEAR(area, std::sqrt(2.0), 1e-6);
 }
 
+/// On both sides of where the roof has its crease.
+bool is_flat(const Surface& surface) { return dot(surface.normal({0.5, 0.1}), surface.normal({1.5, 0.1})) > 0.999; }
+
 TEST(DivideCreases, DividesAFaceWithAHoleOnItsCrease) {
   const double radius = 0.3;
   const TopoDS_Shape drill = BRepPrimAPI_MakeCylinder(gp_Ax2({1, 1, -1}, {0, 0, 1}), radius, 4);
@@ -211,7 +215,17 @@ TEST(DivideCreases, DividesAFaceWithAHoleOnItsCrease) {
     EXPECT_EQ(face.fault, "");
     EXPECT_NEAR(face.area, std::sqrt(2.0) * (2 - 0.5 * M_PI * radius * radius), 1e-5);
     ASSERT_EQ(face.loops.size(), 1u) << "the hole is part of the border";
+    EXPECT_TRUE(is_flat(*face.surface));
   }
+}
+
+TEST(DivideCreases, SurfacesOfPiecesOfASweptFaceWithAHoleEndAtTheCrease) {
+  const TopoDS_Edge polygon = BRepBuilderAPI_MakeEdge(pulled(roof)->VIso(0)).Edge();
+  const TopoDS_Shape swept = BRepPrimAPI_MakePrism(polygon, gp_Vec(0, 2, 0)).Shape();
+  const TopoDS_Shape drill = BRepPrimAPI_MakeCylinder(gp_Ax2({1, 1, -1}, {0, 0, 1}), 0.3, 4);
+  const Model model = model_of(BRepAlgoAPI_Cut(swept, drill).Shape());
+  ASSERT_EQ(model.faces.size(), 2u);
+  for (const Face& face : model.faces) EXPECT_TRUE(is_flat(*face.surface));
 }
 
 TEST(DivideCreases, NeighboursWithoutCreasesTakeOverDividedEdges) {

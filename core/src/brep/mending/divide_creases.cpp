@@ -4,19 +4,18 @@
 //    ridges that turn too narrowly for elements to follow (find_ridges).
 // 2. A periodic edge that is a crease ends as an ordinary edge once the face has two pieces around it; where no crease
 //    lies inside, the face is cut half-way around.
-// 3. Divide by the kernel, with one memory of replaced edges: an edge shared with a neighbour is divided once.
-//    Rectangular faces go by our own grid, which also leaves out strips of the surface that are pressed flat onto a
-//    line (a trailing edge without thickness): the kernel's division fails at these.
+// 3. Divide, with one memory of replaced edges: an edge shared with a neighbour is divided once. Rectangular faces go
+// by
+//    a grid, which also leaves out strips of the surface that are pressed flat onto a line (a trailing edge without
+//    thickness), others along each crease (divide_along), and all along what is no iso-line, last: such a curve ends at
+//    vertices that others have made nearby.
 // 4. Faces take over the divided edges of their neighbours; every edge keeps the number of the one it came from.
-// A face that the kernel cannot divide stays whole.
+// A face that cannot be divided stays whole.
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Builder.hxx>
 #include <ShapeBuild_ReShape.hxx>
-#include <ShapeFix_ComposeShell.hxx>
-#include <ShapeUpgrade_SplitSurface.hxx>
 #include <TColStd_Array1OfReal.hxx>
-#include <TColStd_HSequenceOfReal.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
 #include <algorithm>
@@ -28,7 +27,7 @@
 #include <optional>
 
 #include "brep/connecting/workpiece_impl.h"
-#include "brep/mending/divide_grid_impl.h"
+#include "brep/mending/divide_face_impl.h"
 #include "brep/mending/find_ridges_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
@@ -49,17 +48,12 @@ constexpr int strip_samples = 8;
 /// Pieces that the kernel makes must have the area of their face up to this share; measured across creases it is some
 /// parts in a thousand off.
 constexpr double area_share = 1e-2;
-/// Of the diagonal: nearer than this to a crease an edge ends there. By the kernel's 1e-7 mm holes across a crease came
-/// out with remnants of edges, and their pieces did not close.
-constexpr double compose_share = 1e-6;
-/// Images of edges that lie further off than this many ranges of the surface are damage: the kernel would cut them at
-/// every period on the way, without end.
-constexpr double most_turns = 8;
 
 /// Where to cut a face. `creases` counts those inside and the periodic edges that are creases.
 struct Cuts {
   std::vector<double> u, v;
-  std::array<std::vector<GridSpan>, 2> spans;  ///< between the cuts, in u and in v
+  std::array<std::vector<GridSpan>, 2> spans;   ///< between these, in u and in v
+  std::array<std::vector<CutCurve>, 2> curves;  ///< across all rows in u and in v
   int creases = 0;
 };
 
@@ -78,11 +72,14 @@ class CreaseFinder {
       std::vector<double>& values = is_u ? cuts.u : cuts.v;
       values = inner_creases(is_u);
       add_flat_ends(is_u, values);
-      const bool closes_in_ridge = add_ridges(is_u, values);
-      cuts.creases += static_cast<int>(values.size());
-      if (closes_in_ridge || has_sharp_closure(is_u)) {
+      const Ridges ridges = find_ridges_of(is_u, values);
+      values.insert(values.end(), ridges.iso_lines.begin(), ridges.iso_lines.end());
+      std::ranges::sort(values);
+      cuts.curves[is_u ? 0 : 1] = ridges.curves;
+      cuts.creases += static_cast<int>(values.size() + ridges.curves.size());
+      if (ridges.at_ends || has_sharp_closure(is_u)) {
         ++cuts.creases;
-        if (values.empty()) values.push_back(first(is_u) + 0.5 * range(is_u));
+        if (values.empty() && ridges.curves.empty()) values.push_back(first(is_u) + 0.5 * range(is_u));
       }
       cuts.spans[is_u ? 0 : 1] = spans(is_u, values);
     }
@@ -203,20 +200,16 @@ class CreaseFinder {
     std::ranges::sort(values);
   }
 
-  /// Elements that lie across a ridge leave the surface. Whether the face closes on itself in one. Faces without a
-  /// border are laid as a whole.
-  bool add_ridges(bool is_u, std::vector<double>& values) const {
-    if (surface_.GetType() < GeomAbs_BezierSurface || !has_border()) return false;
+  /// Elements that lie across a ridge leave the surface. Faces without a border are laid as a whole.
+  Ridges find_ridges_of(bool is_u, const std::vector<double>& creases) const {
+    if (surface_.GetType() < GeomAbs_BezierSurface || !has_border()) return {};
     std::vector<double> vertices;
     for (const TopoDS_Edge& edge : edges_of(face_)) {
       const EdgeImage image = image_of(edge, face_);
       if (image.curve.IsNull()) continue;
       for (const double share : {0.0, 1.0}) vertices.push_back(coordinate(is_u, image.uv(share)));
     }
-    const Ridges ridges = find_ridges(surface_, is_u, unresolved_, values, vertices);
-    values.insert(values.end(), ridges.inside.begin(), ridges.inside.end());
-    std::ranges::sort(values);
-    return ridges.at_ends;
+    return find_ridges(surface_, is_u, unresolved_, creases, vertices);
   }
 
   bool has_border() const {
@@ -295,12 +288,14 @@ class CreaseDivider {
     std::vector<Cuts> cuts = find_cuts();
     if (std::all_of(cuts.begin(), cuts.end(), [](const Cuts& c) { return c.creases == 0; })) return {};
     copy_shape(work_);
-    give_own_surfaces(cuts);
     TopTools_IndexedMapOfShape edges = edge_map(work_);
     std::vector<DividedFace> divided;
+    std::vector<bool> is_divided(cuts.size());
+    for (const bool at_curves : {false, true})
+      for (std::size_t i = 0; i < cuts.size(); ++i)
+        if (cuts[i].creases > 0 && divide(work_.faces[i], cuts[i], at_curves)) is_divided[i] = true;
     for (std::size_t i = 0; i < cuts.size(); ++i)
-      if (cuts[i].creases > 0 && divide(work_.faces[i], cuts[i]))
-        divided.push_back({work_.faces[i].origin, cuts[i].creases});
+      if (is_divided[i]) divided.push_back({work_.faces[i].origin, cuts[i].creases});
     if (divided.empty()) return {};
     replace_faces();
     note_divided_edges(edges);
@@ -323,118 +318,59 @@ class CreaseDivider {
     return cuts;
   }
 
-  /// The kernel takes the images on a divided face's surface away from its edges, also from a neighbour on the same
-  /// surface, as faces are that were one before something crossed them.
-  void give_own_surfaces(const std::vector<Cuts>& cuts) {
-    std::map<Handle(Geom_Surface), int> uses;
-    auto surface_of = [](const WorkFace& face) {
-      TopLoc_Location location;  // where it is asked for, the surface is the one itself and no moved copy
-      return BRep_Tool::Surface(face.face, location);
-    };
-    for (const WorkFace& face : work_.faces) ++uses[surface_of(face)];
-    for (std::size_t i = 0; i < cuts.size(); ++i)
-      if (cuts[i].creases > 0 && uses[surface_of(work_.faces[i])]-- > 1) give_own_surface(forward(work_.faces[i].face));
-  }
-
-  static void give_own_surface(const TopoDS_Face& face) {
-    TopLoc_Location location;
-    const Handle(Geom_Surface) shared = BRep_Tool::Surface(face, location);
-    const auto own = Handle(Geom_Surface)::DownCast(shared->Copy());
-    const TopTools_IndexedMapOfShape edges = shapes_of(face, TopAbs_EDGE);
-    BRep_Builder builder;
-    for (int i = 1; i <= edges.Extent(); ++i) {
-      const TopoDS_Edge edge = forward(TopoDS::Edge(edges(i)));
-      double first = 0, last = 0;
-      const Handle(Geom2d_Curve) image = BRep_Tool::CurveOnSurface(edge, shared, location, first, last);
-      if (image.IsNull()) continue;
-      const double tolerance = BRep_Tool::Tolerance(edge);
-      if (BRep_Tool::IsClosed(edge, shared, location)) {
-        const auto reversed = TopoDS::Edge(edge.Reversed());
-        const Handle(Geom2d_Curve) other = BRep_Tool::CurveOnSurface(reversed, shared, location, first, last);
-        builder.UpdateEdge(edge, image, other, own, location, tolerance);
-      } else {
-        builder.UpdateEdge(edge, image, own, location, tolerance);
-      }
-      builder.Range(edge, own, location, first, last);
-    }
-    builder.UpdateFace(face, own, location, BRep_Tool::Tolerance(face));
-  }
-
   /// False where the kernel fails; the face then stays whole.
-  bool divide(const WorkFace& work, const Cuts& cuts) {
-    const TopoDS_Face plain = forward(work.face);
+  bool divide(const WorkFace& work, const Cuts& cuts, bool at_curves) {
+    bool is_divided = false;
     try {
       // Neighbours divided before may have divided edges of this face.
-      std::vector<TopoDS_Face> current = faces_of(context_->Apply(plain));
-      if (current.size() != 1) return false;
-      GridCells grid = divide_grid(current[0], cuts.spans, work_.diagonal);
-      if (faces_of(grid.cells).size() > 1) {
-        for (const auto& [edge, wire] : grid.divided_edges) context_->Replace(edge, wire);
-        context_->Replace(current[0], grid.cells);
-        return true;
-      }
-      if (!has_near_images(current[0])) return false;
-      // A trial first: the kernel records divided edges even where it fails.
-      Handle(ShapeBuild_ReShape) trial = new ShapeBuild_ReShape;
-      const std::vector<double> areas = areas_of(compose(current[0], cuts, work_.diagonal, trial));
-      if (!is_sound(areas, work.area)) return false;
-      const TopoDS_Shape divided = compose(current[0], cuts, work_.diagonal, context_);
-      const std::vector<TopoDS_Face> pieces = faces_of(divided);
-      for (std::size_t i = 0; i < std::min(pieces.size(), areas.size()); ++i)
-        areas_[pieces[i].TShape().get()] = areas[i];
-      context_->Replace(current[0], divided);
-      return true;
+      for (const TopoDS_Face& face : faces_of(context_->Apply(forward(work.face))))
+        is_divided |= at_curves ? divide_at_curves(face, cuts.curves) : divide_at_values(face, cuts);
     } catch (const Standard_Failure&) {
-      return false;
     }
+    return is_divided;
   }
 
-  static bool has_near_images(const TopoDS_Face& face) {
-    TopLoc_Location location;
-    double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
-    BRep_Tool::Surface(face, location)->Bounds(u0, u1, v0, v1);
-    const double far_u = most_turns * (u1 - u0), far_v = most_turns * (v1 - v0);
-    for (const TopoDS_Edge& edge : edges_of(face)) {
-      const EdgeImage image = image_of(edge, face);
-      if (image.curve.IsNull()) continue;
-      for (double t : {image.first, 0.5 * (image.first + image.last), image.last}) {
-        const gp_Pnt2d uv = image.curve->Value(t);
-        if (std::abs(uv.X() - u0) > far_u || std::abs(uv.Y() - v0) > far_v) return false;
-      }
+  bool divide_at_values(const TopoDS_Face& face, const Cuts& cuts) {
+    if (cuts.u.empty() && cuts.v.empty()) return false;
+    const Division grid = divide_grid(face, cuts.spans, work_.diagonal);
+    if (faces_of(grid.pieces).size() > 1) {
+      replace(face, grid);
+      return true;
     }
+    return divide_at_curves(face, {iso_lines(face, true, cuts.u), iso_lines(face, false, cuts.v)});
+  }
+
+  bool divide_at_curves(const TopoDS_Face& face, const std::array<std::vector<CutCurve>, 2>& curves) {
+    bool is_divided = false;
+    for (const bool is_u : {true, false})
+      for (const TopoDS_Face& piece : faces_of(context_->Apply(face)))
+        is_divided |= divide_at_curves(piece, is_u, curves[is_u ? 0 : 1]);
+    return is_divided;
+  }
+
+  static std::vector<CutCurve> iso_lines(const TopoDS_Face& face, bool is_u, const std::vector<double>& values) {
+    const BRepAdaptor_Surface range(face);
+    const double first = is_u ? range.FirstVParameter() : range.FirstUParameter();
+    const double last = is_u ? range.LastVParameter() : range.LastUParameter();
+    std::vector<CutCurve> lines;
+    for (const double value : values) lines.push_back({{{first, value}, {last, value}}, 0});
+    return lines;
+  }
+
+  bool divide_at_curves(const TopoDS_Face& face, bool is_u, const std::vector<CutCurve>& curves) {
+    if (curves.empty()) return false;
+    const Division division = divide_along(face, is_u, curves, work_.diagonal);
+    const std::vector<double> areas = areas_of(division.pieces);
+    if (!is_sound(areas, face_area(face))) return false;
+    const std::vector<TopoDS_Face> pieces = faces_of(division.pieces);
+    for (std::size_t i = 0; i < pieces.size(); ++i) areas_[pieces[i].TShape().get()] = areas[i];
+    replace(face, division);
     return true;
   }
 
-  static TopoDS_Shape compose(const TopoDS_Face& face, const Cuts& cuts, double diagonal,
-                              const Handle(ShapeBuild_ReShape) & context) {
-    TopLoc_Location location;
-    Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location);
-    double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
-    BRepAdaptor_Surface bounds(face);
-    surface->Bounds(u0, u1, v0, v1);
-    if (Precision::IsInfinite(u0) || Precision::IsInfinite(u1))
-      u0 = bounds.FirstUParameter(), u1 = bounds.LastUParameter();
-    if (Precision::IsInfinite(v0) || Precision::IsInfinite(v1))
-      v0 = bounds.FirstVParameter(), v1 = bounds.LastVParameter();
-    ShapeUpgrade_SplitSurface splitter;
-    splitter.Init(surface, u0, u1, v0, v1);
-    splitter.SetUSplitValues(within(cuts.u, u0, u1));
-    splitter.SetVSplitValues(within(cuts.v, v0, v1));
-    splitter.Perform(Standard_True);
-    ShapeFix_ComposeShell composer;
-    composer.Init(splitter.ResSurfaces(), location, face, std::max(Precision::Confusion(), compose_share * diagonal));
-    composer.SetContext(context);
-    return composer.Perform() ? composer.Result() : TopoDS_Shape();
-  }
-
-  /// Values of a periodic surface brought into its own period.
-  static Handle(TColStd_HSequenceOfReal) within(const std::vector<double>& values, double low, double high) {
-    std::vector<double> moved;
-    for (double value : values) moved.push_back(value - (high - low) * std::floor((value - low) / (high - low)));
-    std::sort(moved.begin(), moved.end());
-    Handle(TColStd_HSequenceOfReal) result = new TColStd_HSequenceOfReal;
-    for (double value : moved) result->Append(value);
-    return result;
+  void replace(const TopoDS_Face& face, const Division& division) {
+    for (const auto& [edge, wire] : division.divided_edges) context_->Replace(edge, wire);
+    context_->Replace(face, division.pieces);
   }
 
   static std::vector<double> areas_of(const TopoDS_Shape& pieces) {

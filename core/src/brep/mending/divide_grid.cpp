@@ -18,7 +18,7 @@
 #include <map>
 #include <optional>
 
-#include "brep/mending/divide_grid_impl.h"
+#include "brep/mending/divide_face_impl.h"
 #include "brep/occt_shapes_impl.h"
 
 namespace paver {
@@ -61,7 +61,7 @@ class GridDivider {
     }
   }
 
-  GridCells divide() {
+  Division divide() {
     if (!find_surface() || axes_[0].spans.empty() || axes_[1].spans.empty() || !find_sides()) return {};
     for (int axis : {0, 1})
       for (int end : {0, 1})
@@ -419,7 +419,7 @@ class GridDivider {
 
 }  // namespace
 
-GridCells divide_grid(const TopoDS_Face& face, const std::array<std::vector<GridSpan>, 2>& spans, double diagonal) {
+Division divide_grid(const TopoDS_Face& face, const std::array<std::vector<GridSpan>, 2>& spans, double diagonal) {
   return GridDivider(face, spans, diagonal).divide();
 }
 

@@ -1,12 +1,14 @@
 // 1. Rows across the face are sampled where they turn: the turn of the normal and the length so far.
 // 2. A ridge of a row is what turns by a right angle and more within ridge_share of its length; the middle half of the
 //    turn is where the ridge may be cut.
-// 3. Ridges whose middle halves have a line in common on all rows are one.
+// 3. A ridge is followed from row to row. Where the middle halves have an iso-line in common that is the line, else a
+//    curve through the middles on as many rows as it needs.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "brep/mending/find_ridges_impl.h"
@@ -17,13 +19,17 @@ namespace {
 constexpr double right_angle = std::numbers::pi / 2;
 /// Of a row's length: within that a ridge turns by a right angle. What is rounder keeps its elements.
 constexpr double ridge_share = 0.02;
-/// Where rows lie, as shares of the range: near both ends, where blades are thinnest, and in between.
-constexpr std::array rows = {0.5, 0.03, 0.25, 0.75, 0.97};
 constexpr int first_samples = 32;
 constexpr double step_turn = std::numbers::pi / 18;
+/// Of the turn: normals at its ends differ by that where it goes one way.
+constexpr double one_way_share = 0.9;
 constexpr int most_halvings = 24;
 /// Of a row's length: ends that lie nearer to each other are one.
 constexpr double closed_share = 1e-6;
+/// Of the range between two rows a line is looked for on so many halves at most.
+constexpr int line_halvings = 5;
+/// Of a row's length, and of the narrowest elements: nearer to a vertex a line ends there.
+constexpr double near_share = 2e-3, near_share_of_elements = 0.1;
 
 struct Sample {
   double at = 0;
@@ -37,6 +43,7 @@ struct Ridge {
   double low = 0, middle = 0, high = 0;  ///< a quarter, half, and three quarters of the turn
   double width = 0;                      ///< the shortest piece of the row that turns by a right angle, mm
   bool at_start = false, at_end = false;
+  bool is_one_way = true;  ///< it does not turn to and fro, as rows of surfaces that fold do
 };
 
 class Row {
@@ -71,6 +78,8 @@ class Row {
     if (high > 0) found.push_back(ridge(low, high, width));
     return found;
   }
+
+  double length() const { return samples_.empty() ? 0 : samples_.back().length; }
 
   bool is_closed() const {
     return samples_.size() > 1 &&
@@ -119,7 +128,8 @@ class Row {
             at_turn(first + 0.75 * turn),
             width,
             low == 0,
-            high + 1 == samples_.size()};
+            high + 1 == samples_.size(),
+            samples_[low].normal.Angle(samples_[high].normal) >= one_way_share * turn};
   }
 
   /// Between the row's ends.
@@ -134,52 +144,149 @@ class Row {
   std::vector<Sample> samples_;
 };
 
-bool is_common(Ridge& ridge, const std::vector<Ridge>& others) {
-  for (const Ridge& other : others) {
-    if (other.at_start != ridge.at_start || other.at_end != ridge.at_end) continue;
-    const double low = std::max(ridge.low, other.low), high = std::min(ridge.high, other.high);
-    if (low > high && !ridge.at_start && !ridge.at_end) continue;
-    ridge.from = std::min(ridge.from, other.from), ridge.to = std::max(ridge.to, other.to);
-    ridge.low = low, ridge.high = high, ridge.width = std::min(ridge.width, other.width);
-    return true;
-  }
-  return false;
-}
+/// The rows of a face in one direction, each sampled when it is first asked for.
+class Rows {
+ public:
+  Rows(const BRepAdaptor_Surface& surface, bool is_u) : surface_(surface), is_u_(is_u) {}
 
-double cut_at(const Ridge& ridge, const std::vector<double>& preferred) {
-  const double middle = std::clamp(ridge.middle, ridge.low, ridge.high);
-  double best = middle;
-  for (const double place : preferred)
-    if (place >= ridge.low && place <= ridge.high &&
-        (best == middle || std::abs(place - middle) < std::abs(best - middle)))
-      best = place;
-  return best;
-}
+  double first() const { return is_u_ ? surface_.FirstVParameter() : surface_.FirstUParameter(); }
+  double last() const { return is_u_ ? surface_.LastVParameter() : surface_.LastUParameter(); }
+  double at(double share) const { return std::lerp(first(), last(), share); }
+  /// Those looked at, but for the ends.
+  bool are_closed() const {
+    return std::ranges::all_of(
+        known_, [&](const auto& row) { return row.second.is_closed || row.first == first() || row.first == last(); });
+  }
+
+  const std::vector<Ridge>& ridges(double at) {
+    const auto known = known_.find(at);
+    if (known != known_.end()) return known->second.ridges;
+    const Row row(surface_, is_u_, at);
+    return known_.insert({at, {row.ridges(), row.length(), row.is_closed()}}).first->second.ridges;
+  }
+
+  /// Of one that has been asked for.
+  double length(double at) const { return known_.at(at).length; }
+
+  /// The same ridge on another row; where it lies far aside, by way of rows between.
+  std::optional<Ridge> follow(const Ridge& ridge, double from, double to, int halvings) {
+    std::optional<Ridge> nearest;
+    for (const Ridge& other : ridges(to)) {
+      if (other.at_start != ridge.at_start || other.at_end != ridge.at_end) continue;
+      if (other.from > ridge.to || other.to < ridge.from) continue;
+      if (!nearest || std::abs(other.middle - ridge.middle) < std::abs(nearest->middle - ridge.middle)) nearest = other;
+    }
+    if (nearest || halvings == 0) return nearest;
+    const double middle = std::midpoint(from, to);
+    const std::optional<Ridge> between = follow(ridge, from, middle, halvings - 1);
+    return between ? follow(*between, middle, to, halvings - 1) : std::nullopt;
+  }
+
+ private:
+  struct Known {
+    std::vector<Ridge> ridges;
+    double length = 0;
+    bool is_closed = false;
+  };
+  const BRepAdaptor_Surface& surface_;
+  bool is_u_;
+  std::map<double, Known> known_;
+};
+
+/// One ridge on all rows.
+class Line {
+ public:
+  /// From the row in the middle on; not complete where a row does not have it.
+  Line(Rows& rows, const Ridge& ridge) : rows_(rows) {
+    ridges_[rows.at(0.5)] = ridge;
+    is_complete_ = step(0.5, 0.25) && step(0.25, 0.03) && step(0.5, 0.75) && step(0.75, 0.97);
+    if (is_complete_) step(0.03, 0), step(0.97, 1);  // at poles there is none
+  }
+
+  bool is_complete() const { return is_complete_; }
+  bool is_at_end() const { return ridges_.begin()->second.at_start || ridges_.begin()->second.at_end; }
+
+  double width() const {
+    return std::ranges::min_element(ridges_, {}, [](const auto& row) { return row.second.width; })->second.width;
+  }
+
+  bool holds(double place) const {
+    return std::ranges::any_of(ridges_, [&](const auto& row) { return place >= row.second.from; }) &&
+           std::ranges::any_of(ridges_, [&](const auto& row) { return place <= row.second.to; });
+  }
+
+  /// The iso-line in the middle halves of all rows' turns, if there is one: through a place of `preferred` where one
+  /// lies in them.
+  std::optional<double> iso_line(const std::vector<double>& preferred) const {
+    double low = ridges_.begin()->second.low, high = ridges_.begin()->second.high;
+    for (const auto& [at, ridge] : ridges_) low = std::max(low, ridge.low), high = std::min(high, ridge.high);
+    if (low > high) return std::nullopt;
+    const double middle = std::clamp(ridges_.at(rows_.at(0.5)).middle, low, high);
+    double best = middle;
+    for (const double place : preferred)
+      if (place >= low && place <= high && (best == middle || std::abs(place - middle) < std::abs(best - middle)))
+        best = place;
+    return best;
+  }
+
+  /// Its middle on so many rows that between them it stays in the middle half of the turn. Empty where it gets lost or
+  /// folds.
+  std::map<double, double> places() {
+    ridges_.insert({rows_.first(), ridges_.begin()->second});
+    ridges_.insert({rows_.last(), ridges_.rbegin()->second});
+    if (!std::ranges::all_of(ridges_, [](const auto& row) { return row.second.is_one_way; })) return {};
+    const std::map<double, Ridge> coarse = ridges_;
+    for (auto low = coarse.begin(), high = std::next(low); high != coarse.end(); ++low, ++high)
+      if (!refine(*low, *high, line_halvings)) return {};
+    std::map<double, double> result;
+    for (const auto& [at, ridge] : ridges_) result[at] = ridge.middle;
+    return result;
+  }
+
+ private:
+  using Place = std::pair<const double, Ridge>;
+
+  bool step(double from, double to) {
+    const double near = rows_.at(from), at = rows_.at(to);
+    const auto found = rows_.follow(ridges_.at(near), near, at, line_halvings);
+    if (found) ridges_[at] = *found;
+    return found.has_value();
+  }
+
+  bool refine(const Place& low, const Place& high, int halvings) {
+    const double at = std::midpoint(low.first, high.first);
+    const auto found = rows_.follow(low.second, low.first, at, halvings);
+    if (!found || !found->is_one_way) return false;
+    const double straight = std::midpoint(low.second.middle, high.second.middle);
+    if (straight >= found->low && straight <= found->high) return true;
+    if (halvings == 0) return false;
+    const Place middle{at, *found};
+    ridges_.insert(middle);
+    return refine(low, middle, halvings - 1) && refine(middle, high, halvings - 1);
+  }
+
+  Rows& rows_;
+  std::map<double, Ridge> ridges_;
+  bool is_complete_ = false;
+};
 
 }  // namespace
 
 Ridges find_ridges(const BRepAdaptor_Surface& surface, bool is_u, double unresolved, const std::vector<double>& creases,
                    const std::vector<double>& preferred) {
-  const double start = is_u ? surface.FirstVParameter() : surface.FirstUParameter();
-  const double range = (is_u ? surface.LastVParameter() : surface.LastUParameter()) - start;
-  std::vector<Ridge> ridges;
-  bool is_closed = true;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Row row(surface, is_u, start + rows[i] * range);
-    const std::vector<Ridge> found = row.ridges();
-    if (i == 0) ridges = found;
-    std::erase_if(ridges, [&](Ridge& ridge) { return !is_common(ridge, found); });
-    is_closed &= row.is_closed();
-    if (ridges.empty()) return {};
-  }
+  Rows rows(surface, is_u);
   Ridges result;
-  for (const Ridge& ridge : ridges) {
-    auto is_within = [&](double crease) { return crease >= ridge.from && crease <= ridge.to; };
-    if (ridge.width > unresolved || std::ranges::any_of(creases, is_within)) continue;
-    if (ridge.at_start || ridge.at_end) {
-      result.at_ends |= is_closed;
-    } else {
-      result.inside.push_back(cut_at(ridge, preferred));
+  for (const Ridge& ridge : rows.ridges(rows.at(0.5))) {
+    Line line(rows, ridge);
+    auto is_within = [&](double crease) { return line.holds(crease); };
+    if (!line.is_complete() || line.width() > unresolved || std::ranges::any_of(creases, is_within)) continue;
+    if (line.is_at_end()) {
+      result.at_ends |= rows.are_closed();
+    } else if (const auto iso_line = line.iso_line(preferred)) {
+      result.iso_lines.push_back(*iso_line);
+    } else if (const auto places = line.places(); !places.empty()) {
+      result.curves.push_back(
+          {places, std::min(near_share * rows.length(rows.at(0.5)), near_share_of_elements * unresolved)});
     }
   }
   return result;

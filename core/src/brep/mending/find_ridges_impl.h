@@ -5,11 +5,14 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <vector>
 
+#include "brep/mending/divide_face_impl.h"
+
 namespace paver {
 
 struct Ridges {
-  std::vector<double> inside;  ///< iso-lines, ascending
-  bool at_ends = false;        ///< rows that close on themselves turn over where they start
+  std::vector<double> iso_lines;  ///< ascending
+  std::vector<CutCurve> curves;   ///< where no iso-line fits
+  bool at_ends = false;           ///< rows that close on themselves turn over where they start
 };
 
 /// Ridges of all rows that run in u, or in v, over the face's range: each turns there by a right angle within a small
