@@ -126,6 +126,7 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
   std::vector<std::vector<Loop>> loops;
   for (std::size_t f = 0; f < model.faces.size(); ++f)
     loops.push_back(model.faces[f].is_meshed() ? linked_loops(model, static_cast<int>(f)) : std::vector<Loop>{});
+  divide_lunes(model, size.turn_limit, loops, counts);
   divide_few_sides(model, loops, counts);
   match_gaps(model, size, loops, counts);
   divide_seen_facets(model, loops, counts);

@@ -11,7 +11,7 @@
 namespace paver {
 namespace {
 
-constexpr std::size_t fewest_nodes = 5, most_nodes = 24;
+constexpr std::size_t fewest_nodes = 4, most_nodes = 24;
 constexpr int most_rows = 24, rows_of_most = 8;
 constexpr double longest_row = 1.5;  // target lengths, of rays that would ask for more rows
 constexpr int chart_steps = 32;
@@ -110,8 +110,13 @@ class Dome {
     if (mean_length(rays_) > longest_row * (rows + 1)) return std::nullopt;
     std::vector<int> outer;
     for (const LoopNode& node : loop_) outer.push_back(add_node(region_, node, mesh_));
-    for (int row = rows; row > 0; --row) outer = add_row(outer, static_cast<double>(row) / (rows + 1), row == 1);
-    add_fan(outer);
+    const bool has_core = loop_.size() == 4 && region_.fans.empty();  // a fan of two quads has no angle in the middle
+    for (int row = rows; row > 0; --row)
+      outer = add_row(outer, static_cast<double>(row) / (rows + 1), row == 1 && !has_core);
+    if (has_core)
+      mesh_.add_element({outer[0], outer[1], outer[2], outer[3]});
+    else
+      add_fan(outer);
     return are_all_positive(mesh_) ? std::optional(std::move(mesh_)) : std::nullopt;
   }
 

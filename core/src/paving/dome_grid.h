@@ -18,9 +18,9 @@ enum class DomeRows {
 };
 
 /// The whole mesh of a region whose one loop goes once about a point, an apex or the chart's pole or its own middle:
-/// rows of quads from the loop inwards, as many as the turn asks for, and a fan of half as many quads about that point.
-/// One triangle where the loop is odd. Nothing where the region is no such dome, its loop has many nodes, or an element
-/// is not positive in the chart.
+/// rows of quads from the loop inwards, as many as the turn asks for, and a fan of half as many quads about that point,
+/// a single quad inside four nodes. One triangle where the loop is odd. Nothing where the region is no such dome, its
+/// loop has many nodes, or an element is not positive in the chart.
 std::optional<RegionMesh> lay_dome(const Region& region, Elements elements, DomeRows rows = DomeRows::even);
 
 /// Whether the ends of a region between two loops are narrower than the target length.

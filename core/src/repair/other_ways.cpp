@@ -191,13 +191,11 @@ bool OtherWays::can_help(const RegionMesh& mesh) const {
 
 void OtherWays::improve(Mended& mended, PavedRegion& paved) const {
   const Vec3 where = paved.mesh.x[mended.left.empty() ? 0 : paved.mesh.elements[mended.left[0]].v[0]];
-  const bool is_whole = mended.left.empty() && is_sound(paved.mesh);
   Remesher remesher(*this, mended, paved);
-  bool is_changed = false;
-  if (!is_whole)
-    is_changed = remesher.make_whole();
-  else if (has_few_elements(paved.mesh) && is_too_coarse(paved.mesh))
-    is_changed = remesher.make_finer();
+  const bool is_whole = mended.left.empty() && is_sound(paved.mesh);
+  bool is_changed = !is_whole && remesher.make_whole();
+  if ((is_whole || is_changed) && has_few_elements(paved.mesh) && is_too_coarse(paved.mesh))
+    is_changed = remesher.make_finer() || is_changed;
   is_changed = remesher.make_regular() || is_changed;
   if (is_changed) mended.places.push_back({ElementRepairKind::paved_again, where});
 }

@@ -1,4 +1,4 @@
-// Faces of two and three sides: how many intervals the others get where one side has several.
+// Faces of two and three sides: how many intervals the others get where one side has several, and lunes that turn.
 #include <gtest/gtest.h>
 
 #include "boundary/facing/raise_counts.h"
@@ -49,6 +49,43 @@ TEST(FewSides, ADiameterIsDivided) { EXPECT_EQ(divided(part_of_disc(fake::pi, fa
 
 TEST(FewSides, LeavesFacesOfFourSidesAlone) {
   EXPECT_EQ(divided(fake::polygon({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}}), 3, 1), (Counts{3, 1, 1, 1}));
+}
+
+class Meridian : public Curve {
+ public:
+  explicit Meridian(double longitude) : out_{std::cos(longitude), std::sin(longitude), 0} {}
+  Vec3 point(double t) const override { return std::cos(t) * out_ + Vec3{0, 0, std::sin(t)}; }
+  CurveSlope slope(double t) const override { return {point(t), -std::sin(t) * out_ + Vec3{0, 0, std::cos(t)}}; }
+  CurveJet jet(double t) const override { return {slope(t), -1 * point(t)}; }
+
+ private:
+  Vec3 out_;
+};
+
+/// Of a ball's unit sphere between two meridians from pole to pole.
+Counts on_lune(double angle, std::vector<int> intervals) {
+  constexpr double top = fake::pi / 2;
+  fake::Builder builder;
+  const int south = builder.vertex({0, 0, -1}), north = builder.vertex({0, 0, 1});
+  for (double longitude : {0.0, angle})
+    builder.edge(std::make_shared<Meridian>(longitude), -top, top, south, north, fake::pi);
+  builder.face(std::make_shared<fake::Sphere>(1), 2 * angle,
+               {{builder.use(1, true, {angle, -top}, {angle, top}), builder.use(0, false, {0, -top}, {0, top})}});
+  const Model model = builder.take();
+  std::vector<EdgeCount> counts;
+  for (int n : intervals) counts.push_back({0.1, 1, n});
+  divide_lunes(model, fake::pi / 4, {linked_loops(model, 0)}, counts);
+  return {counts[0].count, counts[1].count};
+}
+
+TEST(Lunes, HaveThreeIntervalsWhereTheyTurnTooFarForOneElement) {
+  EXPECT_EQ(on_lune(fake::pi / 2, {1, 2}), (Counts{3, 3}));
+  EXPECT_EQ(on_lune(1.5 * fake::pi, {2, 2}), (Counts{3, 3})) << "the way round, not the angle of the normals";
+}
+
+TEST(Lunes, KeepTheirCountsWhereOneElementIsEnoughOrTheseAreMore) {
+  EXPECT_EQ(on_lune(fake::pi / 3, {1, 2}), (Counts{1, 2}));
+  EXPECT_EQ(on_lune(fake::pi / 2, {5, 4}), (Counts{5, 4}));
 }
 
 }  // namespace

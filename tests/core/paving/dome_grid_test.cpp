@@ -66,8 +66,17 @@ TEST(DomeGrid, AnOddLoopHasOneTriangleWhereTheseMayBe) {
   EXPECT_FALSE(lay_dome(dome(0.3, 9, 1), Elements::all_quad));
 }
 
+TEST(DomeGrid, HasAQuadInTheMiddleOfFourNodes) {
+  const auto mesh = lay_dome(dome(0, 4, 1), Elements::all_quad);
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(mesh->elements.size(), 4U + 1U);
+  EXPECT_EQ(triangles(*mesh), 0);
+  EXPECT_EQ(mesh->node_count(), 4 + 4);
+  EXPECT_NEAR(chart_area(*mesh), 0.5, 1e-12);
+}
+
 TEST(DomeGrid, LeavesToPavingWhatHasManyNodesOrLoopsOrIsNoStar) {
-  EXPECT_FALSE(lay_dome(dome(0.3, 4, 1), Elements::quad_dominant));
+  EXPECT_FALSE(lay_dome(dome(0.3, 3, 1), Elements::quad_dominant));
   EXPECT_FALSE(lay_dome(dome(0.3, 40, 0.1), Elements::quad_dominant));
   Region ring = dome(0.3, 12, 1);
   ring.loops.push_back(ring.loops[0]);

@@ -87,6 +87,15 @@ TEST(OtherWays, TrianglesTooCoarseForTheirFaceBecomeADome) {
   EXPECT_EQ(trial.count(3), 0);
 }
 
+TEST(OtherWays, WhatCoversAFaceTooCoarselyMakesWayForMore) {
+  Trial trial(test::dome(2.4, 10, 4));
+  trial.region.own_area = area_of(*trial.region.surface);
+  for (int i = 0; i < 4; ++i) trial.paved.mesh.add_element({i, i + 1, 8 - i, 9 - i});
+  EXPECT_FALSE(trial.ways().is_sound(trial.paved.mesh));
+  EXPECT_FALSE(trial.improve().places.empty());
+  EXPECT_FALSE(trial.can_help()) << "a dome of one row lacks 4.5 %";
+}
+
 TEST(OtherWays, AFaceThatItsElementsCoverStays) {
   Trial trial(test::dome(0, 12, 1));
   trial.region.own_area = 0.75;

@@ -4,6 +4,7 @@
 #include "boundary/facing/raise_counts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "base/nearest_turn.h"
@@ -21,6 +22,8 @@ constexpr double least_jacobian = 0.4;     // of the quads between equally space
 constexpr long most_nodes = 256;
 constexpr double largest_bulge = 0.5;  // of the width
 constexpr int most_rounds = 8;         // through strips that share sides
+constexpr int on_lune = 3;             // intervals of either edge
+constexpr double most_in_one = 1.5;    // turn limits: from one edge of a lune to the other, across one element
 
 long sum_of_counts(const std::vector<int>& edges, const std::vector<EdgeCount>& counts) {
   long total = 0;
@@ -136,7 +139,38 @@ bool match_sides(const Model& model, const OppositeSides& pair, std::vector<Edge
   return true;
 }
 
+/// Of the surface's normal, from the middle of one coedge to that of the other, radians.
+double turn_between(const Model& model, const Face& face, const Coedge& one, const Coedge& other) {
+  constexpr int steps = 4;
+  auto middle_of = [&](const Coedge& coedge) { return coedge.pcurve->uv(edge_of(model, coedge).parameter(0.5)); };
+  const Vec2 from = middle_of(one), step = (1.0 / steps) * (middle_of(other) - from);
+  auto normal = [&](int i) {
+    const auto [x, xu, xv] = face.surface->slope(from + i * step);
+    return unit(cross(xu, xv));
+  };
+  double turn = 0;
+  for (int i = 0; i < steps; ++i) {
+    const Vec3 a = normal(i), b = normal(i + 1);
+    turn += std::atan2(norm(cross(a, b)), dot(a, b));
+  }
+  return turn;
+}
+
 }  // namespace
+
+void divide_lunes(const Model& model, double turn_limit, const std::vector<std::vector<Loop>>& loops,
+                  std::vector<EdgeCount>& counts) {
+  for (std::size_t f = 0; f < loops.size(); ++f) {
+    const Face& face = model.faces[f];
+    if (!face.surface || loops[f].size() != 1 || loops[f][0].coedges.size() != 2) continue;
+    const Coedge &one = loops[f][0].coedges[0], &other = loops[f][0].coedges[1];
+    const std::vector<int> edges = edges_of(loops[f][0]);
+    if (edges[0] == edges[1] || !are_divided(edges, counts) || !one.pcurve || !other.pcurve) continue;
+    if (std::ranges::all_of(edges, [&](int e) { return counts[e].count >= on_lune; })) continue;
+    if (turn_between(model, face, one, other) > most_in_one * turn_limit)
+      take_counts(edges, {on_lune, on_lune}, counts);
+  }
+}
 
 void divide_few_sides(const Model& model, const std::vector<std::vector<Loop>>& loops, std::vector<EdgeCount>& counts) {
   for (std::size_t f = 0; f < loops.size(); ++f) {

@@ -17,6 +17,12 @@ namespace paver {
 /// against the target length.
 void divide_few_sides(const Model& model, const std::vector<std::vector<Loop>>& loops, std::vector<EdgeCount>& counts);
 
+/// Gives three intervals to both edges of a face between two, as between two meridians of a spindle, that turns too far
+/// from one to the other for one element: two columns of quads end in its tips then, where there is room for triangles
+/// only between fewer nodes.
+void divide_lunes(const Model& model, double turn_limit, const std::vector<std::vector<Loop>>& loops,
+                  std::vector<EdgeCount>& counts);
+
 /// Where a face is smaller than the target length, and a gap between two loops that is narrower than 0.7 of its size,
 /// the loop of fewer intervals gets as many as the other one, and both some more so that the edges of the former get
 /// equally many; but only where one row of quads across the gap would be good with these.
