@@ -8,6 +8,7 @@
 
 #include "boundary/edge_metric.h"
 #include "boundary/edge_nodes.h"
+#include "boundary/facing/equal_sums.h"
 #include "boundary/facing/raise_counts.h"
 #include "boundary/facing/seen_facets.h"
 #include "boundary/facing/tie_sides.h"
@@ -129,12 +130,16 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
   divide_lunes(model, size.turn_limit, loops, counts);
   divide_few_sides(model, loops, counts);
   match_gaps(model, size, loops, counts);
-  divide_seen_facets(model, loops, counts);
   const std::vector<OppositeSides> pairs = find_opposite_sides(model, loops);
+  match_vertices(model, pairs, counts);
+  divide_seen_facets(model, loops, counts);
   match_bent_strips(model, pairs, counts);
+  match_vertices(model, pairs, counts);
   TiedCounts tied = tie_opposite_sides(model, pairs, loops, counts);
   progress.check();
+  const TiedCounts before = tied;
   even_out(loops, all_quad, tied);
+  restore_equal_sums(pairs, before, tied);
 
   std::vector<int> result;
   for (int group : tied.group) result.push_back(tied.groups[group].count);

@@ -51,6 +51,24 @@ TEST(FacingNodes, AnEvenEdgeMovesItsNodesNextToTheVerticesItFaces) {
     EXPECT_GE(moved[0].lengths[i] - moved[0].lengths[i - 1], 0.5);
 }
 
+// Edges 0 and 1 below, which meet at 20; on top from 30 back edges 3 to 5, which meet at 10.5 and 10.
+TEST(FacingNodes, VerticesOfBothSidesHaveNodesOpposite) {
+  const Model model =
+      fake::polygon({{0, 0, 0}, {20, 0, 0}, {30, 0, 0}, {30, 0.25, 0}, {10.5, 0.25, 0}, {10, 0.25, 0}, {0, 0.25, 0}});
+  const std::vector<MovedNodes> moved = moved_in(model, {3, 1, 1, 2, 1, 1, 1});
+  ASSERT_EQ(moved.size(), 2u);
+  EXPECT_EQ(moved[0].edge, 0);
+  for (double vertex : {10.0, 10.5}) EXPECT_LE(nearest(moved[0].lengths, vertex), 0.25 / 2 + 1e-9);
+  EXPECT_EQ(moved[1].edge, 3);
+  EXPECT_LE(nearest(moved[1].lengths, 30 - 20), 0.25 / 2 + 1e-9);
+}
+
+TEST(FacingNodes, NoneMovesWhereVerticesOfBothSidesWouldCross) {
+  const Model model = fake::polygon({{0, 0, 0}, {20, 0, 0}, {30, 0, 0}, {30, 0.25, 0}, {10, 0.25, 0}, {0, 0.25, 0}});
+  EXPECT_TRUE(moved_in(model, {2, 3, 1, 1, 4, 1}).empty())
+      << "the fourth node on top lies at 10, the second below at 20";
+}
+
 TEST(FacingNodes, RowsThatLeanLittleStay) {
   const Model model = fake::polygon({{0, 0, 0}, {4, 0, 0}, {4, 0.3, 0}, {2.2, 0.3, 0}, {0, 0.3, 0}});
   EXPECT_TRUE(moved_in(model, {4, 1, 2, 2, 1}).empty());

@@ -165,6 +165,13 @@ TEST(TieSides, ALongChainIsBrokenWhereItsFacesAreSmallest) {
   EXPECT_EQ(counts[0], 40);
 }
 
+// Three edges below that meet at 10 and 11; on top from 30 back three that meet at 25 and 24.
+TEST(TieSides, EdgesOfAThinFaceAreNoneOfAnotherThatDoNotFaceThem) {
+  const Model model = fake::polygon(
+      {{0, 0, 0}, {10, 0, 0}, {11, 0, 0}, {30, 0, 0}, {30, 0.1, 0}, {25, 0.1, 0}, {24, 0.1, 0}, {0, 0.1, 0}});
+  EXPECT_EQ(tied(model, {2, 1, 3, 1, 1, 1, 4, 1}, 1, true), (std::vector<int>{2, 1, 3, 1, 1, 1, 4, 1}));
+}
+
 TEST(TieSides, SidesOfUnequalNumbersOfEdgesGetEqualSums) {
   Model model = fake::polygon({{0, 0, 0}, {3, 0, 0}, {6, 0, 0}, {6, 4, 0}, {0, 4, 0}});
   std::vector<int> counts = tied(model, {15, 15.4, 20, 32, 20});

@@ -1,72 +1,77 @@
 // Nodes that face vertices across narrow faces.
 // In: pairs of sides, nodes of every edge. Out: edges whose nodes move, and where to.
-// Steps: narrow faces with as many intervals on either side; the side that is one edge follows the other where that one
-// has vertices, or has moved itself; until nothing moves. Rows across a narrow face join nodes of equal number: where
-// a trace ends on one side of a board's thin wall, evenly divided edges beyond lean such rows until they are needles.
-// A node moves only until its row leans by 45 degrees, and so neither side gets intervals shorter than both had.
+// Steps: narrow faces with as many intervals on either side; nodes inside an edge follow the vertices they face, and
+// the nodes of edges that have moved themselves; until nothing moves. Rows across a narrow face join nodes of equal
+// number: where a trace ends on one side of a board's thin wall, evenly divided edges beyond lean such rows until they
+// are needles. A node moves only until its row leans by 45 degrees, and so neither side gets intervals shorter than
+// both had; where both sides have vertices, by half of that, as what faces it may move, too.
 #include "boundary/facing/facing_nodes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <iterator>
+
+#include "boundary/facing/side_chain.h"
 
 namespace paver {
 namespace {
 
-constexpr double narrow = 0.7;       // intervals: wider faces are paved, not laid as one row
-constexpr double most_unlike = 0.1;  // of the longer side: else equal shares of the sides do not face each other
+constexpr double narrow = 0.7;           // intervals: wider faces are paved, not laid as one row
+constexpr double least_interval = 0.25;  // of the shortest there was on both sides
+constexpr double most_unlike = 0.1;      // of the longer side: else equal shares of them do not face each other
 
-/// Chain of edges from one corner to the next.
-struct Side {
-  std::vector<int> edges;
-  std::vector<bool> is_against;  // the edge runs the other way
-  double length = 0;
-  std::size_t intervals = 0;
+/// Nodes of a side from its first corner to the last, or of a part of it.
+struct Nodes {
+  std::vector<double> places;  // distances from the first corner, mm
+  std::vector<bool> is_set;    // a vertex, or of an edge that has moved
+  double length() const { return places.back() - places.front(); }
+  double share(std::size_t i) const { return (places[i] - places.front()) / length(); }
+  bool has_set() const { return std::find(is_set.begin() + 1, is_set.end() - 1, true) != is_set.end() - 1; }
+  Nodes part(std::size_t from, std::size_t to) const {
+    auto cut = [&](const auto& all) { return std::vector(all.begin() + from, all.begin() + to + 1); };
+    return {cut(places), cut(is_set)};
+  }
 };
 
-std::optional<Side> side_of(const Model& model, const std::vector<int>& edges, const NodeLengths& lengths) {
-  Side side{edges, {}, 0, 0};
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const Edge& edge = model.edges[edges[i]];
-    if (lengths[edges[i]].size() < 2 || edge.start == edge.end) return {};
-    side.length += lengths[edges[i]].back();
-    side.intervals += lengths[edges[i]].size() - 1;
-    auto touches = [&](int vertex, const Edge& other) { return vertex == other.start || vertex == other.end; };
-    if (i + 1 < edges.size())
-      side.is_against.push_back(touches(edge.start, model.edges[edges[i + 1]]));
-    else
-      side.is_against.push_back(i > 0 && touches(edge.end, model.edges[edges[i - 1]]));
+double shortest(const std::vector<double>& places) {
+  double least = INFINITY;
+  for (std::size_t i = 1; i < places.size(); ++i) least = std::min(least, places[i] - places[i - 1]);
+  return least;
+}
+
+/// Of the length, from 0 to 1: where both sides should have their nodes. Where one that is set is; between such as both
+/// have them in the mean.
+std::vector<double> shared_places(const Nodes& one, const Nodes& other) {
+  std::vector<double> shared, mean;
+  const bool has_one = one.has_set(), has_both = has_one && other.has_set();
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < one.places.size(); ++i) {
+    mean.push_back(0.5 * (one.share(i) + other.share(i)));
+    shared.push_back(one.is_set[i] || (has_one && !has_both) ? one.share(i) : other.share(i));
+    if (!has_both || (!one.is_set[i] && !other.is_set[i])) continue;
+    for (std::size_t k = last + 1; k < i; ++k)
+      shared[k] = shared[last] + (shared[i] - shared[last]) * (mean[k] - mean[last]) / (mean[i] - mean[last]);
+    last = i;
   }
-  return side;
+  return shared;
 }
 
-Vec3 end_of(const Model& model, const Side& side, bool is_last) {
-  const std::size_t i = is_last ? side.edges.size() - 1 : 0;
-  const Edge& edge = model.edges[side.edges[i]];
-  return model.vertices[is_last != side.is_against[i] ? edge.end : edge.start];
-}
+using Place = std::vector<double>::iterator;
 
-/// A single edge does not tell which way it runs beside the other side.
-void turn_along(const Model& model, const Side& other, Side& single) {
-  auto apart = [&] {
-    return norm(end_of(model, single, false) - end_of(model, other, false)) +
-           norm(end_of(model, single, true) - end_of(model, other, true));
+/// Between two nodes that are set on both sides and face each other: moves nodes of both that are not.
+void follow_between(const Nodes& one, const Nodes& other, double width, Place first, Place second) {
+  if (!one.has_set() && !other.has_set()) return;
+  if (std::fabs(one.length() - other.length()) > most_unlike * std::max(one.length(), other.length())) return;
+  const std::vector<double> shared = shared_places(one, other);
+  const double slack = (one.has_set() && other.has_set() ? 0.5 : 1) * width;
+  auto move = [&](const Nodes& nodes, Place place) {
+    for (std::size_t i = 0; i < shared.size(); ++i) {
+      const double opposite = nodes.places.front() + shared[i] * nodes.length();
+      if (!nodes.is_set[i]) place[i] = std::clamp(place[i], opposite - slack, opposite + slack);
+    }
   };
-  const double as_it_is = apart();
-  single.is_against[0] = !single.is_against[0];
-  if (apart() >= as_it_is) single.is_against[0] = !single.is_against[0];
-}
-
-/// Distances of a side's nodes from its first corner.
-std::vector<double> places_along(const Side& side, const NodeLengths& lengths) {
-  std::vector<double> places = {0};
-  for (std::size_t i = 0; i < side.edges.size(); ++i) {
-    const std::vector<double>& of_edge = lengths[side.edges[i]];
-    const double before = places.back();
-    for (std::size_t k = 1; k < of_edge.size(); ++k)
-      places.push_back(before + (side.is_against[i] ? of_edge.back() - of_edge[of_edge.size() - 1 - k] : of_edge[k]));
-  }
-  return places;
+  move(one, first);
+  move(other, second);
 }
 
 class Following {
@@ -76,43 +81,68 @@ class Following {
 
   /// Whether an edge has moved.
   bool follow(const OppositeSides& pair) {
-    const std::vector<int>*leader = &pair.first, *follower = &pair.second;
-    if (follower->size() > 1 || leads(*follower)) std::swap(leader, follower);
-    if (follower->size() > 1 || leads(*follower) || !leads(*leader)) return false;
-    std::optional<Side> one = side_of(model_, *leader, lengths_), other = side_of(model_, *follower, lengths_);
-    if (!one || !other || one->intervals != other->intervals) return false;
-    if (std::fabs(one->length - other->length) > most_unlike * std::max(one->length, other->length)) return false;
+    const std::optional<ChainPair> chains = chains_of(model_, pair);
+    if (!chains || !are_divided(pair)) return false;
+    const Nodes one = nodes_of(chains->first), other = nodes_of(chains->second);
+    const std::size_t n = one.places.size();
     const double width = width_between(model_, pair);
-    if (width * static_cast<double>(one->intervals) > narrow * std::min(one->length, other->length)) return false;
-    if (one->edges.size() == 1) turn_along(model_, *other, *one);
-    turn_along(model_, *one, *other);
-    return move(places_along(*one, lengths_), width * other->length / one->length, *other);
+    if (other.places.size() != n) return false;
+    if (width * static_cast<double>(n - 1) > narrow * std::min(chains->first.length, chains->second.length))
+      return false;
+    const double least = least_interval * std::min(shortest(one.places), shortest(other.places));
+    std::vector<double> first = one.places, second = other.places;
+    for (std::size_t from = 0, to = 1; to < n; ++to) {
+      if (!one.is_set[to] || !other.is_set[to]) continue;
+      follow_between(one.part(from, to), other.part(from, to), width, first.begin() + from, second.begin() + from);
+      from = to;
+    }
+    if (shortest(first) < least || shortest(second) < least) return false;
+    const std::size_t before = moved.size();
+    move(chains->first, one.places, first);
+    move(chains->second, other.places, second);
+    return moved.size() > before;
   }
 
   std::vector<MovedNodes> moved;
 
  private:
-  bool leads(const std::vector<int>& side) const { return side.size() > 1 || has_moved_[side[0]]; }
+  bool are_divided(const OppositeSides& pair) const {
+    return std::ranges::all_of(pair.edges(), [&](int e) { return lengths_[e].size() > 1; });
+  }
 
-  bool move(const std::vector<double>& facing, double width, const Side& side) {
-    std::vector<double> places = places_along(side, lengths_);
-    bool is_needed = false;
-    for (std::size_t i = 1; i + 1 < places.size(); ++i) {
-      const double opposite = facing[i] * side.length / facing.back();
-      const double place = std::clamp(places[i], opposite - width, opposite + width);
-      is_needed = is_needed || place != places[i];
-      places[i] = place;
+  Nodes nodes_of(const SideChain& side) const {
+    Nodes nodes{{0}, {true}};
+    double before = 0;
+    for (std::size_t i = 0; i < side.edges.size(); ++i) {
+      const int edge = side.edges[i];
+      const std::vector<double>& of_edge = lengths_[edge];
+      const double whole = of_edge.back();
+      for (std::size_t k = 1, last = of_edge.size() - 1; k <= last; ++k) {
+        const double along = side.is_against[i] ? whole - of_edge[last - k] : of_edge[k];
+        nodes.places.push_back(before + along);
+        nodes.is_set.push_back(k == last || has_moved_[edge]);
+      }
+      before += whole;
     }
-    if (!is_needed) return false;
-    if (side.is_against[0]) {
-      std::ranges::reverse(places);
-      for (double& place : places) place = side.length - place;
+    return nodes;
+  }
+
+  void move(const SideChain& side, const std::vector<double>& from, const std::vector<double>& to) {
+    std::size_t first = 0;  // node of the side, at the start of the edge
+    for (std::size_t i = 0; i < side.edges.size(); ++i) {
+      const int edge = side.edges[i];
+      std::vector<double>& of_edge = lengths_[edge];
+      const std::size_t last = of_edge.size() - 1;
+      if (!std::equal(from.begin() + first, from.begin() + first + last, to.begin() + first)) {
+        for (std::size_t k = 1; k < last; ++k) {
+          const double along = to[first + k] - to[first];
+          (side.is_against[i] ? of_edge[last - k] : of_edge[k]) = side.is_against[i] ? of_edge[last] - along : along;
+        }
+        has_moved_[edge] = true;
+        moved.push_back({edge, of_edge});
+      }
+      first += last;
     }
-    const int edge = side.edges[0];
-    lengths_[edge] = places;
-    has_moved_[edge] = true;
-    moved.push_back({edge, std::move(places)});
-    return true;
   }
 
   const Model& model_;

@@ -17,10 +17,10 @@ struct MovedNodes {
   std::vector<double> lengths;
 };
 
-/// Where a face between four corners is narrower than its intervals and equally many lie on both sides, one of which is
-/// a single edge and the other has vertices between its ends: the edge's nodes, as far as they are needed to be at most
-/// one width from what they face. Edges that face such an edge across another narrow face follow it. At most one entry
-/// per edge; an edge that leads an entry comes before it. `pairs`: of find_opposite_sides.
+/// Where a face between four corners is narrower than its intervals, has equally many on both sides and vertices
+/// between the ends of one side or both: nodes that face these, as far as they are needed to be at most one width from
+/// what they face. Edges that face such an edge across another narrow face follow it. At most one entry per edge; an
+/// edge that leads an entry comes before it. `pairs`: of find_opposite_sides.
 std::vector<MovedNodes> face_vertices(const Model& model, const std::vector<OppositeSides>& pairs, NodeLengths lengths);
 
 }  // namespace paver

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "base/nearest_turn.h"
+#include "boundary/facing/side_chain.h"
 #include "boundary/facing/sides_of_loops.h"
 #include "quality/metrics.h"
 
@@ -22,6 +24,7 @@ constexpr double least_jacobian = 0.4;     // of the quads between equally space
 constexpr long most_nodes = 256;
 constexpr double largest_bulge = 0.5;  // of the width
 constexpr int most_rounds = 8;         // through strips that share sides
+constexpr double thin = 0.2;           // intervals: of a face whose vertices face nodes
 constexpr int on_lune = 3;             // intervals of either edge
 constexpr double most_in_one = 1.5;    // turn limits: from one edge of a lune to the other, across one element
 
@@ -139,6 +142,57 @@ bool match_sides(const Model& model, const OppositeSides& pair, std::vector<Edge
   return true;
 }
 
+/// Of a narrow face, between breaks.
+struct Part {
+  int first = -1, second = -1;  // edges
+  double length = 0;
+  int count = 1;
+};
+
+std::vector<Part> parts_between(const ChainPair& sides, const std::vector<Break>& breaks) {
+  std::vector<Part> parts;
+  std::size_t first = 0, second = 0;
+  double from = 0;
+  for (const Break& at : breaks) {
+    parts.push_back({sides.first.edges[first], sides.second.edges[second], at.first - from});
+    first += at.is_of_first, second += at.is_of_second, from = at.first;
+  }
+  return parts;
+}
+
+/// Intervals of each part, until edges have as many as they had; `lacking`: per edge, how many more that takes. The
+/// longest first, of those that are wanted on both sides.
+void divide_parts(std::vector<Part>& parts, std::map<int, int>& lacking) {
+  for (const Part& part : parts) --lacking[part.first], --lacking[part.second];
+  for (;;) {
+    auto need = [&](const Part& part) { return (lacking[part.first] > 0) + (lacking[part.second] > 0); };
+    auto key = [&](const Part& part) { return std::pair(need(part), part.length / part.count); };
+    const auto next = std::ranges::max_element(parts, {}, key);
+    if (need(*next) == 0) return;
+    ++next->count, --lacking[next->first], --lacking[next->second];
+  }
+}
+
+bool match_vertices(const Model& model, const OppositeSides& pair, std::vector<EdgeCount>& counts) {
+  if (pair.first.size() < 2 || pair.second.size() < 2 || !are_divided(pair.edges(), counts)) return false;
+  const std::optional<ChainPair> sides = chains_of(model, pair);
+  const double width = width_between(model, pair);
+  const auto intervals = static_cast<double>(sum_of_counts(pair.edges(), counts));
+  if (!sides || width * intervals > thin * length_of(model, pair)) return false;
+  const std::vector<Break> breaks = breaks_between(model, *sides, width);
+  if (std::ranges::none_of(breaks, &Break::is_lone)) return false;
+  std::map<int, int> lacking;
+  for (int e : pair.edges()) lacking[e] = counts[e].count;
+  std::vector<Part> parts = parts_between(*sides, breaks);
+  divide_parts(parts, lacking);
+  bool is_changed = false;
+  for (const auto& [e, missing] : lacking) {
+    is_changed = is_changed || missing < 0;
+    take_counts({e}, {counts[e].count - missing}, counts);
+  }
+  return is_changed;
+}
+
 /// Of the surface's normal, from the middle of one coedge to that of the other, radians.
 double turn_between(const Model& model, const Face& face, const Coedge& one, const Coedge& other) {
   constexpr int steps = 4;
@@ -196,6 +250,15 @@ void match_gaps(const Model& model, const SizeField& size, const std::vector<std
     for (const Loop* loop : {&fewer, &more})
       for (const Coedge& coedge : loop->coedges) border += edge_of(model, coedge).length;
     if (model.faces[f].area < 0.5 * border * narrow_gap * size.face_h[f]) match_loops(model, fewer, more, counts);
+  }
+}
+
+void match_vertices(const Model& model, const std::vector<OppositeSides>& pairs, std::vector<EdgeCount>& counts) {
+  bool is_changed = true;
+  for (int round = 0; is_changed && round < most_rounds; ++round) {
+    is_changed = false;
+    for (const OppositeSides& pair : pairs)
+      if (pair.partner >= 0) is_changed = match_vertices(model, pair, counts) || is_changed;
   }
 }
 

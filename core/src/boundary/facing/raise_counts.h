@@ -29,6 +29,10 @@ void divide_lunes(const Model& model, double turn_limit, const std::vector<std::
 void match_gaps(const Model& model, const SizeField& size, const std::vector<std::vector<Loop>>& loops,
                 std::vector<EdgeCount>& counts);
 
+/// Of a face far narrower than its intervals with vertices on both of its sides, that are more than its width from
+/// those of the other side: edges get as many intervals as it takes for a node opposite each vertex.
+void match_vertices(const Model& model, const std::vector<OppositeSides>& pairs, std::vector<EdgeCount>& counts);
+
 /// Of a face between four corners whose long sides bulge from the chords of their intervals by more than half of its
 /// width the side of fewer intervals gets as many as the other: chords of unequal ones would cross.
 void match_bent_strips(const Model& model, const std::vector<OppositeSides>& pairs, std::vector<EdgeCount>& counts);

@@ -15,6 +15,7 @@
 #include <tuple>
 
 #include "base/union_find.h"
+#include "boundary/facing/side_chain.h"
 
 namespace paver {
 namespace {
@@ -227,6 +228,12 @@ int sum_of(const std::vector<int>& edges, const std::vector<EdgeCount>& counts) 
   return sum;
 }
 
+/// Whether vertices of one side have none of the other one opposite: edges of equal number do not face each other.
+bool has_lone_vertices(const Model& model, const OppositeSides& pair) {
+  const std::optional<ChainPair> sides = chains_of(model, pair);
+  return sides && std::ranges::any_of(breaks_between(model, *sides, width_between(model, pair)), &Break::is_lone);
+}
+
 /// Of sides that are single edges, also of those that face one across another thin face.
 void find_faced(const std::vector<OppositeSides>& pairs, const std::vector<bool>& is_thin,
                 const std::vector<EdgeCount>& counts, std::vector<EdgeKind>& kinds) {
@@ -284,7 +291,8 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
   auto makes_grid = [&](int i) { return pairs[i].partner < 0 || can_equal[pairs[i].partner]; };
   for (int i : order) {
     const OppositeSides& pair = pairs[i];
-    for (std::size_t k = 0; pair.first.size() == pair.second.size() && k < pair.first.size(); ++k)
+    if (pair.first.size() != pair.second.size() || (is_thin[i] && has_lone_vertices(model, pair))) continue;
+    for (std::size_t k = 0; k < pair.first.size(); ++k)
       tying.join_if_alike(pair.first[k], pair.second[k], makes_grid(i));
   }
   tying.choose_counts();

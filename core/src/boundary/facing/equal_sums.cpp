@@ -1,0 +1,70 @@
+#include "boundary/facing/equal_sums.h"
+
+#include <algorithm>
+
+namespace paver {
+namespace {
+
+long sum(const std::vector<int>& side, const TiedCounts& tied) {
+  long total = 0;
+  for (int e : side) total += tied.groups[tied.group[e]].count;
+  return total;
+}
+
+bool is_equal(const OppositeSides& pair, const TiedCounts& tied) {
+  return sum(pair.first, tied) == sum(pair.second, tied);
+}
+
+class Restoring {
+ public:
+  Restoring(const std::vector<OppositeSides>& pairs, const TiedCounts& before, TiedCounts& tied)
+      : before_(before), tied_(tied), of_group_(tied.groups.size()) {
+    for (const OppositeSides& pair : pairs) {
+      if (!is_equal(pair, before)) continue;
+      pairs_.push_back(&pair);
+      for (int e : pair.edges()) of_group_[tied.group[e]].push_back(&pair);
+    }
+  }
+
+  void run() {
+    // Every change leaves fewer unequal pairs.
+    while (std::ranges::any_of(pairs_, [&](const OppositeSides* pair) { return restore(*pair); })) {
+    }
+  }
+
+ private:
+  bool restore(const OppositeSides& pair) {
+    if (is_equal(pair, tied_)) return false;
+    return std::ranges::any_of(pair.edges(), [&](int e) { return turn_back(tied_.group[e]); });
+  }
+
+  /// Whether the group's count, changed the other way, leaves fewer unequal pairs.
+  bool turn_back(int group) {
+    EdgeCount& now = tied_.groups[group];
+    const int other = 2 * before_.groups[group].count - now.count;
+    if (other == now.count || other < std::max(now.minimum, 1)) return false;
+    const auto unequal = [&] {
+      return std::ranges::count_if(of_group_[group],
+                                   [&](const OppositeSides* pair) { return !is_equal(*pair, tied_); });
+    };
+    const auto least = unequal();
+    const int kept = now.count;
+    now.count = other;
+    if (unequal() < least) return true;
+    now.count = kept;
+    return false;
+  }
+
+  const TiedCounts& before_;
+  TiedCounts& tied_;
+  std::vector<const OppositeSides*> pairs_;                  // equal before
+  std::vector<std::vector<const OppositeSides*>> of_group_;  // of those, by group
+};
+
+}  // namespace
+
+void restore_equal_sums(const std::vector<OppositeSides>& pairs, const TiedCounts& before, TiedCounts& tied) {
+  Restoring(pairs, before, tied).run();
+}
+
+}  // namespace paver

@@ -1,0 +1,47 @@
+// Sums of opposite sides that parity has made unequal.
+#include "boundary/facing/equal_sums.h"
+
+#include <gtest/gtest.h>
+
+namespace paver {
+namespace {
+
+/// Each edge a group of its own.
+TiedCounts counts_of(const std::vector<int>& counts) {
+  TiedCounts tied;
+  for (int count : counts) {
+    tied.group.push_back(static_cast<int>(tied.group.size()));
+    tied.groups.push_back({1.0 * count, 2, count});
+  }
+  return tied;
+}
+
+std::vector<int> restored(const std::vector<OppositeSides>& pairs, const std::vector<int>& before,
+                          const std::vector<int>& changed) {
+  TiedCounts tied = counts_of(changed);
+  restore_equal_sums(pairs, counts_of(before), tied);
+  std::vector<int> counts;
+  for (const EdgeCount& group : tied.groups) counts.push_back(group.count);
+  return counts;
+}
+
+TEST(EqualSums, OneMoreAndOneLessBecomeAsMany) {
+  EXPECT_EQ(restored({{0, {0}, {1, 2}}}, {5, 3, 2}, {4, 4, 2}), (std::vector<int>{6, 4, 2}));
+}
+
+TEST(EqualSums, CountsStayAboveTheirMinimum) {
+  EXPECT_EQ(restored({{0, {0}, {1}}}, {2, 2}, {3, 1}), (std::vector<int>{3, 3})) << "1 is below";
+  EXPECT_EQ(restored({{0, {0}, {1, 2}}}, {4, 2, 2}, {3, 3, 2}), (std::vector<int>{5, 3, 2}));
+}
+
+TEST(EqualSums, NoPairIsMadeUnequalForAnother) {
+  const std::vector<OppositeSides> pairs = {{0, {0}, {1}}, {1, {0}, {2}}, {2, {1}, {3}}};
+  EXPECT_EQ(restored(pairs, {5, 5, 5, 5}, {4, 6, 4, 6}), (std::vector<int>{4, 6, 4, 6}));
+}
+
+TEST(EqualSums, SidesThatWereUnequalStay) {
+  EXPECT_EQ(restored({{0, {0}, {1}}}, {5, 7}, {4, 8}), (std::vector<int>{4, 8}));
+}
+
+}  // namespace
+}  // namespace paver
