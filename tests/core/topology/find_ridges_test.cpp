@@ -4,6 +4,7 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -143,6 +144,21 @@ TEST(FindRidges, AWanderingNoseIsCutBetweenAnyBorders) {
   ASSERT_EQ(model.faces.size(), 2u);
   EXPECT_EQ(std::ranges::count_if(model.edges, [](const Edge& edge) { return edge.faces.size() == 2; }), 2);
   EXPECT_EQ(points_off_the_nose(model), 0);
+}
+
+TEST(FindRidges, WanderingNosesEndWhereThoseOfNeighboursDo) {
+  BRepOffsetAPI_ThruSections even(false, true);  // so little bent that an iso-line stays in the turn
+  even.AddWire(section(1, 100, 0, half_of_it, false, 0.25 * camber));
+  even.AddWire(section(1, 200, 0, half_of_it, false, 0.2 * camber));
+  even.Build();
+  BRepBuilderAPI_Sewing sewing;
+  sewing.Add(blade(1, 0, half_of_it, false, camber));
+  sewing.Add(even.Shape());
+  sewing.Perform();
+  const Model model = model_of(sewing.SewedShape(), with_size(10));
+  ASSERT_EQ(model.faces.size(), 4u);
+  for (const Edge& edge : model.edges)
+    EXPECT_GT(norm(edge.curve->point(edge.t1) - edge.curve->point(edge.t0)), 0.5) << edge.name;
 }
 
 TEST(FindRidges, CapsTakeOverTheEndsOfWanderingNoses) {
