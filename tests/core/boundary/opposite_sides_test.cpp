@@ -123,5 +123,35 @@ TEST(OppositeSides, ATriangleAndADiskHaveNone) {
   EXPECT_TRUE(pairs_of(builder.take()).empty());
 }
 
+/// A plate of 30 by 12 with two holes of 10 by 10 and a wall of this width between them. Edges 0 to 3 outside, counter-
+/// clockwise from below; 4 to 7 and 8 to 11 about the holes, clockwise from their left sides.
+Model two_holes(double wall) {
+  fake::Builder builder;
+  std::vector<std::vector<Coedge>> loops;
+  auto add_loop = [&](const std::vector<Vec2>& corners) {
+    std::vector<Coedge>& loop = loops.emplace_back();
+    std::vector<int> vertices;
+    for (Vec2 p : corners) vertices.push_back(builder.vertex({p.x, p.y, 0}));
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const std::size_t next = (i + 1) % corners.size();
+      loop.push_back(builder.use(builder.line(vertices[i], vertices[next]), false, corners[i], corners[next]));
+    }
+  };
+  add_loop({{0, 0}, {30, 0}, {30, 12}, {0, 12}});
+  for (double x : {15 - 0.5 * wall - 10, 15 + 0.5 * wall}) add_loop({{x, 1}, {x, 11}, {x + 10, 11}, {x + 10, 1}});
+  builder.face(std::make_shared<fake::Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}), 30 * 12 - 200, loops);
+  return builder.take();
+}
+
+TEST(OppositeSides, OfAWallBetweenTwoHolesAreTheEdgesAlongIt) {
+  const auto pairs = pairs_of(two_holes(0.4));
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].first, Side{6});
+  EXPECT_EQ(pairs[0].second, Side{8});
+  EXPECT_TRUE(pairs[0].is_gap);
+  EXPECT_NEAR(pairs[0].width, 0.4, 1e-12);
+  EXPECT_TRUE(pairs_of(two_holes(3)).empty()) << "wider than a fifth of its length";
+}
+
 }  // namespace
 }  // namespace paver

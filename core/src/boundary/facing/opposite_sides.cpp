@@ -3,7 +3,7 @@
 // Corners are junctions with an interior angle between 45 and 135 degrees; everywhere else a side runs straight on. One
 // loop with four corners: two pairs. Two loops without any: one pair, its edges matched by nearest middles. Two loops
 // with equally many, near each other: a pair for each side. One loop about a bent strip: a pair for each straight part;
-// about a narrow crescent: its two long sides.
+// about a narrow crescent: its two long sides. More loops: edges whose ends and middles lie close together.
 #include "boundary/facing/opposite_sides.h"
 
 #include <algorithm>
@@ -11,7 +11,9 @@
 #include <iterator>
 #include <optional>
 #include <set>
+#include <tuple>
 
+#include "base/boxes/box_tree.h"
 #include "boundary/facing/sides_of_loops.h"
 
 namespace paver {
@@ -133,6 +135,92 @@ std::vector<OppositeSides> sides_of_crescent(const Model& model, int face, doubl
   return {pair};
 }
 
+/// An edge as its face sees it.
+struct Bank {
+  int edge = -1;
+  Vec3 start, middle, end;
+  Vec3 inward;  // at its middle, of any length
+};
+
+std::vector<Bank> banks_of(const Model& model, const Face& face, const std::vector<Loop>& loops) {
+  std::vector<Bank> banks;
+  for (const Coedge& coedge : coedges_of(loops)) {
+    const Edge& edge = edge_of(model, coedge);
+    if (!coedge.pcurve || !edge.curve || edge.start == edge.end) continue;
+    const double t = edge.parameter(0.5);
+    const auto [x, along] = edge.curve->slope(t);
+    const auto [at, xu, xv] = face.surface->slope(coedge.pcurve->uv(t));
+    banks.push_back({coedge.edge, model.vertices[edge.start], x, model.vertices[edge.end],
+                     (coedge.is_reversed ? -1 : 1) * cross(cross(xu, xv), along)});
+    if (coedge.is_reversed) std::swap(banks.back().start, banks.back().end);
+  }
+  return banks;
+}
+
+/// Edges that lie along each other across a part of the face far narrower than they are long, nearest ones first.
+std::vector<OppositeSides> sides_of_gaps(const Model& model, int face, const std::vector<Loop>& loops) {
+  constexpr double widest = 0.2;       // lengths
+  constexpr double most_unlike = 0.1;  // of the longer one
+  if (!model.faces[face].surface) return {};
+  const std::vector<Bank> banks = banks_of(model, model.faces[face], loops);
+  std::vector<Box> middles(banks.size());
+  for (std::size_t i = 0; i < banks.size(); ++i) middles[i].add(banks[i].middle);
+  const BoxTree tree(middles);
+  std::vector<OppositeSides> found;
+  for (std::size_t i = 0; i < banks.size(); ++i) {
+    const Bank& one = banks[i];
+    const double length = model.edges[one.edge].length;
+    tree.each_meeting(middles[i].grown(widest * length), [&](int k) {
+      const Bank& other = banks[k];
+      const double other_length = model.edges[other.edge].length;
+      if (static_cast<std::size_t>(k) <= i || other.edge == one.edge) return;
+      if (std::fabs(length - other_length) > most_unlike * std::max(length, other_length)) return;
+      const Vec3 across = other.middle - one.middle;
+      if (dot(across, one.inward) <= 0 || dot(across, other.inward) >= 0) return;
+      const double width = std::max({norm(other.end - one.start), norm(across), norm(other.start - one.end)});
+      if (width > widest * std::min(length, other_length)) return;
+      found.push_back({face, {one.edge}, {other.edge}, -1, width});
+      found.back().is_gap = true;
+    });
+  }
+  auto key = [](const OppositeSides& pair) { return std::tuple(pair.width, pair.first[0], pair.second[0]); };
+  std::ranges::sort(found, {}, key);
+  std::set<int> taken;
+  std::erase_if(found, [&](const OppositeSides& pair) {
+    if (taken.contains(pair.first[0]) || taken.contains(pair.second[0])) return true;
+    taken.insert({pair.first[0], pair.second[0]});
+    return false;
+  });
+  return found;
+}
+
+/// Of a face with one or two loops.
+void add_sides(const Model& model, int face, const std::vector<Loop>& loops, std::vector<OppositeSides>& pairs) {
+  std::vector<Sides> sides;
+  std::vector<double> angles;
+  for (const Loop& loop : loops) {
+    angles = angles_of(model, model.faces[face], loop);
+    if (auto found = sides_of(loop, angles, loops.size() == 2)) sides.push_back(*found);
+  }
+  const double width = width_of(model, model.faces[face], loops);
+  if (loops.size() == 1 && !sides.empty() && sides[0].size() == 4) {
+    const int place = static_cast<int>(pairs.size());
+    for (std::size_t k : {0u, 1u}) {
+      pairs.push_back(facing(face, sides[0][k], sides[0][k + 2], 0));
+      pairs.back().partner = place + (k == 0 ? 1 : 0);
+    }
+  } else if (loops.size() == 1) {
+    std::vector<OppositeSides> found = parts_of_bent_strip(model, face, width, loops[0], angles);
+    if (found.empty()) found = sides_of_crescent(model, face, width, loops[0], angles);
+    std::ranges::move(found, std::back_inserter(pairs));
+  } else if (sides.size() == 2 && sides[0].size() == 1 && sides[1].size() == 1) {
+    pairs.push_back({face, sides[0][0], sides[1][0], -1});
+    match_by_middles(model, pairs.back());
+  } else if (sides.size() == 2 && sides[0].size() == sides[1].size()) {
+    std::ranges::move(sides_of_thin_ring(model, face, width, sides[0], sides[1]), std::back_inserter(pairs));
+  }
+}
+
 }  // namespace
 
 double length_of(const Model& model, const OppositeSides& pair) {
@@ -140,37 +228,15 @@ double length_of(const Model& model, const OppositeSides& pair) {
 }
 
 double width_between(const Model& model, const OppositeSides& pair) {
-  return 2 * model.faces[pair.face].area / length_of(model, pair);
+  return pair.is_gap ? pair.width : 2 * model.faces[pair.face].area / length_of(model, pair);
 }
 
 std::vector<OppositeSides> find_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops) {
   std::vector<OppositeSides> pairs;
   for (std::size_t f = 0; f < loops.size(); ++f) {
-    if (loops[f].empty() || loops[f].size() > 2) continue;
     const int face = static_cast<int>(f);
-    std::vector<Sides> sides;
-    std::vector<double> angles;
-    for (const Loop& loop : loops[f]) {
-      angles = angles_of(model, model.faces[f], loop);
-      if (auto found = sides_of(loop, angles, loops[f].size() == 2)) sides.push_back(*found);
-    }
-    const double width = width_of(model, model.faces[f], loops[f]);
-    if (loops[f].size() == 1 && !sides.empty() && sides[0].size() == 4) {
-      const int place = static_cast<int>(pairs.size());
-      for (std::size_t k : {0u, 1u}) {
-        pairs.push_back(facing(face, sides[0][k], sides[0][k + 2], 0));
-        pairs.back().partner = place + (k == 0 ? 1 : 0);
-      }
-    } else if (loops[f].size() == 1) {
-      std::vector<OppositeSides> found = parts_of_bent_strip(model, face, width, loops[f][0], angles);
-      if (found.empty()) found = sides_of_crescent(model, face, width, loops[f][0], angles);
-      std::ranges::move(found, std::back_inserter(pairs));
-    } else if (sides.size() == 2 && sides[0].size() == 1 && sides[1].size() == 1) {
-      pairs.push_back({face, sides[0][0], sides[1][0], -1});
-      match_by_middles(model, pairs.back());
-    } else if (sides.size() == 2 && sides[0].size() == sides[1].size()) {
-      std::ranges::move(sides_of_thin_ring(model, face, width, sides[0], sides[1]), std::back_inserter(pairs));
-    }
+    if (!loops[f].empty() && loops[f].size() <= 2) add_sides(model, face, loops[f], pairs);
+    if (loops[f].size() > 2) std::ranges::move(sides_of_gaps(model, face, loops[f]), std::back_inserter(pairs));
   }
   return pairs;
 }

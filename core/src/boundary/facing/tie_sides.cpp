@@ -263,7 +263,7 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
   for (const OppositeSides& pair : pairs) {
     is_thin.push_back(is_thin_between(model, pair, counts));
     for (int e : pair.edges()) {
-      kinds[e].is_rim = kinds[e].is_rim || (pair.partner < 0 && !pair.is_crescent);
+      kinds[e].is_rim = kinds[e].is_rim || (pair.partner < 0 && !pair.is_crescent && !pair.is_gap);
       kinds[e].is_of_thin = kinds[e].is_of_thin || is_thin.back();
     }
   }
@@ -276,7 +276,7 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const OppositeSides& p = pairs[i];
     can_equal.push_back(are_divided(p.edges(), counts) && is_narrow(model, p, counts) && tying.can_equal(p) &&
-                        (!p.is_crescent || is_thin[i]));
+                        (is_thin[i] || !(p.is_crescent || p.is_gap)));
   }
   std::vector<int> order(pairs.size());
   std::iota(order.begin(), order.end(), 0);
