@@ -28,7 +28,7 @@ class Restoring {
 
   void run() {
     // Every change leaves fewer unequal pairs.
-    while (std::ranges::any_of(pairs_, [&](const OppositeSides* pair) { return restore(*pair); })) {
+    while (std::ranges::count_if(pairs_, [&](const OppositeSides* pair) { return restore(*pair); }) > 0) {
     }
   }
 
