@@ -210,6 +210,17 @@ double turn_between(const Model& model, const Face& face, const Coedge& one, con
   return turn;
 }
 
+/// Matches sides until no count changes, or for the most rounds that are made.
+template <class Match>
+void in_rounds(const std::vector<OppositeSides>& pairs, Match match) {
+  bool is_changed = true;
+  for (int round = 0; is_changed && round < most_rounds; ++round) {
+    is_changed = false;
+    for (const OppositeSides& pair : pairs)
+      if (pair.partner >= 0) is_changed = match(pair) || is_changed;
+  }
+}
+
 }  // namespace
 
 void divide_lunes(const Model& model, double turn_limit, const std::vector<std::vector<Loop>>& loops,
@@ -254,21 +265,11 @@ void match_gaps(const Model& model, const SizeField& size, const std::vector<std
 }
 
 void match_vertices(const Model& model, const std::vector<OppositeSides>& pairs, std::vector<EdgeCount>& counts) {
-  bool is_changed = true;
-  for (int round = 0; is_changed && round < most_rounds; ++round) {
-    is_changed = false;
-    for (const OppositeSides& pair : pairs)
-      if (pair.partner >= 0) is_changed = match_vertices(model, pair, counts) || is_changed;
-  }
+  in_rounds(pairs, [&](const OppositeSides& pair) { return match_vertices(model, pair, counts); });
 }
 
 void match_bent_strips(const Model& model, const std::vector<OppositeSides>& pairs, std::vector<EdgeCount>& counts) {
-  bool is_changed = true;
-  for (int round = 0; is_changed && round < most_rounds; ++round) {
-    is_changed = false;
-    for (const OppositeSides& pair : pairs)
-      if (pair.partner >= 0) is_changed = match_sides(model, pair, counts) || is_changed;
-  }
+  in_rounds(pairs, [&](const OppositeSides& pair) { return match_sides(model, pair, counts); });
 }
 
 }  // namespace paver

@@ -4,11 +4,10 @@
 //    ridges that turn too narrowly for elements to follow (find_ridges).
 // 2. A periodic edge that is a crease ends as an ordinary edge once the face has two pieces around it; where no crease
 //    lies inside, the face is cut half-way around.
-// 3. Divide, with one memory of replaced edges: an edge shared with a neighbour is divided once. Rectangular faces go
-// by
-//    a grid, which also leaves out strips of the surface that are pressed flat onto a line (a trailing edge without
-//    thickness), others along each crease (divide_along), and all along what is no iso-line, last: such a curve ends at
-//    vertices that others have made nearby.
+// 3. Divide, with one memory of replaced edges: an edge shared with a neighbour is divided once. Rectangular faces by a
+//    grid (divide_grid), which also leaves out strips of the surface that are pressed flat onto a line (a trailing edge
+//    without thickness), others along each crease (divide_along); all along what is no iso-line, last: such a curve
+//    ends at vertices that others have made nearby.
 // 4. Faces take over the divided edges of their neighbours; every edge keeps the number of the one it came from.
 // A face that cannot be divided stays whole.
 #include <BRepAdaptor_Surface.hxx>
