@@ -240,7 +240,8 @@ class AlongDivider {
   static std::vector<TopoDS_Edge> parts_of(const TopoDS_Edge& edge, const EdgeCuts& cuts) {
     TopoDS_Vertex start, last;
     TopExp::Vertices(edge, start, last);
-    auto [from, end] = range_of(edge);
+    const auto [begin, end] = range_of(edge);
+    double from = begin;
     std::vector<TopoDS_Edge> parts;
     auto add = [&](double to, const TopoDS_Vertex& vertex) {
       TopoDS_Edge part = TopoDS::Edge(edge.EmptyCopied());
