@@ -189,6 +189,12 @@ bool are_divided(const std::vector<int>& edges, const std::vector<EdgeCount>& co
   return std::ranges::all_of(edges, [&](int e) { return counts[e].count > 0; });
 }
 
+long sum_of_counts(const std::vector<int>& edges, const std::vector<EdgeCount>& counts) {
+  long sum = 0;
+  for (int e : edges) sum += counts[e].count;
+  return sum;
+}
+
 int even_out_loops(const std::vector<std::vector<int>>& loop_edges, std::vector<EdgeCount>& counts,
                    bool may_split_short) {
   LoopGraph graph(loop_edges, counts, may_split_short);

@@ -18,6 +18,7 @@ struct EdgeCount {
 void want_two(EdgeCount& edge);
 
 bool are_divided(const std::vector<int>& edges, const std::vector<EdgeCount>& counts);
+long sum_of_counts(const std::vector<int>& edges, const std::vector<EdgeCount>& counts);
 
 /// Changes counts by one so that the loops come out even: `loop_edges` lists the edges of each loop, an edge once per
 /// use. Which edges change is a T-join on the graph whose nodes are loops and whose arcs are the edges between them

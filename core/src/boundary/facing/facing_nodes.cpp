@@ -18,7 +18,6 @@ namespace {
 
 constexpr double narrow = 0.7;           // intervals: wider faces are paved, not laid as one row
 constexpr double least_interval = 0.25;  // of the shortest there was on both sides
-constexpr double most_unlike = 0.1;      // of the longer side: else equal shares of them do not face each other
 
 /// Nodes of a side from its first corner to the last, or of a part of it.
 struct Nodes {
@@ -61,7 +60,7 @@ using Place = std::vector<double>::iterator;
 /// Between two nodes that are set on both sides and face each other: moves nodes of both that are not.
 void follow_between(const Nodes& one, const Nodes& other, double width, Place first, Place second) {
   if (!one.has_set() && !other.has_set()) return;
-  if (std::fabs(one.length() - other.length()) > most_unlike * std::max(one.length(), other.length())) return;
+  if (!are_alike(one.length(), other.length())) return;
   const std::vector<double> shared = shared_places(one, other);
   const double slack = (one.has_set() && other.has_set() ? 0.5 : 1) * width;
   auto move = [&](const Nodes& nodes, Place place) {

@@ -28,12 +28,6 @@ constexpr double thin = 0.2;           // intervals: of a face whose vertices fa
 constexpr int on_lune = 3;             // intervals of either edge
 constexpr double most_in_one = 1.5;    // turn limits: from one edge of a lune to the other, across one element
 
-long sum_of_counts(const std::vector<int>& edges, const std::vector<EdgeCount>& counts) {
-  long total = 0;
-  for (int e : edges) total += counts[e].count;
-  return total;
-}
-
 /// Counts of edges that are `total` together: more where intervals are longest. Those they have where these are as
 /// many; none where an edge is not divided.
 std::vector<int> raised_counts(const Model& model, const std::vector<int>& edges, const std::vector<EdgeCount>& counts,

@@ -6,9 +6,8 @@
 namespace paver {
 namespace {
 
-constexpr double most_unlike = 0.1;  // of the longer side
-constexpr double most_lean = 2.5;    // widths along the side
-constexpr double sliver = 0.1;       // of the shortest edge there
+constexpr double most_lean = 2.5;  // widths along the side
+constexpr double sliver = 0.1;     // of the shortest edge there
 
 std::optional<SideChain> chain_of(const Model& model, const std::vector<int>& edges) {
   SideChain chain{edges, {}, 0};
@@ -64,6 +63,11 @@ class Walk {
 
 }  // namespace
 
+bool are_alike(double one, double other) {
+  constexpr double most_unlike = 0.1;  // of the longer side
+  return std::fabs(one - other) <= most_unlike * std::max(one, other);
+}
+
 Vec3 end_of_edge(const Model& model, const SideChain& chain, std::size_t i) {
   const Edge& edge = model.edges[chain.edges[i]];
   return model.vertices[chain.is_against[i] ? edge.start : edge.end];
@@ -73,7 +77,7 @@ std::optional<ChainPair> chains_of(const Model& model, const OppositeSides& pair
   if (pair.first.empty() || pair.second.empty()) return {};
   std::optional<SideChain> first = chain_of(model, pair.first), second = chain_of(model, pair.second);
   if (!first || !second) return {};
-  if (std::fabs(first->length - second->length) > most_unlike * std::max(first->length, second->length)) return {};
+  if (!are_alike(first->length, second->length)) return {};
   if (first->edges.size() == 1) turn_along(model, *second, *first);
   if (second->edges.size() == 1) turn_along(model, *first, *second);
   return ChainPair{std::move(*first), std::move(*second)};

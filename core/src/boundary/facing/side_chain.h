@@ -22,10 +22,13 @@ struct ChainPair {
   SideChain first, second;
 };
 
+/// Whether sides are so alike in length that equal shares of them face each other.
+bool are_alike(double one, double other);
+
 /// The vertex where the chain's edge `i` ends.
 Vec3 end_of_edge(const Model& model, const SideChain& chain, std::size_t i);
 
-/// None where an edge closes on itself, or lengths differ too much for equal shares of them to face each other.
+/// None where an edge closes on itself, or the sides are not alike.
 std::optional<ChainPair> chains_of(const Model& model, const OppositeSides& pair);
 
 /// A vertex of one side of a narrow face, or of both where two face each other: its distances along the sides, mm.

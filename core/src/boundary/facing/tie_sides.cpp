@@ -222,12 +222,6 @@ bool is_thin_between(const Model& model, const OppositeSides& pair, const std::v
   return width_between(model, pair) * wish_of(pair, counts) <= thin * length_of(model, pair);
 }
 
-int sum_of(const std::vector<int>& edges, const std::vector<EdgeCount>& counts) {
-  int sum = 0;
-  for (int e : edges) sum += counts[e].count;
-  return sum;
-}
-
 /// Whether vertices of one side have none of the other one opposite: edges of equal number do not face each other.
 bool has_lone_vertices(const Model& model, const OppositeSides& pair) {
   const std::optional<ChainPair> sides = chains_of(model, pair);
@@ -244,7 +238,7 @@ void find_faced(const std::vector<OppositeSides>& pairs, const std::vector<bool>
       auto raise = [&](const std::vector<int>& side, const std::vector<int>& other) {
         if (side.size() != 1) return;
         int& faced = kinds[side[0]].faced;
-        const int by_other = other.size() > 1 ? sum_of(other, counts) : kinds[other[0]].faced;
+        const int by_other = other.size() > 1 ? static_cast<int>(sum_of_counts(other, counts)) : kinds[other[0]].faced;
         has_changed = has_changed || by_other > faced;
         faced = std::max(faced, by_other);
       };
