@@ -28,12 +28,12 @@ struct Attempt {
   bool is_coarse = false;  ///< elements are to be divided
 };
 constexpr Attempt all_quad_attempts[] = {{1, 1}, {1, 0}, {0.95, 1}, {1.05, 1}, {0.9, 1}, {0.8, 1}, {0.5, 1}, {0.25, 1}};
-constexpr double sharpest_corner = 6 * M_PI / 180;  // sharper corners take a triangle, unless none is wanted
-constexpr double gap_widths[] = {0.8, 1.2};         // of the target length: about small holes
-constexpr long few_pairs = 2;                       // of triangles: with more left another width leaves some, too
-constexpr std::size_t few_elements = 100;           // on larger regions a second way is as often worse as better
-constexpr double least_coarse = 0.7;                // of a coarse mesh's sides: squares, in the mean, by target lengths
-constexpr double few_flat = 0.01;                   // of the elements: not worth four times as many
+constexpr double sharpest_corner = 6 * M_PI / 180;     // sharper corners take a triangle, unless none is wanted
+constexpr double gap_widths[] = {0.8, 1.2, 1.6, 1.0};  // of the target length: about small holes
+constexpr long elements_per_pair = 10000;              // of triangles: paving leaves as many
+constexpr std::size_t few_elements = 100;              // on larger regions a second way is as often worse as better
+constexpr double least_coarse = 0.7;  // of a coarse mesh's sides: squares, in the mean, by target lengths
+constexpr double few_flat = 0.01;     // of the elements: not worth four times as many
 
 Region scaled(const Region& region, double size) {
   Region finer = region;
@@ -118,33 +118,40 @@ PavedRegion pave_whole(const Region& region, const Attempt& attempt, const Progr
       {"paving", region.face, -1, crossing});
 }
 
-/// The region without its small holes, then these cut into it; nothing where it has none or they do not fit in without
-/// triangles.
-std::optional<PavedRegion> pave_and_cut(const Region& region, const Attempt& attempt, const Progress& progress,
-                                        Elements elements) {
-  const std::vector<std::size_t> holes = small_holes(region);
-  if (holes.empty()) return std::nullopt;
-  const Region whole = without_holes(region, holes);
-  auto disc = region.evenness > 1 ? std::nullopt : lay_disc(whole, progress);  // paving is more even
-  const PavedRegion paved = disc ? PavedRegion{std::move(*disc), {}} : pave_whole(whole, attempt, progress, elements);
+/// The region without its small holes, then these cut into it, in a void of another width about those with triangles
+/// beside; all at once where that leaves fewer triangles.
+PavedRegion pave_and_cut(const Region& region, const std::vector<std::size_t>& holes, const Attempt& attempt,
+                         const Progress& progress, Elements elements) {
+  const Region rest = without_holes(region, holes);
+  auto disc = region.evenness > 1 ? std::nullopt : lay_disc(rest, progress);  // paving is more even
+  PavedRegion paved = disc ? PavedRegion{std::move(*disc), {}} : pave_whole(rest, attempt, progress, elements);
   const long pairs = pairs_left(paved.mesh);
+  const HoleLoops loops = add_holes(region, paved.mesh, holes);
+  std::optional<PavedRegion> best;
+  long fewest = 0;
+  std::vector<char> is_wanted(holes.size(), true);
   for (double width : gap_widths) {
-    PavedRegion cut = paved;
+    PavedRegion cut = best ? *best : paved;
     Front front(region, cut.mesh);
-    front.closed_by_triangulation = paved.closed_by_triangulation;
-    if (!cut_holes(front, holes, width)) continue;
-    cut.closed_by_triangulation = pave_front(front, attempt, progress, elements, paved.mesh.node_count());
+    front.closed_by_triangulation = cut.closed_by_triangulation;
+    if (!cut_about(front, loops, is_wanted, width)) continue;
+    cut.closed_by_triangulation = pave_front(front, attempt, progress, elements, cut.mesh.node_count());
     const long more = pairs_left(cut.mesh) - pairs;
-    if (more <= 0) return cut;
-    if (more > few_pairs) break;
+    if (!best || more < fewest) best = std::move(cut), fewest = more;
+    if (fewest <= 0) return std::move(*best);
+    is_wanted = are_at_triangles(region, best->mesh, loops);
+    if (std::ranges::find(is_wanted, true) == is_wanted.end()) break;
   }
-  return std::nullopt;
+  if (best && fewest * elements_per_pair <= best->mesh.living_elements()) return std::move(*best);
+  PavedRegion whole = pave_whole(region, attempt, progress, elements);
+  return best && fewest + pairs <= pairs_left(whole.mesh) ? std::move(*best) : std::move(whole);
 }
 
 PavedRegion pave_once(const Region& region, const Attempt& attempt, const Progress& progress, Elements elements) {
   if (attempt.size != 1) return pave_once(scaled(region, attempt.size), {1, attempt.misfit_weight}, progress, elements);
-  if (auto paved = pave_and_cut(region, attempt, progress, elements)) return std::move(*paved);
-  return pave_whole(region, attempt, progress, elements);
+  const std::vector<std::size_t> holes = small_holes(region);
+  return holes.empty() ? pave_whole(region, attempt, progress, elements)
+                       : pave_and_cut(region, holes, attempt, progress, elements);
 }
 
 PavedRegion pave_without_triangles(const Region& region, const Progress& progress) {

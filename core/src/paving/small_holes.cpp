@@ -1,8 +1,8 @@
 // Holes of a few facets tell rows nothing, and rows that go round them meet others at odd places. So the region is
 // paved without them, and only what lies about a hole gives way for it.
-// In: region, mesh without the holes. Out: mesh with voids, front.
-// Steps: target lengths about the hole fall to those of its nodes; elements near it go; their outline and the hole are
-// the loops of the void.
+// In: region, mesh without the holes, or with them where what is about some of them is to be another one. Out: mesh
+// with voids, front. Steps: target lengths about the hole fall to those of its nodes; elements near it go; their
+// outline and the hole are the loops of the void.
 #include "paving/small_holes.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace paver {
 namespace {
 
-constexpr std::size_t most_facets = 12;
+constexpr std::size_t most_facets = 48;
 constexpr double clearance = 2.5;   // of the target length there, to other loops
 constexpr double slack = 1 + 1e-9;  // for rounding
 
@@ -58,15 +58,21 @@ bool is_clear(const Region& region, const NearestSegment& nodes, std::size_t hol
   return !(nodes.least_of_others(middle, room, hole) < room);
 }
 
-/// Makes room for a hole, or the outermost ring about it, in the first `elements` of the mesh.
+bool is_of_ring(const HoleLoops& holes, std::size_t element) {
+  return element >= holes.first_element && element - holes.first_element < holes.elements;
+}
+
+/// Makes room for a hole, or the outermost ring about it.
 class Cutter {
  public:
-  Cutter(Front& front, const std::vector<int>& hole, int elements, double width)
-      : front_(front), mesh_(front.mesh), hole_(hole), elements_(elements) {
-    for (int node : hole) middle_ += (1.0 / static_cast<double>(hole.size())) * mesh_.x[node];
-    for (int node : hole) radius_ = std::max(radius_, norm(mesh_.x[node] - middle_));
+  Cutter(Front& front, const HoleLoops& holes, std::size_t hole, double width)
+      : front_(front), mesh_(front.mesh), holes_(holes), hole_(holes.nodes[hole]) {
+    for (int node : hole_) middle_ += (1.0 / static_cast<double>(hole_.size())) * mesh_.x[node];
+    for (int node : hole_) radius_ = std::max(radius_, norm(mesh_.x[node] - middle_));
     limit_ = width * front_.region.size.given_at(middle_);
   }
+
+  const std::vector<int>& hole() const { return hole_; }
 
   /// What goes is in it.
   Box box() const {
@@ -113,7 +119,7 @@ class Cutter {
     for (int v : nodes)
       if (is_near(mesh_.x[v]))
         for (int e : mesh_.star[v])
-          if (e < elements_) near_.push_back(e);
+          if (!is_of_ring(holes_, e)) near_.push_back(e);
     std::ranges::sort(near_);
     near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
   }
@@ -126,8 +132,9 @@ class Cutter {
       for (int k = 0, n = mesh_.elements[e].corners(); k < n; ++k)
         ++sides[{mesh_.elements[e].v[k], mesh_.elements[e].v[(k + 1) % n]}];
     for (const auto& [side, count] : sides) {
-      if (mesh_.is_fixed[side.first] || count > 1) return {};
-      if (sides.count({side.second, side.first})) continue;
+      if (count > 1) return {};
+      if (sides.count({side.second, side.first}) || (is_of_hole(side.first) && is_of_hole(side.second))) continue;
+      if (mesh_.is_fixed[side.first]) return {};
       if (!next.emplace(side).second) return {};
     }
     std::vector<int> outline;
@@ -139,10 +146,12 @@ class Cutter {
     return outline.size() == next.size() ? outline : std::vector<int>{};
   }
 
+  bool is_of_hole(int node) const { return std::ranges::find(hole_, node) != hole_.end(); }
+
   Front& front_;
   RegionMesh& mesh_;
+  const HoleLoops& holes_;
   const std::vector<int>& hole_;
-  const int elements_;
   Vec3 middle_;
   double radius_ = 0;
   double limit_ = 0;  // distance of what goes
@@ -187,24 +196,50 @@ Region without_holes(const Region& region, const std::vector<std::size_t>& holes
   return whole;
 }
 
-bool cut_holes(Front& front, const std::vector<std::size_t>& holes, double width) {
-  const int elements = static_cast<int>(front.mesh.elements.size());
-  std::vector<std::vector<int>> loops = find_loop_nodes(front.region, front.mesh);
+HoleLoops add_holes(const Region& region, RegionMesh& mesh, const std::vector<std::size_t>& holes) {
+  Front front(region, mesh);
+  std::vector<std::vector<int>> loops = find_loop_nodes(region, mesh);
   for (std::size_t hole : holes)
     for (std::size_t i = 0; i < loops[hole].size(); ++i)
-      loops[hole][i] = front.add_boundary_node(front.region.loops[hole], i);
-  lay_hole_rings(front.region, front.mesh, loops, holes);
+      loops[hole][i] = front.add_boundary_node(region.loops[hole], i);
+  HoleLoops added{{}, mesh.elements.size(), 0};
+  lay_hole_rings(region, mesh, loops, holes);
+  added.elements = mesh.elements.size() - added.first_element;
+  for (std::size_t hole : holes) added.nodes.push_back(std::move(loops[hole]));
+  return added;
+}
+
+bool cut_about(Front& front, const HoleLoops& holes, const std::vector<char>& is_wanted, double width) {
   std::vector<Cutter> cutters;
-  for (std::size_t hole : holes) cutters.emplace_back(front, loops[hole], elements, width);
+  for (std::size_t i = 0; i < holes.nodes.size(); ++i)
+    if (is_wanted[i]) cutters.emplace_back(front, holes, i, width);
   const std::vector<std::vector<int>> nodes = nodes_about(front.mesh, front.region.gradation, cutters);
   std::vector<std::vector<int>> of_void;
-  for (std::size_t i = 0; i < holes.size(); ++i) {
+  for (std::size_t i = 0; i < cutters.size(); ++i) {
     std::vector<int> outline = cutters[i].run(nodes[i]);
     if (outline.empty()) return false;
     of_void.push_back(std::move(outline));
-    of_void.push_back(loops[holes[i]]);
+    of_void.push_back(cutters[i].hole());
   }
   return !front.start_at(of_void);
+}
+
+std::vector<char> are_at_triangles(const Region& region, const RegionMesh& mesh, const HoleLoops& holes) {
+  std::vector<Box> boxes;
+  for (const std::vector<int>& loop : holes.nodes) {
+    Box box;
+    for (int node : loop) box.add(mesh.x[node]);
+    boxes.push_back(box.grown(clearance * region.size.given_at(mesh.x[loop[0]])));
+  }
+  const BoxTree tree(std::move(boxes));
+  std::vector<char> are_at(holes.nodes.size(), false);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const Element& element = mesh.elements[e];
+    if (!element.is_alive() || element.corners() == 4 || is_of_ring(holes, e)) continue;
+    const Vec3 x = mesh.x[element.v[0]];
+    tree.each_meeting(Box{x, x}, [&](int i) { are_at[i] = true; });
+  }
+  return are_at;
 }
 
 }  // namespace paver

@@ -99,6 +99,18 @@ TEST(CleanUp, leaves_a_grid_as_it_is) {
   EXPECT_EQ(before, sorted_elements(grid.mesh));
 }
 
+// A large mesh is numbered along a curve, but for nodes that are done: those that follow are told by their numbers.
+TEST(CleanUp, numbers_a_large_mesh_anew_when_all_of_it_is_new) {
+  for (const bool is_new : {true, false}) {
+    Grid grid(320);
+    const std::vector<Vec2> before = grid.mesh.p;
+    clean_up(grid.front, Progress(), false, is_new ? 0 : grid.mesh.node_count());
+    const bool is_same =
+        std::ranges::equal(before, grid.mesh.p, [](Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; });
+    EXPECT_EQ(is_same, !is_new);
+  }
+}
+
 TEST(CleanUp, joins_two_triangles_with_a_common_side) {
   Grid grid(5);
   grid.replace(2, 2, 1,

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "paving/cleanup/clean_up.h"
+#include "paving/fill_void.h"
 #include "paving/pave_region.h"
 #include "support/planar_region.h"
 #include "support/validate.h"
@@ -44,7 +46,7 @@ Figures pave(const Region& region) {
 
 TEST(SmallHoles, AreThoseOfFewFacetsFarFromOthers) {
   std::vector<Vec2> outer = square(20, 1);
-  Region region = planar_region({outer, hole({5, 5}, 0.4, 6), hole({10, 14}, 2.5, 16), hole({2, 16}, 0.4, 6),
+  Region region = planar_region({outer, hole({5, 5}, 0.4, 6), hole({10, 14}, 2.5, 50), hole({2, 16}, 0.4, 6),
                                  hole({15, 5}, 0.5, 7), hole({14.8, 9.7}, 0.2, 6), hole({15.3, 9.7}, 0.2, 6)},
                                 1);
   EXPECT_EQ(small_holes(region), (std::vector<std::size_t>{1})) << "many facets, at the border, odd, two side by side";
@@ -86,13 +88,74 @@ TEST(SmallHoles, LeaveTheCoreOfADiscAsItIs) {
 }
 
 TEST(SmallHoles, MayBeOfAnyWidthUpToTheirLimit) {
-  for (int n : {4, 6, 8, 10, 12})
+  for (int n : {4, 6, 8, 10, 12, 18, 24})
     for (double radius : {0.02, 0.2, 0.16 * n}) {
+      if (n > 12 && radius < 1) continue;  // facets far shorter than elements
       SCOPED_TRACE(testing::Message() << n << " facets, radius " << radius);
       Figures figures = pave(planar_region({square(16, 1), hole({7.6, 8.3}, radius, n)}, 1));
       EXPECT_EQ(figures.triangles, 0);
       EXPECT_GT(figures.worst, 0.3);
     }
+}
+
+/// Holes of 10 to 24 facets in rows, 12 apart, on a plate with a target length of 1.
+Region perforated_plate(int holes) {
+  std::vector<std::vector<Vec2>> loops{square(12 * holes, 1)};
+  for (int i = 0; i < holes * holes; ++i) {
+    const int n = 10 + 2 * (i % 8);
+    const Vec2 at{12 * (i % holes) + 5.7 + 0.1 * (i % 5), 12 * (i / holes) + 6.2 - 0.1 * (i % 7)};
+    loops.push_back(hole(at, 0.16 * n, n));
+  }
+  return planar_region(loops, 1);
+}
+
+TEST(SmallHoles, LeaveNoTrianglesInAPlateOfMany) {
+  const Figures figures = pave(perforated_plate(6));
+  EXPECT_GT(figures.elements, 4000);
+  EXPECT_EQ(figures.triangles, 0);
+  EXPECT_LT(figures.irregular, 6 * 6 * 8);
+  EXPECT_GT(figures.worst, 0.4);
+}
+
+TEST(SmallHoles, AreCutAnewWithoutTouchingTheRest) {
+  const Region region = perforated_plate(2);
+  const std::vector<std::size_t> holes = small_holes(region);
+  ASSERT_EQ(holes.size(), 4u);
+  RegionMesh mesh = pave_region(without_holes(region, holes), Progress()).mesh;
+  const HoleLoops loops = add_holes(region, mesh, holes);
+  for (const std::vector<char>& is_wanted : {std::vector<char>{1, 1, 1, 1}, std::vector<char>{0, 0, 1, 0}}) {
+    const RegionMesh before = mesh;
+    Front front(region, mesh);
+    ASSERT_TRUE(cut_about(front, loops, is_wanted, is_wanted[0] ? 0.8 : 1.2));
+    for (std::size_t e = 0; e < before.elements.size(); ++e) {
+      if (!before.elements[e].is_alive() || mesh.elements[e].is_alive()) continue;
+      double nearest = 1e300;
+      for (std::size_t i = 0; i < holes.size(); ++i)
+        for (int v : loops.nodes[i])
+          if (is_wanted[i]) nearest = std::min(nearest, norm(mesh.x[v] - mesh.x[before.elements[e].v[0]]));
+      EXPECT_LT(nearest, 4) << "element " << e;
+    }
+    fill_void(front, Progress());
+    clean_up(front, Progress(), false, before.node_count());
+    EXPECT_EQ(test::paved_faults(region, mesh), "");
+  }
+}
+
+TEST(SmallHoles, KnowTheTrianglesBesideThem) {
+  const Region region = perforated_plate(2);
+  const std::vector<std::size_t> holes = small_holes(region);
+  RegionMesh mesh = pave_region(without_holes(region, holes), Progress()).mesh;
+  const HoleLoops loops = add_holes(region, mesh, holes);
+  EXPECT_EQ(are_at_triangles(region, mesh, loops), std::vector<char>(4, false));
+  const Vec3 at = mesh.x[loops.nodes[2][0]];
+  int nearest = 0;
+  for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e)
+    if (norm(mesh.x[mesh.elements[e].v[0]] - at) < norm(mesh.x[mesh.elements[nearest].v[0]] - at)) nearest = e;
+  const Corners quad = mesh.elements[nearest].v;
+  mesh.remove_element(nearest);
+  mesh.add_element({quad[0], quad[1], quad[2], -1});
+  mesh.add_element({quad[0], quad[2], quad[3], -1});
+  EXPECT_EQ(are_at_triangles(region, mesh, loops), (std::vector<char>{0, 0, 1, 0}));
 }
 
 }  // namespace

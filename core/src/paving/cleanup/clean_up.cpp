@@ -304,6 +304,7 @@ class CleanUp {
 
 void clean_up(Front& front, const Progress& progress, bool all_quad, int first_node) {
   front.end_void();
+  if (first_node == 0) front.order_nodes();  // else those done have their order
   CleanUp clean(front, progress, first_node);
   clean.run();
   if (all_quad) clean.join_all_triangles();

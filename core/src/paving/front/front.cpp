@@ -61,7 +61,12 @@ void Front::note_boundary(const std::vector<std::vector<int>>& loops) {
 }
 
 std::optional<int> Front::start_at(const std::vector<std::vector<int>>& loops) {
-  note_boundary(find_loop_nodes(region, mesh));
+  const std::vector<std::vector<int>> of_region = find_loop_nodes(region, mesh);
+  note_boundary(of_region);
+  true_angle_.resize(mesh.node_count(), -1);
+  for (std::size_t l = 0; l < of_region.size(); ++l)
+    for (std::size_t i = 0; i < of_region[l].size(); ++i)
+      if (of_region[l][i] >= 0) true_angle_[of_region[l][i]] = region.loops[l][i].angle;
   for (const std::vector<int>& nodes : loops) add_start_loop(nodes);
   return open_void();
 }
@@ -444,6 +449,9 @@ void Front::end_void() {
   facets = std::vector<Facet>();
   empty.clear();
   true_angle_ = std::vector<double>();
+}
+
+void Front::order_nodes() {
   if (mesh.node_count() < fewest_to_order) return;
   const std::vector<int> number = order_spatially(mesh);
   for (BoundaryFacet& facet : boundary) facet.a = number[facet.a], facet.b = number[facet.b];

@@ -107,9 +107,11 @@ class Front {
   /// Whether all elements and void triangles about the node stay positive in the chart with it at p.
   bool can_move(int node, Vec2 p) const;
 
-  /// Frees what only a void needs; there must be none left. Nodes and elements of a large mesh get new numbers, near
-  /// each other in memory where they are so in the chart.
+  /// Frees what only a void needs; there must be none left.
   void end_void();
+  /// Nodes and elements of a large mesh without void get new numbers, near each other in memory where they are so in
+  /// the chart.
+  void order_nodes();
 
   /// Colours a loop's nodes alternately as a set of its own. The loop must be even.
   void colour_loop(int f);
