@@ -5,6 +5,8 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
@@ -28,6 +30,7 @@
 #include <gp_Pln.hxx>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "core/brep/shape_files.h"
@@ -216,6 +219,38 @@ TEST(DivideCreases, DividesAFaceWithAHoleOnItsCrease) {
     EXPECT_NEAR(face.area, std::sqrt(2.0) * (2 - 0.5 * M_PI * radius * radius), 1e-5);
     ASSERT_EQ(face.loops.size(), 1u) << "the hole is part of the border";
     EXPECT_TRUE(is_flat(*face.surface));
+  }
+}
+
+/// A roof without the quarter beyond u = `along` and v = 0.5; the vertex in the notch lies `off` its place.
+TopoDS_Face notched_roof(double along, double off) {
+  const Handle(Geom_Surface) surface = pulled(roof);
+  const std::vector<gp_Pnt2d> corners{{0, 0}, {2, 0}, {2, 0.5}, {along, 0.5}, {along, 1}, {0, 1}};
+  BRepBuilderAPI_MakeWire wire;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const gp_Vec2d way(corners[i], corners[(i + 1) % corners.size()]);
+    wire.Add(BRepBuilderAPI_MakeEdge(new Geom2d_Line(corners[i], way), surface, 0, way.Magnitude()).Edge());
+  }
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, wire.Wire()).Face();
+  BRepLib::BuildCurves3d(face);
+  const gp_Pnt notch = surface->Value(along, 0.5);
+  for (TopExp_Explorer vertices(face, TopAbs_VERTEX); vertices.More(); vertices.Next()) {
+    const TopoDS_Vertex& vertex = TopoDS::Vertex(vertices.Current());
+    if (off > 0 && BRep_Tool::Pnt(vertex).Distance(notch) < 1e-6)
+      BRep_Builder().UpdateVertex(vertex, notch.Translated({0, off, 0}), 2 * off);
+  }
+  return face;
+}
+
+TEST(DivideCreases, CreasesThatGoOnAlongTheBorderEndWhereTheyMeetIt) {
+  for (const auto& [along, off] : {std::pair{1.0, 0.0}, {1 + 1e-8, 0.0}, {1 - 1e-8, 0.0}, {1 - 1e-8, 1e-4}}) {
+    SCOPED_TRACE(testing::Message() << along - 1 << " beside, vertex off by " << off);
+    const Model model = model_of(notched_roof(along, off));
+    ASSERT_EQ(model.faces.size(), 2u);
+    EXPECT_NEAR(std::max(model.faces[0].area, model.faces[1].area), 2 * std::sqrt(2.0), 1e-3);
+    EXPECT_NEAR(std::min(model.faces[0].area, model.faces[1].area), std::sqrt(2.0), 1e-3);
+    EXPECT_EQ(crease_count(model), 1);
+    EXPECT_EQ(model.edges.size(), 8u);
   }
 }
 

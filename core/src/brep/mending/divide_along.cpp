@@ -36,6 +36,8 @@ namespace {
 
 /// Of the diagonal: points that are one lie within it.
 constexpr double point_share = 1e-6;
+/// Or within the tolerance of a vertex, of which no more than this share is believed.
+constexpr double believed_share = 1e-3;
 /// Of the curve's range: crossings are one within it.
 constexpr double along_share = 1e-6;
 /// Of the diagonal: so near to the curve on the surface is that in space.
@@ -92,8 +94,8 @@ class AlongDivider {
       curves_.push_back(curve_);
       const std::vector<Crossing> crossings = find_crossings();
       for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-        if (inside.Perform(curve_->Value(std::midpoint(crossings[i].along, crossings[i + 1].along))) != TopAbs_IN)
-          continue;
+        const double middle = std::midpoint(crossings[i].along, crossings[i + 1].along);
+        if (is_on_border(middle) || inside.Perform(curve_->Value(middle)) != TopAbs_IN) continue;
         const TopoDS_Edge edge = inner_edge(crossings[i], crossings[i + 1]);
         edges.Append(edge.Oriented(TopAbs_FORWARD));
         edges.Append(edge.Oriented(TopAbs_REVERSED));
@@ -152,8 +154,14 @@ class AlongDivider {
     return places;
   }
 
+  /// Where an edge runs along the curve, however near to it.
+  bool is_on_border(double at) const {
+    return std::ranges::any_of(on_border_, [&](const CurveRange& part) { return at > part.first && at < part.last; });
+  }
+
   std::vector<Crossing> find_crossings() {
     std::vector<Crossing> crossings;
+    on_border_.clear();
     for (const TopoDS_Edge& use : uses_) {
       const EdgeImage image = image_of(use, face_);
       if (image.curve.IsNull()) continue;
@@ -165,14 +173,21 @@ class AlongDivider {
       };
       for (const auto& [t, end] : {std::pair{image.first, first}, std::pair{image.last, last}})
         if (is_on_curve(image.curve->Value(t))) add(t, end);
-      if (runs_along(image)) continue;
+      if (runs_along(image)) {
+        const auto [low, high] = std::minmax({along(image.uv(0)), along(image.uv(1))});
+        on_border_.push_back({low, high});
+        continue;
+      }
       for (int i = 0; i < edge_samples; ++i) {
         const double low = image.at(static_cast<double>(i) / edge_samples);
         const double high = image.at((i + 1.0) / edge_samples);
         const auto t = crossing(*image.curve, low, high);
         if (!t) continue;
         const gp_Pnt at = point(image.curve->Value(*t));
-        auto is_at = [&](const TopoDS_Vertex& end) { return at.Distance(BRep_Tool::Pnt(end)) <= near_; };
+        auto is_at = [&](const TopoDS_Vertex& end) {
+          const double believed = std::min(BRep_Tool::Tolerance(end), believed_share * diagonal_);
+          return at.Distance(BRep_Tool::Pnt(end)) <= std::max(near_, believed);
+        };
         const bool is_pole = BRep_Tool::Degenerated(edge);
         add(*t, !is_pole && is_at(first) ? first : !is_pole && is_at(last) ? last : cut(edge, *t, first));
       }
@@ -369,6 +384,7 @@ class AlongDivider {
   std::vector<TopoDS_Edge> uses_;
   std::vector<std::pair<TopoDS_Edge, EdgeCuts>> cuts_;
   std::vector<Handle(Geom2d_BSplineCurve)> curves_;
+  std::vector<CurveRange> on_border_;  ///< of the curve that is being looked at
   Handle(Geom2d_BSplineCurve) curve_;  ///< the one that is being looked at
 };
 
