@@ -97,11 +97,12 @@ void move_nodes(const Model& model, const SizeField& size, const std::vector<int
   std::vector<std::vector<Loop>> loops;
   for (std::size_t f = 0; f < model.faces.size(); ++f)
     loops.push_back(model.faces[f].is_meshed() ? linked_loops(model, static_cast<int>(f)) : std::vector<Loop>{});
-  for (const MovedNodes& moved : face_vertices(model, find_opposite_sides(model, loops), std::move(lengths))) {
+  const auto may_move = [&](const MovedNodes& moved) {
     const EdgeMetric metric = metric_of(model, moved.edge, size);
-    if (metric.kink_count() > 0 || !metric.turns_within(moved.lengths)) continue;
-    places[task_of_edge[moved.edge]] = divide(model, moved.edge, metric, moved.lengths);
-  }
+    return metric.kink_count() == 0 && metric.turns_within(moved.lengths);
+  };
+  for (const MovedNodes& moved : face_vertices(model, find_opposite_sides(model, loops), std::move(lengths), may_move))
+    places[task_of_edge[moved.edge]] = divide(model, moved.edge, metric_of(model, moved.edge, size), moved.lengths);
 }
 
 }  // namespace

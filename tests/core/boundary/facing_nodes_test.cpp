@@ -22,10 +22,12 @@ NodeLengths even(const Model& model, const std::vector<int>& counts) {
   return lengths;
 }
 
-std::vector<MovedNodes> moved_in(const Model& model, const std::vector<int>& counts) {
+std::vector<MovedNodes> moved_in(
+    const Model& model, const std::vector<int>& counts,
+    const MayMove& may_move = [](const MovedNodes&) { return true; }) {
   std::vector<std::vector<Loop>> loops;
   for (std::size_t f = 0; f < model.faces.size(); ++f) loops.push_back(linked_loops(model, static_cast<int>(f)));
-  return face_vertices(model, find_opposite_sides(model, loops), even(model, counts));
+  return face_vertices(model, find_opposite_sides(model, loops), even(model, counts), may_move);
 }
 
 double nearest(const std::vector<double>& places, double place) {
@@ -79,6 +81,38 @@ TEST(FacingNodes, WideFacesAndUnequalSidesAreLeftAlone) {
   EXPECT_TRUE(moved_in(end_of_board(0.25), {4, 1, 2, 1, 2, 1}).empty());
 }
 
+/// Flat ring: edge 0 outside, anticlockwise for `way` = 1; inside edges 1 and 2 from `start` radians on, which meet
+/// after another 1.9.
+Model ring(double outer, double inner, double way, double start) {
+  fake::Builder builder;
+  const int rim = builder.vertex({outer, 0, 0});
+  builder.edge(std::make_shared<fake::Ellipse>(Vec3{}, outer, way * outer), 0, 2 * fake::pi, rim, rim,
+               2 * fake::pi * outer);
+  auto at = [&](double angle) { return builder.vertex({inner * std::cos(angle), inner * std::sin(angle), 0}); };
+  const int a = at(start), b = at(start + 1.9);
+  builder.arc({}, inner, start, start + 1.9, a, b);
+  builder.arc({}, inner, start + 1.9, start + 2 * fake::pi, b, a);
+  builder.face(std::make_shared<fake::Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}),
+               fake::pi * (outer * outer - inner * inner),
+               {{builder.use(0, way < 0)}, {builder.use(2, true), builder.use(1, true)}});
+  return builder.take();
+}
+
+TEST(FacingNodes, RimsOfNarrowRingsFaceEachOthersVertices) {
+  for (double way : {1.0, -1.0}) {
+    const std::vector<MovedNodes> moved = moved_in(ring(15, 14, way, 0), {8, 2, 6});
+    ASSERT_EQ(moved.size(), 1u);
+    EXPECT_EQ(moved[0].edge, 0);
+    EXPECT_TRUE(std::ranges::is_sorted(moved[0].lengths));
+    EXPECT_LE(nearest(moved[0].lengths, 15 * (way > 0 ? 1.9 : 2 * fake::pi - 1.9)), 1 + 1e-9);
+  }
+}
+
+TEST(FacingNodes, WideRingsAndThoseWhoseVerticesLieApartStay) {
+  EXPECT_TRUE(moved_in(ring(15, 5, 1, 0), {8, 2, 6}).empty());
+  EXPECT_TRUE(moved_in(ring(15, 14, 1, 0.4), {8, 2, 6}).empty());
+}
+
 TEST(FacingNodes, WhatFacesAMovedEdgeFollowsIt) {
   fake::Builder builder;
   for (Vec3 corner : {Vec3{0, 0, 0}, {30, 0, 0}, {30, 0.25, 0}, {15.25, 0.25, 0}, {14.75, 0.25, 0}, {0, 0.25, 0}})
@@ -99,7 +133,11 @@ TEST(FacingNodes, WhatFacesAMovedEdgeFollowsIt) {
   metal.push_back(image(builder.line(7, 1), false, 7, 1));
   builder.face(plane, 30 * 0.1, {metal});
   builder.face(plane, 30 * 0.25, {board});
-  const std::vector<MovedNodes> moved = moved_in(builder.take(), {5, 1, 2, 1, 2, 1, 1, 5, 1});
+  const Model model = builder.take();
+  const std::vector<int> counts = {5, 1, 2, 1, 2, 1, 1, 5, 1};
+  EXPECT_TRUE(moved_in(model, counts, [](const MovedNodes& edge) { return edge.edge != 0; }).empty())
+      << "edge 7 would have nothing to follow";
+  const std::vector<MovedNodes> moved = moved_in(model, counts);
   ASSERT_EQ(moved.size(), 2u);
   EXPECT_EQ(moved[0].edge, 0);
   EXPECT_EQ(moved[1].edge, 7);

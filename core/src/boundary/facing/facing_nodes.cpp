@@ -4,7 +4,7 @@
 // the nodes of edges that have moved themselves; until nothing moves. Rows across a narrow face join nodes of equal
 // number: where a trace ends on one side of a board's thin wall, evenly divided edges beyond lean such rows until they
 // are needles. A node moves only until its row leans by 45 degrees, and so neither side gets intervals shorter than
-// both had; where both sides have vertices, by half of that, as what faces it may move, too.
+// both had; where both sides have vertices, by half of that, as what faces it may move, too. Rims of rings likewise.
 #include "boundary/facing/facing_nodes.h"
 
 #include <algorithm>
@@ -17,6 +17,8 @@ namespace paver {
 namespace {
 
 constexpr double narrow = 0.7;           // intervals: wider faces are paved, not laid as one row
+constexpr double exactly = 1e-6;         // of the width: more than rounding
+constexpr double bulging = 0.5;          // of the width: chords of circles lie so far off them
 constexpr double least_interval = 0.25;  // of the shortest there was on both sides
 
 /// Nodes of a side from its first corner to the last, or of a part of it.
@@ -60,7 +62,6 @@ using Place = std::vector<double>::iterator;
 /// Between two nodes that are set on both sides and face each other: moves nodes of both that are not.
 void follow_between(const Nodes& one, const Nodes& other, double width, Place first, Place second) {
   if (!one.has_set() && !other.has_set()) return;
-  if (!are_alike(one.length(), other.length())) return;
   const std::vector<double> shared = shared_places(one, other);
   const double slack = (one.has_set() && other.has_set() ? 0.5 : 1) * width;
   auto move = [&](const Nodes& nodes, Place place) {
@@ -75,31 +76,44 @@ void follow_between(const Nodes& one, const Nodes& other, double width, Place fi
 
 class Following {
  public:
-  Following(const Model& model, NodeLengths lengths)
-      : model_(model), lengths_(std::move(lengths)), has_moved_(lengths_.size(), false) {}
+  Following(const Model& model, NodeLengths lengths, const MayMove& may_move)
+      : model_(model), lengths_(std::move(lengths)), may_move_(may_move), has_moved_(lengths_.size(), false) {}
 
   /// Whether an edge has moved.
   bool follow(const OppositeSides& pair) {
-    const std::optional<ChainPair> chains = chains_of(model_, pair);
+    const bool is_ring = pair.partner < 0;
+    const double width = width_between(model_, pair);
+    const std::optional<ChainPair> chains = is_ring ? rims_of(model_, pair, width) : chains_of(model_, pair);
     if (!chains || !are_divided(pair)) return false;
     const Nodes one = nodes_of(chains->first), other = nodes_of(chains->second);
     const std::size_t n = one.places.size();
-    const double width = width_between(model_, pair);
     if (other.places.size() != n) return false;
     if (width * static_cast<double>(n - 1) > narrow * std::min(chains->first.length, chains->second.length))
       return false;
     const double least = least_interval * std::min(shortest(one.places), shortest(other.places));
+    // Chords of rims that bulge by more than that would cross unless their nodes lie exactly opposite.
+    const double round = std::min(chains->first.length, chains->second.length),
+                 interval = round / static_cast<double>(n - 1);
+    const bool is_bent = is_ring && 0.25 * M_PI * interval * interval > bulging * width * round;
     std::vector<double> first = one.places, second = other.places;
     for (std::size_t from = 0, to = 1; to < n; ++to) {
       if (!one.is_set[to] || !other.is_set[to]) continue;
-      follow_between(one.part(from, to), other.part(from, to), width, first.begin() + from, second.begin() + from);
+      const Nodes part = one.part(from, to), opposite = other.part(from, to);
+      if (is_ring || are_alike(part.length(), opposite.length()))
+        follow_between(part, opposite, (is_bent ? exactly : 1) * width, first.begin() + from, second.begin() + from);
       from = to;
     }
     if (shortest(first) < least || shortest(second) < least) return false;
-    const std::size_t before = moved.size();
-    move(chains->first, one.places, first);
-    move(chains->second, other.places, second);
-    return moved.size() > before;
+    std::vector<MovedNodes> next;
+    add_moved(chains->first, one.places, first, next);
+    add_moved(chains->second, other.places, second, next);
+    if (next.empty() || !std::ranges::all_of(next, may_move_)) return false;
+    for (MovedNodes& edge : next) {
+      lengths_[edge.edge] = edge.lengths;
+      has_moved_[edge.edge] = true;
+      moved.push_back(std::move(edge));
+    }
+    return true;
   }
 
   std::vector<MovedNodes> moved;
@@ -126,19 +140,19 @@ class Following {
     return nodes;
   }
 
-  void move(const SideChain& side, const std::vector<double>& from, const std::vector<double>& to) {
+  void add_moved(const SideChain& side, const std::vector<double>& from, const std::vector<double>& to,
+                 std::vector<MovedNodes>& next) const {
     std::size_t first = 0;  // node of the side, at the start of the edge
     for (std::size_t i = 0; i < side.edges.size(); ++i) {
       const int edge = side.edges[i];
-      std::vector<double>& of_edge = lengths_[edge];
+      std::vector<double> of_edge = lengths_[edge];
       const std::size_t last = of_edge.size() - 1;
       if (!std::equal(from.begin() + first, from.begin() + first + last, to.begin() + first)) {
         for (std::size_t k = 1; k < last; ++k) {
           const double along = to[first + k] - to[first];
           (side.is_against[i] ? of_edge[last - k] : of_edge[k]) = side.is_against[i] ? of_edge[last] - along : along;
         }
-        has_moved_[edge] = true;
-        moved.push_back({edge, of_edge});
+        next.push_back({edge, std::move(of_edge)});
       }
       first += last;
     }
@@ -146,17 +160,18 @@ class Following {
 
   const Model& model_;
   NodeLengths lengths_;
+  const MayMove& may_move_;
   std::vector<bool> has_moved_;
 };
 
 }  // namespace
 
-std::vector<MovedNodes> face_vertices(const Model& model, const std::vector<OppositeSides>& pairs,
-                                      NodeLengths lengths) {
+std::vector<MovedNodes> face_vertices(const Model& model, const std::vector<OppositeSides>& pairs, NodeLengths lengths,
+                                      const MayMove& may_move) {
   std::vector<const OppositeSides*> open;
   for (const OppositeSides& pair : pairs)
-    if (pair.partner >= 0 && !pair.first.empty() && !pair.second.empty()) open.push_back(&pair);
-  Following following(model, std::move(lengths));
+    if (!pair.is_gap && !pair.is_crescent && !pair.first.empty() && !pair.second.empty()) open.push_back(&pair);
+  Following following(model, std::move(lengths), may_move);
   while (std::erase_if(open, [&](const OppositeSides* pair) { return following.follow(*pair); }) > 0) {
   }
   return std::move(following.moved);

@@ -1,6 +1,7 @@
 // Nodes of one side of a narrow face opposite the vertices of the other one.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "boundary/facing/opposite_sides.h"
@@ -17,10 +18,15 @@ struct MovedNodes {
   std::vector<double> lengths;
 };
 
+/// Whether an edge may be divided so: what would face one that may not stays where it is.
+using MayMove = std::function<bool(const MovedNodes&)>;
+
 /// Where a face between four corners is narrower than its intervals, has equally many on both sides and vertices
 /// between the ends of one side or both: nodes that face these, as far as they are needed to be at most one width from
-/// what they face. Edges that face such an edge across another narrow face follow it. At most one entry per edge; an
-/// edge that leads an entry comes before it. `pairs`: of find_opposite_sides.
-std::vector<MovedNodes> face_vertices(const Model& model, const std::vector<OppositeSides>& pairs, NodeLengths lengths);
+/// what they face. Likewise between the rims of a ring, from two vertices that face each other on. Edges that face such
+/// an edge across another narrow face follow it. At most one entry per edge; an edge that leads an entry comes before
+/// it. `pairs`: of find_opposite_sides.
+std::vector<MovedNodes> face_vertices(const Model& model, const std::vector<OppositeSides>& pairs, NodeLengths lengths,
+                                      const MayMove& may_move);
 
 }  // namespace paver

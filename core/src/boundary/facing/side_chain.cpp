@@ -8,6 +8,8 @@ namespace {
 
 constexpr double most_lean = 2.5;  // widths along the side
 constexpr double sliver = 0.1;     // of the shortest edge there
+constexpr double rim_lean = 1;     // widths along a rim: how far two vertices may lean that both rims are cut at
+constexpr std::size_t most_on_rims = 100;  // edges: so that all pairs of vertices can be looked at
 
 std::optional<SideChain> chain_of(const Model& model, const std::vector<int>& edges) {
   SideChain chain{edges, {}, 0};
@@ -27,6 +29,42 @@ std::optional<SideChain> chain_of(const Model& model, const std::vector<int>& ed
 Vec3 start_of(const Model& model, const SideChain& chain) {
   const Edge& edge = model.edges[chain.edges[0]];
   return model.vertices[chain.is_against[0] ? edge.end : edge.start];
+}
+
+/// Round a rim; none where the edges do not close.
+std::optional<SideChain> closed_chain(const Model& model, const std::vector<int>& edges) {
+  for (bool is_against : {false, true}) {
+    const Edge& first = model.edges[edges[0]];
+    const int start = is_against ? first.end : first.start;
+    SideChain chain{edges, {}, 0};
+    int at = start;
+    for (int e : edges) {
+      const Edge& edge = model.edges[e];
+      chain.is_against.push_back(chain.is_against.empty() ? is_against : edge.start != at);
+      if ((chain.is_against.back() ? edge.end : edge.start) != at) at = -1;
+      if (at >= 0) at = chain.is_against.back() ? edge.start : edge.end;
+      chain.length += edge.length;
+    }
+    if (at == start) return chain;
+  }
+  return {};
+}
+
+/// So that edge `i` is the first.
+void begin_with(std::size_t i, SideChain& rim) {
+  const auto place = static_cast<std::ptrdiff_t>(i);
+  std::rotate(rim.edges.begin(), rim.edges.begin() + place, rim.edges.end());
+  std::rotate(rim.is_against.begin(), rim.is_against.begin() + place, rim.is_against.end());
+}
+
+/// At a share of the length.
+Vec3 point_at(const Model& model, const SideChain& chain, double share) {
+  double rest = share * chain.length;
+  std::size_t i = 0;
+  for (; i + 1 < chain.edges.size() && rest > model.edges[chain.edges[i]].length; ++i)
+    rest -= model.edges[chain.edges[i]].length;
+  const Edge& edge = model.edges[chain.edges[i]];
+  return edge.curve->point(edge.parameter(chain.is_against[i] ? 1 - rest / edge.length : rest / edge.length));
 }
 
 /// A single edge does not tell which way it runs beside the other side.
@@ -80,6 +118,29 @@ std::optional<ChainPair> chains_of(const Model& model, const OppositeSides& pair
   if (!are_alike(first->length, second->length)) return {};
   if (first->edges.size() == 1) turn_along(model, *second, *first);
   if (second->edges.size() == 1) turn_along(model, *first, *second);
+  return ChainPair{std::move(*first), std::move(*second)};
+}
+
+std::optional<ChainPair> rims_of(const Model& model, const OppositeSides& pair, double width) {
+  if (pair.first.empty() || pair.second.empty() || pair.first.size() + pair.second.size() > most_on_rims) return {};
+  std::optional<SideChain> first = closed_chain(model, pair.first), second = closed_chain(model, pair.second);
+  if (!first || !second) return {};
+  double nearest = width * std::sqrt(1 + rim_lean * rim_lean);
+  std::optional<std::pair<std::size_t, std::size_t>> cut;
+  for (std::size_t i = 0; i < pair.first.size(); ++i)
+    for (std::size_t k = 0; k < pair.second.size(); ++k) {
+      const double apart = norm(end_of_edge(model, *first, i) - end_of_edge(model, *second, k));
+      if (apart < nearest) nearest = apart, cut = {i, k};
+    }
+  if (!cut) return {};
+  begin_with((cut->first + 1) % pair.first.size(), *first);
+  begin_with((cut->second + 1) % pair.second.size(), *second);
+  const Vec3 quarter = point_at(model, *first, 0.25);
+  if (norm(point_at(model, *second, 0.75) - quarter) < norm(point_at(model, *second, 0.25) - quarter)) {
+    std::reverse(second->edges.begin(), second->edges.end());
+    std::reverse(second->is_against.begin(), second->is_against.end());
+    second->is_against.flip();
+  }
   return ChainPair{std::move(*first), std::move(*second)};
 }
 
