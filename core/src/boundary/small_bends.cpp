@@ -17,6 +17,11 @@ class Windows {
   int count() const { return static_cast<int>(rows_.size()); }
   SmallBend from(int i) const { return {i, last_within(rows_[i].s + width_[i])}; }
   double turn(SmallBend bend) const { return rows_[bend.last].turn - rows_[bend.first].turn; }
+  /// It and all between it and an end of the curve.
+  bool is_at_end(SmallBend bend) const {
+    const double reach = width_[bend.first];
+    return rows_[bend.last].s <= rows_.front().s + reach || rows_[bend.first].s >= rows_.back().s - reach;
+  }
   bool begins_in(int i, SmallBend bend) const { return i < count() && rows_[i].s <= rows_[bend.last].s; }
 
   SmallBend strongest_in(SmallBend first) const {
@@ -54,7 +59,7 @@ std::vector<SmallBend> find_small_bends(const std::vector<TurnedTo>& rows, const
     const SmallBend first = windows.from(i);
     if (windows.turn(first) <= least) continue;
     const SmallBend bend = windows.strongest_in(first);
-    const bool folds = windows.turn(bend) > most;
+    const bool folds = windows.turn(bend) > most && !windows.is_at_end(bend);
     if (!folds && windows.turn_about(bend) > most_about * windows.turn(bend)) continue;
     if (!folds) found.push_back(bend);
     i = bend.last;

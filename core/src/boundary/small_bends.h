@@ -15,8 +15,9 @@ struct SmallBend {
   int first = 0, last = 0;
 };
 
-/// Stretches no longer than `width` (mm, at each row) that turn by more than `least` (radians), but do not turn back;
-/// what is as long beside them turns far less. In order, apart from each other.
+/// Stretches no longer than `width` (mm, at each row) that turn by more than `least` (radians), but do not turn back
+/// unless it is at an end of the curve, where they are hooks; what is as long beside them turns far less. In order,
+/// apart from each other.
 std::vector<SmallBend> find_small_bends(const std::vector<TurnedTo>& rows, const std::vector<double>& width,
                                         double least);
 

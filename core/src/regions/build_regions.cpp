@@ -10,15 +10,14 @@
 #include "base/cells.h"
 #include "boundary/region_loops.h"
 #include "charts/pole.h"
+#include "topology/end_direction.h"
 
 namespace paver {
 namespace {
 
-constexpr double end_share = 1e-3;             // of an interval: as near to its end tangents are taken
-constexpr double bent = 0.8, straight = 0.95;  // cosines between tangents and the chord to the interval's middle
-constexpr double behind_bend = 0.2;            // of an interval
-constexpr double small = 0.01;                 // of an interval: as far from a node its angle in the chart is measured
-constexpr double fan_radius = 0.8;             // of the target length: the quads about an apex
+constexpr double end_share = 2e-3;  // of half an interval: as near to its end tangents are taken
+constexpr double small = 0.01;      // of an interval: as far from a node its angle in the chart is measured
+constexpr double fan_radius = 0.8;  // of the target length: the quads about an apex
 constexpr double fan_room = 0.45, point_room = 0.4;  // of the distance to the nearest loop, about an apex and a point
 constexpr double dip = 0.6;  // per radian of half a quad about an apex: its outer corner lies so far behind the line
 constexpr int fewest_quads = 4;       // about an apex: three lie twice as far off the surface
@@ -214,19 +213,14 @@ class RegionBuilder {
     return std::min(target, std::max(edge_target, size_.turn_limit_of(edge_of(model_, coedge)).longest_edge(within)));
   }
 
-  // Direction of travel on a coedge at share 0 (start) to 1 (end) of interval i of its division, just inside it; behind
-  // the bend where it has a small one there (boundary/small_bends).
-  Vec3 travel(const Coedge& c, int i, double share) const {
+  // Direction of travel on a coedge at an end of interval i of its division, just inside it.
+  Vec3 travel(const Coedge& c, int i, bool at_end) const {
     const EdgeDivision& d = nodes_.edges[c.edge];
-    const Vec3 middle = d.x[2 * i + 1], chord = unit(share < 0.5 ? middle - d.x[2 * i] : d.x[2 * i + 2] - middle);
-    auto tangent = [&](double inside) {
-      const double a = d.t[2 * i], b = d.t[2 * i + 2];
-      return unit(edge_of(model_, c).curve->slope(a + (inside + (1 - 2 * inside) * share) * (b - a)).t);
-    };
-    Vec3 way = tangent(end_share);
-    if (dot(way, chord) < bent)
-      if (const Vec3 behind = tangent(behind_bend); dot(behind, chord) > straight) way = behind;
-    return c.is_reversed ? -1 * way : way;
+    const int end = 2 * i + (at_end ? 2 : 0), middle = 2 * i + 1;
+    const double inside = 0.5 * (d.t[2 * i] + d.t[2 * i + 2]);
+    const Vec3 way =
+        end_direction(*edge_of(model_, c).curve, d.t[end], inside, unit(d.x[middle] - d.x[end]), end_share);
+    return at_end != c.is_reversed ? -1 * way : way;
   }
 
   static double interior_angle(Vec3 in, Vec3 out, const Place& place) {
@@ -239,13 +233,13 @@ class RegionBuilder {
   double angle_at(const Coedge& before, const Coedge& c, const Place& place) const {
     int last = nodes_.edges[before.edge].intervals() - 1, n = nodes_.edges[c.edge].intervals();
     if (last < 0) return -1;
-    Vec3 in = travel(before, before.is_reversed ? 0 : last, before.is_reversed ? 0 : 1);
-    Vec3 out = travel(c, c.is_reversed ? n - 1 : 0, c.is_reversed ? 1 : 0);
+    Vec3 in = travel(before, before.is_reversed ? 0 : last, !before.is_reversed);
+    Vec3 out = travel(c, c.is_reversed ? n - 1 : 0, c.is_reversed);
     return interior_angle(in, out, place);
   }
 
   double angle_inside(const Coedge& c, int k, const Place& place) const {
-    Vec3 low = travel(c, k - 1, 1), high = travel(c, k, 0);
+    Vec3 low = travel(c, k - 1, true), high = travel(c, k, false);
     return interior_angle(c.is_reversed ? high : low, c.is_reversed ? low : high, place);
   }
 

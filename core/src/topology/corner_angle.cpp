@@ -3,18 +3,24 @@
 
 #include <cmath>
 
+#include "topology/end_direction.h"
+
 namespace paver {
 namespace {
 
 constexpr int pole_chords = 16;
-constexpr double turn_step = 1e-2;  // of an edge's parameter range
-constexpr double pole_step = 1e-3;  // of the parameter range of the pole's coedge
+constexpr double turn_step = 1e-2;        // of an edge's parameter range
+constexpr double pole_step = 1e-3;        // of the parameter range of the pole's coedge
+constexpr double bend_reach = 1.0 / 128;  // of an edge's parameter range: bends that end so near its end are none
 
-// Direction of travel along the coedge at its start or its end.
-Vec3 travel_direction(const Model& model, const Coedge& coedge, bool at_end) {
+// Direction into the coedge at its start or its end.
+Vec3 direction_into(const Model& model, const Coedge& coedge, bool at_end) {
   const Edge& edge = edge_of(model, coedge);
-  const Vec3 xt = edge.curve->slope(at_end ? end_parameter(edge, coedge) : start_parameter(edge, coedge)).t;
-  return unit(coedge.is_reversed ? -1 * xt : xt);
+  const double from = at_end ? end_parameter(edge, coedge) : start_parameter(edge, coedge),
+               to = at_end ? start_parameter(edge, coedge) : end_parameter(edge, coedge),
+               inside = from + bend_reach * (to - from);
+  const Vec3 chord = edge.curve->point(inside) - edge.curve->point(from);
+  return end_direction(*edge.curve, from, inside, unit(chord));
 }
 
 // Where the border runs back along the edge it came by, its tangents tell nothing: a slit ends there, or the face is
@@ -44,8 +50,8 @@ double corner_angle(const Model& model, const Face& face, const Coedge& before, 
   const bool turns_back = before.edge == after.edge && before.is_reversed != after.is_reversed;
   if (turns_back && before.pcurve && after.pcurve && face.surface)
     return angle_about_turn(face, edge_of(model, after), before, after);
-  Vec3 back = -1 * travel_direction(model, before, true), ahead = travel_direction(model, after, false);
-  double angle = angle_between(back, ahead);
+  const Vec3 back = direction_into(model, before, true), ahead = direction_into(model, after, false);
+  const double angle = angle_between(back, ahead);
   if (!after.pcurve || !face.surface) return angle;
   const Edge& edge = edge_of(model, after);
   const auto [x, xu, xv] = face.surface->slope(after.pcurve->uv(start_parameter(edge, after)));

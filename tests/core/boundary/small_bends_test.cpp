@@ -38,6 +38,11 @@ TEST(FindSmallBends, LeavesWhatTurnsLittleOrFoldsBackOrIsLong) {
   EXPECT_TRUE(bends_of(curve(20, 1.5, {{5, 8}})).empty());
 }
 
+TEST(FindSmallBends, FindsHooksAtEndsThatFoldBack) {
+  EXPECT_EQ(bends_of(curve(20, 4, {{0.2, 0.5}, {19.4, 19.7}})).size(), 2U);
+  EXPECT_TRUE(bends_of(curve(20, 4, {{0.8, 1.1}, {18.9, 19.2}})).empty());
+}
+
 TEST(FindSmallBends, LeavesWhatGoesOnTurning) {
   EXPECT_EQ(bends_of(curve(20, 1.5, {{5, 5.5}, {7, 7.5}})).size(), 2U);
   EXPECT_TRUE(bends_of(curve(20, 1.5, {{5, 5.5}, {6, 6.5}})).empty());
