@@ -39,6 +39,13 @@ double longest_side(const RegionMesh& mesh) {
   return longest;
 }
 
+double mean_facet(const Region& region) {
+  double sum = 0, count = 0;
+  for (const auto& loop : region.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i, ++count) sum += norm(loop[(i + 1) % loop.size()].x - loop[i].x);
+  return sum / count;
+}
+
 /// Triangles count half.
 double quads_in(const RegionMesh& mesh) {
   return static_cast<double>(mesh.living_elements()) - 0.5 * static_cast<double>(mesh.triangle_count());
@@ -60,7 +67,7 @@ class Remesher {
   bool make_whole() {
     auto lay = [&](DomeRows rows) { return take_rows(lay_dome(region_, of_.options.elements, rows)); };
     return lay(DomeRows::even) || lay(DomeRows::in_chart) || lay(DomeRows::many) || take_rows(lay_tube(region_)) ||
-           pave_without_turns() || pave_by_other_rule(region_) || lay(DomeRows::most);
+           pave_without_turns() || pave_by_other_rule(region_) || lay(DomeRows::most) || pave_finer();
   }
 
   /// The same where the elements are valid, but too coarse for the shape.
@@ -94,6 +101,22 @@ class Remesher {
   bool pave_by_other_rule(const Region& region) {
     return take_paved(region,
                       [&] { return pave_region_once(region, of_.progress, of_.options.elements, RowRule::no_fit); });
+  }
+
+  // Rows of elements as long as the facets may find no room, as between a hole in a tube and a cut along it.
+  bool pave_finer() {
+    constexpr double shares[] = {0.5, 0.25};  // of the facets' mean length
+    if (region_.loops.empty() || !has_few_elements(paved_.mesh)) return false;
+    const double mean = mean_facet(region_);
+    return std::ranges::any_of(shares, [&](double share) {
+      Region finer = region_;
+      finer.h = share * std::min(mean, region_.h);
+      finer.size.count_no_turns();
+      finer.size = finer.size.scaled(finer.h / region_.h);
+      for (auto& loop : finer.loops)
+        for (LoopNode& node : loop) node.h = std::min(node.h, finer.h);
+      return take_paved(finer, [&] { return pave_region(finer, of_.progress, of_.options.elements); });
+    });
   }
 
   template <class Pave>

@@ -7,7 +7,7 @@
 
 namespace paver {
 
-/// At the same size as paving, for what repair alone cannot make good. References are kept.
+/// For what repair alone cannot make good. References are kept.
 struct OtherWays {
   const Region& region;
   const Face& face;
@@ -19,10 +19,10 @@ struct OtherWays {
   bool can_help(const RegionMesh& mesh) const;
 
   /// Where elements are left that are not valid or far too long, or the face is not whole, takes the first of a dome or
-  /// tube, of paving that counts no turns, of either paving by the other rule for rows, and of a dome of many rows
-  /// that, mended, leaves nothing; the same where a few elements are too coarse for the shape, if these follow it
-  /// better. Where a few elements, some of them triangles, are worse than a grid of about as many or the rows of a
-  /// tube, takes these.
+  /// tube, of paving that counts no turns, of either paving by the other rule for rows, of a dome of many rows, and of
+  /// paving with smaller elements that, mended, leaves nothing; the same where a few elements are too coarse for the
+  /// shape, if these follow it better. Where a few elements, some of them triangles, are worse than a grid of about as
+  /// many or the rows of a tube, takes these.
   void improve(Mended& mended, PavedRegion& paved) const;
 
   // Of a mesh of the region.

@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <algorithm>
 
 #include "support/dome.h"
 #include "support/planar_region.h"
+#include "support/report_of.h"
 
 namespace paver {
 namespace {
@@ -134,6 +138,13 @@ TEST(OtherWays, ElementsFarTooLongBecomeRows) {
   EXPECT_EQ(trial.improve().places.size(), 1U);
   EXPECT_EQ(trial.count(4), 4 * n);
   EXPECT_FALSE(trial.can_help());
+}
+
+// Elements as long as the facets about it reach round the tube: they held nodes of the periodic edge twice.
+TEST(OtherWays, ATorusWithANotchAtItsPeriodicEdgeGetsSmallerElements) {
+  const TopoDS_Shape ring = BRepPrimAPI_MakeTorus(25, 5).Shape(),
+                     notch = BRepPrimAPI_MakeBox(gp_Pnt(-40, -10, -10), gp_Pnt(0, 10, 0)).Shape();
+  EXPECT_STREQ(verdict(test::report_of(BRepAlgoAPI_Cut(ring, notch).Shape(), 1e6)), "sound");
 }
 
 TEST(OtherWays, NoGridWhereTrianglesAreAskedFor) {
