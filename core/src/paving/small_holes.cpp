@@ -18,7 +18,7 @@ namespace paver {
 namespace {
 
 constexpr std::size_t most_facets = 48;
-constexpr double clearance = 2;   // of the target length there, to other loops
+constexpr double clearance = 2;     // of the target length there, to other loops
 constexpr double slack = 1 + 1e-9;  // for rounding
 
 double chart_area(const std::vector<LoopNode>& loop) {
