@@ -378,6 +378,26 @@ TEST(BuildModel, FaultsAFaceWithAnOpenBoundary) {
   EXPECT_EQ(model.faces[0].fault, "");
 }
 
+// The kernel cannot cut such edges where those of other faces end, which is how faces are sewn.
+TEST(BuildModel, DoesNotFailForEdgesThatLackAnEnd) {
+  auto rectangle = [](double x0, double x1, double y0, double y1) {
+    return BRepBuilderAPI_MakeFace(gp_Pln(), x0, x1, y0, y1).Shape();
+  };
+  for (int broken = 0; broken < 4; ++broken) {
+    SCOPED_TRACE(broken);
+    const TopoDS_Shape face = rectangle(0, 2, 0, 1);
+    TopExp_Explorer edges(face, TopAbs_EDGE);
+    for (int i = 0; i < broken; ++i) edges.Next();
+    TopoDS_Edge edge = TopoDS::Edge(edges.Current());
+    edge.Free(true);
+    BRep_Builder().Remove(edge, TopExp::LastVertex(edge));
+    const Model model = model_of(compound({face, rectangle(0, 1, -1, 0), rectangle(1, 2, -1, 0)}));
+    ASSERT_EQ(model.faces.size(), 3u);
+    EXPECT_EQ(model.faces[1].fault, "");
+    EXPECT_EQ(model.faces[2].fault, "");
+  }
+}
+
 TEST(BuildModel, IsTheSameEveryTime) {
   TopoDS_Compound loose = compound(loose_faces(BRepPrimAPI_MakeCylinder(1, 2).Shape()));
   Model a = model_of(loose), b = model_of(loose);

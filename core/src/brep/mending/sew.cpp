@@ -135,10 +135,23 @@ class GroupSewer {
     return most;
   }
 
+  /// Where the kernel fails to cut edges at the ends of others it sews whole ones only, or nothing: edges may lack
+  /// ends.
   Sewn sew_at(double tolerance, const Sewn& before) const {
+    for (bool cuts_edges : {true, false}) {
+      try {
+        return sew_at(tolerance, before, cuts_edges);
+      } catch (const Standard_Failure&) {
+        continue;
+      }
+    }
+    return before;
+  }
+
+  Sewn sew_at(double tolerance, const Sewn& before, bool cuts_edges) const {
     Sewn sewn;
     sewn.tolerance = tolerance;
-    BRepBuilderAPI_Sewing sewing(tolerance);
+    BRepBuilderAPI_Sewing sewing(tolerance, true, true, cuts_edges);
     for (const TopoDS_Face& face : before.faces)
       if (!face.IsNull()) sewing.Add(face);
     Handle(OcctProgress) indicator = new OcctProgress(progress_, 0);
