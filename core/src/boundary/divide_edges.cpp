@@ -4,6 +4,7 @@
 // kinks, middles at half arc length, both on the exact curve; the ends of an edge are the vertex points themselves.
 // Across narrow faces interval ends then move to where they face vertices.
 #include <algorithm>
+#include <map>
 
 #include "boundary/edge_metric.h"
 #include "boundary/edge_nodes.h"
@@ -97,12 +98,17 @@ void move_nodes(const Model& model, const SizeField& size, const std::vector<int
   std::vector<std::vector<Loop>> loops;
   for (std::size_t f = 0; f < model.faces.size(); ++f)
     loops.push_back(model.faces[f].is_meshed() ? linked_loops(model, static_cast<int>(f)) : std::vector<Loop>{});
+  std::map<int, EdgeMetric> known;
+  const auto metric_at = [&](int edge) -> const EdgeMetric& {
+    const auto at = known.find(edge);
+    return at != known.end() ? at->second : known.emplace(edge, metric_of(model, edge, size)).first->second;
+  };
   const auto may_move = [&](const MovedNodes& moved) {
-    const EdgeMetric metric = metric_of(model, moved.edge, size);
+    const EdgeMetric& metric = metric_at(moved.edge);
     return metric.kink_count() == 0 && metric.turns_within(moved.lengths);
   };
   for (const MovedNodes& moved : face_vertices(model, find_opposite_sides(model, loops), std::move(lengths), may_move))
-    places[task_of_edge[moved.edge]] = divide(model, moved.edge, metric_of(model, moved.edge, size), moved.lengths);
+    places[task_of_edge[moved.edge]] = divide(model, moved.edge, metric_at(moved.edge), moved.lengths);
 }
 
 }  // namespace

@@ -88,13 +88,12 @@ class Following {
     const Nodes one = nodes_of(chains->first), other = nodes_of(chains->second);
     const std::size_t n = one.places.size();
     if (other.places.size() != n) return false;
-    if (width * static_cast<double>(n - 1) > narrow * std::min(chains->first.length, chains->second.length))
-      return false;
+    const double shorter = std::min(chains->first.length, chains->second.length),
+                 interval = shorter / static_cast<double>(n - 1);
+    if (width * static_cast<double>(n - 1) > narrow * shorter) return false;
     const double least = least_interval * std::min(shortest(one.places), shortest(other.places));
     // Chords of rims that bulge by more than that would cross unless their nodes lie exactly opposite.
-    const double round = std::min(chains->first.length, chains->second.length),
-                 interval = round / static_cast<double>(n - 1);
-    const bool is_bent = is_ring && 0.25 * M_PI * interval * interval > bulging * width * round;
+    const bool is_bent = is_ring && 0.25 * M_PI * interval * interval > bulging * width * shorter;
     std::vector<double> first = one.places, second = other.places;
     for (std::size_t from = 0, to = 1; to < n; ++to) {
       if (!one.is_set[to] || !other.is_set[to]) continue;

@@ -48,8 +48,6 @@ int Front::add_boundary_node(const std::vector<LoopNode>& loop, std::size_t i) {
   const Vec2 next = loop[(i + 1) % n].p, before = loop[(i + n - 1) % n].p;
   int node = add_loop_node(region, loop[i], 0.5 * (next + before), true, mesh);
   take_clear_tangents(region, node, next - before, mesh);
-  true_angle_.resize(node, -1);
-  true_angle_.push_back(loop[i].angle);
   at_node_.resize(node + 1);
   return node;
 }
@@ -61,12 +59,7 @@ void Front::note_boundary(const std::vector<std::vector<int>>& loops) {
 }
 
 std::optional<int> Front::start_at(const std::vector<std::vector<int>>& loops) {
-  const std::vector<std::vector<int>> of_region = find_loop_nodes(region, mesh);
-  note_boundary(of_region);
-  true_angle_.resize(mesh.node_count(), -1);
-  for (std::size_t l = 0; l < of_region.size(); ++l)
-    for (std::size_t i = 0; i < of_region[l].size(); ++i)
-      if (of_region[l][i] >= 0) true_angle_[of_region[l][i]] = region.loops[l][i].angle;
+  note_boundary(find_loop_nodes(region, mesh));
   for (const std::vector<int>& nodes : loops) add_start_loop(nodes);
   return open_void();
 }
@@ -130,8 +123,10 @@ void Front::find_passed_corners(const std::vector<std::vector<int>>& loops) {
 }
 
 void Front::start_whole() {
-  true_angle_.resize(mesh.node_count(), -1);
   at_node_.assign(mesh.node_count(), {});
+  true_angle_.assign(mesh.node_count(), -1);
+  for (auto facet = boundary.rbegin(); facet != boundary.rend(); ++facet)  // where loops touch the first one counts
+    if (facet->a >= 0) true_angle_[facet->a] = facet->angle;
 }
 
 std::optional<int> Front::open_void() {
