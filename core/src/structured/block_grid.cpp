@@ -85,7 +85,7 @@ BlockGrid smoothed_grid(const BlockLayout& layout, const BlockLayout& final, con
     auto finer = std::make_unique<BlockGrid>(*level, final, surface, size, grid ? between_nodes(*grid) : places);
     if (settle) settle(*finer);
     // More for small ones, where they cost little and spare the finer ones work.
-    const int again = std::clamp(40000 / finer->grid().mesh.node_count(), smoothing.least_sweeps, 40);
+    const int again = std::clamp(30000 / finer->grid().mesh.node_count(), smoothing.least_sweeps, 30);
     smooth_grid(finer->grid(), surface, size, grid ? again : smoothing.first_sweeps, progress);
     grid = std::move(finer);
   }

@@ -75,7 +75,7 @@ bool is_good(const GridFigures& figures, double most_uneven, double most_turn);
 
 /// Quads up to which a grid is smoothed itself: a finer one bends so little between the places of such a one that these
 /// do.
-constexpr long most_placed = 4000;
+constexpr long most_placed = 2000;
 
 /// A grid of the layout on the face, of about `most` quads where the layout has more.
 BlockGrid placed_grid(const ClosedFace& face, const BlockLayout& layout, const BlockGrid::Places& places, long most,

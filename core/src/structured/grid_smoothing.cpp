@@ -12,8 +12,8 @@ namespace {
 // Over-relaxation: five sweeps make lengths as even as twelve of full steps do; the shorter share is for where the
 // energy does not fall.
 constexpr double shares[] = {1.7, 0.4};
-constexpr double still = 0.004;       // of the target length: when no node moves further the grid is smooth
-constexpr double longest_step = 0.3;  // of the target length
+constexpr double still = 0.004;       // of the grid's edges: when no node moves further it is smooth
+constexpr double longest_step = 0.3;  // of the same
 constexpr double flat_sine = 0.2;     // corners may not become flatter than this: behind it lie folded elements
 constexpr double least_area = 0.05;   // of the product of two sides: flatter corners count as if they were no flatter
 constexpr double damping = 1e-3;
@@ -99,36 +99,44 @@ class NodeEnergy {
   double sum_ = 0, g1_ = 0, g2_ = 0, h11_ = 0, h12_ = 0, h22_ = 0;
 };
 
-/// How far the node went, by its target length.
-double improve(GluedGrid& grid, int node, double ratio, const Surface& surface, const FaceSize& size) {
+/// Means over the edges of a grid.
+struct EdgeMeans {
+  double ratio = 0;   // of length to what is wished
+  double length = 0;  // by the target length, which edges of a coarse grid exceed by far
+};
+
+/// How far the node went, by the length of edges about it.
+double improve(GluedGrid& grid, int node, EdgeMeans means, const Surface& surface, const FaceSize& size) {
   RegionMesh& mesh = grid.mesh;
-  NodeEnergy energy(grid, node, ratio);
+  NodeEnergy energy(grid, node, means.ratio);
   const Vec2 p = mesh.p[node];
   const Vec3 x = mesh.x[node];
   const double before = energy.value<true>(x), sine = std::min(energy.least_sine(), flat_sine);
   Vec3 step = energy.step();
-  double length = norm(step), most = longest_step * ratio * mesh.h[node];
+  const double edge = means.length * mesh.h[node], length = norm(step), most = longest_step * edge;
   if (!(length > 0)) return 0;
   if (length > most) step = (most / length) * step;
   Vec2 move = mesh.pull_back(node, {step, {}});
   for (double share : shares) {
     grid.place(node, p + share * move, surface, size);
-    if (energy.value<false>(mesh.x[node]) < before && energy.least_sine() >= sine)
-      return norm(mesh.x[node] - x) / mesh.h[node];
+    if (energy.value<false>(mesh.x[node]) < before && energy.least_sine() >= sine) return norm(mesh.x[node] - x) / edge;
   }
   grid.place(node, p, surface, size);
   return 0;
 }
 
-double mean_ratio(const GluedGrid& grid) {
+EdgeMeans mean_edges(const GluedGrid& grid) {
   const RegionMesh& mesh = grid.mesh;
-  double sum = 0;
+  EdgeMeans sums;
   for (std::size_t q = 0; q < mesh.elements.size(); ++q)
     for (int k = 0; k < 4; ++k) {
-      int a = mesh.elements[q].v[k], b = mesh.elements[q].v[(k + 1) % 4];
-      sum += norm(mesh.x[a] - mesh.x[b]) / (grid.wish(static_cast<int>(q), k) * (mesh.h[a] + mesh.h[b]));
+      const int a = mesh.elements[q].v[k], b = mesh.elements[q].v[(k + 1) % 4];
+      const double length = 2 * norm(mesh.x[a] - mesh.x[b]) / (mesh.h[a] + mesh.h[b]);
+      sums.length += length;
+      sums.ratio += length / grid.wish(static_cast<int>(q), k);
     }
-  return sum / (2.0 * static_cast<double>(mesh.elements.size()));
+  const double sides = 4.0 * static_cast<double>(mesh.elements.size());
+  return {sums.ratio / sides, sums.length / sides};
 }
 
 }  // namespace
@@ -144,7 +152,7 @@ void GluedGrid::place(int node, Vec2 p, const Surface& surface, const FaceSize& 
 GridFigures measure_grid(const GluedGrid& grid) {
   const RegionMesh& mesh = grid.mesh;
   GridFigures figures;
-  figures.mean_ratio = mean_ratio(grid);
+  figures.mean_ratio = mean_edges(grid).ratio;
   figures.worst = 2;
   double squares = 0, cotangents = 0, least_cosine = 1;
   for (std::size_t q = 0; q < mesh.elements.size(); ++q) {
@@ -172,10 +180,10 @@ GridFigures measure_grid(const GluedGrid& grid) {
 void smooth_grid(GluedGrid& grid, const Surface& surface, const FaceSize& size, int sweeps, const Progress& progress) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     progress.check();
-    double ratio = mean_ratio(grid);
+    const EdgeMeans means = mean_edges(grid);
     double furthest = 0;
     for (int node = 0; node < grid.mesh.node_count(); ++node)
-      if (!grid.mesh.is_fixed[node]) furthest = std::max(furthest, improve(grid, node, ratio, surface, size));
+      if (!grid.mesh.is_fixed[node]) furthest = std::max(furthest, improve(grid, node, means, surface, size));
     if (furthest < still) return;
   }
 }
