@@ -6,18 +6,21 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 
 #include "base/nearest_turn.h"
 #include "boundary/facing/side_chain.h"
 #include "boundary/facing/sides_of_loops.h"
 #include "quality/metrics.h"
+#include "sizing/sample_box.h"
 
 namespace paver {
 namespace {
 
 constexpr double shortest_divided = 0.7;   // target lengths
 constexpr double narrow_gap = 0.7;         // target lengths
+constexpr double largest_ring = 3;         // target lengths: of a face with a gap about a hole
 constexpr double most_more = 2.5;          // times the intervals that a loop has
 constexpr double most_more_of_both = 1.4;  // of those wanted
 constexpr double least_jacobian = 0.4;     // of the quads between equally spaced nodes
@@ -28,21 +31,23 @@ constexpr double thin = 0.2;           // intervals: of a face whose vertices fa
 constexpr int on_lune = 3;             // intervals of either edge
 constexpr double most_in_one = 1.5;    // turn limits: from one edge of a lune to the other, across one element
 
-/// Counts of edges that are `total` together: more where intervals are longest. Those they have where these are as
-/// many; none where an edge is not divided.
-std::vector<int> raised_counts(const Model& model, const std::vector<int>& edges, const std::vector<EdgeCount>& counts,
-                               long total) {
-  if (!are_divided(edges, counts)) return {};
-  std::vector<int> result;
-  for (int e : edges) result.push_back(counts[e].count);
-  const auto interval = [&](std::size_t i) { return model.edges[edges[i]].length / result[i]; };
-  for (long sum = sum_of_counts(edges, counts); sum < total; ++sum) {
+std::vector<int> counts_of(const std::vector<int>& edges, const std::vector<EdgeCount>& counts) {
+  std::vector<int> number;
+  for (int e : edges) number.push_back(counts[e].count);
+  return number;
+}
+
+long sum(const std::vector<int>& number) { return std::accumulate(number.begin(), number.end(), 0L); }
+
+/// More where intervals are longest, until these are `total` together.
+void raise_to(long total, const Model& model, const std::vector<int>& edges, std::vector<int>& number) {
+  const auto interval = [&](std::size_t i) { return model.edges[edges[i]].length / number[i]; };
+  for (long have = sum(number); have < total; ++have) {
     std::size_t longest = 0;
-    for (std::size_t i = 1; i < result.size(); ++i)
+    for (std::size_t i = 1; i < number.size(); ++i)
       if (interval(i) > interval(longest)) longest = i;
-    ++result[longest];
+    ++number[longest];
   }
-  return result;
 }
 
 /// The edges get these where they have fewer, and keep them.
@@ -94,22 +99,37 @@ double quality_between(const std::vector<Vec3>& one, const std::vector<Vec3>& tw
   return worst;
 }
 
-/// Loops about a gap, by the intervals that they have.
+/// Counts of both loops about a gap once the second has these; whether one row of quads between them would be good.
+bool match_loops(const Model& model, const Loop& fewer, const Loop& more, std::vector<int> of_many,
+                 std::vector<EdgeCount>& counts) {
+  const std::vector<int> few = edges_of(fewer), many = edges_of(more);
+  std::vector<int> of_few = counts_of(few, counts);
+  const auto edges = static_cast<long>(few.size());
+  long wanted = 2 * ((sum(of_many) + 1) / 2);
+  const long equal = edges * ((wanted + edges - 1) / edges);
+  if (equal % 2 == 0 && static_cast<double>(equal) <= most_more_of_both * static_cast<double>(wanted)) wanted = equal;
+  if (wanted > most_nodes || static_cast<double>(wanted) > most_more * static_cast<double>(sum(of_few))) return false;
+  raise_to(wanted, model, few, of_few);
+  raise_to(wanted, model, many, of_many);
+  if (quality_between(nodes_on(model, fewer, of_few), nodes_on(model, more, of_many)) < least_jacobian) return false;
+  take_counts(few, of_few, counts);
+  take_counts(many, of_many, counts);
+  for (std::size_t k = 0; k < many.size(); ++k) counts[many[k]].count = of_many[k];  // one may be lower
+  return true;
+}
+
+/// Loops about a gap, by the intervals that they have; an odd one rather loses an interval than that both get more.
 void match_loops(const Model& model, const Loop& fewer, const Loop& more, std::vector<EdgeCount>& counts) {
   // Two smooth rims are tied in any case.
   if (fewer.coedges.size() == 1 && more.coedges.size() == 1) return;
-  const std::vector<int> few = edges_of(fewer), many = edges_of(more);
-  const auto edges = static_cast<long>(few.size());
-  long wanted = 2 * ((sum_of_counts(many, counts) + 1) / 2);
-  const long equal = edges * ((wanted + edges - 1) / edges), least = sum_of_counts(few, counts);
-  if (equal % 2 == 0 && static_cast<double>(equal) <= most_more_of_both * static_cast<double>(wanted)) wanted = equal;
-  if (wanted > most_nodes || static_cast<double>(wanted) > most_more * static_cast<double>(least)) return;
-  const std::vector<int> of_few = raised_counts(model, few, counts, wanted),
-                         of_many = raised_counts(model, many, counts, wanted);
-  if (of_few.empty() || of_many.empty()) return;
-  if (quality_between(nodes_on(model, fewer, of_few), nodes_on(model, more, of_many)) < least_jacobian) return;
-  take_counts(few, of_few, counts);
-  take_counts(many, of_many, counts);
+  const std::vector<int> many = edges_of(more);
+  if (!are_divided(edges_of(fewer), counts) || !are_divided(many, counts)) return;
+  const std::vector<int> as_they_are = counts_of(many, counts);
+  std::vector<int> lower = as_they_are;
+  const auto may_lose = std::ranges::find_if(many, [&](int e) { return counts[e].count > counts[e].minimum; });
+  if (sum(lower) % 2 != 0 && may_lose != many.end()) --lower[may_lose - many.begin()];
+  if (!match_loops(model, fewer, more, lower, counts) && lower != as_they_are)
+    match_loops(model, fewer, more, as_they_are, counts);
 }
 
 /// Largest distance from the chords of `n` intervals that are equal in the parameter to the curve at their middles; of
@@ -132,7 +152,9 @@ bool match_sides(const Model& model, const OppositeSides& pair, std::vector<Edge
   for (int e : pair.edges()) most = std::max(most, bulge(model.edges[e], counts[e].count));
   if (most <= largest_bulge * width_between(model, pair)) return false;
   const std::vector<int>& fewer = first < second ? pair.first : pair.second;
-  take_counts(fewer, raised_counts(model, fewer, counts, std::max(first, second)), counts);
+  std::vector<int> raised = counts_of(fewer, counts);
+  raise_to(std::max(first, second), model, fewer, raised);
+  take_counts(fewer, raised, counts);
   return true;
 }
 
@@ -247,10 +269,16 @@ void match_gaps(const Model& model, const SizeField& size, const std::vector<std
                 std::vector<EdgeCount>& counts) {
   auto intervals = [&](const Loop& loop) { return sum_of_counts(edges_of(loop), counts); };
   for (std::size_t f = 0; f < loops.size(); ++f) {
-    // Elsewhere neighbours lose more than the gap wins: 38 triangles more on a model of 5000 elements.
-    if (loops[f].size() != 2 || size.face_h[f] >= size.h) continue;
+    if (loops[f].size() != 2) continue;
     const bool is_first = intervals(loops[f][0]) < intervals(loops[f][1]);
     const Loop &fewer = loops[f][is_first ? 0 : 1], &more = loops[f][is_first ? 1 : 0];
+    // Elsewhere neighbours lose more than the gap wins: 38 triangles more on a model of 5000 elements. So do the walls
+    // of bores, whose other rims keep their counts.
+    auto is_tube = [&](int face) { return face != static_cast<int>(f) && loops[face].size() == 2; };
+    const bool is_of_bore =
+        fewer.coedges.size() == 1 && std::ranges::any_of(edge_of(model, fewer.coedges[0]).faces, is_tube);
+    const double largest = (is_of_bore ? 1 : largest_ring) * size.face_h[f];
+    if (face_extent(model, model.faces[f]) > largest) continue;
     double border = 0;
     for (const Loop* loop : {&fewer, &more})
       for (const Coedge& coedge : loop->coedges) border += edge_of(model, coedge).length;
