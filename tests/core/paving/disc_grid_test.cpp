@@ -88,6 +88,18 @@ TEST(DiscGrid, KeepsEveryNodeOfTheLoopInItsPlace) {
   EXPECT_NEAR(area, region.area, 0.01 * region.area);
 }
 
+TEST(DiscGrid, LaysRimsOfFewNodesForTheSakeOfAnglesWhereTheirFacetsAreShort) {
+  for (const auto& [n, quads] : {std::pair{8, 12u}, {10, 16u}}) {
+    SCOPED_TRACE(n);
+    const Region region = ellipse(1, 1, n, 10);
+    const auto mesh = lay_disc(region, {});
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(mesh->elements.size(), quads);
+    EXPECT_GT(figures_of(region, *mesh).worst, 0.8);
+  }
+  EXPECT_FALSE(lay_disc(ellipse(1, 1, 16, 10), {}));
+}
+
 TEST(DiscGrid, LeavesToPavingWhatIsNoDiscOrHasItsNodesElsewhere) {
   Region odd = ellipse(1, 1, 31, 0.2), cornered = ellipse(1, 1, 32, 0.2), fine = ellipse(1, 1, 32, 0.05);
   cornered.loops[0][5].angle = 0.5 * fake::pi;
