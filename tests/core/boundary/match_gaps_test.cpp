@@ -45,6 +45,27 @@ TEST(MatchGaps, AHoleGivesUpAnOddIntervalBeforeItsSidesAreDividedForIt) {
   EXPECT_EQ(matched(0.6, 1, 2, 9), std::pair(Sides(4, 2), 8));
 }
 
+TEST(MatchGaps, SidesGetUnequalCountsWhereEqualOnesWouldSuitALongHoleBadly) {
+  fake::Builder builder;
+  for (const Vec3 corner : {Vec3{0, 0, 0}, Vec3{2, 0, 0}, Vec3{2, 2, 0}, Vec3{0, 2, 0}}) builder.vertex(corner);
+  for (const Vec3 corner : {Vec3{0.3, 0.9, 0}, Vec3{0.3, 1.1, 0}, Vec3{1.7, 1.1, 0}, Vec3{1.7, 0.9, 0}})
+    builder.vertex(corner);
+  std::vector<std::vector<Coedge>> loops(2);
+  for (std::size_t loop : {0, 1})
+    for (int i = 0, first = loop == 0 ? 0 : 4; i < 4; ++i)
+      loops[loop].push_back(builder.use(builder.line(first + i, first + (i + 1) % 4)));
+  builder.face(std::make_shared<fake::Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}), 3.72, loops);
+  const Model model = builder.take();
+  SizeField size;
+  size.h = 5, size.face_h = {2.8};
+  std::vector<EdgeCount> counts(4, {1, 1, 1});
+  for (int on_hole : {1, 4, 1, 4}) counts.push_back({1.0 * on_hole, on_hole, on_hole});
+  match_gaps(model, size, {linked_loops(model, 0)}, counts);
+  Sides sides;
+  for (int e = 0; e < 4; ++e) sides.push_back(counts[e].count);
+  EXPECT_EQ(sides, (Sides{2, 3, 2, 3})) << "ten together; with 3, 3, 2, 2 quads would be needles";
+}
+
 TEST(MatchGaps, LeavesFacesFarLargerThanTheTargetLengthAndWideGaps) {
   EXPECT_EQ(matched(0.6, 0.7, 3, 8), std::pair(Sides(4, 3), 8)) << "four target lengths across";
   EXPECT_EQ(matched(0.1, 1.2, 1, 8), std::pair(Sides(4, 1), 8)) << "the gap is 0.9 mm wide";

@@ -1,6 +1,7 @@
 // In: loops, sizes, counts. Out: larger counts.
 // Steps for gaps, face by face: width by area and length of the border; counts wanted; nodes there, equally far apart
-// on each edge; the turn of one loop against the other that brings them nearest; the quads between them.
+// on each edge; the turn of one loop against the other that brings them nearest; the quads between them; where these
+// are bad, counts fitted to the nodes that edges face.
 #include "boundary/facing/raise_counts.h"
 
 #include <algorithm>
@@ -22,6 +23,8 @@ constexpr double shortest_divided = 0.7;   // target lengths
 constexpr double narrow_gap = 0.7;         // target lengths
 constexpr double largest_ring = 3;         // target lengths: of a face with a gap about a hole
 constexpr double most_more = 2.5;          // times the intervals that a loop has
+constexpr double most_fitted_more = 4;     // the same, where edges get each as many as what they face asks for
+constexpr long most_fitted = 32;           // nodes
 constexpr double most_more_of_both = 1.4;  // of those wanted
 constexpr double least_jacobian = 0.4;     // of the quads between equally spaced nodes
 constexpr long most_nodes = 256;
@@ -99,23 +102,114 @@ double quality_between(const std::vector<Vec3>& one, const std::vector<Vec3>& tw
   return worst;
 }
 
-/// Counts of both loops about a gap once the second has these; whether one row of quads between them would be good.
-bool match_loops(const Model& model, const Loop& fewer, const Loop& more, std::vector<int> of_many,
-                 std::vector<EdgeCount>& counts) {
+/// Counts of a loop's edges, none below `least`, with as many intervals as there are nodes on the loop that it faces:
+/// those by which the worst quad between the two is best. None where that is no good one.
+class FacingCounts {
+ public:
+  FacingCounts(const Model& model, const Loop& loop, const std::vector<int>& least, std::vector<Vec3> facing)
+      : model_(model),
+        loop_(loop),
+        least_(least),
+        facing_(std::move(facing)),
+        total_(static_cast<int>(facing_.size())) {
+    std::ranges::reverse(facing_);
+    known_.assign(loop.coedges.size() * facing_.size() * (facing_.size() + 1), NAN);
+  }
+
+  std::vector<int> best() {
+    auto off = [&](Vec3 x) { return norm(x - on_edge(0, 0)); };
+    const auto nearest = std::ranges::min_element(facing_, {}, off) - facing_.begin();
+    for (int turn = -most_turned; turn <= most_turned; ++turn) try_from(static_cast<int>(nearest) + turn);
+    return best_;
+  }
+
+ private:
+  static constexpr int most_turned = 3;  // nodes
+
+  Vec3 on_edge(std::size_t k, double share) const {
+    const Edge& edge = edge_of(model_, loop_.coedges[k]);
+    return edge.curve->point(edge.parameter(loop_.coedges[k].is_reversed ? 1 - share : share));
+  }
+
+  Vec3 facing(int i) const { return facing_[((i % total_) + total_) % total_]; }
+
+  /// Worst of the quads between an edge of `count` intervals and the nodes from `from` on.
+  double worst_on(std::size_t k, int from, int count) {
+    const int first = ((from % total_) + total_) % total_;
+    double& worst = known_[(k * total_ + first) * (total_ + 1) + count];
+    if (!std::isnan(worst)) return worst;
+    worst = 1;
+    for (int i = 0; i < count && worst > worst_; ++i)
+      worst = std::min(worst, scaled_jacobian(on_edge(k, 1.0 * i / count), on_edge(k, (i + 1.0) / count),
+                                              facing(first + i + 1), facing(first + i)));
+    return worst;
+  }
+
+  /// With the first edge's start opposite node `start`: for every edge and number of nodes passed the best way so far.
+  void try_from(int start) {
+    const std::size_t edges = loop_.coedges.size();
+    std::vector<std::vector<double>> worst(edges + 1, std::vector<double>(total_ + 1, 0));
+    std::vector<std::vector<int>> taken(edges + 1, std::vector<int>(total_ + 1, 0));
+    worst[0][0] = 1;
+    for (std::size_t k = 0; k < edges; ++k)
+      for (int passed = 0; passed < total_; ++passed)
+        for (int count = least_[k]; worst[k][passed] > worst_ && passed + count <= total_; ++count) {
+          const double with = std::min(worst[k][passed], worst_on(k, start + passed, count));
+          if (with > worst[k + 1][passed + count])
+            worst[k + 1][passed + count] = with, taken[k + 1][passed + count] = count;
+        }
+    if (worst[edges][total_] <= worst_) return;
+    worst_ = worst[edges][total_];
+    best_.assign(edges, 0);
+    for (int k = static_cast<int>(edges), passed = total_; k > 0; passed -= best_[--k]) best_[k - 1] = taken[k][passed];
+  }
+
+  const Model& model_;
+  const Loop& loop_;
+  const std::vector<int>& least_;
+  std::vector<Vec3> facing_;  // in the order of the loop
+  const int total_;
+  std::vector<double> known_;  // worst_on
+  double worst_ = least_jacobian;
+  std::vector<int> best_;
+};
+
+/// Gives both loops about a gap as many intervals, `total`, the first on its longest edges or, `is_fitted`, where the
+/// second asks for them; whether one row of quads between the two is good then.
+bool match_loops(const Model& model, const Loop& fewer, const Loop& more, std::vector<int> of_many, long total,
+                 bool is_fitted, std::vector<EdgeCount>& counts) {
   const std::vector<int> few = edges_of(fewer), many = edges_of(more);
   std::vector<int> of_few = counts_of(few, counts);
-  const auto edges = static_cast<long>(few.size());
-  long wanted = 2 * ((sum(of_many) + 1) / 2);
-  const long equal = edges * ((wanted + edges - 1) / edges);
-  if (equal % 2 == 0 && static_cast<double>(equal) <= most_more_of_both * static_cast<double>(wanted)) wanted = equal;
-  if (wanted > most_nodes || static_cast<double>(wanted) > most_more * static_cast<double>(sum(of_few))) return false;
-  raise_to(wanted, model, few, of_few);
-  raise_to(wanted, model, many, of_many);
-  if (quality_between(nodes_on(model, fewer, of_few), nodes_on(model, more, of_many)) < least_jacobian) return false;
+  const double growth = static_cast<double>(total) / static_cast<double>(sum(of_few));
+  if (total > (is_fitted ? most_fitted : most_nodes) || growth > (is_fitted ? most_fitted_more : most_more))
+    return false;
+  raise_to(total, model, many, of_many);
+  const std::vector<Vec3> facing = nodes_on(model, more, of_many);
+  if (is_fitted)
+    of_few = FacingCounts(model, fewer, of_few, facing).best();
+  else
+    raise_to(total, model, few, of_few);
+  if (of_few.empty() || quality_between(nodes_on(model, fewer, of_few), facing) < least_jacobian) return false;
   take_counts(few, of_few, counts);
   take_counts(many, of_many, counts);
-  for (std::size_t k = 0; k < many.size(); ++k) counts[many[k]].count = of_many[k];  // one may be lower
+  for (std::size_t k = 0; k < many.size(); ++k) {
+    EdgeCount& lower = counts[many[k]];
+    if (of_many[k] < lower.count) lower.count = of_many[k], lower.wish = std::min(lower.wish, 1.0 * of_many[k]);
+  }
   return true;
+}
+
+/// With as many as the second loop has, or some more so that the edges of the first get equally many.
+bool match_loops(const Model& model, const Loop& fewer, const Loop& more, const std::vector<int>& of_many,
+                 std::vector<EdgeCount>& counts) {
+  const auto edges = static_cast<long>(fewer.coedges.size());
+  const long even = 2 * ((sum(of_many) + 1) / 2), equal = edges * ((even + edges - 1) / edges);
+  const bool can_equal = equal % 2 == 0 && static_cast<double>(equal) <= most_more_of_both * static_cast<double>(even);
+  auto match = [&](long total, bool is_fitted) {
+    return match_loops(model, fewer, more, of_many, total, is_fitted, counts);
+  };
+  return (can_equal && match(equal, false)) || match(even, false) || match(even, true) ||
+         (can_equal && match(equal, true));
 }
 
 /// Loops about a gap, by the intervals that they have; an odd one rather loses an interval than that both get more.

@@ -24,8 +24,8 @@ void divide_lunes(const Model& model, double turn_limit, const std::vector<std::
                   std::vector<EdgeCount>& counts);
 
 /// Where a face is at most three target lengths across, and a gap between its two loops is narrower than 0.7 of them,
-/// the loop of fewer intervals gets as many as the other one, and both some more so that the edges of the former get
-/// equally many; but only where one row of quads across the gap would be good with these.
+/// the loop of fewer intervals gets as many as the other one: both some more so that its edges get equally many, or
+/// each what suits the nodes that it faces; but only where one row of quads across the gap is good with these.
 void match_gaps(const Model& model, const SizeField& size, const std::vector<std::vector<Loop>>& loops,
                 std::vector<EdgeCount>& counts);
 
