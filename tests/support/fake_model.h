@@ -237,6 +237,17 @@ inline Model frame(double side, double width) {
   return builder.take();
 }
 
+/// Disc in z = 0 less one that touches its border in (outer, 0, 0): edges 0 outside, 1 inside.
+inline Model moon(double outer, double inner) {
+  Builder builder;
+  const int tip = builder.vertex({outer, 0, 0});
+  builder.arc({}, outer, 0, 2 * pi, tip, tip);
+  builder.arc({outer - inner, 0, 0}, inner, 0, 2 * pi, tip, tip);
+  builder.face(std::make_shared<Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}), pi * (outer * outer - inner * inner),
+               {{builder.use(0)}, {builder.use(1, true)}});
+  return builder.take();
+}
+
 /// Box a x b x c: six planes, twelve shared edges. Edges 0-3 bottom, 4-7 top (0, 2, 4, 6 along x), 8-11 upright.
 inline Model box(double a, double b, double c) {
   Builder builder;

@@ -107,7 +107,11 @@ void move_nodes(const Model& model, const SizeField& size, const std::vector<int
     const EdgeMetric& metric = metric_at(moved.edge);
     return metric.kink_count() == 0 && metric.turns_within(moved.lengths);
   };
-  for (const MovedNodes& moved : face_vertices(model, find_opposite_sides(model, loops), std::move(lengths), may_move))
+  const auto point = [&](int edge, double length) {
+    return model.edges[edge].curve->point(metric_at(edge).parameter_at_length(length));
+  };
+  for (const MovedNodes& moved :
+       face_vertices(model, find_opposite_sides(model, loops), std::move(lengths), may_move, point))
     places[task_of_edge[moved.edge]] = divide(model, moved.edge, metric_at(moved.edge), moved.lengths);
 }
 

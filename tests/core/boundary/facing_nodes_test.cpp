@@ -27,7 +27,10 @@ std::vector<MovedNodes> moved_in(
     const MayMove& may_move = [](const MovedNodes&) { return true; }) {
   std::vector<std::vector<Loop>> loops;
   for (std::size_t f = 0; f < model.faces.size(); ++f) loops.push_back(linked_loops(model, static_cast<int>(f)));
-  return face_vertices(model, find_opposite_sides(model, loops), even(model, counts), may_move);
+  const auto point = [&](int edge, double length) {
+    return model.edges[edge].curve->point(model.edges[edge].parameter(length / model.edges[edge].length));
+  };
+  return face_vertices(model, find_opposite_sides(model, loops), even(model, counts), may_move, point);
 }
 
 double nearest(const std::vector<double>& places, double place) {
@@ -143,6 +146,24 @@ TEST(FacingNodes, WhatFacesAMovedEdgeFollowsIt) {
   EXPECT_EQ(moved[1].edge, 7);
   for (std::size_t i = 0; i < moved[0].lengths.size(); ++i)
     EXPECT_LE(std::fabs(moved[0].lengths[i] - moved[1].lengths[i]), 0.1 + 1e-9);
+}
+
+// By equal shares both chords at the tip would be one line.
+TEST(FacingNodes, NodesOfAMoonLieWhereThoseOfItsLongerSideAreNearest) {
+  const double outer = 10, inner = 9, pi = fake::pi;
+  const int count = 24;
+  const std::vector<MovedNodes> moved = moved_in(fake::moon(outer, inner), {count, count});
+  ASSERT_EQ(moved.size(), 1u);
+  EXPECT_EQ(moved[0].edge, 1);
+  for (int i = 1; i < count; ++i) {
+    const double angle = 2 * pi * i / count;
+    const double x = outer * std::cos(angle) - (outer - inner), y = outer * std::sin(angle);
+    const double opposite = std::atan2(y, x);
+    EXPECT_NEAR(moved[0].lengths[static_cast<std::size_t>(i)], inner * (opposite < 0 ? opposite + 2 * pi : opposite),
+                1e-4);
+  }
+  EXPECT_TRUE(moved_in(fake::moon(outer, inner), {count + 2, count}).empty()) << "unequal counts";
+  EXPECT_TRUE(moved_in(fake::moon(outer, 5), {count, count}).empty()) << "wide";
 }
 
 }  // namespace

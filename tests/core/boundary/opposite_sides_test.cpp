@@ -87,6 +87,16 @@ TEST(OppositeSides, OfACrescentMayEndInAShortEdge) {
   EXPECT_EQ(pairs[0].second, (Side{4, 3}));
 }
 
+TEST(OppositeSides, LoopsThatTouchAreACrescentFromThereOn) {
+  const auto pairs = pairs_of(fake::moon(10, 9));
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_TRUE(pairs[0].is_crescent);
+  EXPECT_TRUE(pairs[0].is_moon);
+  EXPECT_EQ(pairs[0].first, Side{0});
+  EXPECT_EQ(pairs[0].second, Side{1});
+  EXPECT_NEAR(pairs[0].width, 1, 1e-9);
+}
+
 TEST(OppositeSides, OfATubeAreItsEnds) {
   auto pairs = pairs_of(fake::tube(1, 2));
   ASSERT_EQ(pairs.size(), 1u);

@@ -138,6 +138,11 @@ TEST(TieSides, SidesOfACrescentTakeOneCountWhereItIsThin) {
   EXPECT_EQ(wide, (std::vector<int>{34, 34, 36, 36}));
 }
 
+TEST(TieSides, SidesOfAMoonTakeOneCountWhereOneRowFillsIt) {
+  EXPECT_EQ(tied(fake::moon(10, 9), {31.4, 28.3}), (std::vector<int>{30, 30})) << "half as wide as intervals are long";
+  EXPECT_EQ(tied(fake::moon(10, 8), {62.8, 50.3}), (std::vector<int>{62, 50})) << "twice as wide";
+}
+
 TEST(TieSides, SidesOfAThinRingWithCornersTakeOneCount) {
   const std::vector<double> wishes{1.6, 1.6, 1.6, 1.6, 1.4, 1.4, 1.4, 1.4};
   const std::vector<int> narrow = tied(fake::frame(4, 0.1), wishes),

@@ -76,12 +76,16 @@ void follow_between(const Nodes& one, const Nodes& other, double width, Place fi
 
 class Following {
  public:
-  Following(const Model& model, NodeLengths lengths, const MayMove& may_move)
-      : model_(model), lengths_(std::move(lengths)), may_move_(may_move), has_moved_(lengths_.size(), false) {}
+  Following(const Model& model, NodeLengths lengths, const MayMove& may_move, const EdgePoint& point)
+      : model_(model),
+        lengths_(std::move(lengths)),
+        may_move_(may_move),
+        point_(point),
+        has_moved_(lengths_.size(), false) {}
 
   /// Whether an edge has moved.
   bool follow(const OppositeSides& pair) {
-    const bool is_ring = pair.partner < 0;
+    const bool is_ring = pair.is_crescent ? pair.is_moon : pair.partner < 0;
     const double width = width_between(model_, pair);
     const std::optional<ChainPair> chains = is_ring ? rims_of(model_, pair, width) : chains_of(model_, pair);
     if (!chains || !are_divided(pair)) return false;
@@ -95,7 +99,11 @@ class Following {
     // Chords of rims that bulge by more than that would cross unless their nodes lie exactly opposite.
     const bool is_bent = is_ring && 0.25 * M_PI * interval * interval > bulging * width * shorter;
     std::vector<double> first = one.places, second = other.places;
-    for (std::size_t from = 0, to = 1; to < n; ++to) {
+    if (pair.is_crescent && chains->first.length > chains->second.length)
+      go_opposite(chains->first, one, chains->second, other, second);
+    else if (pair.is_crescent)
+      go_opposite(chains->second, other, chains->first, one, first);
+    for (std::size_t from = 0, to = 1; to < n && !pair.is_crescent; ++to) {
       if (!one.is_set[to] || !other.is_set[to]) continue;
       const Nodes part = one.part(from, to), opposite = other.part(from, to);
       if (is_ring || are_alike(part.length(), opposite.length()))
@@ -120,6 +128,30 @@ class Following {
  private:
   bool are_divided(const OppositeSides& pair) const {
     return std::ranges::all_of(pair.edges(), [&](int e) { return lengths_[e].size() > 1; });
+  }
+
+  Vec3 point_at(const SideChain& side, double place) const {
+    std::size_t i = 0;
+    for (; i + 1 < side.edges.size() && place > model_.edges[side.edges[i]].length; ++i)
+      place -= model_.edges[side.edges[i]].length;
+    const double whole = lengths_[side.edges[i]].back(), along = std::clamp(place, 0.0, whole);
+    return point_(side.edges[i], side.is_against[i] ? whole - along : along);
+  }
+
+  /// Where nodes of the shorter side that are not set are nearest to those of the longer one.
+  void go_opposite(const SideChain& longer, const Nodes& at, const SideChain& shorter, const Nodes& nodes,
+                   std::vector<double>& places) const {
+    constexpr int steps = 8;        // of Newton's method
+    constexpr double about = 1e-4;  // of the side's length, from where its direction is taken
+    for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+      const Vec3 target = point_at(longer, at.places[i]);
+      for (int k = 0; k < steps && !nodes.is_set[i]; ++k) {
+        const double before = std::max(places[i] - about * shorter.length, 0.0),
+                     behind = std::min(places[i] + about * shorter.length, shorter.length);
+        const Vec3 along = (1 / (behind - before)) * (point_at(shorter, behind) - point_at(shorter, before));
+        places[i] = std::clamp(places[i] + dot(target - point_at(shorter, places[i]), along), 0.0, shorter.length);
+      }
+    }
   }
 
   Nodes nodes_of(const SideChain& side) const {
@@ -160,17 +192,18 @@ class Following {
   const Model& model_;
   NodeLengths lengths_;
   const MayMove& may_move_;
+  const EdgePoint& point_;
   std::vector<bool> has_moved_;
 };
 
 }  // namespace
 
 std::vector<MovedNodes> face_vertices(const Model& model, const std::vector<OppositeSides>& pairs, NodeLengths lengths,
-                                      const MayMove& may_move) {
+                                      const MayMove& may_move, const EdgePoint& point) {
   std::vector<const OppositeSides*> open;
   for (const OppositeSides& pair : pairs)
-    if (!pair.is_gap && !pair.is_crescent && !pair.first.empty() && !pair.second.empty()) open.push_back(&pair);
-  Following following(model, std::move(lengths), may_move);
+    if (!pair.is_gap && !pair.first.empty() && !pair.second.empty()) open.push_back(&pair);
+  Following following(model, std::move(lengths), may_move, point);
   while (std::erase_if(open, [&](const OppositeSides* pair) { return following.follow(*pair); }) > 0) {
   }
   return std::move(following.moved);

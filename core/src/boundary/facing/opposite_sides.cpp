@@ -135,6 +135,27 @@ std::vector<OppositeSides> sides_of_crescent(const Model& model, int face, doubl
   return {pair};
 }
 
+/// Two loops that touch in a vertex, from there on; none where they do not.
+std::vector<OppositeSides> sides_of_moon(const Model& model, int face, double width, const std::vector<Loop>& loops) {
+  auto from = [&](const Loop& loop, int vertex) {
+    Side side = edges_of(loop);
+    const auto first = std::ranges::find_if(
+        loop.coedges, [&](const Coedge& coedge) { return start_of(edge_of(model, coedge), coedge) == vertex; });
+    if (first == loop.coedges.end()) return Side{};
+    std::ranges::rotate(side, side.begin() + (first - loop.coedges.begin()));
+    return side;
+  };
+  for (const Coedge& coedge : loops[0].coedges) {
+    const int vertex = start_of(edge_of(model, coedge), coedge);
+    const Side other = from(loops[1], vertex);
+    if (other.empty()) continue;
+    OppositeSides pair = facing(face, from(loops[0], vertex), other, width);
+    pair.is_crescent = pair.is_moon = true;
+    return {pair};
+  }
+  return {};
+}
+
 /// An edge as its face sees it.
 struct Bank {
   int edge = -1;
@@ -214,8 +235,12 @@ void add_sides(const Model& model, int face, const std::vector<Loop>& loops, std
     if (found.empty()) found = sides_of_crescent(model, face, width, loops[0], angles);
     std::ranges::move(found, std::back_inserter(pairs));
   } else if (sides.size() == 2 && sides[0].size() == 1 && sides[1].size() == 1) {
-    pairs.push_back({face, sides[0][0], sides[1][0], -1});
-    match_by_middles(model, pairs.back());
+    std::vector<OppositeSides> moon = sides_of_moon(model, face, width, loops);
+    if (moon.empty()) {
+      pairs.push_back({face, sides[0][0], sides[1][0], -1});
+      match_by_middles(model, pairs.back());
+    }
+    std::ranges::move(moon, std::back_inserter(pairs));
   } else if (sides.size() == 2 && sides[0].size() == sides[1].size()) {
     std::ranges::move(sides_of_thin_ring(model, face, width, sides[0], sides[1]), std::back_inserter(pairs));
   }

@@ -270,7 +270,7 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const OppositeSides& p = pairs[i];
     can_equal.push_back(are_divided(p.edges(), counts) && is_narrow(model, p, counts) && tying.can_equal(p) &&
-                        (is_thin[i] || !(p.is_crescent || p.is_gap)));
+                        (is_thin[i] || p.is_moon || !(p.is_crescent || p.is_gap)));
   }
   std::vector<int> order(pairs.size());
   std::iota(order.begin(), order.end(), 0);
