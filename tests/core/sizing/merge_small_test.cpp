@@ -249,6 +249,27 @@ TEST(MergeSmall, ATinyFaceStaysWhereItsNeighbourIsNarrow) {
   EXPECT_EQ(faces_of(result, FaceStatus::failed), 0);
 }
 
+/// A trace on a board that ends in a bar across it, `deep` inside: its sides run on along the bar's there.
+TopoDS_Shape trace_into_bar(double deep) {
+  const double end = 3 + deep;
+  BRepAlgoAPI_BuilderAlgo fuse;
+  TopTools_ListOfShape arguments;
+  arguments.Append(polygon({{-15, -15, 0}, {15, -15, 0}, {15, 15, 0}, {-15, 15, 0}}));
+  arguments.Append(polygon({{-9, -0.5, 0}, {end, -0.5, 0}, {end, 0.5, 0}, {-9, 0.5, 0}}));
+  arguments.Append(polygon({{3, 0.5, 0}, {3, 2, 0}, {5, 2, 0}, {5, -2, 0}, {3, -2, 0}, {3, -0.5, 0}}));
+  fuse.SetArguments(arguments);
+  fuse.Build();
+  return fuse.Shape();
+}
+
+// An edge of 1.5 with a bend at a third of its length was a bulging side, 0.16 off.
+TEST(MergeSmall, AShortEdgeStaysWhereAnotherWouldBendAndIsLittleLonger) {
+  const MeshResult result = test::mesh_of(trace_into_bar(0.5), 1e6);
+  EXPECT_TRUE(result.report.merges.empty());
+  EXPECT_LT(result.report.quality.distance.largest, 1e-9);
+  EXPECT_FALSE(test::mesh_of(trace_into_bar(0.1), 1e6).report.merges.empty());
+}
+
 TEST(MergeSmall, ATinyBodyStays) {
   const MeshResult result = test::mesh_of(BRepPrimAPI_MakeBox(0.01, 0.01, 0.01).Shape(), 2);
   EXPECT_EQ(result.report.quality.quads, 6);

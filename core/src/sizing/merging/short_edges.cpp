@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t fewest_edges = 3;  // that a loop keeps
 constexpr double tiny_share = 0.2;       // of short edges: smaller faces go whatever angles they make
 constexpr double much_longer = 3;        // times a short edge
+constexpr double small_bend = 10;        // the same: edges that get a bend where it was
 constexpr double slender = 0.2;          // of its extent: so wide is a face with two sides
 constexpr double longest_end = 3;        // widths of a face: an edge that goes is an end of it, no side
 
@@ -79,9 +80,12 @@ class ShortEdges {
   bool can_move(int e, int from, int to) const {
     if (edits_.is_fixed(from) || from == to || limits_.holds(from, {e}, edits_.edge(e).length)) return false;
     const std::vector<int>& edges = edits_.edges_at(from);
-    const double least = much_longer * edits_.edge(e).length, limit = limits_.short_edge(e);
-    if (std::ranges::any_of(edges, [&](int other) { return other != e && edits_.edge(other).length < least; }))
-      return false;
+    const double limit = limits_.short_edge(e);
+    const auto is_too_short = [&](int other) {
+      const bool bends = bend(e, other, from) >= smooth_angle * M_PI / 180;
+      return other != e && edits_.edge(other).length < (bends ? small_bend : much_longer) * edits_.edge(e).length;
+    };
+    if (std::ranges::any_of(edges, is_too_short)) return false;
     return std::ranges::all_of(members_[from], [&](Vec3 x) { return norm(x - edits_.point(to)) <= limit; });
   }
 
