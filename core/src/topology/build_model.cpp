@@ -63,11 +63,11 @@ class ModelBuilder {
     work_ = make_workpiece(shape_, progress_, tasks_);
     repair(work_, progress_);
     drop_doubles(work_);
+    open_lost_caps(work_);
     mend_faces(work_, progress_);
     fault_lost_areas(work_);
     recognise(work_);
     sewn_ = sew(work_, options.sew_tolerance, progress_);
-    fault_lost_caps(work_);
     list_parts(work_, shape_.shape);
     name_parts(work_, shape_.labels);
     if (!brep)  // what is written has the faces as they were read

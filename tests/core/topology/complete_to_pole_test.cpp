@@ -15,6 +15,7 @@
 #include <Geom2d_Line.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
 #include <GeomConvert.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
@@ -22,12 +23,14 @@
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <gp_Ax1.hxx>
@@ -50,6 +53,15 @@ using SurfaceHandle = Handle(Geom_Surface);
 SurfaceHandle revolved_circle(double aside) {
   const gp_Ax2 plane(gp_Pnt(aside, 0, 0), gp_Dir(0, -1, 0), gp_Dir(1, 0, 0));
   return new Geom_SurfaceOfRevolution(new Geom_Circle(plane, radius), gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)));
+}
+
+/// The same of a spline that starts at an angle and is closed without being periodic.
+SurfaceHandle revolved_spline(double start) {
+  const gp_Ax2 plane(gp_Pnt(0, 0, 0), gp_Dir(0, -1, 0), gp_Dir(std::cos(start), 0, std::sin(start)));
+  const Handle(Geom_TrimmedCurve) circle = new Geom_TrimmedCurve(new Geom_Circle(plane, radius), 0, 2 * pi);
+  const Handle(Geom_BSplineCurve) spline = GeomConvert::CurveToBSplineCurve(circle);
+  spline->SetNotPeriodic();
+  return new Geom_SurfaceOfRevolution(spline, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)));
 }
 
 SurfaceHandle ball() { return new Geom_SphericalSurface(gp_Ax3(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), radius); }
@@ -79,6 +91,8 @@ struct Rim {
   bool is_against = false;   ///< walked against the parameter
   bool is_reversed = false;  ///< the face
   double aside = 0;          ///< of the second edge's image
+  bool is_closed = false;    ///< by an edge back along all of it, put in first, as readers do
+  bool is_turned = false;    ///< a reader has turned the loop afterwards
 };
 
 gp_Pnt2d uv_of(const Rim& rim, double round) {
@@ -91,9 +105,21 @@ double period_of(const Rim& rim) {
   return rim.is_round_u ? u1 - u0 : v1 - v0;
 }
 
+TopoDS_Edge rim_edge(const Rim& rim, const TopoDS_Face& face, gp_Pnt2d origin) {
+  TopoDS_Edge edge;
+  BRep_Builder().MakeEdge(edge, rim.is_round_u ? rim.surface->VIso(rim.at) : rim.surface->UIso(rim.at), 1e-7);
+  const Handle(Geom2d_Line) image = new Geom2d_Line(origin, rim.is_round_u ? gp_Dir2d(1, 0) : gp_Dir2d(0, 1));
+  BRep_Builder().UpdateEdge(edge, image, face, 1e-7);
+  return edge;
+}
+
+void end_edge(TopoDS_Edge edge, const TopoDS_Vertex& first, const TopoDS_Vertex& last) {
+  BRep_Builder().Add(edge, first.Oriented(TopAbs_FORWARD));
+  BRep_Builder().Add(edge, last.Oriented(TopAbs_REVERSED));
+}
+
 TopoDS_Wire rim_wire(const Rim& rim, TopoDS_Face& face) {
   const double step = period_of(rim) / rim.edges;
-  const Handle(Geom_Curve) curve = rim.is_round_u ? rim.surface->VIso(rim.at) : rim.surface->UIso(rim.at);
   BRep_Builder builder;
   std::vector<TopoDS_Vertex> vertices(static_cast<std::size_t>(rim.edges));
   for (int i = 0; i < rim.edges; ++i) {
@@ -102,17 +128,23 @@ TopoDS_Wire rim_wire(const Rim& rim, TopoDS_Face& face) {
   }
   TopoDS_Wire wire;
   builder.MakeWire(wire);
-  for (int i = 0; i < rim.edges; ++i) {
-    TopoDS_Edge edge;
-    builder.MakeEdge(edge, curve, 1e-7);
-    const gp_Pnt2d origin = uv_of(rim, i == 1 ? rim.aside : 0);
-    const Handle(Geom2d_Line) image = new Geom2d_Line(origin, rim.is_round_u ? gp_Dir2d(1, 0) : gp_Dir2d(0, 1));
-    builder.UpdateEdge(edge, image, face, 1e-7);
-    builder.Add(edge, vertices[static_cast<std::size_t>(i)].Oriented(TopAbs_FORWARD));
-    builder.Add(edge, vertices[static_cast<std::size_t>((i + 1) % rim.edges)].Oriented(TopAbs_REVERSED));
-    builder.Range(edge, rim.start + i * step, rim.start + (i + 1) * step);
-    builder.Add(wire, edge.Oriented(rim.is_against ? TopAbs_REVERSED : TopAbs_FORWARD));
+  const TopAbs_Orientation way = rim.is_against != rim.is_turned ? TopAbs_REVERSED : TopAbs_FORWARD;
+  std::vector<TopoDS_Edge> edges;
+  if (rim.is_closed) {
+    edges.push_back(rim_edge(rim, face, uv_of(rim, 0)));
+    end_edge(edges.back(), vertices[0], vertices[0]);
+    builder.Range(edges.back(), rim.start, rim.start + rim.edges * step);
+    edges.back().Orientation(TopAbs::Reverse(way));
   }
+  for (int i = 0; i < rim.edges; ++i) {
+    edges.push_back(rim_edge(rim, face, uv_of(rim, i == 1 ? rim.aside : 0)));
+    end_edge(edges.back(), vertices[static_cast<std::size_t>(i)],
+             vertices[static_cast<std::size_t>((i + 1) % rim.edges)]);
+    builder.Range(edges.back(), rim.start + i * step, rim.start + (i + 1) * step);
+    edges.back().Orientation(way);
+  }
+  if (rim.is_turned) std::reverse(edges.begin(), edges.end());
+  for (const TopoDS_Edge& edge : edges) builder.Add(wire, edge);
   wire.Closed(true);
   return wire;
 }
@@ -122,8 +154,14 @@ TopoDS_Shape with_lid(const Rim& rim) {
   BRep_Builder builder;
   TopoDS_Face face;
   builder.MakeFace(face, rim.surface, 1e-7);
-  const TopoDS_Wire wire = rim_wire(rim, face);
+  TopoDS_Wire wire = rim_wire(rim, face);
   builder.Add(face, wire);
+  if (rim.is_closed) {  // the lid's is another, as in files whose faces share nothing
+    Rim plain = rim;
+    plain.is_closed = plain.is_turned = false;
+    TopoDS_Face other = face;
+    wire = rim_wire(plain, other);
+  }
   TopoDS_Compound whole;
   builder.MakeCompound(whole);
   builder.Add(whole, rim.is_reversed ? face.Reversed() : face);
@@ -153,7 +191,8 @@ TEST_P(CompleteToPole, MakesItWhole) {
   EXPECT_NEAR(report.faces[0].mesh_area, GetParam().area, 1e-2 * GetParam().area);
   std::vector<RepairKind> kinds;
   for (const Repair& repair : report.model.repairs) kinds.push_back(repair.kind);
-  std::erase(kinds, RepairKind::turned_face);
+  std::erase_if(kinds,
+                [](RepairKind kind) { return kind == RepairKind::turned_face || kind == RepairKind::sewn_edge; });
   EXPECT_EQ(kinds, (std::vector{RepairKind::periodic_edge, RepairKind::pole}));
 }
 
@@ -171,7 +210,25 @@ std::vector<Case> cases() {
       {"BallOtherSide", {.surface = ball(), .at = north, .is_against = true}, rest},
       {"BallReversed", {.surface = ball(), .at = low, .is_reversed = true}, rest},
       {"Cone", {.surface = cone()}, 2 * pi * radius * radius},
+      // Closed at the rim, and no more: the loop is a period off.
+      {"SplineMeridian", {.surface = revolved_spline(north), .at = 0}, cap},
+      {"SplineMeridianOtherEnd", {.surface = revolved_spline(north), .at = 2 * pi}, cap},
+      {"SplineMeridianOtherSide", {.surface = revolved_spline(north), .at = 0, .is_against = true}, rest},
   };
+  for (bool is_against : {false, true})
+    for (bool is_turned : {false, true})
+      for (int edges : {1, 3}) {
+        const std::string name = std::string("Closed") + (is_turned ? "AndTurned" : "") +
+                                 (is_against ? "Against" : "Along") + std::to_string(edges);
+        list.push_back({name,
+                        {.surface = revolved_circle(0),
+                         .at = north,
+                         .edges = edges,
+                         .is_against = is_against,
+                         .is_closed = true,
+                         .is_turned = is_turned},
+                        is_against ? rest : cap});
+      }
   for (bool is_periodic : {true, false})
     for (bool is_round_u : {true, false})
       for (bool is_against : {true, false}) {

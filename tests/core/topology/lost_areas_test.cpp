@@ -1,22 +1,17 @@
 // A face is left out for want of area only where its border runs back along itself; else it is named as faulty.
 #include <gtest/gtest.h>
 
-#include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
-#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
-#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Builder.hxx>
-#include <Geom2d_Line.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Plane.hxx>
-#include <Geom_SphericalSurface.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <TopoDS.hxx>
 #include <gp_Circ.hxx>
@@ -93,35 +88,6 @@ TEST(LostAreas, NameABorderWhoseAreasCancel) {
 TEST(LostAreas, NameABorderThatIsOpen) {
   expect_faulty(flat_face(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 5), gp_Pnt(8, 0, 5)).Edge())),
                 "its boundary is open at Edge13");
-}
-
-/// The rim of a cap twice, as a reader leaves it that has no edge for the pole.
-TopoDS_Face cap_without_pole(const gp_Pnt& centre, double radius) {
-  const Handle(Geom_Surface) ball = new Geom_SphericalSurface(gp_Ax3(centre, gp_Dir(0, 0, 1)), radius);
-  TopoDS_Face face;
-  BRep_Builder builder;
-  builder.MakeFace(face, ball, 1e-7);
-  const gp_Circ rim(gp_Ax2(centre, gp_Dir(0, 0, 1)), radius);
-  const TopoDS_Vertex start = BRepBuilderAPI_MakeVertex(rim.Position().Location().Translated(gp_Vec(radius, 0, 0)));
-  TopoDS_Wire wire;
-  builder.MakeWire(wire);
-  for (TopAbs_Orientation way : {TopAbs_FORWARD, TopAbs_REVERSED}) {
-    const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(rim, start, start);
-    builder.UpdateEdge(edge, new Geom2d_Line(gp_Pnt2d(0, 0), gp_Dir2d(1, 0)), face, 1e-7);
-    builder.Add(wire, edge.Oriented(way));
-  }
-  builder.Add(face, wire);
-  return face;
-}
-
-TEST(LostAreas, NameACapWithoutItsPoleWhereItsNeighbourStaysOpen) {
-  std::vector<TopoDS_Shape> both{cap_without_pole({0, 0, 10}, 5)};
-  for (const TopoDS_Shape& face : test::loose_faces(BRepPrimAPI_MakeCylinder(5, 10).Shape()))
-    if (BRepAdaptor_Surface(TopoDS::Face(face)).GetType() != GeomAbs_Plane) both.insert(both.begin(), face);
-  const MeshResult result = test::mesh_of(test::compound(both), 2);
-  EXPECT_EQ(result.report.faces[1].status, FaceStatus::failed);
-  EXPECT_EQ(result.report.faces[1].reason.find("its border is there twice"), 0u) << result.report.faces[1].reason;
-  expect_left_out(cap_without_pole({0, 0, 10}, 5));  // nobody misses it
 }
 
 // A nick in a corner: its faces are small, but no slivers, and the box is open without them.

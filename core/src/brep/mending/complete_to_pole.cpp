@@ -70,8 +70,10 @@ class PoleCompleter {
     auto is_periodic = [&](const Walk& walk) { return BRep_Tool::IsClosed(walk.edge, face_); };
     if (!std::all_of(periodic_.begin(), periodic_.end(), is_periodic)) return std::nullopt;
     if (!find_pole() || !holds_holes()) return std::nullopt;
-    if (const auto start = find_start()) return build(*start);
-    if (!periodic_.empty()) return std::nullopt;
+    const std::optional<double> across = shift_across();
+    if (!across) return std::nullopt;
+    if (const auto start = find_start()) return build(*start, *across);
+    if (!periodic_.empty() || *across != 0) return std::nullopt;
     return with_pole_alone();
   }
 
@@ -317,9 +319,24 @@ class PoleCompleter {
     return untrimmed(BRep_Tool::Surface(face_, location));
   }
 
-  CompletedFace build(std::size_t start) const {
-    const std::vector<Vec2> shifts = shifts_from(start);
-    const Vec2 from = round_[start].points.front(), to{from.x, from.y + side_ * (pole_ - reach_of(from.y))};
+  /// Whole periods across that bring the face into the range of a surface that is closed across and no more; nothing
+  /// where it goes over the line on which that surface closes.
+  std::optional<double> shift_across() const {
+    if (period_.y == 0 || (is_round_u_ ? geometry()->IsVPeriodic() : geometry()->IsUPeriodic())) return 0;
+    std::array<double, 4> bounds{};
+    geometry()->Bounds(bounds[0], bounds[1], bounds[2], bounds[3]);
+    const double start = bounds[is_round_u_ ? 2 : 0], slack = end_share * period_.y;
+    const double low = side_ * (side_ > 0 ? low_ : pole_), high = side_ * (side_ > 0 ? pole_ : low_);
+    const double shift = period_.y * std::ceil((start - slack - low) / period_.y);
+    if (high + shift > start + period_.y + slack) return std::nullopt;
+    return shift;
+  }
+
+  CompletedFace build(std::size_t start, double across) const {
+    std::vector<Vec2> shifts = shifts_from(start);
+    for (Vec2& shift : shifts) shift = shift + Vec2{0, across};
+    const Vec2 first = round_[start].points.front(), from{first.x, first.y + across},
+               to{from.x, from.y + side_ * (pole_ - reach_of(first.y))};
     const Vec2 turn{turn_ * period_.x, 0};
     const TopoDS_Vertex bottom = round_[start].from, top = top_vertex(to);
     TopoDS_Wire wire;

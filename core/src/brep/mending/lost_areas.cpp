@@ -1,7 +1,9 @@
 // Faces for which the kernel finds no area, though they have one. A face without area has a border that runs back along
 // itself: beside every place of it there is one where it goes the other way, as on both sides of a sliver, or it is
 // shorter than that sliver is wide. What has a border of another kind is faulty, as drawn or as read.
-#include <BRepAdaptor_Surface.hxx>
+#include <BRep_Builder.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -22,6 +24,8 @@ constexpr double most_share = 3e-3;
 /// The ends of a sliver run across it: so many widths of border may be without one that goes the other way.
 constexpr double end_widths = 4;
 constexpr int pieces = 64;
+/// Ways lead round by whole periods up to this share of one.
+constexpr double round_share = 1e-2;
 constexpr int foot_steps = 6;
 
 struct BorderEdge {
@@ -94,21 +98,62 @@ class Border {
   std::vector<BorderEdge> edges_;
 };
 
-bool is_round(const TopoDS_Edge& edge) {
-  return !BRep_Tool::Degenerated(edge) && TopExp::FirstVertex(edge).IsSame(TopExp::LastVertex(edge));
+/// An edge as its loop walks it.
+struct Step {
+  TopoDS_Edge edge;
+  Vec2 way;  ///< of its image, from start to end
+  bool is_closed = false;
+};
+
+/// Empty where an edge has no image, and for poles.
+std::vector<Step> steps_of(const TopoDS_Wire& wire, const TopoDS_Face& face) {
+  std::vector<Step> steps;
+  bool is_whole = true;
+  is_whole &= visit_border(wire, [&](const TopoDS_Edge& edge, const TopoDS_Vertex& first, const TopoDS_Vertex& last) {
+    const EdgeImage image = image_of(edge, face);
+    is_whole = is_whole && !image.curve.IsNull() && image.is_finite() && !BRep_Tool::Degenerated(edge);
+    if (!is_whole) return;
+    const gp_Pnt2d from = image.uv(0), to = image.uv(1);
+    const double sign = edge.Orientation() == TopAbs_REVERSED ? -1 : 1;
+    steps.push_back({edge, {sign * (to.X() - from.X()), sign * (to.Y() - from.Y())}, first.IsSame(last)});
+  });
+  return is_whole ? steps : std::vector<Step>{};
 }
 
-/// Whether an edge runs along another one.
-bool runs_along(const TopoDS_Edge& edge, const TopoDS_Edge& other, double allowed) {
-  const auto curve = make_curve(edge), second = make_curve(other);
-  if (!curve || !second || !range_of(edge).is_finite() || !range_of(other).is_finite()) return false;
-  const auto [t0, t1] = range_of(edge);
-  const auto [s0, s1] = range_of(other);
-  const SampledCurve line = sampled(second, s0, s1, pieces);
-  for (double share : {0.2, 0.5, 0.8}) {
-    if (!(distance_to(line, foot_steps, curve->point(t0 + share * (t1 - t0))) <= allowed)) return false;
-  }
-  return true;
+/// Whether a way leads once round the surface.
+bool goes_round(Vec2 way, const Handle(Geom_Surface) & surface) {
+  const Vec2 period{surface->IsUPeriodic() ? surface->UPeriod() : 0, surface->IsVPeriodic() ? surface->VPeriod() : 0};
+  auto is_once = [](double sum, double other, double once) {
+    return once > 0 && std::abs(std::abs(sum) - once) + std::abs(other) <= round_share * once;
+  };
+  return is_once(way.x, way.y, period.x) || is_once(way.y, way.x, period.y);
+}
+
+/// A FORWARD face without the edge by which a reader has closed the image of its one loop, which goes round: that edge
+/// runs back along all of the loop, and nothing is left between them. It is put in as the first; where it is the last,
+/// the reader has turned the loop with it.
+std::optional<TopoDS_Face> without_closing_edge(const TopoDS_Face& face) {
+  const std::vector<TopoDS_Wire> wires = wires_of(face);
+  TopLoc_Location location;
+  const Handle(Geom_Surface) surface = untrimmed(BRep_Tool::Surface(face, location));
+  if (wires.size() != 1 || surface.IsNull()) return std::nullopt;
+  std::vector<Step> steps = steps_of(wires[0], face);
+  if (steps.size() < 2) return std::nullopt;
+  auto closes = [&](const Step& step) { return step.is_closed && goes_round(step.way, surface); };
+  const bool is_turned = !closes(steps.front());
+  if (is_turned) std::reverse(steps.begin(), steps.end());
+  if (!closes(steps.front())) return std::nullopt;
+  Vec2 rest;
+  for (std::size_t i = 1; i < steps.size(); ++i) rest = rest + steps[i].way;
+  if (!goes_round(rest, surface) || dot(rest, steps.front().way) > 0) return std::nullopt;
+  TopoDS_Wire wire;
+  BRep_Builder builder;
+  builder.MakeWire(wire);
+  for (std::size_t i = 1; i < steps.size(); ++i)
+    builder.Add(wire, is_turned ? steps[i].edge.Reversed() : TopoDS_Shape(steps[i].edge));
+  TopoDS_Face made = TopoDS::Face(face.EmptyCopied());
+  builder.Add(made, wire);
+  return made;
 }
 
 void fault(Workpiece& work, WorkFace& face, const TopoDS_Edge& edge, const std::string& what) {
@@ -118,17 +163,14 @@ void fault(Workpiece& work, WorkFace& face, const TopoDS_Edge& edge, const std::
 
 }  // namespace
 
-void fault_lost_caps(Workpiece& work) {
-  std::optional<std::vector<TopoDS_Edge>> free;
+void open_lost_caps(Workpiece& work) {
   for (WorkFace& face : work.faces) {
     if (face.has_area || face.is_dropped || !face.fault.empty()) continue;
-    const std::vector<TopoDS_Edge> border = edges_of(face.face);
-    if (border.empty() || !std::ranges::all_of(border, is_round)) continue;
-    if (BRepAdaptor_Surface(face.face, Standard_False).GetType() == GeomAbs_Plane) continue;
-    auto is_open = [&](const TopoDS_Edge& other) { return runs_along(border[0], other, width_share * work.diagonal); };
-    if (!free) free = count_uses(work.faces).free_edges();
-    if (std::ranges::any_of(*free, is_open))
-      fault(work, face, border[0], "its border is there twice, and what it enclosed is lost");
+    if (!without_closing_edge(forward(face.face))) continue;
+    copy_shape(work);
+    const std::optional<TopoDS_Face> cap = without_closing_edge(forward(face.face));
+    face.face = TopoDS::Face(cap->Oriented(face.face.Orientation()));
+    work.is_rebuilt = true;
   }
 }
 

@@ -93,11 +93,11 @@ void drop_doubles(Workpiece& work);
 /// round and still have no other end get a fault.
 void mend_faces(Workpiece& work, Progress& progress);
 
+/// Takes out of faces without area the edge by which a reader closes the image of a loop that goes round, as caps have
+/// whose pole lies within the surface's range: mend_faces() completes what is left.
+void open_lost_caps(Workpiece& work);
+
 /// Faults faces for which the kernel finds no area though their border encloses something.
 void fault_lost_areas(Workpiece& work);
-
-/// After sewing: faults curved faces without area whose border is one closed edge twice, once for a pole that a reader
-/// lost, where a neighbour stays open without them.
-void fault_lost_caps(Workpiece& work);
 
 }  // namespace paver
