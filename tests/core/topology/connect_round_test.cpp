@@ -8,6 +8,7 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -303,6 +304,22 @@ TEST(ConnectRound, ABallWhoseParametersAreNegativeLiesInItsSocket) {
   const MeshResult result = mesh_of(compound({socket, ball}), 4);
   EXPECT_STREQ(verdict(result.report), "sound");
   EXPECT_NEAR(result.report.quality.mesh_area, 4 * 1500 + 5000 - pi * 18 * 18 + 4 * pi * 18 * 18, 5);
+}
+
+// The kernel follows intersections in steps of a fixed length.
+TEST(ConnectRound, PartsAreConnectedAlikeAtAnySize) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(9, 1, 2), 8).Shape(),
+                     horn = BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(0, -10, -12), gp_Dir(.1, .3, 1)), 6, 1, 30).Shape();
+  const MeshResult plain = mesh_of(compound({ball, horn}), 4);
+  constexpr double factor = 1e6;
+  gp_Trsf scale;
+  scale.SetScaleFactor(factor);
+  const MeshResult large = mesh_of(BRepBuilderAPI_Transform(compound({ball, horn}), scale).Shape(), 4 * factor);
+  ASSERT_EQ(large.report.model.contacts.size(), 1u);
+  EXPECT_NEAR(large.report.model.contacts[0].size, factor * plain.report.model.contacts[0].size, 1e-5 * factor);
+  EXPECT_STREQ(verdict(large.report), "sound");
+  EXPECT_NEAR(large.report.quality.mesh_area, factor * factor * plain.report.quality.mesh_area,
+              1e-3 * large.report.quality.mesh_area);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <BOPTools_AlgoTools.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -17,6 +18,13 @@ namespace {
 /// Of the diagonal: parts that are farther from the origin are fused there. The kernel's intersections are as exact as
 /// coordinates are, and it takes 1e-7 mm for granted.
 constexpr double far_away = 10;
+/// Larger models (mm) are fused at a power of two of their size, below this one: on large surfaces the kernel, which
+/// follows intersections to within 1e-7 mm, comes to no end.
+constexpr double large = 1e5, fused_size = 2e3;
+
+double fused_scale(double diagonal) {
+  return diagonal > large ? std::exp2(std::floor(std::log2(fused_size / diagonal))) : 1;
+}
 
 /// Clusters of parts that pairs hang together; those of one part are left out but for loose ones.
 std::vector<std::vector<int>> clusters_of(const std::vector<PartPair>& pairs, const std::vector<WorkPart>& parts) {
@@ -25,6 +33,10 @@ std::vector<std::vector<int>> clusters_of(const std::vector<PartPair>& pairs, co
   std::vector<std::vector<int>> clusters = together.sets();
   std::erase_if(clusters, [&](const std::vector<int>& list) { return list.size() == 1 && !parts[list[0]].is_loose; });
   return clusters;
+}
+
+Error not_moved_back() {
+  return {ErrorCode::internal, "The connected parts cannot be moved back; report it with the model."};
 }
 
 class Connector {
@@ -41,10 +53,14 @@ class Connector {
     const std::vector<std::vector<int>> clusters = clusters_of(pairs_, work_.parts);
     if (clusters.empty()) return false;
     const bool is_far = norm(work_.centre) > far_away * work_.diagonal;
-    if (!is_far || !move_work(work_, -1 * work_.centre)) copy_shape(work_);
+    double scale = fused_scale(work_.diagonal);
+    if ((!is_far && scale == 1) || !move_work(work_, -1 * work_.centre, scale)) copy_shape(work_), scale = 1;
+    tolerance_ *= scale;
     for (const std::vector<int>& cluster : clusters) connect_cluster(cluster);
     if (fusions_.empty()) return false;
     replace_faces();
+    merged.gap /= scale;
+    if (scale != 1 && !move_work(work_, {}, 1 / scale)) throw not_moved_back();
     return true;
   }
 
@@ -279,8 +295,7 @@ ConnectResult connect(Workpiece& work, Connect how, double tolerance, Progress& 
   result.merged = std::move(connector.merged);
   find_insides(fused);
   if (how == Connect::united) drop_inside(fused);
-  if (const Vec3 back = work.centre - fused.centre; norm(back) > 0 && !move_work(fused, back))
-    throw Error(ErrorCode::internal, "The connected parts cannot be moved back; report it with the model.");
+  if (const Vec3 back = work.centre - fused.centre; norm(back) > 0 && !move_work(fused, back)) throw not_moved_back();
   work = std::move(fused);
   return result;
 }

@@ -24,7 +24,7 @@ void for_shapes(Workpiece& work, std::vector<TopoDS_Shape>& edges, std::vector<T
 
 }  // namespace
 
-bool move_work(Workpiece& work, Vec3 by) {
+bool move_work(Workpiece& work, Vec3 by, double scale) {
   std::vector<TopoDS_Shape> edges, replaced;
   std::vector<std::vector<int>> origins;  // of those that replaced others
   for (int i = 1; i <= work.read_edges.Extent(); ++i) edges.push_back(work.read_edges(i));
@@ -38,9 +38,10 @@ bool move_work(Workpiece& work, Vec3 by) {
   for_shapes(work, edges, replaced, [&](const TopoDS_Shape& shape) { builder.Add(row, shape); });
   TopoDS_Shape moved;
   try {
-    gp_Trsf shift;
+    gp_Trsf shift, resize;
     shift.SetTranslation(gp_Vec(by.x, by.y, by.z));
-    moved = BRepBuilderAPI_Transform(row, shift, Standard_True).Shape();
+    resize.SetScaleFactor(scale);
+    moved = BRepBuilderAPI_Transform(row, resize * shift, Standard_True).Shape();
   } catch (const Standard_Failure&) {
     return false;
   }
@@ -53,7 +54,9 @@ bool move_work(Workpiece& work, Vec3 by) {
   for (const TopoDS_Shape& edge : edges) work.read_edges.Add(edge);
   work.replaced_edges.Clear();
   for (std::size_t i = 0; i < replaced.size(); ++i) work.replaced_edges.Bind(replaced[i], origins[i]);
-  work.centre = work.centre + by;
+  work.centre = scale * (work.centre + by);
+  work.diagonal *= scale;
+  for (WorkFace& face : work.faces) face.area *= scale * scale, face.gap *= scale;
   work.is_copied = true;
   return true;
 }

@@ -143,8 +143,9 @@ void measure_diagonal(Workpiece& work);
 /// Makes shape and faces our own, so that they may be changed in place. Order of faces and edges stays.
 void copy_shape(Workpiece& work);
 
-/// Moves all shapes, which are our own then. False, and nothing moved, where the kernel cannot.
-bool move_work(Workpiece& work, Vec3 by);
+/// Moves all shapes, which are our own then, and scales them about the origin. False, and nothing done, where the
+/// kernel cannot.
+bool move_work(Workpiece& work, Vec3 by, double scale = 1);
 
 /// Gives faces without loops their natural bounds, edges without an image on a face that image, and edges wrongly
 /// flagged as poles their curve. What fails becomes the face's fault. The input's own data stay as they are.
