@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -21,6 +22,7 @@
 #include <gp_Pln.hxx>
 
 #include "brep/connecting/connect_impl.h"
+#include "brep/occt_shapes_impl.h"
 #include "core/brep/shape_files.h"
 #include "support/report_of.h"
 
@@ -138,6 +140,41 @@ TEST(Connect, MeshesAreOnePieceWithoutCracks) {
     EXPECT_EQ(report.quality.border_edges > 0, c.free > 0);
     for (const FaceReport& face : report.faces) EXPECT_NE(face.status, FaceStatus::failed) << face.name << face.reason;
   }
+}
+
+TopoDS_Shape copy_of(const TopoDS_Shape& shape) { return BRepBuilderAPI_Copy(shape).Shape(); }
+
+TEST(Connect, PartsDrawnInOnePlaceHaveAllFacesInCommon) {
+  const TopoDS_Shape stem = BRepPrimAPI_MakeCylinder(5, 10).Shape(), foot = box(-8, -8, -4, 16, 16, 4);
+  const MeshResult once = mesh_of(compound({stem, foot}), 3),
+                   thrice = mesh_of(compound({copy_of(stem), copy_of(stem), foot, copy_of(stem)}), 3);
+  EXPECT_STREQ(verdict(thrice.report), "sound");
+  EXPECT_NEAR(thrice.report.quality.mesh_area, once.report.quality.mesh_area, 1);
+  EXPECT_EQ(once.report.model.contacts.size(), 1u);
+  EXPECT_EQ(thrice.report.model.contacts.size(), 6u);  // all with all
+  for (const Contact& contact : thrice.report.model.contacts) EXPECT_EQ(contact.kind, ContactKind::face);
+}
+
+TEST(Connect, TwinsArePartsWhoseFacesAllLieOnAnothers) {
+  Workpiece work;
+  const TopoDS_Shape stem = BRepPrimAPI_MakeCylinder(5, 10).Shape();
+  std::vector<PartPair> pairs;
+  for (const TopoDS_Shape& solid : {stem, box(0, 0, 0, 10, 10, 10), copy_of(stem), box(10, 0, 0, 10, 10, 10)}) {
+    const int part = static_cast<int>(work.parts.size());
+    for (int other = 0; other < part; ++other) pairs.push_back({other, part});
+    work.parts.push_back({"", part});
+    for (const TopoDS_Face& face : faces_of(solid)) {
+      work.faces.emplace_back().face = face;
+      work.faces.back().area = face_area(face);
+      work.faces.back().uses = {{part, false}};
+    }
+  }
+  work.diagonal = 25;
+  const std::vector<Twin> twins = find_twins(work, pairs);
+  ASSERT_EQ(twins.size(), 1u);  // boxes side by side have one face in common
+  EXPECT_EQ(twins[0].part, 2);
+  EXPECT_EQ(twins[0].of, 0);
+  EXPECT_EQ(twins[0].faces.size(), 3u);
 }
 
 TEST(Connect, ACommonFaceKnowsBothSidesAndNames) {

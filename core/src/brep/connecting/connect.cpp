@@ -56,7 +56,11 @@ class Connector {
     double scale = fused_scale(work_.diagonal);
     if ((!is_far && scale == 1) || !move_work(work_, -1 * work_.centre, scale)) copy_shape(work_), scale = 1;
     tolerance_ *= scale;
-    for (const std::vector<int>& cluster : clusters) connect_cluster(cluster);
+    const std::vector<Twin> twins = find_twins(work_, pairs_);
+    auto is_twin = [&](int part) { return std::ranges::find(twins, part, &Twin::part) != twins.end(); };
+    for (std::vector<int> cluster : clusters)
+      if (std::erase_if(cluster, is_twin) == 0 || cluster.size() > 1) connect_cluster(cluster);
+    for (const Twin& twin : twins) connect_twin(twin);
     if (fusions_.empty()) return false;
     replace_faces();
     merged.gap /= scale;
@@ -88,6 +92,26 @@ class Connector {
     const std::vector<PartPair> connected = pairs_among(parts);
     for (PartPair pair : pairs)
       if (std::find(connected.begin(), connected.end(), pair) == connected.end()) failed.push_back(pair);
+  }
+
+  /// As its twin is connected; where that is with nothing else, or has failed, these two alone.
+  void connect_twin(const Twin& twin) {
+    for (const PartPair& pair : std::vector<PartPair>(failed))
+      for (int k : {0, 1})
+        if (pair[k] == twin.of) failed.push_back({std::min(twin.part, pair[1 - k]), std::max(twin.part, pair[1 - k])});
+    auto is_of_twin = [&](int face) { return work_.faces[face].has_part(twin.of); };
+    auto has_twin = [&](const Fusion& fusion) {
+      return std::ranges::any_of(fusion.images,
+                                 [&](const auto& image) { return std::ranges::any_of(image.of, is_of_twin); });
+    };
+    auto fusion = std::ranges::find_if(fusions_, has_twin);
+    if (fusion == fusions_.end()) {
+      fusions_.emplace_back();
+      for (const auto& [face, other] : twin.faces) fusions_.back().images.push_back({work_.faces[other].face, {other}});
+      std::ranges::sort(fusions_.back().images, {}, [](const auto& image) { return image.of[0]; });
+      fusion = fusions_.end() - 1;
+    }
+    add_twin(work_, twin, *fusion);
   }
 
   bool try_to_fuse_unshared(const std::vector<int>& parts) {

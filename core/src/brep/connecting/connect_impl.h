@@ -84,6 +84,18 @@ struct Fusion {
 /// other and are two, again at the distance between them, as long as that connects no parts that were apart.
 std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress);
 
+/// A part that was drawn in the place of another one.
+struct Twin {
+  int part = -1, of = -1;
+  std::vector<std::array<int, 2>> faces;  ///< (the part's, the other's that it lies on)
+};
+
+/// Among pairs of parts that may touch; `of` is no twin of another.
+std::vector<Twin> find_twins(const Workpiece& work, const std::vector<PartPair>& pairs);
+
+/// What a fusion says of the faces and edges of Twin::of it then says of the twin's, too.
+void add_twin(const Workpiece& work, const Twin& twin, Fusion& fusion);
+
 /// Pieces of different parts that lie along each other but are two: a surface and its approximation cross along many
 /// lines, two planes of which one is turned by rounding along one, and the kernel keeps both.
 struct DoubledPieces {

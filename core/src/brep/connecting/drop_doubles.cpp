@@ -1,7 +1,9 @@
 // Faces that were drawn twice, one on the other: the later one is left out, before anything is sewn to it. Only within
 // one solid, and among faces without one; what different parts have in common is connected instead.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "base/box.h"
@@ -26,9 +28,11 @@ struct Outline {
 
 class DoubleFinder {
  public:
-  explicit DoubleFinder(Workpiece& work) : work_(work), tolerance_(same_share * work.diagonal) {}
+  DoubleFinder(const Workpiece& work, const std::function<bool(const WorkFace&, const WorkFace&)>& may_be_one)
+      : work_(work), may_be_one_(may_be_one), tolerance_(same_share * work.diagonal) {}
 
-  void run() {
+  std::vector<std::array<int, 2>> run() {
+    std::vector<std::array<int, 2>> doubles;
     std::vector<Outline> outlines;
     for (std::size_t i = 0; i < work_.faces.size(); ++i)
       if (work_.faces[i].is_usable()) outlines.push_back(outline(static_cast<int>(i)));
@@ -37,13 +41,17 @@ class DoubleFinder {
     for (std::size_t i = 0; i < outlines.size(); ++i)
       for (std::size_t j = i + 1; j < outlines.size() && outlines[j].box.low.x - outlines[i].box.low.x <= tolerance_;
            ++j)
-        compare(outlines[i], outlines[j]);
+        if (are_one(outlines[i], outlines[j])) {
+          const auto [first, later] = std::minmax(outlines[i].index, outlines[j].index);
+          doubles.push_back({later, first});
+        }
+    return doubles;
   }
 
  private:
-  WorkFace& face(int index) { return work_.faces[index]; }
+  const WorkFace& face(int index) const { return work_.faces[index]; }
 
-  Outline outline(int index) {
+  Outline outline(int index) const {
     constexpr double far = 1e300;  // finite: faces without such points are compared as well
     Outline made{index, {{far, far, far}, {-far, -far, -far}}};
     for (const TopoDS_Edge& edge : edges_of(face(index).face))
@@ -58,17 +66,11 @@ class DoubleFinder {
     return curve && range.is_finite() ? std::optional(curve->point(range.at(share))) : std::nullopt;
   }
 
-  void compare(const Outline& a, const Outline& b) {
+  bool are_one(const Outline& a, const Outline& b) {
     const WorkFace &one = face(std::min(a.index, b.index)), &two = face(std::max(a.index, b.index));
-    if (!one.has_area || !two.has_area || one.solid != two.solid) return;
-    if (std::abs(one.area - two.area) > same_area_share * one.area) return;
-    if (norm(a.box.low - b.box.low) > tolerance_ || norm(a.box.high - b.box.high) > tolerance_) return;
-    if (!lies_on(two.face, one.face) || !lies_on(one.face, two.face)) return;
-    WorkFace& dropped = face(std::max(a.index, b.index));
-    dropped.is_dropped = true;
-    dropped.lose_area();
-    work_.note_repair(RepairKind::dropped_face, 1, tolerance_, face_name(dropped.origin));
-    work_.doubles.push_back({std::max(a.index, b.index), std::min(a.index, b.index)});
+    if (!may_be_one_(one, two) || std::abs(one.area - two.area) > same_area_share * one.area) return false;
+    if (norm(a.box.low - b.box.low) > tolerance_ || norm(a.box.high - b.box.high) > tolerance_) return false;
+    return lies_on(two.face, one.face) && lies_on(one.face, two.face);
   }
 
   bool lies_on(const TopoDS_Face& face, const TopoDS_Face& other) {
@@ -77,23 +79,37 @@ class DoubleFinder {
     for (const TopoDS_Edge& edge : edges_of(face))
       for (int i = 0; i < edge_samples; ++i) {
         const auto x = point_of(edge, (i + 0.5) / edge_samples);
-        if (x && !is_near(to_point(*x), other, tolerance_)) return false;
+        if (x && !is_near(to_point(*x), other, std::max(tolerance_, BRep_Tool::Tolerance(edge)))) return false;
       }
     return true;
   }
 
-  Workpiece& work_;
+  const Workpiece& work_;
+  const std::function<bool(const WorkFace&, const WorkFace&)>& may_be_one_;
   double tolerance_;
   Handle(IntTools_Context) context_ = new IntTools_Context;
 };
 
 }  // namespace
 
-void drop_doubles(Workpiece& work) {
+std::vector<std::array<int, 2>> find_doubles(const Workpiece& work,
+                                             const std::function<bool(const WorkFace&, const WorkFace&)>& may_be_one) {
   try {
-    DoubleFinder(work).run();
+    return DoubleFinder(work, may_be_one).run();
   } catch (const Standard_Failure&) {
-    // Faces that the kernel cannot compare stay.
+    return {};  // faces that the kernel cannot compare stay
+  }
+}
+
+void drop_doubles(Workpiece& work) {
+  auto are_of_one = [](const WorkFace& one, const WorkFace& two) { return one.solid == two.solid; };
+  for (const std::array<int, 2>& pair : find_doubles(work, are_of_one)) {
+    WorkFace& dropped = work.faces[pair[0]];
+    if (!dropped.has_area || !work.faces[pair[1]].has_area) continue;
+    dropped.is_dropped = true;
+    dropped.lose_area();
+    work.note_repair(RepairKind::dropped_face, 1, same_share * work.diagonal, face_name(dropped.origin));
+    work.doubles.push_back(pair);
   }
 }
 

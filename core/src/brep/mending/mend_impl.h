@@ -7,6 +7,8 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -84,6 +86,10 @@ TopoDS_Edge edge_without_end(const TopoDS_Face& face);
 
 /// " at Edge7"; empty for an edge that was added.
 std::string at_edge(const Workpiece& work, const TopoDS_Edge& edge);
+
+/// (later, earlier) face of usable ones that lie on one another, border on border, among those that `may_be_one`.
+std::vector<std::array<int, 2>> find_doubles(const Workpiece& work,
+                                             const std::function<bool(const WorkFace&, const WorkFace&)>& may_be_one);
 
 /// Leaves out faces that lie on another one of the same solid, or of none, border on border.
 void drop_doubles(Workpiece& work);
