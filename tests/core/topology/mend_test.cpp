@@ -1,9 +1,15 @@
 // Shapes with faults of all kinds are meshed as the clean ones, and the report says what was repaired.
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <cmath>
+#include <gp_Pln.hxx>
 
 #include "core/brep/shape_files.h"
 #include "support/faulty_shapes.h"
@@ -66,6 +72,28 @@ TEST(Mend, KeepsFacesThatLieSideBySide) {
   const RunReport report = test::report_of(test::lens(), size);
   EXPECT_TRUE(report.quality.watertight);
   EXPECT_TRUE(report.model.repairs.empty());
+}
+
+/// Straight edges between vertices of a list, in its order.
+TopoDS_Wire wire_through(const std::vector<TopoDS_Vertex>& vertices) {
+  TopoDS_Wire wire;
+  BRep_Builder builder;
+  builder.MakeWire(wire);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    builder.Add(wire, BRepBuilderAPI_MakeEdge(vertices[i], vertices[(i + 1) % vertices.size()]).Edge());
+  return wire;
+}
+
+TEST(Mend, AHoleThatRunsAlongASideIsAPieceOfTheBorder) {
+  auto at = [](double x, double y) { return BRepBuilderAPI_MakeVertex(gp_Pnt(x, y, 0)).Vertex(); };
+  const TopoDS_Vertex low = at(10, 4), high = at(10, 6);
+  TopoDS_Face face =
+      BRepBuilderAPI_MakeFace(gp_Pln(), wire_through({at(0, 0), at(10, 0), low, high, at(10, 10), at(0, 10)}));
+  BRep_Builder().Add(face, wire_through({high, low, at(7, 5)}));
+  const RunReport report = test::report_of(face, 2);
+  EXPECT_TRUE(faults(report).empty()) << faults(report).front();
+  EXPECT_STREQ(verdict(report), "sound");
+  EXPECT_NEAR(report.quality.mesh_area, 100 - 3, 1e-6);
 }
 
 }  // namespace

@@ -49,6 +49,9 @@ LoopFaults find_loop_faults(const TopoDS_Face& face, double diagonal);
 /// nose or tip pressed flat runs out and back through the same point.
 bool is_false_pole(const TopoDS_Edge& edge, const TopoDS_Face& face, double diagonal);
 
+/// A FORWARD face without the edges by which two of its loops run along each other; nothing for others.
+std::optional<TopoDS_Face> without_doubled_edges(const TopoDS_Face& face, double diagonal);
+
 struct PressedFlat {
   TopoDS_Face face;
   std::vector<TopoDS_Edge> edges;  ///< each twice, with the orientation of its use

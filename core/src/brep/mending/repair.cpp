@@ -5,7 +5,8 @@
 // 3. an edge flagged as a pole (of no length) that has length becomes an ordinary edge, or goes where it only leads
 //    from one loop of a ring to the other;
 // 4. a loop of a plane within another one that runs the same way around is turned: with the wrong area inside, faces
-//    that touch this one would be connected with what it does not cover.
+//    that touch this one would be connected with what it does not cover;
+// 5. loops of a face that run along each other for a stretch become one.
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepLib.hxx>
@@ -76,7 +77,7 @@ bool needs_repair(const TopoDS_Face& face, double diagonal) {
   const TopoDS_Face plain = forward(face);
   auto is_false = [&](const TopoDS_Edge& edge) { return is_false_pole(edge, plain, diagonal); };
   return std::ranges::any_of(edges_of(plain), is_false) || lacks_image(face) || is_garbled_ring(plain, diagonal) ||
-         has_loops_alike(plain) || between_poles(plain);
+         has_loops_alike(plain) || between_poles(plain) || without_doubled_edges(plain, diagonal);
 }
 
 /// Puts another face in its place, on the same side.
@@ -156,6 +157,13 @@ bool turn_loops(WorkFace& face, Workpiece& work) {
   return true;
 }
 
+/// Whether loops ran along each other.
+bool join_loops(WorkFace& face, Workpiece& work) {
+  const std::optional<TopoDS_Face> joined = without_doubled_edges(forward(face.face), work.diagonal);
+  if (joined) replace(face, *joined, RepairKind::closed_loop, work);
+  return joined.has_value();
+}
+
 bool is_shared(const TopoDS_Edge& edge, const WorkFace& owner, const Workpiece& work) {
   return std::any_of(work.faces.begin(), work.faces.end(),
                      [&](const WorkFace& face) { return &face != &owner && use_count(edge, face.face) > 0; });
@@ -231,7 +239,8 @@ void repair(Workpiece& work, Progress& progress) {
       if (!has_loops(face.face)) {
         add_natural_bounds(face, work);
       } else if (!end_at_poles(face, work)) {
-        const bool is_other = mend_ring(face, work) || turn_loops(face, work);
+        bool is_other = mend_ring(face, work) || turn_loops(face, work);
+        is_other |= join_loops(face, work);
         repair_edges(face, work);
         if (is_other || !face.has_area) measure_again(face, work);
       }
