@@ -87,13 +87,16 @@ TopoDS_Wire wire_through(const std::vector<TopoDS_Vertex>& vertices) {
 TEST(Mend, AHoleThatRunsAlongASideIsAPieceOfTheBorder) {
   auto at = [](double x, double y) { return BRepBuilderAPI_MakeVertex(gp_Pnt(x, y, 0)).Vertex(); };
   const TopoDS_Vertex low = at(10, 4), high = at(10, 6);
-  TopoDS_Face face =
-      BRepBuilderAPI_MakeFace(gp_Pln(), wire_through({at(0, 0), at(10, 0), low, high, at(10, 10), at(0, 10)}));
-  BRep_Builder().Add(face, wire_through({high, low, at(7, 5)}));
-  const RunReport report = test::report_of(face, 2);
-  EXPECT_TRUE(faults(report).empty()) << faults(report).front();
-  EXPECT_STREQ(verdict(report), "sound");
-  EXPECT_NEAR(report.quality.mesh_area, 100 - 3, 1e-6);
+  for (bool is_turned : {false, true}) {
+    TopoDS_Face face =
+        BRepBuilderAPI_MakeFace(gp_Pln(), wire_through({at(0, 0), at(10, 0), low, high, at(10, 10), at(0, 10)}));
+    const std::vector<TopoDS_Vertex> hole{high, low, at(7, 5)}, turned(hole.rbegin(), hole.rend());
+    BRep_Builder().Add(face, wire_through(is_turned ? turned : hole));
+    const RunReport report = test::report_of(face, 2);
+    EXPECT_TRUE(faults(report).empty()) << faults(report).front();
+    EXPECT_STREQ(verdict(report), "sound");
+    EXPECT_NEAR(report.quality.mesh_area, 100 - 3, 1e-6);
+  }
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ namespace {
 constexpr double most_share = 1e-6;
 constexpr int chords = 16, foot_steps = 6;
 
-/// All edges of the face as its loops walk them.
+/// An edge as its loop walks it.
 struct Use {
   TopoDS_Edge edge;
   std::size_t next = 0;             ///< in its loop
@@ -40,46 +40,71 @@ bool runs_along(const TopoDS_Edge& edge, const TopoDS_Edge& other, double most) 
   });
 }
 
-/// None where a loop cannot be walked as a whole.
-std::vector<Use> uses_of(const TopoDS_Face& face) {
-  std::vector<Use> uses;
-  for (const TopoDS_Wire& wire : wires_of(face)) {
-    const std::size_t first = uses.size();
-    for (BRepTools_WireExplorer at(wire, face); at.More(); at.Next())
-      uses.push_back({at.Current(), uses.size() + 1, {}});
-    if (uses.size() - first != static_cast<std::size_t>(wire.NbChildren())) return {};
-    if (uses.size() > first) uses.back().next = first;
-  }
-  return uses;
-}
+class DoubleFinder {
+ public:
+  DoubleFinder(const TopoDS_Face& face, double most) : face_(face), most_(most) {}
 
-bool find_doubles(std::vector<Use>& uses, double most) {
-  TopTools_IndexedMapOfShape vertices;
-  std::map<std::array<int, 2>, std::vector<std::size_t>> between;
-  bool has_doubles = false;
-  for (std::size_t i = 0; i < uses.size(); ++i) {
-    const TopoDS_Edge& edge = uses[i].edge;
-    if (BRep_Tool::Degenerated(edge)) continue;
-    const int from = vertices.Add(TopExp::FirstVertex(edge, Standard_True)),
-              to = vertices.Add(TopExp::LastVertex(edge, Standard_True));
-    if (from == to) continue;
-    for (const std::size_t other : between[{to, from}]) {
-      if (uses[other].back || uses[other].edge.IsSame(edge) || !runs_along(edge, uses[other].edge, most)) continue;
-      uses[i].back = other, uses[other].back = i;
-      has_doubles = true;
-      break;
+  /// False where a loop cannot be walked as a whole.
+  bool add_loop(const TopoDS_Wire& wire) {
+    std::vector<TopoDS_Edge> edges;
+    for (BRepTools_WireExplorer at(wire, face_); at.More(); at.Next()) edges.push_back(at.Current());
+    if (edges.size() != static_cast<std::size_t>(wire.NbChildren())) return false;
+    // Readers turn loops that touch at random; which is right is seen by the border that they are together.
+    if (std::ranges::any_of(edges, [&](const TopoDS_Edge& edge) { return double_of(edge, false).has_value(); })) {
+      std::reverse(edges.begin(), edges.end());
+      for (TopoDS_Edge& edge : edges) edge.Reverse();
     }
-    between[{from, to}].push_back(i);
+    const std::size_t first = uses_.size();
+    for (const TopoDS_Edge& edge : edges) add(edge);
+    if (!edges.empty()) uses_.back().next = first;
+    return true;
   }
-  return has_doubles;
-}
+
+  std::vector<Use> uses() { return has_doubles_ ? std::move(uses_) : std::vector<Use>{}; }
+
+ private:
+  /// From and to.
+  std::array<int, 2> ends_of(const TopoDS_Edge& edge) {
+    return {vertices_.Add(TopExp::FirstVertex(edge, Standard_True)),
+            vertices_.Add(TopExp::LastVertex(edge, Standard_True))};
+  }
+
+  /// A use of another edge along an edge, there or back.
+  std::optional<std::size_t> double_of(const TopoDS_Edge& edge, bool is_back) {
+    auto [from, to] = ends_of(edge);
+    if (from == to || BRep_Tool::Degenerated(edge)) return std::nullopt;
+    if (is_back) std::swap(from, to);
+    for (const std::size_t other : between_[{from, to}])
+      if (!uses_[other].back && !uses_[other].edge.IsSame(edge) && runs_along(edge, uses_[other].edge, most_))
+        return other;
+    return std::nullopt;
+  }
+
+  void add(const TopoDS_Edge& edge) {
+    const std::size_t use = uses_.size();
+    uses_.push_back({edge, use + 1, double_of(edge, true)});
+    if (uses_[use].back) uses_[*uses_[use].back].back = use, has_doubles_ = true;
+    between_[ends_of(edge)].push_back(use);
+  }
+
+  const TopoDS_Face& face_;
+  double most_;
+  TopTools_IndexedMapOfShape vertices_;
+  std::map<std::array<int, 2>, std::vector<std::size_t>> between_;
+  std::vector<Use> uses_;
+  bool has_doubles_ = false;
+};
 
 }  // namespace
 
 std::optional<TopoDS_Face> without_doubled_edges(const TopoDS_Face& face, double diagonal) {
-  if (wires_of(face).size() < 2) return std::nullopt;
-  std::vector<Use> uses = uses_of(face);
-  if (!find_doubles(uses, most_share * diagonal)) return std::nullopt;
+  const std::vector<TopoDS_Wire> loops = wires_of(face);
+  if (loops.size() < 2) return std::nullopt;
+  DoubleFinder finder(face, most_share * diagonal);
+  for (const TopoDS_Wire& loop : loops)
+    if (!finder.add_loop(loop)) return std::nullopt;
+  const std::vector<Use> uses = finder.uses();
+  if (uses.empty()) return std::nullopt;
   TopoDS_Face made = TopoDS::Face(face.EmptyCopied());
   BRep_Builder builder;
   std::vector<char> is_walked(uses.size(), 0);
