@@ -99,5 +99,16 @@ TEST(Mend, AHoleThatRunsAlongASideIsAPieceOfTheBorder) {
   }
 }
 
+TEST(Mend, AHoleTouchesASideWithAVertexOfItsOwn) {
+  auto at = [](double x, double y) { return BRepBuilderAPI_MakeVertex(gp_Pnt(x, y, 0)).Vertex(); };
+  TopoDS_Face face =
+      BRepBuilderAPI_MakeFace(gp_Pln(), wire_through({at(0, 0), at(10, 0), at(10, 5), at(10, 10), at(0, 10)}));
+  BRep_Builder().Add(face, wire_through({at(10, 5), at(7, 3), at(7, 7)}));
+  const RunReport report = test::report_of(face, 2);
+  EXPECT_TRUE(faults(report).empty()) << faults(report).front();
+  EXPECT_STREQ(verdict(report), "sound");
+  EXPECT_NEAR(report.quality.mesh_area, 100 - 6, 1e-6);
+}
+
 }  // namespace
 }  // namespace paver

@@ -1,6 +1,7 @@
 // Mending faces, in two steps, on a copy of the shape when there is anything to do.
 // 1. Open loops: ends that are no start are joined with the nearest start that is no end. Vertices are joined all over
-//    the model at once, so faces that share them go on sharing.
+//    the model at once, so faces that share them go on sharing. So are vertices of different loops of a face in one
+//    place, where a hole touches a side.
 // 2. Images that jump or are nowhere near their curve: wrong ones are removed, and the kernel adds images, periodic
 //    edges and poles; before that, faces that lack nothing but their pole are completed to it. Each face is tried on a
 //    copy; what the trial makes better is done, in one memory of replaced edges for all faces.
@@ -15,6 +16,7 @@
 #include <ShapeFix_Face.hxx>
 #include <ShapeFix_Wire.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -53,7 +55,35 @@ void take_over(Workpiece& work, Context& context) {
   work.is_rebuilt = true;
 }
 
-/// Joins the ends of open loops.
+struct LoopVertex {
+  TopoDS_Vertex vertex;
+  std::size_t loop = 0;
+  gp_Pnt at;
+};
+
+/// Vertices of different loops of a face that are in one place: loops that touch there.
+std::vector<std::array<TopoDS_Vertex, 2>> touching_vertices(const TopoDS_Face& face, double within) {
+  const std::vector<TopoDS_Wire> wires = wires_of(face);
+  if (wires.size() < 2) return {};
+  std::vector<LoopVertex> list;
+  for (std::size_t loop = 0; loop < wires.size(); ++loop) {
+    const auto vertices = shapes_of(wires[loop], TopAbs_VERTEX);
+    for (int i = 1; i <= vertices.Extent(); ++i) {
+      const TopoDS_Vertex& vertex = TopoDS::Vertex(vertices(i));
+      list.push_back({vertex, loop, BRep_Tool::Pnt(vertex)});
+    }
+  }
+  std::ranges::stable_sort(list, {}, [](const LoopVertex& one) { return one.at.X(); });
+  std::vector<std::array<TopoDS_Vertex, 2>> pairs;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    for (std::size_t j = i + 1; j < list.size() && list[j].at.X() - list[i].at.X() <= within; ++j)
+      if (list[i].loop != list[j].loop && !list[i].vertex.IsSame(list[j].vertex) &&
+          list[i].at.Distance(list[j].at) <= within)
+        pairs.push_back({list[i].vertex, list[j].vertex});
+  return pairs;
+}
+
+/// Joins the ends of open loops, and loops that touch.
 class LoopCloser {
  public:
   explicit LoopCloser(Workpiece& work) : work_(work) {}
@@ -62,6 +92,12 @@ class LoopCloser {
     const std::size_t before = joined_.size();
     for (const TopoDS_Wire& wire : wires_of(work.face)) add_loop(wire);
     if (joined_.size() > before) names_.push_back(face_name(work.origin));
+  }
+
+  void add_touching(const WorkFace& work) {
+    const auto pairs = touching_vertices(work.face, exact_share * work_.diagonal);
+    for (const auto& [a, b] : pairs) joined_.push_back({0, vertices_.Add(a), vertices_.Add(b)});
+    if (!pairs.empty()) names_.push_back(face_name(work.origin));
   }
 
   void run() {
@@ -350,10 +386,15 @@ void mend_faces(Workpiece& work, Progress& progress) {
     if (faults.open > 0) open.push_back(i);
     has_images |= faults.count() > faults.open;
   });
-  if (open.empty() && !has_images) return;
+  std::vector<std::size_t> touching;
+  for (std::size_t i = 0; i < work.faces.size(); ++i)
+    if (work.faces[i].is_usable() && !touching_vertices(work.faces[i].face, exact_share * work.diagonal).empty())
+      touching.push_back(i);
+  if (open.empty() && !has_images && touching.empty()) return;
   copy_shape(work);
   LoopCloser closer(work);
   for (std::size_t i : open) closer.add_face(work.faces[i]);
+  for (std::size_t i : touching) closer.add_touching(work.faces[i]);
   closer.run();
   FaceMender mender(work);
   for_faults(work, [&](std::size_t i, const LoopFaults& faults) {
