@@ -24,6 +24,7 @@ constexpr double narrow_gap = 0.7;         // target lengths
 constexpr double largest_ring = 3;         // target lengths: of a face with a gap about a hole
 constexpr double most_more = 2.5;          // times the intervals that a loop has
 constexpr double most_fitted_more = 4;     // the same, where edges get each as many as what they face asks for
+constexpr double most_less = 0.12;         // of its wish: what an edge may lose
 constexpr long most_fitted = 32;           // nodes
 constexpr double most_more_of_both = 1.4;  // of those wanted
 constexpr double least_jacobian = 0.4;     // of the quads between equally spaced nodes
@@ -220,7 +221,10 @@ void match_loops(const Model& model, const Loop& fewer, const Loop& more, std::v
   if (!are_divided(edges_of(fewer), counts) || !are_divided(many, counts)) return;
   const std::vector<int> as_they_are = counts_of(many, counts);
   std::vector<int> lower = as_they_are;
-  const auto may_lose = std::ranges::find_if(many, [&](int e) { return counts[e].count > counts[e].minimum; });
+  const auto may_lose = std::ranges::find_if(many, [&](int e) {
+    const EdgeCount& edge = counts[e];
+    return edge.count > edge.minimum && edge.count - 1 >= (1 - most_less) * edge.wish;
+  });
   if (sum(lower) % 2 != 0 && may_lose != many.end()) --lower[may_lose - many.begin()];
   if (!match_loops(model, fewer, more, lower, counts) && lower != as_they_are)
     match_loops(model, fewer, more, as_they_are, counts);
