@@ -142,7 +142,7 @@ std::vector<OppositeSides> sides_of_moon(const Model& model, int face, double wi
     const auto first = std::ranges::find_if(
         loop.coedges, [&](const Coedge& coedge) { return start_of(edge_of(model, coedge), coedge) == vertex; });
     if (first == loop.coedges.end()) return Side{};
-    std::ranges::rotate(side, side.begin() + (first - loop.coedges.begin()));
+    std::rotate(side.begin(), side.begin() + (first - loop.coedges.begin()), side.end());
     return side;
   };
   for (const Coedge& coedge : loops[0].coedges) {
