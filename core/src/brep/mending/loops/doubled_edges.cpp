@@ -40,9 +40,9 @@ bool runs_along(const TopoDS_Edge& edge, const TopoDS_Edge& other, double most) 
   });
 }
 
-class DoubleFinder {
+class LoopJoiner {
  public:
-  DoubleFinder(const TopoDS_Face& face, double most) : face_(face), most_(most) {}
+  LoopJoiner(const TopoDS_Face& face, double most) : face_(face), most_(most) {}
 
   /// False where a loop cannot be walked as a whole.
   bool add_loop(const TopoDS_Wire& wire) {
@@ -100,7 +100,7 @@ class DoubleFinder {
 std::optional<TopoDS_Face> without_doubled_edges(const TopoDS_Face& face, double diagonal) {
   const std::vector<TopoDS_Wire> loops = wires_of(face);
   if (loops.size() < 2) return std::nullopt;
-  DoubleFinder finder(face, most_share * diagonal);
+  LoopJoiner finder(face, most_share * diagonal);
   for (const TopoDS_Wire& loop : loops)
     if (!finder.add_loop(loop)) return std::nullopt;
   const std::vector<Use> uses = finder.uses();
