@@ -78,16 +78,16 @@ std::vector<int> single_sides(const Sides& sides, const std::vector<EdgeCount>& 
   return single;
 }
 
+/// Where interval i of `count` starts, as the loop goes.
+Vec3 node_at(const Model& model, const Coedge& coedge, int i, int count) {
+  const Edge& edge = edge_of(model, coedge);
+  return edge.curve->point(edge.parameter(static_cast<double>(coedge.is_reversed ? count - i : i) / count));
+}
+
 std::vector<Vec3> nodes_on(const Model& model, const Loop& loop, const std::vector<int>& number) {
   std::vector<Vec3> nodes;
-  for (std::size_t k = 0; k < number.size(); ++k) {
-    const Coedge& coedge = loop.coedges[k];
-    const Edge& edge = edge_of(model, coedge);
-    for (int i = 0; i < number[k]; ++i) {
-      const double share = static_cast<double>(coedge.is_reversed ? number[k] - i : i) / number[k];
-      nodes.push_back(edge.curve->point(edge.parameter(share)));
-    }
-  }
+  for (std::size_t k = 0; k < number.size(); ++k)
+    for (int i = 0; i < number[k]; ++i) nodes.push_back(node_at(model, loop.coedges[k], i, number[k]));
   return nodes;
 }
 
@@ -118,7 +118,7 @@ class FacingCounts {
   }
 
   std::vector<int> best() {
-    auto off = [&](Vec3 x) { return norm(x - on_edge(0, 0)); };
+    auto off = [&](Vec3 x) { return norm(x - node_at(model_, loop_.coedges[0], 0, 1)); };
     const auto nearest = std::ranges::min_element(facing_, {}, off) - facing_.begin();
     for (int turn = -most_turned; turn <= most_turned; ++turn) try_from(static_cast<int>(nearest) + turn);
     return best_;
@@ -126,11 +126,6 @@ class FacingCounts {
 
  private:
   static constexpr int most_turned = 3;  // nodes
-
-  Vec3 on_edge(std::size_t k, double share) const {
-    const Edge& edge = edge_of(model_, loop_.coedges[k]);
-    return edge.curve->point(edge.parameter(loop_.coedges[k].is_reversed ? 1 - share : share));
-  }
 
   Vec3 facing(int i) const { return facing_[((i % total_) + total_) % total_]; }
 
@@ -141,8 +136,9 @@ class FacingCounts {
     if (!std::isnan(worst)) return worst;
     worst = 1;
     for (int i = 0; i < count && worst > worst_; ++i)
-      worst = std::min(worst, scaled_jacobian(on_edge(k, 1.0 * i / count), on_edge(k, (i + 1.0) / count),
-                                              facing(first + i + 1), facing(first + i)));
+      worst = std::min(worst, scaled_jacobian(node_at(model_, loop_.coedges[k], i, count),
+                                              node_at(model_, loop_.coedges[k], i + 1, count), facing(first + i + 1),
+                                              facing(first + i)));
     return worst;
   }
 

@@ -1,8 +1,10 @@
 // Parts that touch are made to share faces, edges and vertices.
 #pragma once
 
+#include <TopoDS_Edge.hxx>
 #include <algorithm>
 #include <array>
+#include <gp_Pnt.hxx>
 #include <optional>
 #include <set>
 #include <string>
@@ -83,6 +85,9 @@ struct Fusion {
 /// Whether it works is checked: every face has images that cover it. Where pieces of different parts lie along each
 /// other and are two, again at the distance between them, as long as that connects no parts that were apart.
 std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress);
+
+/// Half way along an edge.
+gp_Pnt middle_of(const TopoDS_Edge& edge);
 
 /// A part that was drawn in the place of another one.
 struct Twin {

@@ -15,9 +15,6 @@
 namespace paver {
 namespace {
 
-/// Faces this near each other, of the diagonal, are one; two sheets 5e-6 of it apart are drawn so.
-constexpr double same_share = 1e-7;
-constexpr double same_area_share = 1e-6;
 constexpr int edge_samples = 6;
 
 /// What tells most faces apart at no cost.
@@ -29,7 +26,7 @@ struct Outline {
 class DoubleFinder {
  public:
   DoubleFinder(const Workpiece& work, const std::function<bool(const WorkFace&, const WorkFace&)>& may_be_one)
-      : work_(work), may_be_one_(may_be_one), tolerance_(same_share * work.diagonal) {}
+      : work_(work), may_be_one_(may_be_one), tolerance_(doubled_share * work.diagonal) {}
 
   std::vector<std::array<int, 2>> run() {
     std::vector<std::array<int, 2>> doubles;
@@ -68,8 +65,8 @@ class DoubleFinder {
 
   bool are_one(const Outline& a, const Outline& b) {
     const WorkFace &one = face(std::min(a.index, b.index)), &two = face(std::max(a.index, b.index));
-    if (!may_be_one_(one, two) || std::abs(one.area - two.area) > same_area_share * one.area) return false;
     if (norm(a.box.low - b.box.low) > tolerance_ || norm(a.box.high - b.box.high) > tolerance_) return false;
+    if (!may_be_one_(one, two) || std::abs(one.area - two.area) > doubled_area_share * one.area) return false;
     return lies_on(two.face, one.face) && lies_on(one.face, two.face);
   }
 
@@ -108,7 +105,7 @@ void drop_doubles(Workpiece& work) {
     if (!dropped.has_area || !work.faces[pair[1]].has_area) continue;
     dropped.is_dropped = true;
     dropped.lose_area();
-    work.note_repair(RepairKind::dropped_face, 1, same_share * work.diagonal, face_name(dropped.origin));
+    work.note_repair(RepairKind::dropped_face, 1, doubled_share * work.diagonal, face_name(dropped.origin));
     work.doubles.push_back(pair);
   }
 }

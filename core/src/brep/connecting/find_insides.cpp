@@ -53,12 +53,12 @@ class InsideClassifier {
   IntCurvesFace_ShapeIntersector rays_;
 };
 
+}  // namespace
+
 gp_Pnt middle_of(const TopoDS_Edge& edge) {
   const CurveRange range = range_of(edge);
   return BRepAdaptor_Curve(edge).Value(range.at(0.5));
 }
-
-}  // namespace
 
 void find_insides(Workpiece& work) {
   if (std::none_of(work.parts.begin(), work.parts.end(), [](const auto& part) { return part.solid >= 0; })) return;

@@ -1,6 +1,5 @@
 // Parts that were drawn twice in one place: the later one has the faces of the earlier one, so it needs no fuse, which
 // takes long where all faces and edges coincide, or fails.
-#include <BRepAdaptor_Curve.hxx>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,10 +11,6 @@
 
 namespace paver {
 namespace {
-
-/// Edges whose middles are this near each other, of the diagonal, are one in faces that are.
-constexpr double same_share = 1e-7;
-constexpr double same_area_share = 1e-6;
 
 /// What tells most parts apart at no cost; no faces where the part is no candidate.
 struct Extent {
@@ -37,11 +32,6 @@ std::vector<Extent> extents_of(const Workpiece& work) {
   return extents;
 }
 
-gp_Pnt middle_of(const TopoDS_Edge& edge) {
-  const BRepAdaptor_Curve curve(edge);
-  return curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter()));
-}
-
 }  // namespace
 
 std::vector<Twin> find_twins(const Workpiece& work, const std::vector<PartPair>& pairs) {
@@ -49,7 +39,7 @@ std::vector<Twin> find_twins(const Workpiece& work, const std::vector<PartPair>&
   std::map<PartPair, std::vector<std::array<int, 2>>> doubles;
   for (const PartPair& pair : pairs) {
     const Extent &a = extents[pair[0]], &b = extents[pair[1]];
-    if (a.faces > 0 && a.faces == b.faces && std::abs(a.area - b.area) <= same_area_share * a.area) doubles[pair];
+    if (a.faces > 0 && a.faces == b.faces && std::abs(a.area - b.area) <= doubled_area_share * a.area) doubles[pair];
   }
   if (doubles.empty()) return {};
   auto pair_of = [](const WorkFace& one, const WorkFace& two) {
@@ -86,7 +76,7 @@ void add_twin(const Workpiece& work, const Twin& twin, Fusion& fusion) {
     for (const TopoDS_Edge& edge : edges_of(work.faces[face].face))
       for (const TopoDS_Edge& other : edges_of(work.faces[first].face)) {
         if (BRep_Tool::Degenerated(edge) || BRep_Tool::Degenerated(other)) continue;
-        if (middle_of(edge).Distance(middle_of(other)) > same_share * work.diagonal) continue;
+        if (middle_of(edge).Distance(middle_of(other)) > doubled_share * work.diagonal) continue;
         bool is_whole = true;
         for (std::size_t i = 0; i < known; ++i)
           if (fusion.edges[i].first.IsSame(other))

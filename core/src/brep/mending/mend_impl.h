@@ -90,6 +90,11 @@ TopoDS_Edge edge_without_end(const TopoDS_Face& face);
 /// " at Edge7"; empty for an edge that was added.
 std::string at_edge(const Workpiece& work, const TopoDS_Edge& edge);
 
+/// Faces, and middles of their edges, this near each other, of the diagonal, are one; two sheets 5e-6 of it apart are
+/// drawn so.
+constexpr double doubled_share = 1e-7;
+constexpr double doubled_area_share = 1e-6;
+
 /// (later, earlier) face of usable ones that lie on one another, border on border, among those that `may_be_one`.
 std::vector<std::array<int, 2>> find_doubles(const Workpiece& work,
                                              const std::function<bool(const WorkFace&, const WorkFace&)>& may_be_one);
