@@ -4,23 +4,24 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <array>
-#include <chrono>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "assemble/assembler.h"
-#include "base/listed.h"
 #include "base/tasks/gather.h"
 #include "base/tasks/shared_tasks.h"
+#include "base/tasks/stage_clock.h"
 #include "base/tasks/tasks.h"
 #include "boundary/edge_nodes.h"
 #include "boundary/prediction.h"
 #include "brep/occt_impl.h"
-#include "check/distance/cracks.h"
-#include "check/distance/crossings.h"
-#include "check/distance/gaps.h"
 #include "check/distance/surface_distance.h"
+#include "check/doubts.h"
+#include "entries/face_entries.h"
+#include "entries/names.h"
+#include "entries/notes.h"
+#include "entries/parts.h"
 #include "parallel/pave_parts.h"
 #include "paver/mesher.h"
 #include "paver/ranks.h"
@@ -32,7 +33,7 @@
 #include "sizing/point_lengths.h"
 #include "sizing/sample_box.h"
 #include "topology/build_model.h"
-#include "topology/naming/named_parts.h"
+#include "topology/named_parts.h"
 
 namespace paver {
 namespace {
@@ -64,7 +65,7 @@ class Run {
   std::vector<double> target_lengths(const CadModel& model, const std::vector<FacePoint>& points) {
     start();
     build(model);
-    begin(Stage::sizing);
+    clock_.begin(Stage::sizing);
     return point_lengths(model_, build_size_field(model_, options_, progress_), points);
   }
 
@@ -88,8 +89,6 @@ class Run {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   /// With shorter lengths on faces that are farther off than chord_error, until they are not.
   MeshShare mesh_near_surface() {
     const MeshShare built = share_;
@@ -121,11 +120,12 @@ class Run {
     PartPaver paver(regions_, costs(), static_cast<int>(nodes_.nodes.size()), options_, progress_, ranks_, queue_);
     pave(paver);
     queue_ = paver.next_queue();
-    begin(Stage::repair);
+    clock_.begin(Stage::repair);
     result_.report.element_repairs = repair_parts(model_, regions_, options_, nodes_, paver, progress_, ranks_);
-    note_repairs();
+    note_repairs(result_.report);
     Assembler assembler(
-        model_, nodes_, regions_, paver, options_, progress_, ranks_, [this](Stage stage) { begin(stage); }, share_);
+        model_, nodes_, regions_, paver, options_, progress_, ranks_, [this](Stage stage) { clock_.begin(stage); },
+        share_);
     assembler.run();
     measure();
     while (assembler.drop_faulty()) measure();
@@ -134,9 +134,9 @@ class Run {
     result_.report.tasks = shared_.times();
     result_.report.tasks.insert(result_.report.tasks.end(), paver.times().begin(), paver.times().end());
     finish(assembler);
-    name_edges();
-    name_points();
-    measure_segments();
+    name_edges(model_, result_);
+    name_points(model_, result_);
+    measure_segments(options_, result_);
     result_.face_groups = model_.face_group;
     result_.volumes = list_volumes(model_);
     result_.report.lost_parts = lost_parts(options_, model_, result_);
@@ -153,28 +153,6 @@ class Run {
     return length;
   }
 
-  /// Its entry in a list by stages, zero at first.
-  template <class T>
-  static T& of_stage(std::vector<std::pair<std::string, T>>& list, Stage stage) {
-    auto known = std::find_if(list.begin(), list.end(), [&](const auto& s) { return s.first == stage_name(stage); });
-    return known != list.end() ? known->second : list.emplace_back(stage_name(stage), T()).second;
-  }
-
-  void begin(Stage stage, long total = 1) {
-    if (stage == stage_) return;
-    end_stage();
-    ++of_stage(result_.report.stage_runs, stage);
-    progress_.begin(stage, total);
-    stage_ = stage;
-    started_ = Clock::now();
-  }
-
-  void end_stage() {
-    if (stage_ == Stage::done) return;
-    of_stage(result_.report.stage_seconds, stage_) += std::chrono::duration<double>(Clock::now() - started_).count();
-    stage_ = Stage::done;
-  }
-
   void start() {
     check(options_);
     RunReport& report = result_.report;
@@ -186,7 +164,7 @@ class Run {
 
   void build(const CadModel& model) {
     result_.report.stage_seconds.push_back({stage_name(Stage::read), model.read_seconds});
-    begin(Stage::topology);
+    clock_.begin(Stage::topology);
     model_ = build_model(*model.shape, options_, model.report, progress_, shared_);
     name_parts(model_, options_);
     result_.report.wavelength = wavelength(options_);
@@ -201,31 +179,15 @@ class Run {
     if (const std::string note = note_merges(small); !note.empty()) result_.report.notes.push_back(note);
     result_.report.merges = coplanar.merges;
     result_.report.merges.insert(result_.report.merges.end(), small.begin(), small.end());
-    for (const Face& face : model_.faces) {
-      FaceReport report;
-      report.name = face.name;
-      report.cad_area = face.area;
-      if (!face.has_area) report.status = FaceStatus::no_area;
-      if (face.is_common) report.status = FaceStatus::common;
-      if (face.is_dropped) report.status = FaceStatus::dropped;
-      if (face.is_merged) report.status = FaceStatus::merged;
-      for (int part : face.front) report.front.push_back(model_.parts[part]);
-      for (int part : face.back) report.back.push_back(model_.parts[part]);
-      report.front_medium = medium_of(model_, face.front);
-      report.back_medium = medium_of(model_, face.back);
-      report.wavelength = shortest_wavelength(options_, {*report.front_medium, *report.back_medium});
-      if (face.has_area && !face.fault.empty()) report.fail(stage_name(Stage::topology), face.fault);
-      result_.report.faces.push_back(report);
-      result_.face_names.push_back(face.label.empty() ? face.name : face.label);
-    }
+    list_faces(model_, options_, result_);
   }
 
   // Sizing, and the number of intervals of every edge.
   std::vector<int> count_intervals(ClosedLayouts closed, std::vector<FaceLayout>& layouts) {
-    begin(Stage::sizing);
+    clock_.begin(Stage::sizing);
     size_ = build_size_field(model_, options_, progress_, places_);
     for (const std::string& note : size_.local->notes()) result_.report.notes.push_back(note);
-    begin(Stage::boundary);
+    clock_.begin(Stage::boundary);
     layouts = plan_layouts(model_, size_, closed, progress_);
     std::vector<int> counts = choose_counts(model_, size_, progress_, shared_, options_.elements == Elements::all_quad);
     settle_counts(model_, layouts, counts);
@@ -256,7 +218,7 @@ class Run {
     regions_ = std::move(divided.regions);
     for (const CrossingFace& failure : divided.failures)
       result_.report.faces[failure.face].fail(stage_name(Stage::regions), failure.reason, failure.where);
-    begin(Stage::regions);
+    clock_.begin(Stage::regions);
   }
 
   // About the elements to be paved.
@@ -270,7 +232,7 @@ class Run {
   }
 
   void pave(PartPaver& paver) {
-    begin(Stage::paving);
+    clock_.begin(Stage::paving);
     report_failures(paver.pave(), regions_, result_.report);
     std::vector<long> closed(regions_.size(), 0);
     for (const Part& part : paver.parts())
@@ -280,68 +242,8 @@ class Run {
       result_.report.faces[regions_[r].face].closed_by_triangulation += closed[r];
   }
 
-  void note_repairs() {
-    constexpr std::array ways{"by moving nodes", "by other elements", "with nodes inside faces",
-                              "by other meshes of whole faces", "with nodes on B-rep edges"};
-    std::array<long, ways.size()> counts{};
-    for (const ElementRepair& repair : result_.report.element_repairs) ++counts[static_cast<std::size_t>(repair.kind)];
-    std::string list;
-    for (std::size_t i = 0; i < ways.size(); ++i)
-      if (counts[i] > 0) list += fmt::format("{}{} {}", list.empty() ? "" : ", ", counts[i], ways[i]);
-    if (!list.empty()) result_.report.notes.push_back(fmt::format("Elements repaired, places: {}.", list));
-  }
-
-  // Faces divided along creases become one again: in the mesh, in the reports and in the names.
-  void merge_pieces() {
-    for (int& face : result_.mesh.quad_face) face = model_.faces[face].origin;
-    for (int& face : result_.mesh.triangle_face) face = model_.faces[face].origin;
-    std::vector<FaceReport> pieces = std::move(result_.report.faces);
-    std::vector<std::string> names = std::move(result_.face_names);
-    result_.report.faces.clear();
-    result_.face_names.clear();
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      if (i > 0 && model_.faces[i].origin == model_.faces[i - 1].origin) {
-        add_piece(result_.report.faces.back(), pieces[i]);
-      } else {
-        result_.report.faces.push_back(pieces[i]);
-        result_.face_names.push_back(names[i]);
-      }
-    }
-  }
-
-  static void keep_common(std::vector<std::string>& names, const std::vector<std::string>& others) {
-    std::erase_if(names, [&](const std::string& name) { return std::ranges::find(others, name) == others.end(); });
-  }
-
-  // A face has failed when one of its pieces has, and has no area when none of them has.
-  static void add_piece(FaceReport& face, const FaceReport& piece) {
-    face.distance =
-        join_distances(face.distance, face.quads + face.triangles, piece.distance, piece.quads + piece.triangles);
-    if (piece.quads + piece.triangles > 0) face.worst_sj = std::min(face.worst_sj, piece.worst_sj);
-    face.longest_side = std::max(face.longest_side, piece.longest_side);
-    face.quads += piece.quads;
-    face.triangles += piece.triangles;
-    face.mesh_area += piece.mesh_area;
-    bool is_worse = piece.status == FaceStatus::failed && face.status != FaceStatus::failed;
-    bool is_first_area =
-        piece.status == FaceStatus::meshed && face.status != FaceStatus::failed && face.status != FaceStatus::meshed;
-    if (is_worse || is_first_area) {
-      face.status = piece.status;
-      face.stage = piece.stage;
-      face.reason = piece.reason;
-      face.where = piece.where;
-    }
-    keep_common(face.front, piece.front);
-    keep_common(face.back, piece.back);
-    if (face.front_medium != piece.front_medium) face.front_medium.reset();
-    if (face.back_medium != piece.back_medium) face.back_medium.reset();
-    if (piece.wavelength) face.wavelength = std::min(*piece.wavelength, face.wavelength.value_or(INFINITY));
-    face.cad_area += piece.cad_area;
-    face.closed_by_triangulation += piece.closed_by_triangulation;
-  }
-
   void measure() {
-    begin(Stage::quality);
+    clock_.begin(Stage::quality);
     std::vector<bool> is_periodic;
     for (const Edge& edge : model_.edges) is_periodic.push_back(edge.is_periodic);
     RunReport& report = result_.report;
@@ -363,23 +265,13 @@ class Run {
     }
     report.quality.metric = assembler.metric();
     report.quality.metric.predicted = predicted_;
-    const MeshPieces pieces(result_.mesh, model_, ranks_);
-    report.gaps = find_gaps(pieces, model_, ranks_);
-    std::erase_if(report.gaps, [&](const Gap& gap) {
-      const auto& named = report.model.unconnected;
-      return std::find(named.begin(), named.end(), gap.parts) != named.end();
-    });
-    PartPairs told = report.model.unconnected;
-    for (const Gap& gap : report.gaps) told.push_back(gap.parts);
-    report.crossings = find_crossings(pieces, model_, told, ranks_);
-    for (Gap& crack : find_cracks(model_, report.target_length)) report.gaps.push_back(std::move(crack));
-    merge_pieces();
-    measure_wires();
+    find_doubts(MeshPieces(result_.mesh, model_, ranks_), model_, ranks_, report);
+    merge_pieces(model_, result_);
+    count_wire_lines(model_, result_);
     report.components = find_components(model_, report.faces);
-    if (options_.elements == Elements::all_quad) note_remaining("Triangles", &FaceReport::triangles);
-    if (options_.elements == Elements::all_triangle) note_remaining("Quads", &FaceReport::quads);
-    if (options_.order > 1) note_far_faces();
-    end_stage();
+    note_remaining(report);
+    note_far_faces(report);
+    clock_.end();
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     report.peak_memory_mib = static_cast<double>(usage.ru_maxrss) / 1024;
@@ -397,85 +289,9 @@ class Run {
     }
   }
 
-  using Count = long FaceReport::*;
-  void note_remaining(const char* kind, Count count) {
-    std::string faces;
-    for (const FaceReport& face : result_.report.faces)
-      if (face.*count > 0) faces += fmt::format("{}{} ({})", faces.empty() ? "" : ", ", face.name, face.*count);
-    if (!faces.empty()) result_.report.notes.push_back(fmt::format("{} remain in {}.", kind, faces));
-  }
-
-  // Where the surface bends within less than the narrowest elements, or curved ones would fold.
-  void note_far_faces() {
-    constexpr double far = 0.05;  // of the target length
-    constexpr std::size_t most_listed = 6;
-    RunReport& report = result_.report;
-    std::vector<std::string> faces;
-    for (const FaceReport& face : report.faces)
-      if (const double off = face.distance.largest / report.target_length; off > far)
-        faces.push_back(fmt::format("{} ({:.2f})", face.name, off));
-    if (!faces.empty())
-      report.notes.push_back(
-          fmt::format("Farther off the surface than {} of the target length: {}; a smaller size there follows it.", far,
-                      listed(faces, most_listed)));
-  }
-
-  // Lines and nodes get the edges of the shape as read; in the model's own list there are pieces of these and others.
-  void name_edges() {
-    const EdgeEntities entities = list_edge_entities(model_);
-    result_.edge_names = entities.names;
-    result_.edge_groups = entities.groups;
-    SurfaceMesh& mesh = result_.mesh;
-    for (std::size_t line = 0; line < mesh.line_edge.size(); ++line) {
-      int edge = mesh.line_edge[line];
-      mesh.line_edge[line] = entities.of_edge[edge];
-      for (int origin : model_.edges[edge].origins)
-        if (origin != mesh.line_edge[line]) mesh.further_edges.push_back({static_cast<int>(line), origin});
-    }
-    for (int& edge : mesh.node_edge)
-      if (edge >= 0) edge = entities.of_edge[edge];
-  }
-
-  void name_points() {
-    std::vector<int> nodes;
-    std::string lost;
-    for (std::size_t i = 0; i < model_.points.size(); ++i) {
-      const int node = result_.mesh.points[i];
-      const std::string& name = model_.points[i].name;
-      if (node < 0) {
-        if (!model_.points[i].is_apart) lost += (lost.empty() ? "" : ", ") + name;
-        continue;
-      }
-      nodes.push_back(node);
-      result_.point_names.push_back(name);
-    }
-    result_.mesh.points = std::move(nodes);
-    if (!lost.empty())
-      result_.report.notes.push_back(fmt::format("Points without a node, as nothing was meshed there: {}.", lost));
-  }
-
-  void measure_wires() {
-    for (int edge : result_.mesh.line_edge) result_.report.quality.wire_lines += is_of_wire(model_, edge);
-  }
-
-  /// By the names that lines have in the end.
-  void measure_segments() {
-    const SurfaceMesh& mesh = result_.mesh;
-    for (std::size_t line = 0; line < mesh.line_edge.size(); ++line)
-      for (const Wire& wire : options_.wires) {
-        if (result_.edge_groups[mesh.line_edge[line]] != wire.name) continue;
-        const auto nodes = mesh.line(line);
-        const double segment = norm(mesh.nodes[nodes[1]] - mesh.nodes[nodes[0]]) / wire.radius;
-        std::optional<double>& least = result_.report.least_segment;
-        least = std::min(segment, least.value_or(segment));
-      }
-  }
-
   Options options_;  // with the lengths that chord_error asks for
   Progress& progress_;
   Ranks& ranks_;
-  Stage stage_ = Stage::done;
-  Clock::time_point started_;
   Model model_;
   std::vector<SizeSource> places_;  // likewise
   std::vector<FarPlace> far_;       // in the last mesh, by entries of the report
@@ -487,6 +303,7 @@ class Run {
   int queue_ = 0;  // of the ranks: the first that no mesh has used
   MeshShare share_;
   MeshResult& result_ = share_.result;
+  StageClock clock_{result_.report, progress_};
 };
 
 Options unlimited(Options options) {

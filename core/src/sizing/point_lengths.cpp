@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include "topology/naming/named_parts.h"
+#include "topology/named_parts.h"
 
 namespace paver {
 namespace {

@@ -1,5 +1,5 @@
 // Parts keep their names in the mesh, whatever becomes of them.
-#include "topology/naming/named_parts.h"
+#include "topology/named_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,7 @@
 #include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
 #include "core/brep/shape_files.h"
+#include "entries/names.h"
 #include "paver/mesher.h"
 #include "support/report_of.h"
 

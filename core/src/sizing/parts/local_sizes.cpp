@@ -14,7 +14,7 @@
 #include "paver/error.h"
 #include "sizing/parts/find_places.h"
 #include "sizing/sample_box.h"
-#include "topology/naming/named_parts.h"
+#include "topology/named_parts.h"
 
 namespace paver {
 namespace {

@@ -1,11 +1,10 @@
 // By numbers of the shape as read: edges of the model know their origins, faces their entry of the report, vertices are
 // found by their place, as what connects parts may have moved one onto another.
-#include "topology/naming/named_parts.h"
+#include "topology/named_parts.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "base/local_parts.h"
@@ -31,12 +30,6 @@ std::size_t count_of(const Model& model, PartKind kind) {
 const char* kind_of(PartKind kind) {
   constexpr const char* names[] = {"Face", "Edge", "Vertex", "Solid"};
   return names[static_cast<std::size_t>(kind)];
-}
-
-constexpr double same_place = 0.01;  // of the target length: how far connecting may have moved a vertex
-
-double reach(const Model& model, const Options& options) {
-  return model.report.sew_tolerance + same_place * target_length(options);
 }
 
 /// The nearest one that an edge ends at, no farther than `most`; -1: none.
@@ -65,8 +58,6 @@ void put_group(Model& model, const std::string& name, const std::vector<std::str
   }
 }
 
-bool has(const std::vector<int>& list, int value) { return std::find(list.begin(), list.end(), value) != list.end(); }
-
 }  // namespace
 
 void check_part(const Model& model, const std::string& part, const std::string& who) {
@@ -80,13 +71,21 @@ void check_part(const Model& model, const std::string& part, const std::string& 
   throw Error(ErrorCode::bad_option, fmt::format("{} names {}, but the model has {}.", who, part, has));
 }
 
-bool is_of_face(const Model& model, int entry, int face) { return has(model.faces_as_read(entry), face); }
+double vertex_reach(const Model& model, const Options& options) {
+  constexpr double same_place = 0.01;  // of the target length
+  return model.report.sew_tolerance + same_place * target_length(options);
+}
+
+bool is_of_face(const Model& model, int entry, int face) {
+  const auto& faces = model.faces_as_read(entry);
+  return std::find(faces.begin(), faces.end(), face) != faces.end();
+}
 
 void name_parts(Model& model, const Options& options) {
   model.face_group.assign(static_cast<std::size_t>(model.read_faces) + model.common.size(), "");
   model.edge_group.assign(static_cast<std::size_t>(model.read_edges), "");
   model.solid_medium.assign(model.solid_faces.size(), "");
-  const double most = reach(model, options);
+  const double most = vertex_reach(model, options);
   for (const Port& port : options.ports) put_group(model, port.name, port.parts, most);
   for (const Wire& wire : options.wires) put_group(model, wire.name, wire.parts, most);
   std::set<int> local;
@@ -109,53 +108,6 @@ std::string medium_of(const Model& model, const std::vector<int>& parts) {
     if (solid >= 0 && !model.solid_medium[solid].empty()) return model.solid_medium[solid];
   }
   return "";
-}
-
-std::vector<Volume> list_volumes(const Model& model) {
-  std::vector<Volume> volumes;
-  for (std::size_t p = 0; p < model.parts.size(); ++p) {
-    const int part = static_cast<int>(p);
-    const std::string medium = medium_of(model, {part});
-    if (medium.empty()) continue;
-    std::map<int, std::set<int>> sides;  // by entry
-    for (const Face& face : model.faces)
-      if (face.is_meshed()) sides[face.origin].insert(has(face.back, part) - has(face.front, part));
-    Volume volume{model.parts[p], medium, {}};
-    for (const auto& [entry, side] : sides)
-      if (side.size() == 1 && *side.begin() != 0) volume.sides.push_back(*side.begin() * (entry + 1));
-    if (!volume.sides.empty()) volumes.push_back(volume);
-  }
-  return volumes;
-}
-
-std::vector<std::string> lost_parts(const Options& options, const Model& model, const MeshResult& result) {
-  std::vector<std::string> lost;
-  std::set<int> edges;  // as read, that have lines
-  edges.insert(result.mesh.line_edge.begin(), result.mesh.line_edge.end());
-  for (const auto& [line, edge] : result.mesh.further_edges) edges.insert(edge);
-  auto is_there = [&](const std::string& name, const PartName& part) {
-    if (part.kind == PartKind::edge) return edges.contains(part.index);
-    if (part.kind == PartKind::vertex) {
-      const Vec3 x = model.read_vertices[part.index];
-      for (std::size_t i = 0; i < result.point_names.size(); ++i)
-        if (result.point_names[i] == name &&
-            norm(result.mesh.nodes[result.mesh.points[i]] - x) <= reach(model, options))
-          return true;
-      return false;
-    }
-    const std::vector<FaceReport>& entries = result.report.faces;  // of the whole mesh, on any rank
-    for (std::size_t entry = 0; entry < entries.size(); ++entry)
-      if (entries[entry].quads + entries[entry].triangles > 0 && is_of_face(model, static_cast<int>(entry), part.index))
-        return true;
-    return false;
-  };
-  auto look = [&](const std::string& name, const std::vector<std::string>& parts) {
-    for (const std::string& part : parts)
-      if (!is_there(name, *parse_part(part))) lost.push_back(fmt::format("{} of '{}'", part, name));
-  };
-  for (const Port& port : options.ports) look(port.name, port.parts);
-  for (const Wire& wire : options.wires) look(wire.name, wire.parts);
-  return lost;
 }
 
 }  // namespace paver

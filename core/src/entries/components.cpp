@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/union_find.h"
-#include "topology/naming/named_parts.h"
+#include "entries/parts.h"
 
 namespace paver {
 namespace {

@@ -1,7 +1,7 @@
 // In: model. Out: entity of every edge, names and groups of the entities.
 #include <algorithm>
 
-#include "topology/naming/named_parts.h"
+#include "entries/names.h"
 
 namespace paver {
 namespace {
