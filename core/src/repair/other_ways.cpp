@@ -27,6 +27,7 @@ constexpr double coarse_chords = 0.15;  // the same at order 1: eight chords aro
 constexpr double poor = 0.1;            // worth less, another way is none unless there was worse
 constexpr double much_less = 0.5;       // of what the first way lacks: then another one is taken
 constexpr long most_more = 3;           // times the elements, at most
+constexpr long most_finer = 1600;       // elements of a face, where only smaller ones make it whole
 constexpr double most_long = 1.5;       // target lengths: of a side
 
 bool has_few_elements(const RegionMesh& mesh) { return mesh.living_elements() <= few_elements; }
@@ -107,10 +108,12 @@ class Remesher {
   bool pave_finer() {
     constexpr double shares[] = {0.5, 0.25};  // of the facets' mean length
     if (region_.loops.empty() || !has_few_elements(paved_.mesh)) return false;
-    const double mean = mean_facet(region_);
+    const double mean = mean_facet(region_), area = region_.own_area > 0 ? region_.own_area : of_.face.area;
+    const long most = must_be_finer_ ? most_more * paved_.mesh.living_elements() : most_finer;
     return std::ranges::any_of(shares, [&](double share) {
       Region finer = region_;
       finer.h = share * std::min(mean, region_.h);
+      if (area > static_cast<double>(most) * finer.h * finer.h) return false;  // facets far shorter than the face
       finer.size.count_no_turns();
       finer.size = finer.size.scaled(finer.h / region_.h);
       for (auto& loop : finer.loops)
