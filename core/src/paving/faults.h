@@ -14,8 +14,8 @@ struct Faults {
 
 Faults count_faults(const RegionMesh& mesh);
 
-/// Scaled Jacobian without the corners that are as the region has them, whatever is done inside: the only ones at a
-/// fixed node, and those at apexes.
+/// Scaled Jacobian without the corners that are as the region has them, whatever is done inside: sharp ones that are
+/// the only ones at a fixed node, and those at apexes.
 double free_jacobian(const Region& region, const RegionMesh& mesh, const Element& e);
 
 }  // namespace paver

@@ -46,4 +46,14 @@ TEST(FreeJacobian, LeavesOutCornersThatTheBoundaryHasSo) {
   EXPECT_GT(free_jacobian(region, mesh, triangle), 0.9);  // those about an apex are as narrow as the surface turns
 }
 
+TEST(FreeJacobian, TakesABoundarysStraightNodeWithOneElementForPoor) {
+  Region region;
+  RegionMesh mesh;
+  const std::vector<Vec2> corners{{0, 0}, {1, 0}, {0.5, 0.5}, {0, 1}};
+  for (Vec2 p : corners) mesh.is_fixed[mesh.add_node(p, {p.x, p.y, 0}, {1, 0, 0}, {0, 1, 0}, 1)] = 1;
+  const Element quad{{0, 1, 2, 3}};
+  mesh.add_element(quad.v);
+  EXPECT_LT(free_jacobian(region, mesh, quad), 1e-9);  // two elements would do better there
+}
+
 }  // namespace paver
