@@ -1,4 +1,5 @@
-// Cells and pieces are halved until the target length varies little in each: only near what asks for a short one.
+// Cells and pieces are halved, across the longer way, until the target length varies little in each: only near what
+// asks for a short one.
 #include "sizing/parts/local_counts.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@ namespace paver {
 namespace {
 
 constexpr int first_cells = 8;       // per direction
-constexpr int deepest_cell = 12;     // halvings
+constexpr int deepest_cell = 24;     // halvings, of either direction
 constexpr int most_cells = 200000;   // of a face, where all of it is near
 constexpr int deepest_piece = 20;    // halvings
 constexpr double coarse_cell = 0.8;  // of h over the gradation: size of a cell that is not halved
@@ -56,11 +57,10 @@ class CellCounter {
     const double least_far = plain + 0.5 * gradation_ * reach;
     bool is_near = size_.around_parts(x, least_far) < least_far;
     if (depth < deepest_cell && cells_ < most_cells && is_near && gradation_ * reach > coarse_cell * h) {
-      cells_ += 4;
-      add(lo, middle, depth + 1);
-      add(middle, hi, depth + 1);
-      add({middle.x, lo.y}, {hi.x, middle.y}, depth + 1);
-      add({lo.x, middle.y}, {middle.x, hi.y}, depth + 1);
+      cells_ += 2;
+      const bool is_wide = wide > high;  // faces are often long and thin
+      add(lo, is_wide ? Vec2{middle.x, hi.y} : Vec2{hi.x, middle.y}, depth + 1);
+      add(is_wide ? Vec2{middle.x, lo.y} : Vec2{lo.x, middle.y}, hi, depth + 1);
       return;
     }
     if (is_near) counts_.near.add(lo), counts_.near.add(hi);
