@@ -10,6 +10,7 @@
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_Plane.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
@@ -55,8 +56,10 @@ double disc_area(double bend, double radius) {
   return 2 * pi / 3 * (std::pow(1 + bend * bend * radius * radius, 1.5) - 1) / (bend * bend);
 }
 
-TopoDS_Wire circle_on(const Handle(Geom_Surface) & surface, double radius) {
-  const Handle(Geom2d_Circle) circle = new Geom2d_Circle(gp_Ax2d(), radius);
+/// About (0, 0), from the angle `begin` on.
+TopoDS_Wire circle_on(const Handle(Geom_Surface) & surface, double radius, double begin = 0) {
+  const gp_Ax2d axis({}, {std::cos(begin), std::sin(begin)});
+  const Handle(Geom2d_Circle) circle = new Geom2d_Circle(axis, radius);
   const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(circle, surface).Edge();
   BRepLib::BuildCurve3d(edge);
   return BRepBuilderAPI_MakeWire(edge).Wire();
@@ -102,6 +105,13 @@ TEST(BorderArea, OfDiscsAndWhatTheyLeaveOfASaddle) {
       EXPECT_NEAR(face_area(holed.Face()), whole - area, share * whole) << spans << " " << radius;
     }
   }
+}
+
+TEST(BorderArea, OfADiscWhereverItsCircleBegins) {
+  const Handle(Geom_Surface) plane = new Geom_Plane(gp_Ax3());
+  for (const double begin : {0.3, 1.06, 2.0, 5.9})
+    EXPECT_NEAR(face_area(BRepBuilderAPI_MakeFace(plane, circle_on(plane, 10, begin)).Face()), 100 * pi,
+                share * 100 * pi);
 }
 
 TEST(BorderArea, OfARoofIsThatOfItsPlanes) {

@@ -226,6 +226,19 @@ std::vector<double> ends_of(int count, Tell&& tell) {
   return ends;
 }
 
+/// BorderImage::breaks. What is no line is cut in four at least: of a whole circle Lobatto's points see half the
+/// height.
+std::vector<double> breaks_of(const Geom2dAdaptor_Curve& curve) {
+  constexpr std::size_t fewest = 4;
+  const std::vector<double> ends =
+      ends_of(curve.NbIntervals(GeomAbs_CN), [&](auto& all) { curve.Intervals(all, GeomAbs_CN); });
+  if (curve.GetType() == GeomAbs_Line || ends.size() > fewest || ends.size() < 2) return ends;
+  std::vector<double> breaks{ends.front()};
+  for (std::size_t k = 1; k < ends.size(); ++k)
+    for (std::size_t i = 1; i <= fewest; ++i) breaks.push_back(std::lerp(ends[k - 1], ends[k], double(i) / fewest));
+  return breaks;
+}
+
 }  // namespace
 
 std::optional<double> area_within(const TopoDS_Face& face, const Surface& surface,
@@ -256,9 +269,7 @@ std::optional<double> area_within_images(const TopoDS_Face& face) {
       if (image.curve.IsNull()) return std::nullopt;
       const Geom2dAdaptor_Curve curve(image.curve, image.first, image.last);
       border.push_back({make_parameter_curve(edge, plain, image.first, image.last), image.first, image.last,
-                        edge.Orientation() == TopAbs_REVERSED, ends_of(curve.NbIntervals(GeomAbs_CN), [&](auto& ends) {
-                          curve.Intervals(ends, GeomAbs_CN);
-                        })});
+                        edge.Orientation() == TopAbs_REVERSED, breaks_of(curve)});
     }
     const std::unique_ptr<Surface> surface = make_surface(plain, 0);
     return surface ? area_within(plain, *surface, border) : std::nullopt;
