@@ -295,6 +295,21 @@ TEST(ConnectRound, BodiesOfLooseFacesAreConnectedLikeSolids) {
   }
 }
 
+// A pin in the holes of two plates: sewn with theirs, its edges made the kernel lose a hole's wall.
+TEST(ConnectRound, BodiesThatComeAsCompoundsOfFacesAreSewnEachByItself) {
+  const TopoDS_Shape pin = rod(0, 0, 0, 2, 4);
+  const std::vector<TopoDS_Shape> bodies = {BRepAlgoAPI_Cut(box(-9, -9, 0, 18, 18, 2), pin).Shape(),
+                                            BRepAlgoAPI_Cut(box(-5, -9, 2, 18, 18, 2), pin).Shape(), pin};
+  std::vector<TopoDS_Shape> loose;
+  for (const TopoDS_Shape& body : bodies) loose.push_back(compound(loose_faces(body)));
+  const MeshResult solids = mesh_of(compound(bodies), 2);
+  const MeshResult result = mesh_of(compound({compound({loose[0], loose[1]}), loose[2]}), 2);
+  EXPECT_STREQ(verdict(result.report), "sound");
+  EXPECT_NEAR(result.report.quality.mesh_area, solids.report.quality.mesh_area, 1e-3);
+  EXPECT_EQ(result.report.quality.border_edges, 0);
+  EXPECT_EQ(result.report.model.contacts.size(), 3u);
+}
+
 // In the order in which the parts are given the kernel loses half of the ball.
 TEST(ConnectRound, ABallWhoseParametersAreNegativeLiesInItsSocket) {
   const TopoDS_Shape socket = BRepAlgoAPI_Cut(box(-25, -25, -30, 50, 50, 30), BRepPrimAPI_MakeSphere(18)).Shape();
@@ -306,20 +321,45 @@ TEST(ConnectRound, ABallWhoseParametersAreNegativeLiesInItsSocket) {
   EXPECT_NEAR(result.report.quality.mesh_area, 4 * 1500 + 5000 - pi * 18 * 18 + 4 * pi * 18 * 18, 5);
 }
 
-// The kernel follows intersections in steps of a fixed length.
+TopoDS_Shape scaled(const TopoDS_Shape& shape, double factor) {
+  gp_Trsf scale;
+  scale.SetScaleFactor(factor);
+  return BRepBuilderAPI_Transform(shape, scale).Shape();
+}
+
+/// A box, a cone that stands on it tilted a little, and a rod in both.
+TopoDS_Compound tilted_foot(double tilt, const TopoDS_Shape& other) {
+  const gp_Ax2 axis(gp_Pnt(0, 0, 0), gp_Dir(tilt, 0, 1));
+  return compound({box(-90, -90, -50, 180, 180, 50), BRepPrimAPI_MakeCone(axis, 8, 3, 10).Shape(), other});
+}
+
+// The kernel follows intersections in steps of a fixed length, and takes for one what is as near.
 TEST(ConnectRound, PartsAreConnectedAlikeAtAnySize) {
   const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(9, 1, 2), 8).Shape(),
                      horn = BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(0, -10, -12), gp_Dir(.1, .3, 1)), 6, 1, 30).Shape();
-  const MeshResult plain = mesh_of(compound({ball, horn}), 4);
-  constexpr double factor = 1e6;
-  gp_Trsf scale;
-  scale.SetScaleFactor(factor);
-  const MeshResult large = mesh_of(BRepBuilderAPI_Transform(compound({ball, horn}), scale).Shape(), 4 * factor);
-  ASSERT_EQ(large.report.model.contacts.size(), 1u);
-  EXPECT_NEAR(large.report.model.contacts[0].size, factor * plain.report.model.contacts[0].size, 1e-5 * factor);
-  EXPECT_STREQ(verdict(large.report), "sound");
-  EXPECT_NEAR(large.report.quality.mesh_area, factor * factor * plain.report.quality.mesh_area,
-              1e-3 * large.report.quality.mesh_area);
+  const gp_Ax2 axis(gp_Pnt(11.3926, 1.1217, 0), gp_Dir(1.745e-4, 0, 1));
+  const TopoDS_Compound foot = tilted_foot(5.236e-3, BRepPrimAPI_MakeCylinder(axis, 6, 4).Shape());
+  for (const TopoDS_Shape& parts : {compound({ball, horn}), foot}) {
+    const MeshResult plain = mesh_of(parts, 4);
+    for (const double factor : {1e6, 1e-3}) {
+      SCOPED_TRACE(factor);
+      const MeshResult other = mesh_of(scaled(parts, factor), 4 * factor);
+      EXPECT_TRUE(other.report.model.unconnected.empty());
+      ASSERT_EQ(other.report.model.contacts.size(), plain.report.model.contacts.size());
+      const Contact &there = other.report.model.contacts[0], &here = plain.report.model.contacts[0];
+      EXPECT_NEAR(there.size, factor * here.size, 1e-5 * factor * here.size);
+      EXPECT_STREQ(verdict(other.report), verdict(plain.report));
+      EXPECT_NEAR(other.report.quality.mesh_area, factor * factor * plain.report.quality.mesh_area,
+                  1e-3 * other.report.quality.mesh_area);
+    }
+  }
+}
+
+TEST(ConnectRound, WhatCannotBeConnectedKeepsItsSize) {
+  constexpr double factor = 1e-5;  // the kernel fails
+  const MeshResult result = mesh_of(scaled(tilted_foot(5.06e-3, rod(11.4, 1.1, -.2, 6, 4)), factor), 8 * factor);
+  EXPECT_FALSE(result.report.model.unconnected.empty());
+  for (const Vec3 x : result.mesh.nodes) EXPECT_LT(norm(x), 200 * factor);
 }
 
 }  // namespace

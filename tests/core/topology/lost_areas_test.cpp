@@ -6,13 +6,17 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRep_Builder.hxx>
+#include <Geom2d_Line.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Plane.hxx>
+#include <Geom_SphericalSurface.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <TopExp.hxx>
 #include <TopoDS.hxx>
 #include <gp_Circ.hxx>
 #include <numbers>
@@ -88,6 +92,27 @@ TEST(LostAreas, NameABorderWhoseAreasCancel) {
 TEST(LostAreas, NameABorderThatIsOpen) {
   expect_faulty(flat_face(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 5), gp_Pnt(8, 0, 5)).Edge())),
                 "its boundary is open at Edge13");
+}
+
+// The inner skin of a ball with a void, as STEP has what IGES had: the kernel finds no area.
+TEST(LostAreas, ASphereWhoseLoopRunsFromPoleToPoleAndBackIsWhole) {
+  const double pi = std::numbers::pi;
+  const Handle(Geom_Surface) sphere = new Geom_SphericalSurface(gp_Ax3(), 5);
+  TopoDS_Face face;
+  TopoDS_Wire wire;
+  BRep_Builder builder;
+  builder.MakeFace(face, sphere, 1e-7);
+  builder.MakeWire(wire);
+  const TopoDS_Edge up =
+      BRepBuilderAPI_MakeEdge(new Geom2d_Line(gp_Pnt2d(1, 0), gp_Dir2d(0, 1)), sphere, -pi / 2, pi / 2);
+  const TopoDS_Edge down = BRepBuilderAPI_MakeEdge(new Geom2d_Line(gp_Pnt2d(1, 0), gp_Dir2d(0, -1)), sphere,
+                                                   TopExp::LastVertex(up), TopExp::FirstVertex(up), -pi / 2, pi / 2);
+  for (const TopoDS_Edge& edge : {up, down}) BRepLib::BuildCurve3d(edge), builder.Add(wire, edge);
+  builder.Add(face, wire);
+  const MeshResult result = with_box(face);
+  EXPECT_STREQ(verdict(result.report), "sound");
+  EXPECT_NEAR(result.report.faces[6].mesh_area, 100 * pi, 0.5);
+  EXPECT_EQ(result.report.quality.border_edges, 0);
 }
 
 // A nick in a corner: its faces are small, but no slivers, and the box is open without them.

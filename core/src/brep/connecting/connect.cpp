@@ -18,12 +18,12 @@ namespace {
 /// Of the diagonal: parts that are farther from the origin are fused there. The kernel's intersections are as exact as
 /// coordinates are, and it takes 1e-7 mm for granted.
 constexpr double far_away = 10;
-/// Larger models (mm) are fused at a power of two of their size, below this one: on large surfaces the kernel, which
-/// follows intersections to within 1e-7 mm, comes to no end.
-constexpr double large = 1e5, fused_size = 2e3;
+/// Smaller and larger models (mm) are fused at a power of two of their size, below the last one: the kernel follows
+/// intersections to within 1e-7 mm, which on large surfaces comes to no end, and takes for one what is as near.
+constexpr double small = 1, large = 1e5, fused_size = 2e3;
 
 double fused_scale(double diagonal) {
-  return diagonal > large ? std::exp2(std::floor(std::log2(fused_size / diagonal))) : 1;
+  return diagonal > large || diagonal < small ? std::exp2(std::floor(std::log2(fused_size / diagonal))) : 1;
 }
 
 /// Clusters of parts that pairs hang together; those of one part are left out but for loose ones.
@@ -61,11 +61,10 @@ class Connector {
     for (std::vector<int> cluster : clusters)
       if (std::erase_if(cluster, is_twin) == 0 || cluster.size() > 1) connect_cluster(cluster);
     for (const Twin& twin : twins) connect_twin(twin);
-    if (fusions_.empty()) return false;
-    replace_faces();
+    if (!fusions_.empty()) replace_faces();
     merged.gap /= scale;
     if (scale != 1 && !move_work(work_, {}, 1 / scale)) throw not_moved_back();
-    return true;
+    return !fusions_.empty();
   }
 
   std::vector<PartPair> failed;

@@ -108,7 +108,8 @@ void drop_doubles(Workpiece& work);
 void mend_faces(Workpiece& work, Progress& progress);
 
 /// Takes out of faces without area the edge by which a reader closes the image of a loop that goes round, as caps have
-/// whose pole lies within the surface's range: mend_faces() completes what is left.
+/// whose pole lies within the surface's range: mend_faces() completes what is left. Those whose border runs from pole
+/// to pole and back become all that lies between.
 void open_lost_caps(Workpiece& work);
 
 /// Faults faces for which the kernel finds no area though their border encloses something.

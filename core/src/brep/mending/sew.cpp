@@ -1,5 +1,6 @@
 // Sewing: edges of one face only that coincide with such an edge of another face become one common edge.
-// Solids are sewn each by itself, and so are the faces without one. Faces without a free edge keep their edges as they
+// Solids are sewn each by itself, then compounds of faces that this closes, as IGES has bodies, then all other faces
+// together. Faces without a free edge keep their edges as they
 // are, so sharing in the input is never undone. Faces keep their order and number.
 //
 // The tolerance is chosen by what it closes. First what fits as drawn is sewn. Where free edges stay that have other
@@ -328,6 +329,59 @@ void put(Workpiece& work, const std::vector<int>& group, const Sewn& sewn, SewRe
   result.tolerance = std::max(result.tolerance, sewn.tolerance);
 }
 
+/// Sews compounds of faces without a solid from the inside out.
+class BodySewer {
+ public:
+  BodySewer(Workpiece& work, std::optional<double> tolerance, Progress& progress, SewResult& result)
+      : work_(work),
+        tolerance_(tolerance),
+        progress_(progress),
+        result_(result),
+        indices_(shapes_of(work.shape, TopAbs_FACE)) {}
+
+  /// The faces without a solid that are in no compound which is closed, or is when sewn.
+  std::vector<int> run() { return open_faces(work_.shape, true); }
+
+ private:
+  std::vector<int> open_faces(const TopoDS_Shape& shape, bool is_outermost) {
+    std::vector<int> open;
+    int children = 0;
+    for (TopoDS_Iterator child(shape); child.More(); child.Next()) {
+      ++children;
+      if (child.Value().ShapeType() == TopAbs_COMPOUND) {
+        const bool is_only = is_outermost && shape.NbChildren() == 1;
+        const std::vector<int> inner = open_faces(child.Value(), is_only);
+        open.insert(open.end(), inner.begin(), inner.end());
+      } else {
+        for (TopExp_Explorer face(child.Value(), TopAbs_FACE); face.More(); face.Next()) {
+          const int index = indices_.FindIndex(face.Current()) - 1;
+          if (work_.faces[index].solid < 0 && work_.faces[index].is_usable()) open.push_back(index);
+        }
+      }
+    }
+    std::ranges::sort(open);
+    open.erase(std::ranges::unique(open).begin(), open.end());
+    if (!is_outermost && children > 1 && open.size() > 1 && is_closed(open)) open.clear();
+    return open;
+  }
+
+  /// Whether these faces are closed, or now are.
+  bool is_closed(const std::vector<int>& faces) {
+    const GroupSewer sewer(work_, faces, progress_);
+    if (sewer.free_before() == 0) return true;
+    const Sewn sewn = tolerance_ ? sewer.sew_at(*tolerance_) : sewer.sew_well();
+    if (sewn.free > 0 || sewn.has_lost) return false;
+    put(work_, faces, sewn, result_);
+    return true;
+  }
+
+  Workpiece& work_;
+  const std::optional<double> tolerance_;
+  Progress& progress_;
+  SewResult& result_;
+  const TopTools_IndexedMapOfShape indices_;
+};
+
 }  // namespace
 
 SewResult sew(Workpiece& work, std::optional<double> tolerance, Progress& progress) {
@@ -336,11 +390,13 @@ SewResult sew(Workpiece& work, std::optional<double> tolerance, Progress& progre
   result.free_before = result.free_after = free_count(uses);
   long units = sew_units * static_cast<long>(work.faces.size());
   if (result.free_before > 0 && tolerance != 0) {
-    const std::map<int, std::vector<int>> groups = groups_to_sew(work, uses);
+    std::map<int, std::vector<int>> groups = groups_to_sew(work, uses);
     copy_shape(work);
+    if (const auto loose = groups.find(-1); loose != groups.end())
+      loose->second = BodySewer(work, tolerance, progress, result).run();
     for (const auto& [solid, group] : groups) {
-      GroupSewer sewer(work, group, progress);
-      Sewn sewn = tolerance ? sewer.sew_at(*tolerance) : sewer.sew_well();
+      const GroupSewer sewer(work, group, progress);
+      const Sewn sewn = tolerance ? sewer.sew_at(*tolerance) : sewer.sew_well();
       if (sewn.free < sewer.free_before()) put(work, group, sewn, result);
     }
     result.free_after = free_count(count_uses(work.faces));

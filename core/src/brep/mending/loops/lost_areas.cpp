@@ -1,6 +1,7 @@
 // Faces for which the kernel finds no area, though they have one. A face without area has a border that runs back along
 // itself: beside every place of it there is one where it goes the other way, as on both sides of a sliver, or it is
 // shorter than that sliver is wide. What has a border of another kind is faulty, as drawn or as read.
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRep_Builder.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS_Wire.hxx>
@@ -27,6 +28,8 @@ constexpr int pieces = 64;
 /// Ways lead round by whole periods up to this share of one.
 constexpr double round_share = 1e-2;
 constexpr int foot_steps = 6;
+constexpr double meridian_share = 1e-6;  // of the period: places of one meridian
+constexpr double pole_share = 1e-6;      // of the diagonal: a row so small is a pole
 
 struct BorderEdge {
   TopoDS_Edge edge;
@@ -156,6 +159,55 @@ std::optional<TopoDS_Face> without_closing_edge(const TopoDS_Face& face) {
   return made;
 }
 
+/// A FORWARD face whose one loop runs along a meridian from pole to pole and back, as the edge between its periods
+/// does: all of the surface between these poles. Readers put both images in one place.
+std::optional<TopoDS_Face> all_round(const TopoDS_Face& face, double diagonal) {
+  const std::vector<TopoDS_Wire> wires = wires_of(face);
+  TopLoc_Location location;
+  const Handle(Geom_Surface) surface = untrimmed(BRep_Tool::Surface(face, location));
+  if (wires.size() != 1 || surface.IsNull() || !surface->IsUClosed()) return std::nullopt;
+  const std::vector<Step> steps = steps_of(wires[0], face);
+  if (steps.empty()) return std::nullopt;
+  double first = 0, last = 0, from = 0, to = 0;
+  surface->Bounds(first, last, from, to);
+  const double period = last - first;
+  const gp_Pnt2d start = image_of(steps[0].edge, face).uv(0);
+  double v0 = start.Y(), v1 = v0;
+  for (const Step& step : steps)
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const gp_Pnt2d uv = image_of(step.edge, face).uv(share);
+      if (std::abs(uv.X() - start.X()) > meridian_share * period) return std::nullopt;
+      v0 = std::min(v0, uv.Y()), v1 = std::max(v1, uv.Y());
+    }
+  for (const double v : {v0, v1})
+    for (const double turn : {0.25, 0.5, 0.75})
+      if (surface->Value(first, v).Distance(surface->Value(first + turn * period, v)) > pole_share * diagonal)
+        return std::nullopt;
+  BRepBuilderAPI_MakeFace maker(surface, first, last, v0, v1, Precision::Confusion());
+  return maker.IsDone() ? std::optional(TopoDS::Face(maker.Face().Moved(location))) : std::nullopt;
+}
+
+/// A sliver along a meridian has neighbours.
+bool has_neighbour(const WorkFace& face, const Workpiece& work) {
+  const std::vector<TopoDS_Edge> edges = edges_of(face.face);
+  return std::ranges::any_of(work.faces, [&](const WorkFace& other) {
+    return &other != &face &&
+           std::ranges::any_of(edges, [&](const auto& edge) { return use_count(edge, other.face) > 0; });
+  });
+}
+
+/// Whether the face was all round; it is now.
+bool take_all_round(WorkFace& face, Workpiece& work) {
+  if (!all_round(forward(face.face), work.diagonal) || has_neighbour(face, work)) return false;
+  copy_shape(work);
+  face.face = TopoDS::Face(all_round(forward(face.face), work.diagonal)->Oriented(face.face.Orientation()));
+  face.area = face_area(face.face);
+  face.has_area = work.is_area(face.area);
+  work.note_repair(RepairKind::periodic_edge, 1, 0, face_name(face.origin));
+  work.is_rebuilt = true;
+  return true;
+}
+
 void fault(Workpiece& work, WorkFace& face, const TopoDS_Edge& edge, const std::string& what) {
   face.fault = what + at_edge(work, edge) + "; repair it in the CAD program";
   face.has_area = true;
@@ -166,7 +218,7 @@ void fault(Workpiece& work, WorkFace& face, const TopoDS_Edge& edge, const std::
 void open_lost_caps(Workpiece& work) {
   for (WorkFace& face : work.faces) {
     if (face.has_area || face.is_dropped || !face.fault.empty()) continue;
-    if (!without_closing_edge(forward(face.face))) continue;
+    if (take_all_round(face, work) || !without_closing_edge(forward(face.face))) continue;
     copy_shape(work);
     const std::optional<TopoDS_Face> cap = without_closing_edge(forward(face.face));
     face.face = TopoDS::Face(cap->Oriented(face.face.Orientation()));
