@@ -365,8 +365,11 @@ class BodySewer {
     return open;
   }
 
-  /// Whether these faces are closed, or now are.
+  /// Whether these faces are closed, or now are. Not those on which another body's face lay: that body is open without
+  /// it, and sewn to these.
   bool is_closed(const std::vector<int>& faces) {
+    auto lies_beneath = [&](const std::array<int, 2>& pair) { return std::ranges::binary_search(faces, pair[1]); };
+    if (std::ranges::any_of(work_.doubles, lies_beneath)) return false;
     const GroupSewer sewer(work_, faces, progress_);
     if (sewer.free_before() == 0) return true;
     const Sewn sewn = tolerance_ ? sewer.sew_at(*tolerance_) : sewer.sew_well();
