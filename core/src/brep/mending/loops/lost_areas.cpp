@@ -159,31 +159,39 @@ std::optional<TopoDS_Face> without_closing_edge(const TopoDS_Face& face) {
   return made;
 }
 
-/// A FORWARD face whose one loop runs along a meridian from pole to pole and back, as the edge between its periods
-/// does: all of the surface between these poles. Readers put both images in one place.
-std::optional<TopoDS_Face> all_round(const TopoDS_Face& face, double diagonal) {
+/// Where the one loop of a face runs along a line of one u of a surface that is closed in u: the least and the largest
+/// v.
+std::optional<std::array<double, 2>> ends_on_meridian(const TopoDS_Face& face, const Handle(Geom_Surface) & surface) {
   const std::vector<TopoDS_Wire> wires = wires_of(face);
-  TopLoc_Location location;
-  const Handle(Geom_Surface) surface = untrimmed(BRep_Tool::Surface(face, location));
   if (wires.size() != 1 || surface.IsNull() || !surface->IsUClosed()) return std::nullopt;
   const std::vector<Step> steps = steps_of(wires[0], face);
   if (steps.empty()) return std::nullopt;
-  double first = 0, last = 0, from = 0, to = 0;
-  surface->Bounds(first, last, from, to);
-  const double period = last - first;
+  double first = 0, last = 0, v0 = 0, v1 = 0;
+  surface->Bounds(first, last, v0, v1);
   const gp_Pnt2d start = image_of(steps[0].edge, face).uv(0);
-  double v0 = start.Y(), v1 = v0;
+  v0 = v1 = start.Y();
   for (const Step& step : steps)
     for (const double share : {0.0, 0.5, 1.0}) {
       const gp_Pnt2d uv = image_of(step.edge, face).uv(share);
-      if (std::abs(uv.X() - start.X()) > meridian_share * period) return std::nullopt;
+      if (std::abs(uv.X() - start.X()) > meridian_share * (last - first)) return std::nullopt;
       v0 = std::min(v0, uv.Y()), v1 = std::max(v1, uv.Y());
     }
-  for (const double v : {v0, v1})
-    for (const double turn : {0.25, 0.5, 0.75})
-      if (surface->Value(first, v).Distance(surface->Value(first + turn * period, v)) > pole_share * diagonal)
-        return std::nullopt;
-  BRepBuilderAPI_MakeFace maker(surface, first, last, v0, v1, Precision::Confusion());
+  return std::array{v0, v1};
+}
+
+/// A FORWARD face whose one loop runs along a meridian from pole to pole and back, as the edge between its periods
+/// does: all of the surface between these poles. Readers put both images in one place.
+std::optional<TopoDS_Face> all_round(const TopoDS_Face& face, double diagonal) {
+  TopLoc_Location location;
+  const Handle(Geom_Surface) surface = untrimmed(BRep_Tool::Surface(face, location));
+  const auto ends = ends_on_meridian(face, surface);
+  if (!ends) return std::nullopt;
+  double first = 0, last = 0, from = 0, to = 0;
+  surface->Bounds(first, last, from, to);
+  for (const double v : *ends)
+    for (const double u : {0.75 * first + 0.25 * last, 0.5 * (first + last), 0.25 * first + 0.75 * last})
+      if (surface->Value(first, v).Distance(surface->Value(u, v)) > pole_share * diagonal) return std::nullopt;
+  BRepBuilderAPI_MakeFace maker(surface, first, last, (*ends)[0], (*ends)[1], Precision::Confusion());
   return maker.IsDone() ? std::optional(TopoDS::Face(maker.Face().Moved(location))) : std::nullopt;
 }
 
@@ -206,6 +214,16 @@ bool take_all_round(WorkFace& face, Workpiece& work) {
   work.note_repair(RepairKind::periodic_edge, 1, 0, face_name(face.origin));
   work.is_rebuilt = true;
   return true;
+}
+
+/// Whether a face is what readers leave of one that went round: its border is a line of no other face, and no short
+/// one.
+bool is_cut_down(const WorkFace& face, const Workpiece& work) {
+  TopLoc_Location location;
+  const TopoDS_Face plain = forward(face.face);
+  const Handle(Geom_Surface) surface = untrimmed(BRep_Tool::Surface(plain, location));
+  if (!ends_on_meridian(plain, surface) || has_neighbour(face, work)) return false;
+  return edge_length(edges_of(plain).front()) > end_widths * width_share * work.diagonal;
 }
 
 void fault(Workpiece& work, WorkFace& face, const TopoDS_Edge& edge, const std::string& what) {
@@ -232,7 +250,11 @@ void fault_lost_areas(Workpiece& work) {
     try {
       const TopoDS_Face plain = forward(face.face);
       const TopoDS_Edge edge = Border(plain, work.diagonal).enclosing_edge();
-      if (edge.IsNull()) continue;
+      if (edge.IsNull()) {
+        if (is_cut_down(face, work))
+          fault(work, face, edges_of(plain).front(), "its boundary is a line from which its surface goes round");
+        continue;
+      }
       const bool is_open = find_loop_faults(plain, work.diagonal).open > 0;
       fault(work, face, edge,
             is_open ? "its boundary is open" : "its boundary encloses something where its surface has no area");
