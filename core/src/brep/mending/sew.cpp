@@ -360,7 +360,7 @@ class BodySewer {
       }
     }
     std::ranges::sort(open);
-    open.erase(std::ranges::unique(open).begin(), open.end());
+    open.erase(std::unique(open.begin(), open.end()), open.end());
     if (!is_outermost && children > 1 && open.size() > 1 && is_closed(open)) open.clear();
     return open;
   }

@@ -206,9 +206,10 @@ bool has_neighbour(const WorkFace& face, const Workpiece& work) {
 
 /// Whether the face was all round; it is now.
 bool take_all_round(WorkFace& face, Workpiece& work) {
-  if (!all_round(forward(face.face), work.diagonal) || has_neighbour(face, work)) return false;
+  const std::optional<TopoDS_Face> whole = all_round(forward(face.face), work.diagonal);
+  if (!whole || has_neighbour(face, work)) return false;
   copy_shape(work);
-  face.face = TopoDS::Face(all_round(forward(face.face), work.diagonal)->Oriented(face.face.Orientation()));
+  face.face = TopoDS::Face(whole->Oriented(face.face.Orientation()));
   face.area = face_area(face.face);
   face.has_area = work.is_area(face.area);
   work.note_repair(RepairKind::periodic_edge, 1, 0, face_name(face.origin));
