@@ -29,6 +29,7 @@ constexpr double much_less = 0.5;       // of what the first way lacks: then ano
 constexpr long most_more = 3;           // times the elements, at most
 constexpr long most_finer = 1600;       // elements of a face, where only smaller ones make it whole
 constexpr double most_long = 1.5;       // target lengths: of a side
+constexpr double most_for_fewer = 1.5;  // times the elements, for fewer triangles
 
 bool has_few_elements(const RegionMesh& mesh) { return mesh.living_elements() <= few_elements; }
 
@@ -52,6 +53,13 @@ double quads_in(const RegionMesh& mesh) {
   return static_cast<double>(mesh.living_elements()) - 0.5 * static_cast<double>(mesh.triangle_count());
 }
 
+double worst_jacobian(const RegionMesh& mesh) {
+  double worst = 1;
+  for (const Element& e : mesh.elements)
+    if (e.is_alive()) worst = std::min(worst, scaled_jacobian(mesh, e));
+  return worst;
+}
+
 RegionMesh mesh_of_loop(const Region& region) {
   RegionMesh mesh;
   mesh.turn_weight = region.size.turn_weight();
@@ -73,7 +81,7 @@ class Remesher {
 
   /// The same where the elements are valid, but too coarse for the shape.
   bool make_finer() {
-    must_be_finer_ = true;
+    aim_ = Aim::finer;
     return make_whole();
   }
 
@@ -81,7 +89,8 @@ class Remesher {
     if (!of_.is_coarse_and_mixed(paved_.mesh)) return false;
     std::optional<RegionMesh> grid = lay_four_sided(region_, few_elements);
     if (grid && static_cast<double>(grid->elements.size()) < least_share * quads_in(paved_.mesh)) grid.reset();
-    return take_grid(std::move(grid)) || take_grid(lay_tube(region_)) || take_grid(fill_with_row());
+    const bool is_regular = take_grid(std::move(grid)) || take_grid(lay_tube(region_)) || take_grid(fill_with_row());
+    return pave_with_fewer_triangles() || is_regular;
   }
 
  private:
@@ -104,22 +113,50 @@ class Remesher {
                       [&] { return pave_region_once(region, of_.progress, of_.options.elements, RowRule::no_fit); });
   }
 
+  Region with_length(double h) const {
+    Region other = region_;
+    other.h = h;
+    other.size.count_no_turns();
+    other.size = other.size.scaled(h / region_.h);
+    for (auto& loop : other.loops)
+      for (LoopNode& node : loop) node.h = std::min(node.h, h);
+    return other;
+  }
+
   // Rows of elements as long as the facets may find no room, as between a hole in a tube and a cut along it.
   bool pave_finer() {
     constexpr double shares[] = {0.5, 0.25};  // of the facets' mean length
     if (region_.loops.empty() || !has_few_elements(paved_.mesh)) return false;
     const double mean = mean_facet(region_), area = region_.own_area > 0 ? region_.own_area : of_.face.area;
-    const long most = must_be_finer_ ? most_more * paved_.mesh.living_elements() : most_finer;
+    const long most = aim_ == Aim::finer ? most_more * paved_.mesh.living_elements() : most_finer;
     return std::ranges::any_of(shares, [&](double share) {
-      Region finer = region_;
-      finer.h = share * std::min(mean, region_.h);
-      if (area > static_cast<double>(most) * finer.h * finer.h) return false;  // facets far shorter than the face
-      finer.size.count_no_turns();
-      finer.size = finer.size.scaled(finer.h / region_.h);
-      for (auto& loop : finer.loops)
-        for (LoopNode& node : loop) node.h = std::min(node.h, finer.h);
+      const double h = share * std::min(mean, region_.h);
+      if (area > static_cast<double>(most) * h * h) return false;  // facets far shorter than the face
+      const Region finer = with_length(h);
       return take_paved(finer, [&] { return pave_region(finer, of_.progress, of_.options.elements); });
     });
+  }
+
+  // Lengths far above those of the facets leave gaps that only triangles close.
+  bool pave_with_fewer_triangles() {
+    constexpr double shares[] = {1.4, 1};  // of the facets' mean length
+    if (region_.loops.empty()) return false;
+    aim_ = Aim::fewer_triangles;
+    bool is_better = pave_once_more(region_, Elements::all_quad);
+    const double mean = mean_facet(region_), most = most_for_fewer * static_cast<double>(paved_.mesh.living_elements());
+    for (double share : shares) {
+      const double h = share * mean;
+      if (h >= region_.h || of_.face.area > most * h * h) continue;
+      for (Elements elements : {Elements::quad_dominant, Elements::all_quad})
+        is_better = pave_once_more(with_length(h), elements) || is_better;
+    }
+    return is_better;
+  }
+
+  // One triangle is what an odd border asks for.
+  bool pave_once_more(const Region& region, Elements elements) {
+    return paved_.mesh.triangle_count() > 1 &&
+           take_paved(region, [&] { return pave_region_once(region, of_.progress, elements); });
   }
 
   template <class Pave>
@@ -133,10 +170,12 @@ class Remesher {
   }
 
   bool take(const Region& region, PavedRegion second) {
+    if (aim_ == Aim::fewer_triangles && !has_fewer_triangles(second.mesh)) return false;
     const ElementJudge judge(region, second.mesh, of_.sides, order_);
     Mended again = mend_mesh(judge, kinds_of(of_.options.elements), find_bad(judge), second.mesh);
     if (!again.left.empty() || !of_.is_sound(second.mesh)) return false;
-    if (must_be_finer_ && !is_finer(second.mesh)) return false;
+    if (aim_ == Aim::finer && !is_finer(second.mesh)) return false;
+    if (aim_ == Aim::fewer_triangles && !is_as_good(second.mesh)) return false;
     mended_ = std::move(again), paved_ = std::move(second);
     return true;
   }
@@ -149,6 +188,20 @@ class Remesher {
            mesh.triangle_count() * count_before <= before.triangle_count() * count &&
            longest_side(mesh) <= std::max(longest_side(before), most_long * region_.h) &&
            worst_value(mesh) >= std::min(poor, worst_value(before));
+  }
+
+  /// And not many more elements.
+  bool has_fewer_triangles(const RegionMesh& mesh) const {
+    const RegionMesh& before = paved_.mesh;
+    return mesh.triangle_count() < before.triangle_count() &&
+           static_cast<double>(mesh.living_elements()) <=
+               most_for_fewer * static_cast<double>(before.living_elements());
+  }
+
+  bool is_as_good(const RegionMesh& mesh) const {
+    return has_fewer_triangles(mesh) && worst_value(mesh) >= std::min(worst_value(paved_.mesh), good) &&
+           worst_jacobian(mesh) >= std::min(worst_jacobian(paved_.mesh), good) &&
+           !(of_.is_too_coarse(mesh) && of_.lacking(mesh) > of_.lacking(paved_.mesh));
   }
 
   bool take_grid(std::optional<RegionMesh> grid) {
@@ -200,12 +253,14 @@ class Remesher {
     return mesh;
   }
 
+  enum class Aim { whole, finer, fewer_triangles };
+
   const OtherWays& of_;
   const Region& region_;
   const int order_;
   Mended& mended_;
   PavedRegion& paved_;
-  bool must_be_finer_ = false;
+  Aim aim_ = Aim::whole;
 };
 
 }  // namespace

@@ -22,7 +22,8 @@ struct OtherWays {
   /// tube, of paving that counts no turns, of either paving by the other rule for rows, of a dome of many rows, and of
   /// paving with smaller elements that, mended, leaves nothing; the same where a few elements are too coarse for the
   /// shape, if these follow it better. Where a few elements, some of them triangles, are worse than a grid of about as
-  /// many or the rows of a tube, takes these.
+  /// many or the rows of a tube, takes these; else paving without triangles, or with elements about as long as the
+  /// facets, where that leaves fewer triangles and no worse elements.
   void improve(Mended& mended, PavedRegion& paved) const;
 
   // Of a mesh of the region.

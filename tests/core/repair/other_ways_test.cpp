@@ -127,6 +127,32 @@ TEST(OtherWays, AFewElementsWithTrianglesBecomeAGridWhereThatIsBetter) {
   EXPECT_EQ(square.count(3), 0);
 }
 
+/// A square with a square hole, three intervals and one a side: a target length far above these left two triangles at
+/// every corner.
+struct MixedFrame : Trial {
+  MixedFrame()
+      : Trial(test::planar_region({test::divided({{0, 0}, {6, 0}, {6, 6}, {0, 6}}, 2),
+                                   test::reversed(test::divided({{2, 2}, {4, 2}, {4, 4}, {2, 4}}, 2))},
+                                  20)) {
+    for (const LoopNode& node : region.loops[1]) add_node(region, node, paved.mesh);
+    const auto inner = [](int i) { return 15 - i % 4; };
+    for (int k = 0; k < 4; ++k) {
+      const int a = 3 * k, end = (a + 3) % 12;
+      paved.mesh.add_element({a, a + 1, inner(k), -1});
+      paved.mesh.add_element({a + 1, a + 2, inner(k + 1), inner(k)});
+      paved.mesh.add_element({a + 2, end, inner(k + 1), -1});
+    }
+  }
+};
+
+TEST(OtherWays, TrianglesAboutAHoleMakeWayForQuadsAsLongAsItsSides) {
+  MixedFrame frame;
+  EXPECT_TRUE(frame.can_help());
+  EXPECT_EQ(frame.improve().places.size(), 1U);
+  EXPECT_EQ(frame.count(3), 0);
+  EXPECT_LE(frame.count(4), 12);
+}
+
 // As where the front of a thin rod closes along it.
 TEST(OtherWays, ElementsFarTooLongBecomeRows) {
   constexpr int n = 24;
