@@ -65,6 +65,14 @@ TEST(TieSides, AnEdgeOfAThinFaceTakesWhatItFaces) {
   EXPECT_EQ(tied(thin, {1.2, 0.1, 0.8, 0.1, 0.2, 0.1, 0.1, 0.1}), (std::vector<int>{5, 1, 1, 1, 1, 1, 1, 1}));
 }
 
+TEST(TieSides, ItTakesAsManyAsThereAre) {
+  std::vector<Vec3> corners{{0, 0, 0}, {30, 0, 0}};
+  for (int i = 20; i >= 0; --i) corners.push_back({1.5 * i, 0.1, 0});
+  std::vector<double> wishes(corners.size(), 0.1);
+  wishes[0] = 1.2;
+  EXPECT_EQ(tied(fake::polygon(corners), wishes)[0], 20);
+}
+
 TEST(TieSides, TheMinimumHolds) {
   std::vector<int> counts = tied(square(), {7.2, 9, 7.9, 9}, 8);
   EXPECT_EQ(counts, (std::vector<int>{8, 9, 8, 9}));

@@ -29,7 +29,7 @@ constexpr double thin = 0.2;    // intervals: what lies between unequal sides ar
 // Of the wish: sides of thin faces may take as many more.
 constexpr double most_on_thin = 1.5;
 // Of the wish: a side of a thin face that is one edge, for the vertices it faces.
-constexpr double most_for_vertices = 8;
+constexpr double most_for_vertices = 64;
 constexpr double rounding = 0.9;  // intervals: short edges may change by more than that share
 constexpr int most_on_short = 4;  // intervals: on an edge shorter than the target length no length is right
 // Of the intervals that its bends ask for: those of the other end of a thin rod ask for more.
