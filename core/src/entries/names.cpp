@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/listed.h"
+
 namespace paver {
 
 void name_edges(const Model& model, MeshResult& result) {
@@ -24,12 +26,12 @@ void name_edges(const Model& model, MeshResult& result) {
 
 void name_points(const Model& model, MeshResult& result) {
   std::vector<int> nodes;
-  std::string lost;
+  std::vector<std::string> lost;
   for (std::size_t i = 0; i < model.points.size(); ++i) {
     const int node = result.mesh.points[i];
     const std::string& name = model.points[i].name;
     if (node < 0) {
-      if (!model.points[i].is_apart) lost += (lost.empty() ? "" : ", ") + name;
+      if (!model.points[i].is_apart) lost.push_back(name);
       continue;
     }
     nodes.push_back(node);
@@ -37,7 +39,8 @@ void name_points(const Model& model, MeshResult& result) {
   }
   result.mesh.points = std::move(nodes);
   if (!lost.empty())
-    result.report.notes.push_back(fmt::format("Points without a node, as nothing was meshed there: {}.", lost));
+    result.report.notes.push_back(
+        fmt::format("Points without a node, as nothing was meshed there: {}.", listed(lost, lost.size())));
 }
 
 void count_wire_lines(const Model& model, MeshResult& result) {

@@ -48,12 +48,12 @@ double free_jacobian(const Region& region, const RegionMesh& mesh, const Element
   unsigned left_out = 0;
   for (int i = 0; i < e.corners(); ++i) {
     const int v = e.v[i];
+    if (!mesh.is_fixed[v]) continue;
     auto is_apex = [&](const Fan& fan) { return fan.is_apex && fan.centre.global == mesh.global[v]; };
     const Vec3 ahead = mesh.x[e.v[(i + 1) % e.corners()]] - mesh.x[v];
     const Vec3 behind = mesh.x[e.v[(i + e.corners() - 1) % e.corners()]] - mesh.x[v];
     const bool is_sharp = mesh.star[v].size() == 1 && dot(ahead, behind) > 0;  // else two elements may be better there
-    if (mesh.is_fixed[v] && (is_sharp || std::any_of(region.fans.begin(), region.fans.end(), is_apex)))
-      left_out |= 1U << i;
+    if (is_sharp || std::any_of(region.fans.begin(), region.fans.end(), is_apex)) left_out |= 1U << i;
   }
   return scaled_jacobian(mesh, e, left_out);
 }

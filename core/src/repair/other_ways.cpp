@@ -123,15 +123,18 @@ class Remesher {
     return other;
   }
 
+  /// By area alone.
+  double elements_at(double h) const { return (region_.own_area > 0 ? region_.own_area : of_.face.area) / (h * h); }
+
   // Rows of elements as long as the facets may find no room, as between a hole in a tube and a cut along it.
   bool pave_finer() {
     constexpr double shares[] = {0.5, 0.25};  // of the facets' mean length
     if (region_.loops.empty() || !has_few_elements(paved_.mesh)) return false;
-    const double mean = mean_facet(region_), area = region_.own_area > 0 ? region_.own_area : of_.face.area;
+    const double mean = mean_facet(region_);
     const long most = aim_ == Aim::finer ? most_more * paved_.mesh.living_elements() : most_finer;
     return std::ranges::any_of(shares, [&](double share) {
       const double h = share * std::min(mean, region_.h);
-      if (area > static_cast<double>(most) * h * h) return false;  // facets far shorter than the face
+      if (elements_at(h) > static_cast<double>(most)) return false;  // facets far shorter than the face
       const Region finer = with_length(h);
       return take_paved(finer, [&] { return pave_region(finer, of_.progress, of_.options.elements); });
     });
@@ -146,7 +149,7 @@ class Remesher {
     const double mean = mean_facet(region_), most = most_for_fewer * static_cast<double>(paved_.mesh.living_elements());
     for (double share : shares) {
       const double h = share * mean;
-      if (h >= region_.h || of_.face.area > most * h * h) continue;
+      if (h >= region_.h || elements_at(h) > most) continue;
       for (Elements elements : {Elements::quad_dominant, Elements::all_quad})
         is_better = pave_once_more(with_length(h), elements) || is_better;
     }

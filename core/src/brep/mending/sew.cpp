@@ -87,13 +87,25 @@ class GroupSewer {
     for (const WorkFace& face : faces) as_drawn_.faces.push_back(face.face);
   }
 
-  /// Sewn at this tolerance, whatever comes of it.
-  Sewn sew_at(double tolerance) const { return sew_at(tolerance, as_drawn_); }
+  /// At this tolerance, whatever comes of it; without one at that which fits.
+  Sewn sew(std::optional<double> tolerance) const { return tolerance ? sew_at(*tolerance, as_drawn_) : sew_well(); }
 
-  /// Sewn at the tolerance that fits.
+  long free_before() const { return as_drawn_.free; }
+
+ private:
+  /// What a tolerance is to close.
+  struct Gap {
+    double width = 0;
+    double edges = 0;  ///< how many are free at it
+  };
+
+  struct Polyline : SampledCurve {
+    Bnd_Box box;
+  };
+
   Sewn sew_well() const {
     const double most = most_tolerance(as_drawn_.uses);
-    const Sewn fitting = sew_at(std::min(fitting_share * work_.diagonal, most));
+    const Sewn fitting = sew_at(std::min(fitting_share * work_.diagonal, most), as_drawn_);
     if (fitting.free == 0) return fitting;
     const double most_left = most_tolerance(fitting.uses);
     for (const Gap& gap : gaps_to_close(fitting, std::max(most, most_left))) {
@@ -108,19 +120,6 @@ class GroupSewer {
     }
     return fitting;
   }
-
-  long free_before() const { return as_drawn_.free; }
-
- private:
-  /// What a tolerance is to close.
-  struct Gap {
-    double width = 0;
-    double edges = 0;  ///< how many are free at it
-  };
-
-  struct Polyline : SampledCurve {
-    Bnd_Box box;
-  };
 
   /// At which no free edge collapses, and none that has an end of one; all others stay as they are.
   double most_tolerance(const EdgeUses& uses) const {
@@ -345,9 +344,7 @@ class BodySewer {
  private:
   std::vector<int> open_faces(const TopoDS_Shape& shape, bool is_outermost) {
     std::vector<int> open;
-    int children = 0;
     for (TopoDS_Iterator child(shape); child.More(); child.Next()) {
-      ++children;
       if (child.Value().ShapeType() == TopAbs_COMPOUND) {
         const bool is_only = is_outermost && shape.NbChildren() == 1;
         const std::vector<int> inner = open_faces(child.Value(), is_only);
@@ -361,7 +358,7 @@ class BodySewer {
     }
     std::ranges::sort(open);
     open.erase(std::unique(open.begin(), open.end()), open.end());
-    if (!is_outermost && children > 1 && open.size() > 1 && is_closed(open)) open.clear();
+    if (!is_outermost && shape.NbChildren() > 1 && open.size() > 1 && is_closed(open)) open.clear();
     return open;
   }
 
@@ -372,7 +369,7 @@ class BodySewer {
     if (std::ranges::any_of(work_.doubles, lies_beneath)) return false;
     const GroupSewer sewer(work_, faces, progress_);
     if (sewer.free_before() == 0) return true;
-    const Sewn sewn = tolerance_ ? sewer.sew_at(*tolerance_) : sewer.sew_well();
+    const Sewn sewn = sewer.sew(tolerance_);
     if (sewn.free > 0 || sewn.has_lost) return false;
     put(work_, faces, sewn, result_);
     return true;
@@ -399,7 +396,7 @@ SewResult sew(Workpiece& work, std::optional<double> tolerance, Progress& progre
       loose->second = BodySewer(work, tolerance, progress, result).run();
     for (const auto& [solid, group] : groups) {
       const GroupSewer sewer(work, group, progress);
-      const Sewn sewn = tolerance ? sewer.sew_at(*tolerance) : sewer.sew_well();
+      const Sewn sewn = sewer.sew(tolerance);
       if (sewn.free < sewer.free_before()) put(work, group, sewn, result);
     }
     result.free_after = free_count(count_uses(work.faces));
