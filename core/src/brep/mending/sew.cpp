@@ -92,6 +92,21 @@ class GroupSewer {
 
   long free_before() const { return as_drawn_.free; }
 
+  /// Whether two of the edges that are free by `uses` lie on one another.
+  bool meets_itself(const EdgeUses& uses) const {
+    std::vector<Polyline> lines;
+    for (const TopoDS_Edge& edge : as_drawn_.uses.free_edges())
+      if (uses.is_free(edge)) lines.push_back(polyline(edge));
+    const double near = fitting_share * work_.diagonal;
+    for (Polyline& line : lines) line.box.Enlarge(near);
+    auto lies_along = [&](const Polyline& one, const Polyline& other) { return distance_along(one, other) <= near; };
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (!lines[i].box.IsOut(lines[j].box) && lies_along(lines[i], lines[j]) && lies_along(lines[j], lines[i]))
+          return true;
+    return false;
+  }
+
  private:
   /// What a tolerance is to close.
   struct Gap {
@@ -328,6 +343,20 @@ void put(Workpiece& work, const std::vector<int>& group, const Sewn& sewn, SewRe
   result.tolerance = std::max(result.tolerance, sewn.tolerance);
 }
 
+/// Makes one edge of two by which a face without a solid meets itself, as IGES has periodic edges: sewn together with
+/// all others, where bodies touch those of different faces were joined.
+void close_faces(Workpiece& work, std::optional<double> most, Progress& progress, SewResult& result) {
+  const EdgeUses uses = count_uses(work.faces);
+  const double fitting = fitting_share * work.diagonal, tolerance = std::min(most.value_or(fitting), fitting);
+  for (std::size_t f = 0; f < work.faces.size(); ++f) {
+    if (!work.faces[f].is_usable() || work.faces[f].solid >= 0) continue;
+    const GroupSewer sewer(work, {static_cast<int>(f)}, progress);
+    if (!sewer.meets_itself(uses)) continue;
+    const Sewn sewn = sewer.sew(tolerance);
+    if (sewn.free < sewer.free_before() && !sewn.has_lost) put(work, {static_cast<int>(f)}, sewn, result);
+  }
+}
+
 /// Sews compounds of faces without a solid from the inside out.
 class BodySewer {
  public:
@@ -386,12 +415,12 @@ class BodySewer {
 
 SewResult sew(Workpiece& work, std::optional<double> tolerance, Progress& progress) {
   SewResult result;
-  const EdgeUses uses = count_uses(work.faces);
-  result.free_before = result.free_after = free_count(uses);
+  result.free_before = result.free_after = free_count(count_uses(work.faces));
   long units = sew_units * static_cast<long>(work.faces.size());
   if (result.free_before > 0 && tolerance != 0) {
-    std::map<int, std::vector<int>> groups = groups_to_sew(work, uses);
     copy_shape(work);
+    close_faces(work, tolerance, progress, result);
+    std::map<int, std::vector<int>> groups = groups_to_sew(work, count_uses(work.faces));
     if (const auto loose = groups.find(-1); loose != groups.end())
       loose->second = BodySewer(work, tolerance, progress, result).run();
     for (const auto& [solid, group] : groups) {
