@@ -91,6 +91,33 @@ TEST(ConnectApproximated, AWedgeOfADegreeStaysOne) {
   EXPECT_FALSE(tells_of_merging(result.report));
 }
 
+// Moved by 4e-7 of the diagonal, some parts run into each other, others have a gap.
+TEST(ConnectApproximated, PartsMovedByRoundingAreConnected) {
+  constexpr double off = 1e-5;
+  const TopoDS_Shape floor = BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, -2), 30, 20, 2 + off).Shape(),
+                     wall = BRepPrimAPI_MakeBox(gp_Pnt(10 + off, -10, 0), 10, 20, height).Shape(),
+                     plug = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(off, 0, 0), gp::DZ()), radius, height).Shape();
+  const RunReport report = test::report_of(compound({block(), plug, floor, wall}), 3);
+  EXPECT_STREQ(verdict(report), "sound");
+  EXPECT_EQ(report.components.size(), 1U);
+  EXPECT_TRUE(tells_of_merging(report));
+  const double area = (2 * 30 + 2 * 20) * 12 + 3 * 600 + 20 * height + 2 * std::numbers::pi * radius * height;
+  EXPECT_NEAR(report.quality.mesh_area, area, 1e-3 * area);
+}
+
+// The strip that both tops have is as thin.
+TEST(ConnectApproximated, PartsThatOverlapByRoundingShareAFace) {
+  const double off = 1e-4;
+  const TopoDS_Shape wall = BRepPrimAPI_MakeBox(gp_Pnt(10 - off, -10, 0), 5, 20, height).Shape(),
+                     plug = BRepPrimAPI_MakeCylinder(radius + off, height).Shape();
+  for (const TopoDS_Shape& other : {wall, plug}) {
+    const RunReport report = test::report_of(compound({block(), other}), 3);
+    EXPECT_STREQ(verdict(report), "sound");
+    EXPECT_TRUE(tells_of_merging(report));
+    EXPECT_GT(largest_face_contact(report.model), 199);
+  }
+}
+
 // A tolerance that closes the plug's misfit of 0.06 mm would connect the wall, which is drawn 0.02 mm away.
 TEST(ConnectApproximated, NothingThatIsApartIsConnected) {
   const TopoDS_Shape floor = BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, -2), 30, 20, 2).Shape(),

@@ -101,6 +101,9 @@ std::vector<Twin> find_twins(const Workpiece& work, const std::vector<PartPair>&
 /// What a fusion says of the faces and edges of Twin::of it then says of the twin's, too.
 void add_twin(const Workpiece& work, const Twin& twin, Fusion& fusion);
 
+/// Of the diagonal: strips as wide where parts overlap, and gaps as wide beside these, come from rounded coordinates.
+constexpr double most_misfit = 1e-5;
+
 /// Pieces of different parts that lie along each other but are two: a surface and its approximation cross along many
 /// lines, two planes of which one is turned by rounding along one, and the kernel keeps both.
 struct DoubledPieces {

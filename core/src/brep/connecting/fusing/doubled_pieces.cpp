@@ -11,9 +11,8 @@ namespace {
 /// Distances by the mean width of the smaller piece up to which two are taken for one: with one common edge that is an
 /// angle of a thousandth, as placements rounded to three digits make, with more a lens.
 constexpr double flattest_wedge = 5e-4, flattest_lens = 2e-2;
-constexpr double widest_sliver = 1e-5;  // of the diagonal
-constexpr double most_sine = 0.1;       // between the normals at a common edge
-constexpr double least_gap = 1e-7;      // mm: the kernel's own
+constexpr double most_sine = 0.1;   // between the normals at a common edge
+constexpr double least_gap = 1e-7;  // mm: the kernel's own
 
 double perimeter_of(const TopoDS_Face& piece) {
   double perimeter = 0;
@@ -71,7 +70,8 @@ class Finder {
     }
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       const Fusion::Image& image = fusion_.images[i];
-      const double width = image.of.size() == 1 && pieces_of_[image.of[0]] > 1 ? sliver_width(image.face) : 0;
+      const bool is_cut_off = std::ranges::all_of(image.of, [&](int f) { return pieces_of_[f] > 1; });
+      const double width = is_cut_off ? sliver_width(image.face) : 0;
       if (width > 0) note(static_cast<int>(i), found_.parts);
       found_.gap = std::max(found_.gap, width);
     }
@@ -110,8 +110,8 @@ class Finder {
   double sliver_width(const TopoDS_Face& piece) const {
     const double perimeter = perimeter_of(piece);
     const double width = 2 * face_area(piece) / perimeter;
-    return width <= std::min(widest_sliver * diagonal_, flattest_wedge * 0.5 * perimeter) ? std::max(width, least_gap)
-                                                                                          : 0;
+    return width <= std::min(most_misfit * diagonal_, flattest_wedge * 0.5 * perimeter) ? std::max(width, least_gap)
+                                                                                        : 0;
   }
 
   /// 0 where they are not along each other.

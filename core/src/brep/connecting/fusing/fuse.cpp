@@ -133,7 +133,7 @@ std::optional<Fusion> fuse_at(Fuser& fuser, std::initializer_list<double> tolera
 }
 
 /// Notes doubled pieces of a fusion and fuses with a tolerance that makes them one; nothing where there are none, where
-/// that is not to be tried (`is_last`) or fails, or where it connects what was apart.
+/// that is not to be tried (`is_last`) or fails, or where it connects what was apart by more than parts are misplaced.
 std::optional<Fusion> fuse_wider(const Workpiece& work, Fuser& fuser, Fusion& fusion, bool is_last,
                                  Progress& progress) {
   constexpr double slack = 2;  // distances are samples
@@ -142,7 +142,10 @@ std::optional<Fusion> fuse_wider(const Workpiece& work, Fuser& fuser, Fusion& fu
   if (!(pieces.gap > 0) || is_last) return std::nullopt;
   const double wider = std::max(slack * pieces.gap, 2 * fusion.tolerance);
   std::optional<Fusion> next = fuse_at(fuser, {wider, gap_factor * wider}, progress);
-  if (!next || !std::ranges::includes(touching_parts(work, fusion), touching_parts(work, *next))) return std::nullopt;
+  if (!next) return std::nullopt;
+  if (next->tolerance > most_misfit * work.diagonal &&
+      !std::ranges::includes(touching_parts(work, fusion), touching_parts(work, *next)))
+    return std::nullopt;
   next->merged = {pieces.parts, pieces.gap};
   next->merged.add(fusion.merged);
   return next;
