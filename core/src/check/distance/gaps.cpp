@@ -17,9 +17,10 @@ using Parts = std::vector<int>;
 using Pair = std::array<int, 2>;
 
 constexpr double no_gap = 1e-9;  // of the target length: nothing is nearer
-/// Parts with points or edges in common touch elsewhere, too, where they come nearer than this, in target lengths, so
-/// many target lengths from all these: a ball on a plate lies farther from it there, however fine the mesh.
-constexpr double common_gap = 1e-3, from_common = 4;
+/// Parts with points or edges in common touch elsewhere, too, where they come nearer than this, in target lengths, a
+/// target length from all these: a ball on a plate lies farther from it there if the mesh is no finer than a 500th of
+/// its radius. So do parts that run into each other.
+constexpr double common_gap = 1e-3, from_common = 1;
 
 struct Common {
   std::vector<Vec3> points;
@@ -100,10 +101,14 @@ class GapSearch {
     if (pairs.empty() || are_apart(a.patch, b.patch, told_gap * target)) return;
     if (have_common(parts_about(a), parts_about(b))) return;
     const PatchDistance found = distance(a.patch, b.patch);
-    if (found.distance > told_gap * target || leads_into_solid(a, found.way) || leads_into_solid(b, -1 * found.way))
-      return;
-    for (Pair pair : pairs)
-      if (is_told(pair, found, target)) some.add({pair, found, found.distance <= no_gap * target, order});
+    if (found.distance > told_gap * target) return;
+    const Parts &before_a = solids_along(a, found.way), &before_b = solids_along(b, -1 * found.way);
+    for (Pair pair : pairs) {
+      const bool is_gap = before_a.empty() && before_b.empty(),
+                 is_overlap = found.distance <= common_gap * target && has(before_a, pair) && has(before_b, pair);
+      if ((is_gap || is_overlap) && is_told(pair, found, target))
+        some.add({pair, found, found.distance <= no_gap * target, order});
+    }
   }
 
  private:
@@ -168,14 +173,20 @@ class GapSearch {
   }
 
   /// What is between parts there is meshed, too: a trace and a ground plane are as far apart as the board between them
-  /// is thick, and the far side of a part is no nearer to others than what bounds it before.
-  bool leads_into_solid(const Piece& piece, Vec3 way) const {
+  /// is thick, and the far side of a part is no nearer to others than what bounds it before. But where both parts are
+  /// there, they run into each other.
+  const Parts& solids_along(const Piece& piece, Vec3 way) const {
     constexpr double least_steep = 0.5;  // sine
-    if (piece.face < 0) return false;
+    static const Parts none;
+    if (piece.face < 0) return none;
     const Vec3 normal = piece.patch.mean_normal();
     const double steep = dot(way, normal), least = least_steep * norm(way) * norm(normal);
     const Face& face = model_.faces[piece.face];
-    return (steep > least && !face.front.empty()) || (steep < -least && !face.back.empty());
+    return steep > least ? face.front : steep < -least ? face.back : none;
+  }
+
+  static bool has(const Parts& parts, Pair pair) {
+    return std::ranges::all_of(pair, [&](int part) { return std::ranges::find(parts, part) != parts.end(); });
   }
 
   int set_of(const Piece& piece) const { return piece.face >= 0 ? face_set_[piece.face] : edge_set_[piece.edge]; }
