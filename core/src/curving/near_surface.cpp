@@ -119,15 +119,16 @@ Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale) {
 
 // About a nose at one end a parabola through the middle is flat where the surface turns. Its Jacobian at an end is 4
 // times the share of the chord before the middle, less 1: 0.4 of the mean at the limit.
-Vec3 side_middle(const Region& region, const SideEnd& a, const SideEnd& b, Vec2& p) {
+Vec3 side_middle(const Region& region, const SideEnd& a, const SideEnd& b, const Beside& beside, Vec2& p) {
   constexpr double most_leaning = 0.2 * 0.2;
   constexpr double fair_off = 0.02;  // of the target length: even sides serve a solver better than that
   constexpr double shift = 0.05;
   constexpr int most_shifts = 3;
-  const Vec3 middle = 0.5 * (a.x + b.x), chord = b.x - a.x;
+  const Vec3 middle = 0.5 * (a.x + b.x) + beside.bulge, chord = b.x - a.x;
+  const double scale = std::min(norm(chord), beside.width);
   const Facing ends{a.normal, b.normal};
   SurfacePlace at{p, {}, {}};
-  at.x = approach(region, at.p, middle, norm(chord), &ends, at.normal);
+  at.x = approach(region, at.p, middle, scale, &ends, at.normal);
   straighten(region, ends, a, b, at);
   Vec3 x = at.x;
   p = at.p;
@@ -140,7 +141,7 @@ Vec3 side_middle(const Region& region, const SideEnd& a, const SideEnd& b, Vec2&
   least = std::max(least, other);
   for (int i = 1; i <= most_shifts && least > fair; ++i) {
     Vec2 next = p;
-    const Vec3 y = approach(region, next, middle + i * way * chord, norm(chord), &ends, at.normal);
+    const Vec3 y = approach(region, next, middle + i * way * chord, scale, &ends, at.normal);
     const double most = std::max(half_off(region, a, b, next, y, fair), half_off(region, b, a, next, y, fair));
     if (!(most < least)) break;
     x = y, p = next, least = most;

@@ -48,20 +48,27 @@ Vec3 nearest_point(const Region& region, Vec2& p, Vec3 target, double scale);
 
 struct SideEnd {
   Vec2 p;
-  Vec3 x, normal;  ///< the normal of any length; none at an apex
-  double h = 0;    ///< target length
+  Vec3 x, normal;   ///< the normal of any length; none at an apex
+  double h = 0;     ///< target length
+  int global = -1;  ///< its number in the boundary stage
 };
 
 /// Node v of a mesh, which is at x.
 inline SideEnd side_end(const RegionMesh& mesh, int v, Vec3 x) {
-  return {mesh.p[v], x, cross(mesh.xp[v], mesh.xq[v]), mesh.h[v]};
+  return {mesh.p[v], x, cross(mesh.xp[v], mesh.xq[v]), mesh.h[v], mesh.global[v]};
 }
+
+/// What is known of sides beside one inside, along which it is to run.
+struct Beside {
+  Vec3 bulge;               ///< how far its middle should leave that of its chord
+  double width = INFINITY;  ///< mm, least distance to them at an end
+};
 
 /// The middle node of a curved side: the point of the surface nearest to the middle of the chord or, where its normal
 /// leans to the side there against those at the ends, the one beside it that does not. Where the parabola through that
 /// would leave the surface steeply at one end, up to 0.15 of the chord nearer to this end. `p`: where it may be and is
 /// in the chart.
-Vec3 side_middle(const Region& region, const SideEnd& a, const SideEnd& b, Vec2& p);
+Vec3 side_middle(const Region& region, const SideEnd& a, const SideEnd& b, const Beside& beside, Vec2& p);
 
 /// When a search for a foot point may end.
 struct FootSearch {

@@ -4,20 +4,35 @@
 #include <array>
 
 #include "base/tasks/tasks.h"
+#include "curving/edge_bulges.h"
 #include "curving/near_surface.h"
 
 namespace paver {
 namespace {
 
+EdgeBulges bulges_about(const MeshPart& part, const PartSides& sides, const SurfaceMesh& mesh) {
+  EdgeBulges bulges;
+  for (std::size_t k = 0; k < sides.border.size(); ++k) {
+    const auto [v, w] = sides.border[k];
+    const int middle = sides.border_node[k];
+    if (mesh.node_edge[middle] < 0) continue;
+    bulges.add(part.mesh->global[v], mesh.nodes[(*part.node_of)[v]], part.mesh->global[w],
+               mesh.nodes[(*part.node_of)[w]], mesh.nodes[middle]);
+  }
+  return bulges;
+}
+
 /// Per side inside the part: its middle's place in the chart.
 std::vector<Vec2> place_sides(const MeshPart& part, const PartSides& sides, SurfaceMesh& mesh) {
   const std::vector<int>& node_of = *part.node_of;
+  const EdgeBulges bulges = bulges_about(part, sides, mesh);
   std::vector<Vec2> places;
   int next = sides.first_own;
   for (auto [v, w] : sides.inside) {
     Vec2& place = places.emplace_back(guess_middle(*part.region, *part.mesh, v, w, {}));
-    mesh.nodes[next++] = side_middle(*part.region, side_end(*part.mesh, v, mesh.nodes[node_of[v]]),
-                                     side_end(*part.mesh, w, mesh.nodes[node_of[w]]), place);
+    const SideEnd a = side_end(*part.mesh, v, mesh.nodes[node_of[v]]);
+    const SideEnd b = side_end(*part.mesh, w, mesh.nodes[node_of[w]]);
+    mesh.nodes[next++] = side_middle(*part.region, a, b, bulges.beside(a, b), place);
   }
   return places;
 }
@@ -44,7 +59,7 @@ void place_cuts(const PartSides& sides, const CurvingTask& task, const MeshPart&
     };
     const SideEnd a = end_of(v, cut.pa), b = end_of(w, cut.pb);
     Vec2 middle = half_way(region, a.p, b.p);
-    mesh.nodes[sides.border_node[k]] = side_middle(region, a, b, middle);
+    mesh.nodes[sides.border_node[k]] = side_middle(region, a, b, {}, middle);
   }
 }
 

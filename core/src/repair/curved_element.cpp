@@ -43,9 +43,11 @@ std::set<int> bounding_edges(std::span<const Region> regions) {
 BoundarySides::BoundarySides(const Region& region, const EdgeNodes& edges) {
   for (int edge : bounding_edges({&region, 1})) {
     const EdgeDivision& division = edges.edges[edge];
-    for (int i = 0; i < division.intervals(); ++i)
-      sides_.try_emplace(std::minmax(division.node[i], division.node[i + 1]),
-                         BoundarySide{edge, division.x[2 * static_cast<std::size_t>(i) + 1]});
+    for (int i = 0; i < division.intervals(); ++i) {
+      const int a = division.node[i], b = division.node[i + 1];
+      const Vec3* x = &division.x[2 * static_cast<std::size_t>(i)];
+      if (sides_.try_emplace(std::minmax(a, b), BoundarySide{edge, x[1]}).second) bulges_.add(a, x[0], b, x[2], x[1]);
+    }
   }
 }
 
@@ -105,7 +107,8 @@ const ElementJudge::KnownSide& ElementJudge::known_side(int a, int b) const {
   KnownSide& side = known_[(static_cast<std::size_t>(a) * 0x9E3779B1U + static_cast<std::size_t>(b)) % most_known];
   if (side.a != a || side.b != b || side.from != mesh_.p[a] || side.to != mesh_.p[b]) {
     side = {a, b, mesh_.p[a], mesh_.p[b], guess_middle(region_, mesh_, a, b, {}), {}};
-    side.middle = side_middle(region_, side_end(mesh_, a, mesh_.x[a]), side_end(mesh_, b, mesh_.x[b]), side.place);
+    const SideEnd from = side_end(mesh_, a, mesh_.x[a]), to = side_end(mesh_, b, mesh_.x[b]);
+    side.middle = side_middle(region_, from, to, sides_.bulges().beside(from, to), side.place);
   }
   return side;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "boundary/edge_nodes.h"
+#include "curving/edge_bulges.h"
 #include "mesh/region_mesh.h"
 #include "regions/region.h"
 
@@ -35,9 +36,11 @@ class BoundarySides {
   BoundarySides(const Region& region, const EdgeNodes& edges);
   /// Null for sides inside the face.
   const BoundarySide* find(int a, int b) const;
+  const EdgeBulges& bulges() const { return bulges_; }
 
  private:
   std::map<std::pair<int, int>, BoundarySide> sides_;
+  EdgeBulges bulges_;
 };
 
 /// mm^2.

@@ -98,7 +98,7 @@ struct Side {
   }
   Vec3 middle() const {
     Vec2 p = guess_middle(region, mesh, v, w, {});
-    return side_middle(region, side_end(mesh, v, mesh.x[v]), side_end(mesh, w, mesh.x[w]), p);
+    return side_middle(region, side_end(mesh, v, mesh.x[v]), side_end(mesh, w, mesh.x[w]), {}, p);
   }
   Vec3 nearest_to_chord() const {
     Vec2 p = guess_middle(region, mesh, v, w, {});
