@@ -88,5 +88,7 @@ TEST(Lunes, KeepTheirCountsWhereOneElementIsEnoughOrTheseAreMore) {
   EXPECT_EQ(on_lune(fake::pi / 2, {5, 4}), (Counts{5, 4}));
 }
 
+TEST(Lunes, AreNoDiscs) { EXPECT_EQ(on_lune(fake::pi, {2, 2}), (Counts{2, 2})); }
+
 }  // namespace
 }  // namespace paver

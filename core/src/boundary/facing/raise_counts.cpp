@@ -320,6 +320,11 @@ double turn_between(const Model& model, const Face& face, const Coedge& one, con
   return turn;
 }
 
+bool is_round_at_a_vertex(const Model& model, const Face& face, const Loop& loop) {
+  const std::vector<double> angles = angles_of(model, face, loop);
+  return std::ranges::any_of(angles, [](double angle) { return junction_of(angle) == Junction::straight; });
+}
+
 /// Matches sides until no count changes, or for the most rounds that are made.
 template <class Match>
 void in_rounds(const std::vector<OppositeSides>& pairs, Match match) {
@@ -340,6 +345,7 @@ void divide_lunes(const Model& model, double turn_limit, const std::vector<std::
     if (!face.surface || loops[f].size() != 1 || loops[f][0].coedges.size() != 2) continue;
     const Coedge &one = loops[f][0].coedges[0], &other = loops[f][0].coedges[1];
     const std::vector<int> edges = edges_of(loops[f][0]);
+    if (is_round_at_a_vertex(model, face, loops[f][0])) continue;  // a disc
     if (edges[0] == edges[1] || !are_divided(edges, counts) || !one.pcurve || !other.pcurve) continue;
     if (std::ranges::all_of(edges, [&](int e) { return counts[e].count >= on_lune; })) continue;
     if (turn_between(model, face, one, other) > most_in_one * turn_limit)
