@@ -111,10 +111,20 @@ TEST(FacingNodes, RimsOfNarrowRingsFaceEachOthersVertices) {
   }
 }
 
-TEST(FacingNodes, WideRingsAndThoseWhoseVerticesLieApartStay) {
-  EXPECT_TRUE(moved_in(ring(15, 5, 1, 0), {8, 2, 6}).empty());
-  EXPECT_TRUE(moved_in(ring(15, 14, 1, 0.4), {8, 2, 6}).empty());
+TEST(FacingNodes, RimsWhoseVerticesLieApartFaceEachOthersToo) {
+  for (double way : {1.0, -1.0}) {
+    const std::vector<MovedNodes> moved = moved_in(ring(15, 14, way, 0.4), {8, 2, 6});
+    ASSERT_EQ(moved.size(), 2u);
+    for (const MovedNodes& edge : moved) EXPECT_TRUE(std::ranges::is_sorted(edge.lengths));
+    EXPECT_EQ(moved[0].edge, 0);
+    for (double vertex : {0.4, 2.3})
+      EXPECT_LE(nearest(moved[0].lengths, 15 * (way > 0 ? vertex : 2 * fake::pi - vertex)), 0.5 + 1e-6) << way;
+    EXPECT_EQ(moved[1].edge, 2);
+    EXPECT_LE(nearest(moved[1].lengths, 14 * (2 * fake::pi - 2.3)), 0.5 + 1e-6) << way;
+  }
 }
+
+TEST(FacingNodes, WideRingsStay) { EXPECT_TRUE(moved_in(ring(15, 5, 1, 0.4), {8, 2, 6}).empty()); }
 
 TEST(FacingNodes, WhatFacesAMovedEdgeFollowsIt) {
   fake::Builder builder;

@@ -157,7 +157,7 @@ TEST(DivideLoops, WhatOnlyComesNearIsDividedAsFarAsItNeeds) {
 }
 
 TEST(DivideLoops, AGapThatIsTooNarrowIsNamedBeforeItCostsMuch) {
-  expect_named(flat_face(circle(0, 0, 3 + 1e-6), {circle(0, 0, 3, 0.3)}), "too near", {0, 0, 0}, 3.1);
+  expect_named(flat_face(circle(0, 0, 3), {circle(0.1 - 1e-6, 0, 2.9, 0.3)}), "too near", {3, 0, 0}, 0.5);
 }
 
 TEST(DivideLoops, NeighboursOfAFaceThatFailedKeepTheirCounts) {

@@ -74,6 +74,47 @@ void follow_between(const Nodes& one, const Nodes& other, double width, Place fi
   move(other, second);
 }
 
+/// Nodes of two rims that begin at vertices which do not face each other. `opposite`: the place on the other rim of
+/// what faces the start of the one. Where one rim's node is set the other's goes opposite; between such nodes both are
+/// even.
+void follow_round(const Nodes& one, const Nodes& other, double opposite, double slack, Place first, Place second) {
+  const std::size_t n = one.places.size() - 1;
+  const double around = other.length();
+  std::size_t from = 0;  // the other rim's node nearest to there
+  for (std::size_t i = 1; i <= n; ++i)
+    if (std::fabs(other.places[i] - opposite) < std::fabs(other.places[from] - opposite)) from = i;
+  auto begin = [&](std::size_t i) { return opposite - (from + i >= n ? around : 0); };
+  std::vector<double> turned, shared;
+  for (std::size_t i = 0, last = 0; i <= n; ++i) {
+    const std::size_t k = (from + i) % n;
+    turned.push_back(other.places[k] - begin(i) + (from + i >= 2 * n ? around : 0));
+    shared.push_back(one.is_set[i] || !other.is_set[k] ? one.share(i) : turned[i] / around);
+    if (!one.is_set[i] && !other.is_set[k]) continue;
+    for (std::size_t m = last + 1; m < i; ++m)
+      shared[m] =
+          shared[last] + (shared[i] - shared[last]) * static_cast<double>(m - last) / static_cast<double>(i - last);
+    last = i;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t k = (from + i) % n;
+    const double here = shared[i] * one.length(), there = shared[i] * around;
+    if (!one.is_set[i]) first[i] = std::clamp(first[i], here - slack, here + slack);
+    if (!other.is_set[k]) second[k] += std::clamp(turned[i], there - slack, there + slack) - turned[i];
+  }
+}
+
+/// Part by part between nodes that are set on both sides. `is_ring`: parts of any lengths.
+void follow_parts(const Nodes& one, const Nodes& other, double slack, bool is_ring, Place first, Place second) {
+  for (std::size_t from = 0, to = 1; to < one.places.size(); ++to) {
+    if (!one.is_set[to] || !other.is_set[to]) continue;
+    const Nodes part = one.part(from, to), opposite = other.part(from, to);
+    if (is_ring || are_alike(part.length(), opposite.length()))
+      follow_between(part, opposite, slack, first + static_cast<std::ptrdiff_t>(from),
+                     second + static_cast<std::ptrdiff_t>(from));
+    from = to;
+  }
+}
+
 class Following {
  public:
   Following(const Model& model, NodeLengths lengths, const MayMove& may_move, const EdgePoint& point)
@@ -87,8 +128,11 @@ class Following {
   bool follow(const OppositeSides& pair) {
     const bool is_ring = pair.is_crescent ? pair.is_moon : pair.partner < 0;
     const double width = width_between(model_, pair);
-    const std::optional<ChainPair> chains = is_ring ? rims_of(model_, pair, width) : chains_of(model_, pair);
+    std::optional<ChainPair> chains = is_ring ? facing_rims_of(model_, pair, width) : chains_of(model_, pair);
+    const bool is_turned = is_ring && !pair.is_crescent && !chains;
+    if (is_turned) chains = rims_of(model_, pair);
     if (!chains || !are_divided(pair)) return false;
+    const double opposite = is_turned ? place_opposite(chains->first, chains->second) : 0;
     const Nodes one = nodes_of(chains->first), other = nodes_of(chains->second);
     const std::size_t n = one.places.size();
     if (other.places.size() != n) return false;
@@ -103,13 +147,10 @@ class Following {
       go_opposite(chains->first, one, chains->second, other, second);
     else if (pair.is_crescent)
       go_opposite(chains->second, other, chains->first, one, first);
-    for (std::size_t from = 0, to = 1; to < n && !pair.is_crescent; ++to) {
-      if (!one.is_set[to] || !other.is_set[to]) continue;
-      const Nodes part = one.part(from, to), opposite = other.part(from, to);
-      if (is_ring || are_alike(part.length(), opposite.length()))
-        follow_between(part, opposite, (is_bent ? exactly : 1) * width, first.begin() + from, second.begin() + from);
-      from = to;
-    }
+    else if (is_turned)
+      follow_round(one, other, opposite, (is_bent ? exactly : 0.5) * width, first.begin(), second.begin());
+    else
+      follow_parts(one, other, (is_bent ? exactly : 1) * width, is_ring, first.begin(), second.begin());
     if (shortest(first) < least || shortest(second) < least) return false;
     std::vector<MovedNodes> next;
     add_moved(chains->first, one.places, first, next);
@@ -138,20 +179,42 @@ class Following {
     return point_(side.edges[i], side.is_against[i] ? whole - along : along);
   }
 
+  /// The place of a side nearest to a point, by steps of Newton's method from a place near it.
+  double nearest_place(const SideChain& side, Vec3 target, double place) const {
+    constexpr int steps = 8;
+    constexpr double about = 1e-4;  // of the side's length, from where its direction is taken
+    for (int k = 0; k < steps; ++k) {
+      const double before = std::max(place - about * side.length, 0.0),
+                   behind = std::min(place + about * side.length, side.length);
+      const Vec3 along = (1 / (behind - before)) * (point_at(side, behind) - point_at(side, before));
+      place = std::clamp(place + dot(target - point_at(side, place), along), 0.0, side.length);
+    }
+    return place;
+  }
+
   /// Where nodes of the shorter side that are not set are nearest to those of the longer one.
   void go_opposite(const SideChain& longer, const Nodes& at, const SideChain& shorter, const Nodes& nodes,
                    std::vector<double>& places) const {
-    constexpr int steps = 8;        // of Newton's method
-    constexpr double about = 1e-4;  // of the side's length, from where its direction is taken
-    for (std::size_t i = 1; i + 1 < places.size(); ++i) {
-      const Vec3 target = point_at(longer, at.places[i]);
-      for (int k = 0; k < steps && !nodes.is_set[i]; ++k) {
-        const double before = std::max(places[i] - about * shorter.length, 0.0),
-                     behind = std::min(places[i] + about * shorter.length, shorter.length);
-        const Vec3 along = (1 / (behind - before)) * (point_at(shorter, behind) - point_at(shorter, before));
-        places[i] = std::clamp(places[i] + dot(target - point_at(shorter, places[i]), along), 0.0, shorter.length);
+    for (std::size_t i = 1; i + 1 < places.size(); ++i)
+      if (!nodes.is_set[i]) places[i] = nearest_place(shorter, point_at(longer, at.places[i]), places[i]);
+  }
+
+  /// Where on the other rim lies what faces the start of the one, both running the same way then.
+  double place_opposite(const SideChain& one, SideChain& other) const {
+    constexpr int samples = 32;
+    auto facing = [&](double share) {
+      const Vec3 target = point_at(one, share * one.length);
+      double best = 0, least = INFINITY;
+      for (int i = 0; i < samples; ++i) {
+        const double place = other.length * i / samples, away = norm(point_at(other, place) - target);
+        if (away < least) best = place, least = away;
       }
-    }
+      return nearest_place(other, target, best);
+    };
+    const double start = facing(0);
+    if (std::remainder(facing(0.125) - start, other.length) > 0) return start;
+    turn_round(other);
+    return other.length - start;
   }
 
   Nodes nodes_of(const SideChain& side) const {

@@ -121,27 +121,36 @@ std::optional<ChainPair> chains_of(const Model& model, const OppositeSides& pair
   return ChainPair{std::move(*first), std::move(*second)};
 }
 
-std::optional<ChainPair> rims_of(const Model& model, const OppositeSides& pair, double width) {
+std::optional<ChainPair> rims_of(const Model& model, const OppositeSides& pair) {
   if (pair.first.empty() || pair.second.empty() || pair.first.size() + pair.second.size() > most_on_rims) return {};
   std::optional<SideChain> first = closed_chain(model, pair.first), second = closed_chain(model, pair.second);
   if (!first || !second) return {};
+  return ChainPair{std::move(*first), std::move(*second)};
+}
+
+void turn_round(SideChain& side) {
+  std::reverse(side.edges.begin(), side.edges.end());
+  std::reverse(side.is_against.begin(), side.is_against.end());
+  side.is_against.flip();
+}
+
+std::optional<ChainPair> facing_rims_of(const Model& model, const OppositeSides& pair, double width) {
+  std::optional<ChainPair> rims = rims_of(model, pair);
+  if (!rims) return {};
   double nearest = width * std::sqrt(1 + rim_lean * rim_lean);
   std::optional<std::pair<std::size_t, std::size_t>> cut;
   for (std::size_t i = 0; i < pair.first.size(); ++i)
     for (std::size_t k = 0; k < pair.second.size(); ++k) {
-      const double apart = norm(end_of_edge(model, *first, i) - end_of_edge(model, *second, k));
+      const double apart = norm(end_of_edge(model, rims->first, i) - end_of_edge(model, rims->second, k));
       if (apart < nearest) nearest = apart, cut = {i, k};
     }
   if (!cut) return {};
-  begin_with((cut->first + 1) % pair.first.size(), *first);
-  begin_with((cut->second + 1) % pair.second.size(), *second);
-  const Vec3 quarter = point_at(model, *first, 0.25);
-  if (norm(point_at(model, *second, 0.75) - quarter) < norm(point_at(model, *second, 0.25) - quarter)) {
-    std::reverse(second->edges.begin(), second->edges.end());
-    std::reverse(second->is_against.begin(), second->is_against.end());
-    second->is_against.flip();
-  }
-  return ChainPair{std::move(*first), std::move(*second)};
+  begin_with((cut->first + 1) % pair.first.size(), rims->first);
+  begin_with((cut->second + 1) % pair.second.size(), rims->second);
+  const Vec3 quarter = point_at(model, rims->first, 0.25);
+  if (norm(point_at(model, rims->second, 0.75) - quarter) < norm(point_at(model, rims->second, 0.25) - quarter))
+    turn_round(rims->second);
+  return rims;
 }
 
 std::vector<Break> breaks_between(const Model& model, const ChainPair& sides, double width) {

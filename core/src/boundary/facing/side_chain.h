@@ -31,9 +31,15 @@ Vec3 end_of_edge(const Model& model, const SideChain& chain, std::size_t i);
 /// None where an edge closes on itself, or the sides are not alike.
 std::optional<ChainPair> chains_of(const Model& model, const OppositeSides& pair);
 
+/// The rims of a ring, each from a vertex of its own on; none where they do not close.
+std::optional<ChainPair> rims_of(const Model& model, const OppositeSides& pair);
+
+/// So that it runs the other way.
+void turn_round(SideChain& side);
+
 /// The rims of a ring `width` wide, both cut at the two vertices that lie nearest to each other; none where these do
 /// not face each other, or the sides are no rims.
-std::optional<ChainPair> rims_of(const Model& model, const OppositeSides& pair, double width);
+std::optional<ChainPair> facing_rims_of(const Model& model, const OppositeSides& pair, double width);
 
 /// A vertex of one side of a narrow face, or of both where two face each other: its distances along the sides, mm.
 struct Break {
