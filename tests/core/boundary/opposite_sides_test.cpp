@@ -87,6 +87,13 @@ TEST(OppositeSides, OfACrescentMayEndInAShortEdge) {
   EXPECT_EQ(pairs[0].second, (Side{4, 3}));
 }
 
+TEST(OppositeSides, OfASlimTriangleRunFromTheTip) {
+  const std::vector<OppositeSides> pairs = pairs_of(fake::polygon({{0, 0, 0}, {100, 0, 0}, {0, 8, 0}}));
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_TRUE(pairs[0].is_crescent);
+  EXPECT_TRUE(pairs_of(fake::polygon({{0, 0, 0}, {30, 0, 0}, {0, 10, 0}})).empty());
+}
+
 TEST(OppositeSides, LoopsThatTouchAreACrescentFromThereOn) {
   const auto pairs = pairs_of(fake::moon(10, 9));
   ASSERT_EQ(pairs.size(), 1u);

@@ -113,7 +113,7 @@ std::vector<OppositeSides> parts_of_bent_strip(const Model& model, int face, dou
 std::vector<OppositeSides> sides_of_crescent(const Model& model, int face, double width, const Loop& loop,
                                              const std::vector<double>& angles) {
   constexpr double least_slim = 10;    // widths
-  constexpr double longest_end = 2;    // widths
+  constexpr double longest_end = 2.5;  // widths: the base of a slim triangle has a little more than 2
   constexpr double most_unlike = 0.1;  // of the longer side
   const std::size_t n = angles.size();
   auto is_end_edge = [&](std::size_t i) { return edge_of(model, loop.coedges[i]).length <= longest_end * width; };
