@@ -52,6 +52,12 @@ TEST(TieSides, AFaceThatStaysIrregularIsTiedByRoundingOnly) {
   EXPECT_EQ(tied(square(), {40.4, 30, 40.6, 50}), (std::vector<int>{41, 30, 41, 50}));
 }
 
+TEST(TieSides, SidesOfOneRowDifferInLengthAsRimsDo) {
+  auto strip = [](double width) { return fake::polygon({{0, 0, 0}, {30, 0, 0}, {29, width, 0}, {1, width, 0}}); };
+  EXPECT_EQ(tied(strip(2), {10, 1, 7.4, 1}), (std::vector<int>{9, 1, 9, 1}));
+  EXPECT_EQ(tied(strip(6), {10, 1, 7.4, 1}), (std::vector<int>{10, 1, 7, 1}));
+}
+
 TEST(TieSides, EdgesShorterThanTheTargetLengthTakeTwiceTheirCountForAGrid) {
   EXPECT_EQ(tied(square(), {3.2, 2, 1, 2}), (std::vector<int>{3, 2, 1, 2}));
   EXPECT_EQ(tied(square(), {2.8, 2, 1, 2}, 1, true), (std::vector<int>{2, 2, 2, 2}));

@@ -43,7 +43,7 @@ struct Range {
 };
 
 struct EdgeKind {
-  bool is_rim = false, is_of_thin = false;  // of a ring or a bent strip; of a thin face
+  bool is_rim = false, is_of_thin = false;  // of a ring, a bent strip or a single row; of a thin face
   int faced = 0;                            // intervals of several edges that it faces across a thin face
 };
 
@@ -217,9 +217,9 @@ bool is_narrow(const Model& model, const OppositeSides& pair, const std::vector<
   return pair.width * wish_of(pair, counts) <= narrow * length_of(model, pair);
 }
 
-/// Whether a face is far narrower between two sides than their intervals are long.
-bool is_thin_between(const Model& model, const OppositeSides& pair, const std::vector<EdgeCount>& counts) {
-  return width_between(model, pair) * wish_of(pair, counts) <= thin * length_of(model, pair);
+/// Whether a face is at most so many of their intervals wide between two sides.
+bool is_within(double intervals, const Model& model, const OppositeSides& pair, const std::vector<EdgeCount>& counts) {
+  return width_between(model, pair) * wish_of(pair, counts) <= intervals * length_of(model, pair);
 }
 
 /// Whether vertices of one side have none of the other one opposite: edges of equal number do not face each other.
@@ -255,9 +255,10 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
   std::vector<EdgeKind> kinds(counts.size());
   std::vector<bool> is_thin;
   for (const OppositeSides& pair : pairs) {
-    is_thin.push_back(is_thin_between(model, pair, counts));
+    is_thin.push_back(is_within(thin, model, pair, counts));
+    const bool is_row = pair.partner >= 0 && is_within(narrow, model, pair, counts);
     for (int e : pair.edges()) {
-      kinds[e].is_rim = kinds[e].is_rim || (pair.partner < 0 && !pair.is_crescent && !pair.is_gap);
+      kinds[e].is_rim = kinds[e].is_rim || is_row || (pair.partner < 0 && !pair.is_crescent && !pair.is_gap);
       kinds[e].is_of_thin = kinds[e].is_of_thin || is_thin.back();
     }
   }
