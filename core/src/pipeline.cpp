@@ -73,8 +73,8 @@ class Run {
     start();
     build(model);
     std::vector<FaceLayout> layouts;
-    const std::vector<int> counts = count_intervals(ClosedLayouts::assumed, layouts);
-    std::vector<double> elements = predict_elements(model_, size_, counts, options_.elements);
+    const EdgeCounts counts = count_intervals(ClosedLayouts::assumed, layouts);
+    std::vector<double> elements = predict_elements(model_, size_, counts.count, options_.elements);
     Prediction prediction;
     prediction.target_length = result_.report.target_length;
     prediction.face_elements.assign(static_cast<std::size_t>(model_.read_faces) + model_.common.size(), 0);
@@ -183,15 +183,15 @@ class Run {
   }
 
   // Sizing, and the number of intervals of every edge.
-  std::vector<int> count_intervals(ClosedLayouts closed, std::vector<FaceLayout>& layouts) {
+  EdgeCounts count_intervals(ClosedLayouts closed, std::vector<FaceLayout>& layouts) {
     clock_.begin(Stage::sizing);
     size_ = build_size_field(model_, options_, progress_, places_);
     for (const std::string& note : size_.local->notes()) result_.report.notes.push_back(note);
     clock_.begin(Stage::boundary);
     layouts = plan_layouts(model_, size_, closed, progress_);
-    std::vector<int> counts = choose_counts(model_, size_, progress_, shared_, options_.elements == Elements::all_quad);
-    settle_counts(model_, layouts, counts);
-    check_counts(counts);
+    EdgeCounts counts = choose_counts(model_, size_, progress_, shared_, options_.elements == Elements::all_quad);
+    settle_counts(model_, layouts, counts.count);
+    check_counts(counts.count);
     return counts;
   }
 
@@ -210,8 +210,8 @@ class Run {
   // Boundary nodes and regions; faces whose loops cross are none of them.
   void divide() {
     std::vector<FaceLayout> layouts;
-    const std::vector<int> counts = count_intervals(ClosedLayouts::made, layouts);
-    const std::vector<double> predicted = predict_elements(model_, size_, counts, options_.elements);
+    const EdgeCounts counts = count_intervals(ClosedLayouts::made, layouts);
+    const std::vector<double> predicted = predict_elements(model_, size_, counts.count, options_.elements);
     predicted_ = std::accumulate(predicted.begin(), predicted.end(), 0.0);
     DividedLoops divided = divide_loops(model_, size_, layouts, counts, options_.order > 1, shared_);
     nodes_ = std::move(divided.nodes);

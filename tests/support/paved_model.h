@@ -17,8 +17,8 @@ struct PavedModel {
     Alone alone(progress);
     SizeField size = build_size_field(model, options, progress);
     std::vector<FaceLayout> layouts = plan_layouts(model, size, ClosedLayouts::made, progress);
-    std::vector<int> counts = choose_counts(model, size, progress, alone);
-    settle_counts(model, layouts, counts);
+    EdgeCounts counts = choose_counts(model, size, progress, alone);
+    settle_counts(model, layouts, counts.count);
     edges = divide_edges(model, size, counts, alone);
     regions = build_regions(model, size, layouts, edges);
     for (const Region& region : regions) paved.push_back(pave_region(region, progress).mesh);

@@ -6,11 +6,12 @@
 #include <cmath>
 #include <map>
 
+#include "boundary/border/opposite_vertices.h"
+#include "boundary/border/seen_facets.h"
 #include "boundary/edge_metric.h"
 #include "boundary/edge_nodes.h"
 #include "boundary/facing/equal_sums.h"
 #include "boundary/facing/raise_counts.h"
-#include "boundary/facing/seen_facets.h"
 #include "boundary/facing/tie_sides.h"
 #include "boundary/parity.h"
 #include "boundary/region_loops.h"
@@ -111,8 +112,8 @@ void even_out(const std::vector<std::vector<Loop>>& loops, bool all_quad, TiedCo
 
 }  // namespace
 
-std::vector<int> choose_counts(const Model& model, const SizeField& size, Progress& progress, SharedTasks& tasks,
-                               bool all_quad) {
+EdgeCounts choose_counts(const Model& model, const SizeField& size, Progress& progress, SharedTasks& tasks,
+                         bool all_quad) {
   progress.begin(Stage::boundary, static_cast<long>(model.edges.size()));
   std::vector<double> costs;
   for (const Edge& edge : model.edges) costs.push_back(is_divided(edge) ? table_cost : 0);
@@ -132,7 +133,8 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
   match_gaps(model, size, loops, counts);
   const std::vector<OppositeSides> pairs = find_opposite_sides(model, loops);
   match_vertices(model, pairs, counts);
-  divide_seen_facets(model, loops, counts);
+  std::vector<std::vector<double>> opposite = face_near_vertices(model, loops, counts);
+  divide_seen_facets(model, loops, opposite, counts);
   match_bent_strips(model, pairs, counts);
   match_vertices(model, pairs, counts);
   TiedCounts tied = tie_opposite_sides(model, pairs, loops, counts);
@@ -141,8 +143,8 @@ std::vector<int> choose_counts(const Model& model, const SizeField& size, Progre
   even_out(loops, all_quad, tied);
   restore_equal_sums(pairs, before, tied);
 
-  std::vector<int> result;
-  for (int group : tied.group) result.push_back(tied.groups[group].count);
+  EdgeCounts result{{}, std::move(opposite)};
+  for (int group : tied.group) result.count.push_back(tied.groups[group].count);
   return result;
 }
 

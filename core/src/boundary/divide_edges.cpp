@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "boundary/border/border_facets.h"
 #include "boundary/edge_metric.h"
 #include "boundary/edge_nodes.h"
 #include "boundary/facing/facing_nodes.h"
@@ -86,14 +87,25 @@ void append(int edge, Places places, int start, int end, EdgeNodes& result) {
   division.node.push_back(end);
 }
 
-/// `places`: of the edges `divided`.
+/// Nodes opposite vertices, where they may be; otherwise at equal weight.
+std::vector<double> lengths_on(const EdgeMetric& metric, int count, const std::vector<double>& opposite) {
+  std::vector<double> even = metric.node_lengths(count);
+  if (opposite.empty() || metric.kink_count() > 0) return even;
+  std::vector<double> lengths = shares_of(opposite, count);
+  for (double& length : lengths) length *= even.back();
+  return metric.turns_within(lengths) ? lengths : even;
+}
+
+/// `places`: of the edges `divided`. Edges with nodes `opposite` vertices stay.
 void move_nodes(const Model& model, const SizeField& size, const std::vector<int>& divided,
-                std::vector<Places>& places) {
+                const std::vector<std::vector<double>>& opposite, std::vector<Places>& places) {
   NodeLengths lengths(model.edges.size());
   std::vector<int> task_of_edge(model.edges.size(), -1);
+  std::vector<bool> is_placed(model.edges.size(), false);
   for (std::size_t i = 0; i < divided.size(); ++i) {
     lengths[divided[i]] = places[i].length;
     task_of_edge[divided[i]] = static_cast<int>(i);
+    is_placed[divided[i]] = !opposite.empty() && !opposite[divided[i]].empty();
   }
   std::vector<std::vector<Loop>> loops;
   for (std::size_t f = 0; f < model.faces.size(); ++f)
@@ -110,31 +122,35 @@ void move_nodes(const Model& model, const SizeField& size, const std::vector<int
   const auto point = [&](int edge, double length) {
     return model.edges[edge].curve->point(metric_at(edge).parameter_at_length(length));
   };
-  for (const MovedNodes& moved :
-       face_vertices(model, find_opposite_sides(model, loops), std::move(lengths), may_move, point))
+  for (const MovedNodes& moved : face_vertices(model, find_opposite_sides(model, loops), std::move(lengths),
+                                               std::move(is_placed), may_move, point))
     places[task_of_edge[moved.edge]] = divide(model, moved.edge, metric_at(moved.edge), moved.lengths);
 }
 
 }  // namespace
 
-EdgeNodes divide_edges(const Model& model, const SizeField& size, const std::vector<int>& counts, SharedTasks& tasks) {
+EdgeNodes divide_edges(const Model& model, const SizeField& size, const EdgeCounts& counts, SharedTasks& tasks) {
   EdgeNodes result;
   result.edges.resize(model.edges.size());
-  number_vertices(model, counts, result);
+  number_vertices(model, counts.count, result);
   result.node_target.assign(result.nodes.size(), size.h);
   std::vector<int> divided;
   std::vector<double> costs;
   for (std::size_t e = 0; e < model.edges.size(); ++e) {
-    if (counts[e] <= 0 || model.edges[e].is_degenerate || !model.edges[e].curve) continue;
+    if (counts.count[e] <= 0 || model.edges[e].is_degenerate || !model.edges[e].curve) continue;
     divided.push_back(static_cast<int>(e));
-    costs.push_back(table_cost + node_cost * counts[e]);
+    costs.push_back(table_cost + node_cost * counts.count[e]);
   }
+  const std::vector<double> nowhere;
+  auto opposite_on = [&](int e) -> const std::vector<double>& {
+    return counts.opposite.empty() ? nowhere : counts.opposite[e];
+  };
   std::vector<Places> places = tasks.run<Places>(Stage::boundary, costs, [&](int task) {
-    auto i = static_cast<std::size_t>(task);
-    const EdgeMetric metric = metric_of(model, divided[i], size);
-    return divide(model, divided[i], metric, metric.node_lengths(counts[divided[i]]));
+    const int e = divided[task];
+    const EdgeMetric metric = metric_of(model, e, size);
+    return divide(model, e, metric, lengths_on(metric, counts.count[e], opposite_on(e)));
   });
-  move_nodes(model, size, divided, places);
+  move_nodes(model, size, divided, counts.opposite, places);
   for (std::size_t i = 0; i < divided.size(); ++i) {
     const Edge& edge = model.edges[divided[i]];
     append(divided[i], std::move(places[i]), result.node_of_vertex[edge.start], result.node_of_vertex[edge.end],

@@ -34,12 +34,19 @@ struct EdgeNodes {
   }
 };
 
+/// How edges are to be divided.
+struct EdgeCounts {
+  std::vector<int> count;                     ///< intervals per edge
+  std::vector<std::vector<double>> opposite;  ///< per edge: shares of its length with a node opposite a vertex
+};
+
 /// Interval counts per edge: max(1, round(integral of ds/h)), at least 3 on an edge that closes on itself, no interval
 /// turning more than the limit; then parity. Collective.
-std::vector<int> choose_counts(const Model& model, const SizeField& size, Progress& progress, SharedTasks& tasks,
-                               bool all_quad = false);
+EdgeCounts choose_counts(const Model& model, const SizeField& size, Progress& progress, SharedTasks& tasks,
+                         bool all_quad = false);
 
-/// Divides every edge into `counts[e]` intervals, equal in integral of ds/h on the exact curve. Collective.
-EdgeNodes divide_edges(const Model& model, const SizeField& size, const std::vector<int>& counts, SharedTasks& tasks);
+/// Divides every edge into its count of intervals, equal in integral of ds/h on the exact curve but for places opposite
+/// vertices. Collective.
+EdgeNodes divide_edges(const Model& model, const SizeField& size, const EdgeCounts& counts, SharedTasks& tasks);
 
 }  // namespace paver

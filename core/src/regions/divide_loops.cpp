@@ -182,7 +182,7 @@ std::vector<Crossing> find_crossings(const Model& model, const EdgeNodes& nodes,
 class LoopDivider {
  public:
   LoopDivider(const Model& model, const SizeField& size, const std::vector<FaceLayout>& layouts,
-              const std::vector<int>& counts, bool is_curved, SharedTasks& tasks)
+              const EdgeCounts& counts, bool is_curved, SharedTasks& tasks)
       : model_(model), size_(size), layouts_(layouts), counts_(counts), is_curved_(is_curved), tasks_(tasks) {}
 
   DividedLoops run() {
@@ -194,9 +194,9 @@ class LoopDivider {
 
  private:
   void divide() {
-    std::vector<int> counts = counts_;
-    for (std::size_t e = 0; e < counts.size(); ++e)
-      counts[e] = count(static_cast<int>(e), doublings(static_cast<int>(e)));
+    EdgeCounts counts = counts_;
+    for (std::size_t e = 0; e < counts.count.size(); ++e)
+      counts.count[e] = count(static_cast<int>(e), doublings(static_cast<int>(e)));
     result_.nodes = divide_edges(model_, size_, counts, tasks_);
     result_.regions = build_regions(model_, size_, layouts_, result_.nodes);
     std::erase_if(result_.regions, [&](const Region& region) { return has_failed_.contains(region.face); });
@@ -213,7 +213,7 @@ class LoopDivider {
 
   // An odd count stays odd.
   int count(int edge, int times) const {
-    int result = counts_[edge];
+    int result = counts_.count[edge];
     for (int i = 0; i < times; ++i) result = 2 * result + result % 2;
     return result;
   }
@@ -284,7 +284,7 @@ class LoopDivider {
   const Model& model_;
   const SizeField& size_;
   const std::vector<FaceLayout>& layouts_;
-  const std::vector<int>& counts_;
+  const EdgeCounts& counts_;
   const bool is_curved_;
   SharedTasks& tasks_;
   DividedLoops result_;
@@ -295,7 +295,7 @@ class LoopDivider {
 }  // namespace
 
 DividedLoops divide_loops(const Model& model, const SizeField& size, const std::vector<FaceLayout>& layouts,
-                          const std::vector<int>& counts, bool is_curved, SharedTasks& tasks) {
+                          const EdgeCounts& counts, bool is_curved, SharedTasks& tasks) {
   return LoopDivider(model, size, layouts, counts, is_curved, tasks).run();
 }
 

@@ -24,12 +24,12 @@ struct DividedLoops {
   std::vector<CrossingFace> failures;  ///< in the order in which they were found
 };
 
-/// Divides all edges into `counts` intervals, and edges whose facets cross in the chart of a face further, as far as
+/// Divides all edges into `counts`, and edges whose facets cross in the chart of a face further, as far as
 /// that parts them: only those that leave their chords, and up to most_doublings times. A face whose curves themselves
 /// cross fails, as does one where that is not enough; what was divided only for such a face is not.
 /// Where sides are curved (`is_curved`) edges are divided up to twice more where these would run over each other.
 /// Collective.
 DividedLoops divide_loops(const Model& model, const SizeField& size, const std::vector<FaceLayout>& layouts,
-                          const std::vector<int>& counts, bool is_curved, SharedTasks& tasks);
+                          const EdgeCounts& counts, bool is_curved, SharedTasks& tasks);
 
 }  // namespace paver

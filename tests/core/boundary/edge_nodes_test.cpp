@@ -21,13 +21,13 @@ SizeField size_of(const Model& model, double h, double turn_limit = 0.7853981633
 std::vector<int> counts_of(const Model& model, double h) {
   Progress progress;
   test::Alone alone(progress);
-  return choose_counts(model, size_of(model, h), progress, alone);
+  return choose_counts(model, size_of(model, h), progress, alone).count;
 }
 
 EdgeNodes nodes_of(const Model& model, double h) {
   Progress progress;
   test::Alone alone(progress);
-  return divide_edges(model, size_of(model, h), counts_of(model, h), alone);
+  return divide_edges(model, size_of(model, h), choose_counts(model, size_of(model, h), progress, alone), alone);
 }
 
 int odd_loops(const Model& model, const std::vector<int>& counts) {
@@ -73,7 +73,7 @@ TEST(ChooseCounts, ASmallCircleKeepsFourIntervals) {
   Progress progress;
   test::Alone alone(progress);
   Model tube = fake::tube(0.01, 1);
-  EXPECT_EQ(choose_counts(tube, size_of(tube, 1, 3.0), progress, alone)[0], 4);
+  EXPECT_EQ(choose_counts(tube, size_of(tube, 1, 3.0), progress, alone).count[0], 4);
 }
 
 TEST(ChooseCounts, NoIntervalOfAnEllipseTurnsMoreThanTheLimit) {
@@ -154,9 +154,21 @@ TEST(DivideEdges, EdgesWithACountOfZeroAreLeftOut) {
   counts[4] = 3;
   Progress progress;
   test::Alone alone(progress);
-  EdgeNodes nodes = divide_edges(box, size_of(box, 0.3), counts, alone);
+  EdgeNodes nodes = divide_edges(box, size_of(box, 0.3), {counts, {}}, alone);
   EXPECT_EQ(nodes.nodes.size(), 4u);
   EXPECT_EQ(nodes.edges[4].node, (std::vector<int>{0, 2, 3, 1}));
+}
+
+// The base of a comb: a node opposite each corner between its teeth.
+TEST(DivideEdges, NodesLieOppositeTheVerticesOfAComb) {
+  const Model comb =
+      fake::polygon({{0, 0, 0}, {50, 0, 0}, {50, 2, 0}, {32, 2, 0}, {32, 30, 0}, {30, 30, 0}, {30, 2, 0}, {0, 2, 0}});
+  const EdgeNodes nodes = nodes_of(comb, 1000);
+  std::vector<double> places;
+  for (int node : nodes.edges[0].node) places.push_back(nodes.nodes[node].x);
+  ASSERT_EQ(places.size(), 4u);
+  EXPECT_NEAR(places[1], 30, 1e-9);
+  EXPECT_NEAR(places[2], 32, 1e-9);
 }
 
 }  // namespace

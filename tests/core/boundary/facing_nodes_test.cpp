@@ -30,7 +30,8 @@ std::vector<MovedNodes> moved_in(
   const auto point = [&](int edge, double length) {
     return model.edges[edge].curve->point(model.edges[edge].parameter(length / model.edges[edge].length));
   };
-  return face_vertices(model, find_opposite_sides(model, loops), even(model, counts), may_move, point);
+  return face_vertices(model, find_opposite_sides(model, loops), even(model, counts),
+                       std::vector<bool>(model.edges.size(), false), may_move, point);
 }
 
 double nearest(const std::vector<double>& places, double place) {

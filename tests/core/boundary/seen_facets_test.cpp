@@ -1,5 +1,5 @@
 // Long facets close before nodes: how many intervals their edges get.
-#include "boundary/facing/seen_facets.h"
+#include "boundary/border/seen_facets.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using Counts = std::vector<int>;
 Counts divided(const Model& model, const Counts& before) {
   std::vector<EdgeCount> counts;
   for (int count : before) counts.push_back({1.0 * count, 1, count});
-  divide_seen_facets(model, {linked_loops(model, 0)}, counts);
+  divide_seen_facets(model, {linked_loops(model, 0)}, std::vector<std::vector<double>>(counts.size()), counts);
   Counts result;
   for (const EdgeCount& count : counts) result.push_back(count.count);
   return result;

@@ -28,7 +28,7 @@ struct Wall {
     size.faces.assign(1, FaceSize(100));
     Progress progress;
     test::Alone alone(progress);
-    edges = divide_edges(model, size, {1, 2, 1, 2}, alone);
+    edges = divide_edges(model, size, {{1, 2, 1, 2}, {}}, alone);
     region.face = 0;
     lay(mesh, {0, 1, 4, 5, 2, 3}, {{0, 1, 2, 3}, {3, 2, 4, 5}});
   }

@@ -38,7 +38,7 @@ Pair two_squares() {
   size.faces.assign(2, FaceSize(0.5));
   Progress progress;
   test::Alone alone(progress);
-  pair.edges = divide_edges(pair.model, size, std::vector<int>(7, 2), alone);
+  pair.edges = divide_edges(pair.model, size, {std::vector<int>(7, 2), {}}, alone);
   return pair;
 }
 

@@ -117,12 +117,13 @@ void follow_parts(const Nodes& one, const Nodes& other, double slack, bool is_ri
 
 class Following {
  public:
-  Following(const Model& model, NodeLengths lengths, const MayMove& may_move, const EdgePoint& point)
+  Following(const Model& model, NodeLengths lengths, std::vector<bool> is_placed, const MayMove& may_move,
+            const EdgePoint& point)
       : model_(model),
         lengths_(std::move(lengths)),
         may_move_(may_move),
         point_(point),
-        has_moved_(lengths_.size(), false) {}
+        is_placed_(std::move(is_placed)) {}
 
   /// Whether an edge has moved.
   bool follow(const OppositeSides& pair) {
@@ -158,7 +159,7 @@ class Following {
     if (next.empty() || !std::ranges::all_of(next, may_move_)) return false;
     for (MovedNodes& edge : next) {
       lengths_[edge.edge] = edge.lengths;
-      has_moved_[edge.edge] = true;
+      is_placed_[edge.edge] = true;
       moved.push_back(std::move(edge));
     }
     return true;
@@ -227,7 +228,7 @@ class Following {
       for (std::size_t k = 1, last = of_edge.size() - 1; k <= last; ++k) {
         const double along = side.is_against[i] ? whole - of_edge[last - k] : of_edge[k];
         nodes.places.push_back(before + along);
-        nodes.is_set.push_back(k == last || has_moved_[edge]);
+        nodes.is_set.push_back(k == last || is_placed_[edge]);
       }
       before += whole;
     }
@@ -256,17 +257,17 @@ class Following {
   NodeLengths lengths_;
   const MayMove& may_move_;
   const EdgePoint& point_;
-  std::vector<bool> has_moved_;
+  std::vector<bool> is_placed_;
 };
 
 }  // namespace
 
 std::vector<MovedNodes> face_vertices(const Model& model, const std::vector<OppositeSides>& pairs, NodeLengths lengths,
-                                      const MayMove& may_move, const EdgePoint& point) {
+                                      std::vector<bool> is_placed, const MayMove& may_move, const EdgePoint& point) {
   std::vector<const OppositeSides*> open;
   for (const OppositeSides& pair : pairs)
     if (!pair.is_gap && !pair.first.empty() && !pair.second.empty()) open.push_back(&pair);
-  Following following(model, std::move(lengths), may_move, point);
+  Following following(model, std::move(lengths), std::move(is_placed), may_move, point);
   while (std::erase_if(open, [&](const OppositeSides* pair) { return following.follow(*pair); }) > 0) {
   }
   return std::move(following.moved);

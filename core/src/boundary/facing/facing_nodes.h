@@ -30,8 +30,8 @@ using EdgePoint = std::function<Vec3(int edge, double length)>;
 /// other's vertices where none do. Nodes of the shorter side of a crescent are where those of the longer one are
 /// nearest: by equal shares the first chords would lie on one another. Edges that face such an edge across another
 /// narrow face follow it. At most one entry per edge; an edge that leads an entry comes before it. `pairs`: of
-/// find_opposite_sides.
+/// find_opposite_sides; `is_placed`: per edge, whether its nodes stay and are followed.
 std::vector<MovedNodes> face_vertices(const Model& model, const std::vector<OppositeSides>& pairs, NodeLengths lengths,
-                                      const MayMove& may_move, const EdgePoint& point);
+                                      std::vector<bool> is_placed, const MayMove& may_move, const EdgePoint& point);
 
 }  // namespace paver

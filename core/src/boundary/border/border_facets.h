@@ -1,0 +1,36 @@
+// The border of a face in facets, before there are nodes.
+#pragma once
+
+#include <vector>
+
+#include "boundary/parity.h"
+#include "topology/model.h"
+
+namespace paver {
+
+/// The chord of an interval, the face to its left.
+struct BorderFacet {
+  Vec3 a, b;
+  Vec3 inward;  ///< unit
+  int edge = -1;
+  int before = -1, after = -1;  ///< neighbours in the loop, by their places in the list
+  double length() const { return norm(b - a); }
+};
+
+/// Of the coedge's edge, between nodes at these `shares` of it, without neighbours.
+std::vector<BorderFacet> facets_of(const Model& model, int face, const Coedge& coedge, std::vector<double> shares);
+
+/// All facets of a face, loop by loop; none where one of its edges is not divided or has no image on its surface.
+/// `loops`: linked_loops of the face without periodic edges; `opposite`: as shares_of takes it, per edge of the model.
+std::vector<BorderFacet> border_of(const Model& model, int face, const std::vector<Loop>& loops,
+                                   const std::vector<EdgeCount>& counts,
+                                   const std::vector<std::vector<double>>& opposite);
+
+/// Of the two facets at the start of facet i.
+double shortest_at(const std::vector<BorderFacet>& border, int i);
+
+/// Where an edge of `count` intervals has its nodes, as shares of its length: at `opposite`, the first of them where
+/// these are too many, and evenly between.
+std::vector<double> shares_of(const std::vector<double>& opposite, int count);
+
+}  // namespace paver
