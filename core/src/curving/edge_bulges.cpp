@@ -12,6 +12,7 @@ void EdgeBulges::add(int a, Vec3 xa, int b, Vec3 xb, Vec3 middle) {
 
 EdgeBulges::Mean EdgeBulges::mean_from(const SideEnd& from, const SideEnd& to) const {
   Mean mean;
+  if (from.global < 0) return mean;
   const auto found = from_.find(from.global);
   if (found == from_.end()) return mean;
   double sum = 0;
