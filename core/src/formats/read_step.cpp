@@ -215,6 +215,7 @@ extern "C" void paver_read_format(const FileSource& file, std::string_view conte
   if (has_fails(reader.Model())) doubt();
   const LargestTolerance tolerance(most_imprecise(reader));
   report.unit = stated_unit(reader);
+  lead_meridians_to_poles(reader);
   transfer(reader, shape, progress, face_name);
   add(step_losses(reader));
   if (shape.shape.IsNull()) return;

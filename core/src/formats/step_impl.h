@@ -17,6 +17,11 @@ std::vector<std::string> step_losses(STEPControl_Reader& reader);
 /// Labels of solids that came without a closed shell.
 std::vector<std::string> open_solids(STEPControl_Reader& reader);
 
+/// Meridians of spheres that miss the pole they end at by less than 3e-5 of the radius, as where the file has few
+/// decimals, go through it; so do circles and ellipses that are turned about an axis beside their plane. Before the
+/// transfer.
+void lead_meridians_to_poles(const XSControl_Reader& reader);
+
 /// Faces that hold both poles of their surface, where reading turns them into the disc that is cut out. A file walks
 /// along a periodic edge to a pole and back. Where all loops of a face meet its periodic edge, as with a ball that has
 /// a rod along its x axis, the reader drops that edge, and the poles with it, and takes the loop for the border of the
