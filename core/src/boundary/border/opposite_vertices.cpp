@@ -21,7 +21,7 @@ constexpr double shorter = 0.7;    // intervals: the vertex's facets; else both 
 constexpr int most_intervals = 3;  // of the edge: more would all change for the sake of one place
 constexpr int most_rounds = 4;
 constexpr double straight = 0.999;   // chord by length
-constexpr double facing = 0.5;       // cosine between the way to the edge and that into the face
+constexpr double towards = 0.5;      // cosine between the way to the edge and that into the face
 constexpr double convex = 0.01;      // sine of the turn at a corner of the face ...
 constexpr double smooth = 0.85;      // ... and its cosine
 constexpr double apart = 0.3;        // of the distance, or of the vertex's facets: nearer places are one
@@ -104,7 +104,7 @@ class Border {
     const BorderFacet &after = facets_[v], &before = facets_[after.before];
     const bool is_convex = dot(unit(after.b - after.a), before.inward) > convex;
     if (is_convex && dot(before.inward, after.inward) < smooth) return false;
-    return -std::min(dot(before.inward, inward), dot(after.inward, inward)) >= facing;
+    return -std::min(dot(before.inward, inward), dot(after.inward, inward)) >= towards;
   }
 
   /// Whether no other facet comes near the way from a node to a facet.
