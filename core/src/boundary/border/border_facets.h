@@ -1,6 +1,7 @@
 // The border of a face in facets, before there are nodes.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "boundary/parity.h"
@@ -32,5 +33,19 @@ double shortest_at(const std::vector<BorderFacet>& border, int i);
 /// Where an edge of `count` intervals has its nodes, as shares of its length: at `opposite`, the first of them where
 /// these are too many, and evenly between.
 std::vector<double> shares_of(const std::vector<double>& opposite, int count);
+
+/// divide(f) for each of so many `faces`: gives edges that it divided, whose faces come once more, for the `most`
+/// rounds.
+template <class Divide>
+void divide_in_rounds(const Model& model, std::size_t faces, int most, Divide divide) {
+  std::set<int> open;
+  for (std::size_t f = 0; f < faces; ++f) open.insert(static_cast<int>(f));
+  for (int round = 0; round < most; ++round) {
+    std::set<int> next;
+    for (int f : open)
+      for (int edge : divide(f)) next.insert(model.edges[edge].faces.begin(), model.edges[edge].faces.end());
+    open = std::move(next);
+  }
+}
 
 }  // namespace paver

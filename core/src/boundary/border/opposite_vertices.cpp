@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <optional>
-#include <set>
 
 #include "base/boxes/box_tree.h"
 #include "base/segment.h"
@@ -142,22 +141,30 @@ class Facing {
 
   /// The edges of a face; those that get places.
   std::vector<int> face(int f, const std::vector<Loop>& loops) {
-    std::vector<int> found;
+    std::vector<int> open, found;
+    for (const Coedge& coedge : coedges_of(loops))
+      if (may_get_places(coedge.edge)) open.push_back(coedge.edge);
+    if (open.empty()) return found;
     std::vector<BorderFacet> facets = border_of(model_, f, loops, counts_, opposite);
     if (facets.empty()) return found;
     const Border border(std::move(facets), [&](int edge) { return !opposite[edge].empty(); });
-    for (const Coedge& coedge : coedges_of(loops)) {
-      const Edge& edge = edge_of(model_, coedge);
-      const int first = first_[coedge.edge].count;
-      const Vec3 start = model_.vertices[edge.start], chord = model_.vertices[edge.end] - start;
-      if (first > most_intervals || norm(chord) < straight * edge.length) continue;
-      if (take(coedge.edge, border.places_on(coedge.edge, edge.length / first, start, chord)))
-        found.push_back(coedge.edge);
+    for (int e : open) {
+      const Edge& edge = model_.edges[e];
+      const double interval = edge.length / first_[e].count;
+      if (take(e, border.places_on(e, interval, model_.vertices[edge.start], chord_of(edge)))) found.push_back(e);
     }
     return found;
   }
 
  private:
+  /// From its start to its end.
+  Vec3 chord_of(const Edge& edge) const { return model_.vertices[edge.end] - model_.vertices[edge.start]; }
+
+  bool may_get_places(int e) const {
+    const Edge& edge = model_.edges[e];
+    return first_[e].count <= most_intervals && norm(chord_of(edge)) >= straight * edge.length;
+  }
+
   /// Whether there are new ones among the places.
   bool take(int edge, const std::vector<Place>& places) {
     std::vector<double>& shares = opposite[edge];
@@ -191,15 +198,7 @@ class Facing {
 std::vector<std::vector<double>> face_near_vertices(const Model& model, const std::vector<std::vector<Loop>>& loops,
                                                     std::vector<EdgeCount>& counts) {
   Facing facing(model, counts);
-  std::set<int> faces;
-  for (std::size_t f = 0; f < loops.size(); ++f) faces.insert(static_cast<int>(f));
-  for (int round = 0; round < most_rounds; ++round) {
-    std::set<int> next;
-    for (int f : faces)
-      for (int edge : facing.face(f, loops[f]))
-        next.insert(model.edges[edge].faces.begin(), model.edges[edge].faces.end());
-    faces = std::move(next);
-  }
+  divide_in_rounds(model, loops.size(), most_rounds, [&](int f) { return facing.face(f, loops[f]); });
   return std::move(facing.opposite);
 }
 

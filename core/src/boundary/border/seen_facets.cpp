@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "base/boxes/box_tree.h"
 #include "boundary/border/border_facets.h"
@@ -90,15 +89,8 @@ std::vector<int> divide(const Model& model, int f, const std::vector<Loop>& loop
 
 void divide_seen_facets(const Model& model, const std::vector<std::vector<Loop>>& loops,
                         const std::vector<std::vector<double>>& opposite, std::vector<EdgeCount>& counts) {
-  std::set<int> faces;
-  for (std::size_t f = 0; f < loops.size(); ++f) faces.insert(static_cast<int>(f));
-  for (int round = 0; round < most_rounds; ++round) {
-    std::set<int> next;
-    for (int f : faces)
-      for (int edge : divide(model, f, loops[f], opposite, counts))
-        next.insert(model.edges[edge].faces.begin(), model.edges[edge].faces.end());
-    faces = std::move(next);
-  }
+  divide_in_rounds(model, loops.size(), most_rounds,
+                   [&](int f) { return divide(model, f, loops[f], opposite, counts); });
 }
 
 }  // namespace paver
