@@ -1,15 +1,12 @@
 // Where a file has rounded numbers, meridians of spheres miss the pole that they lead to, and the longitude of their
-// last piece turns by any angle: the kernel's image of such an edge is nowhere near it. Circles and ellipses that were
-// turned about an axis in their plane miss that, and the surface has no pole.
-#include <StepGeom_Axis1Placement.hxx>
+// last piece turns by any angle: the kernel's image of such an edge is nowhere near it, or it makes loops of the
+// border.
 #include <StepGeom_Axis2Placement3d.hxx>
 #include <StepGeom_CartesianPoint.hxx>
 #include <StepGeom_Circle.hxx>
 #include <StepGeom_Direction.hxx>
-#include <StepGeom_Ellipse.hxx>
 #include <StepGeom_SphericalSurface.hxx>
 #include <StepGeom_SurfaceCurve.hxx>
-#include <StepGeom_SurfaceOfRevolution.hxx>
 #include <StepShape_EdgeCurve.hxx>
 #include <StepShape_EdgeLoop.hxx>
 #include <StepShape_FaceBound.hxx>
@@ -67,28 +64,18 @@ std::optional<Frame> frame_of(const Handle(StepGeom_Axis2Placement3d) & placemen
   return Frame{placement, *origin, *axis};
 }
 
-Handle(StepGeom_CartesianPoint) moved_to(const gp_Pnt& place, const StepGeom_CartesianPoint& point) {
-  Handle(StepGeom_CartesianPoint) moved = new StepGeom_CartesianPoint;
-  moved->Init(point.Name(), numbers(place.XYZ()));
-  return moved;
-}
-
-/// The normal of a plane that has `axis` in it.
-gp_Dir normal_to(const gp_Dir& axis, const gp_Dir& normal) {
-  return gp_Dir(normal.XYZ() - normal.Dot(axis) * axis.XYZ());
-}
-
-/// Puts a conic about this place, into a plane with this normal. Others may have its placement, too.
-void place(StepGeom_Conic& conic, const Frame& frame, const Handle(StepGeom_CartesianPoint) & at,
-           const gp_Dir& normal) {
-  Handle(StepGeom_Direction) axis = new StepGeom_Direction;
-  axis->Init(frame.placement->Axis()->Name(), numbers(normal.XYZ()));
+/// Puts a circle about this place, into a plane that has `axis` in it. Others may have its placement, too.
+void place(StepGeom_Circle& circle, const Frame& frame, const Handle(StepGeom_CartesianPoint) & at,
+           const gp_Dir& axis) {
+  const gp_Dir normal(frame.axis.XYZ() - frame.axis.Dot(axis) * axis.XYZ());
+  Handle(StepGeom_Direction) direction = new StepGeom_Direction;
+  direction->Init(frame.placement->Axis()->Name(), numbers(normal.XYZ()));
   Handle(StepGeom_Axis2Placement3d) placement = new StepGeom_Axis2Placement3d;
-  placement->Init(frame.placement->Name(), at, true, axis, frame.placement->HasRefDirection(),
+  placement->Init(frame.placement->Name(), at, true, direction, frame.placement->HasRefDirection(),
                   frame.placement->RefDirection());
   StepGeom_Axis2Placement position;
   position.SetValue(placement);
-  conic.SetPosition(position);
+  circle.SetPosition(position);
 }
 
 Handle(StepGeom_Circle) circle_of(const StepShape_EdgeCurve& edge) {
@@ -118,7 +105,7 @@ class Sphere {
       is_off = is_off || (missed <= most_rounded * radius_ && missed > exact * radius_);
     }
     if (!leads_to_pole || !is_off) return;
-    place(*circle, *frame, frame_.placement->Location(), normal_to(frame_.axis, frame->axis));
+    place(*circle, *frame, frame_.placement->Location(), frame_.axis);
     circle->SetRadius(radius_);
   }
 
@@ -132,36 +119,17 @@ class Sphere {
     const double side = gp_Vec(frame_.origin, *at).Dot(gp_Vec(frame_.axis)) < 0 ? -1 : 1;
     const gp_Pnt pole = frame_.origin.Translated(side * radius_ * gp_Vec(frame_.axis));
     const double missed = pole.Distance(*at);
-    if (missed > exact * radius_ && missed <= most_rounded * radius_) vertex->SetVertexGeometry(moved_to(pole, *point));
+    if (missed > exact * radius_ && missed <= most_rounded * radius_) {
+      Handle(StepGeom_CartesianPoint) moved = new StepGeom_CartesianPoint;
+      moved->Init(point->Name(), numbers(pole.XYZ()));
+      vertex->SetVertexGeometry(moved);
+    }
     return missed;
   }
 
   Frame frame_;
   double radius_;
 };
-
-double size_of(const Handle(StepGeom_Conic) & conic) {
-  if (const auto circle = Handle(StepGeom_Circle)::DownCast(conic); !circle.IsNull()) return circle->Radius();
-  const auto ellipse = Handle(StepGeom_Ellipse)::DownCast(conic);
-  return ellipse.IsNull() ? 0 : std::max(ellipse->SemiAxis1(), ellipse->SemiAxis2());
-}
-
-/// Where a circle or ellipse is turned about an axis in its plane, but for rounding: into a plane with that.
-void mend(const StepGeom_SurfaceOfRevolution& surface) {
-  const auto conic = Handle(StepGeom_Conic)::DownCast(surface.SweptCurve());
-  if (conic.IsNull() || surface.AxisPosition().IsNull() || !surface.AxisPosition()->HasAxis()) return;
-  const std::optional<Frame> frame = frame_of(conic->Position().Axis2Placement3d());
-  const std::optional<gp_Pnt> on_axis = point_of(surface.AxisPosition()->Location());
-  const std::optional<gp_Dir> axis = direction_of(surface.AxisPosition()->Axis());
-  const double size = size_of(conic);
-  if (!frame || !on_axis || !axis || !(std::fabs(frame->axis.Dot(*axis)) <= most_rounded)) return;
-  const gp_Dir normal = normal_to(*axis, frame->axis);
-  const double above = gp_Vec(*on_axis, frame->origin).Dot(gp_Vec(normal));
-  const double off = std::max(std::fabs(above), size * std::fabs(frame->axis.Dot(*axis)));
-  if (off <= exact * size || off > most_rounded * size) return;
-  const gp_Pnt origin = frame->origin.Translated(-above * gp_Vec(normal));
-  place(*conic, *frame, moved_to(origin, *frame->placement->Location()), normal);
-}
 
 void mend_edges(const StepShape_FaceSurface& face, const Sphere& sphere) {
   for (int b = 1; b <= face.NbBounds(); ++b) {
@@ -177,7 +145,6 @@ void mend_edges(const StepShape_FaceSurface& face, const Sphere& sphere) {
 
 void lead_meridians_to_poles(const XSControl_Reader& reader) {
   for (const Handle(Standard_Transient) & any : entities_of(reader)) {
-    if (const auto revolved = Handle(StepGeom_SurfaceOfRevolution)::DownCast(any); !revolved.IsNull()) mend(*revolved);
     const auto face = Handle(StepShape_FaceSurface)::DownCast(any);
     if (face.IsNull()) continue;
     const auto surface = Handle(StepGeom_SphericalSurface)::DownCast(face->FaceGeometry());

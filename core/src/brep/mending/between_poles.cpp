@@ -8,6 +8,7 @@
 // 3. All of it from a touch on; else the piece from the start of the parameters where that is a pole; else the one that
 //    does not go over the start.
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <Geom_Conic.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <algorithm>
@@ -25,8 +26,9 @@ namespace {
 
 constexpr int samples = 90;
 constexpr int bisections = 50;
-constexpr double flat_share = 1e-9;   // of the meridian's size
-constexpr double start_share = 1e-6;  // of the period: a pole there is the start
+constexpr double flat_share = 1e-9;    // of the meridian's size
+constexpr double start_share = 1e-6;   // of the period: a pole there is the start
+constexpr double most_rounded = 3e-5;  // of the meridian's size: about 1e-5 of the diagonal, as between parts
 
 /// How far a meridian is from the axis, negative on the other side of it.
 class Meridian {
@@ -41,12 +43,14 @@ class Meridian {
   double first() const { return curve_->FirstParameter(); }
   double period() const { return curve_->Period(); }
 
-  /// Whether it lies in one plane with the axis.
-  bool is_planar() const {
-    for (int i = 0; i < samples; ++i)
-      if (const gp_Vec from = from_axis(at(i)); (from - from.Dot(side_) * side_).Magnitude() > flat_share * size_)
-        return false;
-    return size_ > 0;
+  /// How far it is at most from the plane that the axis and its farthest place lie in, per its size.
+  double off_plane() const {
+    double most = 0;
+    for (int i = 0; i < samples; ++i) {
+      const gp_Vec from = from_axis(at(i));
+      most = std::max(most, (from - from.Dot(side_) * side_).Magnitude());
+    }
+    return size_ > 0 ? most / size_ : INFINITY;
   }
 
   /// Where it comes to the axis and turns back.
@@ -99,17 +103,31 @@ bool has_periodic_edges_only(const TopoDS_Face& face) {
   return std::ranges::all_of(edges_of(face), [&](const TopoDS_Edge& edge) { return BRep_Tool::IsClosed(edge, face); });
 }
 
-/// Along the meridian, of the piece that is meant.
-std::optional<std::array<double, 2>> poles_of(const Handle(Geom_Surface) & surface) {
+/// A conic that is turned about an axis beside its plane, as rounded numbers leave it: the axis in its plane.
+Handle(Geom_SurfaceOfRevolution) with_axis_in_plane(const Geom_SurfaceOfRevolution& surface, const Geom_Conic& conic) {
+  const gp_Ax1 axis = surface.Axis();
+  const gp_Vec along(axis.Direction()), normal(conic.Axis().Direction());
+  const gp_Dir across(normal - normal.Dot(along) * along);
+  const double above = gp_Vec(axis.Location(), conic.Location()).Dot(gp_Vec(across));
+  const auto moved = Handle(Geom_Conic)::DownCast(conic.Copy());
+  moved->SetAxis(gp_Ax1(conic.Location().Translated(-above * gp_Vec(across)), across));
+  return new Geom_SurfaceOfRevolution(moved, axis);
+}
+
+/// Along the meridian, of the piece that is meant; the surface may be made anew.
+std::optional<std::array<double, 2>> poles_of(Handle(Geom_Surface) & surface) {
   if (const auto torus = Handle(Geom_ToroidalSurface)::DownCast(surface); !torus.IsNull()) {
     const double hole = torus->MajorRadius() - torus->MinorRadius();
     if (std::abs(hole) > flat_share * torus->MajorRadius()) return std::nullopt;
     return std::array{std::numbers::pi, 3 * std::numbers::pi};
   }
-  const auto revolved = Handle(Geom_SurfaceOfRevolution)::DownCast(surface);
+  auto revolved = Handle(Geom_SurfaceOfRevolution)::DownCast(surface);
   if (revolved.IsNull()) return std::nullopt;
+  const double off = Meridian(*revolved).off_plane();
+  const auto conic = Handle(Geom_Conic)::DownCast(untrimmed(revolved->BasisCurve()));
+  if (off > (conic.IsNull() ? flat_share : most_rounded)) return std::nullopt;
+  if (off > flat_share) surface = revolved = with_axis_in_plane(*revolved, *conic);
   const Meridian meridian(*revolved);
-  if (!meridian.is_planar()) return std::nullopt;
   if (const std::optional<double> touch = meridian.touch()) return std::array{*touch, *touch + meridian.period()};
   std::vector<double> poles = meridian.crossings();
   if (poles.size() != 2) return std::nullopt;
@@ -121,7 +139,7 @@ std::optional<std::array<double, 2>> poles_of(const Handle(Geom_Surface) & surfa
 
 std::optional<TopoDS_Face> between_poles(const TopoDS_Face& face) {
   TopLoc_Location location;
-  const Handle(Geom_Surface) surface = untrimmed(BRep_Tool::Surface(face, location));
+  Handle(Geom_Surface) surface = untrimmed(BRep_Tool::Surface(face, location));
   if (surface.IsNull() || !surface->IsVPeriodic() || !has_periodic_edges_only(face)) return std::nullopt;
   const std::optional<std::array<double, 2>> poles = poles_of(surface);
   if (!poles) return std::nullopt;

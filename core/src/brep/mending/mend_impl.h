@@ -9,11 +9,13 @@
 #include <TopoDS_Vertex.hxx>
 #include <array>
 #include <functional>
+#include <gp_Pnt2d.hxx>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "brep/connecting/workpiece_impl.h"
+#include "brep/occt_shapes_impl.h"
 
 namespace paver {
 
@@ -48,6 +50,18 @@ LoopFaults find_loop_faults(const TopoDS_Face& face, double diagonal);
 /// A flagged pole whose image on the surface has length after all: readers compare only a few of its points, and a
 /// nose or tip pressed flat runs out and back through the same point.
 bool is_false_pole(const TopoDS_Edge& edge, const TopoDS_Face& face, double diagonal);
+
+/// An edge along a meridian whose image runs round the pole that it leads to.
+struct BentMeridian {
+  TopoDS_Edge edge;
+  EdgeImage image;
+  std::array<gp_Pnt2d, 2> was, ends;  ///< of the image, and of the iso-line in its place
+  double off = 0;                     ///< mm, of that from the curve
+};
+
+/// Of a FORWARD face with poles.
+std::vector<BentMeridian> find_bent_meridians(const TopoDS_Face& face);
+void straighten(const TopoDS_Face& face, const std::vector<BentMeridian>& all);
 
 /// A FORWARD face without the edges by which two of its loops run along each other; nothing for others.
 std::optional<TopoDS_Face> without_doubled_edges(const TopoDS_Face& face, double diagonal);

@@ -6,7 +6,8 @@
 //    from one loop of a ring to the other;
 // 4. a loop of a plane within another one that runs the same way around is turned: with the wrong area inside, faces
 //    that touch this one would be connected with what it does not cover;
-// 5. loops of a face that run along each other for a stretch become one.
+// 5. loops of a face that run along each other for a stretch become one;
+// 6. images of meridians that run round the pole they lead to become straight.
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepLib.hxx>
@@ -77,7 +78,8 @@ bool needs_repair(const TopoDS_Face& face, double diagonal) {
   const TopoDS_Face plain = forward(face);
   auto is_false = [&](const TopoDS_Edge& edge) { return is_false_pole(edge, plain, diagonal); };
   return std::ranges::any_of(edges_of(plain), is_false) || lacks_image(face) || is_garbled_ring(plain, diagonal) ||
-         has_loops_alike(plain) || between_poles(plain) || without_doubled_edges(plain, diagonal);
+         has_loops_alike(plain) || between_poles(plain) || without_doubled_edges(plain, diagonal) ||
+         !find_bent_meridians(plain).empty();
 }
 
 /// Puts another face in its place, on the same side.
@@ -164,6 +166,15 @@ bool join_loops(WorkFace& face, Workpiece& work) {
   return joined.has_value();
 }
 
+void straighten_meridians(WorkFace& face, Workpiece& work) {
+  const TopoDS_Face plain = forward(face.face);
+  const std::vector<BentMeridian> bent = find_bent_meridians(plain);
+  if (bent.empty()) return;
+  straighten(plain, bent);
+  const double off = std::ranges::max(bent, {}, &BentMeridian::off).off;
+  work.note_repair(RepairKind::image, static_cast<long>(bent.size()), off, face_name(face.origin));
+}
+
 bool is_shared(const TopoDS_Edge& edge, const WorkFace& owner, const Workpiece& work) {
   return std::any_of(work.faces.begin(), work.faces.end(),
                      [&](const WorkFace& face) { return &face != &owner && use_count(edge, face.face) > 0; });
@@ -241,6 +252,7 @@ void repair(Workpiece& work, Progress& progress) {
       } else if (!end_at_poles(face, work)) {
         bool is_other = mend_ring(face, work) || turn_loops(face, work);
         is_other |= join_loops(face, work);
+        straighten_meridians(face, work);
         repair_edges(face, work);
         if (is_other || !face.has_area) measure_again(face, work);
       }
