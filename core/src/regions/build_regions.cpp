@@ -29,7 +29,10 @@ constexpr double fold = 0.26;         // radians (15 degrees): an edge that turn
 class RegionBuilder {
  public:
   RegionBuilder(const Model& model, const SizeField& size, const FaceLayout& layout, int face, EdgeNodes& nodes)
-      : model_(model), face_(model.faces[face]), size_(size), layout_(layout), nodes_(nodes), index_(face) {}
+      : model_(model), face_(model.faces[face]), size_(size), layout_(layout), nodes_(nodes), index_(face) {
+    for (const Coedge& coedge : coedges_of(face_.loops))
+      if (const Edge& edge = edge_of(model_, coedge); edge.is_degenerate) poles_.push_back(edge.start);
+  }
 
   void run(std::vector<Region>& regions) {
     if (layout_.kind == LayoutKind::closed) {
@@ -232,7 +235,9 @@ class RegionBuilder {
 
   double angle_at(const Coedge& before, const Coedge& c, const Place& place) const {
     int last = nodes_.edges[before.edge].intervals() - 1, n = nodes_.edges[c.edge].intervals();
-    if (last < 0) return -1;
+    // Tiny rims that became poles have a normal, which tells nothing.
+    const bool is_pole = std::ranges::find(poles_, start_of(edge_of(model_, c), c)) != poles_.end();
+    if (last < 0 || is_pole) return -1;
     Vec3 in = travel(before, before.is_reversed ? 0 : last, !before.is_reversed);
     Vec3 out = travel(c, c.is_reversed ? n - 1 : 0, c.is_reversed);
     return interior_angle(in, out, place);
@@ -506,13 +511,8 @@ class RegionBuilder {
 
   /// The vertex of the face's pole next to `apex`, or -1.
   int pole_vertex(Vec3 apex) const {
-    int nearest = -1;
-    auto distance = [&](int vertex) { return norm(model_.vertices[vertex] - apex); };
-    for (const Coedge& coedge : coedges_of(face_.loops)) {
-      const Edge& edge = edge_of(model_, coedge);
-      if (edge.is_degenerate && (nearest < 0 || distance(edge.start) < distance(nearest))) nearest = edge.start;
-    }
-    return nearest;
+    const auto distance = [&](int vertex) { return norm(model_.vertices[vertex] - apex); };
+    return poles_.empty() ? -1 : std::ranges::min(poles_, {}, distance);
   }
 
   // A long body closed by a pole, with a rim of few nodes: rows need something to start from.
@@ -528,6 +528,7 @@ class RegionBuilder {
   const FaceLayout& layout_;
   EdgeNodes& nodes_;
   int index_;
+  std::vector<int> poles_;  // vertices
   std::vector<Vec2> uv_;
 };
 

@@ -11,9 +11,6 @@
 namespace paver {
 namespace {
 
-/// An edge below this share of the diagonal is a point.
-constexpr double point_share = 1e-7;
-
 /// Edges and vertices in the making.
 class EdgeBuilder {
  public:

@@ -12,6 +12,7 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
@@ -268,6 +269,54 @@ TEST(MergeSmall, AShortEdgeStaysWhereAnotherWouldBendAndIsLittleLonger) {
   EXPECT_TRUE(result.report.merges.empty());
   EXPECT_LT(result.report.quality.distance.largest, 1e-9);
   EXPECT_FALSE(test::mesh_of(trace_into_bar(0.1), 1e6).report.merges.empty());
+}
+
+/// 30 high, cut off `blunt` beside its axis.
+TopoDS_Shape blunt_cone(double blunt, double angle = 2 * std::numbers::pi) {
+  return BRepPrimAPI_MakeCone(10, blunt, 30, angle).Shape();
+}
+
+TEST(MergeSmall, ABluntNoseEndsInAPole) {
+  const MeshResult pointed = test::mesh_of(blunt_cone(0), 3);
+  for (double blunt : {1e-6, 1e-4, 1e-2}) {
+    const MeshResult result = test::mesh_of(blunt_cone(blunt), 3);
+    EXPECT_STREQ(verdict(result.report), "sound") << blunt;
+    EXPECT_NEAR(result.report.quality.quads, pointed.report.quality.quads, 6);
+    EXPECT_EQ(result.report.quality.triangles, 0);
+    EXPECT_GT(result.report.quality.sj_all.min, pointed.report.quality.sj_all.min - 0.01);
+    ASSERT_EQ(result.report.merges.size(), 1U);
+    EXPECT_EQ(result.report.merges[0].kind, MergeKind::edge);
+  }
+}
+
+TEST(MergeSmall, ABluntNoseOfAPartOfATurnDoesToo) {
+  for (double angle : {0.5, 1.0, 1.5})
+    for (double blunt : {1e-4, 1e-2}) {
+      const MeshResult result = test::mesh_of(blunt_cone(blunt, angle * std::numbers::pi), 3);
+      EXPECT_STREQ(verdict(result.report), "sound") << blunt;
+      EXPECT_EQ(result.report.quality.triangles, 0);
+      EXPECT_GT(result.report.quality.sj_all.min, 0.3);
+      EXPECT_EQ(faces_of(result, FaceStatus::merged), 1);
+    }
+}
+
+TEST(MergeSmall, AConeThatIsBluntAgainstItsElementsStays) {
+  const MeshResult result = test::mesh_of(blunt_cone(0.1), 3);
+  EXPECT_EQ(faces_of(result, FaceStatus::merged), 0);
+}
+
+// Two cones, tip on tip: they meet in one node, and do not run through each other.
+TEST(MergeSmall, ANeckEndsInOneNode) {
+  const TopoDS_Shape up = BRepPrimAPI_MakeCone(gp_Ax2({0, 0, 30}, {0, 0, 1}), 1e-3, 10, 30).Shape();
+  const MeshResult result = test::mesh_of(BRepAlgoAPI_Fuse(blunt_cone(1e-3), up).Shape(), 3);
+  EXPECT_STREQ(verdict(result.report), "sound");
+  EXPECT_GT(result.report.quality.sj_all.min, 0.3);
+}
+
+// It does not widen from either end.
+TEST(MergeSmall, AThinRodKeepsItsEnds) {
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(0.01, 30).Shape();
+  EXPECT_EQ(faces_of(test::mesh_of(rod, 3), FaceStatus::merged), 0);
 }
 
 TEST(MergeSmall, ATinyBodyStays) {

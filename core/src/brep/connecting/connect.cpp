@@ -219,7 +219,7 @@ class Connector {
     WorkFace piece = work_.faces[of[0]];
     piece.face = oriented_as(image.face, piece.face);
     piece.area = face_area(piece.face);
-    piece.has_area = work_.is_area(piece.area);
+    piece.has_area = work_.has_area(piece);
     for (std::size_t i = 1; i < of.size(); ++i) {
       const WorkFace& other = work_.faces[of[i]];
       bool is_opposed = oriented_as(image.face, other.face).Orientation() != piece.face.Orientation();

@@ -30,6 +30,8 @@ namespace paver {
 namespace {
 
 constexpr std::size_t listed_names = 10;
+/// Area by the square of the border: of a disc 0.08, of a triangle 4 by 1 0.02.
+constexpr double compact_share = 0.01;
 /// Points per direction for the bounding box; multiples of 4 meet the extremes of spheres and circles.
 constexpr int surface_samples = 32, edge_samples = 64;
 
@@ -113,11 +115,23 @@ Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& ta
     }
     // A face without loops gets its bounds, and with them its area, in repair().
     bool has_loops = TopExp_Explorer(face.face, TopAbs_WIRE).More();
-    face.has_area = !face.fault.empty() || !has_loops || work.is_area(face.area);
+    face.has_area = !face.fault.empty() || !has_loops || work.has_area(face);
     progress.advance(measure_units);
   }
   for (const int face : shape.restored) work.note_repair(RepairKind::pole, 1, 0, face_name(face));
   return work;
+}
+
+bool Workpiece::has_area(const WorkFace& face) const {
+  if (is_area(face.area) || face.solid < 0) return is_area(face.area);
+  double border = 0, longest = 0;
+  for (const TopoDS_Edge& edge : edges_of(face.face)) {
+    if (BRep_Tool::Degenerated(edge)) continue;
+    const double length = edge_length(edge);
+    border += length;
+    longest = std::max(longest, length);
+  }
+  return longest > point_share * diagonal && face.area > compact_share * border * border;
 }
 
 void Workpiece::note_repair(RepairKind kind, long count, double distance, const std::string& face) {

@@ -81,6 +81,8 @@ struct WorkPoint {
 
 /// A face below this share of the diagonal squared has no area.
 inline constexpr double no_area_share = 1e-10;
+/// Of the diagonal: edges this short are points.
+inline constexpr double point_share = 1e-7;
 
 struct Workpiece {
   TopoDS_Shape shape;
@@ -109,6 +111,8 @@ struct Workpiece {
   }
   /// Whether an area in mm^2 is more than rounding: a face with less has none.
   bool is_area(double area) const { return area > no_area_share * diagonal * diagonal; }
+  /// The same of a face; what is small but no sliver has one in a solid, too, which would be open without it.
+  bool has_area(const WorkFace& face) const;
   void note_repair(RepairKind kind, long count, double distance, const std::string& face = {});
 };
 

@@ -219,7 +219,7 @@ void repair_edges(WorkFace& face, Workpiece& work) {
 void measure_again(WorkFace& face, const Workpiece& work) {
   face.area = face_area(face.face);
   if (!std::isfinite(face.area)) face.area = 0;
-  face.has_area = !face.fault.empty() || work.is_area(face.area);
+  face.has_area = !face.fault.empty() || work.has_area(face);
 }
 
 }  // namespace

@@ -103,7 +103,8 @@ Vec3 MergeLimits::normal(int f, int e, double share) const {
 }
 
 bool MergeLimits::sharpens(int index, int e) const {
-  constexpr double sharp = 45 * M_PI / 180;
+  // What is nothing keeps no point from its sharpness, only faces from ending in a line.
+  const double sharp = (edits_.edge(e).length < tiny(e) ? 10 : 45) * M_PI / 180;
   for (const Loop& loop : edits_.face(index).loops)
     for (std::size_t i = 0, n = loop.coedges.size(); i < n; ++i) {
       if (loop.coedges[i].edge != e) continue;

@@ -12,6 +12,8 @@ namespace paver {
 
 /// Up to here edges and faces run on without a corner (degrees): merging changes their shape little.
 inline constexpr double smooth_angle = 40;
+/// Of short edges.
+inline constexpr double tiny_share = 0.2;
 
 /// Limits at places of a model. Keeps references to its arguments.
 class MergeLimits {
@@ -25,6 +27,8 @@ class MergeLimits {
   double length(int edge) const;
   /// Edges shorter than this are merged, mm.
   double short_edge(int edge) const { return edge_share_ * length(edge); }
+  /// What is smaller than this goes whatever angles it makes.
+  double tiny(int edge) const { return tiny_share * short_edge(edge); }
   /// The same for faces narrower than this.
   double thin_face(int edge) const { return face_share_ * length(edge); }
   double extent(int face) const;

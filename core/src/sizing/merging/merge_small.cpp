@@ -25,6 +25,7 @@ std::vector<Merge> merge_small(Model& model, const Options& options) {
     ModelEdits edits(merged);
     const MergeLimits limits(edits, options, lasting);
     join_chains(edits, limits, merges);
+    close_tiny_rims(edits, limits, merges);
     std::vector<int> going = collapse_tiny_faces(edits, limits, merges);
     merge_thin_faces(edits, limits, merges);
     std::erase_if(going, [&](int f) { return !merged.faces[f].has_area; });

@@ -12,6 +12,9 @@ namespace paver {
 /// that they have.
 void join_chains(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges);
 
+/// Faces that go round and end in a tiny rim end in a pole.
+void close_tiny_rims(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges);
+
 /// Faces that are as small in all directions become points. Gives thin ones that ended there and are to be merged for
 /// it.
 std::vector<int> collapse_tiny_faces(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "base/cells.h"
+#include "sizing/sample_box.h"
 
 namespace paver {
 namespace {
@@ -71,7 +73,39 @@ void ModelEdits::link(int e) {
   }
 }
 
+bool ModelEdits::narrows_to(int f, const Coedge& coedge) const {
+  constexpr int samples = 8;
+  constexpr double least_share = 0.2;  // of a side of the image
+  constexpr double least_growth = 10;  // times the edge: strips and wires are no wider elsewhere
+  const Edge& end = edge(coedge.edge);
+  if (!end.curve || !coedge.pcurve) return false;
+  const SampleBox box = sample_box(model_, face(f));
+  const Vec2 size = box.hi - box.lo, way = coedge.pcurve->uv(end.t1) - coedge.pcurve->uv(end.t0);
+  const double along_u = std::fabs(way.x) / size.x, along_v = std::fabs(way.y) / size.y;
+  if (!(std::max(along_u, along_v) > least_share)) return false;
+  auto halfway = [&](double share) {
+    return face(f).surface->point(along_u > along_v ? box.at(share, 0.5) : box.at(0.5, share));
+  };
+  double reach = 0;
+  for (int i = 1; i <= samples; ++i) reach = std::max(reach, norm(halfway(i / double{samples}) - halfway(0)));
+  return M_PI * reach >= least_growth * end.length;
+}
+
+void ModelEdits::make_pole(int f, Coedge& coedge) {
+  Edge pole = edge(coedge.edge);
+  pole.curve.reset();
+  pole.is_degenerate = true;
+  pole.length = 0;
+  pole.end = pole.start;
+  pole.faces = {f};
+  coedge.edge = static_cast<int>(model_.edges.size());
+  poles_.push_back(coedge.edge);
+  model_.edges.push_back(std::move(pole));
+  model_.edge_part.resize(model_.edges.size(), -1);
+}
+
 void ModelEdits::take_out(const std::vector<int>& edges) {
+  const std::set<int> gone(edges.begin(), edges.end());
   std::set<int> faces;
   for (int e : edges) {
     unlink(e);
@@ -79,12 +113,19 @@ void ModelEdits::take_out(const std::vector<int>& edges) {
     edge(e).curve.reset();
     edge(e).faces.clear();
   }
-  for (int face : faces) {
-    std::vector<Loop>& loops = model_.faces[face].loops;
-    for (Loop& loop : loops)
-      std::erase_if(loop.coedges, [&](const Coedge& c) { return !edge(c.edge).curve && !edge(c.edge).is_degenerate; });
+  for (int f : faces) {
+    std::vector<Loop>& loops = face(f).loops;
+    for (Loop& loop : loops) std::erase_if(loop.coedges, [&](const Coedge& c) { return gone.contains(c.edge); });
     std::erase_if(loops, [](const Loop& loop) { return loop.coedges.empty(); });
   }
+}
+
+void ModelEdits::collapse(const std::vector<int>& edges) {
+  for (int e : edges)
+    for (int f : std::set<int>(edge(e).faces.begin(), edge(e).faces.end()))
+      for (Coedge& coedge : coedges_of(face(f).loops))
+        if (coedge.edge == e && narrows_to(f, coedge)) make_pole(f, coedge);
+  take_out(edges);
 }
 
 void ModelEdits::set(int index, const Edge& changed) {

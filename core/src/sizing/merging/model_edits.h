@@ -50,8 +50,13 @@ class ModelEdits {
   void note_smooth(int edge) { was_smooth_.insert(edge); }
   void fix(int vertex) { is_fixed_[vertex] = 1; }
 
+  /// Whether the edge goes along an end of the face's image, and the face is far wider elsewhere.
+  bool narrows_to(int face, const Coedge& end) const;
+
   /// No face uses the edges any more.
   void take_out(const std::vector<int>& edges);
+  /// The same of edges that become points: faces that narrow to one have a pole there.
+  void collapse(const std::vector<int>& edges);
   /// The edge with another curve and other ends.
   void set(int index, const Edge& edge);
   /// All edges that end at `from` end at `to`; their faces change by what lies between sides no longer than `reach`.
@@ -64,6 +69,7 @@ class ModelEdits {
   void leave_out(int face);
 
  private:
+  void make_pole(int face, Coedge& coedge);
   void unlink(int edge);
   void link(int edge);
 

@@ -12,7 +12,6 @@ namespace paver {
 namespace {
 
 constexpr std::size_t fewest_edges = 3;  // that a loop keeps
-constexpr double tiny_share = 0.2;       // of short edges: smaller faces go whatever angles they make
 constexpr double much_longer = 3;        // times a short edge
 constexpr double small_bend = 10;        // the same: edges that get a bend where it was
 constexpr double slender = 0.2;          // of its extent: so wide is a face with two sides
@@ -58,7 +57,7 @@ class ShortEdges {
     const int gone = is_start ? edge.start : edge.end, kept = is_start ? edge.end : edge.start;
     const Edge& next = edits_.edge(is_start ? at_start : at_end);
     merges_.push_back({MergeKind::edge, edge.name, next.name, edge.length, edits_.point(kept)});
-    edits_.take_out({e});
+    edits_.collapse({e});
     move(gone, kept);
   }
 
@@ -140,7 +139,7 @@ class ShortEdges {
         going_.push_back(other);
     const std::string into = edits_.edge(edges.front()).name;
     merges_.push_back({MergeKind::face, small.name, into, limits_.extent(f), edits_.point(kept)});
-    edits_.take_out(edges);
+    edits_.collapse(edges);
     edits_.leave_out(f);
     for (int vertex : vertices)
       if (vertex != kept) move(vertex, kept);

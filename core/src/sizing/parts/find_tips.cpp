@@ -20,7 +20,7 @@ class TipFinder {
     for (std::size_t f = 0; f < model_.faces.size(); ++f)
       for (const Loop& loop : model_.faces[f].loops) add(static_cast<int>(f), loop);
     for (const Edge& edge : model_.edges)
-      if (!edge.is_degenerate && edge.faces.size() != 2) open(edge.start), open(edge.end);
+      if (edge.curve && edge.faces.size() != 2) open(edge.start), open(edge.end);
     std::vector<Tip> tips;
     std::vector<int> tip_of(angle_.size(), -1);
     for (std::size_t v = 0; v < angle_.size(); ++v) {
