@@ -313,6 +313,27 @@ TEST(MergeSmall, ANeckEndsInOneNode) {
   EXPECT_GT(result.report.quality.sj_all.min, 0.3);
 }
 
+TEST(MergeSmall, PinholesGo) {
+  const TopoDS_Shape plate = polygon({{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}});
+  const gp_Ax2 at({7, 9, -1}, {0, 0, 1});
+  const auto quads = [&](double radius) {
+    return test::mesh_of(BRepAlgoAPI_Cut(plate, BRepPrimAPI_MakeCylinder(at, radius, 2).Shape()).Shape(), 2)
+        .report.quality.quads;
+  };
+  EXPECT_EQ(quads(1e-3), 100);
+  EXPECT_GT(quads(0.1), 100);
+}
+
+// A cone whose tip is a hole's rim stays at the plate.
+TEST(MergeSmall, AHoleStaysWhereAnotherFaceGoesOn) {
+  const TopoDS_Shape plate = polygon({{-10, -10, 0}, {10, -10, 0}, {10, 10, 0}, {-10, 10, 0}});
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(1e-3, 8, 10).Shape();
+  const TopoDS_Shape wall = TopExp_Explorer(cone, TopAbs_FACE).Current();
+  const MeshResult result = test::mesh_of(test::compound({BRepAlgoAPI_Cut(plate, cone).Shape(), wall}), 2);
+  EXPECT_STREQ(verdict(result.report), "sound");
+  EXPECT_EQ(result.report.components.size(), 1U);
+}
+
 // It does not widen from either end.
 TEST(MergeSmall, AThinRodKeepsItsEnds) {
   const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(0.01, 30).Shape();

@@ -1,6 +1,6 @@
 // In: model, limits. Out: faces that go round and end in a rim which is nothing against the target length end in a
 // pole: blunt noses, and those whose outline was drawn a little beside the axis. On the other side of such a rim is
-// nothing, a tiny face within it, which goes, or another face that goes round.
+// nothing, a tiny face within it, which goes, or another face that goes round. Holes to nothing, or to a tiny face, go.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -34,7 +34,11 @@ class TinyRims {
     if (faces.size() == 2 && (faces[0] == faces[1] || limits_.separates_parts(faces[0], faces[1]))) return;
     int cap = -1, round = -1;
     for (int f : faces) (is_cap(f, e) ? cap : round) = f;
-    if (round < 0 || !std::ranges::all_of(faces, [&](int f) { return f == cap || ends_at(f, e); })) return;
+    const auto ends_here = [&](int f) {
+      const bool may_be_hole = cap >= 0 || faces.size() == 1;  // else what meets there would come apart
+      return f == cap || ends_at(f, e) || (may_be_hole && is_hole_of(f, e));
+    };
+    if (round < 0 || !std::ranges::all_of(faces, ends_here)) return;
     const Edge& edge = edits_.edge(e);
     merges_.push_back({MergeKind::edge, edge.name, edits_.face(round).name, edge.length, edits_.point(edge.start)});
     if (cap >= 0) edits_.leave_out(cap);
@@ -55,6 +59,20 @@ class TinyRims {
     const double extent = limits_.extent(f) / std::numbers::sqrt2;  // the diagonal of a box
     return face.loops.size() == 1 && std::ranges::all_of(face.loops.front().coedges, is_inner) &&
            !limits_.is_protected_face(f) && extent < limits_.tiny(e);
+  }
+
+  /// Whether it is a loop by itself, and not the only one.
+  bool is_hole_of(int f, int e) const {
+    const Edge& edge = edits_.edge(e);
+    const auto is_alone = [&](const Loop& loop) {
+      if (loop.coedges.size() != 1 || loop.coedges.front().edge != e || !loop.coedges.front().pcurve) return false;
+      const ParameterCurve& image = *loop.coedges.front().pcurve;
+      const double way = norm(image.uv(edge.t1) - image.uv(edge.t0)),
+                   across = norm(image.uv(edge.parameter(0.5)) - image.uv(edge.t0));
+      return way < across;  // else it goes round the surface
+    };
+    const std::vector<Loop>& loops = edits_.face(f).loops;
+    return loops.size() > 1 && std::ranges::any_of(loops, is_alone);
   }
 
   /// Whether the face goes round from its periodic edge and back to it along the rim.
