@@ -133,7 +133,7 @@ EdgeCounts choose_counts(const Model& model, const SizeField& size, Progress& pr
   match_gaps(model, size, loops, counts);
   const std::vector<OppositeSides> pairs = find_opposite_sides(model, loops);
   match_vertices(model, pairs, counts);
-  std::vector<std::vector<double>> opposite = face_near_vertices(model, loops, counts);
+  OppositeShares opposite = face_near_vertices(model, loops, counts);
   divide_seen_facets(model, loops, opposite, counts);
   match_bent_strips(model, pairs, counts);
   match_vertices(model, pairs, counts);

@@ -98,7 +98,7 @@ std::vector<double> lengths_on(const EdgeMetric& metric, int count, const std::v
 
 /// `places`: of the edges `divided`. Edges with nodes `opposite` vertices stay.
 void move_nodes(const Model& model, const SizeField& size, const std::vector<int>& divided,
-                const std::vector<std::vector<double>>& opposite, std::vector<Places>& places) {
+                const OppositeShares& opposite, std::vector<Places>& places) {
   NodeLengths lengths(model.edges.size());
   std::vector<int> task_of_edge(model.edges.size(), -1);
   std::vector<bool> is_placed(model.edges.size(), false);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/tasks/shared_tasks.h"
+#include "boundary/border/border_facets.h"
 #include "paver/progress.h"
 #include "sizing/size_field.h"
 #include "topology/model.h"
@@ -36,8 +37,8 @@ struct EdgeNodes {
 
 /// How edges are to be divided.
 struct EdgeCounts {
-  std::vector<int> count;                     ///< intervals per edge
-  std::vector<std::vector<double>> opposite;  ///< per edge: shares of its length with a node opposite a vertex
+  std::vector<int> count;  ///< intervals per edge
+  OppositeShares opposite;
 };
 
 /// Interval counts per edge: max(1, round(integral of ds/h)), at least 3 on an edge that closes on itself, no interval

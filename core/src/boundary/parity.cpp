@@ -179,6 +179,12 @@ class LoopGraph {
 
 }  // namespace
 
+void raise_to(EdgeCount& edge, int count) {
+  if (count <= edge.count) return;
+  edge.count = edge.minimum = count;
+  edge.wish = std::max(edge.wish, static_cast<double>(count));
+}
+
 void want_two(EdgeCount& edge) {
   if (edge.count == 0) return;
   edge.minimum = std::max(edge.minimum, 2);

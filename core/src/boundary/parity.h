@@ -14,6 +14,9 @@ struct EdgeCount {
   bool is_short = false;  ///< not as long as the target length: its turn alone asks for more than one
 };
 
+/// So many intervals at least, from now on.
+void raise_to(EdgeCount& edge, int count);
+
 /// Two intervals at least, where it is divided at all.
 void want_two(EdgeCount& edge);
 

@@ -19,8 +19,7 @@ std::vector<BorderFacet> facets_of(const Model& model, int face, const Coedge& c
 }
 
 std::vector<BorderFacet> border_of(const Model& model, int face, const std::vector<Loop>& loops,
-                                   const std::vector<EdgeCount>& counts,
-                                   const std::vector<std::vector<double>>& opposite) {
+                                   const std::vector<EdgeCount>& counts, const OppositeShares& opposite) {
   std::vector<BorderFacet> border;
   if (!model.faces[face].surface) return border;
   for (const Loop& loop : loops) {

@@ -9,6 +9,9 @@
 
 namespace paver {
 
+/// Per edge of a model: shares of its length with a node opposite a vertex.
+using OppositeShares = std::vector<std::vector<double>>;
+
 /// The chord of an interval, the face to its left.
 struct BorderFacet {
   Vec3 a, b;
@@ -24,8 +27,7 @@ std::vector<BorderFacet> facets_of(const Model& model, int face, const Coedge& c
 /// All facets of a face, loop by loop; none where one of its edges is not divided or has no image on its surface.
 /// `loops`: linked_loops of the face without periodic edges; `opposite`: as shares_of takes it, per edge of the model.
 std::vector<BorderFacet> border_of(const Model& model, int face, const std::vector<Loop>& loops,
-                                   const std::vector<EdgeCount>& counts,
-                                   const std::vector<std::vector<double>>& opposite);
+                                   const std::vector<EdgeCount>& counts, const OppositeShares& opposite);
 
 /// Of the two facets at the start of facet i.
 double shortest_at(const std::vector<BorderFacet>& border, int i);

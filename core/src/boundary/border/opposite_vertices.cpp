@@ -175,13 +175,9 @@ class Facing {
       };
       if (!is_there(0) && !is_there(1) && std::ranges::none_of(shares, is_there)) shares.push_back(place.share);
     }
-    EdgeCount& count = counts_[edge];
     int least = std::max(first_[edge].count, static_cast<int>(shares.size()) + 1);
     while (longest(shares_of(shares, least)) * first_[edge].count > longer) ++least;
-    if (least > count.count) {
-      count.count = count.minimum = least;
-      count.wish = std::max(count.wish, static_cast<double>(least));
-    }
+    raise_to(counts_[edge], least);
     return shares.size() > before;
   }
 
@@ -190,13 +186,13 @@ class Facing {
   const std::vector<EdgeCount> first_;
 
  public:
-  std::vector<std::vector<double>> opposite;
+  OppositeShares opposite;
 };
 
 }  // namespace
 
-std::vector<std::vector<double>> face_near_vertices(const Model& model, const std::vector<std::vector<Loop>>& loops,
-                                                    std::vector<EdgeCount>& counts) {
+OppositeShares face_near_vertices(const Model& model, const std::vector<std::vector<Loop>>& loops,
+                                  std::vector<EdgeCount>& counts) {
   Facing facing(model, counts);
   divide_in_rounds(model, loops.size(), most_rounds, [&](int f) { return facing.face(f, loops[f]); });
   return std::move(facing.opposite);

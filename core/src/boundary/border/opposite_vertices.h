@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "boundary/parity.h"
+#include "boundary/border/border_facets.h"
 #include "topology/model.h"
 
 namespace paver {
@@ -12,7 +12,7 @@ namespace paver {
 /// interval, with nothing between: the base of a comb opposite its teeth. Not where the vertex lies opposite a corner
 /// of the face already, as on a frame. Gives per edge of the model shares of its length, nearest vertices first.
 /// `loops[f]`: linked_loops of face f without periodic edges.
-std::vector<std::vector<double>> face_near_vertices(const Model& model, const std::vector<std::vector<Loop>>& loops,
-                                                    std::vector<EdgeCount>& counts);
+OppositeShares face_near_vertices(const Model& model, const std::vector<std::vector<Loop>>& loops,
+                                  std::vector<EdgeCount>& counts);
 
 }  // namespace paver

@@ -62,8 +62,8 @@ class Border {
 };
 
 /// Edges of the face that get more.
-std::vector<int> divide(const Model& model, int f, const std::vector<Loop>& loops,
-                        const std::vector<std::vector<double>>& opposite, std::vector<EdgeCount>& counts) {
+std::vector<int> divide(const Model& model, int f, const std::vector<Loop>& loops, const OppositeShares& opposite,
+                        std::vector<EdgeCount>& counts) {
   std::vector<int> divided;
   std::vector<BorderFacet> facets = border_of(model, f, loops, counts, opposite);
   if (facets.empty()) return divided;
@@ -78,8 +78,7 @@ std::vector<int> divide(const Model& model, int f, const std::vector<Loop>& loop
     int n = count.count;
     while (n <= count.count + most_more && is_seen(n)) ++n;
     if (n == count.count || n > count.count + most_more) continue;
-    count.count = count.minimum = n;
-    count.wish = std::max(count.wish, static_cast<double>(n));
+    raise_to(count, n);
     divided.push_back(coedge.edge);
   }
   return divided;
@@ -87,8 +86,8 @@ std::vector<int> divide(const Model& model, int f, const std::vector<Loop>& loop
 
 }  // namespace
 
-void divide_seen_facets(const Model& model, const std::vector<std::vector<Loop>>& loops,
-                        const std::vector<std::vector<double>>& opposite, std::vector<EdgeCount>& counts) {
+void divide_seen_facets(const Model& model, const std::vector<std::vector<Loop>>& loops, const OppositeShares& opposite,
+                        std::vector<EdgeCount>& counts) {
   divide_in_rounds(model, loops.size(), most_rounds,
                    [&](int f) { return divide(model, f, loops[f], opposite, counts); });
 }

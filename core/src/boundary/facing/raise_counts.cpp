@@ -56,12 +56,7 @@ void raise_to(long total, const Model& model, const std::vector<int>& edges, std
 
 /// The edges get these where they have fewer, and keep them.
 void take_counts(const std::vector<int>& edges, const std::vector<int>& number, std::vector<EdgeCount>& counts) {
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    EdgeCount& taken = counts[edges[k]];
-    if (number[k] <= taken.count) continue;
-    taken.count = taken.minimum = number[k];
-    taken.wish = std::max(taken.wish, static_cast<double>(number[k]));
-  }
+  for (std::size_t k = 0; k < edges.size(); ++k) raise_to(counts[edges[k]], number[k]);
 }
 
 /// All of a face's edges but those of its longest side, where each of them is a side of one interval; else none.

@@ -94,11 +94,10 @@ class GroupSewer {
 
   /// Whether two of the edges that are free by `uses` lie on one another.
   bool meets_itself(const EdgeUses& uses) const {
-    std::vector<Polyline> lines;
-    for (const TopoDS_Edge& edge : as_drawn_.uses.free_edges())
-      if (uses.is_free(edge)) lines.push_back(polyline(edge));
+    std::vector<TopoDS_Edge> edges = as_drawn_.uses.free_edges();
+    std::erase_if(edges, [&](const TopoDS_Edge& edge) { return !uses.is_free(edge); });
     const double near = fitting_share * work_.diagonal;
-    for (Polyline& line : lines) line.box.Enlarge(near);
+    const std::vector<Polyline> lines = polylines(edges, near);
     auto lies_along = [&](const Polyline& one, const Polyline& other) { return distance_along(one, other) <= near; };
     for (std::size_t i = 0; i < lines.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
@@ -201,6 +200,16 @@ class GroupSewer {
     return line;
   }
 
+  /// Their boxes reach so much farther.
+  static std::vector<Polyline> polylines(const std::vector<TopoDS_Edge>& edges, double reach) {
+    std::vector<Polyline> lines;
+    for (const TopoDS_Edge& edge : edges) {
+      lines.push_back(polyline(edge));
+      lines.back().box.Enlarge(reach);
+    }
+    return lines;
+  }
+
   Sewn without_short_pieces(Sewn sewn, const Sewn& before, double most) const {
     double longest = 0;
     for (int i = 1; i <= sewn.uses.count.Extent(); ++i) {
@@ -281,9 +290,7 @@ class GroupSewer {
 
   /// Per free edge, how far it is from other free edges all along; infinite where that is no gap.
   static std::vector<double> gaps_between(const std::vector<TopoDS_Edge>& edges, double most) {
-    std::vector<Polyline> lines;
-    for (const TopoDS_Edge& edge : edges) lines.push_back(polyline(edge));
-    for (Polyline& line : lines) line.box.Enlarge(most);
+    const std::vector<Polyline> lines = polylines(edges, most);
     std::vector<double> gaps;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       double gap = 0;
