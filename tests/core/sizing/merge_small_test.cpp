@@ -285,7 +285,7 @@ TEST(MergeSmall, ABluntNoseEndsInAPole) {
     EXPECT_EQ(result.report.quality.triangles, 0);
     EXPECT_GT(result.report.quality.sj_all.min, pointed.report.quality.sj_all.min - 0.01);
     ASSERT_EQ(result.report.merges.size(), 1U);
-    EXPECT_EQ(result.report.merges[0].kind, MergeKind::edge);
+    EXPECT_EQ(faces_of(result, FaceStatus::merged), 1);
   }
 }
 
@@ -322,6 +322,15 @@ TEST(MergeSmall, PinholesGo) {
   };
   EXPECT_EQ(quads(1e-3), 100);
   EXPECT_GT(quads(0.1), 100);
+}
+
+TEST(MergeSmall, AHoleStaysWhereAProbeGoesThrough) {
+  const TopoDS_Shape plate = polygon({{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}});
+  const TopoDS_Shape drill = BRepPrimAPI_MakeCylinder(gp_Ax2({7, 9, -1}, {0, 0, 1}), 1e-2, 2).Shape();
+  const TopoDS_Shape wire = BRepBuilderAPI_MakeEdge(gp_Pnt{7, 9, -5}, gp_Pnt{7, 9, 5}).Shape();
+  const MeshResult result = test::mesh_of(test::compound({BRepAlgoAPI_Cut(plate, drill).Shape(), wire}), 2);
+  EXPECT_TRUE(result.report.merges.empty());
+  EXPECT_EQ(result.report.components.size(), 2U);
 }
 
 // A cone whose tip is a hole's rim stays at the plate.

@@ -1,16 +1,22 @@
 // In: model, limits. Out: faces that go round and end in a rim which is nothing against the target length end in a
 // pole: blunt noses, and those whose outline was drawn a little beside the axis. On the other side of such a rim is
 // nothing, a tiny face within it, which goes, or another face that goes round. Holes to nothing, or to a tiny face, go.
+// A rim with nothing on its other side stays where anything comes near it: a probe may go through.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include "base/boxes/box_tree.h"
 #include "sizing/merging/merge_steps.h"
+#include "sizing/sample_box.h"
 
 namespace paver {
 namespace {
 
-constexpr int samples = 8;
+constexpr int samples = 8;     // of an edge
+constexpr int cells = 16;      // along a face
+constexpr double bulge = 0.1;  // of a cell's diagonal: more than it rises above its corners
 
 class TinyRims {
  public:
@@ -40,14 +46,62 @@ class TinyRims {
     };
     if (round < 0 || !std::ranges::all_of(faces, ends_here)) return;
     const Edge& edge = edits_.edge(e);
-    merges_.push_back({MergeKind::edge, edge.name, edits_.face(round).name, edge.length, edits_.point(edge.start)});
+    if (faces.size() == 1 && !is_alone(edge, round)) return;
+    merges_.push_back({cap < 0 ? MergeKind::edge : MergeKind::face, cap < 0 ? edge.name : edits_.face(cap).name,
+                       edits_.face(round).name, edge.length / M_PI, edits_.point(edge.start)});
     if (cap >= 0) edits_.leave_out(cap);
     for (int f : faces) edits_.face(f).merged_area += edge.length * edge.length;
     Vec3 centre;
-    for (int i = 0; i < samples; ++i)
-      centre += (1.0 / samples) * edge.curve->point(edge.parameter(i / double{samples}));
+    const std::vector<Vec3> places = places_on(edge);  // the last is the first
+    for (int i = 0; i < samples; ++i) centre += (1.0 / samples) * places[i];
     edits_.model().vertices[edge.start] = centre;
     edits_.collapse({e});
+  }
+
+  /// Whether all else is farther from a rim of the face than that is wide.
+  bool is_alone(const Edge& rim, int face) {
+    if (boxes_.empty()) list_boxes();
+    bool is_alone = true;
+    const Box near = box_about(places_on(rim)).grown(rim.length / M_PI);
+    tree_.each_meeting(near, [&](int i) { is_alone = is_alone && owners_[i] == face; });
+    return is_alone;
+  }
+
+  void list_boxes() {
+    const Model& model = edits_.model();
+    for (std::size_t f = 0; f < model.faces.size(); ++f) add_cells(static_cast<int>(f));
+    for (const Edge& edge : model.edges)
+      if (edge.is_wire()) add_box(places_on(edge), -1);
+    for (const PartPoint& point : model.points) add_box({model.vertices[point.vertex]}, -1);
+    tree_ = BoxTree(boxes_);
+  }
+
+  /// Of its surface, over all that its border encloses in (u, v).
+  void add_cells(int f) {
+    const Face& face = edits_.face(f);
+    const SampleBox uv = sample_box(edits_.model(), face);
+    if (!face.surface || !uv.has_area()) return;
+    auto at = [&](int i, int j) { return face.surface->point(uv.at(i / double{cells}, j / double{cells})); };
+    for (int i = 0; i < cells; ++i)
+      for (int j = 0; j < cells; ++j) add_box({at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)}, f);
+  }
+
+  void add_box(const std::vector<Vec3>& places, int owner) {
+    const Box box = box_about(places);
+    boxes_.push_back(box.grown(bulge * norm(box.high - box.low)));
+    owners_.push_back(owner);
+  }
+
+  static Box box_about(const std::vector<Vec3>& places) {
+    Box box;
+    for (Vec3 x : places) box.add(x);
+    return box;
+  }
+
+  static std::vector<Vec3> places_on(const Edge& edge) {
+    std::vector<Vec3> places;
+    for (int i = 0; i <= samples; ++i) places.push_back(edge.curve->point(edge.parameter(i / double{samples})));
+    return places;
   }
 
   /// Whether nothing but the rim bounds the face, which is tiny.
@@ -89,6 +143,9 @@ class TinyRims {
   ModelEdits& edits_;
   const MergeLimits& limits_;
   std::vector<Merge>& merges_;
+  std::vector<Box> boxes_;   // of pieces of faces, of wires and points, as they were at first
+  std::vector<int> owners_;  // the face, per box
+  BoxTree tree_;
 };
 
 }  // namespace
