@@ -15,8 +15,10 @@ struct Shape {
   /// Name the file gives to each face, in the order of TopExp::MapShapes(shape, TopAbs_FACE), then to what is loose:
   /// edges, vertices; empty text where none. Of a shape that was not read: no names at all.
   std::vector<std::string> labels;
-  /// Places in that order of faces whose poles reading had lost and got back.
+  /// Places in that order of faces that reading had put on the wrong side of their loops, and that were made anew.
   std::vector<int> restored;
+  /// Those whose loops reading has turned, so that they are what is left of their surface.
+  std::vector<int> turned{};
 };
 
 /// Edges that bound no face and vertices that end no edge, in the order of TopExp.

@@ -6,11 +6,14 @@
 #include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <IGESData_TransfEntity.hxx>
+#include <IGESSolid_Face.hxx>
+#include <IGESToBRep_BRepEntity.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "formats/transfer_impl.h"
+#include "formats/whole_face_impl.h"
 
 namespace paver {
 namespace {
@@ -64,6 +67,28 @@ std::vector<std::string> losses(IGESControl_Reader& reader) {
   return labels;
 }
 
+/// Faces with loops of edges. Which way these run tells only another transfer: the reader mends what it transferred.
+std::vector<FileFace> faces_of_solids(IGESControl_Reader& reader) {
+  IGESToBRep_BRepEntity plain;
+  plain.SetModel(reader.IGESModel());
+  plain.SetTransferProcess(new Transfer_TransientProcess);
+  std::vector<FileFace> faces;
+  for (const Handle(Standard_Transient) & any : entities_of(reader)) {
+    const auto entity = Handle(IGESSolid_Face)::DownCast(any);
+    if (entity.IsNull()) continue;
+    auto walked = [plain, entity]() mutable {
+      std::vector<FileEdge> edges;
+      for (const TopoDS_Face& face : faces_of(plain.TransferFace(entity)))
+        for (const TopoDS_Edge& edge : edges_of(forward(face)))
+          edges.push_back(file_edge(edge, edge.Orientation() == TopAbs_FORWARD));
+      return edges;
+    };
+    FileFace face{faces_of(shape_of(reader, entity)), true, walked, false};
+    if (!face.read.empty()) faces.push_back(std::move(face));
+  }
+  return faces;
+}
+
 }  // namespace
 
 extern "C" void paver_read_format(const FileSource& file, std::string_view /*content*/, const Doubt& doubt,
@@ -77,6 +102,7 @@ extern "C" void paver_read_format(const FileSource& file, std::string_view /*con
   reader.SetReadVisible(Standard_False);
   transfer(reader, shape, progress, face_name);
   report.unread = losses(reader);
+  if (!shape.shape.IsNull()) restore_faces(faces_of_solids(reader), shape);
 }
 
 }  // namespace paver

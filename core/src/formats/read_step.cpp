@@ -221,7 +221,7 @@ extern "C" void paver_read_format(const FileSource& file, std::string_view conte
   if (shape.shape.IsNull()) return;
   report.open_solids = open_solids(reader);
   label_objects(reader, shape);
-  restore_poles(reader, shape);
+  restore_sides(reader, shape);
 }
 
 }  // namespace paver

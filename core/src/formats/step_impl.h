@@ -22,12 +22,12 @@ std::vector<std::string> open_solids(STEPControl_Reader& reader);
 /// transfer.
 void lead_meridians_to_poles(const XSControl_Reader& reader);
 
-/// Faces that hold both poles of their surface, where reading turns them into the disc that is cut out. A file walks
-/// along a periodic edge to a pole and back. Where all loops of a face meet its periodic edge, as with a ball that has
-/// a rod along its x axis, the reader drops that edge, and the poles with it, and takes the loop for the border of the
-/// small piece. Such faces are made anew, on the same surface and with the same edges; their numbers go
-/// to `shape.restored`. To be called last: other results of reading then no longer have the shape's faces.
-void restore_poles(XSControl_Reader& reader, Shape& shape);
+/// Faces that reading puts on the wrong side of their loops are made anew (`restore_faces`). A file walks along a
+/// periodic edge to a pole and back, or has no periodic edges at all. Where all loops of a face meet its periodic edge,
+/// as with a ball that has a rod along its x axis, the reader drops that edge, and the poles with it, and takes the
+/// loop for the border of the small piece. To be called last: other results of reading then no longer have the shape's
+/// faces.
+void restore_sides(XSControl_Reader& reader, Shape& shape);
 
 /// What the file calls its units of length, or "not stated".
 std::string stated_unit(STEPControl_Reader& reader);

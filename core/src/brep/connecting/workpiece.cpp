@@ -118,6 +118,8 @@ Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& ta
     face.has_area = !face.fault.empty() || !has_loops || work.has_area(face);
     progress.advance(measure_units);
   }
+  for (const int face : shape.turned)
+    work.faces[face].fault = "it was read as what its loops leave of the surface; divide it in the CAD program";
   for (const int face : shape.restored) work.note_repair(RepairKind::pole, 1, 0, face_name(face));
   return work;
 }

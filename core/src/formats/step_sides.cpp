@@ -1,0 +1,73 @@
+// Of the file's faces: which edges they use twice, and which of them end where no other does, at a pole; and how their
+// loops run.
+#include <StepShape_EdgeCurve.hxx>
+#include <StepShape_EdgeLoop.hxx>
+#include <StepShape_FaceBound.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <StepShape_OrientedEdge.hxx>
+#include <StepShape_Vertex.hxx>
+#include <map>
+#include <vector>
+
+#include "brep/occt_shapes_impl.h"
+#include "formats/step_impl.h"
+#include "formats/transfer_impl.h"
+#include "formats/whole_face_impl.h"
+
+namespace paver {
+namespace {
+
+/// How many ends of edges that the face uses twice no other edge has: there they turn back at a pole.
+int dead_ends(const StepShape_FaceSurface& face) {
+  std::map<const Standard_Transient*, std::pair<Handle(StepShape_Edge), int>> uses;
+  for (int b = 1; b <= face.NbBounds(); ++b) {
+    const Handle(StepShape_EdgeLoop) loop = Handle(StepShape_EdgeLoop)::DownCast(face.BoundsValue(b)->Bound());
+    for (int e = 1; !loop.IsNull() && e <= loop->NbEdgeList(); ++e) {
+      const Handle(StepShape_Edge) edge = loop->EdgeListValue(e)->EdgeElement();
+      if (!edge.IsNull()) uses[edge.get()].first = edge, ++uses[edge.get()].second;
+    }
+  }
+  std::map<const Standard_Transient*, int> edges_at;
+  for (const auto& [key, use] : uses)
+    for (const Handle(StepShape_Vertex) & end : {use.first->EdgeStart(), use.first->EdgeEnd()}) ++edges_at[end.get()];
+  int count = 0;
+  for (const auto& [key, use] : uses)
+    for (const Handle(StepShape_Vertex) & end : {use.first->EdgeStart(), use.first->EdgeEnd()})
+      count += use.second == 2 && edges_at[end.get()] == 1;
+  return count;
+}
+
+/// The edges of its loops; along the surface's normal where the face is.
+std::vector<FileEdge> edges_of(const XSControl_Reader& reader, const StepShape_FaceSurface& face) {
+  std::vector<FileEdge> edges;
+  for (int b = 1; b <= face.NbBounds(); ++b) {
+    const Handle(StepShape_FaceBound) bound = face.BoundsValue(b);
+    const Handle(StepShape_EdgeLoop) loop = Handle(StepShape_EdgeLoop)::DownCast(bound->Bound());
+    for (int e = 1; !loop.IsNull() && e <= loop->NbEdgeList(); ++e) {
+      const Handle(StepShape_OrientedEdge) walked = loop->EdgeListValue(e);
+      const auto edge = Handle(StepShape_EdgeCurve)::DownCast(walked->EdgeElement());
+      if (edge.IsNull()) continue;
+      const TopoDS_Shape read = shape_of(reader, edge);
+      if (read.IsNull() || read.ShapeType() != TopAbs_EDGE) continue;
+      const int turns = !walked->Orientation() + !bound->Orientation() + !edge->SameSense() + !face.SameSense();
+      edges.push_back(file_edge(TopoDS::Edge(read), turns % 2 == 0));
+    }
+  }
+  return edges;
+}
+
+}  // namespace
+
+void restore_sides(XSControl_Reader& reader, Shape& shape) {
+  std::vector<FileFace> faces;
+  for (const Handle(Standard_Transient) & any : entities_of(reader)) {
+    const auto entity = Handle(StepShape_FaceSurface)::DownCast(any);
+    if (entity.IsNull()) continue;
+    FileFace face{faces_of(shape_of(reader, entity)), static_cast<bool>(entity->SameSense()),
+                  [&reader, entity] { return edges_of(reader, *entity); }, dead_ends(*entity) == 2};
+    if (!face.read.empty()) faces.push_back(std::move(face));
+  }
+  restore_faces(faces, shape);
+}
+
+}  // namespace paver

@@ -1,0 +1,368 @@
+// 1. All edges of what was read, chained to loops, their images without jumps.
+// 2. Where a loop goes round the surface: a face of these loops. Else the whole surface, from pole to pole or all
+// round,
+//    its periodic edges where no hole is, and the holes in it.
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Standard_Failure.hxx>
+#include <TopAbs.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "brep/occt_shapes_impl.h"
+#include "formats/whole_face_impl.h"
+
+namespace paver {
+namespace {
+
+constexpr int edge_samples = 16;
+constexpr std::size_t most_asked_edges = 64;
+constexpr double jump_share = 1e-3;  // of the period: images that meet
+constexpr double least_gap = 0.01;   // of the period: between holes, for the periodic edge
+constexpr double pole_share = 1e-6;  // of the surface's size: a row so small is a pole
+
+/// The face's surface, which repeats in u; null where it does not.
+Handle(Geom_Surface) periodic_surface(const TopoDS_Face& face) {
+  TopLoc_Location location;
+  const Handle(Geom_Surface) surface = untrimmed(BRep_Tool::Surface(face, location));
+  if (surface.IsNull() || !location.IsIdentity()) return nullptr;
+  if (surface->IsUPeriodic()) return surface;
+  const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
+  if (spline.IsNull() || !spline->IsUClosed()) return nullptr;
+  const auto periodic = Handle(Geom_BSplineSurface)::DownCast(spline->Copy());
+  periodic->SetUPeriodic();
+  return Handle(Geom_Surface)(periodic);
+}
+
+/// An edge of a face, as that walks it.
+struct Walk {
+  TopoDS_Edge edge;
+  EdgeImage image;
+};
+
+/// A closed chain of edges, each as it is walked, with images that meet.
+struct Loop {
+  std::vector<Walk> walks;
+  std::vector<gp_Pnt2d> points;
+
+  double length(int axis) const { return points.back().Coord(axis) - points.front().Coord(axis); }
+
+  /// Of the images, along u (1) or v (2).
+  std::pair<double, double> range(int axis) const {
+    auto less = [axis](const gp_Pnt2d& a, const gp_Pnt2d& b) { return a.Coord(axis) < b.Coord(axis); };
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
+    return {low->Coord(axis), high->Coord(axis)};
+  }
+
+  double area() const {
+    double area = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      area += points[i].XY().Crossed(points[(i + 1) % points.size()].XY());
+    return area;
+  }
+};
+
+/// How many edges run as the file has them, less those that run the other way. By the place of the file nearest to the
+/// middle of each.
+int agreement(const std::vector<TopoDS_Edge>& edges, const std::vector<FileEdge>& file) {
+  int sum = 0;
+  for (const TopoDS_Edge& edge : edges) {
+    const BRepAdaptor_Curve curve(edge);
+    gp_Pnt middle;
+    gp_Vec way;
+    curve.D1(0.5 * (curve.FirstParameter() + curve.LastParameter()), middle, way);
+    double nearest = std::numeric_limits<double>::infinity(), along = 0;
+    for (const FileEdge& other : file)
+      for (std::size_t i = 0; i < other.places.size(); ++i)
+        if (const double gap = middle.SquareDistance(other.places[i]); gap < nearest)
+          nearest = gap, along = way.Dot(other.ways[i]);
+    if (edge.Orientation() == TopAbs_REVERSED) along = -along;
+    sum += along > 0 ? 1 : along < 0 ? -1 : 0;
+  }
+  return sum;
+}
+
+class FaceMaker {
+ public:
+  explicit FaceMaker(const std::vector<TopoDS_Face>& read) : read_(read), surface_(periodic_surface(read_.front())) {
+    if (surface_.IsNull()) return;
+    double u1 = 0;
+    surface_->Bounds(start_[0], u1, start_[1], v1_);
+    period_[0] = u1 - start_[0];
+    if (surface_->IsVPeriodic()) period_[1] = v1_ - start_[1];
+  }
+
+  std::optional<TopoDS_Face> make(const std::vector<FileEdge>& file) {
+    if (surface_.IsNull() || !find_loops()) return std::nullopt;
+    const bool goes_round = std::any_of(loops_.begin(), loops_.end(), [](const Loop& loop) {
+      return std::fabs(loop.length(1)) > 1 || std::fabs(loop.length(2)) > 1;
+    });
+    TopoDS_Face face;
+    if (goes_round) {
+      BRep_Builder().MakeFace(face, surface_, Precision::Confusion());
+    } else {
+      if (!may_be_whole() || !find_start(0) || (period_[1] > 0 && !find_start(1))) return std::nullopt;
+      const double v1 = period_[1] > 0 ? start_[1] + period_[1] : v1_;
+      BRepBuilderAPI_MakeFace maker(surface_, start_[0], start_[0] + period_[0], start_[1], v1, Precision::Confusion());
+      if (!maker.IsDone()) return std::nullopt;
+      face = maker.Face();
+    }
+    for (const Loop& loop : loops_) BRep_Builder().Add(face, wire_of(loop, !goes_round, file));
+    return goes_round || BRepCheck_Analyzer(face).IsValid() ? std::optional(face) : std::nullopt;
+  }
+
+  bool may_be_whole() const { return !surface_.IsNull() && (period_[1] > 0 || has_poles()); }
+
+ private:
+  // At the ends of the surface; a spindle, whose meridian is a circle, has them elsewhere.
+  bool has_poles() const {
+    if (Precision::IsInfinite(start_[1]) || Precision::IsInfinite(v1_)) return false;
+    auto extent = [&](double v) {
+      const gp_Pnt at = surface_->Value(0, v);
+      return std::max(at.Distance(surface_->Value(0.3 * period_[0], v)),
+                      at.Distance(surface_->Value(0.6 * period_[0], v)));
+    };
+    const double least = pole_share * std::max(extent(0.5 * (start_[1] + v1_)), extent(0.3 * start_[1] + 0.7 * v1_));
+    return extent(start_[1]) < least && extent(v1_) < least;
+  }
+
+  // Vertices have two edges each: holes that touch are left as they were read.
+  bool find_loops() {
+    std::vector<Walk> left;
+    for (const TopoDS_Face& face : read_)
+      for (const TopoDS_Edge& edge : edges_of(face)) {
+        if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, face)) continue;
+        const EdgeImage image = image_of(edge, face);
+        if (image.curve.IsNull()) return false;
+        auto is_same = [&](const Walk& other) { return other.edge.IsSame(edge); };
+        if (std::any_of(left.begin(), left.end(), is_same)) return false;  // a slit, which ends inside the face
+        left.push_back({edge, image});
+      }
+    while (!left.empty()) {
+      Loop loop;
+      const TopoDS_Vertex start = TopExp::FirstVertex(left.back().edge);
+      TopoDS_Vertex at = start;
+      do {
+        auto leads_on = [&](const Walk& walk) {
+          return TopExp::FirstVertex(walk.edge).IsSame(at) || TopExp::LastVertex(walk.edge).IsSame(at);
+        };
+        const auto next = std::find_if(left.rbegin(), left.rend(), leads_on);
+        if (next == left.rend()) return false;
+        const bool is_forward = TopExp::FirstVertex(next->edge).IsSame(at);
+        if (!walk(*next, is_forward, loop)) return false;
+        at = is_forward ? TopExp::LastVertex(next->edge) : TopExp::FirstVertex(next->edge);
+        left.erase(std::next(next).base());
+      } while (!at.IsSame(start));
+      for (int axis : {1, 2})
+        if (!shift_of(loop.length(axis), period_[axis - 1])) return false;
+      loops_.push_back(std::move(loop));
+    }
+    return !loops_.empty();
+  }
+
+  /// The whole periods that a gap is; nothing where it is none.
+  static std::optional<double> shift_of(double gap, double period) {
+    const double by = period > 0 ? period * std::round(gap / period) : 0;
+    if (period > 0 && std::fabs(gap - by) > jump_share * period) return std::nullopt;
+    return by;
+  }
+
+  // Moves the edge's image by periods to where the one before ends.
+  bool walk(Walk walk, bool is_forward, Loop& loop) {
+    const EdgeImage& image = walk.image;
+    const gp_Pnt2d from = image.curve->Value(is_forward ? image.first : image.last);
+    const gp_Vec2d gap = loop.points.empty() ? gp_Vec2d() : gp_Vec2d(from, loop.points.back());
+    const std::optional<double> u = shift_of(gap.X(), period_[0]), v = shift_of(gap.Y(), period_[1]);
+    if (!u || !v) return false;
+    walk.image.curve = moved(image.curve, {*u, *v});
+    for (int i = 0; i <= edge_samples; ++i) {
+      const double share = static_cast<double>(is_forward ? i : edge_samples - i) / edge_samples;
+      loop.points.push_back(walk.image.curve->Value((1 - share) * image.first + share * image.last));
+    }
+    walk.edge.Orientation(is_forward ? TopAbs_FORWARD : TopAbs_REVERSED);
+    loop.walks.push_back(std::move(walk));
+    return true;
+  }
+
+  static Handle(Geom2d_Curve) moved(const Handle(Geom2d_Curve) & image, const gp_Vec2d& by) {
+    return Handle(Geom2d_Curve)::DownCast(image->Translated(by));
+  }
+
+  /// The middle of the widest gap between loops along u (0) or v (1).
+  bool find_start(int axis) {
+    const double period = period_[axis];
+    std::vector<std::pair<double, double>> taken;
+    for (const Loop& loop : loops_) {
+      const auto [low, high] = loop.range(axis + 1);
+      const double down = period * std::floor(low / period);
+      taken.push_back({low - down, high - down});
+    }
+    std::sort(taken.begin(), taken.end());
+    double reach = 0, widest = least_gap * period;
+    for (const auto& [low, high] : taken) reach = std::max(reach, high - period);
+    std::optional<double> start;
+    taken.push_back({period + taken.front().first, 0});
+    for (const auto& [low, high] : taken) {
+      if (low - reach > widest) widest = low - reach, start = 0.5 * (low + reach);
+      reach = std::max(reach, high);
+    }
+    if (start) start_[axis] = *start - period * std::floor(*start / period);
+    return start.has_value();
+  }
+
+  // Clockwise in the surface's parameters where the file does not tell: what a hole cuts out is on the right.
+  TopoDS_Wire wire_of(const Loop& loop, bool is_hole, const std::vector<FileEdge>& file) const {
+    double by[2] = {0, 0};
+    for (int axis : {0, 1})
+      if (is_hole && period_[axis] > 0)
+        by[axis] = -period_[axis] * std::floor((loop.range(axis + 1).first - start_[axis]) / period_[axis]);
+    TopoDS_Wire wire;
+    BRep_Builder builder;
+    builder.MakeWire(wire);
+    std::vector<TopoDS_Edge> edges;
+    for (const Walk& walk : loop.walks) {
+      builder.UpdateEdge(walk.edge, moved(walk.image.curve, {by[0], by[1]}), surface_, TopLoc_Location(),
+                         BRep_Tool::Tolerance(walk.edge));
+      builder.Add(wire, walk.edge);
+      edges.push_back(walk.edge);
+    }
+    wire.Closed(true);
+    const bool is_right = file.empty() ? loop.area() < 0 : agreement(edges, file) >= 0;
+    return TopoDS::Wire(wire.Oriented(is_right ? TopAbs_FORWARD : TopAbs_REVERSED));
+  }
+
+  const std::vector<TopoDS_Face>& read_;
+  Handle(Geom_Surface) surface_;
+  double start_[2] = {0, 0}, period_[2] = {0, 0}, v1_ = 0;  // per u and v; 0: does not repeat
+  std::vector<Loop> loops_;
+};
+
+/// Whether the face holds both poles of its surface, and lies within one period.
+bool has_both_poles(const TopoDS_Face& face) {
+  const Handle(Geom_Surface) surface = periodic_surface(face);
+  if (surface.IsNull()) return false;
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  surface->Bounds(u0, u1, v0, v1);
+  int poles = 0;
+  double low = INFINITY, high = -INFINITY;
+  for (const TopoDS_Edge& edge : edges_of(face)) {
+    poles += BRep_Tool::Degenerated(edge);
+    const EdgeImage image = image_of(edge, face);
+    for (int i = 0; !image.curve.IsNull() && i <= edge_samples; ++i) {
+      const double u = image.curve->Value(image.first + (image.last - image.first) * i / edge_samples).X();
+      low = std::min(low, u), high = std::max(high, u);
+    }
+  }
+  return poles == 2 && high - low < (1 + jump_share) * (u1 - u0);
+}
+
+/// Whether a loop runs the other way than in the file.
+bool is_turned(const FileFace& face, const std::vector<FileEdge>& file) {
+  for (const TopoDS_Face& read : face.read)
+    for (const TopoDS_Wire& wire : wires_of(forward(read))) {
+      std::vector<TopoDS_Edge> edges;
+      for (const TopoDS_Edge& edge : edges_of(wire))
+        if (!BRep_Tool::Degenerated(edge) && !BRep_Tool::IsClosed(edge, read)) edges.push_back(edge);
+      if (agreement(edges, file) < 0) return true;
+    }
+  return false;
+}
+
+/// Whether what a loop leaves of the surface may have an end, too.
+bool may_be_either_side(const FileFace& face) {
+  TopLoc_Location location;
+  const Handle(Geom_Surface) surface = untrimmed(BRep_Tool::Surface(face.read.front(), location));
+  return !surface.IsNull() && surface->IsUClosed() && !surface->IsKind(STANDARD_TYPE(Geom_CylindricalSurface)) &&
+         !surface->IsKind(STANDARD_TYPE(Geom_SurfaceOfLinearExtrusion));
+}
+
+/// Places of faces that have a loop the other way round than in the file. Not where most faces that look the same way
+/// from their surface have: some writers take the side of the surface for that of the face.
+std::vector<std::size_t> turned_faces(const std::vector<FileFace>& faces) {
+  std::vector<std::size_t> turned;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (may_be_either_side(faces[i]) && is_turned(faces[i], faces[i].edges())) turned.push_back(i);
+  if (turned.empty()) return turned;
+  int sums[2] = {0, 0};  // of faces against and along their surface: those turned less the others
+  for (const FileFace& face : faces)
+    if (const std::vector<FileEdge> edges = face.edges(); edges.size() <= most_asked_edges)
+      sums[face.is_along_surface] += is_turned(face, edges) ? 1 : -1;
+  std::erase_if(turned, [&](std::size_t i) { return sums[faces[i].is_along_surface] > 0; });
+  return turned;
+}
+
+std::optional<TopoDS_Face> face_of_loops(const FileFace& face) {
+  try {
+    return FaceMaker(face.read).make(face.edges());
+  } catch (const Standard_Failure&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+FileEdge file_edge(const TopoDS_Edge& edge, bool is_along_curve) {
+  FileEdge walked;
+  if (edge.IsNull() || BRep_Tool::Degenerated(edge)) return walked;
+  const BRepAdaptor_Curve curve(edge);
+  for (int i = 0; i <= 2 * edge_samples; ++i) {
+    const double share = 0.5 * i / edge_samples;
+    gp_Pnt place;
+    gp_Vec way;
+    curve.D1((1 - share) * curve.FirstParameter() + share * curve.LastParameter(), place, way);
+    walked.places.push_back(place);
+    walked.ways.push_back(is_along_curve ? way : -way);
+  }
+  return walked;
+}
+
+void restore_faces(const std::vector<FileFace>& faces, Shape& shape) {
+  const std::vector<std::size_t> turned = turned_faces(faces);
+  const auto before = shapes_of(shape.shape, TopAbs_FACE);
+  BRepTools_ReShape change;
+  change.ModeConsiderLocation() = true;  // parts may stand in several places
+  std::vector<TopoDS_Shape> made, failed;
+  std::vector<bool> is_removed(static_cast<std::size_t>(before.Extent()), false);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const FileFace& face = faces[i];
+    const bool lacks_poles = face.ends_at_poles && !has_both_poles(forward(face.read.front()));
+    if (!lacks_poles && !std::binary_search(turned.begin(), turned.end(), i)) continue;
+    const std::optional<TopoDS_Face> whole = face_of_loops(face);
+    // The reader may have turned the face over with its loop.
+    const TopAbs_Orientation sense = face.is_along_surface ? TopAbs_FORWARD : TopAbs_REVERSED;
+    for (int k = 1; k <= before.Extent(); ++k) {
+      const auto read = std::find_if(face.read.begin(), face.read.end(),
+                                     [&](const TopoDS_Face& other) { return before(k).IsPartner(other); });
+      if (read == face.read.end()) continue;
+      if (!whole) {
+        // A patch of a cylinder has one side only, whatever the file says.
+        if (!lacks_poles && (face.read.size() > 1 || FaceMaker(face.read).may_be_whole())) failed.push_back(before(k));
+      } else if (read != face.read.begin()) {
+        change.Remove(before(k));
+        is_removed[k - 1] = true;
+      } else {
+        const TopAbs_Orientation turn = TopAbs::Compose(before(k).Orientation(), read->Orientation());
+        made.push_back(whole->Located(before(k).Location()).Oriented(TopAbs::Compose(sense, turn)));
+        change.Replace(before(k), made.back());
+      }
+    }
+  }
+  if (!made.empty()) shape.shape = change.Apply(shape.shape);
+  const auto after = shapes_of(shape.shape, TopAbs_FACE);
+  for (const TopoDS_Shape& face : made) shape.restored.push_back(after.FindIndex(face) - 1);
+  for (const TopoDS_Shape& face : failed) shape.turned.push_back(after.FindIndex(face) - 1);
+  for (std::size_t k = std::min(is_removed.size(), shape.labels.size()); k-- > 0;)
+    if (is_removed[k]) shape.labels.erase(shape.labels.begin() + static_cast<std::ptrdiff_t>(k));
+}
+
+}  // namespace paver

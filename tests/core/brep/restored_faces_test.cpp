@@ -1,0 +1,114 @@
+// Bodies whose files have neither periodic edges nor poles in their loops, as many programs write them: which side of a
+// loop a face is on is told by the direction of its edges alone.
+#include <gtest/gtest.h>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Builder.hxx>
+#include <GProp_GProps.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Writer.hxx>
+
+#include "brep/occt_impl.h"
+#include "brep/occt_shapes_impl.h"
+#include "core/brep/shape_files.h"
+#include "core/brep/step_files.h"
+
+namespace paver {
+namespace {
+
+double area_of(const TopoDS_Shape& shape) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(shape, properties);
+  return properties.Mass();
+}
+
+/// Each loop without periodic edges and poles, but those of cylinders, of which two loops would come.
+TopoDS_Shape without_periodic_edges(const TopoDS_Shape& shape) {
+  BRepTools_ReShape change;
+  BRep_Builder builder;
+  for (const TopoDS_Face& any : faces_of(shape)) {
+    const TopoDS_Face face = forward(any);
+    if (BRepAdaptor_Surface(face).GetType() == GeomAbs_Cylinder) continue;
+    TopoDS_Face plain = TopoDS::Face(face.EmptyCopied());
+    builder.NaturalRestriction(plain, false);
+    bool is_other = false;
+    for (const TopoDS_Wire& wire : wires_of(face)) {
+      TopoDS_Wire rest;
+      builder.MakeWire(rest);
+      int edges = 0;
+      for (const TopoDS_Edge& edge : paver::edges_of(wire)) {
+        const bool is_kept = !BRep_Tool::Degenerated(edge) && !BRep_Tool::IsClosed(edge, face);
+        is_other |= !is_kept;
+        if (is_kept) builder.Add(rest, edge), ++edges;
+      }
+      rest.Closed(true);
+      if (edges > 0) builder.Add(plain, rest);
+    }
+    if (is_other) change.Replace(face, plain);
+  }
+  return change.Apply(shape);
+}
+
+void write_iges(const TopoDS_Shape& shape, const std::string& path) {
+  QuietMessages quiet;
+  IGESControl_Controller::Init();
+  IGESControl_Writer writer("MM", 1);  // solids
+  writer.AddShape(shape);
+  writer.ComputeModel();
+  writer.Write(path.c_str());
+}
+
+void expect_right_side(const TopoDS_Shape& shape) {
+  const test::TemporaryFolder folder;
+  for (const bool is_step : {true, false}) {
+    const std::string path = folder.file(is_step ? "model.step" : "model.igs");
+    (is_step ? test::write_step : write_iges)(without_periodic_edges(shape), path);
+    ModelReport report;
+    Progress progress;
+    const std::shared_ptr<Shape> read = read_shape(path, report, progress);
+    test::Alone alone(progress);
+    const Model model = build_model(*read, {}, {}, progress, alone);
+    double area = 0;
+    for (const Face& face : model.faces) {
+      area += face.area;
+      EXPECT_EQ(face.fault, "");
+    }
+    EXPECT_NEAR(area, area_of(shape), 1e-4 * area_of(shape)) << path;
+    EXPECT_EQ(model.faces.size(), faces_of(shape).size()) << path;
+  }
+}
+
+TopoDS_Shape rod(gp_Pnt from, gp_Dir along, double radius) {
+  return BRepPrimAPI_MakeCylinder(gp_Ax2(from, along), radius, 100).Shape();
+}
+
+TEST(RestoredFaces, BallsWithAHoleAreNotTheDiscThatItCutsOut) {
+  expect_right_side(BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(50).Shape(), rod({0, 0, 0}, {0, 1, 0}, 8)).Shape());
+  const TopoDS_Shape corner = BRepPrimAPI_MakeBox(gp_Pnt{-90, 10, 5}, 80, 80, 20).Shape();
+  expect_right_side(BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(50).Shape(), corner).Shape());
+}
+
+TEST(RestoredFaces, NorAreToriOnes) {
+  expect_right_side(BRepAlgoAPI_Cut(BRepPrimAPI_MakeTorus(40, 15).Shape(), rod({-40, 0, 0}, {0, 0, 1}, 8)).Shape());
+}
+
+TEST(RestoredFaces, ConesWithAHoleStayOneFace) {
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(50, 0, 80).Shape();
+  expect_right_side(BRepAlgoAPI_Cut(cone, rod({0, 0, 20}, {-0.3, 1, 0}, 6)).Shape());
+}
+
+TEST(RestoredFaces, WhatWasReadRightStays) {
+  expect_right_side(BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(50).Shape(), rod({0, 0, 0}, {0, 0, 1}, 8)).Shape());
+  expect_right_side(BRepAlgoAPI_Cut(rod({0, 0, 0}, {0, 0, 1}, 40), rod({0, 0, 50}, {1, 0.2, 0}, 8)).Shape());
+}
+
+}  // namespace
+}  // namespace paver
