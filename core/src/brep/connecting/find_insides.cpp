@@ -13,7 +13,9 @@
 #include <memory>
 #include <optional>
 
+#include "base/boxes/box_tree.h"
 #include "brep/connecting/connect_impl.h"
+#include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
 
 namespace paver {
@@ -53,6 +55,30 @@ class InsideClassifier {
   IntCurvesFace_ShapeIntersector rays_;
 };
 
+/// One inside of each face, found once.
+class PointsInside {
+ public:
+  const std::optional<gp_Pnt>& of(const TopoDS_Face& face) {
+    if (const auto* known = known_.Seek(face)) return *known;
+    return known_.ChangeFromIndex(known_.Add(face, point_inside(face, context_)));
+  }
+
+ private:
+  NCollection_IndexedDataMap<TopoDS_Shape, std::optional<gp_Pnt>, TopTools_ShapeMapHasher> known_;
+  Handle(IntTools_Context) context_ = new IntTools_Context;
+};
+
+Bnd_Box box_of(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, Standard_False);
+  return box;
+}
+
+Box to_box(const Bnd_Box& box) {
+  if (box.IsVoid()) return {{}, {}};
+  return {to_vec(box.CornerMin()), to_vec(box.CornerMax())};
+}
+
 }  // namespace
 
 gp_Pnt middle_of(const TopoDS_Edge& edge) {
@@ -63,27 +89,26 @@ gp_Pnt middle_of(const TopoDS_Edge& edge) {
 void find_insides(Workpiece& work) {
   if (std::none_of(work.parts.begin(), work.parts.end(), [](const auto& part) { return part.solid >= 0; })) return;
   const auto solids = shapes_of(work.shape, TopAbs_SOLID);
-  std::vector<Bnd_Box> boxes(work.faces.size());
-  for (std::size_t f = 0; f < boxes.size(); ++f)
-    if (work.faces[f].is_usable()) BRepBndLib::Add(work.faces[f].face, boxes[f], Standard_False);
-  const Handle(IntTools_Context) context = new IntTools_Context;
+  std::vector<Box> boxes;
+  for (const WorkFace& face : work.faces) boxes.push_back(to_box(face.is_usable() ? box_of(face.face) : Bnd_Box()));
+  const BoxTree tree(std::move(boxes));
+  PointsInside points;
   for (std::size_t part = 0; part < work.parts.size(); ++part) {
     if (work.parts[part].solid < 0) continue;
     const TopoDS_Shape solid = solids(work.parts[part].solid + 1);
-    Bnd_Box box;
-    BRepBndLib::Add(solid, box, Standard_False);
+    const Bnd_Box box = box_of(solid);
     std::unique_ptr<InsideClassifier> classifier;
     auto holds = [&](const gp_Pnt& point) {
       if (box.IsOut(point)) return false;
       if (!classifier) classifier = std::make_unique<InsideClassifier>(solid);
       return classifier->holds(point);
     };
-    for (std::size_t f = 0; f < work.faces.size(); ++f) {
+    tree.each_meeting(to_box(box), [&](int f) {
       WorkFace& face = work.faces[f];
-      if (!face.is_usable() || face.has_part(static_cast<int>(part)) || box.IsOut(boxes[f])) continue;
-      const auto point = point_inside(face.face, context);
+      if (!face.is_usable() || face.has_part(static_cast<int>(part))) return;
+      const std::optional<gp_Pnt>& point = points.of(face.face);
       if (point && holds(*point)) face.inside_of.push_back(static_cast<int>(part));
-    }
+    });
     for (WorkWire& wire : work.wires)
       if (holds(middle_of(wire.edge))) wire.inside_of.push_back(static_cast<int>(part));
   }

@@ -5,8 +5,10 @@
 #include <map>
 #include <set>
 
+#include "base/box.h"
 #include "brep/connecting/connect_impl.h"
 #include "brep/mending/mend_impl.h"
+#include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
 
 namespace paver {
@@ -16,12 +18,29 @@ namespace {
 struct Extent {
   int faces = 0;
   double area = 0;
+  Box middles;  ///< of the middles of its edges
 };
+
+/// Boxes of parts in one place differ by less of themselves: their edges may start elsewhere.
+constexpr double alike = 1e-3;
+
+bool may_be_twins(const Extent& a, const Extent& b) {
+  if (a.faces == 0 || a.faces != b.faces || std::abs(a.area - b.area) > doubled_area_share * a.area) return false;
+  const double most = alike * norm(a.middles.high - a.middles.low);
+  return norm(a.middles.low - b.middles.low) <= most && norm(a.middles.high - b.middles.high) <= most;
+}
 
 std::vector<Extent> extents_of(const Workpiece& work) {
   std::vector<Extent> extents(work.parts.size());
-  for (const WorkFace& face : work.faces)
-    for (const FaceUse& use : face.uses) ++extents[use.part].faces, extents[use.part].area += face.area;
+  for (const WorkFace& face : work.faces) {
+    Box middles;
+    for (const TopoDS_Edge& edge : edges_of(face.face))
+      if (!BRep_Tool::Degenerated(edge)) middles.add(to_vec(middle_of(edge)));
+    for (const FaceUse& use : face.uses) {
+      ++extents[use.part].faces, extents[use.part].area += face.area;
+      extents[use.part].middles.add(middles);
+    }
+  }
   auto leave_out = [&](int part) { extents[part].faces = 0; };
   for (const WorkFace& face : work.faces)
     if (!face.is_usable() || face.uses.size() > 1)
@@ -37,10 +56,8 @@ std::vector<Extent> extents_of(const Workpiece& work) {
 std::vector<Twin> find_twins(const Workpiece& work, const std::vector<PartPair>& pairs) {
   const std::vector<Extent> extents = extents_of(work);
   std::map<PartPair, std::vector<std::array<int, 2>>> doubles;
-  for (const PartPair& pair : pairs) {
-    const Extent &a = extents[pair[0]], &b = extents[pair[1]];
-    if (a.faces > 0 && a.faces == b.faces && std::abs(a.area - b.area) <= doubled_area_share * a.area) doubles[pair];
-  }
+  for (const PartPair& pair : pairs)
+    if (may_be_twins(extents[pair[0]], extents[pair[1]])) doubles[pair];
   if (doubles.empty()) return {};
   auto pair_of = [](const WorkFace& one, const WorkFace& two) {
     const auto [first, second] = std::minmax(one.uses[0].part, two.uses[0].part);

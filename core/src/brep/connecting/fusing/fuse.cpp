@@ -23,7 +23,10 @@ constexpr double area_share = 1e-3;
 
 class Fuser {
  public:
-  Fuser(const Workpiece& work, const std::vector<int>& parts) : work_(work), parts_(parts) {
+  Fuser(const Workpiece& work, const std::vector<int>& parts) : work_(work), shapes_(work.parts.size()) {
+    is_member_.resize(work.parts.size(), false);
+    for (int part : parts) is_member_[part] = true;
+    list_shapes();
     for (int part : parts) add_arguments(part);
   }
 
@@ -56,18 +59,22 @@ class Fuser {
 
  private:
   bool is_member(const WorkFace& face) const {
-    return face.is_usable() && std::any_of(parts_.begin(), parts_.end(), [&](int part) { return face.has_part(part); });
+    return face.is_usable() && std::ranges::any_of(face.uses, [&](const FaceUse& use) { return is_member_[use.part]; });
+  }
+
+  void list_shapes() {
+    for (const WorkFace& face : work_.faces)
+      for (const FaceUse& use : face.uses)
+        if (face.is_usable() && is_member_[use.part]) shapes_[use.part].Append(face.face);
+    for (const WorkWire& wire : work_.wires)
+      if (is_member_[wire.part]) shapes_[wire.part].Append(wire.edge);
+    for (const WorkPoint& point : work_.points)
+      if (is_member_[point.part] && !point.is_end) shapes_[point.part].Append(point.vertex);
   }
 
   /// One argument, but each shape of a loose part: the kernel looks for nothing between the faces, or edges, of one.
   void add_arguments(int part) {
-    TopTools_ListOfShape shapes;
-    for (const WorkFace& face : work_.faces)
-      if (face.is_usable() && face.has_part(part)) shapes.Append(face.face);
-    for (const WorkWire& wire : work_.wires)
-      if (wire.part == part) shapes.Append(wire.edge);
-    for (const WorkPoint& point : work_.points)
-      if (point.part == part && !point.is_end) shapes.Append(point.vertex);
+    TopTools_ListOfShape& shapes = shapes_[part];
     if (work_.parts[part].is_loose) return arguments_.Append(shapes);
     BRep_Builder builder;
     TopoDS_Compound whole;
@@ -115,7 +122,8 @@ class Fuser {
   }
 
   const Workpiece& work_;
-  const std::vector<int>& parts_;
+  std::vector<TopTools_ListOfShape> shapes_;  // of each part that is fused
+  std::vector<char> is_member_;               // per part
   TopTools_ListOfShape arguments_;
   TopTools_IndexedMapOfShape images_;
 };
