@@ -9,8 +9,6 @@ namespace {
 
 constexpr int few = 4;  // boxes of a leaf
 
-double outside(double value, double low, double high) { return std::max({low - value, value - high, 0.0}); }
-
 }  // namespace
 
 BoxTree::BoxTree(std::vector<Box> boxes, std::vector<double> starts)
@@ -43,11 +41,6 @@ int BoxTree::add_branch(int first, int count) {
   branches_[index].count = 0;
   branches_[index].second_child = second;
   return index;
-}
-
-double BoxTree::away(const Box& box, Vec3 x) {
-  const auto& [low, high] = box;
-  return norm(Vec3{outside(x.x, low.x, high.x), outside(x.y, low.y, high.y), outside(x.z, low.z, high.z)});
 }
 
 }  // namespace paver

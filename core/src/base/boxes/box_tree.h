@@ -1,6 +1,7 @@
 // Boxes near a place, by a tree of boxes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -45,24 +46,34 @@ class BoxTree {
   };
   int add_branch(int first, int count);
   /// To the nearest point of a box.
-  static double away(const Box& box, Vec3 x);
+  static double away(const Box& box, Vec3 x) {
+    auto outside = [](double value, double low, double high) { return std::max({low - value, value - high, 0.0}); };
+    const auto& [low, high] = box;
+    return norm(Vec3{outside(x.x, low.x, high.x), outside(x.y, low.y, high.y), outside(x.z, low.z, high.z)});
+  }
+
+  struct Open {
+    int index;
+    double bound;
+  };
 
   /// look(i), which gives the limit from then on, in all leaves whose bound() is below it, the lower one of two first.
   template <class Bound, class Look>
   void search(double limit, Bound bound, Look look) const {
-    std::array<int, 64> open;  // depth of a tree over an int's count of boxes, two branches a level
+    std::array<Open, 64> open;  // depth of a tree over an int's count of boxes, two branches a level
     int count = 0;
-    if (!branches_.empty()) open[count++] = 0;
+    if (!branches_.empty()) open[count++] = {0, bound(branches_[0])};
     while (count > 0) {
-      const int index = open[--count];
-      const Branch& branch = branches_[index];
-      if (!(bound(branch) < limit)) continue;
+      const Open next = open[--count];
+      if (!(next.bound < limit)) continue;
+      const Branch& branch = branches_[next.index];
       for (int k = branch.first; k < branch.first + branch.count; ++k) limit = look(order_[k]);
       if (branch.count > 0) continue;
-      int near = index + 1, far = branch.second_child;
-      if (bound(branches_[far]) < bound(branches_[near])) std::swap(near, far);
-      open[count++] = far;
-      open[count++] = near;
+      Open near{next.index + 1, bound(branches_[next.index + 1])};
+      Open far{branch.second_child, bound(branches_[branch.second_child])};
+      if (far.bound < near.bound) std::swap(near, far);
+      if (far.bound < limit) open[count++] = far;
+      if (near.bound < limit) open[count++] = near;
     }
   }
 
