@@ -1,7 +1,6 @@
 // 1. All edges of what was read, chained to loops, their images without jumps.
 // 2. Where a loop goes round the surface: a face of these loops. Else the whole surface, from pole to pole or all
-// round,
-//    its periodic edges where no hole is, and the holes in it.
+//    round, its periodic edges where no hole is, and the holes in it.
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
