@@ -12,6 +12,7 @@
 #include <numbers>
 #include <set>
 
+#include "base/box.h"
 #include "brep/connecting/connect_impl.h"
 #include "brep/connecting/workpiece_impl.h"
 #include "brep/mending/mend_impl.h"
@@ -193,8 +194,19 @@ class ModelBuilder {
     if (!face.fault.empty()) face.loops.clear();
   }
 
-  /// Points, and where wires end.
-  static void note_points(Face& face, const TopoDS_Face& shape, const EdgeIndex& index) {
+  /// In (u, v), of its loops.
+  Vec2 middle_of(const Face& face) const {
+    constexpr int steps = 4;
+    Box box;
+    for (const Coedge& coedge : coedges_of(face.loops))
+      for (int i = 0; coedge.pcurve && i <= steps; ++i)
+        box.add(coedge.pcurve->uv(edge_of(model_, coedge).parameter(i / double{steps})));
+    return box.is_empty() ? Vec2{} : 0.5 * Vec2{box.low.x + box.high.x, box.low.y + box.high.y};
+  }
+
+  /// Points, and where wires end; in the period in which the face lies.
+  void note_points(Face& face, const TopoDS_Face& shape, const EdgeIndex& index) const {
+    const Vec2 middle = middle_of(face);
     for (TopoDS_Iterator parts(shape); parts.More(); parts.Next()) {
       if (parts.Value().ShapeType() != TopAbs_VERTEX) continue;
       const int vertex = index.find_vertex(parts.Value());
@@ -206,7 +218,7 @@ class ModelBuilder {
       Handle(Geom_Surface) surface = BRep_Tool::Surface(shape, location);
       gp_Pnt at = BRep_Tool::Pnt(TopoDS::Vertex(parts.Value())).Transformed(location.Transformation().Inverted());
       gp_Pnt2d uv = ShapeAnalysis_Surface(surface).ValueOfUV(at, Precision::Confusion());
-      face.points.push_back({vertex, {uv.X(), uv.Y()}});
+      face.points.push_back({vertex, nearest_image({uv.X(), uv.Y()}, middle, face.surface->period())});
     }
   }
 

@@ -10,6 +10,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <gp_Ax2.hxx>
 #include <gp_Ax3.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 #include <map>
 #include <numbers>
@@ -360,6 +362,23 @@ TEST(ConnectRound, WhatCannotBeConnectedKeepsItsSize) {
   const MeshResult result = mesh_of(scaled(tilted_foot(5.06e-3, rod(11.4, 1.1, -.2, 6, 4)), factor), 8 * factor);
   EXPECT_FALSE(result.report.model.unconnected.empty());
   for (const Vec3 x : result.mesh.nodes) EXPECT_LT(norm(x), 200 * factor);
+}
+
+/// Half a tube about z, 12 high, whose parameters run on past its surface's period; a wire ends on it at `angle`.
+TopoDS_Shape tube_with_wire(double angle) {
+  const gp_Circ circle(gp_Ax2(), 5);
+  const TopoDS_Shape arc = BRepBuilderAPI_MakeEdge(circle, 1.5 * M_PI, 2.5 * M_PI).Shape();
+  const gp_XYZ out(std::cos(angle), std::sin(angle), 0), up(0, 0, 6);
+  const TopoDS_Shape wire = BRepBuilderAPI_MakeEdge(gp_Pnt(5 * out + up), gp_Pnt(10 * out + up)).Shape();
+  return test::compound({BRepPrimAPI_MakePrism(arc, gp_Vec(0, 0, 12)).Shape(), wire});
+}
+
+TEST(ConnectRound, AWireMeetsAFaceOnEitherSideOfItsPeriod) {
+  for (double angle : {-0.5, 0.5}) {
+    const RunReport report = test::report_of(tube_with_wire(angle), 1.2);
+    EXPECT_STREQ(verdict(report), "sound") << angle;
+    EXPECT_EQ(report.components.size(), 1U);
+  }
 }
 
 }  // namespace
