@@ -12,6 +12,8 @@ namespace paver {
 
 /// Up to here edges and faces run on without a corner (degrees): merging changes their shape little.
 inline constexpr double smooth_angle = 40;
+/// Of the target length: no mesh could show what is narrower.
+inline constexpr double hairline = 1e-4;
 /// Of short edges.
 inline constexpr double tiny_share = 0.2;
 

@@ -18,10 +18,9 @@ namespace {
 constexpr std::size_t most_edges = 64;  // of a face
 constexpr std::size_t most_pairs = 8;   // of sides that are measured
 constexpr double end_share = 1.5;       // of the limit: edges so short end a face between its sides
-constexpr double wider = 3;        // than a face: so wide are neighbours that take its place, and those at its ends
-constexpr double hairline = 1e-4;  // target lengths: what is narrower goes whatever the angles
-constexpr double opposite = 2;     // times the limit: vertices so near are opposite each other
-constexpr double clearly = 0.9;    // so much nearer are sides that are less alike
+constexpr double wider = 3;       // than a face: so wide are neighbours that take its place, and those at its ends
+constexpr double opposite = 2;    // times the limit: vertices so near are opposite each other
+constexpr double clearly = 0.9;   // so much nearer are sides that are less alike
 constexpr double most_ratio = 3;  // of the lengths of opposite edges: nodes of the one would fall together on the other
 
 struct Sides {

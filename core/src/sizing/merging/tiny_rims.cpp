@@ -1,7 +1,7 @@
 // In: model, limits. Out: faces that go round and end in a rim which is nothing against the target length end in a
-// pole: blunt noses, and those whose outline was drawn a little beside the axis. On the other side of such a rim is
-// nothing, a tiny face within it, which goes, or another face that goes round. Holes to nothing, or to a tiny face, go.
-// A rim with nothing on its other side stays where anything comes near it: a probe may go through.
+// pole: blunt noses, and those whose outline was drawn a little beside the axis. On the other side of such a rim is a
+// tiny face within it, which goes, or another face that goes round. Holes that a tiny face closes go with it.
+// Rims and holes to nothing do so only where no mesh could show them, and nothing comes near: a probe may go through.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -46,7 +46,7 @@ class TinyRims {
     };
     if (round < 0 || !std::ranges::all_of(faces, ends_here)) return;
     const Edge& edge = edits_.edge(e);
-    if (faces.size() == 1 && !is_alone(edge, round)) return;
+    if (faces.size() == 1 && (edge.length > M_PI * hairline * limits_.length(e) || !is_alone(edge, round))) return;
     merges_.push_back({cap < 0 ? MergeKind::edge : MergeKind::face, cap < 0 ? edge.name : edits_.face(cap).name,
                        edits_.face(round).name, edge.length / M_PI, edits_.point(edge.start)});
     if (cap >= 0) edits_.leave_out(cap);
