@@ -3,6 +3,10 @@
 
 #include <STEPControl_Reader.hxx>
 #include <Standard_Transient.hxx>
+#include <StepShape_EdgeLoop.hxx>
+#include <StepShape_FaceBound.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <StepShape_OrientedEdge.hxx>
 #include <string>
 #include <vector>
 
@@ -21,6 +25,16 @@ std::vector<std::string> open_solids(STEPControl_Reader& reader);
 /// decimals, go through it; so do circles and ellipses that are turned about an axis beside their plane. Before the
 /// transfer.
 void lead_meridians_to_poles(const XSControl_Reader& reader);
+
+/// visit(walked edge, its bound) for the edges of the loops of a face, in their order.
+template <class Visit>
+void visit_edges(const StepShape_FaceSurface& face, Visit visit) {
+  for (int b = 1; b <= face.NbBounds(); ++b) {
+    const Handle(StepShape_FaceBound) bound = face.BoundsValue(b);
+    const auto loop = Handle(StepShape_EdgeLoop)::DownCast(bound->Bound());
+    for (int e = 1; !loop.IsNull() && e <= loop->NbEdgeList(); ++e) visit(*loop->EdgeListValue(e), *bound);
+  }
+}
 
 /// Faces that reading puts on the wrong side of their loops are made anew (`restore_faces`). A file walks along a
 /// periodic edge to a pole and back, or has no periodic edges at all. Where all loops of a face meet its periodic edge,

@@ -8,10 +8,6 @@
 #include <StepGeom_SphericalSurface.hxx>
 #include <StepGeom_SurfaceCurve.hxx>
 #include <StepShape_EdgeCurve.hxx>
-#include <StepShape_EdgeLoop.hxx>
-#include <StepShape_FaceBound.hxx>
-#include <StepShape_FaceSurface.hxx>
-#include <StepShape_OrientedEdge.hxx>
 #include <StepShape_VertexPoint.hxx>
 #include <TColStd_HArray1OfReal.hxx>
 #include <algorithm>
@@ -131,16 +127,6 @@ class Sphere {
   double radius_;
 };
 
-void mend_edges(const StepShape_FaceSurface& face, const Sphere& sphere) {
-  for (int b = 1; b <= face.NbBounds(); ++b) {
-    const auto loop = Handle(StepShape_EdgeLoop)::DownCast(face.BoundsValue(b)->Bound());
-    for (int e = 1; !loop.IsNull() && e <= loop->NbEdgeList(); ++e)
-      if (const auto edge = Handle(StepShape_EdgeCurve)::DownCast(loop->EdgeListValue(e)->EdgeElement());
-          !edge.IsNull())
-        sphere.mend(*edge);
-  }
-}
-
 }  // namespace
 
 void lead_meridians_to_poles(const XSControl_Reader& reader) {
@@ -149,7 +135,12 @@ void lead_meridians_to_poles(const XSControl_Reader& reader) {
     if (face.IsNull()) continue;
     const auto surface = Handle(StepGeom_SphericalSurface)::DownCast(face->FaceGeometry());
     const std::optional<Frame> frame = surface.IsNull() ? std::nullopt : frame_of(surface->Position());
-    if (frame) mend_edges(*face, Sphere(*frame, surface->Radius()));
+    if (!frame) continue;
+    const Sphere sphere(*frame, surface->Radius());
+    visit_edges(*face, [&](const StepShape_OrientedEdge& walked, const StepShape_FaceBound&) {
+      const auto edge = Handle(StepShape_EdgeCurve)::DownCast(walked.EdgeElement());
+      if (!edge.IsNull()) sphere.mend(*edge);
+    });
   }
 }
 

@@ -1,10 +1,6 @@
 // Of the file's faces: which edges they use twice, and which of them end where no other does, at a pole; and how their
 // loops run.
 #include <StepShape_EdgeCurve.hxx>
-#include <StepShape_EdgeLoop.hxx>
-#include <StepShape_FaceBound.hxx>
-#include <StepShape_FaceSurface.hxx>
-#include <StepShape_OrientedEdge.hxx>
 #include <StepShape_Vertex.hxx>
 #include <map>
 #include <vector>
@@ -20,13 +16,10 @@ namespace {
 /// How many ends of edges that the face uses twice no other edge has: there they turn back at a pole.
 int dead_ends(const StepShape_FaceSurface& face) {
   std::map<const Standard_Transient*, std::pair<Handle(StepShape_Edge), int>> uses;
-  for (int b = 1; b <= face.NbBounds(); ++b) {
-    const Handle(StepShape_EdgeLoop) loop = Handle(StepShape_EdgeLoop)::DownCast(face.BoundsValue(b)->Bound());
-    for (int e = 1; !loop.IsNull() && e <= loop->NbEdgeList(); ++e) {
-      const Handle(StepShape_Edge) edge = loop->EdgeListValue(e)->EdgeElement();
-      if (!edge.IsNull()) uses[edge.get()].first = edge, ++uses[edge.get()].second;
-    }
-  }
+  visit_edges(face, [&](const StepShape_OrientedEdge& walked, const StepShape_FaceBound&) {
+    const Handle(StepShape_Edge) edge = walked.EdgeElement();
+    if (!edge.IsNull()) uses[edge.get()].first = edge, ++uses[edge.get()].second;
+  });
   std::map<const Standard_Transient*, int> edges_at;
   for (const auto& [key, use] : uses)
     for (const Handle(StepShape_Vertex) & end : {use.first->EdgeStart(), use.first->EdgeEnd()}) ++edges_at[end.get()];
@@ -40,19 +33,14 @@ int dead_ends(const StepShape_FaceSurface& face) {
 /// The edges of its loops; along the surface's normal where the face is.
 std::vector<FileEdge> edges_of(const XSControl_Reader& reader, const StepShape_FaceSurface& face) {
   std::vector<FileEdge> edges;
-  for (int b = 1; b <= face.NbBounds(); ++b) {
-    const Handle(StepShape_FaceBound) bound = face.BoundsValue(b);
-    const Handle(StepShape_EdgeLoop) loop = Handle(StepShape_EdgeLoop)::DownCast(bound->Bound());
-    for (int e = 1; !loop.IsNull() && e <= loop->NbEdgeList(); ++e) {
-      const Handle(StepShape_OrientedEdge) walked = loop->EdgeListValue(e);
-      const auto edge = Handle(StepShape_EdgeCurve)::DownCast(walked->EdgeElement());
-      if (edge.IsNull()) continue;
-      const TopoDS_Shape read = shape_of(reader, edge);
-      if (read.IsNull() || read.ShapeType() != TopAbs_EDGE) continue;
-      const int turns = !walked->Orientation() + !bound->Orientation() + !edge->SameSense() + !face.SameSense();
-      edges.push_back(file_edge(TopoDS::Edge(read), turns % 2 == 0));
-    }
-  }
+  visit_edges(face, [&](const StepShape_OrientedEdge& walked, const StepShape_FaceBound& bound) {
+    const auto edge = Handle(StepShape_EdgeCurve)::DownCast(walked.EdgeElement());
+    if (edge.IsNull()) return;
+    const TopoDS_Shape read = shape_of(reader, edge);
+    if (read.IsNull() || read.ShapeType() != TopAbs_EDGE) return;
+    const int turns = !walked.Orientation() + !bound.Orientation() + !edge->SameSense() + !face.SameSense();
+    edges.push_back(file_edge(TopoDS::Edge(read), turns % 2 == 0));
+  });
   return edges;
 }
 

@@ -4,7 +4,6 @@
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
-#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -12,7 +11,6 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
-#include <GProp_GProps.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
 
@@ -24,11 +22,7 @@
 namespace paver {
 namespace {
 
-double area_of(const TopoDS_Shape& shape) {
-  GProp_GProps properties;
-  BRepGProp::SurfaceProperties(shape, properties);
-  return properties.Mass();
-}
+using test::area_of;
 
 /// Each loop without periodic edges and poles, but those of cylinders, of which two loops would come.
 TopoDS_Shape without_periodic_edges(const TopoDS_Shape& shape) {

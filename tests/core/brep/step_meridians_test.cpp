@@ -5,11 +5,9 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
-#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
-#include <GProp_GProps.hxx>
 #include <Geom_Ellipse.hxx>
 #include <fstream>
 #include <numbers>
@@ -23,13 +21,9 @@
 namespace paver {
 namespace {
 
-constexpr double right = std::numbers::pi / 2;
+using test::area_of;
 
-double area_of(const TopoDS_Shape& shape) {
-  GProp_GProps properties;
-  BRepGProp::SurfaceProperties(shape, properties);
-  return properties.Mass();
-}
+constexpr double right = std::numbers::pi / 2;
 
 TopoDS_Shape askew(const TopoDS_Shape& shape) {
   gp_Trsf turn, shift;

@@ -3,11 +3,9 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
-#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
-#include <GProp_GProps.hxx>
 #include <cmath>
 
 #include "brep/occt_impl.h"
@@ -17,11 +15,7 @@
 namespace paver {
 namespace {
 
-double area_of(const TopoDS_Shape& shape) {
-  GProp_GProps properties;
-  BRepGProp::SurfaceProperties(shape, properties);
-  return properties.Mass();
-}
+using test::area_of;
 
 std::shared_ptr<Shape> read_again(const TopoDS_Shape& shape) {
   const test::TemporaryFolder folder;
