@@ -173,6 +173,7 @@ class Run {
     result_.report.wires = options_.wires;
     const CoplanarTriangles coplanar = join_coplanar_triangles(model_, options_);
     const std::vector<Merge> small = merge_small(model_, options_);
+    if (!small.empty()) note_free_edges(model_);  // tips cut off are closed now
     result_.report.model = model_.report;
     result_.report.notes = model_.notes;
     for (const std::string& note : notes_of(coplanar)) result_.report.notes.push_back(note);

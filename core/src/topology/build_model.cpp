@@ -370,20 +370,7 @@ class ModelBuilder {
     report.sewn_edges = sewn_.free_before - sewn_.free_after;
     work_.note_repair(RepairKind::sewn_edge, report.sewn_edges, sewn_.tolerance);
     report.repairs = work_.repairs;
-    std::set<int> open_parts;
-    for (const Edge& edge : model_.edges) {
-      if (edge.faces.size() == 1 && !edge.is_degenerate) {
-        ++report.free_edges;
-        if (report.free_edge_names.size() < most_names) report.free_edge_names.push_back(edge.name);
-        for (const int part : model_.face_parts[edge.faces.front()])
-          if (model_.part_solid[part] >= 0) open_parts.insert(part);
-      } else if (edge.faces.size() > 2) {
-        ++report.nonmanifold_edges;
-        if (report.nonmanifold_edge_names.size() < most_names) report.nonmanifold_edge_names.push_back(edge.name);
-      }
-    }
-    if (report.free_edges == 0) report.open_solids.clear();  // sewing has closed them
-    for (const int part : open_parts) report.open_solids.push_back(model_.parts[part]);
+    note_free_edges(model_);
   }
 
   /// Faces that were left out though they are no slivers, whose sides meet without them, and that are missed: a tip cut
@@ -481,6 +468,34 @@ class ModelBuilder {
 };
 
 }  // namespace
+
+void note_free_edges(Model& model) {
+  ModelReport& report = model.report;
+  report.free_edges = report.nonmanifold_edges = 0;
+  report.free_edge_names.clear();
+  report.nonmanifold_edge_names.clear();
+  std::set<int> open_parts;
+  for (const Edge& edge : model.edges) {
+    if (edge.faces.size() == 1 && !edge.is_degenerate) {
+      ++report.free_edges;
+      if (report.free_edge_names.size() < most_names) report.free_edge_names.push_back(edge.name);
+      for (const int part : model.face_parts[edge.faces.front()])
+        if (model.part_solid[part] >= 0) open_parts.insert(part);
+    } else if (edge.faces.size() > 2) {
+      ++report.nonmanifold_edges;
+      if (report.nonmanifold_edge_names.size() < most_names) report.nonmanifold_edge_names.push_back(edge.name);
+    }
+  }
+  std::erase_if(report.open_solids, [&](const std::string& name) {  // those that the file reader names stay
+    const auto part = std::find(model.parts.begin(), model.parts.end(), name);
+    return part != model.parts.end() && model.part_solid[part - model.parts.begin()] >= 0;
+  });
+  if (report.free_edges == 0) {  // sewing or merging has closed them
+    report.open_solids.clear();
+    report.holes.clear();
+  }
+  for (const int part : open_parts) report.open_solids.push_back(model.parts[part]);
+}
 
 Model build_model(const Shape& shape, const Options& options, ModelReport report, Progress& progress,
                   SharedTasks& tasks, std::string* brep) {

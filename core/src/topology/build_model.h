@@ -16,4 +16,8 @@ namespace paver {
 Model build_model(const Shape& shape, const Options& options, ModelReport report, Progress& progress,
                   SharedTasks& tasks, std::string* brep = nullptr);
 
+/// Lists in the model's report the edges that one face has, those that more than two have, and the solids that are
+/// open; takes out what is closed since the file was read.
+void note_free_edges(Model& model);
+
 }  // namespace paver

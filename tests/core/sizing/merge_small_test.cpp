@@ -16,13 +16,18 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <algorithm>
+#include <cmath>
 #include <gp_Circ.hxx>
 #include <numbers>
 
+#include "core/brep/step_files.h"
 #include "support/report_of.h"
 
 namespace paver {
@@ -298,6 +303,31 @@ TEST(MergeSmall, ABluntNoseOfAPartOfATurnDoesToo) {
       EXPECT_GT(result.report.quality.sj_all.min, 0.3);
       EXPECT_EQ(faces_of(result, FaceStatus::merged), 1);
     }
+}
+
+/// A solid that has no face where the cone is cut off.
+TopoDS_Solid open_cone(double blunt) {
+  TopoDS_Shell shell;
+  TopoDS_Solid solid;
+  BRep_Builder builder;
+  builder.MakeShell(shell);
+  builder.MakeSolid(solid);
+  for (TopExp_Explorer face(blunt_cone(blunt), TopAbs_FACE); face.More(); face.Next())
+    if (std::abs(test::area_of(face.Current()) - std::numbers::pi * blunt * blunt) > 1e-3 * blunt * blunt)
+      builder.Add(shell, face.Current());
+  builder.Add(solid, shell);
+  return solid;
+}
+
+TEST(MergeSmall, ASolidThatIsClosedByItIsNotOpen) {
+  const RunReport closed = test::mesh_of(open_cone(5e-5), 3).report;
+  EXPECT_EQ(closed.model.faces, 2);
+  EXPECT_EQ(closed.model.free_edges, 0);
+  EXPECT_STREQ(verdict(closed), "sound");
+  const RunReport open = test::mesh_of(open_cone(0.5), 3).report;
+  EXPECT_EQ(open.model.free_edges, 1);
+  EXPECT_EQ(open.model.open_solids, std::vector<std::string>{"Solid1"});
+  EXPECT_STREQ(verdict(open), "doubtful");
 }
 
 TEST(MergeSmall, AConeThatIsBluntAgainstItsElementsStays) {
