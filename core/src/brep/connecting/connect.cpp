@@ -75,6 +75,10 @@ class Connector {
   /// first; where that does not help, all stay as they are. So there are two tries and each pair's. Before that what
   /// solids share is copied, and the points are left out.
   void connect_cluster(std::vector<int> parts) {
+    if (auto matching = match_parts(work_, parts, pairs_among(parts), tolerance_, progress_)) {
+      fusions_.push_back(std::move(*matching));
+      return;
+    }
     if (try_to_fuse(parts) || try_to_fuse_unshared(parts)) return;
     if (leave_points(parts) && (parts.size() < 2 || try_to_fuse(parts))) return;
     for (int part : parts)
@@ -142,10 +146,11 @@ class Connector {
   }
 
   std::vector<PartPair> pairs_among(const std::vector<int>& parts) const {
-    auto has = [&](int part) { return std::find(parts.begin(), parts.end(), part) != parts.end(); };
+    std::vector<char> is_member(work_.parts.size(), 0);
+    for (const int part : parts) is_member[part] = 1;
     std::vector<PartPair> pairs;
     for (PartPair pair : pairs_)
-      if (has(pair[0]) && has(pair[1])) pairs.push_back(pair);
+      if (is_member[pair[0]] && is_member[pair[1]]) pairs.push_back(pair);
     return pairs;
   }
 

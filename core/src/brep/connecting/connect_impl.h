@@ -86,6 +86,12 @@ struct Fusion {
 /// other and are two, again at the distance between them, as long as that connects no parts that were apart.
 std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress);
 
+/// The same of parts that match, without a fuse: flat convex faces that in each of `pairs`, which are all that may
+/// touch, have nothing in common but whole faces, edges and vertices. Nothing where there is more, or it cannot be
+/// told.
+std::optional<Fusion> match_parts(const Workpiece& work, const std::vector<int>& parts,
+                                  const std::vector<PartPair>& pairs, double tolerance, const Progress& progress);
+
 /// Half way along an edge.
 gp_Pnt middle_of(const TopoDS_Edge& edge);
 
