@@ -1,16 +1,23 @@
 // IGES: reads the file, transfers all roots (also blanked ones) in millimetres, and takes names of faces along; then
 // what is not as the file has it: shapes of which nothing came; transformations of transformations; unit and scale.
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepGProp.hxx>
+#include <Extrema_ExtPC.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <GProp_GProps.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESData_BasicEditor.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <IGESData_TransfEntity.hxx>
+#include <IGESGeom_TrimmedSurface.hxx>
 #include <IGESSolid_Face.hxx>
 #include <IGESToBRep_BRepEntity.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "formats/transfer_impl.h"
 #include "formats/whole_face_impl.h"
@@ -20,6 +27,8 @@ namespace {
 
 constexpr int trimmed_surface = 144, face_entity = 510;
 constexpr double same_scale = 1e-9;
+constexpr double same_area = 1e-5;             // of a face: what two readings of it may differ by
+constexpr double same_curve = 1e-3;            // of its length: what an edge and its image may be apart
 constexpr int named_unit = 3, last_unit = 11;  // unit flags: IGES 5.3, 2.2.4.3.14
 
 // By number of type, IGES 5.3, 3.2: bounded, trimmed and curve-bounded surfaces; solids from primitives up to
@@ -89,6 +98,70 @@ std::vector<FileFace> faces_of_solids(IGESControl_Reader& reader) {
   return faces;
 }
 
+double area_of(const TopoDS_Face& face) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(face, properties);
+  return properties.Mass();
+}
+
+/// As a torus is.
+bool is_closed_both_ways(const TopoDS_Face& face) {
+  const Handle(Geom_Surface) surface = untrimmed(BRep_Tool::Surface(face));
+  return !surface.IsNull() && surface->IsUClosed() && surface->IsVClosed();
+}
+
+TopoDS_Face unplaced(const TopoDS_Face& face) { return TopoDS::Face(face.Located(TopLoc_Location())); }
+
+/// Whether all edges of one face but its periodic ones lie along edges of the other.
+bool has_edges_along(const TopoDS_Face& one, const TopoDS_Face& other) {
+  std::vector<BRepAdaptor_Curve> borders;
+  for (const TopoDS_Edge& edge : edges_of(other))
+    if (!BRep_Tool::Degenerated(edge)) borders.emplace_back(edge);
+  auto is_on_border = [&](const gp_Pnt& point, double near) {
+    return std::ranges::any_of(borders, [&](const BRepAdaptor_Curve& curve) {
+      if (std::min(point.Distance(curve.Value(curve.FirstParameter())),
+                   point.Distance(curve.Value(curve.LastParameter()))) < near)
+        return true;
+      const Extrema_ExtPC foot(point, curve);
+      for (int i = 1; foot.IsDone() && i <= foot.NbExt(); ++i)
+        if (foot.SquareDistance(i) < near * near) return true;
+      return false;
+    });
+  };
+  for (const TopoDS_Edge& edge : edges_of(one)) {
+    if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, one)) continue;
+    const BRepAdaptor_Curve curve(edge);
+    const double near = same_curve * GCPnts_AbscissaPoint::Length(curve);
+    for (const double share : {0.2, 0.5, 0.8})
+      if (!is_on_border(curve.Value((1 - share) * curve.FirstParameter() + share * curve.LastParameter()), near))
+        return false;
+  }
+  return true;
+}
+
+/// Trimmed surfaces have their loops twice, in space and as images on the surface. On a torus the kernel may take other
+/// pieces of the surface where it matches the two; where they agree, the images alone tell which is meant.
+void read_by_images(const IGESControl_Reader& reader, FaceChanges& changes) {
+  const ReaderSetting images_only("read.surfacecurve.mode", "-2");
+  std::optional<IGESControl_Reader> second;
+  for (const Handle(Standard_Transient) & any : entities_of(reader)) {
+    const auto entity = Handle(IGESGeom_TrimmedSurface)::DownCast(any);
+    if (entity.IsNull()) continue;
+    const std::vector<TopoDS_Face> read = faces_of(shape_of(reader, entity));
+    if (read.empty() || !is_closed_both_ways(read.front())) continue;
+    if (!second) second.emplace().WS()->SetModel(reader.IGESModel());
+    second->TransferEntity(entity);
+    const std::vector<TopoDS_Face> other = faces_of(shape_of(*second, entity));
+    if (other.size() != 1) continue;
+    double area = 0;
+    for (const TopoDS_Face& face : read) area += area_of(face);
+    if (std::abs(area_of(other[0]) - area) > same_area * area &&
+        std::ranges::all_of(
+            read, [&](const TopoDS_Face& face) { return has_edges_along(unplaced(face), unplaced(other[0])); }))
+      changes.replace(read, other[0]);
+  }
+}
+
 }  // namespace
 
 extern "C" void paver_read_format(const FileSource& file, std::string_view /*content*/, const Doubt& doubt,
@@ -102,7 +175,11 @@ extern "C" void paver_read_format(const FileSource& file, std::string_view /*con
   reader.SetReadVisible(Standard_False);
   transfer(reader, shape, progress, face_name);
   report.unread = losses(reader);
-  if (!shape.shape.IsNull()) restore_faces(faces_of_solids(reader), shape);
+  if (shape.shape.IsNull()) return;
+  FaceChanges changes(shape.shape);
+  restore_faces(faces_of_solids(reader), changes);
+  read_by_images(reader, changes);
+  changes.apply(shape);
 }
 
 }  // namespace paver

@@ -55,7 +55,9 @@ void restore_sides(XSControl_Reader& reader, Shape& shape) {
                   [&reader, entity] { return edges_of(reader, *entity); }, dead_ends(*entity) == 2};
     if (!face.read.empty()) faces.push_back(std::move(face));
   }
-  restore_faces(faces, shape);
+  FaceChanges changes(shape.shape);
+  restore_faces(faces, changes);
+  changes.apply(shape);
 }
 
 }  // namespace paver

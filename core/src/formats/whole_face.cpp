@@ -325,43 +325,54 @@ FileEdge file_edge(const TopoDS_Edge& edge, bool is_along_curve) {
   return walked;
 }
 
-void restore_faces(const std::vector<FileFace>& faces, Shape& shape) {
-  const std::vector<std::size_t> turned = turned_faces(faces);
-  const auto before = shapes_of(shape.shape, TopAbs_FACE);
+template <class Visit>
+void FaceChanges::visit(const std::vector<TopoDS_Face>& read, Visit&& at) const {
+  for (int k = 1; k <= before_.Extent(); ++k)
+    for (const TopoDS_Face& face : read)
+      if (before_(k).IsPartner(face)) at(k, face);
+}
+
+void FaceChanges::replace(const std::vector<TopoDS_Face>& read, const TopoDS_Face& made) {
+  visit(read, [&](int k, const TopoDS_Face& face) {
+    if (!face.IsSame(read.front())) {
+      gone_.insert(k);
+      return;
+    }
+    const TopAbs_Orientation turn = TopAbs::Compose(before_(k).Orientation(), face.Orientation());
+    made_[k] = made.Located(before_(k).Location()).Oriented(TopAbs::Compose(made.Orientation(), turn));
+  });
+}
+
+void FaceChanges::leave_turned(const std::vector<TopoDS_Face>& read) {
+  visit(read, [&](int k, const TopoDS_Face&) { turned_.insert(k); });
+}
+
+void FaceChanges::apply(Shape& shape) const {
   BRepTools_ReShape change;
   change.ModeConsiderLocation() = true;  // parts may stand in several places
-  std::vector<TopoDS_Shape> made, failed;
-  std::vector<bool> is_removed(static_cast<std::size_t>(before.Extent()), false);
+  for (const auto& [k, made] : made_) change.Replace(before_(k), made);
+  for (const int k : gone_) change.Remove(before_(k));
+  if (!made_.empty()) shape.shape = change.Apply(shape.shape);
+  const auto after = shapes_of(shape.shape, TopAbs_FACE);
+  for (const auto& [k, made] : made_) shape.restored.push_back(after.FindIndex(made) - 1);
+  for (const int k : turned_) shape.turned.push_back(after.FindIndex(before_(k)) - 1);
+  for (auto k = gone_.rbegin(); k != gone_.rend(); ++k)
+    if (*k <= static_cast<int>(shape.labels.size())) shape.labels.erase(shape.labels.begin() + (*k - 1));
+}
+
+void restore_faces(const std::vector<FileFace>& faces, FaceChanges& changes) {
+  const std::vector<std::size_t> turned = turned_faces(faces);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const FileFace& face = faces[i];
     const bool lacks_poles = face.ends_at_poles && !has_both_poles(forward(face.read.front()));
     if (!lacks_poles && !std::binary_search(turned.begin(), turned.end(), i)) continue;
-    const std::optional<TopoDS_Face> whole = face_of_loops(face);
     // The reader may have turned the face over with its loop.
     const TopAbs_Orientation sense = face.is_along_surface ? TopAbs_FORWARD : TopAbs_REVERSED;
-    for (int k = 1; k <= before.Extent(); ++k) {
-      const auto read = std::find_if(face.read.begin(), face.read.end(),
-                                     [&](const TopoDS_Face& other) { return before(k).IsPartner(other); });
-      if (read == face.read.end()) continue;
-      if (!whole) {
-        // A patch of a cylinder has one side only, whatever the file says.
-        if (!lacks_poles && (face.read.size() > 1 || FaceMaker(face.read).may_be_whole())) failed.push_back(before(k));
-      } else if (read != face.read.begin()) {
-        change.Remove(before(k));
-        is_removed[k - 1] = true;
-      } else {
-        const TopAbs_Orientation turn = TopAbs::Compose(before(k).Orientation(), read->Orientation());
-        made.push_back(whole->Located(before(k).Location()).Oriented(TopAbs::Compose(sense, turn)));
-        change.Replace(before(k), made.back());
-      }
-    }
+    if (const std::optional<TopoDS_Face> whole = face_of_loops(face))
+      changes.replace(face.read, TopoDS::Face(whole->Oriented(sense)));
+    else if (!lacks_poles && (face.read.size() > 1 || FaceMaker(face.read).may_be_whole()))
+      changes.leave_turned(face.read);  // a patch of a cylinder has one side only, whatever the file says
   }
-  if (!made.empty()) shape.shape = change.Apply(shape.shape);
-  const auto after = shapes_of(shape.shape, TopAbs_FACE);
-  for (const TopoDS_Shape& face : made) shape.restored.push_back(after.FindIndex(face) - 1);
-  for (const TopoDS_Shape& face : failed) shape.turned.push_back(after.FindIndex(face) - 1);
-  for (std::size_t k = std::min(is_removed.size(), shape.labels.size()); k-- > 0;)
-    if (is_removed[k]) shape.labels.erase(shape.labels.begin() + static_cast<std::ptrdiff_t>(k));
 }
 
 }  // namespace paver

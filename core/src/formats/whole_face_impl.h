@@ -1,13 +1,18 @@
 // Faces of which the reader has taken the wrong side of their loops, made anew.
 #pragma once
 
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
 #include <functional>
 #include <gp_Pnt.hxx>
 #include <gp_Vec.hxx>
+#include <map>
+#include <set>
 #include <vector>
 
+#include "brep/occt_shapes_impl.h"
 #include "brep/shape_impl.h"
 
 namespace paver {
@@ -30,10 +35,31 @@ struct FileFace {
 /// An edge as a file walks it: along its curve or against it.
 FileEdge file_edge(const TopoDS_Edge& edge, bool is_along_curve);
 
+/// Faces of a shape as read in whose place others come, wherever they stand.
+class FaceChanges {
+ public:
+  explicit FaceChanges(const TopoDS_Shape& shape) : before_(shapes_of(shape, TopAbs_FACE)) {}
+
+  /// `made` comes in place of the first of `read`, turned as that is; the others go.
+  void replace(const std::vector<TopoDS_Face>& read, const TopoDS_Face& made);
+  /// They stay, and go to `shape.turned`.
+  void leave_turned(const std::vector<TopoDS_Face>& read);
+  /// What was made goes to `shape.restored`.
+  void apply(Shape& shape) const;
+
+ private:
+  template <class Visit>
+  void visit(const std::vector<TopoDS_Face>& read, Visit&& at) const;
+
+  TopTools_IndexedMapOfShape before_;
+  std::map<int, TopoDS_Shape> made_;  // by number in `before_`
+  std::set<int> gone_, turned_;
+};
+
 /// Puts faces that were read on the wrong side of their loops, or without their poles, in their place anew: one face of
 /// all edges, on the same surface, with the whole of it and its loops as holes where none of them goes round. What
-/// cannot be made stays, and goes to `shape.turned`; the others go to `shape.restored`. Not where most loops of the
+/// cannot be made stays turned. Not where most loops of the
 /// file run the wrong way round.
-void restore_faces(const std::vector<FileFace>& faces, Shape& shape);
+void restore_faces(const std::vector<FileFace>& faces, FaceChanges& changes);
 
 }  // namespace paver

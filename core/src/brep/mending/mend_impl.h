@@ -66,6 +66,21 @@ void straighten(const TopoDS_Face& face, const std::vector<BentMeridian>& all);
 /// A FORWARD face without the edges by which two of its loops run along each other; nothing for others.
 std::optional<TopoDS_Face> without_doubled_edges(const TopoDS_Face& face, double diagonal);
 
+/// Two edges of a face on a torus that lie in one place, their images periods apart.
+struct PeriodicPair {
+  TopoDS_Edge edge, back;                        ///< the loop walks along one, and back along the other
+  std::array<TopoDS_Vertex, 2> ends, back_ends;  ///< where `edge` starts and ends, of both
+  gp_Vec2d shift;                                ///< from the image of `edge` to the other
+  bool has_common_ends() const { return ends[0].IsSame(back_ends[0]) && ends[1].IsSame(back_ends[1]); }
+  /// Whether the curve of `back` runs the other way than that of `edge`.
+  bool is_turned() const { return edge.Orientation() == back.Orientation(); }
+};
+
+/// Of a FORWARD face.
+std::vector<PeriodicPair> find_periodic_pairs(const TopoDS_Face& face, double diagonal);
+/// With `edge` in place of `back`; changes the edges.
+TopoDS_Face with_periodic_edges(const TopoDS_Face& face, const std::vector<PeriodicPair>& pairs);
+
 struct PressedFlat {
   TopoDS_Face face;
   std::vector<TopoDS_Edge> edges;  ///< each twice, with the orientation of its use

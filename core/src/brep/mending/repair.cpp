@@ -79,7 +79,7 @@ bool needs_repair(const TopoDS_Face& face, double diagonal) {
   auto is_false = [&](const TopoDS_Edge& edge) { return is_false_pole(edge, plain, diagonal); };
   return std::ranges::any_of(edges_of(plain), is_false) || lacks_image(face) || is_garbled_ring(plain, diagonal) ||
          has_loops_alike(plain) || between_poles(plain) || without_doubled_edges(plain, diagonal) ||
-         !find_bent_meridians(plain).empty();
+         !find_bent_meridians(plain).empty() || !find_periodic_pairs(plain, diagonal).empty();
 }
 
 /// Puts another face in its place, on the same side.
@@ -180,6 +180,18 @@ bool is_shared(const TopoDS_Edge& edge, const WorkFace& owner, const Workpiece& 
                      [&](const WorkFace& face) { return &face != &owner && use_count(edge, face.face) > 0; });
 }
 
+/// Not where neighbours have edges that would get other ends.
+void join_periodic_edges(WorkFace& face, Workpiece& work) {
+  const TopoDS_Face plain = forward(face.face);
+  const std::vector<PeriodicPair> pairs = find_periodic_pairs(plain, work.diagonal);
+  if (pairs.empty()) return;
+  const bool has_ends = std::ranges::all_of(pairs, &PeriodicPair::has_common_ends);
+  if (!has_ends &&
+      std::ranges::any_of(edges_of(plain), [&](const TopoDS_Edge& edge) { return is_shared(edge, face, work); }))
+    return;
+  replace(face, with_periodic_edges(plain, pairs), RepairKind::periodic_edge, work);
+}
+
 /// Ends that are pressed flat become common to both of their sides, unless another face goes on there.
 void close_flat_ends(WorkFace& face, Workpiece& work) {
   const TopoDS_Face plain = forward(face.face);
@@ -253,6 +265,7 @@ void repair(Workpiece& work, Progress& progress) {
         bool is_other = mend_ring(face, work) || turn_loops(face, work);
         is_other |= join_loops(face, work);
         straighten_meridians(face, work);
+        join_periodic_edges(face, work);
         repair_edges(face, work);
         if (is_other || !face.has_area) measure_again(face, work);
       }
