@@ -381,5 +381,35 @@ TEST(ConnectRound, AWireMeetsAFaceOnEitherSideOfItsPeriod) {
   }
 }
 
+TopoDS_Shape ball_at(gp_Pnt centre) { return BRepPrimAPI_MakeSphere(centre, 10).Shape(); }
+
+TEST(ConnectRound, ABallMayHaveAPoleOnACylinder) {
+  const TopoDS_Shape tube = BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, -10}, {0, 0, 1}), 10, 20).Shape();
+  for (const gp_Pnt& centre : {gp_Pnt(0, -10, 10), gp_Pnt(-10, 0, -5), gp_Pnt(8, 6, 4)}) {
+    const RunReport report = test::report_of(compound({tube, ball_at(centre)}), 2);
+    EXPECT_STREQ(verdict(report), "sound");
+    EXPECT_LT(report.quality.triangles, 10);
+    EXPECT_GT(report.quality.sj_all.min, 0.2);
+    EXPECT_EQ(report.components.size(), 1U);
+  }
+}
+
+TEST(ConnectRound, PlacesOnABallStayWhereItsAxisIsTurned) {
+  const TopoDS_Shape tube = BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, -10}, {0, 0, 1}), 10, 20).Shape();
+  const gp_Pnt centre(0, -10, 10);
+  const Model model = test::model_of(compound({tube, ball_at(centre)}));
+  const Geom_SphericalSurface as_read(gp_Ax3(centre, gp::DZ()), 10);
+  int turned = 0;
+  for (const Face& face : model.faces) {
+    if (!face.converted || !face.has_area) continue;
+    ++turned;
+    for (const Vec2 uv : {Vec2{0.3, 0.4}, Vec2{2, -1}, Vec2{5, 1.2}}) {
+      const gp_Pnt at = as_read.Value(uv.x, uv.y);
+      EXPECT_LT(norm(face.surface->point(face.converted(uv)) - Vec3{at.X(), at.Y(), at.Z()}), 1e-9);
+    }
+  }
+  EXPECT_GT(turned, 0);
+}
+
 }  // namespace
 }  // namespace paver

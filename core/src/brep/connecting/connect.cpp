@@ -72,14 +72,19 @@ class Connector {
 
  private:
   /// Where all together cannot be fused, the parts that cannot be in pairs are left out, the one with most such pairs
-  /// first; where that does not help, all stay as they are. So there are two tries and each pair's. Before that what
-  /// solids share is copied, and the points are left out.
+  /// first; where that does not help, any one; failing that all stay as they are. Before that what solids share is
+  /// copied, and the points are left out.
   void connect_cluster(std::vector<int> parts) {
-    if (auto matching = match_parts(work_, parts, pairs_among(parts), tolerance_, progress_)) {
+    const std::vector<PartPair> all = pairs_among(parts);
+    if (auto matching = match_parts(work_, parts, all, tolerance_, progress_)) {
       fusions_.push_back(std::move(*matching));
       return;
     }
-    if (try_to_fuse(parts) || try_to_fuse_unshared(parts)) return;
+    turn_balls(work_, parts, all, false);
+    if (try_to_fuse(parts)) return;
+    if (try_to_fuse_changed(parts, [&] { return unshare_parts(work_, parts); }) ||
+        try_to_fuse_changed(parts, [&] { return turn_balls(work_, parts, all, true); }))
+      return;
     if (leave_points(parts) && (parts.size() < 2 || try_to_fuse(parts))) return;
     for (int part : parts)
       if (work_.parts[part].is_loose) failed.push_back({part, part});
@@ -91,7 +96,7 @@ class Connector {
       std::erase(parts, worst);
       std::erase_if(bad, [&](PartPair pair) { return pair[0] == worst || pair[1] == worst; });
     }
-    if (pairs_among(parts).size() == pairs.size() || !try_to_fuse(parts)) parts.clear();
+    if (pairs_among(parts).size() == pairs.size() || !try_to_fuse(parts)) parts = fuse_all_but_one(parts);
     const std::vector<PartPair> connected = pairs_among(parts);
     for (PartPair pair : pairs)
       if (std::find(connected.begin(), connected.end(), pair) == connected.end()) failed.push_back(pair);
@@ -117,9 +122,29 @@ class Connector {
     add_twin(work_, twin, *fusion);
   }
 
-  bool try_to_fuse_unshared(const std::vector<int>& parts) {
+  /// Those that can be fused where one is left out, that with the fewest pairs; none where more would have to be.
+  std::vector<int> fuse_all_but_one(const std::vector<int>& parts) {
+    constexpr std::size_t most_tries = 24;
+    const std::vector<PartPair> pairs = pairs_among(parts);
+    auto count = [&](int part) {
+      return std::ranges::count_if(pairs, [&](PartPair pair) { return pair[0] == part || pair[1] == part; });
+    };
+    std::vector<int> order = parts;
+    std::ranges::stable_sort(order, {}, count);
+    order.resize(std::min(order.size(), most_tries));
+    for (const int part : order) {
+      std::vector<int> others = parts;
+      std::erase(others, part);
+      if (others.size() > 1 && try_to_fuse(others)) return others;
+    }
+    return {};
+  }
+
+  /// `change`: of the parts; whether there was anything to change.
+  template <class Change>
+  bool try_to_fuse_changed(const std::vector<int>& parts, Change change) {
     Workpiece before = work_;
-    if (unshare_parts(work_, parts) && try_to_fuse(parts)) return true;
+    if (change() && try_to_fuse(parts)) return true;
     work_ = std::move(before);
     return false;
   }
