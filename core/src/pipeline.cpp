@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -270,6 +271,10 @@ class Run {
     merge_pieces(model_, result_);
     count_wire_lines(model_, result_);
     report.components = find_components(model_, report.faces);
+    const bool has_failed = std::ranges::count(report.faces, FaceStatus::failed, &FaceReport::status) > 0;
+    if (options_.connect != Connect::none && !has_failed)
+      std::ranges::move(contacts_apart(report.model.contacts, report.components),
+                        std::back_inserter(report.model.unconnected));
     note_remaining(report);
     note_far_faces(report);
     clock_.end();

@@ -1,6 +1,7 @@
 // In: model, reports of faces. Out: parts by component. Faces, wires and points that share a vertex share its node.
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "base/union_find.h"
@@ -80,6 +81,20 @@ class Components {
 
 std::vector<std::vector<std::string>> find_components(const Model& model, const std::vector<FaceReport>& entries) {
   return Components(model, entries).run();
+}
+
+std::vector<std::array<std::string, 2>> contacts_apart(const std::vector<Contact>& contacts,
+                                                       const std::vector<std::vector<std::string>>& components) {
+  std::map<std::string, std::set<std::size_t>> sets_of;
+  for (std::size_t i = 0; i < components.size(); ++i)
+    for (const std::string& part : components[i]) sets_of[part].insert(i);
+  std::vector<std::array<std::string, 2>> apart;
+  for (const Contact& contact : contacts) {
+    const std::set<std::size_t>&one = sets_of[contact.parts[0]], &two = sets_of[contact.parts[1]];
+    if (one.empty() || two.empty() || std::ranges::find_first_of(one, two) != one.end()) continue;
+    if (std::ranges::find(apart, contact.parts) == apart.end()) apart.push_back(contact.parts);
+  }
+  return apart;
 }
 
 }  // namespace paver

@@ -1,6 +1,7 @@
 // Parts of the shape in the mesh: solids with their media, what is lost, what hangs together.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -20,5 +21,9 @@ std::vector<std::string> lost_parts(const Options& options, const Model& model, 
 /// Sets of parts whose meshes share nodes, each by name, parts and sets in the order of the model. `entries`: reports
 /// of the faces; those that are not meshed hang nothing together.
 std::vector<std::vector<std::string>> find_components(const Model& model, const std::vector<FaceReport>& entries);
+
+/// Pairs of parts that touch by `contacts` and are of no common set in `components`, though each is of one.
+std::vector<std::array<std::string, 2>> contacts_apart(const std::vector<Contact>& contacts,
+                                                       const std::vector<std::vector<std::string>>& components);
 
 }  // namespace paver

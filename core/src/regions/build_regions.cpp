@@ -53,7 +53,8 @@ class RegionBuilder {
     Slits slits;
     for (const Loop& loop : loops) add_loop(loop, region, slits);
     settle_loops(slits, region);
-    if (is_polar && (layout_.box.low_pole || layout_.box.high_pole)) add_fan(layout_.box, region);
+    if (is_polar && (layout_.box.low_pole || layout_.box.high_pole))
+      add_fan(layout_.box, !face_.points.empty(), region);
     for (const InnerPoint& point : face_.points) add_point(point, region);
     regions.push_back(std::move(region));
   }
@@ -314,6 +315,8 @@ class RegionBuilder {
       halves[1].own_area = face_.area - halves[0].own_area;
     }
     auto half_at = [&](double meridian) { return meridian < layout_.cut ? 0U : 1U; };
+    auto half_of = [&](const InnerPoint& point) { return half_at(layout_.box.uv(point.uv).y); };
+    auto is_in_half = [&](std::size_t k) { return [&, k](const InnerPoint& point) { return half_of(point) == k; }; };
     for (const Loop& loop : loops) {
       const std::size_t k = half_at(meridian_of(loop));
       add_loop(loop, halves[k], slits[k]);
@@ -325,9 +328,9 @@ class RegionBuilder {
       // The ring runs along the period: it has the high side on its left unless the box is swapped.
       const bool is_forward = (k == 1) != layout_.box.is_swapped;
       halves[k].loops.push_back(is_forward ? ring : std::vector<LoopNode>(ring.rbegin(), ring.rend()));
-      add_fan(boxes[k], halves[k]);
+      add_fan(boxes[k], std::ranges::any_of(face_.points, is_in_half(k)), halves[k]);
     }
-    for (const InnerPoint& point : face_.points) add_point(point, halves[half_at(layout_.box.uv(point.uv).y)]);
+    for (const InnerPoint& point : face_.points) add_point(point, halves[half_of(point)]);
     std::ranges::move(halves, std::back_inserter(regions));
   }
 
@@ -399,10 +402,10 @@ class RegionBuilder {
   }
 
   // An apex must be a node: quads about it in advance, as many as the surface's angle there asks for. The same for a
-  // smooth pole where the rows have nowhere else to start.
-  void add_fan(const ParameterBox& box, Region& region) {
+  // smooth pole where the rows have nowhere else to start, as they have about points.
+  void add_fan(const ParameterBox& box, bool has_points, Region& region) {
     PoleShape shape = measure_pole(*region.surface, box, layout_.period, box.low_pole);
-    if (!(shape.slant > 0) || (!shape.is_sharp() && !is_bag(region))) return;
+    if (!(shape.slant > 0) || (!shape.is_sharp() && (has_points || !is_bag(region)))) return;
     double pole = box.low_pole ? box.lo.y : box.hi.y, inward = box.low_pole ? 1 : -1;
     double per_length = shape.small / shape.slant;  // meridian parameter per mm at the pole
     double room = nearest_node(region, shape.apex);
@@ -483,6 +486,8 @@ class RegionBuilder {
     double room = nearest_facet(region, fan.centre.x);
     for (const InnerPoint& other : face_.points)
       if (other.vertex != point.vertex) room = std::min(room, 0.5 * norm(model_.vertices[other.vertex] - fan.centre.x));
+    for (const Fan& other : region.fans)
+      for (const LoopNode& node : other.ring) room = std::min(room, norm(node.x - fan.centre.x));
     double side = std::min(fan.centre.h, point_room * room);
     side = std::min(side, most_about * way_round(*face_.surface, point.uv, side));
     SurfaceSlope at = region.slope(fan.centre.p);

@@ -1,4 +1,5 @@
 // Edges and vertices of a model, named as in the shape.
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <cmath>
 
@@ -26,6 +27,7 @@ class EdgeBuilder {
       add_edge(forward(TopoDS::Edge(index_.map(position))));
     }
     for (const WorkPoint& point : work_.points) add_point(point.vertex);
+    add_touching_points();
     number_vertices();
     return std::move(index_);
   }
@@ -86,6 +88,19 @@ class EdgeBuilder {
     points_.push_back(to_vec(BRep_Tool::Pnt(shape)));
     index_.vertex.push_back(merger_.add());
     return index_.vertex.back();
+  }
+
+  /// Points inside two faces or more, as where a ball lies on a plate, are on no edge.
+  void add_touching_points() {
+    TopTools_IndexedMapOfShape known;
+    for (const WorkFace& face : work_.faces) {
+      if (!face.has_area) continue;
+      for (TopoDS_Iterator parts(face.face); parts.More(); parts.Next()) {
+        if (parts.Value().ShapeType() != TopAbs_VERTEX) continue;
+        const int before = known.Extent();
+        if (known.Add(parts.Value()) <= before) add_point(TopoDS::Vertex(parts.Value()));
+      }
+    }
   }
 
   void number_vertices() {

@@ -381,6 +381,34 @@ TEST(ConnectRound, AWireMeetsAFaceOnEitherSideOfItsPeriod) {
   }
 }
 
+void expect_one_piece(const TopoDS_Shape& shape, double size) {
+  SCOPED_TRACE(size);
+  const MeshResult result = mesh_of(shape, size);
+  EXPECT_STREQ(verdict(result.report), "sound");
+  EXPECT_EQ(pieces(result.mesh), 1U);
+  ASSERT_EQ(result.report.model.contacts.size(), 1U);
+  EXPECT_EQ(result.report.model.contacts[0].kind, ContactKind::point);
+}
+
+TEST(ConnectRound, ABallLiesOnAPlateWhateverItsAxis) {
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-20, -20, -4), 40, 40, 4).Shape();
+  for (const gp_Dir& axis : {gp_Dir(0, 0, 1), gp_Dir(1, 0, 0), gp_Dir(1, 2, 3), gp_Dir(-0.3, 0.8, 0.1)}) {
+    gp_Trsf turn;  // after it was made: by rounding it lies a little above or below
+    turn.SetRotation(gp_Ax1({1.3, 2.7, 5}, gp_Dir(0.2, -0.5, 0.7)), 1.1);
+    const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Ax2({1.3, 2.7, 5}, axis), 5).Shape();
+    for (const double size : {1.5, 3.8, 1e6})
+      expect_one_piece(compound({plate, BRepBuilderAPI_Transform(ball, turn).Shape()}), size);
+  }
+}
+
+TEST(ConnectRound, ARodEndsOnABall) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(10).Shape();
+  for (const double beside : {0.0, 0.4}) {
+    const gp_Ax2 out({-10, beside, 0.75 * beside}, {-1, 0, 0});
+    expect_one_piece(compound({ball, BRepPrimAPI_MakeCylinder(out, 1, 15).Shape()}), 3);
+  }
+}
+
 TopoDS_Shape ball_at(gp_Pnt centre) { return BRepPrimAPI_MakeSphere(centre, 10).Shape(); }
 
 TEST(ConnectRound, ABallMayHaveAPoleOnACylinder) {

@@ -24,6 +24,7 @@
 #include "brep/connecting/connect_impl.h"
 #include "brep/occt_shapes_impl.h"
 #include "core/brep/shape_files.h"
+#include "entries/parts.h"
 #include "support/report_of.h"
 
 namespace paver {
@@ -140,6 +141,20 @@ TEST(Connect, MeshesAreOnePieceWithoutCracks) {
     EXPECT_EQ(report.quality.border_edges > 0, c.free > 0);
     for (const FaceReport& face : report.faces) EXPECT_NE(face.status, FaceStatus::failed) << face.name << face.reason;
   }
+}
+
+TEST(Connect, PartsThatTouchAreOfOneComponent) {
+  auto contact = [](const char* one, const char* two) {
+    Contact made;
+    made.parts = {one, two};
+    return made;
+  };
+  const std::vector<Contact> contacts{contact("Solid1", "Solid2"), contact("Solid1", "Solid3"),
+                                      contact("Solid1", "Solid3"), contact("Solid2", "Sheet1")};
+  using Pairs = std::vector<std::array<std::string, 2>>;
+  EXPECT_EQ(contacts_apart(contacts, {{"Solid1", "Solid2", "Solid3"}}), Pairs{});  // the sheet has no mesh
+  EXPECT_EQ(contacts_apart(contacts, {{"Solid1", "Solid2"}, {"Solid3"}, {"Sheet1", "Solid2"}}),
+            (Pairs{{"Solid1", "Solid3"}}));
 }
 
 TopoDS_Shape copy_of(const TopoDS_Shape& shape) { return BRepBuilderAPI_Copy(shape).Shape(); }

@@ -4,6 +4,7 @@
 #include <TopTools_MapOfShape.hxx>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -163,11 +164,22 @@ class Connector {
   bool try_to_fuse(const std::vector<int>& parts) {
     auto fusion = fuse(work_, parts, tolerance_, progress_);
     if (!fusion) return false;
+    if (const std::vector<TopoDS_Vertex> points = points_apart(parts, *fusion); !points.empty())
+      if (auto with_points = fuse(work_, parts, tolerance_, progress_, points)) fusion = std::move(with_points);
     merged.add(fusion->merged);
     for (const PartPair& pair : pairs_among(parts))
       if (fusion->doubled.contains(pair[0]) && fusion->doubled.contains(pair[1])) failed.push_back(pair);
     fusions_.push_back(std::move(*fusion));
     return true;
+  }
+
+  /// Where parts touch in points that a fusion has not found.
+  std::vector<TopoDS_Vertex> points_apart(const std::vector<int>& parts, const Fusion& fusion) const {
+    const std::vector<PartPair> pairs = pairs_among(parts);
+    const std::set<PartPair> touching = touching_parts(work_, fusion);
+    std::vector<PartPair> apart;
+    std::ranges::set_difference(pairs, touching, std::back_inserter(apart));
+    return find_touching_points(work_, apart, tolerance_, progress_);
   }
 
   std::vector<PartPair> pairs_among(const std::vector<int>& parts) const {

@@ -84,7 +84,14 @@ struct Fusion {
 /// Fuses these parts of the work at one of several tolerances, `tolerance` first; nothing when none of them works.
 /// Whether it works is checked: every face has images that cover it. Where pieces of different parts lie along each
 /// other and are two, again at the distance between them, as long as that connects no parts that were apart.
-std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress);
+/// `points`: in which parts touch, besides.
+std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress,
+                           const std::vector<TopoDS_Vertex>& points = {});
+
+/// Points, few a pair, in which faces of two parts that are no free-form ones touch, within `tolerance`. `pairs`: of
+/// parts that may touch and have nothing in common after a fuse.
+std::vector<TopoDS_Vertex> find_touching_points(const Workpiece& work, const std::vector<PartPair>& pairs,
+                                                double tolerance, const Progress& progress);
 
 /// The same of parts that match, without a fuse: flat convex faces that in each of `pairs`, which are all that may
 /// touch, have nothing in common but whole faces, edges and vertices. Nothing where there is more, or it cannot be

@@ -23,11 +23,13 @@ constexpr double area_share = 1e-3;
 
 class Fuser {
  public:
-  Fuser(const Workpiece& work, const std::vector<int>& parts) : work_(work), shapes_(work.parts.size()) {
+  Fuser(const Workpiece& work, const std::vector<int>& parts, const std::vector<TopoDS_Vertex>& points)
+      : work_(work), shapes_(work.parts.size()) {
     is_member_.resize(work.parts.size(), false);
     for (int part : parts) is_member_[part] = true;
     list_shapes();
     for (int part : parts) add_arguments(part);
+    for (const TopoDS_Vertex& point : points) arguments_.Append(point);
   }
 
   std::optional<Fusion> run(double tolerance, Progress& progress) {
@@ -161,9 +163,10 @@ std::optional<Fusion> fuse_wider(const Workpiece& work, Fuser& fuser, Fusion& fu
 
 }  // namespace
 
-std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress) {
+std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress,
+                           const std::vector<TopoDS_Vertex>& points) {
   constexpr int most_tries = 3;
-  Fuser fuser(work, parts);
+  Fuser fuser(work, parts, points);
   std::optional<Fusion> fusion = fuse_at(fuser, {tolerance, 0, gap_factor * tolerance}, progress);
   try {
     for (int i = 0; fusion && i <= most_tries; ++i) {
