@@ -14,6 +14,7 @@
 #include <IGESGeom_TrimmedSurface.hxx>
 #include <IGESSolid_Face.hxx>
 #include <IGESToBRep_BRepEntity.hxx>
+#include <Standard_Failure.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -139,6 +140,17 @@ bool has_edges_along(const TopoDS_Face& one, const TopoDS_Face& other) {
   return true;
 }
 
+/// What the entity is by its images alone; nothing where that fails, or is several faces.
+std::optional<TopoDS_Face> by_images(IGESControl_Reader& second, const Handle(IGESGeom_TrimmedSurface) & entity) {
+  try {
+    second.TransferEntity(entity);
+    const std::vector<TopoDS_Face> faces = faces_of(shape_of(second, entity));
+    return faces.size() == 1 ? std::optional(faces[0]) : std::nullopt;
+  } catch (const Standard_Failure&) {
+    return std::nullopt;
+  }
+}
+
 /// Trimmed surfaces have their loops twice, in space and as images on the surface. On a torus the kernel may take other
 /// pieces of the surface where it matches the two; where they agree, the images alone tell which is meant.
 void read_by_images(const IGESControl_Reader& reader, FaceChanges& changes) {
@@ -150,15 +162,13 @@ void read_by_images(const IGESControl_Reader& reader, FaceChanges& changes) {
     const std::vector<TopoDS_Face> read = faces_of(shape_of(reader, entity));
     if (read.empty() || !is_closed_both_ways(read.front())) continue;
     if (!second) second.emplace().WS()->SetModel(reader.IGESModel());
-    second->TransferEntity(entity);
-    const std::vector<TopoDS_Face> other = faces_of(shape_of(*second, entity));
-    if (other.size() != 1) continue;
+    const std::optional<TopoDS_Face> other = by_images(*second, entity);
+    if (!other) continue;
     double area = 0;
     for (const TopoDS_Face& face : read) area += area_of(face);
-    if (std::abs(area_of(other[0]) - area) > same_area * area &&
-        std::ranges::all_of(
-            read, [&](const TopoDS_Face& face) { return has_edges_along(unplaced(face), unplaced(other[0])); }))
-      changes.replace(read, other[0]);
+    if (std::abs(area_of(*other) - area) <= same_area * area) continue;
+    auto lies_along = [&](const TopoDS_Face& face) { return has_edges_along(unplaced(face), unplaced(*other)); };
+    if (std::ranges::all_of(read, lies_along)) changes.replace(read, *other);
   }
 }
 

@@ -24,6 +24,7 @@ bool may_touch_in_points(const TopoDS_Face& one, const TopoDS_Face& two, double 
 std::vector<TopoDS_Vertex> find_touching_points(const Workpiece& work, const std::vector<PartPair>& pairs,
                                                 double tolerance, const Progress& progress) {
   std::vector<TopoDS_Vertex> found;
+  if (pairs.empty()) return found;
   auto add = [&](const gp_Pnt& at, double gap) {
     if (std::ranges::any_of(found, [&](const TopoDS_Vertex& known) {
           return BRep_Tool::Pnt(known).Distance(at) < same_share * work.diagonal;
@@ -32,21 +33,22 @@ std::vector<TopoDS_Vertex> find_touching_points(const Workpiece& work, const std
     found.push_back(BRepBuilderAPI_MakeVertex(at));
     BRep_Builder().UpdateVertex(found.back(), gap + Precision::Confusion());
   };
-  auto has = [&](const WorkFace& face, int part) { return face.is_usable() && face.has_part(part); };
+  std::vector<std::vector<TopoDS_Face>> faces(work.parts.size());
+  for (const WorkFace& face : work.faces)
+    if (face.is_usable())
+      for (const FaceUse& use : face.uses) faces[use.part].push_back(face.face);
   for (const PartPair& pair : pairs) {
     progress.check();
-    for (const WorkFace& one : work.faces) {
-      if (!has(one, pair[0])) continue;
-      for (const WorkFace& two : work.faces) {
-        if (!has(two, pair[1]) || !may_touch_in_points(one.face, two.face, tolerance)) continue;
-        const BRepExtrema_DistShapeShape nearest(one.face, two.face);
+    for (const TopoDS_Face& one : faces[pair[0]])
+      for (const TopoDS_Face& two : faces[pair[1]]) {
+        if (!may_touch_in_points(one, two, tolerance)) continue;
+        const BRepExtrema_DistShapeShape nearest(one, two);
         if (!nearest.IsDone() || nearest.Value() > tolerance || nearest.NbSolution() > most_points_of_pair) continue;
         for (int i = 1; i <= nearest.NbSolution(); ++i) {
           const gp_Pnt here = nearest.PointOnShape1(i), there = nearest.PointOnShape2(i);
           add(0.5 * (here.XYZ() + there.XYZ()), nearest.Value());
         }
       }
-    }
   }
   return found;
 }
