@@ -4,6 +4,7 @@
 
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
@@ -24,6 +25,7 @@
 #include <gp_Ax2.hxx>
 #include <gp_Ax3.hxx>
 #include <gp_Circ.hxx>
+#include <gp_GTrsf.hxx>
 #include <gp_Pln.hxx>
 #include <map>
 #include <numbers>
@@ -399,6 +401,14 @@ TEST(ConnectRound, ABallLiesOnAPlateWhateverItsAxis) {
     for (const double size : {1.5, 3.8, 1e6})
       expect_one_piece(compound({plate, BRepBuilderAPI_Transform(ball, turn).Shape()}), size);
   }
+}
+
+TEST(ConnectRound, ASplineLiesOnAPlate) {
+  gp_GTrsf stretch;
+  stretch.SetVectorialPart({3, 0, 0, 0, 2, 0, 0, 0, 1.5});
+  const TopoDS_Shape egg =
+      BRepBuilderAPI_GTransform(BRepPrimAPI_MakeSphere(gp_Ax2({0, 0, 2}, {1, 2, 3}), 2).Shape(), stretch).Shape();
+  expect_one_piece(compound({BRepPrimAPI_MakeBox(gp_Pnt(-20, -20, -4), 40, 40, 4).Shape(), egg}), 2);
 }
 
 TEST(ConnectRound, ARodEndsOnABall) {

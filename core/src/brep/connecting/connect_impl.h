@@ -88,7 +88,7 @@ struct Fusion {
 std::optional<Fusion> fuse(const Workpiece& work, const std::vector<int>& parts, double tolerance, Progress& progress,
                            const std::vector<TopoDS_Vertex>& points = {});
 
-/// Points, few a pair, in which faces of two parts that are no free-form ones touch, within `tolerance`. `pairs`: of
+/// Points, few a pair, in which faces of two parts, not both free-form ones, touch, within `tolerance`. `pairs`: of
 /// parts that may touch and have nothing in common after a fuse.
 std::vector<TopoDS_Vertex> find_touching_points(const Workpiece& work, const std::vector<PartPair>& pairs,
                                                 double tolerance, const Progress& progress);

@@ -14,9 +14,15 @@ namespace {
 constexpr double same_share = 1e-4;     // of the diagonal: points nearer each other are one
 constexpr int most_points_of_pair = 4;  // more are places of a line
 
-bool may_touch_in_points(const TopoDS_Face& one, const TopoDS_Face& two, double tolerance) {
-  PartPiece first(one, 0.5 * tolerance), second(two, 0.5 * tolerance);
-  return !first.is_level_with(second) && !first.is_free_form() && !second.is_free_form() && may_touch(first, second);
+/// A face as what tells whether it may touch others.
+struct Candidate {
+  TopoDS_Face face;
+  PartPiece piece;
+};
+
+bool may_touch_in_points(Candidate& one, Candidate& two) {
+  const bool are_free_form = one.piece.is_free_form() && two.piece.is_free_form();
+  return !are_free_form && !one.piece.is_level_with(two.piece) && may_touch(one.piece, two.piece);
 }
 
 }  // namespace
@@ -33,16 +39,19 @@ std::vector<TopoDS_Vertex> find_touching_points(const Workpiece& work, const std
     found.push_back(BRepBuilderAPI_MakeVertex(at));
     BRep_Builder().UpdateVertex(found.back(), gap + Precision::Confusion());
   };
-  std::vector<std::vector<TopoDS_Face>> faces(work.parts.size());
+  std::vector<char> is_asked(work.parts.size(), 0);
+  for (const PartPair& pair : pairs) is_asked[pair[0]] = is_asked[pair[1]] = 1;
+  std::vector<std::vector<Candidate>> candidates(work.parts.size());
   for (const WorkFace& face : work.faces)
-    if (face.is_usable())
-      for (const FaceUse& use : face.uses) faces[use.part].push_back(face.face);
+    for (const FaceUse& use : face.uses)
+      if (face.is_usable() && is_asked[use.part])
+        candidates[use.part].push_back({face.face, PartPiece(face.face, 0.5 * tolerance)});
   for (const PartPair& pair : pairs) {
     progress.check();
-    for (const TopoDS_Face& one : faces[pair[0]])
-      for (const TopoDS_Face& two : faces[pair[1]]) {
-        if (!may_touch_in_points(one, two, tolerance)) continue;
-        const BRepExtrema_DistShapeShape nearest(one, two);
+    for (Candidate& one : candidates[pair[0]])
+      for (Candidate& two : candidates[pair[1]]) {
+        if (!may_touch_in_points(one, two)) continue;
+        const BRepExtrema_DistShapeShape nearest(one.face, two.face);
         if (!nearest.IsDone() || nearest.Value() > tolerance || nearest.NbSolution() > most_points_of_pair) continue;
         for (int i = 1; i <= nearest.NbSolution(); ++i) {
           const gp_Pnt here = nearest.PointOnShape1(i), there = nearest.PointOnShape2(i);
