@@ -4,6 +4,7 @@
 
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -401,6 +402,13 @@ TEST(ConnectRound, ABallLiesOnAPlateWhateverItsAxis) {
     for (const double size : {1.5, 3.8, 1e6})
       expect_one_piece(compound({plate, BRepBuilderAPI_Transform(ball, turn).Shape()}), size);
   }
+}
+
+// As FreeCAD's documents have them: the pole is a vertex inside the plate's face, too.
+TEST(ConnectRound, ABallLiesOnAPlateAfterAFuse) {
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-20, -20, -4), 40, 40, 4).Shape();
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(1.3, 2.7, 5), 5).Shape();
+  expect_one_piece(BRepAlgoAPI_Fuse(plate, ball).Shape(), 2.5);
 }
 
 TEST(ConnectRound, ASplineLiesOnAPlate) {

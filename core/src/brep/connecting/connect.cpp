@@ -81,6 +81,7 @@ class Connector {
       fusions_.push_back(std::move(*matching));
       return;
     }
+    if (has_inner_points(work_, parts)) unshare_parts(work_, parts);
     turn_balls(work_, parts, all, false);
     if (try_to_fuse(parts)) return;
     if (try_to_fuse_changed(parts, [&] { return unshare_parts(work_, parts); }) ||

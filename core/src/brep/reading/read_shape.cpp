@@ -6,7 +6,9 @@
 
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Tool.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <algorithm>
 #include <chrono>
 #include <fstream>
@@ -79,7 +81,11 @@ Error nothing_to_mesh(const FileSource& file, const std::vector<std::string>& un
 
 LooseShapes::LooseShapes(const TopoDS_Shape& shape) {
   for (TopExp_Explorer free(shape, TopAbs_EDGE, TopAbs_FACE); free.More(); free.Next()) edges.Add(free.Current());
-  for (TopExp_Explorer free(shape, TopAbs_VERTEX, TopAbs_EDGE); free.More(); free.Next()) vertices.Add(free.Current());
+  TopTools_MapOfShape ends;  // one that is inside a face as well is of the edge: a pole of a ball that lies on a plate
+  for (TopExp_Explorer edge(shape, TopAbs_EDGE); edge.More(); edge.Next())
+    for (TopoDS_Iterator end(edge.Current()); end.More(); end.Next()) ends.Add(end.Value());
+  for (TopExp_Explorer free(shape, TopAbs_VERTEX, TopAbs_EDGE); free.More(); free.Next())
+    if (!ends.Contains(free.Current())) vertices.Add(free.Current());
 }
 
 std::string content_of(const FileSource& file) {

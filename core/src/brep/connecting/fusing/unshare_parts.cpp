@@ -3,6 +3,7 @@
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
+#include <algorithm>
 
 #include "brep/connecting/connect_impl.h"
 #include "brep/occt_shapes_impl.h"
@@ -49,6 +50,15 @@ bool unshare_parts(Workpiece& work, const std::vector<int>& parts) {
     has_shared = true;
   }
   return has_shared;
+}
+
+bool has_inner_points(const Workpiece& work, const std::vector<int>& parts) {
+  std::vector<char> is_member(work.parts.size(), 0);
+  for (const int part : parts) is_member[part] = 1;
+  return std::ranges::any_of(work.faces, [&](const WorkFace& face) {
+    return std::ranges::any_of(face.uses, [&](const FaceUse& use) { return is_member[use.part] != 0; }) &&
+           TopExp_Explorer(face.face, TopAbs_VERTEX, TopAbs_EDGE).More();
+  });
 }
 
 }  // namespace paver
