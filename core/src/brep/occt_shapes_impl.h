@@ -55,6 +55,11 @@ inline long use_count(const TopoDS_Edge& edge, const TopoDS_Shape& shape) {
   return std::ranges::count_if(edges_of(shape), [&](const TopoDS_Edge& use) { return use.IsSame(edge); });
 }
 
+/// Whether a face has a solid, or an edge a face, on one side only: not inside of it.
+inline bool is_bounding(const TopoDS_Shape& shape) {
+  return shape.Orientation() == TopAbs_FORWARD || shape.Orientation() == TopAbs_REVERSED;
+}
+
 inline TopoDS_Edge forward(const TopoDS_Edge& edge) { return TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)); }
 inline TopoDS_Face forward(const TopoDS_Face& face) { return TopoDS::Face(face.Oriented(TopAbs_FORWARD)); }
 

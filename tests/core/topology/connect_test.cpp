@@ -1,6 +1,7 @@
 // Parts that touch: what they share, who is on which side, what is told of it.
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -14,10 +15,12 @@
 #include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
+#include <cmath>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 
@@ -214,6 +217,26 @@ TEST(Connect, SidesFollowAPartThatIsInsideOut) {
   ASSERT_EQ(common.front.size() + common.back.size(), 2u);
   EXPECT_EQ(model.parts[static_cast<std::size_t>(common.back.at(0))], "Solid1");
   EXPECT_EQ(model.parts[static_cast<std::size_t>(common.front.at(0))], "Solid2");
+}
+
+// As a fuse leaves it in FreeCAD's documents: the solid has the piece inside as a face that does not bound it.
+TEST(Connect, AFaceThatAFuseHasPutIntoASolidIsASheet) {
+  TopTools_ListOfShape arguments;
+  for (const TopoDS_Shape& part : {box(0, 0, 0, 50, 50, 50), sheet(20, 10, 90, 10, 40)}) arguments.Append(part);
+  BRepAlgoAPI_BuilderAlgo fuse;
+  fuse.SetArguments(arguments);
+  fuse.Build();
+  const MeshResult result = mesh_of(fuse.Shape(), 7);
+  EXPECT_STREQ(verdict(result.report), "sound");
+  EXPECT_EQ(result.report.components.size(), 1U);
+  const Model model = model_of(fuse.Shape());
+  long inside = 0, outside = 0;
+  for (const Face& face : model.faces) {
+    if (std::abs(face.area - 40 * 30) < 1e-6) inside += face.front.size() == 1 && face.back.size() == 1;
+    outside += face.front.empty() && face.back.empty();
+  }
+  EXPECT_EQ(inside, 1);
+  EXPECT_EQ(outside, 1);
 }
 
 TEST(Connect, WhatLiesInsideIsKnownAndAUnionDropsIt) {

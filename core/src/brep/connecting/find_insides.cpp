@@ -5,8 +5,10 @@
 // inside where it misses a face. So several directions are asked.
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
+#include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
 #include <IntCurvesFace_ShapeIntersector.hxx>
+#include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <array>
 #include <gp_Lin.hxx>
@@ -23,7 +25,14 @@ namespace {
 
 class InsideClassifier {
  public:
-  explicit InsideClassifier(const TopoDS_Shape& solid) { rays_.Load(solid, Precision::Confusion()); }
+  explicit InsideClassifier(const TopoDS_Shape& solid) {
+    BRep_Builder builder;
+    TopoDS_Compound boundary;
+    builder.MakeCompound(boundary);
+    for (TopExp_Explorer face(solid, TopAbs_FACE); face.More(); face.Next())
+      if (is_bounding(face.Current())) builder.Add(boundary, face.Current());
+    rays_.Load(boundary, Precision::Confusion());
+  }
 
   /// Points on the boundary are not inside.
   bool holds(const gp_Pnt& point) {

@@ -32,6 +32,7 @@ class PartLister {
     for (int s = 1; s <= solids.Extent(); ++s) {
       int part = add_part("Solid" + std::to_string(s), s - 1);
       for (TopExp_Explorer inner(solids(s), TopAbs_FACE); inner.More(); inner.Next()) {
+        if (!is_bounding(inner.Current())) continue;  // a sheet that a fuse has put into the solid
         int index = faces.FindIndex(inner.Current());
         bool is_opposed = inner.Current().Orientation() != faces(index).Orientation();
         work_.faces[index - 1].uses.push_back({part, is_opposed});

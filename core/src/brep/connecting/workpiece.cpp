@@ -95,11 +95,11 @@ Workpiece make_workpiece(const Shape& shape, Progress& progress, SharedTasks& ta
   work.faces.resize(static_cast<std::size_t>(faces.Extent()));
   for (int s = solids.Extent(); s >= 1; --s)  // backwards: a face of two solids counts to the first
     for (TopExp_Explorer inner(solids(s), TopAbs_FACE); inner.More(); inner.Next())
-      work.faces[faces.FindIndex(inner.Current()) - 1].solid = s - 1;
+      if (is_bounding(inner.Current())) work.faces[faces.FindIndex(inner.Current()) - 1].solid = s - 1;
   std::vector<double> costs;
   for (int i = 1; i <= faces.Extent(); ++i) {
     WorkFace& face = work.faces[i - 1];
-    face.face = TopoDS::Face(faces(i));
+    face.face = is_bounding(faces(i)) ? TopoDS::Face(faces(i)) : forward(TopoDS::Face(faces(i)));
     face.origin = i - 1;
     costs.push_back(measuring_cost(face.face));
   }
