@@ -2,7 +2,6 @@
 // of an intersection that goes through a pole.
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
-#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Tool.hxx>
 #include <ElSLib.hxx>
 #include <Geom_Plane.hxx>
@@ -43,8 +42,7 @@ bool has_pole_on(const Workpiece& work, const gp_Pnt& centre, const gp_Vec& to_p
     for (const WorkFace& face : work.faces) {
       if (!face.is_usable() || !std::ranges::any_of(parts, [&](int part) { return face.has_part(part); })) continue;
       if (!Handle(Geom_Plane)::DownCast(untrimmed(BRep_Tool::Surface(face.face))).IsNull()) continue;
-      const BRepExtrema_DistShapeShape distance(vertex, face.face);
-      if (distance.IsDone() && distance.Value() < near) return true;
+      if (const auto nearest = nearest_places(vertex, face.face); nearest && nearest->Value() < near) return true;
     }
   }
   return false;

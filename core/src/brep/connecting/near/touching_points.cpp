@@ -1,8 +1,8 @@
 // Points in which faces of two parts touch: a ball on a plate, the end of a rod on a ball. The kernel finds those on
 // edges and poles; inside both faces it depends on rounding whether they meet at all.
 #include <BRepBuilderAPI_MakeVertex.hxx>
-#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Builder.hxx>
+#include <Standard_Failure.hxx>
 #include <algorithm>
 
 #include "brep/connecting/connect_impl.h"
@@ -26,6 +26,15 @@ bool may_touch_in_points(Candidate& one, Candidate& two) {
 }
 
 }  // namespace
+
+std::optional<BRepExtrema_DistShapeShape> nearest_places(const TopoDS_Shape& one, const TopoDS_Shape& two) {
+  try {
+    BRepExtrema_DistShapeShape nearest(one, two);
+    return nearest.IsDone() ? std::optional(nearest) : std::nullopt;
+  } catch (const Standard_Failure&) {
+    return std::nullopt;
+  }
+}
 
 std::vector<TopoDS_Vertex> find_touching_points(const Workpiece& work, const std::vector<PartPair>& pairs,
                                                 double tolerance, const Progress& progress) {
@@ -51,11 +60,11 @@ std::vector<TopoDS_Vertex> find_touching_points(const Workpiece& work, const std
     for (Candidate& one : candidates[pair[0]])
       for (Candidate& two : candidates[pair[1]]) {
         if (!may_touch_in_points(one, two)) continue;
-        const BRepExtrema_DistShapeShape nearest(one.face, two.face);
-        if (!nearest.IsDone() || nearest.Value() > tolerance || nearest.NbSolution() > most_points_of_pair) continue;
-        for (int i = 1; i <= nearest.NbSolution(); ++i) {
-          const gp_Pnt here = nearest.PointOnShape1(i), there = nearest.PointOnShape2(i);
-          add(0.5 * (here.XYZ() + there.XYZ()), nearest.Value());
+        const auto nearest = nearest_places(one.face, two.face);
+        if (!nearest || nearest->Value() > tolerance || nearest->NbSolution() > most_points_of_pair) continue;
+        for (int i = 1; i <= nearest->NbSolution(); ++i) {
+          const gp_Pnt here = nearest->PointOnShape1(i), there = nearest->PointOnShape2(i);
+          add(0.5 * (here.XYZ() + there.XYZ()), nearest->Value());
         }
       }
   }
