@@ -43,10 +43,6 @@ class LoopBuilder : CoedgeWalker {
   }
 
  private:
-  static bool is_border(const TopoDS_Edge& shape) {
-    return shape.Orientation() == TopAbs_FORWARD || shape.Orientation() == TopAbs_REVERSED;
-  }
-
   /// Nothing for edges that are not the model's; a fault for edges without curve or image.
   std::optional<Coedge> make_coedge(const TopoDS_Edge& shape) {
     Coedge c;
@@ -67,7 +63,7 @@ class LoopBuilder : CoedgeWalker {
       const TopoDS_Edge& edge_shape = TopoDS::Edge(parts.Value());
       auto c = make_coedge(edge_shape);
       if (!result_.fault.empty()) return;
-      if (c && is_border(edge_shape)) {
+      if (c && is_bounding(edge_shape)) {
         all.push_back(std::move(*c));
       } else if (c && !edge(*c).is_degenerate) {
         inner_.push_back(std::move(*c));
@@ -96,7 +92,7 @@ class LoopBuilder : CoedgeWalker {
   Chain explore(const TopoDS_Wire& wire) {
     Chain result;
     for (BRepTools_WireExplorer explorer(wire, face_); explorer.More(); explorer.Next()) {
-      if (!is_border(explorer.Current())) continue;
+      if (!is_bounding(explorer.Current())) continue;
       if (auto c = make_coedge(explorer.Current())) result.push_back(std::move(*c));
     }
     return result;

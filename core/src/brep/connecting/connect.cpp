@@ -184,8 +184,7 @@ class Connector {
   }
 
   std::vector<PartPair> pairs_among(const std::vector<int>& parts) const {
-    std::vector<char> is_member(work_.parts.size(), 0);
-    for (const int part : parts) is_member[part] = 1;
+    const std::vector<char> is_member = marked_parts(work_, parts);
     std::vector<PartPair> pairs;
     for (PartPair pair : pairs_)
       if (is_member[pair[0]] && is_member[pair[1]]) pairs.push_back(pair);

@@ -1,7 +1,6 @@
 // Parts that touch are made to share faces, edges and vertices.
 #pragma once
 
-#include <BRepExtrema_DistShapeShape.hxx>
 #include <TopoDS_Edge.hxx>
 #include <algorithm>
 #include <array>
@@ -99,9 +98,6 @@ std::vector<TopoDS_Vertex> find_touching_points(const Workpiece& work, const std
 /// told.
 std::optional<Fusion> match_parts(const Workpiece& work, const std::vector<int>& parts,
                                   const std::vector<PartPair>& pairs, double tolerance, const Progress& progress);
-
-/// The nearest places of two shapes; nothing where the kernel finds none.
-std::optional<BRepExtrema_DistShapeShape> nearest_places(const TopoDS_Shape& one, const TopoDS_Shape& two);
 
 /// Half way along an edge.
 gp_Pnt middle_of(const TopoDS_Edge& edge);

@@ -4,7 +4,6 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
-#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepGProp.hxx>
 #include <BRepGProp_Domain.hxx>
 #include <BRepGProp_Face.hxx>
@@ -231,9 +230,24 @@ std::optional<gp_Pnt> point_inside(const TopoDS_Face& face, const Handle(IntTool
   return BOPTools_AlgoTools3D::PointInFace(face, point, uv, context) == 0 ? std::optional(point) : std::nullopt;
 }
 
+std::optional<BRepExtrema_DistShapeShape> nearest_places(const TopoDS_Shape& one, const TopoDS_Shape& two) {
+  try {
+    BRepExtrema_DistShapeShape nearest(one, two);
+    return nearest.IsDone() && nearest.NbSolution() > 0 ? std::optional(nearest) : std::nullopt;
+  } catch (const Standard_Failure&) {
+    return std::nullopt;
+  }
+}
+
 bool is_near(const gp_Pnt& point, const TopoDS_Face& face, double distance) {
-  BRepExtrema_DistShapeShape extrema(BRepBuilderAPI_MakeVertex(point).Vertex(), face);
-  return extrema.IsDone() && extrema.NbSolution() > 0 && extrema.Value() <= distance;
+  const auto nearest = nearest_places(BRepBuilderAPI_MakeVertex(point).Vertex(), face);
+  return nearest && nearest->Value() <= distance;
+}
+
+std::vector<char> marked_parts(const Workpiece& work, const std::vector<int>& parts) {
+  std::vector<char> is_member(work.parts.size(), 0);
+  for (const int part : parts) is_member[part] = 1;
+  return is_member;
 }
 
 double edge_length(const TopoDS_Edge& edge) {

@@ -1,6 +1,7 @@
 // A shape on its way to a Model: its faces in the order of the file, as repaired and sewn so far.
 #pragma once
 
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <IntTools_Context.hxx>
 #include <NCollection_DataMap.hxx>
 #include <NCollection_IndexedDataMap.hxx>
@@ -204,6 +205,12 @@ double measuring_cost(const TopoDS_Face& face);
 
 /// A point inside of a face; nothing where the kernel finds none.
 std::optional<gp_Pnt> point_inside(const TopoDS_Face& face, const Handle(IntTools_Context) & context);
+
+/// The nearest places of two shapes; nothing where the kernel finds none.
+std::optional<BRepExtrema_DistShapeShape> nearest_places(const TopoDS_Shape& one, const TopoDS_Shape& two);
+
+/// Per part of the work whether it is one of these.
+std::vector<char> marked_parts(const Workpiece& work, const std::vector<int>& parts);
 
 /// Whether a face comes as near to a point, mm.
 bool is_near(const gp_Pnt& point, const TopoDS_Face& face, double distance);

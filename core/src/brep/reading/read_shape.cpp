@@ -81,10 +81,12 @@ Error nothing_to_mesh(const FileSource& file, const std::vector<std::string>& un
 
 LooseShapes::LooseShapes(const TopoDS_Shape& shape) {
   for (TopExp_Explorer free(shape, TopAbs_EDGE, TopAbs_FACE); free.More(); free.Next()) edges.Add(free.Current());
+  TopExp_Explorer free(shape, TopAbs_VERTEX, TopAbs_EDGE);
+  if (!free.More()) return;
   TopTools_MapOfShape ends;  // one that is inside a face as well is of the edge: a pole of a ball that lies on a plate
   for (TopExp_Explorer edge(shape, TopAbs_EDGE); edge.More(); edge.Next())
     for (TopoDS_Iterator end(edge.Current()); end.More(); end.Next()) ends.Add(end.Value());
-  for (TopExp_Explorer free(shape, TopAbs_VERTEX, TopAbs_EDGE); free.More(); free.Next())
+  for (; free.More(); free.Next())
     if (!ends.Contains(free.Current())) vertices.Add(free.Current());
 }
 

@@ -264,7 +264,7 @@ std::optional<double> area_within_images(const TopoDS_Face& face) {
   std::vector<BorderImage> border;
   try {
     for (const TopoDS_Edge& edge : edges_of(plain)) {
-      if (edge.Orientation() == TopAbs_INTERNAL || edge.Orientation() == TopAbs_EXTERNAL) continue;
+      if (!is_bounding(edge)) continue;
       const EdgeImage image = image_of(edge, plain);
       if (image.curve.IsNull()) return std::nullopt;
       const Geom2dAdaptor_Curve curve(image.curve, image.first, image.last);

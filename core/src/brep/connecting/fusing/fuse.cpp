@@ -24,9 +24,7 @@ constexpr double area_share = 1e-3;
 class Fuser {
  public:
   Fuser(const Workpiece& work, const std::vector<int>& parts, const std::vector<TopoDS_Vertex>& points)
-      : work_(work), shapes_(work.parts.size()) {
-    is_member_.resize(work.parts.size(), false);
-    for (int part : parts) is_member_[part] = true;
+      : work_(work), shapes_(work.parts.size()), is_member_(marked_parts(work, parts)) {
     list_shapes();
     for (int part : parts) add_arguments(part);
     for (const TopoDS_Vertex& point : points) arguments_.Append(point);

@@ -36,8 +36,7 @@ std::vector<TopoDS_Edge> loop_of(const TopoDS_Face& face) {
   std::vector<TopoDS_Edge> edges;
   for (TopoDS_Iterator it(wires[0]); it.More(); it.Next()) {
     const TopoDS_Edge edge = TopoDS::Edge(it.Value());
-    const bool is_side = edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
-    if (!is_side || BRep_Tool::Degenerated(edge)) return {};
+    if (!is_bounding(edge) || BRep_Tool::Degenerated(edge)) return {};
     double first = 0, last = 0;
     if (Handle(Geom_Line)::DownCast(untrimmed(BRep_Tool::Curve(edge, first, last))).IsNull()) return {};
     edges.push_back(edge);
@@ -75,8 +74,7 @@ class MatchingParts {
 
  private:
   bool list_polygons() {
-    std::vector<char> is_member(work_.parts.size(), 0);
-    for (const int part : parts_) is_member[part] = 1;
+    const std::vector<char> is_member = marked_parts(work_, parts_);
     for (const int part : parts_)
       if (work_.parts[part].is_loose) return false;
     if (std::ranges::any_of(work_.wires, [&](const WorkWire& wire) { return is_member[wire.part]; }) ||
@@ -245,6 +243,7 @@ class MatchingParts {
       const double apart = norm(points_[i] - points_[first_vertex_[i]]);
       if (apart > 0) builder.UpdateVertex(first, apart + BRep_Tool::Tolerance(TopoDS::Vertex(vertices_(i + 1))));
     }
+    images_.resize(edges_.Extent());
     for (int e = 0; e < edges_.Extent(); ++e) {
       if (first_edge_[e] != e) continue;
       const TopoDS_Edge edge = forward(TopoDS::Edge(edges_(e + 1)));
@@ -257,8 +256,8 @@ class MatchingParts {
       images_[e] = image;
     }
     for (int e = 0; e < edges_.Extent(); ++e)
-      if (!edges_(e + 1).IsSame(images_.at(first_edge_[e])))
-        made.edges.push_back({edges_(e + 1), images_.at(first_edge_[e])});
+      if (const TopoDS_Edge& image = images_[first_edge_[e]]; !edges_(e + 1).IsSame(image))
+        made.edges.push_back({edges_(e + 1), image});
   }
 
   bool is_first(const TopoDS_Vertex& vertex) const { return first_of(vertex).IsSame(vertex); }
@@ -274,7 +273,7 @@ class MatchingParts {
       TopoDS_Shape loop = wire.EmptyCopied().Oriented(TopAbs_FORWARD);
       for (TopoDS_Iterator it(wire.Oriented(TopAbs_FORWARD)); it.More(); it.Next()) {
         const TopoDS_Edge edge = TopoDS::Edge(it.Value());
-        TopoDS_Edge first = images_.at(first_edge_[edges_.FindIndex(edge) - 1]);
+        TopoDS_Edge first = images_[first_edge_[edges_.FindIndex(edge) - 1]];
         if (!first_of(TopExp::FirstVertex(edge, Standard_True)).IsSame(TopExp::FirstVertex(first))) first.Reverse();
         is_same = is_same && first.IsSame(edge);
         builder.Add(loop, first);
@@ -294,7 +293,7 @@ class MatchingParts {
   std::vector<Vec3> points_;                                    // of vertices
   std::vector<Vec3> axes_;                                      // of two polygons
   std::vector<int> first_vertex_, first_edge_, first_polygon_;  // of those in one place, per each
-  std::map<int, TopoDS_Edge> images_;                           // of first edges
+  std::vector<TopoDS_Edge> images_;                             // of first edges
 };
 
 }  // namespace

@@ -1,12 +1,10 @@
 // Balls get another axis, and so other poles and another periodic edge, where the kernel fails at these: it loses track
 // of an intersection that goes through a pole.
 #include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRep_Tool.hxx>
 #include <ElSLib.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
-#include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,14 +35,12 @@ Handle(Geom_SphericalSurface) ball_of(const WorkFace& face) {
 /// Whether a pole of a ball with that axis comes near a bent face of the parts.
 bool has_pole_on(const Workpiece& work, const gp_Pnt& centre, const gp_Vec& to_pole, const std::vector<int>& parts) {
   const double near = near_share * to_pole.Magnitude();
-  for (const gp_Pnt& pole : {centre.Translated(to_pole), centre.Translated(-to_pole)}) {
-    const TopoDS_Vertex vertex = BRepBuilderAPI_MakeVertex(pole);
+  for (const gp_Pnt& pole : {centre.Translated(to_pole), centre.Translated(-to_pole)})
     for (const WorkFace& face : work.faces) {
       if (!face.is_usable() || !std::ranges::any_of(parts, [&](int part) { return face.has_part(part); })) continue;
       if (!Handle(Geom_Plane)::DownCast(untrimmed(BRep_Tool::Surface(face.face))).IsNull()) continue;
-      if (const auto nearest = nearest_places(vertex, face.face); nearest && nearest->Value() < near) return true;
+      if (is_near(pole, face.face, near)) return true;
     }
-  }
   return false;
 }
 
@@ -73,12 +69,13 @@ void turn(Workpiece& work, WorkFace& face, const Handle(Geom_SphericalSurface) &
 }  // namespace
 
 bool turn_balls(Workpiece& work, const std::vector<int>& parts, const std::vector<PartPair>& pairs, bool are_all) {
+  const std::vector<char> is_member = marked_parts(work, parts);
   bool has_turned = false;
   for (WorkFace& face : work.faces) {
     const Handle(Geom_SphericalSurface) ball = ball_of(face);
     if (ball.IsNull()) continue;
     const int part = face.uses[0].part;
-    if (std::ranges::find(parts, part) == parts.end()) continue;
+    if (!is_member[part]) continue;
     std::vector<int> others;
     for (const PartPair& pair : pairs)
       if (pair[0] == part || pair[1] == part) others.push_back(pair[0] == part ? pair[1] : pair[0]);

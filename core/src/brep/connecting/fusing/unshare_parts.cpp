@@ -53,8 +53,7 @@ bool unshare_parts(Workpiece& work, const std::vector<int>& parts) {
 }
 
 bool has_inner_points(const Workpiece& work, const std::vector<int>& parts) {
-  std::vector<char> is_member(work.parts.size(), 0);
-  for (const int part : parts) is_member[part] = 1;
+  const std::vector<char> is_member = marked_parts(work, parts);
   return std::ranges::any_of(work.faces, [&](const WorkFace& face) {
     return std::ranges::any_of(face.uses, [&](const FaceUse& use) { return is_member[use.part] != 0; }) &&
            TopExp_Explorer(face.face, TopAbs_VERTEX, TopAbs_EDGE).More();

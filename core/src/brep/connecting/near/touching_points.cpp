@@ -2,7 +2,6 @@
 // edges and poles; inside both faces it depends on rounding whether they meet at all.
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRep_Builder.hxx>
-#include <Standard_Failure.hxx>
 #include <algorithm>
 
 #include "brep/connecting/connect_impl.h"
@@ -26,15 +25,6 @@ bool may_touch_in_points(Candidate& one, Candidate& two) {
 }
 
 }  // namespace
-
-std::optional<BRepExtrema_DistShapeShape> nearest_places(const TopoDS_Shape& one, const TopoDS_Shape& two) {
-  try {
-    BRepExtrema_DistShapeShape nearest(one, two);
-    return nearest.IsDone() ? std::optional(nearest) : std::nullopt;
-  } catch (const Standard_Failure&) {
-    return std::nullopt;
-  }
-}
 
 std::vector<TopoDS_Vertex> find_touching_points(const Workpiece& work, const std::vector<PartPair>& pairs,
                                                 double tolerance, const Progress& progress) {
