@@ -1,6 +1,7 @@
 #include "boundary/facing/equal_sums.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace paver {
 namespace {
@@ -19,33 +20,40 @@ class Restoring {
  public:
   Restoring(const std::vector<OppositeSides>& pairs, const TiedCounts& before, TiedCounts& tied)
       : before_(before), tied_(tied), of_group_(tied.groups.size()) {
-    for (const OppositeSides& pair : pairs) {
-      if (!is_equal(pair, before)) continue;
-      pairs_.push_back(&pair);
-      for (int e : pair.edges()) of_group_[tied.group[e]].push_back(&pair);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (!is_equal(pairs[i], before)) continue;
+      pairs_.push_back({&pairs[i], before.is_thin[i] != 0});
+      for (int e : pairs[i].edges()) of_group_[tied.group[e]].push_back(pairs_.back());
     }
   }
 
   void run() {
-    // Every change leaves fewer unequal pairs.
-    while (std::ranges::count_if(pairs_, [&](const OppositeSides* pair) { return restore(*pair); }) > 0) {
+    // Every change leaves fewer unequal pairs, of thin faces first.
+    while (std::ranges::count_if(pairs_, [&](const Pair& pair) { return restore(*pair.sides); }) > 0) {
     }
   }
 
  private:
+  struct Pair {
+    const OppositeSides* sides;
+    bool is_thin;  // of a thin face
+  };
+
   bool restore(const OppositeSides& pair) {
     if (is_equal(pair, tied_)) return false;
     return std::ranges::any_of(pair.edges(), [&](int e) { return turn_back(tied_.group[e]); });
   }
 
-  /// Whether the group's count, changed the other way, leaves fewer unequal pairs.
+  /// Whether the group's count, changed the other way, leaves fewer unequal pairs, of thin faces first.
   bool turn_back(int group) {
     EdgeCount& now = tied_.groups[group];
     const int other = 2 * before_.groups[group].count - now.count;
     if (other == now.count || other < std::max(now.minimum, 1)) return false;
     const auto unequal = [&] {
-      return std::ranges::count_if(of_group_[group],
-                                   [&](const OppositeSides* pair) { return !is_equal(*pair, tied_); });
+      int thin = 0, all = 0;
+      for (const Pair& pair : of_group_[group])
+        if (!is_equal(*pair.sides, tied_)) ++all, thin += pair.is_thin ? 1 : 0;
+      return std::pair(thin, all);
     };
     const auto least = unequal();
     const int kept = now.count;
@@ -57,8 +65,8 @@ class Restoring {
 
   const TiedCounts& before_;
   TiedCounts& tied_;
-  std::vector<const OppositeSides*> pairs_;                  // equal before
-  std::vector<std::vector<const OppositeSides*>> of_group_;  // of those, by group
+  std::vector<Pair> pairs_;                  // equal before
+  std::vector<std::vector<Pair>> of_group_;  // of those, by group
 };
 
 }  // namespace

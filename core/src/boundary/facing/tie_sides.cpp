@@ -13,6 +13,7 @@
 #include <numeric>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "base/union_find.h"
 #include "boundary/facing/side_chain.h"
@@ -229,12 +230,12 @@ bool has_lone_vertices(const Model& model, const OppositeSides& pair) {
 }
 
 /// Of sides that are single edges, also of those that face one across another thin face.
-void find_faced(const std::vector<OppositeSides>& pairs, const std::vector<bool>& is_thin,
+void find_faced(const std::vector<OppositeSides>& pairs, const std::vector<char>& is_thin,
                 const std::vector<EdgeCount>& counts, std::vector<EdgeKind>& kinds) {
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (!is_thin[i] || pairs[i].partner < 0) continue;
+      if (is_thin[i] == 0 || pairs[i].partner < 0) continue;
       auto raise = [&](const std::vector<int>& side, const std::vector<int>& other) {
         if (side.size() != 1) return;
         int& faced = kinds[side[0]].faced;
@@ -253,13 +254,13 @@ void find_faced(const std::vector<OppositeSides>& pairs, const std::vector<bool>
 TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSides>& pairs,
                               const std::vector<std::vector<Loop>>& loops, const std::vector<EdgeCount>& counts) {
   std::vector<EdgeKind> kinds(counts.size());
-  std::vector<bool> is_thin;
+  std::vector<char> is_thin;
   for (const OppositeSides& pair : pairs) {
-    is_thin.push_back(is_within(thin, model, pair, counts));
+    is_thin.push_back(is_within(thin, model, pair, counts) ? 1 : 0);
     const bool is_row = pair.partner >= 0 && is_within(narrow, model, pair, counts);
     for (int e : pair.edges()) {
       kinds[e].is_rim = kinds[e].is_rim || is_row || (pair.partner < 0 && !pair.is_crescent && !pair.is_gap);
-      kinds[e].is_of_thin = kinds[e].is_of_thin || is_thin.back();
+      kinds[e].is_of_thin = kinds[e].is_of_thin || is_thin.back() != 0;
     }
   }
   find_faced(pairs, is_thin, counts, kinds);
@@ -271,7 +272,7 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const OppositeSides& p = pairs[i];
     can_equal.push_back(are_divided(p.edges(), counts) && is_narrow(model, p, counts) && tying.can_equal(p) &&
-                        (is_thin[i] || p.is_moon || !(p.is_crescent || p.is_gap)));
+                        (is_thin[i] != 0 || p.is_moon || !(p.is_crescent || p.is_gap)));
   }
   std::vector<int> order(pairs.size());
   std::iota(order.begin(), order.end(), 0);
@@ -280,20 +281,23 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
     return std::ranges::all_of(side, [&](int e) { return counts[e].is_short; });
   };
   auto is_unlike = [&](const OppositeSides& pair) { return is_short(pair.first) != is_short(pair.second); };
-  std::ranges::stable_sort(
-      order, {}, [&](int i) { return std::tuple(!is_thin[i], is_unlike(pairs[i]), -model.faces[pairs[i].face].area); });
+  std::ranges::stable_sort(order, {}, [&](int i) {
+    return std::tuple(is_thin[i] == 0, is_unlike(pairs[i]), -model.faces[pairs[i].face].area);
+  });
   std::erase_if(order, [&](int i) { return !can_equal[i]; });
   auto makes_grid = [&](int i) { return pairs[i].partner < 0 || can_equal[pairs[i].partner]; };
   for (int i : order) {
     const OppositeSides& pair = pairs[i];
-    if (pair.first.size() != pair.second.size() || (is_thin[i] && has_lone_vertices(model, pair))) continue;
+    if (pair.first.size() != pair.second.size() || (is_thin[i] != 0 && has_lone_vertices(model, pair))) continue;
     for (std::size_t k = 0; k < pair.first.size(); ++k)
       tying.join_if_alike(pair.first[k], pair.second[k], makes_grid(i));
   }
   tying.choose_counts();
   for (int i : order)
     if (makes_grid(i)) tying.equal_sums(pairs[i]);
-  return tying.result();
+  TiedCounts tied = tying.result();
+  tied.is_thin = std::move(is_thin);
+  return tied;
 }
 
 }  // namespace paver

@@ -13,6 +13,7 @@ namespace paver {
 struct TiedCounts {
   std::vector<int> group;         ///< per edge: its group
   std::vector<EdgeCount> groups;  ///< wish: the members' mean; minimum: the largest of theirs
+  std::vector<char> is_thin;      ///< per pair of opposite sides: of a face far narrower than its intervals
 };
 
 /// Ties sides that lie opposite each other on a face with four corners between 45 and 135 degrees and smooth sides, and
