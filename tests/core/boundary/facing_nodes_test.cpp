@@ -76,7 +76,7 @@ TEST(FacingNodes, NoneMovesWhereVerticesOfBothSidesWouldCross) {
 }
 
 TEST(FacingNodes, RowsThatLeanLittleStay) {
-  const Model model = fake::polygon({{0, 0, 0}, {4, 0, 0}, {4, 0.3, 0}, {2.2, 0.3, 0}, {0, 0.3, 0}});
+  const Model model = fake::polygon({{0, 0, 0}, {4, 0, 0}, {4, 0.3, 0}, {2.1, 0.3, 0}, {0, 0.3, 0}});
   EXPECT_TRUE(moved_in(model, {4, 1, 2, 2, 1}).empty());
 }
 

@@ -3,8 +3,8 @@
 // Steps: narrow faces with as many intervals on either side; nodes inside an edge follow the vertices they face, and
 // the nodes of edges that have moved themselves; until nothing moves. Rows across a narrow face join nodes of equal
 // number: where a trace ends on one side of a board's thin wall, evenly divided edges beyond lean such rows until they
-// are needles. A node moves only until its row leans by 45 degrees, and so neither side gets intervals shorter than
-// both had; where both sides have vertices, by half of that, as what faces it may move, too. Rims of rings likewise.
+// are needles. A node moves only until its row leans by half of the width (27 degrees), and so neither side gets
+// intervals shorter than both had. Rims of rings likewise.
 #include "boundary/facing/facing_nodes.h"
 
 #include <algorithm>
@@ -17,6 +17,7 @@ namespace paver {
 namespace {
 
 constexpr double narrow = 0.7;           // intervals: wider faces are paved, not laid as one row
+constexpr double leaning = 0.5;          // of the width: rows may, by 27 degrees
 constexpr double exactly = 1e-6;         // of the width: more than rounding
 constexpr double bulging = 0.5;          // of the width: chords of circles lie so far off them
 constexpr double least_interval = 0.25;  // of the shortest there was on both sides
@@ -60,10 +61,9 @@ std::vector<double> shared_places(const Nodes& one, const Nodes& other) {
 using Place = std::vector<double>::iterator;
 
 /// Between two nodes that are set on both sides and face each other: moves nodes of both that are not.
-void follow_between(const Nodes& one, const Nodes& other, double width, Place first, Place second) {
+void follow_between(const Nodes& one, const Nodes& other, double slack, Place first, Place second) {
   if (!one.has_set() && !other.has_set()) return;
   const std::vector<double> shared = shared_places(one, other);
-  const double slack = (one.has_set() && other.has_set() ? 0.5 : 1) * width;
   auto move = [&](const Nodes& nodes, Place place) {
     for (std::size_t i = 0; i < shared.size(); ++i) {
       const double opposite = nodes.places.front() + shared[i] * nodes.length();
@@ -143,15 +143,16 @@ class Following {
     const double least = least_interval * std::min(shortest(one.places), shortest(other.places));
     // Chords of rims that bulge by more than that would cross unless their nodes lie exactly opposite.
     const bool is_bent = is_ring && 0.25 * M_PI * interval * interval > bulging * width * shorter;
+    const double slack = (is_bent ? exactly : leaning) * width;
     std::vector<double> first = one.places, second = other.places;
     if (pair.is_crescent && chains->first.length > chains->second.length)
       go_opposite(chains->first, one, chains->second, other, second);
     else if (pair.is_crescent)
       go_opposite(chains->second, other, chains->first, one, first);
     else if (is_turned)
-      follow_round(one, other, opposite, (is_bent ? exactly : 0.5) * width, first.begin(), second.begin());
+      follow_round(one, other, opposite, slack, first.begin(), second.begin());
     else
-      follow_parts(one, other, (is_bent ? exactly : 1) * width, is_ring, first.begin(), second.begin());
+      follow_parts(one, other, slack, is_ring, first.begin(), second.begin());
     if (shortest(first) < least || shortest(second) < least) return false;
     std::vector<MovedNodes> next;
     add_moved(chains->first, one.places, first, next);
