@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
@@ -129,6 +130,57 @@ TEST(MergeSmall, ABoxWithSmallFilletsIsABox) {
   EXPECT_EQ(result.report.quality.triangles, 0);
   EXPECT_LT(result.report.quality.distance.largest, 0.05);
   EXPECT_GT(shortest_line(result.mesh), 1.5);
+}
+
+/// Of 14 x 24 x 8: its upright edges rounded by 1 mm, then the edges of its top and its bottom by half of that.
+TopoDS_Shape rounded_block() {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(14, 24, 8).Shape();
+  BRepFilletAPI_MakeFillet upright(box);
+  for (TopExp_Explorer edge(box, TopAbs_EDGE); edge.More(); edge.Next()) {
+    const BRepAdaptor_Curve curve(TopoDS::Edge(edge.Current()));
+    if (std::abs(curve.Line().Direction().Z()) > 0.5) upright.Add(1, TopoDS::Edge(edge.Current()));
+  }
+  BRepFilletAPI_MakeFillet rims(upright.Shape());
+  for (TopExp_Explorer edge(upright.Shape(), TopAbs_EDGE); edge.More(); edge.Next()) {
+    const BRepAdaptor_Curve curve(TopoDS::Edge(edge.Current()));
+    if (curve.GetType() == GeomAbs_Line && std::abs(curve.Line().Direction().Z()) < 0.5)
+      rims.Add(0.5, TopoDS::Edge(edge.Current()));
+  }
+  return rims.Shape();
+}
+
+TEST(MergeSmall, ABandGoesToOneSide) {
+  const MeshResult result = test::mesh_of(rounded_block(), 1000);
+  EXPECT_STREQ(verdict(result.report), "sound");
+  EXPECT_TRUE(result.report.quality.watertight);
+  EXPECT_EQ(result.report.merges.size(), 16U) << "two bands of eight faces";
+}
+
+/// Flat, with a hole; about it a ring whose inner rim begins on the other side.
+TopoDS_Shape plate_with_ring() {
+  auto circle = [](double radius, double along) {
+    return BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(), gp_Dir(0, 0, 1), gp_Dir(along, 0, 0)), radius)).Edge();
+  };
+  const TopoDS_Edge outer = circle(4.75, 1), middle = circle(0.525, 1), inner = circle(0.35, -1);
+  auto between = [](const TopoDS_Edge& one, const TopoDS_Edge& other) {
+    BRepBuilderAPI_MakeFace face(gp_Pln(), BRepBuilderAPI_MakeWire(one).Wire());
+    face.Add(TopoDS::Wire(BRepBuilderAPI_MakeWire(other).Wire().Reversed()));
+    return face.Face();
+  };
+  TopoDS_Shell shell;
+  BRep_Builder builder;
+  builder.MakeShell(shell);
+  builder.Add(shell, between(outer, middle));
+  builder.Add(shell, between(middle, inner));
+  return shell;
+}
+
+TEST(MergeSmall, ARingGoesWhereverItsRimsBegin) {
+  for (double size : {1.0, 3.0, 10.0, 1000.0}) {
+    const MeshResult result = test::mesh_of(plate_with_ring(), size);
+    EXPECT_STREQ(verdict(result.report), "sound") << size;
+    EXPECT_NEAR(result.report.quality.mesh_area, std::numbers::pi * (4.75 * 4.75 - 0.35 * 0.35), 1) << size;
+  }
 }
 
 TEST(MergeSmall, LargeFilletsStay) {

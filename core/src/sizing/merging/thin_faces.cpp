@@ -27,6 +27,7 @@ struct Sides {
   Side one, two;          // run the same way
   std::vector<int> ends;  // edges between them
   double limit = 0;       // they are no farther apart
+  bool is_forced = true;  // the other one could not stay
 };
 
 class ThinFaces {
@@ -37,10 +38,13 @@ class ThinFaces {
   void run() {
     // Faces of a narrow band end at one another: first which of them can go, if those do that they end at.
     const auto count = static_cast<int>(edits_.model().faces.size());
+    stays_at_.assign(static_cast<std::size_t>(count), -1);
+    goes_at_ = stays_at_;
     for (int f = 0; f < count; ++f) {
       sides_.push_back(find(f));
       may_go_.push_back(sides_.back().has_value());
     }
+    align_bands();
     for (bool has_changed = true; has_changed;) {
       has_changed = false;
       for (int f = 0; f < count; ++f) {
@@ -102,14 +106,74 @@ class ThinFaces {
     if (count < 2 || count > most_edges || loops.size() > 2 || !limits_.is_thin(f)) return std::nullopt;
     const double limit = limits_.thin_face(limits_.longest_edge(f));
     std::optional<Sides> sides =
-        loops.size() == 2 ? sides_of_ring(std::move(loops), limit) : sides_between_ends(loops.front(), limit);
+        loops.size() == 2 ? sides_of_ring(std::move(loops), limit) : sides_between_ends(f, loops.front(), limit);
     if (!sides) return std::nullopt;
     sides->ends.insert(sides->ends.end(), periodic.begin(), periodic.end());
     sides->limit = limit;
     const std::optional<double> one = corner_across(f, sides->one), two = corner_across(f, sides->two);
     if (!one && !two) return std::nullopt;
     if (!two || (one && *one < *two)) std::swap(sides->one, sides->two);
-    return sides;
+    if (!one || !two) return sides;
+    Sides other = *sides;
+    std::swap(other.one, other.two);
+    const bool can_stay = can_lose(f, *sides), can_change = can_lose(f, other);
+    sides->is_forced = other.is_forced = can_stay != can_change;
+    const bool is_asked = borders(f, other.one, stays_at_[f]) && !borders(f, sides->one, stays_at_[f]);
+    return can_change && (!can_stay || is_asked) ? other : sides;
+  }
+
+  /// Whether a side of the face lies at this one.
+  bool borders(int f, const Side& side, int other) const {
+    return other >= 0 && std::ranges::any_of(side, [&](const SideEdge& e) { return neighbour(f, e.edge) == other; });
+  }
+
+  /// Whether the two sides lie at the faces at which they were found first.
+  bool lie_as_before(int f, const Sides& sides) const {
+    const int stays = stays_at_[f], goes = goes_at_[f];
+    return (borders(f, sides.one, stays) && borders(f, sides.two, goes)) ||
+           (borders(f, sides.one, goes) && borders(f, sides.two, stays));
+  }
+
+  /// Faces of a band, which end at one another, all keep the same side of it: that of those that have no choice, else
+  /// that of the first.
+  void align_bands() {
+    const auto count = static_cast<int>(sides_.size());
+    std::vector<char> is_aligned(sides_.size(), 0);
+    for (const bool is_forced : {true, false})
+      for (int f = 0; f < count; ++f)
+        if (sides_[f] && is_aligned[f] == 0 && sides_[f]->is_forced == is_forced) align_band(f, is_aligned);
+    for (int f = 0; f < count; ++f)
+      if (sides_[f]) {
+        stays_at_[f] = neighbour(f, sides_[f]->one.front().edge);
+        goes_at_[f] = neighbour(f, sides_[f]->two.front().edge);
+      }
+  }
+
+  void align_band(int first, std::vector<char>& is_aligned) {
+    std::vector<int> open{first};
+    is_aligned[first] = 1;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const Sides& before = *sides_[open[i]];
+      for (int end : before.ends)
+        for (int next : edits_.edge(end).faces) {
+          if (!sides_[next] || is_aligned[next] != 0 ||
+              std::ranges::find(sides_[next]->ends, end) == sides_[next]->ends.end())
+            continue;
+          Sides& sides = *sides_[next];
+          if (!sides.is_forced && !meet_at(before.one, sides.one, end)) std::swap(sides.one, sides.two);
+          is_aligned[next] = 1;
+          open.push_back(next);
+        }
+    }
+  }
+
+  /// Whether two sides end at one vertex of an edge between them.
+  bool meet_at(const Side& a, const Side& b, int edge) const {
+    auto ends_at = [&](const Side& side, int vertex) {
+      return edits_.start_of(side.front()) == vertex || edits_.end_of(side.back()) == vertex;
+    };
+    const Edge& end = edits_.edge(edge);
+    return (ends_at(a, end.start) && ends_at(b, end.start)) || (ends_at(a, end.end) && ends_at(b, end.end));
   }
 
   /// Loops without periodic edges, which tie the two loops of a ring. None where the face has poles or images fail;
@@ -141,27 +205,28 @@ class ThinFaces {
     return loops;
   }
 
-  /// Each begins at a vertex that has one of the other opposite.
+  /// Each begins at a vertex that has one of the other opposite, no farther away than twice what the two are apart.
   std::optional<Sides> sides_of_ring(std::vector<Side> loops, double limit) const {
     Side one = std::move(loops[0]), two = reversed(std::move(loops[1]));
+    std::size_t first = 0, second = 0;
+    double least = INFINITY;
     for (std::size_t i = 0; i < one.size(); ++i)
       for (std::size_t k = 0; k < two.size(); ++k) {
-        if (norm(edits_.point(edits_.start_of(one[i])) - edits_.point(edits_.start_of(two[k]))) > opposite * limit)
-          continue;
-        std::rotate(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(i), one.end());
-        std::rotate(two.begin(), two.begin() + static_cast<std::ptrdiff_t>(k), two.end());
-        // An elbow is as short on its inner side: the pipe before it does not end where that after it begins.
-        if (distance_between(edits_, one, two, limit) > limit ||
-            tilt_between(edits_, one, two) > smooth_angle * M_PI / 180)
-          return std::nullopt;
-        return Sides{one, two, {}};
+        const double away = norm(edits_.point(edits_.start_of(one[i])) - edits_.point(edits_.start_of(two[k])));
+        if (away < least) least = away, first = i, second = k;
       }
-    return std::nullopt;
+    std::rotate(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(first), one.end());
+    std::rotate(two.begin(), two.begin() + static_cast<std::ptrdiff_t>(second), two.end());
+    // An elbow is as short on its inner side: the pipe before it does not end where that after it begins.
+    const double width = distance_between(edits_, one, two, limit);
+    if (width > limit || least > opposite * width || tilt_between(edits_, one, two) > smooth_angle * M_PI / 180)
+      return std::nullopt;
+    return Sides{one, two, {}};
   }
 
   /// Of all pairs of ends those that leave sides of about one length; of these the sides that are nearest, and of
   /// such as are about as near those with edges at their ends: in a side it has no counterpart in the other.
-  std::optional<Sides> sides_between_ends(const Side& loop, double limit) const {
+  std::optional<Sides> sides_between_ends(int f, const Side& loop, double limit) const {
     struct End {
       std::size_t first, behind;  // the sides end before `first` and begin at `behind`
     };
@@ -189,6 +254,7 @@ class ThinFaces {
     if (pairs.size() > most_pairs) pairs.resize(most_pairs);
     std::optional<Sides> best;
     double least = limit;
+    bool is_known = false;  // the sides that the face had before others were merged
     for (const Pair& pair : pairs) {
       const End &a = ends[pair.a], &b = ends[pair.b];
       Sides sides;
@@ -197,6 +263,9 @@ class ThinFaces {
       sides.two = reversed(sides.two);
       for (const End& end : {a, b})
         if (end.behind > end.first) sides.ends.push_back(loop[end.first % n].edge);
+      const bool is_known_one = lie_as_before(f, sides);
+      if (is_known && !is_known_one) continue;
+      if (is_known_one && !is_known) is_known = true, best.reset(), least = limit;
       const bool has_more_ends = best && sides.ends.size() > best->ends.size();
       const double distance = distance_between(edits_, sides.one, sides.two, least / clearly);
       if (distance < (has_more_ends ? 1 / clearly : best ? clearly : 1) * least)
@@ -264,19 +333,8 @@ class ThinFaces {
 
   /// What goes is nobody else's, and all faces about it keep a border.
   bool can_go(int f, const Sides& sides) const {
-    const auto& [kept, gone, ends, limit] = sides;
-    std::vector<int> own = ends;
-    for (const SideEdge& e : gone) own.push_back(e.edge);
-    for (const SideEdge& e : gone) {
-      const bool is_held = limits_.holds(edits_.start_of(e), own, limits_.width(f)) ||
-                           limits_.holds(edits_.end_of(e), own, limits_.width(f));
-      if (edits_.is_fixed(edits_.start_of(e)) || edits_.is_fixed(edits_.end_of(e)) || is_held) return false;
-      if (!is_hairline(f) && limits_.is_sharp(e.edge) && edits_.edge(e.edge).length >= limits_.short_edge(e.edge))
-        return false;
-    }
-    for (const SideEdge& e : gone)
-      for (const SideEdge& k : kept)
-        if (e.edge == k.edge || neighbour(f, e.edge) == neighbour(f, k.edge)) return false;
+    if (!can_lose(f, sides)) return false;
+    const std::vector<int>& ends = sides.ends;
     for (int end : ends) {
       if (limits_.is_protected(end)) return false;
       for (int user : edits_.edge(end).faces)
@@ -285,6 +343,23 @@ class ThinFaces {
              limits_.sharpens(user, end)))
           return false;
     }
+    return true;
+  }
+
+  /// Whether the second side may go.
+  bool can_lose(int f, const Sides& sides) const {
+    std::vector<int> own = sides.ends;
+    for (const SideEdge& e : sides.two) own.push_back(e.edge);
+    for (const SideEdge& e : sides.two) {
+      const bool is_held = limits_.holds(edits_.start_of(e), own, limits_.width(f)) ||
+                           limits_.holds(edits_.end_of(e), own, limits_.width(f));
+      if (edits_.is_fixed(edits_.start_of(e)) || edits_.is_fixed(edits_.end_of(e)) || is_held) return false;
+      if (!is_hairline(f) && limits_.is_sharp(e.edge) && edits_.edge(e.edge).length >= limits_.short_edge(e.edge))
+        return false;
+    }
+    for (const SideEdge& e : sides.two)
+      for (const SideEdge& k : sides.one)
+        if (e.edge == k.edge || neighbour(f, e.edge) == neighbour(f, k.edge)) return false;
     return true;
   }
 
@@ -299,6 +374,7 @@ class ThinFaces {
   std::vector<Merge>& merges_;
   std::vector<std::optional<Sides>> sides_;  // per face, before any is merged
   std::vector<char> may_go_;                 // per face
+  std::vector<int> stays_at_, goes_at_;      // per face: one at the side that stays, or goes; -1: not found yet
 };
 
 }  // namespace
