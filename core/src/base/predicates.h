@@ -1,6 +1,8 @@
 // Exact orientation test: every decision about overlap and inversion rests on it.
 #pragma once
 
+#include <span>
+
 #include "paver/vec.h"
 
 namespace paver {
@@ -23,6 +25,17 @@ inline double orientation(Vec2 a, Vec2 b, Vec2 c) {
 inline int side_of_line(Vec2 a, Vec2 b, Vec2 c) {
   const double area = orientation(a, b, c);
   return area > 0 ? 1 : (area < 0 ? -1 : 0);
+}
+
+/// Whether p lies inside a polygon and is none of its corners.
+inline bool is_inside(std::span<const Vec2> polygon, Vec2 p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 from = polygon[i], to = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+    if (from == p) return false;
+    if ((from.y > p.y) != (to.y > p.y) && (orientation(from, to, p) > 0) == (to.y > from.y)) inside = !inside;
+  }
+  return inside;
 }
 
 /// Whether d lies inside the circle through a, b, c (counter-clockwise) by more than rounding.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/box.h"
+#include "base/predicates.h"
 #include "brep/occt_shapes_impl.h"
 #include "brep/surfaces/evaluators_impl.h"
 #include "topology/build_parts_impl.h"
@@ -192,15 +193,6 @@ class LoopBuilder : CoedgeWalker {
     return area;
   }
 
-  static bool is_inside(Vec2 p, const std::vector<Vec2>& polygon) {
-    bool inside = false;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      Vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
-    }
-    return inside;
-  }
-
   /// The largest loop must run counter-clockwise and those inside it clockwise. Surfaces that close on themselves are
   /// left alone: there a loop's area in (u, v) says nothing about its side.
   void turn_loops() {
@@ -216,7 +208,7 @@ class LoopBuilder : CoedgeWalker {
     for (std::size_t i = 1; i < areas.size(); ++i)
       if (larger(outer, i)) outer = i;
     for (std::size_t i = 0; i < areas.size(); ++i) {
-      bool is_wrong = i == outer ? areas[i] < 0 : areas[i] > 0 && is_inside(polygons[i][0], polygons[outer]);
+      bool is_wrong = i == outer ? areas[i] < 0 : areas[i] > 0 && is_inside(polygons[outer], polygons[i][0]);
       if (!is_wrong) continue;
       Chain& chain = result_.loops[i].coedges;
       std::reverse(chain.begin(), chain.end());

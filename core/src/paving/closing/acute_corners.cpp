@@ -134,19 +134,6 @@ class AcuteCorner {
     return std::any_of(others.begin(), others.end(), [&](Vec2 p) { return is_inside(outline, p); });
   }
 
-  // Strictly; the outline's own nodes are not.
-  static bool is_inside(const std::vector<Vec2>& outline, Vec2 p) {
-    bool inside = false;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      Vec2 from = outline[i], to = outline[(i + 1) % outline.size()];
-      if (from.x == p.x && from.y == p.y) return false;
-      if ((from.y > p.y) == (to.y > p.y)) continue;
-      bool is_up = to.y > from.y;
-      if ((orientation(from, to, p) > 0) == is_up) inside = !inside;
-    }
-    return inside;
-  }
-
   const Region& region_;
   RegionMesh& mesh_;
   const std::vector<int>& nodes_;

@@ -11,6 +11,7 @@
 #include "paving/closing/closed_tube_rows.h"
 #include "paving/closing/fan_rings.h"
 #include "paving/closing/hole_rings.h"
+#include "paving/closing/rounded_corners.h"
 #include "paving/closing/tube_rows.h"
 #include "paving/front/loop_node.h"
 #include "paving/front/wide_corners.h"
@@ -87,6 +88,8 @@ std::optional<int> Front::start(std::optional<double> sharpest_corner) {
   }
   note_boundary(loops);
   const std::vector<Vec2> places = mesh.p;
+  for (std::size_t l = 0; sharpest_corner && l < loops.size(); ++l)
+    lay_rounded_corners(region, mesh, region.loops[l], loops[l], places);
   for (std::size_t l = 0; sharpest_corner && l < loops.size(); ++l)
     lay_acute_corners(region, mesh, region.loops[l], loops[l], places, *sharpest_corner);
   auto left = lay_closed_tube_rows(region, mesh, lay_tube_rows(region, mesh, loops));
