@@ -143,7 +143,7 @@ EdgeCounts choose_counts(const Model& model, const SizeField& size, Progress& pr
   even_out(loops, all_quad, tied);
   restore_equal_sums(pairs, before, tied);
 
-  EdgeCounts result{{}, std::move(opposite)};
+  EdgeCounts result{{}, std::move(opposite), edges_together(pairs, tied)};
   for (int group : tied.group) result.count.push_back(tied.groups[group].count);
   return result;
 }

@@ -38,7 +38,8 @@ struct EdgeNodes {
 /// How edges are to be divided.
 struct EdgeCounts {
   std::vector<int> count;  ///< intervals per edge
-  OppositeShares opposite;
+  OppositeShares opposite{};
+  std::vector<std::vector<int>> together{};  ///< edges that lie along thin faces with equal counts on both sides
 };
 
 /// Interval counts per edge: max(1, round(integral of ds/h)), at least 3 on an edge that closes on itself, no interval

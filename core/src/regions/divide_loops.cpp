@@ -183,7 +183,16 @@ class LoopDivider {
  public:
   LoopDivider(const Model& model, const SizeField& size, const std::vector<FaceLayout>& layouts,
               const EdgeCounts& counts, bool is_curved, SharedTasks& tasks)
-      : model_(model), size_(size), layouts_(layouts), counts_(counts), is_curved_(is_curved), tasks_(tasks) {}
+      : model_(model),
+        size_(size),
+        layouts_(layouts),
+        counts_(counts),
+        is_curved_(is_curved),
+        tasks_(tasks),
+        is_together_(counts.count.size(), 0) {
+    for (const std::vector<int>& set : counts.together)
+      for (int e : set) is_together_[e] = 1;
+  }
 
   DividedLoops run() {
     for (int round = 0;; ++round) {
@@ -195,26 +204,29 @@ class LoopDivider {
  private:
   void divide() {
     EdgeCounts counts = counts_;
-    for (std::size_t e = 0; e < counts.count.size(); ++e)
-      counts.count[e] = count(static_cast<int>(e), doublings(static_cast<int>(e)));
+    times_ = doublings();
+    for (std::size_t e = 0; e < counts.count.size(); ++e) counts.count[e] = count(static_cast<int>(e), times_[e]);
     result_.nodes = divide_edges(model_, size_, counts, tasks_);
     result_.regions = build_regions(model_, size_, layouts_, result_.nodes);
     std::erase_if(result_.regions, [&](const Region& region) { return has_failed_.contains(region.face); });
   }
 
-  // What faces that did not fail ask for.
-  int doublings(int edge) const {
-    int most = 0;
-    for (int face : model_.edges[edge].faces)
-      if (auto asked = asked_.find({face, edge}); asked != asked_.end() && !has_failed_.contains(face))
-        most = std::max(most, asked->second);
-    return most;
+  // Per edge: what faces that did not fail ask for, of it or of one that is divided together with it.
+  std::vector<int> doublings() const {
+    std::vector<int> times(counts_.count.size(), 0);
+    for (const auto& [place, asked] : asked_)
+      if (!has_failed_.contains(place.first)) times[place.second] = std::max(times[place.second], asked);
+    for (const std::vector<int>& set : counts_.together) {
+      const int most = times[*std::ranges::max_element(set, {}, [&](int e) { return times[e]; })];
+      for (int e : set) times[e] = most;
+    }
+    return times;
   }
 
-  // An odd count stays odd.
+  // An odd count stays odd, but where sides of several edges and of one would no longer have as many.
   int count(int edge, int times) const {
     int result = counts_.count[edge];
-    for (int i = 0; i < times; ++i) result = 2 * result + result % 2;
+    for (int i = 0; i < times; ++i) result = 2 * result + (is_together_[edge] != 0 ? 0 : result % 2);
     return result;
   }
 
@@ -238,7 +250,7 @@ class LoopDivider {
           fail(face, crossing, "cross or touch; repair the face in the CAD model");
           continue;
         }
-        const int times = doublings(crossing.edge) + 1;
+        const int times = times_[crossing.edge] + 1;
         if (crossing.is_crowded) {
           if (times <= most_crowded) asked[{face, crossing.edge}] = times;
           continue;
@@ -287,8 +299,10 @@ class LoopDivider {
   const EdgeCounts& counts_;
   const bool is_curved_;
   SharedTasks& tasks_;
+  std::vector<char> is_together_;  // per edge: one of EdgeCounts::together
   DividedLoops result_;
   std::map<std::pair<int, int>, int> asked_;  // by face and edge: doublings
+  std::vector<int> times_;                    // per edge: those that it has
   std::set<int> has_failed_;
 };
 

@@ -49,6 +49,12 @@ TEST(EqualSums, ThinFacesComeBeforeOthers) {
   EXPECT_EQ(restored(pairs, {5, 5, 5}, {6, 4, 4}), (std::vector<int>{4, 4, 4}));
 }
 
+TEST(EqualSums, EdgesAlongThinFacesOfEqualSumsBelongTogether) {
+  const std::vector<OppositeSides> pairs = {{0, {0}, {1, 2}}, {1, {3}, {0}}, {2, {4}, {5}}, {3, {6}, {7}}};
+  EXPECT_EQ(edges_together(pairs, counts_of({5, 3, 2, 5, 4, 5, 4, 4}, {1, 1, 1, 0})),
+            (std::vector<std::vector<int>>{{0, 1, 2, 3}}));
+}
+
 TEST(EqualSums, SidesThatWereUnequalStay) {
   EXPECT_EQ(restored({{0, {0}, {1}}}, {5, 7}, {4, 8}), (std::vector<int>{4, 8}));
 }

@@ -80,6 +80,25 @@ TEST(FacingNodes, RowsThatLeanLittleStay) {
   EXPECT_TRUE(moved_in(model, {4, 1, 2, 2, 1}).empty());
 }
 
+// An arc below, and on top two straight edges that meet above a third of it.
+TEST(FacingNodes, TheLongerSideOfACrescentFacesTheVerticesOfTheShorterOne) {
+  fake::Builder builder;
+  const double deep = 0.5, radius = (15 * 15 + deep * deep) / (2 * deep), half = std::asin(15 / radius);
+  const int left = builder.vertex({0, 0, 0}), right = builder.vertex({30, 0, 0}), between = builder.vertex({10, 0, 0});
+  const int arc = builder.arc({15, radius - deep, 0}, radius, -0.5 * fake::pi - half, -0.5 * fake::pi + half, left,
+                              right),
+            longer = builder.line(right, between), shorter = builder.line(between, left);
+  builder.face(std::make_shared<fake::Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}), 10,
+               {{builder.use(arc), builder.use(longer), builder.use(shorter)}});
+  std::vector<int> counts(3);
+  counts[arc] = 3, counts[longer] = 1, counts[shorter] = 2;
+  const std::vector<MovedNodes> moved = moved_in(builder.take(), counts);
+  const auto at = std::ranges::find(moved, arc, &MovedNodes::edge);
+  ASSERT_NE(at, moved.end());
+  EXPECT_NEAR(at->lengths[2], 10, 0.1);
+  EXPECT_NEAR(at->lengths[1], 5, 0.1);
+}
+
 TEST(FacingNodes, WideFacesAndUnequalSidesAreLeftAlone) {
   EXPECT_TRUE(moved_in(end_of_board(12), {5, 2, 2, 1, 2, 2}).empty());
   EXPECT_TRUE(moved_in(end_of_board(0.25), {4, 1, 2, 1, 2, 1}).empty());

@@ -71,6 +71,14 @@ TEST(TieSides, AnEdgeOfAThinFaceTakesWhatItFaces) {
   EXPECT_EQ(tied(thin, {1.2, 0.1, 0.8, 0.1, 0.2, 0.1, 0.1, 0.1}), (std::vector<int>{5, 1, 1, 1, 1, 1, 1, 1}));
 }
 
+TEST(TieSides, AnEdgeTakesWhatThoseItFacesCanShareByTheirLengths) {
+  const Model halves = fake::polygon({{0, 0, 0}, {30, 0, 0}, {30, 0.1, 0}, {15, 0.1, 0}, {0, 0.1, 0}});
+  EXPECT_EQ(tied(halves, {11, 0.1, 5.6, 5.4, 0.1}), (std::vector<int>{10, 1, 5, 5, 1}));
+  EXPECT_EQ(tied(halves, {11.2, 0.1, 5.8, 5.4, 0.1}), (std::vector<int>{12, 1, 6, 6, 1}));
+  const Model thirds = fake::polygon({{0, 0, 0}, {30, 0, 0}, {30, 0.1, 0}, {10, 0.1, 0}, {0, 0.1, 0}});
+  EXPECT_EQ(tied(thirds, {11, 0.1, 7.2, 3.8, 0.1}), (std::vector<int>{12, 1, 8, 4, 1}));
+}
+
 TEST(TieSides, ItTakesAsManyAsThereAre) {
   std::vector<Vec3> corners{{0, 0, 0}, {30, 0, 0}};
   for (int i = 20; i >= 0; --i) corners.push_back({1.5 * i, 0.1, 0});

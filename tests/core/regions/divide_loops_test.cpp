@@ -16,11 +16,15 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
+#include <memory>
 
 #include "core/brep/shape_files.h"
+#include "support/alone.h"
+#include "support/fake_model.h"
 #include "support/shares.h"
 
 namespace paver {
@@ -154,6 +158,53 @@ TEST(DivideLoops, WhatOnlyComesNearIsDividedAsFarAsItNeeds) {
   for (int edge : result.mesh.line_edge) ++lines.at(static_cast<std::size_t>(edge));
   EXPECT_LE(*std::max_element(lines.begin(), lines.end()), 64);
   EXPECT_GE(std::count_if(lines.begin(), lines.end(), [](long n) { return n <= 4; }), 3);  // the straight sides
+}
+
+/// Intervals of a half disc's arc, whose chords a hole's tip crosses, and of the arc beyond it.
+std::array<int, 2> divided_arcs(bool are_together) {
+  fake::Builder builder;
+  const double tip = fake::pi / 8;
+  const std::vector<Vec3> at{{0, -3, 0},   {0, 3, 0},   {2.9 * std::cos(tip), 2.9 * std::sin(tip), 0},
+                             {0.5, -1, 0}, {0.5, 1, 0}, {0, -5, 0},
+                             {0, 5, 0}};
+  for (Vec3 x : at) builder.vertex(x);
+  const int round = builder.arc({}, 3, -fake::pi / 2, fake::pi / 2, 0, 1), chord = builder.line(1, 0),
+            hole[] = {builder.line(2, 3), builder.line(3, 4), builder.line(4, 2)}, first = builder.line(0, 5),
+            about = builder.arc({}, 5, -fake::pi / 2, fake::pi / 2, 5, 6), last = builder.line(6, 1);
+  auto on_arc = [&](int edge, double radius, bool is_reversed) {
+    return Coedge{edge, is_reversed, image_by([=](double t) {
+                    return Vec2{radius * std::cos(t), radius * std::sin(t)};
+                  })};
+  };
+  auto on_line = [&](int edge, int from, int to) {
+    return builder.use(edge, false, {at[from].x, at[from].y}, {at[to].x, at[to].y});
+  };
+  const auto plane = std::make_shared<fake::Plane>(Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0});
+  builder.face(plane, 11,
+               {{on_arc(round, 3, false), on_line(chord, 1, 0)},
+                {on_line(hole[0], 2, 3), on_line(hole[1], 3, 4), on_line(hole[2], 4, 2)}});
+  builder.face(plane, 25,
+               {{on_line(first, 0, 5), on_arc(about, 5, false), on_line(last, 6, 1), on_arc(round, 3, true)}});
+  const Model model = builder.take();
+  EdgeCounts counts;
+  counts.count.assign(model.edges.size(), 1);
+  counts.count[round] = counts.count[about] = counts.count[chord] = 2;
+  if (are_together) counts.together = {{round, about}};
+  Progress progress;
+  test::Alone alone(progress);
+  const SizeField size = build_size_field(model, options_of(4), progress);
+  const DividedLoops divided =
+      divide_loops(model, size, plan_layouts(model, size, ClosedLayouts::made, progress), counts, false, alone);
+  return {divided.nodes.edges[round].intervals(), divided.nodes.edges[about].intervals()};
+}
+
+TEST(DivideLoops, EdgesThatBelongTogetherAreDividedTogether) {
+  const auto [round, about] = divided_arcs(true);
+  EXPECT_GE(round, 4);
+  EXPECT_EQ(about, round);
+  const auto [alone, other] = divided_arcs(false);
+  EXPECT_EQ(alone, round);
+  EXPECT_NE(other, alone);
 }
 
 TEST(DivideLoops, AGapThatIsTooNarrowIsNamedBeforeItCostsMuch) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/union_find.h"
+
 namespace paver {
 namespace {
 
@@ -73,6 +75,18 @@ class Restoring {
 
 void restore_equal_sums(const std::vector<OppositeSides>& pairs, const TiedCounts& before, TiedCounts& tied) {
   Restoring(pairs, before, tied).run();
+}
+
+std::vector<std::vector<int>> edges_together(const std::vector<OppositeSides>& pairs, const TiedCounts& tied) {
+  UnionFind together(tied.group.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (tied.is_thin[i] == 0 || !is_equal(pairs[i], tied)) continue;
+    const std::vector<int> edges = pairs[i].edges();
+    for (int e : edges) together.merge(edges[0], e);
+  }
+  std::vector<std::vector<int>> sets = together.sets();
+  std::erase_if(sets, [](const std::vector<int>& set) { return set.size() < 2; });
+  return sets;
 }
 
 }  // namespace paver

@@ -14,4 +14,8 @@ namespace paver {
 /// faces before all.
 void restore_equal_sums(const std::vector<OppositeSides>& pairs, const TiedCounts& before, TiedCounts& tied);
 
+/// Sets of edges that lie along thin faces whose sides have equal sums, or along such a one and the next: a face would
+/// lose that if one of them alone were divided further.
+std::vector<std::vector<int>> edges_together(const std::vector<OppositeSides>& pairs, const TiedCounts& tied);
+
 }  // namespace paver

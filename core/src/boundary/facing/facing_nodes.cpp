@@ -146,9 +146,9 @@ class Following {
     const double slack = (is_bent ? exactly : leaning) * width;
     std::vector<double> first = one.places, second = other.places;
     if (pair.is_crescent && chains->first.length > chains->second.length)
-      go_opposite(chains->first, one, chains->second, other, second);
+      face_across(chains->first, one, chains->second, other, first, second);
     else if (pair.is_crescent)
-      go_opposite(chains->second, other, chains->first, one, first);
+      face_across(chains->second, other, chains->first, one, second, first);
     else if (is_turned)
       follow_round(one, other, opposite, slack, first.begin(), second.begin());
     else
@@ -194,11 +194,26 @@ class Following {
     return place;
   }
 
-  /// Where nodes of the shorter side that are not set are nearest to those of the longer one.
-  void go_opposite(const SideChain& longer, const Nodes& at, const SideChain& shorter, const Nodes& nodes,
-                   std::vector<double>& places) const {
-    for (std::size_t i = 1; i + 1 < places.size(); ++i)
-      if (!nodes.is_set[i]) places[i] = nearest_place(shorter, point_at(longer, at.places[i]), places[i]);
+  /// Nodes of the longer side opposite those of the shorter one that are set, unless it has such itself, then nodes of
+  /// the shorter side that are not where they are nearest to those of the longer one.
+  void face_across(const SideChain& longer, const Nodes& one, const SideChain& shorter, const Nodes& other,
+                   std::vector<double>& of_longer, std::vector<double>& of_shorter) const {
+    if (!one.has_set() && other.has_set()) stretch(longer, one, shorter, other, of_longer);
+    for (std::size_t i = 1; i + 1 < of_shorter.size(); ++i)
+      if (!other.is_set[i]) of_shorter[i] = nearest_place(shorter, point_at(longer, of_longer[i]), of_shorter[i]);
+  }
+
+  /// The longer side's nodes, in proportion between those that lie opposite set ones of the shorter side.
+  void stretch(const SideChain& longer, const Nodes& one, const SideChain& shorter, const Nodes& other,
+               std::vector<double>& places) const {
+    for (std::size_t from = 0, to = 1; to < places.size(); ++to) {
+      if (!other.is_set[to]) continue;
+      if (to + 1 < places.size())
+        places[to] = nearest_place(longer, point_at(shorter, other.places[to]), other.share(to) * one.length());
+      const double scale = (places[to] - places[from]) / (one.places[to] - one.places[from]);
+      for (std::size_t i = from + 1; i < to; ++i) places[i] = places[from] + scale * (one.places[i] - one.places[from]);
+      from = to;
+    }
   }
 
   /// Where on the other rim lies what faces the start of the one, both running the same way then.

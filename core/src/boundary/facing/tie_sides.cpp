@@ -35,6 +35,8 @@ constexpr double rounding = 0.9;  // intervals: short edges may change by more t
 constexpr int most_on_short = 4;  // intervals: on an edge shorter than the target length no length is right
 // Of the intervals that its bends ask for: those of the other end of a thin rod ask for more.
 constexpr double most_on_short_rim = 1.6;
+constexpr int most_tried = 3;            // intervals more or fewer, for vertices between several edges that one faces
+constexpr double beside_vertex = 0.25;   // intervals: so far aside of them nodes may be
 constexpr double rounding_slack = 1e-6;  // equal wishes at a half round alike
 
 /// Counts an edge may take.
@@ -156,6 +158,35 @@ class Tying {
     for (int e : pair.edges()) is_held_[groups_.find(e)] = true;
   }
 
+  /// The same; of an edge that several face across a thin face so many intervals, nearest to its wish, that vertices
+  /// between these lie opposite nodes or near them, where that is to be had.
+  void equal_shares(const Model& model, const OppositeSides& pair) {
+    const std::vector<int> before = chosen_;
+    const std::vector<bool> held = is_held_;
+    equal_sums(pair);
+    const bool is_first = pair.first.size() == 1;
+    const std::vector<int>&one = is_first ? pair.first : pair.second, &several = is_first ? pair.second : pair.first;
+    if (one.size() != 1 || several.size() < 2 || sum(one) != sum(several)) return;
+    std::vector<double> ends;  // shares of the edge
+    for (int e : several) ends.push_back((ends.empty() ? 0 : ends.back()) + model.edges[e].length);
+    for (double& end : ends) end /= ends.back();
+    int node = 0;
+    double aside = 0;
+    for (std::size_t k = 0; k < several.size(); ++k) {
+      node += chosen_[groups_.find(several[k])];
+      aside = std::max(aside, std::fabs(chosen_[groups_.find(one[0])] * ends[k] - node));
+    }
+    if (aside <= beside_vertex) return;
+    std::vector<int> after = chosen_;
+    std::vector<bool> held_after = is_held_;
+    chosen_ = before, is_held_ = held;
+    if (share_out(pair, groups_.find(one[0]), several, ends)) {
+      equal_sums(pair);
+    } else {
+      chosen_ = std::move(after), is_held_ = std::move(held_after);
+    }
+  }
+
   TiedCounts result() {
     TiedCounts tied;
     tied.groups.resize(counts_.size());
@@ -175,6 +206,34 @@ class Tying {
     double wish;  // sum
     bool is_even = false, makes_grid = false;
   };
+
+  bool share_out(const OppositeSides& pair, int group, const std::vector<int>& several,
+                 const std::vector<double>& ends) {
+    const double wish = mean_wish(group);
+    std::vector<int> totals;
+    for (int step = -most_tried; step <= most_tried; ++step)
+      totals.push_back(std::max(1, static_cast<int>(std::lround(wish)) + step));
+    std::ranges::stable_sort(totals, {}, [&](int total) { return std::fabs(total - wish); });
+    for (int total : totals) {
+      std::vector<std::pair<int, int>> shares{{group, total}};  // of groups
+      double aside = 0;
+      int before = 0;
+      for (std::size_t k = 0; k < several.size(); ++k) {
+        const int node = static_cast<int>(std::lround(total * ends[k]));
+        aside = std::max(aside, std::fabs(total * ends[k] - node));
+        shares.emplace_back(groups_.find(several[k]), node - before);
+        before = node;
+      }
+      auto can_be = [&](const std::pair<int, int>& share) {
+        const int step = share.second - chosen_[share.first];
+        return step == 0 || can_change(share.first, step, pair);
+      };
+      if (aside > beside_vertex || !std::ranges::all_of(shares, can_be)) continue;
+      for (const auto& [g, count] : shares) chosen_[g] = count;
+      return true;
+    }
+    return false;
+  }
 
   double mean_wish(int group) const { return members_[group].wish / members_[group].size; }
 
@@ -294,7 +353,7 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
   }
   tying.choose_counts();
   for (int i : order)
-    if (makes_grid(i)) tying.equal_sums(pairs[i]);
+    if (makes_grid(i)) is_thin[i] != 0 ? tying.equal_shares(model, pairs[i]) : tying.equal_sums(pairs[i]);
   TiedCounts tied = tying.result();
   tied.is_thin = std::move(is_thin);
   return tied;
