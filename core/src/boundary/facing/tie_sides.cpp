@@ -133,7 +133,7 @@ class Tying {
   /// Changes groups by one, least relative change first, until the sides have equal sums; leaves all as it was where
   /// that is not to be had.
   void equal_sums(const OppositeSides& pair) {
-    const std::vector<int> before = chosen_;
+    const std::vector<State> before = states_of(pair);
     long excess = sum(pair.first) - sum(pair.second);
     while (excess != 0) {
       int best = -1, best_step = 0;
@@ -146,10 +146,7 @@ class Tying {
           if (!can_change(group, step, pair) || !(cost < least)) continue;
           least = cost, best = group, best_step = step;
         }
-      if (best < 0) {
-        chosen_ = before;
-        return;
-      }
+      if (best < 0) return put_back(before);
       chosen_[best] += best_step;
       excess += excess > 0 ? -1 : 1;
     }
@@ -161,8 +158,7 @@ class Tying {
   /// The same; of an edge that several face across a thin face so many intervals, nearest to its wish, that vertices
   /// between these lie opposite nodes or near them, where that is to be had.
   void equal_shares(const Model& model, const OppositeSides& pair) {
-    const std::vector<int> before = chosen_;
-    const std::vector<bool> held = is_held_;
+    const std::vector<State> before = states_of(pair);
     equal_sums(pair);
     const bool is_first = pair.first.size() == 1;
     const std::vector<int>&one = is_first ? pair.first : pair.second, &several = is_first ? pair.second : pair.first;
@@ -177,14 +173,10 @@ class Tying {
       aside = std::max(aside, std::fabs(chosen_[groups_.find(one[0])] * ends[k] - node));
     }
     if (aside <= beside_vertex) return;
-    std::vector<int> after = chosen_;
-    std::vector<bool> held_after = is_held_;
-    chosen_ = before, is_held_ = held;
-    if (share_out(pair, groups_.find(one[0]), several, ends)) {
-      equal_sums(pair);
-    } else {
-      chosen_ = std::move(after), is_held_ = std::move(held_after);
-    }
+    const std::vector<State> after = states_of(pair);
+    put_back(before);
+    if (share_out(pair, groups_.find(one[0]), several, ends)) return equal_sums(pair);
+    put_back(after);
   }
 
   TiedCounts result() {
@@ -207,6 +199,25 @@ class Tying {
     bool is_even = false, makes_grid = false;
   };
 
+  struct State {
+    int group, chosen;
+    bool is_held;
+  };
+
+  std::vector<State> states_of(const OppositeSides& pair) {
+    std::vector<State> states;
+    for (int e : pair.edges()) {
+      const int group = groups_.find(e);
+      states.push_back({group, chosen_[group], is_held_[group]});
+    }
+    return states;
+  }
+
+  void put_back(const std::vector<State>& states) {
+    for (const State& state : states) chosen_[state.group] = state.chosen, is_held_[state.group] = state.is_held;
+  }
+
+  /// Whether there are such counts.
   bool share_out(const OppositeSides& pair, int group, const std::vector<int>& several,
                  const std::vector<double>& ends) {
     const double wish = mean_wish(group);

@@ -2,8 +2,7 @@
 //
 //        m
 //      a   b        The loop runs y -> a -> m -> b -> x; then y -> p -> x.
-//     y  q  x       The quads are (y, a, q, p), (q, b, x, p) and (a, m, b, q), or two triangles where that is flat at
-//     m.
+//     y  q  x       The quads are (y, a, q, p), (q, b, x, p) and (a, m, b, q).
 //        p
 #include "paving/closing/rounded_corners.h"
 
