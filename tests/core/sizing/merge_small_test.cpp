@@ -328,7 +328,27 @@ TEST(MergeSmall, AShortEdgeStaysWhereAnotherWouldBendAndIsLittleLonger) {
   EXPECT_FALSE(test::mesh_of(trace_into_bar(0.1), 1e6).report.merges.empty());
 }
 
-/// 30 high, cut off `blunt` beside its axis.
+/// A block with a rounded edge; on its top a post of 3 mm that reaches beyond the line where that begins.
+TopoDS_Shape block_with_post(double beyond) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(100, 60, 20).Shape();
+  BRepFilletAPI_MakeFillet fillet(box);
+  for (TopExp_Explorer edge(box, TopAbs_EDGE); edge.More(); edge.Next()) {
+    const BRepAdaptor_Curve curve(TopoDS::Edge(edge.Current()));
+    const gp_Pnt middle = curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter()));
+    if (middle.Distance(gp_Pnt(50, 60, 20)) < 1e-6) fillet.Add(3, TopoDS::Edge(edge.Current()));
+  }
+  const gp_Ax2 axis(gp_Pnt(50, 57 - 1.5 + beyond, 17), gp_Dir(0, 0, 1));
+  return BRepAlgoAPI_Fuse(fillet.Shape(), BRepPrimAPI_MakeCylinder(axis, 1.5, 8).Shape()).Shape();
+}
+
+TEST(MergeSmall, AShortEdgeThatBendsStaysWhereAnotherIsLittleLonger) {
+  for (double beyond : {0.05, 0.08, 0.3}) {
+    const MeshResult result = test::mesh_of(block_with_post(beyond), 1000);
+    EXPECT_STREQ(verdict(result.report), "sound") << beyond;
+    EXPECT_LE(result.report.merges.size(), 1U) << beyond;
+  }
+}
+
 TopoDS_Shape blunt_cone(double blunt, double angle = 2 * std::numbers::pi) {
   return BRepPrimAPI_MakeCone(10, blunt, 30, angle).Shape();
 }

@@ -80,8 +80,10 @@ class ShortEdges {
     if (edits_.is_fixed(from) || from == to || limits_.holds(from, {e}, edits_.edge(e).length)) return false;
     const std::vector<int>& edges = edits_.edges_at(from);
     const double limit = limits_.short_edge(e);
+    const double own_bend =
+        M_PI - angle_between(direction_out(edits_.edge(e), false), direction_out(edits_.edge(e), true));
     const auto is_too_short = [&](int other) {
-      const bool bends = bend(e, other, from) >= smooth_angle * M_PI / 180;
+      const bool bends = std::max(own_bend, bend(e, other, from)) >= smooth_angle * M_PI / 180;
       return other != e && edits_.edge(other).length < (bends ? small_bend : much_longer) * edits_.edge(e).length;
     };
     if (std::ranges::any_of(edges, is_too_short)) return false;
