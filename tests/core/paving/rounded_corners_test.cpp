@@ -43,7 +43,9 @@ struct Laid {
     std::vector<Vec2> others = mesh.p;
     for (std::size_t l = 1; l < region.loops.size(); ++l)
       for (const LoopNode& node : region.loops[l]) others.push_back(node.p);
-    lay_rounded_corners(region, mesh, region.loops[0], nodes, others);
+    std::vector<LoopNode> loop = region.loops[0];
+    lay_rounded_corners(region, mesh, loop, nodes, others);
+    EXPECT_EQ(loop.size(), nodes.size());
   }
 };
 
@@ -72,6 +74,33 @@ TEST(RoundedCorners, StayWhereSomethingElseLies) {
 }
 
 TEST(RoundedCorners, StayBetweenSidesOfTwoFacets) { EXPECT_EQ(Laid(plate(6, 2, 0.05)).mesh.living_elements(), 0); }
+
+// A wedge of 30 degrees, its two other corners rounded: the tip is filled like that of a wedge with sharp ones.
+TEST(RoundedCorners, LeaveAcuteCornersWhereTheyAre) {
+  const double angle = pi / 6, radius = 0.05;
+  const int n = 12;
+  const Vec2 along{std::cos(angle), std::sin(angle)}, right{12, 0}, far = 12.0 * along;
+  auto rounded = [&](Vec2 corner, Vec2 before, Vec2 after) {
+    const Vec2 in = (1 / norm(corner - before)) * (corner - before),
+               out = (1 / norm(after - corner)) * (after - corner);
+    return std::vector{corner - radius * in, corner + 0.3 * radius * (out - in), corner + radius * out};
+  };
+  std::vector<Vec2> loop{{0, 0}};
+  for (int i = 1; i < n; ++i) loop.push_back({1.0 * i, 0});
+  for (Vec2 p : rounded(right, {}, far)) loop.push_back(p);
+  for (int i = 1; i < 6; ++i) loop.push_back(right + i / 6.0 * (far - right));
+  for (Vec2 p : rounded(far, right, {})) loop.push_back(p);
+  for (int i = n - 1; i > 0; --i) loop.push_back(1.0 * i * along);
+  Region region = test::planar_region({loop}, 1);
+  for (LoopNode& node : region.loops[0]) node.angle = pi;
+  region.loops[0][0].angle = angle;
+  const PavedRegion paved = pave_region(region, Progress());
+  EXPECT_EQ(test::paved_faults(region, paved.mesh), "");
+  EXPECT_EQ(paved.mesh.triangle_count(), 2 * 2) << "of the rounded corners";
+  const int tip = find_loop_nodes(region, paved.mesh)[0][0];
+  ASSERT_EQ(paved.mesh.star[tip].size(), 1);
+  EXPECT_EQ(paved.mesh.elements[*paved.mesh.star[tip].begin()].corners(), 4);
+}
 
 TEST(RoundedCorners, LeaveAGrid) {
   for (double radius : {0.12, 0.06, 0.01}) {

@@ -27,10 +27,11 @@ using EdgePoint = std::function<Vec3(int edge, double length)>;
 /// Where a face between four corners is narrower than its intervals, has equally many on both sides and vertices
 /// between the ends of one side or both: nodes that face these, as far as they are needed to be at most half a width
 /// from what they face. Likewise between the rims of a ring, from two vertices that face each other on, or each from
-/// the other's vertices where none do. Nodes of the shorter side of a crescent are where those of the longer one are
-/// nearest: by equal shares the first chords would lie on one another. Edges that face such an edge across another
-/// narrow face follow it. At most one entry per edge; an edge that leads an entry comes before it. `pairs`: of
-/// find_opposite_sides; `is_placed`: per edge, whether its nodes stay and are followed.
+/// the other's vertices where none do. Nodes of the longer side of a crescent face the vertices of the shorter one,
+/// whose nodes are where those of the longer one are nearest: by equal shares the first chords would lie on one
+/// another. Edges that face such an edge across another narrow face follow it. At most one entry per edge; an edge that
+/// leads an entry comes before it. `pairs`: of find_opposite_sides; `is_placed`: per edge, whether its nodes stay and
+/// are followed.
 std::vector<MovedNodes> face_vertices(const Model& model, const std::vector<OppositeSides>& pairs, NodeLengths lengths,
                                       std::vector<bool> is_placed, const MayMove& may_move, const EdgePoint& point);
 

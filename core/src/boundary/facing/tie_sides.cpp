@@ -39,6 +39,15 @@ constexpr int most_tried = 3;            // intervals more or fewer, for vertice
 constexpr double beside_vertex = 0.25;   // intervals: so far aside of them nodes may be
 constexpr double rounding_slack = 1e-6;  // equal wishes at a half round alike
 
+/// Of an edge with so many intervals: how far its nodes lie aside of where edges with `counts` intervals end that it
+/// faces, intervals. `ends`: shares of its length.
+double most_aside(int total, const std::vector<double>& ends, const std::vector<int>& counts) {
+  double most = 0;
+  for (std::size_t k = 0, node = 0; k < ends.size(); ++k)
+    most = std::max(most, std::fabs(total * ends[k] - static_cast<double>(node += counts[k])));
+  return most;
+}
+
 /// Counts an edge may take.
 struct Range {
   int least, most;
@@ -166,13 +175,9 @@ class Tying {
     std::vector<double> ends;  // shares of the edge
     for (int e : several) ends.push_back((ends.empty() ? 0 : ends.back()) + model.edges[e].length);
     for (double& end : ends) end /= ends.back();
-    int node = 0;
-    double aside = 0;
-    for (std::size_t k = 0; k < several.size(); ++k) {
-      node += chosen_[groups_.find(several[k])];
-      aside = std::max(aside, std::fabs(chosen_[groups_.find(one[0])] * ends[k] - node));
-    }
-    if (aside <= beside_vertex) return;
+    std::vector<int> counts;
+    for (int e : several) counts.push_back(chosen_[groups_.find(e)]);
+    if (most_aside(chosen_[groups_.find(one[0])], ends, counts) <= beside_vertex) return;
     const std::vector<State> after = states_of(pair);
     put_back(before);
     if (share_out(pair, groups_.find(one[0]), several, ends)) return equal_sums(pair);
@@ -227,19 +232,19 @@ class Tying {
     std::ranges::stable_sort(totals, {}, [&](int total) { return std::fabs(total - wish); });
     for (int total : totals) {
       std::vector<std::pair<int, int>> shares{{group, total}};  // of groups
-      double aside = 0;
+      std::vector<int> counts;
       int before = 0;
       for (std::size_t k = 0; k < several.size(); ++k) {
         const int node = static_cast<int>(std::lround(total * ends[k]));
-        aside = std::max(aside, std::fabs(total * ends[k] - node));
-        shares.emplace_back(groups_.find(several[k]), node - before);
+        counts.push_back(node - before);
+        shares.emplace_back(groups_.find(several[k]), counts.back());
         before = node;
       }
       auto can_be = [&](const std::pair<int, int>& share) {
         const int step = share.second - chosen_[share.first];
         return step == 0 || can_change(share.first, step, pair);
       };
-      if (aside > beside_vertex || !std::ranges::all_of(shares, can_be)) continue;
+      if (most_aside(total, ends, counts) > beside_vertex || !std::ranges::all_of(shares, can_be)) continue;
       for (const auto& [g, count] : shares) chosen_[g] = count;
       return true;
     }

@@ -27,11 +27,12 @@ constexpr std::size_t fewest_nodes = 8;  // of a loop that has more than its cor
 
 class RoundedCorners {
  public:
-  RoundedCorners(const Region& region, RegionMesh& mesh, std::vector<int>& nodes, const std::vector<Vec2>& others)
-      : region_(region), mesh_(mesh), nodes_(nodes), others_(others) {}
+  RoundedCorners(const Region& region, RegionMesh& mesh, std::vector<LoopNode>& loop, std::vector<int>& nodes,
+                 const std::vector<Vec2>& others)
+      : region_(region), mesh_(mesh), loop_(loop), nodes_(nodes), others_(others) {}
 
-  void lay(const std::vector<LoopNode>& loop) {
-    const std::vector<Corner> found = corners(loop);
+  void lay() {
+    const std::vector<Corner> found = corners();
     for (std::size_t i = 0, n = found.size(); i < n; ++i) {
       // Sides of two facets between such corners are left to rows.
       const bool is_alone =
@@ -59,7 +60,7 @@ class RoundedCorners {
   }
 
   /// In the order of the loop, of which nothing is taken off yet.
-  std::vector<Corner> corners(const std::vector<LoopNode>& loop) const {
+  std::vector<Corner> corners() const {
     std::vector<Corner> found;
     for (std::size_t i = 0, n = nodes_.size(); n >= fewest_nodes && i < n; ++i) {
       if (chord(i + 1) + chord(i + 2) > shorter * std::min(chord(i), chord(i + 3))) continue;
@@ -67,7 +68,7 @@ class RoundedCorners {
       if (all < least_bend || all > most_bend) continue;
       if (std::min({bend(i + 1), bend(i + 2), bend(i + 3)}) < 0) continue;
       if (std::max(std::fabs(bend(i)), std::fabs(bend(i + 4))) > straight) continue;
-      found.push_back({{at(i), at(i + 1), at(i + 2), at(i + 3), at(i + 4)}, loop[(i + 2) % n].angle > smooth});
+      found.push_back({{at(i), at(i + 1), at(i + 2), at(i + 3), at(i + 4)}, loop_[(i + 2) % n].angle > smooth});
     }
     return found;
   }
@@ -76,6 +77,7 @@ class RoundedCorners {
     const auto [y, a, m, b, x] = corner.at;
     const auto first = std::ranges::find(nodes_, y);
     if (first == nodes_.end()) return;
+    std::rotate(loop_.begin(), loop_.begin() + (first - nodes_.begin()), loop_.end());
     std::rotate(nodes_.begin(), first, nodes_.end());
     if (!std::ranges::equal(corner.at, std::span(nodes_).first(corner.at.size()))) return;
     const std::vector<Vec2>& p = mesh_.p;
@@ -100,7 +102,8 @@ class RoundedCorners {
     mesh_.add_element({y, a, q, node});
     mesh_.add_element({q, b, x, node});
     nodes_.erase(nodes_.begin() + 1, nodes_.begin() + 3);
-    nodes_[1] = node;
+    loop_.erase(loop_.begin() + 1, loop_.begin() + 3);
+    nodes_[1] = node, loop_[1] = {};
   }
 
   static bool turns_left(const std::array<Vec2, 4>& quad) {
@@ -111,15 +114,16 @@ class RoundedCorners {
 
   const Region& region_;
   RegionMesh& mesh_;
+  std::vector<LoopNode>& loop_;
   std::vector<int>& nodes_;
   const std::vector<Vec2>& others_;
 };
 
 }  // namespace
 
-void lay_rounded_corners(const Region& region, RegionMesh& mesh, const std::vector<LoopNode>& loop,
-                         std::vector<int>& nodes, const std::vector<Vec2>& others) {
-  RoundedCorners(region, mesh, nodes, others).lay(loop);
+void lay_rounded_corners(const Region& region, RegionMesh& mesh, std::vector<LoopNode>& loop, std::vector<int>& nodes,
+                         const std::vector<Vec2>& others) {
+  RoundedCorners(region, mesh, loop, nodes, others).lay();
 }
 
 }  // namespace paver

@@ -88,10 +88,11 @@ std::optional<int> Front::start(std::optional<double> sharpest_corner) {
   }
   note_boundary(loops);
   const std::vector<Vec2> places = mesh.p;
-  for (std::size_t l = 0; sharpest_corner && l < loops.size(); ++l)
-    lay_rounded_corners(region, mesh, region.loops[l], loops[l], places);
-  for (std::size_t l = 0; sharpest_corner && l < loops.size(); ++l)
-    lay_acute_corners(region, mesh, region.loops[l], loops[l], places, *sharpest_corner);
+  for (std::size_t l = 0; sharpest_corner && l < loops.size(); ++l) {
+    std::vector<LoopNode> loop = region.loops[l];
+    lay_rounded_corners(region, mesh, loop, loops[l], places);
+    lay_acute_corners(region, mesh, loop, loops[l], places, *sharpest_corner);
+  }
   auto left = lay_closed_tube_rows(region, mesh, lay_tube_rows(region, mesh, loops));
   std::vector<std::size_t> all(left.size());
   std::iota(all.begin(), all.end(), 0);

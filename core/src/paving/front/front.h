@@ -35,8 +35,8 @@ class Front {
   void start_whole();
   /// Adds a boundary node of the region.
   int add_boundary_node(const std::vector<LoopNode>& loop, std::size_t i);
-  /// Triangulates the void inside the region's loops; with `sharpest_corner` (radians) acute corners from there on are
-  /// filled first (acute_corners.h). Returns a facet where loops cross or touch.
+  /// Triangulates the void inside the region's loops; with `sharpest_corner` (radians) acute corners from there on, and
+  /// rounded ones, are filled first (acute_corners.h, rounded_corners.h). Returns a facet where loops cross or touch.
   std::optional<int> start(std::optional<double> sharpest_corner = std::nullopt);
 
   const Region& region;
