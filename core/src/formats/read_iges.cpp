@@ -13,12 +13,14 @@
 #include <IGESData_TransfEntity.hxx>
 #include <IGESGeom_TrimmedSurface.hxx>
 #include <IGESSolid_Face.hxx>
+#include <IGESSolid_Shell.hxx>
 #include <IGESToBRep_BRepEntity.hxx>
 #include <Standard_Failure.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "formats/transfer_impl.h"
 #include "formats/whole_face_impl.h"
@@ -77,11 +79,22 @@ std::vector<std::string> losses(IGESControl_Reader& reader) {
   return labels;
 }
 
+/// Faces that look against the normals of their surfaces in their shells.
+std::set<Handle(IGESSolid_Face)> faces_against(IGESControl_Reader& reader) {
+  std::set<Handle(IGESSolid_Face)> against;
+  for (const Handle(Standard_Transient) & any : entities_of(reader))
+    if (const auto shell = Handle(IGESSolid_Shell)::DownCast(any); !shell.IsNull())
+      for (int i = 1; i <= shell->NbFaces(); ++i)
+        if (!shell->Orientation(i)) against.insert(shell->Face(i));
+  return against;
+}
+
 /// Faces with loops of edges. Which way these run tells only another transfer: the reader mends what it transferred.
 std::vector<FileFace> faces_of_solids(IGESControl_Reader& reader) {
   IGESToBRep_BRepEntity plain;
   plain.SetModel(reader.IGESModel());
   plain.SetTransferProcess(new Transfer_TransientProcess);
+  const std::set<Handle(IGESSolid_Face)> against = faces_against(reader);
   std::vector<FileFace> faces;
   for (const Handle(Standard_Transient) & any : entities_of(reader)) {
     const auto entity = Handle(IGESSolid_Face)::DownCast(any);
@@ -93,7 +106,7 @@ std::vector<FileFace> faces_of_solids(IGESControl_Reader& reader) {
           edges.push_back(file_edge(edge, edge.Orientation() == TopAbs_FORWARD));
       return edges;
     };
-    FileFace face{faces_of(shape_of(reader, entity)), true, walked, false};
+    FileFace face{faces_of(shape_of(reader, entity)), walked, against.count(entity) == 0};
     if (!face.read.empty()) faces.push_back(std::move(face));
   }
   return faces;

@@ -51,8 +51,9 @@ void restore_sides(XSControl_Reader& reader, Shape& shape) {
   for (const Handle(Standard_Transient) & any : entities_of(reader)) {
     const auto entity = Handle(StepShape_FaceSurface)::DownCast(any);
     if (entity.IsNull()) continue;
-    FileFace face{faces_of(shape_of(reader, entity)), static_cast<bool>(entity->SameSense()),
-                  [&reader, entity] { return edges_of(reader, *entity); }, dead_ends(*entity) == 2};
+    const bool is_along = entity->SameSense();
+    FileFace face{faces_of(shape_of(reader, entity)), [&reader, entity] { return edges_of(reader, *entity); }, is_along,
+                  !is_along, dead_ends(*entity) == 2};
     if (!face.read.empty()) faces.push_back(std::move(face));
   }
   FaceChanges changes(shape.shape);

@@ -367,7 +367,7 @@ void restore_faces(const std::vector<FileFace>& faces, FaceChanges& changes) {
     const bool lacks_poles = face.ends_at_poles && !has_both_poles(forward(face.read.front()));
     if (!lacks_poles && !std::binary_search(turned.begin(), turned.end(), i)) continue;
     // The reader may have turned the face over with its loop.
-    const TopAbs_Orientation sense = face.is_along_surface ? TopAbs_FORWARD : TopAbs_REVERSED;
+    const TopAbs_Orientation sense = face.is_read_turned ? TopAbs_REVERSED : TopAbs_FORWARD;
     if (const std::optional<TopoDS_Face> whole = face_of_loops(face))
       changes.replace(face.read, TopoDS::Face(whole->Oriented(sense)));
     else if (!lacks_poles && (face.read.size() > 1 || FaceMaker(face.read).may_be_whole()))

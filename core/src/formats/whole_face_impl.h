@@ -27,9 +27,10 @@ struct FileEdge {
 /// What the reader has made of a face of the file.
 struct FileFace {
   std::vector<TopoDS_Face> read;  ///< more than one where the reader took its loops for borders of several
-  bool is_along_surface = true;   ///< whether its normal is that of its surface
   std::function<std::vector<FileEdge>()> edges;
-  bool ends_at_poles = false;  ///< the file has a periodic edge between two poles in it
+  bool is_along_surface = true;  ///< whether its normal is that of its surface; in IGES within its shell
+  bool is_read_turned = false;   ///< by the reader, as its normal is not that of its surface
+  bool ends_at_poles = false;    ///< the file has a periodic edge between two poles in it
 };
 
 /// An edge as a file walks it: along its curve or against it.

@@ -4,6 +4,7 @@
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -11,8 +12,17 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
+#include <IGESBasic_HArray1OfHArray1OfIGESEntity.hxx>
+#include <IGESBasic_HArray1OfHArray1OfInteger.hxx>
 #include <IGESControl_Controller.hxx>
+#include <IGESControl_Reader.hxx>
 #include <IGESControl_Writer.hxx>
+#include <IGESData_HArray1OfIGESEntity.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <IGESSolid_Face.hxx>
+#include <IGESSolid_Loop.hxx>
+#include <IGESSolid_Shell.hxx>
+#include <TColStd_HArray1OfInteger.hxx>
 #include <algorithm>
 
 #include "brep/occt_impl.h"
@@ -106,6 +116,57 @@ TEST(RestoredFaces, ConesWithAHoleStayOneFace) {
 TEST(RestoredFaces, WhatWasReadRightStays) {
   expect_right_side(BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(50).Shape(), rod({0, 0, 0}, {0, 0, 1}, 8)).Shape());
   expect_right_side(BRepAlgoAPI_Cut(rod({0, 0, 0}, {0, 0, 1}, 40), rod({0, 0, 50}, {1, 0.2, 0}, 8)).Shape());
+}
+
+/// As the loop is walked from the other side, without images.
+void turn(const Handle(IGESSolid_Loop) & loop) {
+  const int edges = loop->NbEdges();
+  const Handle(TColStd_HArray1OfInteger) edge_type = new TColStd_HArray1OfInteger(1, edges, 0),
+                                         index = new TColStd_HArray1OfInteger(1, edges),
+                                         orientation = new TColStd_HArray1OfInteger(1, edges),
+                                         images = new TColStd_HArray1OfInteger(1, edges, 0);
+  const Handle(IGESData_HArray1OfIGESEntity) lists = new IGESData_HArray1OfIGESEntity(1, edges);
+  for (int i = 1; i <= edges; ++i) {
+    const int from = edges + 1 - i;
+    lists->SetValue(i, loop->Edge(from));
+    index->SetValue(i, loop->ListIndex(from));
+    orientation->SetValue(i, !loop->Orientation(from));
+  }
+  loop->Init(edge_type, lists, index, orientation, images, new IGESBasic_HArray1OfHArray1OfInteger(1, edges),
+             new IGESBasic_HArray1OfHArray1OfIGESEntity(1, edges));
+}
+
+// Some writers walk the loops of faces that look against their surfaces' normals as these are seen from outside.
+TEST(RestoredFaces, LoopsOfFacesAgainstTheirSurfacesMayBeWalkedFromOutside) {
+  TopoDS_Shape grooved = BRepPrimAPI_MakeBox(gp_Pnt{-70, -70, -30}, gp_Pnt{70, 70, 0}).Shape();
+  for (const double side : {-1.0, 1.0}) {
+    const gp_Ax2 place({0, 0, 0}, {0, 0, 1}, {side, 0, 0});
+    grooved = BRepAlgoAPI_Cut(grooved, BRepPrimAPI_MakeTorus(place, 40, 15, M_PI).Shape()).Shape();
+    grooved = BRepAlgoAPI_Fuse(grooved, BRepPrimAPI_MakeCylinder(gp_Ax2({60 * side, 60, 0}, {0, 0, 1}), 5, 10).Shape())
+                  .Shape();
+  }
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("model.igs");
+  write_iges(grooved, path, solids);
+  IGESControl_Reader written;
+  written.ReadFile(path.c_str());
+  const Handle(IGESData_IGESModel) entities = written.IGESModel();
+  int turned = 0;
+  for (int i = 1; i <= entities->NbEntities(); ++i)
+    if (const auto shell = Handle(IGESSolid_Shell)::DownCast(entities->Entity(i)); !shell.IsNull())
+      for (int k = 1; k <= shell->NbFaces(); ++k)
+        for (int m = 1; !shell->Orientation(k) && m <= shell->Face(k)->NbLoops(); ++m, ++turned)
+          turn(shell->Face(k)->Loop(m));
+  ASSERT_GT(turned, 1);
+  IGESControl_Writer(entities).Write(path.c_str());
+  system(("cp " + path + " /tmp/lab/s68/t.igs").c_str());
+  ModelReport report;
+  Progress progress;
+  const std::shared_ptr<Shape> read = read_shape(path, report, progress);
+  test::Alone alone(progress);
+  const Model model = build_model(*read, {}, {}, progress, alone);
+  EXPECT_NEAR(model.report.area, area_of(grooved), 1e-5 * area_of(grooved));
+  EXPECT_EQ(model.report.free_edges, 0);
 }
 
 /// The torus without a box that goes through it askew, and how IGES has its round face as a trimmed surface.
