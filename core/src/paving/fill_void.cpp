@@ -17,7 +17,7 @@ class VoidFiller {
 
   void run() {
     make_even();
-    budget_ = most_elements();
+    budget_ = static_cast<long>(front_.mesh.elements.size()) + most_elements();
     while (collect_open_loops()) {
       bool is_changed = false;
       for (int f : open_)
@@ -28,8 +28,8 @@ class VoidFiller {
   }
 
  private:
-  // More than any sound run needs: rows before short facets, and the area in the least squares that curvature, or a
-  // length given for a part of the face, asks for. On all models at hand paving makes a quarter of it at most.
+  // More than any sound run adds: rows before short facets, and the area in the least squares that curvature, or a
+  // length given for a part of the face, asks for. On all models at hand paving adds a quarter of it at most.
   long most_elements() const {
     constexpr double shortest = 0.02;  // of the target length: what gradation is taken to reach at most
     constexpr double of_area = 8, most_by_area = 1e12;

@@ -60,6 +60,16 @@ TEST(SmallHoles, TheAxisOfATubeIsNone) {
   EXPECT_TRUE(small_holes(region).empty());
 }
 
+// A board with rows of pins and one hole apart: that many elements are there before it is cut.
+TEST(SmallHoles, AreCutIntoMeshesFarFinerThanTheTargetLength) {
+  std::vector<std::vector<Vec2>> loops{square(120, 8)};
+  for (int i = 0; i < 20; ++i)
+    for (int k = 0; k < 20; ++k) loops.push_back(hole({5 + 3.0 * i, 5 + 3.0 * k}, 0.6, 12));
+  loops.push_back(hole({95, 95}, 0.5, 6));
+  const Figures figures = pave(planar_region(loops, 8));
+  EXPECT_GT(figures.elements, 10000);
+}
+
 TEST(SmallHoles, LeaveTheGridOfAPlateAsItIs) {
   const int n = 30;
   std::vector<std::vector<Vec2>> loops{square(n, 1)};
