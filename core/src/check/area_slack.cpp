@@ -22,7 +22,7 @@ double element_slack(double area, double least_along, bool is_curved) {
 }
 
 bool can_be_area(double mesh_area, const Face& face, double own_area, double slack) {
-  return std::fabs(mesh_area - own_area) <= cad_share * own_area + face.merged_area + slack;
+  return std::fabs(mesh_area - own_area) <= cad_share * own_area + face.merged_area + face.gap_area + slack;
 }
 
 AreaSlack::AreaSlack(const Model& model) {

@@ -267,7 +267,7 @@ class ModelBuilder {
           worst = better;
         }
       }
-      fit_ends(c, edge, face.name, shape);
+      fit_ends(c, edge, face, shape);
       if (worst <= std::max(noted_share * work_.diagonal, sewn_.tolerance)) continue;
       model_.report.curve_distance = std::max(model_.report.curve_distance, worst);
       model_.report.stray_edges.push_back(edge.name);
@@ -302,14 +302,15 @@ class ModelBuilder {
 
   /// Nodes at the ends of edges lie in the vertices: their images must lie there, too, or elements turn over that are
   /// sound in the chart.
-  void fit_ends(Coedge& c, const Edge& edge, const std::string& face, const TopoDS_Face& shape) {
+  void fit_ends(Coedge& c, const Edge& edge, Face& face, const TopoDS_Face& shape) {
     const std::array<Vec3, 2> ends{model_.vertices[edge.start], model_.vertices[edge.end]};
     double off = 0;
     const double allowed = std::max(coarse_share * work_.diagonal, allowed_deviation(c.edge));
     auto fitted = make_image_with_ends(shape, c.pcurve, edge.t0, edge.t1, ends, allowed, off);
     if (!fitted) return;
     c.pcurve = fitted;
-    if (connected_.contacts.empty()) work_.note_repair(RepairKind::image, 1, off, face);
+    face.gap_area += edge.length * off;
+    if (connected_.contacts.empty()) work_.note_repair(RepairKind::image, 1, off, face.name);
   }
 
   void mark_periodic_edges() {

@@ -63,12 +63,13 @@ struct Face {
   bool is_reversed = false;             ///< outward normal is -(xu x xv)
   double area = 0;                      ///< mm^2
   double merged_area = 0;               ///< mm^2 that merging its neighbours or edges may have taken or given
-  bool has_area = true;                 ///< false: left out with a note, has no loops
-  bool is_common = false;               ///< no face but a place in the report: all of it is common with others
-  bool is_dropped = false;              ///< left out since it lies inside the union of parts
-  bool is_merged = false;               ///< left to its neighbours, as it is small against the target length
-  std::vector<int> front, back;         ///< parts that are solids in front of it (where its normal looks) and behind it
-  std::string fault;  ///< not empty: cannot be meshed, and why (e.g. an edge without a curve on the face)
+  double gap_area = 0;           ///< mm^2, at most, between edges and their images, which ended beside the vertices
+  bool has_area = true;          ///< false: left out with a note, has no loops
+  bool is_common = false;        ///< no face but a place in the report: all of it is common with others
+  bool is_dropped = false;       ///< left out since it lies inside the union of parts
+  bool is_merged = false;        ///< left to its neighbours, as it is small against the target length
+  std::vector<int> front, back;  ///< parts that are solids in front of it (where its normal looks) and behind it
+  std::string fault;             ///< not empty: cannot be meshed, and why (e.g. an edge without a curve on the face)
   std::vector<Loop> loops;
   std::vector<InnerPoint> points;
   bool is_meshed() const { return has_area && fault.empty() && !is_common && !is_dropped && !is_merged; }
