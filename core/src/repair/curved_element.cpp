@@ -210,7 +210,7 @@ double ElementJudge::value(const Corners& v, double floor) const {
   if (sj < least_height) return std::min(sj, 0.0);
   if (sj <= floor) return sj;
   const std::array<Vec3, 9> x = nodes(v, n);
-  const JacobianBound bound = form_of(n, order_).bound(x.data());
+  const JacobianBound bound = form_of(n, order_).bound(x.data(), std::min(sj, JacobianForm::poor_ratio));
   if (bound.validity != Validity::valid)
     return is_valid_cusp(v, n, x) ? value_of_cusp : std::clamp(bound.ratio, -1.0, 0.0) - 1e-3;
   if (runs_against(v, n, x)) return folded;

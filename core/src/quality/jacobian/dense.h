@@ -12,6 +12,12 @@ struct Dense {
   long double& at(int row, int column) { return a[static_cast<std::size_t>(row) * n + column]; }
   long double at(int row, int column) const { return a[static_cast<std::size_t>(row) * n + column]; }
   std::vector<double> rounded() const { return {a.begin(), a.end()}; }
+  std::vector<double> rounded_columns() const {
+    std::vector<double> columns;
+    for (int column = 0; column < n; ++column)
+      for (int row = 0; row < n; ++row) columns.push_back(static_cast<double>(at(row, column)));
+    return columns;
+  }
 
   int n;
   std::vector<long double> a;

@@ -38,7 +38,7 @@ double least_of(const double* c, const std::vector<int>& which) {
 }  // namespace
 
 struct JacobianForm::Split {
-  bool is_close;
+  double enough;
   bool is_invalid = false;
   double low = std::numeric_limits<double>::infinity();
 };
@@ -62,27 +62,31 @@ bool JacobianForm::coefficients(const Vec3* x, Coefficients& c) const {
   return std::all_of(c.begin(), c.begin() + count_, [](double value) { return std::isfinite(value); });
 }
 
-void JacobianForm::apply(const std::vector<double>& matrix, const Coefficients& c, Coefficients& result) const {
-  const double* row = matrix.data();
-  for (int i = 0; i < count_; ++i, row += count_) {
-    double value = 0;
-    for (int k = 0; k < count_; ++k) value += row[k] * c[k];
-    result[i] = value;
-  }
+// Column by column: sums of the same terms in the same order as row by row, side by side in the registers.
+void JacobianForm::apply(const std::vector<double>& columns, const Coefficients& c, Coefficients& result) const {
+  std::fill_n(result.begin(), count_, 0.0);
+  const double* column = columns.data();
+  for (int k = 0; k < count_; ++k, column += count_)
+    for (int i = 0; i < count_; ++i) result[i] += column[i] * c[k];
 }
 
+// Quarters of quarters have no lower bound than these, so the lowest goes first and those above what is known stay.
 void JacobianForm::split(const Coefficients& c, int level, Split& state) const {
-  Coefficients quarter;
-  for (const std::vector<double>& matrix : children_) {
-    apply(matrix, c, quarter);
-    if (least_of(quarter.data(), corners_) <= flat_ratio) {
+  std::array<Coefficients, 4> quarters;
+  std::array<std::pair<double, int>, 4> order;
+  for (int k = 0; k < 4; ++k) {
+    apply(children_[k], c, quarters[k]);
+    if (least_of(quarters[k].data(), corners_) <= flat_ratio) {
       state.is_invalid = true;
       return;
     }
-    double low = least(quarter.data(), count_);
-    bool is_doubtful = low <= flat_ratio || (state.is_close && low < poor_ratio && level < close_levels);
+    order[k] = {least(quarters[k].data(), count_), k};
+  }
+  std::ranges::sort(order);
+  for (const auto& [low, k] : order) {
+    const bool is_doubtful = low <= flat_ratio || (low < state.enough && low < state.low && level < close_levels);
     if (is_doubtful && level < most_levels - 1) {
-      split(quarter, level + 1, state);
+      split(quarters[k], level + 1, state);
       if (state.is_invalid) return;
     } else {
       state.low = std::min(state.low, low);
@@ -90,11 +94,11 @@ void JacobianForm::split(const Coefficients& c, int level, Split& state) const {
   }
 }
 
-JacobianBound JacobianForm::bound(const Vec3* x, bool is_close) const {
+JacobianBound JacobianForm::bound(const Vec3* x, double enough) const {
   Coefficients c;
   if (!coefficients(x, c)) return {Validity::invalid, 0};
   double low = least(c.data(), count_);
-  if (low >= poor_ratio || (low > flat_ratio && !is_close)) return {Validity::valid, low};
+  if (low > flat_ratio && low >= enough) return {Validity::valid, low};
   double sampled = low;
   if (low <= flat_ratio) {
     Coefficients values;
@@ -102,7 +106,7 @@ JacobianBound JacobianForm::bound(const Vec3* x, bool is_close) const {
     sampled = std::min(least_of(c.data(), corners_), least(values.data(), count_));
   }
   if (sampled > flat_ratio) {
-    Split state{is_close};
+    Split state{enough};
     split(c, 0, state);
     if (!state.is_invalid) return {state.low > flat_ratio ? Validity::valid : Validity::undecided, state.low};
   }

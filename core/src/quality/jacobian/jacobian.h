@@ -33,10 +33,10 @@ class JacobianForm {
   int node_count() const { return nodes_; }
 
   /// `x`: node_count() nodes in Gmsh's order, mm. Proven positive or not; stops at the first certain sign.
-  bool is_valid(const Vec3* x) const { return bound(x, false).validity == Validity::valid; }
+  bool is_valid(const Vec3* x) const { return bound(x, 0).validity == Validity::valid; }
 
-  /// The same with a lower bound that is worked out more closely for elements below 0.5.
-  JacobianBound bound(const Vec3* x) const { return bound(x, true); }
+  /// The same with a lower bound, which is worked out more closely where it is below `enough`.
+  JacobianBound bound(const Vec3* x, double enough = poor_ratio) const;
 
   static constexpr int lanes = 4;
   struct alignas(lanes * sizeof(double)) Lanes {  ///< one number of each of several elements
@@ -88,9 +88,8 @@ class JacobianForm {
   void build_mean();
   void build_children();
   void build_quadrature();
-  JacobianBound bound(const Vec3* x, bool is_close) const;
   bool coefficients(const Vec3* x, Coefficients& c) const;
-  void apply(const std::vector<double>& matrix, const Coefficients& c, Coefficients& result) const;
+  void apply(const std::vector<double>& columns, const Coefficients& c, Coefficients& result) const;
   void split(const Coefficients& c, int level, Split& state) const;
 
   ElementShape shape_;
@@ -101,8 +100,8 @@ class JacobianForm {
   std::vector<Product> products_;
   std::vector<Pair> mean_;
   std::vector<int> corners_;                     ///< coefficients that are values of det at corners
-  std::vector<double> samples_;                  ///< count_ x count_: det on the lattice from its coefficients
-  std::array<std::vector<double>, 4> children_;  ///< count_ x count_ each: coefficients on a quarter
+  std::vector<double> samples_;                  ///< count_ columns of count_: det on the lattice from its coefficients
+  std::array<std::vector<double>, 4> children_;  ///< the same: coefficients on a quarter
   std::vector<double> quadrature_;               ///< per point: weight, then d/du and d/dv per node
 };
 

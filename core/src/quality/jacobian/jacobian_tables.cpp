@@ -115,14 +115,14 @@ void JacobianForm::build_children() {
   auto lattice = bernstein_lattice(shape_, degree_);
   Dense values = bernstein_matrix(shape_, degree_, lattice, in_place);
   Dense back = inverse(values);
-  samples_ = values.rounded();
+  samples_ = values.rounded_columns();
   bool is_quad = shape_ == ElementShape::quad;
   for (int k = 0; k < 4; ++k) {
     auto quarter = [&](long double u, long double v) -> Uv {
       if (!is_quad && k == 3) return {0.5L - u / 2, 0.5L - v / 2};
       return {(u + (k & 1)) / 2, (v + (k >> 1)) / 2};
     };
-    children_[k] = product(back, bernstein_matrix(shape_, degree_, lattice, quarter)).rounded();
+    children_[k] = product(back, bernstein_matrix(shape_, degree_, lattice, quarter)).rounded_columns();
   }
   int d = degree_;
   corners_ = {bernstein_index(shape_, d, 0, 0), bernstein_index(shape_, d, d, 0), bernstein_index(shape_, d, 0, d)};
