@@ -88,6 +88,7 @@ class Connector {
         try_to_fuse_changed(parts, [&] { return turn_balls(work_, parts, all, true); }))
       return;
     if (leave_points(parts) && (parts.size() < 2 || try_to_fuse(parts))) return;
+    if (leave_solids_as_drawn(parts) && (parts.size() < 2 || try_to_fuse(parts))) return;
     for (int part : parts)
       if (work_.parts[part].is_loose) failed.push_back({part, part});
     std::vector<PartPair> pairs = pairs_among(parts), bad;
@@ -149,6 +150,14 @@ class Connector {
     if (change() && try_to_fuse(parts)) return true;
     work_ = std::move(before);
     return false;
+  }
+
+  /// That solids touch themselves shall not cost the others their connection. Whether there were any.
+  bool leave_solids_as_drawn(const std::vector<int>& parts) {
+    bool is_changed = false;
+    for (const int part : parts)
+      if (WorkPart& solid = work_.parts[part]; solid.solid >= 0) is_changed |= std::exchange(solid.is_loose, false);
+    return is_changed;
   }
 
   /// Points shall not cost the others their connection, nor a try each. Whether there were any.
@@ -266,8 +275,13 @@ class Connector {
       const WorkFace& other = work_.faces[of[i]];
       bool is_opposed = oriented_as(image.face, other.face).Orientation() != piece.face.Orientation();
       for (const FaceUse& use : other.uses)
-        if (!piece.has_part(use.part)) piece.uses.push_back({use.part, use.is_opposed != is_opposed});
+        if (!piece.has_part(use.part)) {
+          piece.uses.push_back({use.part, use.is_opposed != is_opposed});
+        } else if (is_opposed && work_.parts[use.part].solid >= 0) {
+          piece.is_dropped = true;  // where a solid touches itself, which is on both sides
+        }
     }
+    if (piece.is_dropped) piece.lose_area();
     return piece;
   }
 

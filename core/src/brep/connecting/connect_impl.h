@@ -141,7 +141,7 @@ bool has_inner_points(const Workpiece& work, const std::vector<int>& parts);
 /// them; false where there are none. `pairs`: that may touch.
 bool turn_balls(Workpiece& work, const std::vector<int>& parts, const std::vector<PartPair>& pairs, bool are_all);
 
-/// Marks sheets and wires that touch themselves: WorkPart::is_loose.
+/// Marks parts that touch themselves: WorkPart::is_loose.
 void find_loose_parts(Workpiece& work, double tolerance);
 
 /// What a tolerance tells of the gap closed there, mm: the kernel widens tolerances so far; its own accuracy is no gap.

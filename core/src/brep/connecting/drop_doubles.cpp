@@ -1,5 +1,7 @@
 // Faces that were drawn twice, one on the other: the later one is left out, before anything is sewn to it. Only within
-// one solid, and among faces without one; what different parts have in common is connected instead.
+// one solid, and among faces without one; what different parts have in common is connected instead. Both go where they
+// are sides of a slit without width in a solid.
+#include <BOPTools_AlgoTools.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -87,6 +89,51 @@ class DoubleFinder {
   Handle(IntTools_Context) context_ = new IntTools_Context;
 };
 
+/// Tells sides of a slit in a solid from what was drawn twice.
+class Slits {
+ public:
+  Slits(const Workpiece& work, const std::vector<std::array<int, 2>>& doubles)
+      : work_(work), uses_(count_uses(work.faces)), together_(work.faces.size()), has_single_(work.faces.size(), 0) {
+    std::vector<char> is_double(work.faces.size(), 0);
+    for (const auto& [later, first] : doubles) is_double[later] = is_double[first] = 1;
+    std::vector<int> first_face(uses_.count.Extent() + 1, -1);
+    const int count = static_cast<int>(work.faces.size());
+    for (int f = 0; f < count; ++f) {
+      if (!work.faces[f].has_area) continue;
+      for (const TopoDS_Edge& edge : edges_of(work.faces[f].face))
+        if (int& known = first_face[uses_.count.FindIndex(edge)]; known < 0) {
+          known = f;
+        } else {
+          together_.merge(f, known);
+        }
+    }
+    for (int f = 0; f < count; ++f)
+      if (!is_double[f]) has_single_[together_.find(f)] = 1;
+  }
+
+  /// Whether the two look at each other, in skins that have more faces, and what stays at their edges can be closed.
+  bool has(int one, int two) {
+    const TopoDS_Face &face = work_.faces[one].face, &other = work_.faces[two].face;
+    if (work_.faces[one].solid < 0 || !has_single_[together_.find(one)] || !has_single_[together_.find(two)] ||
+        !BOPTools_AlgoTools::IsSplitToReverse(face, other, context_))
+      return false;
+    const auto edges = shapes_of(face, TopAbs_EDGE), others = shapes_of(other, TopAbs_EDGE);
+    auto stays_open = [&](const TopoDS_Shape& edge) {
+      const int own = edges.Contains(edge) + others.Contains(edge);
+      return !BRep_Tool::Degenerated(TopoDS::Edge(edge)) && uses_.count.FindFromKey(edge) == own + own - 1;
+    };
+    return std::none_of(edges.cbegin(), edges.cend(), stays_open) &&
+           std::none_of(others.cbegin(), others.cend(), stays_open);
+  }
+
+ private:
+  const Workpiece& work_;
+  EdgeUses uses_;
+  UnionFind together_;            // faces that share edges
+  std::vector<char> has_single_;  // per set of these, at its root: a face that was drawn once
+  Handle(IntTools_Context) context_ = new IntTools_Context;
+};
+
 }  // namespace
 
 std::vector<std::array<int, 2>> find_doubles(const Workpiece& work,
@@ -100,12 +147,19 @@ std::vector<std::array<int, 2>> find_doubles(const Workpiece& work,
 
 void drop_doubles(Workpiece& work) {
   auto are_of_one = [](const WorkFace& one, const WorkFace& two) { return one.solid == two.solid; };
-  for (const std::array<int, 2>& pair : find_doubles(work, are_of_one)) {
-    WorkFace& dropped = work.faces[pair[0]];
-    if (!dropped.has_area || !work.faces[pair[1]].has_area) continue;
-    dropped.is_dropped = true;
-    dropped.lose_area();
-    work.note_repair(RepairKind::dropped_face, 1, doubled_share * work.diagonal, face_name(dropped.origin));
+  const std::vector<std::array<int, 2>> doubles = find_doubles(work, are_of_one);
+  if (doubles.empty()) return;
+  Slits slits(work, doubles);
+  auto drop = [&](WorkFace& face) {
+    face.is_dropped = true;
+    face.lose_area();
+    work.note_repair(RepairKind::dropped_face, 1, doubled_share * work.diagonal, face_name(face.origin));
+  };
+  for (const std::array<int, 2>& pair : doubles) {
+    WorkFace &later = work.faces[pair[0]], &first = work.faces[pair[1]];
+    if (!later.has_area || !first.has_area) continue;
+    if (slits.has(pair[0], pair[1])) drop(first);
+    drop(later);
     work.doubles.push_back(pair);
   }
 }

@@ -1,5 +1,6 @@
 // Parts that touch themselves: sheets whose faces do elsewhere than along common edges, for which each pair of faces
-// that may is given to the kernel, and wires whose edges do elsewhere than at common vertices.
+// that may is given to the kernel, solids likewise where edges of theirs lie on one another, and wires whose edges do
+// elsewhere than at common vertices.
 #include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
@@ -180,38 +181,95 @@ void for_near_edges(const std::vector<SheetEdge>& edges, Visit visit) {
   }
 }
 
+/// Whether all that lies between the edges is a face no wider than the tolerance, or one of them is no longer.
+bool are_at_sliver(const SheetEdge& one, const SheetEdge& other, const std::vector<const WorkFace*>& faces,
+                   double tolerance) {
+  const double width = 2 * tolerance, length = edge_length(one.edge);
+  return length < width || std::ranges::any_of(one.faces, [&](std::size_t f) {
+           return std::ranges::find(other.faces, f) != other.faces.end() && faces[f]->area < width * length;
+         });
+}
+
 /// Pairs of faces with edges that lie on one another and are not one. Sewing joins edges two by two: where bodies touch
 /// that come without their solids, more lie in one place, and what is joined may be one's edge and another's.
-std::set<FacePair> pairs_at_doubled_edges(const std::vector<const WorkFace*>& faces, double tolerance) {
+template <class MayTouch>
+std::set<FacePair> pairs_at_doubled_edges(const std::vector<const WorkFace*>& faces, double tolerance,
+                                          MayTouch may_touch) {
   std::set<FacePair> pairs;
   for_near_edges(edges_of_sheet(faces, tolerance), [&](const SheetEdge& one, const SheetEdge& other) {
-    if (!comes_by(other, one.middle, tolerance)) return;
+    if (!comes_by(other, one.middle, tolerance) || are_at_sliver(one, other, faces, tolerance)) return;
     for (std::size_t i : one.faces)
       for (std::size_t j : other.faces)
-        if (i != j && faces[i]->read_sheet != faces[j]->read_sheet) pairs.insert(std::minmax(i, j));
+        if (i != j && may_touch(*faces[i], *faces[j])) pairs.insert(std::minmax(i, j));
   });
   return pairs;
+}
+
+std::vector<const WorkFace*> faces_of_part(const Workpiece& work, int part) {
+  std::vector<const WorkFace*> faces;
+  for (const WorkFace& face : work.faces)
+    if (face.is_usable() && face.has_part(part)) faces.push_back(&face);
+  return faces;
+}
+
+bool change_when_fused(const TopoDS_Face& one, const TopoDS_Face& other, double tolerance) {
+  TopTools_ListOfShape both;
+  both.Append(one);
+  both.Append(other);
+  return change_when_fused(both, tolerance);
+}
+
+/// The faces of pairs, and those that may lie on these.
+std::set<std::size_t> with_level_faces(const std::vector<const WorkFace*>& faces, const std::set<FacePair>& pairs,
+                                       double tolerance) {
+  std::vector<PartPiece> pieces;
+  for (const WorkFace* face : faces) pieces.emplace_back(face->face, 0.5 * tolerance);
+  std::set<std::size_t> found;
+  for (const auto& [i, j] : pairs) found.insert({i, j});
+  std::vector<std::size_t> open(found.begin(), found.end());
+  while (!open.empty()) {
+    const std::size_t at = open.back();
+    open.pop_back();
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      if (!found.contains(f) && pieces[f].is_level_with(pieces[at]) && may_touch(pieces[f], pieces[at]))
+        found.insert(f), open.push_back(f);
+  }
+  return found;
+}
+
+/// The faces of a solid that lie on one another from a common edge on, as the sides of tabs bent out of a sheet, and
+/// those at edges that lie on one another: where pads touch at a corner, programs that know no edge of more than two
+/// faces write it twice.
+std::set<const WorkFace*> loose_faces_of_solid(const Workpiece& work, int part, double tolerance) {
+  const std::vector<const WorkFace*> faces = faces_of_part(work, part);
+  auto may_touch = [](const WorkFace&, const WorkFace&) { return true; };
+  std::set<FacePair> pairs = pairs_at_doubled_edges(faces, tolerance, may_touch);
+  pairs.merge(find_folds(faces));
+  int tries = 0;
+  auto is_changed = [&](const FacePair& pair) {
+    return ++tries <= most_tries && change_when_fused(faces[pair.first]->face, faces[pair.second]->face, tolerance);
+  };
+  if (std::ranges::none_of(pairs, is_changed)) return {};
+  std::set<const WorkFace*> loose;
+  for (const std::size_t f : with_level_faces(faces, pairs, tolerance)) loose.insert(faces[f]);
+  return loose;
 }
 
 /// Whether a sheet sewn of several has faces of different ones that touch elsewhere than along the seams, or faces that
 /// lie on one another from a common edge on. In closed skins only where edges lie on one another: all others are drawn
 /// to fit, and the kernel would find no more than what sewing closed.
 bool is_loose_sheet(const Workpiece& work, int part, double tolerance) {
-  std::vector<const WorkFace*> faces;
-  for (const WorkFace& face : work.faces)
-    if (face.is_usable() && face.has_part(part)) faces.push_back(&face);
+  const std::vector<const WorkFace*> faces = faces_of_part(work, part);
   int tries = 0;
   auto is_changed = [&](const FacePair& pair) {
-    TopTools_ListOfShape both;
-    both.Append(faces[pair.first]->face);
-    both.Append(faces[pair.second]->face);
-    return ++tries <= most_tries && change_when_fused(both, tolerance);
+    return ++tries <= most_tries && change_when_fused(faces[pair.first]->face, faces[pair.second]->face, tolerance);
   };
   if (std::ranges::any_of(find_folds(faces), is_changed)) return true;
   auto is_sewn = [&](const WorkFace* face) { return face->read_sheet != faces[0]->read_sheet; };
   if (std::none_of(faces.begin(), faces.end(), is_sewn)) return false;
   const bool is_closed = are_closed(faces);
-  const std::set<FacePair> at_edges = pairs_at_doubled_edges(faces, doubled * tolerance);
+  auto may_touch = [](const WorkFace& one, const WorkFace& other) { return one.read_sheet != other.read_sheet; };
+  const std::set<FacePair> at_edges = pairs_at_doubled_edges(faces, doubled * tolerance, may_touch);
   if (is_closed && at_edges.empty()) return false;
   std::vector<FacePair> pairs(at_edges.begin(), at_edges.end());
   std::vector<PartPiece> pieces;
@@ -253,7 +311,13 @@ void find_loose_parts(Workpiece& work, double tolerance) {
   for (std::size_t p = 0; p < work.parts.size(); ++p) {
     WorkPart& part = work.parts[p];
     const int index = static_cast<int>(p);
-    part.is_loose = part.solid < 0 && (is_loose_sheet(work, index, tolerance) || is_loose_wire(work, index, tolerance));
+    if (part.solid < 0) {
+      part.is_loose = is_loose_sheet(work, index, tolerance) || is_loose_wire(work, index, tolerance);
+    } else {
+      const std::set<const WorkFace*> loose = loose_faces_of_solid(work, index, tolerance);
+      part.is_loose = !loose.empty();
+      for (WorkFace& face : work.faces) face.is_loose |= loose.contains(&face);
+    }
   }
 }
 

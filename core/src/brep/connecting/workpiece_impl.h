@@ -44,8 +44,9 @@ struct WorkFace {
   double area = 0;             ///< mm^2
   double gap = 0;              ///< mm, that was closed between the faces it is a piece of; by connect()
   bool has_area = true;
+  bool is_loose = false;    ///< of a solid that touches itself: it is where that does
   bool is_common = false;   ///< stands for a face all of which is common with others: they have an entry of their own
-  bool is_dropped = false;  ///< left out since it lies inside the union of parts
+  bool is_dropped = false;  ///< left out since it lies inside the union of parts, or of a solid that touches itself
   std::string fault;        ///< not empty: cannot be meshed, and why
   std::function<Vec2(Vec2)> converted;  ///< (u, v) from those of the surface as read; empty: they are the same
 
@@ -61,7 +62,7 @@ struct WorkFace {
 struct WorkPart {
   std::string name;       ///< "Solid2", "Sheet1", "Wire1", "Point1"
   int solid = -1;         ///< index of the solid of the shape as read
-  bool is_loose = false;  ///< a sheet sewn of several or a wire that touches itself where its pieces share nothing
+  bool is_loose = false;  ///< touches itself where its pieces share nothing
 };
 
 /// An edge that bounds no face.

@@ -4,6 +4,7 @@
 #include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRep_Builder.hxx>
 #include <TopTools_ListOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <cmath>
 #include <initializer_list>
@@ -65,21 +66,31 @@ class Fuser {
   void list_shapes() {
     for (const WorkFace& face : work_.faces)
       for (const FaceUse& use : face.uses)
-        if (face.is_usable() && is_member_[use.part]) shapes_[use.part].Append(face.face);
+        if (face.is_usable() && is_member_[use.part]) {
+          shapes_[use.part].Append(face.face);
+          if (face.is_loose && work_.parts[use.part].is_loose) loose_.Add(face.face);
+        }
     for (const WorkWire& wire : work_.wires)
       if (is_member_[wire.part]) shapes_[wire.part].Append(wire.edge);
     for (const WorkPoint& point : work_.points)
       if (is_member_[point.part] && !point.is_end) shapes_[point.part].Append(point.vertex);
   }
 
-  /// One argument, but each shape of a loose part: the kernel looks for nothing between the faces, or edges, of one.
+  /// One argument, but each shape of a loose part, or each loose face of a solid: the kernel looks for nothing between
+  /// the faces, or edges, of one.
   void add_arguments(int part) {
     TopTools_ListOfShape& shapes = shapes_[part];
-    if (work_.parts[part].is_loose) return arguments_.Append(shapes);
+    const bool is_solid = work_.parts[part].solid >= 0;
+    if (work_.parts[part].is_loose && !is_solid) return arguments_.Append(shapes);
     BRep_Builder builder;
     TopoDS_Compound whole;
     builder.MakeCompound(whole);
-    for (const TopoDS_Shape& shape : shapes) builder.Add(whole, shape);
+    for (const TopoDS_Shape& shape : shapes)
+      if (loose_.Contains(shape)) {
+        arguments_.Append(shape);
+      } else {
+        builder.Add(whole, shape);
+      }
     arguments_.Append(whole);
   }
 
@@ -124,6 +135,7 @@ class Fuser {
   const Workpiece& work_;
   std::vector<TopTools_ListOfShape> shapes_;  // of each part that is fused
   std::vector<char> is_member_;               // per part
+  TopTools_MapOfShape loose_;                 // faces of solids
   TopTools_ListOfShape arguments_;
   TopTools_IndexedMapOfShape images_;
 };
