@@ -167,15 +167,23 @@ class Dome {
 
 class Tube {
  public:
-  explicit Tube(const Region& region) : region_(region), from_(region.loops[0]), to_(region.loops[1]) {}
+  explicit Tube(const Region& region) : region_(region), from_(region.loops[0]), to_(region.loops[1]) {
+    const auto gap = [&](auto i, auto j) { return to_[j].p - from_[i].p; };
+    shift_ = nearest_turn(from_.size(), gap, 1e-9);
+  }
+
+  bool is_prism() const {
+    FacingSides sides;
+    for (std::size_t i = 0; i <= from_.size(); ++i)
+      sides.push_back({&from_[i % from_.size()], &opposite(i % from_.size())});
+    return are_sides_of_prism(region_, sides);
+  }
 
   std::optional<RegionMesh> lay() {
     mesh_.turn_weight = region_.size.turn_weight();
     const std::size_t n = from_.size();
-    const auto gap = [&](auto i, auto j) { return to_[j].p - from_[i].p; };
-    const std::size_t shift = nearest_turn(n, gap, 1e-9);
     for (std::size_t i = 0; i < n; ++i)
-      rays_.emplace_back(region_, from_[i].p, opposite(i, shift).p, DomeRows::even, Ray::Way::by_chart);
+      rays_.emplace_back(region_, from_[i].p, opposite(i).p, DomeRows::even, Ray::Way::by_chart);
     // Where a pipe bends it turns most along its outer and inner line. Lengths do not count turns closer than a few
     // target lengths.
     double longest = 0;
@@ -183,12 +191,13 @@ class Tube {
       const double turn = turn_along(region_, [&](double share) { return ray.at(share); });
       longest = std::max({longest, ray.length(), turn / region_.turn_limit});
     }
-    const int rows = static_cast<int>(std::clamp(std::lround(longest), 1L, long{most_rows}));
+    int rows = static_cast<int>(std::clamp(std::floor(longest), 1.0, double{most_rows}));
+    if (rows < most_rows && longest * longest > rows * (rows + 1)) ++rows;  // as far above a target length as below
     if (longest > longest_row * rows) return std::nullopt;
     std::vector<int> last, next;
     for (int row = 0; row <= rows; ++row, last = std::move(next)) {
       next.clear();
-      for (std::size_t i = 0; i < n; ++i) next.push_back(add(i, row, rows, shift));
+      for (std::size_t i = 0; i < n; ++i) next.push_back(add(i, row, rows));
       for (std::size_t i = 0; row > 0 && i < n; ++i)
         mesh_.add_element({last[i], last[(i + 1) % n], next[(i + 1) % n], next[i]});
     }
@@ -197,22 +206,29 @@ class Tube {
 
  private:
   /// Loops have the region on their left: they run opposite ways round.
-  const LoopNode& opposite(std::size_t i, std::size_t shift) const {
+  const LoopNode& opposite(std::size_t i) const {
     const std::size_t n = to_.size();
-    return to_[(shift + n - i) % n];
+    return to_[(shift_ + n - i) % n];
   }
 
-  int add(std::size_t i, int row, int rows, std::size_t shift) {
+  int add(std::size_t i, int row, int rows) {
     if (row == 0) return add_node(region_, from_[i], mesh_);
-    if (row == rows) return add_node(region_, opposite(i, shift), mesh_);
+    if (row == rows) return add_node(region_, opposite(i), mesh_);
     return add_node(region_, rays_[i].at(static_cast<double>(row) / rows), mesh_);
   }
 
   const Region& region_;
   const std::vector<LoopNode>&from_, &to_;
+  std::size_t shift_ = 0;  // of to_: faces the first of from_
   std::vector<Ray> rays_;
   RegionMesh mesh_;
 };
+
+bool are_equal_ends(const Region& region, std::size_t most) {
+  if (region.loops.size() != 2 || !region.fans.empty()) return false;
+  const std::size_t nodes = region.loops[0].size();
+  return nodes == region.loops[1].size() && nodes >= 3 && nodes <= most;
+}
 
 }  // namespace
 
@@ -225,10 +241,14 @@ bool is_slim_tube(const Region& region) {
 }
 
 std::optional<RegionMesh> lay_tube(const Region& region) {
-  if (region.loops.size() != 2 || !region.fans.empty()) return std::nullopt;
-  const std::size_t nodes = region.loops[0].size();
-  if (nodes != region.loops[1].size() || nodes < 3 || nodes > most_nodes) return std::nullopt;
-  return Tube(region).lay();
+  return are_equal_ends(region, most_nodes) ? Tube(region).lay() : std::nullopt;
+}
+
+std::optional<RegionMesh> lay_prism(const Region& region) {
+  constexpr std::size_t most = 4096;  // turning tries all
+  if (!region.goes_round || !are_equal_ends(region, most)) return std::nullopt;
+  Tube tube(region);
+  return tube.is_prism() ? tube.lay() : std::nullopt;
 }
 
 std::optional<RegionMesh> lay_dome(const Region& region, Elements elements, DomeRows rows) {

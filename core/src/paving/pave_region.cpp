@@ -191,6 +191,7 @@ PavedRegion pave_region(const Region& region, const Progress& progress, Elements
   auto laid = lay_fill(region);
   if (!laid) laid = lay_disc(region, progress);
   if (!laid) laid = lay_strip(region);
+  if (!laid) laid = lay_prism(region);
   if (!laid && is_slim_tube(region)) laid = lay_tube(region);
   if (laid) return finish({std::move(*laid), {}}, elements);
   if (elements == Elements::all_quad) return pave_without_triangles(region, progress);

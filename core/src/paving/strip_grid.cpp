@@ -63,6 +63,13 @@ class Strip {
     return most < narrow;
   }
 
+  bool is_prism() const {
+    FacingSides columns, rows;
+    for (int i = 0; i <= columns_; ++i) columns.push_back({&low(i), &high(i)});
+    for (int j = 0; j <= rows_; ++j) rows.push_back({&left(j), &right(j)});
+    return are_sides_of_prism(region_, columns) || are_sides_of_prism(region_, rows);
+  }
+
   /// Cut open along its periodic edge.
   bool is_tube() const { return is_along_columns() || is_along_rows(); }
 
@@ -189,9 +196,9 @@ std::optional<RegionMesh> lay_strip(const Region& region) {
   if (region.loops.size() == 2) return lay_ring(region);
   if (region.loops.size() != 1) return std::nullopt;
   Strip strip(region);
-  if (!strip.find_sides() || !strip.is_narrow()) return std::nullopt;
+  if (!strip.find_sides() || !(strip.is_narrow() || strip.is_prism())) return std::nullopt;
   if (auto grid = strip.lay(region.size.turn_weight())) return grid;
-  return strip.is_tube() ? strip.lay(0) : std::nullopt;
+  return strip.is_tube() || strip.is_prism() ? strip.lay(0) : std::nullopt;
 }
 
 std::optional<RegionMesh> lay_four_sided(const Region& region, std::size_t most_elements) {

@@ -27,6 +27,42 @@ NodePlace Region::place(Vec2 p) const {
   return at;
 }
 
+bool are_sides_of_prism(const Region& region, const FacingSides& sides) {
+  constexpr double parallel = 0.1;       // radians, of lines and of normals along them
+  constexpr double least_bend = 0.5;     // of the limit of turn, in one interval
+  constexpr double least_length = 0.55;  // target lengths, in the mean, as lengths count turns
+  constexpr double few_rows = 4, least_of_few = 0.3;
+  if (sides.size() < 2) return false;
+  auto normal = [&](Vec2 p) {
+    const SurfaceSlope slope = region.slope(p);
+    return unit(cross(slope.u, slope.v));
+  };
+  Vec3 across;
+  double length = 0;
+  for (const auto& [one, other] : sides) {
+    across += unit(other->x - one->x);
+    length += norm(other->x - one->x) / static_cast<double>(sides.size());
+  }
+  across = unit(across);
+  double most = 0, sum = 0;
+  Vec3 last;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const auto& [one, other] = sides[i];
+    const Vec3 here = normal(one->p);
+    if (angle_between(other->x - one->x, across) > parallel || angle_between(here, normal(other->p)) > parallel ||
+        angle_between(here, normal(region.chart->between(one->p, other->p, 0.5))) > parallel)
+      return false;
+    if (i > 0) {
+      const double turn = angle_between(last, here), step = norm(one->x - sides[i - 1][0]->x) / region.h;
+      most = std::max(most, turn / std::min(step, 1.0));
+      sum += std::hypot(step, turn / region.turn_limit);
+    }
+    last = here;
+  }
+  const double least = length <= few_rows * region.h ? least_of_few : least_length;
+  return most >= least_bend * region.turn_limit && sum >= least * static_cast<double>(sides.size() - 1);
+}
+
 double nearest_node(const Region& region, Vec3 at) {
   double nearest = INFINITY;
   for (const auto& loop : region.loops)

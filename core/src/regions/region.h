@@ -1,6 +1,7 @@
 // One paving task, complete in itself: a piece of one surface with its loops of fixed nodes.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -80,6 +81,13 @@ double turn_along(const Region& region, At at) {
   }
   return turn;
 }
+
+/// Nodes of two sides of a region, each facing the same one of the other side.
+using FacingSides = std::vector<std::array<const LoopNode*, 2>>;
+
+/// Whether the surface between these is a prism that bends: parallel lines from side to side, along which it does not
+/// turn, as far as it does from one to the next, and intervals about as long as is asked for.
+bool are_sides_of_prism(const Region& region, const FacingSides& sides);
 
 /// Distance to the nearest node of the loops, infinite where there is none.
 double nearest_node(const Region& region, Vec3 at);
