@@ -205,13 +205,6 @@ std::set<FacePair> pairs_at_doubled_edges(const std::vector<const WorkFace*>& fa
   return pairs;
 }
 
-std::vector<const WorkFace*> faces_of_part(const Workpiece& work, int part) {
-  std::vector<const WorkFace*> faces;
-  for (const WorkFace& face : work.faces)
-    if (face.is_usable() && face.has_part(part)) faces.push_back(&face);
-  return faces;
-}
-
 bool change_when_fused(const TopoDS_Face& one, const TopoDS_Face& other, double tolerance) {
   TopTools_ListOfShape both;
   both.Append(one);
@@ -240,8 +233,7 @@ std::set<std::size_t> with_level_faces(const std::vector<const WorkFace*>& faces
 /// The faces of a solid that lie on one another from a common edge on, as the sides of tabs bent out of a sheet, and
 /// those at edges that lie on one another: where pads touch at a corner, programs that know no edge of more than two
 /// faces write it twice.
-std::set<const WorkFace*> loose_faces_of_solid(const Workpiece& work, int part, double tolerance) {
-  const std::vector<const WorkFace*> faces = faces_of_part(work, part);
+std::set<std::size_t> loose_faces_of_solid(const std::vector<const WorkFace*>& faces, double tolerance) {
   auto may_touch = [](const WorkFace&, const WorkFace&) { return true; };
   std::set<FacePair> pairs = pairs_at_doubled_edges(faces, tolerance, may_touch);
   pairs.merge(find_folds(faces));
@@ -250,16 +242,13 @@ std::set<const WorkFace*> loose_faces_of_solid(const Workpiece& work, int part, 
     return ++tries <= most_tries && change_when_fused(faces[pair.first]->face, faces[pair.second]->face, tolerance);
   };
   if (std::ranges::none_of(pairs, is_changed)) return {};
-  std::set<const WorkFace*> loose;
-  for (const std::size_t f : with_level_faces(faces, pairs, tolerance)) loose.insert(faces[f]);
-  return loose;
+  return with_level_faces(faces, pairs, tolerance);
 }
 
 /// Whether a sheet sewn of several has faces of different ones that touch elsewhere than along the seams, or faces that
 /// lie on one another from a common edge on. In closed skins only where edges lie on one another: all others are drawn
 /// to fit, and the kernel would find no more than what sewing closed.
-bool is_loose_sheet(const Workpiece& work, int part, double tolerance) {
-  const std::vector<const WorkFace*> faces = faces_of_part(work, part);
+bool is_loose_sheet(const std::vector<const WorkFace*>& faces, double tolerance) {
   int tries = 0;
   auto is_changed = [&](const FacePair& pair) {
     return ++tries <= most_tries && change_when_fused(faces[pair.first]->face, faces[pair.second]->face, tolerance);
@@ -308,15 +297,18 @@ bool is_loose_wire(const Workpiece& work, int part, double tolerance) {
 }  // namespace
 
 void find_loose_parts(Workpiece& work, double tolerance) {
+  std::vector<std::vector<const WorkFace*>> faces(work.parts.size());
+  for (const WorkFace& face : work.faces)
+    for (const FaceUse& use : face.uses)
+      if (face.is_usable()) faces[use.part].push_back(&face);
   for (std::size_t p = 0; p < work.parts.size(); ++p) {
     WorkPart& part = work.parts[p];
-    const int index = static_cast<int>(p);
     if (part.solid < 0) {
-      part.is_loose = is_loose_sheet(work, index, tolerance) || is_loose_wire(work, index, tolerance);
+      part.is_loose = is_loose_sheet(faces[p], tolerance) || is_loose_wire(work, static_cast<int>(p), tolerance);
     } else {
-      const std::set<const WorkFace*> loose = loose_faces_of_solid(work, index, tolerance);
+      const std::set<std::size_t> loose = loose_faces_of_solid(faces[p], tolerance);
       part.is_loose = !loose.empty();
-      for (WorkFace& face : work.faces) face.is_loose |= loose.contains(&face);
+      for (const std::size_t f : loose) work.faces[faces[p][f] - work.faces.data()].is_loose = true;
     }
   }
 }
