@@ -2,15 +2,17 @@
 // wide, so rows that looked for their way had elements across them.
 #include <gtest/gtest.h>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
+#include <TopoDS.hxx>
 #include <cmath>
+#include <string>
 
+#include "brep/occt_shapes_impl.h"
 #include "support/report_of.h"
 
 namespace paver {
@@ -56,6 +58,23 @@ TEST(SweptPrism, RowsOfTubesFollowTheirLobes) {
   for (const double height : {8.0, 12.0})
     for (const double size : {30.0, 18.0, 10.0, 5.0})
       expect_rows_along_lines(BRepPrimAPI_MakePrism(lobes(height, 6), gp_Vec(0, 0, 100)).Shape(), size);
+}
+
+TEST(SweptPrism, MayHaveUnlikeStraightSides) {
+  const TopoDS_Shape sheet = BRepPrimAPI_MakePrism(wave(16, 4), gp_Vec(0, 0, 100)).Shape();
+  const auto edges = shapes_of(sheet, TopAbs_EDGE);
+  int lines = 0;
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    if (BRepAdaptor_Curve(TopoDS::Edge(edges(i))).GetType() != GeomAbs_Line) continue;
+    Options options;
+    options.size = 20;
+    options.local = {{"Edge" + std::to_string(i), 14}};
+    const RunReport report = test::mesh_of(sheet, options).report;
+    EXPECT_EQ(report.quality.irregular_nodes, 0);
+    EXPECT_LT(report.quality.distance.largest, 0.025 * 20);
+    ++lines;
+  }
+  EXPECT_EQ(lines, 2);
 }
 
 // Of a mast whose ends have short facets the rest is as coarse as asked for.

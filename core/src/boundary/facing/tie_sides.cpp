@@ -17,6 +17,7 @@
 
 #include "base/union_find.h"
 #include "boundary/facing/side_chain.h"
+#include "topology/corner_angle.h"
 
 namespace paver {
 namespace {
@@ -25,8 +26,9 @@ constexpr double most_intervals = 1e8;   // keeps counts within int
 constexpr double largest_change = 0.12;  // of an edge's wish
 // Intervals on the rims of a ring, by the target length: cones up to 1 : 1.67 come out regular (decision frusta).
 constexpr double shortest_on_rim = 0.75, longest_on_rim = 1.25;
-constexpr double narrow = 0.7;  // intervals
-constexpr double thin = 0.2;    // intervals: what lies between unequal sides are needles
+constexpr double narrow = 0.7;         // intervals
+constexpr double thin = 0.2;           // intervals: what lies between unequal sides are needles
+constexpr double most_on_prism = 1.4;  // of the wish, and its inverse: lines of a prism, for a grid between them
 // Of the wish: sides of thin faces may take as many more.
 constexpr double most_on_thin = 1.5;
 // Of the wish: a side of a thin face that is one edge, for the vertices it faces.
@@ -56,6 +58,7 @@ struct Range {
 
 struct EdgeKind {
   bool is_rim = false, is_of_thin = false;  // of a ring, a bent strip or a single row; of a thin face
+  bool is_of_prism = false;                 // one of two parallel lines between sides that bend
   int faced = 0;                            // intervals of several edges that it faces across a thin face
 };
 
@@ -64,6 +67,8 @@ Range range_of(const EdgeCount& edge, EdgeKind kind) {
   double lowest = edge.wish - slack, highest = edge.wish + slack;
   if (kind.is_rim)
     lowest = std::min(lowest, edge.wish / longest_on_rim), highest = std::max(highest, edge.wish / shortest_on_rim);
+  if (kind.is_of_prism)
+    lowest = std::min(lowest, edge.wish / most_on_prism), highest = std::max(highest, edge.wish * most_on_prism);
   // The count it has is always allowed: its minimum may lie far above its wish.
   int least = std::max(edge.minimum, static_cast<int>(std::ceil(std::max(lowest, 1.0))));
   int most = static_cast<int>(std::floor(std::min(highest, most_intervals)));
@@ -298,6 +303,22 @@ bool is_within(double intervals, const Model& model, const OppositeSides& pair, 
   return width_between(model, pair) * wish_of(pair, counts) <= intervals * length_of(model, pair);
 }
 
+/// Whether a face lies between parallel lines, the sides of the pair, and sides that bend.
+bool is_prism(const Model& model, const OppositeSides& pair, const OppositeSides& partner) {
+  constexpr double parallel = 0.1, alike = 0.9, least_bend = 1.01;  // radians; of the longer line; of the chord
+  if (pair.first.size() != 1 || pair.second.size() != 1) return false;
+  auto chord = [&](int e) {
+    const Edge& edge = model.edges[e];
+    return model.vertices[edge.end] - model.vertices[edge.start];
+  };
+  const Vec3 one = chord(pair.first[0]), other = chord(pair.second[0]);
+  const double angle = angle_between(one, other);
+  const auto [shorter, longer] = std::minmax(norm(one), norm(other));
+  if (std::min(angle, M_PI - angle) > parallel || shorter < alike * longer) return false;
+  auto bends = [&](int e) { return model.edges[e].length > least_bend * norm(chord(e)); };
+  return std::ranges::none_of(pair.edges(), bends) && std::ranges::all_of(partner.edges(), bends);
+}
+
 /// Whether vertices of one side have none of the other one opposite: edges of equal number do not face each other.
 bool has_lone_vertices(const Model& model, const OppositeSides& pair) {
   const std::optional<ChainPair> sides = chains_of(model, pair);
@@ -333,7 +354,9 @@ TiedCounts tie_opposite_sides(const Model& model, const std::vector<OppositeSide
   for (const OppositeSides& pair : pairs) {
     is_thin.push_back(is_within(thin, model, pair, counts) ? 1 : 0);
     const bool is_row = pair.partner >= 0 && is_within(narrow, model, pair, counts);
+    const bool is_of_prism = pair.partner >= 0 && is_prism(model, pair, pairs[pair.partner]);
     for (int e : pair.edges()) {
+      kinds[e].is_of_prism = kinds[e].is_of_prism || is_of_prism;
       kinds[e].is_rim = kinds[e].is_rim || is_row || (pair.partner < 0 && !pair.is_crescent && !pair.is_gap);
       kinds[e].is_of_thin = kinds[e].is_of_thin || is_thin.back() != 0;
     }
