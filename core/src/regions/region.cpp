@@ -29,7 +29,7 @@ NodePlace Region::place(Vec2 p) const {
 
 bool are_sides_of_prism(const Region& region, const FacingSides& sides) {
   constexpr double parallel = 0.1;       // radians, of lines and of normals along them
-  constexpr double least_bend = 0.5;     // of the limit of turn, in one interval
+  constexpr double least_bend = 0.5;     // of the limit of turn, in a target length
   constexpr double least_length = 0.55;  // target lengths, in the mean, as lengths count turns
   constexpr double few_rows = 4, least_of_few = 0.3;
   if (sides.size() < 2) return false;

@@ -192,15 +192,15 @@ bool are_at_sliver(const SheetEdge& one, const SheetEdge& other, const std::vect
 
 /// Pairs of faces with edges that lie on one another and are not one. Sewing joins edges two by two: where bodies touch
 /// that come without their solids, more lie in one place, and what is joined may be one's edge and another's.
-template <class MayTouch>
+template <class IsWanted>
 std::set<FacePair> pairs_at_doubled_edges(const std::vector<const WorkFace*>& faces, double tolerance,
-                                          MayTouch may_touch) {
+                                          IsWanted is_wanted) {
   std::set<FacePair> pairs;
   for_near_edges(edges_of_sheet(faces, tolerance), [&](const SheetEdge& one, const SheetEdge& other) {
     if (!comes_by(other, one.middle, tolerance) || are_at_sliver(one, other, faces, tolerance)) return;
     for (std::size_t i : one.faces)
       for (std::size_t j : other.faces)
-        if (i != j && may_touch(*faces[i], *faces[j])) pairs.insert(std::minmax(i, j));
+        if (i != j && is_wanted(*faces[i], *faces[j])) pairs.insert(std::minmax(i, j));
   });
   return pairs;
 }
@@ -234,8 +234,8 @@ std::set<std::size_t> with_level_faces(const std::vector<const WorkFace*>& faces
 /// those at edges that lie on one another: where pads touch at a corner, programs that know no edge of more than two
 /// faces write it twice.
 std::set<std::size_t> loose_faces_of_solid(const std::vector<const WorkFace*>& faces, double tolerance) {
-  auto may_touch = [](const WorkFace&, const WorkFace&) { return true; };
-  std::set<FacePair> pairs = pairs_at_doubled_edges(faces, tolerance, may_touch);
+  auto all = [](const WorkFace&, const WorkFace&) { return true; };
+  std::set<FacePair> pairs = pairs_at_doubled_edges(faces, tolerance, all);
   pairs.merge(find_folds(faces));
   int tries = 0;
   auto is_changed = [&](const FacePair& pair) {
@@ -257,8 +257,8 @@ bool is_loose_sheet(const std::vector<const WorkFace*>& faces, double tolerance)
   auto is_sewn = [&](const WorkFace* face) { return face->read_sheet != faces[0]->read_sheet; };
   if (std::none_of(faces.begin(), faces.end(), is_sewn)) return false;
   const bool is_closed = are_closed(faces);
-  auto may_touch = [](const WorkFace& one, const WorkFace& other) { return one.read_sheet != other.read_sheet; };
-  const std::set<FacePair> at_edges = pairs_at_doubled_edges(faces, doubled * tolerance, may_touch);
+  auto are_sewn = [](const WorkFace& one, const WorkFace& other) { return one.read_sheet != other.read_sheet; };
+  const std::set<FacePair> at_edges = pairs_at_doubled_edges(faces, doubled * tolerance, are_sewn);
   if (is_closed && at_edges.empty()) return false;
   std::vector<FacePair> pairs(at_edges.begin(), at_edges.end());
   std::vector<PartPiece> pieces;
