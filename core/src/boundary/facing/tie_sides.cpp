@@ -313,7 +313,7 @@ bool is_prism(const Model& model, const OppositeSides& pair, const OppositeSides
   };
   const Vec3 one = chord(pair.first[0]), other = chord(pair.second[0]);
   const double angle = angle_between(one, other);
-  const auto [shorter, longer] = std::minmax(norm(one), norm(other));
+  const auto [shorter, longer] = std::minmax({norm(one), norm(other)});
   if (std::min(angle, M_PI - angle) > parallel || shorter < alike * longer) return false;
   auto bends = [&](int e) { return model.edges[e].length > least_bend * norm(chord(e)); };
   return std::ranges::none_of(pair.edges(), bends) && std::ranges::all_of(partner.edges(), bends);
