@@ -1,4 +1,4 @@
-"""No text file names a folder of somebody's machine."""
+"""No text file names a folder of somebody's machine; what makes a folder of a free name may say how that looks."""
 import os
 import re
 import sys
@@ -6,7 +6,8 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../support"))
 import repo  # noqa: E402
 
-LOCAL = re.compile(r"(?<![\w./-])/(?:home|root|work|Users|mnt|media)/\w|[A-Z]:\\\\?Users|127\.0\.0\.1")
+ROOTS = "home|root|work|Users|mnt|media"
+LOCAL = re.compile(rf"(?<![\w./-])/(?:(?:{ROOTS})/\w|tmp/(?![\w -]*XXXXXX))|[A-Z]:\\\\?Users|127\.0\.0\.1")
 
 
 def main():

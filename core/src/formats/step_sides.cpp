@@ -2,6 +2,7 @@
 // loops run.
 #include <StepShape_EdgeCurve.hxx>
 #include <StepShape_Vertex.hxx>
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -30,30 +31,109 @@ int dead_ends(const StepShape_FaceSurface& face) {
   return count;
 }
 
-/// The edges of its loops; along the surface's normal where the face is.
-std::vector<FileEdge> edges_of(const XSControl_Reader& reader, const StepShape_FaceSurface& face) {
+/// The edges of its loops, turned or as written; along the surface's normal where the face is.
+std::vector<FileEdge> edges_of(const XSControl_Reader& reader, const StepShape_FaceSurface& face, bool is_turned) {
   std::vector<FileEdge> edges;
   visit_edges(face, [&](const StepShape_OrientedEdge& walked, const StepShape_FaceBound& bound) {
     const auto edge = Handle(StepShape_EdgeCurve)::DownCast(walked.EdgeElement());
     if (edge.IsNull()) return;
     const TopoDS_Shape read = shape_of(reader, edge);
     if (read.IsNull() || read.ShapeType() != TopAbs_EDGE) return;
-    const int turns = !walked.Orientation() + !bound.Orientation() + !edge->SameSense() + !face.SameSense();
+    const int turns = !walked.Orientation() + !bound.Orientation() + !edge->SameSense() + !face.SameSense() + is_turned;
     edges.push_back(file_edge(TopoDS::Edge(read), turns % 2 == 0));
   });
   return edges;
 }
 
+/// Whether the loops of a face run as written: writers turn those of some faces, such as tori.
+enum class LoopSense { as_written, turned, unknown };
+
+/// Of neighbours in a shell one walks along their common edge and one against it. Where the file has that otherwise,
+/// fewer than half of the faces of a shell are turned, or nobody knows.
+class Neighbours {
+ public:
+  explicit Neighbours(const std::vector<Handle(StepShape_FaceSurface)>& faces) : beside_(faces.size()) {
+    std::map<const Standard_Transient*, std::size_t> numbers;
+    std::vector<std::vector<Use>> uses;  // per edge, in the order of the file
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      visit_edges(*faces[i], [&](const StepShape_OrientedEdge& walked, const StepShape_FaceBound& bound) {
+        const std::size_t edge = numbers.try_emplace(walked.EdgeElement().get(), uses.size()).first->second;
+        if (edge == uses.size()) uses.emplace_back();
+        uses[edge].push_back({i, walked.Orientation() == bound.Orientation()});
+      });
+    for (const std::vector<Use>& by : uses) {
+      if (by.size() != 2 || by[0].face == by[1].face) continue;
+      const bool is_alike = by[0].is_along == by[1].is_along;
+      beside_[by[0].face].push_back({by[1].face, is_alike});
+      beside_[by[1].face].push_back({by[0].face, is_alike});
+    }
+  }
+
+  /// Per face.
+  std::vector<LoopSense> loop_senses() const {
+    std::vector<LoopSense> senses(beside_.size(), LoopSense::as_written);
+    std::vector<int> group(beside_.size(), 0);  // 1 and 2: of one shell, turned against each other
+    for (std::size_t i = 0; i < beside_.size(); ++i) {
+      if (group[i] != 0) continue;
+      const std::vector<std::size_t> shell = divide_shell(i, group);
+      const std::size_t first = std::ranges::count(shell, 1, [&](std::size_t face) { return group[face]; }),
+                        second = shell.size() - first;
+      if (second == 0) continue;
+      for (const std::size_t face : shell) {
+        const bool is_less = (group[face] == 1) == (first < second);
+        if (first == second)
+          senses[face] = LoopSense::unknown;
+        else if (is_less)
+          senses[face] = LoopSense::turned;
+      }
+    }
+    return senses;
+  }
+
+ private:
+  struct Use {
+    std::size_t face;
+    bool is_along;
+  };
+  struct Beside {
+    std::size_t face;
+    bool is_alike;  ///< both walk the same way
+  };
+
+  /// The faces of the shell of one face, each put into a group.
+  std::vector<std::size_t> divide_shell(std::size_t face, std::vector<int>& group) const {
+    std::vector<std::size_t> shell{face};
+    group[face] = 1;
+    for (std::size_t k = 0; k < shell.size(); ++k)
+      for (const Beside& next : beside_[shell[k]]) {
+        if (group[next.face] != 0) continue;
+        group[next.face] = next.is_alike ? 3 - group[shell[k]] : group[shell[k]];
+        shell.push_back(next.face);
+      }
+    return shell;
+  }
+
+  std::vector<std::vector<Beside>> beside_;  // per face
+};
+
 }  // namespace
 
 void restore_sides(XSControl_Reader& reader, Shape& shape) {
+  std::vector<Handle(StepShape_FaceSurface)> entities;
+  for (const Handle(Standard_Transient) & any : entities_of(reader))
+    if (const auto entity = Handle(StepShape_FaceSurface)::DownCast(any); !entity.IsNull()) entities.push_back(entity);
+  const std::vector<LoopSense> senses = Neighbours(entities).loop_senses();
   std::vector<FileFace> faces;
-  for (const Handle(Standard_Transient) & any : entities_of(reader)) {
-    const auto entity = Handle(StepShape_FaceSurface)::DownCast(any);
-    if (entity.IsNull()) continue;
+  for (std::size_t i = 0; i < entities.size(); ++i) {
+    const Handle(StepShape_FaceSurface)& entity = entities[i];
     const bool is_along = entity->SameSense();
-    FileFace face{faces_of(shape_of(reader, entity)), [&reader, entity] { return edges_of(reader, *entity); }, is_along,
-                  !is_along, dead_ends(*entity) == 2};
+    const bool is_turned = senses[i] == LoopSense::turned;
+    FileFace face{faces_of(shape_of(reader, entity)),
+                  [&reader, entity, is_turned] { return edges_of(reader, *entity, is_turned); },
+                  is_along,
+                  !is_along,
+                  dead_ends(*entity) == 2,
+                  senses[i] != LoopSense::unknown};
     if (!face.read.empty()) faces.push_back(std::move(face));
   }
   FaceChanges changes(shape.shape);

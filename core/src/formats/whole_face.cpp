@@ -290,11 +290,12 @@ bool may_be_either_side(const FileFace& face) {
 std::vector<std::size_t> turned_faces(const std::vector<FileFace>& faces) {
   std::vector<std::size_t> turned;
   for (std::size_t i = 0; i < faces.size(); ++i)
-    if (may_be_either_side(faces[i]) && is_turned(faces[i], faces[i].edges())) turned.push_back(i);
+    if (faces[i].are_loops_known && may_be_either_side(faces[i]) && is_turned(faces[i], faces[i].edges()))
+      turned.push_back(i);
   if (turned.empty()) return turned;
   int sums[2] = {0, 0};  // of faces against and along their surface: those turned less the others
   for (const FileFace& face : faces)
-    if (const std::vector<FileEdge> edges = face.edges(); edges.size() <= most_asked_edges)
+    if (const std::vector<FileEdge> edges = face.edges(); face.are_loops_known && edges.size() <= most_asked_edges)
       sums[face.is_along_surface] += is_turned(face, edges) ? 1 : -1;
   std::erase_if(turned, [&](std::size_t i) { return sums[faces[i].is_along_surface] > 0; });
   return turned;

@@ -31,6 +31,7 @@ struct FileFace {
   bool is_along_surface = true;  ///< whether its normal is that of its surface; in IGES within its shell
   bool is_read_turned = false;   ///< by the reader, as its normal is not that of its surface
   bool ends_at_poles = false;    ///< the file has a periodic edge between two poles in it
+  bool are_loops_known = true;   ///< not where the file's faces contradict each other
 };
 
 /// An edge as a file walks it: along its curve or against it.

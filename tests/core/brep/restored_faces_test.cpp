@@ -5,6 +5,7 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -22,7 +23,12 @@
 #include <IGESSolid_Face.hxx>
 #include <IGESSolid_Loop.hxx>
 #include <IGESSolid_Shell.hxx>
+#include <Interface_InterfaceModel.hxx>
+#include <StepGeom_ToroidalSurface.hxx>
+#include <StepShape_AdvancedFace.hxx>
+#include <StepShape_FaceBound.hxx>
 #include <TColStd_HArray1OfInteger.hxx>
+#include <XSControl_WorkSession.hxx>
 #include <algorithm>
 
 #include "brep/occt_impl.h"
@@ -159,7 +165,6 @@ TEST(RestoredFaces, LoopsOfFacesAgainstTheirSurfacesMayBeWalkedFromOutside) {
           turn(shell->Face(k)->Loop(m));
   ASSERT_GT(turned, 1);
   IGESControl_Writer(entities).Write(path.c_str());
-  system(("cp " + path + " /tmp/lab/s68/t.igs").c_str());
   ModelReport report;
   Progress progress;
   const std::shared_ptr<Shape> read = read_shape(path, report, progress);
@@ -167,6 +172,45 @@ TEST(RestoredFaces, LoopsOfFacesAgainstTheirSurfacesMayBeWalkedFromOutside) {
   const Model model = build_model(*read, {}, {}, progress, alone);
   EXPECT_NEAR(model.report.area, area_of(grooved), 1e-5 * area_of(grooved));
   EXPECT_EQ(model.report.free_edges, 0);
+}
+
+/// As STEP, with the loops of tori walked the other way round than the edges beside them.
+void write_turned_tori(const TopoDS_Shape& shape, const std::string& path) {
+  QuietMessages quiet;
+  STEPControl_Controller::Init();
+  STEPControl_Writer writer;
+  writer.Transfer(shape, STEPControl_AsIs);
+  const Handle(Interface_InterfaceModel) entities = writer.WS()->Model();
+  int turned = 0;
+  for (int i = 1; i <= entities->NbEntities(); ++i) {
+    const auto face = Handle(StepShape_AdvancedFace)::DownCast(entities->Value(i));
+    if (face.IsNull() || !face->FaceGeometry()->IsKind(STANDARD_TYPE(StepGeom_ToroidalSurface))) continue;
+    for (int k = 1; k <= face->NbBounds(); ++k)
+      face->BoundsValue(k)->SetOrientation(!face->BoundsValue(k)->Orientation());
+    ++turned;
+  }
+  ASSERT_GT(turned, 0);
+  writer.Write(path.c_str());
+}
+
+// Some writers turn the loops of fillets, and of tori only.
+TEST(RestoredFaces, LoopsThatTheFileContradictsTellNoSide) {
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(3, 20).Shape(), ball = BRepPrimAPI_MakeSphere(8).Shape();
+  for (const TopoDS_Shape& shape : {rod, BRepAlgoAPI_Fuse(ball, rod).Shape()}) {
+    BRepFilletAPI_MakeFillet fillet(shape);
+    for (const TopoDS_Edge& edge : edges_of(shape))
+      if (!BRep_Tool::Degenerated(edge) && shapes_of(edge, TopAbs_VERTEX).Extent() == 1) fillet.Add(1, edge);
+    const TopoDS_Shape rounded = fillet.Shape();
+    const test::TemporaryFolder folder;
+    write_turned_tori(rounded, folder.file("model.step"));
+    ModelReport report;
+    Progress progress;
+    const std::shared_ptr<Shape> read = read_shape(folder.file("model.step"), report, progress);
+    test::Alone alone(progress);
+    const Model model = build_model(*read, {}, {}, progress, alone);
+    EXPECT_NEAR(model.report.area, area_of(rounded), 1e-4 * area_of(rounded));
+    EXPECT_EQ(model.report.free_edges, 0);
+  }
 }
 
 /// The torus without a box that goes through it askew, and how IGES has its round face as a trimmed surface.
