@@ -1,7 +1,11 @@
 // Faces that were drawn twice, one on the other: the later one is left out, before anything is sewn to it. Only within
 // one solid, and among faces without one; what different parts have in common is connected instead. Both go where they
-// are sides of a slit without width in a solid.
+// are sides of a slit without width in a solid. About a plate or a void as thin as that walls go, too.
 #include <BOPTools_AlgoTools.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Builder.hxx>
+#include <GProp_GProps.hxx>
+#include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +23,8 @@ namespace {
 
 constexpr int edge_samples = 6;
 
+using Doubles = std::vector<std::array<int, 2>>;  // each face with the first one on which it lies
+
 /// What tells most faces apart at no cost.
 struct Outline {
   int index = -1;
@@ -30,8 +36,8 @@ class DoubleFinder {
   DoubleFinder(const Workpiece& work, const std::function<bool(const WorkFace&, const WorkFace&)>& may_be_one)
       : work_(work), may_be_one_(may_be_one), tolerance_(doubled_share * work.diagonal) {}
 
-  std::vector<std::array<int, 2>> run() {
-    std::vector<std::array<int, 2>> doubles;
+  Doubles run() {
+    Doubles doubles;
     std::vector<Outline> outlines;
     for (std::size_t i = 0; i < work_.faces.size(); ++i)
       if (work_.faces[i].is_usable()) outlines.push_back(outline(static_cast<int>(i)));
@@ -89,25 +95,33 @@ class DoubleFinder {
   Handle(IntTools_Context) context_ = new IntTools_Context;
 };
 
+/// Sets of faces that share edges.
+UnionFind find_skins(const Workpiece& work, const EdgeUses& uses) {
+  UnionFind together(work.faces.size());
+  std::vector<int> first_face(uses.count.Extent() + 1, -1);
+  for (int f = 0; f < static_cast<int>(work.faces.size()); ++f) {
+    if (!work.faces[f].has_area) continue;
+    for (const TopoDS_Edge& edge : edges_of(work.faces[f].face))
+      if (int& known = first_face[uses.count.FindIndex(edge)]; known < 0) {
+        known = f;
+      } else {
+        together.merge(f, known);
+      }
+  }
+  return together;
+}
+
 /// Tells sides of a slit in a solid from what was drawn twice.
 class Slits {
  public:
-  Slits(const Workpiece& work, const std::vector<std::array<int, 2>>& doubles)
-      : work_(work), uses_(count_uses(work.faces)), together_(work.faces.size()), has_single_(work.faces.size(), 0) {
+  Slits(const Workpiece& work, const Doubles& doubles)
+      : work_(work),
+        uses_(count_uses(work.faces)),
+        together_(find_skins(work, uses_)),
+        has_single_(work.faces.size(), 0) {
     std::vector<char> is_double(work.faces.size(), 0);
     for (const auto& [later, first] : doubles) is_double[later] = is_double[first] = 1;
-    std::vector<int> first_face(uses_.count.Extent() + 1, -1);
-    const int count = static_cast<int>(work.faces.size());
-    for (int f = 0; f < count; ++f) {
-      if (!work.faces[f].has_area) continue;
-      for (const TopoDS_Edge& edge : edges_of(work.faces[f].face))
-        if (int& known = first_face[uses_.count.FindIndex(edge)]; known < 0) {
-          known = f;
-        } else {
-          together_.merge(f, known);
-        }
-    }
-    for (int f = 0; f < count; ++f)
+    for (int f = 0; f < static_cast<int>(work.faces.size()); ++f)
       if (!is_double[f]) has_single_[together_.find(f)] = 1;
   }
 
@@ -134,6 +148,58 @@ class Slits {
   Handle(IntTools_Context) context_ = new IntTools_Context;
 };
 
+/// Skins of nothing but faces drawn twice and walls between these that are no higher than doubles are apart.
+class FlatSkins {
+ public:
+  FlatSkins(const Workpiece& work, const Doubles& doubles) : work_(work), partner_(work.faces.size(), -1) {
+    for (const auto& [later, first] : doubles) partner_[later] = first, partner_[first] = later;
+  }
+
+  /// Faces that go: walls, and both sides of a void.
+  std::vector<int> leaving() const {
+    UnionFind together = find_skins(work_, count_uses(work_.faces));
+    std::vector<std::vector<int>> skins(work_.faces.size());
+    for (int f = 0; f < static_cast<int>(work_.faces.size()); ++f)
+      if (work_.faces[f].has_area) skins[together.find(f)].push_back(f);
+    std::vector<int> leaving;
+    for (const std::vector<int>& skin : skins) {
+      if (!is_flat(skin)) continue;
+      const bool is_void = work_.faces[skin.front()].solid >= 0 && volume_of(skin) < 0;
+      for (const int f : skin)
+        if (partner_[f] < 0 || is_void) leaving.push_back(f);
+    }
+    return leaving;
+  }
+
+ private:
+  bool is_flat(const std::vector<int>& skin) const {
+    const auto walls = std::ranges::count_if(skin, [&](int f) { return partner_[f] < 0; });
+    return walls > 0 && walls < std::ssize(skin) && std::ranges::all_of(skin, [&](int f) {
+             return partner_[f] >= 0 ? std::ranges::binary_search(skin, partner_[f]) : is_wall(work_.faces[f]);
+           });
+  }
+
+  bool is_wall(const WorkFace& face) const {
+    double border = 0;
+    for (const TopoDS_Edge& edge : edges_of(face.face)) border += edge_length(edge);
+    return face.area <= doubled_share * work_.diagonal * 0.5 * border;
+  }
+
+  /// mm^3
+  double volume_of(const std::vector<int>& skin) const {
+    TopoDS_Compound faces;
+    BRep_Builder builder;
+    builder.MakeCompound(faces);
+    for (const int f : skin) builder.Add(faces, work_.faces[f].face);
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(faces, properties);
+    return properties.Mass();
+  }
+
+  const Workpiece& work_;
+  std::vector<int> partner_;  // per face: that on which it lies, -1: none
+};
+
 }  // namespace
 
 std::vector<std::array<int, 2>> find_doubles(const Workpiece& work,
@@ -147,14 +213,15 @@ std::vector<std::array<int, 2>> find_doubles(const Workpiece& work,
 
 void drop_doubles(Workpiece& work) {
   auto are_of_one = [](const WorkFace& one, const WorkFace& two) { return one.solid == two.solid; };
-  const std::vector<std::array<int, 2>> doubles = find_doubles(work, are_of_one);
+  const Doubles doubles = find_doubles(work, are_of_one);
   if (doubles.empty()) return;
-  Slits slits(work, doubles);
   auto drop = [&](WorkFace& face) {
     face.is_dropped = true;
     face.lose_area();
     work.note_repair(RepairKind::dropped_face, 1, doubled_share * work.diagonal, face_name(face.origin));
   };
+  for (const int face : FlatSkins(work, doubles).leaving()) drop(work.faces[face]);
+  Slits slits(work, doubles);
   for (const std::array<int, 2>& pair : doubles) {
     WorkFace &later = work.faces[pair[0]], &first = work.faces[pair[1]];
     if (!later.has_area || !first.has_area) continue;
