@@ -109,6 +109,18 @@ TEST(MergeSmall, HairlinesGoWhateverTheAngles) {
   EXPECT_TRUE(test::mesh_of(block_with_hairline(0.01), 2).report.merges.empty());
 }
 
+// As narrow ones are opposite each other what lies within a twentieth of the target length; that may be most of a side.
+TEST(MergeSmall, HairlinesGoWhereOneOfTheirSidesIsDivided) {
+  TopoDS_Shape post = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, -40), gp_Pnt(2, 2, 0)).Shape();
+  for (const double y : {0.0, 0.9})
+    post = BRepAlgoAPI_Fuse(post, BRepPrimAPI_MakeBox(gp_Pnt(0, y, 0), gp_Pnt(1.9995, y + (y > 0 ? 1.1 : 0.9), 40)));
+  const MeshResult result = test::mesh_of(post, 1e6);
+  EXPECT_STREQ(verdict(result.report), "sound");
+  EXPECT_TRUE(
+      std::ranges::any_of(result.report.merges, [](const Merge& merge) { return merge.kind == MergeKind::face; }));
+  EXPECT_GT(result.report.quality.sj_all.min, 0.3);
+}
+
 // Without its rims both sides of a foil had one border, and at low frequencies the same elements.
 TEST(MergeSmall, TheRimsOfAPlateStay) {
   for (const double size : {1e6, 50.0}) {

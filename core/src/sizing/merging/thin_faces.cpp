@@ -278,9 +278,12 @@ class ThinFaces {
     Side &kept = sides.one, &gone = sides.two;
     for (const SideEdge& e : kept)
       if (!is_hairline(f) && !limits_.is_sharp(e.edge)) edits_.note_smooth(e.edge);
-    if (!divide_alike(edits_, kept, gone, opposite * sides.limit) || !are_alike(kept, gone)) return;
-    const Vec3 where = edits_.edge(kept.front().edge).curve->point(edits_.edge(kept.front().edge).t0);
     const double width = distance_between(edits_, kept, gone);
+    // Sides not longer than what is narrow here may have vertices that are nearer to each other.
+    const bool has_opposite =
+        divide_alike(edits_, kept, gone, opposite * sides.limit) || divide_alike(edits_, kept, gone, opposite * width);
+    if (!has_opposite || !are_alike(kept, gone)) return;
+    const Vec3 where = edits_.edge(kept.front().edge).curve->point(edits_.edge(kept.front().edge).t0);
     merges_.push_back(
         {MergeKind::face, edits_.face(f).name, edits_.face(neighbour(f, gone.front().edge)).name, width, where});
     for (const SideEdge& e : gone) edits_.face(neighbour(f, e.edge)).merged_area += edits_.face(f).area;
