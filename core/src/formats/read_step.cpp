@@ -4,8 +4,10 @@
 #include <StepBasic_Product.hxx>
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepBasic_ProductDefinitionFormation.hxx>
+#include <StepGeom_Axis2Placement3d.hxx>
 #include <StepGeom_CartesianPoint.hxx>
 #include <StepRepr_HArray1OfRepresentationItem.hxx>
+#include <StepRepr_ProductDefinitionShape.hxx>
 #include <StepRepr_Representation.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepShape_FaceSurface.hxx>
@@ -38,9 +40,29 @@ class LargestTolerance {
   double saved_;
 };
 
-/// Takes out of a representation what could not be loaded: newer kinds than the kernel knows, as tessellated solids,
-/// may stand beside those it knows, or be a representation of their own. False where `entity` is of no use without.
-bool go_without_items(const Handle(Standard_Transient) & entity) {
+Handle(StepRepr_RepresentationItem) any_placement(const Handle(Interface_InterfaceModel) & model) {
+  for (int i = 1; i <= model->NbEntities(); ++i)
+    if (const auto placement = Handle(StepGeom_Axis2Placement3d)::DownCast(model->Value(i)); !placement.IsNull())
+      return Handle(StepRepr_RepresentationItem)(placement);
+  return nullptr;
+}
+
+/// Whether a representation is one of a dimension or a note, and of no part.
+bool is_of_notes(const Handle(Interface_InterfaceModel) & model, const Handle(StepRepr_Representation) & one) {
+  bool is_any = false;
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto link = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(model->Value(i));
+    if (link.IsNull() || link->UsedRepresentation() != one) continue;
+    if (!Handle(StepRepr_ProductDefinitionShape)::DownCast(link->Definition().Value()).IsNull()) return false;
+    is_any = true;
+  }
+  return is_any;
+}
+
+/// Takes out of a representation what could not be loaded: newer kinds than the kernel knows, as tessellated solids and
+/// notes on drawings, may stand beside those it knows, or be a representation of their own. That gets a placement, as
+/// the kernel knows no empty ones. False where `entity` is of no use without.
+bool go_without_items(const Handle(Interface_InterfaceModel) & model, const Handle(Standard_Transient) & entity) {
   if (const auto link = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(entity); !link.IsNull())
     return link->UsedRepresentation().IsNull();
   const auto representation = Handle(StepRepr_Representation)::DownCast(entity);
@@ -48,7 +70,8 @@ bool go_without_items(const Handle(Standard_Transient) & entity) {
   std::vector<Handle(StepRepr_RepresentationItem)> known;
   for (int i = 1; i <= representation->NbItems(); ++i)
     if (!representation->ItemsValue(i).IsNull()) known.push_back(representation->ItemsValue(i));
-  if (known.empty()) return false;
+  if (known.empty()) known.push_back(any_placement(model));
+  if (known.front().IsNull()) return false;
   Handle(StepRepr_HArray1OfRepresentationItem) items =
       new StepRepr_HArray1OfRepresentationItem(1, static_cast<int>(known.size()));
   for (std::size_t i = 0; i < known.size(); ++i) items->SetValue(static_cast<int>(i) + 1, known[i]);
@@ -68,11 +91,12 @@ std::vector<std::string> check_entities(const std::string& name, STEPControl_Rea
     if (!type.starts_with("StepGeom_") && !type.starts_with("StepShape_")) continue;
     const char* const reason = fail_of(model, i);
     if (!reason) continue;
-    if (!go_without_items(entity))
+    if (!go_without_items(model, entity))
       throw Error(ErrorCode::damaged_file, "'" + name + "' is damaged at entity " +
                                                model->StringLabel(entity)->ToCString() + " (" + reason +
                                                "); export the model again.");
-    if (entity->IsKind(STANDARD_TYPE(StepRepr_Representation)))
+    if (const auto representation = Handle(StepRepr_Representation)::DownCast(entity);
+        !representation.IsNull() && !is_of_notes(model, representation))
       incomplete.push_back(entity_label(reader, entity) + " (items)");
   }
   return incomplete;

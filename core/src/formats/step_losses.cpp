@@ -1,5 +1,7 @@
 // In: a STEP file after its transfer. Out: labels of what is not as the file has it. Steps: shapes and parts of which
-// nothing came; representations that were not read; positions; units of length.
+// nothing came; parts that are in other files; representations that were not read; positions; units of length.
+#include <StepAP214_AppliedDocumentReference.hxx>
+#include <StepBasic_DocumentFile.hxx>
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepGeom_Axis2Placement3d.hxx>
 #include <StepGeom_CartesianTransformationOperator3d.hxx>
@@ -35,6 +37,7 @@
 #include <StepShape_Torus.hxx>
 #include <TColStd_MapOfTransient.hxx>
 #include <TopExp_Explorer.hxx>
+#include <algorithm>
 #include <cmath>
 #include <gp_Vec.hxx>
 #include <string_view>
@@ -208,6 +211,21 @@ bool is_placed_as_stated(const Entity& entity) {
   return axes.IsNull() ? is_motion(operation) : is_axes(axes->TransformItem1()) && is_axes(axes->TransformItem2());
 }
 
+/// Of a part without a shape here, of which the file says that another one has it; empty otherwise.
+std::string other_file(const XSControl_Reader& reader, const Entity& entity) {
+  const auto reference = Handle(StepAP214_AppliedDocumentReference)::DownCast(entity);
+  if (reference.IsNull() || reference->Items().IsNull()) return "";
+  const auto file = Handle(StepBasic_DocumentFile)::DownCast(reference->AssignedDocument());
+  if (file.IsNull() || file->Id().IsNull()) return "";
+  for (const StepAP214_DocumentReferenceItem& item : *reference->Items()) {
+    const Handle(StepBasic_ProductDefinition) part = item.ProductDefinition();
+    if (part.IsNull()) continue;
+    const TopoDS_Shape shape = shape_of(reader, part);
+    if (shape.IsNull() || !TopExp_Explorer(shape, TopAbs_VERTEX).More()) return file->Id()->ToCString();
+  }
+  return "";
+}
+
 }  // namespace
 
 std::vector<std::string> open_solids(STEPControl_Reader& reader) {
@@ -232,6 +250,9 @@ std::vector<std::string> step_losses(STEPControl_Reader& reader) {
                : is_in_set(graph, entity) || is_tessellated_item(graph, entity) || is_placed_shape(graph, entity);
   });
   for (const Entity& entity : entities_of(reader)) {
+    if (const std::string file = other_file(reader, entity); !file.empty())
+      if (const std::string label = "'" + file + "' (another file)"; std::ranges::find(labels, label) == labels.end())
+        labels.push_back(label);
     if (!has_representation(graph, entity)) labels.push_back(entity_label(reader, entity));
     if (!is_placed_as_stated(entity)) labels.push_back(entity_label(reader, entity) + " (position)");
     if (has_shapes(entity) && !is_measured_as_stated(entity))

@@ -129,6 +129,35 @@ TEST_F(ReaderLosses, ItemsOfKindsThatAreNotKnown) {
   EXPECT_EQ(report_.format, "STEP");
 }
 
+TEST_F(ReaderLosses, NoneOfNotesOfKindsThatAreNotKnown) {
+  std::string text = box();
+  const std::string part = number_of(text, "PRODUCT_DEFINITION_SHAPE"),
+                    context = number_of(text, "GEOMETRIC_REPRESENTATION_CONTEXT(3)");
+  add(text,
+      "#9001 = A_NOTE_OF_TOMORROW('',(#9002));\n#9002 = CARTESIAN_POINT('',(0.,0.,0.));\n"
+      "#9003 = SHAPE_REPRESENTATION('',(#9001)," +
+          context + ");\n#9004 = SHAPE_ASPECT('',''," + part +
+          ",.F.);\n"
+          "#9005 = PROPERTY_DEFINITION('','',#9004);\n#9006 = SHAPE_DEFINITION_REPRESENTATION(#9005,#9003);");
+  EXPECT_EQ(unread(text), std::vector<std::string>{});
+  EXPECT_EQ(verdict_of(text), "sound");
+}
+
+TEST_F(ReaderLosses, PartsOfOtherFiles) {
+  std::string text = box();
+  const std::string product = number_of(text, "PRODUCT_CONTEXT"),
+                    definition = number_of(text, "PRODUCT_DEFINITION_CONTEXT");
+  add(text, "#9001 = PRODUCT('wing','wing','',(" + product +
+                "));\n#9002 = PRODUCT_DEFINITION_FORMATION('','',#9001);\n"
+                "#9003 = PRODUCT_DEFINITION('design','',#9002," +
+                definition +
+                ");\n#9004 = DOCUMENT_TYPE('geometry');\n"
+                "#9005 = DOCUMENT_FILE('wing.step','','',#9004,'',$);\n#9006 = "
+                "APPLIED_DOCUMENT_REFERENCE(#9005,'',(#9003));");
+  EXPECT_EQ(unread(text), std::vector<std::string>{"'wing.step' (another file)"});
+  EXPECT_EQ(verdict_of(text), "doubtful");
+}
+
 // The kernel takes an inch without a factor, and two units, for millimetres.
 TEST_F(ReaderLosses, UnitsThatAreNotAsStated) {
   const std::string millimetre = "( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) );";

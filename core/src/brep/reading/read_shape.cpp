@@ -73,8 +73,8 @@ Error nothing_to_mesh(const FileSource& file, const std::vector<std::string>& un
                                      "' has no faces and no wires, so there is nothing to mesh; "
                                      "export surfaces, solids or curves, not meshes."};
   return {ErrorCode::no_faces,
-          fmt::format("Nothing of '{}' could be read: {}; export the model again, or in another format.", file.name,
-                      listed(unread, most_named))};
+          fmt::format("Nothing of '{}' could be read: {}; export the model again, as one file, or in another format.",
+                      file.name, listed(unread, most_named))};
 }
 
 }  // namespace
