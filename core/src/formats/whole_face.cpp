@@ -1,11 +1,12 @@
 // 1. All edges of what was read, chained to loops, their images without jumps.
-// 2. Where a loop goes round the surface: a face of these loops. Else the whole surface, from pole to pole or all
-//    round, its periodic edges where no hole is, and the holes in it.
+// 2. Where a loop goes round the surface or through poles: a face of these loops. Else the whole surface, from pole to
+//    pole or all round, its periodic edges where no hole is, and the holes in it.
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
+#include <Geom2d_Line.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
@@ -43,16 +44,26 @@ Handle(Geom_Surface) periodic_surface(const TopoDS_Face& face) {
   return Handle(Geom_Surface)(periodic);
 }
 
+/// What a border runs along at a pole, where its images jump.
+struct PoleWay {
+  double from = 0, to = 0, v = 0;  // u
+};
+
 /// An edge of a face, as that walks it.
 struct Walk {
   TopoDS_Edge edge;
   EdgeImage image;
+  std::optional<PoleWay> pole{};  ///< at which it begins
 };
 
 /// A closed chain of edges, each as it is walked, with images that meet.
 struct Loop {
   std::vector<Walk> walks;
   std::vector<gp_Pnt2d> points;
+
+  bool has_pole() const {
+    return std::ranges::any_of(walks, [](const Walk& walk) { return walk.pole.has_value(); });
+  }
 
   double length(int axis) const { return points.back().Coord(axis) - points.front().Coord(axis); }
 
@@ -103,11 +114,13 @@ class FaceMaker {
 
   std::optional<TopoDS_Face> make(const std::vector<FileEdge>& file) {
     if (surface_.IsNull() || !find_loops()) return std::nullopt;
+    const bool has_pole = std::ranges::any_of(loops_, &Loop::has_pole);
+    if (has_pole && (loops_.size() > 1 || !run_along_poles(loops_.front(), file))) return std::nullopt;
     const bool goes_round = std::any_of(loops_.begin(), loops_.end(), [](const Loop& loop) {
       return std::fabs(loop.length(1)) > 1 || std::fabs(loop.length(2)) > 1;
     });
     TopoDS_Face face;
-    if (goes_round) {
+    if (goes_round || has_pole) {
       BRep_Builder().MakeFace(face, surface_, Precision::Confusion());
     } else {
       if (!may_be_whole() || !find_start(0) || (period_[1] > 0 && !find_start(1))) return std::nullopt;
@@ -116,8 +129,8 @@ class FaceMaker {
       if (!maker.IsDone()) return std::nullopt;
       face = maker.Face();
     }
-    for (const Loop& loop : loops_) BRep_Builder().Add(face, wire_of(loop, !goes_round, file));
-    return goes_round || BRepCheck_Analyzer(face).IsValid() ? std::optional(face) : std::nullopt;
+    for (const Loop& loop : loops_) BRep_Builder().Add(face, wire_of(loop, !goes_round && !has_pole, file));
+    return (goes_round && !has_pole) || BRepCheck_Analyzer(face).IsValid() ? std::optional(face) : std::nullopt;
   }
 
   bool may_be_whole() const { return !surface_.IsNull() && (period_[1] > 0 || has_poles()); }
@@ -162,8 +175,9 @@ class FaceMaker {
         at = is_forward ? TopExp::LastVertex(next->edge) : TopExp::FirstVertex(next->edge);
         left.erase(std::next(next).base());
       } while (!at.IsSame(start));
+      if (jumps_at_pole(loop.points.back(), loop.points.front())) loop.walks.front().pole = PoleWay{};
       for (int axis : {1, 2})
-        if (!shift_of(loop.length(axis), period_[axis - 1])) return false;
+        if (!loop.has_pole() && !shift_of(loop.length(axis), period_[axis - 1])) return false;
       loops_.push_back(std::move(loop));
     }
     return !loops_.empty();
@@ -176,14 +190,56 @@ class FaceMaker {
     return by;
   }
 
+  bool jumps_at_pole(const gp_Pnt2d& from, const gp_Pnt2d& to) const {
+    if (period_[1] > 0 || shift_of(to.X() - from.X(), period_[0])) return false;
+    const double near = jump_share * (v1_ - start_[1]);
+    for (const double v : {start_[1], v1_})
+      if (std::fabs(from.Y() - v) < near && std::fabs(to.Y() - v) < near) return has_poles();
+    return false;
+  }
+
+  // At a pole a border runs on with the face to its left: down in u along the upper end, up along the lower one. Moves
+  // all images so; whether they close then.
+  bool run_along_poles(Loop& loop, const std::vector<FileEdge>& file) const {
+    constexpr std::size_t samples = edge_samples + 1;
+    std::vector<TopoDS_Edge> edges;
+    for (const Walk& walk : loop.walks) edges.push_back(walk.edge);
+    const bool is_along = agreement(edges, file) >= 0;
+    const double period = period_[0];
+    double by = 0, last = loop.points.back().X();
+    for (std::size_t i = 0; i < loop.walks.size(); ++i) {
+      Walk& walk = loop.walks[i];
+      const gp_Pnt2d& start = loop.points[i * samples];
+      if (walk.pole && i > 0) {
+        const double way = start.X() + by - last;
+        by += (is_down(start, is_along) ? period * std::floor(-way / period) : period * std::ceil(-way / period));
+      }
+      if (walk.pole) walk.pole = PoleWay{last, start.X() + by, start.Y()};
+      walk.image.curve = moved(walk.image.curve, {by, 0});
+      for (std::size_t k = 0; k < samples; ++k)
+        loop.points[i * samples + k].SetX(loop.points[i * samples + k].X() + by);
+      last = loop.points[(i + 1) * samples - 1].X();
+    }
+    if (!loop.walks.front().pole) return shift_of(loop.length(1), period).value_or(1) == 0;
+    PoleWay& first = *loop.walks.front().pole;
+    first.from = last;
+    const double way = first.to - first.from;
+    return std::fabs(way) < period && (way < 0) == is_down(loop.points.front(), is_along);
+  }
+
+  bool is_down(const gp_Pnt2d& pole, bool is_along) const {
+    return (std::fabs(pole.Y() - v1_) < std::fabs(pole.Y() - start_[1])) == is_along;
+  }
+
   // Moves the edge's image by periods to where the one before ends.
   bool walk(Walk walk, bool is_forward, Loop& loop) {
     const EdgeImage& image = walk.image;
     const gp_Pnt2d from = image.curve->Value(is_forward ? image.first : image.last);
     const gp_Vec2d gap = loop.points.empty() ? gp_Vec2d() : gp_Vec2d(from, loop.points.back());
     const std::optional<double> u = shift_of(gap.X(), period_[0]), v = shift_of(gap.Y(), period_[1]);
-    if (!u || !v) return false;
-    walk.image.curve = moved(image.curve, {*u, *v});
+    if (!loop.points.empty() && jumps_at_pole(loop.points.back(), from)) walk.pole = PoleWay{};
+    if (!v || (!u && !walk.pole)) return false;
+    walk.image.curve = moved(image.curve, {u.value_or(0), *v});
     for (int i = 0; i <= edge_samples; ++i) {
       const double share = static_cast<double>(is_forward ? i : edge_samples - i) / edge_samples;
       loop.points.push_back(walk.image.curve->Value((1 - share) * image.first + share * image.last));
@@ -219,6 +275,21 @@ class FaceMaker {
     return start.has_value();
   }
 
+  /// Of the way to where the walk begins.
+  TopoDS_Edge pole_edge(const Walk& walk) const {
+    BRep_Builder builder;
+    TopoDS_Edge edge;
+    builder.MakeEdge(edge);
+    const double length = walk.pole->to - walk.pole->from;
+    builder.UpdateEdge(edge, new Geom2d_Line({walk.pole->from, walk.pole->v}, {length > 0 ? 1.0 : -1.0, 0}), surface_,
+                       TopLoc_Location(), Precision::Confusion());
+    builder.Degenerated(edge, true);
+    const TopoDS_Vertex vertex = TopExp::FirstVertex(walk.edge, true);
+    for (const TopAbs_Orientation end : {TopAbs_FORWARD, TopAbs_REVERSED}) builder.Add(edge, vertex.Oriented(end));
+    builder.Range(edge, 0, std::fabs(length));
+    return edge;
+  }
+
   // Clockwise in the surface's parameters where the file does not tell: what a hole cuts out is on the right.
   TopoDS_Wire wire_of(const Loop& loop, bool is_hole, const std::vector<FileEdge>& file) const {
     double by[2] = {0, 0};
@@ -230,6 +301,7 @@ class FaceMaker {
     builder.MakeWire(wire);
     std::vector<TopoDS_Edge> edges;
     for (const Walk& walk : loop.walks) {
+      if (walk.pole) builder.Add(wire, pole_edge(walk));
       builder.UpdateEdge(walk.edge, moved(walk.image.curve, {by[0], by[1]}), surface_, TopLoc_Location(),
                          BRep_Tool::Tolerance(walk.edge));
       builder.Add(wire, walk.edge);

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -13,6 +15,9 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <IGESBasic_HArray1OfHArray1OfIGESEntity.hxx>
 #include <IGESBasic_HArray1OfHArray1OfInteger.hxx>
 #include <IGESControl_Controller.hxx>
@@ -28,6 +33,7 @@
 #include <StepShape_AdvancedFace.hxx>
 #include <StepShape_FaceBound.hxx>
 #include <TColStd_HArray1OfInteger.hxx>
+#include <TopoDS_Compound.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
 
@@ -112,6 +118,39 @@ TEST(RestoredFaces, BallsWithAHoleAreNotTheDiscThatItCutsOut) {
 
 TEST(RestoredFaces, NorAreToriOnes) {
   expect_right_side(BRepAlgoAPI_Cut(BRepPrimAPI_MakeTorus(40, 15).Shape(), rod({-40, 0, 0}, {0, 0, 1}, 8)).Shape());
+}
+
+/// A copy whose edges have splines as curves.
+TopoDS_Face with_splines(const TopoDS_Face& face) {
+  const TopoDS_Face copy = TopoDS::Face(BRepBuilderAPI_Copy(face).Shape());
+  for (const TopoDS_Edge& edge : paver::edges_of(copy)) {
+    if (BRep_Tool::Degenerated(edge)) continue;
+    double first = 0, last = 0;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+    const Handle(Geom_TrimmedCurve) piece = new Geom_TrimmedCurve(curve, first, last);
+    BRep_Builder().UpdateEdge(edge, GeomConvert::CurveToBSplineCurve(piece), BRep_Tool::Tolerance(edge));
+  }
+  return copy;
+}
+
+// A loop through both poles, where its images jump.
+TEST(RestoredFaces, SegmentsOfBallsAreTheSideThatTheLoopTells) {
+  for (const double turn : {0.0, 0.5 * M_PI, M_PI, 1.5 * M_PI}) {
+    SCOPED_TRACE(turn);
+    const gp_Ax2 place({0, 0, 0}, {0, 0, 1}, {0, 1, 0});
+    const TopoDS_Shape wedge = BRepAlgoAPI_Common(
+        BRepPrimAPI_MakeSphere(place, 50).Shape(),
+        BRepPrimAPI_MakeBox(gp_Ax2({0, 0, -90}, {0, 0, 1}, {std::cos(turn), std::sin(turn), 0}), 90, 90, 180).Shape());
+    const TopoDS_Shape segment =
+        BRepAlgoAPI_Cut(wedge, rod({0, 0, 0}, {std::cos(turn), std::sin(turn), 0}, 15)).Shape();
+    TopoDS_Compound both;
+    BRep_Builder builder;
+    builder.MakeCompound(both);
+    builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt{70, 0, 0}, 5, 5, 5).Shape());
+    for (const TopoDS_Face& face : faces_of(segment))
+      if (BRepAdaptor_Surface(face).GetType() == GeomAbs_Sphere) builder.Add(both, with_splines(face));
+    expect_right_side(both);
+  }
 }
 
 TEST(RestoredFaces, ConesWithAHoleStayOneFace) {
