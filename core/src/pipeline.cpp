@@ -30,6 +30,7 @@
 #include "regions/divide_loops.h"
 #include "repair/repair_parts.h"
 #include "sizing/chord_lengths.h"
+#include "sizing/gaps/divide_at_gaps.h"
 #include "sizing/merging/merge_small.h"
 #include "sizing/point_lengths.h"
 #include "sizing/sample_box.h"
@@ -175,6 +176,7 @@ class Run {
     const CoplanarTriangles coplanar = join_coplanar_triangles(model_, options_);
     const std::vector<Merge> small = merge_small(model_, options_);
     if (!small.empty()) note_free_edges(model_);  // tips cut off are closed now
+    divide_at_gaps(model_, options_);
     result_.report.model = model_.report;
     result_.report.notes = model_.notes;
     for (const std::string& note : notes_of(coplanar)) result_.report.notes.push_back(note);

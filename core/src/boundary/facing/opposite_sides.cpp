@@ -260,8 +260,9 @@ std::vector<OppositeSides> find_opposite_sides(const Model& model, const std::ve
   std::vector<OppositeSides> pairs;
   for (std::size_t f = 0; f < loops.size(); ++f) {
     const int face = static_cast<int>(f);
+    const std::size_t before = pairs.size();
     if (!loops[f].empty() && loops[f].size() <= 2) add_sides(model, face, loops[f], pairs);
-    if (loops[f].size() > 2) std::ranges::move(sides_of_gaps(model, face, loops[f]), std::back_inserter(pairs));
+    if (pairs.size() == before) std::ranges::move(sides_of_gaps(model, face, loops[f]), std::back_inserter(pairs));
   }
   return pairs;
 }

@@ -10,6 +10,7 @@
 #include "paving/closing/acute_corners.h"
 #include "paving/closing/closed_tube_rows.h"
 #include "paving/closing/fan_rings.h"
+#include "paving/closing/gap_rows.h"
 #include "paving/closing/hole_rings.h"
 #include "paving/closing/rounded_corners.h"
 #include "paving/closing/tube_rows.h"
@@ -93,6 +94,7 @@ std::optional<int> Front::start(std::optional<double> sharpest_corner) {
     lay_rounded_corners(region, mesh, loop, loops[l], places);
     lay_acute_corners(region, mesh, loop, loops[l], places, *sharpest_corner);
   }
+  if (sharpest_corner) loops = lay_gap_rows(region, mesh, std::move(loops), *sharpest_corner > 0);
   auto left = lay_closed_tube_rows(region, mesh, lay_tube_rows(region, mesh, loops));
   std::vector<std::size_t> all(left.size());
   std::iota(all.begin(), all.end(), 0);

@@ -133,8 +133,12 @@ double MergeLimits::length(int index) const {
 
 bool MergeLimits::is_protected(int index) const {
   const Edge& edge = edits_.edge(index);
-  if (is_of_wire(edits_.model(), index) || edge.is_degenerate || edge.faces.size() > 2) return true;
-  return std::any_of(edge.origins.begin(), edge.origins.end(), [&](int origin) { return is_local_edge_[origin] != 0; });
+  return edge.is_degenerate || edge.faces.size() > 2 || has_own_length(index);
+}
+
+bool MergeLimits::has_own_length(int index) const {
+  return is_of_wire(edits_.model(), index) ||
+         std::ranges::any_of(edits_.edge(index).origins, [&](int origin) { return is_local_edge_[origin] != 0; });
 }
 
 bool MergeLimits::is_protected_face(int index) const {

@@ -51,6 +51,8 @@ class MergeLimits {
   /// A wire, where more than two faces meet, or where the user asks for a length.
   bool is_protected(int edge) const;
   bool is_protected_face(int face) const;
+  /// Whether the user asks for a length of the edge, or it is a wire.
+  bool has_own_length(int edge) const;
   /// A free edge, one where more than two faces meet, or a corner of the surface.
   bool is_sharp(int edge) const;
   /// Whether an edge that is sharp and not short ends at the vertex, `ignored` aside: nodes lie at both its ends. It

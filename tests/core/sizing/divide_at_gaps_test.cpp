@@ -1,0 +1,70 @@
+// Edges divided opposite the ends of others that run along them, and what the meshes of narrow gaps are worth for it.
+#include "sizing/gaps/divide_at_gaps.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <algorithm>
+#include <vector>
+
+#include "support/plates.h"
+#include "support/report_of.h"
+
+namespace paver {
+namespace {
+
+using test::plate;
+
+/// What two coupled lines of 20 x 1.2 leave of a plate, one `off` farther along than the other, `gap` mm apart.
+TopoDS_Shape beside_lines(double gap, double off) {
+  TopoDS_Shape rest = BRepAlgoAPI_Cut(plate(-5, -12, 45, 12), plate(0, 0.5 * gap, 20, 0.5 * gap + 1.2)).Shape();
+  return BRepAlgoAPI_Cut(rest, plate(off, -0.5 * gap - 1.2, off + 20, -0.5 * gap)).Shape();
+}
+
+/// Lengths of the edges of a model, rising.
+std::vector<double> lengths(const TopoDS_Shape& shape, double h) {
+  Model model = test::model_of(shape);
+  Options options;
+  options.size = h;
+  divide_at_gaps(model, options);
+  std::vector<double> lengths;
+  for (const Edge& edge : model.edges) lengths.push_back(edge.length);
+  std::ranges::sort(lengths);
+  return lengths;
+}
+
+TEST(DivideAtGaps, WhereOtherEdgesBeginAndEnd) {
+  const std::vector<double> found = lengths(beside_lines(0.1, 7), 2);
+  const std::vector<double> expected{1.2, 1.2, 1.2, 1.2, 7, 7, 13, 13, 20, 20, 24, 24, 50, 50};
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-9);
+}
+
+TEST(DivideAtGaps, NotAcrossWideOnesNorForShortPieces) {
+  EXPECT_EQ(lengths(beside_lines(0.5, 7), 2).size(), 12U);
+  EXPECT_EQ(lengths(beside_lines(0.1, 0.4), 2).size(), 12U);
+  EXPECT_EQ(lengths(beside_lines(0.1, 0), 2).size(), 12U);
+}
+
+TEST(DivideAtGaps, ThenNodesFaceEachOther) {
+  for (const double gap : {0.03, 0.2})
+    for (const double off : {3.7, 9.1, 13.0})
+      for (const double h : {3.5, 2.2, 1.4}) {
+        const RunReport report = test::report_of(beside_lines(gap, off), h);
+        EXPECT_GT(report.quality.sj_all.min, 0.15) << gap << " " << off << " " << h;
+      }
+}
+
+// A slot that leaves two strips of a plate: of one loop two are left, odd or not.
+TEST(DivideAtGaps, AlsoOnBothSidesOfASlot) {
+  for (const double gap : {0.01, 0.1})
+    for (const double h : {2.0, 1.3}) {
+      const TopoDS_Shape frame = BRepAlgoAPI_Cut(plate(-7, -4, 7, 4), plate(-4.5, -4 + gap, 4.5, 4 - gap)).Shape();
+      const RunReport report = test::report_of(frame, h);
+      EXPECT_GT(report.quality.sj_all.min, 0.15) << gap << " " << h;
+      EXPECT_LE(report.quality.triangles, 4) << gap << " " << h;
+    }
+}
+
+}  // namespace
+}  // namespace paver
