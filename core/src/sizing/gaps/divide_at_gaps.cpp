@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <vector>
@@ -142,6 +144,7 @@ class FaceGaps {
         upto = total + share * norm(b - a);
       total += norm(b - a);
     }
+    if (!(total > 0)) return {};
     const Curve& curve = *edits_.edge(bank.edge).curve;
     for (int step = 0; step < 4 && bank.points.size() > 2; ++step) {
       const auto [at, slope] = curve.slope(foot.t);
@@ -219,22 +222,24 @@ class GapDivider {
   /// Narrowest gaps first; gives the faces of what was divided.
   std::set<int> divide(std::vector<Place> places) {
     std::ranges::stable_sort(places, {}, &Place::distance);
-    std::vector<Place> taken;
-    for (const Place& place : places)
-      if (std::ranges::none_of(taken, [&](const Place& other) {
-            return other.edge == place.edge && std::fabs(other.before - place.before) < place.apart;
-          }))
-        taken.push_back(place);
-    std::ranges::sort(taken,
-                      [](const Place& a, const Place& b) { return std::pair(a.edge, b.t) < std::pair(b.edge, a.t); });
+    std::map<int, std::vector<Place>> of_edges;
+    for (const Place& place : places) {
+      std::vector<Place>& taken = of_edges[place.edge];
+      auto is_near = [&](const Place& other) { return std::fabs(other.before - place.before) < place.apart; };
+      if (!limits_.has_own_length(place.edge) && std::ranges::none_of(taken, is_near)) taken.push_back(place);
+    }
     std::set<int> faces;
-    for (const Place& place : taken) {
-      const Edge whole = edits_.edge(place.edge);
-      if (limits_.has_own_length(place.edge)) continue;
-      const int behind = edits_.split(place.edge, place.t);
-      edits_.edge(place.edge).length = place.before;
-      edits_.edge(behind).length = whole.length - place.before;
-      faces.insert(whole.faces.begin(), whole.faces.end());
+    for (auto& [edge, taken] : of_edges) {
+      if (taken.empty()) continue;
+      faces.insert(edits_.edge(edge).faces.begin(), edits_.edge(edge).faces.end());
+      // From its end on, as the edge keeps what lies before a place.
+      std::ranges::sort(taken, std::ranges::greater(), &Place::t);
+      for (const Place& place : taken) {
+        const double length = edits_.edge(edge).length;
+        const int behind = edits_.split(edge, place.t);
+        edits_.edge(edge).length = place.before;
+        edits_.edge(behind).length = length - place.before;
+      }
     }
     return faces;
   }
