@@ -27,6 +27,7 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <gp_Circ.hxx>
+#include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
 #include <numbers>
 
@@ -219,6 +220,27 @@ TEST(BuildModel, ClosesAGapWithinTheToleranceOnly) {
   Model open = model_of(pair, options);
   EXPECT_EQ(open.report.sewn_edges, 0);
   EXPECT_EQ(open.report.free_edges, 8);
+}
+
+// Annular slots and the feed of a dipole of two tubes are drawn so; the faces to both sides lie on one surface.
+TEST(BuildModel, LeavesSlotsOfOneSurfaceOpen) {
+  auto circle = [](double radius) {
+    return BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(gp::XOY(), radius))).Wire();
+  };
+  auto tube = [](double from, double to) {
+    return BRepBuilderAPI_MakeFace(gp_Cylinder(gp_Ax3(), 2), 0, 2 * M_PI, from, to).Face();
+  };
+  BRepBuilderAPI_MakeFace plane(gp_Pln(), -50, 50, -40, 40);
+  plane.Add(TopoDS::Wire(circle(10).Reversed()));
+  for (const double width : {0.05, 0.2}) {
+    const TopoDS_Face disc = BRepBuilderAPI_MakeFace(circle(10 - width)).Face();
+    const Model ring = model_of(compound({plane.Face(), disc}), {});
+    EXPECT_EQ(ring.report.sewn_edges, 0);
+    EXPECT_EQ(ring.report.free_edges, 6);
+    const Model dipole = model_of(compound({tube(-75, -0.5 * width), tube(0.5 * width, 75)}), {});
+    EXPECT_EQ(dipole.report.sewn_edges, 0);
+    EXPECT_EQ(dipole.report.free_edges, 4);
+  }
 }
 
 /// A block with a narrow bevel, in loose faces; one of them ends in an arc that bulges away from its neighbour.

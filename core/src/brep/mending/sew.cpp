@@ -6,11 +6,14 @@
 // The tolerance is chosen by what it closes. First what fits as drawn is sewn. Where free edges stay that have other
 // free edges along them, the gap between these is tried, on what was sewn before; it counts when it closes the group,
 // the borders that run along others all round (a crack, as drawn faces that hang together elsewhere), or most of what
-// was open, and when nothing collapses: no face is lost, none comes to lie on another one. Ends of edges may lie
+// was open, and when nothing collapses: no face is lost, none comes to lie on another one. Nor where both sides lie on
+// one surface: such slots are drawn, as that of a ring antenna or between the arms of a dipole. Ends of edges may lie
 // farther apart than the edges do, which leaves short pieces between them: what makes these vanish, too, is better.
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <Bnd_Box.hxx>
+#include <ElSLib.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -38,6 +41,8 @@ constexpr double short_factor = 6;
 // An open group counts as sewn when no more than this share of its free edges is left.
 constexpr double open_share = 1.0 / 3;
 constexpr int foot_steps = 4;
+// What is wider between two faces on one surface is a slot, of the diagonal: rounding leaves less.
+constexpr double slot_share = 5e-5;
 // Edges that leave a vertex are two sides of a crack where they are no farther apart than this share of their length.
 constexpr double wedge_share = 3e-3;
 
@@ -225,9 +230,10 @@ class GroupSewer {
 
   /// The widest that are worth a try: of all free edges, of borders along which there is something all round, of edges
   /// that leave a vertex along each other, and of most free edges.
-  static std::vector<Gap> gaps_to_close(const Sewn& sewn, double most) {
+  std::vector<Gap> gaps_to_close(const Sewn& sewn, double most) const {
     const std::vector<TopoDS_Edge> edges = sewn.uses.free_edges();
     std::vector<double> widths = gaps_between(edges, most);
+    leave_slots(sewn.faces, edges, most, widths);
     Gap cracks;
     for (const std::vector<std::size_t>& border : borders(edges)) {
       double width = 0;
@@ -242,16 +248,73 @@ class GroupSewer {
     return {{widths.back(), all}, cracks, wedges(sewn.faces, edges, most), {widths[enough - 1], all}};
   }
 
+  using FaceOfEdge = NCollection_IndexedDataMap<TopoDS_Shape, int, TopTools_ShapeMapHasher>;
+
+  /// By their places in the list.
+  static FaceOfEdge faces_of_edges(const std::vector<TopoDS_Face>& faces) {
+    FaceOfEdge face_of;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      if (!faces[f].IsNull())
+        for (const TopoDS_Edge& edge : edges_of(faces[f])) face_of.Add(edge, static_cast<int>(f));
+    return face_of;
+  }
+
+  /// What lies on one surface with what is along it is no gap.
+  void leave_slots(const std::vector<TopoDS_Face>& faces, const std::vector<TopoDS_Edge>& edges, double most,
+                   std::vector<double>& widths) const {
+    const std::vector<Polyline> lines = polylines(edges, most);
+    const FaceOfEdge face_of = faces_of_edges(faces);
+    const double fitting = fitting_share * work_.diagonal;
+    auto face = [&](std::size_t i) { return faces[face_of.FindFromKey(edges[i])]; };
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (!std::isfinite(widths[i]) || widths[i] < slot_share * work_.diagonal) continue;
+      const Vec3 middle = lines[i].points[lines[i].points.size() / 2];
+      for (std::size_t j = 0; j < lines.size(); ++j)
+        if (j != i && !lines[j].box.IsOut(to_point(middle)) && lines[j].curve &&
+            distance_to(lines[j], foot_steps, middle) <= widths[i] + fitting && lies_on(lines[i], face(j), fitting) &&
+            lies_on(lines[j], face(i), fitting))
+          widths[i] = std::numeric_limits<double>::infinity();
+    }
+  }
+
+  /// Whether a line lies on the surface of a face, which is a plane, a cylinder, a cone, a ball or a torus.
+  static bool lies_on(const Polyline& line, const TopoDS_Face& face, double near) {
+    const BRepAdaptor_Surface surface(face, Standard_False);
+    auto distance = [&](const gp_Pnt& x) {
+      double u = 0, v = 0;
+      switch (surface.GetType()) {
+        case GeomAbs_Plane:
+          ElSLib::Parameters(surface.Plane(), x, u, v);
+          break;
+        case GeomAbs_Cylinder:
+          ElSLib::Parameters(surface.Cylinder(), x, u, v);
+          break;
+        case GeomAbs_Cone:
+          ElSLib::Parameters(surface.Cone(), x, u, v);
+          break;
+        case GeomAbs_Sphere:
+          ElSLib::Parameters(surface.Sphere(), x, u, v);
+          break;
+        case GeomAbs_Torus:
+          ElSLib::Parameters(surface.Torus(), x, u, v);
+          break;
+        default:
+          return std::numeric_limits<double>::infinity();
+      }
+      return x.Distance(surface.Value(u, v));
+    };
+    for (std::size_t k = 0; k < line.points.size(); k += 4)
+      if (!(distance(to_point(line.points[k])) <= near)) return false;
+    return true;
+  }
+
   /// Of edges of two faces.
   static Gap wedges(const std::vector<TopoDS_Face>& faces, const std::vector<TopoDS_Edge>& edges, double most) {
     struct Side {
       int face = -1;
       TopoDS_Edge edge;
     };
-    NCollection_IndexedDataMap<TopoDS_Shape, int, TopTools_ShapeMapHasher> face_of;
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      if (!faces[f].IsNull())
-        for (const TopoDS_Edge& edge : edges_of(faces[f])) face_of.Add(edge, static_cast<int>(f));
+    const FaceOfEdge face_of = faces_of_edges(faces);
     NCollection_IndexedDataMap<TopoDS_Shape, std::vector<Side>, TopTools_ShapeMapHasher> leaving;
     for (const TopoDS_Edge& edge : edges)
       for (const TopoDS_Vertex& end : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)})
