@@ -28,6 +28,7 @@
 #include <gp_Circ.hxx>
 #include <numbers>
 
+#include "brep/occt_shapes_impl.h"
 #include "core/brep/step_files.h"
 #include "support/report_of.h"
 
@@ -192,6 +193,28 @@ TEST(MergeSmall, ARingGoesWhereverItsRimsBegin) {
     const MeshResult result = test::mesh_of(plate_with_ring(), size);
     EXPECT_STREQ(verdict(result.report), "sound") << size;
     EXPECT_NEAR(result.report.quality.mesh_area, std::numbers::pi * (4.75 * 4.75 - 0.35 * 0.35), 1) << size;
+  }
+}
+
+/// A package whose upright edges are rounded by 0.06 mm, and then those about its top: facets at its corners stay, and
+/// strips end at them.
+TEST(MergeSmall, StripsStayWhereWhatTheyEndAtDoes) {
+  TopoDS_Shape shape = BRepPrimAPI_MakeBox(7, 12.2, 2.6).Shape();
+  for (const bool is_top : {false, true}) {
+    BRepFilletAPI_MakeFillet fillet(shape);
+    const auto edges = shapes_of(shape, TopAbs_EDGE);
+    for (int i = 1; i <= edges.Extent(); ++i) {
+      const TopoDS_Edge& edge = TopoDS::Edge(edges(i));
+      const double from = BRep_Tool::Pnt(TopExp::FirstVertex(edge)).Z(),
+                   to = BRep_Tool::Pnt(TopExp::LastVertex(edge)).Z();
+      if (is_top ? std::min(from, to) > 2.5 : std::abs(from - to) > 1) fillet.Add(is_top ? 0.049 : 0.06, edge);
+    }
+    shape = fillet.Shape();
+  }
+  for (const double h : {1.8, 2.9}) {
+    const MeshResult result = test::mesh_of(shape, h);
+    EXPECT_STREQ(verdict(result.report), "sound") << h;
+    EXPECT_GT(result.report.quality.sj_all.min, 0.05) << h;
   }
 }
 

@@ -1,6 +1,7 @@
 // What is small against the target length.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -38,6 +39,8 @@ class MergeLimits {
   int longest_edge(int face) const;
   /// Mean width: area by half the length of the border.
   double width(int face) const;
+  /// Whether it is one of the thin faces that cannot be merged.
+  bool lasts(int face) const { return std::ranges::find(lasting_, face) != lasting_.end(); }
   /// Whether the face is narrower than thin_face() of its longest edge, in the mean.
   bool is_thin(int face) const;
   /// Whether it is, and a neighbour at one of its long edges goes on from it without a corner.

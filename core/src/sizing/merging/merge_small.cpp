@@ -10,6 +10,8 @@
 namespace paver {
 namespace {
 
+constexpr int most_rounds = 3;
+
 std::string count_of(long count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -19,7 +21,7 @@ std::string count_of(long count, const char* what) {
 std::vector<Merge> merge_small(Model& model, const Options& options) {
   if (!(options.merge > 0)) return {};
   std::vector<int> lasting;
-  for (;;) {
+  for (int round = 0;;) {
     Model merged = model;
     std::vector<Merge> merges;
     ModelEdits edits(merged);
@@ -27,8 +29,9 @@ std::vector<Merge> merge_small(Model& model, const Options& options) {
     join_chains(edits, limits, merges);
     close_tiny_rims(edits, limits, merges);
     std::vector<int> going = collapse_tiny_faces(edits, limits, merges);
-    merge_thin_faces(edits, limits, merges);
+    const std::vector<int> stayed = merge_thin_faces(edits, limits, merges);
     std::erase_if(going, [&](int f) { return !merged.faces[f].has_area; });
+    if (++round <= most_rounds) going.insert(going.end(), stayed.begin(), stayed.end());
     if (going.empty()) {
       collapse_short_edges(edits, limits, merges);
       model = std::move(merged);

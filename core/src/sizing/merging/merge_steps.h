@@ -20,8 +20,8 @@ void close_tiny_rims(ModelEdits& edits, const MergeLimits& limits, std::vector<M
 std::vector<int> collapse_tiny_faces(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges);
 
 /// A face narrower than the limit whose neighbours on one side go on without a corner is left out: these end at its
-/// other side.
-void merge_thin_faces(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges);
+/// other side. Gives faces on whose leaving others counted, and which could not be left out.
+std::vector<int> merge_thin_faces(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges);
 
 /// Short edges that others go on from without a corner become points.
 void collapse_short_edges(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges);

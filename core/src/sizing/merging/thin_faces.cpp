@@ -35,7 +35,8 @@ class ThinFaces {
   ThinFaces(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges)
       : edits_(edits), limits_(limits), merges_(merges) {}
 
-  void run() {
+  /// Gives faces that were to go, so that others could, and could not.
+  std::vector<int> run() {
     // Faces of a narrow band end at one another: first which of them can go, if those do that they end at.
     const auto count = static_cast<int>(edits_.model().faces.size());
     stays_at_.assign(static_cast<std::size_t>(count), -1);
@@ -59,6 +60,10 @@ class ThinFaces {
       std::optional<Sides> sides = find(f);  // of edges that others before it have left
       if (sides && can_go(f, *sides)) merge(f, *sides);
     }
+    std::vector<int> stayed;
+    for (int f = 0; f < count; ++f)
+      if (may_go_[f] && edits_.face(f).has_area) stayed.push_back(f);
+    return stayed;
   }
 
  private:
@@ -98,7 +103,8 @@ class ThinFaces {
   /// The sides of a thin face, `one` the side that would stay.
   std::optional<Sides> find(int f) const {
     const Face& thin = edits_.face(f);
-    if (!thin.has_area || !thin.surface || thin.loops.empty() || limits_.is_protected_face(f)) return std::nullopt;
+    if (!thin.has_area || !thin.surface || thin.loops.empty() || limits_.is_protected_face(f) || limits_.lasts(f))
+      return std::nullopt;
     std::vector<int> periodic;
     std::vector<Side> loops = border(thin, is_hairline(f), periodic);
     std::size_t count = 0;
@@ -382,8 +388,8 @@ class ThinFaces {
 
 }  // namespace
 
-void merge_thin_faces(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges) {
-  ThinFaces(edits, limits, merges).run();
+std::vector<int> merge_thin_faces(ModelEdits& edits, const MergeLimits& limits, std::vector<Merge>& merges) {
+  return ThinFaces(edits, limits, merges).run();
 }
 
 }  // namespace paver
