@@ -29,9 +29,9 @@ struct OppositeSides {
 };
 
 /// Of all faces: sides between four corners, and the two loops of rings, or where both have as many corners their
-/// sides; the parts of strips that bend; the sides of narrow crescents, also between loops that touch; of faces of more
-/// loops edges that face each other across a narrow gap, as both sides of a wall between two holes. `loops[f]`:
-/// linked_loops of face f without periodic edges.
+/// sides; the parts of strips that bend; the sides of narrow crescents, also between loops that touch; of faces
+/// without such sides edges that face each other across a narrow gap, as both sides of a wall between two holes.
+/// `loops[f]`: linked_loops of face f without periodic edges.
 std::vector<OppositeSides> find_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops);
 
 /// Of both sides together.

@@ -232,8 +232,9 @@ class GroupSewer {
   /// that leave a vertex along each other, and of most free edges.
   std::vector<Gap> gaps_to_close(const Sewn& sewn, double most) const {
     const std::vector<TopoDS_Edge> edges = sewn.uses.free_edges();
-    std::vector<double> widths = gaps_between(edges, most);
-    leave_slots(sewn.faces, edges, most, widths);
+    const std::vector<Polyline> lines = polylines(edges, most);
+    std::vector<double> widths = gaps_between(lines);
+    leave_slots(sewn.faces, edges, lines, widths);
     Gap cracks;
     for (const std::vector<std::size_t>& border : borders(edges)) {
       double width = 0;
@@ -260,16 +261,15 @@ class GroupSewer {
   }
 
   /// What lies on one surface with what is along it is no gap.
-  void leave_slots(const std::vector<TopoDS_Face>& faces, const std::vector<TopoDS_Edge>& edges, double most,
-                   std::vector<double>& widths) const {
-    const std::vector<Polyline> lines = polylines(edges, most);
+  void leave_slots(const std::vector<TopoDS_Face>& faces, const std::vector<TopoDS_Edge>& edges,
+                   const std::vector<Polyline>& lines, std::vector<double>& widths) const {
     const FaceOfEdge face_of = faces_of_edges(faces);
     const double fitting = fitting_share * work_.diagonal;
     auto face = [&](std::size_t i) { return faces[face_of.FindFromKey(edges[i])]; };
     for (std::size_t i = 0; i < lines.size(); ++i) {
       if (!std::isfinite(widths[i]) || widths[i] < slot_share * work_.diagonal) continue;
       const Vec3 middle = lines[i].points[lines[i].points.size() / 2];
-      for (std::size_t j = 0; j < lines.size(); ++j)
+      for (std::size_t j = 0; j < lines.size() && std::isfinite(widths[i]); ++j)
         if (j != i && !lines[j].box.IsOut(to_point(middle)) && lines[j].curve &&
             distance_to(lines[j], foot_steps, middle) <= widths[i] + fitting && lies_on(lines[i], face(j), fitting) &&
             lies_on(lines[j], face(i), fitting))
@@ -352,8 +352,7 @@ class GroupSewer {
   }
 
   /// Per free edge, how far it is from other free edges all along; infinite where that is no gap.
-  static std::vector<double> gaps_between(const std::vector<TopoDS_Edge>& edges, double most) {
-    const std::vector<Polyline> lines = polylines(edges, most);
+  static std::vector<double> gaps_between(const std::vector<Polyline>& lines) {
     std::vector<double> gaps;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       double gap = 0;

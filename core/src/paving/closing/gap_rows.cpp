@@ -33,7 +33,7 @@ class Gaps {
     for (const std::vector<int>& loop : loops)
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const int node = loop[i], after = loop[(i + 1) % loop.size()];
-        // One that lies in two sectors of the region has no partner.
+        // Where a node lies in two sectors of the region it has no one neighbour: no gap is laid there.
         is_twice_ |= next_[node] >= 0;
         next_[node] = after, prev_[after] = node;
         nodes_.push_back(node);

@@ -60,7 +60,7 @@ bool MergeLimits::is_thin(int face) const {
 
 bool MergeLimits::may_be_merged(int f) const {
   constexpr double long_share = 0.5;
-  if (!is_thin(f) || std::ranges::find(lasting_, f) != lasting_.end()) return false;
+  if (!is_thin(f) || lasts(f)) return false;
   const double longest = edits_.edge(longest_edge(f)).length;
   for (const Coedge& coedge : coedges_of(edits_.face(f).loops)) {
     if (edits_.edge(coedge.edge).length < long_share * longest) continue;
