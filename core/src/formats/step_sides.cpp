@@ -45,8 +45,11 @@ std::vector<FileEdge> edges_of(const XSControl_Reader& reader, const StepShape_F
   return edges;
 }
 
-/// Whether the loops of a face run as written: writers turn those of some faces, such as tori.
-enum class LoopSense { as_written, turned, unknown };
+/// How the loops of a face run: writers turn those of some faces, such as tori.
+struct LoopSense {
+  enum { as_written, turned, unknown } sense = as_written;
+  int shell = -1;  ///< none: no other face has an edge of it
+};
 
 /// Of neighbours in a shell one walks along their common edge and one against it. Where the file has that otherwise,
 /// fewer than half of the faces of a shell are turned, or nobody knows.
@@ -71,20 +74,20 @@ class Neighbours {
 
   /// Per face.
   std::vector<LoopSense> loop_senses() const {
-    std::vector<LoopSense> senses(beside_.size(), LoopSense::as_written);
-    std::vector<int> group(beside_.size(), 0);  // 1 and 2: of one shell, turned against each other
+    std::vector<LoopSense> senses(beside_.size());
+    std::vector<int> half(beside_.size(), 0);  // 1 and 2: of one shell, turned against each other
     for (std::size_t i = 0; i < beside_.size(); ++i) {
-      if (group[i] != 0) continue;
-      const std::vector<std::size_t> shell = divide_shell(i, group);
-      const std::size_t first = std::ranges::count(shell, 1, [&](std::size_t face) { return group[face]; }),
+      if (half[i] != 0) continue;
+      const std::vector<std::size_t> shell = divide_shell(i, half);
+      const std::size_t first = std::ranges::count(shell, 1, [&](std::size_t face) { return half[face]; }),
                         second = shell.size() - first;
-      if (second == 0) continue;
       for (const std::size_t face : shell) {
-        const bool is_less = (group[face] == 1) == (first < second);
+        const bool is_less = (half[face] == 1) == (first < second);
+        if (shell.size() > 1) senses[face].shell = static_cast<int>(i);
         if (first == second)
-          senses[face] = LoopSense::unknown;
+          senses[face].sense = LoopSense::unknown;
         else if (is_less)
-          senses[face] = LoopSense::turned;
+          senses[face].sense = LoopSense::turned;
       }
     }
     return senses;
@@ -100,14 +103,14 @@ class Neighbours {
     bool is_alike;  ///< both walk the same way
   };
 
-  /// The faces of the shell of one face, each put into a group.
-  std::vector<std::size_t> divide_shell(std::size_t face, std::vector<int>& group) const {
+  /// The faces of the shell of one face, each put into a half.
+  std::vector<std::size_t> divide_shell(std::size_t face, std::vector<int>& half) const {
     std::vector<std::size_t> shell{face};
-    group[face] = 1;
+    half[face] = 1;
     for (std::size_t k = 0; k < shell.size(); ++k)
       for (const Beside& next : beside_[shell[k]]) {
-        if (group[next.face] != 0) continue;
-        group[next.face] = next.is_alike ? 3 - group[shell[k]] : group[shell[k]];
+        if (half[next.face] != 0) continue;
+        half[next.face] = next.is_alike ? 3 - half[shell[k]] : half[shell[k]];
         shell.push_back(next.face);
       }
     return shell;
@@ -126,14 +129,14 @@ void restore_sides(XSControl_Reader& reader, Shape& shape) {
   std::vector<FileFace> faces;
   for (std::size_t i = 0; i < entities.size(); ++i) {
     const Handle(StepShape_FaceSurface)& entity = entities[i];
-    const bool is_along = entity->SameSense();
-    const bool is_turned = senses[i] == LoopSense::turned;
+    const bool is_along = entity->SameSense(), is_turned = senses[i].sense == LoopSense::turned;
     FileFace face{faces_of(shape_of(reader, entity)),
                   [&reader, entity, is_turned] { return edges_of(reader, *entity, is_turned); },
                   is_along,
                   !is_along,
                   dead_ends(*entity) == 2,
-                  senses[i] != LoopSense::unknown};
+                  senses[i].sense != LoopSense::unknown,
+                  senses[i].shell};
     if (!face.read.empty()) faces.push_back(std::move(face));
   }
   FaceChanges changes(shape.shape);

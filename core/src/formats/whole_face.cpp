@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "brep/occt_shapes_impl.h"
@@ -47,6 +48,10 @@ Handle(Geom_Surface) periodic_surface(const TopoDS_Face& face) {
 /// What a border runs along at a pole, where its images jump.
 struct PoleWay {
   double from = 0, to = 0, v = 0;  // u
+  /// Where a periodic edge leads to the other pole, as that lies in the face, too: its u, and the period by which what
+  /// comes behind it lies lower.
+  std::optional<double> side{};
+  double round = 0;
 };
 
 /// An edge of a face, as that walks it.
@@ -59,7 +64,18 @@ struct Walk {
 /// A closed chain of edges, each as it is walked, with images that meet.
 struct Loop {
   std::vector<Walk> walks;
-  std::vector<gp_Pnt2d> points;
+  std::vector<gp_Pnt2d> points;  ///< `samples` of each
+
+  static constexpr std::size_t samples = edge_samples + 1;
+
+  const gp_Pnt2d& start(std::size_t walk) const { return points[walk * samples]; }
+  const gp_Pnt2d& end(std::size_t walk) const { return points[(walk + 1) * samples - 1]; }
+
+  std::vector<TopoDS_Edge> edges() const {
+    std::vector<TopoDS_Edge> walked;
+    for (const Walk& walk : walks) walked.push_back(walk.edge);
+    return walked;
+  }
 
   bool has_pole() const {
     return std::ranges::any_of(walks, [](const Walk& walk) { return walk.pole.has_value(); });
@@ -199,32 +215,63 @@ class FaceMaker {
   }
 
   // At a pole a border runs on with the face to its left: down in u along the upper end, up along the lower one. Moves
-  // all images so; whether they close then.
+  // all images so; whether they close then, if need be with a way to the other pole and back.
   bool run_along_poles(Loop& loop, const std::vector<FileEdge>& file) const {
-    constexpr std::size_t samples = edge_samples + 1;
-    std::vector<TopoDS_Edge> edges;
-    for (const Walk& walk : loop.walks) edges.push_back(walk.edge);
-    const bool is_along = agreement(edges, file) >= 0;
+    const bool is_along = agreement(loop.edges(), file) >= 0;
     const double period = period_[0];
     double by = 0, last = loop.points.back().X();
     for (std::size_t i = 0; i < loop.walks.size(); ++i) {
       Walk& walk = loop.walks[i];
-      const gp_Pnt2d& start = loop.points[i * samples];
+      const gp_Pnt2d start = loop.start(i);
       if (walk.pole && i > 0) {
         const double way = start.X() + by - last;
         by += (is_down(start, is_along) ? period * std::floor(-way / period) : period * std::ceil(-way / period));
       }
       if (walk.pole) walk.pole = PoleWay{last, start.X() + by, start.Y()};
-      walk.image.curve = moved(walk.image.curve, {by, 0});
-      for (std::size_t k = 0; k < samples; ++k)
-        loop.points[i * samples + k].SetX(loop.points[i * samples + k].X() + by);
-      last = loop.points[(i + 1) * samples - 1].X();
+      move(loop, i, by);
+      last = loop.end(i).X();
     }
-    if (!loop.walks.front().pole) return shift_of(loop.length(1), period).value_or(1) == 0;
-    PoleWay& first = *loop.walks.front().pole;
-    first.from = last;
-    const double way = first.to - first.from;
-    return std::fabs(way) < period && (way < 0) == is_down(loop.points.front(), is_along);
+    const gp_Pnt2d& start = loop.points.front();
+    const bool is_pole = loop.walks.front().pole.has_value();
+    if (is_pole) loop.walks.front().pole->from = last;
+    const double way = start.X() - last;
+    if (is_pole ? std::fabs(way) < period && (way < 0) == is_down(start, is_along) : shift_of(way, period) == 0.0)
+      return true;
+    return lead_to_other_pole(loop, is_along);
+  }
+
+  /// Of a loop that goes round with what it runs along at its pole. From there, where the loop is farthest.
+  bool lead_to_other_pole(Loop& loop, bool is_along) const {
+    constexpr int places = 16;
+    const auto at = std::ranges::find_if(loop.walks, [](const Walk& walk) { return walk.pole.has_value(); });
+    const auto first = static_cast<std::size_t>(at - loop.walks.begin());
+    PoleWay& pole = *at->pole;
+    pole.round = is_down(loop.start(first), is_along) ? -period_[0] : period_[0];
+    if (first == 0) pole.to += pole.round;
+    if ((pole.to - pole.from) * pole.round <= 0) return false;
+    double widest = 0;
+    for (int i = 1; i < places; ++i) {
+      const double u = pole.from + (pole.to - pole.from) * i / places;
+      double gap = period_[0];
+      for (const gp_Pnt2d& point : loop.points)
+        gap = std::min(gap, std::fabs(std::remainder(point.X() - u, period_[0])));
+      if (gap > widest) widest = gap, pole.side = u;
+    }
+    pole.to -= pole.round;
+    for (std::size_t i = first; first > 0 && i < loop.walks.size(); ++i) move(loop, i, -pole.round);
+    for (std::size_t i = first + 1; first > 0 && i < loop.walks.size(); ++i)
+      if (loop.walks[i].pole) loop.walks[i].pole->from -= pole.round, loop.walks[i].pole->to -= pole.round;
+    const double left = at == loop.walks.begin() ? pole.to - loop.points.front().X() : loop.length(1);
+    return widest > 0 && shift_of(left, period_[0]) == 0.0;
+  }
+
+  /// The image of one of its edges, along u.
+  static void move(Loop& loop, std::size_t i, double by) {
+    loop.walks[i].image.curve = moved(loop.walks[i].image.curve, {by, 0});
+    for (std::size_t k = 0; k < Loop::samples; ++k) {
+      gp_Pnt2d& point = loop.points[i * Loop::samples + k];
+      point.SetX(point.X() + by);
+    }
   }
 
   bool is_down(const gp_Pnt2d& pole, bool is_along) const {
@@ -276,17 +323,51 @@ class FaceMaker {
   }
 
   /// Of the way to where the walk begins.
-  TopoDS_Edge pole_edge(const Walk& walk) const {
+  void add_pole(const Walk& walk, bool is_right, TopoDS_Wire& wire) const {
+    BRep_Builder builder;
+    const PoleWay& pole = *walk.pole;
+    const TopoDS_Vertex here = TopExp::FirstVertex(walk.edge, true);
+    if (!pole.side) {
+      builder.Add(wire, pole_edge(here, pole.from, pole.to, pole.v));
+      return;
+    }
+    const double behind = *pole.side - pole.round;
+    const bool is_up = std::fabs(pole.v - start_[1]) < std::fabs(pole.v - v1_);
+    const double other = is_up ? v1_ : start_[1];
+    TopoDS_Vertex there;
+    builder.MakeVertex(there, surface_->Value(*pole.side, other), Precision::Confusion());
+    const TopoDS_Edge side = side_edge(pole, is_up ? here : there, is_up ? there : here, is_up == is_right);
+    builder.Add(wire, pole_edge(here, pole.from, *pole.side, pole.v));
+    builder.Add(wire, side.Oriented(is_up ? TopAbs_FORWARD : TopAbs_REVERSED));
+    builder.Add(wire, pole_edge(there, *pole.side, behind, other));
+    builder.Add(wire, side.Oriented(is_up ? TopAbs_REVERSED : TopAbs_FORWARD));
+    builder.Add(wire, pole_edge(here, behind, pole.to, pole.v));
+  }
+
+  TopoDS_Edge pole_edge(const TopoDS_Vertex& vertex, double from, double to, double v) const {
     BRep_Builder builder;
     TopoDS_Edge edge;
     builder.MakeEdge(edge);
-    const double length = walk.pole->to - walk.pole->from;
-    builder.UpdateEdge(edge, new Geom2d_Line({walk.pole->from, walk.pole->v}, {length > 0 ? 1.0 : -1.0, 0}), surface_,
-                       TopLoc_Location(), Precision::Confusion());
+    builder.UpdateEdge(edge, new Geom2d_Line({from, v}, {to > from ? 1.0 : -1.0, 0}), surface_, TopLoc_Location(),
+                       Precision::Confusion());
     builder.Degenerated(edge, true);
-    const TopoDS_Vertex vertex = TopExp::FirstVertex(walk.edge, true);
     for (const TopAbs_Orientation end : {TopAbs_FORWARD, TopAbs_REVERSED}) builder.Add(edge, vertex.Oriented(end));
-    builder.Range(edge, 0, std::fabs(length));
+    builder.Range(edge, 0, std::fabs(to - from));
+    return edge;
+  }
+
+  /// The periodic edge from pole to pole; the face has it upwards where it is walked first, or downwards.
+  TopoDS_Edge side_edge(const PoleWay& pole, const TopoDS_Vertex& low, const TopoDS_Vertex& high, bool is_up) const {
+    BRep_Builder builder;
+    TopoDS_Edge edge;
+    const double first = *pole.side, second = first - pole.round;
+    auto line = [](double u) { return Handle(Geom2d_Line)(new Geom2d_Line({u, 0}, {0, 1})); };
+    builder.MakeEdge(edge, surface_->UIso(first), Precision::Confusion());
+    builder.UpdateEdge(edge, line(is_up ? first : second), line(is_up ? second : first), surface_, TopLoc_Location(),
+                       Precision::Confusion());
+    builder.Add(edge, low.Oriented(TopAbs_FORWARD));
+    builder.Add(edge, high.Oriented(TopAbs_REVERSED));
+    builder.Range(edge, start_[1], v1_);
     return edge;
   }
 
@@ -299,16 +380,14 @@ class FaceMaker {
     TopoDS_Wire wire;
     BRep_Builder builder;
     builder.MakeWire(wire);
-    std::vector<TopoDS_Edge> edges;
+    const bool is_right = file.empty() ? loop.area() < 0 : agreement(loop.edges(), file) >= 0;
     for (const Walk& walk : loop.walks) {
-      if (walk.pole) builder.Add(wire, pole_edge(walk));
+      if (walk.pole) add_pole(walk, is_right, wire);
       builder.UpdateEdge(walk.edge, moved(walk.image.curve, {by[0], by[1]}), surface_, TopLoc_Location(),
                          BRep_Tool::Tolerance(walk.edge));
       builder.Add(wire, walk.edge);
-      edges.push_back(walk.edge);
     }
     wire.Closed(true);
-    const bool is_right = file.empty() ? loop.area() < 0 : agreement(edges, file) >= 0;
     return TopoDS::Wire(wire.Oriented(is_right ? TopAbs_FORWARD : TopAbs_REVERSED));
   }
 
@@ -357,19 +436,35 @@ bool may_be_either_side(const FileFace& face) {
          !surface->IsKind(STANDARD_TYPE(Geom_SurfaceOfLinearExtrusion));
 }
 
-/// Places of faces that have a loop the other way round than in the file. Not where most faces that look the same way
-/// from their surface have: some writers take the side of the surface for that of the face.
+/// Faces turned less the others.
+struct TurnedSums {
+  std::map<int, int> of_shells;
+  int against = 0, along = 0;  ///< of all whose normals are against those of their surfaces, or along these
+
+  int& of_sense(const FileFace& face) { return face.is_along_surface ? along : against; }
+
+  void add(const FileFace& face, int sign) {
+    of_sense(face) += sign;
+    if (face.shell >= 0) of_shells[face.shell] += sign;
+  }
+
+  /// Some writers take the side of the surface for that of the face; in a shell with others that shows.
+  int about(const FileFace& face) { return face.shell >= 0 ? of_shells[face.shell] : of_sense(face); }
+};
+
+/// Places of faces that have a loop the other way round than in the file. Not where most of their shell have, or most
+/// faces that look the same way from their surface.
 std::vector<std::size_t> turned_faces(const std::vector<FileFace>& faces) {
   std::vector<std::size_t> turned;
   for (std::size_t i = 0; i < faces.size(); ++i)
     if (faces[i].are_loops_known && may_be_either_side(faces[i]) && is_turned(faces[i], faces[i].edges()))
       turned.push_back(i);
   if (turned.empty()) return turned;
-  int sums[2] = {0, 0};  // of faces against and along their surface: those turned less the others
+  TurnedSums sums;
   for (const FileFace& face : faces)
     if (const std::vector<FileEdge> edges = face.edges(); face.are_loops_known && edges.size() <= most_asked_edges)
-      sums[face.is_along_surface] += is_turned(face, edges) ? 1 : -1;
-  std::erase_if(turned, [&](std::size_t i) { return sums[faces[i].is_along_surface] > 0; });
+      sums.add(face, is_turned(face, edges) ? 1 : -1);
+  std::erase_if(turned, [&](std::size_t i) { return sums.about(faces[i]) > 0; });
   return turned;
 }
 

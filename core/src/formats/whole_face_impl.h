@@ -32,6 +32,7 @@ struct FileFace {
   bool is_read_turned = false;   ///< by the reader, as its normal is not that of its surface
   bool ends_at_poles = false;    ///< the file has a periodic edge between two poles in it
   bool are_loops_known = true;   ///< not where the file's faces contradict each other
+  int shell = -1;                ///< of faces whose loops agree; negative: not known
 };
 
 /// An edge as a file walks it: along its curve or against it.

@@ -84,9 +84,10 @@ class LayoutPlanner {
     return {};
   }
 
-  /// Of a side that is one point the image may be divided, where edges inside the face end in it.
+  /// Of a side that is one point the image may be divided, where edges inside the face end in it, or a part, where the
+  /// border of a face that goes round leads through it.
   void find_poles() {
-    constexpr double least_share = 0.5;  // of a side: shorter ones are just a point
+    constexpr double half = 0.5, any = 1e-3;  // of a side: shorter ones are just a point
     std::array<double, 2> u_share{}, v_share{};
     for (const Coedge& c : coedges_of(face_.loops)) {
       if (!edge_of(model_, c).is_degenerate) continue;
@@ -99,8 +100,9 @@ class LayoutPlanner {
       bool is_low = at - range.lo < range.hi - at;
       (along_u ? v_share : u_share)[is_low ? 0 : 1] += std::max(du, dv);
     }
-    u_.low_pole = u_share[0] >= least_share, u_.high_pole = u_share[1] >= least_share;
-    v_.low_pole = v_share[0] >= least_share, v_.high_pole = v_share[1] >= least_share;
+    const double least = u_.wraps || v_.wraps ? any : half;
+    u_.low_pole = u_share[0] >= least, u_.high_pole = u_share[1] >= least;
+    v_.low_pole = v_share[0] >= least, v_.high_pole = v_share[1] >= least;
   }
 
   // A face without border: all its edges are its own periodic ones or poles.

@@ -4,6 +4,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_BSplineCurve.hxx>
@@ -90,6 +91,26 @@ TEST(ParameterCurveEvaluator, ProjectsWhereTheImageRunsAtAnotherPace) {
   ASSERT_TRUE(image);
   for (double t = 0; t <= 5; t += 0.037) EXPECT_LE(norm(surface->point(image->uv(t)) - curve->point(t)), 1e-9);
   EXPECT_NEAR(image->uv(4.9).x, 4.9, 1e-9) << "stays in the same turn";
+}
+
+// Steps from a pole lead anywhere.
+TEST(ParameterCurveEvaluator, ProjectsFromAPoleIntoTheSameTurn) {
+  constexpr double meridian = 1.5;
+  TopoDS_Face face = TopoDS::Face(TopExp_Explorer(BRepPrimAPI_MakeSphere(2).Shape(), TopAbs_FACE).Current());
+  face.Orientation(TopAbs_FORWARD);
+  auto surface = make_surface(face, 0);
+  const gp_Ax2 along({0, 0, 0}, gp_Dir(std::sin(meridian), -std::cos(meridian), 0),
+                     gp_Dir(std::cos(meridian), std::sin(meridian), 0));
+  auto curve = make_curve(BRepBuilderAPI_MakeEdge(gp_Circ(along, 2), -0.5 * M_PI, 1));
+  class Elsewhere : public ParameterCurve {
+    Vec2 uv(double t) const override { return {t > -1.5 ? meridian + 7 : meridian + 0.1, t}; }
+  } rough;
+  auto image = make_projected_image(face, curve, rough, -0.5 * M_PI, 1);
+  ASSERT_TRUE(image);
+  for (double t = -0.5 * M_PI; t <= 1; t += 0.037) {
+    EXPECT_NEAR(image->uv(t).x, meridian, 1e-6) << t;
+    EXPECT_NEAR(image->uv(t).y, t, 1e-6) << t;
+  }
 }
 
 }  // namespace

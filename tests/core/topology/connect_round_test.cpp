@@ -35,6 +35,7 @@
 
 #include "base/union_find.h"
 #include "core/brep/shape_files.h"
+#include "core/brep/step_files.h"
 #include "support/report_of.h"
 
 namespace paver {
@@ -455,6 +456,21 @@ TEST(ConnectRound, PlacesOnABallStayWhereItsAxisIsTurned) {
     }
   }
   EXPECT_GT(turned, 0);
+}
+
+// STEP files walk the periodic edges of tori along these first.
+TEST(ConnectRound, ABentConductorLiesInItsInsulator) {
+  auto bend = [](double radius) { return BRepPrimAPI_MakeTorus(8, radius, -M_PI, M_PI, M_PI_2).Shape(); };
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("bend.step");
+  test::write_step(compound({BRepAlgoAPI_Cut(bend(2.5), bend(1)).Shape(), bend(1)}), path);
+  Options options;
+  options.size = 1;
+  Progress progress;
+  const RunReport report = mesh_file(path, options, progress).report;
+  EXPECT_STREQ(verdict(report), "sound");
+  EXPECT_EQ(report.components.size(), 1U);
+  EXPECT_EQ(report.quality.border_edges, 0U);
 }
 
 }  // namespace

@@ -83,6 +83,7 @@ class Connector {
     }
     if (has_inner_points(work_, parts)) unshare_parts(work_, parts);
     turn_balls(work_, parts, all, false);
+    order_tori(work_, parts);
     if (try_to_fuse(parts)) return;
     if (try_to_fuse_changed(parts, [&] { return unshare_parts(work_, parts); }) ||
         try_to_fuse_changed(parts, [&] { return turn_balls(work_, parts, all, true); }))

@@ -141,6 +141,9 @@ bool has_inner_points(const Workpiece& work, const std::vector<int>& parts);
 /// them; false where there are none. `pairs`: that may touch.
 bool turn_balls(Workpiece& work, const std::vector<int>& parts, const std::vector<PartPair>& pairs, bool are_all);
 
+/// Lets the loops of tori among the parts begin where the kernel finds two on each other to be one.
+void order_tori(Workpiece& work, const std::vector<int>& parts);
+
 /// Marks parts that touch themselves: WorkPart::is_loose.
 void find_loose_parts(Workpiece& work, double tolerance);
 

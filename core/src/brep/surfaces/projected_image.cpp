@@ -145,13 +145,15 @@ class ProjectedImage : public ParameterCurve {
       }
       if (foot.distance2 > lost * lost) {
         const Foot found = finder_.find_anywhere(x, foot.uv, table_steps);
-        is_lost_ = true;
         if (found.distance2 < foot.distance2) foot = found;
       }
       table_.push_back(i > 0 ? finder_.next_to(foot.uv, table_.back()) : foot.uv);
     }
-    keep_end(rough, 0);
-    keep_end(rough, table_intervals);
+    leave_poles();
+    const Vec2 shift = finder_.next_to(table_[1], rough.uv(t0)) - table_[1];
+    for (Vec2& uv : table_) uv = uv + shift;
+    keep_end(rough, 0, 1);
+    keep_end(rough, table_intervals, table_intervals - 1);
   }
 
   Vec2 uv(double t) const override {
@@ -168,14 +170,27 @@ class ProjectedImage : public ParameterCurve {
   }
 
  private:
-  /// Where the image as given ends in the same point, it does so exactly: at poles many (u, v) would do, but only one
-  /// meets the neighbour.
-  void keep_end(const ParameterCurve& rough, int i) {
-    double t = i == 0 ? t0_ : t1_;
-    Vec2 uv = rough.uv(t);
-    auto& entry = table_[i];
-    double reach = 1e-6 * (curve_length() + 1e-300);
-    if (norm(finder_.point(uv) - finder_.point(entry)) <= reach) entry = is_lost_ ? finder_.next_to(uv, entry) : uv;
+  /// Beside a pole steps from there lead to poor feet, and some periods away; those from the other side are better.
+  void leave_poles() {
+    constexpr double better = 0.5;  // of the distance
+    for (int i = table_intervals - 1; i > 0; --i) {
+      const Vec3 x = curve_->point(t0_ + (t1_ - t0_) * i / table_intervals), off = x - finder_.point(table_[i]);
+      const Foot walked = finder_.find(x, table_[i + 1], table_steps);
+      if (walked.distance2 < better * better * dot(off, off)) table_[i] = finder_.next_to(walked.uv, table_[i + 1]);
+    }
+  }
+
+  /// Where the image as given ends in the same point, it does so exactly, in the period of the entry beside; at poles
+  /// it goes on as from there.
+  void keep_end(const ParameterCurve& rough, int i, int beside) {
+    const double reach = 1e-6 * (curve_length() + 1e-300);
+    const Vec3 x = finder_.point(table_[i]);
+    auto is_there = [&](Vec2 uv) { return norm(finder_.point(uv) - x) <= reach; };
+    const Vec2 uv = finder_.next_to(rough.uv(i == 0 ? t0_ : t1_), table_[beside]);
+    if (!is_there(uv)) return;
+    table_[i] = uv;
+    for (const Vec2 straight : {Vec2{table_[beside].x, uv.y}, Vec2{uv.x, table_[beside].y}})
+      if (is_there(straight)) table_[i] = straight;
   }
 
   double curve_length() const { return length_of(sampled(curve_, t0_, t1_, 16)); }
@@ -184,7 +199,6 @@ class ProjectedImage : public ParameterCurve {
   std::shared_ptr<const Curve> curve_;
   double t0_, t1_;
   std::vector<Vec2> table_;
-  bool is_lost_ = false;  // the rough image is elsewhere
 };
 
 }  // namespace
