@@ -179,6 +179,16 @@ class Tube {
     return are_sides_of_prism(region_, sides);
   }
 
+  /// Between rims nearer to each other than a target length, as of a groove that turns by half a circle.
+  bool is_narrow() const {
+    constexpr double narrow = 0.7;  // target lengths
+    for (std::size_t i = 0; i < from_.size(); ++i) {
+      const LoopNode &a = from_[i], &b = opposite(i);
+      if (norm(b.x - a.x) >= narrow * std::min(region_.target(a.p), region_.target(b.p))) return false;
+    }
+    return true;
+  }
+
   std::optional<RegionMesh> lay() {
     mesh_.turn_weight = region_.size.turn_weight();
     const std::size_t n = from_.size();
@@ -248,7 +258,7 @@ std::optional<RegionMesh> lay_prism(const Region& region) {
   constexpr std::size_t most = 4096;  // turning tries all
   if (!region.goes_round || !are_equal_ends(region, most)) return std::nullopt;
   Tube tube(region);
-  return tube.is_prism() ? tube.lay() : std::nullopt;
+  return tube.is_prism() || tube.is_narrow() ? tube.lay() : std::nullopt;
 }
 
 std::optional<RegionMesh> lay_dome(const Region& region, Elements elements, DomeRows rows) {

@@ -3,12 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "support/dome.h"
 #include "support/planar_region.h"
+#include "support/report_of.h"
 
 namespace paver {
 namespace {
@@ -119,6 +124,19 @@ TEST(TubeGrid, IsNoneWhereTheLoopsDifferOrAreMany) {
   EXPECT_FALSE(lay_tube(ring(12, 11)));
   EXPECT_FALSE(lay_tube(ring(60, 60)));
   EXPECT_FALSE(lay_tube(dome(0, 12, 1)));
+}
+
+TEST(TubeGrid, AGrooveOfHalfACircleHasRowsAtTheLowestFrequency) {
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-20, -20, -6), 40, 40, 6).Shape();
+  for (const double radius : {1.0, 2.0}) {
+    const TopoDS_Shape groove = BRepPrimAPI_MakeTorus(10, radius).Shape();
+    for (const TopoDS_Shape& shape :
+         {BRepAlgoAPI_Cut(plate, groove).Shape(), BRepAlgoAPI_Fuse(plate, groove).Shape()}) {
+      const RunReport report = test::report_of(shape, 1e6);
+      EXPECT_STREQ(verdict(report), "sound") << radius;
+      EXPECT_EQ(report.quality.triangles, 0) << radius;
+    }
+  }
 }
 
 }  // namespace
