@@ -406,6 +406,7 @@ class RegionBuilder {
   void add_fan(const ParameterBox& box, bool has_points, Region& region) {
     PoleShape shape = measure_pole(*region.surface, box, layout_.period, box.low_pole);
     if (!(shape.slant > 0) || (!shape.is_sharp() && (has_points || !is_bag(region)))) return;
+    if (leads_through_pole(region)) return;
     double pole = box.low_pole ? box.lo.y : box.hi.y, inward = box.low_pole ? 1 : -1;
     double per_length = shape.small / shape.slant;  // meridian parameter per mm at the pole
     double room = nearest_node(region, shape.apex);
@@ -443,6 +444,13 @@ class RegionBuilder {
       area += cross(fan.ring[i].p, fan.ring[(i + 1) % fan.ring.size()].p);
     if (area < 0) std::reverse(fan.ring.begin() + 1, fan.ring.end());
     region.fans.push_back(std::move(fan));
+  }
+
+  /// Whether a loop has the pole, in the middle of the chart, on its way.
+  static bool leads_through_pole(const Region& region) {
+    return std::ranges::any_of(region.loops, [](const std::vector<LoopNode>& loop) {
+      return std::ranges::any_of(loop, [](const LoopNode& node) { return node.p == Vec2{}; });
+    });
   }
 
   /// Turns in limits of turn, added up at equal steps about a pole; `place` gives (u, v) by the share of the way

@@ -4,9 +4,17 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_GTransform.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TopoDS_Shell.hxx>
 #include <cmath>
 
 #include "brep/occt_impl.h"
@@ -92,6 +100,27 @@ TEST(StepPoles, BodiesWithAPoleOnTheBorderAreMeshedEvenly) {
   EXPECT_STREQ(verdict(report), "sound");
   EXPECT_LT(test::longest_side(report), 16);
   EXPECT_LE(report.quality.triangles, 2);
+}
+
+/// Of one face, with a point at either end.
+TopoDS_Shape spindle() {
+  TColgp_Array1OfPnt points(1, 4);
+  points(1) = {0, 0, -50}, points(2) = {30, 0, -30}, points(3) = {35, 0, 10}, points(4) = {0, 0, 45};
+  const TopoDS_Edge meridian = BRepBuilderAPI_MakeEdge(GeomAPI_PointsToBSpline(points, 3, 3).Curve()).Edge();
+  BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  builder.Add(shell, BRepPrimAPI_MakeRevol(meridian, gp::OZ()).Shape());
+  return BRepBuilderAPI_MakeSolid(shell).Solid();
+}
+
+// No quads are laid in advance about a point that the border leads through.
+TEST(StepPoles, SoAreThoseThatComeToAPointThere) {
+  const TopoDS_Shape quarter = BRepPrimAPI_MakeBox(gp_Pnt{0, 0, 0}, 100, 100, 100).Shape();
+  for (const double size : {5.0, 10.0, 1000.0}) {
+    const RunReport report = test::report_of(BRepAlgoAPI_Cut(spindle(), quarter).Shape(), size);
+    EXPECT_STREQ(verdict(report), "sound") << size;
+  }
 }
 
 TEST(StepPoles, FacesThatAreReadRightStay) {

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <algorithm>
 #include <cmath>
 #include <gp_Ax2.hxx>
@@ -51,6 +54,19 @@ TEST(ClosedTubeRows, GrowAwayFromWhatElseIsThere) {
   for (std::size_t i = 2; i < rings.size(); ++i)
     EXPECT_GT(rings[i] - rings[i - 1], 0.9 * (rings[i - 1] - rings[i - 2]));
   EXPECT_EQ(heights.size(), 12 * rings.size());
+}
+
+// The flat is some hundredths of a millimetre wide: rows from it on must not run into the groove.
+TEST(ClosedTubeRows, EndWhereAFunnelIsNoLongerSlim) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(10).Shape();
+  const TopoDS_Shape flat =
+      BRepAlgoAPI_Cut(ball, BRepPrimAPI_MakeBox(gp_Pnt{-30, -30, -59.99976}, 60, 60, 50).Shape()).Shape();
+  const TopoDS_Shape groove = BRepPrimAPI_MakeCylinder(gp_Ax2({-15, 0, 8}, {1, 0, 0}), 4.8, 30).Shape();
+  const RunReport report = test::report_of(BRepAlgoAPI_Cut(flat, groove).Shape(), 2.8);
+  EXPECT_STREQ(verdict(report), "sound");
+  EXPECT_LT(report.quality.quads, 350);
+  EXPECT_EQ(report.quality.triangles, 0);
+  EXPECT_GT(report.quality.sj_all.min, 0.3);
 }
 
 }  // namespace

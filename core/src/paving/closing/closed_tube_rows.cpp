@@ -6,6 +6,7 @@
 #include "paving/closing/closed_tube_rows.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/cells.h"
@@ -97,9 +98,11 @@ class ClosedTubeRows {
     // The chart keeps angles, so a stretch is as long, against the way round it, as its places tell.
     const double rooms = room * (rim >= 0 ? 1 : 2);
     if (std::fabs(to - from) * static_cast<double>(columns.size()) < 2 * M_PI * rooms) return;
-    const double width = length_round(columns, 0.5 * (from + to)) / static_cast<double>(columns.size());
+    const double end = rim >= 0 ? end_of_slim(columns, from, to) : to;
+    const double width = length_round(columns, 0.5 * (from + end)) / static_cast<double>(columns.size());
     if (!(width * static_cast<double>(columns.size()) < slim * region_.h)) return;
-    const std::vector<Row> rows = divide(columns[0], from, to, rim >= 0 ? 0 : room * width, width);
+    const std::vector<Row> rows =
+        divide(columns[0], from, end, {rim >= 0 ? 0 : room * width, end == to ? room * width : 0}, width);
     if (rows.size() > 1) lay(columns, rows, rim);
   }
 
@@ -117,6 +120,18 @@ class ClosedTubeRows {
     return way;
   }
 
+  /// Where a funnel from a rim on is no longer slim; chords of rows farther on might cross what else is there.
+  double end_of_slim(const std::vector<Vec2>& columns, double from, double to) const {
+    constexpr int steps = 32;
+    double last = from;
+    for (int i = 1; i <= steps; ++i) {
+      const double place = from + i * (to - from) / steps;
+      if (length_round(columns, place) > slim * region_.h) return i > 1 ? last : to;
+      last = place;
+    }
+    return to;
+  }
+
   struct Row {
     double place = 0, h = 0;
   };
@@ -129,8 +144,8 @@ class ClosedTubeRows {
     return values[i] + share * (values[i + 1] - values[i]);
   }
 
-  /// Places of rows, from so much beyond `from` on; nothing where there is no room for any.
-  std::vector<Row> divide(Vec2 column, double from, double to, double start, double width) const {
+  /// Places of rows, with so much room beside `from` and `to`; nothing where there is none for any.
+  std::vector<Row> divide(Vec2 column, double from, double to, std::array<double, 2> rooms, double width) const {
     std::vector<double> places, along{0};
     std::vector<NodePlace> points;
     for (int i = 0; i <= samples; ++i) {
@@ -138,7 +153,7 @@ class ClosedTubeRows {
       points.push_back(region_.place(at(column, places[i])));
       if (i > 0) along.push_back(along.back() + norm(points[i].x - points[i - 1].x));
     }
-    const double end = along.back() - room * width;
+    const double start = rooms[0], end = along.back() - rooms[1];
     if (!(end > start)) return {};
     const auto target = [&](double s) {
       const double away = start > 0 ? std::min(s - start, end - s) : end - s;
