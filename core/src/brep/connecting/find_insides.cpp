@@ -25,12 +25,13 @@ namespace {
 
 class InsideClassifier {
  public:
-  explicit InsideClassifier(const TopoDS_Shape& solid) {
+  /// By the faces as they were mended: those as read may have lost images to that, at which the kernel breaks down.
+  InsideClassifier(const Workpiece& work, int part) {
     BRep_Builder builder;
     TopoDS_Compound boundary;
     builder.MakeCompound(boundary);
-    for (TopExp_Explorer face(solid, TopAbs_FACE); face.More(); face.Next())
-      if (is_bounding(face.Current())) builder.Add(boundary, face.Current());
+    for (const WorkFace& face : work.faces)
+      if (face.is_usable() && face.has_part(part)) builder.Add(boundary, face.face);
     rays_.Load(boundary, Precision::Confusion());
   }
 
@@ -77,15 +78,11 @@ class PointsInside {
   Handle(IntTools_Context) context_ = new IntTools_Context;
 };
 
-Bnd_Box box_of(const TopoDS_Shape& shape) {
+/// Empty where it has no place.
+Box box_of(const TopoDS_Face& face) {
   Bnd_Box box;
-  BRepBndLib::Add(shape, box, Standard_False);
-  return box;
-}
-
-Box to_box(const Bnd_Box& box) {
-  if (box.IsVoid()) return {{}, {}};
-  return {to_vec(box.CornerMin()), to_vec(box.CornerMax())};
+  BRepBndLib::Add(face, box, Standard_False);
+  return box.IsVoid() ? Box() : Box{to_vec(box.CornerMin()), to_vec(box.CornerMax())};
 }
 
 }  // namespace
@@ -97,22 +94,24 @@ gp_Pnt middle_of(const TopoDS_Edge& edge) {
 
 void find_insides(Workpiece& work) {
   if (std::none_of(work.parts.begin(), work.parts.end(), [](const auto& part) { return part.solid >= 0; })) return;
-  const auto solids = shapes_of(work.shape, TopAbs_SOLID);
-  std::vector<Box> boxes;
-  for (const WorkFace& face : work.faces) boxes.push_back(to_box(face.is_usable() ? box_of(face.face) : Bnd_Box()));
+  std::vector<Box> boxes, boxes_of_parts(work.parts.size());
+  for (const WorkFace& face : work.faces) {
+    boxes.push_back(box_of(face.face));
+    for (const FaceUse& use : face.uses) boxes_of_parts[use.part].add(boxes.back());
+  }
   const BoxTree tree(std::move(boxes));
   PointsInside points;
   for (std::size_t part = 0; part < work.parts.size(); ++part) {
     if (work.parts[part].solid < 0) continue;
-    const TopoDS_Shape solid = solids(work.parts[part].solid + 1);
-    const Bnd_Box box = box_of(solid);
+    const Box& box = boxes_of_parts[part];
     std::unique_ptr<InsideClassifier> classifier;
     auto holds = [&](const gp_Pnt& point) {
-      if (box.IsOut(point)) return false;
-      if (!classifier) classifier = std::make_unique<InsideClassifier>(solid);
+      const Vec3 x = to_vec(point);
+      if (!box.meets({x, x})) return false;
+      if (!classifier) classifier = std::make_unique<InsideClassifier>(work, static_cast<int>(part));
       return classifier->holds(point);
     };
-    tree.each_meeting(to_box(box), [&](int f) {
+    tree.each_meeting(box, [&](int f) {
       WorkFace& face = work.faces[f];
       if (!face.is_usable() || face.has_part(static_cast<int>(part))) return;
       const std::optional<gp_Pnt>& point = points.of(face.face);
