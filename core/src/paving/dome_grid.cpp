@@ -179,14 +179,27 @@ class Tube {
     return are_sides_of_prism(region_, sides);
   }
 
-  /// Between rims nearer to each other than a target length, as of a groove that turns by half a circle.
-  bool is_narrow() const {
-    constexpr double narrow = 0.7;  // target lengths
+  /// Short from rim to rim, and turning by most of half a circle, as a groove: lengths that count turns take these for
+  /// less, and rows of the front close across.
+  bool is_short_bend() const {
+    constexpr double longest = 1.1;  // target lengths: half a circle about 0.7 of one
+    constexpr double least_turn = 2 * M_PI / 3;
+    constexpr int steps = 8;
+    double most_turn = 0;
     for (std::size_t i = 0; i < from_.size(); ++i) {
       const LoopNode &a = from_[i], &b = opposite(i);
-      if (norm(b.x - a.x) >= narrow * std::min(region_.target(a.p), region_.target(b.p))) return false;
+      const auto between = [&](double share) { return region_.chart->between(a.p, b.p, share); };
+      double length = 0;
+      Vec3 last = a.x;
+      for (int k = 1; k <= steps; ++k) {
+        const Vec3 next = region_.point(between(k / double{steps}));
+        length += norm(next - last);
+        last = next;
+      }
+      if (length >= longest * std::min(region_.target(a.p), region_.target(b.p))) return false;
+      most_turn = std::max(most_turn, turn_along(region_, between));
     }
-    return true;
+    return most_turn > least_turn;
   }
 
   std::optional<RegionMesh> lay() {
@@ -258,7 +271,7 @@ std::optional<RegionMesh> lay_prism(const Region& region) {
   constexpr std::size_t most = 4096;  // turning tries all
   if (!region.goes_round || !are_equal_ends(region, most)) return std::nullopt;
   Tube tube(region);
-  return tube.is_prism() || tube.is_narrow() ? tube.lay() : std::nullopt;
+  return tube.is_prism() || tube.is_short_bend() ? tube.lay() : std::nullopt;
 }
 
 std::optional<RegionMesh> lay_dome(const Region& region, Elements elements, DomeRows rows) {

@@ -29,7 +29,7 @@ bool is_slim_tube(const Region& region);
 /// The same of a region between two loops of equally many nodes, a short bent pipe: rows from one loop to the other.
 std::optional<RegionMesh> lay_tube(const Region& region);
 
-/// The same of a prism that goes round, however wide, or where the loops are nearer to each other than a target length.
+/// The same of a prism that goes round, however wide, or of a ring that turns by most of half a circle in a short way.
 std::optional<RegionMesh> lay_prism(const Region& region);
 
 }  // namespace paver
