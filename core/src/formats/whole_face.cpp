@@ -248,21 +248,23 @@ class FaceMaker {
     PoleWay& pole = *at->pole;
     pole.round = is_down(loop.start(first), is_along) ? -period_[0] : period_[0];
     if (first == 0) pole.to += pole.round;
-    if ((pole.to - pole.from) * pole.round <= 0) return false;
+    const double way = pole.to - pole.from;
+    if (way * pole.round <= 0 || std::fabs(way) > period_[0]) return false;
     double widest = 0;
     for (int i = 1; i < places; ++i) {
-      const double u = pole.from + (pole.to - pole.from) * i / places;
+      const double u = pole.from + way * i / places;
       double gap = period_[0];
       for (const gp_Pnt2d& point : loop.points)
         gap = std::min(gap, std::fabs(std::remainder(point.X() - u, period_[0])));
       if (gap > widest) widest = gap, pole.side = u;
     }
     pole.to -= pole.round;
-    for (std::size_t i = first; first > 0 && i < loop.walks.size(); ++i) move(loop, i, -pole.round);
-    for (std::size_t i = first + 1; first > 0 && i < loop.walks.size(); ++i)
-      if (loop.walks[i].pole) loop.walks[i].pole->from -= pole.round, loop.walks[i].pole->to -= pole.round;
-    const double left = at == loop.walks.begin() ? pole.to - loop.points.front().X() : loop.length(1);
-    return widest > 0 && shift_of(left, period_[0]) == 0.0;
+    for (std::size_t i = first; first > 0 && i < loop.walks.size(); ++i) {
+      move(loop, i, -pole.round);
+      if (std::optional<PoleWay>& later = loop.walks[i].pole; later && i > first)
+        later->from -= pole.round, later->to -= pole.round;
+    }
+    return widest > 0 && (first == 0 || shift_of(loop.length(1), period_[0]) == 0.0);
   }
 
   /// The image of one of its edges, along u.
