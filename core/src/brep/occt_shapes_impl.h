@@ -1,6 +1,7 @@
 // What OpenCASCADE's shapes consist of, and from where to where their curves go.
 #pragma once
 
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
@@ -48,6 +49,17 @@ inline std::vector<TopoDS_Wire> wires_of(const TopoDS_Face& face) {
   for (TopoDS_Iterator parts(face); parts.More(); parts.Next())
     if (parts.Value().ShapeType() == TopAbs_WIRE) wires.push_back(TopoDS::Wire(parts.Value()));
   return wires;
+}
+
+/// The face with another loop, in place of one of its own where that is not null.
+inline TopoDS_Face face_with(const TopoDS_Face& face, const TopoDS_Wire& wire, const TopoDS_Shape& replaced) {
+  TopoDS_Face made = TopoDS::Face(face.EmptyCopied());
+  BRep_Builder builder;
+  builder.NaturalRestriction(made, Standard_False);
+  for (TopoDS_Iterator parts(face); parts.More(); parts.Next())
+    builder.Add(made, parts.Value().IsSame(replaced) ? wire : parts.Value());
+  if (replaced.IsNull()) builder.Add(made, wire);
+  return made;
 }
 
 /// How often the shape uses an edge.

@@ -26,12 +26,12 @@ namespace {
 class InsideClassifier {
  public:
   /// By the faces as they were mended: those as read may have lost images to that, at which the kernel breaks down.
-  InsideClassifier(const Workpiece& work, int part) {
+  InsideClassifier(const Workpiece& work, const std::vector<int>& faces) {
     BRep_Builder builder;
     TopoDS_Compound boundary;
     builder.MakeCompound(boundary);
-    for (const WorkFace& face : work.faces)
-      if (face.is_usable() && face.has_part(part)) builder.Add(boundary, face.face);
+    for (const int f : faces)
+      if (work.faces[f].is_usable()) builder.Add(boundary, work.faces[f].face);
     rays_.Load(boundary, Precision::Confusion());
   }
 
@@ -95,9 +95,14 @@ gp_Pnt middle_of(const TopoDS_Edge& edge) {
 void find_insides(Workpiece& work) {
   if (std::none_of(work.parts.begin(), work.parts.end(), [](const auto& part) { return part.solid >= 0; })) return;
   std::vector<Box> boxes, boxes_of_parts(work.parts.size());
-  for (const WorkFace& face : work.faces) {
-    boxes.push_back(box_of(face.face));
-    for (const FaceUse& use : face.uses) boxes_of_parts[use.part].add(boxes.back());
+  std::vector<std::vector<int>> faces_of_parts(work.parts.size());
+  for (std::size_t f = 0; f < work.faces.size(); ++f) {
+    boxes.push_back(box_of(work.faces[f].face));
+    for (const FaceUse& use : work.faces[f].uses) {
+      boxes_of_parts[use.part].add(boxes.back());
+      std::vector<int>& faces = faces_of_parts[use.part];
+      if (faces.empty() || faces.back() != static_cast<int>(f)) faces.push_back(static_cast<int>(f));
+    }
   }
   const BoxTree tree(std::move(boxes));
   PointsInside points;
@@ -108,7 +113,7 @@ void find_insides(Workpiece& work) {
     auto holds = [&](const gp_Pnt& point) {
       const Vec3 x = to_vec(point);
       if (!box.meets({x, x})) return false;
-      if (!classifier) classifier = std::make_unique<InsideClassifier>(work, static_cast<int>(part));
+      if (!classifier) classifier = std::make_unique<InsideClassifier>(work, faces_of_parts[part]);
       return classifier->holds(point);
     };
     tree.each_meeting(box, [&](int f) {

@@ -354,7 +354,7 @@ class PoleCompleter {
     builder.Add(wire, make_pole(to + turn, to, top));
     builder.Add(wire, side.Oriented(is_up ? TopAbs_REVERSED : TopAbs_FORWARD));
     wire.Closed(Standard_True);
-    CompletedFace made{face_with(wire, wire_), side, {}};
+    CompletedFace made{face_with(face_, wire, wire_), side, {}};
     for (const Walk& walk : periodic_) made.replaced.push_back(walk.edge);
     return made;
   }
@@ -367,18 +367,7 @@ class PoleCompleter {
     builder.MakeWire(wire);
     builder.Add(wire, make_pole(from + turn, from, top_vertex(from)));
     wire.Closed(Standard_True);
-    return {face_with(wire, {}), {}, {}};
-  }
-
-  /// The face with another wire, in place of one of its own where that is not null.
-  TopoDS_Face face_with(const TopoDS_Wire& wire, const TopoDS_Shape& replaced) const {
-    TopoDS_Face made = TopoDS::Face(face_.EmptyCopied());
-    BRep_Builder builder;
-    builder.NaturalRestriction(made, Standard_False);
-    for (TopoDS_Iterator parts(face_); parts.More(); parts.Next())
-      builder.Add(made, parts.Value().IsSame(replaced) ? wire : parts.Value());
-    if (replaced.IsNull()) builder.Add(made, wire);
-    return made;
+    return {face_with(face_, wire, {}), {}, {}};
   }
 
   /// The vertex that a periodic edge of the file leads to, else a new one.

@@ -281,27 +281,25 @@ class GroupSewer {
   static bool lies_on(const Polyline& line, const TopoDS_Face& face, double near) {
     const BRepAdaptor_Surface surface(face, Standard_False);
     auto distance = [&](const gp_Pnt& x) {
-      double u = 0, v = 0;
+      auto to = [&](const auto& elementary) {
+        double u = 0, v = 0;
+        ElSLib::Parameters(elementary, x, u, v);
+        return x.Distance(ElSLib::Value(u, v, elementary));
+      };
       switch (surface.GetType()) {
         case GeomAbs_Plane:
-          ElSLib::Parameters(surface.Plane(), x, u, v);
-          break;
+          return to(surface.Plane());
         case GeomAbs_Cylinder:
-          ElSLib::Parameters(surface.Cylinder(), x, u, v);
-          break;
+          return to(surface.Cylinder());
         case GeomAbs_Cone:
-          ElSLib::Parameters(surface.Cone(), x, u, v);
-          break;
+          return to(surface.Cone());
         case GeomAbs_Sphere:
-          ElSLib::Parameters(surface.Sphere(), x, u, v);
-          break;
+          return to(surface.Sphere());
         case GeomAbs_Torus:
-          ElSLib::Parameters(surface.Torus(), x, u, v);
-          break;
+          return to(surface.Torus());
         default:
           return std::numeric_limits<double>::infinity();
       }
-      return x.Distance(surface.Value(u, v));
     };
     for (std::size_t k = 0; k < line.points.size(); k += 4)
       if (!(distance(to_point(line.points[k])) <= near)) return false;

@@ -39,10 +39,7 @@ void order_tori(Workpiece& work, const std::vector<int>& parts) {
       continue;
     const TopoDS_Wire ordered = with_edge_back_first(wires[0], plain);
     if (ordered.IsNull()) continue;
-    TopoDS_Face made = TopoDS::Face(plain.EmptyCopied());
-    for (TopoDS_Iterator inner(plain); inner.More(); inner.Next())  // points, too
-      BRep_Builder().Add(made, inner.Value().IsSame(wires[0]) ? ordered : inner.Value());
-    face.face = TopoDS::Face(made.Oriented(face.face.Orientation()));
+    face.face = TopoDS::Face(face_with(plain, ordered, wires[0]).Oriented(face.face.Orientation()));
     work.is_rebuilt = true;
   }
 }
