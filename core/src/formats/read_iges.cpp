@@ -11,10 +11,12 @@
 #include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <IGESData_TransfEntity.hxx>
+#include <IGESGeom_CurveOnSurface.hxx>
 #include <IGESGeom_TrimmedSurface.hxx>
 #include <IGESSolid_Face.hxx>
 #include <IGESSolid_Shell.hxx>
 #include <IGESToBRep_BRepEntity.hxx>
+#include <IGESToBRep_TopoCurve.hxx>
 #include <Standard_Failure.hxx>
 #include <algorithm>
 #include <array>
@@ -112,6 +114,29 @@ std::vector<FileFace> faces_of_solids(IGESControl_Reader& reader) {
   return faces;
 }
 
+/// Ends of edges that the loops walk there and back which no other edge has.
+std::vector<gp_Pnt> dead_ends(const std::vector<FileEdge>& edges) {
+  auto is_way_back = [](const FileEdge& edge, const FileEdge& other) {
+    const double near = same_curve * edge.places.front().Distance(edge.places[edge.places.size() / 2]);
+    for (std::size_t i = 0; i < edge.places.size(); ++i)
+      if (edge.places[i].Distance(other.places[other.places.size() - 1 - i]) > near) return false;
+    return true;
+  };
+  std::vector<gp_Pnt> ends;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t k = i + 1; k < edges.size(); ++k) {
+      if (!is_way_back(edges[i], edges[k])) continue;
+      const double near = same_curve * edges[i].places.front().Distance(edges[i].places.back());
+      for (const gp_Pnt& end : {edges[i].places.front(), edges[i].places.back()}) {
+        std::size_t there = 0;
+        for (const FileEdge& edge : edges)
+          there += (edge.places.front().Distance(end) < near) + (edge.places.back().Distance(end) < near);
+        if (there == 2) ends.push_back(end);
+      }
+    }
+  return ends;
+}
+
 double area_of(const TopoDS_Face& face) {
   GProp_GProps properties;
   BRepGProp::SurfaceProperties(face, properties);
@@ -126,10 +151,10 @@ bool is_closed_both_ways(const TopoDS_Face& face) {
 
 TopoDS_Face unplaced(const TopoDS_Face& face) { return TopoDS::Face(face.Located(TopLoc_Location())); }
 
-/// Whether all edges of one face but its periodic ones lie along edges of the other.
-bool has_edges_along(const TopoDS_Face& one, const TopoDS_Face& other) {
+/// Whether all edges of a face but its periodic ones lie along these.
+bool has_edges_along(const TopoDS_Face& one, const std::vector<TopoDS_Edge>& others) {
   std::vector<BRepAdaptor_Curve> borders;
-  for (const TopoDS_Edge& edge : edges_of(other))
+  for (const TopoDS_Edge& edge : others)
     if (!BRep_Tool::Degenerated(edge)) borders.emplace_back(edge);
   auto is_on_border = [&](const gp_Pnt& point, double near) {
     return std::ranges::any_of(borders, [&](const BRepAdaptor_Curve& curve) {
@@ -153,34 +178,92 @@ bool has_edges_along(const TopoDS_Face& one, const TopoDS_Face& other) {
   return true;
 }
 
-/// What the entity is by its images alone; nothing where that fails, or is several faces.
-std::optional<TopoDS_Face> by_images(IGESControl_Reader& second, const Handle(IGESGeom_TrimmedSurface) & entity) {
-  try {
-    second.TransferEntity(entity);
-    const std::vector<TopoDS_Face> faces = faces_of(shape_of(second, entity));
-    return faces.size() == 1 ? std::optional(faces[0]) : std::nullopt;
-  } catch (const Standard_Failure&) {
-    return std::nullopt;
+/// Trimmed surfaces have their loops twice, in space and as images on the surface: reads them once more, by one of the
+/// two.
+class OtherReading {
+ public:
+  OtherReading(const IGESControl_Reader& first, const char* mode)
+      : model_(first.IGESModel()), setting_("read.surfacecurve.mode", mode) {}
+
+  /// Nothing where it fails, or is several faces.
+  std::optional<TopoDS_Face> face_of(const Handle(IGESGeom_TrimmedSurface) & entity) {
+    if (!reader_) reader_.emplace().WS()->SetModel(model_);
+    try {
+      reader_->TransferEntity(entity);
+      const std::vector<TopoDS_Face> faces = faces_of(shape_of(*reader_, entity));
+      return faces.size() == 1 ? std::optional(faces[0]) : std::nullopt;
+    } catch (const Standard_Failure&) {
+      return std::nullopt;
+    }
   }
+
+ private:
+  Handle(IGESData_IGESModel) model_;
+  ReaderSetting setting_;
+  std::optional<IGESControl_Reader> reader_;
+};
+
+/// The edges of its loops in space, as the file walks them; none where it has only images.
+std::vector<TopoDS_Edge> edges_in_space(const IGESControl_Reader& reader, const IGESGeom_TrimmedSurface& entity) {
+  IGESToBRep_TopoCurve plain;
+  plain.SetModel(reader.IGESModel());
+  plain.SetTransferProcess(new Transfer_TransientProcess);
+  std::vector<TopoDS_Edge> edges;
+  auto add = [&](const Handle(IGESGeom_CurveOnSurface) & loop) {
+    if (!loop.IsNull() && !loop->Curve3D().IsNull())
+      for (const TopoDS_Edge& edge : edges_of(plain.TransferTopoCurve(loop->Curve3D())))
+        if (!BRep_Tool::Degenerated(edge)) edges.push_back(edge);
+  };
+  add(entity.OuterContour());
+  for (int i = 1; i <= entity.NbInnerContours(); ++i) add(entity.InnerContour(i));
+  return edges;
 }
 
-/// Trimmed surfaces have their loops twice, in space and as images on the surface. On a torus the kernel may take other
-/// pieces of the surface where it matches the two; where they agree, the images alone tell which is meant.
+/// Of trimmed surfaces with poles: images of what comes through a pole may be wrong. Where they are and the reader took
+/// them, space tells. Gives those whose loops lead to a pole.
+std::vector<FileFace> read_by_curves(const IGESControl_Reader& reader, FaceChanges& changes) {
+  OtherReading by_curves(reader, "3");
+  std::vector<FileFace> faces;
+  for (const Handle(Standard_Transient) & any : entities_of(reader)) {
+    const auto entity = Handle(IGESGeom_TrimmedSurface)::DownCast(any);
+    if (entity.IsNull()) continue;
+    const std::vector<TopoDS_Face> read = faces_of(shape_of(reader, entity));
+    if (read.empty() || !has_two_poles(forward(read.front()))) continue;
+    const std::vector<TopoDS_Edge> edges = edges_in_space(reader, *entity);
+    if (edges.empty()) continue;
+    auto lies_along = [&](const TopoDS_Face& face) { return has_edges_along(unplaced(face), edges); };
+    if (!std::ranges::all_of(read, lies_along)) {
+      const std::optional<TopoDS_Face> other = by_curves.face_of(entity);
+      if (other && lies_along(*other)) changes.replace(read, *other);
+      continue;
+    }
+    std::vector<FileEdge> walked;
+    for (const TopoDS_Edge& edge : edges) walked.push_back(file_edge(edge, edge.Orientation() == TopAbs_FORWARD));
+    FileFace face{read, [walked] { return walked; }};
+    face.dead_ends = dead_ends(walked);
+    face.are_loops_known = false;
+    if (!face.dead_ends.empty()) faces.push_back(std::move(face));
+  }
+  return faces;
+}
+
+/// On a torus the kernel may take other pieces of the surface where it matches the two; where they agree, the images
+/// alone tell which is meant.
 void read_by_images(const IGESControl_Reader& reader, FaceChanges& changes) {
-  const ReaderSetting images_only("read.surfacecurve.mode", "-2");
-  std::optional<IGESControl_Reader> second;
+  OtherReading by_images(reader, "-2");
   for (const Handle(Standard_Transient) & any : entities_of(reader)) {
     const auto entity = Handle(IGESGeom_TrimmedSurface)::DownCast(any);
     if (entity.IsNull()) continue;
     const std::vector<TopoDS_Face> read = faces_of(shape_of(reader, entity));
     if (read.empty() || !is_closed_both_ways(read.front())) continue;
-    if (!second) second.emplace().WS()->SetModel(reader.IGESModel());
-    const std::optional<TopoDS_Face> other = by_images(*second, entity);
+    const std::optional<TopoDS_Face> other = by_images.face_of(entity);
     if (!other) continue;
     double area = 0;
     for (const TopoDS_Face& face : read) area += area_of(face);
     if (std::abs(area_of(*other) - area) <= same_area * area) continue;
-    auto lies_along = [&](const TopoDS_Face& face) { return has_edges_along(unplaced(face), unplaced(*other)); };
+    auto lies_along = [&](const TopoDS_Face& face) {
+      return has_edges_along(unplaced(face), edges_of(unplaced(*other)));
+    };
     if (std::ranges::all_of(read, lies_along)) changes.replace(read, *other);
   }
 }
@@ -201,6 +284,7 @@ extern "C" void paver_read_format(const FileSource& file, std::string_view /*con
   if (shape.shape.IsNull()) return;
   FaceChanges changes(shape.shape);
   restore_faces(faces_of_solids(reader), changes);
+  restore_faces(read_by_curves(reader, changes), changes);
   read_by_images(reader, changes);
   changes.apply(shape);
 }

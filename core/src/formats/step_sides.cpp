@@ -14,8 +14,8 @@
 namespace paver {
 namespace {
 
-/// How many ends of edges that the face uses twice no other edge has: there they turn back at a pole.
-int dead_ends(const StepShape_FaceSurface& face) {
+/// Ends of edges that the face uses twice which no other edge has: there they turn back at a pole.
+std::vector<gp_Pnt> dead_ends(const XSControl_Reader& reader, const StepShape_FaceSurface& face) {
   std::map<const Standard_Transient*, std::pair<Handle(StepShape_Edge), int>> uses;
   visit_edges(face, [&](const StepShape_OrientedEdge& walked, const StepShape_FaceBound&) {
     const Handle(StepShape_Edge) edge = walked.EdgeElement();
@@ -24,11 +24,14 @@ int dead_ends(const StepShape_FaceSurface& face) {
   std::map<const Standard_Transient*, int> edges_at;
   for (const auto& [key, use] : uses)
     for (const Handle(StepShape_Vertex) & end : {use.first->EdgeStart(), use.first->EdgeEnd()}) ++edges_at[end.get()];
-  int count = 0;
+  std::vector<gp_Pnt> ends;
   for (const auto& [key, use] : uses)
-    for (const Handle(StepShape_Vertex) & end : {use.first->EdgeStart(), use.first->EdgeEnd()})
-      count += use.second == 2 && edges_at[end.get()] == 1;
-  return count;
+    for (const Handle(StepShape_Vertex) & end : {use.first->EdgeStart(), use.first->EdgeEnd()}) {
+      if (use.second != 2 || edges_at[end.get()] != 1) continue;
+      const TopoDS_Shape read = shape_of(reader, end);
+      if (!read.IsNull() && read.ShapeType() == TopAbs_VERTEX) ends.push_back(BRep_Tool::Pnt(TopoDS::Vertex(read)));
+    }
+  return ends;
 }
 
 /// The edges of its loops, turned or as written; along the surface's normal where the face is.
@@ -134,7 +137,7 @@ void restore_sides(XSControl_Reader& reader, Shape& shape) {
                   [&reader, entity, is_turned] { return edges_of(reader, *entity, is_turned); },
                   is_along,
                   !is_along,
-                  dead_ends(*entity) == 2,
+                  dead_ends(reader, *entity),
                   senses[i].sense != LoopSense::unknown,
                   senses[i].shell};
     if (!face.read.empty()) faces.push_back(std::move(face));

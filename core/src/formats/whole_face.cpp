@@ -31,6 +31,7 @@ constexpr std::size_t most_asked_edges = 64;
 constexpr double jump_share = 1e-3;  // of the period: images that meet
 constexpr double least_gap = 0.01;   // of the period: between holes, for the periodic edge
 constexpr double pole_share = 1e-6;  // of the surface's size: a row so small is a pole
+constexpr double pole_reach = 1e-4;  // of the surface's height: how far from a pole an edge ends that leads there
 
 /// The face's surface, which repeats in u; null where it does not.
 Handle(Geom_Surface) periodic_surface(const TopoDS_Face& face) {
@@ -151,10 +152,9 @@ class FaceMaker {
 
   bool may_be_whole() const { return !surface_.IsNull() && (period_[1] > 0 || has_poles()); }
 
- private:
   // At the ends of the surface; a spindle, whose meridian is a circle, has them elsewhere.
   bool has_poles() const {
-    if (Precision::IsInfinite(start_[1]) || Precision::IsInfinite(v1_)) return false;
+    if (surface_.IsNull() || Precision::IsInfinite(start_[1]) || Precision::IsInfinite(v1_)) return false;
     auto extent = [&](double v) {
       const gp_Pnt at = surface_->Value(0, v);
       return std::max(at.Distance(surface_->Value(0.3 * period_[0], v)),
@@ -164,11 +164,13 @@ class FaceMaker {
     return extent(start_[1]) < least && extent(v1_) < least;
   }
 
+ private:
   // Vertices have two edges each: holes that touch are left as they were read.
   bool find_loops() {
     std::vector<Walk> left;
     for (const TopoDS_Face& face : read_)
       for (const TopoDS_Edge& edge : edges_of(face)) {
+        if (BRep_Tool::Degenerated(edge)) TopExp::MapShapes(edge, TopAbs_VERTEX, at_poles_);
         if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, face)) continue;
         const EdgeImage image = image_of(edge, face);
         if (image.curve.IsNull()) return false;
@@ -182,21 +184,28 @@ class FaceMaker {
       TopoDS_Vertex at = start;
       do {
         auto leads_on = [&](const Walk& walk) {
-          return TopExp::FirstVertex(walk.edge).IsSame(at) || TopExp::LastVertex(walk.edge).IsSame(at);
+          return are_one(TopExp::FirstVertex(walk.edge), at) || are_one(TopExp::LastVertex(walk.edge), at);
         };
         const auto next = std::find_if(left.rbegin(), left.rend(), leads_on);
         if (next == left.rend()) return false;
-        const bool is_forward = TopExp::FirstVertex(next->edge).IsSame(at);
+        const bool is_forward = are_one(TopExp::FirstVertex(next->edge), at);
         if (!walk(*next, is_forward, loop)) return false;
         at = is_forward ? TopExp::LastVertex(next->edge) : TopExp::FirstVertex(next->edge);
         left.erase(std::next(next).base());
-      } while (!at.IsSame(start));
+      } while (!are_one(at, start));
       if (jumps_at_pole(loop.points.back(), loop.points.front())) loop.walks.front().pole = PoleWay{};
       for (int axis : {1, 2})
         if (!loop.has_pole() && !shift_of(loop.length(axis), period_[axis - 1])) return false;
       loops_.push_back(std::move(loop));
     }
     return !loops_.empty();
+  }
+
+  /// At a pole the border may have several vertices, with edges of no length between.
+  bool are_one(const TopoDS_Vertex& a, const TopoDS_Vertex& b) const {
+    if (a.IsSame(b)) return true;
+    const double near = BRep_Tool::Tolerance(a) + BRep_Tool::Tolerance(b);
+    return at_poles_.Contains(a) && at_poles_.Contains(b) && BRep_Tool::Pnt(a).Distance(BRep_Tool::Pnt(b)) < near;
   }
 
   /// The whole periods that a gap is; nothing where it is none.
@@ -324,13 +333,13 @@ class FaceMaker {
     return start.has_value();
   }
 
-  /// Of the way to where the walk begins.
-  void add_pole(const Walk& walk, bool is_right, TopoDS_Wire& wire) const {
+  /// Of the way from the edge before to where the walk begins.
+  void add_pole(const TopoDS_Edge& before, const Walk& walk, bool is_right, TopoDS_Wire& wire) const {
     BRep_Builder builder;
     const PoleWay& pole = *walk.pole;
-    const TopoDS_Vertex here = TopExp::FirstVertex(walk.edge, true);
+    const TopoDS_Vertex here = TopExp::LastVertex(before, true), next = TopExp::FirstVertex(walk.edge, true);
     if (!pole.side) {
-      builder.Add(wire, pole_edge(here, pole.from, pole.to, pole.v));
+      builder.Add(wire, pole_edge(here, next, pole.from, pole.to, pole.v));
       return;
     }
     const double behind = *pole.side - pole.round;
@@ -339,21 +348,22 @@ class FaceMaker {
     TopoDS_Vertex there;
     builder.MakeVertex(there, surface_->Value(*pole.side, other), Precision::Confusion());
     const TopoDS_Edge side = side_edge(pole, is_up ? here : there, is_up ? there : here, is_up == is_right);
-    builder.Add(wire, pole_edge(here, pole.from, *pole.side, pole.v));
+    builder.Add(wire, pole_edge(here, here, pole.from, *pole.side, pole.v));
     builder.Add(wire, side.Oriented(is_up ? TopAbs_FORWARD : TopAbs_REVERSED));
-    builder.Add(wire, pole_edge(there, *pole.side, behind, other));
+    builder.Add(wire, pole_edge(there, there, *pole.side, behind, other));
     builder.Add(wire, side.Oriented(is_up ? TopAbs_REVERSED : TopAbs_FORWARD));
-    builder.Add(wire, pole_edge(here, behind, pole.to, pole.v));
+    builder.Add(wire, pole_edge(here, next, behind, pole.to, pole.v));
   }
 
-  TopoDS_Edge pole_edge(const TopoDS_Vertex& vertex, double from, double to, double v) const {
+  TopoDS_Edge pole_edge(const TopoDS_Vertex& start, const TopoDS_Vertex& end, double from, double to, double v) const {
     BRep_Builder builder;
     TopoDS_Edge edge;
     builder.MakeEdge(edge);
     builder.UpdateEdge(edge, new Geom2d_Line({from, v}, {to > from ? 1.0 : -1.0, 0}), surface_, TopLoc_Location(),
                        Precision::Confusion());
     builder.Degenerated(edge, true);
-    for (const TopAbs_Orientation end : {TopAbs_FORWARD, TopAbs_REVERSED}) builder.Add(edge, vertex.Oriented(end));
+    builder.Add(edge, start.Oriented(TopAbs_FORWARD));
+    builder.Add(edge, end.Oriented(TopAbs_REVERSED));
     builder.Range(edge, 0, std::fabs(to - from));
     return edge;
   }
@@ -383,8 +393,10 @@ class FaceMaker {
     BRep_Builder builder;
     builder.MakeWire(wire);
     const bool is_right = file.empty() ? loop.area() < 0 : agreement(loop.edges(), file) >= 0;
+    const TopoDS_Edge* before = &loop.walks.back().edge;
     for (const Walk& walk : loop.walks) {
-      if (walk.pole) add_pole(walk, is_right, wire);
+      if (walk.pole) add_pole(*before, walk, is_right, wire);
+      before = &walk.edge;
       builder.UpdateEdge(walk.edge, moved(walk.image.curve, {by[0], by[1]}), surface_, TopLoc_Location(),
                          BRep_Tool::Tolerance(walk.edge));
       builder.Add(wire, walk.edge);
@@ -397,6 +409,7 @@ class FaceMaker {
   Handle(Geom_Surface) surface_;
   double start_[2] = {0, 0}, period_[2] = {0, 0}, v1_ = 0;  // per u and v; 0: does not repeat
   std::vector<Loop> loops_;
+  TopTools_IndexedMapOfShape at_poles_;  // vertices
 };
 
 /// Whether the face holds both poles of its surface, and lies within one period.
@@ -416,6 +429,27 @@ bool has_both_poles(const TopoDS_Face& face) {
     }
   }
   return poles == 2 && high - low < (1 + jump_share) * (u1 - u0);
+}
+
+/// Whether the pole at a dead end is one of the face.
+bool has_pole_at(const TopoDS_Face& face, const gp_Pnt& end) {
+  const Handle(Geom_Surface) surface = untrimmed(BRep_Tool::Surface(face));
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  surface->Bounds(u0, u1, v0, v1);
+  const double low = surface->Value(u0, v0).Distance(end), high = surface->Value(u0, v1).Distance(end);
+  if (std::min(low, high) > pole_reach * std::max(low, high)) return true;  // a slit may end anywhere
+  const double pole = low < high ? v0 : v1;
+  return std::ranges::any_of(edges_of(face), [&](const TopoDS_Edge& edge) {
+    const EdgeImage image = image_of(edge, face);
+    return BRep_Tool::Degenerated(edge) && !image.curve.IsNull() &&
+           std::fabs(image.uv(0.5).Y() - pole) < jump_share * (v1 - v0);
+  });
+}
+
+bool lacks_pole(const FileFace& face) {
+  const TopoDS_Face read = forward(face.read.front());
+  if (face.dead_ends.size() == 2) return !has_both_poles(read);
+  return face.dead_ends.size() == 1 && has_two_poles(read) && !has_pole_at(read, face.dead_ends[0]);
 }
 
 /// Whether a loop runs the other way than in the file.
@@ -470,15 +504,34 @@ std::vector<std::size_t> turned_faces(const std::vector<FileFace>& faces) {
   return turned;
 }
 
-std::optional<TopoDS_Face> face_of_loops(const FileFace& face) {
+std::optional<TopoDS_Face> face_of_loops(const FileFace& face, const std::vector<FileEdge>& walked) {
   try {
-    return FaceMaker(face.read).make(face.edges());
+    return FaceMaker(face.read).make(walked);
   } catch (const Standard_Failure&) {
     return std::nullopt;
   }
 }
 
+std::vector<FileEdge> reversed(std::vector<FileEdge> walked) {
+  for (FileEdge& edge : walked)
+    for (gp_Vec& way : edge.ways) way.Reverse();
+  return walked;
+}
+
+/// Whichever way the file's loops run where they lead to a pole.
+std::optional<TopoDS_Face> made_anew(const FileFace& face) {
+  const std::vector<FileEdge> walked = face.edges();
+  if (face.dead_ends.size() != 1) return face_of_loops(face, walked);
+  for (const std::vector<FileEdge>& way : {walked, reversed(walked)})
+    if (const std::optional<TopoDS_Face> made = face_of_loops(face, way);
+        made && has_pole_at(forward(*made), face.dead_ends[0]))
+      return made;
+  return std::nullopt;
+}
+
 }  // namespace
+
+bool has_two_poles(const TopoDS_Face& face) { return FaceMaker({face}).has_poles(); }
 
 FileEdge file_edge(const TopoDS_Edge& edge, bool is_along_curve) {
   FileEdge walked;
@@ -534,11 +587,11 @@ void restore_faces(const std::vector<FileFace>& faces, FaceChanges& changes) {
   const std::vector<std::size_t> turned = turned_faces(faces);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const FileFace& face = faces[i];
-    const bool lacks_poles = face.ends_at_poles && !has_both_poles(forward(face.read.front()));
+    const bool lacks_poles = lacks_pole(face);
     if (!lacks_poles && !std::binary_search(turned.begin(), turned.end(), i)) continue;
     // The reader may have turned the face over with its loop.
     const TopAbs_Orientation sense = face.is_read_turned ? TopAbs_REVERSED : TopAbs_FORWARD;
-    if (const std::optional<TopoDS_Face> whole = face_of_loops(face))
+    if (const std::optional<TopoDS_Face> whole = made_anew(face))
       changes.replace(face.read, TopoDS::Face(whole->Oriented(sense)));
     else if (!lacks_poles && (face.read.size() > 1 || FaceMaker(face.read).may_be_whole()))
       changes.leave_turned(face.read);  // a patch of a cylinder has one side only, whatever the file says

@@ -28,15 +28,18 @@ struct FileEdge {
 struct FileFace {
   std::vector<TopoDS_Face> read;  ///< more than one where the reader took its loops for borders of several
   std::function<std::vector<FileEdge>()> edges;
-  bool is_along_surface = true;  ///< whether its normal is that of its surface; in IGES within its shell
-  bool is_read_turned = false;   ///< by the reader, as its normal is not that of its surface
-  bool ends_at_poles = false;    ///< the file has a periodic edge between two poles in it
-  bool are_loops_known = true;   ///< not where the file's faces contradict each other
-  int shell = -1;                ///< of faces whose loops agree; negative: not known
+  bool is_along_surface = true;     ///< whether its normal is that of its surface; in IGES within its shell
+  bool is_read_turned = false;      ///< by the reader, as its normal is not that of its surface
+  std::vector<gp_Pnt> dead_ends{};  ///< of edges that its loops walk twice, no other: poles that lie in it
+  bool are_loops_known = true;      ///< not where the file's faces contradict each other
+  int shell = -1;                   ///< of faces whose loops agree; negative: not known
 };
 
 /// An edge as a file walks it: along its curve or against it.
 FileEdge file_edge(const TopoDS_Edge& edge, bool is_along_curve);
+
+/// Whether the surface goes round and has a pole at either end.
+bool has_two_poles(const TopoDS_Face& face);
 
 /// Faces of a shape as read in whose place others come, wherever they stand.
 class FaceChanges {
@@ -61,8 +64,7 @@ class FaceChanges {
 
 /// Puts faces that were read on the wrong side of their loops, or without their poles, in their place anew: one face of
 /// all edges, on the same surface, with the whole of it and its loops as holes where none of them goes round. What
-/// cannot be made stays turned. Not where most loops of the
-/// file run the wrong way round.
+/// cannot be made stays turned. Loops tell the side unless most of the file run the wrong way round; poles always.
 void restore_faces(const std::vector<FileFace>& faces, FaceChanges& changes);
 
 }  // namespace paver

@@ -7,12 +7,14 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRepTools.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
 #include <GeomConvert.hxx>
@@ -36,6 +38,7 @@
 #include <TopoDS_Compound.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
+#include <gp_GTrsf.hxx>
 
 #include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
@@ -281,6 +284,36 @@ TEST(RestoredFaces, ToriAreThePiecesThatTheImagesTell) {
       expect_same_torus(radius, {-6, -12, -5}, {0.1, 0.4, 0.7}, is_alone);
       expect_same_torus(radius, {4, 4, -6}, {0.6, 0.1, 0.8}, is_alone);
     }
+}
+
+TopoDS_Shape scaled(const TopoDS_Shape& shape, Vec3 by) {
+  gp_GTrsf scale;
+  for (const auto& [axis, factor] : {std::pair{1, by.x}, {2, by.y}, {3, by.z}}) scale.SetValue(axis, axis, factor);
+  return BRepBuilderAPI_GTransform(shape, scale, true).Shape();
+}
+
+// The kernel's own images of edges through a pole are wrong after such a transformation, and tolerances as large.
+TEST(RestoredFaces, BodiesStretchedOneWayKeepWhatLiesAboutTheirPoles) {
+  for (const auto& [radius, by] : {std::pair{8.0, Vec3{1, 1.5, 2}},
+                                   {7.758932293726081, {1.2159593517818386, 2.892514508661983, 2.731315067711764}}}) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(30, 20, 15).Shape(),
+                       ball = BRepPrimAPI_MakeSphere(gp_Pnt(30, 10, radius), radius).Shape();
+    const TopoDS_Shape stretched = scaled(BRepAlgoAPI_Fuse(box, ball).Shape(), by);
+    const double area = test::model_of(BRepAlgoAPI_Fuse(scaled(box, by), scaled(ball, by)).Shape()).report.area;
+    const test::TemporaryFolder folder;
+    BRepTools::Write(stretched, folder.file("model.brep").c_str());
+    write_iges(stretched, folder.file("model.igs"), trimmed_surfaces);
+    for (const char* name : {"model.brep", "model.igs"}) {
+      ModelReport report;
+      Progress progress;
+      const std::shared_ptr<Shape> read = read_shape(folder.file(name), report, progress);
+      test::Alone alone(progress);
+      const Model model = build_model(*read, {}, {}, progress, alone);
+      EXPECT_NEAR(model.report.area, area, 1e-4 * area) << name;
+      EXPECT_LT(model.report.curve_distance, 1e-3) << name;
+      EXPECT_EQ(model.report.free_edges, 0) << name;
+    }
+  }
 }
 
 }  // namespace

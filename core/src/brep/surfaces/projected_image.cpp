@@ -52,7 +52,7 @@ class FootFinder {
       Vec2 step = determinant > 1e-14 * a * c
                       ? (1 / determinant) * Vec2{c * gradient.x - b * gradient.y, a * gradient.y - b * gradient.x}
                       : Vec2{a > c ? gradient.x / a : 0, a <= c && c > 0 ? gradient.y / c : 0};
-      if (!improve(x, step, foot, s, su, sv)) break;
+      if (!improve(x, {within(step.x, period_.x), within(step.y, period_.y)}, foot, s, su, sv)) break;
     }
     return foot;
   }
@@ -106,6 +106,11 @@ class FootFinder {
       return true;
     }
     return false;
+  }
+
+  /// Beside a pole a step may be of any length.
+  static double within(double step, double period) {
+    return period > 0 ? std::clamp(step, -0.5 * period, 0.5 * period) : step;
   }
 
   Vec2 clamped(Vec2 uv) const {
