@@ -24,8 +24,8 @@
 #include <optional>
 #include <set>
 
+#include "formats/restored_faces_impl.h"
 #include "formats/transfer_impl.h"
-#include "formats/whole_face_impl.h"
 
 namespace paver {
 namespace {

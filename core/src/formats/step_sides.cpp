@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "brep/occt_shapes_impl.h"
+#include "formats/restored_faces_impl.h"
 #include "formats/step_impl.h"
 #include "formats/transfer_impl.h"
-#include "formats/whole_face_impl.h"
 
 namespace paver {
 namespace {

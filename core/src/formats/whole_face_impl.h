@@ -1,19 +1,13 @@
-// Faces of which the reader has taken the wrong side of their loops, made anew.
+// A face made anew of all edges of what was read, on one side of its loops.
 #pragma once
 
-#include <TopTools_IndexedMapOfShape.hxx>
+#include <Geom_Surface.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
-#include <TopoDS_Shape.hxx>
-#include <functional>
 #include <gp_Pnt.hxx>
 #include <gp_Vec.hxx>
-#include <map>
-#include <set>
+#include <optional>
 #include <vector>
-
-#include "brep/occt_shapes_impl.h"
-#include "brep/shape_impl.h"
 
 namespace paver {
 
@@ -24,47 +18,24 @@ struct FileEdge {
   std::vector<gp_Vec> ways;
 };
 
-/// What the reader has made of a face of the file.
-struct FileFace {
-  std::vector<TopoDS_Face> read;  ///< more than one where the reader took its loops for borders of several
-  std::function<std::vector<FileEdge>()> edges;
-  bool is_along_surface = true;     ///< whether its normal is that of its surface; in IGES within its shell
-  bool is_read_turned = false;      ///< by the reader, as its normal is not that of its surface
-  std::vector<gp_Pnt> dead_ends{};  ///< of edges that its loops walk twice, no other: poles that lie in it
-  bool are_loops_known = true;      ///< not where the file's faces contradict each other
-  int shell = -1;                   ///< of faces whose loops agree; negative: not known
-};
-
 /// An edge as a file walks it: along its curve or against it.
 FileEdge file_edge(const TopoDS_Edge& edge, bool is_along_curve);
+
+/// How many edges run as the file has them, less those that run the other way. By the place of the file nearest to the
+/// middle of each.
+int agreement(const std::vector<TopoDS_Edge>& edges, const std::vector<FileEdge>& file);
+
+/// The face's surface, which repeats in u; null where it does not.
+Handle(Geom_Surface) periodic_surface(const TopoDS_Face& face);
 
 /// Whether the surface goes round and has a pole at either end.
 bool has_two_poles(const TopoDS_Face& face);
 
-/// Faces of a shape as read in whose place others come, wherever they stand.
-class FaceChanges {
- public:
-  explicit FaceChanges(const TopoDS_Shape& shape) : before_(shapes_of(shape, TopAbs_FACE)) {}
+/// Whether the surface as a whole has an end: goes round both ways, or from pole to pole.
+bool may_be_whole(const std::vector<TopoDS_Face>& read);
 
-  /// `made` comes in place of the first of `read`, turned as that is; the others go.
-  void replace(const std::vector<TopoDS_Face>& read, const TopoDS_Face& made);
-  /// They stay, and go to `shape.turned`.
-  void leave_turned(const std::vector<TopoDS_Face>& read);
-  /// What was made goes to `shape.restored`.
-  void apply(Shape& shape) const;
-
- private:
-  template <class Visit>
-  void visit(const std::vector<TopoDS_Face>& read, Visit&& at) const;
-
-  TopTools_IndexedMapOfShape before_;
-  std::map<int, TopoDS_Shape> made_;  // by number in `before_`
-  std::set<int> gone_, turned_;
-};
-
-/// Puts faces that were read on the wrong side of their loops, or without their poles, in their place anew: one face of
-/// all edges, on the same surface, with the whole of it and its loops as holes where none of them goes round. What
-/// cannot be made stays turned. Loops tell the side unless most of the file run the wrong way round; poles always.
-void restore_faces(const std::vector<FileFace>& faces, FaceChanges& changes);
+/// One face of all edges, on the same surface, on the side that `walked` tells; with the whole of it and its loops as
+/// holes where none of them goes round. Nothing where that cannot be made.
+std::optional<TopoDS_Face> make_whole_face(const std::vector<TopoDS_Face>& read, const std::vector<FileEdge>& walked);
 
 }  // namespace paver
