@@ -76,6 +76,7 @@ class RegionBuilder {
   using Slits = std::vector<std::vector<char>>;  // per loop and facet: whether it is on a slit
 
   void add_loop(const Loop& loop, Region& region, Slits& slits) const {
+    const double apex_share = share_of_apex();
     std::vector<LoopNode> out;
     std::vector<char> is_slit;
     const Coedge* before = &loop.coedges.back();
@@ -95,6 +96,7 @@ class RegionBuilder {
         if (i > 0 && (node.angle < fold || node.angle > 2 * M_PI - fold)) node.angle = chart_angle(c, k, region);
         if (i == 0 && before->edge == c.edge && before->is_reversed != c.is_reversed && !c.is_slit)
           node.angle = chart_angle(*before, c, region);
+        if (i == 0 && apex_share > 0 && is_at_pole(c)) node.angle = apex_share * chart_angle(*before, c, region);
         out.push_back(node);
         is_slit.push_back(c.is_slit || std::ranges::find(layout_.slits, c.edge) != layout_.slits.end());
       }
@@ -234,11 +236,22 @@ class RegionBuilder {
     return angle < 0 ? angle + 2 * M_PI : angle;
   }
 
+  bool is_at_pole(const Coedge& c) const {
+    return std::ranges::find(poles_, start_of(edge_of(model_, c), c)) != poles_.end();
+  }
+
+  /// The surface about the apex of a cone, of a whole turn; 0 where the chart does not go round one.
+  double share_of_apex() const {
+    const bool goes_round = layout_.kind == LayoutKind::polar || layout_.kind == LayoutKind::sector;
+    if (!goes_round || layout_.box.low_pole == layout_.box.high_pole) return 0;
+    const PoleShape shape = measure_pole(*face_.surface, layout_.box, layout_.period, layout_.box.low_pole);
+    return shape.slant > 0 && shape.is_sharp() ? shape.cone_angle / (2 * M_PI) : 0;
+  }
+
   double angle_at(const Coedge& before, const Coedge& c, const Place& place) const {
     int last = nodes_.edges[before.edge].intervals() - 1, n = nodes_.edges[c.edge].intervals();
     // Tiny rims that became poles have a normal, which tells nothing.
-    const bool is_pole = std::ranges::find(poles_, start_of(edge_of(model_, c), c)) != poles_.end();
-    if (last < 0 || is_pole) return -1;
+    if (last < 0 || is_at_pole(c)) return -1;
     Vec3 in = travel(before, before.is_reversed ? 0 : last, !before.is_reversed);
     Vec3 out = travel(c, c.is_reversed ? n - 1 : 0, c.is_reversed);
     return interior_angle(in, out, place);
@@ -258,14 +271,17 @@ class RegionBuilder {
     return turn((c.is_reversed ? low : high) - p, (c.is_reversed ? high : low) - p);
   }
 
-  // The same where it turns back at a vertex.
+  // The same at the vertex between two edges.
   double chart_angle(const Coedge& before, const Coedge& c, const Region& region) const {
-    const EdgeDivision& d = nodes_.edges[c.edge];
-    const std::size_t end = c.is_reversed ? d.t.size() - 1 : 0, next = c.is_reversed ? end - 2 : 2;
     auto chart = [&](const Coedge& use, double t) { return region.chart->to_chart(use.pcurve->uv(t)); };
-    const double t = d.t[end], beside = t + small * (d.t[next] - t);
-    const Vec2 p = chart(c, t);
-    return turn(chart(before, beside) - p, chart(c, beside) - p);
+    auto beside = [&](const Coedge& use, bool at_end) {
+      const EdgeDivision& d = nodes_.edges[use.edge];
+      const bool is_last = at_end != use.is_reversed;
+      const std::size_t end = is_last ? d.t.size() - 1 : 0, next = is_last ? end - 2 : 2;
+      return chart(use, d.t[end] + small * (d.t[next] - d.t[end]));
+    };
+    const Vec2 p = chart(c, nodes_.edges[c.edge].t[c.is_reversed ? nodes_.edges[c.edge].t.size() - 1 : 0]);
+    return turn(beside(before, true) - p, beside(c, false) - p);
   }
 
   double meridian_of(const Loop& loop) const {
@@ -446,10 +462,12 @@ class RegionBuilder {
     region.fans.push_back(std::move(fan));
   }
 
-  /// Whether a loop has the pole, in the middle of the chart, on its way.
+  /// Whether a loop has the pole, in the middle of the chart, on its way. Images end near it only.
   static bool leads_through_pole(const Region& region) {
     return std::ranges::any_of(region.loops, [](const std::vector<LoopNode>& loop) {
-      return std::ranges::any_of(loop, [](const LoopNode& node) { return node.p == Vec2{}; });
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        if (norm(loop[i].p) < near * norm(loop[(i + 1) % loop.size()].p)) return true;
+      return false;
     });
   }
 

@@ -14,8 +14,9 @@
 namespace paver {
 namespace {
 
-constexpr int edge_samples = 16;   // per edge, of the parameters that a face takes
-constexpr double least_cut = 0.1;  // of the box's height: a gap that is wide enough to cut a closed face there
+constexpr int edge_samples = 16;      // per edge, of the parameters that a face takes
+constexpr double widest_point = 3.4;  // radians, at a pole: a little more than half a turn
+constexpr double least_cut = 0.1;     // of the box's height: a gap that is wide enough to cut a closed face there
 
 struct Range {
   double lo = 1e300, hi = -1e300;
@@ -144,19 +145,51 @@ class LayoutPlanner {
       if (make_polar_chart(*face_.surface, low, layout_.period) &&
           make_polar_chart(*face_.surface, high, layout_.period))
         layout_.kind = LayoutKind::two_polar;
-    } else if (!is_long_bent_tube() && make_polar_chart(*face_.surface, layout_.box, layout_.period)) {
+    } else if (!is_long_bent_tube() && !comes_to_point() &&
+               make_polar_chart(*face_.surface, layout_.box, layout_.period)) {
       layout_.kind = LayoutKind::polar;
     }
   }
 
+  // At the apex of a cone that its border leads through: rows side by side end there as at any corner, while a polar
+  // chart spreads it to so much of a whole turn that nodes between two nearby sides of it come to lie on these.
+  bool comes_to_point() const {
+    const ParameterBox& box = layout_.box;
+    if (box.low_pole == box.high_pole) return false;
+    double way = 0;
+    bool is_on_border = false;
+    for (std::size_t l = 0; l < face_.loops.size(); ++l)
+      for (const Coedge& c : face_.loops[l].coedges) {
+        if (!edge_of(model_, c).is_degenerate) continue;
+        way += std::fabs(box.uv(image(model_, c, 1) - image(model_, c, 0)).x);
+        is_on_border = is_on_border || has_only_border_at(edge_of(model_, c).start);
+      }
+    if (!is_on_border) return false;
+    const PoleShape pole = measure_pole(*face_.surface, box, layout_.period, box.low_pole);
+    return pole.is_sharp() && way / layout_.period * pole.cone_angle < widest_point;
+  }
+
+  // A periodic edge that ends there would divide the point.
+  bool has_only_border_at(int vertex) const {
+    bool is_on_border = false;
+    for (std::size_t l = 0; l < face_.loops.size(); ++l)
+      for (std::size_t c = 0; c < face_.loops[l].coedges.size(); ++c) {
+        const Edge& edge = edge_of(model_, face_.loops[l].coedges[c]);
+        if (edge.is_degenerate || (edge.start != vertex && edge.end != vertex)) continue;
+        if (layout_.dropped[l][c]) return false;
+        is_on_border = true;
+      }
+    return is_on_border;
+  }
+
   // Rows side by side come to a point of less than half a turn at the pole.
   bool is_wide_sector() const {
-    constexpr double least_angle = 3.4, most_share = 0.999;  // radians; of the period
+    constexpr double most_share = 0.999;  // of the period
     const ParameterBox& box = layout_.box;
     if (!(layout_.period > 0) || box.low_pole == box.high_pole) return false;
     const double share = (box.hi.x - box.lo.x) / layout_.period;
     return share <= most_share &&
-           share * measure_pole(*face_.surface, box, layout_.period, box.low_pole).cone_angle >= least_angle &&
+           share * measure_pole(*face_.surface, box, layout_.period, box.low_pole).cone_angle >= widest_point &&
            make_polar_chart(*face_.surface, box, layout_.period) != nullptr;
   }
 

@@ -7,6 +7,7 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -129,6 +130,20 @@ TEST(StepPoles, SoAreThoseThatComeToAPointThere) {
   for (const double size : {5.0, 10.0, 1000.0}) {
     const RunReport report = test::report_of(BRepAlgoAPI_Cut(spindle(), quarter).Shape(), size);
     EXPECT_STREQ(verdict(report), "sound") << size;
+  }
+}
+
+// Below the notch the face goes round; the periodic edge ends in the notch or in the point.
+TEST(StepPoles, ConesWithANotchThroughTheirPointAreMeshed) {
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(10, 0, 20).Shape();
+  for (const double turn : {0.0, M_PI}) {
+    const gp_Ax2 place({0, 0, 4}, gp::DZ(), gp_Dir(std::cos(turn), std::sin(turn), 0));
+    const TopoDS_Shape notched = BRepAlgoAPI_Cut(cone, BRepPrimAPI_MakeCylinder(place, 30, 30, 3).Shape()).Shape();
+    for (const double size : {1.0, 2.0, 8.0, 20.0}) {
+      const RunReport report = test::report_of(notched, size);
+      EXPECT_STREQ(verdict(report), "sound") << size;
+      EXPECT_GT(report.quality.sj_all.min, 0.3) << size;
+    }
   }
 }
 
