@@ -7,6 +7,7 @@
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepLib.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
@@ -15,12 +16,14 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Line.hxx>
+#include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
@@ -329,6 +332,36 @@ TEST(DivideCreases, DividesARingWithOneSharpEdge) {
   EXPECT_STREQ(verdict(report), "sound");
   EXPECT_EQ(report.quality.triangles, 0);
   EXPECT_GT(report.quality.sj_all.min, 0.6);
+}
+
+/// From a point to a section with a sharp edge where it closes.
+TopoDS_Shape pointed_fin() {
+  const Handle(TColgp_HArray1OfPnt) section = new TColgp_HArray1OfPnt(1, 7);
+  const std::vector<gp_Pnt2d> half{{-12, 0}, {-4, 4}, {6, 3.5}, {11, 0}};
+  for (int i = 0; i < 7; ++i) {
+    const gp_Pnt2d& at = half[static_cast<std::size_t>(i < 4 ? i : 6 - i)];
+    section->SetValue(i + 1, {80, at.X(), i < 4 ? at.Y() : -at.Y()});
+  }
+  GeomAPI_Interpolate through(section, false, 1e-6);
+  through.Perform();
+  const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(through.Curve()));
+  BRepOffsetAPI_ThruSections loft(true, true);
+  loft.AddVertex(BRepBuilderAPI_MakeVertex(gp_Pnt(0, 0, 0)));
+  loft.AddWire(wire);
+  return loft.Shape();
+}
+
+// At its point the line where it is divided ends in an edge without length.
+TEST(DivideCreases, DividesAFaceThatComesToAPointAndHasAHole) {
+  const TopoDS_Shape hole = BRepPrimAPI_MakeCylinder(gp_Ax2({50, 1, -20}, gp::DZ()), 2, 40).Shape();
+  const TopoDS_Shape fin = BRepAlgoAPI_Cut(pointed_fin(), hole).Shape();
+  const Model model = model_of(fin);
+  EXPECT_EQ(model.faces.size(), static_cast<std::size_t>(model.report.faces) + 1);
+  for (const double size : {1e6, 20.0, 5.0}) {
+    const RunReport report = test::report_of(fin, size);
+    EXPECT_STREQ(verdict(report), "sound") << size;
+    EXPECT_GT(report.quality.sj_all.min, 0.1) << size;
+  }
 }
 
 TEST(DivideCreases, ImagesFarAwayAreLeftAlone) {

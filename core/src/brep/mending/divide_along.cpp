@@ -171,9 +171,10 @@ class AlongDivider {
       auto add = [&](double t, const TopoDS_Vertex& vertex) {
         crossings.push_back({along(image.curve->Value(t)), vertex});
       };
+      const bool is_pole = BRep_Tool::Degenerated(edge);  // all of it is near to any curve that ends there
       for (const auto& [t, end] : {std::pair{image.first, first}, std::pair{image.last, last}})
-        if (is_on_curve(image.curve->Value(t))) add(t, end);
-      if (runs_along(image)) {
+        if (!is_pole && is_on_curve(image.curve->Value(t))) add(t, end);
+      if (!is_pole && runs_along(image)) {
         const auto [low, high] = std::minmax({along(image.uv(0)), along(image.uv(1))});
         on_border_.push_back({low, high});
         continue;
@@ -188,7 +189,6 @@ class AlongDivider {
           const double believed = std::min(BRep_Tool::Tolerance(end), believed_share * diagonal_);
           return at.Distance(BRep_Tool::Pnt(end)) <= std::max(near_, believed);
         };
-        const bool is_pole = BRep_Tool::Degenerated(edge);
         add(*t, !is_pole && is_at(first) ? first : !is_pole && is_at(last) ? last : cut(edge, *t, first));
       }
     }
