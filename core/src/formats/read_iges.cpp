@@ -12,6 +12,7 @@
 #include <IGESData_IGESModel.hxx>
 #include <IGESData_TransfEntity.hxx>
 #include <IGESGeom_CurveOnSurface.hxx>
+#include <IGESGeom_HArray1OfCurveOnSurface.hxx>
 #include <IGESGeom_TrimmedSurface.hxx>
 #include <IGESSolid_Face.hxx>
 #include <IGESSolid_Shell.hxx>
@@ -69,9 +70,11 @@ bool is_known_unit(const IGESData_GlobalSection& global) {
 
 /// Labels of shapes of which nothing came, of transformations that have one of their own, which is not applied, and of
 /// a unit and a scale of the model that are not understood. After the transfer.
-std::vector<std::string> losses(IGESControl_Reader& reader) {
+std::vector<std::string> losses(IGESControl_Reader& reader,
+                                const std::vector<Handle(IGESGeom_CurveOnSurface)>& dropped) {
   if (!has_entities(reader)) return {};
   std::vector<std::string> labels = LostEntities(reader).labels(is_shape);
+  for (const Handle(IGESGeom_CurveOnSurface) & loop : dropped) std::erase(labels, entity_label(reader, loop));
   for (const Handle(Standard_Transient) & entity : entities_of(reader))
     if (const auto matrix = Handle(IGESData_TransfEntity)::DownCast(entity); !matrix.IsNull() && matrix->HasTransf())
       labels.push_back(entity_label(reader, matrix) + " (transformation of its own)");
@@ -135,6 +138,32 @@ std::vector<gp_Pnt> dead_ends(const std::vector<FileEdge>& edges) {
       }
     }
   return ends;
+}
+
+/// The kernel writes a loop without edges as the one before it once more, without its curve in space, or as an outer
+/// one without any curve. Gives the loops that it took from faces.
+std::vector<Handle(IGESGeom_CurveOnSurface)> drop_empty_loops(const IGESControl_Reader& reader) {
+  std::vector<Handle(IGESGeom_CurveOnSurface)> dropped;
+  for (const Handle(Standard_Transient) & any : entities_of(reader)) {
+    const auto face = Handle(IGESGeom_TrimmedSurface)::DownCast(any);
+    if (face.IsNull() || face->OuterContour().IsNull() || face->NbInnerContours() == 0) continue;
+    std::set<Handle(IGESData_IGESEntity)> images;
+    std::vector<Handle(IGESGeom_CurveOnSurface)> loops, empty;
+    for (int i = 0; i <= face->NbInnerContours(); ++i) {
+      const Handle(IGESGeom_CurveOnSurface) loop = i == 0 ? face->OuterContour() : face->InnerContour(i);
+      if (loop.IsNull()) continue;
+      const bool is_new = !loop->CurveUV().IsNull() && images.insert(loop->CurveUV()).second;
+      (is_new || !loop->Curve3D().IsNull() ? loops : empty).push_back(loop);
+    }
+    const int inner_count = static_cast<int>(loops.size()) - 1;
+    if (inner_count < 0 || empty.empty()) continue;
+    dropped.insert(dropped.end(), empty.begin(), empty.end());
+    Handle(IGESGeom_HArray1OfCurveOnSurface) inner;
+    if (inner_count > 0) inner = new IGESGeom_HArray1OfCurveOnSurface(1, inner_count);
+    for (int i = 1; i <= inner_count; ++i) inner->SetValue(i, loops[i]);
+    face->Init(face->Surface(), face->OuterBoundaryType(), loops.front(), inner);
+  }
+  return dropped;
 }
 
 double area_of(const TopoDS_Face& face) {
@@ -279,8 +308,9 @@ extern "C" void paver_read_format(const FileSource& file, std::string_view /*con
   if (!model.IsNull()) report.unit = stated_unit(model->GlobalSection());
   if (has_fails(model)) doubt();
   reader.SetReadVisible(Standard_False);
+  const std::vector<Handle(IGESGeom_CurveOnSurface)> dropped = drop_empty_loops(reader);
   transfer(reader, shape, progress, face_name);
-  report.unread = losses(reader);
+  report.unread = losses(reader, dropped);
   if (shape.shape.IsNull()) return;
   FaceChanges changes(shape.shape);
   restore_faces(faces_of_solids(reader), changes);

@@ -286,6 +286,40 @@ TEST(RestoredFaces, ToriAreThePiecesThatTheImagesTell) {
     }
 }
 
+/// The shape with a loop of no edges on a face, first or last.
+TopoDS_Shape with_empty_loop(const TopoDS_Shape& shape, const TopoDS_Face& face, bool is_first) {
+  BRep_Builder builder;
+  TopoDS_Wire empty;
+  builder.MakeWire(empty);
+  TopoDS_Face other = TopoDS::Face(face.EmptyCopied());
+  builder.NaturalRestriction(other, false);
+  if (is_first) builder.Add(other, empty);
+  for (const TopoDS_Wire& wire : wires_of(face)) builder.Add(other, wire);
+  if (!is_first) builder.Add(other, empty);
+  BRepTools_ReShape change;
+  change.Replace(face, other);
+  return change.Apply(shape);
+}
+
+// Booleans leave such loops, and the kernel writes others for them.
+TEST(RestoredFaces, LoopsWithoutEdgesAreNone) {
+  const TopoDS_Shape shape = BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(50).Shape(), rod({0, 0, 0}, {0, 1, 0}, 8)).Shape();
+  for (const TopoDS_Face& face : faces_of(shape))
+    for (const bool is_first : {true, false}) {
+      const test::TemporaryFolder folder;
+      write_iges(with_empty_loop(shape, face, is_first), folder.file("model.igs"), trimmed_surfaces);
+      ModelReport report;
+      Progress progress;
+      const std::shared_ptr<Shape> read = read_shape(folder.file("model.igs"), report, progress);
+      test::Alone alone(progress);
+      const Model model = build_model(*read, {}, {}, progress, alone);
+      EXPECT_NEAR(model.report.area, area_of(shape), 1e-4 * area_of(shape)) << is_first;
+      EXPECT_EQ(model.report.free_edges, 0) << is_first;
+      EXPECT_TRUE(report.unread.empty()) << is_first;
+      for (const Face& made : model.faces) EXPECT_EQ(made.fault, "") << is_first;
+    }
+}
+
 TopoDS_Shape scaled(const TopoDS_Shape& shape, Vec3 by) {
   gp_GTrsf scale;
   for (const auto& [axis, factor] : {std::pair{1, by.x}, {2, by.y}, {3, by.z}}) scale.SetValue(axis, axis, factor);
