@@ -232,7 +232,8 @@ class OtherReading {
   std::optional<IGESControl_Reader> reader_;
 };
 
-/// The edges of its loops in space, as the file walks them; none where it has only images.
+/// The edges of its loops in space, as the file walks them; none where it has only images, or curves that cannot be
+/// made.
 std::vector<TopoDS_Edge> edges_in_space(const IGESControl_Reader& reader, const IGESGeom_TrimmedSurface& entity) {
   IGESToBRep_TopoCurve plain;
   plain.SetModel(reader.IGESModel());
@@ -243,8 +244,12 @@ std::vector<TopoDS_Edge> edges_in_space(const IGESControl_Reader& reader, const 
       for (const TopoDS_Edge& edge : edges_of(plain.TransferTopoCurve(loop->Curve3D())))
         if (!BRep_Tool::Degenerated(edge)) edges.push_back(edge);
   };
-  add(entity.OuterContour());
-  for (int i = 1; i <= entity.NbInnerContours(); ++i) add(entity.InnerContour(i));
+  try {
+    add(entity.OuterContour());
+    for (int i = 1; i <= entity.NbInnerContours(); ++i) add(entity.InnerContour(i));
+  } catch (const Standard_Failure&) {
+    return {};
+  }
   return edges;
 }
 
