@@ -422,7 +422,7 @@ class RegionBuilder {
   void add_fan(const ParameterBox& box, bool has_points, Region& region) {
     PoleShape shape = measure_pole(*region.surface, box, layout_.period, box.low_pole);
     if (!(shape.slant > 0) || (!shape.is_sharp() && (has_points || !is_bag(region)))) return;
-    if (leads_through_pole(region)) return;
+    if (leads_through(shape.apex, region)) return;
     double pole = box.low_pole ? box.lo.y : box.hi.y, inward = box.low_pole ? 1 : -1;
     double per_length = shape.small / shape.slant;  // meridian parameter per mm at the pole
     double room = nearest_node(region, shape.apex);
@@ -462,11 +462,12 @@ class RegionBuilder {
     region.fans.push_back(std::move(fan));
   }
 
-  /// Whether a loop has the pole, in the middle of the chart, on its way. Images end near it only.
-  static bool leads_through_pole(const Region& region) {
-    return std::ranges::any_of(region.loops, [](const std::vector<LoopNode>& loop) {
+  /// Whether a loop has the pole on its way. In space, as images end near it only, and charts of slim cones are as
+  /// small about a good part of it.
+  static bool leads_through(Vec3 pole, const Region& region) {
+    return std::ranges::any_of(region.loops, [&](const std::vector<LoopNode>& loop) {
       for (std::size_t i = 0; i < loop.size(); ++i)
-        if (norm(loop[i].p) < near * norm(loop[(i + 1) % loop.size()].p)) return true;
+        if (norm(loop[i].x - pole) < near * norm(loop[(i + 1) % loop.size()].x - loop[i].x)) return true;
       return false;
     });
   }
