@@ -143,6 +143,7 @@ std::vector<gp_Pnt> dead_ends(const std::vector<FileEdge>& edges) {
 /// The kernel writes a loop without edges as the one before it once more, without its curve in space, or as an outer
 /// one without any curve. Gives the loops that it took from faces.
 std::vector<Handle(IGESGeom_CurveOnSurface)> drop_empty_loops(const IGESControl_Reader& reader) {
+  if (!has_entities(reader)) return {};
   std::vector<Handle(IGESGeom_CurveOnSurface)> dropped;
   for (const Handle(Standard_Transient) & any : entities_of(reader)) {
     const auto face = Handle(IGESGeom_TrimmedSurface)::DownCast(any);

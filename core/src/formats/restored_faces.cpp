@@ -40,15 +40,16 @@ bool has_both_poles(const TopoDS_Face& face) {
   return poles == 2 && high - low < (1 + same_place) * (u1 - u0);
 }
 
-/// Whether the pole at a dead end is one of the face.
-bool has_pole_at(const TopoDS_Face& face, const gp_Pnt& end) {
+/// Whether a dead end is a pole of the surface that the face lacks; a slit may end anywhere.
+bool lacks_pole_at(const TopoDS_Face& face, const gp_Pnt& end) {
+  if (!has_two_poles(face)) return false;
   const Handle(Geom_Surface) surface = untrimmed(BRep_Tool::Surface(face));
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
   surface->Bounds(u0, u1, v0, v1);
   const double low = surface->Value(u0, v0).Distance(end), high = surface->Value(u0, v1).Distance(end);
-  if (std::min(low, high) > pole_reach * std::max(low, high)) return true;  // a slit may end anywhere
+  if (std::min(low, high) > pole_reach * std::max(low, high)) return false;
   const double pole = low < high ? v0 : v1;
-  return std::ranges::any_of(edges_of(face), [&](const TopoDS_Edge& edge) {
+  return std::ranges::none_of(edges_of(face), [&](const TopoDS_Edge& edge) {
     const EdgeImage image = image_of(edge, face);
     return BRep_Tool::Degenerated(edge) && !image.curve.IsNull() &&
            std::fabs(image.uv(0.5).Y() - pole) < same_place * (v1 - v0);
@@ -58,7 +59,7 @@ bool has_pole_at(const TopoDS_Face& face, const gp_Pnt& end) {
 bool lacks_pole(const FileFace& face) {
   const TopoDS_Face read = forward(face.read.front());
   if (face.dead_ends.size() == 2) return !has_both_poles(read);
-  return face.dead_ends.size() == 1 && has_two_poles(read) && !has_pole_at(read, face.dead_ends[0]);
+  return face.dead_ends.size() == 1 && lacks_pole_at(read, face.dead_ends[0]);
 }
 
 /// Whether a loop runs the other way than in the file.
@@ -125,7 +126,7 @@ std::optional<TopoDS_Face> made_anew(const FileFace& face) {
   if (face.dead_ends.size() != 1) return make_whole_face(face.read, walked);
   for (const std::vector<FileEdge>& way : {walked, reversed(walked)})
     if (const std::optional<TopoDS_Face> made = make_whole_face(face.read, way);
-        made && has_pole_at(forward(*made), face.dead_ends[0]))
+        made && !lacks_pole_at(forward(*made), face.dead_ends[0]))
       return made;
   return std::nullopt;
 }

@@ -76,7 +76,6 @@ class RegionBuilder {
   using Slits = std::vector<std::vector<char>>;  // per loop and facet: whether it is on a slit
 
   void add_loop(const Loop& loop, Region& region, Slits& slits) const {
-    const double apex_share = share_of_apex();
     std::vector<LoopNode> out;
     std::vector<char> is_slit;
     const Coedge* before = &loop.coedges.back();
@@ -96,7 +95,8 @@ class RegionBuilder {
         if (i > 0 && (node.angle < fold || node.angle > 2 * M_PI - fold)) node.angle = chart_angle(c, k, region);
         if (i == 0 && before->edge == c.edge && before->is_reversed != c.is_reversed && !c.is_slit)
           node.angle = chart_angle(*before, c, region);
-        if (i == 0 && apex_share > 0 && is_at_pole(c)) node.angle = apex_share * chart_angle(*before, c, region);
+        if (i == 0 && is_at_pole(c))
+          if (const double share = share_of_apex(); share > 0) node.angle = share * chart_angle(*before, c, region);
         out.push_back(node);
         is_slit.push_back(c.is_slit || std::ranges::find(layout_.slits, c.edge) != layout_.slits.end());
       }
