@@ -122,7 +122,8 @@ class RegionBuilder {
         for (std::size_t i = 0, n = loops[l].size(); i < n; ++i) {
           if (static_cast<bool>(is_slit[l][i]) != slits) continue;
           LoopNode& node = loops[l][i];
-          const double facet = norm(loops[l][(i + 1) % n].p - node.p);
+          const double facet =
+              std::min(norm(loops[l][(i + 1) % n].p - node.p), norm(loops[l][(i + n - 1) % n].p - node.p));
           std::vector<Vec2>& known = places[node.global];
           auto is_near = [&](Vec2 place) { return norm(place - node.p) < near * facet; };
           if (auto at = std::find_if(known.begin(), known.end(), is_near); at != known.end())
@@ -183,11 +184,12 @@ class RegionBuilder {
       sides[node.global].push_back({node.p, ahead, turn(ahead, back)});
     });
     if (sides.empty()) return;
-    visit(false, [&](LoopNode& node, Vec2 ahead, Vec2) {
+    visit(false, [&](LoopNode& node, Vec2 ahead, Vec2 back) {
       auto found = sides.find(node.global);
       if (found == sides.end()) return;
+      const double facet = std::min(norm(ahead), norm(back));
       for (const Side& side : found->second)
-        if (norm(side.place - node.p) < near * norm(ahead) && turn(side.ahead, ahead) < side.angle) node.p = side.place;
+        if (norm(side.place - node.p) < near * facet && turn(side.ahead, ahead) < side.angle) node.p = side.place;
     });
   }
 

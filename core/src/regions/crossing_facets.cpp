@@ -15,7 +15,7 @@ namespace paver {
 namespace {
 
 constexpr double no_angle = 1e-10;  // radians, between facets from one node
-constexpr double one_node = 1e-9;   // of the facet: the same node of the boundary stage this near is one node
+constexpr double one_node = 1e-9;   // of the facets there: the same node of the boundary stage this near is one
 
 struct Segment {
   LoopFacet facet;
@@ -110,9 +110,10 @@ LoopNodes number_loop_nodes(const Region& region) {
   for (const auto& loop : region.loops) {
     std::vector<int>& numbers = nodes.of_loop.emplace_back();
     for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
+      const Vec2 ahead = loop[(i + 1) % n].p - loop[i].p, back = loop[(i + n - 1) % n].p - loop[i].p;
       int node = -1;
       for (int other : made[loop[i].global])
-        if (norm(nodes.at[other] - loop[i].p) <= one_node * norm(loop[(i + 1) % n].p - loop[i].p)) node = other;
+        if (norm(nodes.at[other] - loop[i].p) <= one_node * std::min(norm(ahead), norm(back))) node = other;
       if (node < 0) {
         node = static_cast<int>(nodes.at.size());
         nodes.at.push_back(loop[i].p);

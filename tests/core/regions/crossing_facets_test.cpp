@@ -43,6 +43,17 @@ TEST(CrossingFacets, ASlitIsNoCrossing) {
   EXPECT_EQ(pairs({{{0, 0}, {2, 0}, {2, 1}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}}), 0u);
 }
 
+// As along a rod that another touches, where its border has far shorter facets than that line.
+TEST(CrossingFacets, SidesOfASlitFarLongerThanTheFacetsAboutItAreTwoNodes) {
+  Region region = test::planar_region({{{0, 0}, {2, 0}, {2, 1000}, {2 + 3e-7, 0}, {4, 0}, {4, 2000}, {0, 2000}}}, 1);
+  std::vector<LoopNode>& loop = region.loops[0];
+  loop[3].global = loop[1].global;
+  const std::vector<int> nodes = number_loop_nodes(region).of_loop[0];
+  EXPECT_NE(nodes[1], nodes[3]);
+  loop[3].p = loop[1].p;
+  EXPECT_EQ(number_loop_nodes(region).of_loop[0][3], nodes[1]);
+}
+
 TEST(CrossingFacets, LoopsInOnePlaceAreFound) {
   Region region = test::planar_region({square, square}, 1);
   EXPECT_EQ(crossing_facets(region, all).size(), 4u);

@@ -13,11 +13,11 @@
 namespace paver {
 namespace {
 
-constexpr double least_depth = 1e-2;          // of the longer element
+constexpr double least_depth = 1e-5;          // of the longer element; what is nearer touches
 constexpr double least_sine_squared = 0.067;  // of 15 degrees
 constexpr int samples = 4;                    // of a side
 constexpr double least_step = 1e-9;           // of a side
-constexpr double on_patch = 1e-6;             // of the longer element
+constexpr double on_patch = 1e-6;             // of the longer element: what is nearer lies on it
 constexpr std::array<double, 6> component_weights{1, 1, 1, 2, 2, 2};
 
 /// How far directions differ, whichever way they look: the range of the products of their components, of which two
@@ -131,17 +131,17 @@ std::optional<Vec3> touching(const ElementPatch& one, const ElementPatch& patch,
 }
 
 std::optional<Vec3> crossing(const ElementPatch& a, const ElementPatch& b) {
-  const double longest = std::max(longest_side(a), longest_side(b)), near = on_patch * longest;
-  if (are_apart(a, b, near)) return std::nullopt;
+  const double longest = std::max(longest_side(a), longest_side(b)), depth = least_depth * longest;
+  if (are_apart(a, b, depth)) return std::nullopt;
   const std::array<std::pair<const ElementPatch*, const ElementPatch*>, 2> both{{{&a, &b}, {&b, &a}}};
   for (const auto& [one, other] : both)
     for (int k = 0; k < one->corners; ++k) {
       const ElementPatch side = side_of(*one, k);
-      if (!side.bounds().meets(other->bounds()) || are_apart(side, *other, near)) continue;
-      if (auto where = piercing(side, *other, least_depth * longest, near)) return where;
+      if (!side.bounds().meets(other->bounds()) || are_apart(side, *other, depth)) continue;
+      if (auto where = piercing(side, *other, depth, on_patch * longest)) return where;
     }
   for (const auto& [one, other] : both)
-    if (auto where = touching(*one, *other, near)) return where;
+    if (auto where = touching(*one, *other, depth)) return where;
   return std::nullopt;
 }
 
@@ -169,7 +169,7 @@ class CrossingSearch {
   }
 
   bool is_wanted(std::size_t element) const { return element < all_.element_count(); }
-  Box box(const Piece& piece) const { return piece.patch.bounds().grown(on_patch * longest_side(piece.patch)); }
+  Box box(const Piece& piece) const { return piece.patch.bounds().grown(least_depth * longest_side(piece.patch)); }
   Directions summary(const Piece& piece) const {
     Directions own;
     add_normals(piece.patch, own);
