@@ -1,6 +1,7 @@
 // In: model, layouts, interval counts. Out: nodes, regions, faces that failed.
 // Steps, round by round: divide; of each region the facets that cross; where their curves keep apart the edge that
 // bulges more is to have twice as many intervals; where they do not the face fails, and what it asked for is forgotten.
+// Likewise where chords turn a loop round.
 // Of elements with curved sides then those whose sides run over each other, twice as many once or twice.
 #include "regions/divide_loops.h"
 
@@ -163,11 +164,32 @@ std::vector<Crossing> find_crowded(const Model& model, const EdgeNodes& nodes, c
   return result;
 }
 
+/// Of a region whose loop, as its chords have it, runs the wrong way round though none cross, as that of a lens between
+/// an arc and a flatter side in two pieces: the edge of the facet that takes most of it away.
+std::optional<Crossing> find_turned(const Model& model, const EdgeNodes& nodes, const Region& region) {
+  if (region.goes_round || region.loops.size() != 1) return std::nullopt;
+  const std::vector<LoopNode>& loop = region.loops[0];
+  double area = 0;  // twice it, as are those below
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) area += cross(loop[i].p - loop[0].p, loop[i + 1].p - loop[0].p);
+  if (area > 0) return std::nullopt;
+  const FacetCurves curves(model, nodes, region);
+  std::optional<Crossing> result;
+  double most = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const LoopNode &a = loop[i], &b = loop[(i + 1) % loop.size()];
+    const double taken = cross(curves.middle({0, static_cast<int>(i)}) - a.p, b.p - a.p);
+    if (a.edge >= 0 && taken > most) most = taken, result = {a.edge, a.edge, Meeting::Kind::apart, a.x};
+  }
+  return result;
+}
+
 /// One for each edge that is to be divided, or the one whose curves do not keep apart.
 std::vector<Crossing> find_crossings(const Model& model, const EdgeNodes& nodes, const Region& region, bool is_curved) {
   std::vector<Crossing> result;
   if (region.fill) return result;
   const auto pairs = crossing_facets(region, most_pairs);
+  const auto turned = pairs.empty() ? find_turned(model, nodes, region) : std::nullopt;
+  if (turned) return {*turned};
   if (pairs.empty()) return is_curved ? find_crowded(model, nodes, region) : result;
   const FacetCurves curves(model, nodes, region);
   for (const auto& pair : pairs) {

@@ -160,6 +160,22 @@ TEST(DivideLoops, WhatOnlyComesNearIsDividedAsFarAsItNeeds) {
   EXPECT_GE(std::count_if(lines.begin(), lines.end(), [](long n) { return n <= 4; }), 3);  // the straight sides
 }
 
+TEST(DivideLoops, ALensWhoseChordsTurnItRoundIsDivided) {
+  // A strut's end that a cone cuts: the corner in the flatter side lies beyond the arc's chord.
+  const gp_Pnt start = at(0, 0), corner = at(0.054, 0.0076), end = at(2, 0);
+  const TopoDS_Edge round = arc(start, at(1, 0.315), end), first = BRepBuilderAPI_MakeEdge(start, corner),
+                    rest = arc(corner, at(1, 0.065), end);
+  const CadModel model = model_of(flat_face(BRepBuilderAPI_MakeWire(first, rest, round).Wire()));
+  for (double size : {10.0, 2.0, 0.2}) {
+    Options options = options_of(size);
+    options.merge = 0;
+    Progress progress;
+    const MeshResult result = mesh_model(model, options, progress);
+    EXPECT_FALSE(shortfall(result)) << size << " " << result.report.faces[0].reason;
+    EXPECT_EQ(result.report.quality.inverted, 0);
+  }
+}
+
 /// Intervals of a half disc's arc, whose chords a hole's tip crosses, and of the arc beyond it.
 std::array<int, 2> divided_arcs(bool are_together) {
   fake::Builder builder;

@@ -2,6 +2,7 @@
 // together is looked for in the mesh itself.
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
@@ -471,6 +472,24 @@ TEST(ConnectRound, ABentConductorLiesInItsInsulator) {
   EXPECT_STREQ(verdict(report), "sound");
   EXPECT_EQ(report.components.size(), 1U);
   EXPECT_EQ(report.quality.border_edges, 0U);
+}
+
+// As CAD programs leave it that cut parts at each other ("fragments"): the line in which they touch is an edge inside
+// the rod's wall, and divides the top of the box.
+TEST(ConnectRound, ARodOnABoxThatWereFusedBeforeIsConnected) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(0, -1.5, -3), 40, 3, 3).Shape();
+  const TopoDS_Shape bar = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5, -10, 0.5), gp::DY()), 0.5, 20).Shape();
+  TopTools_ListOfShape parts;
+  parts.Append(box), parts.Append(bar);
+  BRepAlgoAPI_BuilderAlgo fragments;
+  fragments.SetArguments(parts);
+  fragments.Build();
+  for (double size : {100.0, 3.0}) {
+    const MeshResult result = mesh_of(fragments.Shape(), size);
+    EXPECT_STREQ(verdict(result.report), "sound") << size;
+    EXPECT_EQ(result.report.quality.border_edges, 0);
+    EXPECT_EQ(pieces(result.mesh), 1U);
+  }
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ class Connector {
       fusions_.push_back(std::move(*matching));
       return;
     }
-    if (has_inner_points(work_, parts)) unshare_parts(work_, parts);
+    if (have_inner_shapes(work_, parts)) unshare_parts(work_, parts);
     turn_balls(work_, parts, all, false);
     order_tori(work_, parts);
     if (try_to_fuse(parts)) return;

@@ -133,9 +133,10 @@ std::set<PartPair> touching_parts(const Workpiece& work, const Fusion& fusion);
 /// where none does. Not those with faces that another part has as well.
 bool unshare_parts(Workpiece& work, const std::vector<int>& parts);
 
-/// Whether a face of the parts has a vertex inside, as files have them that were written after a fuse. Where that is
-/// the pole of another part the kernel garbles its face.
-bool has_inner_points(const Workpiece& work, const std::vector<int>& parts);
+/// Whether a face of the parts has a vertex or an edge inside, as files have them that were written after a fuse. Where
+/// such a vertex is the pole of another part the kernel garbles its face; where such an edge bounds a face of another
+/// part that face may stay open.
+bool have_inner_shapes(const Workpiece& work, const std::vector<int>& parts);
 
 /// Gives whole balls among the parts another axis, where a pole lies on a bent face that may touch them, or all of
 /// them; false where there are none. `pairs`: that may touch.

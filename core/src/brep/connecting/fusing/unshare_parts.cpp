@@ -52,11 +52,13 @@ bool unshare_parts(Workpiece& work, const std::vector<int>& parts) {
   return has_shared;
 }
 
-bool has_inner_points(const Workpiece& work, const std::vector<int>& parts) {
+bool have_inner_shapes(const Workpiece& work, const std::vector<int>& parts) {
   const std::vector<char> is_member = marked_parts(work, parts);
+  auto is_inner = [](const TopoDS_Edge& edge) { return edge.Orientation() == TopAbs_INTERNAL; };
   return std::ranges::any_of(work.faces, [&](const WorkFace& face) {
     return std::ranges::any_of(face.uses, [&](const FaceUse& use) { return is_member[use.part] != 0; }) &&
-           TopExp_Explorer(face.face, TopAbs_VERTEX, TopAbs_EDGE).More();
+           (TopExp_Explorer(face.face, TopAbs_VERTEX, TopAbs_EDGE).More() ||
+            std::ranges::any_of(edges_of(face.face), is_inner));
   });
 }
 
