@@ -117,7 +117,7 @@ class Remesher {
     Region other = region_;
     other.h = h;
     other.size.count_no_turns();
-    other.size = other.size.scaled(h / region_.h);
+    other.size = other.size.at_most(h);
     for (auto& loop : other.loops)
       for (LoopNode& node : loop) node.h = std::min(node.h, h);
     return other;

@@ -283,6 +283,13 @@ FaceSize FaceSize::scaled(double factor) const {
   return result;
 }
 
+FaceSize FaceSize::at_most(double h) const {
+  FaceSize result = *this;
+  result.h_ = std::min(h_, h);
+  for (double& sample : result.samples_) sample = std::min(sample, h);
+  return result;
+}
+
 double FaceSize::least() const {
   return samples_.empty() ? h_ : std::min(h_, *std::min_element(samples_.begin(), samples_.end()));
 }

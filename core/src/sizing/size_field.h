@@ -59,6 +59,8 @@ class FaceSize {
   }
   /// The same field, all values times `factor`.
   FaceSize scaled(double factor) const;
+  /// The same field, `h` where that is longer.
+  FaceSize at_most(double h) const;
   /// Least value by the face itself and its curvature.
   double least() const;
 

@@ -491,6 +491,33 @@ TEST(MergeSmall, ATinyBodyStays) {
   EXPECT_EQ(result.report.quality.quads, 6);
 }
 
+TopoDS_Shape board_with(std::initializer_list<TopoDS_Shape> sheets) {
+  std::vector<TopoDS_Shape> parts{BRepPrimAPI_MakeBox(40, 40, 2).Shape()};
+  parts.insert(parts.end(), sheets);
+  return test::compound(parts);
+}
+
+TEST(MergeSmall, APadOnABoardStays) {
+  const TopoDS_Face pad = polygon({{10, 10, 2}, {10.2, 10, 2}, {10.2, 10.2, 2}, {10, 10.2, 2}});
+  const MeshResult result = test::mesh_of(board_with({pad}), 8);
+  EXPECT_EQ(faces_of(result, FaceStatus::merged), 0);
+  EXPECT_STREQ(verdict(result.report), "sound");
+}
+
+// The line ends at a round patch, which touches it beside the middle.
+TEST(MergeSmall, WhereAPatchTouchesTheEndOfALineStaysANode) {
+  const TopoDS_Face line = polygon({{19.25, 4, 2}, {20.25, 4, 2}, {20.25, 14, 2}, {19.25, 14, 2}});
+  const gp_Circ rim(gp_Ax2({20, 20, 2}, gp::DZ()), 6);
+  const TopoDS_Face patch =
+      BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(rim)).Wire()).Face();
+  for (double size : {9.0, 5.0, 1.5}) {
+    const MeshResult result = test::mesh_of(board_with({line, patch}), size);
+    EXPECT_STREQ(verdict(result.report), "sound") << size;
+    const auto is_there = [](Vec3 x) { return norm(x - Vec3{20, 14, 2}) < 1e-6; };
+    EXPECT_TRUE(std::any_of(result.mesh.nodes.begin(), result.mesh.nodes.end(), is_there)) << size;
+  }
+}
+
 TEST(MergeSmall, WhereALengthIsGivenNothingIsMerged) {
   const TopoDS_Shape shape = box_with_fillets(0.05);
   Options options;

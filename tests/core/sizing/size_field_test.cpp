@@ -29,6 +29,14 @@ TEST(FaceSize, IsBilinearInsideItsBoxAndClampedOutside) {
   EXPECT_DOUBLE_EQ(size.by_curvature({std::nan(""), 0}), 1);
 }
 
+TEST(FaceSize, KeepsItsShorterLengthsWhereItIsBounded) {
+  const FaceSize size = FaceSize(9, {{0, 0}, {2, 2}}, 2, {1, 4, 6, 9}).at_most(5);
+  EXPECT_DOUBLE_EQ(size.own(), 5);
+  EXPECT_DOUBLE_EQ(size.by_curvature({0, 0}), 1);
+  EXPECT_DOUBLE_EQ(size.by_curvature({2, 0}), 4);
+  EXPECT_DOUBLE_EQ(size.by_curvature({2, 2}), 5);
+}
+
 TEST(BuildSizeField, FlatFacesHaveTheTargetLengthEverywhere) {
   SizeField field = size_of(fake::box(1, 2, 3), with_size(0.25));
   ASSERT_EQ(field.faces.size(), 6u);

@@ -152,6 +152,7 @@ bool MergeLimits::is_sharp(int e) const {
   const std::vector<int>& faces = edits_.edge(e).faces;
   if (edits_.was_smooth(e)) return false;
   if (faces.size() != 2) return true;
+  if (faces[0] != faces[1] && separates_parts(faces[0], faces[1])) return true;
   if (edits_.edge(e).is_periodic || faces[0] == faces[1]) return false;
   return angle_along(faces[0], faces[1], e) > corner;
 }
@@ -168,7 +169,13 @@ bool MergeLimits::holds(int vertex, const std::vector<int>& ignored, double dist
 
 bool MergeLimits::separates_parts(int a, int b) const {
   const Face &one = edits_.face(a), &two = edits_.face(b);
-  return one.front != two.front || one.back != two.back;
+  const Model& model = edits_.model();
+  auto has_sheet = [&](int face) {
+    const auto f = static_cast<std::size_t>(face);
+    return f < model.face_parts.size() &&
+           std::ranges::any_of(model.face_parts[f], [&](int part) { return model.part_solid[part] < 0; });
+  };
+  return one.front != two.front || one.back != two.back || has_sheet(a) != has_sheet(b);
 }
 
 }  // namespace paver

@@ -56,12 +56,12 @@ class MergeLimits {
   bool is_protected_face(int face) const;
   /// Whether the user asks for a length of the edge, or it is a wire.
   bool has_own_length(int edge) const;
-  /// A free edge, one where more than two faces meet, or a corner of the surface.
+  /// A free edge, one where more than two faces meet, one that separates parts, or a corner of the surface.
   bool is_sharp(int edge) const;
   /// Whether an edge that is sharp and not short ends at the vertex, `ignored` aside: nodes lie at both its ends. It
   /// may end elsewhere by a distance that is nothing against the target length.
   bool holds(int vertex, const std::vector<int>& ignored, double distance) const;
-  /// What lies in front of two faces or behind them differs.
+  /// What lies in front of two faces or behind them differs, or one of them is a sheet on a solid and the other bare.
   bool separates_parts(int face, int other) const;
 
  private:
