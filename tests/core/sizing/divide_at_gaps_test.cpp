@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <algorithm>
+#include <gp_Ax3.hxx>
+#include <gp_Pln.hxx>
 #include <vector>
 
 #include "support/plates.h"
@@ -64,6 +67,18 @@ TEST(DivideAtGaps, AlsoOnBothSidesOfASlot) {
       EXPECT_GT(report.quality.sj_all.min, 0.15) << gap << " " << h;
       EXPECT_LE(report.quality.triangles, 4) << gap << " " << h;
     }
+}
+
+// A fin stands on a strip, from one end of it to beyond a third.
+TEST(DivideAtGaps, AlsoBesideALineInsideAFace) {
+  const TopoDS_Shape fin =
+      BRepBuilderAPI_MakeFace(gp_Pln(gp_Ax3(gp::Origin(), gp::DY(), gp::DX())), 0, 11, -4, 0).Shape();
+  const MeshResult result = test::mesh_of(test::compound({plate(0, -1, 30, 1), fin}), 10);
+  EXPECT_EQ(result.report.quality.triangles, 0);
+  for (double y : {-1.0, 0.0, 1.0}) {
+    const auto is_there = [y](Vec3 x) { return norm(x - Vec3{11, y, 0}) < 1e-6; };
+    EXPECT_TRUE(std::any_of(result.mesh.nodes.begin(), result.mesh.nodes.end(), is_there)) << y;
+  }
 }
 
 }  // namespace

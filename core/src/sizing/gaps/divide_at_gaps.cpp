@@ -86,7 +86,7 @@ class FaceGaps {
                 first + (i + 1) % count,
                 {},
                 {}};
-      if (edge.curve && coedge.pcurve && !edge.is_periodic && !coedge.is_slit) {
+      if (edge.curve && coedge.pcurve && !edge.is_periodic) {
         const bool is_straight = norm(edits_.point(edge.end) - edits_.point(edge.start)) > straight * edge.length;
         for (int k = 0, n = is_straight ? 1 : samples; k <= n; ++k) {
           bank.t.push_back(edge.parameter(static_cast<double>(k) / n));
