@@ -165,7 +165,8 @@ std::vector<Crossing> find_crowded(const Model& model, const EdgeNodes& nodes, c
 }
 
 /// Of a region whose loop, as its chords have it, runs the wrong way round though none cross, as that of a lens between
-/// an arc and a flatter side in two pieces: the edge of the facet that takes most of it away.
+/// an arc and a flatter side in two pieces: the edge of the facet that takes most of it away. Nothing where its curves
+/// run so themselves.
 std::optional<Crossing> find_turned(const Model& model, const EdgeNodes& nodes, const Region& region) {
   if (region.goes_round || region.loops.size() != 1) return std::nullopt;
   const std::vector<LoopNode>& loop = region.loops[0];
@@ -178,8 +179,10 @@ std::optional<Crossing> find_turned(const Model& model, const EdgeNodes& nodes, 
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const LoopNode &a = loop[i], &b = loop[(i + 1) % loop.size()];
     const double taken = cross(curves.middle({0, static_cast<int>(i)}) - a.p, b.p - a.p);
+    area += taken;
     if (a.edge >= 0 && taken > most) most = taken, result = {a.edge, a.edge, Meeting::Kind::apart, a.x};
   }
+  if (area <= 0) result.reset();
   return result;
 }
 

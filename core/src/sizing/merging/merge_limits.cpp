@@ -150,9 +150,9 @@ bool MergeLimits::is_protected_face(int index) const {
 bool MergeLimits::is_sharp(int e) const {
   constexpr double corner = 5 * M_PI / 180;
   const std::vector<int>& faces = edits_.edge(e).faces;
+  if (faces.size() == 2 && separates_parts(faces[0], faces[1])) return true;
   if (edits_.was_smooth(e)) return false;
   if (faces.size() != 2) return true;
-  if (faces[0] != faces[1] && separates_parts(faces[0], faces[1])) return true;
   if (edits_.edge(e).is_periodic || faces[0] == faces[1]) return false;
   return angle_along(faces[0], faces[1], e) > corner;
 }
