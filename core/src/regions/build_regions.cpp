@@ -10,6 +10,7 @@
 #include "base/cells.h"
 #include "boundary/region_loops.h"
 #include "charts/pole.h"
+#include "regions/crossing_facets.h"
 #include "topology/end_direction.h"
 
 namespace paver {
@@ -119,11 +120,10 @@ class RegionBuilder {
     std::unordered_map<int, std::vector<Vec2>> places;
     for (bool slits : {false, true}) {
       for (std::size_t l = 0; l < loops.size(); ++l) {
-        for (std::size_t i = 0, n = loops[l].size(); i < n; ++i) {
+        for (std::size_t i = 0; i < loops[l].size(); ++i) {
           if (static_cast<bool>(is_slit[l][i]) != slits) continue;
           LoopNode& node = loops[l][i];
-          const double facet =
-              std::min(norm(loops[l][(i + 1) % n].p - node.p), norm(loops[l][(i + n - 1) % n].p - node.p));
+          const double facet = shorter_facet(loops[l], i);
           std::vector<Vec2>& known = places[node.global];
           auto is_near = [&](Vec2 place) { return norm(place - node.p) < near * facet; };
           if (auto at = std::find_if(known.begin(), known.end(), is_near); at != known.end())

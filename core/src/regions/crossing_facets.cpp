@@ -109,11 +109,11 @@ LoopNodes number_loop_nodes(const Region& region) {
   std::map<int, std::vector<int>> made;
   for (const auto& loop : region.loops) {
     std::vector<int>& numbers = nodes.of_loop.emplace_back();
-    for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
-      const Vec2 ahead = loop[(i + 1) % n].p - loop[i].p, back = loop[(i + n - 1) % n].p - loop[i].p;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const double near = one_node * shorter_facet(loop, i);
       int node = -1;
       for (int other : made[loop[i].global])
-        if (norm(nodes.at[other] - loop[i].p) <= one_node * std::min(norm(ahead), norm(back))) node = other;
+        if (norm(nodes.at[other] - loop[i].p) <= near) node = other;
       if (node < 0) {
         node = static_cast<int>(nodes.at.size());
         nodes.at.push_back(loop[i].p);
@@ -123,6 +123,12 @@ LoopNodes number_loop_nodes(const Region& region) {
     }
   }
   return nodes;
+}
+
+double shorter_facet(const std::vector<LoopNode>& loop, std::size_t place) {
+  const std::size_t n = loop.size();
+  const Vec2 at = loop[place].p;
+  return std::min(norm(loop[(place + 1) % n].p - at), norm(loop[(place + n - 1) % n].p - at));
 }
 
 std::vector<std::array<LoopFacet, 2>> crossing_facets(const Region& region, std::size_t most) {

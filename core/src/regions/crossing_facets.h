@@ -17,6 +17,9 @@ struct LoopNodes {
 };
 LoopNodes number_loop_nodes(const Region& region);
 
+/// Length in the chart of the shorter one of the two facets at a node: what is near there. A slit's may be far longer.
+double shorter_facet(const std::vector<LoopNode>& loop, std::size_t place);
+
 /// The facet that starts at place `place` of loop `loop`; loops from Region::loops.size() on are the rings of fans.
 struct LoopFacet {
   int loop = -1, place = -1;

@@ -191,9 +191,10 @@ std::vector<Crossing> find_crossings(const Model& model, const EdgeNodes& nodes,
   std::vector<Crossing> result;
   if (region.fill) return result;
   const auto pairs = crossing_facets(region, most_pairs);
-  const auto turned = pairs.empty() ? find_turned(model, nodes, region) : std::nullopt;
-  if (turned) return {*turned};
-  if (pairs.empty()) return is_curved ? find_crowded(model, nodes, region) : result;
+  if (pairs.empty()) {
+    if (const auto turned = find_turned(model, nodes, region)) return {*turned};
+    return is_curved ? find_crowded(model, nodes, region) : result;
+  }
   const FacetCurves curves(model, nodes, region);
   for (const auto& pair : pairs) {
     const Crossing crossing = curves.judge(pair);
