@@ -14,7 +14,7 @@
 namespace paver {
 namespace {
 
-constexpr std::array<double, 3> straightening = {0.5, 0.75, 1.0};
+constexpr std::array<double, 5> straightening = {0.1, 0.25, 0.5, 0.75, 1.0};
 constexpr int passes = 2;
 // A straightened element may ask its neighbours, and these theirs, to follow; further where nothing else is left.
 constexpr int most_depth = 2, most_depth_at_edges = 8;

@@ -5,9 +5,12 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <TopLoc_Location.hxx>
 #include <algorithm>
 #include <gp_Ax3.hxx>
 #include <gp_Pln.hxx>
+#include <gp_Trsf.hxx>
 #include <vector>
 
 #include "support/plates.h"
@@ -34,6 +37,10 @@ std::vector<double> lengths(const TopoDS_Shape& shape, double h) {
   for (const Edge& edge : model.edges) lengths.push_back(edge.length);
   std::ranges::sort(lengths);
   return lengths;
+}
+
+bool has_node(const SurfaceMesh& mesh, Vec3 place) {
+  return std::any_of(mesh.nodes.begin(), mesh.nodes.end(), [&](Vec3 x) { return norm(x - place) < 1e-6; });
 }
 
 TEST(DivideAtGaps, WhereOtherEdgesBeginAndEnd) {
@@ -75,10 +82,40 @@ TEST(DivideAtGaps, AlsoBesideALineInsideAFace) {
       BRepBuilderAPI_MakeFace(gp_Pln(gp_Ax3(gp::Origin(), gp::DY(), gp::DX())), 0, 11, -4, 0).Shape();
   const MeshResult result = test::mesh_of(test::compound({plate(0, -1, 30, 1), fin}), 10);
   EXPECT_EQ(result.report.quality.triangles, 0);
-  for (double y : {-1.0, 0.0, 1.0}) {
-    const auto is_there = [y](Vec3 x) { return norm(x - Vec3{11, y, 0}) < 1e-6; };
-    EXPECT_TRUE(std::any_of(result.mesh.nodes.begin(), result.mesh.nodes.end(), is_there)) << y;
-  }
+  for (double y : {-1.0, 0.0, 1.0}) EXPECT_TRUE(has_node(result.mesh, {11, y, 0})) << y;
+}
+
+// A line ends beside a round patch: its corner lies within 2e-5 to 1e-3 mm of the circle, which leaves it at once.
+TEST(DivideAtGaps, AlsoWhereAGapWidensAtOnce) {
+  for (const double off : {0.015, 0.05, 0.1})
+    for (const double h : {3.5, 2.1, 1.06, 0.7}) {
+      const TopoDS_Shape rest = BRepAlgoAPI_Cut(plate(-15, -15, 15, 15), test::disc(0, 0, 6)).Shape();
+      const TopoDS_Shape board = BRepAlgoAPI_Cut(rest, plate(off, -15, off + 1, -6)).Shape();
+      const RunReport report = test::report_of(board, h);
+      EXPECT_STREQ(verdict(report), "sound") << off << " " << h;
+      EXPECT_GT(report.quality.sj_all.min, 0.15) << off << " " << h;
+    }
+}
+
+// Their vertices lie elsewhere: one more on each, where they are nearest.
+TEST(DivideAtGaps, WhereTwoCirclesComeNearest) {
+  const auto bored = [](double radius, double gap) {
+    gp_Trsf turn;
+    turn.SetRotation(gp::OZ(), 2);
+    const TopoDS_Shape bore = BRepBuilderAPI_Transform(test::disc(0, 0, radius), turn).Shape();
+    turn.SetTranslation({0, 3 - gap - radius, 0});
+    return BRepAlgoAPI_Cut(test::disc(0, 0, 3), bore.Moved(TopLoc_Location(turn))).Shape();
+  };
+  for (const double radius : {2.0, 1.0, 0.5})
+    for (const double gap : {1e-5, 1e-3, 0.005}) {
+      for (const double h : {6.0, 1.0, 0.3}) {
+        const MeshResult result = test::mesh_of(bored(radius, gap), h);
+        EXPECT_STREQ(verdict(result.report), "sound") << radius << " " << gap << " " << h;
+        EXPECT_LT(result.report.quality.quads + result.report.quality.triangles, 1000);
+        EXPECT_TRUE(has_node(result.mesh, {0, 3, 0})) << radius << " " << gap << " " << h;
+        EXPECT_TRUE(has_node(result.mesh, {0, 3 - gap, 0})) << radius << " " << gap << " " << h;
+      }
+    }
 }
 
 }  // namespace

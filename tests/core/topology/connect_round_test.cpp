@@ -33,6 +33,7 @@
 #include <numbers>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "base/union_find.h"
 #include "core/brep/shape_files.h"
@@ -474,21 +475,39 @@ TEST(ConnectRound, ABentConductorLiesInItsInsulator) {
   EXPECT_EQ(report.quality.border_edges, 0U);
 }
 
-// As CAD programs leave it that cut parts at each other ("fragments"): the line in which they touch is an edge inside
+/// As CAD programs leave it that cut parts at each other ("fragments").
+TopoDS_Shape fused_before(const std::vector<TopoDS_Shape>& shapes) {
+  TopTools_ListOfShape parts;
+  for (const TopoDS_Shape& shape : shapes) parts.Append(shape);
+  BRepAlgoAPI_BuilderAlgo fragments;
+  fragments.SetArguments(parts);
+  fragments.Build();
+  return fragments.Shape();
+}
+
+// The line in which they touch is an edge inside
 // the rod's wall, and divides the top of the box.
 TEST(ConnectRound, ARodOnABoxThatWereFusedBeforeIsConnected) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(0, -1.5, -3), 40, 3, 3).Shape();
   const TopoDS_Shape bar = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5, -10, 0.5), gp::DY()), 0.5, 20).Shape();
-  TopTools_ListOfShape parts;
-  parts.Append(box), parts.Append(bar);
-  BRepAlgoAPI_BuilderAlgo fragments;
-  fragments.SetArguments(parts);
-  fragments.Build();
   for (double size : {100.0, 3.0}) {
-    const MeshResult result = mesh_of(fragments.Shape(), size);
+    const MeshResult result = mesh_of(fused_before({box, bar}), size);
     EXPECT_STREQ(verdict(result.report), "sound") << size;
     EXPECT_EQ(result.report.quality.border_edges, 0);
     EXPECT_EQ(pieces(result.mesh), 1U);
+  }
+}
+
+// The same on a sheet, by itself and together with a box that the rod runs into.
+TEST(ConnectRound, ARodOnASheetThatWereFusedBeforeIsConnected) {
+  const TopoDS_Shape sheet = BRepBuilderAPI_MakeFace(gp_Pln(), -20, 110, -30, 70).Face();
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(15, -4, 6), gp::DY()), 6, 8).Shape();
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 5), 85, 36, 20).Shape();
+  for (const bool has_box : {false, true}) {
+    const MeshResult result =
+        mesh_of(fused_before(has_box ? std::vector{rod, sheet, box} : std::vector{rod, sheet}), 5);
+    EXPECT_STREQ(verdict(result.report), "sound") << has_box;
+    EXPECT_EQ(pieces(result.mesh), 1U) << has_box;
   }
 }
 

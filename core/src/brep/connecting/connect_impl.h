@@ -129,8 +129,8 @@ DoubledPieces find_doubled_pieces(const Workpiece& work, const Fusion& fusion, c
 /// Pairs of parts that have a vertex in common after a fusion.
 std::set<PartPair> touching_parts(const Workpiece& work, const Fusion& fusion);
 
-/// Gives solids that share vertices with others before them in the list faces, edges and vertices of their own; false
-/// where none does. Not those with faces that another part has as well.
+/// Gives solids, those with faces in common together, faces, edges and vertices of their own where they share vertices
+/// with sheets, wires or solids before them; false where none does.
 bool unshare_parts(Workpiece& work, const std::vector<int>& parts);
 
 /// Whether a face of the parts has a vertex or an edge inside, as files have them that were written after a fuse. Where

@@ -5,6 +5,7 @@
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 
+#include "base/union_find.h"
 #include "brep/connecting/connect_impl.h"
 #include "brep/occt_shapes_impl.h"
 
@@ -25,28 +26,49 @@ void copy_faces(Workpiece& work, const std::vector<int>& faces) {
   work.is_rebuilt = true;
 }
 
+/// Of parts that have faces in common.
+struct Group {
+  std::vector<int> faces;  // of the workpiece
+  bool is_separate;        // has a solid, and no face of it is another part's, too
+};
+
+std::vector<Group> groups_of(const Workpiece& work, const std::vector<int>& parts) {
+  const std::vector<char> is_member = marked_parts(work, parts);
+  UnionFind together(work.parts.size());
+  for (const WorkFace& face : work.faces)
+    for (const FaceUse& use : face.uses) together.merge(face.uses[0].part, use.part);
+  std::vector<Group> groups;
+  std::vector<int> group_of(work.parts.size(), -1);
+  for (const std::vector<int>& set : together.sets()) {
+    auto is_in_question = [&](int part) { return is_member[part] != 0; };
+    if (std::ranges::none_of(set, is_in_question)) continue;
+    for (const int part : set) group_of[part] = static_cast<int>(groups.size());
+    const bool has_solid = std::ranges::any_of(set, [&](int part) { return work.parts[part].solid >= 0; });
+    groups.push_back({{}, has_solid && std::ranges::all_of(set, is_in_question)});
+  }
+  for (std::size_t f = 0; f < work.faces.size(); ++f)
+    if (const int group = group_of[work.faces[f].uses[0].part]; group >= 0)
+      groups[group].faces.push_back(static_cast<int>(f));
+  return groups;
+}
+
 }  // namespace
 
 bool unshare_parts(Workpiece& work, const std::vector<int>& parts) {
+  std::vector<Group> groups = groups_of(work, parts);
+  std::stable_partition(groups.begin(), groups.end(), [](const Group& group) { return !group.is_separate; });
   TopTools_IndexedMapOfShape known;
   bool has_shared = false;
-  for (const int part : parts) {
-    std::vector<int> faces;
-    bool is_own = work.parts[part].solid >= 0, is_shared = false;
+  for (const Group& group : groups) {
     TopTools_IndexedMapOfShape vertices;
-    for (std::size_t f = 0; f < work.faces.size(); ++f) {
-      const WorkFace& face = work.faces[f];
-      if (!face.has_part(part)) continue;
-      is_own = is_own && face.uses.size() == 1;
-      faces.push_back(static_cast<int>(f));
-      TopExp::MapShapes(face.face, TopAbs_VERTEX, vertices);
-    }
+    for (const int face : group.faces) TopExp::MapShapes(work.faces[face].face, TopAbs_VERTEX, vertices);
+    bool is_shared = false;
     for (int i = 1; i <= vertices.Extent(); ++i) {
       is_shared = is_shared || known.Contains(vertices(i));
       known.Add(vertices(i));
     }
-    if (!is_own || !is_shared) continue;
-    copy_faces(work, faces);
+    if (!group.is_separate || !is_shared) continue;
+    copy_faces(work, group.faces);
     has_shared = true;
   }
   return has_shared;
