@@ -70,8 +70,8 @@ bool FaceBanks::meet(const Bank& one, const Bank& two) const {
   return a.start == b.start || a.start == b.end || a.end == b.start || a.end == b.end;
 }
 
-Foot FaceBanks::foot_on(const Bank& bank, Vec3 x) const {
-  Foot foot;
+BankFoot FaceBanks::foot_on(const Bank& bank, Vec3 x) const {
+  BankFoot foot;
   double upto = 0, total = 0;
   for (std::size_t i = 0; i + 1 < bank.points.size(); ++i) {
     const Vec3 a = bank.points[i], b = bank.points[i + 1];

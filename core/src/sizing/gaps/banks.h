@@ -22,7 +22,7 @@ struct Bank {
 };
 
 /// On a bank.
-struct Foot {
+struct BankFoot {
   double distance = INFINITY, t = 0;
   double before = 0, behind = 0;  // mm, of the edge
 };
@@ -40,7 +40,7 @@ class FaceBanks {
   static Box box_of(const Bank& bank, std::size_t line);
   /// Whether they have a vertex in common.
   bool meet(const Bank& one, const Bank& two) const;
-  Foot foot_on(const Bank& bank, Vec3 x) const;
+  BankFoot foot_on(const Bank& bank, Vec3 x) const;
   /// Left of the bank at a parameter.
   Vec3 inward(const Bank& bank, double t) const;
 

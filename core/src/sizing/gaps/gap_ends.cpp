@@ -10,6 +10,8 @@ namespace paver {
 namespace {
 
 constexpr double near = 0.2;          // target lengths: in wider gaps nodes need not face each other
+constexpr double nearest = 0.05;      // the same: chords would cross unless they do, however the gap widens
+constexpr double shortest = 0.3;      // the same: gaps, and pieces of edges, but where they are nearest
 constexpr double along = 0.95;        // cosine between two edges that run along each other
 constexpr double beside_sides = 0.2;  // radians, between the way across and the edges at the vertex
 
@@ -31,11 +33,11 @@ class GapEnds {
     for (const int o : faced_.meeting(about.grown(std::min(near * h, length / gap_slenderness)))) {
       const Bank& other = banks()[o];
       if (other.edge == bank.edge || other.edge == banks()[next].edge) continue;
-      const Foot foot = faced_.foot_on(other, x);
+      const BankFoot foot = faced_.foot_on(other, x);
       if (foot.distance >= near * h || (best && foot.distance >= best->distance)) continue;
       // Where both meet, a cusp, elements as long as the length fit into its point best.
-      const bool is_nearest = foot.distance < nearest_gap * h && !faced_.meet(bank, other);
-      const double piece = (is_nearest ? nearest_gap : shortest_gap) * h;
+      const bool is_nearest = foot.distance < nearest * h && !faced_.meet(bank, other);
+      const double piece = (is_nearest ? nearest : shortest) * h;
       const double least = std::max(gap_slenderness * foot.distance, piece);
       if (length < least || foot.before < piece || foot.behind < piece) continue;
       if (!is_gap(b, is_start, other, foot, least)) continue;
@@ -57,7 +59,7 @@ class GapEnds {
   }
 
   /// Whether what lies between the end of a bank and the foot is a gap of the face that goes on for `least` mm.
-  bool is_gap(int b, bool is_start, const Bank& other, const Foot& foot, double least) const {
+  bool is_gap(int b, bool is_start, const Bank& other, const BankFoot& foot, double least) const {
     const Bank& bank = banks()[b];
     const Vec3 x = end_of(bank, is_start), way = way_from(bank, is_start);
     const auto [at, slope] = faced_.edge(other).curve->slope(foot.t);
@@ -67,7 +69,7 @@ class GapEnds {
       return false;
     if (-dot(across, unit(faced_.inward(other, foot.t))) < straight_across || !lies_in_face(b, is_start, across))
       return false;
-    if (foot.distance < nearest_gap * limits_.length(bank.edge)) return true;
+    if (foot.distance < nearest * limits_.length(bank.edge)) return true;
     const Edge& edge = faced_.edge(bank);
     const double share = std::min(1.0, least / edge.length);
     const Vec3 farther = edge.curve->point(edge.parameter(is_start != bank.is_reversed ? share : 1 - share));

@@ -13,12 +13,8 @@ struct GapPlace {
   double t = 0, before = 0, behind = 0, distance = 0, apart = 0;  // apart: mm, from others
 };
 
-/// Target lengths: nodes of what is nearer face each other however the gap widens from there, or chords would cross.
-constexpr double nearest_gap = 0.05;
-/// Gaps are as many times as long as wide at least ...
+/// Gaps are as many times as long as wide at least.
 constexpr double gap_slenderness = 5;
-/// ... and as many target lengths.
-constexpr double shortest_gap = 0.3;
 /// Cosine between the way across and that into the face.
 constexpr double straight_across = 0.9;
 /// Of the width, as far from its end as a gap is long at least: what widens by more is none.

@@ -37,9 +37,12 @@ class Necks {
     for (std::size_t k = 1; k + 1 < away.size(); ++k) {
       if (away[k] > away[k - 1] || away[k] >= away[k + 1]) continue;
       const double h = std::min(limits_.length(bank.edge), limits_.length(other.edge));
+      const double around =
+          std::max(norm(bank.points[k] - bank.points[k - 1]), norm(bank.points[k + 1] - bank.points[k]));
+      if (away[k] > nearest_neck * h + around + bank.bulge) continue;
       const double t = nearest_parameter(bank, other, bank.t[k - 1], bank.t[k + 1]);
       const Vec3 x = faced_.edge(bank).curve->point(t);
-      const Foot there = faced_.foot_on(other, x), here = faced_.foot_on(bank, x);
+      const BankFoot there = faced_.foot_on(other, x), here = faced_.foot_on(bank, x);
       const double shorter = std::min(faced_.edge(bank).length, faced_.edge(other).length),
                    piece = std::max(gap_slenderness * there.distance, shortest_piece * std::min(h, shorter));
       if (there.distance >= nearest_neck * h ||
@@ -75,7 +78,7 @@ class Necks {
   }
 
   /// Whether the banks are clearly farther apart some way before and behind.
-  bool widens(const Bank& bank, const Foot& here, const Bank& other, const Foot& there, double way) const {
+  bool widens(const Bank& bank, const BankFoot& here, const Bank& other, const BankFoot& there, double way) const {
     const Edge& edge = faced_.edge(bank);
     return std::ranges::all_of(std::array{-1.0, 1.0}, [&](double side) {
       const double share = std::clamp((here.before + side * way) / edge.length, 0.0, 1.0);
