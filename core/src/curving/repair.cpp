@@ -15,6 +15,7 @@ namespace paver {
 namespace {
 
 constexpr std::array<double, 5> straightening = {0.1, 0.25, 0.5, 0.75, 1.0};
+constexpr double least_inside = 0.5;  // sides inside faces are off nothing
 constexpr int passes = 2;
 // A straightened element may ask its neighbours, and these theirs, to follow; further where nothing else is left.
 constexpr int most_depth = 2, most_depth_at_edges = 8;
@@ -91,8 +92,9 @@ class Repairer {
   bool is_kept(int middle) const { return !moves_edges_ && (middle < first_inside_ || mesh_.node_edge[middle] >= 0); }
 
   bool straighten(const Element& element, int depth) {
-    return std::any_of(straightening.begin(), straightening.end(),
-                       [&](double share) { return straighten_by(share, element, depth); });
+    return std::any_of(straightening.begin(), straightening.end(), [&](double share) {
+      return (moves_edges_ || share >= least_inside) && straighten_by(share, element, depth);
+    });
   }
 
   // Moves the middles of the sides; true when the element is valid and no neighbour has become invalid.

@@ -135,25 +135,28 @@ std::vector<OppositeSides> sides_of_crescent(const Model& model, int face, doubl
   return {pair};
 }
 
-/// Two loops that touch in a vertex, from there on; none where they do not.
+/// Two loops that touch in a vertex, or all but do in two, from there on; none where they do not.
 std::vector<OppositeSides> sides_of_moon(const Model& model, int face, double width, const std::vector<Loop>& loops) {
-  auto from = [&](const Loop& loop, int vertex) {
+  constexpr double touching = 0.05, touching_loops = 0.01;  // of the width, and of the shorter loop
+  auto start = [&](const Coedge& coedge) { return start_of(edge_of(model, coedge), coedge); };
+  auto from = [&](const Loop& loop, std::size_t first) {
     Side side = edges_of(loop);
-    const auto first = std::ranges::find_if(
-        loop.coedges, [&](const Coedge& coedge) { return start_of(edge_of(model, coedge), coedge) == vertex; });
-    if (first == loop.coedges.end()) return Side{};
-    std::rotate(side.begin(), side.begin() + (first - loop.coedges.begin()), side.end());
+    std::rotate(side.begin(), side.begin() + static_cast<std::ptrdiff_t>(first), side.end());
     return side;
   };
-  for (const Coedge& coedge : loops[0].coedges) {
-    const int vertex = start_of(edge_of(model, coedge), coedge);
-    const Side other = from(loops[1], vertex);
-    if (other.empty()) continue;
-    OppositeSides pair = facing(face, from(loops[0], vertex), other, width);
-    pair.is_crescent = pair.is_moon = true;
-    return {pair};
-  }
-  return {};
+  const double shorter = std::min(length_of(model, edges_of(loops[0])), length_of(model, edges_of(loops[1])));
+  double least = std::min(touching * width, touching_loops * shorter);
+  std::optional<std::pair<std::size_t, std::size_t>> nearest;
+  for (std::size_t i = 0; i < loops[0].coedges.size(); ++i)
+    for (std::size_t k = 0; k < loops[1].coedges.size(); ++k) {
+      const int one = start(loops[0].coedges[i]), other = start(loops[1].coedges[k]);
+      const double apart = one == other ? -1 : norm(model.vertices[one] - model.vertices[other]);
+      if (apart < least) least = apart, nearest = {i, k};
+    }
+  if (!nearest) return {};
+  OppositeSides pair = facing(face, from(loops[0], nearest->first), from(loops[1], nearest->second), width);
+  pair.is_crescent = pair.is_moon = true;
+  return {pair};
 }
 
 /// An edge as its face sees it.
@@ -262,7 +265,8 @@ std::vector<OppositeSides> find_opposite_sides(const Model& model, const std::ve
     const int face = static_cast<int>(f);
     const std::size_t before = pairs.size();
     if (!loops[f].empty() && loops[f].size() <= 2) add_sides(model, face, loops[f], pairs);
-    if (pairs.size() == before) std::ranges::move(sides_of_gaps(model, face, loops[f]), std::back_inserter(pairs));
+    if (pairs.size() == before || pairs.back().is_moon)
+      std::ranges::move(sides_of_gaps(model, face, loops[f]), std::back_inserter(pairs));
   }
   return pairs;
 }

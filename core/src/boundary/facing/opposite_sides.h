@@ -15,7 +15,7 @@ struct OppositeSides {
   int partner = -1;  ///< the other pair of the same face, by its place in the list; -1 for rings and bent strips
   double width = 0;  ///< the mean, of a ring whose sides have corners, a bent strip, a crescent, a gap, mm
   bool is_crescent = false;  ///< sides that meet at both ends: rows between them have other lengths unless it is thin
-  bool is_moon = false;      ///< of a crescent: both sides close, and touch in one vertex
+  bool is_moon = false;      ///< of a crescent: both sides close, and touch in one vertex, or all but do in two
   bool is_gap = false;       ///< a narrow part of a face lies between the two, not all of it
 
   /// Of both sides.
@@ -30,8 +30,8 @@ struct OppositeSides {
 
 /// Of all faces: sides between four corners, and the two loops of rings, or where both have as many corners their
 /// sides; the parts of strips that bend; the sides of narrow crescents, also between loops that touch; of faces
-/// without such sides edges that face each other across a narrow gap, as both sides of a wall between two holes.
-/// `loops[f]`: linked_loops of face f without periodic edges.
+/// without such sides, and of these loops, edges that face each other across a narrow gap, as both sides of a wall
+/// between two holes. `loops[f]`: linked_loops of face f without periodic edges.
 std::vector<OppositeSides> find_opposite_sides(const Model& model, const std::vector<std::vector<Loop>>& loops);
 
 /// Of both sides together.
