@@ -146,13 +146,21 @@ std::vector<OppositeSides> sides_of_moon(const Model& model, int face, double wi
   };
   const double shorter = std::min(length_of(model, edges_of(loops[0])), length_of(model, edges_of(loops[1])));
   double least = std::min(touching * width, touching_loops * shorter);
+  std::vector<Box> starts(loops[1].coedges.size());
+  for (std::size_t k = 0; k < starts.size(); ++k) starts[k].add(model.vertices[start(loops[1].coedges[k])]);
+  const BoxTree tree(starts);
   std::optional<std::pair<std::size_t, std::size_t>> nearest;
-  for (std::size_t i = 0; i < loops[0].coedges.size(); ++i)
-    for (std::size_t k = 0; k < loops[1].coedges.size(); ++k) {
-      const int one = start(loops[0].coedges[i]), other = start(loops[1].coedges[k]);
+  for (std::size_t i = 0; i < loops[0].coedges.size(); ++i) {
+    const int one = start(loops[0].coedges[i]);
+    Box about;
+    about.add(model.vertices[one]);
+    tree.each_meeting(about.grown(least), [&](int k) {
+      const int other = start(loops[1].coedges[k]);
       const double apart = one == other ? -1 : norm(model.vertices[one] - model.vertices[other]);
       if (apart < least) least = apart, nearest = {i, k};
-    }
+    });
+    if (least < 0) break;
+  }
   if (!nearest) return {};
   OppositeSides pair = facing(face, from(loops[0], nearest->first), from(loops[1], nearest->second), width);
   pair.is_crescent = pair.is_moon = true;

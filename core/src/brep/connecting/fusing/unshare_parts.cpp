@@ -46,9 +46,11 @@ std::vector<Group> groups_of(const Workpiece& work, const std::vector<int>& part
     const bool has_solid = std::ranges::any_of(set, [&](int part) { return work.parts[part].solid >= 0; });
     groups.push_back({{}, has_solid && std::ranges::all_of(set, is_in_question)});
   }
-  for (std::size_t f = 0; f < work.faces.size(); ++f)
+  for (std::size_t f = 0; f < work.faces.size(); ++f) {
+    if (work.faces[f].uses.empty()) continue;
     if (const int group = group_of[work.faces[f].uses[0].part]; group >= 0)
       groups[group].faces.push_back(static_cast<int>(f));
+  }
   return groups;
 }
 
