@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/nearest_turn.h"
+#include "base/search/nearest_turn.h"
 
 namespace paver {
 namespace {

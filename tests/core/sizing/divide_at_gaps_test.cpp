@@ -13,12 +13,14 @@
 #include <gp_Trsf.hxx>
 #include <vector>
 
+#include "support/has_node.h"
 #include "support/plates.h"
 #include "support/report_of.h"
 
 namespace paver {
 namespace {
 
+using test::has_node;
 using test::plate;
 
 /// What two coupled lines of 20 x 1.2 leave of a plate, one `off` farther along than the other, `gap` mm apart.
@@ -37,10 +39,6 @@ std::vector<double> lengths(const TopoDS_Shape& shape, double h) {
   for (const Edge& edge : model.edges) lengths.push_back(edge.length);
   std::ranges::sort(lengths);
   return lengths;
-}
-
-bool has_node(const SurfaceMesh& mesh, Vec3 place) {
-  return std::any_of(mesh.nodes.begin(), mesh.nodes.end(), [&](Vec3 x) { return norm(x - place) < 1e-6; });
 }
 
 TEST(DivideAtGaps, WhereOtherEdgesBeginAndEnd) {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <BRepAdaptor_Curve.hxx>
-#include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -30,6 +29,8 @@
 
 #include "brep/occt_shapes_impl.h"
 #include "core/brep/step_files.h"
+#include "support/fragments.h"
+#include "support/has_node.h"
 #include "support/report_of.h"
 
 namespace paver {
@@ -245,10 +246,7 @@ TEST(MergeSmall, AnEdgeThatIsNotShortKeepsItsEnds) {
   std::vector<gp_Pnt> points{{0, 0, 0}, {5, 0, 0}, {5.05, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
   const MeshResult result = test::mesh_of(polygon(points), 2);
   EXPECT_TRUE(result.report.merges.empty());
-  for (const double x : {5.0, 5.05}) {
-    auto is_there = [x](Vec3 node) { return norm(node - Vec3{x, 0, 0}) < 1e-9; };
-    EXPECT_TRUE(std::any_of(result.mesh.nodes.begin(), result.mesh.nodes.end(), is_there));
-  }
+  for (const double x : {5.0, 5.05}) EXPECT_TRUE(test::has_node(result.mesh, {x, 0, 0}, 1e-9));
 }
 
 TEST(MergeSmall, ManyPiecesOfAStraightEdgeAreOne) {
@@ -326,14 +324,7 @@ TopoDS_Shape plate_with_pad_at_notch() {
   BRepBuilderAPI_MakePolygon pad;
   for (const gp_Pnt& point : {gp_Pnt(0.5, y, 0), gp_Pnt(0.5, 1.3, 0), gp_Pnt(-0.5, 1.3, 0), gp_Pnt(-0.5, y, 0)})
     pad.Add(point);
-  BRepAlgoAPI_BuilderAlgo fuse;
-  TopTools_ListOfShape arguments;
-  arguments.Append(BRepBuilderAPI_MakeFace(border.Wire()).Face());
-  arguments.Append(arc(0.55));
-  arguments.Append(pad.Wire());
-  fuse.SetArguments(arguments);
-  fuse.Build();
-  return fuse.Shape();
+  return test::fragments_of({BRepBuilderAPI_MakeFace(border.Wire()).Face(), arc(0.55), pad.Wire()});
 }
 
 TEST(MergeSmall, ATinyFaceStaysWhereItsNeighbourIsNarrow) {
@@ -345,14 +336,9 @@ TEST(MergeSmall, ATinyFaceStaysWhereItsNeighbourIsNarrow) {
 /// A trace on a board that ends in a bar across it, `deep` inside: its sides run on along the bar's there.
 TopoDS_Shape trace_into_bar(double deep) {
   const double end = 3 + deep;
-  BRepAlgoAPI_BuilderAlgo fuse;
-  TopTools_ListOfShape arguments;
-  arguments.Append(polygon({{-15, -15, 0}, {15, -15, 0}, {15, 15, 0}, {-15, 15, 0}}));
-  arguments.Append(polygon({{-9, -0.5, 0}, {end, -0.5, 0}, {end, 0.5, 0}, {-9, 0.5, 0}}));
-  arguments.Append(polygon({{3, 0.5, 0}, {3, 2, 0}, {5, 2, 0}, {5, -2, 0}, {3, -2, 0}, {3, -0.5, 0}}));
-  fuse.SetArguments(arguments);
-  fuse.Build();
-  return fuse.Shape();
+  return test::fragments_of({polygon({{-15, -15, 0}, {15, -15, 0}, {15, 15, 0}, {-15, 15, 0}}),
+                             polygon({{-9, -0.5, 0}, {end, -0.5, 0}, {end, 0.5, 0}, {-9, 0.5, 0}}),
+                             polygon({{3, 0.5, 0}, {3, 2, 0}, {5, 2, 0}, {5, -2, 0}, {3, -2, 0}, {3, -0.5, 0}})});
 }
 
 // An edge of 1.5 with a bend at a third of its length was a bulging side, 0.16 off.
@@ -513,8 +499,7 @@ TEST(MergeSmall, WhereAPatchTouchesTheEndOfALineStaysANode) {
   for (double size : {9.0, 5.0, 1.5}) {
     const MeshResult result = test::mesh_of(board_with({line, patch}), size);
     EXPECT_STREQ(verdict(result.report), "sound") << size;
-    const auto is_there = [](Vec3 x) { return norm(x - Vec3{20, 14, 2}) < 1e-6; };
-    EXPECT_TRUE(std::any_of(result.mesh.nodes.begin(), result.mesh.nodes.end(), is_there)) << size;
+    EXPECT_TRUE(test::has_node(result.mesh, {20, 14, 2})) << size;
   }
 }
 

@@ -2,7 +2,6 @@
 // together is looked for in the mesh itself.
 #include <gtest/gtest.h>
 
-#include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
@@ -38,6 +37,7 @@
 #include "base/union_find.h"
 #include "core/brep/shape_files.h"
 #include "core/brep/step_files.h"
+#include "support/fragments.h"
 #include "support/report_of.h"
 
 namespace paver {
@@ -475,23 +475,12 @@ TEST(ConnectRound, ABentConductorLiesInItsInsulator) {
   EXPECT_EQ(report.quality.border_edges, 0U);
 }
 
-/// As CAD programs leave it that cut parts at each other ("fragments").
-TopoDS_Shape fused_before(const std::vector<TopoDS_Shape>& shapes) {
-  TopTools_ListOfShape parts;
-  for (const TopoDS_Shape& shape : shapes) parts.Append(shape);
-  BRepAlgoAPI_BuilderAlgo fragments;
-  fragments.SetArguments(parts);
-  fragments.Build();
-  return fragments.Shape();
-}
-
-// The line in which they touch is an edge inside
-// the rod's wall, and divides the top of the box.
+// The line in which they touch is an edge inside the rod's wall, and divides the top of the box.
 TEST(ConnectRound, ARodOnABoxThatWereFusedBeforeIsConnected) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(0, -1.5, -3), 40, 3, 3).Shape();
   const TopoDS_Shape bar = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5, -10, 0.5), gp::DY()), 0.5, 20).Shape();
   for (double size : {100.0, 3.0}) {
-    const MeshResult result = mesh_of(fused_before({box, bar}), size);
+    const MeshResult result = mesh_of(test::fragments_of({box, bar}), size);
     EXPECT_STREQ(verdict(result.report), "sound") << size;
     EXPECT_EQ(result.report.quality.border_edges, 0);
     EXPECT_EQ(pieces(result.mesh), 1U);
@@ -505,7 +494,7 @@ TEST(ConnectRound, ARodOnASheetThatWereFusedBeforeIsConnected) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 5), 85, 36, 20).Shape();
   for (const bool has_box : {false, true}) {
     const MeshResult result =
-        mesh_of(fused_before(has_box ? std::vector{rod, sheet, box} : std::vector{rod, sheet}), 5);
+        mesh_of(test::fragments_of(has_box ? std::vector{rod, sheet, box} : std::vector{rod, sheet}), 5);
     EXPECT_STREQ(verdict(result.report), "sound") << has_box;
     EXPECT_EQ(pieces(result.mesh), 1U) << has_box;
   }

@@ -1,7 +1,6 @@
 // Parts that touch: what they share, who is on which side, what is told of it.
 #include <gtest/gtest.h>
 
-#include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -28,6 +27,7 @@
 #include "brep/occt_shapes_impl.h"
 #include "core/brep/shape_files.h"
 #include "entries/parts.h"
+#include "support/fragments.h"
 #include "support/report_of.h"
 
 namespace paver {
@@ -221,15 +221,11 @@ TEST(Connect, SidesFollowAPartThatIsInsideOut) {
 
 // As a fuse leaves it in FreeCAD's documents: the solid has the piece inside as a face that does not bound it.
 TEST(Connect, AFaceThatAFuseHasPutIntoASolidIsASheet) {
-  TopTools_ListOfShape arguments;
-  for (const TopoDS_Shape& part : {box(0, 0, 0, 50, 50, 50), sheet(20, 10, 90, 10, 40)}) arguments.Append(part);
-  BRepAlgoAPI_BuilderAlgo fuse;
-  fuse.SetArguments(arguments);
-  fuse.Build();
-  const MeshResult result = mesh_of(fuse.Shape(), 7);
+  const TopoDS_Shape fused = test::fragments_of({box(0, 0, 0, 50, 50, 50), sheet(20, 10, 90, 10, 40)});
+  const MeshResult result = mesh_of(fused, 7);
   EXPECT_STREQ(verdict(result.report), "sound");
   EXPECT_EQ(result.report.components.size(), 1U);
-  const Model model = model_of(fuse.Shape());
+  const Model model = model_of(fused);
   long inside = 0, outside = 0;
   for (const Face& face : model.faces) {
     if (std::abs(face.area - 40 * 30) < 1e-6) inside += face.front.size() == 1 && face.back.size() == 1;

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <optional>
 
-#include "base/nearest_turn.h"
+#include "base/search/nearest_turn.h"
 #include "boundary/facing/side_chain.h"
 #include "boundary/facing/sides_of_loops.h"
 #include "quality/metrics.h"

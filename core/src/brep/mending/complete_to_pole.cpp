@@ -12,8 +12,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/search/golden_section.h"
 #include "brep/mending/mend_impl.h"
 #include "brep/occt_impl.h"
 #include "brep/occt_shapes_impl.h"
@@ -228,21 +228,9 @@ class PoleCompleter {
     return false;
   }
 
-  /// Where the extent is smallest, by golden section.
+  /// Where the extent is smallest.
   double smallest(double low, double high) const {
-    constexpr double share = 1 / std::numbers::phi;
-    double a = high - share * (high - low), b = low + share * (high - low);
-    double at_a = extent(a), at_b = extent(b);
-    for (int i = 0; i < section_steps; ++i) {
-      if (at_a < at_b) {
-        high = b, b = a, at_b = at_a;
-        a = high - share * (high - low), at_a = extent(a);
-      } else {
-        low = a, a = b, at_a = at_b;
-        b = low + share * (high - low), at_b = extent(b);
-      }
-    }
-    return at_a < at_b ? a : b;
+    return golden_section(low, high, section_steps, [&](double reach) { return extent(reach); }).best();
   }
 
   /// Holes beyond the pole say that the face does not end there.

@@ -31,7 +31,8 @@ class FaceBanks {
  public:
   FaceBanks(const ModelEdits& edits, int face);
 
-  const std::vector<Bank>& banks() const { return banks_; }
+  int size() const { return static_cast<int>(banks_.size()); }
+  const Bank& operator[](int b) const { return banks_[b]; }
   const Surface& surface() const { return *face_.surface; }
   const Edge& edge(const Bank& bank) const { return edits_.edge(bank.edge); }
   /// Numbers of banks that come into a box, by the lines between their points, rising.

@@ -21,18 +21,18 @@ class GapEnds {
 
   /// Opposite the end of a bank, on the nearest other one that it runs along.
   std::optional<GapPlace> opposite_end(int b, bool is_start) const {
-    const Bank& bank = banks()[b];
+    const Bank& bank = faced_[b];
     if (bank.points.empty()) return std::nullopt;
     const int next = is_start ? bank.before : bank.after;
-    if (banks()[next].points.empty()) return std::nullopt;
+    if (faced_[next].points.empty()) return std::nullopt;
     const double h = limits_.length(bank.edge), length = faced_.edge(bank).length;
     const Vec3 x = end_of(bank, is_start);
     Box about;
     about.add(x);
     std::optional<GapPlace> best;
     for (const int o : faced_.meeting(about.grown(std::min(near * h, length / gap_slenderness)))) {
-      const Bank& other = banks()[o];
-      if (other.edge == bank.edge || other.edge == banks()[next].edge) continue;
+      const Bank& other = faced_[o];
+      if (other.edge == bank.edge || other.edge == faced_[next].edge) continue;
       const BankFoot foot = faced_.foot_on(other, x);
       if (foot.distance >= near * h || (best && foot.distance >= best->distance)) continue;
       // Where both meet, a cusp, elements as long as the length fit into its point best.
@@ -47,8 +47,6 @@ class GapEnds {
   }
 
  private:
-  const std::vector<Bank>& banks() const { return faced_.banks(); }
-
   Vec3 end_of(const Bank& bank, bool is_start) const {
     return is_start != bank.is_reversed ? bank.points.front() : bank.points.back();
   }
@@ -60,7 +58,7 @@ class GapEnds {
 
   /// Whether what lies between the end of a bank and the foot is a gap of the face that goes on for `least` mm.
   bool is_gap(int b, bool is_start, const Bank& other, const BankFoot& foot, double least) const {
-    const Bank& bank = banks()[b];
+    const Bank& bank = faced_[b];
     const Vec3 x = end_of(bank, is_start), way = way_from(bank, is_start);
     const auto [at, slope] = faced_.edge(other).curve->slope(foot.t);
     const Vec3 across = unit(at - x), tangent = unit(slope);
@@ -78,7 +76,7 @@ class GapEnds {
 
   /// Whether a way from the end of a bank leads between that and the next one.
   bool lies_in_face(int b, bool is_start, Vec3 way) const {
-    const Bank &bank = banks()[b], &next = banks()[is_start ? bank.before : bank.after];
+    const Bank &bank = faced_[b], &next = faced_[is_start ? bank.before : bank.after];
     const Bank &after = is_start ? bank : next, &before = is_start ? next : bank;
     const Edge& edge = faced_.edge(after);
     const auto [at, xu, xv] = faced_.surface().slope(after.image->uv(after.is_reversed ? edge.t1 : edge.t0));
@@ -98,10 +96,9 @@ class GapEnds {
 
 void find_gap_ends(const FaceBanks& banks, const MergeLimits& limits, std::vector<GapPlace>& found) {
   const GapEnds ends(banks, limits);
-  for (std::size_t b = 0; b < banks.banks().size(); ++b)
+  for (int b = 0; b < banks.size(); ++b)
     for (const bool is_start : {true, false})
-      if (const std::optional<GapPlace> place = ends.opposite_end(static_cast<int>(b), is_start))
-        found.push_back(*place);
+      if (const std::optional<GapPlace> place = ends.opposite_end(b, is_start)) found.push_back(*place);
 }
 
 }  // namespace paver

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/search/golden_section.h"
 #include "sizing/gaps/gap_places.h"
 
 namespace paver {
@@ -19,14 +20,14 @@ class Necks {
 
   /// Banks that a bent one may come nearest to, of those that are as bent the ones behind it.
   std::set<int> beside(int b) const {
-    const Bank& bank = banks()[b];
+    const Bank& bank = faced_[b];
     std::set<int> others;
     if (bank.is_straight()) return others;
     const double reach =
         std::min(nearest_neck * limits_.length(bank.edge), faced_.edge(bank).length / (2 * gap_slenderness));
     for (std::size_t i = 0; i + 1 < bank.points.size(); ++i)
       for (const int o : faced_.meeting(FaceBanks::box_of(bank, i).grown(reach)))
-        if ((o > b || banks()[o].is_straight()) && !faced_.meet(bank, banks()[o])) others.insert(o);
+        if ((o > b || faced_[o].is_straight()) && !faced_.meet(bank, faced_[o])) others.insert(o);
     return others;
   }
 
@@ -55,19 +56,12 @@ class Necks {
   }
 
  private:
-  const std::vector<Bank>& banks() const { return faced_.banks(); }
-
-  /// Between two parameters, by golden sections.
+  /// Between two parameters.
   double nearest_parameter(const Bank& bank, const Bank& other, double low, double high) const {
-    constexpr int steps = 40;
-    const double golden = 0.5 * (std::sqrt(5.0) - 1);
+    constexpr int rounds = 40;
     const Curve& curve = *faced_.edge(bank).curve;
-    auto away = [&](double t) { return faced_.foot_on(other, curve.point(t)).distance; };
-    for (int step = 0; step < steps; ++step) {
-      const double a = high - golden * (high - low), b = low + golden * (high - low);
-      (away(a) < away(b) ? high : low) = away(a) < away(b) ? b : a;
-    }
-    return 0.5 * (low + high);
+    const auto away = [&](double t) { return faced_.foot_on(other, curve.point(t)).distance; };
+    return golden_section(low, high, rounds, away).middle();
   }
 
   /// Whether the face lies between two places.
@@ -94,9 +88,8 @@ class Necks {
 
 void find_necks(const FaceBanks& banks, const MergeLimits& limits, std::vector<GapPlace>& found) {
   const Necks necks(banks, limits);
-  for (std::size_t b = 0; b < banks.banks().size(); ++b)
-    for (const int other : necks.beside(static_cast<int>(b)))
-      necks.add_necks(banks.banks()[b], banks.banks()[other], found);
+  for (int b = 0; b < banks.size(); ++b)
+    for (const int other : necks.beside(b)) necks.add_necks(banks[b], banks[other], found);
 }
 
 }  // namespace paver

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/cells.h"
+#include "base/search/golden_section.h"
 
 namespace paver {
 namespace {
@@ -81,23 +82,12 @@ class SideCurve {
 
   /// Golden section between the neighbours of the nearest sample.
   SidePlace nearest(Vec3 x, const Sample& sample) const {
-    constexpr double golden = 0.6180339887498949;
     constexpr int rounds = 30;
     const auto distance_at = [&](double share) { return norm(point(share) - x); };
     const double step = 1.0 / static_cast<double>(samples().size() - 1),
                  best = static_cast<double>(sample.index) * step;
-    double lo = std::max(0.0, best - step), hi = std::min(1.0, best + step);
-    double a = hi - golden * (hi - lo), b = lo + golden * (hi - lo), at_a = distance_at(a), at_b = distance_at(b);
-    for (int i = 0; i < rounds; ++i) {
-      if (at_a < at_b) {
-        hi = b, b = a, at_b = at_a;
-        at_a = distance_at(a = hi - golden * (hi - lo));
-      } else {
-        lo = a, a = b, at_a = at_b;
-        at_b = distance_at(b = lo + golden * (hi - lo));
-      }
-    }
-    const double middle = 0.5 * (lo + hi);
+    const double middle =
+        golden_section(std::max(0.0, best - step), std::min(1.0, best + step), rounds, distance_at).middle();
     return at(distance_at(middle) < sample.distance ? middle : best);
   }
 
